@@ -1,0 +1,43 @@
+#include "core/field.hpp"
+
+#include <algorithm>
+#include <new>
+
+namespace ehl::core {
+namespace {
+constexpr std::align_val_t alignment{64};
+constexpr int doubles_per_line = 8;
+
+std::size_t count(int nodes_x, std::ptrdiff_t stride) {
+  return static_cast<std::size_t>(nodes_x) * static_cast<std::size_t>(stride);
+}
+}  // namespace
+
+void Field::Release::operator()(double* p) const { ::operator delete[](p, alignment); }
+
+Field::Field(int nodes_x, int nodes_y)
+    : nodes_x_(nodes_x),
+      nodes_y_(nodes_y),
+      // Two vectors of padding at least: the last batch of lines may read past ny.
+      stride_((nodes_y + doubles_per_line - 1) / doubles_per_line * doubles_per_line + 2 * doubles_per_line),
+      data_(static_cast<double*>(::operator new[](count(nodes_x_, stride_) * sizeof(double), alignment))) {
+  fill(0.0);
+}
+
+Field::Field(const Field& other) : Field(other.nodes_x_, other.nodes_y_) { copy(other, *this); }
+
+Field& Field::operator=(const Field& other) {
+  if (this == &other) return *this;
+  if (nodes_x_ != other.nodes_x_ || nodes_y_ != other.nodes_y_) *this = Field(other.nodes_x_, other.nodes_y_);
+  copy(other, *this);
+  return *this;
+}
+
+void Field::fill(double value) { std::fill_n(data_.get(), count(nodes_x_, stride_), value); }
+
+void copy(const Field& from, Field& to) {
+  if (from.nodes_x() == 0) return;
+  std::copy_n(from.at_x(0), count(from.nodes_x(), from.stride()), to.at_x(0));
+}
+
+}  // namespace ehl::core

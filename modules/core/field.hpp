@@ -1,0 +1,59 @@
+#pragma once
+// The owning two-dimensional field: one value per node, aligned for the vector units.
+#include <cstddef>
+#include <memory>
+#include <span>
+
+#include "core/grid.hpp"
+
+namespace ehl::core {
+
+/// One double per node of a grid, zero at birth. Storage runs along y (j) fastest: the line relaxation solves
+/// lines of constant Y, many lines j at once, one in each lane of a vector register, so neighbouring lines
+/// must be neighbours in memory. Every station i starts on a 64-byte boundary; the padding behind j = ny
+/// holds no information.
+class Field {
+ public:
+  Field() = default;
+  /// in: nodes_x, nodes_y >= 1 numbers of nodes. errors: std::bad_alloc.
+  Field(int nodes_x, int nodes_y);
+  explicit Field(const Grid& grid) : Field(grid.nodes_x(), grid.nodes_y()) {}
+  Field(const Field& other);
+  Field& operator=(const Field& other);
+  Field(Field&&) noexcept = default;
+  Field& operator=(Field&&) noexcept = default;
+  ~Field() = default;
+
+  int nodes_x() const { return nodes_x_; }
+  int nodes_y() const { return nodes_y_; }
+  /// Doubles from station i to station i+1.
+  std::ptrdiff_t stride() const { return stride_; }
+
+  double& operator()(int i, int j) { return data_[i * stride_ + j]; }
+  double operator()(int i, int j) const { return data_[i * stride_ + j]; }
+
+  /// The values at X_i for j = 0..ny.
+  std::span<double> station(int i) { return {data_.get() + i * stride_, static_cast<std::size_t>(nodes_y_)}; }
+  std::span<const double> station(int i) const {
+    return {data_.get() + i * stride_, static_cast<std::size_t>(nodes_y_)};
+  }
+  /// First value at X_i, for inner loops.
+  double* at_x(int i) { return data_.get() + i * stride_; }
+  const double* at_x(int i) const { return data_.get() + i * stride_; }
+
+  void fill(double value);
+
+ private:
+  struct Release {
+    void operator()(double* p) const;
+  };
+  int nodes_x_ = 0;
+  int nodes_y_ = 0;
+  std::ptrdiff_t stride_ = 0;
+  std::unique_ptr<double[], Release> data_;
+};
+
+/// to <- from. limits: same shape.
+void copy(const Field& from, Field& to);
+
+}  // namespace ehl::core

@@ -1,0 +1,19 @@
+#include "core/timer.hpp"
+
+namespace ehl::core {
+
+const char* name(Part part) {
+  switch (part) {
+    case Part::deformation: return "elastic deformation";
+    case Part::coefficients: return "viscosity, density, epsilon";
+    case Part::residual: return "residual";
+    case Part::line_solve: return "line relaxation";
+    case Part::transfer: return "grid transfer";
+    case Part::coarsest: return "coarsest grid";
+    case Part::setup: return "set-up";
+    case Part::count: break;
+  }
+  return "?";
+}
+
+}  // namespace ehl::core

@@ -1,0 +1,41 @@
+#pragma once
+// Wall-clock time per named part of the work.
+#include <array>
+#include <chrono>
+#include <cstddef>
+
+namespace ehl::core {
+
+/// Seconds since some fixed moment.
+inline double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// The parts of the solver whose share of the time is reported.
+enum class Part : std::size_t { deformation, coefficients, residual, line_solve, transfer, coarsest, setup, count };
+
+/// Name of a part as the report prints it.
+const char* name(Part part);
+
+/// Seconds spent in each part. Plain data: whoever works adds to it.
+struct PartTimes {
+  std::array<double, static_cast<std::size_t>(Part::count)> seconds{};
+  double& operator[](Part part) { return seconds[static_cast<std::size_t>(part)]; }
+  double operator[](Part part) const { return seconds[static_cast<std::size_t>(part)]; }
+};
+
+/// Adds the seconds from its birth to its death to one part.
+class ScopedTimer {
+ public:
+  ScopedTimer(PartTimes& times, Part part) : times_(times), part_(part), start_(now()) {}
+  ~ScopedTimer() { times_[part_] += now() - start_; }
+  ScopedTimer(const ScopedTimer&) = delete;
+  ScopedTimer& operator=(const ScopedTimer&) = delete;
+
+ private:
+  PartTimes& times_;
+  Part part_;
+  double start_;
+};
+
+}  // namespace ehl::core

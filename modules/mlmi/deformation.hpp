@@ -1,0 +1,46 @@
+#pragma once
+// The elastic deformation w = K*P: three evaluators behind one interface.
+#include <cstddef>
+#include <memory>
+#include <string>
+
+#include "core/field.hpp"
+#include "core/grid.hpp"
+
+namespace ehl::mlmi {
+
+enum class Method { mlmi, fft, direct };
+
+/// How to evaluate the deformation. Zero or negative numbers mean: choose for the grid (the defaults measured in README.md).
+struct Parameters {
+  Method method = Method::mlmi;
+  int order = 0;          ///< transfer order 2p = 4, 6 or 8
+  int patch_along = 0;    ///< correction patch radius m1 along the coarsening direction [fine points]
+  int patch_across = 0;   ///< correction patch radius m2 across it [fine points]
+  int coarsenings = -1;   ///< number of semi-coarsenings before the coarsest sum
+  bool coarsest_direct = false;  ///< coarsest sum directly instead of by FFT
+};
+
+/// Evaluates w_ij = (2/pi^2) sum_kl K_ijkl P_kl on one grid; owns the tables, plans and work space.
+/// Not copyable; one evaluator serves one caller at a time.
+class Deformation {
+ public:
+  /// errors: core::InputError when the parameters do not fit the grid.
+  Deformation(const core::Grid& grid, const Parameters& parameters, int threads);
+  ~Deformation();
+  Deformation(Deformation&&) noexcept;
+  Deformation& operator=(Deformation&&) noexcept;
+
+  /// w = K*P. in: P on the grid's nodes; boundary values take part in the sum. out: w on all nodes.
+  void evaluate(const core::Field& P, core::Field& w);
+
+  /// What was chosen, for the report: "mlmi, order 6, patch 9x3, 2 coarsenings, FFT on 129x129".
+  std::string description() const;
+  std::size_t bytes() const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace ehl::mlmi
