@@ -1,20 +1,23 @@
 #pragma once
 // Influence coefficients of the elastic half-space for a pressure that is constant on each cell.
+#include <cstddef>
 #include <vector>
 
 namespace ehl::kernel {
 
-/// K(d_x, d_y) = integral of 1/r over a cell of hx x hy centred at (d_x hx, d_y hy), seen from the origin, exact:
-/// a quarter-plane antiderivative y ln(x+r) + x ln(y+r) at the four corners, rearranged so that nothing cancels far away.
+/// K(d_x, d_y) = integral of 1/r over a cell of hx x hy centred at (d_x hx, d_y hy), seen from the origin.
 /// The film equation multiplies it by 2/pi^2 (eq. 6).
+/// Near: the closed form, the antiderivative y ln(x+r) + x ln(y+r) at the four corners, written with log1p of the
+/// differences. Far (beyond 6 cells), where the four corners would cancel: Gauss quadrature over the cell, whose terms
+/// are all positive and whose error (4d)^-2m is below the rounding error.
+/// in: d_x, d_y offset [cells]; hx, hy > 0 [any one unit, K has the same]. limits: relative error < 1e-14 for
+/// 1/4 <= hx/hy <= 4, growing in proportion to the larger of hx/hy and hy/hx.
 double influence(int d_x, int d_y, double hx, double hy);
 
-/// Symmetric table of K for |d_x| <= n_x, |d_y| <= n_y.
+/// Symmetric table of K.
 struct InfluenceTable {
   int n_x = 0;
   int n_y = 0;
-  double hx = 0.0;
-  double hy = 0.0;
   std::vector<double> K;  ///< (n_x+1) x (n_y+1), d_y fastest
 
   double operator()(int d_x, int d_y) const {
@@ -24,10 +27,15 @@ struct InfluenceTable {
   }
 };
 
-InfluenceTable influence_table(int n_x, int n_y, double hx, double hy);
+/// influence(d_x every_x, d_y every_y, hx, hy) for 0 <= d_x <= n_x, 0 <= d_y <= n_y: with every > 1 the kernel of the
+/// same cells seen on a coarser grid, as multilevel multi-integration needs it. Vectorised; equal to influence() up to
+/// rounding. cost: about 10 ns per entry.
+InfluenceTable influence_table(int n_x, int n_y, double hx, double hy, int every_x = 1, int every_y = 1);
 
-/// Delta K (eq. 14): K minus the mean of its four neighbours, evaluated without cancellation far away
-/// (relative error below 1e-10 at any distance).
+/// Delta K (eq. 14): K minus the mean of its four neighbours, the influence of a distributive change of the pressure.
+/// Near: differences of K. Far: the difference of 1/r itself, in a form free of cancellation, integrated over the cell.
+/// limits: relative error < 1e-12 for hx = hy at any distance; for hx != hy relative to hx hy max(hx,hy)^2/r^3, because
+/// there Delta K passes through zero.
 double distributed_influence(int d_x, int d_y, double hx, double hy);
 
 }  // namespace ehl::kernel
