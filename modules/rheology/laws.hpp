@@ -19,25 +19,52 @@ struct Roelands {
 };
 using ViscosityLaw = std::variant<Isoviscous, Barus, Roelands>;
 
+/// Roelands' reference pressure [Pa].
+inline constexpr double roelands_p0 = 1.96e8;
+/// The pressure in Dowson and Higginson's density law [Pa].
+inline constexpr double dowson_higginson_B = 5.9e8;
+
 /// rho_bar = 1.
 struct Incompressible {};
-/// rho_bar = (5.9e8 + 1.34 p) / (5.9e8 + p), p in Pa.
+/// rho_bar = (5.9e8 + 1.34 p) / (5.9e8 + p), p in Pa. source: Dowson and Higginson (1966).
 struct DowsonHigginson {
   double p_h_over_B;  ///< p_h / 5.9e8 Pa
 };
 using DensityLaw = std::variant<Incompressible, DowsonHigginson>;
 
-/// fluidity = 1/eta_bar: never overflows, and underflows to zero where alpha_bar P passes about 700.
-/// in: P >= 0, any length. out: fluidity, same length. error: below 4 units in the last place relative
-/// to the exact formula evaluated with the rounded exponent.
+/// Barus: alpha_bar = alpha p_h. in: alpha [1/Pa] >= 0, p_h [Pa] > 0.
+Barus make_barus(double alpha, double p_h);
+/// Roelands' law for P = p/p_h. in: alpha [1/Pa] > 0, p0 [Pa] > 0, z > 0 (0.45 to 0.7 for mineral oils), p_h [Pa] > 0.
+/// limits: z = 1, or p0 -> infinity at z = 1, is Barus with alpha_bar = alpha p_h.
+Roelands make_roelands(double alpha, double p0, double z, double p_h);
+/// The z that goes with a viscosity at ambient pressure: alpha p0/z = ln(eta0) + 9.67.
+/// in: alpha [1/Pa], p0 [Pa], eta0 [Pa s]. limits: eta0 > 6.3e-5 Pa s, Roelands' viscosity at -p0.
+/// errors: InputError below that. source: Roelands (1966), where all oils share
+/// one pole at -p0 and 6.3e-5 Pa s.
+double roelands_z(double alpha, double p0, double eta0);
+/// Dowson and Higginson's law for P = p/p_h. in: p_h [Pa] > 0.
+DowsonHigginson make_dowson_higginson(double p_h);
+
+// All functions below: in P = p/p_h, any length; out of the same length, not overlapping P. Each value depends
+// on its own P alone, whatever the length and the position. P slightly below zero continues the formula;
+// where 1 + p_h P/p0 <= 0 Roelands' law has no value and the result is NaN.
+
+/// fluidity = 1/eta_bar: never overflows, and underflows to zero where ln(eta_bar) passes 745.
+/// Exactly 1 at P = 0. error: below 4 units in the last place relative to the exact exponential of the rounded
+/// exponent; the rounding of the exponent adds up to 4 |ln eta_bar| units.
 void fluidity(const ViscosityLaw& law, std::span<const double> P, std::span<double> fluidity);
+/// ln(eta_bar): finite where eta_bar itself overflows, accurate where it is small.
+void log_viscosity(const ViscosityLaw& law, std::span<const double> P, std::span<double> log_eta);
 /// d ln(eta_bar)/dP.
 void log_viscosity_slope(const ViscosityLaw& law, std::span<const double> P, std::span<double> slope);
-/// ln(eta_bar): finite where eta_bar itself overflows.
-void log_viscosity(const ViscosityLaw& law, std::span<const double> P, std::span<double> log_eta);
 
-/// rho_bar(P) and d rho_bar/dP.
+/// rho_bar(P). Exactly 1 at P = 0.
 void density(const DensityLaw& law, std::span<const double> P, std::span<double> rho_bar);
+/// d rho_bar/dP.
 void density_slope(const DensityLaw& law, std::span<const double> P, std::span<double> drho_bar);
+
+/// fluidity and density in one pass over P: the same bits as the two functions above.
+void film_properties(const ViscosityLaw& viscosity, const DensityLaw& density, std::span<const double> P,
+                     std::span<double> fluidity, std::span<double> rho_bar);
 
 }  // namespace ehl::rheology

@@ -1,0 +1,172 @@
+#include "rheology/laws.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "core/errors.hpp"
+#include "rheology/elementary.hpp"
+
+namespace ehl::rheology {
+namespace {
+
+// Dowson and Higginson: the density gains 34 % at infinite pressure.
+constexpr double compression = 0.34;
+// Values per round of the passes below: few enough to stay in the first-level cache.
+constexpr std::size_t chunk = 64;
+
+// out = f(in) for a pack at a time; the rest goes through a padded copy, so that a value never depends on where
+// in the span it stands. in and out may be the same span. 0 is a legal argument of every f here.
+template <class Function>
+void apply(std::span<const double> in, std::span<double> out, Function f) {
+  constexpr std::size_t width = pack_width;
+  const std::size_t whole = in.size() / width * width;
+  for (std::size_t k = 0; k < whole; k += width) store_pack(&out[k], f(load_pack(&in[k])));
+  if (whole == in.size()) return;
+  std::array<double, width> padded{};
+  for (std::size_t k = whole; k < in.size(); ++k) padded[k - whole] = in[k];
+  store_pack(padded.data(), f(load_pack(padded.data())));
+  for (std::size_t k = whole; k < in.size(); ++k) out[k] = padded[k - whole];
+}
+
+void log_eta(Isoviscous, std::span<const double> P, std::span<double> out) {
+  apply(P, out, [](Pack) { return Pack{}; });
+}
+void log_eta(const Barus& law, std::span<const double> P, std::span<double> out) {
+  apply(P, out, [&](Pack p) { return law.alpha_bar * p; });
+}
+// In two passes: a loop with one elementary function in it overlaps its iterations, a loop with the chain of
+// two or three does not fit into the processor's window and takes half as long again.
+void log_eta(const Roelands& law, std::span<const double> P, std::span<double> out) {
+  apply(P, out, [&](Pack p) {
+    const Pack u = law.p_h_over_p0 * p;
+    // At the pole the power is 0 and the formula would give a harmless-looking number.
+    return u > -1.0 ? law.z * log1p(u) : pack_of(NAN);
+  });
+  apply(out, out, [&](Pack power) { return law.alpha_p0_over_z * expm1(power); });
+}
+
+void log_eta_slope(Isoviscous, std::span<const double> P, std::span<double> out) {
+  apply(P, out, [](Pack) { return Pack{}; });
+}
+void log_eta_slope(const Barus& law, std::span<const double> P, std::span<double> out) {
+  apply(P, out, [&](Pack) { return pack_of(law.alpha_bar); });
+}
+void log_eta_slope(const Roelands& law, std::span<const double> P, std::span<double> out) {
+  apply(P, out, [&](Pack p) {
+    const Pack u = law.p_h_over_p0 * p;
+    return u > -1.0 ? (law.z - 1.0) * log1p(u) : pack_of(NAN);
+  });
+  const double factor = law.alpha_p0_over_z * law.z * law.p_h_over_p0;
+  apply(out, out, [&](Pack power) { return factor * exp(power); });
+}
+
+void rho(Incompressible, std::span<const double> P, std::span<double> out) {
+  apply(P, out, [](Pack) { return pack_of(1.0); });
+}
+void rho(const DowsonHigginson& law, std::span<const double> P, std::span<double> out) {
+  apply(P, out, [&](Pack p) {
+    const Pack v = law.p_h_over_B * p;
+    return (1.0 + (1.0 + compression) * v) / (1.0 + v);
+  });
+}
+
+void rho_slope(Incompressible, std::span<const double> P, std::span<double> out) {
+  apply(P, out, [](Pack) { return Pack{}; });
+}
+void rho_slope(const DowsonHigginson& law, std::span<const double> P, std::span<double> out) {
+  apply(P, out, [&](Pack p) {
+    const Pack denominator = 1.0 + law.p_h_over_B * p;
+    return (compression * law.p_h_over_B) / (denominator * denominator);
+  });
+}
+
+template <class Law>
+void reciprocal_eta(const Law& law, std::span<const double> P, std::span<double> out) {
+  log_eta(law, P, out);
+  apply(out, out, [](Pack exponent) { return exp(-exponent); });
+}
+void reciprocal_eta(Isoviscous, std::span<const double>, std::span<double> out) { std::ranges::fill(out, 1.0); }
+
+bool all_zero(std::span<const double> P) {
+  PackBits seen{};
+  const std::size_t whole = P.size() / pack_width * pack_width;
+  // Shifted by one bit: the sign of a zero does not matter.
+  for (std::size_t k = 0; k < whole; k += pack_width) seen |= bits_of(load_pack(&P[k])) << 1;
+  bool zero = true;
+  for (int lane = 0; lane < pack_width; ++lane) zero = zero && seen[lane] == 0;
+  for (std::size_t k = whole; k < P.size(); ++k) zero = zero && P[k] == 0.0;
+  return zero;
+}
+
+// Calls f(P, out) for one chunk after the other.
+template <class Function>
+void in_chunks(std::span<const double> P, std::span<double> out, Function f) {
+  for (std::size_t k = 0; k < P.size(); k += chunk) {
+    const std::size_t count = std::min(chunk, P.size() - k);
+    f(P.subspan(k, count), out.subspan(k, count));
+  }
+}
+
+}  // namespace
+
+Barus make_barus(double alpha, double p_h) { return {alpha * p_h}; }
+
+Roelands make_roelands(double alpha, double p0, double z, double p_h) { return {alpha * p0 / z, p_h / p0, z}; }
+
+double roelands_z(double alpha, double p0, double eta0) {
+  const double log_ratio = std::log(eta0) + 9.67;
+  if (!(log_ratio > 0.0)) {
+    throw core::InputError("lubricant.eta0 = " + std::to_string(eta0) +
+                           " Pa s: Roelands' law needs more than 6.3e-5 Pa s, or z given");
+  }
+  return alpha * p0 / log_ratio;
+}
+
+DowsonHigginson make_dowson_higginson(double p_h) { return {p_h / dowson_higginson_B}; }
+
+void fluidity(const ViscosityLaw& law, std::span<const double> P, std::span<double> fluidity) {
+  std::visit([&](const auto& v) { in_chunks(P, fluidity, [&](auto p, auto out) { reciprocal_eta(v, p, out); }); }, law);
+}
+
+void log_viscosity(const ViscosityLaw& law, std::span<const double> P, std::span<double> log_eta_bar) {
+  std::visit([&](const auto& v) { in_chunks(P, log_eta_bar, [&](auto p, auto out) { log_eta(v, p, out); }); }, law);
+}
+
+void log_viscosity_slope(const ViscosityLaw& law, std::span<const double> P, std::span<double> slope) {
+  std::visit([&](const auto& v) { in_chunks(P, slope, [&](auto p, auto out) { log_eta_slope(v, p, out); }); }, law);
+}
+
+void density(const DensityLaw& law, std::span<const double> P, std::span<double> rho_bar) {
+  std::visit([&](const auto& d) { rho(d, P, rho_bar); }, law);
+}
+
+void density_slope(const DensityLaw& law, std::span<const double> P, std::span<double> drho_bar) {
+  std::visit([&](const auto& d) { rho_slope(d, P, drho_bar); }, law);
+}
+
+void film_properties(const ViscosityLaw& viscosity, const DensityLaw& density, std::span<const double> P,
+                     std::span<double> fluidity, std::span<double> rho_bar) {
+  std::visit(
+      [&](const auto& v, const auto& d) {
+        for (std::size_t k = 0; k < P.size(); k += chunk) {
+          const std::size_t count = std::min(chunk, P.size() - k);
+          const auto p = P.subspan(k, count);
+          const auto fluidity_out = fluidity.subspan(k, count);
+          const auto rho_out = rho_bar.subspan(k, count);
+          // Behind the exit everything is cavitated, a quarter of a usual domain: no exponentials for it.
+          if (all_zero(p)) {
+            std::ranges::fill(fluidity_out, 1.0);
+            std::ranges::fill(rho_out, 1.0);
+          } else {
+            reciprocal_eta(v, p, fluidity_out);
+            rho(d, p, rho_out);
+          }
+        }
+      },
+      viscosity, density);
+}
+
+}  // namespace ehl::rheology
