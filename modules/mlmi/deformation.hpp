@@ -11,13 +11,14 @@ namespace ehl::mlmi {
 
 enum class Method { mlmi, fft, direct };
 
-/// How to evaluate the deformation. Zero or negative numbers mean: choose for the grid (the defaults measured in README.md).
+/// How to evaluate the deformation. Zero or negative numbers mean: choose for the grid (the defaults measured in
+/// README.md).
 struct Parameters {
   Method method = Method::mlmi;
-  int order = 0;          ///< transfer order 2p = 4, 6 or 8
-  int patch_along = 0;    ///< correction patch radius m1 along the coarsening direction [fine points]
-  int patch_across = 0;   ///< correction patch radius m2 across it [fine points]
-  int coarsenings = -1;   ///< number of semi-coarsenings before the coarsest sum
+  int order = 0;                 ///< transfer order 2p = 4, 6 or 8
+  int patch_along = 0;           ///< correction patch radius m1 along the coarsening direction [fine points]
+  int patch_across = 0;          ///< correction patch radius m2 across it [fine points]
+  int coarsenings = -1;          ///< number of semi-coarsenings before the coarsest sum
   bool coarsest_direct = false;  ///< coarsest sum directly instead of by FFT
 };
 

@@ -1,0 +1,50 @@
+#pragma once
+// The sum w = K*u over all pairs of points by zero-padded Fourier transforms: exact up to rounding.
+#include <cstddef>
+#include <vector>
+
+#include "kernel/influence.hpp"
+#include "mlmi/buffer.hpp"
+#include "mlmi/fourier_transform.hpp"
+
+namespace ehl::mlmi {
+
+/// The smallest even 2^a 3^b 5^c that is at least n.
+int padded_length(int n);
+
+/// w_ij = factor sum_kl K(i-k, j-l) u_kl for arrays of rows x columns points, the columns contiguous.
+/// Owns the real spectrum of the symmetric kernel, the plans and the work space.
+/// cost: O(N ln N); rows of u that are zero at both ends of the array are not transformed.
+class FourierConvolution {
+ public:
+  /// in: kernel table with n_x >= rows-1 (first offset), n_y >= columns-1.
+  FourierConvolution(int rows, int columns, const kernel::InfluenceTable& kernel, double factor, int threads);
+
+  /// in: u, row i at u + i stride_u. out: w, row i at w + i stride_w. limits: u and w do not overlap.
+  void apply(const double* u, std::ptrdiff_t stride_u, double* w, std::ptrdiff_t stride_w);
+
+  int rows() const { return rows_; }
+  int columns() const { return columns_; }
+  std::size_t bytes() const;
+
+ private:
+  // What one thread needs for itself.
+  struct Worker {
+    RealTransform row;
+    ColumnTransform column;
+    Buffer real, complex, block;
+  };
+  void prepare_spectrum(const kernel::InfluenceTable& kernel, double factor);
+  void convolve_block(int block, int first, int last, Worker& worker);
+
+  int rows_, columns_;
+  int length_rows_, length_columns_;  // padded numbers of rows and columns
+  int frequencies_;                   // length_columns/2 + 1
+  int blocks_;                        // frequencies in blocks of ColumnTransform::columns
+  std::ptrdiff_t stride_;             // doubles per row of the half transformed array
+  Buffer half_;                       // rows x frequencies: transformed along the columns only
+  Buffer spectrum_;                   // of the kernel, block by block, rows fastest within the half range
+  std::vector<Worker> workers_;
+};
+
+}  // namespace ehl::mlmi

@@ -1,0 +1,44 @@
+#pragma once
+// The only door to a library for discrete Fourier transforms. Two files can stand behind it: fourier_transform_fftw.cpp
+// (FFTW, when the build option EHL_FFTW is on) and fourier_transform_eigen.cpp (Eigen's transform).
+// Complex numbers are pairs of doubles, real part first. Nothing is normalised: forward then inverse multiplies by the
+// length. Arrays must start on a 64-byte boundary. An object serves one thread at a time.
+#include <memory>
+
+namespace ehl::mlmi {
+
+/// Name of the library behind the door.
+const char* fourier_library();
+
+/// Transforms of real rows of one length. limits: length even.
+class RealTransform {
+ public:
+  explicit RealTransform(int length);
+  ~RealTransform();
+  RealTransform(RealTransform&&) noexcept;
+  /// spectrum_k = sum_n row_n exp(-2 pi i k n/length), k = 0..length/2. in: row, length doubles.
+  void forward(const double* row, double* spectrum) const;
+  /// row_n = sum_k spectrum_k exp(2 pi i k n/length) over the whole symmetric spectrum. The spectrum is destroyed.
+  void inverse(double* spectrum, double* row) const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+/// Transforms of `columns` complex columns at once, in place, element n of column c at data[2 (n columns + c)].
+class ColumnTransform {
+ public:
+  static constexpr int columns = 8;
+  explicit ColumnTransform(int length);
+  ~ColumnTransform();
+  ColumnTransform(ColumnTransform&&) noexcept;
+  void forward(double* data) const;
+  void inverse(double* data) const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace ehl::mlmi

@@ -1,0 +1,83 @@
+// FFTW behind the door. FFTW is under the GPL: a program built with this file is too (README, Licence).
+#include <fftw3.h>
+
+#include <mutex>
+
+#include "mlmi/buffer.hpp"
+#include "mlmi/fourier_transform.hpp"
+
+namespace ehl::mlmi {
+namespace {
+
+// The planner is the one part of FFTW that two threads must not enter together.
+std::mutex planner;
+
+// FFTW_ESTIMATE times nothing: the same machine always gets the same plan and with it the same bits.
+constexpr unsigned flags = FFTW_ESTIMATE;
+
+fftw_complex* as_complex(double* p) { return reinterpret_cast<fftw_complex*>(p); }
+
+struct Plan {
+  fftw_plan handle = nullptr;
+  Plan() = default;
+  Plan(const Plan&) = delete;
+  Plan& operator=(const Plan&) = delete;
+  ~Plan() {
+    const std::lock_guard lock(planner);
+    fftw_destroy_plan(handle);
+  }
+};
+
+}  // namespace
+
+const char* fourier_library() { return "FFTW"; }
+
+struct RealTransform::Implementation {
+  Plan forward, inverse;
+};
+
+RealTransform::RealTransform(int length) : implementation_(std::make_unique<Implementation>()) {
+  const auto size = static_cast<std::size_t>(length);
+  Buffer row(size), spectrum(size + 2);
+  const std::lock_guard lock(planner);
+  implementation_->forward.handle =
+      fftw_plan_dft_r2c_1d(length, row.data(), as_complex(spectrum.data()), flags | FFTW_PRESERVE_INPUT);
+  implementation_->inverse.handle =
+      fftw_plan_dft_c2r_1d(length, as_complex(spectrum.data()), row.data(), flags | FFTW_DESTROY_INPUT);
+}
+RealTransform::~RealTransform() = default;
+RealTransform::RealTransform(RealTransform&&) noexcept = default;
+
+void RealTransform::forward(const double* row, double* spectrum) const {
+  // PRESERVE_INPUT: the plan only reads the row.
+  fftw_execute_dft_r2c(implementation_->forward.handle, const_cast<double*>(row), as_complex(spectrum));
+}
+void RealTransform::inverse(double* spectrum, double* row) const {
+  fftw_execute_dft_c2r(implementation_->inverse.handle, as_complex(spectrum), row);
+}
+
+struct ColumnTransform::Implementation {
+  Plan forward, inverse;
+};
+
+ColumnTransform::ColumnTransform(int length) : implementation_(std::make_unique<Implementation>()) {
+  Buffer data(static_cast<std::size_t>(length) * 2 * columns);
+  fftw_complex* p = as_complex(data.data());
+  const std::lock_guard lock(planner);
+  const auto plan = [&](int sign) {
+    return fftw_plan_many_dft(1, &length, columns, p, nullptr, columns, 1, p, nullptr, columns, 1, sign, flags);
+  };
+  implementation_->forward.handle = plan(FFTW_FORWARD);
+  implementation_->inverse.handle = plan(FFTW_BACKWARD);
+}
+ColumnTransform::~ColumnTransform() = default;
+ColumnTransform::ColumnTransform(ColumnTransform&&) noexcept = default;
+
+void ColumnTransform::forward(double* data) const {
+  fftw_execute_dft(implementation_->forward.handle, as_complex(data), as_complex(data));
+}
+void ColumnTransform::inverse(double* data) const {
+  fftw_execute_dft(implementation_->inverse.handle, as_complex(data), as_complex(data));
+}
+
+}  // namespace ehl::mlmi

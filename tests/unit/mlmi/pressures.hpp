@@ -1,0 +1,44 @@
+#pragma once
+// Pressures to test and to time the elastic deformation with.
+#include <algorithm>
+#include <cmath>
+
+#include "core/field.hpp"
+
+namespace ehl::tests {
+
+/// f(X, Y) on the nodes of the grid.
+template <class Function>
+core::Field sampled(const core::Grid& grid, Function f) {
+  core::Field field(grid);
+  for (int i = 0; i <= grid.nx; ++i)
+    for (int j = 0; j <= grid.ny; ++j) field(i, j) = f(grid.X(i), grid.Y(j));
+  return field;
+}
+
+/// The pressure of a heavily loaded contact in outline: Hertz, a tail towards the inlet, a sharp ridge before the
+/// outlet, zero behind it.
+inline double contact_pressure(double X, double Y) {
+  const double r2 = X * X + Y * Y;
+  const double hertz = std::sqrt(std::max(0.0, 1.0 - r2));
+  const double tail = X < 0.0 && r2 > 0.8 ? 0.25 * std::exp(-3.0 * (std::sqrt(r2) - 0.9)) * X * X / r2 : 0.0;
+  const double outlet = 0.95 * std::sqrt(std::max(0.0, 1.0 - 0.8 * Y * Y));
+  if (X > outlet + 0.02) return 0.0;
+  const double distance = (X - outlet + 0.06) / 0.03;
+  const double ridge = std::abs(Y) < 1.0 ? 0.4 * std::exp(-distance * distance) * (1.0 - Y * Y) : 0.0;
+  return std::max(hertz, tail) + ridge;
+}
+
+/// Numbers without any smoothness, all nodes non-zero, the same on every machine.
+inline core::Field rough(const core::Grid& grid) {
+  core::Field field(grid);
+  unsigned state = 12345u;
+  for (int i = 0; i <= grid.nx; ++i)
+    for (int j = 0; j <= grid.ny; ++j) {
+      state = 1664525u * state + 1013904223u;
+      field(i, j) = static_cast<double>(state >> 8) / 16777216.0 - 0.3;
+    }
+  return field;
+}
+
+}  // namespace ehl::tests

@@ -1,0 +1,62 @@
+// The elastic deformation: the direct sum against the half-space under a Hertz pressure, the others against it.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "core/norms.hpp"
+#include "mlmi/deformation.hpp"
+#include "unit/mlmi/pressures.hpp"
+
+namespace mlmi = ehl::mlmi;
+using ehl::core::Field;
+using ehl::core::Grid;
+using mlmi::Deformation;
+using mlmi::Method;
+
+namespace {
+
+Field deformation(const Grid& grid, const Field& P, const mlmi::Parameters& parameters, int threads = 1) {
+  Field w(grid);
+  Deformation(grid, parameters, threads).evaluate(P, w);
+  return w;
+}
+
+double hertz(double X, double Y) { return std::sqrt(std::max(0.0, 1.0 - X * X - Y * Y)); }
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(direct_sum_converges_to_the_hertz_deformation) {
+  // (2/pi^2) K*sqrt(1-r^2) = 1 - r^2/2 inside the circle. The edge, where the pressure has an infinite slope, allows
+  // order 3/2, with a constant that depends on where the nodes fall: the mean over the circle and four grids smooth it.
+  double mean[4];
+  for (int k = 0; k < 4; ++k) {
+    const int n = 32 << k;
+    const Grid grid{n, n, -1.5, 1.5, -1.5, 1.5};
+    const Field w = deformation(grid, ehl::tests::sampled(grid, hertz), {.method = Method::direct});
+    double sum = 0.0;
+    int points = 0;
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; j <= n; ++j) {
+        const double r2 = grid.X(i) * grid.X(i) + grid.Y(j) * grid.Y(j);
+        if (r2 > 1.0) continue;
+        sum += std::pow(w(i, j) - (1.0 - 0.5 * r2), 2);
+        ++points;
+      }
+    mean[k] = std::sqrt(sum / points);
+    BOOST_TEST_MESSAGE("n = " << n << ": mean square error inside the circle " << mean[k]);
+  }
+  const double order = std::log2(mean[0] / mean[3]) / 3.0;
+  BOOST_TEST_MESSAGE("order " << order << " (at least 1.5), on the finest grid at most 5e-5");
+  BOOST_TEST(order > 1.5);
+  BOOST_TEST(mean[3] < 5e-5);
+}
+
+BOOST_AUTO_TEST_CASE(fourier_is_the_direct_sum) {
+  for (const Grid& grid : {Grid{32, 32, -3, 3, -3, 3}, Grid{48, 20, -4, 2, -1.5, 1.5}, Grid{17, 33, -2, 2, -3, 3}}) {
+    const Field P = ehl::tests::rough(grid);
+    const Field truth = deformation(grid, P, {.method = Method::direct});
+    const Field w = deformation(grid, P, {.method = Method::fft});
+    const double error = ehl::core::max_abs_difference(w, truth) / ehl::core::max_abs(truth);
+    BOOST_TEST_MESSAGE(grid.nx << " x " << grid.ny << ": FFT - direct " << error << " (tolerance 1e-13)");
+    BOOST_TEST(error < 1e-13);
+  }
+}
