@@ -1,0 +1,80 @@
+#include "deck/deck.hpp"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "core/errors.hpp"
+#include "deck/text.hpp"
+
+namespace ehl::deck {
+namespace {
+
+std::size_t index_of(const Deck& deck, const std::string& section, const std::string& name) {
+  const Key* key = find_key(deck.catalogue, section, name);
+  if (key == nullptr) throw std::logic_error("deck: no module declares [" + section + "] " + name);
+  return static_cast<std::size_t>(key - deck.catalogue.keys.data());
+}
+
+Value& value_of(Deck& deck, const std::string& section, const std::string& name) {
+  return deck.values[index_of(deck, section, name)];
+}
+
+}  // namespace
+
+Deck read(const std::string& path, const std::vector<std::string>& overrides, const Catalogue& catalogue) {
+  const Document document = parse(load_text(path), path, catalogue);
+  std::vector<Assignment> assignments;
+  for (const std::string& override_text : overrides) assignments.push_back(parse_override(override_text));
+  return validate(document, assignments, catalogue);
+}
+
+const Value& value(const Deck& deck, const std::string& section, const std::string& name) {
+  return deck.values[index_of(deck, section, name)];
+}
+
+bool given(const Deck& deck, const std::string& section, const std::string& name) {
+  return value(deck, section, name).origin == Origin::given;
+}
+
+double number(const Deck& deck, const std::string& section, const std::string& name) {
+  const Value& found = value(deck, section, name);
+  const bool usable = found.origin != Origin::absent && found.valid;
+  return usable ? found.number : std::numeric_limits<double>::quiet_NaN();
+}
+
+int integer(const Deck& deck, const std::string& section, const std::string& name, int otherwise) {
+  const double found = number(deck, section, name);
+  return std::isnan(found) ? otherwise : static_cast<int>(found);
+}
+
+std::string word(const Deck& deck, const std::string& section, const std::string& name) {
+  const Value& found = value(deck, section, name);
+  return found.valid ? found.text : "";
+}
+
+std::vector<std::string> words(const Deck& deck, const std::string& section, const std::string& name) {
+  return split_words(word(deck, section, name));
+}
+
+void choose(Deck& deck, const std::string& section, const std::string& name, double number, const std::string& why) {
+  value_of(deck, section, name) = {Origin::chosen, true, shortest(number), number, "", why};
+}
+
+void choose(Deck& deck, const std::string& section, const std::string& name, const std::string& text,
+            const std::string& why) {
+  value_of(deck, section, name) = {Origin::chosen, true, text, std::numeric_limits<double>::quiet_NaN(), "", why};
+}
+
+void complain(Deck& deck, const std::string& section, const std::string& name, const std::string& what) {
+  const Value& found = value(deck, section, name);
+  const std::string place = found.place.empty() ? deck.name : found.place;
+  const std::string assignment = found.origin == Origin::given ? name + " = " + found.text : name;
+  deck.errors.push_back(place + ": [" + section + "] " + assignment + ": " + what);
+}
+
+void throw_if_wrong(const Deck& deck) {
+  if (!deck.errors.empty()) throw core::InputError(deck.errors);
+}
+
+}  // namespace ehl::deck

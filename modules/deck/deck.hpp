@@ -1,0 +1,68 @@
+#pragma once
+// A deck that was read against the catalogue of keys: one value per key, and every complaint about it.
+#include <string>
+#include <vector>
+
+#include "deck/document.hpp"
+#include "deck/key.hpp"
+
+namespace ehl::deck {
+
+/// Where the value of a key comes from. chosen: by the program, because the deck left it open.
+enum class Origin { absent, by_default, given, chosen };
+
+struct Value {
+  Origin origin = Origin::absent;
+  bool valid = true;    ///< false: given, but already complained about
+  std::string text{};   ///< as written
+  double number = 0.0;  ///< numbers and integers; NaN when absent or not valid
+  std::string place{};  ///< where it was given
+  std::string why{};    ///< how it was chosen
+};
+
+struct Deck {
+  std::string name{};
+  Catalogue catalogue{};
+  std::vector<Value> values{};        ///< one per key of the catalogue
+  std::vector<Heading> headings{};    ///< the sections that the deck has
+  std::vector<std::string> errors{};  ///< complaints so far, each a complete message
+};
+
+/// Reads a deck and checks every key by itself: known, once, readable, in range, with influence. Rules between keys
+/// belong to those who use them; they add to `errors` by complain(), and throw_if_wrong() ends it.
+/// in: path of the deck, overrides "section.key=value". errors: core::InputError when the file cannot be read at all.
+Deck read(const std::string& path, const std::vector<std::string>& overrides, const Catalogue& catalogue);
+
+/// The same for a document already parsed.
+Deck validate(const Document& document, const std::vector<Assignment>& overrides, const Catalogue& catalogue);
+
+/// The value of a key. errors: std::logic_error for a key that no module declared.
+const Value& value(const Deck& deck, const std::string& section, const std::string& name);
+
+/// True when the deck or the command line gives the key, whether valid or not.
+bool given(const Deck& deck, const std::string& section, const std::string& name);
+
+/// Number of a key: given, chosen or default; NaN when there is none or it was refused.
+double number(const Deck& deck, const std::string& section, const std::string& name);
+
+/// The same for a whole number. limits: `otherwise` when there is none or it was refused.
+int integer(const Deck& deck, const std::string& section, const std::string& name, int otherwise);
+
+/// Word or text of a key; empty when there is none or it was refused.
+std::string word(const Deck& deck, const std::string& section, const std::string& name);
+
+/// Several words.
+std::vector<std::string> words(const Deck& deck, const std::string& section, const std::string& name);
+
+/// Records a value that the program chose for an open key, for the effective deck and the report.
+void choose(Deck& deck, const std::string& section, const std::string& name, double number, const std::string& why);
+void choose(Deck& deck, const std::string& section, const std::string& name, const std::string& text,
+            const std::string& why);
+
+/// Adds the message "deck.ini:12: [grid] cells = 77: <what>".
+void complain(Deck& deck, const std::string& section, const std::string& name, const std::string& what);
+
+/// errors: core::InputError with all complaints, when there are any.
+void throw_if_wrong(const Deck& deck);
+
+}  // namespace ehl::deck

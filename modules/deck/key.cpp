@@ -1,0 +1,46 @@
+#include "deck/key.hpp"
+
+#include <cmath>
+
+#include "deck/text.hpp"
+
+namespace ehl::deck {
+namespace {
+
+std::string allowed_range(const Key& key) {
+  const std::string unit = key.unit.empty() ? "" : " " + key.unit;
+  const std::string what = key.type == Type::integer ? "a whole number" : "a number";
+  const bool below = std::isfinite(key.range.lower);
+  const bool above = std::isfinite(key.range.upper);
+  const std::string lower = (key.range.lower_open ? "> " : ">= ") + shortest(key.range.lower);
+  const std::string upper = (key.range.upper_open ? "< " : "<= ") + shortest(key.range.upper);
+  if (below && above) return what + " " + lower + " and " + upper + unit;
+  if (below) return what + " " + lower + unit;
+  if (above) return what + " " + upper + unit;
+  return what + (key.unit.empty() ? "" : " in " + key.unit);
+}
+
+}  // namespace
+
+const Key* find_key(const Catalogue& catalogue, const std::string& section, const std::string& name) {
+  for (const Key& key : catalogue.keys)
+    if (key.section == section && key.name == name) return &key;
+  return nullptr;
+}
+
+std::string allowed(const Key& key) {
+  switch (key.type) {
+    case Type::number:
+    case Type::integer:
+      return allowed_range(key);
+    case Type::word:
+      return "one of " + joined(key.words, ", ");
+    case Type::words:
+      return "any of " + joined(key.words, ", ");
+    case Type::text:
+      break;
+  }
+  return "any text";
+}
+
+}  // namespace ehl::deck

@@ -1,0 +1,73 @@
+#pragma once
+// What a deck may say: one record per key, declared by the module that uses the key.
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace ehl::deck {
+
+enum class Type { number, integer, word, words, text };
+
+/// The allowed range of a number or integer; open ends exclude the bound itself.
+struct Range {
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  bool lower_open = false;
+  bool upper_open = false;
+
+  bool contains(double value) const {
+    return (lower_open ? value > lower : value >= lower) && (upper_open ? value < upper : value <= upper);
+  }
+};
+
+/// A key that means something only beside another one of its section: given at all (no words), or one of these words.
+struct Condition {
+  std::string name{};
+  std::vector<std::string> words{};
+};
+
+/// One key of the deck. Everything the program says about a key, anywhere, is said from this record.
+struct Key {
+  std::string section{};
+  std::string name{};
+  Type type = Type::number;
+  std::string default_text{};        ///< the default as the deck would write it; empty: none
+  std::string default_note{};        ///< how a value is found when there is no fixed default
+  std::string unit{};                ///< SI unit; empty: dimensionless or a word
+  Range range{};                     ///< numbers and integers
+  std::vector<std::string> words{};  ///< the legal words of Type::word and Type::words
+  std::string remedy{};              ///< said when a value is outside the range
+  std::string meaning{};
+  std::string source{};  ///< where the default (or the meaning) comes from
+  Condition needs{};
+  std::string example{};           ///< what the self-written deck shows where there is no default
+  bool example_is_active = false;  ///< the self-written deck uses the example instead of commenting it out
+};
+
+/// A section of the deck, for headings.
+struct Section {
+  std::string name{};
+  std::string meaning{};
+};
+
+/// Something people will look for that this version cannot do: a whole section (empty name) or a key.
+struct Unavailable {
+  std::string section{};
+  std::string name{};
+  std::string message{};
+};
+
+/// Everything a deck may contain.
+struct Catalogue {
+  std::vector<Section> sections{};
+  std::vector<Key> keys{};
+  std::vector<Unavailable> unavailable{};
+};
+
+/// The record of a key, or nullptr.
+const Key* find_key(const Catalogue& catalogue, const std::string& section, const std::string& name);
+
+/// "0 < value <= 1000 N", "one of V, W, F": what is allowed, for messages and for the list of keys.
+std::string allowed(const Key& key);
+
+}  // namespace ehl::deck

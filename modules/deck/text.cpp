@@ -1,0 +1,108 @@
+#include "deck/text.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+namespace ehl::deck {
+namespace {
+
+char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+
+std::string lower(std::string text) {
+  for (char& c : text) c = lower(c);
+  return text;
+}
+
+}  // namespace
+
+std::string trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r\f\v";
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return "";
+  return std::string(text.substr(first, text.find_last_not_of(blanks) - first + 1));
+}
+
+std::string joined(const std::vector<std::string>& parts, const std::string& separator) {
+  std::string text;
+  for (std::size_t k = 0; k < parts.size(); ++k) text += (k == 0 ? "" : separator) + parts[k];
+  return text;
+}
+
+std::vector<std::string> split_words(const std::string& text) {
+  std::vector<std::string> words;
+  std::string word;
+  for (const char c : text + " ") {
+    if (c != ',' && c != ' ' && c != '\t') {
+      word += c;
+    } else if (!word.empty()) {
+      words.push_back(word);
+      word.clear();
+    }
+  }
+  return words;
+}
+
+std::string shortest(double value) {
+  char buffer[64];
+  const auto result = std::to_chars(buffer, buffer + sizeof buffer, value);
+  return std::string(buffer, result.ptr);
+}
+
+ReadNumber read_number(const std::string& text) {
+  const std::string number = trimmed(text);
+  const std::size_t sign = !number.empty() && (number[0] == '+' || number[0] == '-') ? 1 : 0;
+  const std::string unsigned_text = lower(number.substr(sign));
+  for (const char* word : {"nan", "inf", "infinity"})
+    if (unsigned_text == word) return {ReadNumber::Status::not_finite, 0.0, ""};
+
+  // from_chars knows no plus sign and, unlike strtod, reads no hexadecimal and follows no locale.
+  if (number.starts_with("+-")) return {};
+  const char* first = number.data() + (number.starts_with("+") ? 1 : 0);
+  const char* last = number.data() + number.size();
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(first, last, value);
+  if (error == std::errc::result_out_of_range) return {ReadNumber::Status::out_of_reach, 0.0, ""};
+  if (error != std::errc{} || !std::isfinite(value)) return {};
+  if (end != last)
+    return {ReadNumber::Status::trailing_text, value,
+            trimmed(std::string_view(end, static_cast<std::size_t>(last - end)))};
+  return {ReadNumber::Status::number, value, ""};
+}
+
+int edit_distance(const std::string& a, const std::string& b) {
+  const std::size_t rows = a.size() + 1;
+  const std::size_t columns = b.size() + 1;
+  std::vector<std::vector<int>> d(rows, std::vector<int>(columns, 0));
+  for (std::size_t i = 0; i < rows; ++i) d[i][0] = static_cast<int>(i);
+  for (std::size_t j = 0; j < columns; ++j) d[0][j] = static_cast<int>(j);
+  for (std::size_t i = 1; i < rows; ++i)
+    for (std::size_t j = 1; j < columns; ++j) {
+      const int replace = lower(a[i - 1]) == lower(b[j - 1]) ? 0 : 1;
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + replace});
+      const bool swapped = i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]);
+      if (swapped) d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  return d[rows - 1][columns - 1];
+}
+
+std::string nearest(const std::string& name, const std::vector<std::string>& candidates) {
+  if (name.size() > 64) return "";  // no typing slip: and the distance of a megabyte of text would take for ever
+  std::string best;
+  int best_distance = 0;
+  for (const std::string& candidate : candidates) {
+    const int distance = edit_distance(name, candidate);
+    if (best.empty() || distance < best_distance) {
+      best = candidate;
+      best_distance = distance;
+    }
+  }
+  const int letters = static_cast<int>(std::max(name.size(), best.size()));
+  // A short name is nothing like another one as soon as half of it differs.
+  const bool near = best_distance <= std::max(2, letters / 3) && 2 * best_distance <= letters;
+  return near ? best : "";
+}
+
+}  // namespace ehl::deck

@@ -1,0 +1,40 @@
+#pragma once
+// Small helpers on text: trimming, joining, numbers to and from text, the nearest legal name.
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ehl::deck {
+
+/// Without blanks, tabs and carriage returns at both ends.
+std::string trimmed(std::string_view text);
+
+std::string joined(const std::vector<std::string>& parts, const std::string& separator);
+
+/// Parts between commas or blanks, empty ones left out.
+std::vector<std::string> split_words(const std::string& text);
+
+/// The shortest text that reads back as the same number.
+std::string shortest(double value);
+
+/// What a piece of text is, read as a number.
+struct ReadNumber {
+  enum class Status { number, not_finite, out_of_reach, trailing_text, not_a_number };
+  Status status = Status::not_a_number;
+  double value = 0.0;
+  std::string trailing;  ///< what follows the number ("N" in "15 N")
+};
+
+/// Reads a decimal number, independent of the locale. nan and inf are recognised and refused (not_finite);
+/// 1e999 is out_of_reach of a double.
+ReadNumber read_number(const std::string& text);
+
+/// The least number of insertions, deletions, replacements and swaps of neighbours that turn a into b, letter case
+/// ignored (optimal string alignment). cost: |a| |b|.
+int edit_distance(const std::string& a, const std::string& b);
+
+/// The candidate nearest to `name`, empty when none is near (more than a third of its letters wrong, and more than
+/// two).
+std::string nearest(const std::string& name, const std::vector<std::string>& candidates);
+
+}  // namespace ehl::deck

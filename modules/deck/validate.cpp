@@ -1,0 +1,202 @@
+// Every key by itself: is it known, given once, readable, in range, and does it have any influence?
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "deck/deck.hpp"
+#include "deck/text.hpp"
+
+namespace ehl::deck {
+namespace {
+
+std::vector<std::string> names_in(const Catalogue& catalogue, const std::string& section) {
+  std::vector<std::string> names;
+  for (const Key& key : catalogue.keys)
+    if (key.section == section) names.push_back(key.name);
+  return names;
+}
+
+std::vector<std::string> section_names(const Catalogue& catalogue) {
+  std::vector<std::string> names;
+  for (const Section& section : catalogue.sections) names.push_back(section.name);
+  return names;
+}
+
+bool known_section(const Catalogue& catalogue, const std::string& name) {
+  const std::vector<std::string> names = section_names(catalogue);
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+const Unavailable* find_unavailable(const Catalogue& catalogue, const std::string& section, const std::string& name) {
+  for (const Unavailable& entry : catalogue.unavailable)
+    if (entry.section == section && entry.name == name) return &entry;
+  return nullptr;
+}
+
+std::string did_you_mean(const std::string& name, const std::vector<std::string>& candidates) {
+  const std::string near = nearest(name, candidates);
+  return near.empty() ? "" : "did you mean " + near + "? ";
+}
+
+std::string said(const Assignment& given) {
+  const std::string section = given.section.empty() ? "" : "[" + given.section + "] ";
+  return given.place + ": " + section + given.name + " = " + given.value + ": ";
+}
+
+void check_headings(Deck& deck, const Document& document) {
+  for (const Heading& heading : document.headings) {
+    const std::string where = heading.place + ": [" + heading.section + "]: ";
+    const Unavailable* unavailable = find_unavailable(deck.catalogue, heading.section, "");
+    if (unavailable != nullptr) {
+      deck.errors.push_back(where + unavailable->message);
+      continue;
+    }
+    if (!known_section(deck.catalogue, heading.section)) {
+      const std::vector<std::string> sections = section_names(deck.catalogue);
+      deck.errors.push_back(where + "unknown section: " + did_you_mean(heading.section, sections) + "Sections are " +
+                            joined(sections, ", "));
+      continue;
+    }
+    const auto in_it = [&](const Assignment& a) { return a.section == heading.section; };
+    if (std::none_of(document.assignments.begin(), document.assignments.end(), in_it))
+      deck.errors.push_back(where + "a section without a key has no influence: remove it, or give one of " +
+                            joined(names_in(deck.catalogue, heading.section), ", "));
+  }
+}
+
+void refuse_unknown(Deck& deck, const Assignment& given) {
+  if (const Unavailable* unavailable = find_unavailable(deck.catalogue, given.section, given.name)) {
+    deck.errors.push_back(said(given) + unavailable->message);
+    return;
+  }
+  std::string home;  // the section that does have a key of this name
+  for (const Key& key : deck.catalogue.keys)
+    if (key.name == given.name) home = key.section;
+  if (given.section.empty()) {
+    deck.errors.push_back(said(given) + "a key before the first [section]" +
+                          (home.empty() ? "" : ": it belongs below [" + home + "]"));
+  } else if (known_section(deck.catalogue, given.section)) {
+    const std::vector<std::string> names = names_in(deck.catalogue, given.section);
+    const std::string hint = home.empty() ? did_you_mean(given.name, names) : "it belongs below [" + home + "]. ";
+    deck.errors.push_back(said(given) + "unknown key: " + hint + "Keys of [" + given.section + "] are " +
+                          joined(names, ", "));
+  } else if (given.place == "command line") {
+    const Unavailable* section = find_unavailable(deck.catalogue, given.section, "");
+    const std::vector<std::string> sections = section_names(deck.catalogue);
+    deck.errors.push_back(said(given) + (section != nullptr
+                                             ? section->message
+                                             : "unknown section: " + did_you_mean(given.section, sections) +
+                                                   "Sections are " + joined(sections, ", ")));
+  }
+  // A key below an unknown heading: the heading has been complained about.
+}
+
+std::string complaint_about_number(const Key& key, const Value& value, double& number) {
+  const ReadNumber read = read_number(value.text);
+  const std::string must = "must be " + allowed(key);
+  const std::string unit = key.unit.empty() ? "it has no unit" : "the unit is " + key.unit;
+  switch (read.status) {
+    case ReadNumber::Status::number:
+      break;
+    case ReadNumber::Status::not_finite:
+      return "not a finite number: " + must;
+    case ReadNumber::Status::out_of_reach:
+      return "beyond the range of floating-point numbers: " + must;
+    case ReadNumber::Status::trailing_text:
+      if (read.trailing[0] == ',') return "write a decimal point, not a comma: " + must;
+      return "write the number alone, without '" + read.trailing + "': " + unit + ". It " + must;
+    case ReadNumber::Status::not_a_number:
+      return "this is no number: " + must;
+  }
+  if (key.type == Type::integer && (read.value != std::floor(read.value) || std::abs(read.value) > 2e9)) return must;
+  if (!key.range.contains(read.value)) return must + (key.remedy.empty() ? "" : ": " + key.remedy);
+  number = read.value;
+  return "";
+}
+
+std::string complaint_about_words(const Key& key, const std::vector<std::string>& given) {
+  for (const std::string& word : given)
+    if (std::find(key.words.begin(), key.words.end(), word) == key.words.end())
+      return "'" + word + "' is unknown: " + did_you_mean(word, key.words) + "It must be " + allowed(key);
+  return "";
+}
+
+void check_value(Deck& deck, const Key& key, Value& value) {
+  std::string complaint;
+  value.number = std::numeric_limits<double>::quiet_NaN();
+  if (value.text.empty()) {
+    complaint = "the value is missing: it must be " + allowed(key);
+  } else if (key.type == Type::number || key.type == Type::integer) {
+    complaint = complaint_about_number(key, value, value.number);
+  } else if (key.type == Type::word) {
+    complaint = complaint_about_words(key, {value.text});
+  } else if (key.type == Type::words) {
+    complaint = complaint_about_words(key, split_words(value.text));
+  } else if (std::any_of(value.text.begin(), value.text.end(), [](unsigned char c) { return c < ' '; })) {
+    complaint = "must be text on one line";  // or the deck kept in the result would say something else
+  }
+  if (complaint.empty()) return;
+  complain(deck, key.section, key.name, complaint);
+  value.valid = false;
+}
+
+// "z" says nothing to a Barus fluid: a key that cannot act is a misunderstanding, not a default.
+void check_influence(Deck& deck, const Key& key) {
+  if (key.needs.name.empty() || !given(deck, key.section, key.name)) return;
+  const Value& other = value(deck, key.section, key.needs.name);
+  if (!other.valid) return;
+  if (key.needs.words.empty()) {
+    if (other.origin != Origin::given)
+      complain(deck, key.section, key.name,
+               "has no influence without " + key.needs.name + ": give that too, or remove it");
+    return;
+  }
+  if (std::find(key.needs.words.begin(), key.needs.words.end(), other.text) == key.needs.words.end())
+    complain(deck, key.section, key.name,
+             "has no influence with " + key.needs.name + " = " + other.text + ": remove it, or set " + key.needs.name +
+                 " = " + joined(key.needs.words, " or "));
+}
+
+}  // namespace
+
+Deck validate(const Document& document, const std::vector<Assignment>& overrides, const Catalogue& catalogue) {
+  Deck deck;
+  deck.name = document.name;
+  deck.catalogue = catalogue;
+  deck.headings = document.headings;
+  deck.errors = document.errors;
+  for (const Key& key : catalogue.keys) {
+    const bool has_default = !key.default_text.empty();
+    const ReadNumber by_default = read_number(key.default_text);
+    const bool is_number = by_default.status == ReadNumber::Status::number;
+    deck.values.push_back({has_default ? Origin::by_default : Origin::absent, true, key.default_text,
+                           is_number ? by_default.value : std::numeric_limits<double>::quiet_NaN(), "", ""});
+  }
+
+  check_headings(deck, document);
+  const auto take = [&](const Assignment& given) {
+    const Key* key = find_key(catalogue, given.section, given.name);
+    if (key == nullptr) {
+      refuse_unknown(deck, given);
+      return;
+    }
+    Value& value = deck.values[static_cast<std::size_t>(key - catalogue.keys.data())];
+    if (value.origin == Origin::given && (value.place == "command line") == (given.place == "command line")) {
+      deck.errors.push_back(said(given) + "given twice: the first time at " + value.place + " (= " + value.text +
+                            "); remove one");
+      return;
+    }
+    value.origin = Origin::given;
+    value.text = given.value;
+    value.place = given.place;
+  };
+  for (const Assignment& given : document.assignments) take(given);
+  for (const Assignment& given : overrides) take(given);
+
+  for (std::size_t k = 0; k < catalogue.keys.size(); ++k)
+    if (deck.values[k].origin == Origin::given) check_value(deck, catalogue.keys[k], deck.values[k]);
+  for (const Key& key : catalogue.keys) check_influence(deck, key);
+  return deck;
+}
+
+}  // namespace ehl::deck

@@ -1,0 +1,60 @@
+#include "fmg/keys.hpp"
+
+#include <string>
+
+#include "fmg/parameters.hpp"
+
+namespace ehl::fmg {
+
+std::vector<deck::Key> keys() {
+  using deck::Key;
+  using deck::Type;
+  const Parameters defaults;
+  const char* cycle = defaults.cycle == Cycle::W ? "W" : defaults.cycle == Cycle::V ? "V" : "F";
+  return {
+      Key{.section = "multigrid",
+          .name = "cycle",
+          .type = Type::word,
+          .default_text = cycle,
+          .words = {"V", "W", "F"},
+          .meaning = "Shape of the coarse grid correction cycle.",
+          .source = "Venner and ten Napel 1992: W at high loads"},
+      Key{.section = "multigrid",
+          .name = "pre",
+          .type = Type::integer,
+          .default_text = std::to_string(defaults.pre),
+          .range = {0, 20},
+          .meaning = "Relaxations before the coarse grid correction, nu_1.",
+          .source = "Venner and ten Napel 1992"},
+      Key{.section = "multigrid",
+          .name = "post",
+          .type = Type::integer,
+          .default_text = std::to_string(defaults.post),
+          .range = {0, 20},
+          .meaning = "Relaxations after the coarse grid correction, nu_2.",
+          .source = "Venner and ten Napel 1992"},
+      Key{.section = "multigrid",
+          .name = "cycles",
+          .type = Type::integer,
+          .default_text = std::to_string(defaults.cycles),
+          .range = {1, 200},
+          .meaning = "Cycles on every level of the full multigrid on its way up."},
+      Key{.section = "multigrid",
+          .name = "tolerance",
+          .default_note = "none: `cycles` cycles, then the checks",
+          .range = {1e-14, 0.1},
+          .meaning =
+              "Relative residual of the Reynolds equation to reach on the finest grid (root mean square, over that "
+              "of the wedge term).",
+          .example = "1e-6"},
+      Key{.section = "multigrid",
+          .name = "max_cycles",
+          .type = Type::integer,
+          .default_text = std::to_string(defaults.max_cycles),
+          .range = {1, 10000},
+          .meaning = "Cycles on the finest grid at most.",
+          .needs = {.name = "tolerance"}},
+  };
+}
+
+}  // namespace ehl::fmg

@@ -1,0 +1,60 @@
+#include "rheology/keys.hpp"
+
+namespace ehl::rheology {
+
+std::vector<deck::Key> keys() {
+  using deck::Key;
+  using deck::Type;
+  return {
+      Key{.section = "lubricant",
+          .name = "viscosity",
+          .type = Type::word,
+          .default_text = "roelands",
+          .words = {"isoviscous", "barus", "roelands"},
+          .meaning = "Viscosity law: 1; exp(alpha p); exp{(alpha p0/z)[(1 + p/p0)^z - 1]}.",
+          .source = "Roelands 1966, as in Venner and ten Napel 1992"},
+      Key{.section = "lubricant",
+          .name = "eta0",
+          .unit = "Pa s",
+          .range = {0.0, 1e6, true, false},
+          .meaning = "Viscosity at ambient pressure; required with loads and speeds in SI.",
+          .example = "0.25"},
+      Key{.section = "lubricant",
+          .name = "alpha",
+          .unit = "1/Pa",
+          .range = {1e-12, 1e-6},
+          .remedy = "mineral oils have 1e-8 to 3e-8",
+          .meaning =
+              "Pressure coefficient of the viscosity. Required for roelands, and for barus in SI; in dimensionless "
+              "cases it gives the Hertz pressure p_h = alpha_bar/alpha.",
+          .source = "1.7e-8: Venner and ten Napel 1992",
+          .example = "1.7e-8",
+          .example_is_active = true},
+      Key{.section = "lubricant",
+          .name = "z",
+          .default_note = "alpha p0/(ln eta0 + 9.67) when eta0 is given, else 0.68",
+          .range = {0.05, 1.5},
+          .remedy = "mineral oils have 0.5 to 0.7",
+          .meaning = "Roelands' exponent.",
+          .source = "Roelands 1966: alpha p0/z = ln eta0 + 9.67",
+          .needs = {.name = "viscosity", .words = {"roelands"}},
+          .example = "0.6"},
+      Key{.section = "lubricant",
+          .name = "p0",
+          .default_text = "1.96e8",
+          .unit = "Pa",
+          .range = {1e6, 1e10},
+          .meaning = "Roelands' reference pressure.",
+          .source = "Roelands 1966",
+          .needs = {.name = "viscosity", .words = {"roelands"}}},
+      Key{.section = "lubricant",
+          .name = "density",
+          .type = Type::word,
+          .default_text = "dowson-higginson",
+          .words = {"incompressible", "dowson-higginson"},
+          .meaning = "Density law: 1; (5.9e8 + 1.34 p)/(5.9e8 + p), p in Pa.",
+          .source = "Dowson and Higginson 1966"},
+  };
+}
+
+}  // namespace ehl::rheology
