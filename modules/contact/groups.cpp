@@ -1,0 +1,64 @@
+#include "contact/groups.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "core/constants.hpp"
+
+namespace ehl::contact {
+namespace {
+
+using core::pi;
+
+// a/R = (3W/2)^(1/3), and 3M/2 is the same in Moes' scaling.
+double moes_scale(double M) { return std::pow(1.5 * M, 2.0 / 3.0); }
+
+}  // namespace
+
+Groups from_moes(double M, double L) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  const double lambda = std::cbrt(128.0 * pi * pi * pi / 3.0) * std::pow(M, -4.0 / 3.0);
+  const double alpha_bar = L / pi * std::cbrt(1.5 * M);
+  return {M, L, lambda, alpha_bar, unknown, unknown, unknown};
+}
+
+Groups from_moes(double M, double L, double U) {
+  Groups groups = from_moes(M, L);
+  groups.W = M * std::pow(2.0 * U, 0.75);
+  groups.U = U;
+  groups.G = L * std::pow(2.0 * U, -0.25);
+  return groups;
+}
+
+Groups from_hamrock_dowson(double W, double U, double G) {
+  Groups groups = from_moes(W * std::pow(2.0 * U, -0.75), G * std::pow(2.0 * U, 0.25));
+  groups.W = W;
+  groups.U = U;
+  groups.G = G;
+  return groups;
+}
+
+Groups from_si(const SiContact& contact) {
+  const double W = contact.load / (contact.E_prime * contact.radius * contact.radius);
+  const double U = contact.eta0 * 0.5 * contact.u_s / (contact.E_prime * contact.radius);
+  return from_hamrock_dowson(W, U, contact.alpha * contact.E_prime);
+}
+
+SiContact to_si(const Groups& groups, double radius, double E_prime, double eta0) {
+  SiContact contact{};
+  contact.load = groups.W * E_prime * radius * radius;
+  contact.radius = radius;
+  contact.E_prime = E_prime;
+  contact.u_s = 2.0 * groups.U * E_prime * radius / eta0;
+  contact.eta0 = eta0;
+  contact.alpha = groups.G / E_prime;
+  return contact;
+}
+
+double hertz_pressure(const Groups& groups, double alpha) { return groups.alpha_bar / alpha; }
+
+double H_from_moes_units(double H_moes, double M) { return H_moes / moes_scale(M); }
+double H_to_moes_units(double H, double M) { return H * moes_scale(M); }
+double H_from_thickness_over_radius(double h_over_R, double W) { return h_over_R / moes_scale(W); }
+
+}  // namespace ehl::contact
