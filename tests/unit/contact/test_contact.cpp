@@ -112,6 +112,12 @@ BOOST_AUTO_TEST_CASE(film_formulas_at_three_loads) {
 }
 
 BOOST_AUTO_TEST_CASE(film_formula_tends_to_its_asymptotes) {
+  // Evaluated by hand, so that a slip in a coefficient shows.
+  const Asymptotes one = asymptotes(1.0, 1.0);
+  check_digits("H_RI(1)", one.rigid_isoviscous, 41.35, 0.005);
+  check_digits("H_RP(1)", one.rigid_piezoviscous, 0.9089, 0.0005);
+  check_digits("H_EI(1)", one.elastic_isoviscous, 2.419, 0.0005);
+  check_digits("H_EP(1)", one.elastic_piezoviscous, 1.2474, 0.0005);
   const Asymptotes light = asymptotes(1e-3, 0.0);
   check_relative("rigid isoviscous", nijenbanning_venner_moes(1e-3, 0.0), light.rigid_isoviscous, 1e-3);
   const Asymptotes soft = asymptotes(1e5, 0.0);
