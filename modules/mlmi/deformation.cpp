@@ -1,12 +1,12 @@
 #include "mlmi/deformation.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "core/constants.hpp"
 #include "core/errors.hpp"
 #include "kernel/influence.hpp"
-#include "mlmi/direct_sum.hpp"
-#include "mlmi/fourier_convolution.hpp"
+#include "mlmi/multilevel_sum.hpp"
 
 namespace ehl::mlmi {
 namespace {
@@ -17,24 +17,78 @@ constexpr double half_space_factor = 2.0 / (core::pi * core::pi);
 // Below this size starting a team of threads costs more than it saves.
 constexpr int smallest_parallel = 256;
 
+// The smallest number of cells a coarsening may leave: fewer points than the interpolation spans make no sense.
+constexpr int fewest_cells = 8;
+
+MultilevelChoice default_choice(int n) {
+  if (n <= 96) return {.coarsenings = 0};
+  return {.order = 8, .patch_along = 9, .patch_across = 3, .coarsenings = 2};
+}
+
+MultilevelChoice chosen(const core::Grid& grid, const Parameters& parameters) {
+  MultilevelChoice choice = default_choice(std::max(grid.nx, grid.ny));
+  if (parameters.order > 0) choice.order = parameters.order;
+  if (parameters.patch_along > 0) choice.patch_along = parameters.patch_along;
+  if (parameters.patch_across > 0) choice.patch_across = parameters.patch_across;
+  if (parameters.coarsenings >= 0) choice.coarsenings = parameters.coarsenings;
+  choice.coarsest_direct = parameters.coarsest_direct;
+  return choice;
+}
+
+void check(const core::Grid& grid, const MultilevelChoice& choice) {
+  std::vector<std::string> errors;
+  if (choice.order != 4 && choice.order != 6 && choice.order != 8)
+    errors.push_back("deformation: transfer order " + std::to_string(choice.order) + " given, 4, 6 or 8 allowed");
+  if (choice.patch_along > 64 || choice.patch_across > 16)
+    errors.push_back("deformation: correction patch " + std::to_string(choice.patch_along) + " x " +
+                     std::to_string(choice.patch_across) + " given, at most 64 x 16 allowed");
+  const int in_x = (choice.coarsenings + 1) / 2, in_y = choice.coarsenings / 2;
+  if (choice.coarsenings > 16 || (in_x > 0 && grid.nx >> in_x < fewest_cells) ||
+      (in_y > 0 && grid.ny >> in_y < fewest_cells))
+    errors.push_back("deformation: " + std::to_string(choice.coarsenings) + " coarsenings given, but a grid of " +
+                     std::to_string(grid.nx) + " x " + std::to_string(grid.ny) + " cells must keep at least " +
+                     std::to_string(fewest_cells) + " cells per direction");
+  if (!errors.empty()) throw core::InputError(errors);
+}
+
+std::string describe(const MultilevelChoice& choice, const MultilevelSum& sum) {
+  const std::string coarsest = (choice.coarsest_direct ? std::string("direct sum") : std::string("FFT")) + " on " +
+                               std::to_string(sum.coarsest_rows()) + "x" + std::to_string(sum.coarsest_columns());
+  if (choice.coarsenings == 0) return "mlmi, no coarsening, " + coarsest;
+  return "mlmi, order " + std::to_string(choice.order) + ", patch " + std::to_string(choice.patch_along) + "x" +
+         std::to_string(choice.patch_across) + ", " + std::to_string(choice.coarsenings) +
+         (choice.coarsenings == 1 ? " coarsening, " : " coarsenings, ") + coarsest;
+}
+
 }  // namespace
 
 struct Deformation::Implementation {
   std::string description;
-  std::optional<DirectSum> direct;
-  std::optional<FourierConvolution> fourier;
+  MultilevelSum sum;
 };
 
-Deformation::Deformation(const core::Grid& grid, const Parameters& parameters, int threads)
-    : implementation_(std::make_unique<Implementation>()) {
+Deformation::Deformation(const core::Grid& grid, const Parameters& parameters, int threads) {
   const int team = std::max(grid.nx, grid.ny) < smallest_parallel ? 1 : std::max(1, threads);
-  const auto table = kernel::influence_table(grid.nx, grid.ny, grid.hx(), grid.hy());
-  if (parameters.method == Method::direct) {
-    implementation_->direct.emplace(grid.nodes_x(), grid.nodes_y(), table, half_space_factor, team);
-    implementation_->description = "direct sum";
-  } else {
-    implementation_->fourier.emplace(grid.nodes_x(), grid.nodes_y(), table, half_space_factor, team);
-    implementation_->description = std::string("FFT (") + fourier_library() + ")";
+  const Axis x{0, grid.nx, 1, grid.hx()}, y{0, grid.ny, 1, grid.hy()};
+  // The direct sum and the plain FFT are the multilevel sum without coarsening.
+  MultilevelChoice choice{.coarsenings = 0, .coarsest_direct = parameters.method == Method::direct};
+  if (parameters.method == Method::mlmi) {
+    choice = chosen(grid, parameters);
+    check(grid, choice);
+  }
+  implementation_ =
+      std::make_unique<Implementation>(std::string{}, MultilevelSum(x, y, choice, half_space_factor, team));
+  const MultilevelSum& sum = implementation_->sum;
+  switch (parameters.method) {
+    case Method::mlmi:
+      implementation_->description = describe(choice, sum);
+      break;
+    case Method::fft:
+      implementation_->description = std::string("FFT (") + fourier_library() + ")";
+      break;
+    case Method::direct:
+      implementation_->description = "direct sum";
+      break;
   }
 }
 Deformation::~Deformation() = default;
@@ -42,13 +96,10 @@ Deformation::Deformation(Deformation&&) noexcept = default;
 Deformation& Deformation::operator=(Deformation&&) noexcept = default;
 
 void Deformation::evaluate(const core::Field& P, core::Field& w) {
-  if (implementation_->direct) implementation_->direct->apply(P.at_x(0), P.stride(), w.at_x(0), w.stride());
-  if (implementation_->fourier) implementation_->fourier->apply(P.at_x(0), P.stride(), w.at_x(0), w.stride());
+  implementation_->sum.apply(P.at_x(0), P.stride(), w.at_x(0), w.stride());
 }
 
 std::string Deformation::description() const { return implementation_->description; }
-std::size_t Deformation::bytes() const {
-  return implementation_->direct ? implementation_->direct->bytes() : implementation_->fourier->bytes();
-}
+std::size_t Deformation::bytes() const { return implementation_->sum.bytes(); }
 
 }  // namespace ehl::mlmi

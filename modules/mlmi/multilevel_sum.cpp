@@ -1,0 +1,73 @@
+#include "mlmi/multilevel_sum.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ehl::mlmi {
+namespace {
+
+std::ptrdiff_t padded(int columns) { return (static_cast<std::ptrdiff_t>(columns) + 7) / 8 * 8; }
+
+// The kernel's interpolation error decays with the distance in units of the spacing that is being coarsened: the
+// patch covers the same distance across whatever the spacing there.
+int points_across(int patch_across, const Axis& along, const Axis& across) {
+  const double ratio = along.every * along.h / (across.every * across.h);
+  return std::max(1, static_cast<int>(std::ceil(patch_across * ratio - 1e-9)));
+}
+
+}  // namespace
+
+MultilevelSum::MultilevelSum(const Axis& x, const Axis& y, const MultilevelChoice& choice, double factor, int threads) {
+  Axis along = x, across = y;
+  for (int l = 0; l < choice.coarsenings; ++l) {
+    const int m2 = points_across(choice.patch_across, along, across);
+    steps_.emplace_back(SemiCoarsening::Shape{along, across, choice.order, choice.patch_along, m2}, factor, threads);
+    along = std::exchange(across, steps_.back().coarse());
+    const std::ptrdiff_t stride = padded(across.points());
+    const auto size = static_cast<std::size_t>(along.points() * stride);
+    grids_.push_back({stride, Buffer(size), Buffer(size)});
+  }
+  coarsest_rows_ = along.points();
+  coarsest_columns_ = across.points();
+  const auto kernel =
+      kernel::influence_table(coarsest_rows_ - 1, coarsest_columns_ - 1, along.h, across.h, along.every, across.every);
+  if (choice.coarsest_direct)
+    direct_.emplace(coarsest_rows_, coarsest_columns_, kernel, factor, threads);
+  else
+    fourier_.emplace(coarsest_rows_, coarsest_columns_, kernel, factor, threads);
+}
+
+void MultilevelSum::apply(const double* u, std::ptrdiff_t stride_u, double* w, std::ptrdiff_t stride_w) {
+  const auto coarsest_sum = [&](const double* source, std::ptrdiff_t stride_source, double* sum,
+                                std::ptrdiff_t stride) {
+    if (direct_) direct_->apply(source, stride_source, sum, stride);
+    if (fourier_) fourier_->apply(source, stride_source, sum, stride);
+  };
+  if (steps_.empty()) return coarsest_sum(u, stride_u, w, stride_w);
+
+  for (std::size_t l = 0; l < steps_.size(); ++l) {
+    const double* fine = l == 0 ? u : grids_[l - 1].u.data();
+    steps_[l].anterpolate(fine, l == 0 ? stride_u : grids_[l - 1].stride, grids_[l].u.data(), grids_[l].stride);
+  }
+  Coarse& coarsest = grids_.back();
+  coarsest_sum(coarsest.u.data(), coarsest.stride, coarsest.w.data(), coarsest.stride);
+  for (std::size_t l = steps_.size(); l-- > 0;) {
+    const bool finest = l == 0;
+    const double* source = finest ? u : grids_[l - 1].u.data();
+    double* sum = finest ? w : grids_[l - 1].w.data();
+    steps_[l].interpolate(grids_[l].w.data(), grids_[l].stride, source, finest ? stride_u : grids_[l - 1].stride, sum,
+                          finest ? stride_w : grids_[l - 1].stride);
+  }
+}
+
+std::size_t MultilevelSum::bytes() const {
+  std::size_t total = 0;
+  for (const SemiCoarsening& step : steps_) total += step.bytes();
+  for (const Coarse& grid : grids_) total += grid.u.bytes() + grid.w.bytes();
+  if (direct_) total += direct_->bytes();
+  if (fourier_) total += fourier_->bytes();
+  return total;
+}
+
+}  // namespace ehl::mlmi

@@ -1,0 +1,90 @@
+#pragma once
+// One semi-coarsening of multilevel multi-integration: the sum on a grid from the sum on the grid that keeps every
+// second point in one direction (Brandt and Lubrecht 1990), by transfers in that direction only.
+//
+// Notation in one direction, P the interpolation of order 2p from even points J to all points:
+//   anterpolation   u^H = P^T u                                            (K is smooth in its source point)
+//   even points     w_2I   = w^H_I               + sum_j C(2I - j) u_j     (j odd, |2I - j| <= m1)
+//   odd points      w_2I+1 = [P w^H corrected]   + sum_j C(2I+1 - j) u_j   (|2I+1 - j| <= m1)
+// with one and the same correction C = K - P K, the interpolation error of the kernel at distance d, which decays
+// like the 2p-th derivative of 1/r and is dropped outside a patch of |d| <= m1 points along and |e| <= m2 across.
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "mlmi/buffer.hpp"
+
+namespace ehl::mlmi {
+
+/// The points of one direction of one level: index `first` to `last` in units of `every` fine cells of size h.
+/// Coarse levels reach beyond the domain, because interpolation of order 2p next to its edge wants points outside.
+struct Axis {
+  int first = 0;
+  int last = 0;
+  int every = 1;
+  double h = 0.0;
+  int points() const { return last - first + 1; }
+};
+
+/// Every second point, as far out as interpolation of order 2p to all points of the fine axis needs.
+Axis coarsened(const Axis& fine, int order);
+
+/// Weights of the central interpolation of order 2p = 4, 6, 8 halfway between points, from the middle outwards.
+std::array<double, 4> midpoint_weights(int order);
+
+/// The correction C(d, e), even in both offsets, on its patch. Entries inside the patch that are smaller than the
+/// largest one outside are dropped too: every e has its own reach along.
+struct Correction {
+  int along = 0;           ///< m1
+  int across = 0;          ///< m2
+  std::vector<int> reach;  ///< largest |d| kept for e = 0..m2
+  std::vector<double> C;   ///< (m2+1) x (2 m1+1), d fastest
+  double operator()(int d, int e) const { return row(e)[d]; }
+  const double* row(int e) const { return C.data() + e * (2 * along + 1) + along; }
+};
+
+/// in: axes of the fine level; order 2p, m1 and m2; factor multiplies K. cost: some thousand kernel values.
+Correction correction(const Axis& along, const Axis& across, int order, int m1, int m2, double factor);
+
+/// The transfers between one level and the next coarser one, and the work space for them. The fine arrays hold the
+/// direction that is coarsened slow and the other one contiguous; the coarse arrays hold them the other way round, so
+/// that the next semi-coarsening, which takes the other direction, finds its own slow.
+class SemiCoarsening {
+ public:
+  struct Shape {
+    Axis along;   ///< direction that is coarsened
+    Axis across;  ///< the other one
+    int order = 6;
+    int patch_along = 7;
+    int patch_across = 2;
+  };
+  SemiCoarsening(const Shape& shape, double factor, int threads);
+
+  /// u^H = P^T u, transposed. in: u, along.points() rows; columns behind the last may be read, not used: a row must
+  /// be allocated to a multiple of 8. out: coarse_u, across.points() rows of coarse().points().
+  void anterpolate(const double* u, std::ptrdiff_t stride_u, double* coarse_u, std::ptrdiff_t stride_coarse) const;
+
+  /// w from w^H (transposed) and the correction of u. Rows of w are written up to a multiple of 8 columns; rows of
+  /// coarse_w must be allocated to a multiple of 8.
+  void interpolate(const double* coarse_w, std::ptrdiff_t stride_coarse, const double* u, std::ptrdiff_t stride_u,
+                   double* w, std::ptrdiff_t stride_w);
+
+  const Axis& coarse() const { return coarse_; }
+  std::size_t bytes() const;
+
+ private:
+  struct Arrays;
+  struct Sweep;
+  template <int vectors>
+  void interpolate_strip(const Arrays& arrays, int first_column, Buffer& work) const;
+
+  Shape shape_;
+  Axis coarse_;
+  std::array<double, 4> weights_;
+  Correction correction_;
+  int ring_rows_;
+  std::vector<Buffer> work_;  // one per thread
+  Buffer zero_row_;
+};
+
+}  // namespace ehl::mlmi

@@ -1,0 +1,75 @@
+// What the elastic deformation costs and how accurate it is: the table of modules/mlmi/README.md.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "core/norms.hpp"
+#include "core/timer.hpp"
+#include "mlmi/deformation.hpp"
+#include "unit/mlmi/pressures.hpp"
+
+namespace mlmi = ehl::mlmi;
+using ehl::core::Field;
+using ehl::core::Grid;
+
+namespace {
+double slope_difference(const Grid& grid, const Field& a, const Field& b) {
+  double largest = 0.0;
+  for (int i = 1; i < grid.nx; ++i)
+    for (int j = 0; j <= grid.ny; ++j)
+      largest = std::max(largest, std::abs((a(i + 1, j) - b(i + 1, j)) - (a(i - 1, j) - b(i - 1, j))));
+  return largest / (2.0 * grid.hx());
+}
+
+// Best of several evaluations, ns per node.
+double cost(const Grid& grid, mlmi::Deformation& evaluator, const Field& P, Field& w) {
+  double best = 1e9;
+  for (double spent = 0.0; spent < 0.3;) {
+    const double start = ehl::core::now();
+    evaluator.evaluate(P, w);
+    const double seconds = ehl::core::now() - start;
+    spent += seconds;
+    best = std::min(best, seconds);
+  }
+  return 1e9 * best / (static_cast<double>(grid.nodes_x()) * grid.nodes_y());
+}
+
+void report(const Grid& grid, const mlmi::Parameters& parameters, int threads, const Field& P, const Field& truth) {
+  const double start = ehl::core::now();
+  mlmi::Deformation evaluator(grid, parameters, threads);
+  const double setup = ehl::core::now() - start;
+  Field w(grid);
+  const double ns = cost(grid, evaluator, P, w);
+  const double scale = ehl::core::max_abs(truth);
+  std::printf("%5d  %-60s %9.1e %9.1e %8.1f %9.2f %8.1f\n", grid.nx, evaluator.description().c_str(),
+              ehl::core::max_abs_difference(w, truth) / scale, slope_difference(grid, w, truth) / scale, ns,
+              1e3 * setup, static_cast<double>(evaluator.bytes()) / 1e6);
+  std::fflush(stdout);
+}
+}  // namespace
+
+// bench_mlmi [n [threads [order along across coarsenings]]]
+int main(int count, char** argument) {
+  const auto number = [&](int k, int otherwise) { return k < count ? std::atoi(argument[k]) : otherwise; };
+  const int only = number(1, 0), threads = number(2, 1);
+  std::printf("#   n  %-60s %9s %9s %8s %9s %8s\n", "evaluator", "error", "of dw/dX", "ns/node", "setup ms", "MB");
+  for (int n = only ? only : 32; n <= (only ? only : 1024); n *= 2) {
+    const Grid grid{n, n, -4.5, 1.5, -3.0, 3.0};
+    const Field P = ehl::tests::sampled(grid, ehl::tests::contact_pressure);
+    Field truth(grid);
+    mlmi::Deformation(grid, {.method = mlmi::Method::fft}, 1).evaluate(P, truth);
+    if (count > 3) {
+      report(grid,
+             {.order = number(3, 0),
+              .patch_along = number(4, 0),
+              .patch_across = number(5, 0),
+              .coarsenings = number(6, -1)},
+             threads, P, truth);
+      continue;
+    }
+    if (n <= 64) report(grid, {.method = mlmi::Method::direct}, threads, P, truth);
+    report(grid, {.method = mlmi::Method::fft}, threads, P, truth);
+    report(grid, {}, threads, P, truth);
+  }
+}
