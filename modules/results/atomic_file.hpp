@@ -1,0 +1,19 @@
+#pragma once
+// Files appear whole or not at all.
+#include <cstddef>
+#include <span>
+#include <string>
+
+namespace ehl::results {
+
+/// Refuses, before any work is done, an output that could not be written in the end.
+/// in: path; overwrite an existing regular file; bytes that will be needed. errors: core::FileError: it exists, is no
+/// regular file, its folder is missing or not writable, the disk has no room.
+void check_writable(const std::string& path, bool overwrite, std::size_t bytes);
+
+/// Writes to a new file beside the path, makes sure it has reached the disk, and renames it: whoever looks sees the old
+/// file or the new one, and a failure leaves nothing behind.
+/// errors: core::FileError with the system's reason.
+void write_atomically(const std::string& path, std::span<const std::byte> bytes, bool overwrite);
+
+}  // namespace ehl::results

@@ -1,0 +1,60 @@
+#pragma once
+// What a result file holds, as plain data: the writer knows no physics, it knows names, units and numbers.
+#include <string>
+#include <vector>
+
+#include "core/field.hpp"
+#include "core/grid.hpp"
+
+namespace ehl::results {
+
+/// One number with its unit and meaning; NaN: not known in this case, and then not written.
+struct Quantity {
+  std::string name{};
+  double value = 0.0;
+  std::string unit{};  ///< "-" for a pure number
+  std::string meaning{};
+  bool whole = false;  ///< kept as an integer
+};
+
+struct Text {
+  std::string name{};
+  std::string text{};
+  std::string meaning{};
+};
+
+struct Column {
+  std::string name{};
+  std::string unit{};
+  std::string meaning{};
+  bool whole = false;
+  std::vector<double> values{};
+};
+
+struct Table {
+  std::string name{};
+  std::string meaning{};
+  std::vector<Column> columns{};  ///< all of the same length
+};
+
+/// A field on the nodes of the grid; the pointer is only looked at while writing.
+struct NamedField {
+  std::string name{};
+  std::string unit{};
+  std::string meaning{};
+  const core::Field* field = nullptr;
+};
+
+struct Content {
+  std::string title{};
+  std::string deck{};  ///< the effective deck
+  std::vector<Text> provenance{};
+  std::vector<Quantity> scales{};
+  core::Grid grid{};
+  std::vector<NamedField> fields{};
+  std::vector<Quantity> summary{};
+  std::vector<Text> remarks{};  ///< words of the summary: warnings, the check that failed
+  std::vector<Table> tables{};  ///< "levels", "history"
+};
+
+}  // namespace ehl::results

@@ -1,0 +1,73 @@
+#pragma once
+// The only place where an HDF5 identifier is held. For the sources of this module alone.
+#include <hdf5.h>
+
+#include <string>
+
+#include "core/errors.hpp"
+
+namespace ehl::results {
+
+/// Owns one identifier of the library and closes it.
+class Handle {
+ public:
+  using Close = herr_t (*)(hid_t);
+
+  Handle(hid_t id, Close close) : id_(id), close_(close) {}
+  ~Handle() { release(); }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  Handle(Handle&& other) noexcept : id_(other.id_), close_(other.close_) { other.id_ = H5I_INVALID_HID; }
+  Handle& operator=(Handle&&) = delete;
+
+  bool valid() const { return id_ >= 0; }
+  operator hid_t() const { return id_; }
+
+ private:
+  void release() {
+    if (id_ >= 0) close_(id_);
+    id_ = H5I_INVALID_HID;
+  }
+  hid_t id_;
+  Close close_;
+};
+
+/// Keeps the library from printing its error stack while it lives; the stack itself stays readable.
+class QuietErrors {
+ public:
+  QuietErrors() {
+    H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  }
+  ~QuietErrors() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
+  QuietErrors(const QuietErrors&) = delete;
+  QuietErrors& operator=(const QuietErrors&) = delete;
+
+ private:
+  H5E_auto2_t function_ = nullptr;
+  void* data_ = nullptr;
+};
+
+/// The innermost, most telling entry of the library's error stack ("truncated file: eof = ...").
+inline std::string library_reason() {
+  std::string reason;
+  const auto keep_last = [](unsigned, const H5E_error2_t* error, void* data) -> herr_t {
+    if (error->desc != nullptr && *error->desc != '\0') *static_cast<std::string*>(data) = error->desc;
+    return 0;
+  };
+  // Downward: from the interface the program called to the place where it went wrong.
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, keep_last, &reason);
+  return reason.empty() ? "the HDF5 library gives no reason" : reason;
+}
+
+/// The handle, or core::FileError "<what>: <reason>".
+inline Handle checked(hid_t id, Handle::Close close, const std::string& what) {
+  if (id < 0) throw core::FileError(what + ": " + library_reason());
+  return {id, close};
+}
+
+inline void check(herr_t status, const std::string& what) {
+  if (status < 0) throw core::FileError(what + ": " + library_reason());
+}
+
+}  // namespace ehl::results

@@ -1,0 +1,132 @@
+#include "results/read.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "results/hdf5_handle.hpp"
+
+namespace ehl::results {
+namespace {
+
+Handle open_file(const std::string& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) throw core::FileError(path + ": cannot be read: this is a directory");
+  errno = 0;
+  if (!std::ifstream(path)) throw core::FileError(path + ": cannot be read: " + std::strerror(errno));
+  const QuietErrors quiet;
+  if (H5Fis_hdf5(path.c_str()) == 0) throw core::FileError(path + ": cannot be read: this is no HDF5 file");
+  return checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path + ": cannot be read");
+}
+
+// A text in an attribute or a dataset, of fixed or variable length. in: a function that reads into memory.
+template <class Read>
+std::string read_text(hid_t type, Read read) {
+  if (H5Tis_variable_str(type) > 0) {
+    char* text = nullptr;
+    if (read(static_cast<void*>(&text)) < 0 || text == nullptr) return "";
+    const std::string result(text);
+    H5free_memory(text);
+    return result;
+  }
+  std::string result(H5Tget_size(type), '\0');
+  if (read(static_cast<void*>(result.data())) < 0) return "";
+  return result.substr(0, result.find('\0'));
+}
+
+}  // namespace
+
+struct ResultFile::Implementation {
+  std::string path;
+  Handle file;
+
+  std::string cannot(const std::string& name) const { return path + ": cannot read " + name; }
+};
+
+ResultFile::ResultFile(const std::string& path)
+    : implementation_(std::make_unique<Implementation>(Implementation{path, open_file(path)})) {
+  if (attribute("/", "format") != "ehl result")
+    throw core::FileError(path + ": this is an HDF5 file, but no result of ehl");
+}
+
+ResultFile::~ResultFile() = default;
+ResultFile::ResultFile(ResultFile&&) noexcept = default;
+ResultFile& ResultFile::operator=(ResultFile&&) noexcept = default;
+
+const std::string& ResultFile::path() const { return implementation_->path; }
+
+ResultFile::Kind ResultFile::kind(const std::string& name) const {
+  const QuietErrors quiet;
+  const hid_t id = H5Oopen(implementation_->file, name.c_str(), H5P_DEFAULT);
+  if (id < 0) return Kind::missing;
+  const Handle object(id, H5Oclose);
+  if (H5Iget_type(object) == H5I_GROUP) return Kind::group;
+  if (H5Iget_type(object) != H5I_DATASET) return Kind::missing;
+  const Handle type(H5Dget_type(object), H5Tclose);
+  return H5Tget_class(type) == H5T_STRING ? Kind::text : Kind::numbers;
+}
+
+std::vector<std::string> ResultFile::names(const std::string& group) const {
+  const QuietErrors quiet;
+  const Handle opened =
+      checked(H5Gopen2(implementation_->file, group.c_str(), H5P_DEFAULT), H5Gclose, implementation_->cannot(group));
+  std::vector<std::string> found;
+  const auto keep = [](hid_t, const char* name, const H5L_info_t*, void* data) -> herr_t {
+    static_cast<std::vector<std::string>*>(data)->emplace_back(name);
+    return 0;
+  };
+  check(H5Literate(opened, H5_INDEX_NAME, H5_ITER_INC, nullptr, keep, &found), implementation_->cannot(group));
+  return found;
+}
+
+Array ResultFile::numbers(const std::string& name) const {
+  const QuietErrors quiet;
+  const std::string cannot = implementation_->cannot(name);
+  const Handle set = checked(H5Dopen2(implementation_->file, name.c_str(), H5P_DEFAULT), H5Dclose, cannot);
+  const Handle space = checked(H5Dget_space(set), H5Sclose, cannot);
+  const Handle type = checked(H5Dget_type(set), H5Tclose, cannot);
+  const H5T_class_t kind = H5Tget_class(type);
+  if (kind != H5T_FLOAT && kind != H5T_INTEGER) throw core::FileError(cannot + ": it holds no numbers");
+  const int rank = H5Sget_simple_extent_ndims(space);
+  if (rank < 0 || rank > 2) throw core::FileError(cannot + ": it has " + std::to_string(rank) + " dimensions");
+  std::vector<hsize_t> dims(static_cast<std::size_t>(rank));
+  if (rank > 0) H5Sget_simple_extent_dims(space, dims.data(), nullptr);
+  const hssize_t points = H5Sget_simple_extent_npoints(space);
+  // A damaged header can promise more numbers than the file holds: do not reserve memory for a promise.
+  const hsize_t stored = H5Dget_storage_size(set);
+  if (points < 0 || (points > 0 && stored / H5Tget_size(type) < static_cast<hsize_t>(points)))
+    throw core::FileError(cannot + ": the file is damaged: it holds fewer numbers than it says");
+  Array array;
+  array.dims.assign(dims.begin(), dims.end());
+  array.values.resize(static_cast<std::size_t>(points));
+  check(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, array.values.data()), cannot);
+  array.unit = attribute(name, "unit");
+  array.meaning = attribute(name, "meaning");
+  return array;
+}
+
+std::string ResultFile::text(const std::string& name) const {
+  const QuietErrors quiet;
+  const std::string cannot = implementation_->cannot(name);
+  const Handle set = checked(H5Dopen2(implementation_->file, name.c_str(), H5P_DEFAULT), H5Dclose, cannot);
+  const Handle type = checked(H5Dget_type(set), H5Tclose, cannot);
+  const Handle space = checked(H5Dget_space(set), H5Sclose, cannot);
+  if (H5Tget_class(type) != H5T_STRING || H5Sget_simple_extent_npoints(space) != 1)
+    throw core::FileError(cannot + ": it is no text");
+  return read_text(type, [&](void* to) { return H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, to); });
+}
+
+std::string ResultFile::attribute(const std::string& object, const std::string& name) const {
+  const QuietErrors quiet;
+  const hid_t id = H5Aopen_by_name(implementation_->file, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT);
+  if (id < 0) return "";
+  const Handle found(id, H5Aclose);
+  const Handle type(H5Aget_type(found), H5Tclose);
+  const Handle space(H5Aget_space(found), H5Sclose);
+  if (H5Tget_class(type) != H5T_STRING || H5Sget_simple_extent_npoints(space) != 1) return "";
+  return read_text(type, [&](void* to) { return H5Aread(found, type, to); });
+}
+
+}  // namespace ehl::results

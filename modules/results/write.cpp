@@ -1,0 +1,184 @@
+#include "results/write.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "results/atomic_file.hpp"
+#include "results/hdf5_handle.hpp"
+
+namespace ehl::results {
+namespace {
+
+struct Writer {
+  hid_t file;
+  std::string path;
+
+  std::string cannot(const std::string& name) const { return path + ": cannot build " + name; }
+};
+
+Handle text_type(const Writer& writer) {
+  Handle type = checked(H5Tcopy(H5T_C_S1), H5Tclose, writer.cannot("a text"));
+  check(H5Tset_size(type, H5T_VARIABLE), writer.cannot("a text"));
+  check(H5Tset_cset(type, H5T_CSET_UTF8), writer.cannot("a text"));
+  return type;
+}
+
+void attribute(const Writer& writer, hid_t object, const std::string& name, const std::string& text) {
+  if (text.empty()) return;
+  const Handle type = text_type(writer);
+  const Handle space = checked(H5Screate(H5S_SCALAR), H5Sclose, writer.cannot(name));
+  const Handle made =
+      checked(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, writer.cannot(name));
+  const char* pointer = text.c_str();
+  check(H5Awrite(made, type, &pointer), writer.cannot(name));
+}
+
+void describe(const Writer& writer, hid_t object, const std::string& unit, const std::string& meaning) {
+  attribute(writer, object, "unit", unit);
+  attribute(writer, object, "meaning", meaning);
+}
+
+// Without the times of the objects, so that the same run gives the same file but for its date in /provenance.
+Handle creation(const Writer& writer) {
+  Handle properties = checked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, writer.cannot("a dataset"));
+  check(H5Pset_obj_track_times(properties, false), writer.cannot("a dataset"));
+  return properties;
+}
+
+Handle dataset(const Writer& writer, const std::string& name, hid_t type, hid_t space) {
+  const Handle properties = creation(writer);
+  return checked(H5Dcreate2(writer.file, name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose,
+                 writer.cannot(name));
+}
+
+Handle group(const Writer& writer, const std::string& name) {
+  return checked(H5Gcreate2(writer.file, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose,
+                 writer.cannot(name));
+}
+
+void text(const Writer& writer, const std::string& name, const std::string& value, const std::string& meaning) {
+  const Handle type = text_type(writer);
+  const Handle space = checked(H5Screate(H5S_SCALAR), H5Sclose, writer.cannot(name));
+  const Handle made = dataset(writer, name, type, space);
+  const char* pointer = value.c_str();
+  check(H5Dwrite(made, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, &pointer), writer.cannot(name));
+  describe(writer, made, "", meaning);
+}
+
+struct Shape {
+  std::vector<hsize_t> dims;  // none: a single number
+};
+
+void numbers(const Writer& writer, const std::string& name, const Shape& shape, const std::vector<double>& values,
+             bool whole, const std::string& unit, const std::string& meaning) {
+  const int rank = static_cast<int>(shape.dims.size());
+  const Handle space = checked(rank == 0 ? H5Screate(H5S_SCALAR) : H5Screate_simple(rank, shape.dims.data(), nullptr),
+                               H5Sclose, writer.cannot(name));
+  const Handle made = dataset(writer, name, whole ? H5T_STD_I64LE : H5T_IEEE_F64LE, space);
+  if (whole) {
+    const std::vector<std::int64_t> integers(values.begin(), values.end());
+    check(H5Dwrite(made, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, integers.data()), writer.cannot(name));
+  } else {
+    check(H5Dwrite(made, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), writer.cannot(name));
+  }
+  describe(writer, made, unit, meaning);
+}
+
+void quantities(const Writer& writer, const std::string& name, const std::vector<Quantity>& list) {
+  const Handle made = group(writer, name);
+  for (const Quantity& quantity : list)
+    if (std::isfinite(quantity.value))
+      numbers(writer, name + "/" + quantity.name, {}, {quantity.value}, quantity.whole, quantity.unit,
+              quantity.meaning);
+}
+
+void texts(const Writer& writer, const std::string& name, const std::vector<Text>& list) {
+  for (const Text& entry : list) text(writer, name + "/" + entry.name, entry.text, entry.meaning);
+}
+
+void grid(const Writer& writer, const core::Grid& nodes) {
+  const Handle made = group(writer, "/grid");
+  std::vector<double> x;
+  std::vector<double> y;
+  for (int i = 0; i < nodes.nodes_x(); ++i) x.push_back(nodes.X(i));
+  for (int j = 0; j < nodes.nodes_y(); ++j) y.push_back(nodes.Y(j));
+  numbers(writer, "/grid/x", {{x.size()}}, x, false, "a", "X of the nodes, along the entrainment, in Hertz radii");
+  numbers(writer, "/grid/y", {{y.size()}}, y, false, "a", "Y of the nodes, across the entrainment, in Hertz radii");
+}
+
+void field(const Writer& writer, const NamedField& entry) {
+  const core::Field& from = *entry.field;
+  const auto rows = static_cast<std::size_t>(from.nodes_y());
+  const auto columns = static_cast<std::size_t>(from.nodes_x());
+  std::vector<double> values(rows * columns);
+  for (std::size_t i = 0; i < columns; ++i) {
+    const std::span<const double> station = from.station(static_cast<int>(i));
+    for (std::size_t j = 0; j < rows; ++j) values[j * columns + i] = station[j];
+  }
+  numbers(writer, "/fields/" + entry.name, {{rows, columns}}, values, false, entry.unit, entry.meaning);
+}
+
+void table(const Writer& writer, const Table& entry) {
+  const Handle made = group(writer, "/" + entry.name);
+  attribute(writer, made, "meaning", entry.meaning);
+  std::string order;
+  for (const Column& column : entry.columns) order += (order.empty() ? "" : " ") + column.name;
+  attribute(writer, made, "columns", order);
+  for (const Column& column : entry.columns)
+    numbers(writer, "/" + entry.name + "/" + column.name, {{column.values.size()}}, column.values, column.whole,
+            column.unit, column.meaning);
+}
+
+void everything(const Writer& writer, const Content& content) {
+  attribute(writer, writer.file, "format", "ehl result");
+  attribute(writer, writer.file, "title", content.title);
+  text(writer, "/deck", content.deck, "the deck as it was understood: read again, it gives this case");
+  {
+    const Handle made = group(writer, "/provenance");
+    texts(writer, "/provenance", content.provenance);
+  }
+  quantities(writer, "/scales", content.scales);
+  grid(writer, content.grid);
+  {
+    const Handle made = group(writer, "/fields");
+    for (const NamedField& entry : content.fields) field(writer, entry);
+  }
+  quantities(writer, "/summary", content.summary);
+  texts(writer, "/summary", content.remarks);
+  for (const Table& entry : content.tables) table(writer, entry);
+}
+
+// The whole file in memory. HDF5 reports a full disk as late as in the close, and then cannot be closed any more; so
+// it never sees the disk, and the bytes go there by plain system calls whose every failure can be answered.
+std::vector<std::byte> image(const std::string& path, const Content& content) {
+  const QuietErrors quiet;
+  const std::string cannot = path + ": cannot build the result";
+  const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, cannot);
+  const std::size_t block = std::max<std::size_t>(1 << 16, expected_bytes(content.grid, content.fields.size()) / 8);
+  check(H5Pset_fapl_core(access, block, false), cannot);
+  const Handle file = checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, cannot);
+  everything({file, path}, content);
+  check(H5Fflush(file, H5F_SCOPE_GLOBAL), cannot);
+  const ssize_t size = H5Fget_file_image(file, nullptr, 0);
+  check(size < 0 ? -1 : 0, cannot);
+  std::vector<std::byte> bytes(static_cast<std::size_t>(size));
+  check(H5Fget_file_image(file, bytes.data(), bytes.size()) < 0 ? -1 : 0, cannot);
+  return bytes;
+}
+
+}  // namespace
+
+std::size_t expected_bytes(const core::Grid& nodes, std::size_t fields) {
+  constexpr std::size_t rest = 100000;  // deck, tables, provenance
+  const std::size_t points = static_cast<std::size_t>(nodes.nodes_x()) * static_cast<std::size_t>(nodes.nodes_y());
+  return rest + fields * points * sizeof(double);
+}
+
+void write(const std::string& path, const Content& content, bool overwrite) {
+  write_atomically(path, image(path, content), overwrite);
+  const std::string description = xdmf(path, content);
+  write_atomically(xdmf_name(path), std::as_bytes(std::span(description)), overwrite);
+}
+
+}  // namespace ehl::results

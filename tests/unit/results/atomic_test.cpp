@@ -1,0 +1,80 @@
+#include <signal.h>
+#include <sys/resource.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include "core/errors.hpp"
+#include "results/atomic_file.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace ehl;
+
+namespace {
+
+void write(const std::string& path, const std::string& text, bool overwrite) {
+  results::write_atomically(path, std::as_bytes(std::span(text)), overwrite);
+}
+
+template <class Action>
+std::string refusal(Action action) {
+  try {
+    action();
+  } catch (const core::FileError& error) {
+    return error.what();
+  }
+  return "(none)";
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(atomic_file)
+
+BOOST_AUTO_TEST_CASE(writes_and_replaces_only_on_request) {
+  const support::TemporaryFolder folder;
+  write(folder / "f", "old", false);
+  BOOST_TEST(folder.read("f") == "old");
+  BOOST_TEST(contains(refusal([&] { write(folder / "f", "new", false); }), "not overwritten"));
+  BOOST_TEST(folder.read("f") == "old");
+  write(folder / "f", "new", true);
+  BOOST_TEST(folder.read("f") == "new");
+  BOOST_TEST(folder.entries() == 1);
+}
+
+// A limit on the file size stands for a full disk: the write fails in the middle.
+BOOST_AUTO_TEST_CASE(a_write_that_fails_leaves_the_old_file_and_no_half_one) {
+  const support::TemporaryFolder folder;
+  write(folder / "f", "old", false);
+  ::signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  rlimit small = before;
+  small.rlim_cur = 1000;
+  setrlimit(RLIMIT_FSIZE, &small);
+  const std::string reason = refusal([&] { write(folder / "f", std::string(5000, 'x'), true); });
+  setrlimit(RLIMIT_FSIZE, &before);
+  BOOST_TEST(contains(reason, "cannot be written: File too large"), reason);
+  BOOST_TEST(folder.read("f") == "old");
+  BOOST_TEST(folder.entries() == 1);
+}
+
+BOOST_AUTO_TEST_CASE(outputs_refused_before_the_work) {
+  const support::TemporaryFolder folder;
+  const std::string existing = folder.write("there.h5", "x");
+  const auto reason = [](const std::string& path, bool overwrite = false, std::size_t bytes = 10) {
+    return refusal([&] { results::check_writable(path, overwrite, bytes); });
+  };
+  BOOST_TEST(contains(reason(existing), "--overwrite"));
+  BOOST_TEST(reason(existing, true) == "(none)");
+  BOOST_TEST(reason(folder / "new.h5") == "(none)");
+  BOOST_TEST(contains(reason(folder.path(), true), "directory"));
+  BOOST_TEST(contains(reason(folder / "none/f.h5"), "no folder"));
+  BOOST_TEST(contains(reason("/dev/null", true), "no regular file"));
+  BOOST_TEST(contains(reason("/proc/f.h5"), "cannot be written"));
+  BOOST_TEST(contains(reason(folder / "new.h5", false, std::size_t{1} << 60), "the disk has room"));
+  BOOST_TEST(contains(reason(""), "empty"));
+  BOOST_TEST(folder.entries() == 1);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,130 @@
+#include <hdf5.h>
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <limits>
+
+#include "core/errors.hpp"
+#include "results/read.hpp"
+#include "results/write.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace ehl;
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// A field whose value tells its node: 1000 i + j. nx != ny, so that a transposed field shows.
+struct Example {
+  core::Grid grid{4, 2, -4.5, 1.5, -3.0, 3.0};
+  core::Field field{grid};
+  results::Content content;
+
+  Example() {
+    for (int i = 0; i < grid.nodes_x(); ++i)
+      for (int j = 0; j < grid.nodes_y(); ++j) field(i, j) = 1000.0 * i + j;
+    content.title = "an <example> & more";
+    content.deck = "[contact]\nM = 50\n";
+    content.provenance = {{"version", "0.1", "version of the program"}};
+    content.scales = {{"a", 136.5e-6, "m", "Hertz radius"}, {"unknown", nan, "m", "not known"}};
+    content.grid = grid;
+    content.fields = {{"P", "p_h", "pressure", &field}};
+    content.summary = {{"converged", 1.0, "-", "1: converged", true}, {"Hc", 0.2205, "a^2/R", "central film"}};
+    content.remarks = {{"warnings", "", "none"}};
+    content.tables = {{"levels",
+                       "the ladder",
+                       {{"level", "-", "level", true, {1, 2, 3}}, {"Hc", "-", "film", false, {0.1, nan, 0.3}}}}};
+  }
+};
+
+std::string refusal(const std::string& path) {
+  try {
+    results::ResultFile file(path);
+  } catch (const core::FileError& error) {
+    return error.what();
+  }
+  return "(none)";
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(result_file)
+
+BOOST_AUTO_TEST_CASE(what_is_written_is_read_back) {
+  const support::TemporaryFolder folder;
+  const Example example;
+  results::write(folder / "r.h5", example.content, false);
+  const results::ResultFile file(folder / "r.h5");
+
+  const results::Array P = file.numbers("/fields/P");
+  BOOST_REQUIRE(P.dims.size() == 2u);
+  BOOST_TEST(P.dims[0] == 3u);  // row = y
+  BOOST_TEST(P.dims[1] == 5u);  // column = x
+  BOOST_TEST(P.values[2 * 5 + 4] == 4002.0);
+  BOOST_TEST(P.values[1 * 5 + 3] == 3001.0);
+  BOOST_TEST(P.unit == "p_h");
+  BOOST_TEST(P.meaning == "pressure");
+
+  const results::Array x = file.numbers("/grid/x");
+  BOOST_TEST(x.values.front() == -4.5);
+  BOOST_TEST(x.values.back() == 1.5);
+  BOOST_TEST(file.numbers("/grid/y").values[1] == 0.0);
+  BOOST_TEST(file.text("/deck") == example.content.deck);
+  BOOST_TEST(file.text("/provenance/version") == "0.1");
+  BOOST_TEST(file.numbers("/scales/a").values[0] == 136.5e-6);
+  BOOST_TEST(file.numbers("/scales/a").unit == "m");
+  BOOST_TEST((file.kind("/scales/unknown") == results::ResultFile::Kind::missing));
+  BOOST_TEST(file.numbers("/summary/converged").values[0] == 1.0);
+  BOOST_TEST(file.numbers("/levels/level").values[2] == 3.0);
+  BOOST_TEST(std::isnan(file.numbers("/levels/Hc").values[1]));
+  BOOST_TEST(file.attribute("/levels", "columns") == "level Hc");
+  BOOST_TEST((file.names("/levels") == std::vector<std::string>{"Hc", "level"}));
+  BOOST_TEST((file.kind("/levels") == results::ResultFile::Kind::group));
+  BOOST_TEST((file.kind("/deck") == results::ResultFile::Kind::text));
+  BOOST_CHECK_THROW(file.numbers("/fields/Q"), core::FileError);
+  BOOST_CHECK_THROW(file.numbers("/deck"), core::FileError);
+  BOOST_CHECK_THROW(file.text("/grid/x"), core::FileError);
+}
+
+// Two runs of the same case differ in nothing but their provenance: the same content gives the same bytes.
+BOOST_AUTO_TEST_CASE(the_same_content_gives_the_same_bytes) {
+  const support::TemporaryFolder folder;
+  const Example example;
+  results::write(folder / "one.h5", example.content, false);
+  results::write(folder / "two.h5", example.content, false);
+  BOOST_TEST((folder.read("one.h5") == folder.read("two.h5")));
+  BOOST_TEST(folder.read("one.h5").size() < results::expected_bytes(example.grid, 1));
+}
+
+BOOST_AUTO_TEST_CASE(files_that_are_no_results) {
+  const support::TemporaryFolder folder;
+  const Example example;
+  results::write(folder / "r.h5", example.content, false);
+  const std::string whole = folder.read("r.h5");
+  for (const std::size_t length :
+       {std::size_t{0}, std::size_t{7}, std::size_t{100}, whole.size() / 2, whole.size() - 1}) {
+    const std::string reason = refusal(folder.write("cut.h5", whole.substr(0, length)));
+    BOOST_TEST_MESSAGE(length << " bytes: " << reason);
+    BOOST_TEST(reason.find("cut.h5: cannot be read") != std::string::npos, reason);
+  }
+  BOOST_TEST(refusal(folder.write("text.h5", "hello")).find("no HDF5 file") != std::string::npos);
+  BOOST_TEST(refusal(folder / "missing.h5").find("No such file") != std::string::npos);
+  BOOST_TEST(refusal(folder.path()).find("directory") != std::string::npos);
+
+  const std::string foreign = folder / "foreign.h5";
+  H5Fclose(H5Fcreate(foreign.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
+  BOOST_TEST(refusal(foreign).find("no result of ehl") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(xdmf_names_the_datasets_and_is_escaped) {
+  const support::TemporaryFolder folder;
+  const Example example;
+  results::write(folder / "r.h5", example.content, false);
+  const std::string text = folder.read("r.xmf");
+  for (const char* part : {"Dimensions=\"3 5\"", "r.h5:/fields/P", "r.h5:/grid/x", "an &lt;example&gt; &amp; more"})
+    BOOST_TEST(text.find(part) != std::string::npos, part);
+  BOOST_TEST(results::xdmf_name("a.b/c.h5") == "a.b/c.xmf");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
