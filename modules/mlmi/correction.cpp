@@ -8,6 +8,10 @@ namespace ehl::mlmi {
 namespace {
 
 int floor_half(int i) { return i >= 0 ? i / 2 : -((1 - i) / 2); }
+std::size_t index(int k) { return static_cast<std::size_t>(k); }
+
+// How far outside the patch the dropped part of the correction is added up [points]: it falls like d^-2p.
+constexpr int margin = 12;
 
 }  // namespace
 
@@ -28,27 +32,38 @@ std::array<double, 4> midpoint_weights(int order) {
 Correction correction(const Axis& along, const Axis& across, int order, int m1, int m2, double factor) {
   const int p = order / 2;
   const std::array<double, 4> weights = midpoint_weights(order);
-  // A margin around the patch shows what is dropped.
-  const int margin = 1, rows = m1 + margin, columns = m2 + margin;
+  const int rows = m1 + margin, columns = m2 + margin;
   const auto K = kernel::influence_table(rows + 2 * p, columns, along.h, across.h, along.every, across.every);
   const auto interpolation_error = [&](int d, int e) {
     double error = K(d, e);
-    for (int k = 1; k <= p; ++k)
-      error -= weights[static_cast<std::size_t>(k - 1)] * (K(d - (2 * k - 1), e) + K(d + (2 * k - 1), e));
-    return error;
+    for (int k = 1; k <= p; ++k) error -= weights[index(k - 1)] * (K(d - (2 * k - 1), e) + K(d + (2 * k - 1), e));
+    return factor * error;
   };
-  double dropped = 0.0;
-  for (int d = 0; d <= rows; ++d)
-    for (int e = 0; e <= columns; ++e)
-      if (d > m1 || e > m2) dropped = std::max(dropped, std::abs(interpolation_error(d, e)));
+  // What lies just outside the patch sets the scale of what is not worth keeping inside.
+  double threshold = 0.0;
+  for (int d = 0; d <= m1 + 1; ++d) threshold = std::max(threshold, std::abs(interpolation_error(d, m2 + 1)));
+  for (int e = 0; e <= m2 + 1; ++e) threshold = std::max(threshold, std::abs(interpolation_error(m1 + 1, e)));
 
-  Correction result{m1, m2, std::vector<int>(static_cast<std::size_t>(m2) + 1), {}};
+  Correction result{m1, m2, std::vector<int>(index(m2) + 1), {}};
   for (int e = 0; e <= m2; ++e) {
-    for (int d = -m1; d <= m1; ++d) result.C.push_back(factor * interpolation_error(d, e));
+    for (int d = -m1; d <= m1; ++d) result.C.push_back(interpolation_error(d, e));
     int reach = m1;
-    while (reach > 0 && std::abs(interpolation_error(reach, e)) < dropped) --reach;
-    result.reach[static_cast<std::size_t>(e)] = reach;
+    while (reach > 1 && std::abs(interpolation_error(reach, e)) < threshold) --reach;
+    result.reach[index(e)] = reach;
   }
+  // Where u is smooth the dropped entries act through their sum alone, so the sum is put on the edge of the patch:
+  // separately for odd and even distances, because the even points of the grid see the odd distances only.
+  double even = 0.0, odd = 0.0;
+  for (int d = -rows; d <= rows; ++d)
+    for (int e = -columns; e <= columns; ++e) {
+      const bool kept = std::abs(e) <= m2 && std::abs(d) <= result.reach[index(std::abs(e))];
+      if (!kept) (d % 2 == 0 ? even : odd) += interpolation_error(d, e);
+    }
+  double* edge = result.C.data() + m2 * (2 * m1 + 1) + m1;
+  const double sides = m2 == 0 ? 1.0 : 2.0;
+  edge[0] += even / sides;
+  edge[1] += odd / (2.0 * sides);
+  edge[-1] += odd / (2.0 * sides);
   return result;
 }
 

@@ -21,8 +21,12 @@ int points_across(int patch_across, const Axis& along, const Axis& across) {
 MultilevelSum::MultilevelSum(const Axis& x, const Axis& y, const MultilevelChoice& choice, double factor, int threads) {
   Axis along = x, across = y;
   for (int l = 0; l < choice.coarsenings; ++l) {
-    const int m2 = points_across(choice.patch_across, along, across);
-    steps_.emplace_back(SemiCoarsening::Shape{along, across, choice.order, choice.patch_along, m2}, factor, threads);
+    // The dropped part of the kernel weighs in proportion to the spacing, the work falls with its square: deeper
+    // levels get larger patches.
+    const int pair = l / 2;
+    const int m1 = choice.patch_along + 2 * pair;
+    const int m2 = points_across(choice.patch_across + pair, along, across);
+    steps_.emplace_back(SemiCoarsening::Shape{along, across, choice.order, m1, m2}, factor, threads);
     along = std::exchange(across, steps_.back().coarse());
     const std::ptrdiff_t stride = padded(across.points());
     const auto size = static_cast<std::size_t>(along.points() * stride);

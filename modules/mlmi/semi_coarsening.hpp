@@ -33,7 +33,8 @@ Axis coarsened(const Axis& fine, int order);
 std::array<double, 4> midpoint_weights(int order);
 
 /// The correction C(d, e), even in both offsets, on its patch. Entries inside the patch that are smaller than the
-/// largest one outside are dropped too: every e has its own reach along.
+/// largest one just outside are dropped too (every e has its own reach along); the sum of all that is dropped is kept,
+/// so that the correction of a constant is exact.
 struct Correction {
   int along = 0;           ///< m1
   int across = 0;          ///< m2

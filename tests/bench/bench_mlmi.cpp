@@ -14,14 +14,6 @@ using ehl::core::Field;
 using ehl::core::Grid;
 
 namespace {
-double slope_difference(const Grid& grid, const Field& a, const Field& b) {
-  double largest = 0.0;
-  for (int i = 1; i < grid.nx; ++i)
-    for (int j = 0; j <= grid.ny; ++j)
-      largest = std::max(largest, std::abs((a(i + 1, j) - b(i + 1, j)) - (a(i - 1, j) - b(i - 1, j))));
-  return largest / (2.0 * grid.hx());
-}
-
 // Best of several evaluations, ns per node.
 double cost(const Grid& grid, mlmi::Deformation& evaluator, const Field& P, Field& w) {
   double best = 1e9;
@@ -43,7 +35,7 @@ void report(const Grid& grid, const mlmi::Parameters& parameters, int threads, c
   const double ns = cost(grid, evaluator, P, w);
   const double scale = ehl::core::max_abs(truth);
   std::printf("%5d  %-60s %9.1e %9.1e %8.1f %9.2f %8.1f\n", grid.nx, evaluator.description().c_str(),
-              ehl::core::max_abs_difference(w, truth) / scale, slope_difference(grid, w, truth) / scale, ns,
+              ehl::core::max_abs_difference(w, truth) / scale, ehl::tests::slope_difference(grid, w, truth) / scale, ns,
               1e3 * setup, static_cast<double>(evaluator.bytes()) / 1e6);
   std::fflush(stdout);
 }

@@ -1,9 +1,10 @@
 #pragma once
-// Pressures to test and to time the elastic deformation with.
+// Pressures to test and to time the elastic deformation with, and how to compare two deformations.
 #include <algorithm>
 #include <cmath>
 
 #include "core/field.hpp"
+#include "mlmi/deformation.hpp"
 
 namespace ehl::tests {
 
@@ -39,6 +40,23 @@ inline core::Field rough(const core::Grid& grid) {
       field(i, j) = static_cast<double>(state >> 8) / 16777216.0 - 0.3;
     }
   return field;
+}
+
+/// The deformation under P by the method that the parameters name.
+inline core::Field deformation(const core::Grid& grid, const core::Field& P, const mlmi::Parameters& parameters,
+                               int threads = 1) {
+  core::Field w(grid);
+  mlmi::Deformation(grid, parameters, threads).evaluate(P, w);
+  return w;
+}
+
+/// Largest difference of dw/dX (central differences) over the nodes.
+inline double slope_difference(const core::Grid& grid, const core::Field& a, const core::Field& b) {
+  double largest = 0.0;
+  for (int i = 1; i < grid.nx; ++i)
+    for (int j = 0; j <= grid.ny; ++j)
+      largest = std::max(largest, std::abs((a(i + 1, j) - b(i + 1, j)) - (a(i - 1, j) - b(i - 1, j))));
+  return largest / (2.0 * grid.hx());
 }
 
 }  // namespace ehl::tests

@@ -1,4 +1,4 @@
-// The elastic deformation: the direct sum against the half-space under a Hertz pressure, the others against it.
+// The direct sum against the half-space under a Hertz pressure, the Fourier sum against the direct one.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -9,16 +9,11 @@
 namespace mlmi = ehl::mlmi;
 using ehl::core::Field;
 using ehl::core::Grid;
-using mlmi::Deformation;
 using mlmi::Method;
 
-namespace {
+using ehl::tests::deformation;
 
-Field deformation(const Grid& grid, const Field& P, const mlmi::Parameters& parameters, int threads = 1) {
-  Field w(grid);
-  Deformation(grid, parameters, threads).evaluate(P, w);
-  return w;
-}
+namespace {
 
 double hertz(double X, double Y) { return std::sqrt(std::max(0.0, 1.0 - X * X - Y * Y)); }
 
