@@ -1,0 +1,22 @@
+# figure: pressure and film along the centre line
+figure = "centre_lines"
+here = system(sprintf("dirname '%s'", ARG0))
+load here."/common.gp"
+
+stats centre_line("H") using (abs($1) < 1e-9 ? $2 : NaN) nooutput prefix "C"
+stats centre_line("P") using 1:2 nooutput prefix "P"
+
+set xlabel "X = x/a,  Y = 0"
+set ylabel "P = p/p_h" textcolor rgb red
+set y2label "H = hR/a^2" textcolor rgb blue
+set ytics textcolor rgb red
+set y2tics textcolor rgb blue
+set xrange [-2.5 > P_min_x ? -2.5 : P_min_x : 1.5 < P_max_x ? 1.5 : P_max_x]
+set yrange [0:1.15 * (P_max_y > 1 ? P_max_y : 1)]
+# The film has a third of the height in the contact, and leaves at the top outside it.
+set y2range [0:4 * C_max]
+set key top left
+set samples 2001
+plot abs(x) < 1 ? sqrt(1 - x**2) : 1/0 axes x1y1 with lines lw 1.5 dt 2 lc rgb grey title "Hertz", \
+     centre_line("P") using 1:2 axes x1y1 with lines lw 1.5 lc rgb red title "P", \
+     centre_line("H") using 1:2 axes x1y2 with lines lw 1.5 lc rgb blue title "H"

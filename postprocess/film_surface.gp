@@ -1,0 +1,29 @@
+# figure: the film as a surface, upside down (the paper's figure 2)
+figure = "film_surface"
+here = system(sprintf("dirname '%s'", ARG0))
+load here."/common.gp"
+
+stats field("H") using 1:3 nooutput prefix "S"
+step = step_for(sqrt(S_records), format eq "png" ? 257 : 129)
+stats field("H") using (abs($1) + abs($2) < 1e-9 ? $3 : NaN) nooutput prefix "C"
+# Films thicker than this lie outside the contact and would hide it.
+top = 2.5 * C_max
+
+# Thin is up: the flat film of the contact is a plateau, and the horseshoe of the smallest film its rim.
+set pm3d depthorder lighting primary 0.55 specular 0.15 noborder
+unset colorbox
+unset grid
+eval "set palette ".film_colours
+set cbrange [S_min_y:top]
+set view 52, 128, 1.08, 1.1
+# The box hangs low in its canvas and leaves the title far above.
+set origin 0, 0.07
+set title offset 0, -3
+set xyplane at top
+set xlabel "X = x/a" offset 0, -0.5
+set ylabel "Y = y/a" offset 0, -0.5
+set zlabel "H = hR/a^2" rotate parallel offset 1.5, 0
+set xrange [-2:1.5]
+set yrange [-1.6:1.6]
+set zrange [top:0]
+splot field("H") using 1:2:($3 < top ? $3 : top) every step:step with pm3d notitle

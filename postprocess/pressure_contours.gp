@@ -1,0 +1,26 @@
+# figure: lines of equal pressure (the paper's figure 3)
+figure = "pressure_contours"
+wide = 14.5
+high = 14
+here = system(sprintf("dirname '%s'", ARG0))
+load here."/common.gp"
+if (!exists("dP")) dP = 0.04
+
+set contour base
+unset surface
+set cntrparam levels incremental dP, dP, 10
+set table $contours
+splot field("P") using 1:2:3 with lines nosurface notitle
+unset table
+unset contour
+
+set size ratio -1
+set xrange [-1.8:1.4]
+set yrange [-1.6:1.6]
+set xlabel "X = x/a"
+set ylabel "Y = y/a"
+eval "set palette ".pressure_colours
+set cbrange [-0.3:1.1]
+unset colorbox
+set label 1 sprintf("ΔP = %g", dP) at graph 0.97, 0.96 right
+plot $contours using 1:2:3 with lines lw 0.7 lc palette notitle

@@ -1,0 +1,26 @@
+# figure: the pressure as a surface (the paper's figure 1)
+figure = "pressure_surface"
+here = system(sprintf("dirname '%s'", ARG0))
+load here."/common.gp"
+
+stats field("P") using 1:3 nooutput prefix "S"
+step = step_for(sqrt(S_records), format eq "png" ? 257 : 129)
+
+# Shaded by the slope, as seen from downstream: the spike stands in front.
+set pm3d depthorder lighting primary 0.55 specular 0.15 noborder
+unset colorbox
+unset grid
+eval "set palette ".pressure_colours
+set view 52, 128, 1.08, 1.1
+# The box hangs low in its canvas and leaves the title far above.
+set origin 0, 0.07
+set title offset 0, -3
+set xyplane 0
+set ticslevel 0
+set xlabel "X = x/a" offset 0, -0.5
+set ylabel "Y = y/a" offset 0, -0.5
+set zlabel "P = p/p_h" rotate parallel offset 1.5, 0
+set xrange [-2:1.5]
+set yrange [-1.6:1.6]
+set zrange [0:*]
+splot field("P") using 1:2:3 every step:step with pm3d notitle

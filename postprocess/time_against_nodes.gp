@@ -1,0 +1,32 @@
+# figure: time against the number of nodes (the paper's figure 5)
+figure = "time_against_nodes"
+here = system(sprintf("dirname '%s'", ARG0))
+load here."/common.gp"
+
+set datafile columnheaders
+nodes(nx, ny) = (nx + 1.0) * (ny + 1.0)
+# The full multigrid reaches a level after all coarser ones: the time of a solution on a level is the sum so far.
+sum = 0.0
+running(s) = (sum = sum + s, sum)
+set table $times
+plot table("levels") using (nodes(column("nx"), column("ny"))):(running(column("seconds"))) with table
+unset table
+unset datafile columnheaders
+stats $times using 1:2 nooutput prefix "T"
+# Both lines pass through the first level of more than 4000 nodes; smaller ones time the start, not the method.
+n0 = T_max_x
+t0 = T_max_y
+do for [k = 1:|$times|] { n = real(word($times[k], 1)); if (n > 4000 && n < n0) { n0 = n; t0 = real(word($times[k], 2)) } }
+
+set logscale xy
+set xlabel "nodes n"
+set ylabel "seconds to a solution"
+set format x "10^{%L}"
+set format y "10^{%L}"
+set key top left
+set xrange [T_min_x / 2:T_max_x * 2]
+set yrange [T_min_y / 3:T_max_y * 6]
+set samples 50
+plot t0 * x / n0 with lines dt 2 lc rgb grey title "O(n)", \
+     t0 * (x / n0)**2 with lines dt 4 lc rgb grey title "O(n^2)", \
+     $times using 1:2 with linespoints lw 1.5 pt 7 ps 1.3 lc rgb blue title "full multigrid, measured"
