@@ -49,7 +49,8 @@ FourierConvolution::FourierConvolution(int rows, int columns, const kernel::Infl
       spectrum_(size(static_cast<std::ptrdiff_t>(blocks_) * (length_rows_ / 2 + 1) * block_columns)) {
   for (int t = 0; t < threads; ++t)
     workers_.push_back({RealTransform(length_columns_), ColumnTransform(length_rows_), Buffer(size(length_columns_)),
-                        Buffer(size(stride_) + 2), Buffer(size(length_rows_) * block_doubles)});
+                        Buffer(size(stride_) + 2), Buffer(size(length_rows_) * block_doubles),
+                        Buffer(size(length_rows_) * block_doubles)});
   prepare_spectrum(kernel, factor / (static_cast<double>(length_rows_) * length_columns_));
 }
 
@@ -80,10 +81,11 @@ void FourierConvolution::prepare_spectrum(const kernel::InfluenceTable& kernel, 
       std::copy_n(from, block_doubles, block + i * block_doubles);
       if (i > 0) std::copy_n(from, block_doubles, block + (length_rows_ - i) * block_doubles);
     }
-    worker.column.forward(block);
+    worker.column.forward(block, worker.transformed.data());
+    const double* transformed = worker.transformed.data();
     double* to = spectrum_.data() + static_cast<std::ptrdiff_t>(b) * half_rows * block_columns;
     for (int i = 0; i < half_rows; ++i)
-      for (int c = 0; c < block_columns; ++c) to[i * block_columns + c] = block[i * block_doubles + 2 * c];
+      for (int c = 0; c < block_columns; ++c) to[i * block_columns + c] = transformed[i * block_doubles + 2 * c];
   }
   // The columns behind the last frequency hold nothing and must stay so.
   std::fill_n(half_.data(), half_.size(), 0.0);
@@ -97,17 +99,18 @@ void FourierConvolution::convolve_block(int b, int first, int last, Worker& work
   std::fill_n(block, first * block_doubles, 0.0);
   for (int i = first; i < last; ++i) std::copy_n(column + i * stride_, block_doubles, block + i * block_doubles);
   std::fill(block + last * block_doubles, block + static_cast<std::ptrdiff_t>(length_rows_) * block_doubles, 0.0);
-  worker.column.forward(block);
+  double* transformed = worker.transformed.data();
+  worker.column.forward(block, transformed);
   const double* kernel = spectrum_.data() + static_cast<std::ptrdiff_t>(b) * (length_rows_ / 2 + 1) * block_columns;
   for (int i = 0; i < length_rows_; ++i) {
     const double* factor = kernel + std::min(i, length_rows_ - i) * block_columns;
-    double* value = block + i * block_doubles;
+    double* value = transformed + i * block_doubles;
     for (int c = 0; c < block_columns; ++c) {
       value[2 * c] *= factor[c];
       value[2 * c + 1] *= factor[c];
     }
   }
-  worker.column.inverse(block);
+  worker.column.inverse(transformed, block);
   for (int i = 0; i < rows_; ++i) std::copy_n(block + i * block_doubles, block_doubles, column + i * stride_);
 }
 
@@ -136,7 +139,8 @@ void FourierConvolution::apply(const double* u, std::ptrdiff_t stride_u, double*
 
 std::size_t FourierConvolution::bytes() const {
   std::size_t total = half_.bytes() + spectrum_.bytes();
-  for (const Worker& worker : workers_) total += worker.real.bytes() + worker.complex.bytes() + worker.block.bytes();
+  for (const Worker& worker : workers_)
+    total += worker.real.bytes() + worker.complex.bytes() + 2 * worker.block.bytes();
   return total;
 }
 

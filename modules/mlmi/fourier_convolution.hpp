@@ -32,7 +32,7 @@ class FourierConvolution {
   struct Worker {
     RealTransform row;
     ColumnTransform column;
-    Buffer real, complex, block;
+    Buffer real, complex, block, transformed;
   };
   void prepare_spectrum(const kernel::InfluenceTable& kernel, double factor);
   void convolve_block(int block, int first, int last, Worker& worker);

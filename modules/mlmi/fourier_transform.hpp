@@ -26,15 +26,16 @@ class RealTransform {
   std::unique_ptr<Implementation> implementation_;
 };
 
-/// Transforms of `columns` complex columns at once, in place, element n of column c at data[2 (n columns + c)].
+/// Transforms of `columns` complex columns at once, element n of column c at data[2 (n columns + c)], from one array to
+/// another (faster than in place). The input may be destroyed.
 class ColumnTransform {
  public:
   static constexpr int columns = 8;
   explicit ColumnTransform(int length);
   ~ColumnTransform();
   ColumnTransform(ColumnTransform&&) noexcept;
-  void forward(double* data) const;
-  void inverse(double* data) const;
+  void forward(double* in, double* out) const;
+  void inverse(double* in, double* out) const;
 
  private:
   struct Implementation;

@@ -44,12 +44,13 @@ struct ColumnTransform::Implementation {
 
   // One column at a time: gather, transform, scatter.
   template <class Transform>
-  void each_column(double* data, Transform transform) const {
-    auto* p = reinterpret_cast<Complex*>(data);
+  void each_column(const double* from, double* to, Transform transform) const {
+    const auto* source = reinterpret_cast<const Complex*>(from);
+    auto* result = reinterpret_cast<Complex*>(to);
     for (std::size_t c = 0; c < columns; ++c) {
-      for (std::size_t n = 0; n < length; ++n) in[n] = p[n * columns + c];
+      for (std::size_t n = 0; n < length; ++n) in[n] = source[n * columns + c];
       transform(out.data(), in.data());
-      for (std::size_t n = 0; n < length; ++n) p[n * columns + c] = out[n];
+      for (std::size_t n = 0; n < length; ++n) result[n * columns + c] = out[n];
     }
   }
 };
@@ -58,21 +59,21 @@ ColumnTransform::ColumnTransform(int length) : implementation_(std::make_unique<
   implementation_->length = static_cast<std::size_t>(length);
   implementation_->in.resize(implementation_->length);
   implementation_->out.resize(implementation_->length);
-  std::vector<double> data(implementation_->length * 2 * columns);
-  forward(data.data());
-  inverse(data.data());
+  std::vector<double> from(implementation_->length * 2 * columns), to(from);
+  forward(from.data(), to.data());
+  inverse(from.data(), to.data());
 }
 ColumnTransform::~ColumnTransform() = default;
 ColumnTransform::ColumnTransform(ColumnTransform&&) noexcept = default;
 
-void ColumnTransform::forward(double* data) const {
-  implementation_->each_column(data, [this](Complex* out, const Complex* in) {
-    implementation_->library.fwd(out, in, static_cast<Eigen::Index>(implementation_->length));
+void ColumnTransform::forward(double* in, double* out) const {
+  implementation_->each_column(in, out, [this](Complex* to, const Complex* from) {
+    implementation_->library.fwd(to, from, static_cast<Eigen::Index>(implementation_->length));
   });
 }
-void ColumnTransform::inverse(double* data) const {
-  implementation_->each_column(data, [this](Complex* out, const Complex* in) {
-    implementation_->library.inv(out, in, static_cast<Eigen::Index>(implementation_->length));
+void ColumnTransform::inverse(double* in, double* out) const {
+  implementation_->each_column(in, out, [this](Complex* to, const Complex* from) {
+    implementation_->library.inv(to, from, static_cast<Eigen::Index>(implementation_->length));
   });
 }
 

@@ -61,11 +61,11 @@ struct ColumnTransform::Implementation {
 };
 
 ColumnTransform::ColumnTransform(int length) : implementation_(std::make_unique<Implementation>()) {
-  Buffer data(static_cast<std::size_t>(length) * 2 * columns);
-  fftw_complex* p = as_complex(data.data());
+  Buffer from(static_cast<std::size_t>(length) * 2 * columns), to(from.size());
+  fftw_complex *in = as_complex(from.data()), *out = as_complex(to.data());
   const std::lock_guard lock(planner);
   const auto plan = [&](int sign) {
-    return fftw_plan_many_dft(1, &length, columns, p, nullptr, columns, 1, p, nullptr, columns, 1, sign, flags);
+    return fftw_plan_many_dft(1, &length, columns, in, nullptr, columns, 1, out, nullptr, columns, 1, sign, flags);
   };
   implementation_->forward.handle = plan(FFTW_FORWARD);
   implementation_->inverse.handle = plan(FFTW_BACKWARD);
@@ -73,11 +73,11 @@ ColumnTransform::ColumnTransform(int length) : implementation_(std::make_unique<
 ColumnTransform::~ColumnTransform() = default;
 ColumnTransform::ColumnTransform(ColumnTransform&&) noexcept = default;
 
-void ColumnTransform::forward(double* data) const {
-  fftw_execute_dft(implementation_->forward.handle, as_complex(data), as_complex(data));
+void ColumnTransform::forward(double* in, double* out) const {
+  fftw_execute_dft(implementation_->forward.handle, as_complex(in), as_complex(out));
 }
-void ColumnTransform::inverse(double* data) const {
-  fftw_execute_dft(implementation_->inverse.handle, as_complex(data), as_complex(data));
+void ColumnTransform::inverse(double* in, double* out) const {
+  fftw_execute_dft(implementation_->inverse.handle, as_complex(in), as_complex(out));
 }
 
 }  // namespace ehl::mlmi
