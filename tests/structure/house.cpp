@@ -1,0 +1,152 @@
+#include "structure/house.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <sstream>
+
+namespace house {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool contains(const std::vector<std::string>& list, const std::string& word) {
+  return std::ranges::find(list, word) != list.end();
+}
+
+std::string without_comments(const std::string& cmake_text) {
+  return std::regex_replace(cmake_text, std::regex("#[^\n]*"), "");
+}
+
+std::string first_folder(const std::string& include) { return include.substr(0, include.find('/')); }
+
+// A library, how its headers begin, and the modules through which it comes in.
+struct Door {
+  std::string library;
+  std::vector<std::string> prefixes;
+  std::vector<std::string> owners;
+};
+
+std::vector<Door> doors() {
+  return {
+      {"Boost.Program_options", {"boost/program_options"}, {"deck"}},
+      {"HDF5", {"hdf5", "H5"}, {"results"}},
+      {"SUNDIALS",
+       {"sundials/", "kinsol/", "ida/", "idas/", "cvode/", "arkode/", "nvector/", "sunlinsol/", "sunnonlinsol/",
+        "sunmatrix/"},
+       {"steady", "transient"}},
+      {"FFTW", {"fftw3"}, {"mlmi"}},
+  };
+}
+
+}  // namespace
+
+std::string read_text(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+int line_count(const std::string& text) { return static_cast<int>(std::ranges::count(text, '\n')); }
+
+std::vector<Module> read_modules(const std::string& cmake_text) {
+  std::vector<Module> modules;
+  const std::string text = without_comments(cmake_text);
+  const std::regex call(R"(ehl_add_module\(([^)]*)\))");
+  for (std::sregex_iterator match(text.begin(), text.end(), call), end; match != end; ++match) {
+    std::istringstream words((*match)[1].str());
+    Module module;
+    words >> module.name;
+    std::string section;
+    for (std::string word; words >> word;) {
+      if (word == "SOURCES" || word == "DEPENDS" || word == "LIBRARIES") {
+        section = word;
+      } else if (section == "DEPENDS") {
+        module.depends.push_back(word);
+      }
+    }
+    modules.push_back(module);
+  }
+  return modules;
+}
+
+std::vector<Include> read_includes(const std::string& source_text) {
+  std::vector<Include> includes;
+  const std::regex directive(R"(^\s*#\s*include\s*(["<])([^">]+)[">].*)");
+  std::istringstream lines(source_text);
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    std::smatch match;
+    if (std::regex_match(line, match, directive)) includes.push_back({number, match[2], match[1] == "\""});
+  }
+  return includes;
+}
+
+std::vector<SourceFile> read_sources(const fs::path& root, const std::string& folder) {
+  std::vector<SourceFile> files;
+  if (!fs::exists(root / folder)) return files;
+  for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+    const fs::path extension = entry.path().extension();
+    if (!entry.is_regular_file() || (extension != ".cpp" && extension != ".hpp")) continue;
+    SourceFile file;
+    file.path = fs::relative(entry.path(), root);
+    file.owner = folder == "modules" ? std::next(file.path.begin())->string() : folder;
+    file.text = read_text(entry.path());
+    files.push_back(file);
+  }
+  std::ranges::sort(files, {}, &SourceFile::path);
+  return files;
+}
+
+std::vector<std::string> order_offences(const std::vector<Module>& modules) {
+  std::vector<std::string> offences, above;
+  for (const Module& module : modules) {
+    for (const std::string& dependency : module.depends) {
+      if (!contains(above, dependency))
+        offences.push_back(module.name + " depends on " + dependency + ", which is not declared above it");
+    }
+    if (contains(above, module.name)) offences.push_back(module.name + " is declared twice");
+    above.push_back(module.name);
+  }
+  return offences;
+}
+
+std::vector<std::string> include_offences(const std::vector<Module>& modules, const std::vector<SourceFile>& files) {
+  std::vector<std::string> offences;
+  for (const SourceFile& file : files) {
+    const auto owner = std::ranges::find(modules, file.owner, &Module::name);
+    const bool is_module = owner != modules.end();
+    for (const Include& include : read_includes(file.text)) {
+      if (!include.quoted) continue;
+      const std::string target = first_folder(include.path);
+      const bool names_module = std::ranges::find(modules, target, &Module::name) != modules.end();
+      const bool allowed = is_module ? target == file.owner || contains(owner->depends, target)
+                                     : names_module || file.owner == "src" || file.owner == "tests";
+      if (!allowed) {
+        offences.push_back(file.path.string() + ":" + std::to_string(include.line) + " includes " + include.path +
+                           ", which " + file.owner + " does not declare");
+      }
+    }
+  }
+  return offences;
+}
+
+std::vector<std::string> door_offences(const std::vector<SourceFile>& files) {
+  std::vector<std::string> offences;
+  for (const SourceFile& file : files) {
+    for (const Include& include : read_includes(file.text)) {
+      for (const Door& door : doors()) {
+        const bool matches = std::ranges::any_of(
+            door.prefixes, [&](const std::string& prefix) { return include.path.starts_with(prefix); });
+        if (matches && !contains(door.owners, file.owner)) {
+          offences.push_back(file.path.string() + ":" + std::to_string(include.line) + " includes " + include.path +
+                             "; the door to " + door.library + " is " + door.owners.front());
+        }
+      }
+    }
+  }
+  return offences;
+}
+
+}  // namespace house

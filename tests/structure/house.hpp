@@ -1,0 +1,49 @@
+#pragma once
+// Reads the source tree as text: the dependency list and who includes what.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace house {
+
+struct Module {
+  std::string name;
+  std::vector<std::string> depends;
+};
+
+/// The ehl_add_module(...) calls of a CMake file, in order. Comments do not count.
+std::vector<Module> read_modules(const std::string& cmake_text);
+
+struct Include {
+  int line = 0;
+  std::string path;     ///< between the quotes or brackets
+  bool quoted = false;  ///< "..." rather than <...>
+};
+
+/// The #include lines of a source file.
+std::vector<Include> read_includes(const std::string& source_text);
+
+struct SourceFile {
+  std::filesystem::path path;  ///< relative to the root
+  std::string owner;           ///< modules/<owner>/..., "src" or "tests"
+  std::string text;
+};
+
+/// All C++ files below a folder of the root, in alphabetical order. The owner is the folder below modules/,
+/// otherwise the top folder.
+std::vector<SourceFile> read_sources(const std::filesystem::path& root, const std::string& folder);
+
+// Each of the following returns one line per offence: file, line, what is wrong.
+
+/// Dependencies that are not declared above the module that names them.
+std::vector<std::string> order_offences(const std::vector<Module>& modules);
+/// Quoted includes of modules that the owner does not declare. src and tests may include every module.
+std::vector<std::string> include_offences(const std::vector<Module>& modules, const std::vector<SourceFile>& files);
+/// Headers of a library outside the modules that are its only doors.
+std::vector<std::string> door_offences(const std::vector<SourceFile>& files);
+
+std::string read_text(const std::filesystem::path& path);
+/// The number of lines.
+int line_count(const std::string& text);
+
+}  // namespace house

@@ -1,0 +1,161 @@
+// The house as built against the house as drawn: layers, doors, sizes.
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <filesystem>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "structure/house.hpp"
+
+namespace fs = std::filesystem;
+using namespace house;
+
+namespace {
+
+const fs::path root = EHL_SOURCE_DIR;
+constexpr int longest_file = 300;
+
+std::vector<Module> declared() { return read_modules(read_text(root / "modules/CMakeLists.txt")); }
+
+void report(const std::vector<std::string>& offences) {
+  for (const std::string& offence : offences) BOOST_ERROR(offence);
+  BOOST_TEST(offences.empty());
+}
+
+std::vector<SourceFile> all_sources() {
+  std::vector<SourceFile> files = read_sources(root, "modules");
+  for (const char* folder : {"src", "tests"}) {
+    const std::vector<SourceFile> more = read_sources(root, folder);
+    files.insert(files.end(), more.begin(), more.end());
+  }
+  return files;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_reader_reads) {
+  const auto modules = read_modules(
+      "# ehl_add_module(no SOURCES a)\nfunction(ehl_add_module name)\nendfunction()\n"
+      "ehl_add_module(core SOURCES a.cpp)\n"
+      "ehl_add_module(kernel SOURCES b.cpp\n  DEPENDS core LIBRARIES x::y)\n");
+  BOOST_REQUIRE(modules.size() == 2);
+  BOOST_TEST(modules[1].name == "kernel");
+  BOOST_TEST(modules[1].depends == std::vector<std::string>{"core"}, boost::test_tools::per_element());
+  const auto includes = read_includes("// text\n#include <vector>\n  # include \"core/grid.hpp\"  // why\n");
+  BOOST_REQUIRE(includes.size() == 2);
+  BOOST_TEST((includes[1].line == 3 && includes[1].quoted && includes[1].path == "core/grid.hpp"));
+}
+
+BOOST_AUTO_TEST_CASE(the_reader_finds_offences) {
+  const std::vector<Module> modules = {{"core", {}}, {"kernel", {"core"}}, {"mlmi", {"kernel", "fmg"}}};
+  BOOST_TEST(order_offences(modules).size() == 1);
+  const SourceFile upwards{"modules/kernel/a.cpp", "kernel", "#include \"mlmi/deformation.hpp\"\n"};
+  const SourceFile undeclared{"modules/mlmi/a.cpp", "mlmi", "#include \"core/grid.hpp\"\n"};
+  const SourceFile homeless{"modules/core/a.cpp", "core", "#include \"grid.hpp\"\n"};
+  const SourceFile clean{"modules/kernel/b.cpp", "kernel", "#include \"core/grid.hpp\"\n#include <cmath>\n"};
+  BOOST_TEST(include_offences(modules, {upwards, undeclared, homeless, clean}).size() == 3);
+  const SourceFile wrong_door{"modules/fmg/a.cpp", "fmg",
+                              "#include <hdf5.h>\n#include <fftw3.h>\n#include <kinsol/kinsol.h>\n"
+                              "#include <boost/program_options.hpp>\n"};
+  const SourceFile right_door{"modules/mlmi/a.cpp", "mlmi", "#include <fftw3.h>\n"};
+  BOOST_TEST(door_offences({wrong_door, right_door}).size() == 4);
+}
+
+BOOST_AUTO_TEST_CASE(dependencies_point_downwards) {
+  const auto modules = declared();
+  BOOST_TEST_MESSAGE(modules.size() << " modules declared");
+  BOOST_TEST(modules.size() >= 3);
+  report(order_offences(modules));
+}
+
+BOOST_AUTO_TEST_CASE(a_module_includes_only_what_it_declares) {
+  const auto modules = declared();
+  const auto files = all_sources();
+  BOOST_TEST_MESSAGE(files.size() << " files read");
+  BOOST_TEST(files.size() > 20);
+  report(include_offences(modules, files));
+}
+
+BOOST_AUTO_TEST_CASE(every_folder_is_a_declared_module_and_every_source_is_built) {
+  const std::string list = read_text(root / "modules/CMakeLists.txt");
+  const auto modules = declared();
+  std::vector<std::string> offences;
+  for (const SourceFile& file : read_sources(root, "modules")) {
+    const bool known = std::ranges::find(modules, file.owner, &Module::name) != modules.end();
+    if (!known) offences.push_back(file.path.string() + ": " + file.owner + " is not in modules/CMakeLists.txt");
+    const std::string name = file.path.filename().string();
+    if (file.path.extension() == ".cpp" && list.find(name) == std::string::npos)
+      offences.push_back(file.path.string() + " is not built");
+  }
+  report(offences);
+}
+
+// The tests may look behind a door: a result file is best checked with the library itself.
+BOOST_AUTO_TEST_CASE(libraries_come_in_through_their_doors) {
+  report(door_offences(read_sources(root, "modules")));
+  report(door_offences(read_sources(root, "src")));
+}
+
+BOOST_AUTO_TEST_CASE(the_program_has_no_module_below_it) {
+  std::vector<std::string> offences;
+  for (const SourceFile& file : read_sources(root, "modules")) {
+    for (const Include& include : read_includes(file.text)) {
+      if (include.path.starts_with("src/") || include.path.find("..") != std::string::npos)
+        offences.push_back(file.path.string() + ":" + std::to_string(include.line) + " includes " + include.path);
+    }
+  }
+  report(offences);
+}
+
+BOOST_AUTO_TEST_CASE(files_stay_short) {
+  std::vector<std::string> offences;
+  int longest = 0;
+  for (const SourceFile& file : all_sources()) {
+    const int lines = line_count(file.text);
+    longest = std::max(longest, lines);
+    if (lines > longest_file) offences.push_back(file.path.string() + ": " + std::to_string(lines) + " lines");
+  }
+  BOOST_TEST_MESSAGE("longest file: " << longest << " lines (limit " << longest_file << ")");
+  report(offences);
+}
+
+BOOST_AUTO_TEST_CASE(headers_are_guarded_and_in_their_namespace) {
+  std::vector<std::string> offences;
+  for (const SourceFile& file : read_sources(root, "modules")) {
+    if (file.path.extension() == ".hpp" && !file.text.starts_with("#pragma once\n"))
+      offences.push_back(file.path.string() + " does not begin with #pragma once");
+    if (file.text.find("namespace ehl::" + file.owner) == std::string::npos)
+      offences.push_back(file.path.string() + " is not in namespace ehl::" + file.owner);
+  }
+  report(offences);
+}
+
+BOOST_AUTO_TEST_CASE(every_module_says_what_it_is) {
+  std::vector<std::string> offences;
+  const auto files = read_sources(root, "modules");
+  for (const Module& module : declared()) {
+    bool described = fs::exists(root / "modules" / module.name / "README.md");
+    for (const SourceFile& file : files)
+      described = described || (file.owner == module.name && file.text.starts_with("#pragma once\n//"));
+    if (!described) offences.push_back(module.name + " has neither a README.md nor a header that says what it is");
+  }
+  report(offences);
+}
+
+BOOST_AUTO_TEST_CASE(nothing_is_left_for_later) {
+  std::vector<std::string> offences;
+  const std::regex reminder(
+      "\\b(TO"
+      "DO|FIX"
+      "ME|XX"
+      "X)\\b");
+  for (const char* folder : {"modules", "src", "tests", "inputs", "postprocess"}) {
+    if (!fs::exists(root / folder)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      if (entry.is_regular_file() && std::regex_search(read_text(entry.path()), reminder))
+        offences.push_back(fs::relative(entry.path(), root).string() + " holds a reminder of unfinished work");
+    }
+  }
+  report(offences);
+}
