@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <string_view>
+#include <utility>
 
 #include "core/norms.hpp"
 #include "core/timer.hpp"
@@ -39,9 +41,18 @@ void report(const Grid& grid, const mlmi::Parameters& parameters, int threads, c
               1e3 * setup, static_cast<double>(evaluator.bytes()) / 1e6);
   std::fflush(stdout);
 }
+
+void scan(const Grid& grid, int threads, const Field& P, const Field& truth) {
+  for (const int coarsenings : {2, 4})
+    for (const int order : {4, 6, 8})
+      for (const auto& patch : {std::pair{5, 2}, {7, 2}, {7, 3}, {7, 4}, {9, 3}, {9, 4}, {11, 5}})
+        report(grid,
+               {.order = order, .patch_along = patch.first, .patch_across = patch.second, .coarsenings = coarsenings},
+               threads, P, truth);
+}
 }  // namespace
 
-// bench_mlmi [n [threads [order along across coarsenings]]]
+// bench_mlmi [n [threads [scan | order along across coarsenings]]]
 int main(int count, char** argument) {
   const auto number = [&](int k, int otherwise) { return k < count ? std::atoi(argument[k]) : otherwise; };
   const int only = number(1, 0), threads = number(2, 1);
@@ -49,19 +60,20 @@ int main(int count, char** argument) {
   for (int n = only ? only : 32; n <= (only ? only : 1024); n *= 2) {
     const Grid grid{n, n, -4.5, 1.5, -3.0, 3.0};
     const Field P = ehl::tests::sampled(grid, ehl::tests::contact_pressure);
-    Field truth(grid);
-    mlmi::Deformation(grid, {.method = mlmi::Method::fft}, 1).evaluate(P, truth);
-    if (count > 3) {
+    const Field truth = ehl::tests::deformation(grid, P, {.method = mlmi::Method::fft});
+    if (count > 3 && std::string_view(argument[3]) == "scan") {
+      scan(grid, threads, P, truth);
+    } else if (count > 3) {
       report(grid,
              {.order = number(3, 0),
               .patch_along = number(4, 0),
               .patch_across = number(5, 0),
               .coarsenings = number(6, -1)},
              threads, P, truth);
-      continue;
+    } else {
+      if (n <= 128) report(grid, {.method = mlmi::Method::direct}, threads, P, truth);
+      report(grid, {.method = mlmi::Method::fft}, threads, P, truth);
+      report(grid, {}, threads, P, truth);
     }
-    if (n <= 64) report(grid, {.method = mlmi::Method::direct}, threads, P, truth);
-    report(grid, {.method = mlmi::Method::fft}, threads, P, truth);
-    report(grid, {}, threads, P, truth);
   }
 }
