@@ -1,9 +1,9 @@
 #include "structure/house.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <iterator>
-#include <regex>
 #include <sstream>
 
 namespace house {
@@ -16,7 +16,10 @@ bool contains(const std::vector<std::string>& list, const std::string& word) {
 }
 
 std::string without_comments(const std::string& cmake_text) {
-  return std::regex_replace(cmake_text, std::regex("#[^\n]*"), "");
+  std::istringstream lines(cmake_text);
+  std::string text;
+  for (std::string line; std::getline(lines, line);) text += line.substr(0, line.find('#')) + '\n';
+  return text;
 }
 
 std::string first_folder(const std::string& include) { return include.substr(0, include.find('/')); }
@@ -52,9 +55,10 @@ int line_count(const std::string& text) { return static_cast<int>(std::ranges::c
 std::vector<Module> read_modules(const std::string& cmake_text) {
   std::vector<Module> modules;
   const std::string text = without_comments(cmake_text);
-  const std::regex call(R"(ehl_add_module\(([^)]*)\))");
-  for (std::sregex_iterator match(text.begin(), text.end(), call), end; match != end; ++match) {
-    std::istringstream words((*match)[1].str());
+  const std::string call = "ehl_add_module(";
+  for (std::size_t at = text.find(call); at != std::string::npos; at = text.find(call, at + 1)) {
+    const std::size_t begin = at + call.size();
+    std::istringstream words(text.substr(begin, text.find(')', begin) - begin));
     Module module;
     words >> module.name;
     std::string section;
@@ -72,15 +76,28 @@ std::vector<Module> read_modules(const std::string& cmake_text) {
 
 std::vector<Include> read_includes(const std::string& source_text) {
   std::vector<Include> includes;
-  const std::regex directive(R"(^\s*#\s*include\s*(["<])([^">]+)[">].*)");
   std::istringstream lines(source_text);
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
     ++number;
-    std::smatch match;
-    if (std::regex_match(line, match, directive)) includes.push_back({number, match[2], match[1] == "\""});
+    std::erase_if(line, [](char c) { return c == ' ' || c == '\t'; });
+    if (!line.starts_with("#include")) continue;
+    const std::size_t open = line.find_first_of("\"<");
+    if (open == std::string::npos) continue;
+    const std::size_t close = line.find_first_of("\">", open + 1);
+    includes.push_back({number, line.substr(open + 1, close - open - 1), line[open] == '"'});
   }
   return includes;
+}
+
+bool has_word(const std::string& text, const std::string& word) {
+  const auto in_word = [&](std::size_t at) {
+    return at < text.size() && (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '_');
+  };
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+    if (!in_word(at + word.size()) && (at == 0 || !in_word(at - 1))) return true;
+  }
+  return false;
 }
 
 std::vector<SourceFile> read_sources(const fs::path& root, const std::string& folder) {

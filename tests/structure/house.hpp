@@ -42,6 +42,8 @@ std::vector<std::string> include_offences(const std::vector<Module>& modules, co
 /// Headers of a library outside the modules that are its only doors.
 std::vector<std::string> door_offences(const std::vector<SourceFile>& files);
 
+/// True where the word stands alone, not as a part of a longer one.
+bool has_word(const std::string& text, const std::string& word);
 std::string read_text(const std::filesystem::path& path);
 /// The number of lines.
 int line_count(const std::string& text);

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
-#include <regex>
 #include <string>
 #include <vector>
 
@@ -144,17 +143,20 @@ BOOST_AUTO_TEST_CASE(every_module_says_what_it_is) {
 }
 
 BOOST_AUTO_TEST_CASE(nothing_is_left_for_later) {
+  // Put together here, so that this file does not find itself.
+  const std::vector<std::string> reminders = {std::string("TO") + "DO", std::string("FIX") + "ME"};
+  BOOST_TEST(has_word("// " + reminders[0] + ": later", reminders[0]));
+  BOOST_TEST(!has_word(reminders[0] + "S", reminders[0]));
   std::vector<std::string> offences;
-  const std::regex reminder(
-      "\\b(TO"
-      "DO|FIX"
-      "ME|XX"
-      "X)\\b");
   for (const char* folder : {"modules", "src", "tests", "inputs", "postprocess"}) {
     if (!fs::exists(root / folder)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
-      if (entry.is_regular_file() && std::regex_search(read_text(entry.path()), reminder))
-        offences.push_back(fs::relative(entry.path(), root).string() + " holds a reminder of unfinished work");
+      if (!entry.is_regular_file()) continue;
+      const std::string text = read_text(entry.path());
+      for (const std::string& reminder : reminders) {
+        if (has_word(text, reminder))
+          offences.push_back(fs::relative(entry.path(), root).string() + " holds a reminder: " + reminder);
+      }
     }
   }
   report(offences);
