@@ -1,9 +1,10 @@
 # figure: pressure and film along the centre line
+# needs: /fields/P /fields/H
 figure = "centre_lines"
 here = system(sprintf("dirname '%s'", ARG0))
 load here."/common.gp"
 
-stats centre_line("H") using (abs($1) < 1e-9 ? $2 : NaN) nooutput prefix "C"
+Hc = number("Hc")
 stats centre_line("P") using 1:2 nooutput prefix "P"
 
 set xlabel "X = x/a,  Y = 0"
@@ -14,7 +15,7 @@ set y2tics textcolor rgb blue
 set xrange [-2.5 > P_min_x ? -2.5 : P_min_x : 1.5 < P_max_x ? 1.5 : P_max_x]
 set yrange [0:1.15 * (P_max_y > 1 ? P_max_y : 1)]
 # The film has a third of the height in the contact, and leaves at the top outside it.
-set y2range [0:4 * C_max]
+set y2range [0:4 * Hc]
 set key top left
 set samples 2001
 plot abs(x) < 1 ? sqrt(1 - x**2) : 1/0 axes x1y1 with lines lw 1.5 dt 2 lc rgb grey title "Hertz", \

@@ -39,6 +39,9 @@ centre_line(name) = sprintf("< '%s' extract '%s' %s --along x --at y=0", ehl, fi
 table(name) = sprintf("< '%s' extract '%s' %s | awk '/^#/ {header = $0; next} \
 !seen {sub(/^# */, \"\", header); print header; seen = 1} {print}'", ehl, file, name)
 
+# One number of the result.
+number(name) = real(system(sprintf("'%s' extract '%s' %s | tail -n 1", ehl, file, name)))
+
 # A vector picture of every node would have tens of megabytes: a step that leaves about `most` nodes each way.
 step_for(nodes, most) = nodes > most ? int(ceil((nodes - 1.0) / (most - 1.0))) : 1
 # 1, 2 or 5 times a power of ten, the nearest below.

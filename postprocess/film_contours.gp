@@ -1,4 +1,5 @@
 # figure: lines of equal film thickness (the paper's figure 4)
+# needs: /fields/H
 figure = "film_contours"
 wide = 14.5
 high = 14
@@ -6,10 +7,10 @@ here = system(sprintf("dirname '%s'", ARG0))
 load here."/common.gp"
 
 stats field("H") using 3 nooutput prefix "S"
-stats field("H") using (abs($1) + abs($2) < 1e-9 ? $3 : NaN) nooutput prefix "C"
+Hc = number("Hc")
 # The paper's 0.0025 where its load is near (Hc about 0.25), about 80 lines up to Hc elsewhere.
-if (!exists("dH")) dH = C_max > 0.1 && C_max < 0.5 ? 0.0025 : nice(C_max / 80)
-top = 1.6 * C_max
+if (!exists("dH")) dH = Hc > 0.1 && Hc < 0.5 ? 0.0025 : nice(Hc / 80)
+top = 1.6 * Hc
 first = dH * ceil(S_min / dH)
 
 set contour base

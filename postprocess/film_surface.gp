@@ -1,13 +1,14 @@
 # figure: the film as a surface, upside down (the paper's figure 2)
+# needs: /fields/H
 figure = "film_surface"
 here = system(sprintf("dirname '%s'", ARG0))
 load here."/common.gp"
 
 stats field("H") using 1:3 nooutput prefix "S"
 step = step_for(sqrt(S_records), format eq "png" ? 257 : 129)
-stats field("H") using (abs($1) + abs($2) < 1e-9 ? $3 : NaN) nooutput prefix "C"
+Hc = number("Hc")
 # Films thicker than this lie outside the contact and would hide it.
-top = 2.5 * C_max
+top = 2.5 * Hc
 
 # Thin is up: the flat film of the contact is a plateau, and the horseshoe of the smallest film its rim.
 set pm3d depthorder lighting primary 0.55 specular 0.15 noborder

@@ -1,13 +1,14 @@
 # figure: the film as an optical interferogram
+# needs: /fields/H
 figure = "interferogram"
 wide = 14
 high = 14
 here = system(sprintf("dirname '%s'", ARG0))
 load here."/common.gp"
 
-stats field("H") using (abs($1) + abs($2) < 1e-9 ? $3 : NaN) nooutput prefix "C"
+Hc = number("Hc")
 # Nanometres of one unit of H. A dimensionless case has no colours of its own: shown as if h_c were 250 nm.
-if (!exists("film_nm")) { film_nm = 250.0 / C_max; scale_note = "colours as if h_c = 250 nm" } else { scale_note = sprintf("h_c = %.0f nm", film_nm * C_max) }
+if (!exists("film_nm")) { film_nm = 250.0 / Hc; scale_note = "colours as if h_c = 250 nm" } else { scale_note = sprintf("h_c = %.0f nm", film_nm * Hc) }
 
 # Two beams, reflected at the coated glass and at the steel, path 2 n h with n = 1.5; the contrast fades as the
 # light of a lamp loses its coherence. Dark where the film is thin.

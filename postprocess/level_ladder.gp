@@ -1,4 +1,5 @@
 # figure: film thickness and its error, level by level
+# needs: /levels
 figure = "level_ladder"
 high = 15
 here = system(sprintf("dirname '%s'", ARG0))

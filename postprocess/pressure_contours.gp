@@ -1,4 +1,5 @@
 # figure: lines of equal pressure (the paper's figure 3)
+# needs: /fields/P
 figure = "pressure_contours"
 wide = 14.5
 high = 14

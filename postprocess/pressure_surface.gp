@@ -1,4 +1,5 @@
 # figure: the pressure as a surface (the paper's figure 1)
+# needs: /fields/P
 figure = "pressure_surface"
 here = system(sprintf("dirname '%s'", ARG0))
 load here."/common.gp"

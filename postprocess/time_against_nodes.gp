@@ -1,4 +1,5 @@
 # figure: time against the number of nodes (the paper's figure 5)
+# needs: /levels
 figure = "time_against_nodes"
 here = system(sprintf("dirname '%s'", ARG0))
 load here."/common.gp"
