@@ -23,7 +23,8 @@ struct Parameters {
 };
 
 /// Evaluates w_ij = (2/pi^2) sum_kl K_ijkl P_kl on one grid; owns the tables, plans and work space.
-/// Not copyable; one evaluator serves one caller at a time.
+/// Not copyable; one evaluator serves one caller at a time. Grids of any size from 1 x 1 cells on, odd numbers too,
+/// hx != hy allowed. Same bits for any number of threads; grids below 256 cells per direction run on one.
 class Deformation {
  public:
   /// errors: core::InputError when the parameters do not fit the grid.
@@ -32,7 +33,8 @@ class Deformation {
   Deformation(Deformation&&) noexcept;
   Deformation& operator=(Deformation&&) noexcept;
 
-  /// w = K*P. in: P on the grid's nodes; boundary values take part in the sum. out: w on all nodes.
+  /// w = K*P. in: P on the grid's nodes; boundary values take part in the sum. out: w on all nodes. Allocates nothing.
+  /// limits: P and w are fields of this grid (their padding is neither used nor kept) and not the same field.
   void evaluate(const core::Field& P, core::Field& w);
 
   /// What was chosen, for the report: "mlmi, order 6, patch 9x3, 2 coarsenings, FFT on 129x129".

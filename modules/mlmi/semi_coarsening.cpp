@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/simd.hpp"
+#include "mlmi/transpose.hpp"
 
 namespace ehl::mlmi {
 namespace {
@@ -20,24 +21,6 @@ constexpr int coarse_ring_rows = 32;
 
 int vectors(int columns) { return (columns + lanes - 1) / lanes; }
 std::size_t size(std::ptrdiff_t n) { return static_cast<std::size_t>(n); }
-
-// An 8 x 8 block, rows of `in` to columns of `out`.
-inline void transpose(const Lanes (&in)[lanes], Lanes (&out)[lanes]) {
-  Lanes a[lanes], b[lanes];
-  for (int k = 0; k < lanes; k += 2) {
-    a[k] = __builtin_shufflevector(in[k], in[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-    a[k + 1] = __builtin_shufflevector(in[k], in[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-  }
-  for (int k = 0; k < lanes; k += 4)
-    for (int m = 0; m < 2; ++m) {
-      b[k + m] = __builtin_shufflevector(a[k + m], a[k + m + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-      b[k + m + 2] = __builtin_shufflevector(a[k + m], a[k + m + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-  for (int k = 0; k < 4; ++k) {
-    out[k] = __builtin_shufflevector(b[k], b[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-    out[k + 4] = __builtin_shufflevector(b[k], b[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-  }
-}
 
 }  // namespace
 
@@ -98,98 +81,135 @@ struct SemiCoarsening::Arrays {
   std::ptrdiff_t stride_w;
 };
 
-// A strip of `vectors` columns, swept along. Two rings of rows in the first-level cache: the source, with the sums
+// A strip of 8 `vectors` columns, swept along. Two rings of rows in the first-level cache: the source, with the sums
 // u(j-e) + u(j+e) that the correction, even in e, multiplies; and the coarse rows being corrected.
 template <int vectors>
-void SemiCoarsening::interpolate_strip(const Arrays& arrays, int first_column, Buffer& work) const {
-  constexpr int width = vectors * lanes;
-  const int p = shape_.order / 2, m1 = correction_.along, m2 = correction_.across, columns = shape_.across.points();
-  const Axis& along = shape_.along;
-  const int row_size = (m2 + 1) * width;
-  double* source_ring = work.data();
-  double* coarse_ring = source_ring + ring_rows_ * row_size;
-  double* padded = coarse_ring + coarse_ring_rows * width;
-  const int lowest = 2 * coarse_.first - m1 - 1;
+class SemiCoarsening::Strip {
+ public:
+  Strip(const SemiCoarsening& step, const Arrays& arrays, int first_column, Buffer& work)
+      : shape_(step.shape_),
+        coarse_(step.coarse_),
+        weights_(step.weights_),
+        correction_(step.correction_),
+        arrays_(arrays),
+        first_column_(first_column),
+        ring_rows_(step.ring_rows_),
+        lowest_(2 * coarse_.first - correction_.along - 1),
+        row_size_((correction_.across + 1) * width),
+        source_ring_(work.data()),
+        coarse_ring_(source_ring_ + ring_rows_ * row_size_),
+        margin_(coarse_ring_ + coarse_ring_rows * width) {}
 
-  const auto load_source = [&](int i) {
-    double* to = source_ring + (i - lowest) % ring_rows_ * row_size;
+  // Even points run p ahead of the odd points that are interpolated between them.
+  void sweep() {
+    const int p = shape_.order / 2, m1 = correction_.along;
+    for (int i = lowest_; i < lowest_ + 2 * m1; ++i) load_source(i);
+    for (int J = coarse_.first; J <= coarse_.last + p; ++J) {
+      load_source(2 * J + m1 - 1);
+      load_source(2 * J + m1);
+      if (J <= coarse_.last) correct_even(J);
+      const int odd = 2 * (J - p) + 1;
+      if (odd >= shape_.along.first && odd <= shape_.along.last) interpolate_odd(odd);
+    }
+  }
+
+ private:
+  static constexpr int width = vectors * lanes;
+  using Row = Lanes[vectors];
+
+  void load_source(int i) {
+    double* to = source_ring_ + (i - lowest_) % ring_rows_ * row_size_;
+    const Axis& along = shape_.along;
     if (i < along.first || i > along.last) {
-      std::fill_n(to, row_size, 0.0);
+      std::fill_n(to, row_size_, 0.0);
       return;
     }
-    const double* row = arrays.u + (i - along.first) * arrays.stride_u;
-    const int begin = std::max(0, first_column - m2), end = std::min(columns, first_column + width + m2);
-    const double* from = row + first_column - m2;
+    const int m2 = correction_.across, columns = shape_.across.points();
+    const double* row = arrays_.u + (i - along.first) * arrays_.stride_u;
+    const int begin = std::max(0, first_column_ - m2), end = std::min(columns, first_column_ + width + m2);
+    const double* from = row + first_column_;
     if (end - begin < width + 2 * m2) {
-      std::fill_n(padded, width + 2 * m2, 0.0);
-      std::copy(row + begin, row + end, padded + (begin - (first_column - m2)));
-      from = padded;
+      std::fill_n(margin_, width + 2 * m2, 0.0);
+      std::copy(row + begin, row + end, margin_ + (begin - (first_column_ - m2)));
+      from = margin_ + m2;
     }
-    for (int v = 0; v < width; v += lanes) core::store(to + v, core::load(from + m2 + v));
+    for (int v = 0; v < width; v += lanes) core::store(to + v, core::load(from + v));
     for (int e = 1; e <= m2; ++e)
       for (int v = 0; v < width; v += lanes)
-        core::store(to + e * width + v, core::load(from + m2 - e + v) + core::load(from + m2 + e + v));
-  };
-  const auto load_coarse = [&](int J) {
+        core::store(to + e * width + v, core::load(from - e + v) + core::load(from + e + v));
+  }
+
+  double* coarse_row(int J) { return coarse_ring_ + ((J - coarse_.first) % coarse_ring_rows) * width; }
+
+  // Coarse rows J..J+7.
+  void load_coarse(int J) {
     for (int v = 0; v < width; v += lanes) {
       Lanes in[lanes], out[lanes];
       for (int c = 0; c < lanes; ++c) {
-        const int j = std::min(first_column + v + c, columns - 1);
-        in[c] = core::load(arrays.coarse_w + j * arrays.stride_coarse + (J - coarse_.first));
+        const int j = std::min(first_column_ + v + c, shape_.across.points() - 1);
+        in[c] = core::load(arrays_.coarse_w + j * arrays_.stride_coarse + (J - coarse_.first));
       }
       transpose(in, out);
-      for (int r = 0; r < lanes; ++r)
-        core::store(coarse_ring + ((J + r - coarse_.first) % coarse_ring_rows) * width + v, out[r]);
+      for (int r = 0; r < lanes; ++r) core::store(coarse_row(J + r) + v, out[r]);
     }
-  };
-  // sum += correction at row i; step 2 takes the odd distances only.
-  const auto add_correction = [&](int i, int step, Lanes(&sum)[vectors]) {
-    for (int e = 0; e <= m2; ++e) {
+  }
+
+  // sum += correction at row i. Distances d = ..., -step, 0, step, ... or, with step 2, the odd ones.
+  void add_correction(int i, int step, Row& sum) const {
+    for (int e = 0; e <= correction_.across; ++e) {
       const int reach = correction_.reach[size(e)];
       const int start = step == 1 ? -reach : -(reach - (reach + 1) % 2);
       const double* C = correction_.row(e);
-      const double* base = source_ring + e * width;
-      int slot = (i + start - lowest) % ring_rows_;
+      const double* ring = source_ring_ + e * width;
+      int slot = (i + start - lowest_) % ring_rows_;
       for (int d = start; d <= reach; d += step) {
-        const double* s = base + slot * row_size;
+        const double* s = ring + slot * row_size_;
         for (int v = 0; v < vectors; ++v) sum[v] += C[d] * core::load(s + v * lanes);
         slot += step;
         if (slot >= ring_rows_) slot -= ring_rows_;
       }
     }
-  };
-  const auto write = [&](int i, const Lanes(&sum)[vectors]) {
-    if (i < along.first || i > along.last) return;
-    double* to = arrays.w + (i - along.first) * arrays.stride_w + first_column;
-    for (int v = 0; v < vectors; ++v) core::store(to + v * lanes, sum[v]);
-  };
+  }
 
-  for (int i = lowest; i < lowest + 2 * m1; ++i) load_source(i);
-  for (int J = coarse_.first; J <= coarse_.last + p; ++J) {
-    load_source(2 * J + m1 - 1);
-    load_source(2 * J + m1);
-    Lanes sum[vectors];
-    if (J <= coarse_.last) {
-      if ((J - coarse_.first) % lanes == 0) load_coarse(J);
-      double* coarse = coarse_ring + ((J - coarse_.first) % coarse_ring_rows) * width;
-      for (int v = 0; v < vectors; ++v) sum[v] = core::load(coarse + v * lanes);
-      add_correction(2 * J, 2, sum);
-      for (int v = 0; v < vectors; ++v) core::store(coarse + v * lanes, sum[v]);
-      write(2 * J, sum);
-    }
-    const int odd = 2 * (J - p) + 1;
-    if (odd < along.first || odd > along.last) continue;
-    for (int v = 0; v < vectors; ++v) sum[v] = Lanes{};
-    for (int k = 1; k <= p; ++k) {
-      const double* left = coarse_ring + ((J - p - k + 1 - coarse_.first) % coarse_ring_rows) * width;
-      const double* right = coarse_ring + ((J - p + k - coarse_.first) % coarse_ring_rows) * width;
+  void correct_even(int J) {
+    if ((J - coarse_.first) % lanes == 0) load_coarse(J);
+    double* coarse = coarse_row(J);
+    Row sum;
+    for (int v = 0; v < vectors; ++v) sum[v] = core::load(coarse + v * lanes);
+    add_correction(2 * J, 2, sum);
+    for (int v = 0; v < vectors; ++v) core::store(coarse + v * lanes, sum[v]);
+    if (2 * J >= shape_.along.first && 2 * J <= shape_.along.last) write(2 * J, sum);
+  }
+
+  void interpolate_odd(int i) {
+    const int J = (i - 1) / 2;
+    Row sum{};
+    for (int k = 1; k <= shape_.order / 2; ++k) {
+      const double *left = coarse_row(J + 1 - k), *right = coarse_row(J + k);
       for (int v = 0; v < vectors; ++v)
         sum[v] += weights_[size(k - 1)] * (core::load(left + v * lanes) + core::load(right + v * lanes));
     }
-    add_correction(odd, 1, sum);
-    write(odd, sum);
+    add_correction(i, 1, sum);
+    write(i, sum);
   }
-}
+
+  void write(int i, const Row& sum) const {
+    double* to = arrays_.w + (i - shape_.along.first) * arrays_.stride_w + first_column_;
+    for (int v = 0; v < vectors; ++v) core::store(to + v * lanes, sum[v]);
+  }
+
+  const Shape& shape_;
+  const Axis& coarse_;
+  const std::array<double, 4>& weights_;
+  const Correction& correction_;
+  const Arrays& arrays_;
+  int first_column_, ring_rows_;
+  int lowest_;           // first row ever in the source ring
+  int row_size_;         // doubles per row of the source ring
+  double* source_ring_;  // ring_rows x (m2+1) x width
+  double* coarse_ring_;  // coarse_ring_rows x width
+  double* margin_;       // a row at the edge of the grid, zeros outside
+};
 
 void SemiCoarsening::interpolate(const double* coarse_w, std::ptrdiff_t stride_coarse, const double* u,
                                  std::ptrdiff_t stride_u, double* w, std::ptrdiff_t stride_w) {
@@ -203,16 +223,16 @@ void SemiCoarsening::interpolate(const double* coarse_w, std::ptrdiff_t stride_c
     Buffer& work = work_[size(omp_get_thread_num())];
     switch (end - begin) {
       case 1:
-        interpolate_strip<1>(arrays, begin * lanes, work);
+        Strip<1>(*this, arrays, begin * lanes, work).sweep();
         break;
       case 2:
-        interpolate_strip<2>(arrays, begin * lanes, work);
+        Strip<2>(*this, arrays, begin * lanes, work).sweep();
         break;
       case 3:
-        interpolate_strip<3>(arrays, begin * lanes, work);
+        Strip<3>(*this, arrays, begin * lanes, work).sweep();
         break;
       default:
-        interpolate_strip<4>(arrays, begin * lanes, work);
+        Strip<4>(*this, arrays, begin * lanes, work).sweep();
         break;
     }
   }

@@ -75,9 +75,8 @@ class SemiCoarsening {
 
  private:
   struct Arrays;
-  struct Sweep;
   template <int vectors>
-  void interpolate_strip(const Arrays& arrays, int first_column, Buffer& work) const;
+  class Strip;
 
   Shape shape_;
   Axis coarse_;
