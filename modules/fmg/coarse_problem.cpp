@@ -1,0 +1,182 @@
+#include "fmg/coarse_problem.hpp"
+
+#include <array>
+
+#include "transfer/transfer.hpp"
+
+namespace ehl::fmg {
+namespace {
+
+/// The part of a point's coupling to its neighbours that the elastic film provides, in units of epsilon/h^2.
+constexpr double elastic_coupling = 0.5;
+// epsilon on a coarse grid follows a falling film only down to this share of the finer grid's: a coarse film that
+// touches zero would cut the contact off from its surroundings.
+constexpr double coarse_film_floor = 0.9;
+
+/// Shares of a residual that go to the four neighbours.
+struct Shares {
+  double west, east, south, north;
+};
+
+class Coupling {
+ public:
+  explicit Coupling(const Level& level)
+      : eps_(level.eps),
+        half_over_hx2_(0.5 / (level.grid.hx() * level.grid.hx())),
+        half_over_hy2_(0.5 / (level.grid.hy() * level.grid.hy())) {}
+
+  double west(int i, int j) const { return elastic_coupling + (eps_(i - 1, j) + eps_(i, j)) * half_over_hx2_; }
+  double east(int i, int j) const { return elastic_coupling + (eps_(i + 1, j) + eps_(i, j)) * half_over_hx2_; }
+  double south(int i, int j) const { return elastic_coupling + (eps_(i, j - 1) + eps_(i, j)) * half_over_hy2_; }
+  double north(int i, int j) const { return elastic_coupling + (eps_(i, j + 1) + eps_(i, j)) * half_over_hy2_; }
+
+  Shares to_all(int i, int j) const {
+    const Shares e{west(i, j), east(i, j), south(i, j), north(i, j)};
+    const double total = e.west + e.east + e.south + e.north;
+    return {e.west / total, e.east / total, e.south / total, e.north / total};
+  }
+  double share_west(int i, int j) const { return west(i, j) / (west(i, j) + east(i, j)); }
+  double share_east(int i, int j) const { return east(i, j) / (west(i, j) + east(i, j)); }
+  double share_south(int i, int j) const { return south(i, j) / (south(i, j) + north(i, j)); }
+  double share_north(int i, int j) const { return north(i, j) / (south(i, j) + north(i, j)); }
+
+ private:
+  const core::Field& eps_;
+  double half_over_hx2_;
+  double half_over_hy2_;
+};
+
+// Residuals are taken as zero where a point is cavitated or has a cavitated one among its eight neighbours.
+void drop_residual_near_cavitation(const core::Grid& grid, const core::Field& P, int threads, core::Field& r) {
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
+  for (int i = 1; i < grid.nx; ++i) {
+    const double* here = P.at_x(i);
+    // The boundary's zero is no cavitation: beside it the row itself is looked at twice.
+    const double* west = i > 1 ? P.at_x(i - 1) : here;
+    const double* east = i < grid.nx - 1 ? P.at_x(i + 1) : here;
+    double* out = r.at_x(i);
+    const auto dry = [&](int j) { return west[j] <= 0.0 || here[j] <= 0.0 || east[j] <= 0.0; };
+    bool south = dry(1);
+    bool own = south;
+    for (int j = 1; j < grid.ny; ++j) {
+      const bool north = j < grid.ny - 1 ? dry(j + 1) : own;
+      if (south || own || north) out[j] = 0.0;
+      south = own;
+      own = north;
+    }
+  }
+}
+
+void restrict_pressure(const core::Field& fine, bool cavitation, core::Field& coarse) {
+  if (!cavitation) {
+    transfer::restrict_full_weighting(fine, coarse);
+    return;
+  }
+  transfer::restrict_injection(fine, coarse);
+  for (int I = 1; I < coarse.nodes_x() - 1; ++I) {
+    const std::array<const double*, 3> rows{fine.at_x(2 * I - 1), fine.at_x(2 * I), fine.at_x(2 * I + 1)};
+    double* to = coarse.at_x(I);
+    for (int J = 1; J < coarse.nodes_y() - 1; ++J) {
+      const int j = 2 * J;
+      double weighted = 0.0;
+      bool all_carry = true;
+      for (int a = 0; a < 3; ++a) {
+        const double* row = rows[static_cast<std::size_t>(a)];
+        all_carry = all_carry && row[j - 1] > 0.0 && row[j] > 0.0 && row[j + 1] > 0.0;
+        weighted += (a == 1 ? 2.0 : 1.0) * (row[j - 1] + 2.0 * row[j] + row[j + 1]);
+      }
+      if (all_carry) to[J] = weighted / 16.0;
+    }
+  }
+}
+
+}  // namespace
+
+void restrict_residual(const Level& fine, int threads, core::Field& coarse) {
+  const Coupling coupling(fine);
+  const core::Field& r = fine.r;
+  const int last_I = coarse.nodes_x() - 1;
+  const int last_J = coarse.nodes_y() - 1;
+  // Residual of a point between two coarse columns, with what the centre points of its column give it.
+  const auto column_point = [&](int i, int j) {
+    return r(i, j) + coupling.to_all(i, j - 1).north * r(i, j - 1) + coupling.to_all(i, j + 1).south * r(i, j + 1);
+  };
+  const auto row_point = [&](int i, int j) {
+    return r(i, j) + coupling.to_all(i - 1, j).east * r(i - 1, j) + coupling.to_all(i + 1, j).west * r(i + 1, j);
+  };
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
+  for (int I = 1; I < last_I; ++I) {
+    const int i = 2 * I;
+    for (int J = 1; J < last_J; ++J) {
+      const int j = 2 * J;
+      coarse(I, J) = 0.25 * (r(i, j) + coupling.share_east(i - 1, j) * column_point(i - 1, j) +
+                             coupling.share_west(i + 1, j) * column_point(i + 1, j) +
+                             coupling.share_north(i, j - 1) * row_point(i, j - 1) +
+                             coupling.share_south(i, j + 1) * row_point(i, j + 1));
+    }
+  }
+}
+
+void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse) {
+  const Problem& problem = hierarchy.problem;
+  const int threads = hierarchy.threads_on(fine.grid);
+  update_residual(hierarchy, fine);
+  ++fine.evaluations;
+  {
+    const core::ScopedTimer timer(hierarchy.times, core::Part::transfer);
+    if (problem.cavitation) drop_residual_near_cavitation(fine.grid, fine.P, threads, fine.r);
+    restrict_pressure(fine.P, problem.cavitation, coarse.P);
+    core::copy(coarse.P, coarse.P_restricted);
+    transfer::restrict_injection(fine.H, coarse.H_restricted);
+    coarse.F.fill(0.0);
+    coarse.f.fill(0.0);
+    coarse.H_floor = coarse_film_floor;
+  }
+  // F = injected H - (H00 + geometry + K*P): the coarse film equation then gives the injected film at the restricted P.
+  {
+    const core::ScopedTimer timer(hierarchy.times, core::Part::deformation);
+    coarse.deformation.evaluate(coarse.P, coarse.F);
+  }
+  const core::Grid& grid = coarse.grid;
+  for (int i = 0; i <= grid.nx; ++i) {
+    const double at_x = hierarchy.H00 + 0.5 * grid.X(i) * grid.X(i);
+    for (int j = 0; j <= grid.ny; ++j) {
+      const double Y = grid.Y(j);
+      coarse.F(i, j) = coarse.H_restricted(i, j) - (at_x + 0.5 * Y * Y + coarse.F(i, j));
+    }
+  }
+  core::copy(coarse.H_restricted, coarse.H);
+  update_coefficients(hierarchy, coarse);
+  // f = L(restricted P) + restricted residual; the residual with f = 0 is -L.
+  update_residual(hierarchy, coarse);
+  const core::ScopedTimer timer(hierarchy.times, core::Part::transfer);
+  restrict_residual(fine, threads, coarse.f);
+  for (int i = 1; i < grid.nx; ++i)
+    for (int j = 1; j < grid.ny; ++j) coarse.f(i, j) -= coarse.r(i, j);
+  coarse.load = fine.load - carried_load(fine) + carried_load(coarse);
+}
+
+void correct_from_coarse(Hierarchy& hierarchy, Level& coarse, Level& fine) {
+  {
+    const core::ScopedTimer timer(hierarchy.times, core::Part::transfer);
+    const bool cavitation = hierarchy.problem.cavitation;
+    core::Field& correction = coarse.r;
+    for (int i = 0; i <= coarse.grid.nx; ++i)
+      for (int j = 0; j <= coarse.grid.ny; ++j) correction(i, j) = coarse.P(i, j) - coarse.P_restricted(i, j);
+    transfer::prolong_bilinear(correction, fine.r, hierarchy.threads_on(fine.grid));
+    for (int i = 1; i < fine.grid.nx; ++i) {
+      double* P = fine.P.at_x(i);
+      const double* change = fine.r.at_x(i);
+      for (int j = 1; j < fine.grid.ny; ++j) {
+        const double corrected = P[j] + change[j];
+        if (!cavitation)
+          P[j] = corrected;
+        else if (P[j] > 0.0)
+          P[j] = corrected < 0.0 ? 0.0 : corrected;
+      }
+    }
+  }
+  update_film(hierarchy, fine);
+}
+
+}  // namespace ehl::fmg

@@ -1,0 +1,29 @@
+#pragma once
+// Down and up between two neighbouring levels of the full approximation scheme.
+#include "fmg/hierarchy.hpp"
+
+namespace ehl::fmg {
+
+/// Poses on `coarse` the problem whose solution corrects `fine` (FAS): restricted P and H, and the right-hand sides
+/// of the Reynolds equation, the film equation and the force balance.
+///
+/// P: full weighting where all nine fine points carry pressure, injection otherwise.
+/// H: injection; F so that the coarse film equation gives the injected H at the restricted P.
+/// Residual: weights of the nine points by their coupling epsilon/h^2 (see restrict_residual); zero in cavitated
+/// points and beside them, where the fine grid's equation may still change its kind.
+/// in: the state of fine, complete; uses fine.r.
+void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse);
+
+/// fine.P += bilinear interpolation of (coarse.P - coarse.P_restricted) where fine.P > 0, held at P >= 0; then the film.
+/// Uses coarse.r and fine.r.
+void correct_from_coarse(Hierarchy& hierarchy, Level& coarse, Level& fine);
+
+/// Full-weighting of a residual with weights that follow the coupling: a point half-way between two coarse points
+/// gives each a share proportional to e + `elastic_coupling`, e = epsilon/h^2 at the half point towards it. Where
+/// epsilon is smooth or small these are the usual weights. Where it jumps (the edge of the contact, the flanks of
+/// the pressure spike), the large residuals of the strongly coupled side do not reach coarse points whose own
+/// equation is orders weaker, and would answer with corrections orders too large.
+/// in: r and epsilon of `fine`; out: on the interior of `coarse`.
+void restrict_residual(const Level& fine, int threads, core::Field& coarse);
+
+}  // namespace ehl::fmg

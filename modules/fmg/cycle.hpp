@@ -1,0 +1,14 @@
+#pragma once
+#include "fmg/hierarchy.hpp"
+
+namespace ehl::fmg {
+
+/// One coarse grid correction cycle (V, W or F) from levels[l] down to levels[0] and back, with nu_1 relaxations
+/// before and nu_2 after the correction. The force balance is relaxed on the coarsest grid only (eq. 26).
+/// errors: core::SolverError.
+void fas_cycle(Hierarchy& hierarchy, std::size_t l);
+
+/// Relaxations on one level, each followed by H00 <- H00 - c (load - h^2 sum P) (eq. 26): what solves the coarsest grid.
+void relax_with_force_balance(Hierarchy& hierarchy, Level& level, int sweeps);
+
+}  // namespace ehl::fmg

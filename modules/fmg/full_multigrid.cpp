@@ -1,0 +1,60 @@
+#include "fmg/full_multigrid.hpp"
+
+#include <cmath>
+
+#include "fmg/cycle.hpp"
+#include "fmg/relaxation.hpp"
+#include "transfer/transfer.hpp"
+
+namespace ehl::fmg {
+namespace {
+
+/// Relaxations between two corrections of H00 on a grid that is relaxed alone: long enough for the pressure to answer.
+constexpr int sweeps_per_balance = 4;
+
+void pose_original_problem(const Problem& problem, Level& level) {
+  level.f.fill(0.0);
+  level.F.fill(0.0);
+  level.H_restricted.fill(0.0);
+  level.H_floor = 0.0;
+  level.load = problem.load.value_or(0.0);
+}
+
+}  // namespace
+
+void start_from_hertz(Hierarchy& hierarchy, std::size_t l, double H00, int sweeps) {
+  Level& level = hierarchy.levels[l];
+  pose_original_problem(hierarchy.problem, level);
+  for (int i = 1; i < level.grid.nx; ++i)
+    for (int j = 1; j < level.grid.ny; ++j) {
+      const double X = level.grid.X(i);
+      const double Y = level.grid.Y(j);
+      const double inside = 1.0 - X * X - Y * Y;
+      level.P(i, j) = inside > 0.0 ? std::sqrt(inside) : 0.0;
+    }
+  hierarchy.H00 = H00;
+  update_film(hierarchy, level);
+  for (int sweep = 1; sweep <= sweeps; ++sweep) {
+    if (sweep % sweeps_per_balance == 0)
+      relax_with_force_balance(hierarchy, level, 1);
+    else
+      relax(hierarchy, level);
+  }
+}
+
+void start_from_coarser(Hierarchy& hierarchy, std::size_t l) {
+  Level& level = hierarchy.levels[l];
+  pose_original_problem(hierarchy.problem, level);
+  {
+    const core::ScopedTimer timer(hierarchy.times, core::Part::transfer);
+    transfer::prolong_bicubic(hierarchy.levels[l - 1].P, level.P);
+    for (int i = 0; i <= level.grid.nx; ++i)
+      for (int j = 0; j <= level.grid.ny; ++j) {
+        const bool boundary = i == 0 || j == 0 || i == level.grid.nx || j == level.grid.ny;
+        if (boundary || (hierarchy.problem.cavitation && level.P(i, j) < 0.0)) level.P(i, j) = 0.0;
+      }
+  }
+  update_film(hierarchy, level);
+}
+
+}  // namespace ehl::fmg

@@ -1,0 +1,14 @@
+#pragma once
+// The way up of the full multigrid: a first solution on a coarse grid, and better ones from level to level.
+#include "fmg/hierarchy.hpp"
+
+namespace ehl::fmg {
+
+/// Makes levels[l] the level being solved, from the dry contact: P = sqrt(1 - X^2 - Y^2) inside the Hertz circle, H00 as given;
+/// then `sweeps` relaxations with the force balance (eq. 26) after every fourth. errors: core::SolverError.
+void start_from_hertz(Hierarchy& hierarchy, std::size_t l, double H00, int sweeps);
+
+/// Makes levels[l] the level being solved, from the solution on levels[l-1] by bicubic interpolation held at P >= 0.
+void start_from_coarser(Hierarchy& hierarchy, std::size_t l);
+
+}  // namespace ehl::fmg

@@ -1,0 +1,142 @@
+#include "fmg/hierarchy.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+#include "core/errors.hpp"
+#include "core/norms.hpp"
+#include "kernel/influence.hpp"
+
+namespace ehl::fmg {
+namespace {
+
+constexpr double two_over_pi_squared = 2.0 / (std::numbers::pi * std::numbers::pi);
+constexpr int default_coarsest = 32;
+
+line_solvers::FilmTerms film_terms(const core::Grid& grid, int reach) {
+  line_solvers::FilmTerms terms;
+  terms.reach = reach;
+  for (int d = 0; d <= reach; ++d) {
+    const auto k = static_cast<std::size_t>(d);
+    terms.K[k] = two_over_pi_squared * kernel::influence(d, 0, grid.hx(), grid.hy());
+    terms.delta_K[k] = two_over_pi_squared * kernel::distributed_influence(d, 0, grid.hx(), grid.hy());
+  }
+  return terms;
+}
+
+Level make_level(const core::Grid& grid, const Parameters& parameters, const mlmi::Parameters& deformation, int threads) {
+  const auto zero = [&] { return core::Field(grid); };
+  // A colour has every second line, and one batch more for the lines beside its last one.
+  const int lines_of_a_colour = grid.ny / 2 + 2 * core::lanes;
+  const auto zero_changes = [&] { return core::Field(grid.nodes_x(), lines_of_a_colour); };
+  return {.grid = grid,
+          .P = zero(),
+          .H = zero(),
+          .eps = zero(),
+          .rho_bar = zero(),
+          .drho_bar = zero(),
+          .f = zero(),
+          .F = zero(),
+          .H_restricted = zero(),
+          .P_restricted = zero(),
+          .r = zero(),
+          .changes = {zero_changes(), zero_changes()},
+          .deformation = mlmi::Deformation(grid, deformation, threads),
+          .film_terms = film_terms(grid, parameters.relaxation.reach)};
+}
+
+// One station of the field: epsilon, rho_bar and its slope from P and H.
+void coefficients_of_station(const Problem& problem, Level& level, int i, std::span<double> fluidity) {
+  const auto P = std::as_const(level.P).station(i);
+  const auto H = std::as_const(level.H).station(i);
+  if (problem.given_epsilon) {
+    for (int j = 0; j <= level.grid.ny; ++j) level.eps(i, j) = problem.given_epsilon(level.grid.X(i), level.grid.Y(j));
+    std::ranges::fill(level.rho_bar.station(i), 1.0);
+    return;
+  }
+  rheology::film_properties(problem.viscosity, problem.density, P, fluidity, level.rho_bar.station(i));
+  rheology::density_slope(problem.density, P, level.drho_bar.station(i));
+  if (level.H_floor == 0.0) {
+    reynolds::epsilon(H, std::as_const(level.rho_bar).station(i), fluidity, problem.lambda, level.eps.station(i));
+    return;
+  }
+  const auto finer = std::as_const(level.H_restricted).station(i);
+  const auto held = level.r.station(i);  // free here: the residual is made anew after every change of the film
+  for (std::size_t j = 0; j < held.size(); ++j) held[j] = std::max(H[j], level.H_floor * finer[j]);
+  reynolds::epsilon(held, std::as_const(level.rho_bar).station(i), fluidity, problem.lambda, level.eps.station(i));
+}
+
+template <class Station>
+void for_stations(Hierarchy& hierarchy, Level& level, Station station) {
+  const int threads = hierarchy.threads_on(level.grid);
+  const int last = level.grid.nx;
+  const auto nodes = static_cast<std::size_t>(level.grid.nodes_y());
+#pragma omp parallel num_threads(threads) if (threads > 1)
+  {
+    std::vector<double> fluidity(nodes);
+#pragma omp for schedule(static)
+    for (int i = 0; i <= last; ++i) station(i, std::span<double>(fluidity));
+  }
+}
+
+}  // namespace
+
+Hierarchy make_hierarchy(const Problem& problem, const Parameters& parameters, const mlmi::Parameters& deformation,
+                         const core::Grid& finest, int threads) {
+  Hierarchy hierarchy{.problem = problem, .parameters = parameters, .levels = {}, .threads = threads, .times = {}};
+  const core::ScopedTimer timer(hierarchy.times, core::Part::setup);
+  std::vector<core::Grid> grids{finest};
+  const int wanted = parameters.coarsest_cells > 0 ? parameters.coarsest_cells : default_coarsest;
+  while (grids.back().nx > wanted && grids.back().nx % 2 == 0 && grids.back().ny % 2 == 0 &&
+         (parameters.coarsest_cells > 0 || grids.back().nx / 2 >= default_coarsest))
+    grids.push_back(core::coarsened(grids.back()));
+  if (parameters.coarsest_cells > 0 && grids.back().nx != wanted)
+    throw core::InputError("[grid] coarsest = " + std::to_string(wanted) + ": " + std::to_string(finest.nx) + " x " +
+                           std::to_string(finest.ny) + " cells cannot be halved down to it");
+  for (auto grid = grids.rbegin(); grid != grids.rend(); ++grid)
+    hierarchy.levels.push_back(make_level(*grid, parameters, deformation, hierarchy.threads_on(*grid)));
+  return hierarchy;
+}
+
+void update_coefficients(Hierarchy& hierarchy, Level& level) {
+  const core::ScopedTimer timer(hierarchy.times, core::Part::coefficients);
+  for_stations(hierarchy, level,
+               [&](int i, std::span<double> fluidity) { coefficients_of_station(hierarchy.problem, level, i, fluidity); });
+}
+
+void update_film(Hierarchy& hierarchy, Level& level) {
+  {
+    const core::ScopedTimer timer(hierarchy.times, core::Part::deformation);
+    level.deformation.evaluate(level.P, level.H);
+  }
+  ++level.evaluations;
+  const core::ScopedTimer timer(hierarchy.times, core::Part::coefficients);
+  const core::Grid& grid = level.grid;
+  for_stations(hierarchy, level, [&](int i, std::span<double> fluidity) {
+    const double at_x = hierarchy.H00 + 0.5 * grid.X(i) * grid.X(i);
+    double* H = level.H.at_x(i);
+    const double* F = level.F.at_x(i);
+    for (int j = 0; j <= grid.ny; ++j) {
+      const double Y = grid.Y(j);
+      H[j] += at_x + 0.5 * Y * Y + F[j];
+    }
+    coefficients_of_station(hierarchy.problem, level, i, fluidity);
+  });
+}
+
+void shift_film(Hierarchy& hierarchy, Level& level, double change) {
+  for (int i = 0; i <= level.grid.nx; ++i)
+    for (double& H : level.H.station(i)) H += change;
+  update_coefficients(hierarchy, level);
+}
+
+void update_residual(Hierarchy& hierarchy, Level& level) {
+  const core::ScopedTimer timer(hierarchy.times, core::Part::residual);
+  reynolds::residual(level.grid, state(level), hierarchy.problem.wedge, hierarchy.threads_on(level.grid), level.r);
+}
+
+double carried_load(const Level& level) { return level.grid.hx() * level.grid.hy() * core::interior_sum(level.P); }
+
+}  // namespace ehl::fmg

@@ -1,0 +1,92 @@
+#pragma once
+// The grids of the multigrid and what lives on each of them.
+#include <functional>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "core/field.hpp"
+#include "core/grid.hpp"
+#include "core/timer.hpp"
+#include "fmg/parameters.hpp"
+#include "line_solvers/line_system.hpp"
+#include "mlmi/deformation.hpp"
+#include "reynolds/residual.hpp"
+#include "rheology/laws.hpp"
+
+namespace ehl::fmg {
+
+/// The equations to solve: eqs. (4)-(7), or one of the linear model problems that lead to them.
+struct Problem {
+  double lambda = 1.0;
+  rheology::ViscosityLaw viscosity;
+  rheology::DensityLaw density;
+  reynolds::Wedge wedge = reynolds::Wedge::upstream2;
+  /// eq. (7), h^2 sum P = load; absent: H00 is given and stays (the model problems).
+  std::optional<double> load = 2.0 * std::numbers::pi / 3.0;
+  bool cavitation = true;  ///< P >= 0
+  /// epsilon(X, Y) instead of eq. (5): the linear model problems of eqs. (9) and (19), with rho_bar = 1.
+  std::function<double(double, double)> given_epsilon;
+};
+
+/// Lines of one colour side by side, eight to a vector, one entry per station and batch: the changes of a half sweep.
+struct LineChanges {
+  core::Field delta;        ///< what the line systems gave, under-relaxed
+  core::Field distributed;  ///< the same where the point distributes its change, else 0
+};
+
+struct Level {
+  core::Grid grid;
+  core::Field P;
+  core::Field H;
+  core::Field eps;
+  core::Field rho_bar;
+  core::Field drho_bar;        ///< d rho_bar/dP
+  core::Field f;               ///< right-hand side of the Reynolds equation (FAS); 0 on the level being solved
+  core::Field F;               ///< right-hand side of the film equation (FAS)
+  core::Field H_restricted;    ///< the finer level's film at these nodes; 0 on the level being solved
+  core::Field P_restricted;    ///< the finer level's pressure as it came down
+  core::Field r;               ///< residual; the correction on its way up
+  LineChanges changes;
+  mlmi::Deformation deformation;
+  line_solvers::FilmTerms film_terms;
+  double load = 0.0;           ///< right-hand side of the force balance (FAS)
+  double H_floor = 0.0;        ///< share of H_restricted below which epsilon does not follow a falling coarse film
+  long evaluations = 0;        ///< of the film, each with a relaxation sweep or a residual
+};
+
+struct Hierarchy {
+  Problem problem;
+  Parameters parameters;
+  std::vector<Level> levels;   ///< coarsest first
+  double H00 = 0.0;
+  int threads = 1;
+  core::PartTimes times;
+
+  Level& finest() { return levels.back(); }
+  /// Threads worth using on a level: small grids are slower with more than one.
+  int threads_on(const core::Grid& grid) const { return grid.nx * grid.ny < 128 * 128 ? 1 : threads; }
+};
+
+/// Grids from `finest` down to the coarsest, all fields zero, H00 = 0.
+/// The coarsest has parameters.coarsest_cells cells along x, or by default the smallest number >= 32 that halving gives.
+/// errors: core::InputError when the finest grid cannot be halved down to the coarsest, or the film evaluation refuses.
+Hierarchy make_hierarchy(const Problem& problem, const Parameters& parameters, const mlmi::Parameters& deformation,
+                         const core::Grid& finest, int threads);
+
+/// H = H00 + X^2/2 + Y^2/2 + F + K*P (eq. 6), then rho_bar and epsilon (eq. 5) from P and H.
+void update_film(Hierarchy& hierarchy, Level& level);
+/// The coefficients alone.
+void update_coefficients(Hierarchy& hierarchy, Level& level);
+/// H += change on the whole level, then the coefficients: what a change of H00 needs.
+void shift_film(Hierarchy& hierarchy, Level& level, double change);
+
+/// level.r = f - L(P).
+void update_residual(Hierarchy& hierarchy, Level& level);
+
+/// hx hy sum P (left-hand side of eq. 7).
+double carried_load(const Level& level);
+
+inline reynolds::State state(const Level& level) { return {level.P, level.H, level.rho_bar, level.eps, level.f}; }
+
+}  // namespace ehl::fmg

@@ -1,0 +1,169 @@
+#include "fmg/line_batch.hpp"
+
+#include <algorithm>
+
+#include "reynolds/stencil.hpp"
+
+namespace ehl::fmg {
+
+using core::LaneMask;
+using core::Lanes;
+
+namespace {
+
+/// The values of eight lines j, j+2, .. at one station, and of the lines beside them.
+struct Beside {
+  Lanes south, own, north;
+};
+Lanes own_lines(const core::Field& field, int i, int j) {
+  const double* p = field.at_x(i) + j;
+  return core::evens(core::load(p), core::load(p + core::lanes));
+}
+Beside with_neighbours(const core::Field& field, int i, int j) {
+  const double* p = field.at_x(i) + j;
+  const Lanes low = core::load(p);
+  const Lanes high = core::load(p + core::lanes);
+  return {core::evens(core::load(p - 1), core::load(p + core::lanes - 1)), core::evens(low, high), core::odds(low, high)};
+}
+
+/// What the film does at a station: rho_bar, rho_bar H and d(rho_bar)/dP H.
+struct FilmStation {
+  Lanes rho_bar, rho_H, slope_H;
+};
+FilmStation film_station(const Level& level, int i, int j) {
+  const Lanes H = own_lines(level.H, i, j);
+  const Lanes rho_bar = own_lines(level.rho_bar, i, j);
+  return {rho_bar, rho_bar * H, own_lines(level.drho_bar, i, j) * H};
+}
+
+}  // namespace
+
+template <int reach, LineSolver solver>
+LineBatch<reach, solver>::LineBatch(int nx)
+    : west_(static_cast<std::size_t>(nx) + 1),
+      south_(west_.size()),
+      north_(west_.size()),
+      distributive_(west_.size() + 2 * margin),
+      factors_(solver == LineSolver::elimination ? west_.size() : 0),
+      decimation_(solver == LineSolver::decimation ? nx - 1 : 1) {}
+
+template <int reach, LineSolver solver>
+void LineBatch<reach, solver>::read_coefficients(const Hierarchy& hierarchy, const Level& level, int j) {
+  const core::Grid& grid = level.grid;
+  const double half_over_hx2 = 0.5 / (grid.hx() * grid.hx());
+  const double half_over_hy2 = 0.5 / (grid.hy() * grid.hy());
+  Lanes before = own_lines(level.eps, 0, j);
+  for (int i = 1; i <= grid.nx; ++i) {
+    const Beside eps = with_neighbours(level.eps, i, j);
+    const auto k = static_cast<std::size_t>(i);
+    west_[k] = (before + eps.own) * half_over_hx2;
+    south_[k] = (eps.south + eps.own) * half_over_hy2;
+    north_[k] = (eps.own + eps.north) * half_over_hy2;
+    before = eps.own;
+  }
+  const double crossover2 = hierarchy.parameters.relaxation.crossover * hierarchy.parameters.relaxation.crossover;
+  for (int i = 1; i < grid.nx; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const Lanes largest = core::max(core::max(west_[k], west_[k + 1]), core::max(south_[k], north_[k]));
+    const Lanes smallest = core::min(core::min(west_[k], west_[k + 1]), core::min(south_[k], north_[k]));
+    // e_max sqrt(e_max/e_min) > crossover, without root and division; e_min = 0 makes it single unless e_max = 0 too.
+    const LaneMask single = largest * largest * largest > crossover2 * smallest;
+    distributive_[k + margin] = single ? Lanes{} : core::broadcast(1.0);
+  }
+}
+
+template <int reach, LineSolver solver>
+template <class Take>
+void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level& level, int j, Take take) {
+  const core::Grid& grid = level.grid;
+  const bool cavitation = hierarchy.problem.cavitation;
+  const LaneMask outside = ~inside(j, grid.ny);
+  const Lanes* distributive = distributive_.data() + margin;
+  Lanes P_west = own_lines(level.P, 0, j);
+  Beside P = with_neighbours(level.P, 1, j);
+  FilmStation film2{};
+  FilmStation film1 = film_station(level, 0, j);
+  for (int i = 1; i < grid.nx; ++i) {
+    const Beside P_east = with_neighbours(level.P, i + 1, j);
+    const FilmStation film0 = film_station(level, i, j);
+    const auto k = static_cast<std::size_t>(i);
+    const reynolds::HalfPoints<Lanes> e{west_[k], west_[k + 1], south_[k], north_[k]};
+    const auto [c0, c1, c2] = reynolds::wedge_weights(hierarchy.problem.wedge, i, grid.hx());
+
+    line_solvers::PointEquation point;
+    point.c = {c0 * film0.rho_bar, c1 * film1.rho_bar, c2 * film2.rho_bar};
+    point.r = own_lines(level.f, i, j) - reynolds::poiseuille(e, P_west, P_east.own, P.south, P.north, P.own) +
+              (c0 * film0.rho_H + c1 * film1.rho_H + c2 * film2.rho_H);
+
+    // Coefficients of the pressure changes at i-2 .. i+1 (Poiseuille, and the density's part of the wedge), and then of
+    // the deltas: the pressure change at k is delta_k - (distributed_{k-1} + distributed_{k+1})/4.
+    const Lanes p_far = -c2 * film2.slope_H;
+    const Lanes p_west = e.west - c1 * film1.slope_H;
+    const Lanes p_own = -(e.west + e.east + e.south + e.north) - c0 * film0.slope_H;
+    const Lanes p_east = e.east;
+    const Lanes* d = distributive + i;
+    point.a[0] = p_far - 0.25 * d[-2] * p_west;
+    point.a[1] = p_west - 0.25 * d[-1] * (p_far + p_own);
+    point.a[2] = p_own - 0.25 * d[0] * (p_west + p_east + e.south + e.north);
+    point.a[3] = p_east - 0.25 * d[1] * p_own;
+    point.a[4] = -0.25 * d[2] * p_east;
+
+    line_solvers::BandRow<reach> row = line_solvers::eliminate_film<reach>(level.film_terms, point, d);
+    // delta_{i-3} reaches the density's part at i-2 through its distribution.
+    row.a[line_solvers::BandRow<reach>::lower - 3] -= 0.25 * d[-3] * p_far;
+    LaneMask fixed = outside;
+    // A cavitated point whose equation asks for P < 0 stays cavitated: otherwise the solution is no fixed point.
+    if (cavitation) fixed |= (P.own <= 0.0) & (point.r >= 0.0);
+    line_solvers::make_identity(row, fixed);
+    take(i, row);
+
+    P_west = P.own;
+    P = P_east;
+    film2 = film1;
+    film1 = film0;
+  }
+}
+
+template <int reach, LineSolver solver>
+void LineBatch<reach, solver>::keep(const RelaxationParameters& parameters, Level& level, int batch, int i,
+                                    Lanes delta) const {
+  const auto k = static_cast<std::size_t>(i);
+  const Lanes low = core::min(west_[k], west_[k + 1]);
+  const Lanes high = core::max(west_[k], west_[k + 1]);
+  // Weight of a single change: from `steep` up to the full one as the two coefficients along x come within a factor 2.
+  const double steep = parameters.weight_single_steep;
+  const double range = parameters.weight_single - steep;
+  const Lanes smooth = 2.0 * low >= high ? core::broadcast(1.0) : 2.0 * low / high;
+  const Lanes distributive = distributive_[k + margin];
+  const Lanes weight = distributive > 0.0 ? core::broadcast(parameters.weight_distributed) : steep + range * smooth;
+  const int at = batch * core::lanes;
+  core::store(level.changes.delta.at_x(i) + at, weight * delta);
+  core::store(level.changes.distributed.at_x(i) + at, distributive * weight * delta);
+}
+
+template <int reach, LineSolver solver>
+line_solvers::SmallPivot LineBatch<reach, solver>::solve(const Hierarchy& hierarchy, Level& level, int colour, int batch) {
+  const int j = first_line(colour, batch);
+  const RelaxationParameters& parameters = hierarchy.parameters.relaxation;
+  read_coefficients(hierarchy, level, j);
+  if constexpr (solver == LineSolver::elimination) {
+    line_solvers::Elimination<reach> elimination(factors_.data());
+    assemble(hierarchy, level, j, [&](int, const line_solvers::BandRow<reach>& row) { elimination.push(row); });
+    elimination.back_substitute([&](int i, Lanes delta) { keep(parameters, level, batch, i, delta); });
+    return elimination.small_pivot();
+  } else {
+    assemble(hierarchy, level, j, [&](int i, const line_solvers::BandRow<reach>& row) { decimation_.set(i, row); });
+    const line_solvers::SmallPivot small = decimation_.solve();
+    for (int i = 1; i < level.grid.nx; ++i) keep(parameters, level, batch, i, decimation_.delta(i));
+    return small;
+  }
+}
+
+template class LineBatch<1, LineSolver::elimination>;
+template class LineBatch<2, LineSolver::elimination>;
+template class LineBatch<3, LineSolver::elimination>;
+template class LineBatch<1, LineSolver::decimation>;
+template class LineBatch<2, LineSolver::decimation>;
+template class LineBatch<3, LineSolver::decimation>;
+
+}  // namespace ehl::fmg

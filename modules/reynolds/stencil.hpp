@@ -1,0 +1,35 @@
+#pragma once
+// The discrete Reynolds equation at one node (eq. 4), for a double or for eight lines at once.
+#include <array>
+
+#include "reynolds/wedge.hpp"
+
+namespace ehl::reynolds {
+
+/// epsilon/h^2 at the four half points around a node: arithmetic means of the nodes' values (below eq. 4),
+/// e.g. west = (eps_{i-1,j} + eps_{i,j}) / (2 hx^2).
+template <class Number>
+struct HalfPoints {
+  Number west, east, south, north;
+};
+
+template <class Number>
+HalfPoints<Number> half_points(Number west, Number east, Number south, Number north, Number centre, double half_over_hx2,
+                               double half_over_hy2) {
+  return {(west + centre) * half_over_hx2, (east + centre) * half_over_hx2, (south + centre) * half_over_hy2,
+          (north + centre) * half_over_hy2};
+}
+
+/// The Poiseuille terms: sum over the four neighbours of e (P_neighbour - P_centre).
+template <class Number>
+Number poiseuille(const HalfPoints<Number>& e, Number west, Number east, Number south, Number north, Number centre) {
+  return e.west * (west - centre) + e.east * (east - centre) + e.south * (south - centre) + e.north * (north - centre);
+}
+
+/// Weights of rho_bar H at i, i-1, i-2 in the wedge term d(rho_bar H)/dX at column i >= 1.
+inline std::array<double, 3> wedge_weights(Wedge wedge, int i, double hx) {
+  if (wedge == Wedge::upstream2 && i >= 2) return {1.5 / hx, -2.0 / hx, 0.5 / hx};
+  return {1.0 / hx, -1.0 / hx, 0.0};
+}
+
+}  // namespace ehl::reynolds

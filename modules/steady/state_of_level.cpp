@@ -1,0 +1,60 @@
+#include "steady/state_of_level.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/norms.hpp"
+
+namespace ehl::steady {
+namespace {
+
+struct Interpolation {
+  int first = 0;
+  std::array<double, 4> weights{};
+};
+
+// Lagrange's cubic through four nodes around the position t (in cells).
+Interpolation interpolation(double t, int cells) {
+  if (std::abs(t - std::round(t)) < 1e-9) {
+    const int node = static_cast<int>(std::round(t));
+    Interpolation at_node{std::clamp(node, 0, cells - 3), {}};
+    at_node.weights[static_cast<std::size_t>(node - at_node.first)] = 1.0;
+    return at_node;
+  }
+  Interpolation result{std::clamp(static_cast<int>(std::floor(t)) - 1, 0, cells - 3), {}};
+  for (int a = 0; a < 4; ++a) {
+    double weight = 1.0;
+    for (int b = 0; b < 4; ++b)
+      if (b != a) weight *= (t - result.first - b) / (a - b);
+    result.weights[static_cast<std::size_t>(a)] = weight;
+  }
+  return result;
+}
+
+}  // namespace
+
+double value_at(const core::Grid& grid, const core::Field& field, double X, double Y) {
+  const Interpolation x = interpolation((X - grid.X_a) / grid.hx(), grid.nx);
+  const Interpolation y = interpolation((Y - grid.Y_a) / grid.hy(), grid.ny);
+  double value = 0.0;
+  for (int a = 0; a < 4; ++a)
+    for (int b = 0; b < 4; ++b)
+      value += x.weights[static_cast<std::size_t>(a)] * y.weights[static_cast<std::size_t>(b)] *
+               field(x.first + a, y.first + b);
+  return value;
+}
+
+StateOfLevel state_of_level(fmg::Hierarchy& hierarchy, std::size_t l) {
+  fmg::Level& level = hierarchy.levels[l];
+  fmg::update_residual(hierarchy, level);
+  const reynolds::ResidualNorms norms = reynolds::residual_norms(level.grid, fmg::state(level), hierarchy.problem.wedge,
+                                                                 hierarchy.problem.cavitation, level.r);
+  const double load = fmg::carried_load(level);
+  return {.Hc = value_at(level.grid, level.H, 0.0, 0.0),
+          .Hm = core::minimum(level.H).value,
+          .residual = norms.relative(),
+          .load_error = std::abs(load - level.load) / level.load};
+}
+
+}  // namespace ehl::steady
