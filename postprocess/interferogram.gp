@@ -8,14 +8,14 @@ load here."/common.gp"
 
 Hc = number("Hc")
 # Nanometres of one unit of H. A dimensionless case has no colours of its own: shown as if h_c were 250 nm.
-if (!exists("film_nm")) { film_nm = 250.0 / Hc; scale_note = "colours as if h_c = 250 nm" } else { scale_note = sprintf("h_c = %.0f nm", film_nm * Hc) }
+scale_note = exists("film_nm") ? sprintf("h_c = %.0f nm", film_nm * Hc) : "colours as if h_c = 250 nm"
+if (!exists("film_nm")) film_nm = 250.0 / Hc
 
 # Two beams, reflected at the coated glass and at the steel, path 2 n h with n = 1.5; the contrast fades as the
 # light of a lamp loses its coherence. Dark where the film is thin.
 visibility(h) = exp(-(h / 900.0)**2)
 intensity(h, wavelength) = 0.5 * (1 - visibility(h) * cos(4 * pi * 1.5 * h / wavelength))
 shade(h, wavelength) = int(255 * intensity(h, wavelength))
-colour(h) = 65536 * shade(h, 630.0) + 256 * shade(h, 540.0) + shade(h, 460.0)
 
 set size ratio -1
 set xrange [-1.8:1.4]
@@ -24,8 +24,5 @@ set xlabel "X = x/a"
 set ylabel "Y = y/a"
 unset grid
 set label 1 scale_note."\nentrainment →" at graph 0.03, 0.95 left front textcolor rgb "white"
-set view map
-set pm3d map interpolate 2, 2
-unset colorbox
 plot field("H") using 1:2:(shade(film_nm * $3, 630.0)):(shade(film_nm * $3, 540.0)):(shade(film_nm * $3, 460.0)) \
     with rgbimage notitle
