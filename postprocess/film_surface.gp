@@ -12,6 +12,8 @@ top = 2.5 * Hc
 
 # Thin is up: the flat film of the contact is a plateau, and the horseshoe of the smallest film its rim.
 set pm3d depthorder lighting primary 0.55 specular 0.15 noborder
+# Viewers leave hair lines between the patches of a PDF unless each is outlined in its own colour.
+if (format eq "pdf") set pm3d border retrace lw 0.4
 unset colorbox
 unset grid
 eval "set palette ".film_colours
@@ -23,7 +25,7 @@ set title offset 0, -3
 set xyplane at top
 set xlabel "X = x/a" offset 0, -0.5
 set ylabel "Y = y/a" offset 0, -0.5
-set zlabel "H = hR/a^2" rotate parallel offset 1.5, 0
+set label 1 "H = hR/a^2" at graph 1, graph 0, graph 1.08 center
 set xrange [-2:1.5]
 set yrange [-1.6:1.6]
 set zrange [top:0]

@@ -9,6 +9,8 @@ step = step_for(sqrt(S_records), format eq "png" ? 257 : 129)
 
 # Shaded by the slope, as seen from downstream: the spike stands in front.
 set pm3d depthorder lighting primary 0.55 specular 0.15 noborder
+# Viewers leave hair lines between the patches of a PDF unless each is outlined in its own colour.
+if (format eq "pdf") set pm3d border retrace lw 0.4
 unset colorbox
 unset grid
 eval "set palette ".pressure_colours
@@ -20,7 +22,7 @@ set xyplane 0
 set ticslevel 0
 set xlabel "X = x/a" offset 0, -0.5
 set ylabel "Y = y/a" offset 0, -0.5
-set zlabel "P = p/p_h" rotate parallel offset 1.5, 0
+set label 1 "P = p/p_h" at graph 1, graph 0, graph 1.08 center
 set xrange [-2:1.5]
 set yrange [-1.6:1.6]
 set zrange [0:*]
