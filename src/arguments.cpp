@@ -1,0 +1,163 @@
+#include "arguments.hpp"
+
+#include <algorithm>
+
+#include "core/errors.hpp"
+#include "deck/text.hpp"
+
+namespace ehl::program {
+namespace {
+
+const CommandRecord& find_command(const std::vector<CommandRecord>& commands, const std::string& name) {
+  std::vector<std::string> names;
+  for (const CommandRecord& command : commands) {
+    if (command.name == name) return command;
+    names.push_back(command.name);
+  }
+  const std::string near = deck::nearest(name, names);
+  throw core::InputError("command line: unknown command '" + name + "'" +
+                         (near.empty() ? "" : ": did you mean " + near + "?") + " Commands are " +
+                         deck::joined(names, ", ") + " (`ehl help`)");
+}
+
+const OptionRecord& find_option(const CommandRecord& command, const std::string& name) {
+  std::vector<std::string> names;
+  for (const OptionRecord& option : command.options) {
+    if (option.name == name) return option;
+    names.push_back(option.name);
+  }
+  const std::string near = deck::nearest(name, names);
+  throw core::InputError("command line: `ehl " + command.name + "` has no option --" + name +
+                         (near.empty() ? "" : ": did you mean --" + near + "?") + " (`ehl help " + command.name + "`)");
+}
+
+std::string usage(const CommandRecord& command) {
+  std::string text = "ehl " + command.name + (command.operands.empty() ? "" : " ") + command.operands;
+  for (const OptionRecord& option : command.options)
+    text += " [--" + option.name + (option.argument.empty() ? "" : " " + option.argument) + "]" +
+            (option.repeated ? "..." : "");
+  return text;
+}
+
+void check_operands(const CommandRecord& command, const Arguments& given) {
+  const std::string said = "command line: `ehl " + command.name + "`: ";
+  if (given.operands.size() < command.least)
+    throw core::InputError(said + command.operands + " is missing. Usage: " + usage(command));
+  if (given.operands.size() > command.most)
+    throw core::InputError(said + "'" + given.operands[command.most] + "' is one too many. Usage: " + usage(command));
+}
+
+}  // namespace
+
+std::string Arguments::value(const std::string& name, const std::string& otherwise) const {
+  const auto found = options.find(name);
+  return found == options.end() ? otherwise : found->second.back();
+}
+
+std::vector<std::string> Arguments::values(const std::string& name) const {
+  const auto found = options.find(name);
+  return found == options.end() ? std::vector<std::string>{} : found->second;
+}
+
+std::vector<CommandRecord> command_records() {
+  const OptionRecord set{"set", "section.key=value", true, "overrides or adds a key of the deck"};
+  const OptionRecord threads{"threads", "N", false, "number of threads (default: the cores this process may use)"};
+  return {
+      {"run",
+       "DECK",
+       1,
+       1,
+       "solves a case: table and summary on stdout, progress on stderr, result in an HDF5 file",
+       {set,
+        {"output", "FILE.h5", false, "result file (default: [output] file, else the name of the deck)"},
+        {"overwrite", "", false, "replace an existing result file"},
+        threads,
+        {"json", "", false, "one JSON object on stdout and nothing else"},
+        {"quiet", "", false, "no progress"}}},
+      {"check",
+       "DECK",
+       1,
+       1,
+       "validates a deck and prints everything that follows from it; solves nothing",
+       {set, threads}},
+      {"extract",
+       "FILE.h5 DATASET",
+       2,
+       2,
+       "prints a dataset of a result as columns: P, H, levels, history, summary, scales, deck, or a path in the file",
+       {{"along", "x|y", false, "only the section of a field along this axis"},
+        {"at", "y=0|x=0", false, "where the section lies: the nearest grid line is taken (default 0)"},
+        {"matrix", "", false, "a field as a matrix with its axes, for gnuplot's `matrix nonuniform`"}}},
+      {"plot",
+       "FILE.h5",
+       1,
+       1,
+       "draws the figures of postprocess/ from a result, beside it",
+       {{"figure", "NAME", true, "only this figure"},
+        {"format", "png|svg|pdf", false, "format of the pictures (default png)"}}},
+      {"keys",
+       "[SECTION[.KEY]]",
+       0,
+       1,
+       "lists the keys of the deck: default, unit, range, meaning, source",
+       {{"deck", "", false, "a complete commented deck instead"}}},
+  };
+}
+
+Arguments parse_arguments(const std::vector<std::string>& words, const std::vector<CommandRecord>& commands) {
+  Arguments given;
+  if (words.empty()) throw core::InputError("command line: a command is missing\n" + help(commands, ""));
+  const CommandRecord& command = find_command(commands, words[0]);
+  given.command = command.name;
+  bool only_operands = false;  // after "--"
+  for (std::size_t k = 1; k < words.size(); ++k) {
+    const std::string& word = words[k];
+    if (only_operands || word.size() < 2 || word[0] != '-') {
+      given.operands.push_back(word);
+      continue;
+    }
+    if (word == "--") {
+      only_operands = true;
+      continue;
+    }
+    const std::size_t equals = word.find('=');
+    const std::size_t dashes = word.starts_with("--") ? 2 : 1;
+    const std::string name = word.substr(dashes, equals == std::string::npos ? equals : equals - dashes);
+    const OptionRecord& option = find_option(command, name);
+    std::string value;
+    if (option.argument.empty()) {
+      if (equals != std::string::npos)
+        throw core::InputError("command line: " + word + ": --" + name + " takes no value");
+    } else if (equals != std::string::npos) {
+      value = word.substr(equals + 1);
+    } else if (k + 1 < words.size()) {
+      value = words[++k];
+    } else {
+      throw core::InputError("command line: --" + name + ": the value is missing: " + option.argument);
+    }
+    if (given.has(name) && !option.repeated) throw core::InputError("command line: --" + name + " is given twice");
+    given.options[name].push_back(value);
+  }
+  check_operands(command, given);
+  return given;
+}
+
+std::string help(const std::vector<CommandRecord>& commands, const std::string& name) {
+  if (!name.empty()) {
+    const CommandRecord& command = find_command(commands, name);
+    std::string text = "usage: " + usage(command) + "\n\n" + command.meaning + "\n";
+    for (const OptionRecord& option : command.options)
+      text += "\n  --" + option.name + (option.argument.empty() ? "" : " " + option.argument) + "\n      " +
+              option.meaning + "\n";
+    return text;
+  }
+  std::string text = "ehl: elastohydrodynamically lubricated contacts by multilevel methods\n\n";
+  for (const CommandRecord& command : commands) text += "  " + usage(command) + "\n      " + command.meaning + "\n";
+  text +=
+      "  ehl help [COMMAND]\n  ehl version\n\nexit status: 0 solved, 1 internal failure, 2 wrong input, 3 not "
+      "converged, "
+      "4 a file could not be read or written,\n130 interrupted\n";
+  return text;
+}
+
+}  // namespace ehl::program

@@ -1,0 +1,9 @@
+#pragma once
+#include "deck/key.hpp"
+
+namespace ehl::program {
+
+/// Every key of this version, collected from the modules that use them, and what people will look for in vain.
+deck::Catalogue catalogue();
+
+}  // namespace ehl::program

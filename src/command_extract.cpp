@@ -1,0 +1,184 @@
+// ehl extract: datasets as columns that gnuplot reads.
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "commands.hpp"
+#include "core/errors.hpp"
+#include "deck/text.hpp"
+#include "exit_status.hpp"
+#include "results/read.hpp"
+
+namespace ehl::program {
+namespace {
+
+using Kind = results::ResultFile::Kind;
+
+std::string column_number(double value) { return std::isnan(value) ? "nan" : deck::shortest(value); }
+
+// "P" -> /fields/P, "levels" -> /levels, "Hc" -> /summary/Hc, a path as it is.
+std::string full_name(const results::ResultFile& file, const std::string& name) {
+  if (name.starts_with("/") && file.kind(name) != Kind::missing) return name;
+  const std::vector<std::string> homes{"/", "/fields/", "/summary/", "/scales/", "/provenance/", "/grid/"};
+  std::vector<std::string> known;
+  for (const std::string& home : homes) {
+    if (file.kind(home + name) != Kind::missing) return home + name;
+    if (file.kind(home) == Kind::group)
+      for (const std::string& found : file.names(home)) known.push_back(found);
+  }
+  const std::string near = deck::nearest(name, known);
+  throw core::InputError("command line: " + file.path() + " has no dataset " + name +
+                         (near.empty() ? "" : ": did you mean " + near + "?") + " It has " + deck::joined(known, ", "));
+}
+
+struct FieldOnGrid {
+  results::Array field;
+  results::Array x;
+  results::Array y;
+
+  double at(std::size_t i, std::size_t j) const { return field.values[j * x.values.size() + i]; }
+};
+
+FieldOnGrid read_field(const results::ResultFile& file, const std::string& name) {
+  FieldOnGrid read{file.numbers(name), file.numbers("/grid/x"), file.numbers("/grid/y")};
+  if (read.field.dims.size() != 2 || read.field.dims[0] != read.y.values.size() ||
+      read.field.dims[1] != read.x.values.size() || read.field.values.empty())
+    throw core::FileError(file.path() + ": the file is damaged: " + name + " does not fit its grid");
+  return read;
+}
+
+std::string header(const results::ResultFile& file, const std::string& name, const FieldOnGrid& f) {
+  return "# " + file.path() + ": " + file.attribute("/", "title") + "\n# " + name + " [" + f.field.unit +
+         "]: " + f.field.meaning + "; x, y in Hertz radii a\n";
+}
+
+std::string grid_columns(const FieldOnGrid& f, const std::string& column) {
+  std::string text = "# x y " + column + "\n";
+  for (std::size_t j = 0; j < f.y.values.size(); ++j) {
+    if (j > 0) text += "\n";  // a blank line ends a scan
+    for (std::size_t i = 0; i < f.x.values.size(); ++i)
+      text +=
+          deck::shortest(f.x.values[i]) + " " + deck::shortest(f.y.values[j]) + " " + column_number(f.at(i, j)) + "\n";
+  }
+  return text;
+}
+
+std::string matrix(const FieldOnGrid& f) {
+  std::string text = "# first row: number of columns and x; then y and the values: plot '...' matrix nonuniform\n";
+  text += std::to_string(f.x.values.size());
+  for (const double x : f.x.values) text.append(" ").append(deck::shortest(x));
+  text += "\n";
+  for (std::size_t j = 0; j < f.y.values.size(); ++j) {
+    text += deck::shortest(f.y.values[j]);
+    for (std::size_t i = 0; i < f.x.values.size(); ++i) text.append(" ").append(column_number(f.at(i, j)));
+    text += "\n";
+  }
+  return text;
+}
+
+std::size_t nearest_line(const std::vector<double>& lines, double at) {
+  std::size_t best = 0;
+  for (std::size_t k = 1; k < lines.size(); ++k)
+    if (std::abs(lines[k] - at) < std::abs(lines[best] - at)) best = k;
+  return best;
+}
+
+std::string section(const FieldOnGrid& f, const std::string& column, const Arguments& arguments) {
+  const std::string axis = arguments.value("along", "x");
+  if (axis != "x" && axis != "y") throw core::InputError("command line: --along " + axis + ": must be x or y");
+  const std::string other = axis == "x" ? "y" : "x";
+  const std::string given = arguments.value("at", other + "=0");
+  const std::string number = given.starts_with(other + "=") ? given.substr(2) : given;
+  const deck::ReadNumber at = deck::read_number(number);
+  if (at.status != deck::ReadNumber::Status::number)
+    throw core::InputError("command line: --at " + given + ": write --at " + other + "=NUMBER, in Hertz radii");
+  const bool along_x = axis == "x";
+  const std::vector<double>& positions = along_x ? f.x.values : f.y.values;
+  const std::vector<double>& lines = along_x ? f.y.values : f.x.values;
+  if (at.value < std::min(lines.front(), lines.back()) || at.value > std::max(lines.front(), lines.back()))
+    throw core::InputError("command line: --at " + given + ": the domain is [" + deck::shortest(lines.front()) + ", " +
+                           deck::shortest(lines.back()) + "]");
+  const std::size_t line = nearest_line(lines, at.value);
+  std::string text =
+      "# along " + axis + " at " + other + " = " + deck::shortest(lines[line]) + "\n# " + axis + " " + column + "\n";
+  for (std::size_t k = 0; k < positions.size(); ++k)
+    text += deck::shortest(positions[k]) + " " + column_number(along_x ? f.at(k, line) : f.at(line, k)) + "\n";
+  return text;
+}
+
+// A group of columns (levels, history); the last line of the header names them.
+std::string table(const results::ResultFile& file, const std::string& name) {
+  std::istringstream order(file.attribute(name, "columns"));
+  std::vector<results::Array> columns;
+  std::string names = "#";
+  std::string units = "# units:";
+  for (std::string column; order >> column;) {
+    columns.push_back(file.numbers(name + "/" + column));
+    names += " " + column;
+    units += " " + columns.back().unit;
+  }
+  std::string text = "# " + file.attribute(name, "meaning") + "\n" + units + "\n" + names + "\n";
+  const std::size_t rows = columns.empty() ? 0 : columns[0].values.size();
+  for (const results::Array& column : columns)
+    if (column.values.size() != rows) throw core::FileError(file.path() + ": the file is damaged: " + name);
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      text.append(k == 0 ? "" : " ").append(column_number(columns[k].values[row]));
+    text += "\n";
+  }
+  return text;
+}
+
+// A group of single values: one a line.
+std::string list(const results::ResultFile& file, const std::string& name) {
+  std::string text = "# name value unit meaning\n";
+  for (const std::string& entry : file.names(name)) {
+    const std::string whole = (name == "/" ? "" : name) + "/" + entry;
+    const Kind kind = file.kind(whole);
+    if (kind == Kind::text) text += entry + " \"" + file.text(whole) + "\"\n";
+    if (kind == Kind::numbers) {
+      const results::Array numbers = file.numbers(whole);
+      const std::string value = numbers.dims.empty() ? column_number(numbers.values[0]) : "(array)";
+      text += entry + " " + value + " " + numbers.unit + " \"" + numbers.meaning + "\"\n";
+    }
+    if (kind == Kind::group) text += entry + " (group)\n";
+  }
+  return text;
+}
+
+std::string columns(const results::ResultFile& file, const std::string& name) {
+  const results::Array array = file.numbers(name);
+  std::string text = "# " + name + " [" + array.unit + "]: " + array.meaning + "\n";
+  for (const double value : array.values) text += column_number(value) + "\n";
+  return text;
+}
+
+}  // namespace
+
+int extract(const Arguments& arguments) {
+  const results::ResultFile file(arguments.operands[0]);
+  const std::string name = full_name(file, arguments.operands[1]);
+  const bool is_field = name.starts_with("/fields/") && file.kind(name) == Kind::numbers;
+  for (const char* option : {"along", "at", "matrix"})
+    if (arguments.has(option) && !is_field)
+      throw core::InputError(std::string("command line: --") + option + " applies to fields, and " + name + " is none");
+  if (arguments.has("matrix") && (arguments.has("along") || arguments.has("at")))
+    throw core::InputError("command line: either --matrix or --along and --at");
+  if (is_field) {
+    const FieldOnGrid field = read_field(file, name);
+    const std::string column = name.substr(name.rfind('/') + 1);
+    const bool is_section = arguments.has("along") || arguments.has("at");
+    print(header(file, name, field) + (is_section                ? section(field, column, arguments)
+                                       : arguments.has("matrix") ? matrix(field)
+                                                                 : grid_columns(field, column)));
+  } else if (file.kind(name) == Kind::text) {
+    print(file.text(name) + "\n");
+  } else if (file.kind(name) == Kind::group) {
+    print(file.attribute(name, "columns").empty() ? list(file, name) : table(file, name));
+  } else {
+    print(columns(file, name));
+  }
+  return solved;
+}
+
+}  // namespace ehl::program

@@ -1,0 +1,148 @@
+// ehl plot: the gnuplot scripts of postprocess/, fed with a result.
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "commands.hpp"
+#include "core/errors.hpp"
+#include "deck/text.hpp"
+#include "exit_status.hpp"
+#include "machine.hpp"
+#include "results/read.hpp"
+
+extern char** environ;
+
+namespace ehl::program {
+namespace {
+
+namespace files = std::filesystem;
+
+struct Figure {
+  std::string name;
+  std::string title;
+  std::string script;
+  std::vector<std::string> needs;  // datasets without which there is nothing to draw
+};
+
+// A script is a figure when its first line says "# figure: title"; "# needs: name..." may follow.
+std::vector<Figure> figures(const files::path& folder) {
+  std::error_code error;
+  if (!files::is_directory(folder, error))
+    throw core::FileError(folder.string() +
+                          ": there is no such folder: set EHL_POSTPROCESS to the folder of the scripts");
+  std::vector<Figure> found;
+  for (const files::directory_entry& entry : files::directory_iterator(folder)) {
+    if (entry.path().extension() != ".gp") continue;
+    std::ifstream script(entry.path());
+    std::string first;
+    std::string second;
+    std::getline(script, first);
+    std::getline(script, second);
+    const std::string mark = "# figure:";
+    const std::string needs = "# needs:";
+    if (!first.starts_with(mark)) continue;
+    Figure figure{entry.path().stem(), deck::trimmed(first.substr(mark.size())), entry.path(), {}};
+    if (second.starts_with(needs)) figure.needs = deck::split_words(second.substr(needs.size()));
+    found.push_back(figure);
+  }
+  std::sort(found.begin(), found.end(), [](const Figure& a, const Figure& b) { return a.name < b.name; });
+  if (found.empty()) throw core::FileError(folder.string() + ": no script in it draws a figure");
+  return found;
+}
+
+std::vector<Figure> selected(const std::vector<Figure>& all, const std::vector<std::string>& names,
+                             const results::ResultFile& result) {
+  std::vector<Figure> chosen;
+  for (const std::string& name : names) {
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Figure& figure) { return figure.name == name; });
+    if (found != all.end()) {
+      chosen.push_back(*found);
+      continue;
+    }
+    std::vector<std::string> known;
+    std::string list;
+    for (const Figure& figure : all) {
+      known.push_back(figure.name);
+      list += "\n  " + figure.name + ": " + figure.title;
+    }
+    const std::string near = deck::nearest(name, known);
+    throw core::InputError("command line: --figure " + name + ": there is no such figure" +
+                           (near.empty() ? "" : ": did you mean " + near + "?") + " Figures are" + list);
+  }
+  if (!names.empty()) return chosen;
+  const auto has = [&](const std::string& need) { return result.kind(need) != results::ResultFile::Kind::missing; };
+  for (const Figure& figure : all)
+    if (std::all_of(figure.needs.begin(), figure.needs.end(), has)) chosen.push_back(figure);
+  return chosen;
+}
+
+// A text between single quotes, in which gnuplot writes a quote as two.
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
+  return result + "'";
+}
+
+void run_gnuplot(const std::vector<std::string>& words, const std::string& figure) {
+  std::vector<char*> pointers;
+  for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));  // spawn does not write
+  pointers.push_back(nullptr);
+  pid_t child = 0;
+  const int error = ::posix_spawnp(&child, "gnuplot", nullptr, nullptr, pointers.data(), environ);
+  if (error != 0)
+    throw core::FileError(std::string("gnuplot cannot be started: ") + std::strerror(error) +
+                          ": install it (Debian: gnuplot-nox)");
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGINT || WTERMSIG(status) == SIGTERM)) throw core::Interrupted();
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
+    throw core::FileError("gnuplot failed on figure " + figure + "; its message is above");
+}
+
+std::string picture_name(const std::string& result, const std::string& figure, const std::string& format) {
+  const files::path path(result);
+  return (path.parent_path() / (path.stem().string() + "_" + figure + "." + format)).string();
+}
+
+std::string folder_of_scripts() {
+  const char* own = std::getenv("EHL_POSTPROCESS");
+  return own != nullptr ? own : EHL_POSTPROCESS_FOLDER;
+}
+
+}  // namespace
+
+int plot(const Arguments& arguments) {
+  const std::string& path = arguments.operands[0];
+  const std::string format = arguments.value("format", "png");
+  if (format != "png" && format != "svg" && format != "pdf")
+    throw core::InputError("command line: --format " + format + ": must be png, svg or pdf");
+  const results::ResultFile result(path);
+  // The scripts hand the name to a shell between single quotes.
+  if (path.find('\'') != std::string::npos)
+    throw core::InputError("command line: " + path +
+                           ": gnuplot's scripts cannot take a file name with a quote: rename it");
+
+  std::string settings = "file=" + quoted(path) + "; format=" + quoted(format) + "; ehl=" + quoted(program_path()) +
+                         "; title=" + quoted(result.attribute("/", "title"));
+  if (result.kind("/scales/h") != results::ResultFile::Kind::missing)
+    settings += "; film_nm=" + deck::shortest(1e9 * result.numbers("/scales/h").values[0]);
+  for (const Figure& figure : selected(figures(folder_of_scripts()), arguments.values("figure"), result)) {
+    const std::string picture = picture_name(path, figure.name, format);
+    run_gnuplot({"gnuplot", "-e", settings + "; output=" + quoted(picture), figure.script}, figure.name);
+    std::error_code error;
+    if (files::file_size(picture, error) == 0 || error)
+      throw core::FileError(picture + ": gnuplot could not write the picture");
+    print(picture + "\n");
+  }
+  return solved;
+}
+
+}  // namespace ehl::program

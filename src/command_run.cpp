@@ -1,0 +1,110 @@
+// ehl run, check and keys.
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <iterator>
+
+#include "catalogue.hpp"
+#include "commands.hpp"
+#include "core/errors.hpp"
+#include "deck/text.hpp"
+#include "deck/write.hpp"
+#include "exit_status.hpp"
+#include "machine.hpp"
+#include "progress.hpp"
+#include "report.hpp"
+#include "result_content.hpp"
+#include "results/atomic_file.hpp"
+#include "results/write.hpp"
+#include "steady/solve.hpp"
+
+namespace ehl::program {
+namespace {
+
+struct Destination {
+  std::string path;
+  bool overwrite;
+};
+
+// Before the work, not after it.
+Destination destination(const Arguments& arguments, const Case& input) {
+  Destination to{arguments.value("output", input.output), arguments.has("overwrite")};
+  if (results::xdmf_name(to.path) == to.path)
+    throw core::InputError("command line: the result cannot be named " + to.path + ": .xmf is its companion; use .h5");
+  results::check_writable(to.path, to.overwrite, results::expected_bytes(input.scene.grid, input.fields.size()));
+  results::check_writable(results::xdmf_name(to.path), to.overwrite, 0);
+  return to;
+}
+
+int fail_without_solution(const Arguments& arguments, const Case& input, const std::string& reason) {
+  if (arguments.has("json")) print(json_failure(input, reason));
+  std::fprintf(stderr,
+               "ehl: not converged: %s\nehl: no result was written. Try more cells, a larger domain or a "
+               "lighter load.\n",
+               reason.c_str());
+  return not_converged;
+}
+
+}  // namespace
+
+int requested_threads(const Arguments& arguments) {
+  if (!arguments.has("threads")) return usable_cores();
+  const std::string text = arguments.value("threads", "");
+  const deck::ReadNumber read = deck::read_number(text);
+  constexpr double most = 1024.0;
+  const bool good = read.status == deck::ReadNumber::Status::number && read.value >= 1.0 && read.value <= most &&
+                    read.value == static_cast<int>(read.value);
+  if (!good) throw core::InputError("command line: --threads " + text + ": must be a whole number >= 1 and <= 1024");
+  return static_cast<int>(read.value);
+}
+
+void print(const std::string& text) {
+  errno = 0;
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    throw core::FileError(std::string("standard output: cannot be written: ") + std::strerror(errno));
+}
+
+int run(const Arguments& arguments) {
+  const Case input = read_case(arguments.operands[0], arguments.values("set"), requested_threads(arguments));
+  const Destination to = destination(arguments, input);
+
+  steady::Solution solution;
+  try {
+    ProgressReport progress(arguments.has("quiet"));
+    solution = steady::solve(input.scene, [&](const steady::Progress& now) { return progress.show(now); });
+  } catch (const core::SolverError& error) {
+    return fail_without_solution(arguments, input, error.what());
+  }
+
+  const Outcome outcome = outcome_of(input, solution);
+  if (!std::isfinite(outcome.Hc + outcome.Hm.value + outcome.P_max.value))
+    return fail_without_solution(arguments, input, "the film or the pressure is not finite");
+  if (arguments.has("json"))
+    print(json_report(input, solution, outcome, peak_memory()));
+  else
+    print("case         " + input.title + "\n" + level_table(solution) + summary(input, solution, outcome) +
+          "memory       " + std::to_string(static_cast<long>(peak_memory() / 1e6)) + " MB at most\n");
+  const DerivedFields derived = derived_fields(input, solution);
+  results::write(to.path, result_content(input, solution, outcome, derived), to.overwrite);
+  if (!arguments.has("json")) print("result       " + to.path + "\n");
+  if (solution.converged) return solved;
+  std::fprintf(stderr, "ehl: not converged: %s\n", solution.failed_check.c_str());
+  return not_converged;
+}
+
+int check(const Arguments& arguments) {
+  const Case input = read_case(arguments.operands[0], arguments.values("set"), requested_threads(arguments));
+  print(derived(input));
+  return solved;
+}
+
+int keys(const Arguments& arguments) {
+  const std::string selection = arguments.operands.empty() ? "" : arguments.operands[0];
+  if (arguments.has("deck") && !selection.empty())
+    throw core::InputError("command line: `ehl keys --deck` writes the whole deck: leave " + selection + " out");
+  print(arguments.has("deck") ? deck::commented_deck(catalogue()) : deck::list_keys(catalogue(), selection));
+  return solved;
+}
+
+}  // namespace ehl::program

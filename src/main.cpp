@@ -1,0 +1,81 @@
+// The program: takes the command line apart, runs one command, and turns what went wrong into a message and a status.
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <new>
+
+#include "commands.hpp"
+#include "core/errors.hpp"
+#include "deck/text.hpp"
+#include "exit_status.hpp"
+#include "signals.hpp"
+#include "version.hpp"
+
+namespace ehl::program {
+namespace {
+
+// OpenMP's threads wait by spinning. On a machine with other work that made two threads many times slower than one.
+// The library reads the policy before main begins, so the only way to set it is to start once more.
+void wait_passively(char** words) {
+  if (::getenv("OMP_WAIT_POLICY") != nullptr) return;
+  if (::setenv("OMP_WAIT_POLICY", "passive", 1) != 0) return;
+  ::execv("/proc/self/exe", words);  // comes back only where it is impossible; then it is merely slow
+}
+
+int dispatch(const std::vector<std::string>& words) {
+  const std::vector<CommandRecord> commands = command_records();
+  const std::string first = words.empty() ? "" : words[0];
+  if (first == "help" || first == "--help" || first == "-h") {
+    print(help(commands, words.size() > 1 ? words[1] : ""));
+    return solved;
+  }
+  if (first == "version" || first == "--version") {
+    const Version built = version();
+    print("ehl " + built.number + ", commit " + built.commit + (built.dirty ? " with changes" : "") + ", " +
+          built.compiler + "\n");
+    return solved;
+  }
+  for (std::size_t k = 1; k < words.size(); ++k)
+    if (words[k] == "--help" || words[k] == "-h") {
+      print(help(commands, first));
+      return solved;
+    }
+  const Arguments arguments = parse_arguments(words, commands);
+  if (arguments.command == "run") return run(arguments);
+  if (arguments.command == "check") return check(arguments);
+  if (arguments.command == "extract") return extract(arguments);
+  if (arguments.command == "plot") return plot(arguments);
+  return keys(arguments);
+}
+
+int guarded(const std::vector<std::string>& words) {
+  try {
+    return dispatch(words);
+  } catch (const core::InputError& error) {
+    for (const std::string& message : error.messages()) std::fprintf(stderr, "ehl: %s\n", message.c_str());
+    return wrong_input;
+  } catch (const core::FileError& error) {
+    std::fprintf(stderr, "ehl: %s\n", error.what());
+    return file_trouble;
+  } catch (const core::Interrupted&) {
+    std::fprintf(stderr, "ehl: interrupted: nothing was written\n");
+    return interrupted;
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "ehl: out of memory: take fewer cells (`ehl check` estimates the need)\n");
+    return internal_failure;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "ehl: internal failure: %s\n", error.what());
+    return internal_failure;
+  }
+}
+
+}  // namespace
+}  // namespace ehl::program
+
+int main(int count, char** words) {
+  ehl::program::wait_passively(words);
+  ehl::program::install_signal_handlers();
+  return ehl::program::guarded({words + 1, words + count});
+}

@@ -1,0 +1,247 @@
+#include "physical_input.hpp"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "deck/text.hpp"
+
+namespace ehl::program {
+namespace {
+
+using deck::complain;
+using deck::given;
+using Names = std::vector<std::string>;
+
+const Names moes_keys{"M", "L"};
+const Names hamrock_dowson_keys{"W", "U", "G"};
+const Names si_keys{"load", "radius_x", "radius_y", "E1", "nu1", "E2", "nu2", "E_prime"};
+const Names four_moduli{"E1", "nu1", "E2", "nu2"};
+
+Names given_of(const deck::Deck& deck, const std::string& section, const Names& names) {
+  Names found;
+  for (const std::string& name : names)
+    if (given(deck, section, name)) found.push_back(name);
+  return found;
+}
+
+void demand(deck::Deck& deck, const std::string& section, const Names& names, const std::string& why) {
+  for (const std::string& name : names)
+    if (!given(deck, section, name)) complain(deck, section, name, "is missing: " + why);
+}
+
+void refuse(deck::Deck& deck, const std::string& section, const Names& names, const std::string& why) {
+  for (const std::string& name : given_of(deck, section, names)) complain(deck, section, name, why);
+}
+
+Language language_of(deck::Deck& deck) {
+  struct Choice {
+    Language language;
+    Names given;
+  };
+  std::vector<Choice> spoken;
+  for (const auto& [language, names] :
+       {std::pair{Language::moes, moes_keys}, {Language::hamrock_dowson, hamrock_dowson_keys}, {Language::si, si_keys}})
+    if (const Names found = given_of(deck, "contact", names); !found.empty()) spoken.push_back({language, found});
+  if (spoken.empty()) {
+    complain(deck, "contact", "M",
+             "the contact is missing: give M and L, or W, U and G, or load, radius_x and E_prime "
+             "(or E1, nu1, E2, nu2)");
+    return Language::none;
+  }
+  if (spoken.size() == 1) return spoken[0].language;
+  for (std::size_t k = 1; k < spoken.size(); ++k)
+    for (const std::string& name : spoken[k].given)
+      complain(deck, "contact", name,
+               "the contact is given in two languages: " + deck::joined(spoken[0].given, ", ") + " (" +
+                   deck::value(deck, "contact", spoken[0].given[0]).place +
+                   ") already; keep one of M, L | W, U, G | load, radius_x and moduli");
+  return Language::none;
+}
+
+void check_elastic(deck::Deck& deck) {
+  const Names moduli = given_of(deck, "contact", four_moduli);
+  if (given(deck, "contact", "E_prime")) {
+    refuse(deck, "contact", four_moduli, "E_prime is given as well: keep either E_prime or E1, nu1, E2, nu2");
+  } else if (moduli.empty()) {
+    complain(deck, "contact", "E_prime", "is missing: give it, or E1, nu1, E2 and nu2");
+  } else {
+    demand(deck, "contact", four_moduli, "E1, nu1, E2 and nu2 belong together (or give E_prime alone)");
+  }
+  const double radius_x = deck::number(deck, "contact", "radius_x");
+  const double radius_y = deck::number(deck, "contact", "radius_y");
+  if (!given(deck, "contact", "radius_y"))
+    deck::choose(deck, "contact", "radius_y", radius_x, "circular contact");
+  else if (std::isfinite(radius_x) && std::isfinite(radius_y) && radius_x != radius_y)
+    complain(deck, "contact", "radius_y",
+             "elliptical contacts are not available in this version: remove it or make it radius_x = " +
+                 deck::shortest(radius_x));
+}
+
+void check_motion(deck::Deck& deck, Language language) {
+  const Names all{"u1", "u2", "u_m", "srr"};
+  if (language == Language::none) return;
+  if (language != Language::si) {
+    refuse(deck, "motion", all, "has no influence: a dimensionless contact contains the speed already; remove it");
+    return;
+  }
+  if (given(deck, "motion", "u_m")) {
+    refuse(deck, "motion", {"u1", "u2"}, "u_m is given as well: keep either u1 and u2, or u_m and srr");
+  } else if (given_of(deck, "motion", {"u1", "u2"}).empty()) {
+    complain(deck, "motion", "u_m", "is missing: give the entrainment speed, or u1 and u2");
+  } else {
+    demand(deck, "motion", {"u1", "u2"}, "u1 and u2 belong together (or give u_m)");
+    const double sum = deck::number(deck, "motion", "u1") + deck::number(deck, "motion", "u2");
+    if (!(sum > 0.0) && !std::isnan(sum))
+      complain(deck, "motion", "u2",
+               "u1 + u2 = " + deck::shortest(sum) + " m/s: it must be > 0, for the oil enters at negative x");
+  }
+}
+
+void check_lubricant(deck::Deck& deck, Language language) {
+  if (language == Language::none || !deck::value(deck, "lubricant", "viscosity").valid) return;
+  const std::string law = deck::word(deck, "lubricant", "viscosity");
+  const bool compressible = deck::word(deck, "lubricant", "density") == "dowson-higginson";
+  const bool si = language == Language::si;
+  const std::string group = language == Language::moes ? "L" : "G";
+  if (si) demand(deck, "lubricant", {"eta0"}, "a contact in SI needs the viscosity at ambient pressure [Pa s]");
+  if (law == "isoviscous") {
+    refuse(deck, "lubricant", {"alpha"}, "has no influence with viscosity = isoviscous: remove it");
+    if (!si && deck::number(deck, "contact", group) > 0.0)
+      complain(deck, "contact", group, "has no influence with viscosity = isoviscous: set " + group + " = 0");
+    if (!si && compressible)
+      complain(deck, "lubricant", "density",
+               "dowson-higginson needs the Hertz pressure, which a dimensionless isoviscous case does not contain: set "
+               "density = incompressible, or give the contact in SI");
+    return;
+  }
+  if (si || law == "roelands" || compressible)
+    demand(deck, "lubricant", {"alpha"},
+           si ? "[1/Pa], the pressure coefficient of the viscosity"
+              : "[1/Pa]: " + law + " with density = " + (compressible ? "dowson-higginson" : "incompressible") +
+                    " needs the Hertz pressure, p_h = alpha_bar/alpha");
+  if (!si && (law == "roelands" || compressible) && deck::number(deck, "contact", group) == 0.0)
+    complain(deck, "contact", group,
+             "must be > 0 with viscosity = " + law +
+                 ": for an isoviscous lubricant set viscosity = isoviscous, density = "
+                 "incompressible");
+}
+
+SiInput si_input(const deck::Deck& deck) {
+  const auto contact_number = [&](const char* name) { return deck::number(deck, "contact", name); };
+  SiInput si;
+  si.contact.load = contact_number("load");
+  si.contact.radius = contact_number("radius_x");
+  si.contact.E_prime = given(deck, "contact", "E_prime")
+                           ? contact_number("E_prime")
+                           : contact::reduced_modulus({contact_number("E1"), contact_number("nu1")},
+                                                      {contact_number("E2"), contact_number("nu2")});
+  if (given(deck, "motion", "u_m")) {
+    const double u_m = deck::number(deck, "motion", "u_m");
+    const double srr = deck::number(deck, "motion", "srr");
+    si.u1 = u_m * (1.0 + 0.5 * srr);
+    si.u2 = u_m * (1.0 - 0.5 * srr);
+    si.contact.u_s = 2.0 * u_m;
+  } else {
+    si.u1 = deck::number(deck, "motion", "u1");
+    si.u2 = deck::number(deck, "motion", "u2");
+    si.contact.u_s = si.u1 + si.u2;
+  }
+  si.contact.eta0 = deck::number(deck, "lubricant", "eta0");
+  const double alpha = deck::number(deck, "lubricant", "alpha");
+  si.contact.alpha = std::isnan(alpha) ? 0.0 : alpha;
+  si.hertz = contact::hertz(si.contact.load, si.contact.radius, si.contact.E_prime);
+  return si;
+}
+
+contact::Groups groups_of(const deck::Deck& deck, const Physics& physics) {
+  const auto number = [&](const char* name) { return deck::number(deck, "contact", name); };
+  if (physics.language == Language::moes) return contact::from_moes(number("M"), number("L"));
+  if (physics.language == Language::hamrock_dowson)
+    return contact::from_hamrock_dowson(number("W"), number("U"), number("G"));
+  return contact::from_si(physics.si->contact);
+}
+
+// M and L that follow from other numbers are held against the same ranges as M and L given.
+void check_derived(deck::Deck& deck, const Physics& physics) {
+  const std::string given_key = physics.language == Language::si ? "load" : "W";
+  for (const auto& [name, value] : {std::pair{"M", physics.groups.M}, {"L", physics.groups.L}}) {
+    const deck::Key& key = *deck::find_key(deck.catalogue, "contact", name);
+    if (key.range.contains(value)) continue;
+    const std::string message = std::string("with the other numbers it means ") + name + " = " + deck::shortest(value) +
+                                ", which must be " + deck::allowed(key) + ": check the units of all of them";
+    complain(deck, "contact", physics.language == Language::moes ? name : given_key, message);
+  }
+}
+
+double roelands_z(deck::Deck& deck, double alpha, double p0) {
+  if (given(deck, "lubricant", "z")) return deck::number(deck, "lubricant", "z");
+  const double eta0 = deck::number(deck, "lubricant", "eta0");
+  if (std::isnan(eta0)) {
+    deck::choose(deck, "lubricant", "z", 0.68, "a mineral oil; eta0 would tell it");
+    return 0.68;
+  }
+  // alpha p0/z = ln eta0 + 9.67 (Roelands): all oils meet at one point of the (p, ln eta) plane.
+  const double z = alpha * p0 / (std::log(eta0) + 9.67);
+  const deck::Key& key = *deck::find_key(deck.catalogue, "lubricant", "z");
+  if (!key.range.contains(z))
+    complain(deck, "lubricant", "eta0",
+             "with alpha and p0 it means z = alpha p0/(ln eta0 + 9.67) = " + deck::shortest(z) + ", which must be " +
+                 deck::allowed(key) + ": give z, or check eta0 [Pa s] and alpha [1/Pa]");
+  deck::choose(deck, "lubricant", "z", z, "from eta0");
+  return z;
+}
+
+void set_laws(deck::Deck& deck, Physics& physics) {
+  const std::string law = deck::word(deck, "lubricant", "viscosity");
+  const double alpha = deck::number(deck, "lubricant", "alpha");
+  if (law == "isoviscous") physics.viscosity = rheology::Isoviscous{};
+  if (law == "barus") physics.viscosity = rheology::Barus{physics.groups.alpha_bar};
+  if (law == "roelands") {
+    const double p0 = deck::number(deck, "lubricant", "p0");
+    const double z = roelands_z(deck, alpha, p0);
+    physics.viscosity = rheology::Roelands{alpha * p0 / z, physics.p_h / p0, z};
+  }
+  constexpr double dowson_higginson_B = 5.9e8;  // Pa
+  if (deck::word(deck, "lubricant", "density") == "incompressible")
+    physics.density = rheology::Incompressible{};
+  else
+    physics.density = rheology::DowsonHigginson{physics.p_h / dowson_higginson_B};
+}
+
+}  // namespace
+
+Physics physical_input(deck::Deck& deck) {
+  Physics physics;
+  physics.language = language_of(deck);
+  if (physics.language == Language::moes) demand(deck, "contact", moes_keys, "M and L belong together");
+  if (physics.language == Language::hamrock_dowson)
+    demand(deck, "contact", hamrock_dowson_keys, "W, U and G belong together");
+  if (physics.language == Language::si) {
+    demand(deck, "contact", {"load", "radius_x"}, "a contact in SI needs load, radius_x and the elastic moduli");
+    check_elastic(deck);
+  }
+  check_motion(deck, physics.language);
+  check_lubricant(deck, physics.language);
+  if (!deck.errors.empty()) return physics;
+
+  if (physics.language == Language::si) physics.si = si_input(deck);
+  physics.groups = groups_of(deck, physics);
+  check_derived(deck, physics);
+  if (physics.si) {
+    physics.p_h = physics.si->hertz.p_h;
+  } else if (given(deck, "lubricant", "alpha") && physics.groups.alpha_bar > 0.0) {
+    physics.p_h = contact::hertz_pressure(physics.groups, deck::number(deck, "lubricant", "alpha"));
+  }
+  if (physics.p_h > 0.0 && !(physics.p_h >= 1e3 && physics.p_h <= 1e12))
+    complain(deck, "contact",
+             physics.language == Language::moes ? "M"
+             : physics.si                       ? "load"
+                                                : "W",
+             "with the other numbers it means a Hertz pressure of " + deck::shortest(physics.p_h) +
+                 " Pa: check the units of all of them");
+  if (deck.errors.empty()) set_laws(deck, physics);
+  return physics;
+}
+
+}  // namespace ehl::program

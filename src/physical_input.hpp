@@ -1,0 +1,36 @@
+#pragma once
+// From the deck's words about contact, motion and lubricant to groups, laws and scales.
+#include <limits>
+#include <optional>
+
+#include "contact/groups.hpp"
+#include "contact/hertz.hpp"
+#include "deck/deck.hpp"
+#include "rheology/laws.hpp"
+
+namespace ehl::program {
+
+enum class Language { none, moes, hamrock_dowson, si };
+
+/// A contact given in SI units.
+struct SiInput {
+  contact::SiContact contact{};
+  contact::Hertz hertz{};
+  double u1 = 0.0;  ///< [m/s]
+  double u2 = 0.0;
+};
+
+struct Physics {
+  Language language = Language::none;
+  contact::Groups groups{};
+  std::optional<SiInput> si{};
+  double p_h = std::numeric_limits<double>::quiet_NaN();  ///< Hertz pressure [Pa]; NaN where only M and L are known
+  rheology::ViscosityLaw viscosity{};
+  rheology::DensityLaw density{};
+};
+
+/// Rules between the keys of [contact], [motion] and [lubricant]; what breaks them is added to deck.errors, and then
+/// nothing else in the result but the language has a meaning. Choices (Roelands' z, radius_y) are recorded in the deck.
+Physics physical_input(deck::Deck& deck);
+
+}  // namespace ehl::program

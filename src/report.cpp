@@ -1,0 +1,125 @@
+#include "report.hpp"
+
+#include <cmath>
+
+#include "contact/film_formulas.hpp"
+#include "core/constants.hpp"
+#include "text_format.hpp"
+
+namespace ehl::program {
+namespace {
+
+std::string nodes(int nx, int ny) { return formatted("%d x %d", nx + 1, ny + 1); }
+
+std::string formula_lines(const std::vector<Formula>& formulas, double M, double h_scale) {
+  std::string text = "formulas                                Hc        Hm  Hc (Moes)  Hm (Moes)\n";
+  for (const Formula& formula : formulas) {
+    text += formatted("  %-32s", formula.name.c_str());
+    text += formatted("%8s  %8s  %9s  %9s", known("%.4g", formula.Hc).c_str(), known("%.4g", formula.Hm).c_str(),
+                      known("%.3f", contact::H_to_moes_units(formula.Hc, M)).c_str(),
+                      known("%.3f", contact::H_to_moes_units(formula.Hm, M)).c_str());
+    if (std::isfinite(h_scale))
+      text += "   h_c " + length(formula.Hc * h_scale) + ", h_m " + length(formula.Hm * h_scale);
+    text += "\n";
+  }
+  return text;
+}
+
+std::string fluid(const Physics& physics) {
+  std::string text;
+  if (std::holds_alternative<rheology::Isoviscous>(physics.viscosity)) text = "isoviscous";
+  if (std::holds_alternative<rheology::Barus>(physics.viscosity)) text = "Barus";
+  if (const auto* law = std::get_if<rheology::Roelands>(&physics.viscosity))
+    text = formatted("Roelands, z = %.4g", law->z);
+  return text + (std::holds_alternative<rheology::Incompressible>(physics.density) ? "; incompressible"
+                                                                                   : "; Dowson-Higginson");
+}
+
+std::string si_lines(const SiInput& si) {
+  const contact::SiContact& c = si.contact;
+  std::string text = formatted("contact      F = %.6g N, R = %s, E' = %s\n", c.load, length(c.radius).c_str(),
+                               pressure(c.E_prime).c_str());
+  text += formatted("motion       u1 = %.6g m/s, u2 = %.6g m/s: u_m = %.6g m/s, slide-roll ratio %.4g\n", si.u1, si.u2,
+                    0.5 * c.u_s, 2.0 * (si.u1 - si.u2) / c.u_s);
+  text += formatted("lubricant    eta0 = %.6g Pa s, alpha = %.6g 1/Pa\n", c.eta0, c.alpha);
+  text += "Hertz        a = " + length(si.hertz.a) + ", p_h = " + pressure(si.hertz.p_h) +
+          ", a^2/R = " + length(si.hertz.h_scale) + "\n";
+  return text;
+}
+
+std::string group_lines(const Physics& physics) {
+  const contact::Groups& g = physics.groups;
+  std::string text = formatted("Moes         M = %.6g, L = %.6g\n", g.M, g.L);
+  if (std::isfinite(g.U)) text += formatted("Hamrock-D.   W = %.6g, U = %.6g, G = %.6g\n", g.W, g.U, g.G);
+  text += formatted("Venner       lambda = %.6g, alpha_bar = %.6g\n", g.lambda, g.alpha_bar);
+  if (!physics.si && std::isfinite(physics.p_h)) text += "Hertz        p_h = " + pressure(physics.p_h) + "\n";
+  text += "fluid        " + fluid(physics) + "\n";
+  text += "regime       " + contact::regime_text(g.M, g.L) + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string level_table(const steady::Solution& solution) {
+  std::string text =
+      "level        nodes        Hc        Hm  error(Hc)  error(Hm)  residual  load err  work units   seconds\n";
+  for (const steady::LevelRow& row : solution.levels)
+    text += formatted("%5d  %11s  %8.5f  %8.5f  %9s  %9s  %8.0e  %8.0e  %10.1f  %8.3f\n", row.level,
+                      nodes(row.nx, row.ny).c_str(), row.Hc, row.Hm, percent(row.error_Hc).c_str(),
+                      percent(row.error_Hm).c_str(), row.residual, row.load_error, row.work_units, row.seconds);
+  const bool has_order = !solution.levels.empty() && std::isfinite(solution.levels.back().order_Hc);
+  if (has_order) text += formatted("observed order of Hc: %.2f\n", solution.levels.back().order_Hc);
+  return text;
+}
+
+std::string summary(const Case& input, const steady::Solution& solution, const Outcome& outcome) {
+  const Physics& physics = input.physics;
+  const double h_scale = physics.si ? physics.si->hertz.h_scale : std::nan("");
+  const std::string mark = solution.converged ? "" : "  (NOT CONVERGED)";
+  std::string text;
+  if (!solution.converged) text += "NOT CONVERGED: " + solution.failed_check + "\n";
+  const auto film = [&](const char* label, double H, double H_moes, const Place& at) {
+    return formatted("%s H = %.5f, Moes %.4f%s, at (%.3f, %.3f) a%s\n", label, H, H_moes,
+                     std::isfinite(h_scale) ? (", h = " + length(H * h_scale)).c_str() : "", at.X, at.Y, mark.c_str());
+  };
+  text += film("centre      ", outcome.Hc, outcome.Hc_moes, {});
+  text += film("minimum     ", outcome.Hm.value, outcome.Hm_moes, outcome.Hm);
+  text += formatted("p_max        P = %.5f%s, at (%.3f, %.3f) a%s\n", outcome.P_max.value,
+                    std::isfinite(physics.p_h) ? (", " + pressure(outcome.P_max.value * physics.p_h)).c_str() : "",
+                    outcome.P_max.X, outcome.P_max.Y, mark.c_str());
+  text += group_lines(physics);
+  text += formula_lines(outcome.formulas, physics.groups.M, h_scale);
+  text += "method       wedge " + std::string(name(input.scene.wedge)) + "; deformation " + solution.deformation +
+          "; " + formatted("%d thread%s\n", input.scene.threads, input.scene.threads == 1 ? "" : "s");
+  text += formatted("time         %.3f s:", solution.seconds);
+  for (std::size_t k = 0; k < solution.times.seconds.size(); ++k)
+    if (solution.times.seconds[k] > 0.0 && solution.seconds > 0.0)
+      text += formatted(" %s %.0f %%,", core::name(static_cast<core::Part>(k)),
+                        100.0 * solution.times.seconds[k] / solution.seconds);
+  text.back() = '\n';
+  for (const std::string& warning : outcome.warnings) text += "warning: " + warning + "\n";
+  return text;
+}
+
+std::string derived(const Case& input) {
+  const Physics& physics = input.physics;
+  const steady::Scene& scene = input.scene;
+  std::string text = "case         " + input.title + "\n";
+  if (physics.si) text += si_lines(*physics.si);
+  text += group_lines(physics);
+  text += formula_lines(film_formulas(physics.groups), physics.groups.M,
+                        physics.si ? physics.si->hertz.h_scale : std::nan(""));
+  text += formatted("domain       [%g, %g] x [%g, %g] Hertz radii\n", scene.grid.X_a, scene.grid.X_b, scene.grid.Y_a,
+                    scene.grid.Y_b);
+  text += "grid         " + nodes(scene.grid.nx, scene.grid.ny) + " nodes, " +
+          formatted("hx = %.4g, hy = %.4g\n", scene.grid.hx(), scene.grid.hy());
+  text +=
+      "method       wedge " + std::string(name(scene.wedge)) + "; deformation " + name(scene.deformation.method) + "\n";
+  text += "effects      none beyond the basic model: steady, smooth, isothermal, Newtonian, fully flooded\n";
+  const Needs needs = expected_needs(scene);
+  text += "needs        about " + memory(needs.bytes) +
+          formatted(" and %.1g s with %d thread%s\n", needs.seconds, scene.threads, scene.threads == 1 ? "" : "s");
+  return text;
+}
+
+}  // namespace ehl::program

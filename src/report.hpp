@@ -1,0 +1,25 @@
+#pragma once
+// What is printed about a case and its solution.
+#include <string>
+
+#include "outcome.hpp"
+
+namespace ehl::program {
+
+/// One row per level: what accuracy cost in time.
+std::string level_table(const steady::Solution& solution);
+
+/// What a person wants to know after the table; says it first when the solution did not converge.
+std::string summary(const Case& input, const steady::Solution& solution, const Outcome& outcome);
+
+/// Everything that follows from the deck before anything is solved.
+std::string derived(const Case& input);
+
+/// One JSON object with the same content. in: seconds, bytes of the whole program.
+std::string json_report(const Case& input, const steady::Solution& solution, const Outcome& outcome,
+                        double peak_memory);
+
+/// The JSON object for a case that ended without a solution.
+std::string json_failure(const Case& input, const std::string& reason);
+
+}  // namespace ehl::program

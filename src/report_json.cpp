@@ -1,0 +1,102 @@
+#include "json.hpp"
+#include "report.hpp"
+
+namespace ehl::program {
+namespace {
+
+using Members = std::vector<std::pair<std::string, std::string>>;
+using json::number;
+using json::text;
+
+std::string levels_json(const steady::Solution& solution) {
+  std::vector<std::string> rows;
+  for (const steady::LevelRow& row : solution.levels)
+    rows.push_back(json::object({{"level", number(row.level)},
+                                 {"nx", number(row.nx)},
+                                 {"ny", number(row.ny)},
+                                 {"Hc", number(row.Hc)},
+                                 {"Hm", number(row.Hm)},
+                                 {"error_Hc", number(row.error_Hc)},
+                                 {"error_Hm", number(row.error_Hm)},
+                                 {"residual", number(row.residual)},
+                                 {"load_error", number(row.load_error)},
+                                 {"cycles", number(row.cycles)},
+                                 {"work_units", number(row.work_units)},
+                                 {"seconds", number(row.seconds)}}));
+  return json::array(rows);
+}
+
+std::string formulas_json(const std::vector<Formula>& formulas) {
+  std::vector<std::string> rows;
+  for (const Formula& formula : formulas)
+    rows.push_back(
+        json::object({{"name", text(formula.name)}, {"Hc", number(formula.Hc)}, {"Hm", number(formula.Hm)}}));
+  return json::array(rows);
+}
+
+std::string parts_json(const core::PartTimes& times) {
+  std::vector<std::string> rows;
+  for (std::size_t k = 0; k < times.seconds.size(); ++k)
+    rows.push_back(
+        json::object({{"name", text(core::name(static_cast<core::Part>(k)))}, {"seconds", number(times.seconds[k])}}));
+  return json::array(rows);
+}
+
+std::string texts_json(const std::vector<std::string>& list) {
+  std::vector<std::string> rows;
+  for (const std::string& entry : list) rows.push_back(text(entry));
+  return json::array(rows);
+}
+
+}  // namespace
+
+std::string json_report(const Case& input, const steady::Solution& solution, const Outcome& outcome,
+                        double peak_memory) {
+  const contact::Groups& groups = input.physics.groups;
+  const steady::LevelRow last = solution.levels.empty() ? steady::LevelRow{} : solution.levels.back();
+  const Members members{{"converged", json::boolean(solution.converged)},
+                        {"failed_check", text(solution.failed_check)},
+                        {"title", text(input.title)},
+                        {"Hc", number(outcome.Hc)},
+                        {"Hm", number(outcome.Hm.value)},
+                        {"Hc_moes", number(outcome.Hc_moes)},
+                        {"Hm_moes", number(outcome.Hm_moes)},
+                        {"hc_m", number(outcome.hc)},
+                        {"hm_m", number(outcome.hm)},
+                        {"P_max", number(outcome.P_max.value)},
+                        {"H00", number(solution.H00)},
+                        {"residual", number(last.residual)},
+                        {"load_error", number(last.load_error)},
+                        {"M", number(groups.M)},
+                        {"L", number(groups.L)},
+                        {"alpha_bar", number(groups.alpha_bar)},
+                        {"lambda", number(groups.lambda)},
+                        {"wedge", text(name(input.scene.wedge))},
+                        {"deformation", text(name(input.scene.deformation.method))},
+                        {"seconds", number(solution.seconds)},
+                        {"threads", number(input.scene.threads)},
+                        {"peak_memory_bytes", number(peak_memory)},
+                        {"levels", levels_json(solution)},
+                        {"continuation", "[]"},
+                        {"effects", "[]"},
+                        {"parts", parts_json(solution.times)},
+                        {"formulas", formulas_json(outcome.formulas)},
+                        {"regime", text(outcome.regime)},
+                        {"warnings", texts_json(outcome.warnings)}};
+  return json::object(members) + "\n";
+}
+
+std::string json_failure(const Case& input, const std::string& reason) {
+  return json::object({{"converged", json::boolean(false)},
+                       {"failed_check", text(reason)},
+                       {"title", text(input.title)},
+                       {"Hc", "null"},
+                       {"Hm", "null"},
+                       {"M", number(input.physics.groups.M)},
+                       {"L", number(input.physics.groups.L)},
+                       {"levels", "[]"},
+                       {"warnings", "[]"}}) +
+         "\n";
+}
+
+}  // namespace ehl::program

@@ -1,0 +1,174 @@
+#include "result_content.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "deck/text.hpp"
+#include "deck/write.hpp"
+#include "machine.hpp"
+#include "version.hpp"
+
+namespace ehl::program {
+namespace {
+
+using results::Column;
+using results::Quantity;
+using results::Table;
+using results::Text;
+
+bool wanted(const Case& input, const std::string& field) {
+  return std::find(input.fields.begin(), input.fields.end(), field) != input.fields.end();
+}
+
+std::vector<Text> provenance(const Case& input) {
+  const Version built = version();
+  return {{"program", "ehl", "program that wrote the file"},
+          {"version", built.number, "its version"},
+          {"commit", built.commit, "commit of its source"},
+          {"dirty", built.dirty ? "true" : "false", "whether the source had changes that no commit holds"},
+          {"compiler", built.compiler, ""},
+          {"host_cpu", processor(), "processor of the machine"},
+          {"threads", std::to_string(input.scene.threads), "threads used"},
+          {"date", utc_date(), "UTC date of the run"}};
+}
+
+std::vector<Quantity> scales(const Case& input) {
+  const Physics& physics = input.physics;
+  const contact::Groups& g = physics.groups;
+  std::vector<Quantity> list{{"M", g.M, "-", "Moes load number"},
+                             {"L", g.L, "-", "Moes material number"},
+                             {"W", g.W, "-", "Hamrock-Dowson load number"},
+                             {"U", g.U, "-", "Hamrock-Dowson speed number"},
+                             {"G", g.G, "-", "Hamrock-Dowson material number"},
+                             {"lambda", g.lambda, "-", "6 eta0 u_s R^2/(a^3 p_h)"},
+                             {"alpha_bar", g.alpha_bar, "-", "alpha p_h"},
+                             {"p_h", physics.p_h, "Pa", "Hertz pressure, the scale of P"},
+                             {"H_moes", std::pow(1.5 * g.M, 2.0 / 3.0), "-", "film in Moes units over H"}};
+  if (!physics.si) return list;
+  const contact::SiContact& c = physics.si->contact;
+  const std::vector<Quantity> more{{"a", physics.si->hertz.a, "m", "Hertz radius, the scale of X and Y"},
+                                   {"h", physics.si->hertz.h_scale, "m", "a^2/R, the scale of H"},
+                                   {"load", c.load, "N", "normal load"},
+                                   {"R", c.radius, "m", "reduced radius"},
+                                   {"E_prime", c.E_prime, "Pa", "reduced modulus"},
+                                   {"u1", physics.si->u1, "m/s", "speed of surface 1"},
+                                   {"u2", physics.si->u2, "m/s", "speed of surface 2"},
+                                   {"u_s", c.u_s, "m/s", "u1 + u2"},
+                                   {"eta0", c.eta0, "Pa s", "viscosity at ambient pressure"}};
+  list.insert(list.end(), more.begin(), more.end());
+  return list;
+}
+
+std::vector<Quantity> summary_numbers(const steady::Solution& solution, const Outcome& outcome) {
+  std::vector<Quantity> list{{"converged", solution.converged ? 1.0 : 0.0, "-", "1: all checks passed, 0: not", true},
+                             {"Hc", outcome.Hc, "a^2/R", "film at (0,0)"},
+                             {"Hm", outcome.Hm.value, "a^2/R", "smallest film of all nodes"},
+                             {"Hm_x", outcome.Hm.X, "a", "where the smallest film is"},
+                             {"Hm_y", outcome.Hm.Y, "a", "where the smallest film is"},
+                             {"Hc_moes", outcome.Hc_moes, "-", "(h/R)(2U)^(-1/2) at the centre"},
+                             {"Hm_moes", outcome.Hm_moes, "-", "(h/R)(2U)^(-1/2), smallest"},
+                             {"hc", outcome.hc, "m", "film at (0,0)"},
+                             {"hm", outcome.hm, "m", "smallest film"},
+                             {"P_max", outcome.P_max.value, "p_h", "highest pressure of all nodes"},
+                             {"P_max_x", outcome.P_max.X, "a", "where the highest pressure is"},
+                             {"P_max_y", outcome.P_max.Y, "a", "where the highest pressure is"},
+                             {"H00", solution.H00, "a^2/R", "mutual approach"},
+                             {"seconds", solution.seconds, "s", "time of the solution"}};
+  if (!solution.levels.empty()) {
+    const steady::LevelRow& last = solution.levels.back();
+    list.push_back({"residual", last.residual, "-", "relative residual of the Reynolds equation"});
+    list.push_back({"load_error", last.load_error, "-", "|integral of P - 2 pi/3| over 2 pi/3"});
+    list.push_back({"error_Hc", last.error_Hc, "-", "estimated relative discretization error of Hc"});
+    list.push_back({"error_Hm", last.error_Hm, "-", "estimated relative discretization error of Hm"});
+  }
+  return list;
+}
+
+template <class Row>
+Column column(const std::vector<Row>& rows, const std::string& name, const std::string& unit,
+              const std::string& meaning, bool whole, const std::function<double(const Row&)>& value) {
+  Column made{name, unit, meaning, whole, {}};
+  for (const Row& row : rows) made.values.push_back(value(row));
+  return made;
+}
+
+Table level_rows(const steady::Solution& solution) {
+  using Row = steady::LevelRow;
+  const auto number = [&](const char* name, const char* unit, const char* meaning, double Row::*member) {
+    return column<Row>(solution.levels, name, unit, meaning, false, [member](const Row& row) { return row.*member; });
+  };
+  const auto count = [&](const char* name, const char* meaning, int Row::*member) {
+    return column<Row>(solution.levels, name, "-", meaning, true, [member](const Row& row) { return row.*member; });
+  };
+  return {"levels",
+          "the full multigrid, level by level: what accuracy cost in time",
+          {count("level", "grid level", &Row::level), count("nx", "cells along x", &Row::nx),
+           count("ny", "cells along y", &Row::ny), number("Hc", "a^2/R", "film at (0,0)", &Row::Hc),
+           number("Hm", "a^2/R", "smallest film of all nodes", &Row::Hm),
+           number("error_Hc", "-", "estimated relative discretization error", &Row::error_Hc),
+           number("error_Hm", "-", "estimated relative discretization error", &Row::error_Hm),
+           number("order_Hc", "-", "observed order of convergence", &Row::order_Hc),
+           number("residual", "-", "relative residual of the Reynolds equation", &Row::residual),
+           number("load_error", "-", "relative error of the load", &Row::load_error),
+           count("cycles", "cycles on the level", &Row::cycles),
+           number("work_units", "-", "in residual and deformation evaluations on the level", &Row::work_units),
+           number("seconds", "s", "time on the level", &Row::seconds)}};
+}
+
+Table cycle_rows(const steady::Solution& solution) {
+  using Row = steady::CycleRow;
+  const auto number = [&](const char* name, const char* unit, const char* meaning, double Row::*member) {
+    return column<Row>(solution.history, name, unit, meaning, false, [member](const Row& row) { return row.*member; });
+  };
+  const auto count = [&](const char* name, const char* meaning, int Row::*member) {
+    return column<Row>(solution.history, name, "-", meaning, true, [member](const Row& row) { return row.*member; });
+  };
+  return {"history",
+          "every cycle on every level",
+          {count("level", "grid level", &Row::level), count("cycle", "cycle on the level", &Row::cycle),
+           number("residual", "-", "relative residual of the Reynolds equation", &Row::residual),
+           number("load_error", "-", "relative error of the load", &Row::load_error),
+           number("Hc", "a^2/R", "film at (0,0)", &Row::Hc),
+           number("Hm", "a^2/R", "smallest film of all nodes", &Row::Hm)}};
+}
+
+}  // namespace
+
+DerivedFields derived_fields(const Case& input, const steady::Solution& solution) {
+  DerivedFields derived;
+  if (wanted(input, "rho_bar")) derived.rho_bar = core::Field(solution.grid);
+  if (wanted(input, "ln_eta_bar")) derived.ln_eta_bar = core::Field(solution.grid);
+  for (int i = 0; i < solution.grid.nodes_x(); ++i) {
+    if (wanted(input, "rho_bar"))
+      rheology::density(input.scene.density, solution.P.station(i), derived.rho_bar.station(i));
+    if (wanted(input, "ln_eta_bar"))
+      rheology::log_viscosity(input.scene.viscosity, solution.P.station(i), derived.ln_eta_bar.station(i));
+  }
+  return derived;
+}
+
+results::Content result_content(const Case& input, const steady::Solution& solution, const Outcome& outcome,
+                                const DerivedFields& derived) {
+  results::Content content;
+  content.title = input.title;
+  content.deck = deck::effective_deck(input.deck);
+  content.provenance = provenance(input);
+  content.scales = scales(input);
+  content.grid = solution.grid;
+  const std::vector<results::NamedField> fields{{"P", "p_h", "pressure p/p_h", &solution.P},
+                                                {"H", "a^2/R", "film thickness h R/a^2", &solution.H},
+                                                {"rho_bar", "rho0", "density rho/rho0", &derived.rho_bar},
+                                                {"ln_eta_bar", "-", "ln(eta/eta0)", &derived.ln_eta_bar}};
+  for (const results::NamedField& field : fields)
+    if (wanted(input, field.name)) content.fields.push_back(field);
+  content.summary = summary_numbers(solution, outcome);
+  content.remarks = {{"failed_check", solution.failed_check, "empty when converged"},
+                     {"warnings", deck::joined(outcome.warnings, "\n"), "one a line"},
+                     {"regime", outcome.regime, "regime of lubrication"},
+                     {"deformation", solution.deformation, "how the elastic deformation was evaluated"}};
+  content.tables = {level_rows(solution), cycle_rows(solution)};
+  return content;
+}
+
+}  // namespace ehl::program

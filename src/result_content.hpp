@@ -1,0 +1,21 @@
+#pragma once
+#include "core/field.hpp"
+#include "outcome.hpp"
+#include "results/content.hpp"
+
+namespace ehl::program {
+
+/// Fields that are computed from the solution for the result only.
+struct DerivedFields {
+  core::Field rho_bar{};
+  core::Field ln_eta_bar{};
+};
+
+/// The density and the viscosity of a solution, those that the case wants to keep.
+DerivedFields derived_fields(const Case& input, const steady::Solution& solution);
+
+/// Everything the result file holds. The content points to the fields of `solution` and `derived`.
+results::Content result_content(const Case& input, const steady::Solution& solution, const Outcome& outcome,
+                                const DerivedFields& derived);
+
+}  // namespace ehl::program

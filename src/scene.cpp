@@ -1,0 +1,171 @@
+#include "scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "catalogue.hpp"
+#include "deck/text.hpp"
+#include "machine.hpp"
+
+namespace ehl::program {
+namespace {
+
+using deck::complain;
+using deck::given;
+
+// A coarsest grid of at most this many cells along x is coarse enough to be solved by relaxation.
+constexpr int largest_coarsest = 32;
+constexpr double giga = 1e9;
+
+void choose_domain(deck::Deck& deck, double M) {
+  const bool light = M < 100.0;
+  const std::string why = light ? "M < 100" : "M >= 100: the pressure ends close to the contact";
+  if (!given(deck, "domain", "x_inlet")) deck::choose(deck, "domain", "x_inlet", light ? -4.5 : -2.5, why);
+  if (!given(deck, "domain", "y_half")) deck::choose(deck, "domain", "y_half", light ? 3.0 : 2.0, why);
+}
+
+// How often the cells may be halved, -1 when not to a coarse enough grid.
+int halvings(int cells, int coarsest) {
+  int count = 0;
+  for (; cells % 2 == 0 && cells > (coarsest > 0 ? coarsest : largest_coarsest); ++count) cells /= 2;
+  if (coarsest > 0) return cells == coarsest ? count : -1;
+  return cells <= largest_coarsest ? count : -1;
+}
+
+// The two nearest numbers of cells that would do.
+std::string good_cells(int cells, int coarsest) {
+  int below = coarsest > 0 ? coarsest : 16;
+  while (2.0 * below <= cells) below *= 2;
+  return "e.g. " + std::to_string(below) + " or " + std::to_string(2 * below);
+}
+
+core::Grid grid_of(deck::Deck& deck) {
+  const int cells = deck::integer(deck, "grid", "cells", 0);
+  const int coarsest = deck::integer(deck, "grid", "coarsest", 0);
+  core::Grid grid;
+  grid.nx = cells;
+  grid.X_a = deck::number(deck, "domain", "x_inlet");
+  grid.X_b = deck::number(deck, "domain", "x_outlet");
+  grid.Y_b = deck::number(deck, "domain", "y_half");
+  grid.Y_a = -grid.Y_b;
+  if (cells == 0 || std::isnan(grid.X_b - grid.X_a) || std::isnan(grid.Y_b)) return grid;  // complained about already
+  const int levels = halvings(cells, coarsest);
+  if (levels < 0) {
+    const std::string of = coarsest > 0 ? "the coarsest grid's " + std::to_string(coarsest) + " cells"
+                                        : "a coarsest grid of at most " + std::to_string(largest_coarsest) + " cells";
+    complain(deck, "grid", "cells", "must be " + of + " times a power of two, " + good_cells(cells, coarsest));
+    return grid;
+  }
+  // Even on the coarsest grid, so that the line y = 0 is a line of every grid.
+  const double along_y = cells * (grid.Y_b - grid.Y_a) / (grid.X_b - grid.X_a);
+  const double pairs = std::max(1.0, std::round(std::ldexp(along_y, -levels - 1)));
+  const double ny = std::ldexp(pairs, levels + 1);
+  if (ny > 1 << 21)
+    complain(deck, "domain", "y_half", "means " + deck::shortest(ny) + " cells along y: take a narrower domain");
+  else
+    grid.ny = static_cast<int>(ny);
+  constexpr double coarsest_step = 0.5;
+  if (grid.hx() > coarsest_step)
+    complain(deck, "grid", "cells",
+             "too coarse: a cell is " + deck::shortest(grid.hx()) + " Hertz radii wide and must be at most " +
+                 deck::shortest(coarsest_step) + ": more cells, or a shorter domain");
+  return grid;
+}
+
+mlmi::Parameters deformation_of(deck::Deck& deck) {
+  mlmi::Parameters parameters;
+  const std::string method = deck::word(deck, "deformation", "method");
+  parameters.method = method == "fft"      ? mlmi::Method::fft
+                      : method == "direct" ? mlmi::Method::direct
+                                           : mlmi::Method::mlmi;
+  parameters.order = deck::integer(deck, "deformation", "order", parameters.order);
+  parameters.patch_along = deck::integer(deck, "deformation", "patch_along", parameters.patch_along);
+  parameters.patch_across = deck::integer(deck, "deformation", "patch_across", parameters.patch_across);
+  parameters.coarsenings = deck::integer(deck, "deformation", "coarsenings", parameters.coarsenings);
+  parameters.coarsest_direct = deck::word(deck, "deformation", "coarsest_sum") == "direct";
+  if (parameters.order % 2 != 0) complain(deck, "deformation", "order", "must be 4, 6 or 8");
+  return parameters;
+}
+
+fmg::Parameters multigrid_of(deck::Deck& deck) {
+  fmg::Parameters parameters;
+  const std::string cycle = deck::word(deck, "multigrid", "cycle");
+  parameters.cycle = cycle == "V" ? fmg::Cycle::V : cycle == "F" ? fmg::Cycle::F : fmg::Cycle::W;
+  parameters.pre = deck::integer(deck, "multigrid", "pre", parameters.pre);
+  parameters.post = deck::integer(deck, "multigrid", "post", parameters.post);
+  parameters.cycles = deck::integer(deck, "multigrid", "cycles", parameters.cycles);
+  parameters.max_cycles = deck::integer(deck, "multigrid", "max_cycles", parameters.max_cycles);
+  parameters.tolerance = deck::number(deck, "multigrid", "tolerance");
+  parameters.coarsest_cells = deck::integer(deck, "grid", "coarsest", 0);
+  if (parameters.pre + parameters.post == 0)
+    complain(deck, "multigrid", "pre", "pre + post = 0: a cycle without relaxation cannot converge");
+  return parameters;
+}
+
+void check_memory(deck::Deck& deck, const steady::Scene& scene) {
+  const double needed = expected_needs(scene).bytes;
+  const double available = usable_memory();
+  if (needed <= available) return;
+  const double ratio = std::sqrt(needed / available);
+  const double fitting = std::exp2(std::floor(std::log2(scene.grid.nx / ratio)));
+  complain(deck, "grid", "cells",
+           "needs about " + deck::shortest(std::round(needed / giga)) + " GB of memory and the machine has " +
+               deck::shortest(std::round(available / giga)) + " GB: take at most " + deck::shortest(fitting));
+}
+
+std::string stem_of(const std::string& path) {
+  const std::string stem = std::filesystem::path(path).stem();
+  return (stem.empty() ? "result" : stem) + ".h5";
+}
+
+}  // namespace
+
+Needs expected_needs(const steady::Scene& scene) {
+  const double nodes = static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y();
+  constexpr double doubles_per_node = 40.0;            // all levels, and the tables of the deformation
+  constexpr double seconds_per_node_and_cycle = 1e-6;  // one thread of a machine of the 2020s
+  constexpr double direct_pairs_per_second = 2e9;
+  constexpr double evaluations_per_cycle = 8.0;
+  const fmg::Parameters& multigrid = scene.multigrid;
+  const double cycles = std::isnan(multigrid.tolerance) ? multigrid.cycles : 10.0;
+  Needs needs;
+  needs.bytes = nodes * doubles_per_node * sizeof(double) + 3e7;
+  needs.seconds = 0.1 + cycles * nodes * seconds_per_node_and_cycle / std::sqrt(scene.threads);
+  if (scene.deformation.method == mlmi::Method::direct)
+    needs.seconds += cycles * evaluations_per_cycle * nodes * nodes / direct_pairs_per_second / scene.threads;
+  return needs;
+}
+
+Case read_case(const std::string& path, const std::vector<std::string>& overrides, int threads) {
+  Case result;
+  result.deck = deck::read(path, overrides, catalogue());
+  deck::Deck& deck = result.deck;
+  result.physics = physical_input(deck);
+  result.scene.deformation = deformation_of(deck);
+  result.scene.multigrid = multigrid_of(deck);
+
+  choose_domain(deck, result.physics.groups.M);
+  result.scene.grid = grid_of(deck);
+  result.scene.threads = threads;
+  if (result.scene.grid.ny > 0) check_memory(deck, result.scene);
+  deck::throw_if_wrong(deck);
+
+  result.title = deck::word(deck, "case", "title");
+  if (!given(deck, "case", "title")) {
+    result.title = std::filesystem::path(path).stem();
+    deck::choose(deck, "case", "title", result.title, "name of the deck");
+  }
+  result.scene.M = result.physics.groups.M;
+  result.scene.L = result.physics.groups.L;
+  result.scene.lambda = result.physics.groups.lambda;
+  result.scene.viscosity = result.physics.viscosity;
+  result.scene.density = result.physics.density;
+  result.scene.wedge = deck::word(deck, "discretization", "wedge") == "upstream1" ? reynolds::Wedge::upstream1
+                                                                                  : reynolds::Wedge::upstream2;
+  result.fields = deck::words(deck, "output", "fields");
+  result.output = given(deck, "output", "file") ? deck::word(deck, "output", "file") : stem_of(path);
+  return result;
+}
+
+}  // namespace ehl::program

@@ -1,0 +1,22 @@
+#pragma once
+// Numbers for people.
+#include <string>
+
+namespace ehl::program {
+
+/// printf in one call. in: format and its arguments.
+[[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
+
+/// The number as `format` prints it, "-" where it is not known.
+std::string known(const char* format, double value);
+
+/// A length in the unit that leaves it readable: "212.4 nm", "136.5 um".
+std::string length(double metres);
+/// A pressure: "0.385 GPa", "12.3 MPa".
+std::string pressure(double pascal);
+/// Memory: "12 MB".
+std::string memory(double bytes);
+/// An estimated share: "0.58 %".
+std::string percent(double fraction);
+
+}  // namespace ehl::program
