@@ -67,6 +67,14 @@ void drop_residual_near_cavitation(const core::Grid& grid, const core::Field& P,
   }
 }
 
+// By how much a cavitated point of the fine grid is away from carrying pressure, with the sign turned. The coarse point
+// must be as far away: with no slack it would be on the edge, and the coarse correction would rise there and never fall.
+void take_slack(const Level& fine, core::Field& minus_slack) {
+  for (int I = 1; I < minus_slack.nodes_x() - 1; ++I)
+    for (int J = 1; J < minus_slack.nodes_y() - 1; ++J)
+      if (fine.P(2 * I, 2 * J) <= 0.0 && fine.r(2 * I, 2 * J) > 0.0) minus_slack(I, J) = -fine.r(2 * I, 2 * J);
+}
+
 void restrict_pressure(const core::Field& fine, bool cavitation, core::Field& coarse) {
   if (!cavitation) {
     transfer::restrict_full_weighting(fine, coarse);
@@ -124,12 +132,15 @@ void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse) {
   ++fine.evaluations;
   {
     const core::ScopedTimer timer(hierarchy.times, core::Part::transfer);
-    if (problem.cavitation) drop_residual_near_cavitation(fine.grid, fine.P, threads, fine.r);
     restrict_pressure(fine.P, problem.cavitation, coarse.P);
     core::copy(coarse.P, coarse.P_restricted);
     transfer::restrict_injection(fine.H, coarse.H_restricted);
     coarse.F.fill(0.0);
     coarse.f.fill(0.0);
+    if (problem.cavitation) {
+      take_slack(fine, coarse.f);
+      drop_residual_near_cavitation(fine.grid, fine.P, threads, fine.r);
+    }
     coarse.H_floor = coarse_film_floor;
   }
   // F = injected H - (H00 + geometry + K*P): the coarse film equation then gives the injected film at the restricted P.
@@ -147,7 +158,7 @@ void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse) {
   }
   core::copy(coarse.H_restricted, coarse.H);
   update_coefficients(hierarchy, coarse);
-  // f = L(restricted P) + restricted residual; the residual with f = 0 is -L.
+  // f = L(restricted P) + restricted residual + slack: the residual with f = -slack is -slack - L.
   update_residual(hierarchy, coarse);
   const core::ScopedTimer timer(hierarchy.times, core::Part::transfer);
   restrict_residual(fine, threads, coarse.f);

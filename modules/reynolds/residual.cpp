@@ -11,7 +11,10 @@ namespace ehl::reynolds {
 void epsilon(std::span<const double> H, std::span<const double> rho_bar, std::span<const double> fluidity, double lambda,
              std::span<double> eps) {
   const double inverse = 1.0 / lambda;
-  for (std::size_t k = 0; k < eps.size(); ++k) eps[k] = rho_bar[k] * fluidity[k] * (H[k] * H[k] * H[k]) * inverse;
+  for (std::size_t k = 0; k < eps.size(); ++k) {
+    const double film = H[k] < 0.0 ? 0.0 : H[k];
+    eps[k] = rho_bar[k] * fluidity[k] * (film * film * film) * inverse;
+  }
 }
 
 void residual(const core::Grid& grid, const State& state, Wedge wedge, int threads, core::Field& r) {

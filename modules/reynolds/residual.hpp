@@ -8,7 +8,8 @@
 
 namespace ehl::reynolds {
 
-/// epsilon = rho_bar H^3 / (eta_bar lambda) (eq. 5). in: spans of one length; film thickness H > 0, fluidity = 1/eta_bar.
+/// epsilon = rho_bar H^3 / (eta_bar lambda) (eq. 5). in: spans of one length; film thickness H, fluidity = 1/eta_bar.
+/// limits: 0 where H < 0, a state that cycles can pass through on the way to a solution but that is none.
 void epsilon(std::span<const double> H, std::span<const double> rho_bar, std::span<const double> fluidity, double lambda,
              std::span<double> eps);
 
