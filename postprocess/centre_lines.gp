@@ -16,8 +16,8 @@ set xrange [-2.5 > P_min_x ? -2.5 : P_min_x : 1.5 < P_max_x ? 1.5 : P_max_x]
 set yrange [0:1.15 * (P_max_y > 1 ? P_max_y : 1)]
 # The film has a third of the height in the contact, and leaves at the top outside it.
 set y2range [0:4 * Hc]
-set key top left
+set key top right
 set samples 2001
-plot abs(x) < 1 ? sqrt(1 - x**2) : 1/0 axes x1y1 with lines lw 1.5 dt 2 lc rgb grey title "Hertz", \
+plot abs(x) < 1.002 ? sqrt(abs(x) < 1 ? 1 - x**2 : 0) : 1/0 axes x1y1 with lines lw 1.5 dt 2 lc rgb grey title "Hertz", \
      centre_line("P") using 1:2 axes x1y1 with lines lw 1.5 lc rgb red title "P", \
      centre_line("H") using 1:2 axes x1y2 with lines lw 1.5 lc rgb blue title "H"
