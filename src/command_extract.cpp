@@ -139,7 +139,7 @@ std::string list(const results::ResultFile& file, const std::string& name) {
     if (kind == Kind::numbers) {
       const results::Array numbers = file.numbers(whole);
       const std::string value = numbers.dims.empty() ? column_number(numbers.values[0]) : "(array)";
-      text += entry + " " + value + " " + numbers.unit + " \"" + numbers.meaning + "\"\n";
+      text += entry + " " + value + " \"" + numbers.unit + "\" \"" + numbers.meaning + "\"\n";
     }
     if (kind == Kind::group) text += entry + " (group)\n";
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "deck/text.hpp"
+#include "text_format.hpp"
 
 namespace ehl::program {
 namespace {
@@ -168,8 +169,9 @@ void check_derived(deck::Deck& deck, const Physics& physics) {
   for (const auto& [name, value] : {std::pair{"M", physics.groups.M}, {"L", physics.groups.L}}) {
     const deck::Key& key = *deck::find_key(deck.catalogue, "contact", name);
     if (key.range.contains(value)) continue;
-    const std::string message = std::string("with the other numbers it means ") + name + " = " + deck::shortest(value) +
-                                ", which must be " + deck::allowed(key) + ": check the units of all of them";
+    const std::string message = std::string("with the other numbers it means ") + name + " = " +
+                                formatted("%.4g", value) + ", which must be " + deck::allowed(key) +
+                                ": check the units of all of them";
     complain(deck, "contact", physics.language == Language::moes ? name : given_key, message);
   }
 }
@@ -186,7 +188,7 @@ double roelands_z(deck::Deck& deck, double alpha, double p0) {
   const deck::Key& key = *deck::find_key(deck.catalogue, "lubricant", "z");
   if (!key.range.contains(z))
     complain(deck, "lubricant", "eta0",
-             "with alpha and p0 it means z = alpha p0/(ln eta0 + 9.67) = " + deck::shortest(z) + ", which must be " +
+             "with alpha and p0 it means z = alpha p0/(ln eta0 + 9.67) = " + formatted("%.4g", z) + ", which must be " +
                  deck::allowed(key) + ": give z, or check eta0 [Pa s] and alpha [1/Pa]");
   deck::choose(deck, "lubricant", "z", z, "from eta0");
   return z;
@@ -238,7 +240,7 @@ Physics physical_input(deck::Deck& deck) {
              physics.language == Language::moes ? "M"
              : physics.si                       ? "load"
                                                 : "W",
-             "with the other numbers it means a Hertz pressure of " + deck::shortest(physics.p_h) +
+             "with the other numbers it means a Hertz pressure of " + formatted("%.3g", physics.p_h) +
                  " Pa: check the units of all of them");
   if (deck.errors.empty()) set_laws(deck, physics);
   return physics;

@@ -1,0 +1,195 @@
+// Bad input: exit status 2, and a message with file, line, key and remedy. Nothing is solved here.
+#include <unistd.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include "support/program.hpp"
+
+namespace {
+
+const std::string moes = "[contact]\nM = 50\nL = 10\n";
+const std::string oil = "[lubricant]\nalpha = 1.7e-8\nz = 0.6\n";
+const std::string steel =
+    "[contact]\nload = 15\nradius_x = 0.0125\nE_prime = 110e9\n[motion]\nu_m = 0.09\n"
+    "[lubricant]\neta0 = 0.25\nalpha = 22e-9\n";
+
+struct Slip {
+  std::string name;
+  std::string deck;
+  std::vector<std::string> parts;  ///< of the message
+};
+
+// in: decks with one slip each. Both commands that read a deck must refuse it alike, and `run` must leave no file.
+void check_all(const std::vector<Slip>& slips) {
+  const support::TemporaryFolder folder;
+  for (const Slip& slip : slips) {
+    folder.write("d.ini", slip.deck);
+    for (const char* command : {"check d.ini", "run d.ini"}) {
+      const support::Ended ended = support::ehl(folder, command);
+      BOOST_TEST(ended.status == 2, slip.name << ": " << command << " ends with " << ended.status << "\n" << ended.err);
+      BOOST_TEST(ended.says(slip.parts), slip.name << " says\n" << ended.err);
+      BOOST_TEST(ended.out.empty(), slip.name << " prints\n" << ended.out);
+    }
+    BOOST_TEST(folder.entries() == 1, slip.name);
+  }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(bad_input)
+
+BOOST_AUTO_TEST_CASE(names_and_values) {
+  check_all({
+      {"misspelt key", moes + oil + "[grid]\ncels = 64\n", {"d.ini:8", "[grid] cels = 64", "did you mean cells?"}},
+      {"misspelt section", moes + oil + "[gird]\ncells = 64\n", {"d.ini:7", "[gird]", "did you mean grid?"}},
+      {"nan", "[contact]\nM = nan\nL = 10\n" + oil, {"d.ini:2", "[contact] M = nan", "not a finite number"}},
+      {"inf", steel + "[domain]\nx_outlet = inf\n", {"d.ini:11", "x_outlet = inf", "not a finite number"}},
+      {"negative load", "[contact]\nload = -15\n", {"d.ini:2", "[contact] load = -15", "> 0 N"}},
+      {"text for a number", "[contact]\nM = fifty\nL = 10\n" + oil, {"d.ini:2", "M = fifty", "no number"}},
+      {"unit suffix", "[contact]\nload = 15 N\n", {"d.ini:2", "the number alone", "unit is N"}},
+      {"missing value", "[contact]\nM =\nL = 10\n" + oil, {"d.ini:2", "[contact] M", "value is missing"}},
+      {"unknown law",
+       moes + "[lubricant]\nviscosity = rolands\nalpha = 1e-8\n",
+       {"d.ini:5", "viscosity = rolands", "did you mean roelands?", "isoviscous, barus, roelands"}},
+      {"duplicate", moes + "M = 20\n" + oil, {"d.ini:4", "M = 20", "given twice", "d.ini:2"}},
+      {"no assignment", moes + oil + "nonsense\n", {"d.ini:7", "nonsense", "= is missing"}},
+      {"later section",
+       moes + oil + "[transient]\nend_time = 1\n",
+       {"d.ini:7", "[transient]", "not available in this version"}},
+      {"later key", moes + oil + "[grid]\naccuracy = 0.01\n", {"d.ini:8", "accuracy", "not available in this version"}},
+      {"empty section", moes + oil + "[domain]\n", {"d.ini:7", "[domain]", "no influence", "x_inlet"}},
+  });
+}
+
+BOOST_AUTO_TEST_CASE(languages_and_groups) {
+  check_all({
+      {"two languages",
+       "[contact]\nM = 50\nL = 10\nload = 15\n" + oil,
+       {"d.ini:4", "load = 15", "two languages", "M, L", "d.ini:2"}},
+      {"no language", oil, {"[contact] M", "the contact is missing", "load, radius_x"}},
+      {"half a language", "[contact]\nM = 50\n" + oil, {"d.ini: [contact] L", "is missing"}},
+      {"no speed",
+       "[contact]\nload = 1\nradius_x = 1\nE_prime = 1e11\n[lubricant]\neta0 = 1\nalpha = 1e-8\n",
+       {"[motion] u_m", "is missing"}},
+      {"no moduli",
+       "[contact]\nload = 1\nradius_x = 1\n[motion]\nu_m = 1\n[lubricant]\neta0 = 1\nalpha = 1e-8\n",
+       {"E_prime", "is missing", "E1, nu1, E2"}},
+      {"moduli twice", steel + "[contact]\nE1 = 1e11\n", {"d.ini:11", "E1 = 1e11", "keep either E_prime"}},
+      {"elliptic",
+       steel + "[contact]\nradius_y = 0.02\n",
+       {"d.ini:11", "radius_y = 0.02", "elliptical contacts are not available"}},
+      {"against the inlet",
+       "[contact]\nload = 1\nradius_x = 1\nE_prime = 1e11\n[motion]\nu1 = -2\nu2 = 1\n[lubricant]\neta0 = 1\nalpha = "
+       "1e-8\n",
+       {"d.ini:7", "u1 + u2 = -1 m/s", "> 0"}},
+      {"speed without use", moes + oil + "[motion]\nu_m = 1\n", {"d.ini:8", "u_m = 1", "no influence"}},
+      {"no alpha", moes, {"[lubricant] alpha", "is missing", "p_h"}},
+      {"z for Barus",
+       moes + "[lubricant]\nviscosity = barus\ndensity = incompressible\nz = 0.6\n",
+       {"d.ini:7", "z = 0.6", "no influence"}},
+      {"L without use",
+       moes + "[lubricant]\nviscosity = isoviscous\ndensity = incompressible\n",
+       {"d.ini:3", "L = 10", "set L = 0"}},
+      {"L = 0", "[contact]\nM = 50\nL = 0\n" + oil, {"d.ini:3", "L = 0", "isoviscous"}},
+      {"wrong units",
+       "[contact]\nload = 15\nradius_x = 12.5\nE_prime = 110\n[motion]\nu_m = 0.09\n[lubricant]\neta0 = 0.25\nalpha = "
+       "22e-9\n",
+       {"d.ini:2", "load = 15", "Hertz pressure of 3.83 Pa", "check the units"}},
+      {"thin oil",
+       "[contact]\nload = 15\nradius_x = 0.0125\nE_prime = 110e9\n[motion]\nu_m = 30\n[lubricant]\neta0 = 1e-4\nalpha "
+       "= 22e-9\n",
+       {"d.ini:8", "eta0 = 1e-4", "it means z =", "give z"}},
+  });
+}
+
+BOOST_AUTO_TEST_CASE(grids_and_domains) {
+  const std::string good = moes + oil;
+  check_all({
+      {"no cells", good + "[grid]\ncells = 0\n", {"d.ini:8", "cells = 0", ">= 16"}},
+      {"77 cells", good + "[grid]\ncells = 77\n", {"d.ini:8", "[grid] cells = 77", "power of two", "e.g. 64 or 128"}},
+      {"too many cells",
+       good + "[grid]\ncells = 1048576\n",
+       {"d.ini:8", "cells = 1048576", "GB of memory", "take at most"}},
+      {"beyond integers", good + "[grid]\ncells = 99999999999999999999\n", {"d.ini:8", "whole number"}},
+      {"not the coarsest's multiple",
+       good + "[grid]\ncells = 64\ncoarsest = 24\n",
+       {"d.ini:8", "24 cells", "e.g. 48 or 96"}},
+      {"no inlet", good + "[domain]\nx_inlet = -0.5\n", {"d.ini:8", "x_inlet = -0.5", "must contain the contact"}},
+      {"no outlet", good + "[domain]\nx_outlet = 0.9\n", {"d.ini:8", "x_outlet = 0.9", "must contain the contact"}},
+      {"no sides", good + "[domain]\ny_half = 1\n", {"d.ini:8", "y_half = 1", "must contain the contact"}},
+      {"too coarse", good + "[domain]\nx_inlet = -100\n[grid]\ncells = 64\n", {"d.ini:10", "too coarse"}},
+      {"a mile wide", good + "[domain]\ny_half = 1000\n[grid]\ncells = 65536\n", {"d.ini"}},
+      {"odd order", good + "[deformation]\norder = 5\n", {"d.ini:8", "order = 5", "4, 6 or 8"}},
+      {"order for FFT",
+       good + "[deformation]\nmethod = fft\norder = 6\n",
+       {"d.ini:9", "order = 6", "no influence with method = fft"}},
+      {"no relaxation", good + "[multigrid]\npre = 0\npost = 0\n", {"d.ini:8", "cannot converge"}},
+      {"unused limit", good + "[multigrid]\nmax_cycles = 9\n", {"d.ini:8", "no influence without tolerance"}},
+  });
+}
+
+BOOST_AUTO_TEST_CASE(all_slips_are_listed_at_once) {
+  const support::TemporaryFolder folder;
+  folder.write("d.ini",
+               "[contact]\nM = 50\nlaod = 3\n[grid]\ncells = 77\n[lubricant]\nviscosity = water\n[thermal]\nk = 1\n");
+  const support::Ended ended = support::ehl(folder, "check d.ini");
+  BOOST_TEST(ended.status == 2);
+  for (const char* part : {"laod", "contact] L", "cells = 77", "viscosity = water", "[thermal]"})
+    BOOST_TEST(ended.says({part}), part << " is missing in\n" << ended.err);
+}
+
+BOOST_AUTO_TEST_CASE(files_that_are_no_decks) {
+  const support::TemporaryFolder folder;
+  folder.write("empty.ini", "");
+  folder.write("noise.ini", std::string("\x01\x00\xff\xfe", 4));
+  const std::string locked = folder.write("locked.ini", moes);
+  std::filesystem::permissions(locked, std::filesystem::perms::none);
+  const auto refused = [&](const std::string& name, const std::string& part) {
+    const support::Ended ended = support::ehl(folder, "run '" + name + "'");
+    BOOST_TEST(ended.status == 2, name << " ends with " << ended.status);
+    BOOST_TEST(ended.says({name + ": ", part}), name << " says\n" << ended.err);
+  };
+  refused("empty.ini", "the deck is empty");
+  refused("noise.ini", "not a text file");
+  refused(".", "directory");
+  refused("missing.ini", "no such file");
+  refused("/dev/zero", "larger than a megabyte");
+  if (::geteuid() != 0) refused("locked.ini", "cannot be read: Permission denied");
+}
+
+BOOST_AUTO_TEST_CASE(command_lines) {
+  const support::TemporaryFolder folder;
+  folder.write("d.ini", moes + oil);
+  struct Line {
+    std::string arguments;
+    std::string part;
+  };
+  const std::vector<Line> lines{
+      {"", "a command is missing"},
+      {"rnu d.ini", "did you mean run?"},
+      {"run", "DECK is missing"},
+      {"run d.ini e.ini", "'e.ini' is one too many"},
+      {"run d.ini --ouput x.h5", "did you mean --output?"},
+      {"run d.ini --output", "the value is missing"},
+      {"run d.ini --quiet=3", "takes no value"},
+      {"run d.ini --output a.h5 --output b.h5", "given twice"},
+      {"run d.ini --threads 0", "--threads 0"},
+      {"run d.ini --threads two", "--threads two"},
+      {"run d.ini --output r.xmf", "use .h5"},
+      {"check d.ini --set grid.cells", "write section.key=value"},
+      {"check d.ini --set grid.cells=77", "command line: [grid] cells = 77"},
+      {"check d.ini --set gird.cells=64", "did you mean grid?"},
+      {"check d.ini --set contact.load=3", "two languages"},
+      {"keys grid.cels", "did you mean grid.cells?"},
+      {"keys grid --deck", "leave grid out"},
+      {"help rum", "did you mean run?"},
+  };
+  for (const Line& line : lines) {
+    const support::Ended ended = support::ehl(folder, line.arguments);
+    BOOST_TEST(ended.status == 2, line.arguments << " ends with " << ended.status);
+    BOOST_TEST(ended.says({line.part}), line.arguments << " says\n" << ended.err);
+  }
+  BOOST_TEST(folder.entries() == 1);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

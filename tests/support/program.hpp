@@ -1,0 +1,44 @@
+#pragma once
+// Runs the built program as a user would.
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "support/temporary_folder.hpp"
+
+namespace support {
+
+struct Ended {
+  int status = -1;  ///< exit status; 128 + signal when a signal ended it
+  std::string out;
+  std::string err;
+
+  /// True when the messages contain every part.
+  bool says(const std::vector<std::string>& parts) const {
+    for (const std::string& part : parts)
+      if (err.find(part) == std::string::npos) return false;
+    return true;
+  }
+};
+
+/// Runs a command line in the shell, in the folder; stdout and stderr are caught.
+inline Ended shell(const TemporaryFolder& folder, const std::string& command) {
+  const TemporaryFolder caught;
+  const std::string line = "cd '" + folder.path() + "' && { " + command + "\n} >'" + (caught / "out") + "' 2>'" +
+                           (caught / "err") + "' </dev/null";
+  const int raw = std::system(line.c_str());
+  Ended ended;
+  ended.status = WIFEXITED(raw) ? WEXITSTATUS(raw) : 128 + WTERMSIG(raw);
+  ended.out = caught.read("out");
+  ended.err = caught.read("err");
+  return ended;
+}
+
+/// Runs the program with these arguments, as the shell reads them.
+inline Ended ehl(const TemporaryFolder& folder, const std::string& arguments) {
+  return shell(folder, std::string("'") + EHL_PROGRAM + "' " + arguments);
+}
+
+}  // namespace support

@@ -1,0 +1,134 @@
+// Reports on a solution that was made up, so that every number in them is known.
+#include "report.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "json.hpp"
+#include "result_content.hpp"
+#include "support/json.hpp"
+#include "text_format.hpp"
+
+using namespace ehl;
+
+namespace {
+
+const double unknown = std::nan("");
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+// M = 2/3, so that H in Moes' units is H itself: (3M/2)^(2/3) = 1.
+program::Case example_case() {
+  program::Case input;
+  input.title = "quote \" backslash \\ tab \t bad byte \xff";
+  input.physics.groups = contact::from_moes(2.0 / 3.0, 5.0);
+  input.fields = {"P", "H", "ln_eta_bar"};
+  input.scene.viscosity = rheology::Barus{3.0};
+  input.scene.density = rheology::Incompressible{};
+  return input;
+}
+
+steady::Solution example_solution(bool converged) {
+  steady::Solution solution;
+  solution.grid = {4, 2, -2.0, 2.0, -1.0, 1.0};
+  solution.P = core::Field(solution.grid);
+  solution.H = core::Field(solution.grid);
+  solution.P(2, 1) = 0.5;
+  solution.H.fill(0.9);
+  solution.H(3, 0) = 0.25;
+  solution.converged = converged;
+  solution.failed_check = converged ? "" : "level 2: residual 0.3";
+  solution.levels = {{1, 2, 1, 0.5, 0.3, unknown, unknown, unknown, 1e-3, 1e-5, 2, 10.0, 0.5},
+                     {2, 4, 2, 0.4, 0.25, 0.058, 0.062, 2.0, 3e-4, 2e-6, 2, 11.2, 0.011}};
+  return solution;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(report)
+
+BOOST_AUTO_TEST_CASE(outcome_finds_values_and_places) {
+  const program::Case input = example_case();
+  const program::Outcome outcome = program::outcome_of(input, example_solution(true));
+  BOOST_TEST(outcome.Hc == 0.4);
+  BOOST_TEST(outcome.Hm.value == 0.25);
+  BOOST_TEST(outcome.Hm.X == 1.0);
+  BOOST_TEST(outcome.Hm.Y == -1.0);
+  BOOST_TEST(outcome.P_max.value == 0.5);
+  BOOST_TEST(outcome.P_max.X == 0.0);
+  BOOST_TEST(outcome.Hc_moes == 0.4, boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(std::isnan(outcome.hc));
+}
+
+BOOST_AUTO_TEST_CASE(table_has_a_row_per_level_and_no_nan) {
+  const std::string table = program::level_table(example_solution(true));
+  for (const char* part : {"error(Hc)", "work units", "5 x 3", "5.80 %", "6.20 %", "3e-04", "11.2", "0.011"})
+    BOOST_TEST(contains(table, part), part << " is missing in\n" << table);
+  BOOST_TEST(!contains(table, "nan"));
+}
+
+BOOST_AUTO_TEST_CASE(a_number_that_did_not_converge_carries_the_mark) {
+  const program::Case input = example_case();
+  const auto text = [&](bool converged) {
+    const steady::Solution solution = example_solution(converged);
+    return program::summary(input, solution, program::outcome_of(input, solution));
+  };
+  BOOST_TEST(contains(text(false), "NOT CONVERGED: level 2: residual 0.3"));
+  BOOST_TEST(contains(text(false), "(NOT CONVERGED)\n"));
+  BOOST_TEST(!contains(text(true), "NOT CONVERGED"));
+  BOOST_TEST(!contains(text(true), "nan"));
+}
+
+BOOST_AUTO_TEST_CASE(json_has_what_was_promised) {
+  const program::Case input = example_case();
+  const steady::Solution solution = example_solution(false);
+  const std::string text = program::json_report(input, solution, program::outcome_of(input, solution), 1e6);
+  BOOST_TEST(support::is_json(text), text);
+  for (const char* name : {"converged",  "Hc",          "Hm",         "Hc_moes",      "Hm_moes",
+                           "hc_m",       "hm_m",        "P_max",      "H00",          "residual",
+                           "load_error", "M",           "L",          "alpha_bar",    "lambda",
+                           "wedge",      "deformation", "seconds",    "threads",      "peak_memory_bytes",
+                           "levels",     "level",       "nx",         "ny",           "error_Hc",
+                           "error_Hm",   "cycles",      "work_units", "continuation", "effects",
+                           "warnings"})
+    BOOST_TEST(contains(text, std::string("\"") + name + "\": "), name);
+  BOOST_TEST(contains(text, "\"converged\": false"));
+  BOOST_TEST(contains(text, "\"hc_m\": null"));
+  BOOST_TEST(support::is_json(program::json_failure(input, "why \"not\"")));
+}
+
+BOOST_AUTO_TEST_CASE(json_texts) {
+  BOOST_TEST(program::json::text("a\"b\\c\n") == "\"a\\\"b\\\\c\\u000a\"");
+  BOOST_TEST(program::json::text("\xCE\xB1") == "\"\xCE\xB1\"");
+  for (const char* bad : {"\xff", "\xc0\x80", "\xce", "\xed\xa0\x80", "\xf4\x90\x80\x80"})
+    BOOST_TEST(contains(program::json::text(bad), "\\ufffd"));
+  BOOST_TEST(program::json::number(unknown) == "null");
+  BOOST_TEST(program::json::number(-INFINITY) == "null");
+  BOOST_TEST(program::json::number(0.1) == "0.1");
+  BOOST_TEST(support::is_json(program::json::text("\x01\x1f\x7f\"\\")));
+  BOOST_TEST(!support::is_json("{\"a\": nan}"));
+  BOOST_TEST(!support::is_json("[1,]"));
+}
+
+// ln eta_bar = alpha_bar P for Barus: 3 x 0.5 at the node of the pressure.
+BOOST_AUTO_TEST_CASE(result_content_keeps_what_the_deck_wants) {
+  const program::Case input = example_case();
+  const steady::Solution solution = example_solution(true);
+  const program::DerivedFields derived = program::derived_fields(input, solution);
+  BOOST_TEST(derived.ln_eta_bar(2, 1) == 1.5, boost::test_tools::tolerance(1e-14));
+  const results::Content content =
+      program::result_content(input, solution, program::outcome_of(input, solution), derived);
+  BOOST_TEST(content.fields.size() == 3u);
+  BOOST_TEST(content.tables.size() == 2u);
+  BOOST_TEST(content.tables[0].columns[3].values[1] == 0.4);
+}
+
+BOOST_AUTO_TEST_CASE(numbers_for_people) {
+  BOOST_TEST(program::length(212.44e-9) == "212.4 nm");
+  BOOST_TEST(program::length(136.5e-6) == "136.5 um");
+  BOOST_TEST(program::pressure(0.385e9) == "385 MPa");
+  BOOST_TEST(program::percent(0.058) == "5.80 %");
+  BOOST_TEST(program::percent(unknown) == "-");
+}
+
+BOOST_AUTO_TEST_SUITE_END()

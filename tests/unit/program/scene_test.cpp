@@ -1,0 +1,135 @@
+// From decks to what the solver gets, against numbers worked out elsewhere.
+#include "scene.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "catalogue.hpp"
+#include "core/errors.hpp"
+#include "deck/write.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace ehl;
+using boost::test_tools::tolerance;
+
+namespace {
+
+program::Case read(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  const support::TemporaryFolder folder;
+  return program::read_case(folder.write("case.ini", text), overrides, 1);
+}
+
+const std::string moes = "[contact]\nM = 50\nL = 10\n[lubricant]\nalpha = 1.7e-8\nz = 0.6\n";
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(scene)
+
+// M = 50, L = 10: alpha_bar = 13.42, lambda = 0.0596 (Venner and ten Napel 1992).
+BOOST_AUTO_TEST_CASE(the_papers_case) {
+  const program::Case input = read(moes);
+  BOOST_TEST_MESSAGE("alpha_bar " << input.physics.groups.alpha_bar << ", lambda " << input.scene.lambda);
+  BOOST_TEST(input.physics.groups.alpha_bar == 13.42, tolerance(5e-4));
+  BOOST_TEST(input.scene.lambda == 0.0596, tolerance(5e-4));
+  const auto& law = std::get<rheology::Roelands>(input.scene.viscosity);
+  BOOST_TEST(law.alpha_p0_over_z == 1.7e-8 * 1.96e8 / 0.6, tolerance(1e-14));
+  BOOST_TEST(law.p_h_over_p0 == 13.42 / 1.7e-8 / 1.96e8, tolerance(5e-4));
+  BOOST_TEST(input.scene.grid.X_a == -4.5);
+  BOOST_TEST(input.scene.grid.Y_b == 3.0);
+  BOOST_TEST(input.scene.grid.ny == 256);
+}
+
+// Mourier et al. 2006: M = 63.78, L = 5.788, z = 0.5205; a = 136.7 um and p_h = 383 MPa by Hertz.
+BOOST_AUTO_TEST_CASE(a_contact_in_si) {
+  const program::Case input = read(
+      "[contact]\nload = 15\nradius_x = 0.0125\nE_prime = 110e9\n[motion]\nu_m = 0.09\nsrr = 0.5\n"
+      "[lubricant]\neta0 = 0.25\nalpha = 22e-9\n");
+  BOOST_TEST(input.physics.groups.M == 63.78, tolerance(1e-4));
+  BOOST_TEST(input.physics.groups.L == 5.788, tolerance(1e-4));
+  BOOST_TEST(std::get<rheology::Roelands>(input.scene.viscosity).z == 0.5205, tolerance(1e-4));
+  BOOST_TEST(input.physics.si->hertz.a == 136.7e-6, tolerance(1e-3));
+  BOOST_TEST(input.physics.si->u1 == 0.1125, tolerance(1e-14));
+  BOOST_TEST(input.physics.si->u2 == 0.0675, tolerance(1e-14));
+}
+
+// The three languages describe one contact: W, U, G of the SI case lead to the same groups.
+BOOST_AUTO_TEST_CASE(three_languages_one_contact) {
+  const program::Case si = read(
+      "[contact]\nload = 15\nradius_x = 0.0125\nE_prime = 110e9\n[motion]\nu1 = 0.09\nu2 = 0.09\n"
+      "[lubricant]\neta0 = 0.25\nalpha = 22e-9\nz = 0.52\n");
+  const auto number = [](double value) { return std::to_string(value * 1e9) + "e-9"; };
+  const program::Case wug = read("[contact]\nW = " + number(15 / (110e9 * 0.0125 * 0.0125)) +
+                                 "\nU = " + std::to_string(0.25 * 0.09 / (110e9 * 0.0125) * 1e18) + "e-18\nG = 2420\n" +
+                                 "[lubricant]\nalpha = 22e-9\nz = 0.52\n");
+  const program::Case ml =
+      read("[contact]\nM = 63.78171405228822\nL = 5.788190550245156\n[lubricant]\nalpha = 22e-9\nz = 0.52\n");
+  for (const program::Case* other : {&wug, &ml}) {
+    BOOST_TEST(other->physics.groups.M == si.physics.groups.M, tolerance(1e-6));
+    BOOST_TEST(other->physics.groups.L == si.physics.groups.L, tolerance(1e-6));
+    BOOST_TEST(other->physics.p_h == si.physics.p_h, tolerance(1e-6));
+    BOOST_TEST(other->scene.lambda == si.scene.lambda, tolerance(1e-6));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(isoviscous_and_barus) {
+  const program::Case iso =
+      read("[contact]\nM = 5\nL = 0\n[lubricant]\nviscosity = isoviscous\ndensity = incompressible\n");
+  BOOST_TEST(std::holds_alternative<rheology::Isoviscous>(iso.scene.viscosity));
+  BOOST_TEST(iso.physics.groups.alpha_bar == 0.0);
+  const program::Case barus =
+      read("[contact]\nM = 20\nL = 10\n[lubricant]\nviscosity = barus\ndensity = incompressible\n");
+  // (L/pi)(3M/2)^(1/3)
+  BOOST_TEST(std::get<rheology::Barus>(barus.scene.viscosity).alpha_bar == 10.0 / M_PI * std::cbrt(30.0),
+             tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(the_grid_follows_the_domain) {
+  const program::Case heavy = read(moes, {"contact.M=200"});
+  BOOST_TEST(heavy.scene.grid.X_a == -2.5);
+  BOOST_TEST(heavy.scene.grid.ny == 256);
+  const program::Case wide = read(moes, {"domain.y_half=4", "grid.cells=128"});
+  // 128 x 8/6 = 170.7; on the coarsest grid (32) 42.7, nearest even number 42: 168.
+  BOOST_TEST(wide.scene.grid.ny == 168);
+  BOOST_TEST(std::abs(wide.scene.grid.hy() / wide.scene.grid.hx() - 1.0) < 0.03);
+  const program::Case odd = read(moes, {"grid.cells=96", "grid.coarsest=12"});
+  BOOST_TEST(odd.scene.multigrid.coarsest_cells == 12);
+  BOOST_TEST(odd.scene.grid.ny % 8 == 0);
+}
+
+BOOST_AUTO_TEST_CASE(the_self_written_deck_is_the_papers_case) {
+  const program::Case input = read(deck::commented_deck(program::catalogue()));
+  BOOST_TEST(input.physics.groups.M == 50.0);
+  BOOST_TEST(input.scene.grid.nx == 256);
+}
+
+// The deck in a result, read again, gives the same case to the last bit.
+BOOST_AUTO_TEST_CASE(the_effective_deck_gives_the_same_case) {
+  const std::string si =
+      "[contact]\nload = 15\nradius_x = 0.0125\nE1 = 206e9\nnu1 = 0.3\nE2 = 81e9\nnu2 = 0.208\n[motion]\nu1 = 0.1\nu2 "
+      "= "
+      "0.08\n[lubricant]\neta0 = 0.25\nalpha = 22e-9\n[multigrid]\ntolerance = 1e-8\n";
+  for (const std::string& text : {moes, si}) {
+    const program::Case once = read(text);
+    const program::Case twice = read(deck::effective_deck(once.deck));
+    BOOST_TEST(once.scene.lambda == twice.scene.lambda);
+    BOOST_TEST((once.scene.grid == twice.scene.grid));
+    BOOST_TEST(std::get<rheology::Roelands>(once.scene.viscosity).z ==
+               std::get<rheology::Roelands>(twice.scene.viscosity).z);
+    BOOST_TEST(once.title == twice.title);
+  }
+}
+
+// "mistakes to avoid": every key that the catalogue lists can be given without being called unknown.
+BOOST_AUTO_TEST_CASE(the_catalogue_is_sound) {
+  const deck::Catalogue all = program::catalogue();
+  for (const deck::Key& key : all.keys) {
+    const std::string name = key.section + "." + key.name;
+    BOOST_TEST(!key.meaning.empty(), name);
+    BOOST_TEST((!key.default_text.empty() || !key.default_note.empty() || !key.example.empty()), name);
+    BOOST_TEST((deck::find_key(all, key.section, key.name) == &key), name << " is declared twice");
+    BOOST_TEST((key.needs.name.empty() || deck::find_key(all, key.section, key.needs.name) != nullptr), name);
+    if (key.type == deck::Type::word || key.type == deck::Type::words) BOOST_TEST(!key.words.empty(), name);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
