@@ -4,7 +4,9 @@
 #   format   png, svg or pdf (default png)   ehl      the program (default build/release/ehl)
 #   title    words above the figure (default: none)
 if (!exists("file")) exit error "no result: gnuplot -e \"file='result.h5'\" postprocess/FIGURE.gp"
-if (!exists("ehl")) ehl = "build/release/ehl"
+# Empty where the program could not find its own name (no /proc).
+if (!exists("ehl")) ehl = ""
+if (ehl eq "") ehl = "build/release/ehl"
 if (!exists("format")) format = "png"
 if (!exists("output")) output = figure.".".format
 if (!exists("title")) title = ""
