@@ -25,8 +25,6 @@ inline bool operator==(const Grid& a, const Grid& b) {
 }
 
 /// The next coarser grid: every second node. limits: nx and ny must be even.
-inline Grid coarsened(const Grid& fine) {
-  return {fine.nx / 2, fine.ny / 2, fine.X_a, fine.X_b, fine.Y_a, fine.Y_b};
-}
+inline Grid coarsened(const Grid& fine) { return {fine.nx / 2, fine.ny / 2, fine.X_a, fine.X_b, fine.Y_a, fine.Y_b}; }
 
 }  // namespace ehl::core

@@ -34,6 +34,8 @@ inline Lanes evens(Lanes low, Lanes high) { return every_second(low, high, LaneM
 inline Lanes odds(Lanes low, Lanes high) { return every_second(low, high, LaneMask{1, 3, 5, 7, 9, 11, 13, 15}); }
 /// The inverse: the first and the second half of a0 b0 a1 b1 ..
 inline Lanes interleaved_low(Lanes a, Lanes b) { return __builtin_shuffle(a, b, LaneMask{0, 8, 1, 9, 2, 10, 3, 11}); }
-inline Lanes interleaved_high(Lanes a, Lanes b) { return __builtin_shuffle(a, b, LaneMask{4, 12, 5, 13, 6, 14, 7, 15}); }
+inline Lanes interleaved_high(Lanes a, Lanes b) {
+  return __builtin_shuffle(a, b, LaneMask{4, 12, 5, 13, 6, 14, 7, 15});
+}
 
 }  // namespace ehl::core

@@ -46,8 +46,9 @@ class Coupling {
   double half_over_hy2_;
 };
 
-// Residuals are taken as zero where a point is cavitated or has a cavitated one among its eight neighbours.
-void drop_residual_near_cavitation(const core::Grid& grid, const core::Field& P, int threads, core::Field& r) {
+// Sets a residual or a correction to zero where a point is cavitated or has a cavitated one among its eight neighbours:
+// the edge of the cavitated region is left to the relaxation of its own grid.
+void drop_near_cavitation(const core::Grid& grid, const core::Field& P, int threads, core::Field& r) {
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
   for (int i = 1; i < grid.nx; ++i) {
     const double* here = P.at_x(i);
@@ -68,7 +69,8 @@ void drop_residual_near_cavitation(const core::Grid& grid, const core::Field& P,
 }
 
 // By how much a cavitated point of the fine grid is away from carrying pressure, with the sign turned. The coarse point
-// must be as far away: with no slack it would be on the edge, and the coarse correction would rise there and never fall.
+// must be as far away: with no slack it would be on the edge, and the coarse correction would rise there and never
+// fall.
 void take_slack(const Level& fine, core::Field& minus_slack) {
   for (int I = 1; I < minus_slack.nodes_x() - 1; ++I)
     for (int J = 1; J < minus_slack.nodes_y() - 1; ++J)
@@ -139,7 +141,7 @@ void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse) {
     coarse.f.fill(0.0);
     if (problem.cavitation) {
       take_slack(fine, coarse.f);
-      drop_residual_near_cavitation(fine.grid, fine.P, threads, fine.r);
+      drop_near_cavitation(fine.grid, fine.P, threads, fine.r);
     }
     coarse.H_floor = coarse_film_floor;
   }
@@ -175,15 +177,14 @@ void correct_from_coarse(Hierarchy& hierarchy, Level& coarse, Level& fine) {
     for (int i = 0; i <= coarse.grid.nx; ++i)
       for (int j = 0; j <= coarse.grid.ny; ++j) correction(i, j) = coarse.P(i, j) - coarse.P_restricted(i, j);
     transfer::prolong_bilinear(correction, fine.r, hierarchy.threads_on(fine.grid));
+    // Where no residual went down, no correction comes up.
+    if (cavitation) drop_near_cavitation(fine.grid, fine.P, hierarchy.threads_on(fine.grid), fine.r);
     for (int i = 1; i < fine.grid.nx; ++i) {
       double* P = fine.P.at_x(i);
       const double* change = fine.r.at_x(i);
       for (int j = 1; j < fine.grid.ny; ++j) {
         const double corrected = P[j] + change[j];
-        if (!cavitation)
-          P[j] = corrected;
-        else if (P[j] > 0.0)
-          P[j] = corrected < 0.0 ? 0.0 : corrected;
+        P[j] = cavitation && corrected < 0.0 ? 0.0 : corrected;
       }
     }
   }

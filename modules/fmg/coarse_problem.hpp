@@ -10,12 +10,13 @@ namespace ehl::fmg {
 /// P: full weighting where all nine fine points carry pressure, injection otherwise.
 /// H: injection; F so that the coarse film equation gives the injected H at the restricted P.
 /// Residual: weights of the nine points by their coupling epsilon/h^2 (see restrict_residual); zero in cavitated
-/// points and beside them, where the fine grid's equation may still change its kind.
+/// points and beside them, where the fine grid's equation may still change its kind. A coarse point that is cavitated
+/// on the fine grid keeps the slack it has there, f = L(P) + slack.
 /// in: the state of fine, complete; uses fine.r.
 void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse);
 
-/// fine.P += bilinear interpolation of (coarse.P - coarse.P_restricted) where fine.P > 0, held at P >= 0; then the film.
-/// Uses coarse.r and fine.r.
+/// fine.P += bilinear interpolation of (coarse.P - coarse.P_restricted), held at P >= 0, but not in cavitated points
+/// and beside them; then the film. Uses coarse.r and fine.r.
 void correct_from_coarse(Hierarchy& hierarchy, Level& coarse, Level& fine);
 
 /// Full-weighting of a residual with weights that follow the coupling: a point half-way between two coarse points

@@ -8,7 +8,8 @@ namespace ehl::fmg {
 /// errors: core::SolverError.
 void fas_cycle(Hierarchy& hierarchy, std::size_t l);
 
-/// Relaxations on one level, each followed by H00 <- H00 - c (load - h^2 sum P) (eq. 26): what solves the coarsest grid.
+/// Relaxations on one level, each followed by H00 <- H00 - c (load - h^2 sum P) (eq. 26): what solves the coarsest
+/// grid.
 void relax_with_force_balance(Hierarchy& hierarchy, Level& level, int sweeps);
 
 }  // namespace ehl::fmg

@@ -4,8 +4,8 @@
 
 namespace ehl::fmg {
 
-/// Makes levels[l] the level being solved, from the dry contact: P = sqrt(1 - X^2 - Y^2) inside the Hertz circle, H00 as given;
-/// then `sweeps` relaxations with the force balance (eq. 26) after every fourth. errors: core::SolverError.
+/// Makes levels[l] the level being solved, from the dry contact: P = sqrt(1 - X^2 - Y^2) inside the Hertz circle, H00
+/// as given; then `sweeps` relaxations with the force balance (eq. 26) after every fourth. errors: core::SolverError.
 void start_from_hertz(Hierarchy& hierarchy, std::size_t l, double H00, int sweeps);
 
 /// Makes levels[l] the level being solved, from the solution on levels[l-1] by bicubic interpolation held at P >= 0.

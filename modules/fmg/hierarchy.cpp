@@ -26,7 +26,8 @@ line_solvers::FilmTerms film_terms(const core::Grid& grid, int reach) {
   return terms;
 }
 
-Level make_level(const core::Grid& grid, const Parameters& parameters, const mlmi::Parameters& deformation, int threads) {
+Level make_level(const core::Grid& grid, const Parameters& parameters, const mlmi::Parameters& deformation,
+                 int threads) {
   const auto zero = [&] { return core::Field(grid); };
   // A colour has every second line, and one batch more for the lines beside its last one.
   const int lines_of_a_colour = grid.ny / 2 + 2 * core::lanes;
@@ -102,8 +103,9 @@ Hierarchy make_hierarchy(const Problem& problem, const Parameters& parameters, c
 
 void update_coefficients(Hierarchy& hierarchy, Level& level) {
   const core::ScopedTimer timer(hierarchy.times, core::Part::coefficients);
-  for_stations(hierarchy, level,
-               [&](int i, std::span<double> fluidity) { coefficients_of_station(hierarchy.problem, level, i, fluidity); });
+  for_stations(hierarchy, level, [&](int i, std::span<double> fluidity) {
+    coefficients_of_station(hierarchy.problem, level, i, fluidity);
+  });
 }
 
 void update_film(Hierarchy& hierarchy, Level& level) {

@@ -41,24 +41,24 @@ struct Level {
   core::Field H;
   core::Field eps;
   core::Field rho_bar;
-  core::Field drho_bar;        ///< d rho_bar/dP
-  core::Field f;               ///< right-hand side of the Reynolds equation (FAS); 0 on the level being solved
-  core::Field F;               ///< right-hand side of the film equation (FAS)
-  core::Field H_restricted;    ///< the finer level's film at these nodes; 0 on the level being solved
-  core::Field P_restricted;    ///< the finer level's pressure as it came down
-  core::Field r;               ///< residual; the correction on its way up
+  core::Field drho_bar;      ///< d rho_bar/dP
+  core::Field f;             ///< right-hand side of the Reynolds equation (FAS); 0 on the level being solved
+  core::Field F;             ///< right-hand side of the film equation (FAS)
+  core::Field H_restricted;  ///< the finer level's film at these nodes; 0 on the level being solved
+  core::Field P_restricted;  ///< the finer level's pressure as it came down
+  core::Field r;             ///< residual; the correction on its way up
   LineChanges changes;
   mlmi::Deformation deformation;
   line_solvers::FilmTerms film_terms;
-  double load = 0.0;           ///< right-hand side of the force balance (FAS)
-  double H_floor = 0.0;        ///< share of H_restricted below which epsilon does not follow a falling coarse film
-  long evaluations = 0;        ///< of the film, each with a relaxation sweep or a residual
+  double load = 0.0;     ///< right-hand side of the force balance (FAS)
+  double H_floor = 0.0;  ///< share of H_restricted below which epsilon does not follow a falling coarse film
+  long evaluations = 0;  ///< of the film, each with a relaxation sweep or a residual
 };
 
 struct Hierarchy {
   Problem problem;
   Parameters parameters;
-  std::vector<Level> levels;   ///< coarsest first
+  std::vector<Level> levels;  ///< coarsest first
   double H00 = 0.0;
   int threads = 1;
   core::PartTimes times;
@@ -69,8 +69,9 @@ struct Hierarchy {
 };
 
 /// Grids from `finest` down to the coarsest, all fields zero, H00 = 0.
-/// The coarsest has parameters.coarsest_cells cells along x, or by default the smallest number >= 32 that halving gives.
-/// errors: core::InputError when the finest grid cannot be halved down to the coarsest, or the film evaluation refuses.
+/// The coarsest has parameters.coarsest_cells cells along x, or by default the smallest number >= 32 that halving
+/// gives. errors: core::InputError when the finest grid cannot be halved down to the coarsest, or the film evaluation
+/// refuses.
 Hierarchy make_hierarchy(const Problem& problem, const Parameters& parameters, const mlmi::Parameters& deformation,
                          const core::Grid& finest, int threads);
 

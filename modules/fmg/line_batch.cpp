@@ -23,7 +23,8 @@ Beside with_neighbours(const core::Field& field, int i, int j) {
   const double* p = field.at_x(i) + j;
   const Lanes low = core::load(p);
   const Lanes high = core::load(p + core::lanes);
-  return {core::evens(core::load(p - 1), core::load(p + core::lanes - 1)), core::evens(low, high), core::odds(low, high)};
+  return {core::evens(core::load(p - 1), core::load(p + core::lanes - 1)), core::evens(low, high),
+          core::odds(low, high)};
 }
 
 /// What the film does at a station: rho_bar, rho_bar H and d(rho_bar)/dP H.
@@ -142,7 +143,8 @@ void LineBatch<reach, solver>::keep(const RelaxationParameters& parameters, Leve
 }
 
 template <int reach, LineSolver solver>
-line_solvers::SmallPivot LineBatch<reach, solver>::solve(const Hierarchy& hierarchy, Level& level, int colour, int batch) {
+line_solvers::SmallPivot LineBatch<reach, solver>::solve(const Hierarchy& hierarchy, Level& level, int colour,
+                                                         int batch) {
   const int j = first_line(colour, batch);
   const RelaxationParameters& parameters = hierarchy.parameters.relaxation;
   read_coefficients(hierarchy, level, j);

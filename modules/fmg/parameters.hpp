@@ -6,27 +6,28 @@ namespace ehl::fmg {
 enum class Cycle { V, W, F };
 enum class LineSolver { elimination, decimation };
 
-/// The hybrid line relaxation. The numbers are the same for every load; modules/fmg/README.md tells how they were found.
+/// The hybrid line relaxation. The numbers are the same for every load; modules/fmg/README.md tells how they were
+/// found.
 struct RelaxationParameters {
   LineSolver line_solver = LineSolver::elimination;  ///< the faster one as measured (modules/line_solvers/README.md)
-  int reach = 1;               ///< neighbours on each side in the truncated film equation: 1 is the paper's three terms
-  double crossover = 0.6;      ///< of epsilon/h^2, above which a point is relaxed by Gauss-Seidel
-  double weight_distributed = 0.9;  ///< under-relaxation of distributed changes
-  double weight_single = 1.0;       ///< of single changes where epsilon is smooth
-  double weight_single_steep = 0.5; ///< of single changes where epsilon falls or rises by orders from cell to cell
+  int reach = 1;           ///< neighbours on each side in the truncated film equation: 1 is the paper's three terms
+  double crossover = 0.6;  ///< of epsilon/h^2, above which a point is relaxed by Gauss-Seidel
+  double weight_distributed = 0.9;   ///< under-relaxation of distributed changes
+  double weight_single = 1.0;        ///< of single changes where epsilon is smooth
+  double weight_single_steep = 0.5;  ///< of single changes where epsilon falls or rises by orders from cell to cell
 };
 
 /// How the full multigrid works. The defaults need no tuning.
 struct Parameters {
   Cycle cycle = Cycle::W;
-  int pre = 2;              ///< nu_1, relaxations before the coarse grid correction
-  int post = 1;             ///< nu_2, relaxations after it
-  int cycles = 2;           ///< cycles per level on the way up
-  int max_cycles = 60;      ///< on the finest grid, where the checks ask for more
+  int pre = 2;          ///< nu_1, relaxations before the coarse grid correction
+  int post = 1;         ///< nu_2, relaxations after it
+  int cycles = 2;       ///< cycles per level on the way up
+  int max_cycles = 60;  ///< on the finest grid, where the checks ask for more
   /// Relative residual to reach on the finest grid; NaN: the level of the discretization error.
   double tolerance = std::numeric_limits<double>::quiet_NaN();
-  int coarsest_cells = 0;   ///< cells along x of the coarsest grid; 0: chosen
-  int coarsest_sweeps = 30; ///< relaxations on the coarsest grid, each followed by eq. (26)
+  int coarsest_cells = 0;        ///< cells along x of the coarsest grid; 0: chosen
+  int coarsest_sweeps = 30;      ///< relaxations on the coarsest grid, each followed by eq. (26)
   double load_relaxation = 0.1;  ///< c of eq. (26)
   RelaxationParameters relaxation;
 };

@@ -33,7 +33,8 @@ void apply_changes(Level& level, int colour, bool cavitation, int i) {
     const Lanes one_south = __builtin_shuffle(south_edge, own_lines, LaneMask{7, 8, 9, 10, 11, 12, 13, 14});
     south_edge = own_lines;
     Lanes between = floor(core::evens(low, high) - 0.25 * (one_south + own_lines));
-    Lanes own = floor(core::odds(low, high) + core::load(delta + k) - 0.25 * (core::load(west + k) + core::load(east + k)));
+    Lanes own =
+        floor(core::odds(low, high) + core::load(delta + k) - 0.25 * (core::load(west + k) + core::load(east + k)));
     between = inside(j - 1, ny) ? between : core::evens(low, high);
     own = inside(j, ny) ? own : core::odds(low, high);
     core::store(P + j - 1, core::interleaved_low(between, own));
@@ -68,7 +69,8 @@ void relax_colour(Hierarchy& hierarchy, Level& level, int colour) {
   if (small.point >= 0)
     throw core::SolverError("line relaxation on " + std::to_string(level.grid.nx) + " x " +
                             std::to_string(level.grid.ny) + " cells: pivot " + std::to_string(small.pivot) +
-                            " at point i = " + std::to_string(small.point) + " of line j = " + std::to_string(small_line));
+                            " at point i = " + std::to_string(small.point) +
+                            " of line j = " + std::to_string(small_line));
 }
 
 template <int reach>

@@ -11,9 +11,9 @@ namespace ehl::fmg {
 /// first in the Poiseuille terms. The elastic film is renewed once, after both. This ordering is what makes
 /// distributive lines stable for every epsilon with a weight near one, where plain Jacobi order needs 0.6.
 ///
-/// Kind of a point: single (Gauss-Seidel) where e_max sqrt(e_max/e_min) > crossover with e = epsilon/h^2 at the four half
-/// points, else distributive. For smooth epsilon this is the paper's rule; where epsilon varies by orders from cell to
-/// cell, distributing a change would throw a share of it on a neighbour with far stronger coupling.
+/// Kind of a point: single (Gauss-Seidel) where e_max sqrt(e_max/e_min) > crossover with e = epsilon/h^2 at the four
+/// half points, else distributive. For smooth epsilon this is the paper's rule; where epsilon varies by orders from
+/// cell to cell, distributing a change would throw a share of it on a neighbour with far stronger coupling.
 ///
 /// errors: core::SolverError on a vanishing pivot (grid, line, point).
 void relax(Hierarchy& hierarchy, Level& level);

@@ -64,7 +64,8 @@ void Decimation<reach>::divide_by_middle(Level& level, std::size_t b, int points
     const core::LaneMask fine = core::abs(a[k][k]) > largest * smallest_pivot;
     if (!core::all(fine) && small.point < 0)
       for (int lane = 0; lane < core::lanes && small.point < 0; ++lane)
-        if (!fine[lane]) small = {static_cast<int>(b) * points_per_block + static_cast<int>(k) + 1, lane, a[k][k][lane]};
+        if (!fine[lane])
+          small = {static_cast<int>(b) * points_per_block + static_cast<int>(k) + 1, lane, a[k][k][lane]};
     const Lanes inverse = 1.0 / a[k][k];
     for (std::size_t s = k + 1; s < m; ++s) a[k][s] *= inverse;
     for (std::size_t s = 0; s < m; ++s) {

@@ -22,7 +22,8 @@ class Decimation {
   /// Sets the row of point i = 1..points.
   void set(int i, const Row& row);
 
-  /// Solves for all delta. out: a small pivot inside a block, if one was met (its point is the first of the block's row).
+  /// Solves for all delta. out: a small pivot inside a block, if one was met (its point is the first of the block's
+  /// row).
   SmallPivot solve();
 
   /// The solution of point i; valid after solve().

@@ -42,8 +42,8 @@ struct BandRow {
 };
 
 /// Eliminates h_i, h_{i-1}, h_{i-2} of one point: exact, as the film equation gives every h explicitly.
-/// in: `distributive` points at the entry of point i of an array with one entry per point, 1 where the change is distributed
-/// and 0 where it is single, readable from i - lower to i + upper.
+/// in: `distributive` points at the entry of point i of an array with one entry per point, 1 where the change is
+/// distributed and 0 where it is single, readable from i - lower to i + upper.
 template <int reach>
 inline BandRow<reach> eliminate_film(const FilmTerms& film, const PointEquation& point, const Lanes* distributive) {
   using Row = BandRow<reach>;
@@ -67,7 +67,8 @@ inline BandRow<reach> eliminate_film(const FilmTerms& film, const PointEquation&
   return row;
 }
 
-/// Turns a row into "delta_i = 0" in the lanes where `mask` is non-zero: a cavitated point, or a lane behind the last line.
+/// Turns a row into "delta_i = 0" in the lanes where `mask` is non-zero: a cavitated point, or a lane behind the last
+/// line.
 template <int reach>
 inline void make_identity(BandRow<reach>& row, core::LaneMask mask) {
   for (std::size_t q = 0; q < row.a.size(); ++q) {

@@ -8,8 +8,8 @@
 
 namespace ehl::reynolds {
 
-void epsilon(std::span<const double> H, std::span<const double> rho_bar, std::span<const double> fluidity, double lambda,
-             std::span<double> eps) {
+void epsilon(std::span<const double> H, std::span<const double> rho_bar, std::span<const double> fluidity,
+             double lambda, std::span<double> eps) {
   const double inverse = 1.0 / lambda;
   for (std::size_t k = 0; k < eps.size(); ++k) {
     const double film = H[k] < 0.0 ? 0.0 : H[k];
@@ -41,7 +41,8 @@ void residual(const core::Grid& grid, const State& state, Wedge wedge, int threa
     const double* __restrict f = state.f.at_x(i);
     double* __restrict out = r.at_x(i);
     for (int j = 1; j < grid.ny; ++j) {
-      const auto e = half_points(eps_west[j], eps_east[j], eps[j - 1], eps[j + 1], eps[j], half_over_hx2, half_over_hy2);
+      const auto e =
+          half_points(eps_west[j], eps_east[j], eps[j - 1], eps[j + 1], eps[j], half_over_hx2, half_over_hy2);
       const double wedge_term = c0 * (rho0[j] * H0[j]) + c1 * (rho1[j] * H1[j]) + c2 * (rho2[j] * H2[j]);
       out[j] = f[j] - poiseuille(e, P_west[j], P_east[j], P[j - 1], P[j + 1], P[j]) + wedge_term;
     }
@@ -50,7 +51,8 @@ void residual(const core::Grid& grid, const State& state, Wedge wedge, int threa
   }
 }
 
-ResidualNorms residual_norms(const core::Grid& grid, const State& state, Wedge wedge, bool cavitation, const core::Field& r) {
+ResidualNorms residual_norms(const core::Grid& grid, const State& state, Wedge wedge, bool cavitation,
+                             const core::Field& r) {
   ResidualNorms norms;
   double total = 0.0;
   double wedge_total = 0.0;

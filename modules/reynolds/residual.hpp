@@ -10,8 +10,8 @@ namespace ehl::reynolds {
 
 /// epsilon = rho_bar H^3 / (eta_bar lambda) (eq. 5). in: spans of one length; film thickness H, fluidity = 1/eta_bar.
 /// limits: 0 where H < 0, a state that cycles can pass through on the way to a solution but that is none.
-void epsilon(std::span<const double> H, std::span<const double> rho_bar, std::span<const double> fluidity, double lambda,
-             std::span<double> eps);
+void epsilon(std::span<const double> H, std::span<const double> rho_bar, std::span<const double> fluidity,
+             double lambda, std::span<double> eps);
 
 /// What the equation needs of a state: nodes of one grid.
 struct State {
@@ -37,6 +37,7 @@ struct ResidualNorms {
 };
 
 /// in: residual r as made by residual() from the same state. With cavitation false every point counts as P > 0.
-ResidualNorms residual_norms(const core::Grid& grid, const State& state, Wedge wedge, bool cavitation, const core::Field& r);
+ResidualNorms residual_norms(const core::Grid& grid, const State& state, Wedge wedge, bool cavitation,
+                             const core::Field& r);
 
 }  // namespace ehl::reynolds

@@ -14,8 +14,8 @@ struct HalfPoints {
 };
 
 template <class Number>
-HalfPoints<Number> half_points(Number west, Number east, Number south, Number north, Number centre, double half_over_hx2,
-                               double half_over_hy2) {
+HalfPoints<Number> half_points(Number west, Number east, Number south, Number north, Number centre,
+                               double half_over_hx2, double half_over_hy2) {
   return {(west + centre) * half_over_hx2, (east + centre) * half_over_hx2, (south + centre) * half_over_hy2,
           (north + centre) * half_over_hy2};
 }

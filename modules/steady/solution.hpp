@@ -12,11 +12,11 @@ namespace ehl::steady {
 /// One row per grid level as the full multigrid goes up: what accuracy costs in time.
 struct LevelRow {
   int level = 0;
-  int nx = 0;               ///< cells
+  int nx = 0;  ///< cells
   int ny = 0;
-  double Hc = 0.0;          ///< H at (0,0)
-  double Hm = 0.0;          ///< minimum of H over the nodes
-  double error_Hc = 0.0;    ///< relative discretization error, estimated; NaN where the sequence is too short
+  double Hc = 0.0;        ///< H at (0,0)
+  double Hm = 0.0;        ///< minimum of H over the nodes
+  double error_Hc = 0.0;  ///< relative discretization error, estimated; NaN where the sequence is too short
   double error_Hm = 0.0;
   double order_Hc = 0.0;    ///< observed order; NaN where unknown
   double residual = 0.0;    ///< relative residual of the Reynolds equation (root mean square over the wedge's)
@@ -42,11 +42,11 @@ struct Solution {
   core::Field H;
   double H00 = 0.0;
   bool converged = false;
-  std::string failed_check;         ///< empty when converged: else which level, which check, what to try
-  std::vector<LevelRow> levels;     ///< coarse to fine; the last is the result
+  std::string failed_check;      ///< empty when converged: else which level, which check, what to try
+  std::vector<LevelRow> levels;  ///< coarse to fine; the last is the result
   std::vector<CycleRow> history;
   core::PartTimes times;
-  std::string deformation;          ///< what evaluated the film, for the report
+  std::string deformation;  ///< what evaluated the film, for the report
   std::vector<std::string> warnings;
   double seconds = 0.0;
 };

@@ -18,10 +18,10 @@ namespace {
 
 /// How an attempt begins. The first is fast and right for most contacts; the later ones are slower and safer.
 struct Start {
-  int cells;           ///< along x, at least
-  int sweeps;          ///< single-grid relaxations from the Hertz pressure
-  int cycles;          ///< cycles on the first level
-  double caution;      ///< factor on all under-relaxation weights
+  int cells;       ///< along x, at least
+  int sweeps;      ///< single-grid relaxations from the Hertz pressure
+  int cycles;      ///< cycles on the first level
+  double caution;  ///< factor on all under-relaxation weights
 };
 constexpr Start starts[] = {{64, 20, 4, 1.0}, {128, 40, 6, 1.0}, {128, 80, 10, 0.7}, {256, 80, 10, 0.5}};
 
@@ -73,7 +73,8 @@ class Solver {
                                .density = scene_.density,
                                .wedge = scene_.wedge,
                                .given_epsilon = {}};
-    fmg::Hierarchy hierarchy = fmg::make_hierarchy(problem, parameters, scene_.deformation, scene_.grid, scene_.threads);
+    fmg::Hierarchy hierarchy =
+        fmg::make_hierarchy(problem, parameters, scene_.deformation, scene_.grid, scene_.threads);
     solution_.deformation = hierarchy.finest().deformation.description();
     const std::size_t finest = hierarchy.levels.size() - 1;
     std::size_t first = 0;
@@ -87,7 +88,8 @@ class Solver {
         fmg::start_from_hertz(hierarchy, l, -1.0 + guess_of_central_film(), start.sweeps);
       else
         fmg::start_from_coarser(hierarchy, l);
-      solve_level(hierarchy, first, l, finest, l == first ? std::max(start.cycles, parameters.cycles) : parameters.cycles);
+      solve_level(hierarchy, first, l, finest,
+                  l == first ? std::max(start.cycles, parameters.cycles) : parameters.cycles);
       solution_.levels.back().seconds = core::now() - began;
     }
     solution_.grid = scene_.grid;
@@ -107,7 +109,8 @@ class Solver {
       fmg::fas_cycle(hierarchy, l);
       const StateOfLevel now = state_of_level(hierarchy, l);
       if (!(now.residual < hopeless_residual) || !std::isfinite(now.Hc))
-        throw core::SolverError(where(hierarchy, l) + ": the cycles diverge (relative residual " + text(now.residual) + ")");
+        throw core::SolverError(where(hierarchy, l) + ": the cycles diverge (relative residual " + text(now.residual) +
+                                ")");
       record(hierarchy, l, cycle, now);
       report(hierarchy, first, l, finest, cycle, planned, now);
       if (to_tolerance) {
@@ -165,8 +168,8 @@ class Solver {
     return nodes / (static_cast<double>(grid.nodes_x()) * grid.nodes_y());
   }
 
-  void report(const fmg::Hierarchy& hierarchy, std::size_t first, std::size_t l, std::size_t finest, int cycle, int planned,
-              const StateOfLevel& now) {
+  void report(const fmg::Hierarchy& hierarchy, std::size_t first, std::size_t l, std::size_t finest, int cycle,
+              int planned, const StateOfLevel& now) {
     if (!progress_) return;
     // A cycle on the next level costs about four times as much.
     double whole = 0.0;
@@ -198,7 +201,8 @@ class Solver {
   }
   static std::string where(const fmg::Hierarchy& hierarchy, std::size_t l) {
     const core::Grid& grid = hierarchy.levels[l].grid;
-    return "level " + std::to_string(l + 1) + " (" + std::to_string(grid.nx) + " x " + std::to_string(grid.ny) + " cells)";
+    return "level " + std::to_string(l + 1) + " (" + std::to_string(grid.nx) + " x " + std::to_string(grid.ny) +
+           " cells)";
   }
 
   static std::string unmet_tolerance(const fmg::Hierarchy& hierarchy, std::size_t l, double tolerance,
@@ -207,8 +211,8 @@ class Solver {
       return where(hierarchy, l) + ": relative residual " + text(now.residual) + " is above the tolerance " +
              text(tolerance) + "; more max_cycles, a W cycle or a finer grid may help";
     if (!(now.load_error <= std::max(tolerance, 1e-12)))
-      return where(hierarchy, l) + ": load error " + text(now.load_error) + " is above the tolerance " + text(tolerance) +
-             "; more max_cycles may help";
+      return where(hierarchy, l) + ": load error " + text(now.load_error) + " is above the tolerance " +
+             text(tolerance) + "; more max_cycles may help";
     return {};
   }
 

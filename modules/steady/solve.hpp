@@ -9,11 +9,11 @@ namespace ehl::steady {
 /// Called after every cycle: progress for a person, and the moment at which a stop is possible.
 /// Returns false when the user asked to stop; the solver then throws core::Interrupted.
 struct Progress {
-  int level = 0;        ///< level being solved
-  int levels = 0;       ///< levels in all
-  int cycle = 0;        ///< cycle on this level, from 1
-  int cycles = 0;       ///< cycles planned on this level
-  int nx = 0, ny = 0;   ///< cells of the level
+  int level = 0;       ///< level being solved
+  int levels = 0;      ///< levels in all
+  int cycle = 0;       ///< cycle on this level, from 1
+  int cycles = 0;      ///< cycles planned on this level
+  int nx = 0, ny = 0;  ///< cells of the level
   double residual = 0.0;
   double Hc = 0.0;
   double fraction = 0.0;  ///< of the expected whole work, 0..1

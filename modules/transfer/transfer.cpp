@@ -67,7 +67,8 @@ void prolong_bicubic(const core::Field& coarse, core::Field& fine) {
       row[static_cast<std::size_t>(J)] =
           i % 2 == 0 ? coarse(i / 2, J) : half_way([&](int I) { return coarse(I, J); }, i / 2, last_x);
     const auto along_y = [&](int J) { return row[static_cast<std::size_t>(J)]; };
-    for (int j = 0; j < fine.nodes_y(); ++j) fine(i, j) = j % 2 == 0 ? along_y(j / 2) : half_way(along_y, j / 2, last_y);
+    for (int j = 0; j < fine.nodes_y(); ++j)
+      fine(i, j) = j % 2 == 0 ? along_y(j / 2) : half_way(along_y, j / 2, last_y);
   }
 }
 

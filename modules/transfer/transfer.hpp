@@ -15,7 +15,8 @@ void restrict_full_weighting(const core::Field& fine, core::Field& coarse);
 void prolong_bilinear(const core::Field& coarse, core::Field& fine, int threads);
 
 /// Bicubic interpolation, (-1 9 9 -1)/16 along x and then y; beside the boundary the missing value is extrapolated
-/// cubically (weights (5 15 -5 1)/16). order: 4, also at the boundary. limits: at least 4 nodes each way on the coarse grid.
+/// cubically (weights (5 15 -5 1)/16). order: 4, also at the boundary. limits: at least 4 nodes each way on the coarse
+/// grid.
 void prolong_bicubic(const core::Field& coarse, core::Field& fine);
 
 }  // namespace ehl::transfer
