@@ -77,6 +77,9 @@ int run(const Arguments& arguments) {
     return fail_without_solution(arguments, input, error.what());
   }
 
+  // No start led to a state that could be shown.
+  if (solution.levels.empty() || solution.H.nodes_x() == 0)
+    return fail_without_solution(arguments, input, solution.failed_check);
   const Outcome outcome = outcome_of(input, solution);
   if (!std::isfinite(outcome.Hc + outcome.Hm.value + outcome.P_max.value))
     return fail_without_solution(arguments, input, "the film or the pressure is not finite");

@@ -57,12 +57,9 @@ const char* name(reynolds::Wedge wedge) { return wedge == reynolds::Wedge::upstr
 
 const char* name(mlmi::Method method) {
   switch (method) {
-    case mlmi::Method::mlmi:
-      return "mlmi";
-    case mlmi::Method::fft:
-      return "fft";
-    case mlmi::Method::direct:
-      break;
+    case mlmi::Method::mlmi: return "mlmi";
+    case mlmi::Method::fft: return "fft";
+    case mlmi::Method::direct: break;
   }
   return "direct";
 }

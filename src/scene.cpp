@@ -14,8 +14,8 @@ namespace {
 using deck::complain;
 using deck::given;
 
-// A coarsest grid of at most this many cells along x is coarse enough to be solved by relaxation.
-constexpr int largest_coarsest = 32;
+// The multigrid halves a grid as long as this many cells along x are left.
+constexpr int smallest_coarsest = 32;
 constexpr double giga = 1e9;
 
 void choose_domain(deck::Deck& deck, double M) {
@@ -25,12 +25,13 @@ void choose_domain(deck::Deck& deck, double M) {
   if (!given(deck, "domain", "y_half")) deck::choose(deck, "domain", "y_half", light ? 3.0 : 2.0, why);
 }
 
-// How often the cells may be halved, -1 when not to a coarse enough grid.
+// How often the cells are halved, -1 when that does not lead to a coarse enough grid.
 int halvings(int cells, int coarsest) {
   int count = 0;
-  for (; cells % 2 == 0 && cells > (coarsest > 0 ? coarsest : largest_coarsest); ++count) cells /= 2;
-  if (coarsest > 0) return cells == coarsest ? count : -1;
-  return cells <= largest_coarsest ? count : -1;
+  const auto goes_on = [&] { return coarsest > 0 ? cells > coarsest : cells / 2 >= smallest_coarsest; };
+  for (; cells % 2 == 0 && goes_on(); ++count) cells /= 2;
+  const bool coarse_enough = coarsest > 0 ? cells == coarsest : cells < 2 * smallest_coarsest;
+  return coarse_enough ? count : -1;
 }
 
 // The two nearest numbers of cells that would do.
@@ -52,9 +53,9 @@ core::Grid grid_of(deck::Deck& deck) {
   if (cells == 0 || std::isnan(grid.X_b - grid.X_a) || std::isnan(grid.Y_b)) return grid;  // complained about already
   const int levels = halvings(cells, coarsest);
   if (levels < 0) {
-    const std::string of = coarsest > 0 ? "the coarsest grid's " + std::to_string(coarsest) + " cells"
-                                        : "a coarsest grid of at most " + std::to_string(largest_coarsest) + " cells";
-    complain(deck, "grid", "cells", "must be " + of + " times a power of two, " + good_cells(cells, coarsest));
+    const std::string of = coarsest > 0 ? "a multiple of the coarsest grid's " + std::to_string(coarsest) + " cells"
+                                        : "a multiple of a coarsest grid of 32 to 63 cells";
+    complain(deck, "grid", "cells", "must be " + of + " by a power of two, " + good_cells(cells, coarsest));
     return grid;
   }
   // Even on the coarsest grid, so that the line y = 0 is a line of every grid.

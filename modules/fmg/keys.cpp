@@ -41,7 +41,7 @@ std::vector<deck::Key> keys() {
           .meaning = "Cycles on every level of the full multigrid on its way up."},
       Key{.section = "multigrid",
           .name = "tolerance",
-          .default_note = "none: `cycles` cycles, then the checks",
+          .default_note = "none: until the cycles no longer change Hc and Hm by a tenth of the discretization error",
           .range = {1e-14, 0.1},
           .meaning =
               "Relative residual of the Reynolds equation to reach on the finest grid (root mean square, over that "
@@ -52,8 +52,8 @@ std::vector<deck::Key> keys() {
           .type = Type::integer,
           .default_text = std::to_string(defaults.max_cycles),
           .range = {1, 10000},
-          .meaning = "Cycles on the finest grid at most.",
-          .needs = {.name = "tolerance"}},
+          .meaning =
+              "Cycles on the finest grid at most, where the checks or the tolerance ask for more than `cycles`."},
   };
 }
 

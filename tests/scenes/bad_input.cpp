@@ -124,7 +124,6 @@ BOOST_AUTO_TEST_CASE(grids_and_domains) {
        good + "[deformation]\nmethod = fft\norder = 6\n",
        {"d.ini:9", "order = 6", "no influence with method = fft"}},
       {"no relaxation", good + "[multigrid]\npre = 0\npost = 0\n", {"d.ini:8", "cannot converge"}},
-      {"unused limit", good + "[multigrid]\nmax_cycles = 9\n", {"d.ini:8", "no influence without tolerance"}},
   });
 }
 
