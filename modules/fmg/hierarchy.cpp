@@ -13,7 +13,6 @@ namespace ehl::fmg {
 namespace {
 
 constexpr double two_over_pi_squared = 2.0 / (std::numbers::pi * std::numbers::pi);
-constexpr int default_coarsest = 32;
 
 line_solvers::FilmTerms film_terms(const core::Grid& grid, int reach) {
   line_solvers::FilmTerms terms;
@@ -89,9 +88,9 @@ Hierarchy make_hierarchy(const Problem& problem, const Parameters& parameters, c
   Hierarchy hierarchy{.problem = problem, .parameters = parameters, .levels = {}, .threads = threads, .times = {}};
   const core::ScopedTimer timer(hierarchy.times, core::Part::setup);
   std::vector<core::Grid> grids{finest};
-  const int wanted = parameters.coarsest_cells > 0 ? parameters.coarsest_cells : default_coarsest;
+  const int wanted = parameters.coarsest_cells > 0 ? parameters.coarsest_cells : parameters.least_coarsest_cells;
   while (grids.back().nx > wanted && grids.back().nx % 2 == 0 && grids.back().ny % 2 == 0 &&
-         (parameters.coarsest_cells > 0 || grids.back().nx / 2 >= default_coarsest))
+         (parameters.coarsest_cells > 0 || grids.back().nx / 2 >= wanted))
     grids.push_back(core::coarsened(grids.back()));
   if (parameters.coarsest_cells > 0 && grids.back().nx != wanted)
     throw core::InputError("[grid] coarsest = " + std::to_string(wanted) + ": " + std::to_string(finest.nx) + " x " +

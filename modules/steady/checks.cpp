@@ -1,0 +1,61 @@
+#include "steady/checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace ehl::steady {
+namespace {
+
+/// Algebraic error allowed in Hc and Hm, as a share of the discretization error.
+constexpr double algebraic_share = 0.1;
+/// Largest relative residual and load error of a solution at the level of the discretization error.
+constexpr double loose_residual = 2e-2;
+constexpr double loose_load_error = 1e-4;
+/// Relative residual asked for where the discretization error is unknown.
+constexpr double default_tolerance = 1e-6;
+/// No cycle is trusted to reduce the error by more, or by less, than this.
+constexpr double best_factor = 0.1;
+constexpr double worst_factor = 0.9;
+/// Relative rounding noise of Hc and Hm.
+constexpr double rounding = 1e-11;
+
+std::string text(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.2e", value);
+  return buffer;
+}
+
+std::string unmet_tolerance(const StateOfLevel& state, double tolerance) {
+  if (!(state.residual <= tolerance))
+    return "relative residual " + text(state.residual) + " is above " + text(tolerance) +
+           "; more max_cycles or a finer grid may help";
+  if (!(state.load_error <= tolerance))
+    return "load error " + text(state.load_error) + " is above " + text(tolerance) + "; more max_cycles may help";
+  return {};
+}
+
+std::string unmet_share(const char* name, double before, double after, double factor, double discretization_error) {
+  const double left = std::abs((after - before) / after) * factor / (1.0 - factor);
+  if (left <= std::max(algebraic_share * discretization_error, rounding)) return {};
+  return std::string(name) + " still has an algebraic error of about " + text(left) +
+         ", more than a tenth of its discretization error " + text(discretization_error) + "; more max_cycles may help";
+}
+
+}  // namespace
+
+std::string unmet_check(const LastCycle& cycle, double tolerance) {
+  const StateOfLevel& now = cycle.after;
+  if (!(now.Hm > 0.0))
+    return "the film is negative at its thinnest, H = " + text(now.Hm) +
+           ": the mesh is too coarse for this contact; use more cells";
+  if (std::isfinite(tolerance)) return unmet_tolerance(now, tolerance);
+  if (!std::isfinite(cycle.error_Hc)) return unmet_tolerance(now, default_tolerance);
+  if (!(now.residual <= loose_residual)) return unmet_tolerance(now, loose_residual);
+  if (!(now.load_error <= loose_load_error)) return unmet_tolerance(now, loose_load_error);
+  const double factor = std::clamp(now.residual / cycle.before.residual, best_factor, worst_factor);
+  const std::string unmet = unmet_share("Hc", cycle.before.Hc, now.Hc, factor, cycle.error_Hc);
+  return unmet.empty() ? unmet_share("Hm", cycle.before.Hm, now.Hm, factor, cycle.error_Hm) : unmet;
+}
+
+}  // namespace ehl::steady
