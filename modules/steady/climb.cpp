@@ -56,6 +56,7 @@ class Climber {
     parameters.relaxation.weight_distributed *= start.caution;
     parameters.relaxation.weight_single *= start.caution;
     parameters.relaxation.weight_single_steep *= start.caution;
+    parameters.coarsest_sweeps = std::max(parameters.coarsest_sweeps, start.balances);
     parameters.least_coarsest_cells = std::max(parameters.least_coarsest_cells, start.coarsest);
     const fmg::Problem problem{.lambda = scene.lambda,
                                .viscosity = scene.viscosity,

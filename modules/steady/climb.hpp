@@ -13,6 +13,7 @@ struct Start {
   int sweeps = 20;       ///< relaxations of that grid alone, from the Hertz pressure
   int cycles = 4;        ///< cycles on that grid, at least
   int coarsest = 32;     ///< cells along x of the coarsest grid of all cycles, at least
+  int balances = 10;     ///< relaxations with force balance on the coarsest grid
   double caution = 1.0;  ///< factor on all under-relaxation weights
 };
 

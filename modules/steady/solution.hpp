@@ -23,7 +23,6 @@ struct LevelRow {
   double load_error = 0.0;  ///< |h^2 sum P - 2 pi/3| / (2 pi/3)
   int cycles = 0;
   double work_units = 0.0;  ///< in residual + deformation evaluations on this level
-  int climbs = 1;           ///< starts that were needed
   double seconds = 0.0;
 };
 
@@ -49,8 +48,8 @@ struct Solution {
   core::PartTimes times;
   std::string deformation;  ///< what evaluated the film, for the report
   std::vector<std::string> warnings;
-  int climbs = 1;  ///< starts that were needed
   double seconds = 0.0;
+  int climbs = 1;  ///< starts that were needed
 };
 
 }  // namespace ehl::steady
