@@ -67,7 +67,8 @@ ResidualNorms residual_norms(const core::Grid& grid, const State& state, Wedge w
       // In a cavitated point L(P) <= f is allowed: only r < 0 violates. Written so that NaN goes through.
       const double violation = cavitated && r(i, j) >= 0.0 ? 0.0 : r(i, j);
       sum += violation * violation;
-      if (!(std::abs(violation) <= norms.largest)) norms = {0.0, 0.0, std::abs(violation), i, j};
+      if (!(std::abs(violation) <= norms.largest) && !std::isnan(norms.largest))  // the first NaN stays
+        norms = {0.0, 0.0, std::abs(violation), i, j};
       if (cavitated) continue;
       const double w = c0 * state.rho_bar(i, j) * state.H(i, j) + c1 * state.rho_bar(i - 1, j) * state.H(i - 1, j) +
                        c2 * state.rho_bar(upstream, j) * state.H(upstream, j);

@@ -1,0 +1,148 @@
+// The residual against eq. (4) written out, the coefficient epsilon, the complementarity norms.
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <vector>
+
+#include "core/norms.hpp"
+#include "unit/reynolds/fields.hpp"
+
+using namespace ehl::tests;
+namespace reynolds = ehl::reynolds;
+using ehl::core::Field;
+using ehl::core::Grid;
+using reynolds::Wedge;
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+// f - L(P) at one node, eq. (4) term by term.
+double residual_at(const Grid& grid, const Fields& s, Wedge wedge, int i, int j) {
+  const double hx = grid.hx();
+  const double hy = grid.hy();
+  const double eps_west = 0.5 * (s.eps(i - 1, j) + s.eps(i, j));
+  const double eps_east = 0.5 * (s.eps(i + 1, j) + s.eps(i, j));
+  const double eps_south = 0.5 * (s.eps(i, j - 1) + s.eps(i, j));
+  const double eps_north = 0.5 * (s.eps(i, j + 1) + s.eps(i, j));
+  const double along_x =
+      (eps_west * s.P(i - 1, j) - (eps_west + eps_east) * s.P(i, j) + eps_east * s.P(i + 1, j)) / (hx * hx);
+  const double along_y =
+      (eps_south * s.P(i, j - 1) - (eps_south + eps_north) * s.P(i, j) + eps_north * s.P(i, j + 1)) / (hy * hy);
+  const auto flow = [&](int k) { return s.rho_bar(k, j) * s.H(k, j); };
+  const double d_flow_dX = wedge == Wedge::upstream2 && i > 1
+                               ? (3.0 * flow(i) - 4.0 * flow(i - 1) + flow(i - 2)) / (2.0 * hx)
+                               : (flow(i) - flow(i - 1)) / hx;
+  return s.f(i, j) - (along_x + along_y - d_flow_dX);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(residual_is_equation_4) {
+  for (const Grid& grid : {Grid{16, 16, -2, 2, -2, 2}, Grid{37, 22, -4.5, 1.5, -1, 1}, Grid{2, 2, 0, 1, 0, 1}})
+    for (const Wedge wedge : {Wedge::upstream1, Wedge::upstream2}) {
+      Random random(1);
+      const Fields fields = random_fields(grid, random);
+      Field r(grid);
+      r.fill(not_a_number);
+      reynolds::residual(grid, fields.state(), wedge, 1, r);
+      double largest = 0.0;
+      double error = 0.0;
+      for (int i = 0; i <= grid.nx; ++i)
+        for (int j = 0; j <= grid.ny; ++j) {
+          const bool boundary = i == 0 || j == 0 || i == grid.nx || j == grid.ny;
+          const double truth = boundary ? 0.0 : residual_at(grid, fields, wedge, i, j);
+          largest = std::max(largest, std::abs(truth));
+          const double difference = std::abs(r(i, j) - truth);
+          error = difference <= error ? error : difference;
+        }
+      BOOST_TEST_MESSAGE(grid.nx << " x " << grid.ny << (wedge == Wedge::upstream1 ? ", upstream1: " : ", upstream2: ")
+                                 << error / largest << " of the largest residual (tolerance 1e-14)");
+      BOOST_TEST(error / largest < 1e-14);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(residual_has_the_same_bits_with_two_threads) {
+  const Grid grid{203, 150, -4.5, 1.5, -3, 3};
+  Random random(2);
+  const Fields fields = random_fields(grid, random);
+  Field one(grid);
+  Field two(grid);
+  reynolds::residual(grid, fields.state(), Wedge::upstream2, 1, one);
+  reynolds::residual(grid, fields.state(), Wedge::upstream2, 2, two);
+  for (int i = 0; i <= grid.nx; ++i)
+    BOOST_TEST(std::memcmp(one.at_x(i), two.at_x(i), sizeof(double) * static_cast<std::size_t>(grid.nodes_y())) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(epsilon_is_equation_5_and_never_negative) {
+  const double lambda = 0.3;
+  const std::vector<double> H{0.0, -0.1, -1e-300, 0.2, 2.0, 0.5, 1e-4};
+  const std::vector<double> rho_bar{1.0, 1.1, 1.2, 1.3, 1.0, 1.34, 1.0};
+  // eta_bar of 1, of 1e9, and one so large that 1/eta_bar has underflowed.
+  const std::vector<double> fluidity{1.0, 1.0, 1.0, 1e-9, 1.0, 0.0, 1.0};
+  std::vector<double> eps(H.size(), not_a_number);
+  reynolds::epsilon(H, rho_bar, fluidity, lambda, eps);
+  for (const std::size_t k : {0u, 1u, 2u, 5u}) BOOST_TEST((eps[k] == 0.0 && !std::signbit(eps[k])));
+  double error = 0.0;
+  for (const std::size_t k : {3u, 4u, 6u})
+    error = std::max(error, std::abs(eps[k] / (rho_bar[k] * std::pow(H[k], 3) * fluidity[k] / lambda) - 1.0));
+  BOOST_TEST_MESSAGE("epsilon: relative error " << error << " (tolerance 1e-15)");
+  BOOST_TEST(error < 1e-15);
+
+  std::vector<double> one(1);
+  reynolds::epsilon(std::vector{not_a_number}, std::vector{1.0}, std::vector{1.0}, lambda, one);
+  BOOST_TEST(std::isnan(one[0]), "a film that is not a number must show");
+}
+
+BOOST_AUTO_TEST_CASE(norms_count_only_what_violates_complementarity) {
+  const Grid grid{12, 8, 0, 1.2, 0, 1.6};
+  Fields fields = zero_fields(grid);
+  fields.P.fill(0.5);
+  fields.rho_bar.fill(1.0);
+  fields.rho_bar(4, 3) = 1.1;
+  for (int i = 0; i <= grid.nx; ++i)
+    for (int j = 0; j <= grid.ny; ++j) fields.H(i, j) = 0.3 * grid.X(i);  // wedge term 0.3
+  fields.P(5, 5) = 0.0;
+  fields.P(6, 5) = 0.0;
+  Field r(grid);
+  r(5, 5) = 7.0;   // cavitated, L(P) < f: allowed
+  r(6, 5) = -2.0;  // cavitated, L(P) > f: not
+  r(3, 3) = 1.0;   // carries pressure: any residual counts
+  r(8, 2) = -1.5;
+  r(0, 4) = 100.0;  // the boundary is no equation
+  const double points = (grid.nx - 1) * (grid.ny - 1);
+
+  const auto norms = reynolds::residual_norms(grid, fields.state(), Wedge::upstream1, true, r);
+  BOOST_TEST(std::abs(norms.root_mean_square - std::sqrt((4.0 + 1.0 + 2.25) / points)) < 1e-15);
+  BOOST_TEST(norms.largest == 2.0);
+  BOOST_TEST((norms.i == 6 && norms.j == 5));
+  // Without cavitation all count.
+  const auto all = reynolds::residual_norms(grid, fields.state(), Wedge::upstream1, false, r);
+  BOOST_TEST(std::abs(all.root_mean_square - std::sqrt((49.0 + 4.0 + 1.0 + 2.25) / points)) < 1e-15);
+  BOOST_TEST(all.largest == 7.0);
+
+  // The wedge: 0.3 but beside the denser node, where rho_bar H is 0.012 higher than without it; not where cavitated.
+  const double up = 0.3 + 0.1 * 0.3 * grid.X(4) / grid.hx();
+  const double down = 0.3 - 0.1 * 0.3 * grid.X(4) / grid.hx();
+  const double wedge = std::sqrt((0.09 * (points - 4) + up * up + down * down) / (points - 2));
+  BOOST_TEST_MESSAGE("wedge " << norms.wedge << ", by hand " << wedge << " (tolerance 1e-14)");
+  BOOST_TEST(std::abs(norms.wedge - wedge) < 1e-14);
+  BOOST_TEST(norms.relative() == norms.root_mean_square / norms.wedge);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_not_a_number_shows_in_the_norms) {
+  const Grid grid{12, 8, 0, 1.2, 0, 1.6};
+  Random random(3);
+  for (const bool cavitated : {false, true}) {
+    Fields fields = random_fields(grid, random);
+    fields.P(7, 4) = cavitated ? 0.0 : 0.5;
+    Field r = random_field(grid, random, -1.0, 1.0);
+    r(7, 4) = not_a_number;
+    const auto norms = reynolds::residual_norms(grid, fields.state(), Wedge::upstream2, true, r);
+    BOOST_TEST(std::isnan(norms.root_mean_square));
+    BOOST_TEST(std::isnan(norms.largest));
+    BOOST_TEST((norms.i == 7 && norms.j == 4), "found at " << norms.i << ", " << norms.j);
+  }
+}
