@@ -1,18 +1,28 @@
 #include "fmg/cycle.hpp"
 
+#include <algorithm>
+
 #include "fmg/coarse_problem.hpp"
 #include "fmg/relaxation.hpp"
 
 namespace ehl::fmg {
 namespace {
 
-void cycle(Hierarchy& hierarchy, std::size_t l, Cycle kind) {
+/// Relaxations of the coarsest grid in one cycle, all visits together, below which the force balance lags behind.
+constexpr int least_sweeps_per_cycle = 30;
+
+int visits_of_coarsest(Cycle kind, std::size_t l) {
+  if (kind == Cycle::V || l < 2) return 1;
+  return kind == Cycle::W ? 1 << (l - 1) : static_cast<int>(l);
+}
+
+void cycle(Hierarchy& hierarchy, std::size_t l, Cycle kind, int coarsest_sweeps) {
   Level& level = hierarchy.levels[l];
   const Parameters& parameters = hierarchy.parameters;
   if (l == 0) {
     const core::PartTimes before = hierarchy.times;
     const double start = core::now();
-    relax_with_force_balance(hierarchy, level, parameters.coarsest_sweeps);
+    relax_with_force_balance(hierarchy, level, coarsest_sweeps);
     hierarchy.times = before;  // the coarsest grid is one part of its own
     hierarchy.times[core::Part::coarsest] += core::now() - start;
     return;
@@ -20,9 +30,9 @@ void cycle(Hierarchy& hierarchy, std::size_t l, Cycle kind) {
   for (int sweep = 0; sweep < parameters.pre; ++sweep) relax(hierarchy, level);
 
   restrict_problem(hierarchy, level, hierarchy.levels[l - 1]);
-  cycle(hierarchy, l - 1, kind);
-  if (kind == Cycle::W && l > 1) cycle(hierarchy, l - 1, Cycle::W);
-  if (kind == Cycle::F && l > 1) cycle(hierarchy, l - 1, Cycle::V);
+  cycle(hierarchy, l - 1, kind, coarsest_sweeps);
+  if (kind == Cycle::W && l > 1) cycle(hierarchy, l - 1, Cycle::W, coarsest_sweeps);
+  if (kind == Cycle::F && l > 1) cycle(hierarchy, l - 1, Cycle::V, coarsest_sweeps);
   correct_from_coarse(hierarchy, hierarchy.levels[l - 1], level);
 
   for (int sweep = 0; sweep < parameters.post; ++sweep) relax(hierarchy, level);
@@ -30,7 +40,11 @@ void cycle(Hierarchy& hierarchy, std::size_t l, Cycle kind) {
 
 }  // namespace
 
-void fas_cycle(Hierarchy& hierarchy, std::size_t l) { cycle(hierarchy, l, hierarchy.parameters.cycle); }
+void fas_cycle(Hierarchy& hierarchy, std::size_t l) {
+  const Parameters& parameters = hierarchy.parameters;
+  const int per_visit = least_sweeps_per_cycle / visits_of_coarsest(parameters.cycle, l);
+  cycle(hierarchy, l, parameters.cycle, std::max(parameters.coarsest_sweeps, per_visit));
+}
 
 void relax_with_force_balance(Hierarchy& hierarchy, Level& level, int sweeps) {
   for (int sweep = 0; sweep < sweeps; ++sweep) {

@@ -28,8 +28,8 @@ struct Parameters {
   double tolerance = std::numeric_limits<double>::quiet_NaN();
   int coarsest_cells = 0;         ///< cells along x of the coarsest grid; 0: chosen
   int least_coarsest_cells = 32;  ///< where it is chosen
-  int coarsest_sweeps = 10;       ///< relaxations on the coarsest grid, each followed by eq. (26)
-  double load_relaxation = 0.1;   ///< c of eq. (26)
+  int coarsest_sweeps = 10;      ///< relaxations at least on each visit of the coarsest grid, each followed by eq. (26)
+  double load_relaxation = 0.1;  ///< c of eq. (26)
   RelaxationParameters relaxation;
 };
 

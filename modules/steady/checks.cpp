@@ -14,8 +14,8 @@ constexpr double loose_residual = 2e-2;
 constexpr double loose_load_error = 1e-4;
 /// Relative residual asked for where the discretization error is unknown.
 constexpr double default_tolerance = 1e-6;
-/// No cycle is trusted to reduce the error by more, or by less, than this.
-constexpr double best_factor = 0.1;
+/// No cycle is trusted to reduce the error by more, or by less, than this; Hm follows the residual with delay.
+constexpr double best_factor = 0.25;
 constexpr double worst_factor = 0.9;
 /// Relative rounding noise of Hc and Hm.
 constexpr double rounding = 1e-11;
