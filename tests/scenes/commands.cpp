@@ -44,6 +44,16 @@ BOOST_AUTO_TEST_CASE(json_is_json_and_nothing_else) {
   BOOST_TEST(contains(ended.out, "\"converged\": true"));
 }
 
+// What only the evaluator can judge is refused in the words of the deck as well.
+BOOST_AUTO_TEST_CASE(parameters_that_do_not_fit_the_grid) {
+  const Scene scene;
+  scene.folder.write("d.ini", small + "[deformation]\ncoarsenings = 20\n");
+  const support::Ended ended = scene.ehl("run d.ini");
+  BOOST_TEST(ended.status == 2);
+  BOOST_TEST(ended.says({"d.ini:12: [deformation] coarsenings = 20: "}), ended.err);
+  BOOST_TEST(scene.folder.entries() == 1);
+}
+
 BOOST_AUTO_TEST_CASE(an_existing_result_is_kept) {
   const Scene scene;
   scene.folder.write("d.h5", "precious");

@@ -94,6 +94,11 @@ BOOST_AUTO_TEST_CASE(the_same_content_gives_the_same_bytes) {
   results::write(folder / "one.h5", example.content, false);
   results::write(folder / "two.h5", example.content, false);
   BOOST_TEST((folder.read("one.h5") == folder.read("two.h5")));
+  const hid_t file = H5Fopen((folder / "one.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  H5O_info_t info{};
+  H5Oget_info_by_name2(file, "/fields/P", &info, H5O_INFO_TIME, H5P_DEFAULT);
+  H5Fclose(file);
+  BOOST_TEST(info.ctime == 0);  // no time of its own, which would differ a second later
   BOOST_TEST(folder.read("one.h5").size() < results::expected_bytes(example.grid, 1));
 }
 
