@@ -107,8 +107,8 @@ BOOST_AUTO_TEST_CASE(symbol_of_the_kernel) {
     const double sum = lattice_sum(theta, 600);
     const double relative = std::abs(kernel_symbol(theta) / sum - 1.0);
     BOOST_TEST_MESSAGE("theta " << theta.x << " " << theta.y << ": symbol " << kernel_symbol(theta)
-                                << ", lattice sum differs by " << relative << " (tolerance 1e-3: its length)");
-    BOOST_TEST(relative < 1e-3);
+                                << ", lattice sum differs by " << relative << " (tolerance 1e-6)");
+    BOOST_TEST(relative < 1e-6);
   }
 }
 
@@ -161,7 +161,8 @@ BOOST_AUTO_TEST_CASE(two_colours_make_distributive_lines_stable) {
 }
 
 BOOST_AUTO_TEST_CASE(relaxation_as_implemented) {
-  const LocalFourierAnalysis analysis(8);
+  // Not closer to theta_x = 0: there a sweep's factor changes within the width of the packet's spectrum.
+  const LocalFourierAnalysis analysis(4);
   for (const bool distributed : {true, false})
     for (const Wedge wedge : wedges)
       for (const double e : {0.0, 0.03, 0.1, 0.3, 1.0, 3.0, 30.0}) {

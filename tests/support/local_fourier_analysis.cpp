@@ -1,0 +1,218 @@
+#include "support/local_fourier_analysis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include "kernel/influence.hpp"
+
+namespace ehl::tests {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double two_over_pi_squared = 2.0 / (pi * pi);
+
+double away(double theta) { return theta > 0.0 ? theta - pi : theta + pi; }
+
+double sinc(double t) { return t == 0.0 ? 1.0 : std::sin(t) / t; }
+
+// The terms of Poisson's sum alternate in sign and fall slowly: a weight that lets the outer half fade makes the rest
+// negligible.
+constexpr int terms = 24;
+double fading(int m) {
+  const int outer = std::abs(m) - terms / 2;
+  if (outer <= 0) return 1.0;
+  const double c = std::cos(0.5 * pi * outer / (terms / 2 + 1));
+  return c * c;
+}
+
+Complex wedge_symbol(reynolds::Wedge wedge, double theta_x) {
+  const Complex one_back = std::polar(1.0, -theta_x);
+  if (wedge == reynolds::Wedge::upstream2) return 1.5 - 2.0 * one_back + 0.5 * one_back * one_back;
+  return 1.0 - one_back;
+}
+
+Complex film_symbol(reynolds::Wedge wedge, const Mode& at) { return -wedge_symbol(wedge, at.theta.x) * at.kernel; }
+
+Complex poiseuille_symbol(double e, Frequency theta) {
+  return -e * (4.0 - 2.0 * std::cos(theta.x) - 2.0 * std::cos(theta.y));
+}
+
+// Pressure change per delta: 1 - (sum of the four neighbours)/4.
+double distribution_symbol(bool distributed, Frequency theta) {
+  return distributed ? 1.0 - 0.5 * (std::cos(theta.x) + std::cos(theta.y)) : 1.0;
+}
+
+// The system of one line, eqs. (12)-(13) or (16)-(17): what the deltas of the line change in its own equations.
+Complex line_symbol(const LineRelaxation& relaxation, double e, reynolds::Wedge wedge, double theta_x) {
+  const double cosine = std::cos(theta_x);
+  // A change of the line and what it takes from the two lines beside it.
+  const double on_line = relaxation.distributed ? 1.0 - 0.5 * cosine : 1.0;
+  const double beside = relaxation.distributed ? -0.25 : 0.0;
+  double film = 0.0;
+  for (int d = 0; d <= relaxation.reach; ++d) {
+    const double influence =
+        relaxation.distributed ? kernel::distributed_influence(d, 0, 1.0, 1.0) : kernel::influence(d, 0, 1.0, 1.0);
+    film += (d == 0 ? 1.0 : 2.0 * std::cos(d * theta_x)) * two_over_pi_squared * influence;
+  }
+  return e * ((2.0 * cosine - 4.0) * on_line + 2.0 * beside) - wedge_symbol(wedge, theta_x) * film;
+}
+
+using Matrix4 = std::array<std::array<Complex, 4>, 4>;
+
+Matrix4 product(const Matrix4& a, const Matrix4& b) {
+  Matrix4 result{};
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t k = 0; k < 4; ++k)
+      for (std::size_t j = 0; j < 4; ++j) result[i][j] += a[i][k] * b[k][j];
+  return result;
+}
+
+// lim |T^n|^(1/n) with n = 2^20, by squaring; the norm is the largest entry.
+double spectral_radius(Matrix4 matrix) {
+  constexpr int squarings = 20;
+  double logarithm = 0.0;
+  for (int k = 0; k <= squarings; ++k) {
+    double norm = 0.0;
+    for (const auto& row : matrix)
+      for (const Complex& entry : row) norm = std::max(norm, std::abs(entry));
+    if (norm == 0.0) return 0.0;
+    logarithm += std::log(norm) / std::exp2(k);
+    for (auto& row : matrix)
+      for (Complex& entry : row) entry /= norm;
+    matrix = product(matrix, matrix);
+  }
+  return std::exp(logarithm);
+}
+
+Matrix4 sweep_of_harmonics(const LineRelaxation& relaxation, double e, reynolds::Wedge wedge,
+                           const Harmonics& harmonics) {
+  Matrix4 all{};
+  for (std::size_t pair = 0; pair < 2; ++pair) {
+    const SweepMatrix matrix = sweep_matrix(relaxation, e, wedge, harmonics.pairs[pair]);
+    for (std::size_t row = 0; row < 2; ++row)
+      for (std::size_t column = 0; column < 2; ++column) all[2 * pair + row][2 * pair + column] = matrix[row][column];
+  }
+  return all;
+}
+
+// I - P L_coarse^-1 R L
+Matrix4 coarse_grid_correction(double e, reynolds::Wedge wedge, const Harmonics& harmonics) {
+  const Complex coarse = equation_symbol(e, wedge, harmonics.coarse, 2.0);
+  std::array<double, 4> transfer{};
+  std::array<Complex, 4> residual{};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Mode& at = harmonics.pairs[k / 2][k % 2];
+    transfer[k] = 0.25 * (1.0 + std::cos(at.theta.x)) * (1.0 + std::cos(at.theta.y));
+    residual[k] = equation_symbol(e, wedge, at);
+  }
+  Matrix4 correction{};
+  for (std::size_t k = 0; k < 4; ++k)
+    for (std::size_t from = 0; from < 4; ++from)
+      correction[k][from] = (k == from ? 1.0 : 0.0) - transfer[k] * transfer[from] * residual[from] / coarse;
+  return correction;
+}
+
+}  // namespace
+
+double kernel_symbol(Frequency theta) {
+  double sum = 0.0;
+  for (int m = -terms; m <= terms; ++m) {
+    const double t_x = theta.x + 2.0 * pi * m;
+    const double along_x = fading(m) * sinc(0.5 * t_x);
+    for (int n = -terms; n <= terms; ++n) {
+      const double t_y = theta.y + 2.0 * pi * n;
+      sum += along_x * fading(n) * sinc(0.5 * t_y) * 2.0 * pi / std::hypot(t_x, t_y);
+    }
+  }
+  return two_over_pi_squared * sum;
+}
+
+std::array<Mode, 2> mode_pair(Frequency theta) { return {mode(theta), mode({theta.x, away(theta.y)})}; }
+
+Complex equation_symbol(double e, reynolds::Wedge wedge, const Mode& at, double cell) {
+  return poiseuille_symbol(e / (cell * cell), at.theta) + film_symbol(wedge, at);
+}
+
+SweepMatrix sweep_matrix(const LineRelaxation& relaxation, double e, reynolds::Wedge wedge,
+                         const std::array<Mode, 2>& pair) {
+  const Complex line = line_symbol(relaxation, e, wedge, pair[0].theta.x);
+  // For each of the two: the pressure change per delta, weight included, and the deltas that L answers with.
+  std::array<double, 2> change{};
+  std::array<Complex, 2> poiseuille{};
+  std::array<Complex, 2> film{};
+  for (std::size_t k = 0; k < 2; ++k) {
+    change[k] = relaxation.weight * distribution_symbol(relaxation.distributed, pair[k].theta);
+    poiseuille[k] = poiseuille_symbol(e, pair[k].theta) / line;
+    film[k] = film_symbol(wedge, pair[k]) / line;
+  }
+  SweepMatrix sweep{};
+  if (relaxation.ordering != Ordering::two_colours) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      // The line before has already changed: e exp(-i theta_y) delta stands on the left.
+      const bool after = relaxation.ordering == Ordering::lexicographic;
+      const Complex before = after ? 1.0 + e * std::polar(1.0, -pair[k].theta.y) / line : 1.0;
+      sweep[k][k] = 1.0 - change[k] * (poiseuille[k] + film[k]) / before;
+    }
+    return sweep;
+  }
+  // Restriction to the odd lines couples the two with +-1/2: (1 - (-1)^j)/2; to the even ones (1 + (-1)^j)/2.
+  for (std::size_t k = 0; k < 2; ++k)
+    for (std::size_t from = 0; from < 2; ++from) {
+      const double odd = k == from ? 0.5 : -0.5;
+      sweep[k][from] = (k == from ? 1.0 : 0.0) - change[k] * odd * (poiseuille[from] + film[from]);
+    }
+  const SweepMatrix first = sweep;
+  for (std::size_t k = 0; k < 2; ++k)
+    for (std::size_t from = 0; from < 2; ++from) {
+      Complex deltas = 0.5 * film[from];
+      for (std::size_t via = 0; via < 2; ++via) deltas += 0.5 * poiseuille[via] * first[via][from];
+      sweep[k][from] -= change[k] * deltas;
+    }
+  return sweep;
+}
+
+double spectral_radius(const SweepMatrix& matrix) {
+  const Complex half_trace = 0.5 * (matrix[0][0] + matrix[1][1]);
+  const Complex determinant = matrix[0][0] * matrix[1][1] - matrix[0][1] * matrix[1][0];
+  const Complex root = std::sqrt(half_trace * half_trace - determinant);
+  return std::max(std::abs(half_trace + root), std::abs(half_trace - root));
+}
+
+double smoothing_factor(const SweepMatrix& matrix, Frequency theta) {
+  return std::abs(theta.x) < 0.5 * pi ? std::abs(matrix[1][1]) : spectral_radius(matrix);
+}
+
+LocalFourierAnalysis::LocalFourierAnalysis(int per_quarter) {
+  // theta_y -> -theta_y and the complex conjugate give the same: theta_x, theta_y > 0 say it all.
+  const double step = 0.5 * pi / per_quarter;
+  for (int a = 0; a < per_quarter; ++a)
+    for (int b = 0; b < per_quarter; ++b) {
+      const Frequency theta{(a + 0.5) * step, (b + 0.5) * step};
+      all_.push_back({{mode_pair(theta), mode_pair({away(theta.x), theta.y})}, mode({2.0 * theta.x, 2.0 * theta.y})});
+    }
+}
+
+Analysis LocalFourierAnalysis::analyse(const LineRelaxation& relaxation, double e, reynolds::Wedge wedge, int pre,
+                                       int post) const {
+  Analysis result;
+  for (const Harmonics& harmonics : all_) {
+    for (const std::array<Mode, 2>& pair : harmonics.pairs) {
+      const double factor = smoothing_factor(sweep_matrix(relaxation, e, wedge, pair), pair[0].theta);
+      if (factor > result.smoothing) {
+        result.smoothing = factor;
+        result.slowest = pair[0].theta;
+      }
+    }
+    const Matrix4 sweep = sweep_of_harmonics(relaxation, e, wedge, harmonics);
+    result.low = std::max(result.low, std::abs(sweep[0][0]));
+    Matrix4 cycle = coarse_grid_correction(e, wedge, harmonics);
+    for (int k = 0; k < pre; ++k) cycle = product(cycle, sweep);
+    for (int k = 0; k < post; ++k) cycle = product(sweep, cycle);
+    result.two_grid = std::max(result.two_grid, spectral_radius(cycle));
+  }
+  return result;
+}
+
+}  // namespace ehl::tests

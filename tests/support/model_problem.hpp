@@ -1,0 +1,38 @@
+#pragma once
+// The linear model problems of the paper (eqs. 9, 10, 19, 20) on the solver's own grids, relaxation and cycles.
+#include <functional>
+#include <vector>
+
+#include "fmg/hierarchy.hpp"
+
+namespace ehl::tests {
+
+struct ModelProblem {
+  int cells = 128;   ///< along x and y, on [-4.5, 1.5] x [-3, 3]
+  int coarsest = 8;  ///< cells of the coarsest grid: the paper's
+  std::function<double(double, double)> epsilon;
+  reynolds::Wedge wedge = reynolds::Wedge::upstream1;
+  fmg::Cycle cycle = fmg::Cycle::W;
+  fmg::RelaxationParameters relaxation = linear_relaxation();
+
+  /// The relaxation of the solver without the under-relaxation that only the nonlinear problem needs.
+  static fmg::RelaxationParameters linear_relaxation();
+};
+
+/// epsilon = e h^2 everywhere, h that of the finest grid.
+ModelProblem constant_epsilon(double e, int cells, reynolds::Wedge wedge, fmg::Cycle cycle);
+
+/// Eq. (20): epsilon = (X^2 + Y^2)^3/8 outside the circle of radius 1, 0 inside.
+ModelProblem papers_epsilon(int cells, reynolds::Wedge wedge, fmg::Cycle cycle);
+
+/// Grids of the problem with f = 0 and the film's geometry taken away, so that P = 0 is the solution and P the error.
+fmg::Hierarchy make_error_hierarchy(const ModelProblem& problem);
+
+/// What each V(2,1) or W(2,1) cycle leaves of the error (root mean square of P), from an error of random numbers (the
+/// same in every run).
+std::vector<double> error_factors(const ModelProblem& problem, int cycles);
+
+/// Geometric mean of the last `count` factors.
+double late_factor(const std::vector<double>& factors, int count);
+
+}  // namespace ehl::tests
