@@ -22,14 +22,15 @@ void apply_changes(Level& level, int colour, bool cavitation, int i) {
   const double* west = changes.distributed.at_x(i - 1);
   const double* east = changes.distributed.at_x(i + 1);
   double* P = level.P.at_x(i);
-  const auto floor = [cavitation](Lanes p) { return cavitation && true ? (p < 0.0 ? Lanes{} : p) : p; };
+  const auto floor = [cavitation](Lanes p) { return cavitation ? (p < 0.0 ? Lanes{} : p) : p; };
   Lanes south_edge{};  // the distributed change of the line before the batch
   for (int batch = 0; first_line(colour, batch) - 1 < ny; ++batch) {
     const int j = first_line(colour, batch);
     const int k = batch * core::lanes;
     const Lanes low = core::load(P + j - 1);
     const Lanes high = core::load(P + j + 7);
-    const Lanes own_lines = core::load(here + k);
+    // Behind the last line may stand what the other colour left there.
+    const Lanes own_lines = inside(j, ny) ? core::load(here + k) : Lanes{};
     const Lanes one_south = __builtin_shuffle(south_edge, own_lines, LaneMask{7, 8, 9, 10, 11, 12, 13, 14});
     south_edge = own_lines;
     Lanes between = floor(core::evens(low, high) - 0.25 * (one_south + own_lines));
