@@ -1,0 +1,164 @@
+#include "unit/fmg/plain_sweep.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+namespace ehl::tests {
+namespace {
+
+using core::Field;
+using core::Grid;
+
+/// epsilon/h^2 at the half points around a node.
+struct Around {
+  double west, east, south, north;
+};
+
+class Sweep {
+ public:
+  Sweep(const fmg::Problem& problem, const fmg::RelaxationParameters& parameters, const fmg::Level& level)
+      : problem_(problem),
+        parameters_(parameters),
+        level_(level),
+        grid_(level.grid),
+        delta_(level.grid),
+        distributed_(level.grid) {
+    result_.P = level.P;
+  }
+
+  PlainSweep run() {
+    for (const int first : {1, 2}) {
+      delta_.fill(0.0);
+      distributed_.fill(0.0);
+      for (int j = first; j < grid_.ny; j += 2) solve_line(j);
+      apply();
+    }
+    return result_;
+  }
+
+ private:
+  Around around(int i, int j) const {
+    const Field& eps = level_.eps;
+    const double x = 2.0 * grid_.hx() * grid_.hx();
+    const double y = 2.0 * grid_.hy() * grid_.hy();
+    return {(eps(i - 1, j) + eps(i, j)) / x, (eps(i + 1, j) + eps(i, j)) / x, (eps(i, j - 1) + eps(i, j)) / y,
+            (eps(i, j + 1) + eps(i, j)) / y};
+  }
+
+  bool beside_cavitation(int i, int j) const {
+    const Field& P = result_.P;
+    return P(i, j) <= 0.0 || P(i - 1, j) <= 0.0 || P(i + 1, j) <= 0.0 || P(i, j - 1) <= 0.0 || P(i, j + 1) <= 0.0;
+  }
+
+  bool is_distributive(int i, int j) const {
+    if (problem_.cavitation && beside_cavitation(i, j)) return false;
+    const Around e = around(i, j);
+    const double most = std::max({e.west, e.east, e.south, e.north});
+    const double least = std::min({e.west, e.east, e.south, e.north});
+    return !(most * std::sqrt(most / least) > parameters_.crossover);
+  }
+
+  /// d(g)/dX at i for g given at i, i-1, i-2.
+  template <class Function>
+  double upstream_derivative(Function g, int i) const {
+    if (problem_.wedge == reynolds::Wedge::upstream2 && i >= 2)
+      return (1.5 * g(i) - 2.0 * g(i - 1) + 0.5 * g(i - 2)) / grid_.hx();
+    return (g(i) - g(i - 1)) / grid_.hx();
+  }
+
+  double residual(int i, int j) const {
+    const Field& P = result_.P;
+    const Around e = around(i, j);
+    const double poiseuille = e.west * (P(i - 1, j) - P(i, j)) + e.east * (P(i + 1, j) - P(i, j)) +
+                              e.south * (P(i, j - 1) - P(i, j)) + e.north * (P(i, j + 1) - P(i, j));
+    const double wedge = upstream_derivative([&](int k) { return level_.rho_bar(k, j) * level_.H(k, j); }, i);
+    return level_.f(i, j) - poiseuille + wedge;
+  }
+
+  /// How much the left-hand side at (i,j) changes for delta = 1 at (k,j). The line does not know of the boundary:
+  /// there, too, a distributed change counts as applied.
+  double influence(int i, int k, int j, bool distributive) const {
+    const auto pressure = [&](int m) { return m == k ? 1.0 : distributive && std::abs(m - k) == 1 ? -0.25 : 0.0; };
+    const double beside = distributive && i == k ? -0.25 : 0.0;  // on the lines j-1 and j+1
+    const auto film = [&](int m) {
+      const auto distance = static_cast<std::size_t>(std::abs(m - k));
+      if (std::abs(m - k) > parameters_.reach) return 0.0;
+      return distributive ? level_.film_terms.delta_K[distance] : level_.film_terms.K[distance];
+    };
+    const auto flow = [&](int m) {  // change of rho_bar H
+      return level_.rho_bar(m, j) * film(m) + level_.drho_bar(m, j) * pressure(m) * level_.H(m, j);
+    };
+    const Around e = around(i, j);
+    return e.west * (pressure(i - 1) - pressure(i)) + e.east * (pressure(i + 1) - pressure(i)) +
+           (e.south + e.north) * (beside - pressure(i)) - upstream_derivative(flow, i);
+  }
+
+  double weight(int i, int j, bool distributive) const {
+    if (distributive) return parameters_.weight_distributed;
+    const Around e = around(i, j);
+    const double low = std::min(e.west, e.east);
+    const double high = std::max(e.west, e.east);
+    const double smooth = high > 0.0 ? std::min(1.0, 2.0 * low / high) : 1.0;
+    return parameters_.weight_single_steep + (parameters_.weight_single - parameters_.weight_single_steep) * smooth;
+  }
+
+  void solve_line(int j) {
+    const int points = grid_.nx - 1;
+    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(points, points);
+    Eigen::VectorXd rhs = Eigen::VectorXd::Zero(points);
+    std::vector<bool> distributive(static_cast<std::size_t>(grid_.nx));
+    for (int i = 1; i <= points; ++i) distributive[static_cast<std::size_t>(i)] = is_distributive(i, j);
+    for (int i = 1; i <= points; ++i) {
+      const double r = residual(i, j);
+      if (problem_.cavitation && result_.P(i, j) <= 0.0 && r >= 0.0) {
+        A(i - 1, i - 1) = 1.0;
+        ++result_.held;
+        continue;
+      }
+      ++(distributive[static_cast<std::size_t>(i)] ? result_.distributive : result_.single);
+      for (int k = 1; k <= points; ++k) A(i - 1, k - 1) = influence(i, k, j, distributive[static_cast<std::size_t>(k)]);
+      rhs(i - 1) = r;
+    }
+    const Eigen::VectorXd x = A.partialPivLu().solve(rhs);
+    for (int i = 1; i <= points; ++i) {
+      const bool distributes = distributive[static_cast<std::size_t>(i)];
+      delta_(i, j) = weight(i, j, distributes) * x(i - 1);
+      distributed_(i, j) = distributes ? delta_(i, j) : 0.0;
+    }
+  }
+
+  /// Eq. (15), for all nodes at once.
+  void apply() {
+    for (int i = 1; i < grid_.nx; ++i)
+      for (int j = 1; j < grid_.ny; ++j) {
+        double P =
+            result_.P(i, j) + delta_(i, j) -
+            (distributed_(i - 1, j) + distributed_(i + 1, j) + distributed_(i, j - 1) + distributed_(i, j + 1)) / 4.0;
+        if (problem_.cavitation && P < 0.0) {
+          P = 0.0;
+          ++result_.clipped;
+        }
+        result_.P(i, j) = P;
+      }
+  }
+
+  const fmg::Problem& problem_;
+  const fmg::RelaxationParameters& parameters_;
+  const fmg::Level& level_;
+  const Grid& grid_;
+  Field delta_;
+  Field distributed_;
+  PlainSweep result_;
+};
+
+}  // namespace
+
+PlainSweep plain_sweep(const fmg::Problem& problem, const fmg::RelaxationParameters& parameters,
+                       const fmg::Level& level) {
+  return Sweep(problem, parameters, level).run();
+}
+
+}  // namespace ehl::tests

@@ -1,0 +1,145 @@
+// The relaxation against the same sweep written point by point, its two line solvers against each other.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "core/errors.hpp"
+#include "core/norms.hpp"
+#include "fmg/relaxation.hpp"
+#include "unit/fmg/circular_contact.hpp"
+#include "unit/fmg/plain_sweep.hpp"
+
+using namespace ehl::tests;
+namespace fmg = ehl::fmg;
+using ehl::core::Field;
+using ehl::core::Grid;
+using ehl::reynolds::Wedge;
+
+namespace {
+
+fmg::Hierarchy one_level(const fmg::Problem& problem, const fmg::RelaxationParameters& relaxation, const Grid& grid) {
+  fmg::Parameters parameters;
+  parameters.relaxation = relaxation;
+  parameters.coarsest_cells = grid.nx;
+  return fmg::make_hierarchy(problem, parameters, {.method = ehl::mlmi::Method::fft}, grid, 1);
+}
+
+struct Counts {
+  int single = 0, distributive = 0, held = 0, clipped = 0;
+};
+
+// Rounding of the residual, a few 1e-16 of its terms, divided by the same coefficients: a few 1e-16 of P again; the
+// line system adds its condition number.
+constexpr double tolerance = 1e-12;
+
+void compare_with_plain_sweep(const fmg::Problem& problem, const fmg::RelaxationParameters& relaxation,
+                              const Grid& grid, Counts& counts) {
+  fmg::Hierarchy hierarchy = one_level(problem, relaxation, grid);
+  fmg::Level& level = hierarchy.finest();
+  Random random(static_cast<std::uint64_t>(100 * grid.nx + grid.ny));
+  set_rough_state(hierarchy, level, random);
+  const Field before = level.P;
+  double error = 0.0;
+  // The second sweep starts from the work space of the first.
+  for (int sweep = 0; sweep < 2; ++sweep) {
+    const PlainSweep plain = plain_sweep(problem, relaxation, level);
+    counts.single += plain.single;
+    counts.distributive += plain.distributive;
+    counts.held += plain.held;
+    counts.clipped += plain.clipped;
+    fmg::relax(hierarchy, level);
+    const double difference = ehl::core::max_abs_difference(level.P, plain.P) / ehl::core::max_abs(plain.P);
+    error = difference <= error ? error : difference;
+  }
+  BOOST_TEST_MESSAGE(grid.nx << " x " << grid.ny << ", reach " << relaxation.reach
+                             << (problem.wedge == Wedge::upstream1 ? ", upstream1" : ", upstream2")
+                             << (relaxation.line_solver == fmg::LineSolver::decimation ? ", decimation" : "")
+                             << ": difference of P " << error << " (tolerance " << tolerance << ")");
+  BOOST_TEST(error < tolerance);
+  BOOST_TEST(ehl::core::max_abs_difference(before, level.P) > 1e-3);
+}
+
+// Line counts that fill a batch, leave one line over or one missing, for either colour; hx != hy.
+const Grid grids[] = {{16, 16, -4.5, 1.5, -3, 3}, {16, 17, -4.5, 1.5, -3, 3},   {12, 18, -3.0, 1.5, -3, 3},
+                      {14, 2, -3.0, 1.5, -1, 1},  {18, 34, -3.5, 1.5, -2, 2.5}, {16, 19, -3.0, 1.5, -2, 2}};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(one_sweep_is_the_sweep_written_point_by_point) {
+  Counts counts;
+  for (const Grid& grid : grids)
+    for (const Wedge wedge : {Wedge::upstream1, Wedge::upstream2})
+      for (const int reach : {1, 3}) {
+        fmg::RelaxationParameters relaxation;
+        relaxation.reach = reach;
+        compare_with_plain_sweep(circular_contact(20, 10, wedge), relaxation, grid, counts);
+      }
+  fmg::RelaxationParameters relaxation;
+  relaxation.reach = 2;
+  relaxation.line_solver = fmg::LineSolver::decimation;
+  compare_with_plain_sweep(circular_contact(20, 10, Wedge::upstream2), relaxation, grids[4], counts);
+  BOOST_TEST_MESSAGE("points: " << counts.single << " single, " << counts.distributive << " distributive, "
+                                << counts.held << " held at zero; " << counts.clipped << " stopped at zero");
+  BOOST_TEST(counts.single > 100);
+  BOOST_TEST(counts.distributive > 100);
+  BOOST_TEST(counts.held > 100);
+  BOOST_TEST(counts.clipped > 100);
+}
+
+BOOST_AUTO_TEST_CASE(one_sweep_without_cavitation_lets_pressures_be_negative) {
+  Counts counts;
+  fmg::Problem problem = circular_contact(20, 10, Wedge::upstream2);
+  problem.cavitation = false;
+  // Roelands' law has no value far below zero.
+  problem.viscosity = ehl::rheology::Isoviscous{};
+  problem.density = ehl::rheology::Incompressible{};
+  fmg::Hierarchy hierarchy = one_level(problem, {}, grids[0]);
+  compare_with_plain_sweep(problem, {}, grids[0], counts);
+  BOOST_TEST((counts.held == 0 && counts.clipped == 0));
+
+  // A model problem: epsilon given, all of one kind.
+  for (const double eps : {1e-3, 10.0}) {
+    counts = {};
+    problem.given_epsilon = [eps](double, double) { return eps; };
+    compare_with_plain_sweep(problem, {}, grids[2], counts);
+    BOOST_TEST((eps < 1.0 ? counts.single : counts.distributive) == 0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(elimination_and_decimation_agree_on_the_systems_of_the_relaxation) {
+  // Three sweeps from the dry contact: epsilon falls by orders of magnitude from the inlet to the centre.
+  for (const double M : {50.0, 1000.0})
+    for (const int reach : {1, 2, 3}) {
+      fmg::RelaxationParameters relaxation;
+      relaxation.reach = reach;
+      const fmg::Problem problem = circular_contact(M, 10, Wedge::upstream2);
+      fmg::Hierarchy hierarchy = one_level(problem, relaxation, {64, 64, -4.5, 1.5, -3, 3});
+      fmg::Level& level = hierarchy.finest();
+      fmg::start_from_hertz(hierarchy, 0, M > 500.0 ? -0.96 : -0.7, 3);
+      const Field start = level.P;
+      fmg::relax(hierarchy, level);
+      const Field eliminated = level.P;
+      level.P = start;
+      fmg::update_film(hierarchy, level);
+      hierarchy.parameters.relaxation.line_solver = fmg::LineSolver::decimation;
+      fmg::relax(hierarchy, level);
+      const double difference = ehl::core::max_abs_difference(level.P, eliminated);
+      BOOST_TEST_MESSAGE("M = " << M << ", reach " << reach << ": " << difference << " (tolerance 1e-11)");
+      BOOST_TEST(difference < 1e-11);
+      BOOST_TEST(ehl::core::max_abs_difference(start, eliminated) > 1e-6);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_pivot_that_is_no_number_is_reported_with_its_line_and_point) {
+  fmg::Hierarchy hierarchy = one_level(circular_contact(20, 10, Wedge::upstream1), {}, grids[4]);
+  fmg::Level& level = hierarchy.finest();
+  Random random(1);
+  set_rough_state(hierarchy, level, random);
+  level.eps(9, 21) = std::numeric_limits<double>::quiet_NaN();
+  // Point 8 is the first whose half points see it.
+  const auto names_the_point = [](const ehl::core::SolverError& error) {
+    const std::string text = error.what();
+    BOOST_TEST_MESSAGE(text);
+    return text.find("18 x 34 cells") != std::string::npos && text.find("i = 8 of line j = 21") != std::string::npos;
+  };
+  BOOST_CHECK_EXCEPTION(fmg::relax(hierarchy, level), ehl::core::SolverError, names_the_point);
+}
