@@ -37,6 +37,14 @@ FilmStation film_station(const Level& level, int i, int j) {
   return {rho_bar, rho_bar * H, own_lines(level.drho_bar, i, j) * H};
 }
 
+/// Lanes where the point itself or one of its four neighbours carries no pressure.
+LaneMask beside_cavitation(const core::Field& P, int i, int j) {
+  const Beside here = with_neighbours(P, i, j);
+  const Lanes least = core::min(core::min(own_lines(P, i - 1, j), own_lines(P, i + 1, j)),
+                                core::min(here.own, core::min(here.south, here.north)));
+  return least <= 0.0;
+}
+
 }  // namespace
 
 template <int reach, LineSolver solver>
@@ -68,7 +76,9 @@ void LineBatch<reach, solver>::read_coefficients(const Hierarchy& hierarchy, con
     const Lanes largest = core::max(core::max(west_[k], west_[k + 1]), core::max(south_[k], north_[k]));
     const Lanes smallest = core::min(core::min(west_[k], west_[k + 1]), core::min(south_[k], north_[k]));
     // e_max sqrt(e_max/e_min) > crossover, without root and division; e_min = 0 makes it single unless e_max = 0 too.
-    const LaneMask single = largest * largest * largest > crossover2 * smallest;
+    LaneMask single = largest * largest * largest > crossover2 * smallest;
+    // Beside the cavitated region too: what is cut off at P = 0 would leave half of a distributed change standing.
+    if (hierarchy.problem.cavitation) single |= beside_cavitation(level.P, i, j);
     distributive_[k + margin] = single ? Lanes{} : core::broadcast(1.0);
   }
 }
