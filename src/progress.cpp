@@ -37,13 +37,14 @@ bool ProgressReport::show(const steady::Progress& progress) {
     const auto filled = static_cast<std::size_t>(fraction * bar_width);
     const std::string bar = std::string(filled, '#') + std::string(bar_width - filled, '.');
     std::fprintf(stderr, "\r[%s] %3.0f %%  %d x %d  cycle %d/%d  residual %.1e  Hc %.4f\x1b[K", bar.c_str(),
-                 100.0 * fraction, progress.nx + 1, progress.ny + 1, progress.cycle, progress.cycles, progress.residual,
-                 progress.Hc);
+                 100.0 * fraction, progress.nx + 1, progress.ny + 1, progress.cycle,
+                 std::max(progress.cycle, progress.cycles), progress.residual, progress.Hc);
     std::fflush(stderr);
     line_open_ = true;
   } else {
     std::fprintf(stderr, "ehl: %3.0f %%  %d x %d  cycle %d/%d  residual %.1e  Hc %.4f\n", 100.0 * fraction,
-                 progress.nx + 1, progress.ny + 1, progress.cycle, progress.cycles, progress.residual, progress.Hc);
+                 progress.nx + 1, progress.ny + 1, progress.cycle, std::max(progress.cycle, progress.cycles),
+                 progress.residual, progress.Hc);
   }
   return true;
 }

@@ -31,14 +31,10 @@ const Key* find_key(const Catalogue& catalogue, const std::string& section, cons
 std::string allowed(const Key& key) {
   switch (key.type) {
     case Type::number:
-    case Type::integer:
-      return allowed_range(key);
-    case Type::word:
-      return "one of " + joined(key.words, ", ");
-    case Type::words:
-      return "any of " + joined(key.words, ", ");
-    case Type::text:
-      break;
+    case Type::integer: return allowed_range(key);
+    case Type::word: return "one of " + joined(key.words, ", ");
+    case Type::words: return "any of " + joined(key.words, ", ");
+    case Type::text: break;
   }
   return "any text";
 }

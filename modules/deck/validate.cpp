@@ -96,17 +96,13 @@ std::string complaint_about_number(const Key& key, const Value& value, double& n
   const std::string must = "must be " + allowed(key);
   const std::string unit = key.unit.empty() ? "it has no unit" : "the unit is " + key.unit;
   switch (read.status) {
-    case ReadNumber::Status::number:
-      break;
-    case ReadNumber::Status::not_finite:
-      return "not a finite number: " + must;
-    case ReadNumber::Status::out_of_reach:
-      return "beyond the range of floating-point numbers: " + must;
+    case ReadNumber::Status::number: break;
+    case ReadNumber::Status::not_finite: return "not a finite number: " + must;
+    case ReadNumber::Status::out_of_reach: return "beyond the range of floating-point numbers: " + must;
     case ReadNumber::Status::trailing_text:
       if (read.trailing[0] == ',') return "write a decimal point, not a comma: " + must;
       return "write the number alone, without '" + read.trailing + "': " + unit + ". It " + must;
-    case ReadNumber::Status::not_a_number:
-      return "this is no number: " + must;
+    case ReadNumber::Status::not_a_number: return "this is no number: " + must;
   }
   if (key.type == Type::integer && (read.value != std::floor(read.value) || std::abs(read.value) > 2e9)) return must;
   if (!key.range.contains(read.value)) return must + (key.remedy.empty() ? "" : ": " + key.remedy);
