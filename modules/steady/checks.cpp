@@ -9,6 +9,8 @@ namespace {
 
 /// Algebraic error allowed in Hc and Hm, as a share of the discretization error.
 constexpr double algebraic_share = 0.1;
+/// A larger discretization error than this is no licence to stop earlier: its estimate is too uncertain.
+constexpr double largest_licence = 0.05;
 /// Largest relative residual and load error of a solution at the level of the discretization error.
 constexpr double loose_residual = 2e-2;
 constexpr double loose_load_error = 1e-4;
@@ -37,7 +39,7 @@ std::string unmet_tolerance(const StateOfLevel& state, double tolerance) {
 
 std::string unmet_share(const char* name, double before, double after, double factor, double discretization_error) {
   const double left = std::abs((after - before) / after) * factor / (1.0 - factor);
-  if (left <= std::max(algebraic_share * discretization_error, rounding)) return {};
+  if (left <= std::max(algebraic_share * std::min(discretization_error, largest_licence), rounding)) return {};
   return std::string(name) + " still has an algebraic error of about " + text(left) +
          ", more than a tenth of its discretization error " + text(discretization_error) + "; more max_cycles may help";
 }
