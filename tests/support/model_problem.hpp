@@ -7,6 +7,9 @@
 
 namespace ehl::tests {
 
+/// Where the linear problem wants the change from distributive to Gauss-Seidel lines (modules/fmg/README.md).
+inline constexpr double linear_crossover = 2.0;
+
 struct ModelProblem {
   int cells = 128;   ///< along x and y, on [-4.5, 1.5] x [-3, 3]
   int coarsest = 8;  ///< cells of the coarsest grid: the paper's
@@ -15,7 +18,8 @@ struct ModelProblem {
   fmg::Cycle cycle = fmg::Cycle::W;
   fmg::RelaxationParameters relaxation = linear_relaxation();
 
-  /// The relaxation of the solver without the under-relaxation that only the nonlinear problem needs.
+  /// The relaxation of the solver without the under-relaxation that only the nonlinear problem needs, and with the
+  /// crossover at `linear_crossover`.
   static fmg::RelaxationParameters linear_relaxation();
 };
 
