@@ -37,6 +37,7 @@ class Climber {
     for (std::size_t l = first_; l <= finest_; ++l) {
       const double began = core::now();
       for (fmg::Level& level : hierarchy_.levels) level.evaluations = 0;
+      use_caution(l == first_ ? start_.caution_at_first : start_.caution);
       if (l == first_)
         fmg::start_from_hertz(hierarchy_, l, -1.0 + guess_of_central_film(), start_.sweeps);
       else
@@ -56,9 +57,6 @@ class Climber {
  private:
   static fmg::Hierarchy make_hierarchy(const Scene& scene, const Start& start) {
     fmg::Parameters parameters = scene.multigrid;
-    parameters.relaxation.weight_distributed *= start.caution;
-    parameters.relaxation.weight_single *= start.caution;
-    parameters.relaxation.weight_single_steep *= start.caution;
     parameters.coarsest_sweeps = std::max(parameters.coarsest_sweeps, start.balances);
     parameters.least_coarsest_cells = std::max(parameters.least_coarsest_cells, start.coarsest);
     const fmg::Problem problem{.lambda = scene.lambda,
@@ -67,6 +65,13 @@ class Climber {
                                .wedge = scene.wedge,
                                .given_epsilon = {}};
     return fmg::make_hierarchy(problem, parameters, scene.deformation, scene.grid, scene.threads);
+  }
+
+  void use_caution(double caution) {
+    fmg::RelaxationParameters& weights = hierarchy_.parameters.relaxation;
+    weights.weight_distributed = caution * scene_.multigrid.relaxation.weight_distributed;
+    weights.weight_single = caution * scene_.multigrid.relaxation.weight_single;
+    weights.weight_single_steep = caution * scene_.multigrid.relaxation.weight_single_steep;
   }
 
   void solve_level(std::size_t l) {
