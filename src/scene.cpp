@@ -99,6 +99,12 @@ fmg::Parameters multigrid_of(deck::Deck& deck) {
   parameters.max_cycles = deck::integer(deck, "multigrid", "max_cycles", parameters.max_cycles);
   parameters.tolerance = deck::number(deck, "multigrid", "tolerance");
   parameters.coarsest_cells = deck::integer(deck, "grid", "coarsest", 0);
+  if (deck::word(deck, "multigrid", "line_solver") == "decimation")
+    parameters.relaxation.line_solver = fmg::LineSolver::decimation;
+  const int kernel_terms = deck::integer(deck, "multigrid", "kernel_terms", 2 * parameters.relaxation.reach + 1);
+  if (kernel_terms % 2 == 0)
+    complain(deck, "multigrid", "kernel_terms", "must be 3, 5 or 7: a point and its neighbours");
+  parameters.relaxation.reach = kernel_terms / 2;
   if (parameters.pre + parameters.post == 0)
     complain(deck, "multigrid", "pre", "pre + post = 0: a cycle without relaxation cannot converge");
   return parameters;

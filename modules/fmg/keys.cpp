@@ -3,6 +3,7 @@
 #include <string>
 
 #include "fmg/parameters.hpp"
+#include "line_solvers/line_system.hpp"
 
 namespace ehl::fmg {
 
@@ -54,6 +55,22 @@ std::vector<deck::Key> keys() {
           .range = {1, 10000},
           .meaning =
               "Cycles on the finest grid at most, where the checks or the tolerance ask for more than `cycles`."},
+      Key{.section = "multigrid",
+          .name = "line_solver",
+          .type = Type::word,
+          .default_text = "elimination",
+          .words = {"elimination", "decimation"},
+          .meaning =
+              "What solves the line systems of the relaxation: elimination of the band, or the paper's decimation "
+              "(odd-even reduction). The same solution; the default is the faster.",
+          .source = "measured: modules/line_solvers/README.md"},
+      Key{.section = "multigrid",
+          .name = "kernel_terms",
+          .type = Type::integer,
+          .default_text = std::to_string(2 * defaults.relaxation.reach + 1),
+          .range = {3, 2 * line_solvers::max_reach + 1},
+          .meaning = "Terms of the elastic influence along a line that its system keeps: 3, 5 or 7.",
+          .source = "Venner and ten Napel 1992: three are enough"},
   };
 }
 

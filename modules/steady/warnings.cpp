@@ -1,0 +1,63 @@
+#include "steady/warnings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace ehl::steady {
+namespace {
+
+/// A film with a larger estimated error counts as not resolved.
+constexpr double unresolved = 0.1;
+/// Pressure beside a boundary, as a share of the largest, above which the boundary cuts into the contact.
+constexpr double cut_off_pressure = 1e-3;
+
+std::string percent(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.2g %%", 100.0 * value);
+  return buffer;
+}
+
+double largest_along_outlet(const Solution& solution) {
+  double largest = 0.0;
+  for (int j = 0; j <= solution.grid.ny; ++j) largest = std::max(largest, solution.P(solution.grid.nx - 1, j));
+  return largest;
+}
+
+double largest_along_sides(const Solution& solution) {
+  double largest = 0.0;
+  for (int i = 0; i <= solution.grid.nx; ++i)
+    largest = std::max({largest, solution.P(i, 1), solution.P(i, solution.grid.ny - 1)});
+  return largest;
+}
+
+double largest_pressure(const Solution& solution) {
+  double largest = 0.0;
+  for (int i = 0; i <= solution.grid.nx; ++i)
+    for (const double P : solution.P.station(i)) largest = std::max(largest, P);
+  return largest;
+}
+
+}  // namespace
+
+std::vector<std::string> warnings_of(const Solution& solution) {
+  std::vector<std::string> warnings;
+  const LevelRow& last = solution.levels.back();
+  if (std::isnan(last.error_Hc))
+    warnings.push_back("no error estimate: the film was computed on a single level; use at least 128 cells");
+  else if (last.error_Hc > unresolved || last.error_Hm > unresolved)
+    warnings.push_back("film not resolved by the mesh: estimated error of Hc " + percent(last.error_Hc) + ", of Hm " +
+                       percent(last.error_Hm) + "; use more cells");
+  const double P_max = largest_pressure(solution);
+  const double outlet = largest_along_outlet(solution);
+  if (outlet > cut_off_pressure * P_max)
+    warnings.push_back("outlet too short: beside it the pressure is still " + percent(outlet / P_max) +
+                       " of its maximum; move x_outlet downstream");
+  const double sides = largest_along_sides(solution);
+  if (sides > cut_off_pressure * P_max)
+    warnings.push_back("domain too narrow: beside its sides the pressure is still " + percent(sides / P_max) +
+                       " of its maximum; widen y_half");
+  return warnings;
+}
+
+}  // namespace ehl::steady
