@@ -22,8 +22,9 @@ class Decimation {
   /// Sets the row of point i = 1..points.
   void set(int i, const Row& row);
 
-  /// Solves for all delta. out: a small pivot inside a block, if one was met (its point is the first of the block's
-  /// row).
+  /// Solves for all delta; every row must be set again before the next solution. out: the first small pivot that was
+  /// met, if any, at its point. The order of elimination is not that of the points: another pivot than that of
+  /// Elimination may be the first.
   SmallPivot solve();
 
   /// The solution of point i; valid after solve().

@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(injection_takes_every_second_node) {
     for (int J = 0; J < coarse.nodes_y(); ++J) BOOST_TEST(coarse(I, J) == fine(2 * I, 2 * J));
 }
 
-BOOST_AUTO_TEST_CASE(full_weighting_keeps_bilinear_functions) {
+BOOST_AUTO_TEST_CASE(full_weighting_keeps_bilinear_functions_and_lifts_curved_ones) {
   Random random(2);
   const Polynomial f(1, random);
   const Grid grid = coarsened(fine_grid);
@@ -94,6 +94,12 @@ BOOST_AUTO_TEST_CASE(full_weighting_keeps_bilinear_functions) {
   const double error = ehl::core::max_abs_difference(coarse, sampled(grid, f));
   BOOST_TEST_MESSAGE("full weighting of a bilinear function: " << error << " (tolerance 1e-15)");
   BOOST_TEST(error < 1e-15);
+  // A curved function comes out higher by h^2/4 of its second derivatives: 6 along x, 4 along y.
+  const auto curved = [](double X, double Y) { return 3.0 * X * X + 2.0 * Y * Y; };
+  const double rise = (6.0 * fine_grid.hx() * fine_grid.hx() + 4.0 * fine_grid.hy() * fine_grid.hy()) / 4.0;
+  transfer::restrict_full_weighting(sampled(fine_grid, curved), coarse);
+  for (int I = 1; I < grid.nx; ++I)
+    for (int J = 1; J < grid.ny; ++J) BOOST_TEST(std::abs(coarse(I, J) - curved(grid.X(I), grid.Y(J)) - rise) < 1e-14);
   Field ones(fine_grid);
   ones.fill(0.3);
   transfer::restrict_full_weighting(ones, coarse);
