@@ -16,7 +16,7 @@ using reynolds::Wedge;
 
 namespace {
 
-constexpr double ladder[] = {0.0, 0.01, 0.03, 0.1, 0.3, 0.6, 1.0, 1.5, 2.0, 3.0, 5.0, 10.0, 30.0, 100.0, 1e6};
+constexpr double ladder[] = {0.0, 0.01, 0.03, 0.1, 0.3, 0.6, 1.0, 1.2, 1.6, 2.2, 3.0, 5.0, 10.0, 30.0, 100.0, 1e6};
 constexpr Wedge wedges[] = {Wedge::upstream1, Wedge::upstream2};
 int number(Wedge wedge) { return wedge == Wedge::upstream1 ? 1 : 2; }
 
@@ -48,7 +48,7 @@ double measured(double e, Wedge wedge, Cycle cycle, double crossover) {
 }
 
 void print_constant_epsilon(Wedge wedge) {
-  const double crossovers[] = {fmg::RelaxationParameters{}.crossover, 1.0, 1.5, linear_crossover};
+  const double crossovers[] = {0.6, fmg::RelaxationParameters{}.crossover, linear_crossover, 2.0};
   std::printf("\n# constant epsilon, upstream%d, n = 128 .. 8: error left by a W(2,1) and a V(2,1) cycle\n",
               number(wedge));
   std::printf("# crossover");

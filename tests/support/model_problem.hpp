@@ -8,7 +8,7 @@
 namespace ehl::tests {
 
 /// Where the linear problem wants the change from distributive to Gauss-Seidel lines (modules/fmg/README.md).
-inline constexpr double linear_crossover = 2.0;
+inline constexpr double linear_crossover = 1.5;
 
 struct ModelProblem {
   int cells = 128;   ///< along x and y, on [-4.5, 1.5] x [-3, 3]
