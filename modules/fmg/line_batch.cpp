@@ -139,9 +139,10 @@ template <int reach, LineSolver solver>
 void LineBatch<reach, solver>::keep(const RelaxationParameters& parameters, Level& level, int batch, int i,
                                     Lanes delta) const {
   const auto k = static_cast<std::size_t>(i);
-  const Lanes low = core::min(west_[k], west_[k + 1]);
-  const Lanes high = core::max(west_[k], west_[k + 1]);
-  // Weight of a single change: from `steep` up to the full one as the two coefficients along x come within a factor 2.
+  const Lanes low = core::min(core::min(west_[k], west_[k + 1]), core::min(south_[k], north_[k]));
+  const Lanes high = core::max(core::max(west_[k], west_[k + 1]), core::max(south_[k], north_[k]));
+  // Weight of a single change: from `steep` up to the full one as the coefficients of the four half points come within
+  // a factor 2 of each other.
   const double steep = parameters.weight_single_steep;
   const double range = parameters.weight_single - steep;
   const Lanes smooth = 2.0 * low >= high ? core::broadcast(1.0) : 2.0 * low / high;

@@ -99,8 +99,8 @@ class Sweep {
   double weight(int i, int j, bool distributive) const {
     if (distributive) return parameters_.weight_distributed;
     const Around e = around(i, j);
-    const double low = std::min(e.west, e.east);
-    const double high = std::max(e.west, e.east);
+    const double low = std::min({e.west, e.east, e.south, e.north});
+    const double high = std::max({e.west, e.east, e.south, e.north});
     const double smooth = high > 0.0 ? std::min(1.0, 2.0 * low / high) : 1.0;
     return parameters_.weight_single_steep + (parameters_.weight_single - parameters_.weight_single_steep) * smooth;
   }
