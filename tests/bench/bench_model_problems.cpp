@@ -48,7 +48,7 @@ double measured(double e, Wedge wedge, Cycle cycle, double crossover) {
 }
 
 void print_constant_epsilon(Wedge wedge) {
-  const double crossovers[] = {0.6, fmg::RelaxationParameters{}.crossover, linear_crossover, 2.0};
+  const double crossovers[] = {0.6, 1.1, fmg::RelaxationParameters{}.crossover, 2.0};
   std::printf("\n# constant epsilon, upstream%d, n = 128 .. 8: error left by a W(2,1) and a V(2,1) cycle\n",
               number(wedge));
   std::printf("# crossover");

@@ -18,7 +18,6 @@ core::Grid grid_of(int cells) { return {cells, cells, X_a, X_b, -Y_b, Y_b}; }
 
 fmg::RelaxationParameters ModelProblem::linear_relaxation() {
   fmg::RelaxationParameters relaxation;
-  relaxation.crossover = linear_crossover;
   relaxation.weight_single = 1.0;
   relaxation.weight_single_steep = 1.0;
   return relaxation;

@@ -7,9 +7,6 @@
 
 namespace ehl::tests {
 
-/// Where the linear problem wants the change from distributive to Gauss-Seidel lines (modules/fmg/README.md).
-inline constexpr double linear_crossover = 1.5;
-
 struct ModelProblem {
   int cells = 128;   ///< along x and y, on [-4.5, 1.5] x [-3, 3]
   int coarsest = 8;  ///< cells of the coarsest grid: the paper's
@@ -18,8 +15,7 @@ struct ModelProblem {
   fmg::Cycle cycle = fmg::Cycle::W;
   fmg::RelaxationParameters relaxation = linear_relaxation();
 
-  /// The relaxation of the solver without the under-relaxation that only the nonlinear problem needs, and with the
-  /// crossover at `linear_crossover`.
+  /// The relaxation of the solver without the under-relaxation that only the nonlinear problem needs.
   static fmg::RelaxationParameters linear_relaxation();
 };
 
