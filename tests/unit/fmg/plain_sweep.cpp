@@ -109,20 +109,23 @@ class Sweep {
     const int points = grid_.nx - 1;
     Eigen::MatrixXd A = Eigen::MatrixXd::Zero(points, points);
     Eigen::VectorXd rhs = Eigen::VectorXd::Zero(points);
+    std::vector<int> held;
     std::vector<bool> distributive(static_cast<std::size_t>(grid_.nx));
     for (int i = 1; i <= points; ++i) distributive[static_cast<std::size_t>(i)] = is_distributive(i, j);
     for (int i = 1; i <= points; ++i) {
       const double r = residual(i, j);
       if (problem_.cavitation && result_.P(i, j) <= 0.0 && r >= 0.0) {
         A(i - 1, i - 1) = 1.0;
-        ++result_.held;
+        held.push_back(i);
         continue;
       }
       ++(distributive[static_cast<std::size_t>(i)] ? result_.distributive : result_.single);
       for (int k = 1; k <= points; ++k) A(i - 1, k - 1) = influence(i, k, j, distributive[static_cast<std::size_t>(k)]);
       rhs(i - 1) = r;
     }
-    const Eigen::VectorXd x = A.partialPivLu().solve(rhs);
+    result_.held += static_cast<int>(held.size());
+    Eigen::VectorXd x = A.partialPivLu().solve(rhs);
+    for (const int i : held) x(i - 1) = 0.0;  // exactly: rounding would make them points that carry pressure
     for (int i = 1; i <= points; ++i) {
       const bool distributes = distributive[static_cast<std::size_t>(i)];
       delta_(i, j) = weight(i, j, distributes) * x(i - 1);
