@@ -1,5 +1,6 @@
 #include "fmg/relaxation.hpp"
 
+#include <cstdio>
 #include <string>
 
 #include "core/errors.hpp"
@@ -43,6 +44,15 @@ void apply_changes(Level& level, int colour, bool cavitation, int i) {
   }
 }
 
+std::string describe(const line_solvers::SmallPivot& small, int line, const core::Grid& grid) {
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "line relaxation on %d x %d cells: pivot %.3g at point i = %d of line j = %d is nothing beside its row "
+                "(the state has diverged)",
+                grid.nx, grid.ny, small.pivot, small.point, line);
+  return text;
+}
+
 template <int reach, LineSolver solver>
 void relax_colour(Hierarchy& hierarchy, Level& level, int colour) {
   const int batches = batches_of_colour(level.grid, colour);
@@ -57,21 +67,18 @@ void relax_colour(Hierarchy& hierarchy, Level& level, int colour) {
     for (int batch = 0; batch < batches; ++batch) {
       const line_solvers::SmallPivot met = work.solve(hierarchy, level, colour, batch);
       if (met.point >= 0) {
+        const int line = first_line(colour, batch) + 2 * met.lane;
 #pragma omp critical
-        {
+        if (small.point < 0 || line < small_line) {  // the first line, whichever thread met it
           small = met;
-          small_line = first_line(colour, batch) + 2 * met.lane;
+          small_line = line;
         }
       }
     }
 #pragma omp for schedule(static)
     for (int i = 1; i < level.grid.nx; ++i) apply_changes(level, colour, cavitation, i);
   }
-  if (small.point >= 0)
-    throw core::SolverError("line relaxation on " + std::to_string(level.grid.nx) + " x " +
-                            std::to_string(level.grid.ny) + " cells: pivot " + std::to_string(small.pivot) +
-                            " at point i = " + std::to_string(small.point) +
-                            " of line j = " + std::to_string(small_line));
+  if (small.point >= 0) throw core::SolverError(describe(small, small_line, level.grid));
 }
 
 template <int reach>

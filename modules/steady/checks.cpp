@@ -7,8 +7,9 @@
 namespace ehl::steady {
 namespace {
 
-/// Algebraic error allowed in Hc and Hm, as a share of the discretization error.
-constexpr double algebraic_share = 0.1;
+/// Foretold algebraic error allowed in Hc and Hm, as a share of the estimated discretization error: a tenth is
+/// promised, and both numbers are estimates.
+constexpr double algebraic_share = 0.05;
 /// A larger discretization error than this is no licence to stop earlier: its estimate is too uncertain.
 constexpr double largest_licence = 0.05;
 /// Largest relative residual and load error of a solution at the level of the discretization error.
@@ -41,7 +42,7 @@ std::string unmet_share(const char* name, double before, double after, double fa
   const double left = std::abs((after - before) / after) * factor / (1.0 - factor);
   if (left <= std::max(algebraic_share * std::min(discretization_error, largest_licence), rounding)) return {};
   return std::string(name) + " still has an algebraic error of about " + text(left) +
-         ", more than a tenth of its discretization error " + text(discretization_error) + "; more max_cycles may help";
+         ", too much beside its discretization error " + text(discretization_error) + "; more max_cycles may help";
 }
 
 }  // namespace

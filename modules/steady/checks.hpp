@@ -17,9 +17,9 @@ struct LastCycle {
 
 /// The first check that the state does not pass, as a sentence with numbers and a remedy; empty when it passes all.
 /// With a tolerance: relative residual and load error at or below it. With NaN: algebraic error of Hc and Hm, as the
-/// last cycle's change and its factor foretell it, below a tenth of the discretization error; residual and load error
-/// small; and where the discretization error is unknown (one level), a relative residual of 1e-6.
-/// In both: a positive film everywhere.
+/// last cycle's change and its factor foretell it, below a twentieth of the discretization error; residual and load
+/// error small; and where the discretization error is unknown (one level), a relative residual of 1e-6. In both: a
+/// positive film everywhere.
 std::string unmet_check(const LastCycle& cycle, double tolerance);
 
 }  // namespace ehl::steady
