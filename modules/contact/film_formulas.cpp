@@ -80,14 +80,10 @@ std::string regime_text(double M, double L) {
 
 const char* name(Regime regime) {
   switch (regime) {
-    case Regime::rigid_isoviscous:
-      return "rigid isoviscous";
-    case Regime::rigid_piezoviscous:
-      return "rigid piezoviscous";
-    case Regime::elastic_isoviscous:
-      return "elastic isoviscous";
-    case Regime::elastic_piezoviscous:
-      return "elastic piezoviscous";
+    case Regime::rigid_isoviscous: return "rigid isoviscous";
+    case Regime::rigid_piezoviscous: return "rigid piezoviscous";
+    case Regime::elastic_isoviscous: return "elastic isoviscous";
+    case Regime::elastic_piezoviscous: return "elastic piezoviscous";
   }
   return "unknown";
 }

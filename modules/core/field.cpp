@@ -1,11 +1,9 @@
 #include "core/field.hpp"
 
 #include <algorithm>
-#include <new>
 
 namespace ehl::core {
 namespace {
-constexpr std::align_val_t alignment{64};
 constexpr int doubles_per_line = 8;
 
 std::size_t count(int nodes_x, std::ptrdiff_t stride) {
@@ -13,16 +11,12 @@ std::size_t count(int nodes_x, std::ptrdiff_t stride) {
 }
 }  // namespace
 
-void Field::Release::operator()(double* p) const { ::operator delete[](p, alignment); }
-
 Field::Field(int nodes_x, int nodes_y)
     : nodes_x_(nodes_x),
       nodes_y_(nodes_y),
       // Two vectors of padding at least: the last batch of lines may read past ny.
       stride_((nodes_y + doubles_per_line - 1) / doubles_per_line * doubles_per_line + 2 * doubles_per_line),
-      data_(static_cast<double*>(::operator new[](count(nodes_x_, stride_) * sizeof(double), alignment))) {
-  fill(0.0);
-}
+      data_(zeroed_array(count(nodes_x_, stride_))) {}
 
 Field::Field(const Field& other) : Field(other.nodes_x_, other.nodes_y_) { copy(other, *this); }
 

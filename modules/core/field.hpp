@@ -1,17 +1,17 @@
 #pragma once
 // The owning two-dimensional field: one value per node, aligned for the vector units.
 #include <cstddef>
-#include <memory>
 #include <span>
 
+#include "core/aligned_array.hpp"
 #include "core/grid.hpp"
 
 namespace ehl::core {
 
 /// One double per node of a grid, zero at birth. Storage runs along y (j) fastest: the line relaxation solves
 /// lines of constant Y, many lines j at once, one in each lane of a vector register, so neighbouring lines
-/// must be neighbours in memory. Every station i starts on a 64-byte boundary; the padding behind j = ny
-/// holds no information.
+/// must be neighbours in memory. Every station i starts on a 64-byte boundary; the
+/// padding behind j = ny holds no information.
 class Field {
  public:
   Field() = default;
@@ -41,16 +41,14 @@ class Field {
   double* at_x(int i) { return data_.get() + i * stride_; }
   const double* at_x(int i) const { return data_.get() + i * stride_; }
 
+  /// Sets every value; does nothing to an empty field.
   void fill(double value);
 
  private:
-  struct Release {
-    void operator()(double* p) const;
-  };
   int nodes_x_ = 0;
   int nodes_y_ = 0;
   std::ptrdiff_t stride_ = 0;
-  std::unique_ptr<double[], Release> data_;
+  AlignedArray data_;
 };
 
 /// to <- from. limits: same shape.

@@ -25,9 +25,10 @@ line_solvers::FilmTerms film_terms(const core::Grid& grid, int reach) {
   return terms;
 }
 
-Level make_level(const core::Grid& grid, const Parameters& parameters, const mlmi::Parameters& deformation,
+Level make_level(const core::Grid& grid, bool finest, const Parameters& parameters, const mlmi::Parameters& deformation,
                  int threads) {
   const auto zero = [&] { return core::Field(grid); };
+  const auto only_below_the_finest = [&] { return finest ? core::Field() : core::Field(grid); };
   // A colour has every second line, and one batch more for the lines beside its last one.
   const int lines_of_a_colour = grid.ny / 2 + 2 * core::lanes;
   const auto zero_changes = [&] { return core::Field(grid.nodes_x(), lines_of_a_colour); };
@@ -37,10 +38,10 @@ Level make_level(const core::Grid& grid, const Parameters& parameters, const mlm
           .eps = zero(),
           .rho_bar = zero(),
           .drho_bar = zero(),
-          .f = zero(),
-          .F = zero(),
-          .H_restricted = zero(),
-          .P_restricted = zero(),
+          .f = only_below_the_finest(),
+          .F = only_below_the_finest(),
+          .H_restricted = only_below_the_finest(),
+          .P_restricted = only_below_the_finest(),
           .r = zero(),
           .changes = {zero_changes(), zero_changes()},
           .deformation = mlmi::Deformation(grid, deformation, threads),
@@ -96,7 +97,8 @@ Hierarchy make_hierarchy(const Problem& problem, const Parameters& parameters, c
     throw core::InputError("[grid] coarsest = " + std::to_string(wanted) + ": " + std::to_string(finest.nx) + " x " +
                            std::to_string(finest.ny) + " cells cannot be halved down to it");
   for (auto grid = grids.rbegin(); grid != grids.rend(); ++grid)
-    hierarchy.levels.push_back(make_level(*grid, parameters, deformation, hierarchy.threads_on(*grid)));
+    hierarchy.levels.push_back(
+        make_level(*grid, *grid == finest, parameters, deformation, hierarchy.threads_on(*grid)));
   return hierarchy;
 }
 
@@ -118,10 +120,13 @@ void update_film(Hierarchy& hierarchy, Level& level) {
   for_stations(hierarchy, level, [&](int i, std::span<double> fluidity) {
     const double at_x = hierarchy.H00 + 0.5 * grid.X(i) * grid.X(i);
     double* H = level.H.at_x(i);
-    const double* F = level.F.at_x(i);
     for (int j = 0; j <= grid.ny; ++j) {
       const double Y = grid.Y(j);
-      H[j] += at_x + 0.5 * Y * Y + F[j];
+      H[j] += at_x + 0.5 * Y * Y;
+    }
+    if (level.F.nodes_x() > 0) {
+      const double* F = level.F.at_x(i);
+      for (int j = 0; j <= grid.ny; ++j) H[j] += F[j];
     }
     coefficients_of_station(hierarchy.problem, level, i, fluidity);
   });

@@ -42,10 +42,10 @@ struct Level {
   core::Field eps;
   core::Field rho_bar;
   core::Field drho_bar;      ///< d rho_bar/dP
-  core::Field f;             ///< right-hand side of the Reynolds equation (FAS); 0 on the level being solved
-  core::Field F;             ///< right-hand side of the film equation (FAS)
-  core::Field H_restricted;  ///< the finer level's film at these nodes; 0 on the level being solved
-  core::Field P_restricted;  ///< the finer level's pressure as it came down
+  core::Field f;             ///< right-hand side of the Reynolds equation (FAS); empty on the finest level: zero
+  core::Field F;             ///< right-hand side of the film equation (FAS); likewise
+  core::Field H_restricted;  ///< the finer level's film at these nodes; empty on the finest level
+  core::Field P_restricted;  ///< the finer level's pressure as it came down; likewise
   core::Field r;             ///< residual; the correction on its way up
   LineChanges changes;
   mlmi::Deformation deformation;

@@ -103,8 +103,9 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
 
     line_solvers::PointEquation point;
     point.c = {c0 * film0.rho_bar, c1 * film1.rho_bar, c2 * film2.rho_bar};
-    point.r = own_lines(level.f, i, j) - reynolds::poiseuille(e, P_west, P_east.own, P.south, P.north, P.own) +
-              (c0 * film0.rho_H + c1 * film1.rho_H + c2 * film2.rho_H);
+    point.r = (c0 * film0.rho_H + c1 * film1.rho_H + c2 * film2.rho_H) -
+              reynolds::poiseuille(e, P_west, P_east.own, P.south, P.north, P.own);
+    if (level.f.nodes_x() > 0) point.r += own_lines(level.f, i, j);
 
     // Coefficients of the pressure changes at i-2 .. i+1 (Poiseuille, and the density's part of the wedge), and then of
     // the deltas: the pressure change at k is delta_k - (distributed_{k-1} + distributed_{k+1})/4.

@@ -94,15 +94,9 @@ Deformation::Deformation(const core::Grid& grid, const Parameters& parameters, i
       std::make_unique<Implementation>(std::string{}, MultilevelSum(x, y, choice, half_space_factor, team));
   const MultilevelSum& sum = implementation_->sum;
   switch (parameters.method) {
-    case Method::mlmi:
-      implementation_->description = describe(choice, sum);
-      break;
-    case Method::fft:
-      implementation_->description = std::string("FFT (") + fourier_library() + ")";
-      break;
-    case Method::direct:
-      implementation_->description = "direct sum";
-      break;
+    case Method::mlmi: implementation_->description = describe(choice, sum); break;
+    case Method::fft: implementation_->description = std::string("FFT (") + fourier_library() + ")"; break;
+    case Method::direct: implementation_->description = "direct sum"; break;
   }
 }
 Deformation::~Deformation() = default;

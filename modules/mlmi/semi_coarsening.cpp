@@ -222,18 +222,10 @@ void SemiCoarsening::interpolate(const double* coarse_w, std::ptrdiff_t stride_c
     const int begin = strip * total / strips, end = (strip + 1) * total / strips;
     Buffer& work = work_[size(omp_get_thread_num())];
     switch (end - begin) {
-      case 1:
-        Strip<1>(*this, arrays, begin * lanes, work).sweep();
-        break;
-      case 2:
-        Strip<2>(*this, arrays, begin * lanes, work).sweep();
-        break;
-      case 3:
-        Strip<3>(*this, arrays, begin * lanes, work).sweep();
-        break;
-      default:
-        Strip<4>(*this, arrays, begin * lanes, work).sweep();
-        break;
+      case 1: Strip<1>(*this, arrays, begin * lanes, work).sweep(); break;
+      case 2: Strip<2>(*this, arrays, begin * lanes, work).sweep(); break;
+      case 3: Strip<3>(*this, arrays, begin * lanes, work).sweep(); break;
+      default: Strip<4>(*this, arrays, begin * lanes, work).sweep(); break;
     }
   }
 }

@@ -38,13 +38,16 @@ void residual(const core::Grid& grid, const State& state, Wedge wedge, int threa
     const double* __restrict rho0 = state.rho_bar.at_x(i);
     const double* __restrict rho1 = state.rho_bar.at_x(i - 1);
     const double* __restrict rho2 = state.rho_bar.at_x(upstream);
-    const double* __restrict f = state.f.at_x(i);
     double* __restrict out = r.at_x(i);
     for (int j = 1; j < grid.ny; ++j) {
       const auto e =
           half_points(eps_west[j], eps_east[j], eps[j - 1], eps[j + 1], eps[j], half_over_hx2, half_over_hy2);
       const double wedge_term = c0 * (rho0[j] * H0[j]) + c1 * (rho1[j] * H1[j]) + c2 * (rho2[j] * H2[j]);
-      out[j] = f[j] - poiseuille(e, P_west[j], P_east[j], P[j - 1], P[j + 1], P[j]) + wedge_term;
+      out[j] = wedge_term - poiseuille(e, P_west[j], P_east[j], P[j - 1], P[j + 1], P[j]);
+    }
+    if (state.f.nodes_x() > 0) {
+      const double* __restrict f = state.f.at_x(i);
+      for (int j = 1; j < grid.ny; ++j) out[j] += f[j];
     }
     out[0] = 0.0;
     out[grid.ny] = 0.0;

@@ -19,7 +19,7 @@ struct State {
   const core::Field& H;
   const core::Field& rho_bar;
   const core::Field& eps;
-  const core::Field& f;  ///< right-hand side: 0 on the finest grid
+  const core::Field& f;  ///< right-hand side; an empty field means zero
 };
 
 /// r = f - L(P) on the interior nodes, L(P) the left-hand side of eq. (4) with the chosen wedge; 0 on the boundary.

@@ -48,6 +48,7 @@ fmg::Hierarchy make_error_hierarchy(const ModelProblem& problem) {
   fmg::Hierarchy hierarchy =
       fmg::make_hierarchy(equations, parameters, {.method = mlmi::Method::fft}, grid_of(problem.cells), 1);
   fmg::Level& level = hierarchy.finest();
+  level.F = core::Field(level.grid);
   for (int i = 0; i <= level.grid.nx; ++i)
     for (int j = 0; j <= level.grid.ny; ++j) {
       const double X = level.grid.X(i);

@@ -75,7 +75,8 @@ class Sweep {
     const double poiseuille = e.west * (P(i - 1, j) - P(i, j)) + e.east * (P(i + 1, j) - P(i, j)) +
                               e.south * (P(i, j - 1) - P(i, j)) + e.north * (P(i, j + 1) - P(i, j));
     const double wedge = upstream_derivative([&](int k) { return level_.rho_bar(k, j) * level_.H(k, j); }, i);
-    return level_.f(i, j) - poiseuille + wedge;
+    const double f = level_.f.nodes_x() > 0 ? level_.f(i, j) : 0.0;  // none on the finest level
+    return f - poiseuille + wedge;
   }
 
   /// How much the left-hand side at (i,j) changes for delta = 1 at (k,j). The line does not know of the boundary:
