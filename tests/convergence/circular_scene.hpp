@@ -35,10 +35,6 @@ inline const reference::CircularLimit& limit_of(const reference::CircularContact
   throw std::logic_error("no limit for this contact");
 }
 
-/// M = 1000 on 64 cells: the film is thinner than the mesh can show (its Hm is a quarter of the limit); tried, not
-/// asserted.
-inline bool hardly_resolved(const reference::CircularContact& contact) { return contact.M == 1000 && contact.n == 64; }
-
 inline std::string name_of(const reference::CircularContact& contact) {
   const char* fluid = contact.fluid == reference::Fluid::barus ? "Barus" : "Roelands";
   return "(" + std::to_string(static_cast<int>(contact.M)) + "," + std::to_string(static_cast<int>(contact.L)) + ") " +

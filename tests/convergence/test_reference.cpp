@@ -51,7 +51,6 @@ BOOST_AUTO_TEST_CASE(exact_film_gives_the_reference_digits) {
     steady::Scene scene = test::scene_of(contact);
     scene.deformation.method = mlmi::Method::fft;
     scene.multigrid.tolerance = 1e-10;
-    if (test::hardly_resolved(contact)) continue;
     const steady::Solution solution = steady::solve(scene);
     const steady::LevelRow& row = solution.levels.back();
     BOOST_TEST_MESSAGE(test::name_of(contact)
@@ -71,7 +70,7 @@ BOOST_AUTO_TEST_CASE(exact_film_gives_the_reference_digits) {
 
 BOOST_AUTO_TEST_CASE(default_film_evaluation_is_below_a_tenth_of_the_discretization_error) {
   for (const reference::CircularContact& contact : reference::circular_contacts) {
-    if (contact.n > largest_grid || contact.n < 128 || test::hardly_resolved(contact)) continue;
+    if (contact.n > largest_grid || contact.n < 128) continue;
     steady::Scene scene = test::scene_of(contact);
     scene.multigrid.tolerance = 1e-8;
     const steady::Solution solution = steady::solve(scene);
@@ -104,7 +103,6 @@ BOOST_AUTO_TEST_CASE(default_cycles_reach_the_discretization_error_on_every_leve
           BOOST_TEST_MESSAGE(test::name_of(exact)
                              << ", " << row.cycles << " cycles, " << row.work_units << " work units: " << share.Hc
                              << " of the discretization error in Hc, " << share.Hm << " in Hm (allowed 0.1)");
-          if (test::hardly_resolved(exact)) continue;
           BOOST_TEST(share.Hc <= 0.1);
           BOOST_TEST(share.Hm <= 0.1);
         }
