@@ -14,7 +14,6 @@
 #include "steady/checks.hpp"
 #include "steady/error_estimate.hpp"
 #include "steady/state_of_level.hpp"
-#include "steady/warnings.hpp"
 
 namespace ehl::steady {
 namespace {
@@ -52,7 +51,6 @@ class Climber {
     solution_.H00 = hierarchy_.H00;
     solution_.times = hierarchy_.times;
     solution_.deformation = hierarchy_.finest().deformation.description();
-    solution_.warnings = warnings_of(solution_);
     return std::move(solution_);
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 // What a steady computation gives back.
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,8 @@ struct Solution {
   std::vector<std::string> warnings;
   double seconds = 0.0;
   int climbs = 1;  ///< starts that were needed
+  /// Relative growth of Hc on a domain twice as large; NaN where a rough bound said that it does not matter.
+  double domain_error_Hc = std::numeric_limits<double>::quiet_NaN();
 };
 
 }  // namespace ehl::steady

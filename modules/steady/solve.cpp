@@ -5,6 +5,8 @@
 #include "core/errors.hpp"
 #include "core/timer.hpp"
 #include "steady/climb.hpp"
+#include "steady/domain_error.hpp"
+#include "steady/warnings.hpp"
 
 namespace ehl::steady {
 namespace {
@@ -18,6 +20,9 @@ constexpr Start starts[] = {
     {.cells = 128, .sweeps = 40, .cycles = 10, .coarsest = 64, .balances = 30, .caution_at_first = 0.7, .caution = 0.7},
     {.cells = 256, .sweeps = 80, .cycles = 10, .coarsest = 64, .balances = 30, .caution_at_first = 0.5, .caution = 0.7},
 };
+
+/// A rough bound on the error of the domain above which two coarse solutions are spent on estimating it.
+constexpr double worth_a_look = 0.01;
 
 bool better(const Solution& one, const std::optional<Solution>& other) {
   return !other || one.converged || one.levels.back().residual < other->levels.back().residual;
@@ -45,6 +50,8 @@ Solution solve(const Scene& scene, const ProgressCallback& progress) {
   if (!best)
     throw core::SolverError(last_error + " from every start; use more cells, or a domain closer to the contact");
   best->climbs = climbs;
+  if (rough_domain_error(scene) > worth_a_look) best->domain_error_Hc = estimate_domain_error(scene);
+  best->warnings = warnings_of(*best);
   best->seconds = core::now() - began;
   return std::move(*best);
 }

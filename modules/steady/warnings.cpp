@@ -11,6 +11,8 @@ namespace {
 constexpr double unresolved = 0.1;
 /// Pressure beside a boundary, as a share of the largest, above which the boundary cuts into the contact.
 constexpr double cut_off_pressure = 1e-3;
+/// Growth of Hc on the double domain that is worth a word.
+constexpr double starved = 0.01;
 
 std::string percent(double value) {
   char buffer[32];
@@ -48,6 +50,10 @@ std::vector<std::string> warnings_of(const Solution& solution) {
   else if (last.error_Hc > unresolved || last.error_Hm > unresolved)
     warnings.push_back("film not resolved by the mesh: estimated error of Hc " + percent(last.error_Hc) + ", of Hm " +
                        percent(last.error_Hm) + "; use more cells");
+  if (solution.domain_error_Hc > starved)
+    warnings.push_back("inlet starved by the domain: on one twice as long and wide Hc is larger by at least " +
+                       percent(solution.domain_error_Hc) +
+                       " (estimated on a coarse grid); move x_inlet upstream and widen y_half");
   const double P_max = largest_pressure(solution);
   const double outlet = largest_along_outlet(solution);
   if (outlet > cut_off_pressure * P_max)

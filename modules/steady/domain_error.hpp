@@ -1,0 +1,20 @@
+#pragma once
+// How much the film would grow if the domain did not cut off the inlet.
+#include "steady/scene.hpp"
+
+namespace ehl::steady {
+
+/// Bound on the pressure that an inlet at X_a cuts off, as a relative change of Hc: half of alpha_bar times
+/// (4/3) lambda/|X_a|^3, the rigid far field dP/dX = lambda/H^2, H = X^2/2, integrated from -infinity, with alpha_bar
+/// >= 10. Cheap and right within a factor of about 2 where viscosity rises with pressure; too low for light isoviscous
+/// loads, whose far field is long enough to be far above any threshold.
+double rough_domain_error(const Scene& scene);
+
+/// Relative growth of Hc on a domain twice as long (upstream) and twice as wide: two solutions on coarse grids of the
+/// same mesh size. It is a lower bound of the error of the domain; in light loads what lies beyond the double domain
+/// can add as much again. order: right within a factor of 2 where it
+/// is a percent (the meshes are coarse). out: NaN where one of the two coarse solutions fails. cost: a few hundredths
+/// of a second.
+double estimate_domain_error(const Scene& scene);
+
+}  // namespace ehl::steady

@@ -1,0 +1,29 @@
+// The estimate of what the domain cuts off against finer solutions on both domains.
+#include <boost/test/unit_test.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "convergence/circular_scene.hpp"
+#include "steady/domain_error.hpp"
+#include "steady/solve.hpp"
+
+using namespace ehl;
+
+// The estimate comes from grids of 32 and 64 cells, whose mesh error at M = 50 is a quarter of the film: it is to be
+// right within a factor of 2, and not too low by more than a quarter.
+BOOST_AUTO_TEST_CASE(estimate_is_what_a_longer_and_wider_domain_gives) {
+  for (const double M : {10.0, 20.0, 50.0}) {
+    const reference::CircularContact contact{
+        M, 10, reference::Fluid::roelands_z068, reference::Wedge::upstream2, 128, 0, 0, 0, 0};
+    const steady::Scene scene = test::scene_of(contact);
+    steady::Scene longer = scene;
+    longer.grid = {256, 256, -10.5, 1.5, -6.0, 6.0};
+    const double truth = steady::solve(longer).levels.back().Hc / steady::solve(scene).levels.back().Hc - 1.0;
+    const double estimate = steady::estimate_domain_error(scene);
+    BOOST_TEST_MESSAGE("M = " << M << ": Hc grows by " << truth << ", estimated " << estimate << ", rough bound "
+                              << steady::rough_domain_error(scene));
+    BOOST_TEST(estimate < 2.0 * truth);
+    BOOST_TEST(estimate > 0.75 * truth);
+    BOOST_TEST(steady::rough_domain_error(scene) > 0.5 * truth);
+  }
+}

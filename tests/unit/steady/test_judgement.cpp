@@ -1,0 +1,120 @@
+// How a solution is judged: error estimate, checks, interpolation, warnings.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "steady/checks.hpp"
+#include "steady/error_estimate.hpp"
+#include "steady/state_of_level.hpp"
+#include "steady/warnings.hpp"
+
+using namespace ehl;
+using namespace ehl::steady;
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<double> sequence(double limit, double error, double order, int count) {
+  std::vector<double> values;
+  for (int k = 0; k < count; ++k) values.push_back(limit + error * std::exp2(-order * k));
+  return values;
+}
+
+LastCycle good_cycle() {
+  return {.before = {.Hc = 0.2001, .Hm = 0.1001, .residual = 1e-3, .load_error = 1e-5},
+          .after = {.Hc = 0.2, .Hm = 0.1, .residual = 1e-4, .load_error = 1e-6},
+          .error_Hc = 0.02,
+          .error_Hm = 0.03};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(error_of_an_asymptotic_sequence_is_its_error) {
+  for (const double order : {1.0, 2.0}) {
+    const std::vector<double> values = sequence(0.2, 0.04, order, 4);
+    const ErrorEstimate estimate = estimate_error(values, order);
+    const double truth = std::abs(values.back() - 0.2) / values.back();
+    BOOST_TEST_MESSAGE("order " << estimate.order << ", error " << estimate.relative_error << ", true " << truth);
+    BOOST_TEST(std::abs(estimate.order - order) < 1e-10);
+    BOOST_TEST(std::abs(estimate.relative_error / truth - 1.0) < 1e-10);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(error_estimate_is_cautious_where_the_sequence_is_not_asymptotic) {
+  // Observed order 4 with a second-order scheme: no better than second order is believed.
+  const std::vector<double> too_good = sequence(0.2, 0.04, 4.0, 3);
+  const double step = std::abs(too_good[2] - too_good[1]);
+  BOOST_TEST(std::abs(estimate_error(too_good, 2.0).relative_error - step / 3.0 / too_good[2]) < 1e-12);
+  // Differences of changing sign: no order, more than the last step.
+  const std::vector<double> turning{0.20, 0.21, 0.205};
+  BOOST_TEST(estimate_error(turning, 2.0).relative_error >= 0.005 / 0.205);
+  BOOST_TEST(std::isnan(estimate_error(turning, 2.0).order));
+  BOOST_TEST(std::isnan(estimate_error(std::vector<double>{0.2}, 2.0).relative_error));
+  BOOST_TEST(estimate_error(std::vector<double>{0.2, 0.21}, 2.0).relative_error > 0.01 / 3.0 / 0.21);
+}
+
+BOOST_AUTO_TEST_CASE(a_good_last_cycle_passes) {
+  BOOST_TEST(unmet_check(good_cycle(), unknown).empty());
+  BOOST_TEST(unmet_check(good_cycle(), 1e-3).empty());
+}
+
+BOOST_AUTO_TEST_CASE(each_check_can_fail) {
+  const auto fails = [](auto spoil, double tolerance, const char* word) {
+    LastCycle cycle = good_cycle();
+    spoil(cycle);
+    const std::string message = unmet_check(cycle, tolerance);
+    BOOST_TEST_MESSAGE(message);
+    BOOST_TEST(message.find(word) != std::string::npos);
+  };
+  fails([](LastCycle& c) { c.after.Hm = -1e-3; }, unknown, "negative");
+  fails([](LastCycle& c) { c.after.Hm = unknown; }, unknown, "negative");
+  fails([](LastCycle&) {}, 1e-5, "residual");
+  fails([](LastCycle& c) { c.after.residual = unknown; }, 1e-3, "residual");
+  fails([](LastCycle& c) { c.after.load_error = 1.0; }, 1e-3, "load");
+  fails([](LastCycle& c) { c.error_Hc = unknown; }, unknown, "residual");
+  fails([](LastCycle& c) { c.after.residual = 0.5; }, unknown, "residual");
+  fails([](LastCycle& c) { c.after.load_error = 0.01; }, unknown, "load");
+  fails([](LastCycle& c) { c.before.Hc = 0.25; }, unknown, "Hc");
+  fails([](LastCycle& c) { c.before.Hm = 0.15; }, unknown, "Hm");
+  // A cycle that hardly reduces the residual foretells a long way to go.
+  fails([](LastCycle& c) { c.before.residual = 1.05e-4; }, unknown, "Hc");
+}
+
+BOOST_AUTO_TEST_CASE(value_between_nodes_is_exact_for_cubics) {
+  const core::Grid grid{8, 10, -2.0, 1.0, -1.5, 1.5};
+  const auto cubic = [](double X, double Y) { return 1.0 + X * X * X - 2.0 * X * Y * Y + Y * Y * Y; };
+  core::Field field(grid);
+  for (int i = 0; i <= grid.nx; ++i)
+    for (int j = 0; j <= grid.ny; ++j) field(i, j) = cubic(grid.X(i), grid.Y(j));
+  for (const double X : {-2.0, -1.9, 0.0, 0.31, 1.0})
+    for (const double Y : {-1.5, -0.7, 0.0, 1.45})
+      BOOST_TEST(std::abs(value_at(grid, field, X, Y) - cubic(X, Y)) < 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE(warnings_name_what_is_wrong) {
+  Solution solution;
+  solution.grid = {16, 16, -4.5, 1.5, -3.0, 3.0};
+  solution.P = core::Field(solution.grid);
+  solution.P(8, 8) = 1.0;
+  solution.levels.push_back({.error_Hc = 0.01, .error_Hm = 0.02});
+  BOOST_TEST(warnings_of(solution).empty());
+  const auto warned = [&](const char* word) {
+    const std::vector<std::string> warnings = warnings_of(solution);
+    return warnings.size() == 1 && warnings[0].find(word) != std::string::npos;
+  };
+  solution.levels.back().error_Hm = 0.3;
+  BOOST_TEST(warned("not resolved"));
+  solution.levels.back() = {.error_Hc = unknown, .error_Hm = unknown};
+  BOOST_TEST(warned("single level"));
+  solution.levels.back() = {.error_Hc = 0.01, .error_Hm = 0.02};
+  solution.domain_error_Hc = 0.03;
+  BOOST_TEST(warned("starved"));
+  solution.domain_error_Hc = 0.001;
+  solution.P(15, 8) = 0.01;
+  BOOST_TEST(warned("outlet"));
+  solution.P(15, 8) = 0.0;
+  solution.P(8, 1) = 0.01;
+  BOOST_TEST(warned("narrow"));
+}
