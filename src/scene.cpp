@@ -7,6 +7,7 @@
 #include "catalogue.hpp"
 #include "deck/text.hpp"
 #include "machine.hpp"
+#include "steady/domain_error.hpp"
 
 namespace ehl::program {
 namespace {
@@ -18,11 +19,14 @@ using deck::given;
 constexpr int smallest_coarsest = 32;
 constexpr double giga = 1e9;
 
-void choose_domain(deck::Deck& deck, double M) {
-  const bool light = M < 100.0;
-  const std::string why = light ? "M < 100" : "M >= 100: the pressure ends close to the contact";
-  if (!given(deck, "domain", "x_inlet")) deck::choose(deck, "domain", "x_inlet", light ? -4.5 : -2.5, why);
-  if (!given(deck, "domain", "y_half")) deck::choose(deck, "domain", "y_half", light ? 3.0 : 2.0, why);
+void choose_domain(deck::Deck& deck, const contact::Groups& groups) {
+  const double x_outlet = deck::number(deck, "domain", "x_outlet");
+  if (!given(deck, "domain", "x_inlet"))
+    deck::choose(deck, "domain", "x_inlet", steady::chosen_inlet(groups.lambda, groups.alpha_bar, x_outlet),
+                 "cuts off less than 0.6 % of the film, roughly");
+  if (!given(deck, "domain", "y_half"))
+    deck::choose(deck, "domain", "y_half", 0.5 * (x_outlet - deck::number(deck, "domain", "x_inlet")),
+                 "as wide as long");
 }
 
 // How often the cells are halved, -1 when that does not lead to a coarse enough grid.
@@ -155,7 +159,7 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   result.scene.deformation = deformation_of(deck);
   result.scene.multigrid = multigrid_of(deck);
 
-  choose_domain(deck, result.physics.groups.M);
+  choose_domain(deck, result.physics.groups);
   result.scene.grid = grid_of(deck);
   result.scene.threads = threads;
   if (result.scene.grid.ny > 0) check_memory(deck, result.scene);

@@ -21,12 +21,26 @@ double central_film(const Scene& scene) {
   return solution.converged ? solution.levels.back().Hc : std::numeric_limits<double>::quiet_NaN();
 }
 
+double rough_error(double lambda, double alpha_bar, double X_a) {
+  const double cut_off = 4.0 / 3.0 * lambda / std::abs(X_a * X_a * X_a);
+  return 0.5 * cut_off * std::max(alpha_bar, 10.0);
+}
+
 }  // namespace
 
 double rough_domain_error(const Scene& scene) {
   const double alpha_bar = scene.L / core::pi * std::cbrt(1.5 * scene.M);
-  const double cut_off = 4.0 / 3.0 * scene.lambda / std::abs(std::pow(scene.grid.X_a, 3));
-  return 0.5 * cut_off * std::max(alpha_bar, 10.0);
+  return rough_error(scene.lambda, alpha_bar, scene.grid.X_a);
+}
+
+double chosen_inlet(double lambda, double alpha_bar, double X_b) {
+  constexpr double target = 0.006;
+  constexpr int shortest = 20;
+  constexpr int longest = 31;
+  const auto inlet = [X_b](int m) { return -X_b * m / (32.0 - m); };
+  int m = shortest;
+  while (m < longest && rough_error(lambda, alpha_bar, inlet(m)) > target) ++m;
+  return inlet(m);
 }
 
 double estimate_domain_error(const Scene& scene) {

@@ -84,9 +84,14 @@ BOOST_AUTO_TEST_CASE(isoviscous_and_barus) {
 }
 
 BOOST_AUTO_TEST_CASE(the_grid_follows_the_domain) {
-  const program::Case heavy = read(moes, {"contact.M=200"});
+  const program::Case heavy = read(moes, {"contact.M=1000"});
   BOOST_TEST(heavy.scene.grid.X_a == -2.5);
+  BOOST_TEST(heavy.scene.grid.Y_b == 2.0);
   BOOST_TEST(heavy.scene.grid.ny == 256);
+  // The far field of a light load, lambda/H^2, reaches further: |X_a|^3 in proportion to lambda.
+  const program::Case light = read(moes, {"contact.M=5", "contact.L=2"});
+  BOOST_TEST(light.scene.grid.X_a == -14.5);
+  BOOST_TEST(light.scene.grid.Y_b == 8.0);
   const program::Case wide = read(moes, {"domain.y_half=4", "grid.cells=128"});
   // 128 x 8/6 = 170.7; on the coarsest grid (32) 42.7, nearest even number 42: 168.
   BOOST_TEST(wide.scene.grid.ny == 168);
