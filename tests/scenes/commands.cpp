@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(parameters_that_do_not_fit_the_grid) {
   scene.folder.write("d.ini", small + "[deformation]\ncoarsenings = 20\n");
   const support::Ended ended = scene.ehl("run d.ini");
   BOOST_TEST(ended.status == 2);
-  BOOST_TEST(ended.says({"d.ini:12: [deformation] coarsenings = 20: "}), ended.err);
+  BOOST_TEST(ended.says({"d.ini:15: [deformation] coarsenings = 20: "}), ended.err);
   BOOST_TEST(scene.folder.entries() == 1);
 }
 
