@@ -14,7 +14,7 @@ namespace {
 /// The first start is fast and right for most contacts. The later ones begin on a grid that holds the contact better,
 /// keep the coarsest grid finer, and are more cautious: for high loads and for L near zero or above 20.
 constexpr Start starts[] = {
-    {.cells = 64, .sweeps = 20, .cycles = 4, .coarsest = 32, .balances = 10, .caution_at_first = 1.0, .caution = 1.0},
+    {.cells = 64, .sweeps = 20, .cycles = 6, .coarsest = 32, .balances = 10, .caution_at_first = 0.7, .caution = 1.0},
     {.cells = 64, .sweeps = 40, .cycles = 10, .coarsest = 32, .balances = 30, .caution_at_first = 0.5, .caution = 1.0},
     {.cells = 128, .sweeps = 40, .cycles = 6, .coarsest = 64, .balances = 30, .caution_at_first = 0.7, .caution = 1.0},
     {.cells = 128, .sweeps = 40, .cycles = 10, .coarsest = 64, .balances = 30, .caution_at_first = 0.7, .caution = 0.7},
