@@ -44,6 +44,8 @@ Level make_level(const core::Grid& grid, bool finest, const Parameters& paramete
           .P_restricted = only_below_the_finest(),
           .r = zero(),
           .changes = {zero_changes(), zero_changes()},
+          .line_work =
+              std::vector<LineWork>(static_cast<std::size_t>(threads), make_line_work(grid.nx, parameters.relaxation)),
           .deformation = mlmi::Deformation(grid, deformation, threads),
           .film_terms = film_terms(grid, parameters.relaxation.reach)};
 }

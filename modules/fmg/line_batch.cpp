@@ -1,6 +1,7 @@
 #include "fmg/line_batch.hpp"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "reynolds/stencil.hpp"
 
@@ -47,14 +48,26 @@ LaneMask beside_cavitation(const core::Field& P, int i, int j) {
 
 }  // namespace
 
-template <int reach, LineSolver solver>
-LineBatch<reach, solver>::LineBatch(int nx)
-    : west_(static_cast<std::size_t>(nx) + 1),
-      south_(west_.size()),
-      north_(west_.size()),
-      distributive_(west_.size() + 2 * margin),
-      factors_(solver == LineSolver::elimination ? west_.size() : 0),
-      decimation_(solver == LineSolver::decimation ? nx - 1 : 1) {}
+LineWork make_line_work(int nx, const RelaxationParameters& parameters) {
+  const auto points = static_cast<std::size_t>(nx) + 1;
+  LineWork work{.west = std::vector<Lanes>(points),
+                .south = std::vector<Lanes>(points),
+                .north = std::vector<Lanes>(points),
+                .distributive = std::vector<Lanes>(points + 2 * LineWork::margin),
+                .solver = {}};
+  const auto prepare = [&]<int reach>(std::integral_constant<int, reach>) {
+    if (parameters.line_solver == LineSolver::elimination)
+      work.solver.emplace<EliminationFactors<reach>>(points);
+    else
+      work.solver.emplace<line_solvers::Decimation<reach>>(nx - 1);
+  };
+  switch (parameters.reach) {
+    case 1: prepare(std::integral_constant<int, 1>{}); break;
+    case 2: prepare(std::integral_constant<int, 2>{}); break;
+    default: prepare(std::integral_constant<int, 3>{}); break;
+  }
+  return work;
+}
 
 template <int reach, LineSolver solver>
 void LineBatch<reach, solver>::read_coefficients(const Hierarchy& hierarchy, const Level& level, int j) {
@@ -65,21 +78,23 @@ void LineBatch<reach, solver>::read_coefficients(const Hierarchy& hierarchy, con
   for (int i = 1; i <= grid.nx; ++i) {
     const Beside eps = with_neighbours(level.eps, i, j);
     const auto k = static_cast<std::size_t>(i);
-    west_[k] = (before + eps.own) * half_over_hx2;
-    south_[k] = (eps.south + eps.own) * half_over_hy2;
-    north_[k] = (eps.own + eps.north) * half_over_hy2;
+    work_.west[k] = (before + eps.own) * half_over_hx2;
+    work_.south[k] = (eps.south + eps.own) * half_over_hy2;
+    work_.north[k] = (eps.own + eps.north) * half_over_hy2;
     before = eps.own;
   }
   const double crossover2 = hierarchy.parameters.relaxation.crossover * hierarchy.parameters.relaxation.crossover;
   for (int i = 1; i < grid.nx; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    const Lanes largest = core::max(core::max(west_[k], west_[k + 1]), core::max(south_[k], north_[k]));
-    const Lanes smallest = core::min(core::min(west_[k], west_[k + 1]), core::min(south_[k], north_[k]));
+    const Lanes largest =
+        core::max(core::max(work_.west[k], work_.west[k + 1]), core::max(work_.south[k], work_.north[k]));
+    const Lanes smallest =
+        core::min(core::min(work_.west[k], work_.west[k + 1]), core::min(work_.south[k], work_.north[k]));
     // e_max sqrt(e_max/e_min) > crossover, without root and division; e_min = 0 makes it single unless e_max = 0 too.
     LaneMask single = largest * largest * largest > crossover2 * smallest;
     // Beside the cavitated region too: what is cut off at P = 0 would leave half of a distributed change standing.
     if (hierarchy.problem.cavitation) single |= beside_cavitation(level.P, i, j);
-    distributive_[k + margin] = single ? Lanes{} : core::broadcast(1.0);
+    work_.distributive[k + LineWork::margin] = single ? Lanes{} : core::broadcast(1.0);
   }
 }
 
@@ -89,7 +104,7 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
   const core::Grid& grid = level.grid;
   const bool cavitation = hierarchy.problem.cavitation;
   const LaneMask outside = ~inside(j, grid.ny);
-  const Lanes* distributive = distributive_.data() + margin;
+  const Lanes* distributive = work_.distributive.data() + LineWork::margin;
   Lanes P_west = own_lines(level.P, 0, j);
   Beside P = with_neighbours(level.P, 1, j);
   FilmStation film2{};
@@ -98,7 +113,7 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
     const Beside P_east = with_neighbours(level.P, i + 1, j);
     const FilmStation film0 = film_station(level, i, j);
     const auto k = static_cast<std::size_t>(i);
-    const reynolds::HalfPoints<Lanes> e{west_[k], west_[k + 1], south_[k], north_[k]};
+    const reynolds::HalfPoints<Lanes> e{work_.west[k], work_.west[k + 1], work_.south[k], work_.north[k]};
     const auto [c0, c1, c2] = reynolds::wedge_weights(hierarchy.problem.wedge, i, grid.hx());
 
     line_solvers::PointEquation point;
@@ -140,14 +155,14 @@ template <int reach, LineSolver solver>
 void LineBatch<reach, solver>::keep(const RelaxationParameters& parameters, Level& level, int batch, int i,
                                     Lanes delta) const {
   const auto k = static_cast<std::size_t>(i);
-  const Lanes low = core::min(core::min(west_[k], west_[k + 1]), core::min(south_[k], north_[k]));
-  const Lanes high = core::max(core::max(west_[k], west_[k + 1]), core::max(south_[k], north_[k]));
+  const Lanes low = core::min(core::min(work_.west[k], work_.west[k + 1]), core::min(work_.south[k], work_.north[k]));
+  const Lanes high = core::max(core::max(work_.west[k], work_.west[k + 1]), core::max(work_.south[k], work_.north[k]));
   // Weight of a single change: from `steep` up to the full one as the coefficients of the four half points come within
   // a factor 2 of each other.
   const double steep = parameters.weight_single_steep;
   const double range = parameters.weight_single - steep;
   const Lanes smooth = 2.0 * low >= high ? core::broadcast(1.0) : 2.0 * low / high;
-  const Lanes distributive = distributive_[k + margin];
+  const Lanes distributive = work_.distributive[k + LineWork::margin];
   const Lanes weight = distributive > 0.0 ? core::broadcast(parameters.weight_distributed) : steep + range * smooth;
   const int at = batch * core::lanes;
   core::store(level.changes.delta.at_x(i) + at, weight * delta);
@@ -161,14 +176,15 @@ line_solvers::SmallPivot LineBatch<reach, solver>::solve(const Hierarchy& hierar
   const RelaxationParameters& parameters = hierarchy.parameters.relaxation;
   read_coefficients(hierarchy, level, j);
   if constexpr (solver == LineSolver::elimination) {
-    line_solvers::Elimination<reach> elimination(factors_.data());
+    line_solvers::Elimination<reach> elimination(std::get<EliminationFactors<reach>>(work_.solver).data());
     assemble(hierarchy, level, j, [&](int, const line_solvers::BandRow<reach>& row) { elimination.push(row); });
     elimination.back_substitute([&](int i, Lanes delta) { keep(parameters, level, batch, i, delta); });
     return elimination.small_pivot();
   } else {
-    assemble(hierarchy, level, j, [&](int i, const line_solvers::BandRow<reach>& row) { decimation_.set(i, row); });
-    const line_solvers::SmallPivot small = decimation_.solve();
-    for (int i = 1; i < level.grid.nx; ++i) keep(parameters, level, batch, i, decimation_.delta(i));
+    auto& decimation = std::get<line_solvers::Decimation<reach>>(work_.solver);
+    assemble(hierarchy, level, j, [&](int i, const line_solvers::BandRow<reach>& row) { decimation.set(i, row); });
+    const line_solvers::SmallPivot small = decimation.solve();
+    for (int i = 1; i < level.grid.nx; ++i) keep(parameters, level, batch, i, decimation.delta(i));
     return small;
   }
 }

@@ -1,7 +1,11 @@
 #include "fmg/relaxation.hpp"
 
+#include <omp.h>
+
+#include <algorithm>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include "core/errors.hpp"
 #include "fmg/line_batch.hpp"
@@ -12,36 +16,32 @@ namespace {
 using core::LaneMask;
 using core::Lanes;
 
-// Applies the changes of one colour at station i to its own lines and to the lines between them:
+// Applies the changes of one batch at station i to its own lines and to the line before each of them:
 // P_ij += delta_ij - (distributed_{i-1} + distributed_{i+1} + distributed_{j-1} + distributed_{j+1})/4 (eq. 15),
 // and holds P >= 0.
-void apply_changes(Level& level, int colour, bool cavitation, int i) {
+void apply_changes(Level& level, int colour, int batch, bool cavitation, int i) {
   const int ny = level.grid.ny;
-  const LineChanges& changes = level.changes;
-  const double* delta = changes.delta.at_x(i);
-  const double* here = changes.distributed.at_x(i);
-  const double* west = changes.distributed.at_x(i - 1);
-  const double* east = changes.distributed.at_x(i + 1);
-  double* P = level.P.at_x(i);
+  const int j = first_line(colour, batch);
+  const int k = batch * core::lanes;
+  const double* here = level.changes.distributed.at_x(i) + k;
+  const double* west = level.changes.distributed.at_x(i - 1) + k;
+  const double* east = level.changes.distributed.at_x(i + 1) + k;
+  double* P = level.P.at_x(i) + j - 1;
   const auto floor = [cavitation](Lanes p) { return cavitation ? (p < 0.0 ? Lanes{} : p) : p; };
-  Lanes south_edge{};  // the distributed change of the line before the batch
-  for (int batch = 0; first_line(colour, batch) - 1 < ny; ++batch) {
-    const int j = first_line(colour, batch);
-    const int k = batch * core::lanes;
-    const Lanes low = core::load(P + j - 1);
-    const Lanes high = core::load(P + j + 7);
-    // Behind the last line may stand what the other colour left there.
-    const Lanes own_lines = inside(j, ny) ? core::load(here + k) : Lanes{};
-    const Lanes one_south = __builtin_shuffle(south_edge, own_lines, LaneMask{7, 8, 9, 10, 11, 12, 13, 14});
-    south_edge = own_lines;
-    Lanes between = floor(core::evens(low, high) - 0.25 * (one_south + own_lines));
-    Lanes own =
-        floor(core::odds(low, high) + core::load(delta + k) - 0.25 * (core::load(west + k) + core::load(east + k)));
-    between = inside(j - 1, ny) ? between : core::evens(low, high);
-    own = inside(j, ny) ? own : core::odds(low, high);
-    core::store(P + j - 1, core::interleaved_low(between, own));
-    core::store(P + j + 7, core::interleaved_high(between, own));
-  }
+  const Lanes low = core::load(P);
+  const Lanes high = core::load(P + core::lanes);
+  // Behind the last line may stand what the other colour left there.
+  const Lanes own_lines = inside(j, ny) ? core::load(here) : Lanes{};
+  // The distributed change of the line before the batch.
+  const Lanes edge = core::broadcast(batch > 0 ? here[-1] : 0.0);
+  const Lanes one_south = __builtin_shuffle(edge, own_lines, LaneMask{0, 8, 9, 10, 11, 12, 13, 14});
+  Lanes between = floor(core::evens(low, high) - 0.25 * (one_south + own_lines));
+  Lanes own = floor(core::odds(low, high) + core::load(level.changes.delta.at_x(i) + k) -
+                    0.25 * (core::load(west) + core::load(east)));
+  between = inside(j - 1, ny) ? between : core::evens(low, high);
+  own = inside(j, ny) ? own : core::odds(low, high);
+  core::store(P, core::interleaved_low(between, own));
+  core::store(P + core::lanes, core::interleaved_high(between, own));
 }
 
 std::string describe(const line_solvers::SmallPivot& small, int line, const core::Grid& grid) {
@@ -53,42 +53,77 @@ std::string describe(const line_solvers::SmallPivot& small, int line, const core
   return text;
 }
 
-template <int reach, LineSolver solver>
-void relax_colour(Hierarchy& hierarchy, Level& level, int colour) {
-  const int batches = batches_of_colour(level.grid, colour);
-  const int threads = hierarchy.threads_on(level.grid);
-  const bool cavitation = hierarchy.problem.cavitation;
-  line_solvers::SmallPivot small;
-  int small_line = 0;
-#pragma omp parallel num_threads(threads) if (threads > 1)
-  {
-    LineBatch<reach, solver> work(level.grid.nx);
-#pragma omp for schedule(static)
-    for (int batch = 0; batch < batches; ++batch) {
-      const line_solvers::SmallPivot met = work.solve(hierarchy, level, colour, batch);
-      if (met.point >= 0) {
-        const int line = first_line(colour, batch) + 2 * met.lane;
+/// The small pivot that was met first: the first colour before the second, then by line, whichever thread it was.
+struct FirstSmallPivot {
+  line_solvers::SmallPivot pivot;
+  int colour = 0;
+  int line = 0;
+
+  void meet(const line_solvers::SmallPivot& met, int met_colour, int batch) {
+    if (met.point < 0) return;
+    const int met_line = first_line(met_colour, batch) + 2 * met.lane;
 #pragma omp critical
-        if (small.point < 0 || line < small_line) {  // the first line, whichever thread met it
-          small = met;
-          small_line = line;
-        }
+    if (pivot.point < 0 || std::pair(met_colour, met_line) < std::pair(colour, line)) {
+      pivot = met;
+      colour = met_colour;
+      line = met_line;
+    }
+  }
+};
+
+/// Batches whose own lines, or lines before these, are interior lines.
+int batches_to_apply(const core::Grid& grid, int colour) {
+  return (grid.ny - colour + 2 * core::lanes - 1) / (2 * core::lanes);
+}
+
+template <int reach, LineSolver solver>
+void relax_lines(Hierarchy& hierarchy, Level& level) {
+  const bool cavitation = hierarchy.problem.cavitation;
+  const core::Grid& grid = level.grid;
+  FirstSmallPivot small;
+  const auto solve = [&](LineWork& work, int colour, int batch) {
+    if (batch < batches_of_colour(grid, colour))
+      small.meet(LineBatch<reach, solver>(work).solve(hierarchy, level, colour, batch), colour, batch);
+  };
+  const auto apply = [&](int colour, int batch) {
+    for (int i = 1; i < grid.nx; ++i) apply_changes(level, colour, batch, cavitation, i);
+  };
+  const int threads = hierarchy.threads_on(grid);
+  if (threads == 1) {
+    // The second colour follows one batch behind the first, while its lines are still in the cache: a batch of it
+    // needs the first colour's changes up to the line behind it, and nothing beyond.
+    const int first = batches_to_apply(grid, 0);
+    const int second = batches_to_apply(grid, 1);
+    for (int batch = 0; batch < std::max(first, second + 1); ++batch) {
+      solve(level.line_work[0], 0, batch);
+      if (batch < first) apply(0, batch);
+      if (batch > 0 && batch <= second) {
+        solve(level.line_work[0], 1, batch - 1);
+        apply(1, batch - 1);
       }
     }
+  } else {
+    for (int colour = 0; colour < 2; ++colour) {
+      const int batches = batches_to_apply(grid, colour);
+#pragma omp parallel num_threads(threads)
+      {
+        LineWork& work = level.line_work[static_cast<std::size_t>(omp_get_thread_num())];
 #pragma omp for schedule(static)
-    for (int i = 1; i < level.grid.nx; ++i) apply_changes(level, colour, cavitation, i);
+        for (int batch = 0; batch < batches; ++batch) solve(work, colour, batch);
+#pragma omp for schedule(static)
+        for (int batch = 0; batch < batches; ++batch) apply(colour, batch);
+      }
+    }
   }
-  if (small.point >= 0) throw core::SolverError(describe(small, small_line, level.grid));
+  if (small.pivot.point >= 0) throw core::SolverError(describe(small.pivot, small.line, grid));
 }
 
 template <int reach>
 void relax_lines(Hierarchy& hierarchy, Level& level) {
-  for (int colour = 0; colour < 2; ++colour) {
-    if (hierarchy.parameters.relaxation.line_solver == LineSolver::elimination)
-      relax_colour<reach, LineSolver::elimination>(hierarchy, level, colour);
-    else
-      relax_colour<reach, LineSolver::decimation>(hierarchy, level, colour);
-  }
+  if (hierarchy.parameters.relaxation.line_solver == LineSolver::elimination)
+    relax_lines<reach, LineSolver::elimination>(hierarchy, level);
+  else
+    relax_lines<reach, LineSolver::decimation>(hierarchy, level);
 }
 
 }  // namespace

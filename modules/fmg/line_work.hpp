@@ -1,0 +1,32 @@
+#pragma once
+// Work space of one thread for the line systems of eight lines; owned by the level, so that no cycle allocates.
+#include <variant>
+#include <vector>
+
+#include "fmg/parameters.hpp"
+#include "line_solvers/decimation.hpp"
+#include "line_solvers/elimination.hpp"
+
+namespace ehl::fmg {
+
+template <int reach>
+using EliminationFactors = std::vector<typename line_solvers::Elimination<reach>::Factors>;
+
+struct LineWork {
+  /// Entries before and behind the points of a line in `distributive`.
+  static constexpr int margin = line_solvers::max_reach + 2;
+
+  /// epsilon/h^2 at the half point west of point i, i = 1..nx, and south and north of point i.
+  std::vector<core::Lanes> west, south, north;
+  /// 1 where point i distributes its change; zero outside the line.
+  std::vector<core::Lanes> distributive;
+  /// What the chosen solver needs: factors of the elimination, or the decimation's blocks.
+  std::variant<EliminationFactors<1>, EliminationFactors<2>, EliminationFactors<3>, line_solvers::Decimation<1>,
+               line_solvers::Decimation<2>, line_solvers::Decimation<3>>
+      solver;
+};
+
+/// in: nx cells along x; parameters.reach 1, 2 or 3.
+LineWork make_line_work(int nx, const RelaxationParameters& parameters);
+
+}  // namespace ehl::fmg
