@@ -1,5 +1,7 @@
 #include "fmg/hierarchy.hpp"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <array>
 #include <string>
@@ -44,8 +46,8 @@ Level make_level(const core::Grid& grid, bool finest, const Parameters& paramete
           .P_restricted = only_below_the_finest(),
           .r = zero(),
           .changes = {zero_changes(), zero_changes()},
-          .line_work =
-              std::vector<LineWork>(static_cast<std::size_t>(threads), make_line_work(grid.nx, parameters.relaxation)),
+          .thread_work =
+              std::vector<ThreadWork>(static_cast<std::size_t>(threads), make_thread_work(grid, parameters.relaxation)),
           .deformation = mlmi::Deformation(grid, deformation, threads),
           .film_terms = film_terms(grid, parameters.relaxation.reach)};
 }
@@ -75,12 +77,11 @@ template <class Station>
 void for_stations(Hierarchy& hierarchy, Level& level, Station station) {
   const int threads = hierarchy.threads_on(level.grid);
   const int last = level.grid.nx;
-  const auto nodes = static_cast<std::size_t>(level.grid.nodes_y());
 #pragma omp parallel num_threads(threads) if (threads > 1)
   {
-    std::vector<double> fluidity(nodes);
+    const std::span<double> fluidity = level.thread_work[static_cast<std::size_t>(omp_get_thread_num())].fluidity;
 #pragma omp for schedule(static)
-    for (int i = 0; i <= last; ++i) station(i, std::span<double>(fluidity));
+    for (int i = 0; i <= last; ++i) station(i, fluidity);
   }
 }
 

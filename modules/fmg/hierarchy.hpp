@@ -8,8 +8,8 @@
 #include "core/field.hpp"
 #include "core/grid.hpp"
 #include "core/timer.hpp"
-#include "fmg/line_work.hpp"
 #include "fmg/parameters.hpp"
+#include "fmg/thread_work.hpp"
 #include "line_solvers/line_system.hpp"
 #include "mlmi/deformation.hpp"
 #include "reynolds/residual.hpp"
@@ -49,7 +49,7 @@ struct Level {
   core::Field P_restricted;  ///< the finer level's pressure as it came down; likewise
   core::Field r;             ///< residual; the correction on its way up
   LineChanges changes;
-  std::vector<LineWork> line_work;  ///< one per thread, made for the parameters' line solver and reach
+  std::vector<ThreadWork> thread_work;  ///< made for the parameters' line solver and reach
   mlmi::Deformation deformation;
   line_solvers::FilmTerms film_terms;
   double load = 0.0;     ///< right-hand side of the force balance (FAS)

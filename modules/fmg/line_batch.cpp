@@ -48,18 +48,19 @@ LaneMask beside_cavitation(const core::Field& P, int i, int j) {
 
 }  // namespace
 
-LineWork make_line_work(int nx, const RelaxationParameters& parameters) {
-  const auto points = static_cast<std::size_t>(nx) + 1;
-  LineWork work{.west = std::vector<Lanes>(points),
-                .south = std::vector<Lanes>(points),
-                .north = std::vector<Lanes>(points),
-                .distributive = std::vector<Lanes>(points + 2 * LineWork::margin),
-                .solver = {}};
+ThreadWork make_thread_work(const core::Grid& grid, const RelaxationParameters& parameters) {
+  const auto points = static_cast<std::size_t>(grid.nodes_x());
+  ThreadWork work{.fluidity = std::vector<double>(static_cast<std::size_t>(grid.nodes_y())),
+                  .west = std::vector<Lanes>(points),
+                  .south = std::vector<Lanes>(points),
+                  .north = std::vector<Lanes>(points),
+                  .distributive = std::vector<Lanes>(points + 2 * ThreadWork::margin),
+                  .solver = {}};
   const auto prepare = [&]<int reach>(std::integral_constant<int, reach>) {
     if (parameters.line_solver == LineSolver::elimination)
       work.solver.emplace<EliminationFactors<reach>>(points);
     else
-      work.solver.emplace<line_solvers::Decimation<reach>>(nx - 1);
+      work.solver.emplace<line_solvers::Decimation<reach>>(grid.nx - 1);
   };
   switch (parameters.reach) {
     case 1: prepare(std::integral_constant<int, 1>{}); break;
@@ -94,7 +95,7 @@ void LineBatch<reach, solver>::read_coefficients(const Hierarchy& hierarchy, con
     LaneMask single = largest * largest * largest > crossover2 * smallest;
     // Beside the cavitated region too: what is cut off at P = 0 would leave half of a distributed change standing.
     if (hierarchy.problem.cavitation) single |= beside_cavitation(level.P, i, j);
-    work_.distributive[k + LineWork::margin] = single ? Lanes{} : core::broadcast(1.0);
+    work_.distributive[k + ThreadWork::margin] = single ? Lanes{} : core::broadcast(1.0);
   }
 }
 
@@ -104,7 +105,7 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
   const core::Grid& grid = level.grid;
   const bool cavitation = hierarchy.problem.cavitation;
   const LaneMask outside = ~inside(j, grid.ny);
-  const Lanes* distributive = work_.distributive.data() + LineWork::margin;
+  const Lanes* distributive = work_.distributive.data() + ThreadWork::margin;
   Lanes P_west = own_lines(level.P, 0, j);
   Beside P = with_neighbours(level.P, 1, j);
   FilmStation film2{};
@@ -162,7 +163,7 @@ void LineBatch<reach, solver>::keep(const RelaxationParameters& parameters, Leve
   const double steep = parameters.weight_single_steep;
   const double range = parameters.weight_single - steep;
   const Lanes smooth = 2.0 * low >= high ? core::broadcast(1.0) : 2.0 * low / high;
-  const Lanes distributive = work_.distributive[k + LineWork::margin];
+  const Lanes distributive = work_.distributive[k + ThreadWork::margin];
   const Lanes weight = distributive > 0.0 ? core::broadcast(parameters.weight_distributed) : steep + range * smooth;
   const int at = batch * core::lanes;
   core::store(level.changes.delta.at_x(i) + at, weight * delta);

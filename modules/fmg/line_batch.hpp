@@ -22,7 +22,7 @@ template <int reach, LineSolver solver>
 class LineBatch {
  public:
   /// in: work made for this reach and solver.
-  explicit LineBatch(LineWork& work) : work_(work) {}
+  explicit LineBatch(ThreadWork& work) : work_(work) {}
 
   /// Solves the line systems of one batch and leaves the changes, under-relaxed, in level.changes.
   line_solvers::SmallPivot solve(const Hierarchy& hierarchy, Level& level, int colour, int batch);
@@ -33,7 +33,7 @@ class LineBatch {
   void assemble(const Hierarchy& hierarchy, const Level& level, int j, Take take);
   void keep(const RelaxationParameters& parameters, Level& level, int batch, int i, core::Lanes delta) const;
 
-  LineWork& work_;
+  ThreadWork& work_;
 };
 
 }  // namespace ehl::fmg

@@ -81,7 +81,7 @@ void relax_lines(Hierarchy& hierarchy, Level& level) {
   const bool cavitation = hierarchy.problem.cavitation;
   const core::Grid& grid = level.grid;
   FirstSmallPivot small;
-  const auto solve = [&](LineWork& work, int colour, int batch) {
+  const auto solve = [&](ThreadWork& work, int colour, int batch) {
     if (batch < batches_of_colour(grid, colour))
       small.meet(LineBatch<reach, solver>(work).solve(hierarchy, level, colour, batch), colour, batch);
   };
@@ -95,10 +95,10 @@ void relax_lines(Hierarchy& hierarchy, Level& level) {
     const int first = batches_to_apply(grid, 0);
     const int second = batches_to_apply(grid, 1);
     for (int batch = 0; batch < std::max(first, second + 1); ++batch) {
-      solve(level.line_work[0], 0, batch);
+      solve(level.thread_work[0], 0, batch);
       if (batch < first) apply(0, batch);
       if (batch > 0 && batch <= second) {
-        solve(level.line_work[0], 1, batch - 1);
+        solve(level.thread_work[0], 1, batch - 1);
         apply(1, batch - 1);
       }
     }
@@ -107,7 +107,7 @@ void relax_lines(Hierarchy& hierarchy, Level& level) {
       const int batches = batches_to_apply(grid, colour);
 #pragma omp parallel num_threads(threads)
       {
-        LineWork& work = level.line_work[static_cast<std::size_t>(omp_get_thread_num())];
+        ThreadWork& work = level.thread_work[static_cast<std::size_t>(omp_get_thread_num())];
 #pragma omp for schedule(static)
         for (int batch = 0; batch < batches; ++batch) solve(work, colour, batch);
 #pragma omp for schedule(static)

@@ -134,7 +134,7 @@ void print_sweeps() {
       for (const fmg::LineSolver solver : {fmg::LineSolver::elimination, fmg::LineSolver::decimation}) {
         hierarchy.parameters.relaxation.line_solver = solver;
         for (fmg::Level& level : hierarchy.levels)
-          level.line_work.assign(1, fmg::make_line_work(level.grid.nx, hierarchy.parameters.relaxation));
+          level.thread_work.assign(1, fmg::make_thread_work(level.grid, hierarchy.parameters.relaxation));
         const bool eliminates = solver == fmg::LineSolver::elimination;
         const SweepCost cost = sweep_cost(hierarchy, solution.levels.back().P);
         const double band = eliminates ? alone.elimination : alone.decimation;

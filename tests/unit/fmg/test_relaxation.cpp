@@ -121,7 +121,7 @@ BOOST_AUTO_TEST_CASE(elimination_and_decimation_agree_on_the_systems_of_the_rela
       level.P = start;
       fmg::update_film(hierarchy, level);
       hierarchy.parameters.relaxation.line_solver = fmg::LineSolver::decimation;
-      level.line_work = {fmg::make_line_work(level.grid.nx, hierarchy.parameters.relaxation)};
+      level.thread_work = {fmg::make_thread_work(level.grid, hierarchy.parameters.relaxation)};
       fmg::relax(hierarchy, level);
       const double difference = ehl::core::max_abs_difference(level.P, eliminated);
       BOOST_TEST_MESSAGE("M = " << M << ", reach " << reach << ": " << difference << " (tolerance 1e-11)");

@@ -1,8 +1,9 @@
 #pragma once
-// Work space of one thread for the line systems of eight lines; owned by the level, so that no cycle allocates.
+// Work space of one thread; owned by the level, so that no cycle allocates.
 #include <variant>
 #include <vector>
 
+#include "core/grid.hpp"
 #include "fmg/parameters.hpp"
 #include "line_solvers/decimation.hpp"
 #include "line_solvers/elimination.hpp"
@@ -12,7 +13,11 @@ namespace ehl::fmg {
 template <int reach>
 using EliminationFactors = std::vector<typename line_solvers::Elimination<reach>::Factors>;
 
-struct LineWork {
+struct ThreadWork {
+  /// One value per node of a station.
+  std::vector<double> fluidity;
+
+  // For the line systems of eight lines:
   /// Entries before and behind the points of a line in `distributive`.
   static constexpr int margin = line_solvers::max_reach + 2;
 
@@ -26,7 +31,7 @@ struct LineWork {
       solver;
 };
 
-/// in: nx cells along x; parameters.reach 1, 2 or 3.
-LineWork make_line_work(int nx, const RelaxationParameters& parameters);
+/// in: parameters.reach 1, 2 or 3.
+ThreadWork make_thread_work(const core::Grid& grid, const RelaxationParameters& parameters);
 
 }  // namespace ehl::fmg
