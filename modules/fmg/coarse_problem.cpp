@@ -137,7 +137,6 @@ void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse) {
     restrict_pressure(fine.P, problem.cavitation, coarse.P);
     core::copy(coarse.P, coarse.P_restricted);
     transfer::restrict_injection(fine.H, coarse.H_restricted);
-    coarse.F.fill(0.0);
     coarse.f.fill(0.0);
     if (problem.cavitation) {
       take_slack(fine, coarse.f);
@@ -151,13 +150,9 @@ void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse) {
     coarse.deformation.evaluate(coarse.P, coarse.F);
   }
   const core::Grid& grid = coarse.grid;
-  for (int i = 0; i <= grid.nx; ++i) {
-    const double at_x = hierarchy.H00 + 0.5 * grid.X(i) * grid.X(i);
-    for (int j = 0; j <= grid.ny; ++j) {
-      const double Y = grid.Y(j);
-      coarse.F(i, j) = coarse.H_restricted(i, j) - (at_x + 0.5 * Y * Y + coarse.F(i, j));
-    }
-  }
+  for (int i = 0; i <= grid.nx; ++i)
+    for (int j = 0; j <= grid.ny; ++j)
+      coarse.F(i, j) = coarse.H_restricted(i, j) - (rigid_gap(grid, hierarchy.H00, i, j) + coarse.F(i, j));
   core::copy(coarse.H_restricted, coarse.H);
   update_coefficients(hierarchy, coarse);
   // f = L(restricted P) + restricted residual + slack: the residual with f = -slack is -slack - L.

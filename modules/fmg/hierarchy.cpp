@@ -121,12 +121,8 @@ void update_film(Hierarchy& hierarchy, Level& level) {
   const core::ScopedTimer timer(hierarchy.times, core::Part::coefficients);
   const core::Grid& grid = level.grid;
   for_stations(hierarchy, level, [&](int i, std::span<double> fluidity) {
-    const double at_x = hierarchy.H00 + 0.5 * grid.X(i) * grid.X(i);
     double* H = level.H.at_x(i);
-    for (int j = 0; j <= grid.ny; ++j) {
-      const double Y = grid.Y(j);
-      H[j] += at_x + 0.5 * Y * Y;
-    }
+    for (int j = 0; j <= grid.ny; ++j) H[j] += rigid_gap(grid, hierarchy.H00, i, j);
     if (level.F.nodes_x() > 0) {
       const double* F = level.F.at_x(i);
       for (int j = 0; j <= grid.ny; ++j) H[j] += F[j];

@@ -77,6 +77,13 @@ struct Hierarchy {
 Hierarchy make_hierarchy(const Problem& problem, const Parameters& parameters, const mlmi::Parameters& deformation,
                          const core::Grid& finest, int threads);
 
+/// The film without deformation, H00 + X^2/2 + Y^2/2, at (X_i, Y_j).
+inline double rigid_gap(const core::Grid& grid, double H00, int i, int j) {
+  const double X = grid.X(i);
+  const double Y = grid.Y(j);
+  return H00 + 0.5 * X * X + 0.5 * Y * Y;
+}
+
 /// H = H00 + X^2/2 + Y^2/2 + F + K*P (eq. 6), then rho_bar and epsilon (eq. 5) from P and H.
 void update_film(Hierarchy& hierarchy, Level& level);
 /// The coefficients alone.

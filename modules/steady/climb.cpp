@@ -109,8 +109,7 @@ class Climber {
 
   /// Central film thickness of the published formula: good to 15 % and enough to begin with.
   double guess_of_central_film() const {
-    const double H_moes = contact::nijenbanning_venner_moes(scene_.M, scene_.L);
-    return H_moes * std::pow(1.5 * scene_.M, -2.0 / 3.0);
+    return contact::H_from_moes_units(contact::nijenbanning_venner_moes(scene_.M, scene_.L), scene_.M);
   }
 
   void record(std::size_t l, int cycle, const StateOfLevel& now) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/constants.hpp"
+#include "contact/groups.hpp"
 #include "core/errors.hpp"
 #include "steady/climb.hpp"
 
@@ -29,8 +29,7 @@ double rough_error(double lambda, double alpha_bar, double X_a) {
 }  // namespace
 
 double rough_domain_error(const Scene& scene) {
-  const double alpha_bar = scene.L / core::pi * std::cbrt(1.5 * scene.M);
-  return rough_error(scene.lambda, alpha_bar, scene.grid.X_a);
+  return rough_error(scene.lambda, contact::from_moes(scene.M, scene.L).alpha_bar, scene.grid.X_a);
 }
 
 double chosen_inlet(double lambda, double alpha_bar, double X_b) {

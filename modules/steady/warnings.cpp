@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/norms.hpp"
+
 namespace ehl::steady {
 namespace {
 
@@ -33,13 +35,6 @@ double largest_along_sides(const Solution& solution) {
   return largest;
 }
 
-double largest_pressure(const Solution& solution) {
-  double largest = 0.0;
-  for (int i = 0; i <= solution.grid.nx; ++i)
-    for (const double P : solution.P.station(i)) largest = std::max(largest, P);
-  return largest;
-}
-
 }  // namespace
 
 std::vector<std::string> warnings_of(const Solution& solution) {
@@ -54,7 +49,7 @@ std::vector<std::string> warnings_of(const Solution& solution) {
     warnings.push_back("inlet starved by the domain: on one twice as long and wide Hc is larger by at least " +
                        percent(solution.domain_error_Hc) +
                        " (estimated on a coarse grid); move x_inlet upstream and widen y_half");
-  const double P_max = largest_pressure(solution);
+  const double P_max = core::maximum(solution.P).value;
   const double outlet = largest_along_outlet(solution);
   if (outlet > cut_off_pressure * P_max)
     warnings.push_back("outlet too short: beside it the pressure is still " + percent(outlet / P_max) +
