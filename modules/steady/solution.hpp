@@ -37,6 +37,30 @@ struct CycleRow {
   double Hm = 0.0;
 };
 
+/// One way to the solution that was tried.
+struct Attempt {
+  std::string method;  ///< e.g. "full multigrid", "load continuation"
+  std::string reason;  ///< why it did not lead to a solution; empty where it did
+  double seconds = 0.0;
+};
+
+/// One step of a load continuation, the rejected ones included.
+struct ContinuationStep {
+  double M = 0.0;
+  double load_ratio = 1.0;  ///< to the load of the scene
+  double Hc = 0.0;
+  double Hm = 0.0;
+  double residual = 0.0;
+  int cycles = 0;
+  bool converged = false;
+};
+
+/// One step of Newton's method on the finest grid.
+struct NewtonStep {
+  double residual = 0.0;  ///< relative, as in LevelRow, after the step
+  int linear_iterations = 0;
+};
+
 struct Solution {
   core::Grid grid;
   core::Field P;
@@ -50,7 +74,12 @@ struct Solution {
   std::string deformation;  ///< what evaluated the film, for the report
   std::vector<std::string> warnings;
   double seconds = 0.0;
-  int climbs = 1;  ///< starts that were needed
+  std::vector<Attempt> attempts;  ///< in order; the last one led to what is shown
+  std::vector<ContinuationStep> continuation;
+  std::vector<NewtonStep> newton;
+  /// Residual after a cycle over that before it, geometric mean of the cycles on the finest grid but the first; NaN
+  /// where there are fewer than two.
+  double cycle_factor = std::numeric_limits<double>::quiet_NaN();
   /// Relative growth of Hc on a domain twice as large; NaN where a rough bound said that it does not matter.
   double domain_error_Hc = std::numeric_limits<double>::quiet_NaN();
 };

@@ -1,6 +1,8 @@
 #include "steady/solve.hpp"
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "core/errors.hpp"
 #include "core/timer.hpp"
@@ -34,22 +36,26 @@ Solution solve(const Scene& scene, const ProgressCallback& progress) {
   const double began = core::now();
   std::optional<Solution> best;
   std::string last_error;
-  int climbs = 0;
+  std::vector<Attempt> attempts;
   for (const Start& start : starts) {
     // A start for finer grids than the scene has brings nothing new.
-    if (climbs > 1 && start.cells > scene.grid.nx) break;
-    ++climbs;
+    if (attempts.size() > 1 && start.cells > scene.grid.nx) break;
+    const double start_began = core::now();
+    attempts.push_back({"full multigrid, start " + std::to_string(attempts.size() + 1), "", 0.0});
     try {
       Solution solution = climb(scene, start, progress);
+      attempts.back().reason = solution.failed_check;
       if (better(solution, best)) best = std::move(solution);
-      if (best->converged) break;
     } catch (const core::SolverError& error) {
       last_error = error.what();
+      attempts.back().reason = last_error;
     }
+    attempts.back().seconds = core::now() - start_began;
+    if (best && best->converged) break;
   }
   if (!best)
     throw core::SolverError(last_error + " from every start; use more cells, or a domain closer to the contact");
-  best->climbs = climbs;
+  best->attempts = std::move(attempts);
   if (rough_domain_error(scene) > worth_a_look) best->domain_error_Hc = estimate_domain_error(scene);
   best->warnings = warnings_of(*best);
   best->seconds = core::now() - began;
