@@ -34,6 +34,25 @@ std::string formulas_json(const std::vector<Formula>& formulas) {
   return json::array(rows);
 }
 
+std::string verification_json(const steady::Verification& checked) {
+  return json::object({{"residual", number(checked.residual)},
+                       {"largest_residual", number(checked.largest_residual)},
+                       {"largest_residual_X", number(checked.largest_residual_X)},
+                       {"largest_residual_Y", number(checked.largest_residual_Y)},
+                       {"least_P", number(checked.least_P)},
+                       {"dry_violation", number(checked.dry_violation)},
+                       {"load_error", number(checked.load_error)},
+                       {"change_Hc", number(checked.change_Hc)},
+                       {"change_Hm", number(checked.change_Hm)},
+                       {"algebraic_error_Hc", number(checked.algebraic_error_Hc)},
+                       {"algebraic_error_Hm", number(checked.algebraic_error_Hm)},
+                       {"Hm", number(checked.Hm)},
+                       {"Hm_X", number(checked.Hm_X)},
+                       {"Hm_Y", number(checked.Hm_Y)},
+                       {"flow_through", number(checked.flow_through)},
+                       {"flow_imbalance", number(checked.flow_imbalance)}});
+}
+
 std::string parts_json(const core::PartTimes& times) {
   std::vector<std::string> rows;
   for (std::size_t k = 0; k < times.seconds.size(); ++k)
@@ -77,6 +96,7 @@ std::string json_report(const Case& input, const steady::Solution& solution, con
                         {"threads", number(input.scene.threads)},
                         {"peak_memory_bytes", number(peak_memory)},
                         {"levels", levels_json(solution)},
+                        {"verification", verification_json(solution.verification)},
                         {"continuation", "[]"},
                         {"effects", "[]"},
                         {"parts", parts_json(solution.times)},

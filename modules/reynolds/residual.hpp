@@ -33,6 +33,7 @@ struct ResidualNorms {
   double largest = 0.0;           ///< largest contribution to root_mean_square
   int i = 0;                      ///< and its node
   int j = 0;
+  double largest_dry = 0.0;  ///< largest of them where P = 0: a cavitated node whose equation wants pressure
   double relative() const { return root_mean_square / wedge; }
 };
 

@@ -38,14 +38,19 @@ std::string unmet_tolerance(const StateOfLevel& state, double tolerance) {
   return {};
 }
 
-std::string unmet_share(const char* name, double before, double after, double factor, double discretization_error) {
-  const double left = std::abs((after - before) / after) * factor / (1.0 - factor);
+std::string unmet_share(const char* name, double left, double discretization_error) {
   if (left <= std::max(algebraic_share * std::min(discretization_error, largest_licence), rounding)) return {};
   return std::string(name) + " still has an algebraic error of about " + text(left) +
          ", too much beside its discretization error " + text(discretization_error) + "; more max_cycles may help";
 }
 
 }  // namespace
+
+double foretold_error(const LastCycle& cycle, double StateOfLevel::*value) {
+  const double factor = std::clamp(cycle.after.residual / cycle.before.residual, best_factor, worst_factor);
+  const double after = cycle.after.*value;
+  return std::abs((after - cycle.before.*value) / after) * factor / (1.0 - factor);
+}
 
 std::string unmet_check(const LastCycle& cycle, double tolerance) {
   const StateOfLevel& now = cycle.after;
@@ -56,9 +61,8 @@ std::string unmet_check(const LastCycle& cycle, double tolerance) {
   if (!std::isfinite(cycle.error_Hc)) return unmet_tolerance(now, default_tolerance);
   if (!(now.residual <= loose_residual)) return unmet_tolerance(now, loose_residual);
   if (!(now.load_error <= loose_load_error)) return unmet_tolerance(now, loose_load_error);
-  const double factor = std::clamp(now.residual / cycle.before.residual, best_factor, worst_factor);
-  const std::string unmet = unmet_share("Hc", cycle.before.Hc, now.Hc, factor, cycle.error_Hc);
-  return unmet.empty() ? unmet_share("Hm", cycle.before.Hm, now.Hm, factor, cycle.error_Hm) : unmet;
+  const std::string unmet = unmet_share("Hc", foretold_error(cycle, &StateOfLevel::Hc), cycle.error_Hc);
+  return unmet.empty() ? unmet_share("Hm", foretold_error(cycle, &StateOfLevel::Hm), cycle.error_Hm) : unmet;
 }
 
 }  // namespace ehl::steady

@@ -94,7 +94,9 @@ class Climber {
       if (to_tolerance || cycle >= planned) {
         const LevelRow& row = solution_.levels.back();
         const double asked = last_level ? tolerance : std::numeric_limits<double>::quiet_NaN();
-        const std::string unmet = unmet_check({before, now, row.error_Hc, row.error_Hm}, asked);
+        const LastCycle last{before, now, row.error_Hc, row.error_Hm};
+        const std::string unmet = unmet_check(last, asked);
+        solution_.verification = verification_of(last);
         solution_.failed_check = unmet.empty() ? unmet : where(l) + ": " + unmet;
         if (unmet.empty()) break;
       }

@@ -7,6 +7,7 @@
 #include "core/field.hpp"
 #include "core/grid.hpp"
 #include "core/timer.hpp"
+#include "steady/verification.hpp"
 
 namespace ehl::steady {
 
@@ -82,6 +83,7 @@ struct Solution {
   double cycle_factor = std::numeric_limits<double>::quiet_NaN();
   /// Relative growth of Hc on a domain twice as large; NaN where a rough bound said that it does not matter.
   double domain_error_Hc = std::numeric_limits<double>::quiet_NaN();
+  Verification verification;  ///< of the final state
 };
 
 }  // namespace ehl::steady

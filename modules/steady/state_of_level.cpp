@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/norms.hpp"
+#include "reynolds/flow_balance.hpp"
 
 namespace ehl::steady {
 namespace {
@@ -50,11 +51,23 @@ StateOfLevel state_of_level(fmg::Hierarchy& hierarchy, std::size_t l) {
   fmg::update_residual(hierarchy, level);
   const reynolds::ResidualNorms norms = reynolds::residual_norms(level.grid, fmg::state(level), hierarchy.problem.wedge,
                                                                  hierarchy.problem.cavitation, level.r);
+  const reynolds::FlowBalance flow =
+      reynolds::flow_balance(level.grid, fmg::state(level), hierarchy.problem.wedge, hierarchy.problem.cavitation);
+  const core::Location Hm = core::minimum(level.H);
   const double load = fmg::carried_load(level);
   return {.Hc = value_at(level.grid, level.H, 0.0, 0.0),
-          .Hm = core::minimum(level.H).value,
+          .Hm = Hm.value,
           .residual = norms.relative(),
-          .load_error = std::abs(load - level.load) / level.load};
+          .load_error = std::abs(load - level.load) / level.load,
+          .Hm_X = level.grid.X(Hm.i),
+          .Hm_Y = level.grid.Y(Hm.j),
+          .largest_residual = norms.largest / norms.wedge,
+          .largest_residual_X = level.grid.X(norms.i),
+          .largest_residual_Y = level.grid.Y(norms.j),
+          .least_P = core::minimum(level.P).value,
+          .dry_violation = norms.largest_dry / norms.wedge,
+          .flow_through = flow.through,
+          .flow_imbalance = flow.imbalance()};
 }
 
 }  // namespace ehl::steady

@@ -10,6 +10,15 @@ struct StateOfLevel {
   double Hm = 0.0;          ///< minimum of H over the nodes
   double residual = 0.0;    ///< relative residual of the complementarity problem
   double load_error = 0.0;  ///< relative
+  double Hm_X = 0.0;        ///< where the film is thinnest
+  double Hm_Y = 0.0;
+  double largest_residual = 0.0;  ///< at one node; relative to the wedge term, like the residual
+  double largest_residual_X = 0.0;
+  double largest_residual_Y = 0.0;
+  double least_P = 0.0;         ///< over all nodes
+  double dry_violation = 0.0;   ///< largest residual in a cavitated node whose equation wants pressure; relative
+  double flow_through = 0.0;    ///< through the contact: integral of rho_bar H over |Y| <= 1 at X = 0
+  double flow_imbalance = 0.0;  ///< out of the pressurised region less in, relative to flow_through
 };
 
 /// Value at (X, Y): the node's where there is one within 1e-9 of a cell, else by bicubic interpolation.

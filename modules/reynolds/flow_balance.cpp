@@ -1,0 +1,71 @@
+#include "reynolds/flow_balance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ehl::reynolds {
+namespace {
+
+/// Fluxes per unit of length through the faces around a node.
+class Fluxes {
+ public:
+  Fluxes(const core::Grid& grid, const State& state, Wedge wedge)
+      : state_(state), wedge_(wedge), hx_(grid.hx()), hy_(grid.hy()) {}
+
+  /// Along X through the face between i and i+1.
+  double along_x(int i, int j) const {
+    const double eps = 0.5 * (state_.eps(i, j) + state_.eps(i + 1, j));
+    return carried(i, j) - eps * (state_.P(i + 1, j) - state_.P(i, j)) / hx_;
+  }
+  /// Along Y through the face between j and j+1.
+  double along_y(int i, int j) const {
+    const double eps = 0.5 * (state_.eps(i, j) + state_.eps(i, j + 1));
+    return -eps * (state_.P(i, j + 1) - state_.P(i, j)) / hy_;
+  }
+  double rho_H(int i, int j) const { return state_.rho_bar(i, j) * state_.H(i, j); }
+
+ private:
+  double carried(int i, int j) const {
+    if (wedge_ == Wedge::upstream1) return rho_H(i, j);
+    return i == 0 ? 0.5 * (rho_H(0, j) + rho_H(1, j)) : 1.5 * rho_H(i, j) - 0.5 * rho_H(i - 1, j);
+  }
+
+  const State& state_;
+  Wedge wedge_;
+  double hx_, hy_;
+};
+
+double flow_through_contact(const core::Grid& grid, const Fluxes& fluxes) {
+  const int centre = std::clamp(static_cast<int>(std::lround(-grid.X_a / grid.hx())), 0, grid.nx);
+  double sum = 0.0;
+  for (int j = 0; j <= grid.ny; ++j)
+    if (std::abs(grid.Y(j)) <= 1.0) sum += fluxes.rho_H(centre, j);
+  return sum * grid.hy();
+}
+
+}  // namespace
+
+FlowBalance flow_balance(const core::Grid& grid, const State& state, Wedge wedge, bool cavitation) {
+  const Fluxes fluxes(grid, state, wedge);
+  const double hx = grid.hx();
+  const double hy = grid.hy();
+  FlowBalance balance;
+  balance.through = flow_through_contact(grid, fluxes);
+  const auto leaves = [&](double flow) { (flow < 0.0 ? balance.in : balance.out) += std::abs(flow); };
+  for (int i = 1; i < grid.nx; ++i) {
+    // The boundary of the grid carries no pressure and belongs to no cell of the region.
+    const auto outside = [&](int k, int j) {
+      return k == 0 || k == grid.nx || j == 0 || j == grid.ny || (cavitation && state.P(k, j) <= 0.0);
+    };
+    for (int j = 1; j < grid.ny; ++j) {
+      if (outside(i, j)) continue;
+      if (outside(i - 1, j)) leaves(-hy * fluxes.along_x(i - 1, j));
+      if (outside(i + 1, j)) leaves(hy * fluxes.along_x(i, j));
+      if (outside(i, j - 1)) leaves(-hx * fluxes.along_y(i, j - 1));
+      if (outside(i, j + 1)) leaves(hx * fluxes.along_y(i, j));
+    }
+  }
+  return balance;
+}
+
+}  // namespace ehl::reynolds
