@@ -80,6 +80,21 @@ std::vector<CommandRecord> command_records() {
        1,
        "validates a deck and prints everything that follows from it; solves nothing",
        {set, threads}},
+      {"sweep",
+       "DECK",
+       1,
+       1,
+       "solves many cases of one deck, several at a time: one row per case in a CSV table. The same command again goes "
+       "on "
+       "where it was stopped",
+       {{"vary", "section.key=LIST", true,
+         "a key and its values: 2,5,10 or a:b:n or a:b:n:log or words; several --vary make all combinations, the first "
+         "varies slowest"},
+        set,
+        {"output", "FILE.csv", false, "the table (default: name of the deck with _sweep.csv)"},
+        {"overwrite", "", false, "begin the table anew"},
+        {"threads", "N", false, "cases at a time, one thread each (default: the cores this process may use)"},
+        {"quiet", "", false, "no progress"}}},
       {"extract",
        "FILE.h5 DATASET",
        2,

@@ -45,6 +45,7 @@ int dispatch(const std::vector<std::string>& words) {
   const Arguments arguments = parse_arguments(words, commands);
   if (arguments.command == "run") return run(arguments);
   if (arguments.command == "check") return check(arguments);
+  if (arguments.command == "sweep") return sweep(arguments);
   if (arguments.command == "extract") return extract(arguments);
   if (arguments.command == "plot") return plot(arguments);
   return keys(arguments);

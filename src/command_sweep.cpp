@@ -1,0 +1,117 @@
+// ehl sweep: many cases of one deck, one table.
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "catalogue.hpp"
+#include "commands.hpp"
+#include "core/errors.hpp"
+#include "core/timer.hpp"
+#include "deck/document.hpp"
+#include "deck/text.hpp"
+#include "exit_status.hpp"
+#include "signals.hpp"
+#include "sweep_children.hpp"
+#include "sweep_row.hpp"
+#include "sweep_table.hpp"
+#include "text_format.hpp"
+#include "version.hpp"
+
+namespace ehl::program {
+namespace {
+
+std::string this_program() {
+  const Version built = version();
+  return "ehl " + built.number + ", commit " + built.commit + (built.dirty ? " with changes" : "") + ", " +
+         built.compiler;
+}
+
+std::string table_name(const Arguments& arguments) {
+  const std::string stem = std::filesystem::path(arguments.operands[0]).stem();
+  const std::string path = arguments.value("output", stem + "_sweep.csv");
+  if (!path.ends_with(".csv"))
+    throw core::InputError("command line: --output " + path + ": the table's name ends with .csv");
+  return path;
+}
+
+/// A line per case on stderr; on a terminal a bar below them.
+class SweepProgress {
+ public:
+  SweepProgress(bool quiet, std::size_t cases)
+      : quiet_(quiet), terminal_(::isatty(STDERR_FILENO) != 0), cases_(cases) {}
+  ~SweepProgress() {
+    if (!quiet_ && terminal_) std::fputs("\r\x1b[K", stderr);
+  }
+  SweepProgress(const SweepProgress&) = delete;
+  SweepProgress& operator=(const SweepProgress&) = delete;
+
+  void show(const std::string& name, const std::string& row) {
+    ++done_;
+    if (quiet_) return;
+    const std::string status = row.substr(0, row.find(','));
+    std::fprintf(stderr, "%sehl: %zu/%zu  %s  %s\n", terminal_ ? "\r\x1b[K" : "", done_, cases_, name.c_str(),
+                 status.c_str());
+    if (!terminal_) return;
+    constexpr std::size_t width = 30;
+    const std::size_t filled = width * done_ / cases_;
+    std::fprintf(stderr, "[%s%s] %zu/%zu", std::string(filled, '#').c_str(), std::string(width - filled, '.').c_str(),
+                 done_, cases_);
+    std::fflush(stderr);
+  }
+
+ private:
+  bool quiet_;
+  bool terminal_;
+  std::size_t cases_;
+  std::size_t done_ = 0;
+};
+
+std::string summary(const SweepTable& table, std::size_t cases, std::size_t kept, double seconds) {
+  std::string text =
+      formatted("cases        %zu: %zu kept, %zu computed in %.1f s\n", cases, kept, cases - kept, seconds);
+  text += "status       ";
+  for (const char* status : {"converged", "not-converged", "refused", "failed"})
+    text += formatted("%zu %s%s", table.count(status), status, status == std::string("failed") ? "\n" : ", ");
+  return text;
+}
+
+}  // namespace
+
+int sweep(const Arguments& arguments) {
+  const std::string& deck = arguments.operands[0];
+  if (!arguments.has("vary"))
+    throw core::InputError("command line: `ehl sweep` needs --vary section.key=LIST, e.g. --vary contact.M=20,50,100");
+  const SweepHeader header{this_program(), deck, deck::load_text(deck), arguments.values("set"),
+                           parse_variations(arguments.values("vary"), arguments.values("set"), catalogue())};
+  const int at_once = requested_threads(arguments);
+  const std::string path = table_name(arguments);
+  SweepTable table(path, header, arguments.has("overwrite"));
+
+  const double began = core::now();
+  const std::vector<std::size_t> missing = table.missing();
+  const std::size_t cases = number_of_cases(header.variations);
+  SweepProgress progress(arguments.has("quiet"), missing.size());
+  ChildrenCalls calls;
+  calls.stop = stop_requested;
+  calls.task = [&](std::size_t index) {
+    std::vector<std::string> overrides = header.set;
+    for (const std::string& varied : overrides_of_case(header.variations, index)) overrides.push_back(varied);
+    return sweep_text(sweep_case(deck, header.deck_text, overrides));
+  };
+  calls.ended = [&](const ChildEnd& end) {
+    const std::string row = end.complete ? end.text : sweep_text(row_of_failure(end.status, end.reason));
+    table.append(end.task, row);
+    progress.show(deck::joined(overrides_of_case(header.variations, end.task), " "), row);
+  };
+  if (!run_in_children(missing, at_once, calls)) {
+    std::fprintf(stderr, "\nehl: interrupted: %zu of %zu cases are in %s; the same command goes on with them\n",
+                 cases - table.missing().size(), cases, path.c_str());
+    return interrupted;
+  }
+  table.finish();
+  print(summary(table, cases, cases - missing.size(), core::now() - began) + "table        " + path + "\n");
+  return table.count("converged") == cases ? solved : not_converged;
+}
+
+}  // namespace ehl::program

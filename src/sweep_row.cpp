@@ -1,0 +1,166 @@
+#include "sweep_row.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "core/errors.hpp"
+#include "core/timer.hpp"
+#include "deck/document.hpp"
+#include "deck/text.hpp"
+#include "exit_status.hpp"
+#include "machine.hpp"
+#include "outcome.hpp"
+#include "steady/solve.hpp"
+#include "text_format.hpp"
+
+namespace ehl::program {
+namespace {
+
+struct Column {
+  std::string name;
+  std::string text;
+};
+
+std::string number(double value) { return std::isfinite(value) ? deck::shortest(value) : "NaN"; }
+
+// One word for every reader of tables: no comma, no quote, no comment, one line.
+std::string plain(std::string text, const std::string& instead_of_comma) {
+  for (char& c : text) {
+    if (c == '"') c = '\'';
+    if (c == '#' || static_cast<unsigned char>(c) < ' ') c = ' ';
+  }
+  for (std::size_t at = text.find(','); at != std::string::npos; at = text.find(',', at + 1))
+    text.replace(at, 1, instead_of_comma);
+  return deck::trimmed(text);
+}
+
+std::string quoted(const std::string& text) {
+  std::string result(1, '"');
+  result += plain(text, ",");
+  return result + '"';
+}
+
+std::vector<Column> columns_of(const SweepRow& row) {
+  return {{"status", row.status},
+          {"exit_status", std::to_string(row.exit_status)},
+          {"method", row.method.empty() ? "none" : plain(row.method, ";")},
+          {"attempts", std::to_string(row.attempts)},
+          {"M", number(row.M)},
+          {"L", number(row.L)},
+          {"p_h", number(row.p_h)},
+          {"nx", std::to_string(row.nx)},
+          {"ny", std::to_string(row.ny)},
+          {"Hc", number(row.Hc)},
+          {"Hm", number(row.Hm)},
+          {"P_max", number(row.P_max)},
+          {"error_Hc", number(row.error_Hc)},
+          {"error_Hm", number(row.error_Hm)},
+          {"residual", number(row.residual)},
+          {"load_error", number(row.load_error)},
+          {"cycle_factor", number(row.cycle_factor)},
+          {"cycles", std::to_string(row.cycles)},
+          {"work_units", number(row.work_units)},
+          {"seconds", std::isfinite(row.seconds) ? formatted("%.4g", row.seconds) : "NaN"},
+          {"peak_memory", number(row.peak_memory)},
+          {"warnings", std::to_string(row.warnings)},
+          {"reason", quoted(row.reason)}};
+}
+
+SweepRow row_of_case(const Case& input) {
+  SweepRow row;
+  row.M = input.physics.groups.M;
+  row.L = input.physics.groups.L;
+  row.p_h = input.physics.si ? input.physics.si->hertz.p_h : input.physics.p_h;
+  row.nx = input.scene.grid.nx;
+  row.ny = input.scene.grid.ny;
+  return row;
+}
+
+SweepRow not_converged_row(const Case& input, const std::string& reason) {
+  SweepRow row = row_of_case(input);
+  row.status = "not-converged";
+  row.exit_status = not_converged;
+  row.reason = reason;
+  return row;
+}
+
+SweepRow solve_case(const std::string& path, const std::string& deck_text, const std::vector<std::string>& overrides) {
+  std::optional<Case> input;
+  try {
+    if (deck::load_text(path) != deck_text)
+      throw core::InputError(path + ": the deck has changed since the sweep began");
+    input = read_case(path, overrides, 1);
+    return row_of_solution(*input, steady::solve(input->scene));
+  } catch (const core::InputError& error) {
+    SweepRow row = input ? row_of_case(*input) : SweepRow{};
+    row.status = "refused";
+    row.exit_status = wrong_input;
+    row.reason = deck::joined(error.messages(), "; ");
+    return row;
+  } catch (const core::SolverError& error) {
+    return not_converged_row(*input, error.what());
+  }
+}
+
+}  // namespace
+
+std::string sweep_columns() {
+  std::vector<std::string> names;
+  for (const Column& column : columns_of({})) names.push_back(column.name);
+  return deck::joined(names, ",");
+}
+
+std::string sweep_text(const SweepRow& row) {
+  std::vector<std::string> texts;
+  for (const Column& column : columns_of(row)) texts.push_back(column.text);
+  return deck::joined(texts, ",");
+}
+
+SweepRow row_of_solution(const Case& input, const steady::Solution& solution) {
+  if (solution.levels.empty() || solution.H.nodes_x() == 0) return not_converged_row(input, solution.failed_check);
+  const steady::LevelRow& finest = solution.levels.back();
+  const Outcome outcome = outcome_of(input, solution);
+  const bool finite = std::isfinite(outcome.Hc + outcome.Hm.value + outcome.P_max.value);
+  const bool converged = solution.converged && finite;
+  SweepRow row =
+      converged ? row_of_case(input)
+                : not_converged_row(input, finite ? solution.failed_check : "the film or the pressure is not finite");
+  if (converged) {
+    row.status = "converged";
+    row.exit_status = solved;
+    row.Hc = outcome.Hc;
+    row.Hm = outcome.Hm.value;
+    row.P_max = outcome.P_max.value;
+    row.error_Hc = finest.error_Hc;
+    row.error_Hm = finest.error_Hm;
+  }
+  if (!solution.attempts.empty()) row.method = solution.attempts.back().method;
+  row.attempts = static_cast<int>(solution.attempts.size());
+  row.nx = finest.nx;
+  row.ny = finest.ny;
+  row.residual = finest.residual;
+  row.load_error = finest.load_error;
+  row.cycle_factor = solution.cycle_factor;
+  row.cycles = finest.cycles;
+  row.work_units = finest.work_units;
+  row.warnings = static_cast<int>(outcome.warnings.size());
+  return row;
+}
+
+SweepRow sweep_case(const std::string& path, const std::string& deck_text, const std::vector<std::string>& overrides) {
+  const double began = core::now();
+  SweepRow row = solve_case(path, deck_text, overrides);
+  row.seconds = core::now() - began;
+  row.peak_memory = peak_memory();
+  return row;
+}
+
+SweepRow row_of_failure(int exit_status, const std::string& reason) {
+  SweepRow row;
+  row.status = "failed";
+  row.exit_status = exit_status;
+  row.reason = reason;
+  return row;
+}
+
+}  // namespace ehl::program

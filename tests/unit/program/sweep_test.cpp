@@ -1,0 +1,235 @@
+// What a sweep varies, the text of its rows, the head of its table, and its children: nothing is solved here.
+#include <signal.h>
+#include <unistd.h>
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <map>
+#include <new>
+
+#include "catalogue.hpp"
+#include "core/errors.hpp"
+#include "support/temporary_folder.hpp"
+#include "sweep_children.hpp"
+#include "sweep_range.hpp"
+#include "sweep_row.hpp"
+#include "sweep_table.hpp"
+
+using namespace ehl;
+using Texts = std::vector<std::string>;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+Texts values(const std::string& text) { return program::parse_variation(text, program::catalogue()).values; }
+
+template <class Call>
+std::string refusal(const Call& call) {
+  try {
+    call();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "(none)";
+}
+
+program::SweepHeader header_of(const Texts& vary, const std::string& deck_text = "[contact]\n") {
+  return {"ehl 1, commit x", "d.ini", deck_text, {}, program::parse_variations(vary, {}, program::catalogue())};
+}
+
+std::string row(const std::string& status) {
+  program::SweepRow filled;
+  filled.status = status;
+  return program::sweep_text(filled);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(sweep)
+
+BOOST_AUTO_TEST_CASE(lists) {
+  BOOST_TEST(values("contact.M=2,5, 1e1") == (Texts{"2", "5", "1e1"}), boost::test_tools::per_element());
+  BOOST_TEST(values("contact.M=2:10:5") == (Texts{"2", "4", "6", "8", "10"}), boost::test_tools::per_element());
+  BOOST_TEST(values("contact.L=0:0.3:4") == (Texts{"0", "0.1", "0.2", "0.3"}), boost::test_tools::per_element());
+  BOOST_TEST(values("contact.M=2:2000:4:log") == (Texts{"2", "20", "200", "2000"}), boost::test_tools::per_element());
+  BOOST_TEST(values("contact.M=1000:10:3:log,5") == (Texts{"1000", "100", "10", "5"}),
+             boost::test_tools::per_element());
+  BOOST_TEST(values("grid.cells=64:1024:5:log") == (Texts{"64", "128", "256", "512", "1024"}),
+             boost::test_tools::per_element());
+  BOOST_TEST(values("discretization.wedge=upstream1,upstream2") == (Texts{"upstream1", "upstream2"}),
+             boost::test_tools::per_element());
+  // sqrt(2 x 5) in twelve digits.
+  BOOST_TEST(std::abs(std::stod(values("contact.M=2:5:3:log")[1]) - std::sqrt(10.0)) < 1e-11);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_lists) {
+  struct Slip {
+    std::string text;
+    Texts parts;
+  };
+  for (const Slip& slip : std::vector<Slip>{
+           {"contact.M", {"--vary contact.M", "section.key=LIST"}},
+           {"M=2", {"section.key=LIST"}},
+           {"contact.MM=2", {"[contact] MM", "did you mean M?"}},
+           {"gird.cells=64", {"did you mean grid?"}},
+           {"contact.M=", {"[contact] M", "the value is missing", "a number"}},
+           {"contact.M=2,,5", {"the value is missing"}},
+           {"contact.M=2,two", {"M = two", "no number"}},
+           {"contact.M=20,-5", {"M = -5", "must be a number"}},
+           {"contact.M=2:5", {"a:b:n"}},
+           {"contact.M=2:5:1", {"n = 1", "whole number >= 2"}},
+           {"contact.M=2:5:2.5", {"n = 2.5"}},
+           {"contact.M=2:5:3:lg", {"'lg'", "only log"}},
+           {"contact.M=2:x:3", {"'x' is no number"}},
+           {"contact.M=2:2:3", {"must differ"}},
+           {"contact.L=0:5:3:log", {"must be > 0"}},
+           {"grid.cells=64:101:3:log", {"cells = 80.39", "whole number"}},
+           {"contact.M=5,5", {"5 is given twice"}},
+           {"discretization.wedge=upstrem1", {"upstrem1", "did you mean upstream1?", "upstream1, upstream2"}},
+           {"case.title=a#b", {"neither"}},
+           {"output.file=a,b", {"leave [output] alone"}},
+       }) {
+    const std::string said = refusal([&] { values(slip.text); });
+    for (const std::string& part : slip.parts) BOOST_TEST(contains(said, part), slip.text << " says\n" << said);
+  }
+  const auto all = [](const Texts& vary, const Texts& set) {
+    return refusal([&] { program::parse_variations(vary, set, program::catalogue()); });
+  };
+  BOOST_TEST(contains(all({"contact.M=2", "contact.M=3"}, {}), "contact.M is given twice"));
+  BOOST_TEST(contains(all({"contact.M=2"}, {"contact.M=3"}), "both varied and set"));
+  BOOST_TEST(contains(all({"contact.M=1:2:2000", "contact.L=1:2:2000"}, {}), "4e+06 cases"));
+  const std::string two = all({"contact.MM=2", "contact.LL=3"}, {});
+  BOOST_TEST((contains(two, "MM") && contains(two, "LL")), two);
+}
+
+BOOST_AUTO_TEST_CASE(the_first_varies_slowest) {
+  const auto variations = program::parse_variations({"contact.M=5,20", "contact.L=1,2,3"}, {}, program::catalogue());
+  BOOST_TEST(program::number_of_cases(variations) == 6u);
+  Texts cases;
+  for (std::size_t k = 0; k < 6; ++k) {
+    const Texts one = program::overrides_of_case(variations, k);
+    cases.push_back(one[0] + " " + one[1]);
+  }
+  BOOST_TEST(cases[0] == "contact.M=5 contact.L=1");
+  BOOST_TEST(cases[1] == "contact.M=5 contact.L=2");
+  BOOST_TEST(cases[3] == "contact.M=20 contact.L=1");
+  BOOST_TEST(cases[5] == "contact.M=20 contact.L=3");
+}
+
+// A number that did not converge must not look as if it had.
+BOOST_AUTO_TEST_CASE(rows) {
+  program::Case input;
+  input.physics.groups = contact::from_moes(20.0, 10.0);
+  steady::Solution solution;
+  solution.grid = {4, 2, -2.0, 2.0, -1.0, 1.0};
+  solution.P = core::Field(solution.grid);
+  solution.H = core::Field(solution.grid);
+  solution.H.fill(0.25);
+  solution.levels = {{2, 4, 2, 0.4, 0.25, 0.058, 0.062, 2.0, 3e-4, 2e-6, 7, 11.2, 0.011}};
+  solution.attempts = {{"full multigrid", "stalled", 0.1}, {"full multigrid, start 2", "", 0.1}};
+  solution.converged = true;
+  const program::SweepRow good = program::row_of_solution(input, solution);
+  BOOST_TEST((good.status == "converged" && good.exit_status == 0 && good.Hc == 0.4 && good.Hm == 0.25));
+  BOOST_TEST((good.method == "full multigrid, start 2" && good.attempts == 2 && good.cycles == 7));
+  BOOST_TEST((good.nx == 4 && good.ny == 2 && good.error_Hm == 0.062 && good.work_units == 11.2));
+  solution.converged = false;
+  solution.failed_check = "the \"residual\",\nlevel #2";
+  const program::SweepRow bad = program::row_of_solution(input, solution);
+  BOOST_TEST((bad.status == "not-converged" && bad.exit_status == 3 && bad.residual == 3e-4));
+  for (const double number : {bad.Hc, bad.Hm, bad.P_max, bad.error_Hc, bad.error_Hm}) BOOST_TEST(std::isnan(number));
+
+  const std::string text = program::sweep_text(bad);
+  BOOST_TEST(
+      text.starts_with("not-converged,3,full multigrid; start 2,2,20,10,NaN,4,2,NaN,NaN,NaN,NaN,NaN,3e-04,2e-06,"),
+      text);
+  BOOST_TEST(text.ends_with(",\"the 'residual', level  2\""), text);
+  const std::string columns = program::sweep_columns();
+  const std::string clean = program::sweep_text(good);
+  BOOST_TEST(std::count(columns.begin(), columns.end(), ',') == std::count(clean.begin(), clean.end(), ','));
+}
+
+BOOST_AUTO_TEST_CASE(a_table_is_continued_or_refused) {
+  const support::TemporaryFolder folder;
+  const std::string path = folder / "t.csv";
+  const Texts vary{"contact.M=5,20", "contact.L=1,2,3"};
+  const auto open = [&](const program::SweepHeader& header) { program::SweepTable table(path, header, false); };
+  {
+    program::SweepTable table(path, header_of(vary), false);
+    BOOST_TEST(contains(refusal([&] { open(header_of(vary)); }), "another sweep is writing"));
+    table.append(4, row("converged"));
+    table.append(0, row("failed"));
+    table.append(2, row("not-converged"));
+  }
+  BOOST_TEST(folder.read("t.csv").starts_with(program::header_text(header_of(vary))));
+  const std::string whole = folder.read("t.csv");
+  folder.write("t.csv", whole + "5,2,conver");  // killed while writing
+  {
+    program::SweepTable table(path, header_of(vary), false);
+    BOOST_TEST((table.missing() == std::vector<std::size_t>{0, 1, 3, 5}));  // a process that died is tried again
+    BOOST_TEST(table.count("not-converged") == 1u);
+    table.append(0, row("converged"));
+    table.finish();
+  }
+  const std::string sorted = folder.read("t.csv");
+  BOOST_TEST(sorted == program::header_text(header_of(vary)) + "5,1," + row("converged") + "\n5,3," +
+                           row("not-converged") + "\n20,2," + row("converged") + "\n");
+
+  const auto refused = [&](const program::SweepHeader& header, const std::string& part) {
+    const std::string said = refusal([&] { open(header); });
+    BOOST_TEST((contains(said, part) && contains(said, "--overwrite")), said);
+    BOOST_TEST(folder.read("t.csv").size() > 4);
+  };
+  refused(header_of({"contact.M=5,20", "contact.L=1,2"}),
+          "'vary: contact.L = 1,2,3', this one 'vary: contact.L = 1,2'");
+  refused(header_of(vary, "[contact]\n# another text\n"), "deck text");
+  program::SweepHeader with_set = header_of(vary);
+  with_set.set = {"grid.cells=64"};
+  refused(with_set, "this one 'set: grid.cells=64'");
+  folder.write("t.csv", sorted + "6,1," + row("converged") + "\n");
+  refused(header_of(vary), "no row of the sweep: 6,1");
+  folder.write("t.csv", sorted + "5,2,converged,0\n");
+  refused(header_of(vary), "no row of the sweep: 5,2");
+  folder.write("t.csv", "x,y\n1,2\n");
+  refused(header_of(vary), "no table of a sweep");
+  program::SweepTable(path, header_of(vary), true);
+  BOOST_TEST(folder.read("t.csv") == program::header_text(header_of(vary)));
+}
+
+// A child that throws, crashes, is killed or just leaves is one result of its own; the others are not touched.
+BOOST_AUTO_TEST_CASE(children_end_alone) {
+  std::map<std::size_t, program::ChildEnd> ends;
+  program::ChildrenCalls calls;
+  calls.stop = [] { return false; };
+  calls.ended = [&](const program::ChildEnd& end) { ends[end.task] = end; };
+  calls.task = [](std::size_t task) -> std::string {
+    if (task == 1) throw std::runtime_error("thrown");
+    if (task == 2) ::raise(SIGKILL);
+    if (task == 3) ::_exit(0);
+    if (task == 4) throw std::bad_alloc();
+    return task == 5 ? std::string(300000, 'x') : "task " + std::to_string(task);
+  };
+  BOOST_TEST(program::run_in_children({0, 1, 2, 3, 4, 5, 6}, 2, calls));
+  BOOST_REQUIRE(ends.size() == 7u);
+  BOOST_TEST((ends[0].complete && ends[0].text == "task 0" && ends[6].complete));
+  BOOST_TEST((ends[5].complete && ends[5].text.size() == 300000u));  // more than a pipe holds
+  BOOST_TEST((!ends[1].complete && ends[1].status == 1 && ends[1].reason == "thrown"));
+  BOOST_TEST((!ends[2].complete && ends[2].status == 128 + SIGKILL && contains(ends[2].reason, "Killed")));
+  BOOST_TEST((!ends[3].complete && !ends[3].reason.empty()));
+  BOOST_TEST((!ends[4].complete && contains(ends[4].reason, "out of memory")));
+}
+
+BOOST_AUTO_TEST_CASE(children_are_stopped) {
+  int ended = 0;
+  program::ChildrenCalls calls;
+  calls.stop = [&] { return ended == 1; };
+  calls.ended = [&](const program::ChildEnd&) { ++ended; };
+  calls.task = [](std::size_t task) {
+    if (task > 0) ::sleep(60);
+    return std::string("done");
+  };
+  BOOST_TEST(!program::run_in_children({0, 1, 2, 3}, 2, calls));
+  BOOST_TEST(ended == 1);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
