@@ -50,7 +50,8 @@ std::string verification_json(const steady::Verification& checked) {
                        {"Hm_X", number(checked.Hm_X)},
                        {"Hm_Y", number(checked.Hm_Y)},
                        {"flow_through", number(checked.flow_through)},
-                       {"flow_imbalance", number(checked.flow_imbalance)}});
+                       {"flow_imbalance", number(checked.flow_imbalance)},
+                       {"flow_imbalance_whole", number(checked.flow_imbalance_whole)}});
 }
 
 std::string parts_json(const core::PartTimes& times) {

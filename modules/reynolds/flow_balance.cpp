@@ -43,26 +43,38 @@ double flow_through_contact(const core::Grid& grid, const Fluxes& fluxes) {
   return sum * grid.hy();
 }
 
+/// The first and the last node inside (-reach, reach) along one direction, the boundary of the grid left out.
+struct Range {
+  int first, last;
+};
+Range range(double from, double step, int cells, double reach) {
+  // With room for the rounding of a node that is meant to be at +-reach, and within what an int holds.
+  const double first = std::ceil((-reach - from) / step - 1e-9);
+  const double last = std::floor((reach - from) / step + 1e-9);
+  return {static_cast<int>(std::max(first, 1.0)), static_cast<int>(std::min(last, cells - 1.0))};
+}
+
 }  // namespace
 
-FlowBalance flow_balance(const core::Grid& grid, const State& state, Wedge wedge, bool cavitation) {
+FlowBalance flow_balance(const core::Grid& grid, const State& state, Wedge wedge, bool cavitation, double reach) {
   const Fluxes fluxes(grid, state, wedge);
   const double hx = grid.hx();
   const double hy = grid.hy();
+  const Range x = range(grid.X_a, hx, grid.nx, reach);
+  const Range y = range(grid.Y_a, hy, grid.ny, reach);
   FlowBalance balance;
   balance.through = flow_through_contact(grid, fluxes);
   const auto leaves = [&](double flow) { (flow < 0.0 ? balance.in : balance.out) += std::abs(flow); };
-  for (int i = 1; i < grid.nx; ++i) {
-    // The boundary of the grid carries no pressure and belongs to no cell of the region.
-    const auto outside = [&](int k, int j) {
-      return k == 0 || k == grid.nx || j == 0 || j == grid.ny || (cavitation && state.P(k, j) <= 0.0);
-    };
-    for (int j = 1; j < grid.ny; ++j) {
-      if (outside(i, j)) continue;
-      if (outside(i - 1, j)) leaves(-hy * fluxes.along_x(i - 1, j));
-      if (outside(i + 1, j)) leaves(hy * fluxes.along_x(i, j));
-      if (outside(i, j - 1)) leaves(-hx * fluxes.along_y(i, j - 1));
-      if (outside(i, j + 1)) leaves(hx * fluxes.along_y(i, j));
+  for (int i = x.first; i <= x.last; ++i) {
+    const double* P = state.P.at_x(i);
+    const double* west = state.P.at_x(i - 1);
+    const double* east = state.P.at_x(i + 1);
+    for (int j = y.first; j <= y.last; ++j) {
+      if (cavitation && P[j] <= 0.0) continue;
+      if (i == x.first || (cavitation && west[j] <= 0.0)) leaves(-hy * fluxes.along_x(i - 1, j));
+      if (i == x.last || (cavitation && east[j] <= 0.0)) leaves(hy * fluxes.along_x(i, j));
+      if (j == y.first || (cavitation && P[j - 1] <= 0.0)) leaves(-hx * fluxes.along_y(i, j - 1));
+      if (j == y.last || (cavitation && P[j + 1] <= 0.0)) leaves(hx * fluxes.along_y(i, j));
     }
   }
   return balance;

@@ -15,6 +15,12 @@ constexpr double largest_licence = 0.05;
 /// Largest relative residual and load error of a solution at the level of the discretization error.
 constexpr double loose_residual = 2e-2;
 constexpr double loose_load_error = 1e-4;
+/// Mass that may appear or vanish around the contact: a share of the discretization error of Hc, and what is always
+/// allowed; relative to the flow through the contact.
+constexpr double flow_share = 0.25;
+constexpr double least_flow_licence = 1e-4;
+/// Largest residual, relative to the wedge term, of a cavitated node whose equation wants pressure.
+constexpr double largest_dry_violation = 2e-2;
 /// Relative residual asked for where the discretization error is unknown.
 constexpr double default_tolerance = 1e-6;
 /// No cycle is trusted to reduce the error by more, or by less, than this; Hm follows the residual with delay.
@@ -29,12 +35,34 @@ std::string text(double value) {
   return buffer;
 }
 
-std::string unmet_tolerance(const StateOfLevel& state, double tolerance) {
-  if (!(state.residual <= tolerance))
-    return "relative residual " + text(state.residual) + " is above " + text(tolerance) +
+// What no state may have, whatever else is asked.
+std::string impossible(const StateOfLevel& now) {
+  if (!(now.Hm > 0.0))
+    return "the film is negative at its thinnest, H = " + text(now.Hm) +
+           ": the mesh is too coarse for this contact; use more cells";
+  if (!(now.least_P >= 0.0)) return "the pressure is negative at its lowest, P = " + text(now.least_P);
+  return {};
+}
+
+std::string unmet_residual(const StateOfLevel& now, double residual, double load_error) {
+  if (!(now.residual <= residual))
+    return "relative residual " + text(now.residual) + " is above " + text(residual) +
            "; more max_cycles or a finer grid may help";
-  if (!(state.load_error <= tolerance))
-    return "load error " + text(state.load_error) + " is above " + text(tolerance) + "; more max_cycles may help";
+  if (!(now.load_error <= load_error))
+    return "load error " + text(now.load_error) + " is above " + text(load_error) + "; more max_cycles may help";
+  return {};
+}
+
+std::string unmet_balance(const StateOfLevel& now, double error_Hc) {
+  if (!(now.dry_violation <= largest_dry_violation))
+    return "a cavitated node wants pressure: its residual is " + text(now.dry_violation) +
+           " of the wedge term, above " + text(largest_dry_violation) + "; more max_cycles may help";
+  const double licence = std::isfinite(error_Hc) ? std::min(error_Hc, largest_licence) : largest_licence;
+  const double allowed = std::max(flow_share * licence, least_flow_licence);
+  if (!(std::abs(now.flow_imbalance) <= allowed))
+    return "mass is not conserved around the contact: " + text(now.flow_imbalance) +
+           " of the flow through it appears or is lost, allowed is " + text(allowed) +
+           "; more max_cycles or a finer grid may help";
   return {};
 }
 
@@ -54,15 +82,16 @@ double foretold_error(const LastCycle& cycle, double StateOfLevel::*value) {
 
 std::string unmet_check(const LastCycle& cycle, double tolerance) {
   const StateOfLevel& now = cycle.after;
-  if (!(now.Hm > 0.0))
-    return "the film is negative at its thinnest, H = " + text(now.Hm) +
-           ": the mesh is too coarse for this contact; use more cells";
-  if (std::isfinite(tolerance)) return unmet_tolerance(now, tolerance);
-  if (!std::isfinite(cycle.error_Hc)) return unmet_tolerance(now, default_tolerance);
-  if (!(now.residual <= loose_residual)) return unmet_tolerance(now, loose_residual);
-  if (!(now.load_error <= loose_load_error)) return unmet_tolerance(now, loose_load_error);
-  const std::string unmet = unmet_share("Hc", foretold_error(cycle, &StateOfLevel::Hc), cycle.error_Hc);
-  return unmet.empty() ? unmet_share("Hm", foretold_error(cycle, &StateOfLevel::Hm), cycle.error_Hm) : unmet;
+  if (std::string unmet = impossible(now); !unmet.empty()) return unmet;
+  const bool by_tolerance = std::isfinite(tolerance) || !std::isfinite(cycle.error_Hc);
+  const double asked = std::isfinite(tolerance) ? tolerance : default_tolerance;
+  std::string unmet =
+      by_tolerance ? unmet_residual(now, asked, asked) : unmet_residual(now, loose_residual, loose_load_error);
+  if (unmet.empty()) unmet = unmet_balance(now, cycle.error_Hc);
+  if (by_tolerance) return unmet;
+  if (unmet.empty()) unmet = unmet_share("Hc", foretold_error(cycle, &StateOfLevel::Hc), cycle.error_Hc);
+  if (unmet.empty()) unmet = unmet_share("Hm", foretold_error(cycle, &StateOfLevel::Hm), cycle.error_Hm);
+  return unmet;
 }
 
 }  // namespace ehl::steady

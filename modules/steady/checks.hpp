@@ -19,10 +19,14 @@ struct LastCycle {
 double foretold_error(const LastCycle& cycle, double StateOfLevel::*value);
 
 /// The first check that the state does not pass, as a sentence with numbers and a remedy; empty when it passes all.
-/// With a tolerance: relative residual and load error at or below it. With NaN: algebraic error of Hc and Hm, as the
-/// last cycle's change and its factor foretell it, below a twentieth of the discretization error; residual and load
-/// error small; and where the discretization error is unknown (one level), a relative residual of 1e-6. In both: a
-/// positive film everywhere.
+///   Film positive and P >= 0 everywhere.
+///   With a tolerance, and with 1e-6 where the discretization error is unknown (one level): relative residual and load
+///   error at or below it. With tolerance NaN: residual and load error small (2e-2, 1e-4), and the algebraic error of
+///   Hc and Hm, as foretold_error has it, below a twentieth of the discretization error.
+///   No cavitated node that wants pressure, by more than 2e-2 of the wedge term.
+///   Mass conserved around the contact (StateOfLevel::flow_imbalance): to a quarter of the discretization error of Hc,
+///   or 1e-4 where that is smaller.
+/// The README of this module says what the limits were measured on.
 std::string unmet_check(const LastCycle& cycle, double tolerance);
 
 }  // namespace ehl::steady

@@ -3,12 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/norms.hpp"
 #include "reynolds/flow_balance.hpp"
 
 namespace ehl::steady {
 namespace {
+
+/// |X|, |Y| up to which the contact is looked at for its mass balance: all of the thin film, the spike and the
+/// constrictions, and little of the inlet, through which a hundred or a thousand times more flows back and forth.
+constexpr double contact_reach = 1.5;
 
 struct Interpolation {
   int first = 0;
@@ -51,8 +56,11 @@ StateOfLevel state_of_level(fmg::Hierarchy& hierarchy, std::size_t l) {
   fmg::update_residual(hierarchy, level);
   const reynolds::ResidualNorms norms = reynolds::residual_norms(level.grid, fmg::state(level), hierarchy.problem.wedge,
                                                                  hierarchy.problem.cavitation, level.r);
-  const reynolds::FlowBalance flow =
-      reynolds::flow_balance(level.grid, fmg::state(level), hierarchy.problem.wedge, hierarchy.problem.cavitation);
+  const auto flow = [&](double reach) {
+    return reynolds::flow_balance(level.grid, fmg::state(level), hierarchy.problem.wedge, hierarchy.problem.cavitation,
+                                  reach);
+  };
+  const reynolds::FlowBalance contact = flow(contact_reach);
   const core::Location Hm = core::minimum(level.H);
   const double load = fmg::carried_load(level);
   return {.Hc = value_at(level.grid, level.H, 0.0, 0.0),
@@ -66,8 +74,9 @@ StateOfLevel state_of_level(fmg::Hierarchy& hierarchy, std::size_t l) {
           .largest_residual_Y = level.grid.Y(norms.j),
           .least_P = core::minimum(level.P).value,
           .dry_violation = norms.largest_dry / norms.wedge,
-          .flow_through = flow.through,
-          .flow_imbalance = flow.imbalance()};
+          .flow_through = contact.through,
+          .flow_imbalance = contact.imbalance(),
+          .flow_imbalance_whole = flow(std::numeric_limits<double>::infinity()).imbalance()};
 }
 
 }  // namespace ehl::steady

@@ -18,7 +18,8 @@ struct StateOfLevel {
   double least_P = 0.0;         ///< over all nodes
   double dry_violation = 0.0;   ///< largest residual in a cavitated node whose equation wants pressure; relative
   double flow_through = 0.0;    ///< through the contact: integral of rho_bar H over |Y| <= 1 at X = 0
-  double flow_imbalance = 0.0;  ///< out of the pressurised region less in, relative to flow_through
+  double flow_imbalance = 0.0;  ///< out of the pressurised region within |X|, |Y| <= 1.5 less in, over flow_through
+  double flow_imbalance_whole = 0.0;  ///< the same of all of the pressurised region
 };
 
 /// Value at (X, Y): the node's where there is one within 1e-9 of a cell, else by bicubic interpolation.

@@ -24,7 +24,8 @@ Verification verification_of(const LastCycle& cycle) {
           .Hm_X = now.Hm_X,
           .Hm_Y = now.Hm_Y,
           .flow_through = now.flow_through,
-          .flow_imbalance = now.flow_imbalance};
+          .flow_imbalance = now.flow_imbalance,
+          .flow_imbalance_whole = now.flow_imbalance_whole};
 }
 
 }  // namespace ehl::steady

@@ -23,8 +23,9 @@ struct Verification {
   double Hm = unknown;  ///< least film, which must be positive
   double Hm_X = unknown;
   double Hm_Y = unknown;
-  double flow_through = unknown;    ///< integral of rho_bar H over |Y| <= 1 at X = 0
-  double flow_imbalance = unknown;  ///< (out - in) over the boundary of the pressurised region / flow_through
+  double flow_through = unknown;          ///< integral of rho_bar H over |Y| <= 1 at X = 0
+  double flow_imbalance = unknown;        ///< (out - in)/flow_through of the pressurised region within |X|, |Y| <= 1.5
+  double flow_imbalance_whole = unknown;  ///< the same of all of the pressurised region; recorded, not judged
 };
 
 /// The numbers by which unmet_check (checks.hpp) judges this cycle.
