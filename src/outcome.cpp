@@ -2,9 +2,13 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "contact/film_formulas.hpp"
+#include "contact/yield.hpp"
 #include "core/norms.hpp"
+#include "rheology/range.hpp"
 
 namespace ehl::program {
 namespace {
@@ -13,6 +17,17 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 Place place(const core::Grid& grid, const core::Location& location) {
   return {location.value, grid.X(location.i), grid.Y(location.j)};
+}
+
+// The solution's own, and those that need the scales of the physical contact.
+std::vector<std::string> warnings_of(const Physics& physics, const steady::Solution& solution, double P_max) {
+  std::vector<std::string> warnings = solution.warnings;
+  const double eta0 = physics.si ? physics.si->contact.eta0 : unknown;
+  for (std::string& warning :
+       rheology::out_of_range(physics.viscosity, physics.density, {.P_max = P_max, .p_h = physics.p_h, .eta0 = eta0}))
+    warnings.push_back(std::move(warning));
+  if (std::optional<std::string> warning = contact::beyond_yield(physics.p_h)) warnings.push_back(*warning);
+  return warnings;
 }
 
 }  // namespace
@@ -49,7 +64,7 @@ Outcome outcome_of(const Case& input, const steady::Solution& solution) {
   outcome.hm = outcome.Hm.value * h_scale;
   outcome.formulas = film_formulas(groups);
   outcome.regime = contact::regime_text(groups.M, groups.L);
-  outcome.warnings = solution.warnings;
+  outcome.warnings = warnings_of(input.physics, solution, outcome.P_max.value);
   return outcome;
 }
 

@@ -72,6 +72,22 @@ std::string level_table(const steady::Solution& solution) {
   return text;
 }
 
+namespace {
+
+std::string verified(const steady::Verification& checked) {
+  const auto number = [](double value) { return known("%.1e", value); };
+  const auto at = [](double X, double Y) { return formatted("(%.3f, %.3f) a", X, Y); };
+  if (std::isnan(checked.residual)) return {};
+  return "verified     residual " + number(checked.residual) + ", largest " + number(checked.largest_residual) +
+         " at " + at(checked.largest_residual_X, checked.largest_residual_Y) + "; load error " +
+         number(checked.load_error) + "; mass flow error " + number(std::abs(checked.flow_imbalance)) +
+         "\n             least P " + known("%.1g", checked.least_P) + ", dry node that wants pressure " +
+         number(checked.dry_violation) + "; left to the cycles Hc " + number(checked.algebraic_error_Hc) + ", Hm " +
+         number(checked.algebraic_error_Hm) + "\n";
+}
+
+}  // namespace
+
 std::string summary(const Case& input, const steady::Solution& solution, const Outcome& outcome) {
   const Physics& physics = input.physics;
   const double h_scale = physics.si ? physics.si->hertz.h_scale : std::nan("");
@@ -89,6 +105,7 @@ std::string summary(const Case& input, const steady::Solution& solution, const O
                     outcome.P_max.X, outcome.P_max.Y, mark.c_str());
   text += group_lines(physics);
   text += formula_lines(outcome.formulas, physics.groups.M, h_scale);
+  text += verified(solution.verification);
   text += "method       wedge " + std::string(name(input.scene.wedge)) + "; deformation " + solution.deformation +
           "; " + formatted("%d thread%s\n", input.scene.threads, input.scene.threads == 1 ? "" : "s");
   text += formatted("time         %.3f s:", solution.seconds);

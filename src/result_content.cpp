@@ -60,6 +60,23 @@ std::vector<Quantity> scales(const Case& input) {
   return list;
 }
 
+void add_verification(const steady::Verification& checked, std::vector<Quantity>& list) {
+  const std::vector<Quantity> more{
+      {"largest_residual", checked.largest_residual, "-", "at one node, relative to the wedge term like the residual"},
+      {"largest_residual_x", checked.largest_residual_X, "a", "where it is"},
+      {"largest_residual_y", checked.largest_residual_Y, "a", "where it is"},
+      {"least_P", checked.least_P, "p_h", "lowest pressure of all nodes"},
+      {"dry_violation", checked.dry_violation, "-", "largest residual of a cavitated node that wants pressure"},
+      {"change_Hc", checked.change_Hc, "-", "relative change of Hc in the last cycle"},
+      {"change_Hm", checked.change_Hm, "-", "relative change of Hm in the last cycle"},
+      {"algebraic_error_Hc", checked.algebraic_error_Hc, "-", "what further cycles would change, foretold"},
+      {"algebraic_error_Hm", checked.algebraic_error_Hm, "-", "what further cycles would change, foretold"},
+      {"flow_through", checked.flow_through, "rho0 u_m a^3/R", "mass flow through the contact, |y| <= 1 at x = 0"},
+      {"flow_imbalance", checked.flow_imbalance, "-", "mass flow out of |x|, |y| <= 1.5 less in, over flow_through"},
+      {"flow_imbalance_whole", checked.flow_imbalance_whole, "-", "the same of all of the pressurised region"}};
+  list.insert(list.end(), more.begin(), more.end());
+}
+
 std::vector<Quantity> summary_numbers(const steady::Solution& solution, const Outcome& outcome) {
   std::vector<Quantity> list{{"converged", solution.converged ? 1.0 : 0.0, "-", "1: all checks passed, 0: not", true},
                              {"Hc", outcome.Hc, "a^2/R", "film at (0,0)"},
@@ -82,6 +99,7 @@ std::vector<Quantity> summary_numbers(const steady::Solution& solution, const Ou
     list.push_back({"error_Hc", last.error_Hc, "-", "estimated relative discretization error of Hc"});
     list.push_back({"error_Hm", last.error_Hm, "-", "estimated relative discretization error of Hm"});
   }
+  add_verification(solution.verification, list);
   return list;
 }
 

@@ -13,7 +13,7 @@ constexpr double algebraic_share = 0.05;
 /// A larger discretization error than this is no licence to stop earlier: its estimate is too uncertain.
 constexpr double largest_licence = 0.05;
 /// Largest relative residual and load error of a solution at the level of the discretization error.
-constexpr double loose_residual = 2e-2;
+constexpr double loose_residual = 4e-3;
 constexpr double loose_load_error = 1e-4;
 /// Mass that may appear or vanish around the contact: a share of the discretization error of Hc, and what is always
 /// allowed; relative to the flow through the contact.

@@ -21,7 +21,7 @@ double foretold_error(const LastCycle& cycle, double StateOfLevel::*value);
 /// The first check that the state does not pass, as a sentence with numbers and a remedy; empty when it passes all.
 ///   Film positive and P >= 0 everywhere.
 ///   With a tolerance, and with 1e-6 where the discretization error is unknown (one level): relative residual and load
-///   error at or below it. With tolerance NaN: residual and load error small (2e-2, 1e-4), and the algebraic error of
+///   error at or below it. With tolerance NaN: residual and load error small (4e-3, 1e-4), and the algebraic error of
 ///   Hc and Hm, as foretold_error has it, below a twentieth of the discretization error.
 ///   No cavitated node that wants pressure, by more than 2e-2 of the wedge term.
 ///   Mass conserved around the contact (StateOfLevel::flow_imbalance): to a quarter of the discretization error of Hc,

@@ -57,7 +57,7 @@ Solution solve(const Scene& scene, const ProgressCallback& progress) {
     throw core::SolverError(last_error + " from every start; use more cells, or a domain closer to the contact");
   best->attempts = std::move(attempts);
   if (rough_domain_error(scene) > worth_a_look) best->domain_error_Hc = estimate_domain_error(scene);
-  best->warnings = warnings_of(*best);
+  best->warnings = warnings_of(scene, *best);
   best->seconds = core::now() - began;
   return std::move(*best);
 }

@@ -9,8 +9,6 @@
 namespace ehl::steady {
 namespace {
 
-/// A film with a larger estimated error counts as not resolved.
-constexpr double unresolved = 0.1;
 /// Pressure beside a boundary, as a share of the largest, above which the boundary cuts into the contact.
 constexpr double cut_off_pressure = 1e-3;
 /// Growth of Hc on the double domain that is worth a word.
@@ -37,14 +35,23 @@ double largest_along_sides(const Solution& solution) {
 
 }  // namespace
 
-std::vector<std::string> warnings_of(const Solution& solution) {
+int cells_that_resolve(int cells, double error, reynolds::Wedge wedge) {
+  const double per_doubling = wedge == reynolds::Wedge::upstream2 ? 4.0 : 2.0;
+  constexpr int most = 1 << 29;
+  for (; error > unresolved_film && cells <= most; error /= per_doubling) cells *= 2;
+  return cells;
+}
+
+std::vector<std::string> warnings_of(const Scene& scene, const Solution& solution) {
   std::vector<std::string> warnings;
   const LevelRow& last = solution.levels.back();
   if (std::isnan(last.error_Hc))
     warnings.push_back("no error estimate: the film was computed on a single level; use at least 128 cells");
-  else if (last.error_Hc > unresolved || last.error_Hm > unresolved)
+  else if (const double error = std::max(last.error_Hc, last.error_Hm); error > unresolved_film)
     warnings.push_back("film not resolved by the mesh: estimated error of Hc " + percent(last.error_Hc) + ", of Hm " +
-                       percent(last.error_Hm) + "; use more cells");
+                       percent(last.error_Hm) + " on " + std::to_string(last.nx) + " cells; " +
+                       std::to_string(cells_that_resolve(last.nx, error, scene.wedge)) +
+                       " would bring both below 10 %");
   if (solution.domain_error_Hc > starved)
     warnings.push_back("inlet starved by the domain: on one twice as long and wide Hc is larger by at least " +
                        percent(solution.domain_error_Hc) +

@@ -3,13 +3,23 @@
 #include <string>
 #include <vector>
 
+#include "steady/scene.hpp"
 #include "steady/solution.hpp"
 
 namespace ehl::steady {
 
-/// Warnings with numbers: film not resolved by the mesh (estimated error above 10 %, or no estimate possible from a
-/// single level), outlet boundary inside the pressure region, pressure still carried at the sides. in: a solution whose
-/// levels, P and grid are complete.
-std::vector<std::string> warnings_of(const Solution& solution);
+/// A film with a larger estimated error counts as not resolved.
+inline constexpr double unresolved_film = 0.1;
+
+/// Cells along x that would bring an estimated error down to unresolved_film: `cells` doubled as often as the order of
+/// the wedge asks for, never less than once for an error above it. The scheme's order and not the observed one, which
+/// on a grid too coarse to hold the film says little.
+/// in: cells of the grid, relative error there. limits: an error of 100 % and more is no more than a hint.
+int cells_that_resolve(int cells, double error, reynolds::Wedge wedge);
+
+/// Warnings with numbers: film not resolved by the mesh (estimated error above 10 %, with the cells that would do; or
+/// no estimate possible from a single level), inlet starved by the domain, outlet boundary inside the pressure region,
+/// pressure still carried at the sides. in: a solution of the scene whose levels, P and grid are complete.
+std::vector<std::string> warnings_of(const Scene& scene, const Solution& solution);
 
 }  // namespace ehl::steady

@@ -99,9 +99,10 @@ BOOST_AUTO_TEST_CASE(warnings_name_what_is_wrong) {
   solution.P = core::Field(solution.grid);
   solution.P(8, 8) = 1.0;
   solution.levels.push_back({.error_Hc = 0.01, .error_Hm = 0.02});
-  BOOST_TEST(warnings_of(solution).empty());
+  const Scene scene;
+  BOOST_TEST(warnings_of(scene, solution).empty());
   const auto warned = [&](const char* word) {
-    const std::vector<std::string> warnings = warnings_of(solution);
+    const std::vector<std::string> warnings = warnings_of(scene, solution);
     return warnings.size() == 1 && warnings[0].find(word) != std::string::npos;
   };
   solution.levels.back().error_Hm = 0.3;

@@ -1,0 +1,88 @@
+#include "rheology/range.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace ehl::rheology {
+namespace {
+
+std::string text(const char* format, double value) {
+  char buffer[48];
+  std::snprintf(buffer, sizeof buffer, format, value);
+  return buffer;
+}
+
+std::string gigapascals(double p) { return text("%.3g GPa", 1e-9 * p); }
+
+double log_viscosity_at(const ViscosityLaw& law, double P) {
+  std::array<double, 1> log_eta{};
+  log_viscosity(law, std::array{P}, log_eta);
+  return log_eta[0];
+}
+
+// "at p_max = 1.2 GPa ln(eta/eta0) = 26 (alpha_bar P = 26)"
+std::string state_of_oil(const Loading& loading, double log_eta, double alpha_bar) {
+  const double p_max = loading.P_max * loading.p_h;
+  return "at " + (std::isfinite(p_max) ? "p_max = " + gigapascals(p_max) : text("P = %.3g p_h", loading.P_max)) +
+         text(" ln(eta/eta0) = %.3g", log_eta) + text(" (alpha_bar P = %.3g)", alpha_bar * loading.P_max);
+}
+
+void judge(Isoviscous, const Loading&, std::vector<std::string>&) {}
+
+void judge(const Barus& law, const Loading& loading, std::vector<std::string>& found) {
+  const double log_eta = law.alpha_bar * loading.P_max;
+  const double p_max = loading.P_max * loading.p_h;
+  const bool known = std::isfinite(p_max);
+  if (known ? !(p_max > barus_pressure) : !(log_eta > barus_log_viscosity)) return;
+  found.push_back(
+      "Barus' viscosity beyond its range: " + state_of_oil(loading, log_eta, law.alpha_bar) + "; " +
+      (known ? "it follows measured viscosities up to about " + gigapascals(barus_pressure)
+             : text("it follows measured viscosities up to ln(eta/eta0) of about %.2g, ", barus_log_viscosity) +
+                   "0.5 GPa for a mineral oil") +
+      " and is far too viscous above; viscosity = roelands is closer");
+}
+
+void judge(const Roelands& law, const Loading& loading, std::vector<std::string>& found) {
+  const double log_eta = log_viscosity_at(law, loading.P_max);
+  const double p_max = loading.P_max * loading.p_h;
+  const double alpha_bar = law.alpha_p0_over_z * law.z * law.p_h_over_p0;
+  const bool known = std::isfinite(loading.eta0);
+  const double glass = known ? std::log(glass_viscosity / loading.eta0) : glass_log_viscosity;
+  const std::string state = state_of_oil(loading, log_eta, alpha_bar);
+  if (log_eta > glass)
+    found.push_back(
+        "Roelands' viscosity beyond its range: " + state + ", more than the " + text("%.3g of a glass", glass) +
+        (known ? text(" (1e12 Pa s with eta0 = %.3g Pa s)", loading.eta0) : " (1e12 Pa s of an oil of 0.1)") +
+        ": there the oil shears as a solid; the film is made in the inlet and suffers little, friction is "
+        "not to be had from it");
+  else if (p_max > roelands_pressure)
+    found.push_back("Roelands' viscosity extrapolated: " + state + "; viscosities were measured to about 1 GPa, and " +
+                    gigapascals(roelands_pressure) + " is twice that");
+}
+
+void judge(Incompressible, const Loading&, std::vector<std::string>&) {}
+
+void judge(const DowsonHigginson& law, const Loading& loading, std::vector<std::string>& found) {
+  const double p_max = law.p_h_over_B * dowson_higginson_B * loading.P_max;
+  if (!(p_max > dowson_higginson_pressure)) return;
+  std::array<double, 1> rho_bar{};
+  density(law, std::array{loading.P_max}, rho_bar);
+  found.push_back("Dowson and Higginson's density extrapolated: at p_max = " + gigapascals(p_max) +
+                  text(" rho/rho0 = %.3g", rho_bar[0]) +
+                  ", and never above 1.34; it was fitted up to 0.4 GPa, and above " +
+                  gigapascals(dowson_higginson_pressure) +
+                  " a typical oil is at least 5 % denser, and the film there thinner by as much");
+}
+
+}  // namespace
+
+std::vector<std::string> out_of_range(const ViscosityLaw& viscosity, const DensityLaw& density,
+                                      const Loading& loading) {
+  std::vector<std::string> found;
+  std::visit([&](const auto& law) { judge(law, loading, found); }, viscosity);
+  std::visit([&](const auto& law) { judge(law, loading, found); }, density);
+  return found;
+}
+
+}  // namespace ehl::rheology
