@@ -69,7 +69,7 @@ void choose(Deck& deck, const std::string& section, const std::string& name, con
 void complain(Deck& deck, const std::string& section, const std::string& name, const std::string& what) {
   const Value& found = value(deck, section, name);
   const std::string place = found.place.empty() ? deck.name : found.place;
-  const std::string assignment = found.origin == Origin::given ? name + " = " + found.text : name;
+  const std::string assignment = found.origin == Origin::given ? name + " = " + quotable(found.text) : name;
   deck.errors.push_back(place + ": [" + section + "] " + assignment + ": " + what);
 }
 

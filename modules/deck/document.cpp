@@ -19,6 +19,7 @@ namespace {
 namespace options = boost::program_options;
 
 constexpr std::size_t largest_deck = 1 << 20;  // bytes; somebody named a result or a device
+constexpr std::size_t most_broken_lines = 20;  // listed; a file with more of them is hardly a deck
 
 struct Line {
   enum class Kind { blank, heading, assignment, broken };
@@ -35,15 +36,15 @@ Line classify(const std::string& raw) {
     if (text.back() != ']' || text.find(']') != text.size() - 1)
       // The library still gets the heading, so that one slip is not reported again for every key below it.
       return {Line::Kind::broken, "[" + name + "]",
-              "'" + text + "' is no heading: write [" + name + "] alone on a line"};
+              quoted(text) + " is no heading: write [" + quotable(name) + "] alone on a line"};
     if (name.empty()) return {Line::Kind::broken, "", "a section heading without a name"};
     return {Line::Kind::heading, "[" + name + "]", ""};
   }
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos)
-    return {Line::Kind::broken, "", "'" + text + "' is neither [section] nor key = value: an = is missing"};
+    return {Line::Kind::broken, "", quoted(text) + " is neither [section] nor key = value: an = is missing"};
   if (trimmed(text.substr(0, equals)).empty())
-    return {Line::Kind::broken, "", "'" + text + "': the name of the key is missing before the ="};
+    return {Line::Kind::broken, "", quoted(text) + ": the name of the key is missing before the ="};
   return {Line::Kind::assignment, text, ""};
 }
 
@@ -90,15 +91,20 @@ Document parse(const std::string& text, const std::string& name, const Catalogue
   std::string readable;
   std::istringstream lines(text);
   int number = 0;
+  std::size_t broken = 0;
   for (std::string raw; std::getline(lines, raw);) {
     const std::string place = name + ":" + std::to_string(++number);
     const Line line = classify(raw);
-    if (line.kind == Line::Kind::broken) document.errors.push_back(place + ": " + line.error);
+    if (line.kind == Line::Kind::broken && ++broken <= most_broken_lines)
+      document.errors.push_back(place + ": " + line.error);
     if (line.kind == Line::Kind::heading)
       document.headings.push_back({line.text.substr(1, line.text.size() - 2), place});
     if (line.kind == Line::Kind::assignment) places.push_back(place);
     readable += line.text + "\n";
   }
+  if (broken > most_broken_lines)
+    document.errors.push_back(name + ": " + std::to_string(broken - most_broken_lines) +
+                              " more lines cannot be read: is this a deck?");
 
   std::istringstream stream(readable);
   options::parsed_options parsed(nullptr);
@@ -126,7 +132,8 @@ Assignment parse_override(const std::string& text) {
   const std::size_t equals = text.find('=');
   const std::size_t dot = text.find('.');
   if (equals == std::string::npos || dot == std::string::npos || dot > equals || dot == 0 || dot + 1 == equals)
-    throw core::InputError("command line: --set " + text + ": write section.key=value, e.g. --set grid.cells=512");
+    throw core::InputError("command line: --set " + quotable(text) +
+                           ": write section.key=value, e.g. --set grid.cells=512");
   return {trimmed(text.substr(0, dot)), trimmed(text.substr(dot + 1, equals - dot - 1)),
           trimmed(text.substr(equals + 1)), "command line"};
 }

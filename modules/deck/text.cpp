@@ -31,6 +31,29 @@ std::string joined(const std::vector<std::string>& parts, const std::string& sep
   return text;
 }
 
+std::string quotable(const std::string& text) {
+  constexpr std::size_t longest = 80;
+  std::size_t kept = text.size();
+  if (kept > longest) {
+    kept = longest;
+    while (kept > 0 && (static_cast<unsigned char>(text[kept]) & 0xC0) == 0x80) --kept;  // no half UTF-8 character
+  }
+  std::string shown;
+  for (const char c : text.substr(0, kept)) {
+    const auto code = static_cast<unsigned char>(c);
+    if (code >= ' ' && code != 0x7f) {
+      shown += c;
+      continue;
+    }
+    constexpr std::string_view digits = "0123456789abcdef";
+    shown += std::string("\\x") + digits[code / 16] + digits[code % 16];
+  }
+  if (kept < text.size()) shown += "... (" + std::to_string(text.size()) + " bytes)";
+  return shown;
+}
+
+std::string quoted(const std::string& text) { return std::string("'").append(quotable(text)).append("'"); }
+
 std::vector<std::string> split_words(const std::string& text) {
   std::vector<std::string> words;
   std::string word;

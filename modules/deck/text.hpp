@@ -11,6 +11,12 @@ std::string trimmed(std::string_view text);
 
 std::string joined(const std::vector<std::string>& parts, const std::string& separator);
 
+/// Text from outside as a message may repeat it: control characters as \\x1b, which a terminal would obey or hide, and
+/// of a long text the beginning and its length.
+std::string quotable(const std::string& text);
+/// The same between quotes.
+std::string quoted(const std::string& text);
+
 /// Parts between commas or blanks, empty ones left out.
 std::vector<std::string> split_words(const std::string& text);
 

@@ -38,14 +38,16 @@ std::string did_you_mean(const std::string& name, const std::vector<std::string>
   return near.empty() ? "" : "did you mean " + near + "? ";
 }
 
+std::string bracketed(const std::string& section) { return std::string("[").append(quotable(section)).append("]"); }
+
 std::string said(const Assignment& given) {
-  const std::string section = given.section.empty() ? "" : "[" + given.section + "] ";
-  return given.place + ": " + section + given.name + " = " + given.value + ": ";
+  const std::string section = given.section.empty() ? "" : bracketed(given.section) + " ";
+  return given.place + ": " + section + quotable(given.name) + " = " + quotable(given.value) + ": ";
 }
 
 void check_headings(Deck& deck, const Document& document) {
   for (const Heading& heading : document.headings) {
-    const std::string where = heading.place + ": [" + heading.section + "]: ";
+    const std::string where = heading.place + ": " + bracketed(heading.section) + ": ";
     const Unavailable* unavailable = find_unavailable(deck.catalogue, heading.section, "");
     if (unavailable != nullptr) {
       deck.errors.push_back(where + unavailable->message);
@@ -101,7 +103,7 @@ std::string complaint_about_number(const Key& key, const Value& value, double& n
     case ReadNumber::Status::out_of_reach: return "beyond the range of floating-point numbers: " + must;
     case ReadNumber::Status::trailing_text:
       if (read.trailing[0] == ',') return "write a decimal point, not a comma: " + must;
-      return "write the number alone, without '" + read.trailing + "': " + unit + ". It " + must;
+      return "write the number alone, without " + quoted(read.trailing) + ": " + unit + ". It " + must;
     case ReadNumber::Status::not_a_number: return "this is no number: " + must;
   }
   if (key.type == Type::integer && (read.value != std::floor(read.value) || std::abs(read.value) > 2e9)) return must;
@@ -113,7 +115,7 @@ std::string complaint_about_number(const Key& key, const Value& value, double& n
 std::string complaint_about_words(const Key& key, const std::vector<std::string>& given) {
   for (const std::string& word : given)
     if (std::find(key.words.begin(), key.words.end(), word) == key.words.end())
-      return "'" + word + "' is unknown: " + did_you_mean(word, key.words) + "It must be " + allowed(key);
+      return quoted(word) + " is unknown: " + did_you_mean(word, key.words) + "It must be " + allowed(key);
   return "";
 }
 
@@ -178,8 +180,8 @@ Deck validate(const Document& document, const std::vector<Assignment>& overrides
     }
     Value& value = deck.values[static_cast<std::size_t>(key - catalogue.keys.data())];
     if (value.origin == Origin::given && (value.place == "command line") == (given.place == "command line")) {
-      deck.errors.push_back(said(given) + "given twice: the first time at " + value.place + " (= " + value.text +
-                            "); remove one");
+      deck.errors.push_back(said(given) + "given twice: the first time at " + value.place +
+                            " (= " + quotable(value.text) + "); remove one");
       return;
     }
     value.origin = Origin::given;

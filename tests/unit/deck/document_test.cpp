@@ -77,6 +77,15 @@ BOOST_AUTO_TEST_CASE(broken_lines_are_all_listed_and_the_rest_is_read) {
   BOOST_TEST(document.assignments[0].place == "d.ini:7");
 }
 
+BOOST_AUTO_TEST_CASE(of_many_broken_lines_some_are_listed_and_all_counted) {
+  std::string text;
+  for (int k = 0; k < 500; ++k) text += "some other file\x1b\n";
+  const deck::Document document = deck::parse(text, "d.ini", small::catalogue());
+  BOOST_TEST(document.errors.size() == 21u);
+  BOOST_TEST(document.errors.front().find("'some other file\\x1b'") != std::string::npos);
+  BOOST_TEST(document.errors.back() == "d.ini: 480 more lines cannot be read: is this a deck?");
+}
+
 BOOST_AUTO_TEST_CASE(a_title_may_be_anything) {
   const deck::Document document =
       deck::parse("[body]\ntitle = [50, 10] \"quoted\" 100 % \xCE\xB1\n", "d", small::catalogue());

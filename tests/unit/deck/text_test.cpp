@@ -61,6 +61,17 @@ BOOST_AUTO_TEST_CASE(numbers) {
   for (const char* text : {"", "steel", "-", "+-3", "nan(1)", "--2"}) BOOST_TEST((status(text) != Status::number));
 }
 
+// What a terminal would obey, or hide, must be seen; a message must stay readable.
+BOOST_AUTO_TEST_CASE(foreign_text_in_messages) {
+  BOOST_TEST(quotable("M = 3 \xC2\xB5") == "M = 3 \xC2\xB5");
+  BOOST_TEST(quotable("V\x01") == "V\\x01");
+  BOOST_TEST(quotable("\x1b[31m\x7f\n") == "\\x1b[31m\\x7f\\x0a");
+  BOOST_TEST(quotable(std::string(80, 'x')) == std::string(80, 'x'));
+  BOOST_TEST(quotable(std::string(100000, 'x')) == std::string(80, 'x') + "... (100000 bytes)");
+  const std::string character = "\xE8\x96\x84";  // not cut in two
+  BOOST_TEST(quotable(std::string(79, 'x') + character) == std::string(79, 'x') + "... (82 bytes)");
+}
+
 BOOST_AUTO_TEST_CASE(shortest_text_reads_back_exactly) {
   for (const double value : {0.1, 1.0 / 3.0, 1.96e8, -4.5, 6.02214076e23, 5e-324})
     BOOST_TEST(read_number(shortest(value)).value == value);
