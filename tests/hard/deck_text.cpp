@@ -1,0 +1,67 @@
+// A deck as text, its layout at random, and the list of keys read back from the program.
+#include <algorithm>
+#include <sstream>
+
+#include "hard/random_deck.hpp"
+
+namespace hard {
+namespace {
+
+std::string blanks(Random& random) { return pick<std::string>(random, {"", " ", " ", "  ", "\t"}); }
+
+std::string comment(Random& random) {
+  return pick<std::string>(random, {"# a remark", "; = [x] remark", "#", "# [contact]", "# M = 3 µ", ""});
+}
+
+void swap_all(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+}
+
+}  // namespace
+
+std::vector<KnownKey> read_known_keys(const std::string& listing) {
+  std::vector<KnownKey> keys;
+  std::string section;
+  std::istringstream lines(listing);
+  const std::string allowed = "      allowed: ";
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("[")) section = line.substr(1, line.find(']') - 1);
+    if (line.starts_with("  ") && line.size() > 2 && line[2] != ' ')
+      keys.push_back({section, line.substr(2, line.find(' ', 2) - 2), ""});
+    if (line.starts_with(allowed) && !keys.empty()) keys.back().allowed = line.substr(allowed.size());
+  }
+  return keys;
+}
+
+std::string deck_text(const std::vector<Entry>& entries, Random& random) {
+  const bool plain = random.chance(0.5);
+  std::string text;
+  std::string section;
+  for (const Entry& entry : entries) {
+    if (entry.section != section || (!plain && random.chance(0.05))) text += "[" + entry.section + "]\n";
+    section = entry.section;
+    if (plain) {
+      text += entry.name + " = " + entry.value + "\n";
+      continue;
+    }
+    // One draw at a time: the order within an expression is the compiler's.
+    if (random.chance(0.2)) {
+      text += blanks(random);
+      text += comment(random) + "\n";
+    }
+    text += blanks(random);
+    text += entry.name;
+    text += blanks(random) + "=";
+    text += blanks(random);
+    text += entry.value;
+    if (random.chance(0.2)) text += " # " + comment(random);
+    text += blanks(random) + "\n";
+  }
+  if (random.chance(0.1)) swap_all(text, "\n", "\r\n");
+  if (random.chance(0.05)) text.insert(0, "\xEF\xBB\xBF");
+  if (random.chance(0.1)) text.erase(text.find_last_not_of("\r\n") + 1);
+  return text;
+}
+
+}  // namespace hard

@@ -1,0 +1,233 @@
+#include "hard/judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "support/json.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace hard {
+namespace {
+
+constexpr double loose_residual = 2e-2;  // what the program itself asks for where the deck names no tolerance
+constexpr double loose_load_error = 1e-3;
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+double number(const std::string& text) {
+  std::istringstream stream(text);
+  double value = std::nan("");
+  stream >> value;
+  return value;
+}
+
+class Judge {
+ public:
+  Judge(std::uint64_t seed, const Setting& setting) : setting_(setting) {
+    verdict_.seed = seed;
+    verdict_.deck = random_deck(seed, setting.keys);
+    folder_.write("d.ini", verdict_.deck.text);
+  }
+
+  Verdict run(bool sampled) {
+    const Finished checked = ehl(with_overrides({"check", "d.ini"}), "check");
+    if (checked.status == 0 && nodes(checked.out) > setting_.most_nodes) {
+      verdict_.end = End::too_large;
+      return verdict_;
+    }
+    const std::string threads = std::to_string(verdict_.deck.threads);
+    const Finished ran = ehl(solving("r.h5", threads), "run");
+    verdict_.seconds = ran.seconds;
+    if (ran.hung || ran.signal != 0) return verdict_;
+    if (ran.status == 0) judge_solved(ran);
+    if (ran.status == 2) judge_refused(ran, checked.status == 0);
+    if (ran.status == 3) judge_not_converged(ran);
+    expect(ran.status == 0 || ran.status == 2 || ran.status == 3,
+           "run ends with 0, 2 or 3, not " + std::to_string(ran.status) + ": " + ran.err);
+    expect(ran.status == 2 || checked.status == 0, "check takes what run takes: " + checked.err);
+    if (sampled && ran.status == 0) {
+      read_back(ran);
+      repeat_on_other_threads(ran);
+    }
+    return verdict_;
+  }
+
+ private:
+  void expect(bool holds, const std::string& what) {
+    if (!holds) verdict_.faults.push_back(what);
+  }
+
+  std::vector<std::string> with_overrides(std::vector<std::string> words) const {
+    for (const std::string& text : verdict_.deck.overrides) words.insert(words.end(), {"--set", text});
+    return words;
+  }
+
+  std::vector<std::string> solving(const std::string& result, const std::string& threads) const {
+    return with_overrides({"run", "d.ini", "--json", "--quiet", "--threads", threads, "--output", result});
+  }
+
+  // Runs the program; what no run may do is judged here.
+  Finished ehl(std::vector<std::string> words, const std::string& name) {
+    words.insert(words.begin(), setting_.program);
+    const Finished ended = run_program(words, folder_.path(), setting_.environment, setting_.limit);
+    if (ended.hung) verdict_.end = End::hung;
+    if (ended.signal != 0) verdict_.end = End::crashed;
+    expect(!ended.hung, name + " ends within " + std::to_string(setting_.limit) + " s");
+    expect(ended.signal == 0, name + " ends by itself, not by signal " + std::to_string(ended.signal));
+    for (const char* sign : {"Sanitizer", "runtime error:", "terminate called"})
+      expect(!contains(ended.err, sign), name + " is clean: " + ended.err);
+    for (const char* sign : {"nan", "inf"})
+      expect(name != "check" || !has_word(ended.out, sign), name + " prints numbers only: " + ended.out);
+    return ended;
+  }
+
+  static bool has_word(const std::string& text, const std::string& word) {
+    std::string line;
+    std::istringstream lines(text);
+    std::getline(lines, line);  // the title may hold anything
+    for (std::string part; lines >> part;)
+      if (part.substr(0, part.find_last_not_of(",:;") + 1) == word || part == "-" + word) return true;
+    return false;
+  }
+
+  static double nodes(const std::string& report) {
+    const std::string label = "\ngrid         ";
+    const std::size_t at = report.find(label);
+    std::istringstream stream(at == std::string::npos ? "" : report.substr(at + label.size()));
+    double nx = 0.0;
+    double ny = 0.0;
+    std::string by;
+    stream >> nx >> by >> ny;
+    return nx * ny;
+  }
+
+  void judge_solved(const Finished& ran) {
+    verdict_.end = End::solved;
+    const auto value = [&](const char* name) { return number(json_member(ran.out, name)); };
+    expect(support::is_json(ran.out), "solved: the output is JSON: " + ran.out);
+    expect(json_member(ran.out, "converged") == "true", "solved: converged is true");
+    for (const char* name : {"Hc", "Hm", "Hc_moes", "Hm_moes", "P_max", "H00", "residual", "load_error", "lambda"})
+      expect(std::isfinite(value(name)),
+             std::string("solved: ") + name + " is a number: " + json_member(ran.out, name));
+    // Hc is interpolated where (0,0) is no node, Hm is the smallest of the nodes.
+    constexpr double interpolation = 0.9;
+    expect(value("Hm") > 0.0 && value("Hc") >= value("Hm") * interpolation,
+           "solved: 0 < Hm <= Hc: " + json_member(ran.out, "Hm") + " and " + json_member(ran.out, "Hc"));
+    expect(value("P_max") > 0.0, "solved: P_max > 0");
+    expect(value("residual") <= loose_residual || asked_tolerance() > loose_residual,
+           "solved: a small residual: " + json_member(ran.out, "residual"));
+    expect(value("load_error") <= std::max(loose_load_error, asked_tolerance()),
+           "solved: a small load error: " + json_member(ran.out, "load_error"));
+    verdict_.Hc = value("Hc");
+    const std::size_t formulas = ran.out.find("\"formulas\": ");
+    if (formulas != std::string::npos)
+      verdict_.formula_ratio = verdict_.Hc / number(json_member(ran.out.substr(formulas), "Hc"));
+    verdict_.warnings = {json_member(ran.out, "warnings")};
+  }
+
+  // The tolerance that the case asks for, 0 where it asks for none.
+  double asked_tolerance() const {
+    double asked = 0.0;
+    for (const std::string& text : {verdict_.deck.text, joined_overrides()})
+      if (const std::size_t at = text.find("tolerance"); at != std::string::npos)
+        asked = std::max(asked, number(text.substr(text.find_first_of("0123456789", at))));
+    return asked;
+  }
+
+  std::string joined_overrides() const {
+    std::string all;
+    for (const std::string& text : verdict_.deck.overrides) all += text + "\n";
+    return all;
+  }
+
+  // A refusal names the place and the key, on lines that a terminal can show.
+  void judge_refused(const Finished& ran, bool check_took_it) {
+    verdict_.end = End::refused;
+    verdict_.reason = ran.err;
+    expect(ran.out.empty(), "refused: nothing on standard output: " + ran.out);
+    expect(!ran.err.empty(), "refused: a message");
+    expect(!check_took_it || contains(ran.err, "[deformation]"), "refused: check says the same: " + ran.err);
+    expect(!verdict_.deck.ordinary, "an ordinary deck is taken: " + ran.err);
+    constexpr std::size_t longest_line = 1000;
+    std::istringstream lines(ran.err);
+    for (std::string line; std::getline(lines, line);) {
+      const bool placed = line.starts_with("ehl: d.ini") || line.starts_with("ehl: command line: ");
+      expect(placed, "refused: every message begins with its place: " + line);
+      expect(line.size() <= longest_line, "refused: short lines, not " + std::to_string(line.size()) + " bytes");
+      const bool shown = std::none_of(line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == 0x7f; });
+      expect(shown, "refused: no control characters: " + line);
+    }
+    expect(!std::filesystem::exists(folder_ / "r.h5"), "refused: no result file");
+  }
+
+  void judge_not_converged(const Finished& ran) {
+    verdict_.end = End::not_converged;
+    verdict_.reason = json_member(ran.out, "failed_check");
+    expect(support::is_json(ran.out), "not converged: the output is JSON: " + ran.out);
+    expect(json_member(ran.out, "converged") == "false", "not converged: converged is false");
+    expect(verdict_.reason.size() > 10, "not converged: a reason");
+    expect(contains(ran.err, "not converged: "), "not converged: said on standard error: " + ran.err);
+    if (!std::filesystem::exists(folder_ / "r.h5")) return;
+    const Finished mark = ehl({"extract", "r.h5", "converged"}, "extract");
+    expect(mark.status == 0 && number(mark.out.substr(mark.out.find('\n') + 1)) == 0.0,
+           "not converged: the result is marked: " + mark.out + mark.err);
+  }
+
+  // The fields of the result file: as many numbers as nodes, finite, and the largest is the P_max of the report.
+  void read_back(const Finished& ran) {
+    const Finished deck = ehl({"extract", "r.h5", "deck"}, "extract");
+    folder_.write("own.ini", deck.out);
+    const Finished checked = ehl({"check", "own.ini"}, "check");
+    expect(checked.status == 0, "the deck in the result is a deck: " + checked.err + deck.out);
+    const Finished mark = ehl({"extract", "r.h5", "converged"}, "extract");
+    expect(mark.status == 0 && contains(mark.out, "1"), "the result is marked as converged: " + mark.out + mark.err);
+    const Finished field = ehl({"extract", "r.h5", "P"}, "extract");
+    expect(field.status == 0, "P can be read back: " + field.err);
+    std::istringstream lines(field.out);
+    double largest = 0.0;
+    double least = 0.0;
+    double count = 0.0;
+    for (std::string line; std::getline(lines, line);) {
+      if (line.empty() || line[0] == '#') continue;
+      const double P = number(line.substr(line.rfind(' ')));
+      expect(std::isfinite(P), "P is finite: " + line);
+      largest = std::max(largest, P);
+      least = std::min(least, P);
+      ++count;
+    }
+    expect(count == nodes(checked.out), "P has " + std::to_string(count) + " values");
+    expect(largest == number(json_member(ran.out, "P_max")), "P_max is the maximum of P: " + std::to_string(largest));
+    expect(least == 0.0, "P is nowhere negative: " + std::to_string(least));
+  }
+
+  void repeat_on_other_threads(const Finished& ran) {
+    const Finished again = ehl(solving("again.h5", verdict_.deck.threads == 1 ? "2" : "1"), "run");
+    for (const char* name : {"Hc", "Hm", "P_max", "H00", "residual", "load_error"})
+      expect(json_member(again.out, name) == json_member(ran.out, name),
+             std::string("the same ") + name + " on one thread and on two: " + json_member(ran.out, name) + " and " +
+                 json_member(again.out, name));
+  }
+
+  const Setting& setting_;
+  support::TemporaryFolder folder_;
+  Verdict verdict_;
+};
+
+}  // namespace
+
+Verdict judge(std::uint64_t seed, const Setting& setting, bool sampled) { return Judge(seed, setting).run(sampled); }
+
+std::string json_member(const std::string& json, const std::string& name) {
+  const std::string label = "\"" + name + "\": ";
+  const std::size_t at = json.find(label);
+  if (at == std::string::npos) return "";
+  const std::size_t begin = at + label.size();
+  if (json[begin] == '[') return json.substr(begin, json.find(']', begin) + 1 - begin);
+  if (json[begin] != '"') return json.substr(begin, json.find_first_of(",}", begin) - begin);
+  std::size_t end = begin + 1;
+  while (end < json.size() && json[end] != '"') end += json[end] == '\\' ? 2 : 1;
+  return json.substr(begin + 1, end - begin - 1);
+}
+
+}  // namespace hard

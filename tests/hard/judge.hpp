@@ -1,0 +1,41 @@
+#pragma once
+// One random deck, the real program, and what can be held against it.
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hard/random_deck.hpp"
+#include "hard/subprocess.hpp"
+
+namespace hard {
+
+struct Setting {
+  std::string program{};
+  std::vector<KnownKey> keys{};
+  std::vector<std::string> environment{};
+  double limit = 60.0;      ///< seconds of one run
+  double most_nodes = 4e4;  ///< larger grids (damage can ask for one) are checked, not run
+};
+
+enum class End { solved, refused, not_converged, too_large, crashed, hung, other };
+
+struct Verdict {
+  std::uint64_t seed = 0;
+  RandomDeck deck{};
+  End end = End::other;
+  std::string reason{};               ///< what the program said when it refused or did not converge
+  std::vector<std::string> faults{};  ///< of the program; each begins with what was expected
+  std::vector<std::string> warnings{};
+  double seconds = 0.0;
+  double Hc = 0.0;             ///< where solved
+  double formula_ratio = 0.0;  ///< Hc over the published formula; where solved
+};
+
+/// Makes the deck of a seed, runs the program on it and judges. in: setting; sampled: also reads the result file back
+/// and runs the case again on the other number of threads.
+Verdict judge(std::uint64_t seed, const Setting& setting, bool sampled);
+
+/// The value of a member as it stands in a JSON text; empty when there is none. limits: the first of that name.
+std::string json_member(const std::string& json, const std::string& name);
+
+}  // namespace hard

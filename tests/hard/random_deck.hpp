@@ -1,0 +1,69 @@
+#pragma once
+// Decks that nobody would think of: random physical cases, and random damage to their text.
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "support/random.hpp"
+
+namespace hard {
+
+using ehl::tests::Random;
+
+/// A key of the program as `ehl keys` lists it.
+struct KnownKey {
+  std::string section{};
+  std::string name{};
+  std::string allowed{};  ///< "one of V, W, F", "a number > 0 and <= 1 N"
+};
+
+/// Reads the list that `ehl keys` prints.
+std::vector<KnownKey> read_known_keys(const std::string& listing);
+
+struct Entry {
+  std::string section{};
+  std::string name{};
+  std::string value{};
+};
+
+struct RandomDeck {
+  std::string text{};
+  std::vector<std::string> overrides{};  ///< "section.key=value", for --set
+  int threads = 1;
+  std::vector<std::string> damage{};  ///< what was done to it on purpose; empty: a deck in good faith
+  bool ordinary = false;              ///< a contact that must be taken: to refuse it is a fault of the program
+};
+
+/// The same deck for the same seed and keys, on every machine. in: the keys that the program has; those that later
+/// versions add are given random allowed values, and every key serves as a target of the damage.
+/// Physical cases: M log-uniform 1 ... 1e4, L 0 ... 30, in three languages, grids up to 129 x 129 nodes.
+RandomDeck random_deck(std::uint64_t seed, const std::vector<KnownKey>& keys);
+
+/// A case in good faith: what a user may want, common or rare. ordinary: left true while nothing in it can be refused.
+std::vector<Entry> random_case(Random& random, const std::vector<KnownKey>& keys, bool& ordinary);
+
+/// As a text; layout: with comments, blanks, repeated headings, CRLF, a byte order mark, which all change nothing.
+std::string deck_text(const std::vector<Entry>& entries, Random& random);
+
+/// Slips of a user: misspelt names, impossible values, keys lost, doubled, in the wrong section.
+void damage_entries(std::vector<Entry>& entries, const std::vector<KnownKey>& keys, Random& random,
+                    std::vector<std::string>& done);
+
+/// Accidents of a file: characters and lines lost, doubled, swapped; binary noise, very long lines, other encodings.
+void damage_text(std::string& text, Random& random, std::vector<std::string>& done);
+
+/// A whole number between low and high, both included.
+int whole(Random& random, int low, int high);
+
+/// Log-uniform between low and high.
+double log_between(Random& random, double low, double high);
+
+template <class Value>
+Value pick(Random& random, const std::vector<Value>& values) {
+  return values[static_cast<std::size_t>(whole(random, 0, static_cast<int>(values.size()) - 1))];
+}
+
+/// A number as a user might write it, with 3 to 9 digits.
+std::string written(Random& random, double value);
+
+}  // namespace hard
