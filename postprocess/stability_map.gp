@@ -42,8 +42,8 @@ path_colours = "#7cc4ee #33b08b #f0b429 #d98cb3"
 colour_of_path(method) = rgb_of(word(path_colours, path(method)))
 
 stats file using (is("converged") ? column("work_units") : NaN) nooutput prefix "W"
-work_low = nice(W_min)
-work_high = W_max > 2 * work_low ? W_max : 2 * work_low
+work_low = exists("W_min") ? nice(W_min) : 10
+work_high = exists("W_max") && W_max > 2 * work_low ? W_max : 2 * work_low
 
 left(k) = words(wedges) == 1 ? 0.075 : 0.075 + 0.42 * (k - 1)
 right(k) = words(wedges) == 1 ? 0.9 : left(k) + 0.405

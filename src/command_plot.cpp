@@ -1,4 +1,4 @@
-// ehl plot: the gnuplot scripts of postprocess/, fed with a result.
+// ehl plot: the gnuplot scripts of postprocess/, fed with a result or with the table of a sweep.
 #include <spawn.h>
 #include <sys/wait.h>
 
@@ -8,6 +8,8 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <memory>
 #include <sstream>
 
 #include "commands.hpp"
@@ -16,6 +18,7 @@
 #include "exit_status.hpp"
 #include "machine.hpp"
 #include "results/read.hpp"
+#include "sweep_table.hpp"
 
 extern char** environ;
 
@@ -28,7 +31,16 @@ struct Figure {
   std::string name;
   std::string title;
   std::string script;
-  std::vector<std::string> needs;  // datasets without which there is nothing to draw
+  std::vector<std::string> needs;  // datasets without which there is nothing to draw; "sweep": the table of a sweep
+};
+
+bool draws_sweeps(const Figure& figure) { return !figure.needs.empty() && figure.needs[0] == "sweep"; }
+
+// What there is to draw: what scripts are told about it, and whether it has what a figure needs.
+struct Source {
+  std::string settings;
+  bool is_sweep = false;
+  std::function<bool(const std::string&)> has;
 };
 
 // A script is a figure when its first line says "# figure: title"; "# needs: name..." may follow.
@@ -58,11 +70,14 @@ std::vector<Figure> figures(const files::path& folder) {
 }
 
 std::vector<Figure> selected(const std::vector<Figure>& all, const std::vector<std::string>& names,
-                             const results::ResultFile& result) {
+                             const Source& source) {
   std::vector<Figure> chosen;
   for (const std::string& name : names) {
     const auto found = std::find_if(all.begin(), all.end(), [&](const Figure& figure) { return figure.name == name; });
     if (found != all.end()) {
+      if (draws_sweeps(*found) != source.is_sweep)
+        throw core::InputError("command line: --figure " + name + " draws " +
+                               (source.is_sweep ? "a result, FILE.h5" : "the table of a sweep, FILE.csv"));
       chosen.push_back(*found);
       continue;
     }
@@ -77,9 +92,8 @@ std::vector<Figure> selected(const std::vector<Figure>& all, const std::vector<s
                            (near.empty() ? "" : ": did you mean " + near + "?") + " Figures are" + list);
   }
   if (!names.empty()) return chosen;
-  const auto has = [&](const std::string& need) { return result.kind(need) != results::ResultFile::Kind::missing; };
   for (const Figure& figure : all)
-    if (std::all_of(figure.needs.begin(), figure.needs.end(), has)) chosen.push_back(figure);
+    if (std::all_of(figure.needs.begin(), figure.needs.end(), source.has)) chosen.push_back(figure);
   return chosen;
 }
 
@@ -117,6 +131,24 @@ std::string folder_of_scripts() {
   return own != nullptr ? own : EHL_POSTPROCESS_FOLDER;
 }
 
+Source result_source(const std::string& path) {
+  const auto result = std::make_shared<results::ResultFile>(path);
+  const auto has = [result](const std::string& need) {
+    return result->kind(need) != results::ResultFile::Kind::missing;
+  };
+  std::string settings = "; title=" + quoted(result->attribute("/", "title"));
+  if (has("/scales/h")) settings += "; film_nm=" + deck::shortest(1e9 * result->numbers("/scales/h").values[0]);
+  return {settings, false, has};
+}
+
+Source sweep_source(const std::string& path) {
+  std::ifstream file(path);
+  std::string first;
+  if (!std::getline(file, first)) throw core::FileError(path + ": cannot be read, or is empty");
+  if (!first.starts_with(sweep_mark)) throw core::FileError(path + ": this is no table of `ehl sweep`");
+  return {"", true, [](const std::string& need) { return need == "sweep"; }};
+}
+
 }  // namespace
 
 int plot(const Arguments& arguments) {
@@ -124,17 +156,15 @@ int plot(const Arguments& arguments) {
   const std::string format = arguments.value("format", "png");
   if (format != "png" && format != "svg" && format != "pdf")
     throw core::InputError("command line: --format " + format + ": must be png, svg or pdf");
-  const results::ResultFile result(path);
+  const Source source = path.ends_with(".csv") ? sweep_source(path) : result_source(path);
   // The scripts hand the name to a shell between single quotes.
   if (path.find('\'') != std::string::npos)
     throw core::InputError("command line: " + path +
                            ": gnuplot's scripts cannot take a file name with a quote: rename it");
 
-  std::string settings = "file=" + quoted(path) + "; format=" + quoted(format) + "; ehl=" + quoted(program_path()) +
-                         "; title=" + quoted(result.attribute("/", "title"));
-  if (result.kind("/scales/h") != results::ResultFile::Kind::missing)
-    settings += "; film_nm=" + deck::shortest(1e9 * result.numbers("/scales/h").values[0]);
-  for (const Figure& figure : selected(figures(folder_of_scripts()), arguments.values("figure"), result)) {
+  const std::string settings =
+      "file=" + quoted(path) + "; format=" + quoted(format) + "; ehl=" + quoted(program_path()) + source.settings;
+  for (const Figure& figure : selected(figures(folder_of_scripts()), arguments.values("figure"), source)) {
     const std::string picture = picture_name(path, figure.name, format);
     run_gnuplot({"gnuplot", "-e", settings + "; output=" + quoted(picture), figure.script}, figure.name);
     std::error_code error;

@@ -21,7 +21,6 @@
 namespace ehl::program {
 namespace {
 
-const std::string first_line = "# ehl sweep, table 1";
 const std::string program_mark = "# program: ";
 
 // Fowler, Noll and Vo's 64-bit hash (FNV-1a): enough to notice that a deck is another one.
@@ -49,7 +48,7 @@ std::string column_line(const SweepHeader& header) {
 }
 
 std::string whole_header(const SweepHeader& header, const std::vector<std::string>& programs) {
-  std::string text = first_line + "\n";
+  std::string text = std::string(sweep_mark) + "\n";
   for (const std::string& program : programs) text += program_mark + program + "\n";
   text += "# deck: " + header.deck + "\n" + deck::joined(identity(header), "\n") + "\n";
   text +=
@@ -117,7 +116,7 @@ void SweepTable::read(const std::string& content) {
   bool has_columns = false;
   std::string line;
   std::getline(lines, line);
-  if (line != first_line) throw core::FileError(path_ + ": exists already and is no table of a sweep" + remedy);
+  if (line != sweep_mark) throw core::FileError(path_ + ": exists already and is no table of a sweep" + remedy);
   while (std::getline(lines, line)) {
     if (line.starts_with(program_mark)) programs_.push_back(line.substr(program_mark.size()));
     for (const char* mark : {"# deck text: ", "# set: ", "# vary: "})

@@ -8,6 +8,9 @@
 
 namespace ehl::program {
 
+/// How the first line of every table begins.
+constexpr char sweep_mark[] = "# ehl sweep, table 1";
+
 /// What a table is about. The same sweep is the same deck text, the same --set and the same --vary.
 struct SweepHeader {
   std::string program{};    ///< version, commit, compiler

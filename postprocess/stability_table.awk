@@ -1,0 +1,48 @@
+# The map of loads as a table in Markdown: M along the rows, L along the columns, for each wedge.
+#   awk -f postprocess/stability_table.awk stability_map.csv
+# In a cell: convergence factor per cycle, work units on the finest grid; then s: a later start, c: load continuation, N: Newton.
+# Not converged, refused and failed cases are in words, and never as numbers.
+function path(method) {
+  if (method ~ /ewton/) return " N"
+  if (method ~ /ontinuation/) return " c"
+  if (method ~ /start/ && method !~ /start 1/) return " s"
+  return ""
+}
+function cell() {
+  if ($at["status"] != "converged") return $at["status"]
+  factor = $at["cycle_factor"] == "NaN" ? "–" : sprintf("%.2f", $at["cycle_factor"])
+  return factor ", " sprintf("%.0f", $at["work_units"]) path($at["method"])
+}
+BEGIN { FS = "," }
+/^# set: / { settings = settings (settings == "" ? "" : ", ") substr($0, 8) }
+/^#/ { next }
+!("status" in at) {
+  for (k = 1; k <= NF; ++k) at[$k] = k
+  if (!("contact.M" in at) || !("contact.L" in at)) {
+    print "stability_table.awk: no table of `ehl sweep` that varies contact.M and contact.L" > "/dev/stderr"
+    exit failed = 1
+  }
+  next
+}
+{
+  M = $at["contact.M"]; L = $at["contact.L"]; wedge = ("discretization.wedge" in at) ? $at["discretization.wedge"] : ""
+  if (!(M in seen_M)) { seen_M[M] = 1; Ms[++count_M] = M }
+  if (!(L in seen_L)) { seen_L[L] = 1; Ls[++count_L] = L }
+  if (!(wedge in seen_wedge)) { seen_wedge[wedge] = 1; wedges[++count_wedge] = wedge }
+  cells[wedge, M, L] = cell()
+}
+END {
+  if (failed) exit 1
+  for (w = 1; w <= count_wedge; ++w) {
+    if (wedges[w] != "") printf "%s%s:\n\n", wedges[w], settings == "" ? "" : ", " settings
+    line = "| M \\ L |"; rule = "|---|"
+    for (l = 1; l <= count_L; ++l) { line = line " " Ls[l] " |"; rule = rule "---|" }
+    print line "\n" rule
+    for (m = 1; m <= count_M; ++m) {
+      line = "| " Ms[m] " |"
+      for (l = 1; l <= count_L; ++l) line = line " " cells[wedges[w], Ms[m], Ls[l]] " |"
+      print line
+    }
+    print ""
+  }
+}
