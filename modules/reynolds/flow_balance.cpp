@@ -6,6 +6,9 @@
 namespace ehl::reynolds {
 namespace {
 
+/// Of the place of a node, in cells: one that is meant to be on a limit is within it.
+constexpr double rounding = 1e-9;
+
 /// Fluxes per unit of length through the faces around a node.
 class Fluxes {
  public:
@@ -39,7 +42,7 @@ double flow_through_contact(const core::Grid& grid, const Fluxes& fluxes) {
   const int centre = std::clamp(static_cast<int>(std::lround(-grid.X_a / grid.hx())), 0, grid.nx);
   double sum = 0.0;
   for (int j = 0; j <= grid.ny; ++j)
-    if (std::abs(grid.Y(j)) <= 1.0) sum += fluxes.rho_H(centre, j);
+    if (std::abs(grid.Y(j)) <= 1.0 + rounding * grid.hy()) sum += fluxes.rho_H(centre, j);
   return sum * grid.hy();
 }
 
@@ -48,9 +51,8 @@ struct Range {
   int first, last;
 };
 Range range(double from, double step, int cells, double reach) {
-  // With room for the rounding of a node that is meant to be at +-reach, and within what an int holds.
-  const double first = std::ceil((-reach - from) / step - 1e-9);
-  const double last = std::floor((reach - from) / step + 1e-9);
+  const double first = std::ceil((-reach - from) / step - rounding);
+  const double last = std::floor((reach - from) / step + rounding);
   return {static_cast<int>(std::max(first, 1.0)), static_cast<int>(std::min(last, cells - 1.0))};
 }
 

@@ -35,12 +35,12 @@ void judge(const Barus& law, const Loading& loading, std::vector<std::string>& f
   const double p_max = loading.P_max * loading.p_h;
   const bool known = std::isfinite(p_max);
   if (known ? !(p_max > barus_pressure) : !(log_eta > barus_log_viscosity)) return;
-  found.push_back(
-      "Barus' viscosity beyond its range: " + state_of_oil(loading, log_eta, law.alpha_bar) + "; " +
-      (known ? "it follows measured viscosities up to about " + gigapascals(barus_pressure)
-             : text("it follows measured viscosities up to ln(eta/eta0) of about %.2g, ", barus_log_viscosity) +
-                   "0.5 GPa for a mineral oil") +
-      " and is far too viscous above; viscosity = roelands is closer");
+  const std::string range = known ? "up to about " + gigapascals(barus_pressure)
+                                  : "up to ln(eta/eta0) of about " + text("%.2g", barus_log_viscosity) + ", " +
+                                        gigapascals(barus_pressure) + " for a mineral oil,";
+  found.push_back("Barus' viscosity beyond its range: " + state_of_oil(loading, log_eta, law.alpha_bar) +
+                  "; it follows measured viscosities " + range +
+                  " and is far too viscous above; viscosity = roelands is closer");
 }
 
 void judge(const Roelands& law, const Loading& loading, std::vector<std::string>& found) {
@@ -50,15 +50,16 @@ void judge(const Roelands& law, const Loading& loading, std::vector<std::string>
   const bool known = std::isfinite(loading.eta0);
   const double glass = known ? std::log(glass_viscosity / loading.eta0) : glass_log_viscosity;
   const std::string state = state_of_oil(loading, log_eta, alpha_bar);
+  const std::string oil = known ? "eta0 = " + text("%.3g", loading.eta0) : std::string("an eta0 of 0.1");
   if (log_eta > glass)
     found.push_back(
-        "Roelands' viscosity beyond its range: " + state + ", more than the " + text("%.3g of a glass", glass) +
-        (known ? text(" (1e12 Pa s with eta0 = %.3g Pa s)", loading.eta0) : " (1e12 Pa s of an oil of 0.1)") +
-        ": there the oil shears as a solid; the film is made in the inlet and suffers little, friction is "
-        "not to be had from it");
+        "Roelands' viscosity beyond its range: " + state + "; with " + oil + " Pa s the oil is a glass (" +
+        text("%.0e Pa s) above ", glass_viscosity) + text("%.3g", glass) +
+        " and shears as a solid: the film, made in the inlet, suffers little, friction cannot be had from it");
   else if (p_max > roelands_pressure)
-    found.push_back("Roelands' viscosity extrapolated: " + state + "; viscosities were measured to about 1 GPa, and " +
-                    gigapascals(roelands_pressure) + " is twice that");
+    found.push_back("Roelands' viscosity extrapolated: " + state +
+                    "; viscosities were measured up to about 1 GPa, and " + gigapascals(roelands_pressure) +
+                    " is twice that");
 }
 
 void judge(Incompressible, const Loading&, std::vector<std::string>&) {}

@@ -78,6 +78,33 @@ BOOST_AUTO_TEST_CASE(each_check_can_fail) {
   fails([](LastCycle& c) { c.after.load_error = 0.01; }, unknown, "load");
   fails([](LastCycle& c) { c.before.Hc = 0.25; }, unknown, "Hc");
   fails([](LastCycle& c) { c.before.Hm = 0.15; }, unknown, "Hm");
+  fails([](LastCycle& c) { c.after.least_P = -1e-9; }, unknown, "pressure is negative");
+  fails([](LastCycle& c) { c.after.least_P = -1e-9; }, 1e-3, "pressure is negative");
+  fails([](LastCycle& c) { c.after.dry_violation = 0.021; }, unknown, "wants pressure");
+  fails([](LastCycle& c) { c.after.dry_violation = unknown; }, 1e-3, "wants pressure");
+  // A quarter of the discretization error of Hc, 0.02; of 0.05 where that is larger or not known; 1e-4 at least.
+  fails([](LastCycle& c) { c.after.flow_imbalance = -0.0051; }, unknown, "mass");
+  fails([](LastCycle& c) { c.after.flow_imbalance = 0.0051; }, 1e-3, "mass");
+  fails([](LastCycle& c) { c.after.flow_imbalance = unknown; }, unknown, "mass");
+  const auto passes = [](auto spoil, double tolerance) {
+    LastCycle cycle = good_cycle();
+    spoil(cycle);
+    BOOST_TEST(unmet_check(cycle, tolerance).empty());
+  };
+  passes([](LastCycle& c) { c.after.flow_imbalance = 0.0049; }, unknown);
+  passes([](LastCycle& c) { c.after.dry_violation = 0.019; }, unknown);
+  passes(
+      [](LastCycle& c) {
+        c.after.flow_imbalance = 0.0124;
+        c.error_Hc = unknown;
+      },
+      1e-3);
+  passes(
+      [](LastCycle& c) {
+        c.after.flow_imbalance = 9e-5;
+        c.error_Hc = 1e-6;
+      },
+      1e-3);
   // A cycle that hardly reduces the residual foretells a long way to go.
   fails([](LastCycle& c) { c.before.residual = 1.05e-4; }, unknown, "Hc");
 }
@@ -107,6 +134,14 @@ BOOST_AUTO_TEST_CASE(warnings_name_what_is_wrong) {
   };
   solution.levels.back().error_Hm = 0.3;
   BOOST_TEST(warned("not resolved"));
+  // 0.3 is 0.075 after one halving of the mesh with the second order, and after two with the first.
+  solution.levels.back().nx = 96;
+  BOOST_TEST(warned("192 would bring"));
+  Scene first_order;
+  first_order.wedge = reynolds::Wedge::upstream1;
+  BOOST_TEST(warnings_of(first_order, solution)[0].find("384 would bring") != std::string::npos);
+  BOOST_TEST(cells_that_resolve(256, 0.0999, reynolds::Wedge::upstream2) == 256);
+  BOOST_TEST(cells_that_resolve(256, 0.41, reynolds::Wedge::upstream2) == 1024);
   solution.levels.back() = {.error_Hc = unknown, .error_Hm = unknown};
   BOOST_TEST(warned("single level"));
   solution.levels.back() = {.error_Hc = 0.01, .error_Hm = 0.02};

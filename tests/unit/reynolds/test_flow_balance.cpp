@@ -1,0 +1,83 @@
+// The balance of mass around the pressurised region: against the residual that it must add up to, and in a channel
+// whose flow is known.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <limits>
+
+#include "reynolds/flow_balance.hpp"
+#include "unit/reynolds/fields.hpp"
+
+using namespace ehl::tests;
+namespace reynolds = ehl::reynolds;
+using ehl::core::Field;
+using ehl::core::Grid;
+using reynolds::Wedge;
+
+namespace {
+
+constexpr double everywhere = std::numeric_limits<double>::infinity();
+
+// hx hy sum of r over the nodes of the region.
+double sum_of_residuals(const Grid& grid, const Fields& fields, Wedge wedge, bool cavitation, double reach) {
+  Field r(grid);
+  reynolds::residual(grid, fields.state(), wedge, 1, r);
+  double sum = 0.0;
+  for (int i = 1; i < grid.nx; ++i)
+    for (int j = 1; j < grid.ny; ++j)
+      if ((!cavitation || fields.P(i, j) > 0.0) && std::abs(grid.X(i)) <= reach && std::abs(grid.Y(j)) <= reach)
+        sum += r(i, j);
+  return sum * grid.hx() * grid.hy();
+}
+
+}  // namespace
+
+// The fluxes telescope: any pressure, any film, any shape of the region, cavities and islands included, gives the
+// same number by its edge as by its inside. hx = hy, hx < hy, hx > hy; nodes at +-1.5 and none there.
+BOOST_AUTO_TEST_CASE(edge_and_inside_give_the_same_balance) {
+  double worst = 0.0;
+  for (const Grid& grid : {Grid{48, 48, -3, 3, -3, 3}, Grid{61, 22, -4.5, 1.5, -2, 2}, Grid{20, 70, -2.3, 1.4, -3, 3}})
+    for (const Wedge wedge : {Wedge::upstream1, Wedge::upstream2})
+      for (const bool cavitation : {true, false})
+        for (const double reach : {everywhere, 1.5, 0.8}) {
+          Random random(7);
+          Fields fields = random_fields(grid, random);
+          for (int i = 0; i <= grid.nx; ++i)
+            for (int j = 0; j <= grid.ny; ++j) fields.f(i, j) = 0.0;
+          const reynolds::FlowBalance balance = reynolds::flow_balance(grid, fields.state(), wedge, cavitation, reach);
+          const double inside = sum_of_residuals(grid, fields, wedge, cavitation, reach);
+          const double difference = std::abs(balance.out - balance.in - inside) / (balance.out + balance.in);
+          worst = std::max(worst, difference);
+          BOOST_TEST(std::abs(inside) > 1e-6);
+        }
+  BOOST_TEST_MESSAGE("largest difference " << worst << " of the flow over the edge (tolerance 1e-13)");
+  BOOST_TEST(worst < 1e-13);
+}
+
+// A channel of unit film and density with the pressure falling linearly along Y: 1 flows through each of its ends, and
+// eps dP/dY through its sides.
+BOOST_AUTO_TEST_CASE(flow_of_a_channel) {
+  const Grid grid{32, 40, -2, 2, -2, 2};
+  Fields fields = zero_fields(grid);
+  fields.H.fill(1.0);
+  fields.rho_bar.fill(1.2);
+  fields.eps.fill(0.3);
+  for (int i = 0; i <= grid.nx; ++i)
+    for (int j = 0; j <= grid.ny; ++j) fields.P(i, j) = 2.0 - 0.5 * grid.Y(j);
+  for (const Wedge wedge : {Wedge::upstream1, Wedge::upstream2}) {
+    const reynolds::FlowBalance balance = reynolds::flow_balance(grid, fields.state(), wedge, true, 1.0);
+    // The nodes within 1 stand for cells that reach half a step further.
+    const double length = 2.0 + grid.hx();
+    const double width = 2.0 + grid.hy();
+    const double truth = 1.2 * width + 0.3 * 0.5 * length;
+    BOOST_TEST_MESSAGE("in " << balance.in << ", out " << balance.out << ", by hand " << truth);
+    BOOST_TEST(std::abs(balance.in - truth) < 1e-12);
+    BOOST_TEST(std::abs(balance.out - truth) < 1e-12);
+    BOOST_TEST(std::abs(balance.through - 1.2 * width) < 1e-12);
+    BOOST_TEST(std::abs(balance.imbalance()) < 1e-12);
+  }
+  // A film that thins along X with the pressure unchanged loses mass, and by the amount that it thins.
+  for (int i = 0; i <= grid.nx; ++i)
+    for (int j = 0; j <= grid.ny; ++j) fields.H(i, j) = 1.0 - 0.01 * grid.X(i);
+  const reynolds::FlowBalance thinning = reynolds::flow_balance(grid, fields.state(), Wedge::upstream2, true, 1.0);
+  BOOST_TEST(std::abs(thinning.imbalance() + 0.01 * (2.0 + grid.hx())) < 1e-12);
+}

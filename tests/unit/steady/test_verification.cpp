@@ -1,0 +1,152 @@
+// The numbers behind "converged": at a solution, beside one, and in states that only look like one.
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <limits>
+
+#include "contact/groups.hpp"
+#include "core/constants.hpp"
+#include "core/norms.hpp"
+#include "steady/checks.hpp"
+#include "steady/solve.hpp"
+#include "steady/state_of_level.hpp"
+#include "steady/verification.hpp"
+
+using namespace ehl;
+using namespace ehl::steady;
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+// (20,10), Roelands z = 0.68, Dowson-Higginson, on cells that are 1.5 times longer than wide.
+Scene scene_of(reynolds::Wedge wedge) {
+  const contact::Groups groups = contact::from_moes(20.0, 10.0);
+  const double p_h = contact::hertz_pressure(groups, 2.2e-8);
+  Scene scene;
+  scene.M = groups.M;
+  scene.L = groups.L;
+  scene.lambda = groups.lambda;
+  scene.viscosity = rheology::make_roelands(2.2e-8, rheology::roelands_p0, 0.68, p_h);
+  scene.density = rheology::make_dowson_higginson(p_h);
+  scene.grid = {64, 96, -4.5, 1.5, -3.0, 3.0};
+  scene.wedge = wedge;
+  scene.multigrid.tolerance = 1e-12;
+  scene.multigrid.max_cycles = 60;
+  return scene;
+}
+
+// A pressure and H00 judged anew: film, coefficients and residual of a hierarchy that no cycle has touched.
+StateOfLevel judged(const Scene& scene, const core::Field& P, double H00) {
+  const fmg::Problem problem{.lambda = scene.lambda,
+                             .viscosity = scene.viscosity,
+                             .density = scene.density,
+                             .wedge = scene.wedge,
+                             .given_epsilon = {}};
+  fmg::Hierarchy hierarchy = fmg::make_hierarchy(problem, scene.multigrid, scene.deformation, scene.grid, 1);
+  fmg::Level& level = hierarchy.finest();
+  core::copy(P, level.P);
+  hierarchy.H00 = H00;
+  level.load = 2.0 * core::pi / 3.0;
+  fmg::update_film(hierarchy, level);
+  return state_of_level(hierarchy, hierarchy.levels.size() - 1);
+}
+
+// The state as the last of two cycles that changed nothing any more.
+std::string unmet(const StateOfLevel& state) {
+  const std::string text = unmet_check({state, state, 0.02, 0.02}, unknown);
+  BOOST_TEST_MESSAGE(text);
+  return text;
+}
+
+bool contains(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(mass_is_conserved_where_the_equation_is_solved) {
+  for (const reynolds::Wedge wedge : {reynolds::Wedge::upstream1, reynolds::Wedge::upstream2}) {
+    const Scene scene = scene_of(wedge);
+    const Solution solution = solve(scene);
+    BOOST_TEST_REQUIRE(solution.converged);
+    const Verification& checked = solution.verification;
+    BOOST_TEST_MESSAGE("residual " << checked.residual << ", mass flow error " << checked.flow_imbalance
+                                   << " around the contact (tolerance 1e-11), " << checked.flow_imbalance_whole
+                                   << " in all (1e-9)");
+    BOOST_TEST(checked.residual <= 1e-12);
+    BOOST_TEST(std::abs(checked.flow_imbalance) < 1e-11);
+    // Through the inlet some hundred times more flows back and forth than through the contact.
+    BOOST_TEST(std::abs(checked.flow_imbalance_whole) < 1e-9);
+    BOOST_TEST(checked.least_P == 0.0);
+    BOOST_TEST(checked.dry_violation < 1e-10);
+    BOOST_TEST(checked.Hm == solution.levels.back().Hm);
+    BOOST_TEST(checked.residual == solution.levels.back().residual);
+    // The film that the flow is made of is the film of this pressure.
+    const StateOfLevel anew = judged(scene, solution.P, solution.H00);
+    BOOST_TEST(std::abs(anew.flow_through / checked.flow_through - 1.0) < 1e-11);
+    BOOST_TEST(std::abs(anew.flow_imbalance) < 1e-10);
+  }
+}
+
+// A pressure that carries the load but is not the solution: the same, one cell too far downstream.
+BOOST_AUTO_TEST_CASE(a_wrong_pressure_that_keeps_the_load_loses_mass) {
+  const Scene scene = scene_of(reynolds::Wedge::upstream2);
+  const Solution solution = solve(scene);
+  core::Field P(scene.grid);
+  for (int i = 2; i < scene.grid.nx; ++i)
+    for (int j = 1; j < scene.grid.ny; ++j) P(i, j) = solution.P(i - 1, j);
+  const StateOfLevel state = judged(scene, P, solution.H00);
+  BOOST_TEST_MESSAGE("load error " << state.load_error << ", residual " << state.residual << ", mass flow error "
+                                   << state.flow_imbalance << " (allowed 5e-3)");
+  BOOST_TEST(state.load_error < 1e-3);
+  BOOST_TEST(std::abs(state.flow_imbalance) > 5e-3);
+  StateOfLevel quiet = state;  // as if the average residual and the load told nothing
+  quiet.residual = 1e-3;
+  quiet.load_error = 0.0;
+  quiet.dry_violation = 0.0;
+  BOOST_TEST(contains(unmet(quiet), "mass is not conserved"));
+}
+
+BOOST_AUTO_TEST_CASE(complementarity_is_checked_on_both_sides) {
+  const Scene scene = scene_of(reynolds::Wedge::upstream2);
+  const Solution solution = solve(scene);
+  const core::Grid& grid = scene.grid;
+  const StateOfLevel good = judged(scene, solution.P, solution.H00);
+  BOOST_TEST(unmet(good).empty());
+
+  // A hole of no pressure where the contact carries most: the equation there wants pressure.
+  core::Field hole;
+  hole = solution.P;
+  const int i = static_cast<int>(std::lround(-grid.X_a / grid.hx()));
+  hole(i, grid.ny / 2) = 0.0;
+  const StateOfLevel dry = judged(scene, hole, solution.H00);
+  BOOST_TEST_MESSAGE("dry violation " << dry.dry_violation << " at a solution " << good.dry_violation);
+  BOOST_TEST(good.dry_violation < 1e-10);
+  BOOST_TEST(dry.dry_violation > 0.1);
+  StateOfLevel seen = good;
+  seen.dry_violation = dry.dry_violation;
+  BOOST_TEST(contains(unmet(seen), "wants pressure"));
+
+  // Suction behind the exit.
+  core::Field suction;
+  suction = solution.P;
+  suction(grid.nx - 4, grid.ny / 2) = -1e-6;
+  const StateOfLevel negative = judged(scene, suction, solution.H00);
+  BOOST_TEST(negative.least_P == -1e-6);
+  seen = good;
+  seen.least_P = negative.least_P;
+  BOOST_TEST(contains(unmet(seen), "pressure is negative"));
+}
+
+BOOST_AUTO_TEST_CASE(verification_says_what_was_checked) {
+  LastCycle cycle;
+  cycle.before = {.Hc = 0.202, .Hm = 0.104, .residual = 1e-3};
+  cycle.after = {.Hc = 0.200, .Hm = 0.100, .residual = 5e-4, .Hm_X = 0.3, .largest_residual = 0.02};
+  const Verification checked = verification_of(cycle);
+  // The residual was halved: what the cycles still have to go is what the last one went.
+  BOOST_TEST(checked.change_Hc == 0.01, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(checked.algebraic_error_Hc == 0.01, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(checked.algebraic_error_Hm == 0.04, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(checked.Hm_X == 0.3);
+  BOOST_TEST(checked.largest_residual == 0.02);
+  BOOST_TEST(std::isnan(Verification{}.residual));
+}
