@@ -1,6 +1,10 @@
 #pragma once
-// One full multigrid solution: the climb from the first grid to the finest.
+// A full multigrid solution: the climb from the first grid to the finest.
+#include <cstddef>
+#include <string>
+
 #include "fmg/hierarchy.hpp"
+#include "steady/cycles.hpp"
 #include "steady/scene.hpp"
 #include "steady/solution.hpp"
 #include "steady/solve.hpp"
@@ -18,7 +22,38 @@ struct Start {
   double caution = 1.0;           ///< and on the finer ones
 };
 
-/// Climbs. out: the solution, converged or not. errors: core::SolverError where the cycles diverge, core::Interrupted.
+/// A climb under way: the grids and their state, and what is known of the solution.
+struct Climb {
+  const Scene& scene;
+  const ProgressCallback& progress;
+  Start start;
+  fmg::Hierarchy hierarchy;
+  std::size_t first = 0;  ///< level of the first grid
+  Caution caution{};
+  Solution solution{};
+
+  std::size_t finest() const { return hierarchy.levels.size() - 1; }
+};
+
+/// Makes the grids. errors: core::InputError.
+Climb begin_climb(const Scene& scene, const Start& start, const ProgressCallback& progress);
+
+/// The first grid, from the Hertz pressure, until it is solved well enough to go on from.
+/// errors: core::SolverError where the cycles diverge; core::Interrupted.
+void solve_first_level(Climb& climb);
+/// The levels above `from`, each from the one below it. errors: as above.
+void ascend(Climb& climb, std::size_t from);
+/// The solution, converged or not, out of the climb.
+Solution result_of(Climb&& climb);
+
+/// All of it.
 Solution climb(const Scene& scene, const Start& start, const ProgressCallback& progress);
+
+/// Enters the state of a level, as after this many cycles, in the table of levels.
+void record(Climb& climb, std::size_t l, int cycle, const StateOfLevel& now);
+/// Tells the progress of a level. errors: core::Interrupted where the answer is to stop.
+void report(const Climb& climb, std::size_t l, int cycle, int planned, const StateOfLevel& now);
+/// "level 3 (128 x 128 cells)".
+std::string name_of_level(const fmg::Hierarchy& hierarchy, std::size_t l);
 
 }  // namespace ehl::steady

@@ -28,6 +28,14 @@ struct LevelRow {
   double seconds = 0.0;
 };
 
+/// How a series of cycles ended.
+enum class CyclesEnd {
+  content,   ///< the checks had nothing against the state
+  limit,     ///< no more cycles were allowed; the residual was still falling
+  stalled,   ///< the residual no longer fell
+  diverged,  ///< no finite state came out, with any caution
+};
+
 /// One row per cycle on any level.
 struct CycleRow {
   int level = 0;
@@ -75,6 +83,7 @@ struct Solution {
   std::string deformation;  ///< what evaluated the film, for the report
   std::vector<std::string> warnings;
   double seconds = 0.0;
+  CyclesEnd end = CyclesEnd::content;  ///< on the finest grid
   std::vector<Attempt> attempts;  ///< in order; the last one led to what is shown
   std::vector<ContinuationStep> continuation;
   std::vector<NewtonStep> newton;
