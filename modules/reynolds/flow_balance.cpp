@@ -56,6 +56,12 @@ Range range(double from, double step, int cells, double reach) {
   return {static_cast<int>(std::max(first, 1.0)), static_cast<int>(std::min(last, cells - 1.0))};
 }
 
+bool any_dry(const double* west, const double* P, const double* east, Range y) {
+  int dry = 0;
+  for (int j = y.first; j <= y.last; ++j) dry |= static_cast<int>((west[j] <= 0.0) | (P[j] <= 0.0) | (east[j] <= 0.0));
+  return dry != 0;
+}
+
 }  // namespace
 
 FlowBalance flow_balance(const core::Grid& grid, const State& state, Wedge wedge, bool cavitation, double reach) {
@@ -71,13 +77,20 @@ FlowBalance flow_balance(const core::Grid& grid, const State& state, Wedge wedge
     const double* P = state.P.at_x(i);
     const double* west = state.P.at_x(i - 1);
     const double* east = state.P.at_x(i + 1);
-    for (int j = y.first; j <= y.last; ++j) {
-      if (cavitation && P[j] <= 0.0) continue;
+    const auto at = [&](int j) {
+      if (cavitation && P[j] <= 0.0) return;
       if (i == x.first || (cavitation && west[j] <= 0.0)) leaves(-hy * fluxes.along_x(i - 1, j));
       if (i == x.last || (cavitation && east[j] <= 0.0)) leaves(hy * fluxes.along_x(i, j));
       if (j == y.first || (cavitation && P[j - 1] <= 0.0)) leaves(-hx * fluxes.along_y(i, j - 1));
       if (j == y.last || (cavitation && P[j + 1] <= 0.0)) leaves(hx * fluxes.along_y(i, j));
+    };
+    // Most stations cross no edge of the cavitated region: there only their two ends count.
+    if (i > x.first && i < x.last && y.last > y.first && !(cavitation && any_dry(west, P, east, y))) {
+      at(y.first);
+      at(y.last);
+      continue;
     }
+    for (int j = y.first; j <= y.last; ++j) at(j);
   }
   return balance;
 }

@@ -71,9 +71,10 @@ ResidualNorms residual_norms(const core::Grid& grid, const State& state, Wedge w
       const double violation = cavitated && r(i, j) >= 0.0 ? 0.0 : r(i, j);
       sum += violation * violation;
       if (!(std::abs(violation) <= norms.largest) && !std::isnan(norms.largest))  // the first NaN stays
-        norms = {0.0, 0.0, std::abs(violation), i, j, norms.largest_dry};
+        norms = {0.0, 0.0, std::abs(violation), i, j, norms.largest_dry, norms.least_P};
       if (cavitated) {
         norms.largest_dry = std::max(norms.largest_dry, std::abs(violation));
+        norms.least_P = std::min(norms.least_P, state.P(i, j));
         continue;
       }
       const double w = c0 * state.rho_bar(i, j) * state.H(i, j) + c1 * state.rho_bar(i - 1, j) * state.H(i - 1, j) +

@@ -34,6 +34,7 @@ struct ResidualNorms {
   int i = 0;                      ///< and its node
   int j = 0;
   double largest_dry = 0.0;  ///< largest of them where P = 0: a cavitated node whose equation wants pressure
+  double least_P = 0.0;      ///< lowest pressure of the interior where it is negative
   double relative() const { return root_mean_square / wedge; }
 };
 

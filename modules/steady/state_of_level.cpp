@@ -72,7 +72,7 @@ StateOfLevel state_of_level(fmg::Hierarchy& hierarchy, std::size_t l) {
           .largest_residual = norms.largest / norms.wedge,
           .largest_residual_X = level.grid.X(norms.i),
           .largest_residual_Y = level.grid.Y(norms.j),
-          .least_P = core::minimum(level.P).value,
+          .least_P = norms.least_P,
           .dry_violation = norms.largest_dry / norms.wedge,
           .flow_through = contact.through,
           .flow_imbalance = contact.imbalance(),

@@ -9,6 +9,8 @@
 namespace ehl::steady {
 namespace {
 
+/// An estimated error above this says only that the film is far from resolved.
+constexpr double hardly_an_error = 1.0;
 /// Pressure beside a boundary, as a share of the largest, above which the boundary cuts into the contact.
 constexpr double cut_off_pressure = 1e-3;
 /// Growth of Hc on the double domain that is worth a word.
@@ -37,8 +39,7 @@ double largest_along_sides(const Solution& solution) {
 
 int cells_that_resolve(int cells, double error, reynolds::Wedge wedge) {
   const double per_doubling = wedge == reynolds::Wedge::upstream2 ? 4.0 : 2.0;
-  constexpr int most = 1 << 29;
-  for (; error > unresolved_film && cells <= most; error /= per_doubling) cells *= 2;
+  for (error = std::min(error, hardly_an_error); error > unresolved_film; error /= per_doubling) cells *= 2;
   return cells;
 }
 
@@ -50,6 +51,7 @@ std::vector<std::string> warnings_of(const Scene& scene, const Solution& solutio
   else if (const double error = std::max(last.error_Hc, last.error_Hm); error > unresolved_film)
     warnings.push_back("film not resolved by the mesh: estimated error of Hc " + percent(last.error_Hc) + ", of Hm " +
                        percent(last.error_Hm) + " on " + std::to_string(last.nx) + " cells; " +
+                       (error > hardly_an_error ? "at least " : "") +
                        std::to_string(cells_that_resolve(last.nx, error, scene.wedge)) +
                        " would bring both below 10 %");
   if (solution.domain_error_Hc > starved)

@@ -14,7 +14,8 @@ inline constexpr double unresolved_film = 0.1;
 /// Cells along x that would bring an estimated error down to unresolved_film: `cells` doubled as often as the order of
 /// the wedge asks for, never less than once for an error above it. The scheme's order and not the observed one, which
 /// on a grid too coarse to hold the film says little.
-/// in: cells of the grid, relative error there. limits: an error of 100 % and more is no more than a hint.
+/// in: cells of the grid, relative error there. limits: an error above 100 % is no number to count with; it is taken as
+/// 100 %, and the cells are the fewest that may do.
 int cells_that_resolve(int cells, double error, reynolds::Wedge wedge);
 
 /// Warnings with numbers: film not resolved by the mesh (estimated error above 10 %, with the cells that would do; or
