@@ -46,15 +46,6 @@ int fail_without_solution(const Arguments& arguments, const Case& input, const s
   return not_converged;
 }
 
-// The evaluator of the deformation knows best which parameters fit a grid: its refusal, with the place of the keys.
-[[noreturn]] void refuse_parameters(const Case& input, const core::InputError& error) {
-  deck::Deck deck = input.deck;
-  for (const char* name : {"order", "patch_along", "patch_across", "coarsenings"})
-    if (deck::given(deck, "deformation", name)) deck::complain(deck, "deformation", name, error.what());
-  if (deck.errors.empty()) throw core::InputError(deck.name + ": " + error.what());
-  throw core::InputError(deck.errors);
-}
-
 }  // namespace
 
 int requested_threads(const Arguments& arguments) {
@@ -82,8 +73,6 @@ int run(const Arguments& arguments) {
   try {
     ProgressReport progress(arguments.has("quiet"));
     solution = steady::solve(input.scene, [&](const steady::Progress& now) { return progress.show(now); });
-  } catch (const core::InputError& error) {
-    refuse_parameters(input, error);
   } catch (const core::SolverError& error) {
     return fail_without_solution(arguments, input, error.what());
   }

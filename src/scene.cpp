@@ -8,6 +8,7 @@
 #include "deck/text.hpp"
 #include "machine.hpp"
 #include "steady/domain_error.hpp"
+#include "text_format.hpp"
 
 namespace ehl::program {
 namespace {
@@ -73,8 +74,9 @@ core::Grid grid_of(deck::Deck& deck) {
   constexpr double coarsest_step = 0.5;
   if (grid.hx() > coarsest_step)
     complain(deck, "grid", "cells",
-             "too coarse: a cell is " + deck::shortest(grid.hx()) + " Hertz radii wide and must be at most " +
-                 deck::shortest(coarsest_step) + ": more cells, or a shorter domain");
+             "too coarse: a cell is " + formatted("%.3g", grid.hx()) + " Hertz radii wide and must be at most " +
+                 deck::shortest(coarsest_step) + ": at least " +
+                 deck::shortest(std::ceil((grid.X_b - grid.X_a) / coarsest_step)) + " cells, or a shorter domain");
   return grid;
 }
 
@@ -91,6 +93,14 @@ mlmi::Parameters deformation_of(deck::Deck& deck) {
   parameters.coarsest_direct = deck::word(deck, "deformation", "coarsest_sum") == "direct";
   if (parameters.order % 2 != 0) complain(deck, "deformation", "order", "must be 4, 6 or 8");
   return parameters;
+}
+
+void check_coarsenings(deck::Deck& deck, const steady::Scene& scene) {
+  const int most = mlmi::most_coarsenings(scene.grid);
+  if (scene.deformation.coarsenings > most)
+    complain(deck, "deformation", "coarsenings",
+             "must be <= " + std::to_string(most) + " on a grid of " + std::to_string(scene.grid.nx) + " x " +
+                 std::to_string(scene.grid.ny) + " cells: every direction that is coarsened keeps 8 cells");
 }
 
 fmg::Parameters multigrid_of(deck::Deck& deck) {
@@ -162,7 +172,10 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   choose_domain(deck, result.physics.groups);
   result.scene.grid = grid_of(deck);
   result.scene.threads = threads;
-  if (result.scene.grid.ny > 0) check_memory(deck, result.scene);
+  if (result.scene.grid.ny > 0) {
+    check_coarsenings(deck, result.scene);
+    check_memory(deck, result.scene);
+  }
   deck::throw_if_wrong(deck);
 
   result.title = deck::word(deck, "case", "title");

@@ -27,6 +27,12 @@ line_solvers::FilmTerms film_terms(const core::Grid& grid, int reach) {
   return terms;
 }
 
+// The number of coarsenings that a user gives is meant for the finest grid: the others take as many as they hold.
+mlmi::Parameters fitting(mlmi::Parameters deformation, const core::Grid& grid, bool finest) {
+  if (!finest) deformation.coarsenings = std::min(deformation.coarsenings, mlmi::most_coarsenings(grid));
+  return deformation;
+}
+
 Level make_level(const core::Grid& grid, bool finest, const Parameters& parameters, const mlmi::Parameters& deformation,
                  int threads) {
   const auto zero = [&] { return core::Field(grid); };
@@ -48,7 +54,7 @@ Level make_level(const core::Grid& grid, bool finest, const Parameters& paramete
           .changes = {zero_changes(), zero_changes()},
           .thread_work =
               std::vector<ThreadWork>(static_cast<std::size_t>(threads), make_thread_work(grid, parameters.relaxation)),
-          .deformation = mlmi::Deformation(grid, deformation, threads),
+          .deformation = mlmi::Deformation(grid, fitting(deformation, grid, finest), threads),
           .film_terms = film_terms(grid, parameters.relaxation.reach)};
 }
 

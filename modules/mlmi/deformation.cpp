@@ -19,12 +19,12 @@ constexpr int smallest_parallel = 256;
 
 // The smallest number of cells a coarsening may leave: fewer points than the interpolation spans make no sense.
 constexpr int fewest_cells = 8;
-constexpr int most_coarsenings = 20;
+constexpr int coarsening_limit = 20;
 constexpr int largest_patch = 64;
 
 bool leaves_enough(const core::Grid& grid, int coarsenings) {
   const int in_x = (coarsenings + 1) / 2, in_y = coarsenings / 2;
-  return coarsenings <= most_coarsenings && (in_x == 0 || grid.nx >> in_x >= fewest_cells) &&
+  return coarsenings <= coarsening_limit && (in_x == 0 || grid.nx >> in_x >= fewest_cells) &&
          (in_y == 0 || grid.ny >> in_y >= fewest_cells);
 }
 
@@ -36,7 +36,7 @@ MultilevelChoice default_choice(const core::Grid& grid) {
   if (n < 384) choice.patch_across = 3;
   // Here the exact sum costs no more.
   if (n < 96) choice.coarsenings = 0;
-  while (!leaves_enough(grid, choice.coarsenings)) --choice.coarsenings;
+  choice.coarsenings = std::min(choice.coarsenings, most_coarsenings(grid));
   return choice;
 }
 
@@ -75,6 +75,12 @@ std::string describe(const MultilevelChoice& choice, const MultilevelSum& sum) {
 }
 
 }  // namespace
+
+int most_coarsenings(const core::Grid& grid) {
+  int most = 0;
+  while (leaves_enough(grid, most + 1)) ++most;
+  return most;
+}
 
 struct Deformation::Implementation {
   std::string description;

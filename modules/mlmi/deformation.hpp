@@ -22,6 +22,9 @@ struct Parameters {
   bool coarsest_direct = false;  ///< coarsest sum directly instead of by FFT
 };
 
+/// The most semi-coarsenings a grid allows: every direction that is coarsened keeps 8 cells.
+int most_coarsenings(const core::Grid& grid);
+
 /// Evaluates w_ij = (2/pi^2) sum_kl K_ijkl P_kl on one grid; owns the tables, plans and work space.
 /// Not copyable; one evaluator serves one caller at a time. Grids of any size from 1 x 1 cells on, odd numbers too,
 /// hx != hy allowed. Same bits for any number of threads; grids below 256 cells per direction run on one.
