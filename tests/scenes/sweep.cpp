@@ -1,0 +1,209 @@
+// Sweeps from end to end: the table, what ends one case, what ends them all, and how a sweep goes on.
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <map>
+#include <sstream>
+
+#include "support/program.hpp"
+
+namespace {
+
+// Solved in a tenth of a second.
+const std::string small =
+    "[contact]\nM = 20\nL = 10\n[lubricant]\nalpha = 2.2e-8\nz = 0.68\n[domain]\nx_inlet = -4.5\ny_half = 3\n"
+    "[grid]\ncells = 64\n";
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+using Row = std::map<std::string, std::string>;
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream text(line);
+  for (std::string cell; std::getline(text, cell, ',');) cells.push_back(cell);
+  return cells;
+}
+
+// The rows by the names of their columns; the reason, the last one, may hold commas.
+std::vector<Row> rows_of(const std::string& table) {
+  std::vector<std::string> names;
+  std::vector<Row> rows;
+  std::istringstream lines(table);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with('#')) continue;
+    const std::vector<std::string> cells = cells_of(line);
+    if (names.empty()) {
+      names = cells;
+      continue;
+    }
+    Row row;
+    for (std::size_t k = 0; k < cells.size(); ++k) row[names[std::min(k, names.size() - 1)]] += cells[k];
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+// What must not depend on when and how often the sweep was stopped.
+std::vector<Row> lasting(std::vector<Row> rows) {
+  for (Row& row : rows) {
+    row.erase("seconds");
+    row.erase("peak_memory");
+  }
+  return rows;
+}
+
+struct Scene {
+  support::TemporaryFolder folder;
+  Scene() { folder.write("d.ini", small); }
+  support::Ended ehl(const std::string& arguments) const { return support::ehl(folder, arguments); }
+  std::vector<Row> table(const std::string& name = "d_sweep.csv") const { return rows_of(folder.read(name)); }
+};
+
+// Starts a sweep, waits until its table has `rows` lines that end a row, and sends a signal to it alone.
+std::string cut_short(const std::string& arguments, int rows, const std::string& signal) {
+  return std::string("'") + EHL_PROGRAM + "' " + arguments +
+         " & pid=$!; for k in $(seq 500); do [ \"$(grep -c '\"$' d_sweep.csv)\" -ge " + std::to_string(rows) +
+         " ] 2>/dev/null && break; sleep 0.02; done; kill -" + signal + " $pid; wait $pid";
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(sweep)
+
+BOOST_AUTO_TEST_CASE(a_row_is_what_a_run_gives) {
+  const Scene scene;
+  const support::Ended ended = scene.ehl("sweep d.ini --vary contact.M=20,50 --vary contact.L=5,10 --threads 2");
+  BOOST_REQUIRE_MESSAGE(ended.status == 0, ended.err << scene.folder.read("d_sweep.csv"));
+  BOOST_TEST(contains(ended.out, "4 converged, 0 not-converged, 0 refused, 0 failed"), ended.out);
+  BOOST_TEST(contains(ended.err, "4/4"));
+  const std::vector<Row> rows = scene.table();
+  BOOST_REQUIRE(rows.size() == 4u);
+  BOOST_TEST((rows[0].at("contact.M") == "20" && rows[0].at("contact.L") == "5"));
+  BOOST_TEST((rows[3].at("contact.M") == "50" && rows[3].at("contact.L") == "10"));
+  const std::string json = scene.ehl("run d.ini --set contact.M=50 --set contact.L=10 --json --threads 1").out;
+  for (const char* name : {"Hc", "Hm", "P_max", "residual", "load_error", "M", "L"}) {
+    std::string value(1, '"');
+    value += std::string(name) + "\": " + rows[3].at(name);
+    BOOST_TEST(contains(json, value), value << " is not in\n" << json);
+  }
+  BOOST_TEST((rows[3].at("nx") == "64" && rows[3].at("status") == "converged" && rows[3].at("exit_status") == "0"));
+  BOOST_TEST(scene.ehl("sweep d.ini --vary contact.M=20 --output one.csv --quiet").err.empty());
+}
+
+// One case is refused, one does not converge, one process is ended (after a second of work): each is a row.
+BOOST_AUTO_TEST_CASE(a_case_that_fails_is_a_row) {
+  const Scene scene;
+  const support::Ended ended =
+      support::shell(scene.folder, std::string("ulimit -t 1; '") + EHL_PROGRAM +
+                                       "' sweep d.ini --vary grid.cells=64,77,1024 --set multigrid.tolerance=1e-9");
+  BOOST_TEST(ended.status == 3, ended.err);
+  const std::vector<Row> rows = scene.table();
+  BOOST_REQUIRE(rows.size() == 3u);
+  BOOST_TEST(rows[0].at("status") == "converged");
+  BOOST_TEST((rows[1].at("status") == "refused" && rows[1].at("exit_status") == "2"));
+  BOOST_TEST(contains(rows[1].at("reason"), "cells = 77"), rows[1].at("reason"));
+  BOOST_TEST((rows[2].at("status") == "failed" && std::stoi(rows[2].at("exit_status")) > 128));
+  BOOST_TEST(contains(rows[2].at("reason"), "signal"), rows[2].at("reason"));
+
+  const support::Ended few = scene.ehl(
+      "sweep d.ini --vary multigrid.max_cycles=1,100 --set multigrid.tolerance=1e-13 --set multigrid.cycles=1 "
+      "--output few.csv");
+  BOOST_TEST(few.status == 3);
+  const Row row = scene.table("few.csv")[0];
+  BOOST_TEST((row.at("status") == "not-converged" && row.at("exit_status") == "3"));
+  for (const char* name : {"Hc", "Hm", "P_max", "error_Hc", "error_Hm"}) BOOST_TEST(row.at(name) == "NaN", name);
+  BOOST_TEST(std::stod(row.at("residual")) > 1e-13);
+  BOOST_TEST(row.at("reason").size() > 10);
+
+  // The process that died is tried again, and nothing else.
+  const support::Ended again = scene.ehl("sweep d.ini --vary grid.cells=64,77,1024 --set multigrid.tolerance=1e-9");
+  BOOST_TEST(contains(again.out, "2 kept, 1 computed"), again.out);
+  BOOST_TEST(scene.table()[2].at("status") == "converged");
+}
+
+BOOST_AUTO_TEST_CASE(a_sweep_cut_short_goes_on) {
+  const std::string command = "sweep d.ini --vary contact.M=20:60:5 --vary contact.L=5,10 --set grid.cells=128";
+  const Scene whole;
+  BOOST_REQUIRE(whole.ehl(command).status == 0);
+  BOOST_REQUIRE(whole.table().size() == 10u);
+  struct End {
+    std::string signal;
+    int status;
+  };
+  for (const End& end : {End{"KILL", 137}, End{"TERM", 130}, End{"INT", 130}}) {
+    const Scene scene;
+    const support::Ended cut = support::shell(scene.folder, cut_short(command, 3, end.signal));
+    BOOST_TEST(cut.status == end.status, end.signal << ": " << cut.status << "\n" << cut.err);
+    const std::size_t done = scene.table().size();
+    BOOST_TEST_MESSAGE(end.signal << " after " << done << " of 10 rows");
+    BOOST_TEST((done >= 3 && done < 10), end.signal << ": " << done << " rows");
+    if (end.status == 130) BOOST_TEST(cut.says({"interrupted: " + std::to_string(done) + " of 10"}), cut.err);
+    scene.folder.write("d_sweep.csv", scene.folder.read("d_sweep.csv") + "60,10,conv");  // half a row
+    const support::Ended rest = scene.ehl(command);
+    BOOST_TEST(rest.status == 0, rest.err);
+    const std::string counts = std::to_string(done) + " kept, " + std::to_string(10 - done) + " computed";
+    BOOST_TEST(contains(rest.out, counts), rest.out);
+    BOOST_TEST((lasting(scene.table()) == lasting(whole.table())), scene.folder.read("d_sweep.csv"));
+    BOOST_TEST(scene.folder.entries() == 2);  // nothing left behind
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_table_of_another_sweep_is_kept) {
+  const Scene scene;
+  const std::string command = "sweep d.ini --vary contact.M=20,50";
+  BOOST_REQUIRE(scene.ehl(command).status == 0);
+  const std::string before = scene.folder.read("d_sweep.csv");
+  const auto refused = [&](const std::string& other, const std::string& part) {
+    const support::Ended ended = scene.ehl(other);
+    BOOST_TEST(ended.status == 4, other << " ends with " << ended.status);
+    BOOST_TEST(ended.says({"d_sweep.csv", part, "--overwrite"}), ended.err);
+    BOOST_TEST(scene.folder.read("d_sweep.csv") == before, other);
+  };
+  refused("sweep d.ini --vary contact.M=20,50,100", "vary: contact.M = 20,50,100");
+  refused(command + " --set contact.L=5", "set: contact.L=5");
+  scene.folder.write("d.ini", small + "# a comment\n");
+  refused(command, "deck text");
+  BOOST_TEST(scene.ehl(command + " --overwrite").status == 0);
+  BOOST_TEST(scene.folder.read("d_sweep.csv") != before);
+  scene.folder.write("d_sweep.csv", "precious");
+  BOOST_TEST(scene.ehl(command).status == 4);
+  BOOST_TEST(scene.folder.read("d_sweep.csv") == "precious");
+}
+
+BOOST_AUTO_TEST_CASE(wrong_command_lines) {
+  const Scene scene;
+  struct Line {
+    std::string arguments;
+    std::string part;
+  };
+  for (const Line& line : std::vector<Line>{
+           {"sweep d.ini", "needs --vary"},
+           {"sweep d.ini --vary contact.MM=2,5", "did you mean M?"},
+           {"sweep d.ini --vary contact.M=2,-5", "M = -5"},
+           {"sweep d.ini --vary contact.M=2 --set contact.M=5", "both varied and set"},
+           {"sweep d.ini --vary contact.M=2 --output t.h5", ".csv"},
+           {"sweep d.ini --vary contact.M=2 --threads 0", "--threads 0"},
+           {"sweep none.ini --vary contact.M=2", "no such file"},
+       }) {
+    const support::Ended ended = scene.ehl(line.arguments);
+    BOOST_TEST(ended.status == 2, line.arguments << " ends with " << ended.status);
+    BOOST_TEST(ended.says({line.part}), line.arguments << " says\n" << ended.err);
+  }
+  BOOST_TEST(scene.folder.entries() == 1);
+  BOOST_TEST(scene.ehl("sweep d.ini --vary contact.M=2 --output none/t.csv").status == 4);
+}
+
+BOOST_AUTO_TEST_CASE(the_map_is_drawn) {
+  const Scene scene;
+  BOOST_REQUIRE(scene.ehl("sweep d.ini --vary contact.M=20,50 --vary contact.L=5,10").status == 0);
+  const support::Ended drawn = scene.ehl("plot d_sweep.csv --format svg");
+  BOOST_TEST(drawn.status == 0, drawn.err);
+  BOOST_TEST(contains(scene.folder.read("d_sweep_stability_map.svg"), "convergence factor"));
+  const support::Ended other = scene.ehl("plot d_sweep.csv --figure centre_lines");
+  BOOST_TEST(other.status == 2);
+  BOOST_TEST(other.says({"draws a result"}), other.err);
+  scene.folder.write("x.csv", "a,b\n");
+  BOOST_TEST(scene.ehl("plot x.csv").status == 4);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
