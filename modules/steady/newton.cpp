@@ -1,0 +1,184 @@
+#include "steady/newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <span>
+
+#include "core/errors.hpp"
+#include "core/norms.hpp"
+#include "steady/kinsol.hpp"
+#include "steady/newton_equations.hpp"
+#include "steady/newton_preconditioner.hpp"
+#include "steady/state_of_level.hpp"
+
+namespace ehl::steady {
+namespace {
+
+/// A step this small, in units of p_h, is on its way in: solve its system accurately, and keep the factors.
+constexpr double small_change = 0.02;
+constexpr double loose = 1e-2;
+constexpr double tight = 1e-5;
+/// Old factors are used until they cost this many times the iterations that they took when they were new.
+constexpr double worn_out = 2.0;
+/// Longest change of H00 in one step: an absolute part, and a share of the film at the centre.
+constexpr double longest_shift = 0.1;
+constexpr double longest_shift_share = 0.3;
+/// Give up when the best state met is this many steps old; near the solution, this many.
+constexpr int patience = 20;
+constexpr int patience_at_the_end = 5;
+constexpr double near = 1e-6;
+
+std::string in_figures(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", value);
+  return text;
+}
+
+class NewtonIteration {
+ public:
+  NewtonIteration(fmg::Hierarchy& hierarchy, std::size_t l, const NewtonParameters& parameters)
+      : hierarchy_(hierarchy),
+        l_(l),
+        parameters_(parameters),
+        equations_(hierarchy, l),
+        preconditioner_(equations_),
+        u_(equations_.size()),
+        old_(u_),
+        problem_(make_problem()),
+        kinsol_(problem_) {}
+
+  NewtonResult run(const NewtonProgress& progress) {
+    fmg::update_film(hierarchy_, hierarchy_.levels[l_]);
+    StateOfLevel state = state_of_level(hierarchy_, l_);
+    equations_.unknowns(u_);
+    remember(state);
+    if (core::max_abs(equations_.level().P) == 0.0) return fail("no node carries pressure at the start");
+    while (!good(state)) {
+      if (static_cast<int>(result_.steps.size()) >= parameters_.max_steps)
+        return fail("after " + std::to_string(parameters_.max_steps) + " steps");
+      const std::string trouble = step(state);
+      if (!trouble.empty()) return fail(trouble);
+      state = state_of_level(hierarchy_, l_);
+      result_.steps.push_back({state.residual, static_cast<int>(iterations_)});
+      remember(state);
+      if (progress && !progress(result_.steps.back())) throw core::Interrupted();
+      if (!std::isfinite(state.residual)) return fail("the residual is not finite");
+      const int age = static_cast<int>(result_.steps.size()) - best_step_;
+      if (age >= (best_measure_ < near ? patience_at_the_end : patience))
+        return fail("no progress in the last " + std::to_string(age) + " steps");
+    }
+    if (!(state.Hm > 0.0))
+      return fail("the discrete film of this grid is not positive (minimum " + in_figures(state.Hm) +
+                  "): use more cells");
+    result_.converged = true;
+    return std::move(result_);
+  }
+
+ private:
+  KrylovProblem make_problem() {
+    KrylovProblem problem;
+    problem.size = equations_.size();
+    problem.residual = [this](std::span<const double> u, std::span<double> F) {
+      equations_.residual(u, F);
+      return std::ranges::all_of(F, [](double value) { return std::isfinite(value); });
+    };
+    problem.linearize = [this](std::span<const double> u) {
+      equations_.linearize(u);
+      if (keep_factors_) return true;
+      fresh_factors_ = true;
+      return preconditioner_.factor();
+    };
+    problem.jacobian = [this](std::span<const double> v, std::span<double> Jv) { equations_.jacobian(v, Jv); };
+    problem.precondition = [this](std::span<double> v) { preconditioner_.solve(v); };
+    return problem;
+  }
+
+  bool good(const StateOfLevel& state) const {
+    return state.residual <= parameters_.tolerance && state.load_error <= parameters_.tolerance;
+  }
+
+  /// One Newton step from the state given, shortened where it changes P or H00 too much. out: what went wrong.
+  std::string step(const StateOfLevel& state) {
+    equations_.unknowns(u_);
+    std::ranges::copy(u_, old_.begin());
+    KinsolStep newton = take_step(last_change_ < small_change ? tight : loose);
+    if (!newton.reason.empty() && keep_factors_) {  // they may have been too old
+      keep_factors_ = false;
+      std::ranges::copy(old_, u_.begin());
+      newton = take_step(loose);
+    }
+    if (!newton.reason.empty()) return newton.reason;
+    shorten(longest_shift + longest_shift_share * std::abs(state.Hc));
+    equations_.set_state(u_);
+    iterations_ = newton.linear_iterations;
+    if (fresh_factors_) iterations_when_fresh_ = iterations_;
+    keep_factors_ = last_change_ < small_change &&
+                    static_cast<double>(iterations_) <= worn_out * static_cast<double>(iterations_when_fresh_);
+    return "";
+  }
+
+  KinsolStep take_step(double linear_tolerance) {
+    fresh_factors_ = false;
+    return kinsol_.step(u_, linear_tolerance);
+  }
+
+  void shorten(double most_shift) {
+    double change = 0.0;
+    for (std::size_t k = 0; k + 1 < u_.size(); ++k)
+      change = std::max(change, std::abs(std::max(u_[k], 0.0) - std::max(old_[k], 0.0)));
+    const double shift = std::abs(u_.back() - old_.back());
+    double share = 1.0;
+    if (change > parameters_.longest_change) share = parameters_.longest_change / change;
+    if (shift * share > most_shift) share = most_shift / shift;
+    for (std::size_t k = 0; k < u_.size(); ++k) u_[k] = old_[k] + share * (u_[k] - old_[k]);
+    last_change_ = share < 1.0 ? std::numeric_limits<double>::infinity() : change;
+  }
+
+  void remember(const StateOfLevel& state) {
+    const double measure = std::max(state.residual, state.load_error);
+    if (!best_.empty() && !(measure < best_measure_)) return;
+    best_ = u_;
+    best_measure_ = measure;
+    best_step_ = static_cast<int>(result_.steps.size());
+  }
+
+  NewtonResult fail(const std::string& reason) {
+    equations_.set_state(best_);
+    const StateOfLevel state = state_of_level(hierarchy_, l_);
+    result_.reason = "Newton's method: " + reason + "; relative residual " + in_figures(state.residual) +
+                     ", load error " + in_figures(state.load_error) + " (asked " + in_figures(parameters_.tolerance) +
+                     ")";
+    return std::move(result_);
+  }
+
+  fmg::Hierarchy& hierarchy_;
+  std::size_t l_;
+  const NewtonParameters& parameters_;
+  NewtonEquations equations_;
+  NewtonPreconditioner preconditioner_;
+  std::vector<double> u_, old_, best_;
+  KrylovProblem problem_;
+  Kinsol kinsol_;
+  NewtonResult result_;
+  bool keep_factors_ = false;
+  bool fresh_factors_ = false;
+  long iterations_ = 0;
+  long iterations_when_fresh_ = 0;
+  double last_change_ = std::numeric_limits<double>::infinity();
+  double best_measure_ = std::numeric_limits<double>::infinity();
+  int best_step_ = 0;
+};
+
+}  // namespace
+
+NewtonResult solve_by_newton(fmg::Hierarchy& hierarchy, std::size_t l, const NewtonParameters& parameters,
+                             const NewtonProgress& progress) {
+  const fmg::Problem& problem = hierarchy.problem;
+  if (!problem.load || !problem.cavitation || problem.given_epsilon)
+    throw core::InputError("Newton's method needs the whole problem: a load to carry, cavitation, epsilon of the film");
+  return NewtonIteration(hierarchy, l, parameters).run(progress);
+}
+
+}  // namespace ehl::steady

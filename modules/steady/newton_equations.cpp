@@ -1,0 +1,133 @@
+#include "steady/newton_equations.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "reynolds/stencil.hpp"
+#include "rheology/laws.hpp"
+
+namespace ehl::steady {
+
+NewtonEquations::NewtonEquations(fmg::Hierarchy& hierarchy, std::size_t l)
+    : hierarchy_(hierarchy),
+      level_(hierarchy.levels[l]),
+      nodes_(static_cast<std::size_t>(level_.grid.nx - 1) * static_cast<std::size_t>(level_.grid.ny - 1)),
+      threads_(hierarchy.threads_on(level_.grid)),
+      scale_(nodes_, 1.0),
+      wet_(nodes_, 0),
+      deps_dP_(level_.grid),
+      deps_dH_(level_.grid),
+      dq_dP_(level_.grid),
+      local_{core::Field(level_.grid), core::Field(level_.grid)},
+      dP_(level_.grid),
+      dH_(level_.grid),
+      deps_(level_.grid) {}
+
+void NewtonEquations::make_scale() {
+  const core::Grid& grid = level_.grid;
+  const double half_over_hx2 = 0.5 / (grid.hx() * grid.hx());
+  const double half_over_hy2 = 0.5 / (grid.hy() * grid.hy());
+  const core::Field& eps = level_.eps;
+  for (int i = 1; i < grid.nx; ++i) {
+    const double c0 = reynolds::wedge_weights(wedge(), i, grid.hx())[0];
+    for (int j = 1; j < grid.ny; ++j) {
+      const auto e = reynolds::half_points(eps(i - 1, j), eps(i + 1, j), eps(i, j - 1), eps(i, j + 1), eps(i, j),
+                                           half_over_hx2, half_over_hy2);
+      const double dq = level_.rho_bar(i, j) * level_.film_terms.K[0];
+      scale_[index(i, j)] = 1.0 / (e.west + e.east + e.south + e.north + c0 * dq);
+    }
+  }
+}
+
+void NewtonEquations::unknowns(std::span<double> u) {
+  fmg::update_residual(hierarchy_, level_);
+  make_scale();
+  for (int i = 1; i < grid().nx; ++i)
+    for (int j = 1; j < grid().ny; ++j) {
+      const std::size_t k = index(i, j);
+      const double P = level_.P(i, j);
+      u[k] = P > 0.0 ? P : std::min(0.0, -scale_[k] * level_.r(i, j));
+    }
+  u[nodes_] = hierarchy_.H00;
+}
+
+void NewtonEquations::set_state(std::span<const double> u) {
+  for (int i = 1; i < grid().nx; ++i)
+    for (int j = 1; j < grid().ny; ++j) level_.P(i, j) = std::max(u[index(i, j)], 0.0);
+  hierarchy_.H00 = u[nodes_];
+  fmg::update_film(hierarchy_, level_);
+}
+
+void NewtonEquations::residual(std::span<const double> u, std::span<double> F) {
+  set_state(u);
+  fmg::update_residual(hierarchy_, level_);
+  for (int i = 1; i < grid().nx; ++i)
+    for (int j = 1; j < grid().ny; ++j) {
+      const std::size_t k = index(i, j);
+      F[k] = scale_[k] * level_.r(i, j) + std::min(u[k], 0.0);
+    }
+  F[nodes_] = (fmg::carried_load(level_) - level_.load) / level_.load;
+}
+
+void NewtonEquations::linearize(std::span<const double> u) {
+  const double self = level_.film_terms.K[0];
+  std::vector<double> slope(static_cast<std::size_t>(grid().nodes_y()));
+  for (int i = 0; i <= grid().nx; ++i) {
+    rheology::log_viscosity_slope(hierarchy_.problem.viscosity, std::as_const(level_.P).station(i), slope);
+    for (int j = 0; j <= grid().ny; ++j) {
+      const double H = level_.H(i, j);
+      const double rho_bar = level_.rho_bar(i, j);
+      const double eps = level_.eps(i, j);
+      deps_dP_(i, j) = eps * (level_.drho_bar(i, j) / rho_bar - slope[static_cast<std::size_t>(j)]);
+      deps_dH_(i, j) = H > 0.0 ? 3.0 * eps / H : 0.0;
+      dq_dP_(i, j) = level_.drho_bar(i, j) * H;
+      local_.eps(i, j) = deps_dP_(i, j) + self * deps_dH_(i, j);
+      local_.q(i, j) = dq_dP_(i, j) + self * rho_bar;
+    }
+  }
+  for (std::size_t k = 0; k < nodes_; ++k) wet_[k] = u[k] > 0.0 ? 1 : 0;
+}
+
+void NewtonEquations::jacobian(std::span<const double> v, std::span<double> Jv) {
+  const core::Grid& grid = level_.grid;
+  for (int i = 1; i < grid.nx; ++i)
+    for (int j = 1; j < grid.ny; ++j) dP_(i, j) = wet_[index(i, j)] ? v[index(i, j)] : 0.0;
+  {
+    const core::ScopedTimer timer(hierarchy_.times, core::Part::deformation);
+    level_.deformation.evaluate(dP_, dH_);
+  }
+  const double dH00 = v[nodes_];
+  core::Field& dq = dH_;  // d (rho_bar H) takes the place of dH once d eps has used it
+  double dload = 0.0;
+  for (int i = 0; i <= grid.nx; ++i)
+    for (int j = 0; j <= grid.ny; ++j) {
+      const double dP = dP_(i, j);
+      const double dH = dH_(i, j) + dH00;
+      deps_(i, j) = deps_dP_(i, j) * dP + deps_dH_(i, j) * dH;
+      dq(i, j) = dq_dP_(i, j) * dP + level_.rho_bar(i, j) * dH;
+      dload += dP;
+    }
+  const double half_over_hx2 = 0.5 / (grid.hx() * grid.hx());
+  const double half_over_hy2 = 0.5 / (grid.hy() * grid.hy());
+  const core::Field& P = level_.P;
+  const core::Field& eps = level_.eps;
+#pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
+  for (int i = 1; i < grid.nx; ++i) {
+    const auto [c0, c1, c2] = reynolds::wedge_weights(wedge(), i, grid.hx());
+    const int upstream = std::max(i - 2, 0);
+    for (int j = 1; j < grid.ny; ++j) {
+      const std::size_t k = index(i, j);
+      const auto e = reynolds::half_points(eps(i - 1, j), eps(i + 1, j), eps(i, j - 1), eps(i, j + 1), eps(i, j),
+                                           half_over_hx2, half_over_hy2);
+      const auto de = reynolds::half_points(deps_(i - 1, j), deps_(i + 1, j), deps_(i, j - 1), deps_(i, j + 1),
+                                            deps_(i, j), half_over_hx2, half_over_hy2);
+      const double dr = c0 * dq(i, j) + c1 * dq(i - 1, j) + c2 * dq(upstream, j) -
+                        reynolds::poiseuille(e, dP_(i - 1, j), dP_(i + 1, j), dP_(i, j - 1), dP_(i, j + 1), dP_(i, j)) -
+                        reynolds::poiseuille(de, P(i - 1, j), P(i + 1, j), P(i, j - 1), P(i, j + 1), P(i, j));
+      Jv[k] = scale_[k] * dr + (wet_[k] ? 0.0 : v[k]);
+    }
+  }
+  Jv[nodes_] = grid.hx() * grid.hy() * dload / level_.load;
+}
+
+}  // namespace ehl::steady

@@ -1,0 +1,166 @@
+#include "steady/newton_preconditioner.hpp"
+
+#include <Eigen/SparseCore>
+#include <Eigen/SparseLU>
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "reynolds/stencil.hpp"
+
+namespace ehl::steady {
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double>;
+using Vector = Eigen::VectorXd;
+
+/// A part [i_first, i_last] x [j_first, j_last] of the grid.
+struct Box {
+  int i_first, i_last, j_first, j_last;
+  int width() const { return i_last - i_first + 1; }
+  int height() const { return j_last - j_first + 1; }
+};
+
+// Small enough to be dense.
+constexpr int leaf = 3;
+
+/// Nested dissection of the rectangular grid: first one half, then the other, last the separator. A separator across X
+/// must be as thick as the wedge reaches upstream, one across Y one node.
+void dissect(const Box& box, int reach, const NewtonEquations& equations, std::vector<std::pair<int, int>>& order) {
+  if (box.width() <= 0 || box.height() <= 0) return;
+  const auto take = [&](const Box& part) {
+    for (int i = part.i_first; i <= part.i_last; ++i)
+      for (int j = part.j_first; j <= part.j_last; ++j)
+        if (equations.wet(equations.index(i, j))) order.emplace_back(i, j);
+  };
+  if (box.width() <= leaf + reach && box.height() <= leaf) return take(box);
+  const bool across_x = box.width() > leaf + reach && (box.height() <= leaf || reach * box.height() < box.width());
+  Box low = box, high = box, separator = box;
+  if (across_x) {
+    separator.i_first = box.i_first + (box.width() - reach) / 2;
+    separator.i_last = separator.i_first + reach - 1;
+    low.i_last = separator.i_first - 1;
+    high.i_first = separator.i_last + 1;
+  } else {
+    separator.j_first = separator.j_last = box.j_first + box.height() / 2;
+    low.j_last = separator.j_first - 1;
+    high.j_first = separator.j_last + 1;
+  }
+  dissect(low, reach, equations, order);
+  dissect(high, reach, equations, order);
+  take(separator);
+}
+
+}  // namespace
+
+struct NewtonPreconditioner::Implementation {
+  const NewtonEquations& equations;
+  std::vector<std::pair<int, int>> order;  // wet nodes in the order of elimination
+  std::vector<int> place;                  // of a node in it; -1: cavitated
+  Matrix matrix;
+  Eigen::SparseLU<Matrix, Eigen::NaturalOrdering<int>> lu;
+  Vector border;             // J~^-1 of the column of H00, without the load row
+  double load_weight = 0.0;  // d F_last / d P at each node
+  double schur = 0.0;
+  Vector rhs, solution;
+
+  explicit Implementation(const NewtonEquations& e) : equations(e) {}
+  void make_order();
+  void assemble(Vector& column_of_H00);
+};
+
+void NewtonPreconditioner::Implementation::make_order() {
+  const core::Grid& grid = equations.grid();
+  order.clear();
+  const int reach = equations.wedge() == reynolds::Wedge::upstream2 ? 2 : 1;
+  dissect({1, grid.nx - 1, 1, grid.ny - 1}, reach, equations, order);
+  place.assign(equations.size() - 1, -1);
+  for (std::size_t k = 0; k < order.size(); ++k)
+    place[equations.index(order[k].first, order[k].second)] = static_cast<int>(k);
+}
+
+void NewtonPreconditioner::Implementation::assemble(Vector& column_of_H00) {
+  const core::Grid& grid = equations.grid();
+  const fmg::Level& level = equations.level();
+  const double half_over_hx2 = 0.5 / (grid.hx() * grid.hx());
+  const double half_over_hy2 = 0.5 / (grid.hy() * grid.hy());
+  const auto& [deps, dq] = equations.local();
+  const core::Field& deps_dH = equations.deps_dH();
+  const core::Field& P = level.P;
+  const core::Field& eps = level.eps;
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(6 * order.size());
+  for (std::size_t row = 0; row < order.size(); ++row) {
+    const auto [i, j] = order[row];
+    const double s = equations.scale(equations.index(i, j));
+    const auto [c0, c1, c2] = reynolds::wedge_weights(equations.wedge(), i, grid.hx());
+    const auto e = reynolds::half_points(eps(i - 1, j), eps(i + 1, j), eps(i, j - 1), eps(i, j + 1), eps(i, j),
+                                         half_over_hx2, half_over_hy2);
+    const double centre = P(i, j);
+    const double west = half_over_hx2 * (P(i - 1, j) - centre);
+    const double east = half_over_hx2 * (P(i + 1, j) - centre);
+    const double south = half_over_hy2 * (P(i, j - 1) - centre);
+    const double north = half_over_hy2 * (P(i, j + 1) - centre);
+    const auto enter = [&](int ci, int cj, double value) {
+      if (ci < 1 || ci >= grid.nx || cj < 1 || cj >= grid.ny) return;
+      const int column = place[equations.index(ci, cj)];
+      if (column >= 0) entries.emplace_back(static_cast<int>(row), column, s * value);
+    };
+    enter(i, j, c0 * dq(i, j) + e.west + e.east + e.south + e.north - (west + east + south + north) * deps(i, j));
+    enter(i - 1, j, c1 * dq(i - 1, j) - e.west - west * deps(i - 1, j));
+    enter(i + 1, j, -e.east - east * deps(i + 1, j));
+    enter(i, j - 1, -e.south - south * deps(i, j - 1));
+    enter(i, j + 1, -e.north - north * deps(i, j + 1));
+    if (c2 != 0.0) enter(i - 2, j, c2 * dq(i - 2, j));
+    const double here = deps_dH(i, j);
+    column_of_H00[static_cast<Eigen::Index>(row)] =
+        s * (c0 * level.rho_bar(i, j) + c1 * level.rho_bar(i - 1, j) + c2 * level.rho_bar(std::max(i - 2, 0), j) -
+             west * (deps_dH(i - 1, j) + here) - east * (deps_dH(i + 1, j) + here) -
+             south * (deps_dH(i, j - 1) + here) - north * (deps_dH(i, j + 1) + here));
+  }
+  const auto n = static_cast<Eigen::Index>(order.size());
+  matrix.resize(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+}
+
+NewtonPreconditioner::NewtonPreconditioner(const NewtonEquations& equations)
+    : implementation_(std::make_unique<Implementation>(equations)) {}
+NewtonPreconditioner::~NewtonPreconditioner() = default;
+
+bool NewtonPreconditioner::factor() {
+  Implementation& own = *implementation_;
+  own.make_order();
+  if (own.order.empty()) return false;
+  const auto n = static_cast<Eigen::Index>(own.order.size());
+  Vector column(n);
+  own.assemble(column);
+  own.lu.setPivotThreshold(1e-3);
+  own.lu.analyzePattern(own.matrix);
+  own.lu.factorize(own.matrix);
+  if (own.lu.info() != Eigen::Success) return false;
+  own.border = own.lu.solve(column);
+  const core::Grid& grid = own.equations.grid();
+  own.load_weight = grid.hx() * grid.hy() / own.equations.level().load;
+  own.schur = own.load_weight * own.border.sum();
+  own.rhs.resize(n);
+  return own.border.allFinite() && own.schur != 0.0;
+}
+
+void NewtonPreconditioner::solve(std::span<double> v) {
+  Implementation& own = *implementation_;
+  for (std::size_t k = 0; k < own.order.size(); ++k)
+    own.rhs[static_cast<Eigen::Index>(k)] = v[own.equations.index(own.order[k].first, own.order[k].second)];
+  own.solution = own.lu.solve(own.rhs);
+  const double dH00 = (own.load_weight * own.solution.sum() - v.back()) / own.schur;
+  for (std::size_t k = 0; k < own.order.size(); ++k) {
+    const auto at = static_cast<Eigen::Index>(k);
+    v[own.equations.index(own.order[k].first, own.order[k].second)] = own.solution[at] - dH00 * own.border[at];
+  }
+  v.back() = dH00;
+}
+
+std::size_t NewtonPreconditioner::entries() const {
+  return static_cast<std::size_t>(implementation_->lu.nnzL() + implementation_->lu.nnzU());
+}
+
+}  // namespace ehl::steady

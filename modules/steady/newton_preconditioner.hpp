@@ -1,0 +1,30 @@
+#pragma once
+// The preconditioner of Newton's linear systems: a sparse LU of the Jacobian without the far reach of the elastic
+// deformation.
+#include <cstddef>
+#include <memory>
+#include <span>
+
+#include "steady/newton_equations.hpp"
+
+namespace ehl::steady {
+
+/// Solves J~ x = v, where J~ is the Jacobian with K cut to its self term K_00, bordered by H00 and the load row.
+class NewtonPreconditioner {
+ public:
+  explicit NewtonPreconditioner(const NewtonEquations& equations);
+  ~NewtonPreconditioner();
+
+  /// Factors J~ at the equations' point of linearization. false: singular.
+  bool factor();
+  /// v <- J~^-1 v.
+  void solve(std::span<double> v);
+  /// Entries of L and U.
+  std::size_t entries() const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace ehl::steady

@@ -1,0 +1,32 @@
+#pragma once
+// A circular contact on one grid, from the Hertz pressure: where Newton's method is asked to begin.
+#include <cmath>
+
+#include "contact/film_formulas.hpp"
+#include "contact/groups.hpp"
+#include "fmg/full_multigrid.hpp"
+
+namespace ehl::tests {
+
+/// Roelands (z = 0.68, alpha = 2.2e-8 1/Pa) and Dowson-Higginson, film by Fourier transforms: exact.
+inline fmg::Hierarchy newton_hierarchy(double M, double L, const core::Grid& grid, int threads,
+                                       reynolds::Wedge wedge = reynolds::Wedge::upstream2) {
+  const contact::Groups groups = contact::from_moes(M, L);
+  constexpr double alpha = 2.2e-8;
+  const double p_h = groups.alpha_bar / alpha;
+  const fmg::Problem problem{.lambda = groups.lambda,
+                             .viscosity = rheology::make_roelands(alpha, rheology::roelands_p0, 0.68, p_h),
+                             .density = rheology::make_dowson_higginson(p_h),
+                             .wedge = wedge,
+                             .given_epsilon = {}};
+  mlmi::Parameters deformation;
+  deformation.method = mlmi::Method::fft;
+  return fmg::make_hierarchy(problem, {}, deformation, grid, threads);
+}
+
+/// H00 that goes with the published central film.
+inline double first_H00(double M, double L) {
+  return -1.0 + contact::H_from_moes_units(contact::nijenbanning_venner_moes(M, L), M);
+}
+
+}  // namespace ehl::tests

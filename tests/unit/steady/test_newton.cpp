@@ -1,0 +1,283 @@
+// Newton's method for the steady problem: exact Jacobian, fast end, the cycles' solution, and honest failures.
+#include <unistd.h>
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <stdexcept>
+#include <vector>
+
+#include "core/errors.hpp"
+#include "core/norms.hpp"
+#include "fmg/cycle.hpp"
+#include "steady/kinsol.hpp"
+#include "steady/newton.hpp"
+#include "steady/newton_equations.hpp"
+#include "steady/newton_preconditioner.hpp"
+#include "steady/state_of_level.hpp"
+#include "support/random.hpp"
+#include "unit/steady/newton_scene.hpp"
+
+using namespace ehl;
+using namespace ehl::steady;
+using namespace ehl::tests;
+
+namespace {
+
+constexpr core::Grid square(int n) { return {n, n, -2.5, 1.5, -2.0, 2.0}; }
+
+/// Hertz pressure with noise inside, light pressures and cavitated nodes mixed outside; every number away from zero.
+std::vector<double> mixed_unknowns(const NewtonEquations& equations, Random& random) {
+  std::vector<double> u(equations.size());
+  const core::Grid& grid = equations.grid();
+  for (int i = 1; i < grid.nx; ++i)
+    for (int j = 1; j < grid.ny; ++j) {
+      const double X = grid.X(i);
+      const double Y = grid.Y(j);
+      const double hertz = std::sqrt(std::max(0.0, 1.0 - X * X - Y * Y));
+      const double outside = random.chance(0.4) ? -0.05 : random.between(0.005, 0.02);
+      u[equations.index(i, j)] = hertz > 0.0 ? (0.1 + hertz) * random.between(0.9, 1.1) : outside;
+    }
+  u.back() = -0.6;
+  return u;
+}
+
+double largest(const std::vector<double>& v) {
+  double value = 0.0;
+  for (const double x : v) value = std::max(value, std::abs(x));
+  return value;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(jacobian_products_are_the_slope_of_the_residual) {
+  Random random(5);
+  for (const reynolds::Wedge wedge : {reynolds::Wedge::upstream1, reynolds::Wedge::upstream2}) {
+    // hx != hy: every factor in its place.
+    fmg::Hierarchy hierarchy = newton_hierarchy(50, 10, {32, 24, -3.0, 1.5, -2.0, 2.0}, 1, wedge);
+    const std::size_t l = hierarchy.levels.size() - 1;
+    fmg::start_from_hertz(hierarchy, l, -0.6, 0);
+    NewtonEquations equations(hierarchy, l);
+    std::vector<double> scratch(equations.size());
+    equations.unknowns(scratch);
+    const std::vector<double> u = mixed_unknowns(equations, random);
+    std::vector<double> v(u.size()), product(u.size()), ahead(u.size()), behind(u.size()), F(u.size());
+    constexpr double step = 1e-6;
+    for (const double share_of_H00 : {0.0, 1.0}) {
+      for (double& x : v) x = random.between(-1.0, 1.0);
+      v.back() *= share_of_H00;
+      equations.residual(u, F);
+      equations.linearize(u);
+      equations.jacobian(v, product);
+      std::vector<double> there = u;
+      for (std::size_t k = 0; k < u.size(); ++k) there[k] = u[k] + step * v[k];
+      equations.residual(there, ahead);
+      for (std::size_t k = 0; k < u.size(); ++k) there[k] = u[k] - step * v[k];
+      equations.residual(there, behind);
+      double error = 0.0;
+      for (std::size_t k = 0; k < u.size(); ++k)
+        error = std::max(error, std::abs(product[k] - (ahead[k] - behind[k]) / (2.0 * step)));
+      BOOST_TEST_MESSAGE("largest error " << error / largest(product) << " of the largest product (allowed 1e-7: "
+                                          << "rounding of a difference over 1e-6)");
+      BOOST_TEST(error <= 1e-7 * largest(product));
+    }
+  }
+}
+
+// Without the deformation beyond its self term the factors would be the inverse: with it, GMRES has little left to do.
+BOOST_AUTO_TEST_CASE(preconditioner_solves_the_local_equations) {
+  Random random(6);
+  fmg::Hierarchy hierarchy = newton_hierarchy(50, 10, square(32), 1);
+  const std::size_t l = hierarchy.levels.size() - 1;
+  fmg::start_from_hertz(hierarchy, l, -0.6, 0);
+  NewtonEquations equations(hierarchy, l);
+  std::vector<double> u(equations.size()), F(u.size());
+  equations.unknowns(u);
+  u = mixed_unknowns(equations, random);
+  equations.residual(u, F);
+  equations.linearize(u);
+  NewtonPreconditioner preconditioner(equations);
+  BOOST_REQUIRE(preconditioner.factor());
+  // A change of H00 alone has no deformation: its product with the exact Jacobian is one with the local one as well,
+  // but for the load row, which H00 does not enter.
+  std::vector<double> v(u.size(), 0.0), product(u.size());
+  v.back() = 0.01;
+  equations.jacobian(v, product);
+  preconditioner.solve(product);
+  double error = std::abs(product.back() - 0.01);
+  for (std::size_t k = 0; k + 1 < u.size(); ++k)
+    if (equations.wet(k)) error = std::max(error, std::abs(product[k]));
+  BOOST_TEST_MESSAGE("a change of H00 comes back with an error of " << error / 0.01 << " (allowed 1e-10)");
+  BOOST_TEST(error <= 1e-10 * 0.01);
+}
+
+BOOST_AUTO_TEST_CASE(from_hertz_to_the_solution_of_the_cycles) {
+  const core::Grid grid = square(64);
+  fmg::Hierarchy cycles = newton_hierarchy(200, 10, grid, 1);
+  const std::size_t l = cycles.levels.size() - 1;
+  fmg::start_from_hertz(cycles, l, first_H00(200, 10), 20);
+  StateOfLevel state = state_of_level(cycles, l);
+  for (int cycle = 1; cycle <= 40 && !(state.residual < 1e-12 && state.load_error < 1e-12); ++cycle) {
+    fmg::fas_cycle(cycles, l);
+    state = state_of_level(cycles, l);
+  }
+  BOOST_REQUIRE(state.residual < 1e-11);
+
+  fmg::Hierarchy newton = newton_hierarchy(200, 10, grid, 1);
+  fmg::start_from_hertz(newton, l, first_H00(200, 10), 0);
+  const NewtonResult result = solve_by_newton(newton, l);
+  BOOST_TEST(result.converged);
+  BOOST_TEST(result.reason.empty());
+  const double P_apart = core::max_abs_difference(newton.levels[l].P, cycles.levels[l].P);
+  const double H_apart = core::max_abs_difference(newton.levels[l].H, cycles.levels[l].H);
+  BOOST_TEST_MESSAGE("P " << P_apart << ", H " << H_apart << ", H00 " << std::abs(newton.H00 - cycles.H00)
+                          << " away from the cycles' (allowed 1e-9), in " << result.steps.size() << " steps");
+  BOOST_TEST(P_apart <= 1e-9);
+  BOOST_TEST(H_apart <= 1e-9);
+  BOOST_TEST(std::abs(newton.H00 - cycles.H00) <= 1e-9);
+
+  // The end is quadratic, up to the 1e-5 to which the linear systems are solved: better than any cycle.
+  double best = 1.0;
+  for (std::size_t k = 1; k < result.steps.size(); ++k)
+    best = std::min(best, result.steps[k].residual / result.steps[k - 1].residual);
+  BOOST_TEST_MESSAGE("the best step leaves " << best << " of the residual (allowed 1e-3)");
+  BOOST_TEST(best <= 1e-3);
+
+  // From a solution there is nothing to do; from one that is a little off, little.
+  BOOST_TEST(solve_by_newton(newton, l).steps.size() <= 1);
+  fmg::fas_cycle(newton, l);
+  BOOST_TEST(solve_by_newton(newton, l).steps.size() <= 2);
+}
+
+BOOST_AUTO_TEST_CASE(failures_are_told) {
+  const auto tells = [](const NewtonResult& result, const char* word) {
+    BOOST_TEST_MESSAGE(result.reason);
+    BOOST_TEST(!result.converged);
+    BOOST_TEST(result.reason.find(word) != std::string::npos);
+  };
+  // A grid whose discrete film is negative has no solution that means anything.
+  fmg::Hierarchy coarse = newton_hierarchy(1000, 10, square(32), 1);
+  fmg::start_from_hertz(coarse, 0, first_H00(1000, 10), 0);
+  tells(solve_by_newton(coarse, 0), "film");
+  // Without pressure nothing depends on H00.
+  fmg::Hierarchy dry = newton_hierarchy(50, 10, square(32), 1);
+  fmg::start_from_hertz(dry, 0, first_H00(50, 10), 0);
+  dry.levels[0].P.fill(0.0);
+  tells(solve_by_newton(dry, 0), "no node carries pressure");
+  // Stopped early: the best state met, with the film that belongs to it.
+  fmg::Hierarchy stopped = newton_hierarchy(50, 10, square(32), 1);
+  fmg::start_from_hertz(stopped, 0, first_H00(50, 10), 0);
+  const StateOfLevel start = state_of_level(stopped, 0);
+  const NewtonResult result = solve_by_newton(stopped, 0, {.max_steps = 3});
+  tells(result, "after 3 steps");
+  BOOST_TEST(result.steps.size() == 3U);
+  double best = start.residual;
+  for (const NewtonStep& step : result.steps) best = std::min(best, step.residual);
+  BOOST_TEST(state_of_level(stopped, 0).residual == best);
+  const core::Field H = stopped.levels[0].H;
+  fmg::update_film(stopped, stopped.levels[0]);
+  BOOST_TEST(core::max_abs_difference(H, stopped.levels[0].H) == 0.0);
+  // The user's stop.
+  int calls = 0;
+  BOOST_CHECK_THROW(solve_by_newton(stopped, 0, {}, [&](const NewtonStep&) { return ++calls < 2; }), core::Interrupted);
+  BOOST_TEST(calls == 2);
+  // A problem without force balance is another one.
+  stopped.problem.load.reset();
+  BOOST_CHECK_THROW(solve_by_newton(stopped, 0), core::InputError);
+}
+
+BOOST_AUTO_TEST_CASE(same_bits_with_one_and_two_threads) {
+  std::vector<core::Field> P;
+  for (const int threads : {1, 2}) {
+    fmg::Hierarchy hierarchy = newton_hierarchy(200, 10, square(128), threads);
+    const std::size_t l = hierarchy.levels.size() - 1;
+    fmg::start_from_hertz(hierarchy, l, first_H00(200, 10), 0);
+    const NewtonResult result = solve_by_newton(hierarchy, l, {.max_steps = 3});
+    BOOST_TEST(result.steps.size() == 3U);
+    P.push_back(hierarchy.levels[l].P);
+  }
+  BOOST_TEST(core::max_abs(P[0]) > 0.9);
+  BOOST_TEST(core::max_abs_difference(P[0], P[1]) == 0.0);
+}
+
+namespace {
+
+/// u_k^2 = k + 1, solved with the exact slope.
+KrylovProblem square_roots(const std::vector<double>& at) {
+  KrylovProblem problem;
+  problem.size = at.size();
+  problem.residual = [](std::span<const double> u, std::span<double> F) {
+    for (std::size_t k = 0; k < u.size(); ++k) F[k] = u[k] * u[k] - static_cast<double>(k + 1);
+    return true;
+  };
+  problem.linearize = [](std::span<const double>) { return true; };
+  problem.jacobian = [&at](std::span<const double> v, std::span<double> Jv) {
+    for (std::size_t k = 0; k < v.size(); ++k) Jv[k] = 2.0 * at[k] * v[k];
+  };
+  problem.precondition = [](std::span<double>) {};
+  return problem;
+}
+
+/// What a function writes to the standard error stream, in bytes.
+long bytes_on_stderr(const std::function<void()>& function) {
+  std::FILE* file = std::tmpfile();
+  std::fflush(stderr);
+  const int kept = dup(STDERR_FILENO);
+  dup2(fileno(file), STDERR_FILENO);
+  function();
+  std::fflush(stderr);
+  dup2(kept, STDERR_FILENO);
+  close(kept);
+  const long bytes = static_cast<long>(lseek(fileno(file), 0, SEEK_END));
+  std::fclose(file);
+  return bytes;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(kinsol_takes_newton_steps_and_keeps_quiet) {
+  std::vector<double> u{1.0, 1.5, 2.0};
+  const KrylovProblem problem = square_roots(u);
+  Kinsol kinsol(problem);
+  for (int step = 0; step < 6; ++step) {
+    const std::vector<double> before = u;
+    BOOST_TEST(kinsol.step(u, 1e-12).reason.empty());
+    // Heron's rule is this Newton step in closed form.
+    for (std::size_t k = 0; k < u.size(); ++k)
+      BOOST_TEST(std::abs(u[k] - 0.5 * (before[k] + static_cast<double>(k + 1) / before[k])) < 1e-11);
+  }
+  for (std::size_t k = 0; k < u.size(); ++k) BOOST_TEST(std::abs(u[k] - std::sqrt(static_cast<double>(k + 1))) < 1e-14);
+
+  u = {1.0, 1.5, 2.0};
+  const auto reason_of = [&](const KrylovProblem& broken) {
+    std::string reason;
+    const long bytes = bytes_on_stderr([&] {
+      Kinsol solver(broken);
+      std::vector<double> start{1.0, 1.5, 2.0};
+      reason = solver.step(start, 1e-10).reason;
+    });
+    BOOST_TEST(bytes == 0);
+    BOOST_TEST_MESSAGE(reason);
+    return reason;
+  };
+  KrylovProblem singular = problem;
+  singular.linearize = [](std::span<const double>) { return false; };
+  BOOST_TEST(reason_of(singular).find("singular") != std::string::npos);
+  KrylovProblem nowhere = problem;
+  nowhere.residual = [](std::span<const double>, std::span<double>) { return false; };
+  BOOST_TEST(reason_of(nowhere).find("start") != std::string::npos);
+  KrylovProblem only_here = problem;
+  only_here.residual = [&](std::span<const double> at, std::span<double> F) {
+    return problem.residual(at, F) && at[0] == 1.0 && at[1] == 1.5;
+  };
+  BOOST_TEST(reason_of(only_here).find("along the step") != std::string::npos);
+  KrylovProblem flat = problem;
+  flat.jacobian = [](std::span<const double>, std::span<double> Jv) { std::ranges::fill(Jv, 0.0); };
+  BOOST_TEST(!reason_of(flat).empty());
+  KrylovProblem throwing = problem;
+  throwing.jacobian = [](std::span<const double>, std::span<double>) { throw std::runtime_error("mine"); };
+  Kinsol solver(throwing);
+  BOOST_CHECK_THROW(solver.step(u, 1e-10), std::runtime_error);
+}
