@@ -42,6 +42,14 @@ void start_from_hertz(Hierarchy& hierarchy, std::size_t l, double H00, int sweep
   }
 }
 
+void start_from_state(Hierarchy& hierarchy, std::size_t l, const core::Field& P, double H00) {
+  Level& level = hierarchy.levels[l];
+  pose_original_problem(hierarchy.problem, level);
+  core::copy(P, level.P);
+  hierarchy.H00 = H00;
+  update_film(hierarchy, level);
+}
+
 void start_from_coarser(Hierarchy& hierarchy, std::size_t l) {
   Level& level = hierarchy.levels[l];
   pose_original_problem(hierarchy.problem, level);

@@ -8,6 +8,9 @@ namespace ehl::fmg {
 /// as given; then `sweeps` relaxations with the force balance (eq. 26) after every fourth. errors: core::SolverError.
 void start_from_hertz(Hierarchy& hierarchy, std::size_t l, double H00, int sweeps);
 
+/// Makes levels[l] the level being solved, from a pressure and an H00 given. in: P of the level's shape.
+void start_from_state(Hierarchy& hierarchy, std::size_t l, const core::Field& P, double H00);
+
 /// Makes levels[l] the level being solved, from the solution on levels[l-1] by bicubic interpolation held at P >= 0.
 void start_from_coarser(Hierarchy& hierarchy, std::size_t l);
 

@@ -131,6 +131,19 @@ void fluidity(const ViscosityLaw& law, std::span<const double> P, std::span<doub
   std::visit([&](const auto& v) { in_chunks(P, fluidity, [&](auto p, auto out) { reciprocal_eta(v, p, out); }); }, law);
 }
 
+ViscosityLaw rescaled(const ViscosityLaw& law, double factor) {
+  ViscosityLaw result = law;
+  if (auto* barus = std::get_if<Barus>(&result)) barus->alpha_bar *= factor;
+  if (auto* roelands = std::get_if<Roelands>(&result)) roelands->p_h_over_p0 *= factor;
+  return result;
+}
+
+DensityLaw rescaled(const DensityLaw& law, double factor) {
+  DensityLaw result = law;
+  if (auto* compressible = std::get_if<DowsonHigginson>(&result)) compressible->p_h_over_B *= factor;
+  return result;
+}
+
 void log_viscosity(const ViscosityLaw& law, std::span<const double> P, std::span<double> log_eta_bar) {
   std::visit([&](const auto& v) { in_chunks(P, log_eta_bar, [&](auto p, auto out) { log_eta(v, p, out); }); }, law);
 }

@@ -45,6 +45,10 @@ double roelands_z(double alpha, double p0, double eta0);
 /// Dowson and Higginson's law for P = p/p_h. in: p_h [Pa] > 0.
 DowsonHigginson make_dowson_higginson(double p_h);
 
+/// The same lubricant where the pressure scale p_h is `factor` times what it was. in: factor >= 0.
+ViscosityLaw rescaled(const ViscosityLaw& law, double factor);
+DensityLaw rescaled(const DensityLaw& law, double factor);
+
 // All functions below: in P = p/p_h, any length; out of the same length, not overlapping P. Each value depends
 // on its own P alone, whatever the length and the position. P slightly below zero continues the formula;
 // where 1 + p_h P/p0 <= 0 Roelands' law has no value and the result is NaN.

@@ -10,12 +10,16 @@
 #include "core/timer.hpp"
 #include "fmg/full_multigrid.hpp"
 #include "steady/checks.hpp"
+#include "steady/rescue.hpp"
 
 namespace ehl::steady {
 namespace {
 
 /// Cycles beyond the planned ones that a level below the finest may take to reach its discretization error.
 constexpr int most_extra_cycles = 3;
+
+/// A state with this relative residual solves the equations, whatever else is wrong with it.
+constexpr double solved_residual = 1e-5;
 
 /// Central film thickness of the published formula: good to 15 % and enough to begin with.
 double guess_of_central_film(const Scene& scene) {
@@ -26,36 +30,6 @@ double guess_of_central_film(const Scene& scene) {
 double mean_factor(const std::vector<double>& residuals) {
   if (residuals.size() < 2) return std::numeric_limits<double>::quiet_NaN();
   return std::pow(residuals.back() / residuals.front(), 1.0 / static_cast<double>(residuals.size() - 1));
-}
-
-// Planned cycles at least; then until the checks of this level have nothing to say. On the finest level against the
-// tolerance, and as many as that takes; below it against the discretization error, with a few extra cycles at most.
-void solve_level(Climb& climb, std::size_t l, int planned) {
-  const fmg::Parameters& multigrid = climb.scene.multigrid;
-  const bool last_level = l == climb.finest();
-  const int extra = l == climb.first ? 0 : most_extra_cycles;
-  const int most = last_level ? std::max(multigrid.max_cycles, planned) : planned + extra;
-  const double asked = last_level ? multigrid.tolerance : std::numeric_limits<double>::quiet_NaN();
-  std::vector<double> residuals;
-  Solution& solution = climb.solution;
-  solution.levels.emplace_back();
-  const Judge judge = [&](int cycle, const StateOfLevel& before, const StateOfLevel& now) -> std::string {
-    record(climb, l, cycle, now);
-    report(climb, l, cycle, planned, now);
-    residuals.push_back(now.residual);
-    if (std::isnan(asked) && cycle < planned) return "cycles that were planned are still to come";
-    const LastCycle last{before, now, solution.levels.back().error_Hc, solution.levels.back().error_Hm};
-    solution.verification = verification_of(last);
-    return unmet_check(last, asked);
-  };
-  const CyclesResult result = run_cycles(climb.hierarchy, l, most, multigrid.relaxation, climb.caution, judge);
-  if (result.end == CyclesEnd::diverged)
-    throw core::SolverError(name_of_level(climb.hierarchy, l) + ": " + result.unmet);
-  solution.failed_check = result.unmet.empty() ? result.unmet : name_of_level(climb.hierarchy, l) + ": " + result.unmet;
-  if (!last_level) return;
-  solution.end = result.end;
-  solution.cycle_factor = mean_factor(residuals);
-  solution.converged = solution.failed_check.empty();
 }
 
 }  // namespace
@@ -88,6 +62,34 @@ void solve_first_level(Climb& climb) {
   climb.solution.levels.back().seconds = core::now() - began;
 }
 
+void solve_level(Climb& climb, std::size_t l, int planned) {
+  const fmg::Parameters& multigrid = climb.scene.multigrid;
+  const bool last_level = l == climb.finest();
+  const int extra = l == climb.first ? 0 : most_extra_cycles;
+  const int most = last_level ? std::max(multigrid.max_cycles, planned) : planned + extra;
+  const double asked = last_level ? multigrid.tolerance : std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> residuals;
+  Solution& solution = climb.solution;
+  solution.levels.emplace_back();
+  const Judge judge = [&](int cycle, const StateOfLevel& before, const StateOfLevel& now) -> Verdict {
+    record(climb, l, cycle, now);
+    report(climb, l, cycle, planned, now);
+    residuals.push_back(now.residual);
+    if (std::isnan(asked) && cycle < planned) return {"cycles that were planned are still to come"};
+    const LastCycle last{before, now, solution.levels.back().error_Hc, solution.levels.back().error_Hm};
+    solution.verification = verification_of(last);
+    return {unmet_check(last, asked), now.residual < solved_residual && !(now.Hm > 0.0)};
+  };
+  const CyclesResult result = run_cycles(climb.hierarchy, l, most, multigrid.relaxation, climb.caution, judge);
+  if (result.end == CyclesEnd::diverged)
+    throw core::SolverError(name_of_level(climb.hierarchy, l) + ": " + result.unmet);
+  solution.failed_check = result.unmet.empty() ? result.unmet : name_of_level(climb.hierarchy, l) + ": " + result.unmet;
+  if (!last_level) return;
+  solution.end = result.end;
+  solution.cycle_factor = mean_factor(residuals);
+  solution.converged = solution.failed_check.empty();
+}
+
 void ascend(Climb& climb, std::size_t from) {
   for (std::size_t l = from + 1; l <= climb.finest(); ++l) {
     const double began = core::now();
@@ -114,6 +116,7 @@ Solution climb(const Scene& scene, const Start& start, const ProgressCallback& p
   Climb climb = begin_climb(scene, start, progress);
   solve_first_level(climb);
   ascend(climb, climb.first);
+  if (scene.polish == Polish::always) polish(climb);
   return result_of(std::move(climb));
 }
 

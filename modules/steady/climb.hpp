@@ -41,6 +41,10 @@ Climb begin_climb(const Scene& scene, const Start& start, const ProgressCallback
 /// The first grid, from the Hertz pressure, until it is solved well enough to go on from.
 /// errors: core::SolverError where the cycles diverge; core::Interrupted.
 void solve_first_level(Climb& climb);
+/// Cycles on level l from the state that is there: `planned` at least, then until the checks have nothing to say; on
+/// the finest level against the tolerance and as many as that takes, below it a few more than planned at most. errors:
+/// as above.
+void solve_level(Climb& climb, std::size_t l, int planned);
 /// The levels above `from`, each from the one below it. errors: as above.
 void ascend(Climb& climb, std::size_t from);
 /// The solution, converged or not, out of the climb.
@@ -51,8 +55,10 @@ Solution climb(const Scene& scene, const Start& start, const ProgressCallback& p
 
 /// Enters the state of a level, as after this many cycles, in the table of levels.
 void record(Climb& climb, std::size_t l, int cycle, const StateOfLevel& now);
-/// Tells the progress of a level. errors: core::Interrupted where the answer is to stop.
-void report(const Climb& climb, std::size_t l, int cycle, int planned, const StateOfLevel& now);
+/// Tells the progress of a level, for the scene's load or a share of it. errors: core::Interrupted where the answer is
+/// to stop.
+void report(const Climb& climb, std::size_t l, int cycle, int planned, const StateOfLevel& now,
+            double load_ratio = 1.0);
 /// "level 3 (128 x 128 cells)".
 std::string name_of_level(const fmg::Hierarchy& hierarchy, std::size_t l);
 

@@ -82,9 +82,10 @@ CyclesResult run_cycles(fmg::Hierarchy& hierarchy, std::size_t l, int most, cons
       residuals.clear();
       continue;
     }
-    result.unmet = judge(result.cycles, before, now);
-    if (result.unmet.empty()) {
-      result.end = CyclesEnd::content;
+    const Verdict verdict = judge(result.cycles, before, now);
+    result.unmet = verdict.unmet;
+    if (result.unmet.empty() || verdict.no_solution) {
+      result.end = verdict.no_solution ? CyclesEnd::no_solution : CyclesEnd::content;
       return result;
     }
     residuals.push_back(now.residual);

@@ -25,8 +25,12 @@ struct CyclesResult {
 /// weights times caution.
 void use_caution(const Caution& caution, const fmg::RelaxationParameters& weights, fmg::RelaxationParameters& used);
 
-/// Looks at the states before and after a cycle (numbered from 1): what is wrong with the latter, empty when nothing.
-using Judge = std::function<std::string(int cycle, const StateOfLevel& before, const StateOfLevel& after)>;
+struct Verdict {
+  std::string unmet;         ///< what is wrong with the state; empty when nothing
+  bool no_solution = false;  ///< more cycles cannot mend it
+};
+/// Looks at the states before and after a cycle (numbered from 1).
+using Judge = std::function<Verdict(int cycle, const StateOfLevel& before, const StateOfLevel& after)>;
 
 /// FAS cycles on level l, from the state that is there, at most `most`.
 /// Backs off: a residual that rises or hardly falls lowers the weight where epsilon is steep, and then all weights; a

@@ -48,7 +48,7 @@ void record(Climb& climb, std::size_t l, int cycle, const StateOfLevel& now) {
   row.error_Hm = error_of(climb, &LevelRow::Hm).relative_error;
 }
 
-void report(const Climb& climb, std::size_t l, int cycle, int planned, const StateOfLevel& now) {
+void report(const Climb& climb, std::size_t l, int cycle, int planned, const StateOfLevel& now, double load_ratio) {
   if (!climb.progress) return;
   // A cycle on the next level costs about four times as much. The checks may ask for more cycles than planned: the
   // last part of the bar is theirs.
@@ -73,7 +73,8 @@ void report(const Climb& climb, std::size_t l, int cycle, int planned, const Sta
                           .ny = grid.ny,
                           .residual = now.residual,
                           .Hc = now.Hc,
-                          .fraction = done / whole};
+                          .fraction = done / whole,
+                          .load_ratio = load_ratio};
   if (!climb.progress(progress)) throw core::Interrupted();
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 // Everything a steady computation needs to know, dimensionless.
+#include <limits>
+
 #include "core/grid.hpp"
 #include "fmg/parameters.hpp"
 #include "mlmi/deformation.hpp"
@@ -8,8 +10,28 @@
 
 namespace ehl::steady {
 
+/// Load continuation: solutions for one load after another, each from the one before.
+struct ContinuationParameters {
+  enum class Path {
+    automatic,  ///< where the full multigrid alone does not lead to a solution
+    load,       ///< always
+    off,        ///< never
+  };
+  Path path = Path::automatic;
+  double load_ratio = std::numeric_limits<double>::quiet_NaN();  ///< first load over the scene's; NaN: chosen
+  double step = 2.0;   ///< factor between the first two loads; > 1
+  int max_steps = 60;  ///< rejected ones included
+};
+
+/// Newton's method on the finest grid.
+enum class Polish {
+  rescue,  ///< where nothing else leads to a solution
+  always,  ///< and after the cycles, down to rounding errors
+  off,     ///< never
+};
+
 struct Scene {
-  double M = 0.0;       ///< Moes' load parameter: for the first guess only
+  double M = 0.0;       ///< Moes' load parameter: for guesses, and for the loads of a continuation
   double L = 0.0;       ///< Moes' material parameter: likewise
   double lambda = 0.0;  ///< 6 eta0 u_s R_x^2 / (a^3 p_h)
   rheology::ViscosityLaw viscosity;
@@ -18,6 +40,8 @@ struct Scene {
   reynolds::Wedge wedge = reynolds::Wedge::upstream2;
   mlmi::Parameters deformation;
   fmg::Parameters multigrid;
+  ContinuationParameters continuation;
+  Polish polish = Polish::rescue;
   int threads = 1;
 };
 

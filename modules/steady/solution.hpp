@@ -30,10 +30,11 @@ struct LevelRow {
 
 /// How a series of cycles ended.
 enum class CyclesEnd {
-  content,   ///< the checks had nothing against the state
-  limit,     ///< no more cycles were allowed; the residual was still falling
-  stalled,   ///< the residual no longer fell
-  diverged,  ///< no finite state came out, with any caution
+  content,      ///< the checks had nothing against the state
+  limit,        ///< no more cycles were allowed; the residual was still falling
+  stalled,      ///< the residual no longer fell
+  diverged,     ///< no finite state came out, with any caution
+  no_solution,  ///< the equations are solved, by a state that is none of the contact: the mesh is too coarse
 };
 
 /// One row per cycle on any level.
@@ -84,9 +85,11 @@ struct Solution {
   std::vector<std::string> warnings;
   double seconds = 0.0;
   CyclesEnd end = CyclesEnd::content;  ///< on the finest grid
-  std::vector<Attempt> attempts;  ///< in order; the last one led to what is shown
+  std::string method;                  ///< of the attempt that led to what is shown
+  std::vector<Attempt> attempts;
   std::vector<ContinuationStep> continuation;
   std::vector<NewtonStep> newton;
+  std::string polish_failure;  ///< why Newton's method after the cycles did not reach rounding errors
   /// Residual after a cycle over that before it, geometric mean of the cycles on the finest grid but the first; NaN
   /// where there are fewer than two.
   double cycle_factor = std::numeric_limits<double>::quiet_NaN();

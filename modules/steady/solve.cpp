@@ -1,13 +1,18 @@
 #include "steady/solve.hpp"
 
+#include <cmath>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
-#include <vector>
+#include <utility>
 
 #include "core/errors.hpp"
 #include "core/timer.hpp"
 #include "steady/climb.hpp"
+#include "steady/continuation.hpp"
 #include "steady/domain_error.hpp"
+#include "steady/rescue.hpp"
 #include "steady/warnings.hpp"
 
 namespace ehl::steady {
@@ -22,44 +27,97 @@ constexpr Start starts[] = {
     {.cells = 128, .sweeps = 40, .cycles = 10, .coarsest = 64, .balances = 30, .caution_at_first = 0.7, .caution = 0.7},
     {.cells = 256, .sweeps = 80, .cycles = 10, .coarsest = 64, .balances = 30, .caution_at_first = 0.5, .caution = 0.7},
 };
+/// From this load on 64 cells do not hold the contact, nor 32 a correction for it.
+constexpr double heavy_M = 1500.0;
+constexpr std::size_t start_of_heavy = 2;
+/// The start of ways that do not begin with cycles from the Hertz pressure at full load.
+constexpr const Start& safe_start = starts[2];
 
 /// A rough bound on the error of the domain above which two coarse solutions are spent on estimating it.
 constexpr double worth_a_look = 0.01;
 
-bool better(const Solution& one, const std::optional<Solution>& other) {
-  return !other || one.converged || one.levels.back().residual < other->levels.back().residual;
+/// The ways that were tried and the best that came out.
+class Search {
+ public:
+  void try_way(const std::string& method, const std::function<Solution()>& way) {
+    const double began = core::now();
+    attempts_.push_back({method, "", 0.0});
+    try {
+      Solution solution = way();
+      attempts_.back().reason = solution.failed_check;
+      if (better(solution)) {
+        best_ = std::move(solution);
+        shown_ = attempts_.size() - 1;
+      }
+    } catch (const core::SolverError& error) {
+      last_error_ = error.what();
+      attempts_.back().reason = last_error_;
+    }
+    attempts_.back().seconds = core::now() - began;
+  }
+
+  const std::optional<Solution>& best() const { return best_; }
+  std::size_t attempts() const { return attempts_.size(); }
+  /// True when another way could not help: solved; stopped by the deck's limit of cycles; or the mesh has no solution.
+  bool over() const {
+    return best_ && (best_->converged || best_->end == CyclesEnd::limit || best_->end == CyclesEnd::no_solution);
+  }
+
+  Solution result() {
+    if (!best_)
+      throw core::SolverError(last_error_ +
+                              ", and no other way led to a state that could be shown; use more cells, or "
+                              "a domain closer to the contact");
+    best_->method = attempts_[shown_].method;
+    best_->attempts = std::move(attempts_);
+    return std::move(*best_);
+  }
+
+ private:
+  bool better(const Solution& one) const {
+    return !best_ || one.converged || one.levels.back().residual < best_->levels.back().residual;
+  }
+
+  std::optional<Solution> best_;
+  std::size_t shown_ = 0;
+  std::vector<Attempt> attempts_;
+  std::string last_error_;
+};
+
+void try_full_multigrid(const Scene& scene, const ProgressCallback& progress, Search& search) {
+  const std::span<const Start> all(starts);
+  for (const Start& start : all.subspan(scene.M > heavy_M ? start_of_heavy : 0)) {
+    // A start for finer grids than the scene has brings nothing new.
+    if (search.attempts() > 1 && start.cells > scene.grid.nx) return;
+    const std::string number = std::to_string(search.attempts() + 1);
+    search.try_way(search.attempts() == 0 ? "full multigrid" : "full multigrid, start " + number,
+                   [&] { return climb(scene, start, progress); });
+    if (search.over()) return;
+  }
 }
 
 }  // namespace
 
 Solution solve(const Scene& scene, const ProgressCallback& progress) {
   const double began = core::now();
-  std::optional<Solution> best;
-  std::string last_error;
-  std::vector<Attempt> attempts;
-  for (const Start& start : starts) {
-    // A start for finer grids than the scene has brings nothing new.
-    if (attempts.size() > 1 && start.cells > scene.grid.nx) break;
-    const double start_began = core::now();
-    attempts.push_back({"full multigrid, start " + std::to_string(attempts.size() + 1), "", 0.0});
-    try {
-      Solution solution = climb(scene, start, progress);
-      attempts.back().reason = solution.failed_check;
-      if (better(solution, best)) best = std::move(solution);
-    } catch (const core::SolverError& error) {
-      last_error = error.what();
-      attempts.back().reason = last_error;
-    }
-    attempts.back().seconds = core::now() - start_began;
-    if (best && best->converged) break;
+  Search search;
+  std::vector<ContinuationStep> steps;
+  using Path = ContinuationParameters::Path;
+  if (scene.continuation.path != Path::load) try_full_multigrid(scene, progress, search);
+  if (scene.continuation.path != Path::off && !search.over())
+    search.try_way("load continuation", [&] { return climb_by_load(scene, safe_start, progress, steps); });
+  if (scene.polish != Polish::off && !search.over()) {
+    if (search.best())
+      search.try_way("Newton-Krylov after the cycles",
+                     [&] { return rescue_by_newton(scene, safe_start, *search.best(), progress); });
+    if (!search.over()) search.try_way("Newton-Krylov", [&] { return climb_by_newton(scene, starts[0], progress); });
   }
-  if (!best)
-    throw core::SolverError(last_error + " from every start; use more cells, or a domain closer to the contact");
-  best->attempts = std::move(attempts);
-  if (rough_domain_error(scene) > worth_a_look) best->domain_error_Hc = estimate_domain_error(scene);
-  best->warnings = warnings_of(scene, *best);
-  best->seconds = core::now() - began;
-  return std::move(*best);
+  Solution solution = search.result();
+  solution.continuation = std::move(steps);
+  if (rough_domain_error(scene) > worth_a_look) solution.domain_error_Hc = estimate_domain_error(scene);
+  solution.warnings = warnings_of(scene, solution);
+  solution.seconds = core::now() - began;
+  return solution;
 }
 
 }  // namespace ehl::steady

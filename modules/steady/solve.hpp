@@ -16,7 +16,8 @@ struct Progress {
   int nx = 0, ny = 0;  ///< cells of the level
   double residual = 0.0;
   double Hc = 0.0;
-  double fraction = 0.0;  ///< of the expected whole work, 0..1
+  double fraction = 0.0;    ///< of the expected whole work, 0..1
+  double load_ratio = 1.0;  ///< load being solved for, over the scene's: a load continuation
 };
 using ProgressCallback = std::function<bool(const Progress&)>;
 

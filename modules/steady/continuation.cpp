@@ -1,0 +1,180 @@
+#include "steady/continuation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "contact/film_formulas.hpp"
+#include "contact/groups.hpp"
+#include "core/errors.hpp"
+#include "core/timer.hpp"
+#include "fmg/full_multigrid.hpp"
+#include "steady/rescue.hpp"
+#include "steady/resolution.hpp"
+
+namespace ehl::steady {
+namespace {
+
+/// Relative residual and load error of an intermediate solution: a good start for the next one.
+constexpr double step_tolerance = 1e-4;
+constexpr int most_cycles_of_a_step = 25;
+/// Cycles of a step up to which the next one is longer.
+constexpr int few_cycles = 6;
+constexpr double longer = 1.5;
+constexpr double longest_step = 4.0;  // factor of load
+constexpr double shortest_step = 1.005;
+/// The predictor follows the last change no further than this many times.
+constexpr double farthest = 2.0;
+/// A grid holds the contact where its step is at most this many times the one that resolves the film.
+constexpr double coarseness = 1.6;
+/// The first load where none is given: a hundredth of the scene's, but not so light that the domain would starve it.
+constexpr double first_ratio = 0.01;
+constexpr double lightest_M = 20.0;
+
+struct Solved {
+  double ln_M;
+  core::Field P;
+  double H00;
+};
+
+std::size_t level_that_holds(const fmg::Hierarchy& hierarchy, const Scene& scene) {
+  const double step = coarseness * resolving_step(scene.M, scene.L);
+  std::size_t l = 0;
+  while (l + 1 < hierarchy.levels.size() && hierarchy.levels[l].grid.hx() > step) ++l;
+  return l;
+}
+
+double first_M(const Scene& scene) {
+  if (std::isfinite(scene.continuation.load_ratio)) return scene.continuation.load_ratio * scene.M;
+  return std::max(first_ratio * scene.M, std::min(lightest_M, 0.5 * scene.M));
+}
+
+double formula_film(double M, double L) {
+  return contact::H_from_moes_units(contact::nijenbanning_venner_moes(M, L), M);
+}
+
+// P and H00 at ln_M on the straight line through the last two solutions; with one solution only, its P and its H00
+// changed by what the published formula says of the film.
+Solved predict(const std::optional<Solved>& previous, const Solved& last, double ln_M, double L) {
+  Solved guess{ln_M, last.P, last.H00};
+  if (!previous) {
+    guess.H00 += formula_film(std::exp(ln_M), L) - formula_film(std::exp(last.ln_M), L);
+    return guess;
+  }
+  const double along = std::min((ln_M - last.ln_M) / (last.ln_M - previous->ln_M), farthest);
+  guess.H00 += along * (last.H00 - previous->H00);
+  for (int i = 0; i < guess.P.nodes_x(); ++i) {
+    const double* before = previous->P.at_x(i);
+    double* P = guess.P.at_x(i);
+    for (int j = 0; j < guess.P.nodes_y(); ++j) P[j] = std::max(0.0, P[j] + along * (P[j] - before[j]));
+  }
+  return guess;
+}
+
+void pose(const Scene& scene, fmg::Problem& problem) {
+  problem.lambda = scene.lambda;
+  problem.viscosity = scene.viscosity;
+  problem.density = scene.density;
+}
+
+// Cycles on level l for one load.
+ContinuationStep solve_step(Climb& climb, std::size_t l, double M) {
+  ContinuationStep step{.M = M, .load_ratio = M / climb.scene.M};
+  const Judge judge = [&](int cycle, const StateOfLevel&, const StateOfLevel& now) -> Verdict {
+    step.Hc = now.Hc;
+    step.Hm = now.Hm;
+    step.residual = now.residual;
+    report(climb, l, cycle, most_cycles_of_a_step, now, step.load_ratio);
+    return {now.residual <= step_tolerance && now.load_error <= step_tolerance ? "" : "not solved yet"};
+  };
+  Caution caution = climb.caution;  // of this step alone
+  const CyclesResult result =
+      run_cycles(climb.hierarchy, l, most_cycles_of_a_step, climb.scene.multigrid.relaxation, caution, judge);
+  step.cycles = result.cycles;
+  step.converged = result.end == CyclesEnd::content;
+  return step;
+}
+
+// The first load by full multigrid on the grid of level l.
+Solved solve_first_load(const Climb& climb, std::size_t l, std::vector<ContinuationStep>& steps) {
+  Scene light = under_load(climb.scene, first_M(climb.scene));
+  light.grid = climb.hierarchy.levels[l].grid;
+  light.multigrid.tolerance = step_tolerance;
+  Solution solution = ehl::steady::climb(light, climb.start, climb.progress);
+  const LevelRow& row = solution.levels.back();
+  steps.push_back({.M = light.M,
+                   .load_ratio = light.M / climb.scene.M,
+                   .Hc = row.Hc,
+                   .Hm = row.Hm,
+                   .residual = row.residual,
+                   .cycles = row.cycles,
+                   .converged = row.residual <= step_tolerance});
+  if (!steps.back().converged)
+    throw core::SolverError("the first load of the continuation was not solved: " + solution.failed_check);
+  return {std::log(light.M), std::move(solution.P), solution.H00};
+}
+
+std::string name_of_load(const Scene& scene, double ln_M) {
+  const double M = std::exp(ln_M);
+  return "M = " + std::to_string(M) + " (" + std::to_string(100.0 * M / scene.M) + " % of the load)";
+}
+
+// From load to load on level l, up to the load of the scene.
+void follow_load(Climb& climb, std::size_t l, Solved last, std::vector<ContinuationStep>& steps) {
+  const Scene& scene = climb.scene;
+  const double target = std::log(scene.M);
+  const double direction = target >= last.ln_M ? 1.0 : -1.0;
+  double stride = std::log(scene.continuation.step);
+  std::optional<Solved> previous;
+  while (last.ln_M != target) {
+    if (static_cast<int>(steps.size()) >= scene.continuation.max_steps)
+      throw core::SolverError("load continuation: " + std::to_string(steps.size()) + " steps (max_steps) reached " +
+                              name_of_load(scene, last.ln_M));
+    const bool arrives = std::abs(target - last.ln_M) <= 1.001 * stride;
+    Solved next = predict(previous, last, arrives ? target : last.ln_M + direction * stride, scene.L);
+    const double M = arrives ? scene.M : std::exp(next.ln_M);
+    pose(under_load(scene, M), climb.hierarchy.problem);
+    fmg::start_from_state(climb.hierarchy, l, next.P, next.H00);
+    steps.push_back(solve_step(climb, l, M));
+    if (steps.back().converged) {
+      next.P = climb.hierarchy.levels[l].P;
+      next.H00 = climb.hierarchy.H00;
+      previous = std::move(last);
+      last = std::move(next);
+      if (steps.back().cycles <= few_cycles) stride = std::min(longer * stride, std::log(longest_step));
+    } else {
+      stride *= 0.5;
+      if (stride < std::log(shortest_step))
+        throw core::SolverError("load continuation: no step leads on from " + name_of_load(scene, last.ln_M));
+    }
+  }
+}
+
+}  // namespace
+
+Scene under_load(const Scene& scene, double M) {
+  const double p_h_factor = std::cbrt(M / scene.M);
+  Scene result = scene;
+  result.M = M;
+  result.lambda = contact::from_moes(M, scene.L).lambda;
+  result.viscosity = rheology::rescaled(scene.viscosity, p_h_factor);
+  result.density = rheology::rescaled(scene.density, p_h_factor);
+  return result;
+}
+
+Solution climb_by_load(const Scene& scene, const Start& start, const ProgressCallback& progress,
+                       std::vector<ContinuationStep>& steps) {
+  Climb climb = begin_climb(scene, start, progress);
+  climb.first = level_that_holds(climb.hierarchy, scene);
+  const double began = core::now();
+  climb.caution = {.all = start.caution};
+  follow_load(climb, climb.first, solve_first_load(climb, climb.first, steps), steps);
+  solve_level(climb, climb.first, scene.multigrid.cycles);
+  climb.solution.levels.back().seconds = core::now() - began;
+  ascend(climb, climb.first);
+  if (scene.polish == Polish::always) polish(climb);
+  return result_of(std::move(climb));
+}
+
+}  // namespace ehl::steady

@@ -1,0 +1,107 @@
+#include "steady/rescue.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "contact/film_formulas.hpp"
+#include "core/timer.hpp"
+#include "fmg/full_multigrid.hpp"
+#include "steady/checks.hpp"
+#include "steady/newton.hpp"
+
+namespace ehl::steady {
+namespace {
+
+/// Relative residual on the grids below the finest: far below their discretization error.
+constexpr double tolerance_on_the_way = 1e-6;
+constexpr double tolerance_at_rounding = 1e-11;
+
+double final_tolerance(const Scene& scene) {
+  return std::fmin(tolerance_at_rounding, scene.multigrid.tolerance);  // that of a NaN and a number is the number
+}
+
+// Newton on level l with its row in the table of levels.
+NewtonResult solve_level_by_newton(Climb& climb, std::size_t l, double tolerance) {
+  const StateOfLevel start = state_of_level(climb.hierarchy, l);
+  int steps = 0;
+  const NewtonProgress progress = [&](const NewtonStep& step) {
+    StateOfLevel now = start;
+    now.residual = step.residual;
+    report(climb, l, ++steps, NewtonParameters{}.max_steps, now);
+    return true;
+  };
+  NewtonResult result = solve_by_newton(climb.hierarchy, l, {.tolerance = tolerance}, progress);
+  if (l == climb.finest()) climb.solution.newton = result.steps;
+  return result;
+}
+
+// The checks of the finest grid on the state that Newton has left: no cycle foretells its error, the residual does.
+void judge(Climb& climb) {
+  const std::size_t l = climb.finest();
+  Solution& solution = climb.solution;
+  const StateOfLevel now = state_of_level(climb.hierarchy, l);
+  record(climb, l, solution.levels.back().cycles, now);
+  const LastCycle last{now, now, solution.levels.back().error_Hc, solution.levels.back().error_Hm};
+  solution.verification = verification_of(last);
+  const double tolerance =
+      std::isfinite(climb.scene.multigrid.tolerance) ? climb.scene.multigrid.tolerance : tolerance_on_the_way;
+  const std::string unmet = unmet_check(last, tolerance);
+  solution.failed_check = unmet.empty() ? unmet : name_of_level(climb.hierarchy, l) + ": " + unmet;
+  solution.converged = unmet.empty();
+  solution.end = unmet.empty() ? CyclesEnd::content : CyclesEnd::stalled;
+}
+
+}  // namespace
+
+void polish(Climb& climb) {
+  const double began = core::now();
+  const bool was_converged = climb.solution.converged;
+  const NewtonResult result = solve_level_by_newton(climb, climb.finest(), final_tolerance(climb.scene));
+  if (!result.converged) climb.solution.polish_failure = result.reason;
+  if (result.converged || !was_converged) judge(climb);
+  climb.solution.levels.back().seconds += core::now() - began;
+}
+
+Solution rescue_by_newton(const Scene& scene, const Start& start, const Solution& unsolved,
+                          const ProgressCallback& progress) {
+  Climb climb = begin_climb(scene, start, progress);
+  const double began = core::now();
+  climb.solution.levels = unsolved.levels;
+  climb.solution.history = unsolved.history;
+  fmg::start_from_state(climb.hierarchy, climb.finest(), unsolved.P, unsolved.H00);
+  const NewtonResult result = solve_level_by_newton(climb, climb.finest(), final_tolerance(scene));
+  judge(climb);
+  if (!result.converged) climb.solution.failed_check = result.reason;
+  climb.solution.converged = climb.solution.converged && result.converged;
+  climb.solution.levels.back().seconds += core::now() - began;
+  return result_of(std::move(climb));
+}
+
+Solution climb_by_newton(const Scene& scene, const Start& start, const ProgressCallback& progress) {
+  Climb climb = begin_climb(scene, start, progress);
+  const double Hc = contact::H_from_moes_units(contact::nijenbanning_venner_moes(scene.M, scene.L), scene.M);
+  bool solved = false;
+  for (std::size_t l = climb.first; l <= climb.finest(); ++l) {
+    const double began = core::now();
+    for (fmg::Level& level : climb.hierarchy.levels) level.evaluations = 0;
+    if (solved)
+      fmg::start_from_coarser(climb.hierarchy, l);
+    else
+      fmg::start_from_hertz(climb.hierarchy, l, -1.0 + Hc, 0);
+    const bool last_level = l == climb.finest();
+    climb.solution.levels.emplace_back();
+    const NewtonResult result =
+        solve_level_by_newton(climb, l, last_level ? final_tolerance(scene) : tolerance_on_the_way);
+    solved = result.converged;
+    record(climb, l, 0, state_of_level(climb.hierarchy, l));
+    if (last_level) {
+      judge(climb);
+      climb.solution.converged = climb.solution.converged && solved;
+      if (!solved) climb.solution.failed_check = name_of_level(climb.hierarchy, l) + ": " + result.reason;
+    }
+    climb.solution.levels.back().seconds = core::now() - began;
+  }
+  return result_of(std::move(climb));
+}
+
+}  // namespace ehl::steady

@@ -1,0 +1,22 @@
+#pragma once
+// Newton's method where the cycles do not lead to a solution, and after them where rounding errors are asked for.
+#include "steady/climb.hpp"
+
+namespace ehl::steady {
+
+/// Newton's method on the finest grid, from the state that is there, down to rounding errors or the scene's tolerance
+/// where that is smaller; the last row of the level table then tells of its state. Where it fails the better of both
+/// states stays, and Solution::polish_failure says why.
+/// errors: core::Interrupted.
+void polish(Climb& climb);
+
+/// The finest grid by Newton's method from a state that cycles have left unsolved.
+/// in: unsolved, a solution of the scene that is not converged.
+Solution rescue_by_newton(const Scene& scene, const Start& start, const Solution& unsolved,
+                          const ProgressCallback& progress);
+
+/// The way up with Newton's method on every grid instead of cycles: from the Hertz pressure on the first grid, and on
+/// those whose coarser grid was not solved, because it cannot hold the contact; from the coarser grid's solution else.
+Solution climb_by_newton(const Scene& scene, const Start& start, const ProgressCallback& progress);
+
+}  // namespace ehl::steady

@@ -1,0 +1,28 @@
+#include "steady/resolution.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/film_formulas.hpp"
+#include "contact/groups.hpp"
+
+namespace ehl::steady {
+
+double expected_least_film(double M, double L) {
+  const double Hc = contact::H_from_moes_units(contact::nijenbanning_venner_moes(M, L), M);
+  return Hc * std::min(0.9, 0.6 * std::pow(M / 50.0, -0.2));
+}
+
+double resolving_step(double M, double L) {
+  constexpr double share = 0.4;
+  return share * std::pow(expected_least_film(M, L), 2.0 / 3.0);
+}
+
+int resolving_cells(double M, double L, double length, int fewest, int most) {
+  const double step = resolving_step(M, L);
+  int cells = fewest;
+  while (2 * cells <= most && length / cells > step) cells *= 2;
+  return cells;
+}
+
+}  // namespace ehl::steady
