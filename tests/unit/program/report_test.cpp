@@ -40,6 +40,13 @@ steady::Solution example_solution(bool converged) {
   solution.failed_check = converged ? "" : "level 2: residual 0.3";
   solution.levels = {{1, 2, 1, 0.5, 0.3, unknown, unknown, unknown, 1e-3, 1e-5, 2, 10.0, 0.5},
                      {2, 4, 2, 0.4, 0.25, 0.058, 0.062, 2.0, 3e-4, 2e-6, 2, 11.2, 0.011}};
+  solution.verification.residual = 3e-4;
+  solution.verification.largest_residual = 0.0123;
+  solution.verification.largest_residual_X = 0.75;
+  solution.verification.largest_residual_Y = -0.25;
+  solution.verification.dry_violation = 4.5e-3;
+  solution.verification.flow_imbalance = -6.7e-4;
+  solution.verification.algebraic_error_Hm = 8.9e-5;
   return solution;
 }
 
@@ -84,17 +91,85 @@ BOOST_AUTO_TEST_CASE(json_has_what_was_promised) {
   const steady::Solution solution = example_solution(false);
   const std::string text = program::json_report(input, solution, program::outcome_of(input, solution), 1e6);
   BOOST_TEST(support::is_json(text), text);
-  for (const char* name : {"converged",  "Hc",          "Hm",         "Hc_moes",      "Hm_moes",
-                           "hc_m",       "hm_m",        "P_max",      "H00",          "residual",
-                           "load_error", "M",           "L",          "alpha_bar",    "lambda",
-                           "wedge",      "deformation", "seconds",    "threads",      "peak_memory_bytes",
-                           "levels",     "level",       "nx",         "ny",           "error_Hc",
-                           "error_Hm",   "cycles",      "work_units", "continuation", "effects",
-                           "warnings"})
+  for (const char* name : {"converged",
+                           "Hc",
+                           "Hm",
+                           "Hc_moes",
+                           "Hm_moes",
+                           "hc_m",
+                           "hm_m",
+                           "P_max",
+                           "H00",
+                           "residual",
+                           "load_error",
+                           "M",
+                           "L",
+                           "alpha_bar",
+                           "lambda",
+                           "wedge",
+                           "deformation",
+                           "seconds",
+                           "threads",
+                           "peak_memory_bytes",
+                           "levels",
+                           "level",
+                           "nx",
+                           "ny",
+                           "error_Hc",
+                           "error_Hm",
+                           "cycles",
+                           "work_units",
+                           "continuation",
+                           "effects",
+                           "warnings",
+                           "verification",
+                           "largest_residual",
+                           "least_P",
+                           "dry_violation",
+                           "change_Hc",
+                           "algebraic_error_Hm",
+                           "flow_through",
+                           "flow_imbalance"})
     BOOST_TEST(contains(text, std::string("\"") + name + "\": "), name);
   BOOST_TEST(contains(text, "\"converged\": false"));
   BOOST_TEST(contains(text, "\"hc_m\": null"));
   BOOST_TEST(support::is_json(program::json_failure(input, "why \"not\"")));
+}
+
+BOOST_AUTO_TEST_CASE(verification_is_shown_with_its_numbers) {
+  const program::Case input = example_case();
+  const steady::Solution solution = example_solution(true);
+  const program::Outcome outcome = program::outcome_of(input, solution);
+  const std::string text = program::summary(input, solution, outcome);
+  for (const char* part : {"residual 3.0e-04, largest 1.2e-02 at (0.750, -0.250) a", "mass flow error 6.7e-04",
+                           "dry node that wants pressure 4.5e-03", "Hm 8.9e-05"})
+    BOOST_TEST(contains(text, part), part << " is missing in\n" << text);
+  BOOST_TEST(contains(program::json_report(input, solution, outcome, 1e6), "\"flow_imbalance\": -0.00067"));
+  const results::Content content =
+      program::result_content(input, solution, outcome, program::derived_fields(input, solution));
+  const auto value = [&](const std::string& name) {
+    for (const results::Quantity& quantity : content.summary)
+      if (quantity.name == name) return quantity.value;
+    return unknown;
+  };
+  BOOST_TEST(value("flow_imbalance") == -6.7e-4);
+  BOOST_TEST(value("largest_residual_x") == 0.75);
+}
+
+// P_max is 0.5: 2 GPa with 4 GPa of Hertz.
+BOOST_AUTO_TEST_CASE(warnings_that_need_the_scale_of_pressure) {
+  program::Case input = example_case();
+  input.physics.viscosity = rheology::make_barus(2e-8, 0.9e9);
+  input.physics.density = rheology::Incompressible{};
+  const auto warnings = [&](double p_h) {
+    input.physics.p_h = p_h;
+    return program::outcome_of(input, example_solution(true)).warnings;
+  };
+  BOOST_TEST(warnings(0.9e9).empty());
+  BOOST_TEST(warnings(1.1e9).size() == 1u);
+  BOOST_TEST(contains(warnings(1.1e9).front(), "p_max = 0.55 GPa"));
+  BOOST_TEST(warnings(4e9).size() == 2u);
+  BOOST_TEST(contains(warnings(4e9).back(), "beyond the yield of steel"));
 }
 
 BOOST_AUTO_TEST_CASE(json_texts) {
