@@ -183,6 +183,7 @@ BOOST_AUTO_TEST_CASE(a_table_is_continued_or_refused) {
   refused(header_of({"contact.M=5,20", "contact.L=1,2"}),
           "'vary: contact.L = 1,2,3', this one 'vary: contact.L = 1,2'");
   refused(header_of(vary, "[contact]\n# another text\n"), "deck text");
+  refused(header_of(vary, "[lubrict]\n"), "deck text");  // as long as the other
   program::SweepHeader with_set = header_of(vary);
   with_set.set = {"grid.cells=64"};
   refused(with_set, "this one 'set: grid.cells=64'");
@@ -225,7 +226,7 @@ BOOST_AUTO_TEST_CASE(children_are_stopped) {
   calls.stop = [&] { return ended == 1; };
   calls.ended = [&](const program::ChildEnd&) { ++ended; };
   calls.task = [](std::size_t task) {
-    if (task > 0) ::sleep(60);
+    while (task > 0) ::pause();
     return std::string("done");
   };
   BOOST_TEST(!program::run_in_children({0, 1, 2, 3}, 2, calls));
