@@ -20,6 +20,7 @@ namespace {
 constexpr double small_change = 0.02;
 constexpr double loose = 1e-2;
 constexpr double tight = 1e-5;
+constexpr double last_bit = 0.03;
 /// Old factors are used until they cost this many times the iterations that they took when they were new.
 constexpr double worn_out = 2.0;
 /// Longest change of H00 in one step: an absolute part, and a share of the film at the centre.
@@ -103,7 +104,7 @@ class NewtonIteration {
   std::string step(const StateOfLevel& state) {
     equations_.unknowns(u_);
     std::ranges::copy(u_, old_.begin());
-    KinsolStep newton = take_step(last_change_ < small_change ? tight : loose);
+    KinsolStep newton = take_step(linear_tolerance(state));
     if (!newton.reason.empty() && keep_factors_) {  // they may have been too old
       keep_factors_ = false;
       std::ranges::copy(old_, u_.begin());
@@ -117,6 +118,12 @@ class NewtonIteration {
     keep_factors_ = last_change_ < small_change &&
                     static_cast<double>(iterations_) <= worn_out * static_cast<double>(iterations_when_fresh_);
     return "";
+  }
+
+  /// No tighter than what the step needs to end it all.
+  double linear_tolerance(const StateOfLevel& state) const {
+    if (!(last_change_ < small_change)) return loose;
+    return std::clamp(last_bit * parameters_.tolerance / state.residual, tight, loose);
   }
 
   KinsolStep take_step(double linear_tolerance) {

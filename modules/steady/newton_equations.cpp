@@ -96,6 +96,7 @@ void NewtonEquations::jacobian(std::span<const double> v, std::span<double> Jv) 
     const core::ScopedTimer timer(hierarchy_.times, core::Part::deformation);
     level_.deformation.evaluate(dP_, dH_);
   }
+  ++level_.evaluations;
   const double dH00 = v[nodes_];
   core::Field& dq = dH_;  // d (rho_bar H) takes the place of dH once d eps has used it
   double dload = 0.0;
