@@ -1,5 +1,6 @@
 #include "physical_input.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -51,6 +52,8 @@ Language language_of(deck::Deck& deck) {
     return Language::none;
   }
   if (spoken.size() == 1) return spoken[0].language;
+  // A stray key is told to go, not the three that it is added to.
+  std::ranges::stable_sort(spoken, std::ranges::greater{}, [](const Choice& choice) { return choice.given.size(); });
   for (std::size_t k = 1; k < spoken.size(); ++k)
     for (const std::string& name : spoken[k].given)
       complain(deck, "contact", name,

@@ -115,7 +115,7 @@ std::string complaint_about_number(const Key& key, const Value& value, double& n
 std::string complaint_about_words(const Key& key, const std::vector<std::string>& given) {
   for (const std::string& word : given)
     if (std::find(key.words.begin(), key.words.end(), word) == key.words.end())
-      return quoted(word) + " is unknown: " + did_you_mean(word, key.words) + "It must be " + allowed(key);
+      return quoted(word) + " is unknown: " + did_you_mean(word, key.words) + "must be " + allowed(key);
   return "";
 }
 

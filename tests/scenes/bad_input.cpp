@@ -66,6 +66,7 @@ BOOST_AUTO_TEST_CASE(languages_and_groups) {
       {"two languages",
        "[contact]\nM = 50\nL = 10\nload = 15\n" + oil,
        {"d.ini:4", "load = 15", "two languages", "M, L", "d.ini:2"}},
+      {"a stray key", steel + "[contact]\nM = 50\n", {"d.ini:11", "M = 50", "load, radius_x, E_prime (d.ini:2)"}},
       {"no language", oil, {"[contact] M", "the contact is missing", "load, radius_x"}},
       {"half a language", "[contact]\nM = 50\n" + oil, {"d.ini: [contact] L", "is missing"}},
       {"no speed",
