@@ -96,7 +96,8 @@ std::string kind_of(const std::string& reason) {
 std::string shown(const std::string& text) {
   std::string safe;
   constexpr std::size_t most = 4000;
-  for (const char c : text.substr(0, most)) safe += c == '\n' || static_cast<unsigned char>(c) >= ' ' ? c : '?';
+  for (const char c : text.substr(0, most))
+    safe += c == '\n' || c == '\t' || static_cast<unsigned char>(c) >= ' ' ? c : '?';
   return safe;
 }
 
@@ -115,7 +116,7 @@ std::string described(const Verdict& verdict) {
 
 void print_figures(const std::vector<Verdict>& verdicts) {
   std::map<End, int> ends;
-  std::map<std::string, std::vector<std::uint64_t>> reasons;
+  std::map<std::string, std::vector<const Verdict*>> reasons;
   int damaged = 0, refused_in_good_faith = 0;
   double seconds = 0.0, longest = 0.0;
   for (const Verdict& verdict : verdicts) {
@@ -125,7 +126,7 @@ void print_figures(const std::vector<Verdict>& verdicts) {
     refused_in_good_faith += good_faith && verdict.end == End::refused ? 1 : 0;
     seconds += verdict.seconds;
     longest = std::max(longest, verdict.seconds);
-    if (verdict.end == End::not_converged) reasons[kind_of(verdict.reason)].push_back(verdict.seed);
+    if (verdict.end == End::not_converged) reasons[kind_of(verdict.reason)].push_back(&verdict);
   }
   BOOST_TEST_MESSAGE("cases " << verdicts.size() << " (" << damaged << " damaged): converged " << ends[End::solved]
                               << ", refused " << ends[End::refused] << " (" << refused_in_good_faith
@@ -134,10 +135,10 @@ void print_figures(const std::vector<Verdict>& verdicts) {
                               << ", hung " << ends[End::hung] << ", other " << ends[End::other]);
   BOOST_TEST_MESSAGE("seconds per run: mean " << seconds / static_cast<double>(verdicts.size()) << ", longest "
                                               << longest);
-  for (const auto& [reason, seeds] : reasons) {
+  for (const auto& [reason, found] : reasons) {
     std::ostringstream list;
-    for (const std::uint64_t seed : seeds) list << ' ' << seed;
-    BOOST_TEST_MESSAGE("not converged " << seeds.size() << " x: " << reason << "\n   seeds" << list.str());
+    for (const Verdict* verdict : found) list << ' ' << verdict->seed << " (" << verdict->groups << ")";
+    BOOST_TEST_MESSAGE("not converged " << found.size() << " x: " << reason << "\n   seeds and (M, L):" << list.str());
   }
 }
 

@@ -29,6 +29,7 @@ struct Verdict {
   double seconds = 0.0;
   double Hc = 0.0;             ///< where solved
   double formula_ratio = 0.0;  ///< Hc over the published formula; where solved
+  std::string groups{};        ///< "M, L"; where the case was begun
 };
 
 /// Makes the deck of a seed, runs the program on it and judges. in: setting; sampled: also reads the result file back

@@ -172,9 +172,11 @@ void add_deformation(Entries& entries, Random& random, int cells, bool& ordinary
   if (random.chance(0.3)) add("order", pick<std::string>(random, {"4", "6", "8"}));
   if (random.chance(0.2)) add("patch_along", text(whole(random, 1, 14)));
   if (random.chance(0.2)) add("patch_across", text(whole(random, 1, 14)));
-  if (random.chance(0.2)) add("coarsenings", text(whole(random, 0, 6)));
+  if (random.chance(0.2)) {
+    add("coarsenings", text(whole(random, 0, 6)));
+    ordinary = false;  // not every number fits every grid
+  }
   if (random.chance(0.2)) add("coarsest_sum", pick<std::string>(random, {"fft", "direct"}));
-  ordinary = ordinary && entries.back().name == "method";  // not every number fits every grid
 }
 
 void add_multigrid(Entries& entries, Random& random, bool& ordinary) {
