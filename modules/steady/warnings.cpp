@@ -18,7 +18,7 @@ constexpr double starved = 0.01;
 
 std::string percent(double value) {
   char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.2g %%", 100.0 * value);
+  std::snprintf(buffer, sizeof buffer, value < 1.0 ? "%.2g %%" : "%.0f %%", 100.0 * value);
   return buffer;
 }
 

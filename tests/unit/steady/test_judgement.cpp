@@ -145,6 +145,7 @@ BOOST_AUTO_TEST_CASE(warnings_name_what_is_wrong) {
   BOOST_TEST(cells_that_resolve(256, 180.0, reynolds::Wedge::upstream2) == 1024);
   solution.levels.back().error_Hm = 1.2;
   BOOST_TEST(warned("at least 384 would bring"));
+  BOOST_TEST(warned("of Hm 120 %"));
   solution.levels.back() = {.error_Hc = unknown, .error_Hm = unknown};
   BOOST_TEST(warned("single level"));
   solution.levels.back() = {.error_Hc = 0.01, .error_Hm = 0.02};
