@@ -35,16 +35,16 @@ std::string table_name(const Arguments& arguments) {
   return path;
 }
 
-/// A line per case on stderr; on a terminal a bar below them.
+// A line per case on stderr; on a terminal a bar below them.
 class SweepProgress {
  public:
   SweepProgress(bool quiet, std::size_t cases)
       : quiet_(quiet), terminal_(::isatty(STDERR_FILENO) != 0), cases_(cases) {}
-  ~SweepProgress() {
-    if (!quiet_ && terminal_) std::fputs("\r\x1b[K", stderr);
+
+  /// Takes the bar away.
+  void close() const {
+    if (!quiet_ && terminal_ && done_ > 0) std::fputs("\r\x1b[K", stderr);
   }
-  SweepProgress(const SweepProgress&) = delete;
-  SweepProgress& operator=(const SweepProgress&) = delete;
 
   void show(const std::string& name, const std::string& row) {
     ++done_;
@@ -104,8 +104,10 @@ int sweep(const Arguments& arguments) {
     table.append(end.task, row);
     progress.show(deck::joined(overrides_of_case(header.variations, end.task), " "), row);
   };
-  if (!run_in_children(missing, at_once, calls)) {
-    std::fprintf(stderr, "\nehl: interrupted: %zu of %zu cases are in %s; the same command goes on with them\n",
+  const bool finished = run_in_children(missing, at_once, calls);
+  progress.close();
+  if (!finished) {
+    std::fprintf(stderr, "ehl: interrupted: %zu of %zu cases are in %s; the same command goes on with them\n",
                  cases - table.missing().size(), cases, path.c_str());
     return interrupted;
   }

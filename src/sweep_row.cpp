@@ -134,7 +134,7 @@ SweepRow row_of_solution(const Case& input, const steady::Solution& solution) {
     row.error_Hc = finest.error_Hc;
     row.error_Hm = finest.error_Hm;
   }
-  if (!solution.attempts.empty()) row.method = solution.attempts.back().method;
+  row.method = solution.method;
   row.attempts = static_cast<int>(solution.attempts.size());
   row.nx = finest.nx;
   row.ny = finest.ny;

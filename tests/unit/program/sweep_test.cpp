@@ -128,6 +128,7 @@ BOOST_AUTO_TEST_CASE(rows) {
   solution.H.fill(0.25);
   solution.levels = {{2, 4, 2, 0.4, 0.25, 0.058, 0.062, 2.0, 3e-4, 2e-6, 7, 11.2, 0.011}};
   solution.attempts = {{"full multigrid", "stalled", 0.1}, {"full multigrid, start 2", "", 0.1}};
+  solution.method = "full multigrid, start 2";
   solution.converged = true;
   const program::SweepRow good = program::row_of_solution(input, solution);
   BOOST_TEST((good.status == "converged" && good.exit_status == 0 && good.Hc == 0.4 && good.Hm == 0.25));
