@@ -36,6 +36,8 @@ shown(name, form) = is("converged") ? (known(name) ? sprintf(form, column(name))
 ink(name, low, high) = known(name) && (column(name) < low || column(name) > high) ? 0xffffff : 0x222222
 rgb_of(hex) = int("0x".substr(hex, 2, 7))
 grey_not_converged = "#a0a0a0"
+# A solution of the equations on a grid that does not hold the contact: the star says so.
+star(none) = known("error_Hm") && column("error_Hm") > 0.1 ? "*" : none
 # Direct: the full multigrid from its first start.
 path(m) = strstrt(m, "ewton") ? 4 : (strstrt(m, "ontinuation") ? 3 : (strstrt(m, "start") && !strstrt(m, "start 1") ? 2 : 1))
 path_colours = "#7cc4ee #33b08b #f0b429 #d98cb3"
@@ -43,7 +45,7 @@ colour_of_path(method) = rgb_of(word(path_colours, path(method)))
 
 stats file using (is("converged") ? column("work_units") : NaN) nooutput prefix "W"
 work_low = exists("W_min") ? nice(W_min) : 10
-work_high = exists("W_max") && W_max > 2 * work_low ? W_max : 2 * work_low
+work_high = exists("W_max") && W_max > 10 * work_low ? W_max : 10 * work_low
 
 left(k) = words(wedges) == 1 ? 0.075 : 0.075 + 0.42 * (k - 1)
 right(k) = words(wedges) == 1 ? 0.9 : left(k) + 0.405
@@ -94,7 +96,7 @@ do for [row = 1:3] {
       set palette defined (0 '#f2f0f7', 0.4 '#bcbddc', 0.7 '#807dba', 1 '#3f007d')
       set logscale cb
       set cbrange [work_low:work_high]
-      set cbtics (10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 20000, 50000)
+      set cbtics (5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 20000, 50000)
       plot file using (X_if("not-converged", wedge)):(Y("contact.L")):(0.5):(0.5) with boxxyerror lc rgb grey_not_converged, \
            file using (X_if("converged", wedge)):(Y("contact.L")):(0.5):(0.5):"work_units" with boxxyerror lc palette, \
            file using (X(wedge)):(Y("contact.L")):(shown("work_units", "%.0f")) \
@@ -110,11 +112,13 @@ do for [row = 1:3] {
               fillcolor rgb (j < 5 ? word(path_colours, j) : (j == 5 ? grey_not_converged : "#ffffff"))
           set label j entry at screen at + 0.026, 0.0355 left front
         }
+        set label 7 "* estimated discretization error of H_m above 10 %: the grid is too coarse for the contact" \
+            at screen 0.075, 0.012 left front
       }
       plot file using (X_if("not-converged", wedge)):(Y("contact.L")):(0.5):(0.5) with boxxyerror lc rgb grey_not_converged, \
            file using (X_if("converged", wedge)):(Y("contact.L")):(0.5):(0.5):(colour_of_path(stringcolumn("method"))) \
                with boxxyerror lc rgb variable, \
-           file using (X(wedge)):(Y("contact.L")):(mark(stringcolumn("nx"))) with labels textcolor rgb "#222222" font ",14"
+           file using (X(wedge)):(Y("contact.L")):(mark(stringcolumn("nx").star(""))) with labels textcolor rgb "#222222" font ",14"
     }
   }
 }

@@ -1,6 +1,7 @@
 # The map of loads as a table in Markdown: M along the rows, L along the columns, for each wedge.
 #   awk -f postprocess/stability_table.awk stability_map.csv
 # In a cell: convergence factor per cycle, work units on the finest grid; then s: a later start, c: load continuation, N: Newton.
+# A star: the estimated discretization error of Hm is above 10 %, the grid too coarse for the contact.
 # Not converged, refused and failed cases are in words, and never as numbers.
 function path(method) {
   if (method ~ /ewton/) return " N"
@@ -11,7 +12,8 @@ function path(method) {
 function cell() {
   if ($at["status"] != "converged") return $at["status"]
   factor = $at["cycle_factor"] == "NaN" ? "–" : sprintf("%.2f", $at["cycle_factor"])
-  return factor ", " sprintf("%.0f", $at["work_units"]) path($at["method"])
+  star = $at["error_Hm"] != "NaN" && $at["error_Hm"] > 0.1 ? "*" : ""
+  return factor ", " sprintf("%.0f", $at["work_units"]) path($at["method"]) star
 }
 BEGIN { FS = "," }
 /^# set: / { settings = settings (settings == "" ? "" : ", ") substr($0, 8) }
