@@ -23,6 +23,7 @@ deck::Catalogue catalogue() {
       {"discretization", "How derivatives become differences."},
       {"deformation", "How the elastic deformation is evaluated."},
       {"multigrid", "How the full multigrid works; the defaults need no tuning."},
+      {"continuation", "How a high load is reached from lower ones, where that is needed."},
       {"output", "What is kept."},
   };
   for (const auto& keys :
@@ -30,8 +31,7 @@ deck::Catalogue catalogue() {
     all.keys.insert(all.keys.end(), keys.begin(), keys.end());
 
   const std::string later = "not available in this version: remove it";
-  for (const char* section :
-       {"continuation", "surface", "transient", "thermal", "shear", "starvation", "subsurface", "friction"})
+  for (const char* section : {"surface", "transient", "thermal", "shear", "starvation", "subsurface", "friction"})
     all.unavailable.push_back({section, "",
                                later + " (this version solves steady, smooth, isothermal, fully flooded "
                                        "contacts with a Newtonian lubricant)"});

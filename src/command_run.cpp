@@ -86,8 +86,9 @@ int run(const Arguments& arguments) {
   if (arguments.has("json"))
     print(json_report(input, solution, outcome, peak_memory()));
   else
-    print("case         " + input.title + "\n" + level_table(solution) + summary(input, solution, outcome) +
-          "memory       " + std::to_string(static_cast<long>(peak_memory() / 1e6)) + " MB at most\n");
+    print("case         " + input.title + "\n" + continuation_table(input, solution) + level_table(solution) +
+          summary(input, solution, outcome) + "memory       " + std::to_string(static_cast<long>(peak_memory() / 1e6)) +
+          " MB at most\n");
   const DerivedFields derived = derived_fields(input, solution);
   results::write(to.path, result_content(input, solution, outcome, derived), to.overwrite);
   if (!arguments.has("json")) print("result       " + to.path + "\n");

@@ -124,11 +124,6 @@ void check_lubricant(deck::Deck& deck, Language language) {
            si ? "[1/Pa], the pressure coefficient of the viscosity"
               : "[1/Pa]: " + law + " with density = " + (compressible ? "dowson-higginson" : "incompressible") +
                     " needs the Hertz pressure, p_h = alpha_bar/alpha");
-  if (!si && (law == "roelands" || compressible) && deck::number(deck, "contact", group) == 0.0)
-    complain(deck, "contact", group,
-             "must be > 0 with viscosity = " + law +
-                 ": for an isoviscous lubricant set viscosity = isoviscous, density = "
-                 "incompressible");
 }
 
 SiInput si_input(const deck::Deck& deck) {
@@ -202,16 +197,18 @@ void set_laws(deck::Deck& deck, Physics& physics) {
   const double alpha = deck::number(deck, "lubricant", "alpha");
   if (law == "isoviscous") physics.viscosity = rheology::Isoviscous{};
   if (law == "barus") physics.viscosity = rheology::Barus{physics.groups.alpha_bar};
+  // L = 0 with a piezoviscous lubricant is the limit of a contact so soft that no pressure arises.
+  const double p_h = physics.groups.alpha_bar > 0.0 || physics.si ? physics.p_h : 0.0;
   if (law == "roelands") {
     const double p0 = deck::number(deck, "lubricant", "p0");
     const double z = roelands_z(deck, alpha, p0);
-    physics.viscosity = rheology::Roelands{alpha * p0 / z, physics.p_h / p0, z};
+    physics.viscosity = rheology::Roelands{alpha * p0 / z, p_h / p0, z};
   }
   constexpr double dowson_higginson_B = 5.9e8;  // Pa
   if (deck::word(deck, "lubricant", "density") == "incompressible")
     physics.density = rheology::Incompressible{};
   else
-    physics.density = rheology::DowsonHigginson{physics.p_h / dowson_higginson_B};
+    physics.density = rheology::DowsonHigginson{p_h / dowson_higginson_B};
 }
 
 }  // namespace

@@ -32,18 +32,21 @@ bool ProgressReport::show(const steady::Progress& progress) {
   if (quiet_ || !(new_level || due)) return true;
   last_level_ = progress.level;
   last_time_ = now;
+  // A continuation solves for other loads first.
+  char load[32] = "";
+  if (progress.load_ratio != 1.0) std::snprintf(load, sizeof load, "  load %.3g %%", 100.0 * progress.load_ratio);
   const double fraction = std::clamp(progress.fraction, 0.0, 1.0);
   if (terminal_) {
     const auto filled = static_cast<std::size_t>(fraction * bar_width);
     const std::string bar = std::string(filled, '#') + std::string(bar_width - filled, '.');
-    std::fprintf(stderr, "\r[%s] %3.0f %%  %d x %d  cycle %d/%d  residual %.1e  Hc %.4f\x1b[K", bar.c_str(),
-                 100.0 * fraction, progress.nx + 1, progress.ny + 1, progress.cycle,
+    std::fprintf(stderr, "\r[%s] %3.0f %%  %d x %d%s  cycle %d/%d  residual %.1e  Hc %.4f\x1b[K", bar.c_str(),
+                 100.0 * fraction, progress.nx + 1, progress.ny + 1, load, progress.cycle,
                  std::max(progress.cycle, progress.cycles), progress.residual, progress.Hc);
     std::fflush(stderr);
     line_open_ = true;
   } else {
-    std::fprintf(stderr, "ehl: %3.0f %%  %d x %d  cycle %d/%d  residual %.1e  Hc %.4f\n", 100.0 * fraction,
-                 progress.nx + 1, progress.ny + 1, progress.cycle, std::max(progress.cycle, progress.cycles),
+    std::fprintf(stderr, "ehl: %3.0f %%  %d x %d%s  cycle %d/%d  residual %.1e  Hc %.4f\n", 100.0 * fraction,
+                 progress.nx + 1, progress.ny + 1, load, progress.cycle, std::max(progress.cycle, progress.cycles),
                  progress.residual, progress.Hc);
   }
   return true;

@@ -72,7 +72,33 @@ std::string level_table(const steady::Solution& solution) {
   return text;
 }
 
+std::string continuation_table(const Case& input, const steady::Solution& solution) {
+  if (solution.continuation.empty()) return {};
+  const bool si = input.physics.si.has_value();
+  std::string text = std::string("continuation        M  ") + (si ? "    load [N]" : "load ratio") +
+                     "        Hc        Hm  residual  cycles\n";
+  for (const steady::ContinuationStep& step : solution.continuation)
+    text += formatted("%21.6g  %10.4g  %8.5f  %8.5f  %8.0e  %6d%s\n", step.M,
+                      si ? step.load_ratio * input.physics.si->contact.load : step.load_ratio, step.Hc, step.Hm,
+                      step.residual, step.cycles, step.converged ? "" : "  rejected: a shorter step follows");
+  return text;
+}
+
 namespace {
+
+// The way to the solution, and what did not lead to it.
+std::string path(const steady::Solution& solution) {
+  std::string text = "path         " + solution.method;
+  if (std::isfinite(solution.cycle_factor)) text += formatted("; residual left per cycle %.2f", solution.cycle_factor);
+  if (!solution.newton.empty())
+    text += formatted("; %zu Newton steps to %.0e", solution.newton.size(), solution.newton.back().residual);
+  text += "\n";
+  for (const steady::Attempt& attempt : solution.attempts)
+    if (!attempt.reason.empty())
+      text += "             tried before, " + formatted("%.2f s: ", attempt.seconds) + attempt.method + ": " +
+              attempt.reason + "\n";
+  return text;
+}
 
 std::string verified(const steady::Verification& checked) {
   const auto number = [](double value) { return known("%.1e", value); };
@@ -105,6 +131,7 @@ std::string summary(const Case& input, const steady::Solution& solution, const O
                     outcome.P_max.X, outcome.P_max.Y, mark.c_str());
   text += group_lines(physics);
   text += formula_lines(outcome.formulas, physics.groups.M, h_scale);
+  text += path(solution);
   text += verified(solution.verification);
   text += "method       wedge " + std::string(name(input.scene.wedge)) + "; deformation " + solution.deformation +
           "; " + formatted("%d thread%s\n", input.scene.threads, input.scene.threads == 1 ? "" : "s");

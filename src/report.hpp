@@ -9,6 +9,9 @@ namespace ehl::program {
 /// One row per level: what accuracy cost in time.
 std::string level_table(const steady::Solution& solution);
 
+/// One row per load that a load continuation solved for; empty where there was none.
+std::string continuation_table(const Case& input, const steady::Solution& solution);
+
 /// What a person wants to know after the table; says it first when the solution did not converge.
 std::string summary(const Case& input, const steady::Solution& solution, const Outcome& outcome);
 

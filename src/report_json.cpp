@@ -54,6 +54,35 @@ std::string verification_json(const steady::Verification& checked) {
                        {"flow_imbalance_whole", number(checked.flow_imbalance_whole)}});
 }
 
+std::string attempts_json(const steady::Solution& solution) {
+  std::vector<std::string> rows;
+  for (const steady::Attempt& attempt : solution.attempts)
+    rows.push_back(json::object(
+        {{"method", text(attempt.method)}, {"reason", text(attempt.reason)}, {"seconds", number(attempt.seconds)}}));
+  return json::array(rows);
+}
+
+std::string continuation_json(const steady::Solution& solution) {
+  std::vector<std::string> rows;
+  for (const steady::ContinuationStep& step : solution.continuation)
+    rows.push_back(json::object({{"M", number(step.M)},
+                                 {"load_ratio", number(step.load_ratio)},
+                                 {"converged", json::boolean(step.converged)},
+                                 {"cycles", number(step.cycles)},
+                                 {"Hc", number(step.Hc)},
+                                 {"Hm", number(step.Hm)},
+                                 {"residual", number(step.residual)}}));
+  return json::array(rows);
+}
+
+std::string newton_json(const steady::Solution& solution) {
+  std::vector<std::string> rows;
+  for (const steady::NewtonStep& step : solution.newton)
+    rows.push_back(
+        json::object({{"residual", number(step.residual)}, {"linear_iterations", number(step.linear_iterations)}}));
+  return json::array(rows);
+}
+
 std::string parts_json(const core::PartTimes& times) {
   std::vector<std::string> rows;
   for (std::size_t k = 0; k < times.seconds.size(); ++k)
@@ -98,7 +127,11 @@ std::string json_report(const Case& input, const steady::Solution& solution, con
                         {"peak_memory_bytes", number(peak_memory)},
                         {"levels", levels_json(solution)},
                         {"verification", verification_json(solution.verification)},
-                        {"continuation", "[]"},
+                        {"method", text(solution.method)},
+                        {"cycle_factor", number(solution.cycle_factor)},
+                        {"attempts", attempts_json(solution)},
+                        {"continuation", continuation_json(solution)},
+                        {"newton", newton_json(solution)},
                         {"effects", "[]"},
                         {"parts", parts_json(solution.times)},
                         {"formulas", formulas_json(outcome.formulas)},

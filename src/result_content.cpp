@@ -151,6 +151,24 @@ Table cycle_rows(const steady::Solution& solution) {
            number("Hm", "a^2/R", "smallest film of all nodes", &Row::Hm)}};
 }
 
+Table continuation_rows(const steady::Solution& solution) {
+  using Row = steady::ContinuationStep;
+  const auto number = [&](const char* name, const char* unit, const char* meaning, double Row::*member) {
+    return column<Row>(solution.continuation, name, unit, meaning, false,
+                       [member](const Row& row) { return row.*member; });
+  };
+  return {"continuation",
+          "load continuation: every load that was solved for",
+          {number("M", "-", "Moes load number", &Row::M),
+           number("load_ratio", "-", "load over that of the case", &Row::load_ratio),
+           number("Hc", "a^2/R", "film at (0,0)", &Row::Hc), number("Hm", "a^2/R", "smallest film", &Row::Hm),
+           number("residual", "-", "relative residual of the Reynolds equation", &Row::residual),
+           column<Row>(solution.continuation, "cycles", "-", "cycles for this load", true,
+                       [](const Row& row) { return row.cycles; }),
+           column<Row>(solution.continuation, "converged", "-", "1: solved; 0: rejected, a shorter step follows", true,
+                       [](const Row& row) { return row.converged ? 1.0 : 0.0; })}};
+}
+
 }  // namespace
 
 DerivedFields derived_fields(const Case& input, const steady::Solution& solution) {
@@ -183,9 +201,11 @@ results::Content result_content(const Case& input, const steady::Solution& solut
   content.summary = summary_numbers(solution, outcome);
   content.remarks = {{"failed_check", solution.failed_check, "empty when converged"},
                      {"warnings", deck::joined(outcome.warnings, "\n"), "one a line"},
+                     {"method", solution.method, "the way that led to the solution"},
                      {"regime", outcome.regime, "regime of lubrication"},
                      {"deformation", solution.deformation, "how the elastic deformation was evaluated"}};
   content.tables = {level_rows(solution), cycle_rows(solution)};
+  if (!solution.continuation.empty()) content.tables.push_back(continuation_rows(solution));
   return content;
 }
 

@@ -8,6 +8,7 @@
 #include "deck/text.hpp"
 #include "machine.hpp"
 #include "steady/domain_error.hpp"
+#include "steady/resolution.hpp"
 #include "text_format.hpp"
 
 namespace ehl::program {
@@ -20,14 +21,32 @@ using deck::given;
 constexpr int smallest_coarsest = 32;
 constexpr double giga = 1e9;
 
+constexpr int fewest_chosen_cells = 256;
+constexpr int most_chosen_cells = 1024;
+
 void choose_domain(deck::Deck& deck, const contact::Groups& groups) {
+  if (!given(deck, "domain", "x_outlet"))
+    deck::choose(deck, "domain", "x_outlet", steady::chosen_outlet(groups.M, groups.L),
+                 "behind the cavitation boundary");
   const double x_outlet = deck::number(deck, "domain", "x_outlet");
   if (!given(deck, "domain", "x_inlet"))
-    deck::choose(deck, "domain", "x_inlet", steady::chosen_inlet(groups.lambda, groups.alpha_bar, x_outlet),
-                 "cuts off less than 0.6 % of the film, roughly");
+    deck::choose(deck, "domain", "x_inlet", steady::chosen_inlet(groups.M, groups.L, x_outlet),
+                 "cuts off less than about 1 % of the film where 200 radii are enough for that");
   if (!given(deck, "domain", "y_half"))
     deck::choose(deck, "domain", "y_half", 0.5 * (x_outlet - deck::number(deck, "domain", "x_inlet")),
                  "as wide as long");
+}
+
+// The level that resolves the film, for a deck that leaves it to the program.
+void choose_cells(deck::Deck& deck, const contact::Groups& groups) {
+  if (given(deck, "grid", "cells")) return;
+  const double length = deck::number(deck, "domain", "x_outlet") - deck::number(deck, "domain", "x_inlet");
+  if (std::isnan(length)) return;
+  int fewest = std::max(deck::integer(deck, "grid", "coarsest", fewest_chosen_cells), 1);
+  while (fewest < fewest_chosen_cells) fewest *= 2;
+  const int most = fewest * (most_chosen_cells / fewest_chosen_cells);
+  const int cells = steady::resolving_cells(groups.M, groups.L, length, fewest, most);
+  deck::choose(deck, "grid", "cells", cells, cells < most ? "resolves the film" : "the most that is chosen unasked");
 }
 
 // How often the cells are halved, -1 when that does not lead to a coarse enough grid.
@@ -124,6 +143,36 @@ fmg::Parameters multigrid_of(deck::Deck& deck) {
   return parameters;
 }
 
+double first_load_ratio(deck::Deck& deck, const Physics& physics) {
+  const bool by_M = given(deck, "continuation", "M_start");
+  const bool by_load = given(deck, "continuation", "load_start");
+  if (by_load && !physics.si)
+    complain(deck, "continuation", "load_start", "is in newtons and the contact is not given in SI: use M_start");
+  else if (by_load && by_M)
+    complain(deck, "continuation", "load_start", "the first load is given as M_start already: keep one of them");
+  else if (by_load)
+    return deck::number(deck, "continuation", "load_start") / physics.si->contact.load;
+  return deck::number(deck, "continuation", "M_start") / physics.groups.M;
+}
+
+steady::ContinuationParameters continuation_of(deck::Deck& deck, const Physics& physics) {
+  steady::ContinuationParameters parameters;
+  using Path = steady::ContinuationParameters::Path;
+  const std::string path = deck::word(deck, "continuation", "path");
+  parameters.path = path == "load" ? Path::load : path == "off" ? Path::off : Path::automatic;
+  if (parameters.path == Path::off)
+    for (const char* key : {"M_start", "load_start", "step", "max_steps"})
+      if (given(deck, "continuation", key))
+        complain(deck, "continuation", key, "has no influence with path = off: remove it");
+  parameters.load_ratio = first_load_ratio(deck, physics);
+  if (parameters.load_ratio == 1.0)
+    complain(deck, "continuation", given(deck, "continuation", "M_start") ? "M_start" : "load_start",
+             "is the load of the contact itself: nothing to continue");
+  parameters.step = deck::number(deck, "continuation", "step");
+  parameters.max_steps = deck::integer(deck, "continuation", "max_steps", parameters.max_steps);
+  return parameters;
+}
+
 void check_memory(deck::Deck& deck, const steady::Scene& scene) {
   const double needed = expected_needs(scene).bytes;
   const double available = usable_memory();
@@ -170,7 +219,13 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   result.scene.multigrid = multigrid_of(deck);
 
   choose_domain(deck, result.physics.groups);
+  choose_cells(deck, result.physics.groups);
   result.scene.grid = grid_of(deck);
+  result.scene.continuation = continuation_of(deck, result.physics);
+  const std::string polish = deck::word(deck, "multigrid", "polish");
+  result.scene.polish = polish == "always" ? steady::Polish::always
+                        : polish == "off"  ? steady::Polish::off
+                                           : steady::Polish::rescue;
   result.scene.threads = threads;
   if (result.scene.grid.ny > 0) {
     check_coarsenings(deck, result.scene);

@@ -53,7 +53,7 @@ Climb begin_climb(const Scene& scene, const Start& start, const ProgressCallback
 
 void solve_first_level(Climb& climb) {
   const double began = core::now();
-  for (fmg::Level& level : climb.hierarchy.levels) level.evaluations = 0;
+  forget_work(climb.hierarchy);
   climb.caution.all = climb.start.caution_at_first;
   use_caution(climb.caution, climb.scene.multigrid.relaxation, climb.hierarchy.parameters.relaxation);
   fmg::start_from_hertz(climb.hierarchy, climb.first, -1.0 + guess_of_central_film(climb.scene), climb.start.sweeps);
@@ -93,11 +93,16 @@ void solve_level(Climb& climb, std::size_t l, int planned) {
 void ascend(Climb& climb, std::size_t from) {
   for (std::size_t l = from + 1; l <= climb.finest(); ++l) {
     const double began = core::now();
-    for (fmg::Level& level : climb.hierarchy.levels) level.evaluations = 0;
+    forget_work(climb.hierarchy);
     fmg::start_from_coarser(climb.hierarchy, l);
     solve_level(climb, l, climb.scene.multigrid.cycles);
     climb.solution.levels.back().seconds = core::now() - began;
   }
+  if (climb.scene.polish == Polish::always) polish(climb);
+}
+
+void forget_work(fmg::Hierarchy& hierarchy) {
+  for (fmg::Level& level : hierarchy.levels) level.evaluations = 0;
 }
 
 Solution result_of(Climb&& climb) {
@@ -116,7 +121,6 @@ Solution climb(const Scene& scene, const Start& start, const ProgressCallback& p
   Climb climb = begin_climb(scene, start, progress);
   solve_first_level(climb);
   ascend(climb, climb.first);
-  if (scene.polish == Polish::always) polish(climb);
   return result_of(std::move(climb));
 }
 

@@ -45,7 +45,7 @@ void solve_first_level(Climb& climb);
 /// the finest level against the tolerance and as many as that takes, below it a few more than planned at most. errors:
 /// as above.
 void solve_level(Climb& climb, std::size_t l, int planned);
-/// The levels above `from`, each from the one below it. errors: as above.
+/// The levels above `from`, each from the one below it; and the polish where the scene asks for it. errors: as above.
 void ascend(Climb& climb, std::size_t from);
 /// The solution, converged or not, out of the climb.
 Solution result_of(Climb&& climb);
@@ -53,6 +53,8 @@ Solution result_of(Climb&& climb);
 /// All of it.
 Solution climb(const Scene& scene, const Start& start, const ProgressCallback& progress);
 
+/// Counts work units from here on.
+void forget_work(fmg::Hierarchy& hierarchy);
 /// Enters the state of a level, as after this many cycles, in the table of levels.
 void record(Climb& climb, std::size_t l, int cycle, const StateOfLevel& now);
 /// Tells the progress of a level, for the scene's load or a share of it. errors: core::Interrupted where the answer is

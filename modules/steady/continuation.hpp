@@ -12,8 +12,8 @@ namespace ehl::steady {
 Scene under_load(const Scene& scene, double M);
 
 /// The solution by load continuation. On the first grid that holds the contact, or the finest: the full multigrid for
-/// the first load; then one load after another, the pressure and H00 predicted from the last two (secant in ln M),
-/// W cycles until the state is solved to a small residual. The step in ln M grows while the cycles are few and is
+/// the first load; then one load after another, from the last pressure and an H00 that follows the film of the last
+/// two, cycles until the state is solved to a small residual. The step in ln M grows while the cycles are few and is
 /// halved where they fail. At the load of the scene the climb goes on to the finest grid.
 /// out: as climb(); steps has a row for every step, rejected ones included, also where an error is thrown.
 /// errors: core::SolverError where the first load cannot be solved, the steps become too small or too many, or a finer

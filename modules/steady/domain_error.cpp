@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
+#include "contact/film_formulas.hpp"
 #include "contact/groups.hpp"
 #include "core/errors.hpp"
 #include "steady/climb.hpp"
@@ -21,28 +23,66 @@ double central_film(const Scene& scene) {
   return solution.converged ? solution.levels.back().Hc : std::numeric_limits<double>::quiet_NaN();
 }
 
-double rough_error(double lambda, double alpha_bar, double X_a) {
-  const double cut_off = 4.0 / 3.0 * lambda / std::abs(X_a * X_a * X_a);
-  return 0.5 * cut_off * std::max(alpha_bar, 10.0);
+/// What the domain cuts off, as relative changes of Hc.
+struct RoughError {
+  double inlet;
+  double load;
+};
+
+RoughError rough_error(double M, double L, double X_a, double y_half) {
+  const contact::Groups groups = contact::from_moes(M, L);
+  const double length = std::abs(X_a);
+  const double cut_off = 4.0 / 3.0 * groups.lambda / (length * length * length);
+  // The far field (4/5) lambda cos(theta)/r^3 integrated from the boundary on: from x = X_a within the angle of the
+  // corner, from y = +-y_half beyond it.
+  const double corner = std::atan2(y_half, length);
+  const double outside =
+      (corner + std::sin(corner) * std::cos(corner)) / length + std::cos(corner) * std::cos(corner) / y_half;
+  const double share = 0.8 * groups.lambda * outside / (2.0 * std::numbers::pi / 3.0);
+  const double rigid = contact::asymptotes(M, L).rigid_isoviscous;
+  const double power = 2.0 * std::min(1.0, rigid / contact::nijenbanning_venner_moes(M, L));
+  return {0.5 * cut_off * std::max(groups.alpha_bar, 10.0), power * share};
+}
+
+RoughError rough_error(const Scene& scene) {
+  return rough_error(scene.M, scene.L, scene.grid.X_a, std::min(-scene.grid.Y_a, scene.grid.Y_b));
 }
 
 }  // namespace
 
 double rough_domain_error(const Scene& scene) {
-  return rough_error(scene.lambda, contact::from_moes(scene.M, scene.L).alpha_bar, scene.grid.X_a);
+  const RoughError error = rough_error(scene);
+  return error.inlet + error.load;
 }
 
-double chosen_inlet(double lambda, double alpha_bar, double X_b) {
-  constexpr double target = 0.006;
-  constexpr int shortest = 20;
-  constexpr int longest = 31;
-  const auto inlet = [X_b](int m) { return -X_b * m / (32.0 - m); };
-  int m = shortest;
-  while (m < longest && rough_error(lambda, alpha_bar, inlet(m)) > target) ++m;
-  return inlet(m);
+double chosen_outlet(double M, double L) {
+  constexpr double thick = 1.5;
+  return contact::H_from_moes_units(contact::nijenbanning_venner_moes(M, L), M) > thick ? 3.0 : 1.5;
+}
+
+double chosen_inlet(double M, double L, double X_b) {
+  constexpr double most_at_inlet = 0.006;
+  constexpr double most_of_load = 0.02;
+  constexpr double longest = 200.0;
+  double X_a = 0.0;
+  // m of `parts` parts lie upstream of 0.
+  const auto enough = [&](int m, int parts) {
+    const double next = -X_b * m / (parts - m);
+    if (X_a < 0.0 && next < -longest) return true;
+    X_a = next;
+    const RoughError error = rough_error(M, L, X_a, 0.5 * (X_b - X_a));
+    return error.inlet <= most_at_inlet && error.load <= most_of_load;
+  };
+  for (int m = 20; m < 32; ++m)
+    if (enough(m, 32)) return X_a;
+  for (const int parts : {64, 128})
+    if (enough(parts - 1, parts)) return X_a;
+  return X_a;
 }
 
 double estimate_domain_error(const Scene& scene) {
+  // Light loads need long domains, too long for coarse grids; and there the rough estimate is the better one.
+  if (const RoughError rough = rough_error(scene); rough.load > rough.inlet) return 0.5 * rough.load;
   Scene coarse = scene;
   while (coarse.grid.nx >= 2 * fewest_cells && coarse.grid.nx % 2 == 0 && coarse.grid.ny % 2 == 0)
     coarse.grid = core::coarsened(coarse.grid);

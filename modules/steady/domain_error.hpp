@@ -4,23 +4,32 @@
 
 namespace ehl::steady {
 
-/// Bound on the pressure that an inlet at X_a cuts off, as a relative change of Hc: half of alpha_bar times
-/// (4/3) lambda/|X_a|^3, the rigid far field dP/dX = lambda/H^2, H = X^2/2, integrated from -infinity, with alpha_bar
-/// >= 10. Cheap and right within a factor of about 2 where viscosity rises with pressure; too low for light isoviscous
-/// loads, whose far field is long enough to be far above any threshold.
+/// Roughly by how much, relative, Hc changes when the domain grows without end; the sum of two effects.
+///   Inlet: the pressure that builds up before X_a and is missing there, (4/3) lambda/|X_a|^3 (the rigid far field
+///   dP/dX = lambda/H^2, H = X^2/2); half of it times alpha_bar, alpha_bar >= 10, is the change of the film. Right
+///   within a factor of about 2 where viscosity rises with pressure.
+///   Load: what the far field of a rigid body, P = -(lambda/5) X/H^2, would carry outside the domain, as a share of
+///   2 pi/3, times q, the power of the load with which the film falls: 2 for a rigid isoviscous contact, less as the
+///   film is thicker than that (q = 2 H_RI/H, formulas of contact/film_formulas.hpp). Within a factor of 2 of our own
+///   solutions for M = 2 to 10 on inlets from 20 to 160.
 double rough_domain_error(const Scene& scene);
 
-/// The inlet boundary that a deck without one gets: the shortest inlet with a rough_domain_error of at most 0.6 %, no
-/// shorter than 2.5 and no longer than 46.5 for X_b = 1.5, from a ladder on which (0,0) is a node of every grid with a
-/// multiple of 32 cells: |X_a|/X_b = m/(32 - m), m = 20 .. 31. At M = 50, L = 10 that is the paper's -4.5. in: lambda >
-/// 0, alpha_bar >= 0, X_b > 0 the outlet boundary. out: X_a < 0.
-double chosen_inlet(double lambda, double alpha_bar, double X_b);
+/// The inlet boundary that a deck without one gets: the shortest that keeps the first part of rough_domain_error below
+/// 0.6 % and the second below 2 %, on a domain half as wide as long, from a ladder on which (0,0) is a node of every
+/// grid with a multiple of 32 cells, |X_a|/X_b = m/(32 - m), m = 20 .. 31, and of 64 and 128 cells for longer ones; no
+/// longer than 200. At M = 50, L = 10 that is the paper's -4.5. in: M > 0, L >= 0, X_b > 0 the outlet boundary.
+/// out: X_a < 0.
+double chosen_inlet(double M, double L, double X_b);
+
+/// The outlet boundary that a deck without one gets: 1.5, and 3 where the film is so thick (Hc > 1.5) that the
+/// lubricant cavitates further downstream. in: M > 0, L >= 0.
+double chosen_outlet(double M, double L);
 
 /// Relative growth of Hc on a domain twice as long (upstream) and twice as wide: two solutions on coarse grids of the
-/// same mesh size. It is a lower bound of the error of the domain; in light loads what lies beyond the double domain
-/// can add as much again. order: right within a factor of 2 where it
-/// is a percent (the meshes are coarse). out: NaN where one of the two coarse solutions fails. cost: a few hundredths
-/// of a second.
+/// same mesh size; for light loads, where the load of the far field governs it, half of the rough estimate. It is a
+/// lower bound of the error of the domain; in light loads what lies beyond the double domain adds as much again.
+/// order: right within a factor of 2 where it is a percent (the meshes are coarse). out: NaN where one of the two
+/// coarse solutions fails. cost: a few hundredths of a second.
 double estimate_domain_error(const Scene& scene);
 
 }  // namespace ehl::steady

@@ -1,5 +1,11 @@
 #include "steady/keys.hpp"
 
+#include <limits>
+#include <string>
+
+#include "deck/text.hpp"
+#include "steady/scene.hpp"
+
 namespace ehl::steady {
 namespace {
 
@@ -18,11 +24,12 @@ std::vector<Key> domain_keys() {
           .example = "-4.5"},
       Key{.section = "domain",
           .name = "x_outlet",
-          .default_text = "1.5",
+          .default_note = "1.5, or 3 for light loads",
           .range = {1.0, 1000.0, true, false},
           .remedy = remedy,
           .meaning = "Outlet boundary in Hertz radii.",
-          .source = "Venner and ten Napel 1992: -4.5 to 1.5"},
+          .source = "Venner and ten Napel 1992: -4.5 to 1.5",
+          .example = "1.5"},
       Key{.section = "domain",
           .name = "y_half",
           .default_note = "half the length of the domain",
@@ -39,12 +46,13 @@ std::vector<Key> grid_keys() {
       Key{.section = "grid",
           .name = "cells",
           .type = Type::integer,
-          .default_text = "256",
+          .default_note = "256, 512 or 1024, the first that resolves the film",
           .range = {16, 1048576},
           .remedy = "cells along x of the finest grid, e.g. 256",
           .meaning =
               "Cells of the finest grid along x, the coarsest grid's times a power of two; along y they follow from "
-              "the domain, as nearly square as possible."},
+              "the domain, as nearly square as possible.",
+          .example = "256"},
       Key{.section = "grid",
           .name = "coarsest",
           .type = Type::integer,
@@ -52,6 +60,53 @@ std::vector<Key> grid_keys() {
           .range = {4, 4096},
           .meaning = "Cells of the coarsest grid along x.",
           .example = "32"},
+  };
+}
+
+std::vector<Key> path_keys() {
+  const ContinuationParameters defaults;
+  return {
+      Key{.section = "multigrid",
+          .name = "polish",
+          .type = Type::word,
+          .default_text = "rescue",
+          .words = {"rescue", "always", "off"},
+          .meaning =
+              "Newton's method (Newton-Krylov, KINSOL) on the finest grid: where nothing else leads to a solution; "
+              "always, also after the cycles and down to rounding errors; or never.",
+          .source = "modules/steady/README.md"},
+      Key{.section = "continuation",
+          .name = "path",
+          .type = Type::word,
+          .default_text = "automatic",
+          .words = {"automatic", "load", "off"},
+          .meaning =
+              "Load continuation, from a lower load to the deck's one: where the full multigrid alone does not lead "
+              "to a solution; always; or never."},
+      Key{.section = "continuation",
+          .name = "M_start",
+          .default_note = "a hundredth of the contact's M, 20 at least",
+          .range = {0.1, 1e5},
+          .meaning = "First load of a continuation, as Moes load number M; L does not depend on the load.",
+          .example = "20"},
+      Key{.section = "continuation",
+          .name = "load_start",
+          .default_note = "see M_start",
+          .unit = "N",
+          .range = {0.0, std::numeric_limits<double>::infinity(), true, true},
+          .meaning = "The same in newtons, for a contact in SI.",
+          .example = "10"},
+      Key{.section = "continuation",
+          .name = "step",
+          .default_text = deck::shortest(defaults.step),
+          .range = {1.0, 10.0, true, false},
+          .meaning = "Factor between the first two loads; later ones follow from the number of cycles."},
+      Key{.section = "continuation",
+          .name = "max_steps",
+          .type = Type::integer,
+          .default_text = std::to_string(defaults.max_steps),
+          .range = {1, 10000},
+          .meaning = "Loads to solve for at most, rejected steps included."},
   };
 }
 
@@ -82,7 +137,7 @@ std::vector<Key> keys() {
                            .meaning = "Title of the case, on the report and the pictures.",
                            .example = "Venner and ten Napel 1992, M = 50, L = 10",
                            .example_is_active = true}};
-  for (const std::vector<Key>& more : {domain_keys(), grid_keys(), output_keys()})
+  for (const std::vector<Key>& more : {domain_keys(), grid_keys(), path_keys(), output_keys()})
     all.insert(all.end(), more.begin(), more.end());
   return all;
 }

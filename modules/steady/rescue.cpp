@@ -83,7 +83,7 @@ Solution climb_by_newton(const Scene& scene, const Start& start, const ProgressC
   bool solved = false;
   for (std::size_t l = climb.first; l <= climb.finest(); ++l) {
     const double began = core::now();
-    for (fmg::Level& level : climb.hierarchy.levels) level.evaluations = 0;
+    forget_work(climb.hierarchy);
     if (solved)
       fmg::start_from_coarser(climb.hierarchy, l);
     else

@@ -10,12 +10,17 @@ namespace ehl::steady {
 
 double expected_least_film(double M, double L) {
   const double Hc = contact::H_from_moes_units(contact::nijenbanning_venner_moes(M, L), M);
-  return Hc * std::min(0.9, 0.6 * std::pow(M / 50.0, -0.2));
+  const contact::Asymptotes film = contact::asymptotes(M, L);
+  const double isoviscous = std::pow(film.elastic_isoviscous, 8.0);
+  const double piezoviscous = std::pow(film.elastic_piezoviscous, 8.0);
+  const double at_50 = 0.6 + 0.3 * isoviscous / (isoviscous + piezoviscous);
+  return Hc * std::min(0.9, at_50 * std::pow(M / 50.0, -0.2));
 }
 
 double resolving_step(double M, double L) {
-  constexpr double share = 0.4;
-  return share * std::pow(expected_least_film(M, L), 2.0 / 3.0);
+  constexpr double share = 0.33;
+  constexpr double coarsest = 0.4;
+  return std::min(coarsest, share * std::pow(expected_least_film(M, L), 2.0 / 3.0));
 }
 
 int resolving_cells(double M, double L, double length, int fewest, int most) {

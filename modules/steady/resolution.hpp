@@ -5,13 +5,14 @@
 namespace ehl::steady {
 
 /// The minimum film H = h R/a^2 to expect, within a factor 1.5: the central film of Nijenbanning, Venner and Moes
-/// times the share of it that our own solutions have at its thinnest, 0.6 (M/50)^(-1/5) and at most 0.9.
+/// times the share of it that our own solutions have at its thinnest, 0.6 (M/50)^(-1/5), half as much again where the
+/// lubricant is isoviscous, and at most 0.9.
 /// in: M > 0, L >= 0 (contact/groups.hpp).
 double expected_least_film(double M, double L);
 
-/// Mesh size along X, in Hertz radii, that resolves the film: 0.4 Hm^(2/3), Hm the film to expect. The gap beside a
-/// flattened contact grows as the power 3/2 of the distance, so that Hm^(2/3) is the width of the zones at inlet and
-/// outlet in which the film is made; the error of the second-order wedge is about 0.4 (hx/Hm^(2/3))^2 in Hm.
+/// Mesh size along X, in Hertz radii, that resolves the film: 0.33 Hm^(2/3) and at most 0.4, Hm the film to expect. The
+/// gap beside a flattened contact grows as the power 3/2 of the distance, so that Hm^(2/3) is the width of the zones at
+/// inlet and outlet in which the film is made; the error of the second-order wedge is about 0.4 (hx/Hm^(2/3))^2 in Hm.
 double resolving_step(double M, double L);
 
 /// Cells along x that resolve the film on this length of domain: `fewest`, doubled as often as it takes, `most` at

@@ -19,8 +19,8 @@ struct ContinuationParameters {
   };
   Path path = Path::automatic;
   double load_ratio = std::numeric_limits<double>::quiet_NaN();  ///< first load over the scene's; NaN: chosen
-  double step = 2.0;   ///< factor between the first two loads; > 1
-  int max_steps = 60;  ///< rejected ones included
+  double step = 2.0;                                             ///< factor between the first two loads; > 1
+  int max_steps = 60;                                            ///< rejected ones included
 };
 
 /// Newton's method on the finest grid.

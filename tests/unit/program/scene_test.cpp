@@ -83,15 +83,41 @@ BOOST_AUTO_TEST_CASE(isoviscous_and_barus) {
              tolerance(1e-12));
 }
 
+// L = 0 with a piezoviscous lubricant: the limit, without a Hertz pressure.
+BOOST_AUTO_TEST_CASE(no_pressure_no_piezoviscosity) {
+  const program::Case limit = read(moes, {"contact.L=0"});
+  BOOST_TEST(std::get<rheology::Roelands>(limit.scene.viscosity).p_h_over_p0 == 0.0);
+  BOOST_TEST(std::get<rheology::DowsonHigginson>(limit.scene.density).p_h_over_B == 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(continuation_and_polish) {
+  using Path = steady::ContinuationParameters::Path;
+  const program::Case plain = read(moes);
+  BOOST_TEST((plain.scene.continuation.path == Path::automatic));
+  BOOST_TEST((plain.scene.polish == steady::Polish::rescue));
+  const program::Case asked = read(
+      moes, {"continuation.path=load", "continuation.M_start=20", "continuation.step=1.5", "multigrid.polish=always"});
+  BOOST_TEST((asked.scene.continuation.path == Path::load));
+  BOOST_TEST(asked.scene.continuation.load_ratio == 0.4);
+  BOOST_TEST(asked.scene.continuation.step == 1.5);
+  BOOST_TEST((asked.scene.polish == steady::Polish::always));
+}
+
 BOOST_AUTO_TEST_CASE(the_grid_follows_the_domain) {
   const program::Case heavy = read(moes, {"contact.M=1000"});
   BOOST_TEST(heavy.scene.grid.X_a == -2.5);
   BOOST_TEST(heavy.scene.grid.Y_b == 2.0);
-  BOOST_TEST(heavy.scene.grid.ny == 256);
-  // The far field of a light load, lambda/H^2, reaches further: |X_a|^3 in proportion to lambda.
-  const program::Case light = read(moes, {"contact.M=5", "contact.L=2"});
-  BOOST_TEST(light.scene.grid.X_a == -14.5);
-  BOOST_TEST(light.scene.grid.Y_b == 8.0);
+  // What resolves the film (modules/steady): 256 cells for M = 50, more where the film is thinner.
+  BOOST_TEST(read(moes).scene.grid.nx == 256);
+  BOOST_TEST(heavy.scene.grid.nx == 512);
+  BOOST_TEST(heavy.scene.grid.ny == 512);
+  BOOST_TEST(read(moes, {"contact.M=5000"}).scene.grid.nx == 1024);
+  BOOST_TEST(read(moes, {"grid.coarsest=24"}).scene.grid.nx == 384);
+  // The far field of a light load reaches further, and its film is so thick that it cavitates later.
+  const program::Case light = read(moes, {"contact.M=2", "contact.L=2"});
+  BOOST_TEST(light.scene.grid.X_a == -189.0);
+  BOOST_TEST(light.scene.grid.X_b == 3.0);
+  BOOST_TEST(light.scene.grid.Y_b == 96.0);
   const program::Case wide = read(moes, {"domain.y_half=4", "grid.cells=128"});
   // 128 x 8/6 = 170.7; on the coarsest grid (32) 42.7, nearest even number 42: 168.
   BOOST_TEST(wide.scene.grid.ny == 168);
