@@ -11,6 +11,7 @@
 #include "fmg/full_multigrid.hpp"
 #include "steady/checks.hpp"
 #include "steady/rescue.hpp"
+#include "steady/resolution.hpp"
 
 namespace ehl::steady {
 namespace {
@@ -18,6 +19,8 @@ namespace {
 /// Cycles beyond the planned ones that a level below the finest may take to reach its discretization error.
 constexpr int most_extra_cycles = 3;
 
+/// Mesh size of the first grid, in units of contact_size.
+constexpr double largest_first_step = 0.4;
 /// A state with this relative residual solves the equations, whatever else is wrong with it.
 constexpr double solved_residual = 1e-5;
 
@@ -35,6 +38,10 @@ double mean_factor(const std::vector<double>& residuals) {
 }  // namespace
 
 Climb begin_climb(const Scene& scene, const Start& start, const ProgressCallback& progress) {
+  // The numbers of cells of a start are for a domain a few radii long. On the long ones of light loads the first grid
+  // must still see the contact.
+  const double length = (scene.grid.X_b - scene.grid.X_a) / contact_size(scene.M, scene.L);
+  const int first_cells = std::max(start.cells, static_cast<int>(length / largest_first_step));
   fmg::Parameters parameters = scene.multigrid;
   parameters.coarsest_sweeps = std::max(parameters.coarsest_sweeps, start.balances);
   parameters.least_coarsest_cells = std::max(parameters.least_coarsest_cells, start.coarsest);
@@ -47,7 +54,7 @@ Climb begin_climb(const Scene& scene, const Start& start, const ProgressCallback
               .progress = progress,
               .start = start,
               .hierarchy = fmg::make_hierarchy(problem, parameters, scene.deformation, scene.grid, scene.threads)};
-  while (climb.first < climb.finest() && climb.hierarchy.levels[climb.first].grid.nx < start.cells) ++climb.first;
+  while (climb.first < climb.finest() && climb.hierarchy.levels[climb.first].grid.nx < first_cells) ++climb.first;
   return climb;
 }
 

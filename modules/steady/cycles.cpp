@@ -15,9 +15,9 @@ constexpr double hopeless_residual = 1e3;
 /// Cycles that stall: this many since the last change of caution in which the residual does not even halve.
 constexpr int patience = 6;
 constexpr double hardly_less = 0.5;
-/// A cycle that leaves more of the residual than this is a reason for more caution; not the first two of a series,
-/// which still feel the interpolation, nor beside rounding errors.
-constexpr double poor_factor = 0.7;
+/// A cycle that leaves more of the residual than this, and leaves it so high for the second time, is a reason for more
+/// caution; not the first two of a series, which still feel the interpolation, nor beside rounding errors.
+constexpr double poor_factor = 0.75;
 constexpr int settling_cycles = 2;
 constexpr double rounding_residual = 1e-10;
 constexpr double back_off_steep = 0.8;
@@ -94,10 +94,10 @@ CyclesResult run_cycles(fmg::Hierarchy& hierarchy, std::size_t l, int most, cons
       result.end = CyclesEnd::stalled;
       return result;
     }
-    if (count > settling_cycles && now.residual > poor_factor * before.residual && now.residual > rounding_residual &&
-        back_off(caution)) {
+    if (count > settling_cycles && now.residual > poor_factor * before.residual &&
+        now.residual > poor_factor * residuals[count - 3] && now.residual > rounding_residual && back_off(caution)) {
       use_caution(caution, weights, used);
-      residuals = {now.residual};
+      residuals = {before.residual, now.residual};
     }
     before = now;
   }

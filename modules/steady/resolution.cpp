@@ -7,15 +7,23 @@
 #include "contact/groups.hpp"
 
 namespace ehl::steady {
+namespace {
+
+double expected_central_film(double M, double L) {
+  return contact::H_from_moes_units(contact::nijenbanning_venner_moes(M, L), M);
+}
+
+}  // namespace
 
 double expected_least_film(double M, double L) {
-  const double Hc = contact::H_from_moes_units(contact::nijenbanning_venner_moes(M, L), M);
   const contact::Asymptotes film = contact::asymptotes(M, L);
   const double isoviscous = std::pow(film.elastic_isoviscous, 8.0);
   const double piezoviscous = std::pow(film.elastic_piezoviscous, 8.0);
   const double at_50 = 0.6 + 0.3 * isoviscous / (isoviscous + piezoviscous);
-  return Hc * std::min(0.9, at_50 * std::pow(M / 50.0, -0.2));
+  return expected_central_film(M, L) * std::min(0.9, at_50 * std::pow(M / 50.0, -0.2));
 }
+
+double contact_size(double M, double L) { return std::max(1.0, std::sqrt(2.0 * expected_central_film(M, L))); }
 
 double resolving_step(double M, double L) {
   constexpr double share = 0.33;

@@ -10,6 +10,10 @@ namespace ehl::steady {
 /// in: M > 0, L >= 0 (contact/groups.hpp).
 double expected_least_film(double M, double L);
 
+/// Size of the region where pressure is made, in Hertz radii: 1, or sqrt(2 Hc) where the film is so thick that the
+/// contact is nearly rigid; Hc by the same formula. in: M > 0, L >= 0.
+double contact_size(double M, double L);
+
 /// Mesh size along X, in Hertz radii, that resolves the film: 0.33 Hm^(2/3) and at most 0.4, Hm the film to expect. The
 /// gap beside a flattened contact grows as the power 3/2 of the distance, so that Hm^(2/3) is the width of the zones at
 /// inlet and outlet in which the film is made; the error of the second-order wedge is about 0.4 (hx/Hm^(2/3))^2 in Hm.
