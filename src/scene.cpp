@@ -37,15 +37,20 @@ void choose_domain(deck::Deck& deck, const contact::Groups& groups) {
                  "as wide as long");
 }
 
+reynolds::Wedge wedge_of(const deck::Deck& deck) {
+  return deck::word(deck, "discretization", "wedge") == "upstream1" ? reynolds::Wedge::upstream1
+                                                                    : reynolds::Wedge::upstream2;
+}
+
 // The level that resolves the film, for a deck that leaves it to the program.
-void choose_cells(deck::Deck& deck, const contact::Groups& groups) {
+void choose_cells(deck::Deck& deck, const contact::Groups& groups, reynolds::Wedge wedge) {
   if (given(deck, "grid", "cells")) return;
   const double length = deck::number(deck, "domain", "x_outlet") - deck::number(deck, "domain", "x_inlet");
   if (std::isnan(length)) return;
   int fewest = std::max(deck::integer(deck, "grid", "coarsest", fewest_chosen_cells), 1);
   while (fewest < fewest_chosen_cells) fewest *= 2;
   const int most = fewest * (most_chosen_cells / fewest_chosen_cells);
-  const int cells = steady::resolving_cells(groups.M, groups.L, length, fewest, most);
+  const int cells = steady::resolving_cells(steady::resolving_step(groups.M, groups.L, wedge), length, fewest, most);
   deck::choose(deck, "grid", "cells", cells, cells < most ? "resolves the film" : "the most that is chosen unasked");
 }
 
@@ -219,7 +224,8 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   result.scene.multigrid = multigrid_of(deck);
 
   choose_domain(deck, result.physics.groups);
-  choose_cells(deck, result.physics.groups);
+  result.scene.wedge = wedge_of(deck);
+  choose_cells(deck, result.physics.groups, result.scene.wedge);
   result.scene.grid = grid_of(deck);
   result.scene.continuation = continuation_of(deck, result.physics);
   const std::string polish = deck::word(deck, "multigrid", "polish");
@@ -243,8 +249,6 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   result.scene.lambda = result.physics.groups.lambda;
   result.scene.viscosity = result.physics.viscosity;
   result.scene.density = result.physics.density;
-  result.scene.wedge = deck::word(deck, "discretization", "wedge") == "upstream1" ? reynolds::Wedge::upstream1
-                                                                                  : reynolds::Wedge::upstream2;
   result.fields = deck::words(deck, "output", "fields");
   result.output = given(deck, "output", "file") ? deck::word(deck, "output", "file") : stem_of(path);
   return result;

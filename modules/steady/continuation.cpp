@@ -38,7 +38,7 @@ struct Solved {
 };
 
 std::size_t level_that_holds(const fmg::Hierarchy& hierarchy, const Scene& scene) {
-  const double step = coarseness * resolving_step(scene.M, scene.L);
+  const double step = coarseness * resolving_step(scene.M, scene.L, reynolds::Wedge::upstream2);
   std::size_t l = 0;
   while (l + 1 < hierarchy.levels.size() && hierarchy.levels[l].grid.hx() > step) ++l;
   return l;

@@ -25,14 +25,14 @@ double expected_least_film(double M, double L) {
 
 double contact_size(double M, double L) { return std::max(1.0, std::sqrt(2.0 * expected_central_film(M, L))); }
 
-double resolving_step(double M, double L) {
-  constexpr double share = 0.33;
-  constexpr double coarsest = 0.4;
+double resolving_step(double M, double L, reynolds::Wedge wedge) {
+  const bool second_order = wedge == reynolds::Wedge::upstream2;
+  const double share = second_order ? 0.3 : 0.2;
+  const double coarsest = second_order ? 0.4 : 0.2;
   return std::min(coarsest, share * std::pow(expected_least_film(M, L), 2.0 / 3.0));
 }
 
-int resolving_cells(double M, double L, double length, int fewest, int most) {
-  const double step = resolving_step(M, L);
+int resolving_cells(double step, double length, int fewest, int most) {
   int cells = fewest;
   while (2 * cells <= most && length / cells > step) cells *= 2;
   return cells;

@@ -1,6 +1,6 @@
 #pragma once
 // How fine a grid must be, before anything is known of the solution but its load.
-#include "core/grid.hpp"
+#include "reynolds/wedge.hpp"
 
 namespace ehl::steady {
 
@@ -14,13 +14,14 @@ double expected_least_film(double M, double L);
 /// contact is nearly rigid; Hc by the same formula. in: M > 0, L >= 0.
 double contact_size(double M, double L);
 
-/// Mesh size along X, in Hertz radii, that resolves the film: 0.33 Hm^(2/3) and at most 0.4, Hm the film to expect. The
-/// gap beside a flattened contact grows as the power 3/2 of the distance, so that Hm^(2/3) is the width of the zones at
-/// inlet and outlet in which the film is made; the error of the second-order wedge is about 0.4 (hx/Hm^(2/3))^2 in Hm.
-double resolving_step(double M, double L);
+/// Mesh size along X, in Hertz radii, that resolves the film: 0.3 Hm^(2/3) and at most 0.4, Hm the film to expect; for
+/// the first-order wedge 0.2 Hm^(2/3) and 0.2. The gap beside a flattened contact grows as the power 3/2 of the
+/// distance, so that Hm^(2/3) is the width of the zones at inlet and outlet in which the film is made; the error of the
+/// second-order wedge is about 0.4 (hx/Hm^(2/3))^2 in Hm. in: M > 0, L >= 0.
+double resolving_step(double M, double L, reynolds::Wedge wedge);
 
-/// Cells along x that resolve the film on this length of domain: `fewest`, doubled as often as it takes, `most` at
-/// most.
-int resolving_cells(double M, double L, double length, int fewest, int most);
+/// Cells along x of at most this mesh size on this length of domain: `fewest`, doubled as often as it takes and as
+/// `most` allows.
+int resolving_cells(double step, double length, int fewest, int most);
 
 }  // namespace ehl::steady
