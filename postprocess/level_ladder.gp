@@ -23,6 +23,13 @@ unset offsets
 set logscale y
 set format y "%g %%"
 set ylabel "estimated error"
+# A single level has no estimate: say so, and give the axis a range that gnuplot can draw.
+estimates = 0
+stats table("levels") using (estimates = estimates + (column("error_Hc") > 0 ? 1 : 0), 1) nooutput prefix "E"
+if (estimates == 0) {
+  set yrange [0.01:100]
+  set label 1 "no estimate: a single level" at graph 0.5, graph 0.5 center
+}
 set key top right
 plot table("levels") using "nx":(100 * abs(column("error_Hc"))) with linespoints lw 1.5 pt 7 ps 1.2 lc rgb blue \
          title "error of H_c", \
