@@ -70,6 +70,7 @@ class NewtonIteration {
       if (age >= (best_measure_ < near ? patience_at_the_end : patience))
         return fail("no progress in the last " + std::to_string(age) + " steps");
     }
+    result_.equations_met = true;
     if (!(state.Hm > 0.0))
       return fail("the discrete film of this grid is not positive (minimum " + in_figures(state.Hm) +
                   "): use more cells");

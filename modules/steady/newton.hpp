@@ -19,6 +19,9 @@ struct NewtonParameters {
 
 struct NewtonResult {
   bool converged = false;
+  /// Residual and load error are within the tolerance; converged asks for a positive film as well. A grid too coarse
+  /// for the film meets its equations with a negative one: no solution, but a good start for the next finer grid.
+  bool equations_met = false;
   std::string reason;  ///< why it stopped, with numbers; empty when converged
   std::vector<NewtonStep> steps;
 };
@@ -33,7 +36,7 @@ using NewtonProgress = std::function<bool(const NewtonStep&)>;
 /// film that is positive everywhere.
 /// limits: a start that carries pressure (Hertz will do) and a grid that holds the contact. From the Hertz pressure the
 /// number of steps grows with the number of cells; from a coarser grid's solution it does not.
-/// order: quadratic once the cavitated nodes are found. cost: README.md; memory about 35 MB per 100 000 nodes.
+/// order: quadratic once the cavitated nodes are found. cost, memory: README.md.
 /// threads: the same bits for any number. errors: core::InputError when the problem has no load to carry or no
 /// cavitation; core::Interrupted.
 NewtonResult solve_by_newton(fmg::Hierarchy& hierarchy, std::size_t l, const NewtonParameters& parameters = {},

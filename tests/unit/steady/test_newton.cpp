@@ -172,7 +172,9 @@ BOOST_AUTO_TEST_CASE(failures_are_told) {
   // A grid whose discrete film is negative has no solution that means anything.
   fmg::Hierarchy coarse = newton_hierarchy(1000, 10, square(32), 1);
   fmg::start_from_hertz(coarse, 0, first_H00(1000, 10), 0);
-  tells(solve_by_newton(coarse, 0), "film");
+  const NewtonResult negative = solve_by_newton(coarse, 0);
+  tells(negative, "film");
+  BOOST_TEST(negative.equations_met);
   // Without pressure nothing depends on H00.
   fmg::Hierarchy dry = newton_hierarchy(50, 10, square(32), 1);
   fmg::start_from_hertz(dry, 0, first_H00(50, 10), 0);
@@ -184,6 +186,7 @@ BOOST_AUTO_TEST_CASE(failures_are_told) {
   fmg::start_from_hertz(stopped, l, first_H00(20, 10), 0);
   const NewtonResult result = solve_by_newton(stopped, l, {.max_steps = 3});
   tells(result, "after 3 steps");
+  BOOST_TEST(!result.equations_met);
   BOOST_REQUIRE(result.steps.size() == 3U);
   BOOST_REQUIRE(result.steps[1].residual < result.steps[2].residual);
   BOOST_TEST(state_of_level(stopped, l).residual == result.steps[1].residual);
