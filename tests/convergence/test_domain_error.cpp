@@ -27,3 +27,23 @@ BOOST_AUTO_TEST_CASE(estimate_is_what_a_longer_and_wider_domain_gives) {
     BOOST_TEST(steady::rough_domain_error(scene) > 0.5 * truth);
   }
 }
+
+// Light and isoviscous: the load of the far field, foretold from the rigid body's, within a factor of 2.
+BOOST_AUTO_TEST_CASE(light_loads_starve_for_another_reason) {
+  for (const double M : {2.0, 5.0}) {
+    steady::Scene scene;
+    scene.M = M;
+    scene.L = 0.0;
+    scene.lambda = contact::from_moes(M, 0.0).lambda;
+    scene.viscosity = rheology::Isoviscous{};
+    scene.density = rheology::Incompressible{};
+    scene.grid = {128, 128, -21.0, 3.0, -12.0, 12.0};
+    steady::Scene longer = scene;
+    longer.grid = {256, 256, -45.0, 3.0, -24.0, 24.0};
+    const double truth = steady::solve(longer).levels.back().Hc / steady::solve(scene).levels.back().Hc - 1.0;
+    const double estimate = steady::estimate_domain_error(scene);
+    BOOST_TEST_MESSAGE("M = " << M << ", L = 0: Hc grows by " << truth << ", estimated " << estimate);
+    BOOST_TEST(estimate < 2.0 * truth);
+    BOOST_TEST(estimate > 0.5 * truth);
+  }
+}

@@ -1,0 +1,206 @@
+// What the program chooses by itself: domain, grid, first loads; and how cycles make themselves more cautious.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "contact/groups.hpp"
+#include "fmg/full_multigrid.hpp"
+#include "reference/circular_contact.hpp"
+#include "rheology/laws.hpp"
+#include "steady/continuation.hpp"
+#include "steady/cycles.hpp"
+#include "steady/domain_error.hpp"
+#include "steady/resolution.hpp"
+
+using namespace ehl;
+using boost::test_tools::tolerance;
+
+namespace {
+
+steady::Scene scene_of(double M, double L, const core::Grid& grid) {
+  const contact::Groups groups = contact::from_moes(M, L);
+  const double p_h = groups.alpha_bar / 2.2e-8;
+  steady::Scene scene;
+  scene.M = M;
+  scene.L = L;
+  scene.lambda = groups.lambda;
+  scene.grid = grid;
+  scene.viscosity = rheology::make_roelands(2.2e-8, rheology::roelands_p0, 0.68, p_h);
+  scene.density = rheology::make_dowson_higginson(p_h);
+  return scene;
+}
+
+double log_viscosity(const rheology::ViscosityLaw& law, double P) {
+  double value = 0.0;
+  rheology::log_viscosity(law, {&P, 1}, {&value, 1});
+  return value;
+}
+
+double density(const rheology::DensityLaw& law, double P) {
+  double value = 0.0;
+  rheology::density(law, {&P, 1}, {&value, 1});
+  return value;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(choices)
+
+// The rigid body's far field P = -(lambda/5) X/(r^2/2)^2 upstream of 0, integrated outside the rectangle by Simpson's
+// rule in rings. At M = 0.1 the contact is rigid: q = 2, and the inlet's own term is known.
+BOOST_AUTO_TEST_CASE(load_outside_the_domain) {
+  const core::Grid grid{64, 64, -40.0, 2.0, -15.0, 15.0};
+  const steady::Scene scene = scene_of(0.1, 0.0, grid);
+  constexpr int directions = 4000;
+  double outside = 0.0;
+  for (int k = 0; k <= directions; ++k) {
+    const double theta = std::numbers::pi * (static_cast<double>(k) / directions - 0.5);
+    const double at_inlet = 40.0 / std::cos(theta);
+    const double at_side = 15.0 / std::abs(std::sin(theta));
+    const double R = std::min(at_inlet, at_side);
+    const double weight = k == 0 || k == directions ? 1.0 : k % 2 == 1 ? 4.0 : 2.0;
+    // integral of (lambda/5) r cos/(r^4/4) r dr from R on
+    outside += weight * 0.8 * scene.lambda * std::cos(theta) / R;
+  }
+  outside *= std::numbers::pi / directions / 3.0;
+  const double inlet = 0.5 * 10.0 * 4.0 / 3.0 * scene.lambda / (40.0 * 40.0 * 40.0);
+  const double expected = 2.0 * outside / (2.0 * std::numbers::pi / 3.0) + inlet;
+  BOOST_TEST_MESSAGE("cut off " << steady::rough_domain_error(scene) << ", by quadrature " << expected);
+  BOOST_TEST(steady::rough_domain_error(scene) == expected, tolerance(1e-5));
+}
+
+BOOST_AUTO_TEST_CASE(inlet_and_outlet) {
+  BOOST_TEST(steady::chosen_inlet(50, 10, 1.5) == -4.5);    // the paper's
+  BOOST_TEST(steady::chosen_inlet(1000, 10, 1.5) == -2.5);  // tight at high load
+  BOOST_TEST(steady::chosen_outlet(50, 10) == 1.5);
+  BOOST_TEST(steady::chosen_outlet(2, 0) == 3.0);
+  double before = 0.0;
+  for (const double M : {3000.0, 300.0, 100.0, 50.0, 30.0, 20.0, 10.0, 7.0, 5.0, 3.0, 2.0, 1.0, 0.3}) {
+    const double X_b = steady::chosen_outlet(M, 5);
+    const double X_a = steady::chosen_inlet(M, 5, X_b);
+    BOOST_TEST(X_a <= before);  // never shorter for a lighter load
+    BOOST_TEST(X_a >= -200.0);
+    // (0,0) is a node of 256 cells.
+    const double cell = (X_b - X_a) / 256.0;
+    BOOST_TEST(std::abs(X_a / cell - std::round(X_a / cell)) < 1e-9);
+    before = X_a;
+  }
+}
+
+// Against the continuum limits of the reference solutions.
+BOOST_AUTO_TEST_CASE(expected_film) {
+  for (const reference::CircularLimit& limit : reference::circular_limits) {
+    if (limit.fluid == reference::Fluid::barus) continue;
+    const double expected = steady::expected_least_film(limit.M, limit.L);
+    BOOST_TEST_MESSAGE("(" << limit.M << "," << limit.L << ") expected " << expected << ", reference " << limit.Hm);
+    BOOST_TEST(expected / limit.Hm < 1.25);
+    BOOST_TEST(expected / limit.Hm > 0.8);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(cells) {
+  using reynolds::Wedge;
+  const double step = steady::resolving_step(1000, 10, Wedge::upstream2);
+  BOOST_TEST(step < steady::resolving_step(200, 10, Wedge::upstream2));
+  BOOST_TEST(steady::resolving_step(1000, 10, Wedge::upstream1) < step);
+  BOOST_TEST(steady::resolving_cells(4.0 / 300.0, 4.0, 256, 1024) == 512);
+  BOOST_TEST(steady::resolving_cells(4.0 / 256.0, 4.0, 256, 1024) == 256);
+  BOOST_TEST(steady::resolving_cells(1e-6, 4.0, 256, 1024) == 1024);
+  BOOST_TEST(steady::resolving_cells(1e-6, 4.0, 384, 1000) == 768);
+}
+
+// The same oil at the same pressure in pascals, the same speed and bodies: only the load is another.
+BOOST_AUTO_TEST_CASE(another_load) {
+  const steady::Scene scene = scene_of(800, 12, {64, 64, -2.5, 1.5, -2.0, 2.0});
+  const steady::Scene light = steady::under_load(scene, 100);
+  const double p_h_ratio = 0.5;  // the cube root of an eighth
+  BOOST_TEST(light.lambda == contact::from_moes(100, 12).lambda, tolerance(1e-14));
+  BOOST_TEST(light.M == 100.0);
+  BOOST_TEST(light.L == 12.0);
+  for (const double P : {0.1, 0.7, 1.3}) {
+    BOOST_TEST(log_viscosity(light.viscosity, P / p_h_ratio) == log_viscosity(scene.viscosity, P), tolerance(1e-13));
+    BOOST_TEST(density(light.density, P / p_h_ratio) == density(scene.density, P), tolerance(1e-14));
+  }
+  const rheology::ViscosityLaw barus = rheology::rescaled(rheology::make_barus(2e-8, 1e9), 0.25);
+  BOOST_TEST(log_viscosity(barus, 1.0) == 5.0, tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+namespace {
+
+struct Grids {
+  steady::Scene scene = scene_of(50, 10, {64, 64, -4.5, 1.5, -3.0, 3.0});
+  fmg::Hierarchy hierarchy = fmg::make_hierarchy(
+      {.lambda = scene.lambda, .viscosity = scene.viscosity, .density = scene.density, .given_epsilon = {}}, {},
+      scene.deformation, scene.grid, 1);
+  std::size_t finest = hierarchy.levels.size() - 1;
+  fmg::RelaxationParameters weights;
+
+  Grids() { fmg::start_from_hertz(hierarchy, finest, -0.75, 10); }
+};
+
+steady::Judge residual_below(double tolerance) {
+  return [tolerance](int, const steady::StateOfLevel&, const steady::StateOfLevel& now) -> steady::Verdict {
+    return {now.residual < tolerance ? "" : "residual"};
+  };
+}
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_SUITE(cautious_cycles, Grids)
+
+BOOST_AUTO_TEST_CASE(end_when_the_judge_is_content) {
+  steady::Caution caution;
+  const steady::CyclesResult result = steady::run_cycles(hierarchy, finest, 30, weights, caution, residual_below(1e-8));
+  BOOST_TEST((result.end == steady::CyclesEnd::content));
+  BOOST_TEST(result.unmet.empty());
+  BOOST_TEST(result.cycles < 15);
+  BOOST_TEST(steady::state_of_level(hierarchy, finest).residual < 1e-8);
+  // An easy contact asks for none.
+  BOOST_TEST(caution.all == 1.0);
+  BOOST_TEST(caution.steep == 1.0);
+}
+
+BOOST_AUTO_TEST_CASE(end_at_the_limit_and_where_nothing_helps) {
+  steady::Caution caution;
+  const steady::CyclesResult limited = steady::run_cycles(hierarchy, finest, 2, weights, caution, residual_below(0.0));
+  BOOST_TEST((limited.end == steady::CyclesEnd::limit));
+  BOOST_TEST(limited.cycles == 2);
+  BOOST_TEST(limited.unmet == "residual");
+  const steady::Judge hopeless = [](int, const steady::StateOfLevel&, const steady::StateOfLevel&) -> steady::Verdict {
+    return {"no such film", true};
+  };
+  const steady::CyclesResult none = steady::run_cycles(hierarchy, finest, 9, weights, caution, hopeless);
+  BOOST_TEST((none.end == steady::CyclesEnd::no_solution));
+  BOOST_TEST(none.cycles == 1);
+}
+
+// Weights that are too large by far: the cycles lower them, and end at the same solution.
+BOOST_AUTO_TEST_CASE(too_large_weights_are_lowered) {
+  weights.weight_distributed *= 1.6;
+  weights.weight_single *= 1.6;
+  weights.weight_single_steep *= 1.6;
+  steady::Caution caution;
+  const steady::CyclesResult result = steady::run_cycles(hierarchy, finest, 60, weights, caution, residual_below(1e-8));
+  BOOST_TEST_MESSAGE("caution " << caution.all << " and " << caution.steep << " after " << result.cycles << " cycles");
+  BOOST_TEST((result.end == steady::CyclesEnd::content));
+  BOOST_TEST(caution.all < 1.0);
+  BOOST_TEST(hierarchy.H00 == -0.7864794, tolerance(2e-2));  // the reference's; z and alpha differ a little
+}
+
+// No weights will do: the end is told, and the state is finite.
+BOOST_AUTO_TEST_CASE(divergence_is_an_answer) {
+  weights.weight_distributed *= 30.0;
+  weights.weight_single *= 30.0;
+  weights.weight_single_steep *= 30.0;
+  steady::Caution caution;
+  const steady::CyclesResult result = steady::run_cycles(hierarchy, finest, 60, weights, caution, residual_below(1e-8));
+  BOOST_TEST((result.end == steady::CyclesEnd::diverged || result.end == steady::CyclesEnd::stalled));
+  BOOST_TEST(!result.unmet.empty());
+  BOOST_TEST(result.cycles < 60);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
