@@ -205,11 +205,17 @@ Needs expected_needs(const steady::Scene& scene) {
   constexpr double more_cycles = 2.0;  // than planned: the checks on the finest grid ask for them
   constexpr double direct_pairs_per_second = 2e9;
   constexpr double evaluations_per_cycle = 8.0;
+  constexpr double newton_bytes_per_node = 2400.0;  // the sparse factors
+  constexpr double newton_seconds_per_node = 4e-5;
   const fmg::Parameters& multigrid = scene.multigrid;
   const double cycles = std::isnan(multigrid.tolerance) ? more_cycles * multigrid.cycles : 10.0;
   Needs needs;
   needs.bytes = nodes * doubles_per_node * sizeof(double) + program_itself;
   needs.seconds = 0.1 + cycles * nodes * seconds_per_node_and_cycle / std::sqrt(scene.threads);
+  if (scene.polish == steady::Polish::always) {
+    needs.bytes += nodes * newton_bytes_per_node;
+    needs.seconds += nodes * newton_seconds_per_node;
+  }
   if (scene.deformation.method == mlmi::Method::direct)
     needs.seconds += cycles * evaluations_per_cycle * nodes * nodes / direct_pairs_per_second / scene.threads;
   return needs;

@@ -70,14 +70,14 @@ CyclesResult run_cycles(fmg::Hierarchy& hierarchy, std::size_t l, int most, cons
       diverged = error.what();
     }
     if (!diverged.empty()) {
+      level.P = start.P;
+      hierarchy.H00 = start.H00;
+      fmg::update_film(hierarchy, level);
       result.unmet = diverged;
       result.end = CyclesEnd::diverged;
       if (caution.all * back_off_all < least_all) return result;
       caution.all *= back_off_all;
       use_caution(caution, weights, used);
-      level.P = start.P;
-      hierarchy.H00 = start.H00;
-      fmg::update_film(hierarchy, level);
       before = state_of_level(hierarchy, l);
       residuals.clear();
       continue;

@@ -1,9 +1,11 @@
 #include "steady/rescue.hpp"
 
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "contact/film_formulas.hpp"
+#include "core/errors.hpp"
 #include "core/timer.hpp"
 #include "fmg/full_multigrid.hpp"
 #include "steady/checks.hpp"
@@ -15,6 +17,8 @@ namespace {
 /// Relative residual on the grids below the finest: far below their discretization error.
 constexpr double tolerance_on_the_way = 1e-6;
 constexpr double tolerance_at_rounding = 1e-11;
+/// From the Hertz pressure the number of steps grows with the number of cells.
+constexpr int finest_from_hertz = 128;
 
 double final_tolerance(const Scene& scene) {
   return std::fmin(tolerance_at_rounding, scene.multigrid.tolerance);  // that of a NaN and a number is the number
@@ -81,23 +85,28 @@ Solution climb_by_newton(const Scene& scene, const Start& start, const ProgressC
   Climb climb = begin_climb(scene, start, progress);
   const double Hc = contact::H_from_moes_units(contact::nijenbanning_venner_moes(scene.M, scene.L), scene.M);
   bool solved = false;
+  std::string last_reason;
   for (std::size_t l = climb.first; l <= climb.finest(); ++l) {
     const double began = core::now();
     forget_work(climb.hierarchy);
     if (solved)
       fmg::start_from_coarser(climb.hierarchy, l);
-    else
+    else if (climb.hierarchy.levels[l].grid.nx <= finest_from_hertz)
       fmg::start_from_hertz(climb.hierarchy, l, -1.0 + Hc, 0);
+    else
+      throw core::SolverError("Newton's method solved no grid coarse enough to begin on; " + last_reason);
     const bool last_level = l == climb.finest();
     climb.solution.levels.emplace_back();
     const NewtonResult result =
         solve_level_by_newton(climb, l, last_level ? final_tolerance(scene) : tolerance_on_the_way);
-    solved = result.converged;
+    // A coarse film that is negative is no solution of the contact, and a good start for the next grid.
+    solved = result.equations_met;
+    last_reason = name_of_level(climb.hierarchy, l) + ": " + result.reason;
     record(climb, l, 0, state_of_level(climb.hierarchy, l));
     if (last_level) {
       judge(climb);
-      climb.solution.converged = climb.solution.converged && solved;
-      if (!solved) climb.solution.failed_check = name_of_level(climb.hierarchy, l) + ": " + result.reason;
+      climb.solution.converged = climb.solution.converged && result.converged;
+      if (!result.converged) climb.solution.failed_check = last_reason;
     }
     climb.solution.levels.back().seconds = core::now() - began;
   }

@@ -4,6 +4,9 @@
 
 namespace ehl::steady {
 
+/// Nodes up to which Newton's method is tried unasked: its sparse factors take 0.6 GB and half a minute there.
+inline constexpr double most_nodes_of_rescue = 3e5;
+
 /// Newton's method on the finest grid, from the state that is there, down to rounding errors or the scene's tolerance
 /// where that is smaller; the last row of the level table then tells of its state. Where it fails the better of both
 /// states stays, and Solution::polish_failure says why.
@@ -16,7 +19,8 @@ Solution rescue_by_newton(const Scene& scene, const Start& start, const Solution
                           const ProgressCallback& progress);
 
 /// The way up with Newton's method on every grid instead of cycles: from the Hertz pressure on the first grid, and on
-/// those whose coarser grid was not solved, because it cannot hold the contact; from the coarser grid's solution else.
+/// those up to 128 cells whose coarser grid was not solved; from the coarser grid's solution else.
+/// errors: core::SolverError where no grid up to 128 cells was solved; core::Interrupted.
 Solution climb_by_newton(const Scene& scene, const Start& start, const ProgressCallback& progress);
 
 }  // namespace ehl::steady

@@ -96,6 +96,15 @@ void try_full_multigrid(const Scene& scene, const ProgressCallback& progress, Se
   }
 }
 
+void try_newton(const Scene& scene, const ProgressCallback& progress, Search& search) {
+  const double nodes = static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y();
+  if (scene.polish == Polish::rescue && nodes > most_nodes_of_rescue) return;
+  if (search.best())
+    search.try_way("Newton-Krylov after the cycles",
+                   [&] { return rescue_by_newton(scene, safe_start, *search.best(), progress); });
+  if (!search.over()) search.try_way("Newton-Krylov", [&] { return climb_by_newton(scene, starts[0], progress); });
+}
+
 }  // namespace
 
 Solution solve(const Scene& scene, const ProgressCallback& progress) {
@@ -106,12 +115,7 @@ Solution solve(const Scene& scene, const ProgressCallback& progress) {
   if (scene.continuation.path != Path::load) try_full_multigrid(scene, progress, search);
   if (scene.continuation.path != Path::off && !search.over())
     search.try_way("load continuation", [&] { return climb_by_load(scene, safe_start, progress, steps); });
-  if (scene.polish != Polish::off && !search.over()) {
-    if (search.best())
-      search.try_way("Newton-Krylov after the cycles",
-                     [&] { return rescue_by_newton(scene, safe_start, *search.best(), progress); });
-    if (!search.over()) search.try_way("Newton-Krylov", [&] { return climb_by_newton(scene, starts[0], progress); });
-  }
+  if (scene.polish != Polish::off && !search.over()) try_newton(scene, progress, search);
   Solution solution = search.result();
   solution.continuation = std::move(steps);
   if (rough_domain_error(scene) > worth_a_look) solution.domain_error_Hc = estimate_domain_error(scene);

@@ -13,7 +13,7 @@ namespace {
 constexpr double hardly_an_error = 1.0;
 /// Pressure beside a boundary, as a share of the largest, above which the boundary cuts into the contact.
 constexpr double cut_off_pressure = 1e-3;
-/// Growth of Hc on the double domain that is worth a word.
+/// Change of Hc on the double domain that is worth a word.
 constexpr double starved = 0.01;
 
 std::string percent(double value) {
@@ -54,10 +54,13 @@ std::vector<std::string> warnings_of(const Scene& scene, const Solution& solutio
                        (error > hardly_an_error ? "at least " : "") +
                        std::to_string(cells_that_resolve(last.nx, error, scene.wedge)) +
                        " would bring both below 10 %");
-  if (solution.domain_error_Hc > starved)
-    warnings.push_back("inlet starved by the domain: on one twice as long and wide Hc is larger by at least " +
-                       percent(solution.domain_error_Hc) +
-                       " (estimated on a coarse grid); move x_inlet upstream and widen y_half");
+  if (std::abs(solution.domain_error_Hc) > starved)
+    warnings.push_back("inlet starved by the domain: on one twice as long and wide Hc differs by about " +
+                       percent(std::abs(solution.domain_error_Hc)) +
+                       " (an estimate), and there may be as much beyond; move x_inlet upstream and widen y_half");
+  if (!solution.polish_failure.empty())
+    warnings.push_back("the polish did not reach rounding errors, the cycles' solution stays: " +
+                       solution.polish_failure);
   const double P_max = core::maximum(solution.P).value;
   const double outlet = largest_along_outlet(solution);
   if (outlet > cut_off_pressure * P_max)

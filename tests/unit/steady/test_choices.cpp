@@ -86,6 +86,9 @@ BOOST_AUTO_TEST_CASE(inlet_and_outlet) {
     const double cell = (X_b - X_a) / 256.0;
     BOOST_TEST(std::abs(X_a / cell - std::round(X_a / cell)) < 1e-9);
     before = X_a;
+    // What it promises, on a domain half as wide as long, where 200 radii are enough for that: 0.6 % and 2 %.
+    const steady::Scene scene = scene_of(M, 5, {64, 64, X_a, X_b, -0.5 * (X_b - X_a), 0.5 * (X_b - X_a)});
+    if (M > 3.0) BOOST_TEST(steady::rough_domain_error(scene) <= 0.026);
   }
 }
 
@@ -170,6 +173,11 @@ BOOST_AUTO_TEST_CASE(end_at_the_limit_and_where_nothing_helps) {
   BOOST_TEST((limited.end == steady::CyclesEnd::limit));
   BOOST_TEST(limited.cycles == 2);
   BOOST_TEST(limited.unmet == "residual");
+  // At rounding errors the residual no longer falls.
+  const steady::CyclesResult stalled =
+      steady::run_cycles(hierarchy, finest, 300, weights, caution, residual_below(0.0));
+  BOOST_TEST((stalled.end == steady::CyclesEnd::stalled));
+  BOOST_TEST(stalled.cycles < 60);
   const steady::Judge hopeless = [](int, const steady::StateOfLevel&, const steady::StateOfLevel&) -> steady::Verdict {
     return {"no such film", true};
   };
@@ -193,14 +201,17 @@ BOOST_AUTO_TEST_CASE(too_large_weights_are_lowered) {
 
 // No weights will do: the end is told, and the state is finite.
 BOOST_AUTO_TEST_CASE(divergence_is_an_answer) {
+  const core::Field start = hierarchy.finest().P;
   weights.weight_distributed *= 30.0;
   weights.weight_single *= 30.0;
   weights.weight_single_steep *= 30.0;
   steady::Caution caution;
   const steady::CyclesResult result = steady::run_cycles(hierarchy, finest, 60, weights, caution, residual_below(1e-8));
-  BOOST_TEST((result.end == steady::CyclesEnd::diverged || result.end == steady::CyclesEnd::stalled));
+  BOOST_TEST((result.end == steady::CyclesEnd::diverged));
   BOOST_TEST(!result.unmet.empty());
   BOOST_TEST(result.cycles < 60);
+  for (int i = 0; i <= 64; ++i)
+    for (int j = 0; j <= 64; ++j) BOOST_REQUIRE(hierarchy.finest().P(i, j) == start(i, j));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
