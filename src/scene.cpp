@@ -63,11 +63,11 @@ int halvings(int cells, int coarsest) {
   return coarse_enough ? count : -1;
 }
 
-// The two nearest numbers of cells that would do.
-std::string good_cells(int cells, int coarsest) {
-  int below = coarsest > 0 ? coarsest : 16;
-  while (2.0 * below <= cells) below *= 2;
-  return "e.g. " + std::to_string(below) + " or " + std::to_string(2 * below);
+// The largest number of cells, not above `most` where that is possible, that surely can be halved down far enough.
+double good_cells(double most, int coarsest) {
+  double cells = coarsest > 0 ? coarsest : 16.0;
+  while (2.0 * cells <= most) cells *= 2.0;
+  return cells;
 }
 
 core::Grid grid_of(deck::Deck& deck) {
@@ -84,7 +84,10 @@ core::Grid grid_of(deck::Deck& deck) {
   if (levels < 0) {
     const std::string of = coarsest > 0 ? "a multiple of the coarsest grid's " + std::to_string(coarsest) + " cells"
                                         : "a multiple of a coarsest grid of 32 to 63 cells";
-    complain(deck, "grid", "cells", "must be " + of + " by a power of two, " + good_cells(cells, coarsest));
+    const double below = good_cells(cells, coarsest);
+    complain(
+        deck, "grid", "cells",
+        "must be " + of + " by a power of two, e.g. " + deck::shortest(below) + " or " + deck::shortest(2.0 * below));
     return grid;
   }
   // Even on the coarsest grid, so that the line y = 0 is a line of every grid.
@@ -96,11 +99,14 @@ core::Grid grid_of(deck::Deck& deck) {
   else
     grid.ny = static_cast<int>(ny);
   constexpr double coarsest_step = 0.5;
-  if (grid.hx() > coarsest_step)
+  if (grid.hx() > coarsest_step) {
+    const double fewest = (grid.X_b - grid.X_a) / coarsest_step;
+    const double below = good_cells(fewest, coarsest);
     complain(deck, "grid", "cells",
              "too coarse: a cell is " + formatted("%.3g", grid.hx()) + " Hertz radii wide and must be at most " +
-                 deck::shortest(coarsest_step) + ": at least " +
-                 deck::shortest(std::ceil((grid.X_b - grid.X_a) / coarsest_step)) + " cells, or a shorter domain");
+                 deck::shortest(coarsest_step) + ": take e.g. " + deck::shortest(below < fewest ? 2.0 * below : below) +
+                 " cells, or a shorter domain");
+  }
   return grid;
 }
 
