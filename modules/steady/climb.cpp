@@ -21,6 +21,10 @@ constexpr int most_extra_cycles = 3;
 
 /// Mesh size of the first grid, in units of contact_size.
 constexpr double largest_first_step = 0.4;
+/// Above this L epsilon differs by more than a factor e from cell to cell in the whole outlet flank: full weights there
+/// oscillate and are lowered sooner or later.
+constexpr double very_piezoviscous_L = 22.0;
+constexpr double caution_where_steep = 0.8;
 /// A state with this relative residual solves the equations, whatever else is wrong with it.
 constexpr double solved_residual = 1e-5;
 
@@ -28,6 +32,8 @@ constexpr double solved_residual = 1e-5;
 double guess_of_central_film(const Scene& scene) {
   return contact::H_from_moes_units(contact::nijenbanning_venner_moes(scene.M, scene.L), scene.M);
 }
+
+double steep_caution(const Scene& scene) { return scene.L > very_piezoviscous_L ? caution_where_steep : 1.0; }
 
 /// Geometric mean of the factors by which the cycles on one level reduced the residual, all but the first.
 double mean_factor(const std::vector<double>& residuals) {
@@ -61,11 +67,11 @@ Climb begin_climb(const Scene& scene, const Start& start, const ProgressCallback
 void solve_first_level(Climb& climb) {
   const double began = core::now();
   forget_work(climb.hierarchy);
-  climb.caution.all = climb.start.caution_at_first;
+  climb.caution = {.all = climb.start.caution_at_first, .steep = steep_caution(climb.scene)};
   use_caution(climb.caution, climb.scene.multigrid.relaxation, climb.hierarchy.parameters.relaxation);
   fmg::start_from_hertz(climb.hierarchy, climb.first, -1.0 + guess_of_central_film(climb.scene), climb.start.sweeps);
   solve_level(climb, climb.first, std::max(climb.start.cycles, climb.scene.multigrid.cycles));
-  climb.caution = {.all = climb.start.caution};
+  climb.caution = {.all = climb.start.caution, .steep = steep_caution(climb.scene)};
   climb.solution.levels.back().seconds = core::now() - began;
 }
 
