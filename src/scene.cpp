@@ -103,9 +103,9 @@ core::Grid grid_of(deck::Deck& deck) {
     const double fewest = (grid.X_b - grid.X_a) / coarsest_step;
     const double below = good_cells(fewest, coarsest);
     complain(deck, "grid", "cells",
-             "too coarse: a cell is " + formatted("%.3g", grid.hx()) + " Hertz radii wide and must be at most " +
-                 deck::shortest(coarsest_step) + ": take e.g. " + deck::shortest(below < fewest ? 2.0 * below : below) +
-                 " cells, or a shorter domain");
+             formatted("too coarse for %.4g <= x <= %.4g: a cell is %.3g Hertz radii wide and must be at most %g",
+                       grid.X_a, grid.X_b, grid.hx(), coarsest_step) +
+                 ": take e.g. " + deck::shortest(below < fewest ? 2.0 * below : below) + " cells, or a shorter domain");
   }
   return grid;
 }
@@ -157,11 +157,11 @@ fmg::Parameters multigrid_of(deck::Deck& deck) {
 double first_load_ratio(deck::Deck& deck, const Physics& physics) {
   const bool by_M = given(deck, "continuation", "M_start");
   const bool by_load = given(deck, "continuation", "load_start");
-  if (by_load && !physics.si)
+  if (by_load && physics.language != Language::si && physics.language != Language::none)
     complain(deck, "continuation", "load_start", "is in newtons and the contact is not given in SI: use M_start");
   else if (by_load && by_M)
     complain(deck, "continuation", "load_start", "the first load is given as M_start already: keep one of them");
-  else if (by_load)
+  else if (by_load && physics.si)
     return deck::number(deck, "continuation", "load_start") / physics.si->contact.load;
   return deck::number(deck, "continuation", "M_start") / physics.groups.M;
 }
@@ -171,10 +171,6 @@ steady::ContinuationParameters continuation_of(deck::Deck& deck, const Physics& 
   using Path = steady::ContinuationParameters::Path;
   const std::string path = deck::word(deck, "continuation", "path");
   parameters.path = path == "load" ? Path::load : path == "off" ? Path::off : Path::automatic;
-  if (parameters.path == Path::off)
-    for (const char* key : {"M_start", "load_start", "step", "max_steps"})
-      if (given(deck, "continuation", key))
-        complain(deck, "continuation", key, "has no influence with path = off: remove it");
   parameters.load_ratio = first_load_ratio(deck, physics);
   if (parameters.load_ratio == 1.0)
     complain(deck, "continuation", given(deck, "continuation", "M_start") ? "M_start" : "load_start",

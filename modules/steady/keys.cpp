@@ -65,6 +65,7 @@ std::vector<Key> grid_keys() {
 
 std::vector<Key> path_keys() {
   const ContinuationParameters defaults;
+  const deck::Condition on_the_path{.name = "path", .words = {"automatic", "load"}};
   return {
       Key{.section = "multigrid",
           .name = "polish",
@@ -88,6 +89,7 @@ std::vector<Key> path_keys() {
           .default_note = "a hundredth of the contact's M, 20 at least",
           .range = {0.1, 1e5},
           .meaning = "First load of a continuation, as Moes load number M; L does not depend on the load.",
+          .needs = on_the_path,
           .example = "20"},
       Key{.section = "continuation",
           .name = "load_start",
@@ -95,18 +97,21 @@ std::vector<Key> path_keys() {
           .unit = "N",
           .range = {0.0, std::numeric_limits<double>::infinity(), true, true},
           .meaning = "The same in newtons, for a contact in SI.",
+          .needs = on_the_path,
           .example = "10"},
       Key{.section = "continuation",
           .name = "step",
           .default_text = deck::shortest(defaults.step),
           .range = {1.0, 10.0, true, false},
-          .meaning = "Factor between the first two loads; later ones follow from the number of cycles."},
+          .meaning = "Factor between the first two loads; later ones follow from the number of cycles.",
+          .needs = on_the_path},
       Key{.section = "continuation",
           .name = "max_steps",
           .type = Type::integer,
           .default_text = std::to_string(defaults.max_steps),
           .range = {1, 10000},
-          .meaning = "Loads to solve for at most, rejected steps included."},
+          .meaning = "Loads to solve for at most, rejected steps included.",
+          .needs = on_the_path},
   };
 }
 

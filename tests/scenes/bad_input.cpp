@@ -128,7 +128,7 @@ BOOST_AUTO_TEST_CASE(grids_and_domains) {
       {"no sides", good + "[domain]\ny_half = 1\n", {"d.ini:8", "y_half = 1", "must contain the contact"}},
       {"too coarse",
        good + "[domain]\nx_inlet = -100\n[grid]\ncells = 64\n",
-       {"d.ini:10", "too coarse", "1.59 Hertz", "take e.g. 256 cells"}},
+       {"d.ini:10", "too coarse for -100 <= x <= 1.5", "1.59 Hertz", "take e.g. 256 cells"}},
       {"a mile wide", good + "[domain]\ny_half = 1000\n[grid]\ncells = 65536\n", {"d.ini"}},
       {"odd order", good + "[deformation]\norder = 5\n", {"d.ini:8", "order = 5", "4, 6 or 8"}},
       {"coarsenings",
@@ -137,6 +137,12 @@ BOOST_AUTO_TEST_CASE(grids_and_domains) {
       {"order for FFT",
        good + "[deformation]\nmethod = fft\norder = 6\n",
        {"d.ini:9", "order = 6", "no influence with method = fft"}},
+      {"first load without use",
+       good + "[continuation]\npath = off\nM_start = 20\n",
+       {"d.ini:9", "M_start = 20", "no influence with path = off"}},
+      {"first load in newtons",
+       good + "[continuation]\nload_start = 3\n",
+       {"d.ini:8", "load_start = 3", "use M_start"}},
       {"no relaxation", good + "[multigrid]\npre = 0\npost = 0\n", {"d.ini:8", "cannot converge"}},
   });
 }

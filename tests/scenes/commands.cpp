@@ -63,6 +63,18 @@ BOOST_AUTO_TEST_CASE(an_existing_result_is_kept) {
   BOOST_TEST(!contains(ended.err, "cycle"));  // refused before the work, not after it
 }
 
+// What was understood is a deck again, also where a choice leaves other keys without influence.
+BOOST_AUTO_TEST_CASE(the_deck_in_the_result_is_a_deck) {
+  const Scene scene;
+  scene.folder.write("e.ini",
+                     "[contact]\nM = 20\nL = 10\n[lubricant]\nviscosity = barus\nalpha = 2e-8\n[grid]\ncells = "
+                     "64\n[domain]\nx_inlet = -4.5\n[continuation]\npath = off\n[deformation]\nmethod = fft\n");
+  BOOST_REQUIRE(scene.ehl("run e.ini").status == 0);
+  scene.folder.write("own.ini", scene.ehl("extract e.h5 deck").out);
+  const support::Ended own = scene.ehl("check own.ini");
+  BOOST_TEST(own.status == 0, own.err);
+}
+
 // REFERENCE: (20,10), Roelands z = 0.68, upstream2, n = 64, solved exactly: Hc = 0.4195678, Hm = 0.2866922.
 BOOST_AUTO_TEST_CASE(the_result_holds_the_published_film) {
   const Scene scene;
