@@ -13,8 +13,9 @@ std::size_t place(Random& random, std::size_t size) {
 
 char any_byte(Random& random) { return static_cast<char>(whole(random, 1, 255)); }
 
-// One slip of the finger. in: text that is not empty.
+// One slip of the finger.
 void mistype(std::string& text, Random& random) {
+  if (text.empty()) return;
   const std::size_t at = place(random, text.size());
   switch (whole(random, 0, 4)) {
     case 0: text.erase(at, 1); break;

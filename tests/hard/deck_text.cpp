@@ -24,12 +24,10 @@ std::vector<KnownKey> read_known_keys(const std::string& listing) {
   std::vector<KnownKey> keys;
   std::string section;
   std::istringstream lines(listing);
-  const std::string allowed = "      allowed: ";
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with("[")) section = line.substr(1, line.find(']') - 1);
     if (line.starts_with("  ") && line.size() > 2 && line[2] != ' ')
-      keys.push_back({section, line.substr(2, line.find(' ', 2) - 2), ""});
-    if (line.starts_with(allowed) && !keys.empty()) keys.back().allowed = line.substr(allowed.size());
+      keys.push_back({section, line.substr(2, line.find(' ', 2) - 2)});
   }
   return keys;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <sstream>
 
 #include "support/json.hpp"
@@ -217,7 +218,16 @@ class Judge {
 
 }  // namespace
 
-Verdict judge(std::uint64_t seed, const Setting& setting, bool sampled) { return Judge(seed, setting).run(sampled); }
+Verdict judge(std::uint64_t seed, const Setting& setting, bool sampled) {
+  try {
+    return Judge(seed, setting).run(sampled);
+  } catch (const std::exception& error) {
+    Verdict verdict;
+    verdict.seed = seed;
+    verdict.faults.push_back(std::string("of the test itself: ") + error.what());
+    return verdict;
+  }
+}
 
 std::string json_member(const std::string& json, const std::string& name) {
   const std::string label = "\"" + name + "\": ";

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <sstream>
 
 namespace hard {
 namespace {
@@ -117,15 +116,17 @@ void add_contact(Entries& entries, Random& random, bool& ordinary) {
   if (groups.L < 0.1) ordinary = ordinary && groups.L == 0.0;  // a Hertz pressure of next to nothing may be refused
 }
 
-// Sometimes the program's own choice, sometimes starved, narrow or very long. out: its length, at most.
-double add_domain(Entries& entries, Random& random) {
-  double length = 48.0;  // the longest that the program chooses
+// Sometimes the program's own choice, sometimes starved, narrow or very long. out: its length, nearly.
+double add_domain(Entries& entries, Random& random, bool& ordinary) {
+  double length = 48.0;
   if (random.chance(0.6)) {
     double inlet = random.between(2.5, 8.0);
     if (random.chance(0.15)) inlet = 1.0 + log_between(random, 0.01, 1.0);
     if (random.chance(0.1)) inlet = log_between(random, 8.0, 300.0);
     entries.push_back({"domain", "x_inlet", written(random, -inlet)});
     length = inlet + 1.5;
+  } else {
+    ordinary = false;  // a light load gets a long domain, for which the grid may be too coarse
   }
   if (random.chance(0.4)) {
     double outlet = random.between(1.3, 3.0);
@@ -197,24 +198,21 @@ void add_multigrid(Entries& entries, Random& random, bool& ordinary) {
   if (random.chance(0.2)) add("kernel_terms", pick<std::string>(random, {"3", "5", "7"}));
 }
 
-// Keys that this generator does not know by name: an allowed value, as far as the listing tells one.
-void add_later_keys(Entries& entries, Random& random, const std::vector<KnownKey>& keys, bool& ordinary) {
-  for (const KnownKey& key : keys) {
-    const bool later = key.section == "continuation" || (key.section == "multigrid" && key.name == "polish");
-    if (!later || !random.chance(0.3)) continue;
-    std::string value = text(whole(random, 1, 20));
-    const std::string choice = "one of ";
-    if (key.allowed.starts_with(choice)) {
-      std::istringstream words(key.allowed.substr(choice.size()));
-      std::vector<std::string> found;
-      for (std::string word; words >> word;) found.push_back(word.substr(0, word.find(',')));
-      value = pick(random, found);
-    } else if (!key.allowed.starts_with("a whole number")) {
-      value = written(random, random.between(0.0, 2.0));
-    }
-    entries.push_back({key.section, key.name, value});
-    ordinary = false;
-  }
+void add_path(Entries& entries, Random& random, bool& ordinary) {
+  const auto add = [&](const char* section, const char* name, const std::string& value) {
+    entries.push_back({section, name, value});
+  };
+  if (random.chance(0.2)) add("multigrid", "polish", pick<std::string>(random, {"rescue", "always", "off"}));
+  if (!random.chance(0.2)) return;
+  const std::string path = pick<std::string>(random, {"automatic", "load", "load", "off"});
+  add("continuation", "path", path);
+  if (path == "off") return;
+  const bool si = entries.front().name == "radius_x";
+  if (random.chance(0.3))
+    add("continuation", si ? "load_start" : "M_start", written(random, log_between(random, 0.5, 200.0)));
+  if (random.chance(0.3)) add("continuation", "step", written(random, random.between(1.1, 5.0)));
+  if (random.chance(0.3)) add("continuation", "max_steps", text(whole(random, 1, 30)));
+  ordinary = ordinary && !si;  // a load beyond all limits as the first one
 }
 
 }  // namespace
@@ -234,13 +232,13 @@ std::string written(Random& random, double value) {
   return buffer;
 }
 
-std::vector<Entry> random_case(Random& random, const std::vector<KnownKey>& keys, bool& ordinary) {
+std::vector<Entry> random_case(Random& random, bool& ordinary) {
   Entries entries;
   add_contact(entries, random, ordinary);
   if (random.chance(0.5))
     entries.push_back(
         {"case", "title", pick<std::string>(random, {"a", "two words", "\"q\" \\ /", "µ — 薄膜", "50 %s %n"})});
-  const double length = add_domain(entries, random);
+  const double length = add_domain(entries, random, ordinary);
   const int cells = add_grid(entries, random, length, ordinary);
   add_width(entries, random, length, cells);
   if (random.chance(0.6))
@@ -250,7 +248,7 @@ std::vector<Entry> random_case(Random& random, const std::vector<KnownKey>& keys
   if (random.chance(0.2))
     entries.push_back(
         {"output", "fields", pick<std::string>(random, {"P", "P, H", "H P rho_bar", "P,H,rho_bar,ln_eta_bar"})});
-  add_later_keys(entries, random, keys, ordinary);
+  add_path(entries, random, ordinary);
   return entries;
 }
 
@@ -260,7 +258,7 @@ RandomDeck random_deck(std::uint64_t seed, const std::vector<KnownKey>& keys) {
   constexpr double share_of_damaged = 0.35;
   RandomDeck deck;
   deck.ordinary = true;
-  Entries entries = random_case(random, keys, deck.ordinary);
+  Entries entries = random_case(random, deck.ordinary);
   const bool damaged = random.chance(share_of_damaged);
   if (damaged && random.chance(0.6)) damage_entries(entries, keys, random, deck.damage);
   if (random.chance(0.2)) {

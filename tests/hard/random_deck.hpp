@@ -14,7 +14,6 @@ using ehl::tests::Random;
 struct KnownKey {
   std::string section{};
   std::string name{};
-  std::string allowed{};  ///< "one of V, W, F", "a number > 0 and <= 1 N"
 };
 
 /// Reads the list that `ehl keys` prints.
@@ -34,13 +33,12 @@ struct RandomDeck {
   bool ordinary = false;              ///< a contact that must be taken: to refuse it is a fault of the program
 };
 
-/// The same deck for the same seed and keys, on every machine. in: the keys that the program has; those that later
-/// versions add are given random allowed values, and every key serves as a target of the damage.
-/// Physical cases: M log-uniform 1 ... 1e4, L 0 ... 30, in three languages, grids up to 129 x 129 nodes.
+/// The same deck for the same seed and keys, on every machine. in: the keys that the program has, targets of the
+/// damage. Physical cases: M log-uniform 1 ... 1e4, L 0 ... 30, in three languages, grids up to 129 x 129 nodes.
 RandomDeck random_deck(std::uint64_t seed, const std::vector<KnownKey>& keys);
 
 /// A case in good faith: what a user may want, common or rare. ordinary: left true while nothing in it can be refused.
-std::vector<Entry> random_case(Random& random, const std::vector<KnownKey>& keys, bool& ordinary);
+std::vector<Entry> random_case(Random& random, bool& ordinary);
 
 /// As a text; layout: with comments, blanks, repeated headings, CRLF, a byte order mark, which all change nothing.
 std::string deck_text(const std::vector<Entry>& entries, Random& random);
