@@ -78,9 +78,11 @@ std::string continuation_table(const Case& input, const steady::Solution& soluti
   std::string text = std::string("continuation        M  ") + (si ? "    load [N]" : "load ratio") +
                      "        Hc        Hm  residual  cycles\n";
   for (const steady::ContinuationStep& step : solution.continuation)
-    text += formatted("%21.6g  %10.4g  %8.5f  %8.5f  %8.0e  %6d%s\n", step.M,
-                      si ? step.load_ratio * input.physics.si->contact.load : step.load_ratio, step.Hc, step.Hm,
-                      step.residual, step.cycles, step.converged ? "" : "  rejected: a shorter step follows");
+    text +=
+        formatted("%21.6g  %10.4g  %8s  %8s  %8s  %6d%s\n", step.M,
+                  si ? step.load_ratio * input.physics.si->contact.load : step.load_ratio,
+                  known("%.5f", step.Hc).c_str(), known("%.5f", step.Hm).c_str(), known("%.0e", step.residual).c_str(),
+                  step.cycles, step.converged ? "" : "  rejected: a shorter step follows");
   return text;
 }
 

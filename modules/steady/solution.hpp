@@ -57,10 +57,10 @@ struct Attempt {
 /// One step of a load continuation, the rejected ones included.
 struct ContinuationStep {
   double M = 0.0;
-  double load_ratio = 1.0;  ///< to the load of the scene
-  double Hc = 0.0;
-  double Hm = 0.0;
-  double residual = 0.0;
+  double load_ratio = 1.0;                               ///< to the load of the scene
+  double Hc = std::numeric_limits<double>::quiet_NaN();  ///< NaN: the cycles of the step diverged
+  double Hm = std::numeric_limits<double>::quiet_NaN();
+  double residual = std::numeric_limits<double>::quiet_NaN();
   int cycles = 0;
   bool converged = false;
 };
