@@ -1,0 +1,48 @@
+#pragma once
+// Scenes of the hard cases, and what is asked of two solutions that should be one.
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "convergence/circular_scene.hpp"
+#include "steady/solution.hpp"
+
+namespace hard {
+
+struct Load {
+  double M, L;
+};
+
+/// The scene of the reference tables (the same fluid and domains) at another load: Roelands z = 0.68, Dowson-Higginson;
+/// deformation exact but for rounding; a relative residual of 1e-10.
+inline ehl::steady::Scene scene(Load load, int n, ehl::reynolds::Wedge wedge = ehl::reynolds::Wedge::upstream2) {
+  ehl::steady::Scene scene =
+      ehl::test::scene_of({load.M, load.L, ehl::reference::Fluid::roelands_z068, wedge, n, 0.0, 0.0, 0.0, 0.0});
+  scene.deformation.method = ehl::mlmi::Method::fft;
+  scene.multigrid.tolerance = 1e-10;
+  scene.threads = 2;
+  return scene;
+}
+
+inline std::string name(const ehl::steady::Scene& scene) {
+  std::ostringstream text;
+  text << "(" << scene.M << "," << scene.L << ") "
+       << (scene.wedge == ehl::reynolds::Wedge::upstream1 ? "upstream1 " : "upstream2 ") << scene.grid.nx << " x "
+       << scene.grid.ny;
+  return text.str();
+}
+
+inline double relative(double value, double reference) { return std::abs(value / reference - 1.0); }
+
+/// The largest of: relative differences of Hc and Hm, difference of H00 and of P at any node.
+inline double difference(const ehl::steady::Solution& a, const ehl::steady::Solution& b) {
+  double largest = std::max({std::abs(a.H00 - b.H00), relative(a.levels.back().Hc, b.levels.back().Hc),
+                             relative(a.levels.back().Hm, b.levels.back().Hm)});
+  for (int i = 0; i < a.grid.nodes_x(); ++i)
+    for (int j = 0; j < a.grid.nodes_y(); ++j) largest = std::max(largest, std::abs(a.P(i, j) - b.P(i, j)));
+  return largest;
+}
+
+}  // namespace hard
