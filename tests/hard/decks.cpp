@@ -132,7 +132,7 @@ BOOST_AUTO_TEST_CASE(short_domain_is_called_starved_by_as_much_as_it_is) {
   BOOST_TEST_MESSAGE("Hc " << report.number("Hc") << ", on the double domain " << large.number("Hc") << ": larger by "
                            << growth << " %; the warning said " << said << " % (allowed 20 % of it)");
   BOOST_TEST(std::abs(said - growth) <= 0.2 * growth);
-  BOOST_TEST(large.warning("inlet starved by the domain") == "");
+  BOOST_TEST(run_deck("M20_L20").warning("inlet starved by the domain") == "");
 }
 
 // In SI, and what a user must be told at this pressure.
@@ -163,4 +163,36 @@ BOOST_AUTO_TEST_CASE(cells_four_times_as_long_as_wide_take_newtons_method) {
   BOOST_TEST_MESSAGE("with multigrid.polish=off: exit status " << without.status << ", " << without.err);
   BOOST_TEST(without.status == 3);
   BOOST_TEST(without.text("converged") != "true");
+}
+
+// M = 20 to 5000 in one run, told load by load, and the same end as the direct way.
+BOOST_AUTO_TEST_CASE(load_continuation_is_told_and_ends_where_the_direct_way_does) {
+  const Report report = run_deck("load_continuation");
+  require_verified(report);
+  BOOST_TEST(report.text("method") == "load continuation");
+  const std::vector<hard::Step> steps = report.continuation();
+  BOOST_TEST_REQUIRE(steps.size() >= 4U);
+  BOOST_TEST(steps.front().M == 20.0, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(steps.back().M == 5000.0);
+  BOOST_TEST(steps.back().converged);
+  const Report direct = run_deck("M5000_L10");
+  BOOST_TEST(report.cells() == direct.cells());
+  BOOST_TEST_MESSAGE(steps.size() << " loads; " << path_with_factor(report));
+  for (const std::string film : {"Hc", "Hm"}) {
+    const double apart = std::abs(report.number(film) / direct.number(film) - 1.0);
+    const double allowed = 0.1 * direct.of_last_level("error_" + film);
+    BOOST_TEST_MESSAGE(film << " " << report.number(film) << ", directly " << direct.number(film) << ": apart by "
+                            << apart << " (allowed " << allowed << ", what the cycles may leave)");
+    BOOST_TEST(apart <= allowed);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_continuation_without_enough_steps_is_not_converged) {
+  const Report report =
+      run_deck("load_continuation", {"grid.cells=256", "continuation.max_steps=2", "multigrid.polish=off"});
+  BOOST_TEST_MESSAGE("exit status " << report.status << ": " << report.err);
+  BOOST_TEST(report.status == 3);
+  BOOST_TEST(report.text("converged") == "false");
+  BOOST_TEST(report.text("failed_check").find("2 steps (max_steps) reached M = 40") != std::string::npos);
+  BOOST_TEST(report.err.find("2 steps (max_steps) reached M = 40") != std::string::npos);
 }

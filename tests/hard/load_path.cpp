@@ -1,0 +1,202 @@
+// Load continuation from M = 20 to M = 5000: the same end as the direct way, every step told, and an honest end where
+// it cannot succeed. Newton's method after the cycles. A mesh on which no film is positive.
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "core/errors.hpp"
+#include "hard/hard_scene.hpp"
+#include "steady/continuation.hpp"
+#include "steady/solve.hpp"
+
+using namespace ehl;
+using Path = steady::ContinuationParameters::Path;
+
+namespace {
+
+constexpr double first_M = 20.0;
+
+steady::Scene heaviest(int n, Path path) {
+  steady::Scene scene = hard::scene({5000, 10}, n);
+  scene.continuation.path = path;
+  if (path == Path::load) scene.continuation.load_ratio = first_M / scene.M;
+  return scene;
+}
+
+/// Within the loads, each told, and shorter after a rejection.
+void require_sensible(const std::vector<steady::ContinuationStep>& steps, double last_M) {
+  BOOST_TEST_REQUIRE(!steps.empty());
+  BOOST_TEST(steps.front().M == first_M, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(steps.front().converged);
+  double reached = steps.front().M;
+  for (std::size_t k = 1; k < steps.size(); ++k) {
+    const steady::ContinuationStep& step = steps[k];
+    BOOST_TEST_MESSAGE("  M = " << step.M << (step.converged ? ", solved in " : ", rejected after ") << step.cycles
+                                << " cycles, Hc " << step.Hc << ", Hm " << step.Hm << ", residual " << step.residual);
+    BOOST_TEST(step.M > reached);
+    BOOST_TEST(step.M <= last_M);
+    BOOST_TEST(step.load_ratio == step.M / last_M, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(step.cycles >= 1);
+    if (!step.converged) {
+      // Half as far in ln M, from the same load.
+      if (k + 1 < steps.size())
+        BOOST_TEST(std::log(steps[k + 1].M / reached) == 0.5 * std::log(step.M / reached),
+                   boost::test_tools::tolerance(1e-9));
+      continue;
+    }
+    BOOST_TEST(step.residual <= 1e-4);
+    BOOST_TEST(step.Hc < steps.front().Hc);
+    reached = step.M;
+  }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(direct_and_by_continuation_the_end_is_the_same) {
+  const steady::Solution direct = steady::solve(heaviest(512, Path::off));
+  const steady::Solution by_load = steady::solve(heaviest(512, Path::load));
+  BOOST_TEST(direct.converged, direct.failed_check);
+  BOOST_TEST(direct.method == "full multigrid");
+  BOOST_TEST(direct.continuation.empty());
+  BOOST_TEST(by_load.converged, by_load.failed_check);
+  BOOST_TEST(by_load.method == "load continuation");
+  BOOST_TEST(by_load.attempts.size() == 1U);
+  require_sensible(by_load.continuation, 5000.0);
+  BOOST_TEST(by_load.continuation.back().converged);
+  BOOST_TEST(by_load.continuation.back().M == 5000.0);
+  const double apart = hard::difference(direct, by_load);
+  BOOST_TEST_MESSAGE("(20,10) to (5000,10) on 512 cells: apart by " << apart << " (allowed 1e-6) from the direct way; "
+                                                                    << by_load.continuation.size() << " loads");
+  BOOST_TEST(apart <= 1e-6);
+  BOOST_TEST(apart > 0.0);
+}
+
+// Each load on the way is the problem of that load, as somebody would pose it by itself.
+BOOST_AUTO_TEST_CASE(a_load_on_the_way_is_solved_as_by_itself) {
+  steady::Scene scene = hard::scene({400, 10}, 128);
+  scene.continuation.path = Path::load;
+  scene.continuation.load_ratio = first_M / scene.M;
+  const steady::Solution solution = steady::solve(scene);
+  BOOST_TEST(solution.converged, solution.failed_check);
+  require_sensible(solution.continuation, 400.0);
+  for (const steady::ContinuationStep& step : solution.continuation) {
+    if (!step.converged) continue;
+    steady::Scene alone = hard::scene({step.M, 10}, 128);
+    alone.grid = scene.grid;
+    alone.continuation.path = Path::off;
+    const steady::LevelRow row = steady::solve(alone).levels.back();
+    BOOST_TEST_MESSAGE("M = " << step.M << ": Hc off by " << hard::relative(step.Hc, row.Hc) << ", Hm by "
+                              << hard::relative(step.Hm, row.Hm) << " (allowed 1e-3: a residual of 1e-4)");
+    BOOST_TEST(hard::relative(step.Hc, row.Hc) <= 1e-3);
+    BOOST_TEST(hard::relative(step.Hm, row.Hm) <= 1e-3);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_continuation_that_runs_out_of_steps_says_where) {
+  steady::Scene scene = heaviest(256, Path::load);
+  scene.continuation.max_steps = 2;
+  scene.polish = steady::Polish::off;
+  std::string said;
+  try {
+    steady::solve(scene);
+  } catch (const core::SolverError& error) {
+    said = error.what();
+  }
+  BOOST_TEST_MESSAGE("max_steps = 2: " << said);
+  BOOST_TEST(said.find("2 steps (max_steps)") != std::string::npos);
+  BOOST_TEST(said.find("M = 40") != std::string::npos);
+}
+
+// Every load up to the last has a solution on this mesh, the last one none: its film is negative.
+BOOST_AUTO_TEST_CASE(a_mesh_too_coarse_is_not_cured_by_continuation) {
+  for (const steady::Polish polish : {steady::Polish::rescue, steady::Polish::off}) {
+    steady::Scene scene = heaviest(128, Path::load);
+    scene.polish = polish;
+    scene.multigrid.tolerance = std::numeric_limits<double>::quiet_NaN();
+    const steady::Solution solution = steady::solve(scene);
+    BOOST_TEST_MESSAGE("(5000,10) on 128 cells: " << solution.failed_check << "; " << solution.attempts.size()
+                                                  << " ways tried, " << solution.seconds << " s");
+    BOOST_TEST(!solution.converged);
+    BOOST_TEST(solution.failed_check.find("the mesh is too coarse") != std::string::npos);
+    BOOST_TEST(solution.attempts.size() == 1U);
+    require_sensible(solution.continuation, 5000.0);
+  }
+}
+
+// No film of these cells is positive: one attempt, whatever may be tried, and the reason is the mesh.
+BOOST_AUTO_TEST_CASE(a_mesh_without_a_solution_is_named) {
+  for (const int n : {64, 128, 256}) {
+    steady::Scene scene = hard::scene({5000, 1}, n);
+    scene.L = 0.0;
+    scene.lambda = contact::from_moes(5000, 0).lambda;
+    scene.viscosity = rheology::Isoviscous{};
+    scene.density = rheology::Incompressible{};
+    scene.multigrid.tolerance = std::numeric_limits<double>::quiet_NaN();
+    const steady::Solution solution = steady::solve(scene);
+    BOOST_TEST_MESSAGE(hard::name(scene) << ": " << solution.failed_check << "; least H " << solution.levels.back().Hm
+                                         << ", residual " << solution.levels.back().residual << ", "
+                                         << solution.attempts.size() << " ways tried, " << solution.levels.back().cycles
+                                         << " cycles");
+    BOOST_TEST(!solution.converged);
+    BOOST_TEST((solution.end == steady::CyclesEnd::no_solution));
+    BOOST_TEST(solution.failed_check.find("the mesh is too coarse") != std::string::npos);
+    BOOST_TEST(solution.levels.back().Hm <= 0.0);
+    BOOST_TEST(solution.levels.back().residual <= 1e-5);
+    BOOST_TEST(solution.attempts.size() == 1U);
+    BOOST_TEST(solution.levels.back().cycles < 60);
+  }
+}
+
+// Rounding errors instead of a tolerance, and nothing else changed: what the default stopping had left is below a
+// tenth of the discretization error, as promised.
+BOOST_AUTO_TEST_CASE(a_polish_reaches_rounding_errors) {
+  for (const hard::Load load : {hard::Load{20, 20}, {200, 15}, {2000, 10}}) {
+    steady::Scene scene = hard::scene(load, 256);
+    scene.multigrid.tolerance = std::numeric_limits<double>::quiet_NaN();
+    const steady::Solution cycles = steady::solve(scene);
+    scene.polish = steady::Polish::always;
+    const steady::Solution polished = steady::solve(scene);
+    const steady::LevelRow& row = polished.levels.back();
+    BOOST_TEST_MESSAGE(hard::name(scene) << ": residual " << cycles.levels.back().residual << " and polished "
+                                         << row.residual << " (allowed 1e-10) in " << polished.newton.size()
+                                         << " steps; Hc changed by " << hard::relative(cycles.levels.back().Hc, row.Hc)
+                                         << " (allowed " << 0.1 * row.error_Hc << "), Hm by "
+                                         << hard::relative(cycles.levels.back().Hm, row.Hm) << " (allowed "
+                                         << 0.1 * row.error_Hm << ")");
+    BOOST_TEST(polished.converged, polished.failed_check);
+    BOOST_TEST(polished.polish_failure == "");
+    BOOST_TEST(polished.newton.size() >= 1U);
+    BOOST_TEST(row.residual <= 1e-10);
+    BOOST_TEST(row.load_error <= 1e-10);
+    BOOST_TEST(hard::relative(cycles.levels.back().Hc, row.Hc) <= 0.1 * row.error_Hc);
+    BOOST_TEST(hard::relative(cycles.levels.back().Hm, row.Hm) <= 0.1 * row.error_Hm);
+  }
+}
+
+// Where the cycles cannot, another way must be found and told; with every other way forbidden there is none.
+BOOST_AUTO_TEST_CASE(newtons_method_saves_what_cycles_leave_unsolved) {
+  steady::Scene scene = hard::scene({20, 10}, 64);
+  scene.grid.ny = 256;  // cells four times as wide as long: the cycles stagnate
+  const steady::Solution saved = steady::solve(scene);
+  BOOST_TEST_MESSAGE(hard::name(scene) << ": " << saved.method << ", residual " << saved.levels.back().residual
+                                       << ", after " << saved.attempts.size() - 1 << " ways that failed");
+  for (const steady::Attempt& attempt : saved.attempts)
+    BOOST_TEST_MESSAGE("  " << attempt.method << ": " << (attempt.reason.empty() ? "solved" : attempt.reason));
+  BOOST_TEST(saved.converged, saved.failed_check);
+  BOOST_TEST(saved.method.starts_with("Newton-Krylov"));
+  BOOST_TEST(saved.levels.back().residual <= 1e-10);
+  BOOST_TEST(saved.attempts.back().reason == "");
+  for (std::size_t k = 0; k + 1 < saved.attempts.size(); ++k) BOOST_TEST(saved.attempts[k].reason != "");
+
+  scene.polish = steady::Polish::off;
+  scene.continuation.path = Path::off;
+  const steady::Solution alone = steady::solve(scene);
+  BOOST_TEST_MESSAGE("  without: " << alone.failed_check);
+  BOOST_TEST(!alone.converged);
+  BOOST_TEST(alone.failed_check != "");
+  BOOST_TEST(alone.continuation.empty());
+  BOOST_TEST(alone.newton.empty());
+  for (const steady::Attempt& attempt : alone.attempts) BOOST_TEST(attempt.method.starts_with("full multigrid"));
+}
