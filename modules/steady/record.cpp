@@ -38,6 +38,8 @@ void record(Climb& climb, std::size_t l, int cycle, const StateOfLevel& now) {
   row.ny = grid.ny;
   row.Hc = now.Hc;
   row.Hm = now.Hm;
+  row.Hm_fitted = now.Hm_fitted;
+  row.P_max = now.P_max;
   row.residual = now.residual;
   row.load_error = now.load_error;
   row.cycles = cycle;

@@ -21,6 +21,8 @@ struct LevelRow {
   double error_Hc = 0.0;  ///< relative discretization error, estimated; NaN where the sequence is too short
   double error_Hm = 0.0;
   double order_Hc = 0.0;    ///< observed order; NaN where unknown
+  double Hm_fitted = 0.0;   ///< minimum of H between the nodes (fitted_minimum.hpp)
+  double P_max = 0.0;       ///< over the nodes
   double residual = 0.0;    ///< relative residual of the Reynolds equation (root mean square over the wedge's)
   double load_error = 0.0;  ///< |h^2 sum P - 2 pi/3| / (2 pi/3)
   int cycles = 0;

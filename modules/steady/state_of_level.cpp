@@ -7,6 +7,7 @@
 
 #include "core/norms.hpp"
 #include "reynolds/flow_balance.hpp"
+#include "steady/fitted_minimum.hpp"
 
 namespace ehl::steady {
 namespace {
@@ -62,6 +63,7 @@ StateOfLevel state_of_level(fmg::Hierarchy& hierarchy, std::size_t l) {
   };
   const reynolds::FlowBalance contact = flow(contact_reach);
   const core::Location Hm = core::minimum(level.H);
+  const FittedMinimum fitted = fitted_minimum(level.grid, level.H, Hm.i, Hm.j);
   const double load = fmg::carried_load(level);
   return {.Hc = value_at(level.grid, level.H, 0.0, 0.0),
           .Hm = Hm.value,
@@ -69,6 +71,10 @@ StateOfLevel state_of_level(fmg::Hierarchy& hierarchy, std::size_t l) {
           .load_error = std::abs(load - level.load) / level.load,
           .Hm_X = level.grid.X(Hm.i),
           .Hm_Y = level.grid.Y(Hm.j),
+          .Hm_fitted = fitted.value,
+          .Hm_fitted_X = fitted.X,
+          .Hm_fitted_Y = fitted.Y,
+          .P_max = core::maximum(level.P).value,
           .largest_residual = norms.largest / norms.wedge,
           .largest_residual_X = level.grid.X(norms.i),
           .largest_residual_Y = level.grid.Y(norms.j),

@@ -12,6 +12,10 @@ struct StateOfLevel {
   double load_error = 0.0;  ///< relative
   double Hm_X = 0.0;        ///< where the film is thinnest
   double Hm_Y = 0.0;
+  double Hm_fitted = 0.0;  ///< minimum of H between the nodes (fitted_minimum.hpp), and where it is
+  double Hm_fitted_X = 0.0;
+  double Hm_fitted_Y = 0.0;
+  double P_max = 0.0;             ///< over the nodes
   double largest_residual = 0.0;  ///< at one node; relative to the wedge term, like the residual
   double largest_residual_X = 0.0;
   double largest_residual_Y = 0.0;

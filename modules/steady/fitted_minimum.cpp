@@ -1,0 +1,24 @@
+#include "steady/fitted_minimum.hpp"
+
+#include <cmath>
+
+namespace ehl::steady {
+
+FittedMinimum fitted_minimum(const core::Grid& grid, const core::Field& H, int i, int j) {
+  const FittedMinimum node{H(i, j), grid.X(i), grid.Y(j)};
+  if (i < 1 || j < 1 || i >= grid.nx || j >= grid.ny) return node;
+  // In cells.
+  const double g = 0.5 * (H(i + 1, j) - H(i - 1, j));
+  const double k = 0.5 * (H(i, j + 1) - H(i, j - 1));
+  const double a = H(i + 1, j) - 2.0 * H(i, j) + H(i - 1, j);
+  const double c = H(i, j + 1) - 2.0 * H(i, j) + H(i, j - 1);
+  const double b = 0.25 * (H(i + 1, j + 1) - H(i + 1, j - 1) - H(i - 1, j + 1) + H(i - 1, j - 1));
+  const double determinant = a * c - b * b;
+  if (!(a > 0.0 && determinant > 0.0)) return node;
+  const double x = (b * k - c * g) / determinant;
+  const double y = (b * g - a * k) / determinant;
+  if (!(std::abs(x) <= 1.0 && std::abs(y) <= 1.0)) return node;
+  return {node.value + 0.5 * (g * x + k * y), node.X + x * grid.hx(), node.Y + y * grid.hy()};
+}
+
+}  // namespace ehl::steady
