@@ -13,8 +13,8 @@ struct Setting {
   std::string program{};
   std::vector<KnownKey> keys{};
   std::vector<std::string> environment{};
-  double limit = 60.0;      ///< seconds of one run
-  double most_nodes = 4e4;  ///< larger grids (damage can ask for one) are checked, not run
+  double limit = 60.0;                ///< seconds of one run
+  double most_nodes = 129.0 * 129.0;  ///< larger grids (damage can ask for one) are checked, not run
 };
 
 enum class End { solved, refused, not_converged, too_large, crashed, hung, other };

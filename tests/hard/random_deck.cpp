@@ -9,6 +9,9 @@ namespace {
 
 using Entries = std::vector<Entry>;
 
+// Of the domain that the program chooses, at least as long as most.
+constexpr double unknown_length = 48.0;
+
 enum class Language { moes, hamrock_dowson, si };
 
 std::string text(int value) { return std::to_string(value); }
@@ -118,8 +121,8 @@ void add_contact(Entries& entries, Random& random, bool& ordinary) {
 
 // Sometimes the program's own choice, sometimes starved, narrow or very long. out: its length, nearly.
 double add_domain(Entries& entries, Random& random, bool& ordinary) {
-  double length = 48.0;
-  if (random.chance(0.6)) {
+  double length = unknown_length;
+  if (random.chance(0.7)) {
     double inlet = random.between(2.5, 8.0);
     if (random.chance(0.15)) inlet = 1.0 + log_between(random, 0.01, 1.0);
     if (random.chance(0.1)) inlet = log_between(random, 8.0, 300.0);
@@ -156,7 +159,9 @@ int add_grid(Entries& entries, Random& random, double length, bool& ordinary) {
 }
 
 void add_width(Entries& entries, Random& random, double length, int cells) {
-  if (!random.chance(0.5)) return;
+  // How long the program's own domain is, and with it how wide this may be, is not known here.
+  const auto is_inlet = [](const Entry& entry) { return entry.name == "x_inlet"; };
+  if (std::ranges::none_of(entries, is_inlet) || !random.chance(0.5)) return;
   double half_width = random.between(1.5, 5.0);
   if (random.chance(0.3)) half_width = log_between(random, 1.02, 60.0);
   const double widest = std::max(1.01, 0.5 * length * 128.0 / cells);
