@@ -126,6 +126,13 @@ class Judge {
     if (formulas != std::string::npos)
       verdict_.formula_ratio = verdict_.Hc / number(json_member(ran.out.substr(formulas), "Hc"));
     verdict_.warnings = {json_member(ran.out, "warnings")};
+    // Without a warning the film is resolved and flooded, and the formula is good to 15 % there.
+    constexpr double least_ratio = 0.7;
+    constexpr double largest_ratio = 1.4;
+    const bool near_formula = verdict_.formula_ratio > least_ratio && verdict_.formula_ratio < largest_ratio;
+    expect(near_formula || json_member(ran.out, "warnings") != "[]",
+           "solved without a warning: Hc near the published formula, not " + std::to_string(verdict_.formula_ratio) +
+               " of it");
   }
 
   // The tolerance that the case asks for, 0 where it asks for none.
