@@ -131,7 +131,6 @@ void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse) {
   const Problem& problem = hierarchy.problem;
   const int threads = hierarchy.threads_on(fine.grid);
   update_residual(hierarchy, fine);
-  ++fine.evaluations;
   {
     const core::ScopedTimer timer(hierarchy.times, core::Part::transfer);
     restrict_pressure(fine.P, problem.cavitation, coarse.P);
@@ -148,6 +147,7 @@ void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse) {
   {
     const core::ScopedTimer timer(hierarchy.times, core::Part::deformation);
     coarse.deformation.evaluate(coarse.P, coarse.F);
+    ++coarse.evaluations;
   }
   const core::Grid& grid = coarse.grid;
   for (int i = 0; i <= grid.nx; ++i)

@@ -1,5 +1,6 @@
 #include "fmg/full_multigrid.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "fmg/cycle.hpp"
@@ -63,6 +64,21 @@ void start_from_coarser(Hierarchy& hierarchy, std::size_t l) {
       }
   }
   update_film(hierarchy, level);
+}
+
+void start_from_two_coarser(Hierarchy& hierarchy, std::size_t l, const Kept& two_below, double order) {
+  const double weight = std::exp2(-order);
+  Level& below = hierarchy.levels[l - 1];
+  core::Field coarser(below.grid);
+  transfer::prolong_bicubic(two_below.P, coarser);
+  // No pressure where the finer solution has none: the cavitated region is the finer one's.
+  for (int i = 1; i < below.grid.nx; ++i)
+    for (int j = 1; j < below.grid.ny; ++j) {
+      double& P = below.P(i, j);
+      if (P > 0.0) P = std::max(0.0, P + weight * (P - coarser(i, j)));
+    }
+  hierarchy.H00 += weight * (hierarchy.H00 - two_below.H00);
+  start_from_coarser(hierarchy, l);
 }
 
 }  // namespace ehl::fmg

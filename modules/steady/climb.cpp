@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "contact/film_formulas.hpp"
@@ -89,7 +90,7 @@ void solve_level(Climb& climb, std::size_t l, int planned) {
     report(climb, l, cycle, planned, now);
     residuals.push_back(now.residual);
     if (std::isnan(asked) && cycle < planned) return {"cycles that were planned are still to come"};
-    const LastCycle last{before, now, solution.levels.back().error_Hc, solution.levels.back().error_Hm};
+    const LastCycle last{before, now, solution.levels.back().error_Hc, solution.levels.back().error_Hm, cycle == 1};
     solution.verification = verification_of(last);
     return {unmet_check(last, asked), now.residual < solved_residual && !(now.Hm > 0.0)};
   };
@@ -104,10 +105,20 @@ void solve_level(Climb& climb, std::size_t l, int planned) {
 }
 
 void ascend(Climb& climb, std::size_t from) {
+  const double order = climb.scene.wedge == reynolds::Wedge::upstream2 ? 2.0 : 1.0;
+  std::optional<fmg::Kept> two_below;
   for (std::size_t l = from + 1; l <= climb.finest(); ++l) {
     const double began = core::now();
     forget_work(climb.hierarchy);
-    fmg::start_from_coarser(climb.hierarchy, l);
+    // A film that is negative on a coarse grid foretells nothing.
+    const bool holds = climb.solution.levels.back().Hm > 0.0;
+    fmg::Kept below{climb.hierarchy.levels[l - 1].P, climb.hierarchy.H00};
+    if (two_below && holds)
+      fmg::start_from_two_coarser(climb.hierarchy, l, *two_below, order);
+    else
+      fmg::start_from_coarser(climb.hierarchy, l);
+    two_below.reset();
+    if (holds) two_below = std::move(below);
     solve_level(climb, l, climb.scene.multigrid.cycles);
     climb.solution.levels.back().seconds = core::now() - began;
   }
