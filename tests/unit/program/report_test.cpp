@@ -38,8 +38,33 @@ steady::Solution example_solution(bool converged) {
   solution.H(3, 0) = 0.25;
   solution.converged = converged;
   solution.failed_check = converged ? "" : "level 2: residual 0.3";
-  solution.levels = {{1, 2, 1, 0.5, 0.3, unknown, unknown, unknown, 1e-3, 1e-5, 2, 10.0, 0.5},
-                     {2, 4, 2, 0.4, 0.25, 0.058, 0.062, 2.0, 3e-4, 2e-6, 2, 11.2, 0.011}};
+  solution.levels.resize(2);
+  solution.levels[0] = {.level = 1,
+                        .nx = 2,
+                        .ny = 1,
+                        .Hc = 0.5,
+                        .Hm = 0.3,
+                        .error_Hc = unknown,
+                        .error_Hm = unknown,
+                        .order_Hc = unknown,
+                        .residual = 1e-3,
+                        .load_error = 1e-5,
+                        .cycles = 2,
+                        .work_units = 10.0,
+                        .seconds = 0.5};
+  solution.levels[1] = {.level = 2,
+                        .nx = 4,
+                        .ny = 2,
+                        .Hc = 0.4,
+                        .Hm = 0.25,
+                        .error_Hc = 0.058,
+                        .error_Hm = 0.062,
+                        .order_Hc = 2.0,
+                        .residual = 3e-4,
+                        .load_error = 2e-6,
+                        .cycles = 2,
+                        .work_units = 11.2,
+                        .seconds = 0.011};
   solution.verification.residual = 3e-4;
   solution.verification.largest_residual = 0.0123;
   solution.verification.largest_residual_X = 0.75;
