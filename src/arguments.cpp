@@ -95,6 +95,28 @@ std::vector<CommandRecord> command_records() {
         {"overwrite", "", false, "begin the table anew"},
         {"threads", "N", false, "cases at a time, one thread each (default: the cores this process may use)"},
         {"quiet", "", false, "no progress"}}},
+      {"study",
+       "DECK",
+       1,
+       1,
+       "what accuracy costs in time: the same case over levels, wedge schemes, film evaluators and cycles; error "
+       "against "
+       "seconds and work, as a table and a CSV file that `ehl plot` draws",
+       {{"levels", "a:b", false,
+         "cells of the coarsest and of the finest grid, b = a times a power of two (default: from 64 up to the "
+         "deck's)"},
+        {"wedges", "LIST", false, "of upstream1,upstream2 (default: both)"},
+        {"evaluators", "LIST", false, "of mlmi4,mlmi6,mlmi8,fft,direct (default: all; direct up to 20000 nodes)"},
+        {"cycles", "LIST", false, "cycles per level, e.g. 1V,2W, or run: as `ehl run` does (default: 1V,2V,1W,2W,run)"},
+        {"reference", "N", false,
+         "cells of the grid that the reference is extrapolated from, with those below it (default: twice the finest)"},
+        set,
+        {"output", "FILE.csv", false, "the table (default: name of the deck with _study.csv)"},
+        {"overwrite", "", false, "replace an existing table"},
+        {"repeat", "N", false, "solve everything N times and take the least time (default 3)"},
+        {"threads", "N", false, "number of threads of each solution (default 1)"},
+        {"jobs", "N", false, "solutions at a time (default 1); with more the times are marked as shared"},
+        {"quiet", "", false, "no progress"}}},
       {"extract",
        "FILE.h5 DATASET",
        2,
@@ -107,7 +129,7 @@ std::vector<CommandRecord> command_records() {
        "FILE.h5|FILE.csv",
        1,
        1,
-       "draws the figures of postprocess/ from a result or the table of a sweep, beside it",
+       "draws the figures of postprocess/ from a result or the table of a sweep or a study, beside it",
        {{"figure", "NAME", true, "only this figure"},
         {"format", "png|svg|pdf", false, "format of the pictures (default png)"}}},
       {"keys",
@@ -155,6 +177,18 @@ Arguments parse_arguments(const std::vector<std::string>& words, const std::vect
   }
   check_operands(command, given);
   return given;
+}
+
+int whole_number(const Arguments& arguments, const std::string& name, int otherwise, int most) {
+  if (!arguments.has(name)) return otherwise;
+  const std::string text = arguments.value(name, "");
+  const deck::ReadNumber read = deck::read_number(text);
+  const bool good = read.status == deck::ReadNumber::Status::number && read.value >= 1.0 && read.value <= most &&
+                    read.value == static_cast<int>(read.value);
+  if (!good)
+    throw core::InputError("command line: --" + name + " " + text +
+                           ": must be a whole number >= 1 and <= " + std::to_string(most));
+  return static_cast<int>(read.value);
 }
 
 std::string help(const std::vector<CommandRecord>& commands, const std::string& name) {

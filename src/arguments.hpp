@@ -40,6 +40,10 @@ std::vector<CommandRecord> command_records();
 /// errors: core::InputError: unknown command or option (with the nearest), a value or an operand missing, too many.
 Arguments parse_arguments(const std::vector<std::string>& words, const std::vector<CommandRecord>& commands);
 
+/// The value of an option that takes a whole number >= 1; `otherwise` where it was not given.
+/// errors: core::InputError: another value, or one above `most`.
+int whole_number(const Arguments& arguments, const std::string& name, int otherwise, int most);
+
 /// The help of the program, or of one command.
 std::string help(const std::vector<CommandRecord>& commands, const std::string& command);
 

@@ -1,4 +1,4 @@
-// ehl plot: the gnuplot scripts of postprocess/, fed with a result or with the table of a sweep.
+// ehl plot: the gnuplot scripts of postprocess/, fed with a result or with the table of a sweep or a study.
 #include <spawn.h>
 #include <sys/wait.h>
 
@@ -18,6 +18,7 @@
 #include "exit_status.hpp"
 #include "machine.hpp"
 #include "results/read.hpp"
+#include "study_report.hpp"
 #include "sweep_table.hpp"
 
 extern char** environ;
@@ -31,15 +32,24 @@ struct Figure {
   std::string name;
   std::string title;
   std::string script;
-  std::vector<std::string> needs;  // datasets without which there is nothing to draw; "sweep": the table of a sweep
+  std::vector<std::string>
+      needs;  // datasets without which there is nothing to draw; or what it draws instead: "sweep", "study"
 };
 
-bool draws_sweeps(const Figure& figure) { return !figure.needs.empty() && figure.needs[0] == "sweep"; }
+// The kind of file that a figure draws: sweep, study or result.
+std::string kind_of(const Figure& figure) {
+  const std::string need = figure.needs.empty() ? "" : figure.needs[0];
+  return need == "sweep" || need == "study" ? need : "result";
+}
+
+std::string told(const std::string& kind) {
+  return kind == "result" ? "a result, FILE.h5" : "the table of a " + kind + ", FILE.csv";
+}
 
 // What there is to draw: what scripts are told about it, and whether it has what a figure needs.
 struct Source {
   std::string settings;
-  bool is_sweep = false;
+  std::string kind;
   std::function<bool(const std::string&)> has;
 };
 
@@ -75,9 +85,8 @@ std::vector<Figure> selected(const std::vector<Figure>& all, const std::vector<s
   for (const std::string& name : names) {
     const auto found = std::find_if(all.begin(), all.end(), [&](const Figure& figure) { return figure.name == name; });
     if (found != all.end()) {
-      if (draws_sweeps(*found) != source.is_sweep)
-        throw core::InputError("command line: --figure " + name + " draws " +
-                               (source.is_sweep ? "a result, FILE.h5" : "the table of a sweep, FILE.csv"));
+      if (kind_of(*found) != source.kind)
+        throw core::InputError("command line: --figure " + name + " draws " + told(kind_of(*found)));
       chosen.push_back(*found);
       continue;
     }
@@ -138,15 +147,18 @@ Source result_source(const std::string& path) {
   };
   std::string settings = "; title=" + quoted(result->attribute("/", "title"));
   if (has("/scales/h")) settings += "; film_nm=" + deck::shortest(1e9 * result->numbers("/scales/h").values[0]);
-  return {settings, false, has};
+  return {settings, "result", has};
 }
 
-Source sweep_source(const std::string& path) {
+Source table_source(const std::string& path) {
   std::ifstream file(path);
   std::string first;
   if (!std::getline(file, first)) throw core::FileError(path + ": cannot be read, or is empty");
-  if (!first.starts_with(sweep_mark)) throw core::FileError(path + ": this is no table of `ehl sweep`");
-  return {"", true, [](const std::string& need) { return need == "sweep"; }};
+  const bool sweep = first.starts_with(sweep_mark);
+  if (!sweep && !first.starts_with(study_mark))
+    throw core::FileError(path + ": this is no table of `ehl sweep` or `ehl study`");
+  const std::string kind = sweep ? "sweep" : "study";
+  return {"", kind, [kind](const std::string& need) { return need == kind; }};
 }
 
 }  // namespace
@@ -156,7 +168,7 @@ int plot(const Arguments& arguments) {
   const std::string format = arguments.value("format", "png");
   if (format != "png" && format != "svg" && format != "pdf")
     throw core::InputError("command line: --format " + format + ": must be png, svg or pdf");
-  const Source source = path.ends_with(".csv") ? sweep_source(path) : result_source(path);
+  const Source source = path.ends_with(".csv") ? table_source(path) : result_source(path);
   // The scripts hand the name to a shell between single quotes.
   if (path.find('\'') != std::string::npos)
     throw core::InputError("command line: " + path +

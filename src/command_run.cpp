@@ -49,14 +49,7 @@ int fail_without_solution(const Arguments& arguments, const Case& input, const s
 }  // namespace
 
 int requested_threads(const Arguments& arguments) {
-  if (!arguments.has("threads")) return usable_cores();
-  const std::string text = arguments.value("threads", "");
-  const deck::ReadNumber read = deck::read_number(text);
-  constexpr double most = 1024.0;
-  const bool good = read.status == deck::ReadNumber::Status::number && read.value >= 1.0 && read.value <= most &&
-                    read.value == static_cast<int>(read.value);
-  if (!good) throw core::InputError("command line: --threads " + text + ": must be a whole number >= 1 and <= 1024");
-  return static_cast<int>(read.value);
+  return whole_number(arguments, "threads", usable_cores(), 1024);
 }
 
 void print(const std::string& text) {

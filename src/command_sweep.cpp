@@ -1,13 +1,13 @@
 // ehl sweep: many cases of one deck, one table.
-#include <unistd.h>
-
 #include <cstdio>
 #include <filesystem>
 
+#include "case_progress.hpp"
 #include "catalogue.hpp"
 #include "commands.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
+#include "csv.hpp"
 #include "deck/document.hpp"
 #include "deck/text.hpp"
 #include "exit_status.hpp"
@@ -16,16 +16,9 @@
 #include "sweep_row.hpp"
 #include "sweep_table.hpp"
 #include "text_format.hpp"
-#include "version.hpp"
 
 namespace ehl::program {
 namespace {
-
-std::string this_program() {
-  const Version built = version();
-  return "ehl " + built.number + ", commit " + built.commit + (built.dirty ? " with changes" : "") + ", " +
-         built.compiler;
-}
 
 std::string table_name(const Arguments& arguments) {
   const std::string stem = std::filesystem::path(arguments.operands[0]).stem();
@@ -34,38 +27,6 @@ std::string table_name(const Arguments& arguments) {
     throw core::InputError("command line: --output " + path + ": the table's name ends with .csv");
   return path;
 }
-
-// A line per case on stderr; on a terminal a bar below them.
-class SweepProgress {
- public:
-  SweepProgress(bool quiet, std::size_t cases)
-      : quiet_(quiet), terminal_(::isatty(STDERR_FILENO) != 0), cases_(cases) {}
-
-  /// Takes the bar away.
-  void close() const {
-    if (!quiet_ && terminal_ && done_ > 0) std::fputs("\r\x1b[K", stderr);
-  }
-
-  void show(const std::string& name, const std::string& row) {
-    ++done_;
-    if (quiet_) return;
-    const std::string status = row.substr(0, row.find(','));
-    std::fprintf(stderr, "%sehl: %zu/%zu  %s  %s\n", terminal_ ? "\r\x1b[K" : "", done_, cases_, name.c_str(),
-                 status.c_str());
-    if (!terminal_) return;
-    constexpr std::size_t width = 30;
-    const std::size_t filled = width * done_ / cases_;
-    std::fprintf(stderr, "[%s%s] %zu/%zu", std::string(filled, '#').c_str(), std::string(width - filled, '.').c_str(),
-                 done_, cases_);
-    std::fflush(stderr);
-  }
-
- private:
-  bool quiet_;
-  bool terminal_;
-  std::size_t cases_;
-  std::size_t done_ = 0;
-};
 
 std::string summary(const SweepTable& table, std::size_t cases, std::size_t kept, double seconds) {
   std::string text =
@@ -91,7 +52,7 @@ int sweep(const Arguments& arguments) {
   const double began = core::now();
   const std::vector<std::size_t> missing = table.missing();
   const std::size_t cases = number_of_cases(header.variations);
-  SweepProgress progress(arguments.has("quiet"), missing.size());
+  CaseProgress progress(arguments.has("quiet"), missing.size());
   ChildrenCalls calls;
   calls.stop = stop_requested;
   calls.task = [&](std::size_t index) {
@@ -102,7 +63,7 @@ int sweep(const Arguments& arguments) {
   calls.ended = [&](const ChildEnd& end) {
     const std::string row = end.complete ? end.text : sweep_text(row_of_failure(end.status, end.reason));
     table.append(end.task, row);
-    progress.show(deck::joined(overrides_of_case(header.variations, end.task), " "), row);
+    progress.show(deck::joined(overrides_of_case(header.variations, end.task), " "), row.substr(0, row.find(',')));
   };
   const bool finished = run_in_children(missing, at_once, calls);
   progress.close();

@@ -8,6 +8,7 @@ namespace ehl::program {
 int run(const Arguments& arguments);
 int check(const Arguments& arguments);
 int sweep(const Arguments& arguments);
+int study(const Arguments& arguments);
 int extract(const Arguments& arguments);
 int plot(const Arguments& arguments);
 int keys(const Arguments& arguments);

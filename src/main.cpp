@@ -46,6 +46,7 @@ int dispatch(const std::vector<std::string>& words) {
   if (arguments.command == "run") return run(arguments);
   if (arguments.command == "check") return check(arguments);
   if (arguments.command == "sweep") return sweep(arguments);
+  if (arguments.command == "study") return study(arguments);
   if (arguments.command == "extract") return extract(arguments);
   if (arguments.command == "plot") return plot(arguments);
   return keys(arguments);
@@ -60,6 +61,9 @@ int guarded(const std::vector<std::string>& words) {
   } catch (const core::FileError& error) {
     std::fprintf(stderr, "ehl: %s\n", error.what());
     return file_trouble;
+  } catch (const core::SolverError& error) {
+    std::fprintf(stderr, "ehl: not converged: %s\n", error.what());
+    return not_converged;
   } catch (const core::Interrupted&) {
     std::fprintf(stderr, "ehl: interrupted: nothing was written\n");
     return interrupted;

@@ -5,6 +5,7 @@
 
 #include "core/errors.hpp"
 #include "core/timer.hpp"
+#include "csv.hpp"
 #include "deck/document.hpp"
 #include "deck/text.hpp"
 #include "exit_status.hpp"
@@ -21,49 +22,30 @@ struct Column {
   std::string text;
 };
 
-std::string number(double value) { return std::isfinite(value) ? deck::shortest(value) : "NaN"; }
-
-// One word for every reader of tables: no comma, no quote, no comment, one line.
-std::string plain(std::string text, const std::string& instead_of_comma) {
-  for (char& c : text) {
-    if (c == '"') c = '\'';
-    if (c == '#' || static_cast<unsigned char>(c) < ' ') c = ' ';
-  }
-  for (std::size_t at = text.find(','); at != std::string::npos; at = text.find(',', at + 1))
-    text.replace(at, 1, instead_of_comma);
-  return deck::trimmed(text);
-}
-
-std::string quoted(const std::string& text) {
-  std::string result(1, '"');
-  result += plain(text, ",");
-  return result + '"';
-}
-
 std::vector<Column> columns_of(const SweepRow& row) {
   return {{"status", row.status},
           {"exit_status", std::to_string(row.exit_status)},
-          {"method", row.method.empty() ? "none" : plain(row.method, ";")},
+          {"method", row.method.empty() ? "none" : csv_word(row.method)},
           {"attempts", std::to_string(row.attempts)},
-          {"M", number(row.M)},
-          {"L", number(row.L)},
-          {"p_h", number(row.p_h)},
+          {"M", csv_number(row.M)},
+          {"L", csv_number(row.L)},
+          {"p_h", csv_number(row.p_h)},
           {"nx", std::to_string(row.nx)},
           {"ny", std::to_string(row.ny)},
-          {"Hc", number(row.Hc)},
-          {"Hm", number(row.Hm)},
-          {"P_max", number(row.P_max)},
-          {"error_Hc", number(row.error_Hc)},
-          {"error_Hm", number(row.error_Hm)},
-          {"residual", number(row.residual)},
-          {"load_error", number(row.load_error)},
-          {"cycle_factor", number(row.cycle_factor)},
+          {"Hc", csv_number(row.Hc)},
+          {"Hm", csv_number(row.Hm)},
+          {"P_max", csv_number(row.P_max)},
+          {"error_Hc", csv_number(row.error_Hc)},
+          {"error_Hm", csv_number(row.error_Hm)},
+          {"residual", csv_number(row.residual)},
+          {"load_error", csv_number(row.load_error)},
+          {"cycle_factor", csv_number(row.cycle_factor)},
           {"cycles", std::to_string(row.cycles)},
-          {"work_units", number(row.work_units)},
+          {"work_units", csv_number(row.work_units)},
           {"seconds", std::isfinite(row.seconds) ? formatted("%.4g", row.seconds) : "NaN"},
-          {"peak_memory", number(row.peak_memory)},
+          {"peak_memory", csv_number(row.peak_memory)},
           {"warnings", std::to_string(row.warnings)},
-          {"reason", quoted(row.reason)}};
+          {"reason", csv_quoted(row.reason)}};
 }
 
 SweepRow row_of_case(const Case& input) {

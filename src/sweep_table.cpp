@@ -7,33 +7,24 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdint>
 #include <cstring>
 #include <span>
 #include <sstream>
 
 #include "core/errors.hpp"
+#include "csv.hpp"
 #include "deck/text.hpp"
 #include "results/atomic_file.hpp"
 #include "sweep_row.hpp"
-#include "text_format.hpp"
 
 namespace ehl::program {
 namespace {
 
 const std::string program_mark = "# program: ";
 
-// Fowler, Noll and Vo's 64-bit hash (FNV-1a): enough to notice that a deck is another one.
-std::uint64_t hash(const std::string& text) {
-  std::uint64_t value = 14695981039346656037ULL;
-  for (const char c : text) value = (value ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-  return value;
-}
-
 // What makes a sweep this sweep.
 std::vector<std::string> identity(const SweepHeader& header) {
-  std::vector<std::string> lines{formatted("# deck text: %zu bytes, %016llx", header.deck_text.size(),
-                                           static_cast<unsigned long long>(hash(header.deck_text)))};
+  std::vector<std::string> lines{deck_text_line(header.deck_text)};
   for (const std::string& set : header.set) lines.push_back("# set: " + set);
   for (const Variation& variation : header.variations)
     lines.push_back("# vary: " + variation.section + "." + variation.name + " = " +

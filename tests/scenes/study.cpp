@@ -1,0 +1,152 @@
+// Studies from end to end: errors fall with the order of the scheme, the table reads back, the picture is drawn.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include "support/program.hpp"
+
+namespace {
+
+const std::string paper =
+    "[contact]\nM = 50\nL = 10\n[lubricant]\nalpha = 1.7e-8\nz = 0.6\n[domain]\nx_inlet = -4.5\nx_outlet = 1.5\n"
+    "y_half = 3\n[grid]\ncells = 256\n";
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+using Row = std::map<std::string, std::string>;
+
+std::vector<Row> rows_of(const std::string& table) {
+  std::vector<std::string> names;
+  std::vector<Row> rows;
+  std::istringstream lines(table);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with('#')) continue;
+    std::vector<std::string> cells;
+    std::istringstream text(line);
+    for (std::string cell; std::getline(text, cell, ',');) cells.push_back(cell);
+    if (names.empty()) {
+      names = cells;
+      continue;
+    }
+    Row row;
+    for (std::size_t k = 0; k < cells.size(); ++k) row[names[std::min(k, names.size() - 1)]] += cells[k];
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+double said(const std::string& table, const std::string& key) {
+  const std::size_t at = table.find("# " + key + ": ");
+  return at == std::string::npos ? NAN : std::stod(table.substr(at + key.size() + 4));
+}
+
+struct Scene {
+  support::TemporaryFolder folder;
+  Scene() { folder.write("d.ini", paper); }
+  support::Ended ehl(const std::string& arguments) const { return support::ehl(folder, arguments); }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(study)
+
+BOOST_AUTO_TEST_CASE(errors_fall_with_the_order_of_the_scheme) {
+  const Scene scene;
+  const support::Ended ended =
+      scene.ehl("study d.ini --levels 64:256 --evaluators mlmi8,fft --cycles 1W,run --reference 256 --repeat 2");
+  BOOST_REQUIRE_MESSAGE(ended.status == 0, ended.err);
+  for (const char* part : {"Pareto front of Hc", "Table 1", "Table 2", "257 x 257", "d_study.csv", "least of 2"})
+    BOOST_TEST(contains(ended.out, part), part << " is missing in\n" << ended.out);
+  BOOST_TEST(!contains(ended.out, "nan"));
+
+  // The limits of an independent program, where both schemes meet: 0.22051 +- 1e-5 and 0.13324 +- 6e-5.
+  const std::string table = scene.folder.read("d_study.csv");
+  const double Hc = said(table, "reference Hc");
+  const double Hm = said(table, "reference Hm");
+  const double error_Hc = said(table, "reference error Hc");
+  const double error_Hm = said(table, "reference error Hm");
+  BOOST_TEST_MESSAGE("Hc " << Hc << " to " << error_Hc << ", Hm " << Hm << " to " << error_Hm);
+  BOOST_TEST(std::abs(Hc - 0.22051) <= error_Hc * Hc + 1e-5);
+  BOOST_TEST(std::abs(Hm - 0.13324) <= error_Hm * Hm + 6e-5);
+  BOOST_TEST((error_Hc < 2e-3 && error_Hm < 1e-2));
+
+  const std::vector<Row> rows = rows_of(table);
+  BOOST_REQUIRE(rows.size() == 3u * 2u * 2u * 2u);
+  for (const std::string wedge : {"upstream1", "upstream2"}) {
+    std::vector<double> errors;
+    for (const Row& row : rows) {
+      BOOST_TEST((row.at("status") == "converged" || (row.at("status") == "stopped" && row.at("cycles") == "1W")));
+      BOOST_TEST(std::abs(std::abs(std::stod(row.at("Hc")) / Hc - 1.0) - std::stod(row.at("error_Hc"))) < 1e-12);
+      BOOST_TEST(std::stod(row.at("seconds")) <= std::stod(row.at("seconds_most")));
+      if (row.at("wedge") == wedge && row.at("evaluator") == "fft" && row.at("cycles") == "run")
+        errors.push_back(std::stod(row.at("error_Hc")));
+    }
+    BOOST_REQUIRE(errors.size() == 3u);
+    // The first-order errors of the exactly converged solutions fall like h^0.6 and h^0.85 on these grids.
+    for (std::size_t k = 1; k < 3; ++k) {
+      const double order = std::log2(errors[k - 1] / errors[k]);
+      BOOST_TEST_MESSAGE(wedge << ": error " << errors[k] << ", order " << order);
+      BOOST_TEST((wedge == "upstream2" ? order > 1.8 && order < 2.2 : order > 0.5 && order < 1.1), wedge);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_study_is_drawn_and_kept) {
+  const Scene scene;
+  const std::string command =
+      "study d.ini --levels 64:128 --wedges upstream2 --evaluators mlmi8 --cycles 2W,run "
+      "--reference 128 --repeat 1 --quiet --jobs 2";
+  const support::Ended first = scene.ehl(command + " --output t.csv");
+  BOOST_REQUIRE_MESSAGE(first.status == 0, first.err);
+  BOOST_TEST(first.err.empty(), first.err);
+  BOOST_TEST(contains(first.out, "SHARED"), first.out);
+  BOOST_TEST(contains(scene.folder.read("t.csv"), "SHARED"));
+  const support::Ended drawn = scene.ehl("plot t.csv --format svg");
+  BOOST_TEST(drawn.status == 0, drawn.err);
+  BOOST_TEST(drawn.err.empty(), drawn.err);
+  BOOST_TEST(contains(scene.folder.read("t_work_precision.svg"), "evaluated nodes"));
+  const support::Ended other = scene.ehl("plot t.csv --figure stability_map");
+  BOOST_TEST(other.status == 2);
+  BOOST_TEST(other.says({"draws the table of a sweep"}), other.err);
+
+  const std::string before = scene.folder.read("t.csv");
+  BOOST_TEST(scene.ehl(command + " --output t.csv").status == 4);
+  BOOST_TEST(scene.folder.read("t.csv") == before);
+  BOOST_TEST(scene.ehl(command + " --output t.csv --overwrite").status == 0);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_command_lines) {
+  const Scene scene;
+  struct Line {
+    std::string arguments;
+    std::string part;
+  };
+  for (const Line& line : std::vector<Line>{
+           {"--levels 64:100", "--levels 64:100"},
+           {"--levels 512:64", "power of two"},
+           {"--levels 77:154", "cells = 77"},
+           {"--wedges upstream3", "'upstream3' must be upstream1 or upstream2"},
+           {"--evaluators mlmi5", "'mlmi5' must be mlmi4, mlmi6"},
+           {"--evaluators fft,fft", "fft is given twice"},
+           {"--evaluators direct --levels 256:256", "no level is small enough"},
+           {"--cycles 2X", "'2X' must be"},
+           {"--reference 200", "--reference 200"},
+           {"--reference 128", "finest grid"},
+           {"--repeat 0", "--repeat 0"},
+           {"--jobs many", "--jobs many"},
+           {"--threads 0", "--threads 0"},
+           {"--output t.h5", ".csv"},
+           {"--set contact.M=-5", "M = -5"},
+           {"--level 64:128", "did you mean --levels?"},
+       }) {
+    const support::Ended ended = scene.ehl("study d.ini " + line.arguments);
+    BOOST_TEST(ended.status == 2, line.arguments << " ends with " << ended.status);
+    BOOST_TEST(ended.says({line.part}), line.arguments << " says\n" << ended.err);
+  }
+  BOOST_TEST(scene.ehl("study none.ini").status == 2);
+  BOOST_TEST(scene.ehl("study d.ini --output none/t.csv").status == 4);
+  BOOST_TEST(scene.folder.entries() == 1);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

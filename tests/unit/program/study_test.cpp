@@ -1,0 +1,190 @@
+// A study without solving: its reference value, its Pareto front, its rows and its lists.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "core/errors.hpp"
+#include "study_report.hpp"
+
+using namespace ehl;
+using Texts = std::vector<std::string>;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+template <class Call>
+std::string refusal(const Call& call) {
+  try {
+    call();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "(none)";
+}
+
+program::StudyPoint point(int cells, double seconds, double Hc, const std::string& status = "converged") {
+  program::StudyPoint made;
+  made.way = {cells, "upstream2", "mlmi8", "2W"};
+  made.nx = made.ny = cells;
+  made.status = status;
+  made.seconds = seconds;
+  made.Hc = made.Hm = Hc;
+  made.residual = 1e-11;
+  return made;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(study)
+
+// Exactly converged second-order films of an independent program, and the limits where both schemes meet.
+BOOST_AUTO_TEST_CASE(the_extrapolated_film_is_the_limit) {
+  struct Case {
+    const char* name;
+    std::vector<double> values;  // on 64 to 1024 or 512 cells
+    double limit;
+    double known_to;
+  };
+  for (const Case& one :
+       std::vector<Case>{{"(50,10) Hc", {0.2048788, 0.2165305, 0.2195099, 0.2202619, 0.2204508}, 0.22051, 1e-5},
+                         {"(50,10) Hm", {0.1250491, 0.1310840, 0.1328261, 0.1331309, 0.1332160}, 0.13324, 6e-5},
+                         {"(20,10) Hc", {0.4195678, 0.4292066, 0.4316474, 0.4322618}, 0.43247, 1e-5},
+                         {"(20,10) Hm", {0.2866922, 0.2912435, 0.2924931, 0.2926796}, 0.29275, 1e-5},
+                         {"(1000,10) Hc", {0.0099379, 0.0205906, 0.0235827, 0.0243671}, 0.02463, 1e-5},
+                         {"(1000,10) Hm", {0.0004252, 0.0057630, 0.0079207, 0.0083204}, 0.00849, 1e-5}})
+    for (std::size_t n = 3; n <= one.values.size(); ++n) {
+      const program::Extrapolated found =
+          program::extrapolated(std::span(one.values).first(n),
+                                contains(one.name, "Hc") ? program::smooth_share : program::node_minimum_share);
+      const double off = std::abs(found.value - one.limit);
+      const double allowed = found.error * found.value + one.known_to;
+      BOOST_TEST_MESSAGE(one.name << ", " << n << " grids: " << found.value << " off by " << off << ", allowed "
+                                  << allowed);
+      BOOST_TEST(off <= allowed, one.name << " of " << n << " grids");
+      // An error bar that is wide enough for anything says nothing: narrower than what it corrects.
+      BOOST_TEST(found.error * found.value < std::abs(one.values[n - 1] - one.values[n - 2]), one.name);
+    }
+  BOOST_TEST(std::isnan(program::extrapolated({}, 0.05).value));
+}
+
+// v = 1 + h^2 exactly: the limit is 1, and the error is what is always left, a twentieth of the correction.
+BOOST_AUTO_TEST_CASE(chance_is_no_accuracy) {
+  const std::vector<double> values{1.0 + 1.0 / 4, 1.0 + 1.0 / 16, 1.0 + 1.0 / 64};
+  const program::Extrapolated found = program::extrapolated(values, 0.05);
+  BOOST_TEST(std::abs(found.value - 1.0) < 1e-15);
+  BOOST_TEST(std::abs(found.error - 0.05 / 64) < 1e-15);
+  const program::Extrapolated two = program::extrapolated(std::span(values).last(2), 0.05);
+  BOOST_TEST(std::abs(two.error - 1.0 / 64) < 1e-15);
+}
+
+BOOST_AUTO_TEST_CASE(the_reference_needs_what_converged) {
+  const std::vector<program::StudyPoint> good{point(64, 1, 1.25), point(128, 1, 1.0625), point(256, 1, 1.015625)};
+  BOOST_TEST(program::reference_of(good).cells == (std::vector<int>{64, 128, 256}), boost::test_tools::per_element());
+  std::vector<program::StudyPoint> coarse_bad = good;
+  coarse_bad[0].status = "not-converged";
+  BOOST_TEST(program::reference_of(coarse_bad).cells == (std::vector<int>{128, 256}), boost::test_tools::per_element());
+  std::vector<program::StudyPoint> fine_bad = good;
+  fine_bad[2].status = "failed";
+  const program::Reference below = program::reference_of(fine_bad);
+  BOOST_TEST(below.cells == (std::vector<int>{64, 128}), boost::test_tools::per_element());
+  BOOST_TEST(std::abs(below.Hc.value - 1.0) < 1e-15);
+  std::vector<program::StudyPoint> none = good;
+  for (program::StudyPoint& one : none) one.status = "not-converged";
+  BOOST_TEST(program::reference_of(none).cells.size() < 2u);
+}
+
+// The limit is 1, known to 1e-3. Seconds, error, and whether nothing cheaper is as accurate:
+BOOST_AUTO_TEST_CASE(pareto_front) {
+  program::Reference reference;
+  reference.Hc = reference.Hm = {1.0, 1e-3};
+  struct Expected {
+    double seconds;
+    double error;
+    const char* status;
+    bool front;
+  };
+  const std::vector<Expected> all{
+      {1.0, 0.10, "converged", true},       // the cheapest
+      {2.0, 0.10, "converged", false},      // as accurate and dearer
+      {1.5, 0.05, "stopped", true},         // not converged, but with a film
+      {1.4, 0.01, "not-converged", false},  // no film to judge
+      {1.4, 0.01, "failed", false},         //
+      {3.0, 0.06, "converged", false},      // worse than a cheaper one
+      {4.0, 0.02, "converged", true},       //
+      {4.0, 0.03, "converged", false},      // as dear and worse
+      {6.0, 5e-4, "converged", true},       // below what the reference can tell
+      {7.0, 1e-4, "converged", false},      // nothing can be told between these two
+  };
+  std::vector<program::StudyPoint> points;
+  for (const Expected& one : all) points.push_back(point(64, one.seconds, 1.0 + one.error, one.status));
+  program::judge(reference, points);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    BOOST_TEST(points[k].front_Hc == all[k].front, "point " << k << ", " << all[k].seconds << " s");
+    BOOST_TEST(points[k].front_Hm == points[k].front_Hc);
+    BOOST_TEST(std::abs(points[k].error_Hc - all[k].error) < 1e-15);
+    BOOST_TEST(points[k].at_reference_Hc == (all[k].error < 1e-3));
+  }
+}
+
+// A way whose error passes through zero on a coarse grid has not got there.
+BOOST_AUTO_TEST_CASE(an_accuracy_lasts) {
+  program::Reference reference;
+  reference.Hc = reference.Hm = {1.0, 1e-6};
+  std::vector<program::StudyPoint> points{point(64, 1.0, 1.001), point(128, 2.0, 1.02), point(256, 4.0, 1.005),
+                                          point(64, 1.5, 1.05), point(128, 3.0, 1.009)};
+  points[3].way.cycles = points[4].way.cycles = "1V";
+  program::judge(reference, points);
+  BOOST_TEST(program::cheapest(points, &program::StudyPoint::error_Hc, 0.01) == 4u);
+  BOOST_TEST(program::cheapest(points, &program::StudyPoint::error_Hc, 0.006) == 2u);
+  BOOST_TEST(program::cheapest(points, &program::StudyPoint::error_Hc, 0.001) == points.size());
+}
+
+BOOST_AUTO_TEST_CASE(a_row_reads_back) {
+  program::StudyPoint made = point(128, 0.1, 1.0 / 3.0, "stopped");
+  made.cycles_by_level = "6;2";
+  made.attempts = 2;
+  made.front_Hm = true;
+  made.reason = "the residual, 1e-3, is above";
+  const program::StudyPoint read = program::study_point(program::study_text(made));
+  BOOST_TEST((read.way.cells == 128 && read.way.wedge == "upstream2" && read.way.evaluator == "mlmi8"));
+  BOOST_TEST((read.way.cycles == "2W" && read.status == "stopped" && read.cycles_by_level == "6;2"));
+  BOOST_TEST((read.Hc == 1.0 / 3.0 && read.seconds == 0.1 && std::isnan(read.estimate_Hc) && read.attempts == 2));
+  BOOST_TEST((read.front_Hm && !read.front_Hc && read.reason == made.reason && read.nx == 128));
+  BOOST_TEST(program::study_text(read) == program::study_text(made));
+  BOOST_TEST(contains(refusal([] { program::study_point("64,upstream2"); }), "no row of a study"));
+  std::string damaged = program::study_text(made);
+  damaged.replace(0, 3, "x28");
+  BOOST_TEST(contains(refusal([&] { program::study_point(damaged); }), "no row of a study"));
+}
+
+BOOST_AUTO_TEST_CASE(levels) {
+  const auto any = [](int) { return true; };
+  BOOST_TEST(program::levels_between("64:512") == (std::vector<int>{64, 128, 256, 512}),
+             boost::test_tools::per_element());
+  BOOST_TEST(program::levels_between("80") == (std::vector<int>{80}), boost::test_tools::per_element());
+  BOOST_TEST(program::levels_of_deck(320, any) == (std::vector<int>{80, 160, 320}), boost::test_tools::per_element());
+  BOOST_TEST(program::levels_of_deck(256, [](int cells) { return cells >= 128; }) == (std::vector<int>{128, 256}),
+             boost::test_tools::per_element());
+  for (const char* wrong : {"", "64:", ":64", "64:100", "128:64", "64:128:256", "a:b", "64.5:129", "-64:64", "1e9"})
+    BOOST_TEST(contains(refusal([&] { program::levels_between(wrong); }), "--levels"), wrong);
+}
+
+BOOST_AUTO_TEST_CASE(ways) {
+  for (const char* good : {"1V", "2W", "12F", "run"}) BOOST_TEST(program::is_study_cycles(good), good);
+  for (const char* wrong : {"", "V", "0V", "1", "1X", "V1", "123V", "-1V", "Run"})
+    BOOST_TEST(!program::is_study_cycles(wrong), wrong);
+  program::StudyPlan plan{{64, 256}, {"upstream1", "upstream2"}, {"mlmi6", "direct"}, {"1V", "run"}};
+  const auto cases = program::cases_of(plan, [](int cells) { return (cells + 1.0) * (cells + 1.0); });
+  BOOST_TEST(cases.size() == 8u + 4u);  // no direct sum on 257 x 257 nodes
+  steady::Scene scene;
+  scene.multigrid.max_cycles = 60;
+  program::use_way({64, "upstream1", "mlmi6", "3V"}, scene);
+  BOOST_TEST((scene.wedge == reynolds::Wedge::upstream1 && scene.deformation.order == 6));
+  BOOST_TEST(
+      (scene.multigrid.cycle == fmg::Cycle::V && scene.multigrid.cycles == 3 && scene.multigrid.max_cycles == 3));
+  steady::Scene as_it_is;
+  program::use_way({64, "upstream2", "fft", "run"}, as_it_is);
+  BOOST_TEST((as_it_is.multigrid.max_cycles == 60 && as_it_is.deformation.method == mlmi::Method::fft));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
