@@ -141,6 +141,7 @@ BOOST_AUTO_TEST_CASE(an_accuracy_lasts) {
 
 BOOST_AUTO_TEST_CASE(a_row_reads_back) {
   program::StudyPoint made = point(128, 0.1, 1.0 / 3.0, "stopped");
+  made.Hm = 0.25;
   made.cycles_by_level = "6;2";
   made.attempts = 2;
   made.front_Hm = true;
@@ -148,7 +149,8 @@ BOOST_AUTO_TEST_CASE(a_row_reads_back) {
   const program::StudyPoint read = program::study_point(program::study_text(made));
   BOOST_TEST((read.way.cells == 128 && read.way.wedge == "upstream2" && read.way.evaluator == "mlmi8"));
   BOOST_TEST((read.way.cycles == "2W" && read.status == "stopped" && read.cycles_by_level == "6;2"));
-  BOOST_TEST((read.Hc == 1.0 / 3.0 && read.seconds == 0.1 && std::isnan(read.estimate_Hc) && read.attempts == 2));
+  BOOST_TEST((read.Hc == 1.0 / 3.0 && read.Hm == 0.25 && read.seconds == 0.1 && std::isnan(read.estimate_Hc) &&
+              read.attempts == 2));
   BOOST_TEST((read.front_Hm && !read.front_Hc && read.reason == made.reason && read.nx == 128));
   BOOST_TEST(program::study_text(read) == program::study_text(made));
   BOOST_TEST(contains(refusal([] { program::study_point("64,upstream2"); }), "no row of a study"));
