@@ -35,7 +35,6 @@ deck::Catalogue catalogue() {
     all.unavailable.push_back({section, "",
                                later + " (this version solves steady, smooth, isothermal, fully flooded "
                                        "contacts with a Newtonian lubricant)"});
-  all.unavailable.push_back({"grid", "accuracy", later + " and give cells"});
   all.unavailable.push_back({"output", "checkpoint", later});
   return all;
 }

@@ -116,21 +116,57 @@ std::string verified(const steady::Verification& checked) {
 
 }  // namespace
 
+namespace {
+
+// "+- 0.4 %", or nothing where there is no estimate.
+std::string bar(double error) { return std::isfinite(error) ? " +- " + percent(error) : ""; }
+
+// The values without mesh, and what the errors are made of.
+std::string error_lines(const steady::Solution& solution) {
+  const steady::ErrorBars& bars = solution.error_bars;
+  std::string text;
+  if (std::isfinite(bars.Hc_extrapolated.value))
+    text += formatted("extrapolated Hc = %.6f", bars.Hc_extrapolated.value) + bar(bars.Hc_extrapolated.error) +
+            formatted(", Hm = %.6f", bars.Hm_extrapolated.value) + bar(bars.Hm_extrapolated.error) +
+            " (mesh size zero, this domain)\n";
+  if (std::isfinite(bars.Hm_fitted_value))
+    text += formatted("fitted       Hm = %.6f", bars.Hm_fitted_value) + bar(bars.Hm_fitted.total()) +
+            formatted(" between the nodes, at (%.4f, %.4f) a\n", bars.Hm_fitted_X, bars.Hm_fitted_Y);
+  if (std::isfinite(bars.Hc.discretization))
+    text += "errors       Hc: mesh " + percent(bars.Hc.discretization) + ", cycles " + percent(bars.Hc.algebraic) +
+            "; Hm: mesh " + percent(bars.Hm.discretization) + ", cycles " + percent(bars.Hm.algebraic) +
+            "; domain about " + percent(bars.domain) + " beside them\n";
+  const steady::AccuracyReport& accuracy = solution.accuracy;
+  if (std::isfinite(accuracy.asked))
+    text += "accuracy     " + percent(accuracy.asked) + " asked for Hc and Hm: " +
+            (!accuracy.met               ? "not reached, stopped by " + accuracy.stopped_by
+             : accuracy.by_extrapolation ? "reached by the extrapolated values, not by the plain ones"
+                                         : "reached") +
+            "\n";
+  return text;
+}
+
+}  // namespace
+
 std::string summary(const Case& input, const steady::Solution& solution, const Outcome& outcome) {
   const Physics& physics = input.physics;
   const double h_scale = physics.si ? physics.si->hertz.h_scale : std::nan("");
   const std::string mark = solution.converged ? "" : "  (NOT CONVERGED)";
   std::string text;
   if (!solution.converged) text += "NOT CONVERGED: " + solution.failed_check + "\n";
-  const auto film = [&](const char* label, double H, double H_moes, const Place& at) {
-    return formatted("%s H = %.5f, Moes %.4f%s, at (%.3f, %.3f) a%s\n", label, H, H_moes,
+  const auto film = [&](const char* label, double H, double H_moes, const Place& at, double error) {
+    return formatted("%s H = %.5f%s, Moes %.4f%s, at (%.3f, %.3f) a%s\n", label, H, bar(error).c_str(), H_moes,
                      std::isfinite(h_scale) ? (", h = " + length(H * h_scale)).c_str() : "", at.X, at.Y, mark.c_str());
   };
-  text += film("centre      ", outcome.Hc, outcome.Hc_moes, {});
-  text += film("minimum     ", outcome.Hm.value, outcome.Hm_moes, outcome.Hm);
-  text += formatted("p_max        P = %.5f%s, at (%.3f, %.3f) a%s\n", outcome.P_max.value,
+  text += film("centre      ", outcome.Hc, outcome.Hc_moes, {}, solution.error_bars.Hc.total());
+  text += film("minimum     ", outcome.Hm.value, outcome.Hm_moes, outcome.Hm, solution.error_bars.Hm.total());
+  const steady::ErrorBars& bars = solution.error_bars;
+  const bool spike = solution.levels.size() > 2 && !bars.P_max_converging;
+  text += formatted("p_max        P = %.5f%s%s, at (%.3f, %.3f) a%s\n", outcome.P_max.value, bar(bars.P_max).c_str(),
                     std::isfinite(physics.p_h) ? (", " + pressure(outcome.P_max.value * physics.p_h)).c_str() : "",
                     outcome.P_max.X, outcome.P_max.Y, mark.c_str());
+  if (spike) text += "             it still grows from grid to grid as at a spike, and belongs to this mesh\n";
+  text += error_lines(solution);
   text += group_lines(physics);
   text += formula_lines(outcome.formulas, physics.groups.M, h_scale);
   text += path(solution);

@@ -18,6 +18,8 @@ std::string levels_json(const steady::Solution& solution) {
                                  {"Hm", number(row.Hm)},
                                  {"error_Hc", number(row.error_Hc)},
                                  {"error_Hm", number(row.error_Hm)},
+                                 {"Hm_fitted", number(row.Hm_fitted)},
+                                 {"P_max", number(row.P_max)},
                                  {"residual", number(row.residual)},
                                  {"load_error", number(row.load_error)},
                                  {"cycles", number(row.cycles)},
@@ -52,6 +54,27 @@ std::string verification_json(const steady::Verification& checked) {
                        {"flow_through", number(checked.flow_through)},
                        {"flow_imbalance", number(checked.flow_imbalance)},
                        {"flow_imbalance_whole", number(checked.flow_imbalance_whole)}});
+}
+
+std::string bar_json(const steady::ErrorBar& bar) {
+  return json::object({{"discretization", number(bar.discretization)},
+                       {"algebraic", number(bar.algebraic)},
+                       {"total", number(bar.total())}});
+}
+
+std::string error_parts_json(const steady::ErrorBars& bars) {
+  return json::object({{"Hc", bar_json(bars.Hc)},
+                       {"Hm", bar_json(bars.Hm)},
+                       {"Hm_fitted", bar_json(bars.Hm_fitted)},
+                       {"domain", number(bars.domain)}});
+}
+
+std::string accuracy_json(const steady::AccuracyReport& accuracy) {
+  if (!(accuracy.asked > 0.0)) return "null";
+  return json::object({{"asked", number(accuracy.asked)},
+                       {"met", json::boolean(accuracy.met)},
+                       {"by_extrapolation", json::boolean(accuracy.by_extrapolation)},
+                       {"stopped_by", text(accuracy.stopped_by)}});
 }
 
 std::string attempts_json(const steady::Solution& solution) {
@@ -103,11 +126,25 @@ std::string json_report(const Case& input, const steady::Solution& solution, con
                         double peak_memory) {
   const contact::Groups& groups = input.physics.groups;
   const steady::LevelRow last = solution.levels.empty() ? steady::LevelRow{} : solution.levels.back();
+  const steady::ErrorBars& bars = solution.error_bars;
   const Members members{{"converged", json::boolean(solution.converged)},
                         {"failed_check", text(solution.failed_check)},
                         {"title", text(input.title)},
                         {"Hc", number(outcome.Hc)},
                         {"Hm", number(outcome.Hm.value)},
+                        {"error_Hc", number(bars.Hc.total())},
+                        {"error_Hm", number(bars.Hm.total())},
+                        {"Hc_extrapolated", number(bars.Hc_extrapolated.value)},
+                        {"error_Hc_extrapolated", number(bars.Hc_extrapolated.error)},
+                        {"Hm_extrapolated", number(bars.Hm_extrapolated.value)},
+                        {"error_Hm_extrapolated", number(bars.Hm_extrapolated.error)},
+                        {"Hm_fitted", number(bars.Hm_fitted_value)},
+                        {"Hm_fitted_X", number(bars.Hm_fitted_X)},
+                        {"Hm_fitted_Y", number(bars.Hm_fitted_Y)},
+                        {"P_max_converging", json::boolean(bars.P_max_converging)},
+                        {"error_P_max", number(bars.P_max)},
+                        {"error_parts", error_parts_json(bars)},
+                        {"accuracy", accuracy_json(solution.accuracy)},
                         {"Hc_moes", number(outcome.Hc_moes)},
                         {"Hm_moes", number(outcome.Hm_moes)},
                         {"hc_m", number(outcome.hc)},

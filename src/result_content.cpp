@@ -77,6 +77,37 @@ void add_verification(const steady::Verification& checked, std::vector<Quantity>
   list.insert(list.end(), more.begin(), more.end());
 }
 
+// Where an accuracy was asked for, the deck of the result names the grid that it led to instead.
+deck::Deck with_grid_of(const steady::Solution& solution, deck::Deck deck) {
+  if (std::isnan(solution.accuracy.asked)) return deck;
+  const std::string why = "for the accuracy " + deck::shortest(solution.accuracy.asked) + " that was asked for";
+  for (std::size_t k = 0; k < deck.values.size(); ++k)
+    if (deck.catalogue.keys[k].section == "grid" && deck.catalogue.keys[k].name == "accuracy")
+      deck.values[k] = {.origin = deck::Origin::absent, .number = std::nan("")};
+  deck::choose(deck, "grid", "cells", solution.grid.nx, why);
+  if (!deck::given(deck, "domain", "x_inlet")) deck::choose(deck, "domain", "x_inlet", solution.grid.X_a, why);
+  if (!deck::given(deck, "domain", "y_half")) deck::choose(deck, "domain", "y_half", solution.grid.Y_b, why);
+  return deck;
+}
+
+void add_error_bars(const steady::ErrorBars& bars, std::vector<Quantity>& list) {
+  const std::vector<Quantity> more{
+      {"Hc_extrapolated", bars.Hc_extrapolated.value, "a^2/R", "Hc extrapolated to mesh size zero"},
+      {"error_Hc_extrapolated", bars.Hc_extrapolated.error, "-", "its estimated relative error"},
+      {"Hm_extrapolated", bars.Hm_extrapolated.value, "a^2/R", "Hm_fitted extrapolated to mesh size zero"},
+      {"error_Hm_extrapolated", bars.Hm_extrapolated.error, "-", "its estimated relative error"},
+      {"Hm_fitted", bars.Hm_fitted_value, "a^2/R", "smallest film between the nodes, by a paraboloid"},
+      {"Hm_fitted_x", bars.Hm_fitted_X, "a", "where it is"},
+      {"Hm_fitted_y", bars.Hm_fitted_Y, "a", "where it is"},
+      {"error_Hm_fitted", bars.Hm_fitted.total(), "-", "its estimated relative error on this domain"},
+      {"total_error_Hc", bars.Hc.total(), "-", "estimated relative error on this domain: mesh and cycles"},
+      {"total_error_Hm", bars.Hm.total(), "-", "estimated relative error on this domain: mesh and cycles"},
+      {"domain_error", bars.domain, "-", "estimated relative change of Hc on a domain without end"},
+      {"error_P_max", bars.P_max, "-", "estimated relative error of P_max; NaN where it does not converge"},
+      {"P_max_converging", bars.P_max_converging ? 1.0 : 0.0, "-", "0: P_max grows with the mesh", true}};
+  list.insert(list.end(), more.begin(), more.end());
+}
+
 std::vector<Quantity> summary_numbers(const steady::Solution& solution, const Outcome& outcome) {
   std::vector<Quantity> list{{"converged", solution.converged ? 1.0 : 0.0, "-", "1: all checks passed, 0: not", true},
                              {"Hc", outcome.Hc, "a^2/R", "film at (0,0)"},
@@ -99,6 +130,7 @@ std::vector<Quantity> summary_numbers(const steady::Solution& solution, const Ou
     list.push_back({"error_Hc", last.error_Hc, "-", "estimated relative discretization error of Hc"});
     list.push_back({"error_Hm", last.error_Hm, "-", "estimated relative discretization error of Hm"});
   }
+  add_error_bars(solution.error_bars, list);
   add_verification(solution.verification, list);
   return list;
 }
@@ -126,6 +158,8 @@ Table level_rows(const steady::Solution& solution) {
            number("Hm", "a^2/R", "smallest film of all nodes", &Row::Hm),
            number("error_Hc", "-", "estimated relative discretization error", &Row::error_Hc),
            number("error_Hm", "-", "estimated relative discretization error", &Row::error_Hm),
+           number("Hm_fitted", "a^2/R", "smallest film between the nodes", &Row::Hm_fitted),
+           number("P_max", "p_h", "highest pressure of all nodes", &Row::P_max),
            number("order_Hc", "-", "observed order of convergence", &Row::order_Hc),
            number("residual", "-", "relative residual of the Reynolds equation", &Row::residual),
            number("load_error", "-", "relative error of the load", &Row::load_error),
@@ -188,7 +222,7 @@ results::Content result_content(const Case& input, const steady::Solution& solut
                                 const DerivedFields& derived) {
   results::Content content;
   content.title = input.title;
-  content.deck = deck::effective_deck(input.deck);
+  content.deck = deck::effective_deck(with_grid_of(solution, input.deck));
   content.provenance = provenance(input);
   content.scales = scales(input);
   content.grid = solution.grid;

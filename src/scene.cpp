@@ -24,6 +24,20 @@ constexpr double giga = 1e9;
 constexpr int fewest_chosen_cells = 256;
 constexpr int most_chosen_cells = 1024;
 
+// Before the domain is chosen: what the deck has left open may grow.
+steady::AccuracyTarget accuracy_of(deck::Deck& deck) {
+  steady::AccuracyTarget target;
+  if (!given(deck, "grid", "accuracy")) return target;
+  target.error = deck::number(deck, "grid", "accuracy");
+  if (given(deck, "grid", "cells"))
+    complain(deck, "grid", "accuracy", "and cells are both given: keep one of them; accuracy finds the cells itself");
+  target.domain_is_free = !given(deck, "domain", "x_inlet") && !given(deck, "domain", "y_half");
+  constexpr double bytes_per_node = 24.0 * sizeof(double);
+  constexpr double share_of_memory = 0.8;
+  target.most_nodes = share_of_memory * usable_memory() / bytes_per_node;
+  return target;
+}
+
 void choose_domain(deck::Deck& deck, const contact::Groups& groups) {
   if (!given(deck, "domain", "x_outlet"))
     deck::choose(deck, "domain", "x_outlet", steady::chosen_outlet(groups.M, groups.L),
@@ -231,6 +245,7 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   result.scene.deformation = deformation_of(deck);
   result.scene.multigrid = multigrid_of(deck);
 
+  result.scene.accuracy = accuracy_of(deck);
   choose_domain(deck, result.physics.groups);
   result.scene.wedge = wedge_of(deck);
   choose_cells(deck, result.physics.groups, result.scene.wedge);

@@ -1,5 +1,6 @@
 #pragma once
 // The discretization error of a film thickness from the sequence of levels.
+#include <limits>
 #include <span>
 
 namespace ehl::steady {
@@ -10,9 +11,27 @@ struct ErrorEstimate {
 };
 
 /// Error of the last of several values, each from a grid of half the mesh size of the one before:
-///   order p = log2((v_{k-1} - v_{k-2}) / (v_k - v_{k-1})),   error = |v_k - v_{k-1}| / (2^p - 1).
-/// p is held between 1/2 and the scheme's order: a sequence that is not yet asymptotic, or whose differences change
-/// their sign, must not promise more than the scheme can give. With two values p is the scheme's order less 1/2.
-ErrorEstimate estimate_error(std::span<const double> values, double scheme_order);
+///   order p = log2((v_{k-1} - v_{k-2}) / (v_k - v_{k-1})),   error = s |v_k - v_{k-1}| / (2^p - 1).
+/// p is held between half the scheme's order and the scheme's order: a sequence that is not yet asymptotic, or whose
+/// differences change their sign, must not promise more than the scheme can give. With two values p is the scheme's
+/// order. s is the safety factor, 1.25 for three values or more and 1.5 for two: the README of this module says what
+/// it was measured on. Never below `least`.
+ErrorEstimate estimate_error(std::span<const double> values, double scheme_order, double least = 0.0);
+
+/// Relative error below which the first-order wedge does not promise to be, 0.35 h/Hm^(2/3). Hm^(2/3) is the width of
+/// the zones in which the film is made (resolution.hpp); the error of Hc and Hm is 0.15 to 0.42 times h over it, with a
+/// second-order part of the other sign that hides it from the differences of coarse grids.
+/// in: h mesh size, Hm > 0 smallest film there. out: infinite for a film that is not positive.
+double first_order_floor(double h, double Hm);
+
+struct Extrapolation {
+  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  double value = unknown;
+  double relative_error = unknown;
+};
+
+/// Richardson's v_k + (v_k - v_{k-1})/(2^p - 1), p the scheme's order; its error from what it changed since the
+/// extrapolation one level below, and at least a twentieth of what was added. NaN with fewer than three values.
+Extrapolation extrapolate(std::span<const double> values, double scheme_order);
 
 }  // namespace ehl::steady

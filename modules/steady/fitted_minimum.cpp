@@ -3,6 +3,13 @@
 #include <cmath>
 
 namespace ehl::steady {
+namespace {
+
+/// Cells along x and y beyond which the paraboloid is not followed. The valley of the film beside the contact is
+/// oblique and five times as long as wide: along it the smallest node is often a cell or two from the minimum.
+constexpr double reach = 2.5;
+
+}  // namespace
 
 FittedMinimum fitted_minimum(const core::Grid& grid, const core::Field& H, int i, int j) {
   const FittedMinimum node{H(i, j), grid.X(i), grid.Y(j)};
@@ -17,7 +24,7 @@ FittedMinimum fitted_minimum(const core::Grid& grid, const core::Field& H, int i
   if (!(a > 0.0 && determinant > 0.0)) return node;
   const double x = (b * k - c * g) / determinant;
   const double y = (b * g - a * k) / determinant;
-  if (!(std::abs(x) <= 1.0 && std::abs(y) <= 1.0)) return node;
+  if (!(std::abs(x) <= reach && std::abs(y) <= reach)) return node;
   return {node.value + 0.5 * (g * x + k * y), node.X + x * grid.hx(), node.Y + y * grid.hy()};
 }
 

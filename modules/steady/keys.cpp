@@ -60,6 +60,17 @@ std::vector<Key> grid_keys() {
           .range = {4, 4096},
           .meaning = "Cells of the coarsest grid along x.",
           .example = "32"},
+      Key{.section = "grid",
+          .name = "accuracy",
+          .default_note = "none: the grid is given or chosen",
+          .range = {1e-6, 0.5},
+          .remedy = "a relative error, e.g. 0.01",
+          .meaning =
+              "Relative error of Hc and Hm to reach, instead of cells: the run refines the grid, up to 4096 cells, and "
+              "extends the domain where x_inlet and y_half are left open, until the estimated error is below it. A "
+              "domain that is given is kept and its error told, not counted.",
+          .source = "modules/steady/README.md",
+          .example = "0.01"},
   };
 }
 

@@ -13,7 +13,10 @@ namespace {
 ErrorEstimate error_of(const Climb& climb, double LevelRow::*value) {
   std::vector<double> values;
   for (const LevelRow& row : climb.solution.levels) values.push_back(row.*value);
-  return estimate_error(values, climb.scene.wedge == reynolds::Wedge::upstream2 ? 2.0 : 1.0);
+  if (climb.scene.wedge == reynolds::Wedge::upstream2) return estimate_error(values, 2.0);
+  const LevelRow& last = climb.solution.levels.back();
+  const double h = (climb.scene.grid.X_b - climb.scene.grid.X_a) / last.nx;
+  return estimate_error(values, 1.0, first_order_floor(h, last.Hm_fitted));
 }
 
 double work_units(const fmg::Hierarchy& hierarchy, std::size_t l) {
@@ -47,7 +50,8 @@ void record(Climb& climb, std::size_t l, int cycle, const StateOfLevel& now) {
   const ErrorEstimate Hc = error_of(climb, &LevelRow::Hc);
   row.error_Hc = Hc.relative_error;
   row.order_Hc = Hc.order;
-  row.error_Hm = error_of(climb, &LevelRow::Hm).relative_error;
+  row.error_Hm =
+      error_of(climb, &LevelRow::Hm_fitted).relative_error + std::abs(row.Hm - row.Hm_fitted) / std::abs(row.Hm);
 }
 
 void report(const Climb& climb, std::size_t l, int cycle, int planned, const StateOfLevel& now, double load_ratio) {

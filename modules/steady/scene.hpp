@@ -30,18 +30,27 @@ enum class Polish {
   off,     ///< never
 };
 
+/// An accuracy to reach instead of a grid to compute on (accuracy.hpp).
+struct AccuracyTarget {
+  double error = std::numeric_limits<double>::quiet_NaN();  ///< relative, of Hc and Hm; NaN: the grid is what is given
+  bool domain_is_free = false;                              ///< the domain may grow
+  int most_cells = 4096;                                    ///< along x
+  double most_nodes = std::numeric_limits<double>::infinity();  ///< that the memory holds
+};
+
 struct Scene {
   double M = 0.0;       ///< Moes' load parameter: for guesses, and for the loads of a continuation
   double L = 0.0;       ///< Moes' material parameter: likewise
   double lambda = 0.0;  ///< 6 eta0 u_s R_x^2 / (a^3 p_h)
   rheology::ViscosityLaw viscosity;
   rheology::DensityLaw density;
-  core::Grid grid;  ///< the finest grid
+  core::Grid grid;  ///< the finest grid; where an accuracy is asked for, the first to be tried
   reynolds::Wedge wedge = reynolds::Wedge::upstream2;
   mlmi::Parameters deformation;
   fmg::Parameters multigrid;
   ContinuationParameters continuation;
   Polish polish = Polish::rescue;
+  AccuracyTarget accuracy;
   int threads = 1;
 };
 

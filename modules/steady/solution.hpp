@@ -7,6 +7,7 @@
 #include "core/field.hpp"
 #include "core/grid.hpp"
 #include "core/timer.hpp"
+#include "steady/error_bars.hpp"
 #include "steady/verification.hpp"
 
 namespace ehl::steady {
@@ -73,6 +74,14 @@ struct NewtonStep {
   int linear_iterations = 0;
 };
 
+/// What became of the accuracy that was asked for.
+struct AccuracyReport {
+  double asked = std::numeric_limits<double>::quiet_NaN();  ///< NaN: none
+  bool met = false;
+  bool by_extrapolation = false;  ///< met by the extrapolated values, not by the plain ones
+  std::string stopped_by;         ///< empty when met: what stood in the way
+};
+
 struct Solution {
   core::Grid grid;
   core::Field P;
@@ -98,6 +107,8 @@ struct Solution {
   /// Relative growth of Hc on a domain twice as large; NaN where a rough bound said that it does not matter.
   double domain_error_Hc = std::numeric_limits<double>::quiet_NaN();
   Verification verification;  ///< of the final state
+  ErrorBars error_bars;       ///< of the final state
+  AccuracyReport accuracy;    ///< where an accuracy was asked for
 };
 
 }  // namespace ehl::steady

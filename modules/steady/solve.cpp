@@ -9,6 +9,7 @@
 
 #include "core/errors.hpp"
 #include "core/timer.hpp"
+#include "steady/accuracy.hpp"
 #include "steady/climb.hpp"
 #include "steady/continuation.hpp"
 #include "steady/domain_error.hpp"
@@ -105,9 +106,7 @@ void try_newton(const Scene& scene, const ProgressCallback& progress, Search& se
   if (!search.over()) search.try_way("Newton-Krylov", [&] { return climb_by_newton(scene, starts[0], progress); });
 }
 
-}  // namespace
-
-Solution solve(const Scene& scene, const ProgressCallback& progress) {
+Solution solve_on_grid(const Scene& scene, const ProgressCallback& progress) {
   const double began = core::now();
   Search search;
   std::vector<ContinuationStep> steps;
@@ -119,9 +118,18 @@ Solution solve(const Scene& scene, const ProgressCallback& progress) {
   Solution solution = search.result();
   solution.continuation = std::move(steps);
   if (rough_domain_error(scene) > worth_a_look) solution.domain_error_Hc = estimate_domain_error(scene);
+  solution.error_bars = error_bars_of(scene, solution);
   solution.warnings = warnings_of(scene, solution);
   solution.seconds = core::now() - began;
   return solution;
+}
+
+}  // namespace
+
+Solution solve(const Scene& scene, const ProgressCallback& progress) {
+  if (std::isnan(scene.accuracy.error)) return solve_on_grid(scene, progress);
+  return solve_to_accuracy(
+      scene, [&](const Scene& one) { return solve_on_grid(one, progress); }, progress);
 }
 
 }  // namespace ehl::steady

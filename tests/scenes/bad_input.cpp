@@ -56,7 +56,13 @@ BOOST_AUTO_TEST_CASE(names_and_values) {
       {"later section",
        moes + oil + "[transient]\nend_time = 1\n",
        {"d.ini:7", "[transient]", "not available in this version"}},
-      {"later key", moes + oil + "[grid]\naccuracy = 0.01\n", {"d.ini:8", "accuracy", "not available in this version"}},
+      {"later key",
+       moes + oil + "[output]\ncheckpoint = 1\n",
+       {"d.ini:8", "checkpoint", "not available in this version"}},
+      {"two grids",
+       moes + oil + "[grid]\ncells = 256\naccuracy = 0.01\n",
+       {"d.ini:9", "accuracy = 0.01", "cells are both given"}},
+      {"accuracy", moes + oil + "[grid]\naccuracy = 1\n", {"d.ini:8", "accuracy = 1", "0.5"}},
       {"empty section", moes + oil + "[domain]\n", {"d.ini:7", "[domain]", "no influence", "x_inlet"}},
   });
 }

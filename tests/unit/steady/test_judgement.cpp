@@ -31,6 +31,7 @@ LastCycle good_cycle() {
 
 }  // namespace
 
+// The safety factor of three levels and more is 1.25.
 BOOST_AUTO_TEST_CASE(error_of_an_asymptotic_sequence_is_its_error) {
   for (const double order : {1.0, 2.0}) {
     const std::vector<double> values = sequence(0.2, 0.04, order, 4);
@@ -38,7 +39,7 @@ BOOST_AUTO_TEST_CASE(error_of_an_asymptotic_sequence_is_its_error) {
     const double truth = std::abs(values.back() - 0.2) / values.back();
     BOOST_TEST_MESSAGE("order " << estimate.order << ", error " << estimate.relative_error << ", true " << truth);
     BOOST_TEST(std::abs(estimate.order - order) < 1e-10);
-    BOOST_TEST(std::abs(estimate.relative_error / truth - 1.0) < 1e-10);
+    BOOST_TEST(std::abs(estimate.relative_error / truth - 1.25) < 1e-10);
   }
 }
 
@@ -46,7 +47,7 @@ BOOST_AUTO_TEST_CASE(error_estimate_is_cautious_where_the_sequence_is_not_asympt
   // Observed order 4 with a second-order scheme: no better than second order is believed.
   const std::vector<double> too_good = sequence(0.2, 0.04, 4.0, 3);
   const double step = std::abs(too_good[2] - too_good[1]);
-  BOOST_TEST(std::abs(estimate_error(too_good, 2.0).relative_error - step / 3.0 / too_good[2]) < 1e-12);
+  BOOST_TEST(std::abs(estimate_error(too_good, 2.0).relative_error - 1.25 * step / 3.0 / too_good[2]) < 1e-12);
   // Differences of changing sign: no order, more than the last step.
   const std::vector<double> turning{0.20, 0.21, 0.205};
   BOOST_TEST(estimate_error(turning, 2.0).relative_error >= 0.005 / 0.205);

@@ -1,0 +1,198 @@
+#include "steady/accuracy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+#include "core/errors.hpp"
+#include "core/timer.hpp"
+#include "fmg/full_multigrid.hpp"
+#include "steady/climb.hpp"
+#include "steady/warnings.hpp"
+
+namespace ehl::steady {
+namespace {
+
+/// Of the target, left to a domain that is free.
+constexpr double share_of_domain = 0.5;
+/// The error of a domain falls with the square of its size: what doubling it gains is three quarters of the whole.
+constexpr double whole_over_gain = 4.0 / 3.0;
+constexpr double longest_domain = 200.0;
+/// The foretold level is one more where it would leave more than this of what is allowed.
+constexpr double sure = 0.95;
+constexpr double heavy_M = 1500.0;
+constexpr double tolerance_of_coarse = 1e-6;
+
+std::string percent(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.2g %%", 100.0 * value);
+  return buffer;
+}
+
+double order_of(const Scene& scene) { return scene.wedge == reynolds::Wedge::upstream2 ? 2.0 : 1.0; }
+
+// The film on a coarse mesh, solved well: Hc and the fitted minimum.
+Scene coarse_scene(const Scene& scene, const core::Grid& grid) {
+  Scene coarse = scene;
+  coarse.grid = grid;
+  coarse.accuracy = {};
+  coarse.multigrid.tolerance = tolerance_of_coarse;
+  return coarse;
+}
+
+// Relative growth of Hc or Hm, the larger, on a domain without end. NaN where a coarse solution fails.
+double domain_error(const Scene& scene, const SolveOnGrid& solve_on_grid) {
+  core::Grid small = scene.grid;
+  if (small.nx % 128 == 0 && small.ny % 2 == 0) small = core::coarsened(small);
+  const Solution on_small = solve_on_grid(coarse_scene(scene, small));
+  const Solution on_large = solve_on_grid(coarse_scene(scene, on_larger_domain(small, 2.0)));
+  if (!on_small.converged || !on_large.converged) return std::nan("");
+  const LevelRow& a = on_small.levels.back();
+  const LevelRow& b = on_large.levels.back();
+  return whole_over_gain * std::max(std::abs(b.Hc / a.Hc - 1.0), std::abs(b.Hm_fitted / a.Hm_fitted - 1.0));
+}
+
+// The next levels up to the grid of `finer`, from the solution on a coarser one.
+Solution refined(const Scene& finer, const Solution& coarser, const ProgressCallback& progress) {
+  const Start start{.coarsest = finer.M > heavy_M ? 64 : 32};
+  Climb climb = begin_climb(finer, start, progress);
+  std::size_t l = 0;
+  while (l < climb.finest() && climb.hierarchy.levels[l].grid.nx < coarser.grid.nx) ++l;
+  climb.solution.levels = coarser.levels;
+  climb.solution.history = coarser.history;
+  climb.first = l;
+  fmg::start_from_state(climb.hierarchy, l, coarser.P, coarser.H00);
+  ascend(climb, l);
+  Solution solution = result_of(std::move(climb));
+  solution.method = coarser.method;
+  solution.attempts = coarser.attempts;
+  solution.continuation = coarser.continuation;
+  solution.error_bars = error_bars_of(finer, solution);
+  return solution;
+}
+
+double worst(double Hc, double Hm) { return std::isnan(Hc + Hm) ? std::nan("") : std::max(Hc, Hm); }
+double plain_error(const ErrorBars& bars) { return worst(bars.Hc.total(), bars.Hm.total()); }
+double extrapolated_error(const ErrorBars& bars) {
+  return worst(bars.Hc_extrapolated.error, bars.Hm_extrapolated.error);
+}
+
+// Cells of the level that will do for the plain values, by the scheme's order.
+double foretold_cells(const Scene& scene, const Solution& solution, double allowed) {
+  double error = plain_error(solution.error_bars);
+  double cells = solution.grid.nx;
+  if (std::isnan(error)) return 2.0 * cells;
+  do {
+    cells *= 2.0;
+    error /= std::exp2(order_of(scene));
+  } while (error > sure * allowed);
+  return cells;
+}
+
+core::Grid with_cells(const core::Grid& grid, int nx) {
+  core::Grid finer = grid;
+  finer.ny *= nx / grid.nx;
+  finer.nx = nx;
+  return finer;
+}
+
+// What forbids a grid; empty when nothing does.
+std::string forbidden(const Scene& scene, const core::Grid& grid) {
+  if (grid.nx > scene.accuracy.most_cells)
+    return "the level limit of " + std::to_string(scene.accuracy.most_cells) + " cells";
+  if (static_cast<double>(grid.nodes_x()) * grid.nodes_y() > scene.accuracy.most_nodes)
+    return "the memory for " + std::to_string(grid.nx) + " cells";
+  return {};
+}
+
+Solution on_finer_grid(const Scene& finer, const Solution& coarser, const SolveOnGrid& solve_on_grid,
+                       const ProgressCallback& progress) {
+  try {
+    Solution solution = refined(finer, coarser, progress);
+    if (solution.converged) return solution;
+  } catch (const core::SolverError&) {
+    // From the Hertz pressure then, by all ways that there are.
+  }
+  return solve_on_grid(finer);
+}
+
+}  // namespace
+
+core::Grid on_larger_domain(const core::Grid& grid, double factor) {
+  const double wanted = factor * (grid.X_b - grid.X_a) * (1.0 - 1e-12);
+  int parts = 32;  // of which m lie upstream of 0
+  int m = 16;
+  const auto length = [&] { return grid.X_b * parts / (parts - m); };
+  while (length() < wanted) {
+    if (m + 1 == parts) parts *= 2;
+    m = m + 1 < parts / 2 + parts / 4 && parts > 32 ? parts - 1 : m + 1;
+  }
+  core::Grid larger = grid;
+  larger.X_a = -grid.X_b * m / (parts - m);
+  const double ratio = length() / (grid.X_b - grid.X_a);
+  larger.Y_a *= ratio;
+  larger.Y_b *= ratio;
+  while (larger.hx() > grid.hx() * (1.0 + 1e-12)) larger = with_cells(larger, 2 * larger.nx);
+  return larger;
+}
+
+Solution solve_to_accuracy(const Scene& asked, const SolveOnGrid& solve_on_grid, const ProgressCallback& progress) {
+  const double began = core::now();
+  const double target = asked.accuracy.error;
+  Scene scene = asked;
+  double of_domain = 0.0;
+  std::string stopped;
+  if (asked.accuracy.domain_is_free) {
+    of_domain = domain_error(asked, solve_on_grid);
+    const double size = std::sqrt(of_domain / (share_of_domain * target));
+    core::Grid larger = size > 1.0 ? on_larger_domain(asked.grid, size) : asked.grid;
+    if (std::isnan(of_domain)) stopped = "the error of the domain, which could not be estimated";
+    if (-larger.X_a > longest_domain) stopped = "the length of the domain: more than 200 Hertz radii would be needed";
+    if (stopped.empty()) stopped = forbidden(scene, larger);
+    if (stopped.empty()) {
+      scene.grid = larger;
+      of_domain *= std::pow((asked.grid.X_b - asked.grid.X_a) / (larger.X_b - larger.X_a), 2.0);
+    }
+  }
+  // What stopped the domain is a reason to do no more than the mesh deserves.
+  const double allowed = stopped.empty() ? target - of_domain : target;
+  Solution solution = solve_on_grid(scene);
+  bool by_extrapolation = false;
+  bool mesh_met = false;
+  while (solution.converged) {
+    mesh_met = plain_error(solution.error_bars) <= allowed;
+    if (mesh_met) break;
+    const double foretold = foretold_cells(scene, solution, allowed);
+    const bool reachable = foretold <= scene.accuracy.most_cells &&
+                           forbidden(scene, with_cells(scene.grid, static_cast<int>(foretold))).empty();
+    if (!reachable && extrapolated_error(solution.error_bars) <= allowed) {
+      mesh_met = by_extrapolation = true;
+      break;
+    }
+    const core::Grid next = with_cells(scene.grid, reachable ? static_cast<int>(foretold) : 2 * scene.grid.nx);
+    if (const std::string limit = forbidden(scene, next); !limit.empty()) {
+      if (stopped.empty()) stopped = limit;
+      break;
+    }
+    scene.grid = next;
+    solution = on_finer_grid(scene, solution, solve_on_grid, progress);
+  }
+  if (asked.accuracy.domain_is_free && std::isfinite(of_domain)) solution.domain_error_Hc = of_domain;
+  solution.error_bars = error_bars_of(scene, solution);
+  solution.warnings = warnings_of(scene, solution);
+  if (!solution.converged) stopped = solution.failed_check;
+  solution.accuracy = {target, mesh_met && stopped.empty(), by_extrapolation, stopped};
+  if (solution.converged && !solution.accuracy.met) {
+    solution.converged = false;
+    solution.failed_check = "the accuracy " + percent(target) + " was not reached, it was stopped by " + stopped +
+                            "; estimated error of Hc " + percent(solution.error_bars.Hc.total()) + ", of Hm " +
+                            percent(solution.error_bars.Hm.total()) + " on " + std::to_string(solution.grid.nx) +
+                            " cells, and of the domain " + percent(solution.error_bars.domain);
+  }
+  solution.seconds = core::now() - began;
+  return solution;
+}
+
+}  // namespace ehl::steady

@@ -1,0 +1,29 @@
+#pragma once
+// An accuracy instead of a grid: domain and level that bring the estimated error of Hc and Hm below it.
+#include <functional>
+
+#include "steady/scene.hpp"
+#include "steady/solution.hpp"
+#include "steady/solve.hpp"
+
+namespace ehl::steady {
+
+/// Solves a scene on the grid that it names.
+using SolveOnGrid = std::function<Solution(const Scene&)>;
+
+/// Solutions from grid to grid until the estimated relative error of Hc and Hm is at most scene.accuracy.error.
+///   Domain, where it is free: solutions on it and on one twice as large, both coarse, tell its error, which falls
+///   with the square of its size; it grows until half of the target is left for the mesh.
+///   Mesh: the scheme's order foretells the level; the climb goes there from the last solution. The promise is for the
+///   plain values of the finest grid (node minimum) as far as most_cells and most_nodes allow, and for the values
+///   extrapolated from the levels beyond that: AccuracyReport::by_extrapolation.
+/// A domain that the deck fixes is part of the problem: its error is told, and not counted.
+/// out: as of solve(), of the last grid; where the target is not met it is marked as not converged, and
+/// AccuracyReport::stopped_by says what stood in the way. The level table has all levels. errors: as of solve().
+Solution solve_to_accuracy(const Scene& scene, const SolveOnGrid& solve_on_grid, const ProgressCallback& progress);
+
+/// The grid of the same cells or finer, and cells of at most the same size, on a domain that is longer (upstream) and
+/// wider by `factor` at least; (0,0) stays a node. in: a grid whose number of cells can be halved down to 64 or less.
+core::Grid on_larger_domain(const core::Grid& grid, double factor);
+
+}  // namespace ehl::steady

@@ -1,0 +1,70 @@
+#include "steady/error_bars.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/norms.hpp"
+#include "steady/domain_error.hpp"
+#include "steady/error_estimate.hpp"
+#include "steady/fitted_minimum.hpp"
+#include "steady/scene.hpp"
+#include "steady/solution.hpp"
+
+namespace ehl::steady {
+namespace {
+
+/// Differences of P_max that fall by less than this from level to level do not converge as a smooth pressure's do.
+constexpr double falls = 0.7;
+/// Changes of P_max below this are rounding of the discrete solutions themselves.
+constexpr double at_rest = 1e-5;
+
+std::vector<double> column(const Solution& solution, double LevelRow::*value) {
+  std::vector<double> values;
+  for (const LevelRow& row : solution.levels) values.push_back(row.*value);
+  return values;
+}
+
+Extrapolated extrapolated(const std::vector<double>& values, double order, double algebraic) {
+  const Extrapolation result = extrapolate(values, order);
+  // An algebraic error of the last value enters the extrapolation with 1 + 1/(2^p - 1).
+  const double share = 1.0 + 1.0 / (std::exp2(order) - 1.0);
+  return {result.value, result.relative_error + share * algebraic};
+}
+
+void judge_P_max(const std::vector<double>& P_max, ErrorBars& bars) {
+  const std::size_t n = P_max.size();
+  if (n < 3) return;
+  const double before = std::abs(P_max[n - 2] - P_max[n - 3]);
+  const double last = std::abs(P_max[n - 1] - P_max[n - 2]);
+  bars.P_max_converging = last <= std::max(falls * before, at_rest * P_max[n - 1]);
+  if (bars.P_max_converging) bars.P_max = estimate_error(P_max, 1.0).relative_error;
+}
+
+}  // namespace
+
+ErrorBars error_bars_of(const Scene& scene, const Solution& solution) {
+  ErrorBars bars;
+  if (solution.levels.empty()) return bars;
+  const double order = scene.wedge == reynolds::Wedge::upstream2 ? 2.0 : 1.0;
+  const LevelRow& last = solution.levels.back();
+  const Verification& checked = solution.verification;
+  bars.Hc = {last.error_Hc, checked.algebraic_error_Hc};
+  bars.Hm = {last.error_Hm, checked.algebraic_error_Hm};
+  bars.Hm_fitted = {last.error_Hm - std::abs(last.Hm - last.Hm_fitted) / last.Hm, checked.algebraic_error_Hm};
+  bars.Hm_fitted_value = last.Hm_fitted;
+  if (solution.H.nodes_x() > 0) {
+    const core::Location node = core::minimum(solution.H);
+    const FittedMinimum fitted = fitted_minimum(solution.grid, solution.H, node.i, node.j);
+    bars.Hm_fitted_X = fitted.X;
+    bars.Hm_fitted_Y = fitted.Y;
+  }
+  bars.Hc_extrapolated = extrapolated(column(solution, &LevelRow::Hc), order, checked.algebraic_error_Hc);
+  bars.Hm_extrapolated = extrapolated(column(solution, &LevelRow::Hm_fitted), order, checked.algebraic_error_Hm);
+  bars.domain =
+      std::isfinite(solution.domain_error_Hc) ? std::abs(solution.domain_error_Hc) : rough_domain_error(scene);
+  judge_P_max(column(solution, &LevelRow::P_max), bars);
+  return bars;
+}
+
+}  // namespace ehl::steady

@@ -1,0 +1,46 @@
+#pragma once
+// How far the numbers of a solution are from those of the equations, part by part.
+#include <limits>
+
+namespace ehl::steady {
+
+struct Scene;
+struct Solution;
+
+/// Parts of a relative error, each an estimate; NaN where unknown.
+struct ErrorBar {
+  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  double discretization = unknown;  ///< of the mesh (error_estimate.hpp)
+  double algebraic = unknown;       ///< what further cycles would change (checks.hpp)
+  /// The error on this domain: the sum of both.
+  double total() const { return discretization + algebraic; }
+};
+
+/// A value with its error, extrapolated from the levels to a mesh of size zero on this domain.
+struct Extrapolated {
+  double value = ErrorBar::unknown;
+  double error = ErrorBar::unknown;  ///< relative, the cycles' part included
+};
+
+struct ErrorBars {
+  ErrorBar Hc{};
+  ErrorBar Hm{};         ///< of the smallest node: that of Hm_fitted, and how far the node is from the minimum
+  ErrorBar Hm_fitted{};  ///< of Hm_fitted_value
+  double Hm_fitted_value = ErrorBar::unknown;  ///< minimum between the nodes (fitted_minimum.hpp), and where it is
+  double Hm_fitted_X = ErrorBar::unknown;
+  double Hm_fitted_Y = ErrorBar::unknown;
+  Extrapolated Hc_extrapolated{};
+  Extrapolated Hm_extrapolated{};  ///< from Hm_fitted
+  /// Relative change of Hc for a domain without end: Solution::domain_error_Hc where that is known, else the rough
+  /// estimate, right within a factor of about 2 (domain_error.hpp). No part of total().
+  double domain = ErrorBar::unknown;
+  double P_max = ErrorBar::unknown;  ///< relative error estimate of P_max; NaN where it does not converge
+  /// Differences of P_max between the levels fall. At a spike that no grid resolves they grow: P_max then is a number
+  /// of the mesh.
+  bool P_max_converging = false;
+};
+
+/// in: a solution whose levels, verification and domain_error_Hc are complete.
+ErrorBars error_bars_of(const Scene& scene, const Solution& solution);
+
+}  // namespace ehl::steady
