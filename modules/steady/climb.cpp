@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 
 #include "contact/film_formulas.hpp"
@@ -106,19 +105,18 @@ void solve_level(Climb& climb, std::size_t l, int planned) {
 
 void ascend(Climb& climb, std::size_t from) {
   const double order = climb.scene.wedge == reynolds::Wedge::upstream2 ? 2.0 : 1.0;
-  std::optional<fmg::Kept> two_below;
+  fmg::Kept two_below;  // without a pressure where there is none to foretell from
   for (std::size_t l = from + 1; l <= climb.finest(); ++l) {
     const double began = core::now();
     forget_work(climb.hierarchy);
     // A film that is negative on a coarse grid foretells nothing.
     const bool holds = climb.solution.levels.back().Hm > 0.0;
     fmg::Kept below{climb.hierarchy.levels[l - 1].P, climb.hierarchy.H00};
-    if (two_below && holds)
-      fmg::start_from_two_coarser(climb.hierarchy, l, *two_below, order);
+    if (two_below.P.nodes_x() > 0 && holds)
+      fmg::start_from_two_coarser(climb.hierarchy, l, two_below, order);
     else
       fmg::start_from_coarser(climb.hierarchy, l);
-    two_below.reset();
-    if (holds) two_below = std::move(below);
+    two_below = holds ? std::move(below) : fmg::Kept{};
     solve_level(climb, l, climb.scene.multigrid.cycles);
     climb.solution.levels.back().seconds = core::now() - began;
   }

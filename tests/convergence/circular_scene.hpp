@@ -37,9 +37,11 @@ inline const reference::CircularLimit& limit_of(const reference::CircularContact
 
 inline std::string name_of(const reference::CircularContact& contact) {
   const char* fluid = contact.fluid == reference::Fluid::barus ? "Barus" : "Roelands";
-  return "(" + std::to_string(static_cast<int>(contact.M)) + "," + std::to_string(static_cast<int>(contact.L)) + ") " +
-         fluid + (contact.wedge == reference::Wedge::upstream1 ? " upstream1 " : " upstream2 ") +
-         std::to_string(contact.n);
+  std::string name = "(";  // not "(" + ...: g++ 12 warns of an overlap there that does not exist
+  name +=
+      std::to_string(static_cast<int>(contact.M)) + "," + std::to_string(static_cast<int>(contact.L)) + ") " + fluid;
+  name += contact.wedge == reference::Wedge::upstream1 ? " upstream1 " : " upstream2 ";
+  return name + std::to_string(contact.n);
 }
 
 }  // namespace ehl::test
