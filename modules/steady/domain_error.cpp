@@ -82,7 +82,8 @@ double chosen_inlet(double M, double L, double X_b) {
 
 double estimate_domain_error(const Scene& scene) {
   // Light loads need long domains, too long for coarse grids; and there the rough estimate is the better one.
-  if (const RoughError rough = rough_error(scene); rough.load > rough.inlet) return 0.5 * rough.load;
+  const RoughError rough = rough_error(scene);
+  if (rough.load > rough.inlet) return 0.5 * rough.load;
   Scene coarse = scene;
   while (coarse.grid.nx >= 2 * fewest_cells && coarse.grid.nx % 2 == 0 && coarse.grid.ny % 2 == 0)
     coarse.grid = core::coarsened(coarse.grid);
@@ -95,11 +96,13 @@ double estimate_domain_error(const Scene& scene) {
   longer.grid.X_a -= scene.grid.X_b - scene.grid.X_a;
   longer.grid.Y_a *= 2.0;
   longer.grid.Y_b *= 2.0;
+  double estimate = std::numeric_limits<double>::quiet_NaN();
   try {
-    return central_film(longer) / central_film(coarse) - 1.0;
+    estimate = central_film(longer) / central_film(coarse) - 1.0;
   } catch (const core::SolverError&) {
-    return std::numeric_limits<double>::quiet_NaN();
+    // Coarse grids of a domain that ends at the contact may have no solution: the rough estimate is left.
   }
+  return std::isfinite(estimate) ? estimate : rough.inlet + rough.load;
 }
 
 }  // namespace ehl::steady

@@ -28,8 +28,8 @@ double chosen_outlet(double M, double L);
 /// Relative growth of Hc on a domain twice as long (upstream) and twice as wide: two solutions on coarse grids of the
 /// same mesh size; for light loads, where the load of the far field governs it, half of the rough estimate. It is a
 /// lower bound of the error of the domain; in light loads what lies beyond the double domain adds as much again.
-/// order: right within a factor of 2 where it is a percent (the meshes are coarse). out: NaN where one of the two
-/// coarse solutions fails. cost: a few hundredths of a second.
+/// order: right within a factor of 2 where it is a percent (the meshes are coarse). out: rough_domain_error where one
+/// of the two coarse solutions fails. cost: a few hundredths of a second.
 double estimate_domain_error(const Scene& scene);
 
 }  // namespace ehl::steady
