@@ -22,7 +22,6 @@ constexpr double whole_over_gain = 4.0 / 3.0;
 constexpr double longest_domain = 200.0;
 /// The foretold level is one more where it would leave more than this of what is allowed.
 constexpr double sure = 0.95;
-constexpr double heavy_M = 1500.0;
 constexpr double tolerance_of_coarse = 1e-6;
 
 std::string percent(double value) {
@@ -30,8 +29,6 @@ std::string percent(double value) {
   std::snprintf(buffer, sizeof buffer, "%.2g %%", 100.0 * value);
   return buffer;
 }
-
-double order_of(const Scene& scene) { return scene.wedge == reynolds::Wedge::upstream2 ? 2.0 : 1.0; }
 
 // The film on a coarse mesh, solved well: Hc and the fitted minimum.
 Scene coarse_scene(const Scene& scene, const core::Grid& grid) {
@@ -86,7 +83,7 @@ double foretold_cells(const Scene& scene, const Solution& solution, double allow
   if (std::isnan(error)) return 2.0 * cells;
   do {
     cells *= 2.0;
-    error /= std::exp2(order_of(scene));
+    error /= std::exp2(reynolds::order(scene.wedge));
   } while (error > sure * allowed);
   return cells;
 }

@@ -16,7 +16,8 @@ struct LastCycle {
 };
 
 /// What further cycles would still change in Hc or Hm, relative: the last cycle's change times q/(1 - q), q the factor
-/// by which that cycle reduced the residual, held between 0.25 (0.5 for a first cycle) and 0.9. in: value = &StateOfLevel::Hc or Hm.
+/// by which that cycle reduced the residual, held between 0.25 (0.5 for a first cycle) and 0.9. in: value =
+/// &StateOfLevel::Hc or Hm.
 double foretold_error(const LastCycle& cycle, double StateOfLevel::*value);
 
 /// The first check that the state does not pass, as a sentence with numbers and a remedy; empty when it passes all.

@@ -5,7 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "contact/film_formulas.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
 #include "fmg/full_multigrid.hpp"
@@ -27,11 +26,6 @@ constexpr double very_piezoviscous_L = 22.0;
 constexpr double caution_where_steep = 0.8;
 /// A state with this relative residual solves the equations, whatever else is wrong with it.
 constexpr double solved_residual = 1e-5;
-
-/// Central film thickness of the published formula: good to 15 % and enough to begin with.
-double guess_of_central_film(const Scene& scene) {
-  return contact::H_from_moes_units(contact::nijenbanning_venner_moes(scene.M, scene.L), scene.M);
-}
 
 double steep_caution(const Scene& scene) { return scene.L > very_piezoviscous_L ? caution_where_steep : 1.0; }
 
@@ -69,7 +63,8 @@ void solve_first_level(Climb& climb) {
   forget_work(climb.hierarchy);
   climb.caution = {.all = climb.start.caution_at_first, .steep = steep_caution(climb.scene)};
   use_caution(climb.caution, climb.scene.multigrid.relaxation, climb.hierarchy.parameters.relaxation);
-  fmg::start_from_hertz(climb.hierarchy, climb.first, -1.0 + guess_of_central_film(climb.scene), climb.start.sweeps);
+  fmg::start_from_hertz(climb.hierarchy, climb.first, -1.0 + expected_central_film(climb.scene.M, climb.scene.L),
+                        climb.start.sweeps);
   solve_level(climb, climb.first, std::max(climb.start.cycles, climb.scene.multigrid.cycles));
   climb.caution = {.all = climb.start.caution, .steep = steep_caution(climb.scene)};
   climb.solution.levels.back().seconds = core::now() - began;
@@ -104,7 +99,7 @@ void solve_level(Climb& climb, std::size_t l, int planned) {
 }
 
 void ascend(Climb& climb, std::size_t from) {
-  const double order = climb.scene.wedge == reynolds::Wedge::upstream2 ? 2.0 : 1.0;
+  const double order = reynolds::order(climb.scene.wedge);
   fmg::Kept two_below;  // without a pressure where there is none to foretell from
   for (std::size_t l = from + 1; l <= climb.finest(); ++l) {
     const double began = core::now();

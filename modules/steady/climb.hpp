@@ -22,6 +22,9 @@ struct Start {
   double caution = 1.0;           ///< and on the finer ones
 };
 
+/// From this load on 64 cells do not hold the contact, nor 32 a correction for it.
+inline constexpr double heavy_M = 1500.0;
+
 /// A climb under way: the grids and their state, and what is known of the solution.
 struct Climb {
   const Scene& scene;

@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "contact/film_formulas.hpp"
 #include "contact/groups.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
@@ -49,16 +48,12 @@ double first_M(const Scene& scene) {
   return std::max(first_ratio * scene.M, std::min(lightest_M, 0.5 * scene.M));
 }
 
-double formula_film(double M, double L) {
-  return contact::H_from_moes_units(contact::nijenbanning_venner_moes(M, L), M);
-}
-
 // The last pressure, in Hertz's units, with H00 changed as the central film will: as the power of the load that led
 // from the last but one to the last; at first as the published formula has it. (A pressure predicted from the last two
 // puts kinks where spike and cavitation boundary have moved, and costs four times the cycles.)
 Solved predict(const std::optional<Solved>& previous, const Solved& last, double ln_M, double L) {
   Solved guess{ln_M, last.P, last.H00, 0.0};
-  double ratio = formula_film(std::exp(ln_M), L) / formula_film(std::exp(last.ln_M), L);
+  double ratio = expected_central_film(std::exp(ln_M), L) / expected_central_film(std::exp(last.ln_M), L);
   if (previous && previous->Hc > 0.0 && last.Hc > 0.0)
     ratio = std::pow(last.Hc / previous->Hc, (ln_M - last.ln_M) / (last.ln_M - previous->ln_M));
   guess.Hc = ratio * last.Hc;

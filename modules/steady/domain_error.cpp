@@ -9,6 +9,7 @@
 #include "contact/groups.hpp"
 #include "core/errors.hpp"
 #include "steady/climb.hpp"
+#include "steady/resolution.hpp"
 
 namespace ehl::steady {
 namespace {
@@ -57,7 +58,7 @@ double rough_domain_error(const Scene& scene) {
 
 double chosen_outlet(double M, double L) {
   constexpr double thick = 1.5;
-  return contact::H_from_moes_units(contact::nijenbanning_venner_moes(M, L), M) > thick ? 3.0 : 1.5;
+  return expected_central_film(M, L) > thick ? 3.0 : 1.5;
 }
 
 double chosen_inlet(double M, double L, double X_b) {

@@ -46,7 +46,7 @@ void judge_P_max(const std::vector<double>& P_max, ErrorBars& bars) {
 ErrorBars error_bars_of(const Scene& scene, const Solution& solution) {
   ErrorBars bars;
   if (solution.levels.empty()) return bars;
-  const double order = scene.wedge == reynolds::Wedge::upstream2 ? 2.0 : 1.0;
+  const double order = reynolds::order(scene.wedge);
   const LevelRow& last = solution.levels.back();
   const Verification& checked = solution.verification;
   bars.Hc = {last.error_Hc, checked.algebraic_error_Hc};

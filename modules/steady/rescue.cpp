@@ -4,12 +4,12 @@
 #include <string>
 #include <utility>
 
-#include "contact/film_formulas.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
 #include "fmg/full_multigrid.hpp"
 #include "steady/checks.hpp"
 #include "steady/newton.hpp"
+#include "steady/resolution.hpp"
 
 namespace ehl::steady {
 namespace {
@@ -83,7 +83,7 @@ Solution rescue_by_newton(const Scene& scene, const Start& start, const Solution
 
 Solution climb_by_newton(const Scene& scene, const Start& start, const ProgressCallback& progress) {
   Climb climb = begin_climb(scene, start, progress);
-  const double Hc = contact::H_from_moes_units(contact::nijenbanning_venner_moes(scene.M, scene.L), scene.M);
+  const double Hc = expected_central_film(scene.M, scene.L);
   bool solved = false;
   std::string last_reason;
   for (std::size_t l = climb.first; l <= climb.finest(); ++l) {

@@ -7,13 +7,9 @@
 #include "contact/groups.hpp"
 
 namespace ehl::steady {
-namespace {
-
 double expected_central_film(double M, double L) {
   return contact::H_from_moes_units(contact::nijenbanning_venner_moes(M, L), M);
 }
-
-}  // namespace
 
 double expected_least_film(double M, double L) {
   const contact::Asymptotes film = contact::asymptotes(M, L);

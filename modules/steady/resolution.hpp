@@ -4,6 +4,10 @@
 
 namespace ehl::steady {
 
+/// The central film H = h R/a^2 to expect: the formula of Nijenbanning, Venner and Moes, good to 15 %.
+/// in: M > 0, L >= 0.
+double expected_central_film(double M, double L);
+
 /// The minimum film H = h R/a^2 to expect, within a factor 1.5: the central film of Nijenbanning, Venner and Moes
 /// times the share of it that our own solutions have at its thinnest, 0.6 (M/50)^(-1/5), half as much again where the
 /// lubricant is isoviscous, and at most 0.9.

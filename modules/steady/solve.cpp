@@ -28,8 +28,6 @@ constexpr Start starts[] = {
     {.cells = 128, .sweeps = 40, .cycles = 10, .coarsest = 64, .balances = 30, .caution_at_first = 0.7, .caution = 0.7},
     {.cells = 256, .sweeps = 80, .cycles = 10, .coarsest = 64, .balances = 30, .caution_at_first = 0.5, .caution = 0.7},
 };
-/// From this load on 64 cells do not hold the contact, nor 32 a correction for it.
-constexpr double heavy_M = 1500.0;
 constexpr std::size_t start_of_heavy = 2;
 /// The start of ways that do not begin with cycles from the Hertz pressure at full load.
 constexpr const Start& safe_start = starts[2];
