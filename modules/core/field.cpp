@@ -34,4 +34,21 @@ void copy(const Field& from, Field& to) {
   std::copy_n(from.at_x(0), count(from.nodes_x(), from.stride()), to.at_x(0));
 }
 
+void make_images(const Grid& grid, Field& f) {
+  if (!grid.mirrored) return;
+  for (int i = 0; i < f.nodes_x(); ++i) make_images(grid, f.at_x(i));
+}
+
+void copy_lower_half(const Field& whole, Field& half) {
+  for (int i = 0; i < half.nodes_x(); ++i) std::copy_n(whole.at_x(i), half.nodes_y(), half.at_x(i));
+}
+
+void copy_whole(const Grid& mirrored, const Field& half, Field& whole) {
+  for (int i = 0; i < half.nodes_x(); ++i) {
+    const double* from = half.at_x(i);
+    std::copy_n(from, mirrored.nodes_y(), whole.at_x(i));
+    std::reverse_copy(from, from + mirrored.ny, whole.at_x(i) + mirrored.ny + 1);
+  }
+}
+
 }  // namespace ehl::core

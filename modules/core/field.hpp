@@ -10,8 +10,8 @@ namespace ehl::core {
 
 /// One double per node of a grid, zero at birth. Storage runs along y (j) fastest: the line relaxation solves
 /// lines of constant Y, many lines j at once, one in each lane of a vector register, so neighbouring lines
-/// must be neighbours in memory. Every station i starts on a 64-byte boundary; the
-/// padding behind j = ny holds no information.
+/// must be neighbours in memory. Every station i starts on a 64-byte boundary; the padding behind j = ny holds no
+/// information, but for the image lines of a mirrored grid.
 class Field {
  public:
   Field() = default;
@@ -53,5 +53,21 @@ class Field {
 
 /// to <- from. limits: same shape.
 void copy(const Field& from, Field& to);
+
+/// How many lines behind the axis can have an image.
+inline constexpr int most_images = 2;
+/// The image lines of one station, f_{ny+k} = f_{ny-k}, k = 1, 2; nothing on a grid that is not mirrored.
+/// limits: ny >= 2.
+inline void make_images(const Grid& grid, double* station) {
+  if (!grid.mirrored) return;
+  for (int k = 1; k <= most_images; ++k) station[grid.ny + k] = station[grid.ny - k];
+}
+/// The same of all stations.
+void make_images(const Grid& grid, Field& f);
+
+/// half <- the lower half, axis included, of a field on the whole of a mirrored grid; no image lines.
+void copy_lower_half(const Field& whole, Field& half);
+/// whole <- both halves. in: a field on the mirrored grid.
+void copy_whole(const Grid& mirrored, const Field& half, Field& whole);
 
 }  // namespace ehl::core

@@ -35,6 +35,13 @@ double interior_sum(const Field& f) {
   return sum_over_interior(f, [](double v) { return v; });
 }
 
+double interior_sum(const Grid& grid, const Field& f) {
+  if (!grid.mirrored) return interior_sum(f);
+  double axis = 0.0;
+  for (int i = 1; i < grid.nx; ++i) axis += f(i, grid.ny);
+  return 2.0 * interior_sum(f) + axis;
+}
+
 double root_mean_square(const Field& f) {
   const double points = static_cast<double>(f.nodes_x() - 2) * (f.nodes_y() - 2);
   return std::sqrt(sum_over_interior(f, [](double v) { return v * v; }) / points);

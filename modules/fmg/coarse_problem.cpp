@@ -59,12 +59,14 @@ void drop_near_cavitation(const core::Grid& grid, const core::Field& P, int thre
     const auto dry = [&](int j) { return west[j] <= 0.0 || here[j] <= 0.0 || east[j] <= 0.0; };
     bool south = dry(1);
     bool own = south;
-    for (int j = 1; j < grid.ny; ++j) {
-      const bool north = j < grid.ny - 1 ? dry(j + 1) : own;
+    const int last = grid.last_line();
+    for (int j = 1; j <= last; ++j) {
+      const bool north = j < last || grid.mirrored ? dry(j + 1) : own;
       if (south || own || north) out[j] = 0.0;
       south = own;
       own = north;
     }
+    core::make_images(grid, out);
   }
 }
 
@@ -72,21 +74,23 @@ void drop_near_cavitation(const core::Grid& grid, const core::Field& P, int thre
 // must be as far away: with no slack it would be on the edge, and the coarse correction would rise there and never
 // fall.
 void take_slack(const Level& fine, core::Field& minus_slack) {
-  for (int I = 1; I < minus_slack.nodes_x() - 1; ++I)
-    for (int J = 1; J < minus_slack.nodes_y() - 1; ++J)
+  const core::Grid coarse = core::coarsened(fine.grid);
+  for (int I = 1; I < coarse.nx; ++I)
+    for (int J = 1; J <= coarse.last_line(); ++J)
       if (fine.P(2 * I, 2 * J) <= 0.0 && fine.r(2 * I, 2 * J) > 0.0) minus_slack(I, J) = -fine.r(2 * I, 2 * J);
 }
 
-void restrict_pressure(const core::Field& fine, bool cavitation, core::Field& coarse) {
+void restrict_pressure(const core::Field& fine, bool cavitation, const core::Grid& grid, core::Field& coarse) {
   if (!cavitation) {
-    transfer::restrict_full_weighting(fine, coarse);
+    transfer::restrict_full_weighting(grid, fine, coarse);
+    core::make_images(grid, coarse);
     return;
   }
   transfer::restrict_injection(fine, coarse);
-  for (int I = 1; I < coarse.nodes_x() - 1; ++I) {
+  for (int I = 1; I < grid.nx; ++I) {
     const std::array<const double*, 3> rows{fine.at_x(2 * I - 1), fine.at_x(2 * I), fine.at_x(2 * I + 1)};
     double* to = coarse.at_x(I);
-    for (int J = 1; J < coarse.nodes_y() - 1; ++J) {
+    for (int J = 1; J <= grid.last_line(); ++J) {
       const int j = 2 * J;
       double weighted = 0.0;
       bool all_carry = true;
@@ -97,6 +101,7 @@ void restrict_pressure(const core::Field& fine, bool cavitation, core::Field& co
       }
       if (all_carry) to[J] = weighted / 16.0;
     }
+    core::make_images(grid, to);
   }
 }
 
@@ -105,8 +110,8 @@ void restrict_pressure(const core::Field& fine, bool cavitation, core::Field& co
 void restrict_residual(const Level& fine, int threads, core::Field& coarse) {
   const Coupling coupling(fine);
   const core::Field& r = fine.r;
-  const int last_I = coarse.nodes_x() - 1;
-  const int last_J = coarse.nodes_y() - 1;
+  const core::Grid grid = core::coarsened(fine.grid);
+  const int last_J = grid.last_line();
   // Residual of a point between two coarse columns, with what the centre points of its column give it.
   const auto column_point = [&](int i, int j) {
     return r(i, j) + coupling.to_all(i, j - 1).north * r(i, j - 1) + coupling.to_all(i, j + 1).south * r(i, j + 1);
@@ -115,9 +120,9 @@ void restrict_residual(const Level& fine, int threads, core::Field& coarse) {
     return r(i, j) + coupling.to_all(i - 1, j).east * r(i - 1, j) + coupling.to_all(i + 1, j).west * r(i + 1, j);
   };
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-  for (int I = 1; I < last_I; ++I) {
+  for (int I = 1; I < grid.nx; ++I) {
     const int i = 2 * I;
-    for (int J = 1; J < last_J; ++J) {
+    for (int J = 1; J <= last_J; ++J) {
       const int j = 2 * J;
       coarse(I, J) = 0.25 * (r(i, j) + coupling.share_east(i - 1, j) * column_point(i - 1, j) +
                              coupling.share_west(i + 1, j) * column_point(i + 1, j) +
@@ -133,7 +138,7 @@ void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse) {
   update_residual(hierarchy, fine);
   {
     const core::ScopedTimer timer(hierarchy.times, core::Part::transfer);
-    restrict_pressure(fine.P, problem.cavitation, coarse.P);
+    restrict_pressure(fine.P, problem.cavitation, coarse.grid, coarse.P);
     core::copy(coarse.P, coarse.P_restricted);
     transfer::restrict_injection(fine.H, coarse.H_restricted);
     coarse.f.fill(0.0);
@@ -160,7 +165,7 @@ void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse) {
   const core::ScopedTimer timer(hierarchy.times, core::Part::transfer);
   restrict_residual(fine, threads, coarse.f);
   for (int i = 1; i < grid.nx; ++i)
-    for (int j = 1; j < grid.ny; ++j) coarse.f(i, j) -= coarse.r(i, j);
+    for (int j = 1; j <= grid.last_line(); ++j) coarse.f(i, j) -= coarse.r(i, j);
   coarse.load = fine.load - carried_load(fine) + carried_load(coarse);
 }
 
@@ -177,10 +182,11 @@ void correct_from_coarse(Hierarchy& hierarchy, Level& coarse, Level& fine) {
     for (int i = 1; i < fine.grid.nx; ++i) {
       double* P = fine.P.at_x(i);
       const double* change = fine.r.at_x(i);
-      for (int j = 1; j < fine.grid.ny; ++j) {
+      for (int j = 1; j <= fine.grid.last_line(); ++j) {
         const double corrected = P[j] + change[j];
         P[j] = cavitation && corrected < 0.0 ? 0.0 : corrected;
       }
+      core::make_images(fine.grid, P);
     }
   }
   update_film(hierarchy, fine);

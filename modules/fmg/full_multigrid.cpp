@@ -27,12 +27,13 @@ void start_from_hertz(Hierarchy& hierarchy, std::size_t l, double H00, int sweep
   Level& level = hierarchy.levels[l];
   pose_original_problem(hierarchy.problem, level);
   for (int i = 1; i < level.grid.nx; ++i)
-    for (int j = 1; j < level.grid.ny; ++j) {
+    for (int j = 1; j <= level.grid.last_line(); ++j) {
       const double X = level.grid.X(i);
       const double Y = level.grid.Y(j);
       const double inside = 1.0 - X * X - Y * Y;
       level.P(i, j) = inside > 0.0 ? std::sqrt(inside) : 0.0;
     }
+  core::make_images(level.grid, level.P);
   hierarchy.H00 = H00;
   update_film(hierarchy, level);
   for (int sweep = 1; sweep <= sweeps; ++sweep) {
@@ -47,6 +48,7 @@ void start_from_state(Hierarchy& hierarchy, std::size_t l, const core::Field& P,
   Level& level = hierarchy.levels[l];
   pose_original_problem(hierarchy.problem, level);
   core::copy(P, level.P);
+  core::make_images(level.grid, level.P);
   hierarchy.H00 = H00;
   update_film(hierarchy, level);
 }
@@ -56,12 +58,13 @@ void start_from_coarser(Hierarchy& hierarchy, std::size_t l) {
   pose_original_problem(hierarchy.problem, level);
   {
     const core::ScopedTimer timer(hierarchy.times, core::Part::transfer);
-    transfer::prolong_bicubic(hierarchy.levels[l - 1].P, level.P);
+    transfer::prolong_bicubic(hierarchy.levels[l - 1].grid, hierarchy.levels[l - 1].P, level.P);
     for (int i = 0; i <= level.grid.nx; ++i)
       for (int j = 0; j <= level.grid.ny; ++j) {
-        const bool boundary = i == 0 || j == 0 || i == level.grid.nx || j == level.grid.ny;
+        const bool boundary = i == 0 || j == 0 || i == level.grid.nx || j > level.grid.last_line();
         if (boundary || (hierarchy.problem.cavitation && level.P(i, j) < 0.0)) level.P(i, j) = 0.0;
       }
+    core::make_images(level.grid, level.P);
   }
   update_film(hierarchy, level);
 }
@@ -70,10 +73,10 @@ void start_from_two_coarser(Hierarchy& hierarchy, std::size_t l, const Kept& two
   const double weight = std::exp2(-order);
   Level& below = hierarchy.levels[l - 1];
   core::Field coarser(below.grid);
-  transfer::prolong_bicubic(two_below.P, coarser);
+  transfer::prolong_bicubic(hierarchy.levels[l - 2].grid, two_below.P, coarser);
   // No pressure where the finer solution has none: the cavitated region is the finer one's.
   for (int i = 1; i < below.grid.nx; ++i)
-    for (int j = 1; j < below.grid.ny; ++j) {
+    for (int j = 1; j <= below.grid.last_line(); ++j) {
       double& P = below.P(i, j);
       if (P > 0.0) P = std::max(0.0, P + weight * (P - coarser(i, j)));
     }

@@ -64,19 +64,22 @@ void coefficients_of_station(const Problem& problem, Level& level, int i, std::s
   const auto H = std::as_const(level.H).station(i);
   if (problem.given_epsilon) {
     for (int j = 0; j <= level.grid.ny; ++j) level.eps(i, j) = problem.given_epsilon(level.grid.X(i), level.grid.Y(j));
+    core::make_images(level.grid, level.eps.at_x(i));
     std::ranges::fill(level.rho_bar.station(i), 1.0);
     return;
   }
   rheology::film_properties(problem.viscosity, problem.density, P, fluidity, level.rho_bar.station(i));
   rheology::density_slope(problem.density, P, level.drho_bar.station(i));
+  const auto rho_bar = std::as_const(level.rho_bar).station(i);
   if (level.H_floor == 0.0) {
-    reynolds::epsilon(H, std::as_const(level.rho_bar).station(i), fluidity, problem.lambda, level.eps.station(i));
-    return;
+    reynolds::epsilon(H, rho_bar, fluidity, problem.lambda, level.eps.station(i));
+  } else {
+    const auto finer = std::as_const(level.H_restricted).station(i);
+    const auto held = level.r.station(i);  // free here: the residual is made anew after every change of the film
+    for (std::size_t j = 0; j < held.size(); ++j) held[j] = std::max(H[j], level.H_floor * finer[j]);
+    reynolds::epsilon(held, rho_bar, fluidity, problem.lambda, level.eps.station(i));
   }
-  const auto finer = std::as_const(level.H_restricted).station(i);
-  const auto held = level.r.station(i);  // free here: the residual is made anew after every change of the film
-  for (std::size_t j = 0; j < held.size(); ++j) held[j] = std::max(H[j], level.H_floor * finer[j]);
-  reynolds::epsilon(held, std::as_const(level.rho_bar).station(i), fluidity, problem.lambda, level.eps.station(i));
+  core::make_images(level.grid, level.eps.at_x(i));
 }
 
 template <class Station>
@@ -93,18 +96,24 @@ void for_stations(Hierarchy& hierarchy, Level& level, Station station) {
 
 }  // namespace
 
-Hierarchy make_hierarchy(const Problem& problem, const Parameters& parameters, const mlmi::Parameters& deformation,
-                         const core::Grid& finest, int threads) {
-  Hierarchy hierarchy{.problem = problem, .parameters = parameters, .levels = {}, .threads = threads, .times = {}};
-  const core::ScopedTimer timer(hierarchy.times, core::Part::setup);
+std::vector<core::Grid> grids_below(const core::Grid& finest, const Parameters& parameters) {
   std::vector<core::Grid> grids{finest};
   const int wanted = parameters.coarsest_cells > 0 ? parameters.coarsest_cells : parameters.least_coarsest_cells;
   while (grids.back().nx > wanted && grids.back().nx % 2 == 0 && grids.back().ny % 2 == 0 &&
          (parameters.coarsest_cells > 0 || grids.back().nx / 2 >= wanted))
     grids.push_back(core::coarsened(grids.back()));
-  if (parameters.coarsest_cells > 0 && grids.back().nx != wanted)
+  return grids;
+}
+
+Hierarchy make_hierarchy(const Problem& problem, const Parameters& parameters, const mlmi::Parameters& deformation,
+                         const core::Grid& finest, int threads) {
+  Hierarchy hierarchy{.problem = problem, .parameters = parameters, .levels = {}, .threads = threads, .times = {}};
+  const core::ScopedTimer timer(hierarchy.times, core::Part::setup);
+  const std::vector<core::Grid> grids = grids_below(finest, parameters);
+  const int wanted = parameters.coarsest_cells;
+  if (wanted > 0 && grids.back().nx != wanted)
     throw core::InputError("[grid] coarsest = " + std::to_string(wanted) + ": " + std::to_string(finest.nx) + " x " +
-                           std::to_string(finest.ny) + " cells cannot be halved down to it");
+                           std::to_string(core::whole(finest).ny) + " cells cannot be halved down to it");
   for (auto grid = grids.rbegin(); grid != grids.rend(); ++grid)
     hierarchy.levels.push_back(
         make_level(*grid, *grid == finest, parameters, deformation, hierarchy.threads_on(*grid)));
@@ -148,6 +157,8 @@ void update_residual(Hierarchy& hierarchy, Level& level) {
   reynolds::residual(level.grid, state(level), hierarchy.problem.wedge, hierarchy.threads_on(level.grid), level.r);
 }
 
-double carried_load(const Level& level) { return level.grid.hx() * level.grid.hy() * core::interior_sum(level.P); }
+double carried_load(const Level& level) {
+  return level.grid.hx() * level.grid.hy() * core::interior_sum(level.grid, level.P);
+}
 
 }  // namespace ehl::fmg

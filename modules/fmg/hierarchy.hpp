@@ -36,6 +36,7 @@ struct LineChanges {
   core::Field distributed;  ///< the same where the point distributes its change, else 0
 };
 
+/// On a mirrored grid P, eps and r have image lines at all times.
 struct Level {
   core::Grid grid;
   core::Field P;
@@ -69,6 +70,9 @@ struct Hierarchy {
   /// Threads worth using on a level: small grids are slower with more than one.
   int threads_on(const core::Grid& grid) const { return grid.nx * grid.ny < 128 * 128 ? 1 : threads; }
 };
+
+/// The grids from `finest` down to the coarsest, the finest first.
+std::vector<core::Grid> grids_below(const core::Grid& finest, const Parameters& parameters);
 
 /// Grids from `finest` down to the coarsest, all fields zero, H00 = 0.
 /// The coarsest has parameters.coarsest_cells cells along x, or by default the smallest number >= 32 that halving

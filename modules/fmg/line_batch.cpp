@@ -104,7 +104,7 @@ template <class Take>
 void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level& level, int j, Take take) {
   const core::Grid& grid = level.grid;
   const bool cavitation = hierarchy.problem.cavitation;
-  const LaneMask outside = ~inside(j, grid.ny);
+  const LaneMask outside = ~inside(j, grid);
   const Lanes* distributive = work_.distributive.data() + ThreadWork::margin;
   Lanes P_west = own_lines(level.P, 0, j);
   Beside P = with_neighbours(level.P, 1, j);

@@ -8,13 +8,15 @@ namespace ehl::fmg {
 inline int first_line(int colour, int batch) { return 1 + colour + 2 * core::lanes * batch; }
 /// Batches with at least one interior line.
 inline int batches_of_colour(const core::Grid& grid, int colour) {
-  return (grid.ny - 1 - colour + 2 * core::lanes - 1) / (2 * core::lanes);
+  return (grid.last_line() - colour + 2 * core::lanes - 1) / (2 * core::lanes);
 }
 
-/// Lanes whose line j0, j0 + 2, .. is an interior line.
-inline core::LaneMask inside(int j0, int ny) {
-  const core::LaneMask j = core::LaneMask{0, 2, 4, 6, 8, 10, 12, 14} + j0;
-  return (j >= 1) & (j < ny);
+/// The lines j0, j0 + 2, .. of a batch.
+inline core::LaneMask lines_from(int j0) { return core::LaneMask{0, 2, 4, 6, 8, 10, 12, 14} + j0; }
+/// Lanes whose line j0, j0 + 2, .. is a line of unknowns.
+inline core::LaneMask inside(int j0, const core::Grid& grid) {
+  const core::LaneMask j = lines_from(j0);
+  return (j >= 1) & (j <= grid.last_line());
 }
 
 /// The line systems of eight lines at once, on the work space of one thread.

@@ -20,7 +20,7 @@ using core::Lanes;
 // P_ij += delta_ij - (distributed_{i-1} + distributed_{i+1} + distributed_{j-1} + distributed_{j+1})/4 (eq. 15),
 // and holds P >= 0.
 void apply_changes(Level& level, int colour, int batch, bool cavitation, int i) {
-  const int ny = level.grid.ny;
+  const core::Grid& grid = level.grid;
   const int j = first_line(colour, batch);
   const int k = batch * core::lanes;
   const double* here = level.changes.distributed.at_x(i) + k;
@@ -31,15 +31,17 @@ void apply_changes(Level& level, int colour, int batch, bool cavitation, int i) 
   const Lanes low = core::load(P);
   const Lanes high = core::load(P + core::lanes);
   // Behind the last line may stand what the other colour left there.
-  const Lanes own_lines = inside(j, ny) ? core::load(here) : Lanes{};
+  Lanes own_lines = inside(j, grid) ? core::load(here) : Lanes{};
   // The distributed change of the line before the batch.
   const Lanes edge = core::broadcast(batch > 0 ? here[-1] : 0.0);
   const Lanes one_south = __builtin_shuffle(edge, own_lines, LaneMask{0, 8, 9, 10, 11, 12, 13, 14});
+  // Behind the axis comes the image of the line before it.
+  if (grid.mirrored) own_lines = lines_from(j) == grid.ny + 1 ? one_south : own_lines;
   Lanes between = floor(core::evens(low, high) - 0.25 * (one_south + own_lines));
   Lanes own = floor(core::odds(low, high) + core::load(level.changes.delta.at_x(i) + k) -
                     0.25 * (core::load(west) + core::load(east)));
-  between = inside(j - 1, ny) ? between : core::evens(low, high);
-  own = inside(j, ny) ? own : core::odds(low, high);
+  between = inside(j - 1, grid) ? between : core::evens(low, high);
+  own = inside(j, grid) ? own : core::odds(low, high);
   core::store(P, core::interleaved_low(between, own));
   core::store(P + core::lanes, core::interleaved_high(between, own));
 }
@@ -49,7 +51,7 @@ std::string describe(const line_solvers::SmallPivot& small, int line, const core
   std::snprintf(text, sizeof text,
                 "line relaxation on %d x %d cells: pivot %.3g at point i = %d of line j = %d is nothing beside its row "
                 "(the state has diverged)",
-                grid.nx, grid.ny, small.pivot, small.point, line);
+                grid.nx, core::whole(grid).ny, small.pivot, small.point, line);
   return text;
 }
 
@@ -73,7 +75,7 @@ struct FirstSmallPivot {
 
 /// Batches whose own lines, or lines before these, are interior lines.
 int batches_to_apply(const core::Grid& grid, int colour) {
-  return (grid.ny - colour + 2 * core::lanes - 1) / (2 * core::lanes);
+  return (grid.last_line() + 1 - colour + 2 * core::lanes - 1) / (2 * core::lanes);
 }
 
 template <int reach, LineSolver solver>
@@ -85,11 +87,15 @@ void relax_lines(Hierarchy& hierarchy, Level& level) {
     if (batch < batches_of_colour(grid, colour))
       small.meet(LineBatch<reach, solver>(work).solve(hierarchy, level, colour, batch), colour, batch);
   };
-  const auto apply = [&](int colour, int batch) {
-    for (int i = 1; i < grid.nx; ++i) apply_changes(level, colour, batch, cavitation, i);
-  };
   const int threads = hierarchy.threads_on(grid);
   if (threads == 1) {
+    const auto apply = [&](int colour, int batch) {
+      const bool beside_axis = first_line(colour, batch) + 2 * core::lanes > grid.ny;
+      for (int i = 1; i < grid.nx; ++i) {
+        apply_changes(level, colour, batch, cavitation, i);
+        if (beside_axis) core::make_images(grid, level.P.at_x(i));
+      }
+    };
     // The second colour follows one batch behind the first, while its lines are still in the cache: a batch of it
     // needs the first colour's changes up to the line behind it, and nothing beyond.
     const int first = batches_to_apply(grid, 0);
@@ -111,7 +117,10 @@ void relax_lines(Hierarchy& hierarchy, Level& level) {
 #pragma omp for schedule(static)
         for (int batch = 0; batch < batches; ++batch) solve(work, colour, batch);
 #pragma omp for schedule(static)
-        for (int batch = 0; batch < batches; ++batch) apply(colour, batch);
+        for (int i = 1; i < grid.nx; ++i) {
+          for (int batch = 0; batch < batches; ++batch) apply_changes(level, colour, batch, cavitation, i);
+          core::make_images(grid, level.P.at_x(i));
+        }
       }
     }
   }

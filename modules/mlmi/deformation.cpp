@@ -85,19 +85,27 @@ int most_coarsenings(const core::Grid& grid) {
 struct Deformation::Implementation {
   std::string description;
   MultilevelSum sum;
+  core::Grid grid;
+  // For the sums that know no symmetry.
+  core::Field whole_P, whole_w;
 };
 
 Deformation::Deformation(const core::Grid& grid, const Parameters& parameters, int threads) {
-  const int team = std::max(grid.nx, grid.ny) < smallest_parallel ? 1 : std::max(1, threads);
-  const Axis x{0, grid.nx, 1, grid.hx()}, y{0, grid.ny, 1, grid.hy()};
+  const int team = std::max(grid.nx, core::whole(grid).ny) < smallest_parallel ? 1 : std::max(1, threads);
+  const core::Grid whole = core::whole(grid);
   // The direct sum and the plain FFT are the multilevel sum without coarsening.
   MultilevelChoice choice{.coarsenings = 0, .coarsest_direct = parameters.method == Method::direct};
   if (parameters.method == Method::mlmi) {
-    choice = chosen(grid, parameters);
-    check(grid, choice);
+    choice = chosen(whole, parameters);
+    check(whole, choice);
   }
-  implementation_ =
-      std::make_unique<Implementation>(std::string{}, MultilevelSum(x, y, choice, half_space_factor, team));
+  const Axis x{0, grid.nx, 1, grid.hx()};
+  Axis y{0, grid.ny, 1, grid.hy(), grid.mirrored};
+  const bool on_whole = grid.mirrored && !holds_mirrored(y, choice);
+  if (on_whole) y = {0, whole.ny, 1, whole.hy()};
+  implementation_ = std::make_unique<Implementation>(
+      std::string{}, MultilevelSum(x, y, choice, half_space_factor, team), grid,
+      on_whole ? core::Field(whole) : core::Field(), on_whole ? core::Field(whole) : core::Field());
   const MultilevelSum& sum = implementation_->sum;
   switch (parameters.method) {
     case Method::mlmi: implementation_->description = describe(choice, sum); break;
@@ -110,7 +118,14 @@ Deformation::Deformation(Deformation&&) noexcept = default;
 Deformation& Deformation::operator=(Deformation&&) noexcept = default;
 
 void Deformation::evaluate(const core::Field& P, core::Field& w) {
-  implementation_->sum.apply(P.at_x(0), P.stride(), w.at_x(0), w.stride());
+  Implementation& own = *implementation_;
+  if (own.whole_P.nodes_x() == 0) {
+    own.sum.apply(P.at_x(0), P.stride(), w.at_x(0), w.stride());
+    return;
+  }
+  core::copy_whole(own.grid, P, own.whole_P);
+  own.sum.apply(own.whole_P.at_x(0), own.whole_P.stride(), own.whole_w.at_x(0), own.whole_w.stride());
+  core::copy_lower_half(own.whole_w, w);
 }
 
 std::string Deformation::description() const { return implementation_->description; }

@@ -27,7 +27,9 @@ int most_coarsenings(const core::Grid& grid);
 
 /// Evaluates w_ij = (2/pi^2) sum_kl K_ijkl P_kl on one grid; owns the tables, plans and work space.
 /// Not copyable; one evaluator serves one caller at a time. Grids of any size from 1 x 1 cells on, odd numbers too,
-/// hx != hy allowed. Same bits for any number of threads; grids below 256 cells per direction run on one.
+/// hx != hy allowed; on a mirrored grid the sum goes over the images too, at half the cost, or on the whole where the
+/// numbers of cells do not allow that. Same bits for any number of threads; grids below 256 cells per direction run on
+/// one.
 class Deformation {
  public:
   /// errors: core::InputError when the parameters do not fit the grid.

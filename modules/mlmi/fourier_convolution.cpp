@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/simd.hpp"
+
 namespace ehl::mlmi {
 namespace {
 
-constexpr int block_columns = ColumnTransform::columns;
-constexpr int block_doubles = 2 * block_columns;
+constexpr int block_doubles = 2 * ColumnTransform::columns;
 
 std::size_t size(std::ptrdiff_t n) { return static_cast<std::size_t>(n); }
 
@@ -36,29 +37,29 @@ int padded_length(int n) {
   }
 }
 
-FourierConvolution::FourierConvolution(int rows, int columns, const kernel::InfluenceTable& kernel, double factor,
+FourierConvolution::FourierConvolution(const Shape& shape, const kernel::InfluenceTable& kernel, double factor,
                                        int threads)
-    : rows_(rows),
-      columns_(columns),
-      length_rows_(padded_length(2 * rows - 1)),
-      length_columns_(padded_length(2 * columns - 1)),
-      frequencies_(length_columns_ / 2 + 1),
-      blocks_((frequencies_ + block_columns - 1) / block_columns),
+    : shape_(shape),
+      length_rows_(padded_length(2 * shape.rows - 1)),
+      length_columns_(padded_length(2 * shape.all_columns() - 1)),
+      numbers_((shape.mirrored ? 1 : 2) * (length_columns_ / 2 + 1)),
+      blocks_((numbers_ + block_doubles - 1) / block_doubles),
       stride_(static_cast<std::ptrdiff_t>(blocks_) * block_doubles),
-      half_(size(rows_ * stride_)),
-      spectrum_(size(static_cast<std::ptrdiff_t>(blocks_) * (length_rows_ / 2 + 1) * block_columns)) {
+      half_(size(shape.rows * stride_)),
+      spectrum_(size(static_cast<std::ptrdiff_t>(blocks_) * (length_rows_ / 2 + 1) * block_doubles)) {
   for (int t = 0; t < threads; ++t)
     workers_.push_back({RealTransform(length_columns_), ColumnTransform(length_rows_), Buffer(size(length_columns_)),
-                        Buffer(size(stride_) + 2), Buffer(size(length_rows_) * block_doubles),
+                        Buffer(size(length_columns_) + 2), Buffer(size(length_rows_) * block_doubles),
                         Buffer(size(length_rows_) * block_doubles)});
   prepare_spectrum(kernel, factor / (static_cast<double>(length_rows_) * length_columns_));
 }
 
-// K is even in both offsets, so its spectrum is real and even: rows 0..length/2 say everything, and the column
-// transforms carry one real column in each real part.
+// K is even in both offsets, so its spectrum is real and even: rows 0..length/2 say everything. The numbers of a block
+// stand as multiply() takes them.
 void FourierConvolution::prepare_spectrum(const kernel::InfluenceTable& kernel, double factor) {
   const int half_rows = length_rows_ / 2 + 1;
-  const int table_rows = std::min(kernel.n_x + 1, rows_), table_columns = std::min(kernel.n_y + 1, columns_);
+  const int table_rows = std::min(kernel.n_x + 1, shape_.rows);
+  const int table_columns = std::min(kernel.n_y + 1, shape_.all_columns());
   const int count = static_cast<int>(workers_.size());
 #pragma omp parallel for schedule(static) num_threads(count) if (count > 1)
   for (int i = 0; i < table_rows; ++i) {
@@ -69,7 +70,9 @@ void FourierConvolution::prepare_spectrum(const kernel::InfluenceTable& kernel, 
       if (j > 0) worker.real[size(length_columns_ - j)] = factor * kernel(i, j);
     }
     worker.row.forward(worker.real.data(), worker.complex.data());
-    std::copy_n(worker.complex.data(), 2 * frequencies_, half_.data() + i * stride_);
+    double* to = half_.data() + i * stride_;
+    // Without symmetry one real number serves the real and the imaginary part.
+    for (int k = 0; k < numbers_; ++k) to[k] = worker.complex[size(shape_.mirrored ? 2 * k : k - k % 2)];
   }
 #pragma omp parallel for schedule(static) num_threads(count) if (count > 1)
   for (int b = 0; b < blocks_; ++b) {
@@ -82,13 +85,65 @@ void FourierConvolution::prepare_spectrum(const kernel::InfluenceTable& kernel, 
       if (i > 0) std::copy_n(from, block_doubles, block + (length_rows_ - i) * block_doubles);
     }
     worker.column.forward(block, worker.transformed.data());
-    const double* transformed = worker.transformed.data();
-    double* to = spectrum_.data() + static_cast<std::ptrdiff_t>(b) * half_rows * block_columns;
-    for (int i = 0; i < half_rows; ++i)
-      for (int c = 0; c < block_columns; ++c) to[i * block_columns + c] = transformed[i * block_doubles + 2 * c];
+    double* to = spectrum_.data() + static_cast<std::ptrdiff_t>(b) * half_rows * block_doubles;
+    std::copy_n(worker.transformed.data(), half_rows * block_doubles, to);
   }
   // The columns behind the last frequency hold nothing and must stay so.
   std::fill_n(half_.data(), half_.size(), 0.0);
+}
+
+void FourierConvolution::row_forward(const double* u, Worker& worker, double* spectrum) const {
+  double* row = worker.real.data();
+  if (!shape_.mirrored) {
+    std::copy_n(u, shape_.columns, row);
+    worker.row.forward(row, spectrum);
+    return;
+  }
+  const int axis = shape_.columns - 1;
+  row[0] = u[axis];
+  for (int k = 1; k <= axis; ++k) row[k] = row[length_columns_ - k] = u[axis - k];
+  worker.row.forward(row, worker.complex.data());
+  for (int k = 0; k < numbers_; ++k) spectrum[k] = worker.complex[size(2 * k)];
+}
+
+void FourierConvolution::row_inverse(double* spectrum, Worker& worker, double* w) const {
+  double* row = worker.real.data();
+  if (!shape_.mirrored) {
+    worker.row.inverse(spectrum, row);
+    std::copy_n(row, shape_.columns, w);
+    return;
+  }
+  for (int k = 0; k < numbers_; ++k) {
+    worker.complex[size(2 * k)] = spectrum[k];
+    worker.complex[size(2 * k + 1)] = 0.0;
+  }
+  worker.row.inverse(worker.complex.data(), row);
+  std::reverse_copy(row, row + shape_.columns, w);
+}
+
+// A complex column Z is one column with the kernel's spectrum K, or mirrored two real ones, Z = A + iB, with K_A and
+// K_B: K_A A + i K_B B is (K_A + K_B)/2 Z_k + (K_A - K_B)/2 conj(Z_-k).
+void FourierConvolution::multiply(const double* kernel, double* transformed) const {
+  using core::Lanes, core::lanes;
+  if (!shape_.mirrored) {
+    for (int k = 0; k < length_rows_; ++k) {
+      const double* factor = kernel + std::min(k, length_rows_ - k) * block_doubles;
+      double* value = transformed + k * block_doubles;
+      for (int c = 0; c < block_doubles; ++c) value[c] *= factor[c];
+    }
+    return;
+  }
+  for (int k = 0; k <= length_rows_ / 2; ++k)
+    for (int c = 0; c < block_doubles; c += lanes) {
+      const Lanes K = 0.5 * core::load(kernel + k * block_doubles + c);
+      const Lanes other = __builtin_shuffle(K, core::LaneMask{1, 0, 3, 2, 5, 4, 7, 6});
+      double* one = transformed + k * block_doubles + c;
+      double* opposite = transformed + (k == 0 ? 0 : length_rows_ - k) * block_doubles + c;
+      const Lanes Z = core::load(one);
+      const Lanes Z_opposite = core::load(opposite);
+      core::store(one, (K + other) * Z + (K - other) * Z_opposite);
+      core::store(opposite, (K + other) * Z_opposite + (K - other) * Z);
+    }
 }
 
 // Transform along the rows, multiply by the kernel, transform back, for the columns of one block. Only the rows
@@ -101,39 +156,25 @@ void FourierConvolution::convolve_block(int b, int first, int last, Worker& work
   std::fill(block + last * block_doubles, block + static_cast<std::ptrdiff_t>(length_rows_) * block_doubles, 0.0);
   double* transformed = worker.transformed.data();
   worker.column.forward(block, transformed);
-  const double* kernel = spectrum_.data() + static_cast<std::ptrdiff_t>(b) * (length_rows_ / 2 + 1) * block_columns;
-  for (int i = 0; i < length_rows_; ++i) {
-    const double* factor = kernel + std::min(i, length_rows_ - i) * block_columns;
-    double* value = transformed + i * block_doubles;
-    for (int c = 0; c < block_columns; ++c) {
-      value[2 * c] *= factor[c];
-      value[2 * c + 1] *= factor[c];
-    }
-  }
+  multiply(spectrum_.data() + static_cast<std::ptrdiff_t>(b) * (length_rows_ / 2 + 1) * block_doubles, transformed);
   worker.column.inverse(transformed, block);
-  for (int i = 0; i < rows_; ++i) std::copy_n(block + i * block_doubles, block_doubles, column + i * stride_);
+  for (int i = 0; i < shape_.rows; ++i) std::copy_n(block + i * block_doubles, block_doubles, column + i * stride_);
 }
 
 void FourierConvolution::apply(const double* u, std::ptrdiff_t stride_u, double* w, std::ptrdiff_t stride_w) {
-  const auto occupied = occupied_rows(u, stride_u, rows_, columns_);
+  const auto occupied = occupied_rows(u, stride_u, shape_.rows, shape_.columns);
   const int first = occupied.first, last = occupied.second;
   const int count = static_cast<int>(workers_.size());
 #pragma omp parallel num_threads(count) if (count > 1)
   {
     Worker& worker = workers_[size(omp_get_thread_num())];
-    std::fill(worker.real.data() + columns_, worker.real.data() + length_columns_, 0.0);
+    std::fill_n(worker.real.data(), worker.real.size(), 0.0);
 #pragma omp for schedule(static)
-    for (int i = first; i < last; ++i) {
-      std::copy_n(u + i * stride_u, columns_, worker.real.data());
-      worker.row.forward(worker.real.data(), half_.data() + i * stride_);
-    }
+    for (int i = first; i < last; ++i) row_forward(u + i * stride_u, worker, half_.data() + i * stride_);
 #pragma omp for schedule(static)
     for (int b = 0; b < blocks_; ++b) convolve_block(b, first, last, worker);
 #pragma omp for schedule(static)
-    for (int i = 0; i < rows_; ++i) {
-      worker.row.inverse(half_.data() + i * stride_, worker.real.data());
-      std::copy_n(worker.real.data(), columns_, w + i * stride_w);
-    }
+    for (int i = 0; i < shape_.rows; ++i) row_inverse(half_.data() + i * stride_, worker, w + i * stride_w);
   }
 }
 

@@ -15,16 +15,24 @@ int padded_length(int n);
 /// w_ij = factor sum_kl K(i-k, j-l) u_kl for arrays of rows x columns points, the columns contiguous.
 /// Owns the real spectrum of the symmetric kernel, the plans and the work space.
 /// cost: O(N ln N); rows of u that are zero at both ends of the array are not transformed.
+///
+/// Mirrored: the last column is a plane of symmetry and the sum goes over the images of the others too. Rows that are
+/// even about it have real spectra, and two of these make one complex column for the transform across: half the work.
 class FourierConvolution {
  public:
-  /// in: kernel table with n_x >= rows-1 (first offset), n_y >= columns-1.
-  FourierConvolution(int rows, int columns, const kernel::InfluenceTable& kernel, double factor, int threads);
+  struct Shape {
+    int rows = 0;
+    int columns = 0;  ///< that are stored
+    bool mirrored = false;
+    /// Columns of the whole array.
+    int all_columns() const { return mirrored ? 2 * columns - 1 : columns; }
+  };
+  /// in: kernel table with n_x >= rows-1 (first offset), n_y >= all_columns-1.
+  FourierConvolution(const Shape& shape, const kernel::InfluenceTable& kernel, double factor, int threads);
 
   /// in: u, row i at u + i stride_u. out: w, row i at w + i stride_w. limits: u and w do not overlap.
   void apply(const double* u, std::ptrdiff_t stride_u, double* w, std::ptrdiff_t stride_w);
 
-  int rows() const { return rows_; }
-  int columns() const { return columns_; }
   std::size_t bytes() const;
 
  private:
@@ -35,14 +43,17 @@ class FourierConvolution {
     Buffer real, complex, block, transformed;
   };
   void prepare_spectrum(const kernel::InfluenceTable& kernel, double factor);
+  void row_forward(const double* u, Worker& worker, double* spectrum) const;
+  void row_inverse(double* spectrum, Worker& worker, double* w) const;
+  void multiply(const double* kernel, double* transformed) const;
   void convolve_block(int block, int first, int last, Worker& worker);
 
-  int rows_, columns_;
+  Shape shape_;
   int length_rows_, length_columns_;  // padded numbers of rows and columns
-  int frequencies_;                   // length_columns/2 + 1
-  int blocks_;                        // frequencies in blocks of ColumnTransform::columns
+  int numbers_;                       // doubles of a row's spectrum: complex, or mirrored real
+  int blocks_;                        // of ColumnTransform::columns complex columns
   std::ptrdiff_t stride_;             // doubles per row of the half transformed array
-  Buffer half_;                       // rows x frequencies: transformed along the columns only
+  Buffer half_;                       // rows x numbers: transformed along the columns only
   Buffer spectrum_;                   // of the kernel, block by block, rows fastest within the half range
   std::vector<Worker> workers_;
 };

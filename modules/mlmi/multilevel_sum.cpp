@@ -18,6 +18,10 @@ int points_across(int patch_across, const Axis& along, const Axis& across) {
 
 }  // namespace
 
+bool holds_mirrored(const Axis& y, const MultilevelChoice& choice) {
+  return choice.coarsenings % 2 == 0 && !choice.coarsest_direct && y.last % (1 << (choice.coarsenings / 2)) == 0;
+}
+
 MultilevelSum::MultilevelSum(const Axis& x, const Axis& y, const MultilevelChoice& choice, double factor, int threads) {
   Axis along = x, across = y;
   for (int l = 0; l < choice.coarsenings; ++l) {
@@ -33,13 +37,14 @@ MultilevelSum::MultilevelSum(const Axis& x, const Axis& y, const MultilevelChoic
     grids_.push_back({stride, Buffer(size), Buffer(size)});
   }
   coarsest_rows_ = along.points();
-  coarsest_columns_ = across.points();
+  const FourierConvolution::Shape shape{coarsest_rows_, across.points(), across.mirrored};
+  coarsest_columns_ = shape.all_columns();
   const auto kernel =
       kernel::influence_table(coarsest_rows_ - 1, coarsest_columns_ - 1, along.h, across.h, along.every, across.every);
   if (choice.coarsest_direct)
     direct_.emplace(coarsest_rows_, coarsest_columns_, kernel, factor, threads);
   else
-    fourier_.emplace(coarsest_rows_, coarsest_columns_, kernel, factor, threads);
+    fourier_.emplace(shape, kernel, factor, threads);
 }
 
 void MultilevelSum::apply(const double* u, std::ptrdiff_t stride_u, double* w, std::ptrdiff_t stride_w) {

@@ -20,7 +20,12 @@ struct MultilevelChoice {
   bool coarsest_direct = false;  ///< else by Fourier transform
 };
 
+/// True where MultilevelSum can take y as mirrored.
+bool holds_mirrored(const Axis& y, const MultilevelChoice& choice);
+
 /// w_ij = factor sum_kl K(i-k, j-l) u_kl on x points x y points, y contiguous. Owns every level.
+/// limits: where y is mirrored, an even number of coarsenings, the coarsest sum by Fourier transform, and a last point
+/// that stays one through the coarsenings of y (holds_mirrored).
 /// source: Brandt and Lubrecht, J. Comput. Phys. 90 (1990) 348; semi-coarsening: Venner and Lubrecht, Multilevel
 /// Methods in Lubrication (2000).
 class MultilevelSum {
@@ -32,6 +37,7 @@ class MultilevelSum {
   void apply(const double* u, std::ptrdiff_t stride_u, double* w, std::ptrdiff_t stride_w);
 
   int coarsest_rows() const { return coarsest_rows_; }
+  /// Of the whole domain.
   int coarsest_columns() const { return coarsest_columns_; }
   std::size_t bytes() const;
 

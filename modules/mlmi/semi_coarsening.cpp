@@ -19,6 +19,9 @@ constexpr int widest_columns = widest * lanes;
 // Coarse rows are transposed eight at a time; 32 hold two groups and the reach of the interpolation.
 constexpr int coarse_ring_rows = 32;
 
+/// Where the value at point i stands: at its image behind a plane of symmetry.
+int folded(const Axis& axis, int i) { return axis.mirrored && i > axis.last ? 2 * axis.last - i : i; }
+
 int vectors(int columns) { return (columns + lanes - 1) / lanes; }
 std::size_t size(std::ptrdiff_t n) { return static_cast<std::size_t>(n); }
 
@@ -42,7 +45,8 @@ void SemiCoarsening::anterpolate(const double* u, std::ptrdiff_t stride_u, doubl
                                  std::ptrdiff_t stride_coarse) const {
   const int p = shape_.order / 2, columns = shape_.across.points(), coarse_rows = coarse_.points();
   const int blocks = (coarse_rows + lanes - 1) / lanes, threads = static_cast<int>(work_.size());
-  const auto row = [&](int i) {
+  const auto row = [&](int point) {
+    const int i = folded(shape_.along, point);
     return i < shape_.along.first || i > shape_.along.last ? zero_row_.data() : u + (i - shape_.along.first) * stride_u;
   };
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
@@ -107,7 +111,10 @@ class SemiCoarsening::Strip {
     for (int J = coarse_.first; J <= coarse_.last + p; ++J) {
       load_source(2 * J + m1 - 1);
       load_source(2 * J + m1);
-      if (J <= coarse_.last) correct_even(J);
+      if (J <= coarse_.last)
+        correct_even(J);
+      else if (coarse_.mirrored)
+        std::copy_n(coarse_row(folded(coarse_, J)), width, coarse_row(J));
       const int odd = 2 * (J - p) + 1;
       if (odd >= shape_.along.first && odd <= shape_.along.last) interpolate_odd(odd);
     }
@@ -117,9 +124,10 @@ class SemiCoarsening::Strip {
   static constexpr int width = vectors * lanes;
   using Row = Lanes[vectors];
 
-  void load_source(int i) {
-    double* to = source_ring_ + (i - lowest_) % ring_rows_ * row_size_;
+  void load_source(int point) {
+    double* to = source_ring_ + (point - lowest_) % ring_rows_ * row_size_;
     const Axis& along = shape_.along;
+    const int i = folded(along, point);
     if (i < along.first || i > along.last) {
       std::fill_n(to, row_size_, 0.0);
       return;
@@ -131,6 +139,9 @@ class SemiCoarsening::Strip {
     if (end - begin < width + 2 * m2) {
       std::fill_n(margin_, width + 2 * m2, 0.0);
       std::copy(row + begin, row + end, margin_ + (begin - (first_column_ - m2)));
+      if (shape_.across.mirrored)
+        for (int c = columns; c < std::min(2 * columns - 1, first_column_ + width + m2); ++c)
+          margin_[c - (first_column_ - m2)] = row[2 * (columns - 1) - c];
       from = margin_ + m2;
     }
     for (int v = 0; v < width; v += lanes) core::store(to + v, core::load(from + v));

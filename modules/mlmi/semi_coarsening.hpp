@@ -23,10 +23,13 @@ struct Axis {
   int last = 0;
   int every = 1;
   double h = 0.0;
+  /// The last point is a plane of symmetry: behind it come the images of the points before it.
+  bool mirrored = false;
   int points() const { return last - first + 1; }
 };
 
 /// Every second point, as far out as interpolation of order 2p to all points of the fine axis needs.
+/// limits: the last point of a mirrored axis is even.
 Axis coarsened(const Axis& fine, int order);
 
 /// Weights of the central interpolation of order 2p = 4, 6, 8 halfway between points, from the middle outwards.

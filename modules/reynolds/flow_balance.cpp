@@ -42,7 +42,7 @@ double flow_through_contact(const core::Grid& grid, const Fluxes& fluxes) {
   const int centre = std::clamp(static_cast<int>(std::lround(-grid.X_a / grid.hx())), 0, grid.nx);
   double sum = 0.0;
   for (int j = 0; j <= grid.ny; ++j)
-    if (std::abs(grid.Y(j)) <= 1.0 + rounding * grid.hy()) sum += fluxes.rho_H(centre, j);
+    if (std::abs(grid.Y(j)) <= 1.0 + rounding * grid.hy()) sum += grid.lines(j) * fluxes.rho_H(centre, j);
   return sum * grid.hy();
 }
 
@@ -69,20 +69,24 @@ FlowBalance flow_balance(const core::Grid& grid, const State& state, Wedge wedge
   const double hx = grid.hx();
   const double hy = grid.hy();
   const Range x = range(grid.X_a, hx, grid.nx, reach);
-  const Range y = range(grid.Y_a, hy, grid.ny, reach);
+  Range y = range(grid.Y_a, hy, grid.ny, reach);
+  if (grid.mirrored) y.last = grid.ny;
   FlowBalance balance;
   balance.through = flow_through_contact(grid, fluxes);
-  const auto leaves = [&](double flow) { (flow < 0.0 ? balance.in : balance.out) += std::abs(flow); };
+  const auto leaves = [&](int j, double flow) {
+    (flow < 0.0 ? balance.in : balance.out) += grid.lines(j) * std::abs(flow);
+  };
+  const int north_end = grid.mirrored ? -1 : y.last;  // there is none at the axis
   for (int i = x.first; i <= x.last; ++i) {
     const double* P = state.P.at_x(i);
     const double* west = state.P.at_x(i - 1);
     const double* east = state.P.at_x(i + 1);
     const auto at = [&](int j) {
       if (cavitation && P[j] <= 0.0) return;
-      if (i == x.first || (cavitation && west[j] <= 0.0)) leaves(-hy * fluxes.along_x(i - 1, j));
-      if (i == x.last || (cavitation && east[j] <= 0.0)) leaves(hy * fluxes.along_x(i, j));
-      if (j == y.first || (cavitation && P[j - 1] <= 0.0)) leaves(-hx * fluxes.along_y(i, j - 1));
-      if (j == y.last || (cavitation && P[j + 1] <= 0.0)) leaves(hx * fluxes.along_y(i, j));
+      if (i == x.first || (cavitation && west[j] <= 0.0)) leaves(j, -hy * fluxes.along_x(i - 1, j));
+      if (i == x.last || (cavitation && east[j] <= 0.0)) leaves(j, hy * fluxes.along_x(i, j));
+      if (j == y.first || (cavitation && P[j - 1] <= 0.0)) leaves(j, -hx * fluxes.along_y(i, j - 1));
+      if (j == north_end || (cavitation && P[j + 1] <= 0.0)) leaves(j, hx * fluxes.along_y(i, j));
     };
     // Most stations cross no edge of the cavitated region: there only their two ends count.
     if (i > x.first && i < x.last && y.last > y.first && !(cavitation && any_dry(west, P, east, y))) {

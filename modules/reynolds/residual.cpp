@@ -20,6 +20,7 @@ void epsilon(std::span<const double> H, std::span<const double> rho_bar, std::sp
 void residual(const core::Grid& grid, const State& state, Wedge wedge, int threads, core::Field& r) {
   const double half_over_hx2 = 0.5 / (grid.hx() * grid.hx());
   const double half_over_hy2 = 0.5 / (grid.hy() * grid.hy());
+  const int last = grid.last_line();
   std::ranges::fill(r.station(0), 0.0);
   std::ranges::fill(r.station(grid.nx), 0.0);
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
@@ -39,7 +40,7 @@ void residual(const core::Grid& grid, const State& state, Wedge wedge, int threa
     const double* __restrict rho1 = state.rho_bar.at_x(i - 1);
     const double* __restrict rho2 = state.rho_bar.at_x(upstream);
     double* __restrict out = r.at_x(i);
-    for (int j = 1; j < grid.ny; ++j) {
+    for (int j = 1; j <= last; ++j) {
       const auto e =
           half_points(eps_west[j], eps_east[j], eps[j - 1], eps[j + 1], eps[j], half_over_hx2, half_over_hy2);
       const double wedge_term = c0 * (rho0[j] * H0[j]) + c1 * (rho1[j] * H1[j]) + c2 * (rho2[j] * H2[j]);
@@ -47,10 +48,11 @@ void residual(const core::Grid& grid, const State& state, Wedge wedge, int threa
     }
     if (state.f.nodes_x() > 0) {
       const double* __restrict f = state.f.at_x(i);
-      for (int j = 1; j < grid.ny; ++j) out[j] += f[j];
+      for (int j = 1; j <= last; ++j) out[j] += f[j];
     }
     out[0] = 0.0;
-    out[grid.ny] = 0.0;
+    out[last + 1] = 0.0;
+    core::make_images(grid, out);
   }
 }
 
@@ -59,17 +61,18 @@ ResidualNorms residual_norms(const core::Grid& grid, const State& state, Wedge w
   ResidualNorms norms;
   double total = 0.0;
   double wedge_total = 0.0;
-  long wedge_points = 0;
+  double wedge_points = 0.0;
   for (int i = 1; i < grid.nx; ++i) {
     const auto [c0, c1, c2] = wedge_weights(wedge, i, grid.hx());
     const int upstream = std::max(i - 2, 0);
     double sum = 0.0;
     double wedge_sum = 0.0;
-    for (int j = 1; j < grid.ny; ++j) {
+    for (int j = 1; j <= grid.last_line(); ++j) {
+      const double lines = grid.lines(j);
       const bool cavitated = cavitation && state.P(i, j) <= 0.0;
       // In a cavitated point L(P) <= f is allowed: only r < 0 violates. Written so that NaN goes through.
       const double violation = cavitated && r(i, j) >= 0.0 ? 0.0 : r(i, j);
-      sum += violation * violation;
+      sum += lines * (violation * violation);
       if (!(std::abs(violation) <= norms.largest) && !std::isnan(norms.largest))  // the first NaN stays
         norms = {0.0, 0.0, std::abs(violation), i, j, norms.largest_dry, norms.least_P};
       if (cavitated) {
@@ -79,15 +82,15 @@ ResidualNorms residual_norms(const core::Grid& grid, const State& state, Wedge w
       }
       const double w = c0 * state.rho_bar(i, j) * state.H(i, j) + c1 * state.rho_bar(i - 1, j) * state.H(i - 1, j) +
                        c2 * state.rho_bar(upstream, j) * state.H(upstream, j);
-      wedge_sum += w * w;
-      ++wedge_points;
+      wedge_sum += lines * (w * w);
+      wedge_points += lines;
     }
     total += sum;
     wedge_total += wedge_sum;
   }
-  const double points = static_cast<double>(grid.nx - 1) * (grid.ny - 1);
+  const double points = static_cast<double>(grid.nx - 1) * (core::whole(grid).ny - 1);
   norms.root_mean_square = std::sqrt(total / points);
-  norms.wedge = std::sqrt(wedge_total / static_cast<double>(std::max(wedge_points, 1L)));
+  norms.wedge = std::sqrt(wedge_total / std::max(wedge_points, 1.0));
   return norms;
 }
 

@@ -13,7 +13,7 @@ namespace ehl::reynolds {
 void epsilon(std::span<const double> H, std::span<const double> rho_bar, std::span<const double> fluidity,
              double lambda, std::span<double> eps);
 
-/// What the equation needs of a state: nodes of one grid.
+/// What the equation needs of a state: nodes of one grid; on a mirrored one with one image line of P and eps.
 struct State {
   const core::Field& P;
   const core::Field& H;
@@ -22,7 +22,8 @@ struct State {
   const core::Field& f;  ///< right-hand side; an empty field means zero
 };
 
-/// r = f - L(P) on the interior nodes, L(P) the left-hand side of eq. (4) with the chosen wedge; 0 on the boundary.
+/// r = f - L(P) on the interior nodes, L(P) the left-hand side of eq. (4) with the chosen wedge; 0 on the boundary. On a
+/// mirrored grid with image lines.
 /// cost: the memory traffic of five fields in and one out. threads: result independent of their number.
 void residual(const core::Grid& grid, const State& state, Wedge wedge, int threads, core::Field& r);
 

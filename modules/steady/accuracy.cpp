@@ -60,7 +60,7 @@ Solution refined(const Scene& finer, const Solution& coarser, const ProgressCall
   climb.solution.levels = coarser.levels;
   climb.solution.history = coarser.history;
   climb.first = l;
-  fmg::start_from_state(climb.hierarchy, l, coarser.P, coarser.H00);
+  fmg::start_from_state(climb.hierarchy, l, part_on(climb.hierarchy.levels[l].grid, coarser.P), coarser.H00);
   ascend(climb, l);
   Solution solution = result_of(std::move(climb));
   solution.method = coarser.method;

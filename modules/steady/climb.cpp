@@ -27,7 +27,24 @@ constexpr double caution_where_steep = 0.8;
 /// A state with this relative residual solves the equations, whatever else is wrong with it.
 constexpr double solved_residual = 1e-5;
 
+/// The grid to compute on: the lower half where the scene's is symmetric in Y and halving keeps all the levels.
+core::Grid grid_to_compute_on(const Scene& scene, const fmg::Parameters& parameters) {
+  const core::Grid& grid = scene.grid;
+  if (!scene.use_symmetry || grid.Y_a != -grid.Y_b || grid.ny % 2 != 0) return grid;
+  const auto all = fmg::grids_below(grid, parameters);
+  const auto halves = fmg::grids_below(core::lower_half(grid), parameters);
+  constexpr int fewest_cells = 4;
+  return halves.size() == all.size() && halves.back().ny >= fewest_cells ? halves.front() : grid;
+}
+
 double steep_caution(const Scene& scene) { return scene.L > very_piezoviscous_L ? caution_where_steep : 1.0; }
+
+core::Field on_whole(const core::Grid& grid, core::Field field) {
+  if (!grid.mirrored) return field;
+  core::Field both(core::whole(grid));
+  core::copy_whole(grid, field, both);
+  return both;
+}
 
 /// Geometric mean of the factors by which the cycles on one level reduced the residual, all but the first.
 double mean_factor(const std::vector<double>& residuals) {
@@ -53,7 +70,8 @@ Climb begin_climb(const Scene& scene, const Start& start, const ProgressCallback
   Climb climb{.scene = scene,
               .progress = progress,
               .start = start,
-              .hierarchy = fmg::make_hierarchy(problem, parameters, scene.deformation, scene.grid, scene.threads)};
+              .hierarchy = fmg::make_hierarchy(problem, parameters, scene.deformation,
+                                               grid_to_compute_on(scene, parameters), scene.threads)};
   while (climb.first < climb.finest() && climb.hierarchy.levels[climb.first].grid.nx < first_cells) ++climb.first;
   return climb;
 }
@@ -122,12 +140,19 @@ void forget_work(fmg::Hierarchy& hierarchy) {
   for (fmg::Level& level : hierarchy.levels) level.evaluations = 0;
 }
 
+core::Field part_on(const core::Grid& grid, core::Field field) {
+  if (!grid.mirrored) return field;
+  core::Field half(grid);
+  core::copy_lower_half(field, half);
+  return half;
+}
+
 Solution result_of(Climb&& climb) {
   Solution& solution = climb.solution;
   fmg::Level& finest = climb.hierarchy.finest();
-  solution.grid = finest.grid;
-  solution.P = std::move(finest.P);
-  solution.H = std::move(finest.H);
+  solution.grid = core::whole(finest.grid);
+  solution.P = on_whole(finest.grid, std::move(finest.P));
+  solution.H = on_whole(finest.grid, std::move(finest.H));
   solution.H00 = climb.hierarchy.H00;
   solution.times = climb.hierarchy.times;
   solution.deformation = finest.deformation.description();

@@ -50,6 +50,8 @@ void solve_first_level(Climb& climb);
 void solve_level(Climb& climb, std::size_t l, int planned);
 /// The levels above `from`, each from the one below it; and the polish where the scene asks for it. errors: as above.
 void ascend(Climb& climb, std::size_t from);
+/// What a grid of the climb, mirrored or not, holds of a field on the whole domain.
+core::Field part_on(const core::Grid& grid, core::Field field);
 /// The solution, converged or not, out of the climb.
 Solution result_of(Climb&& climb);
 

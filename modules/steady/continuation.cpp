@@ -88,7 +88,7 @@ ContinuationStep solve_step(Climb& climb, std::size_t l, double M) {
 // The first load by full multigrid on the grid of level l.
 Solved solve_first_load(const Climb& climb, std::size_t l, std::vector<ContinuationStep>& steps) {
   Scene light = under_load(climb.scene, first_M(climb.scene));
-  light.grid = climb.hierarchy.levels[l].grid;
+  light.grid = core::whole(climb.hierarchy.levels[l].grid);
   light.multigrid.tolerance = step_tolerance;
   Solution solution = ehl::steady::climb(light, climb.start, climb.progress);
   const LevelRow& row = solution.levels.back();
@@ -101,7 +101,7 @@ Solved solve_first_load(const Climb& climb, std::size_t l, std::vector<Continuat
                    .converged = row.residual <= step_tolerance});
   if (!steps.back().converged)
     throw core::SolverError("the first load of the continuation was not solved: " + solution.failed_check);
-  return {std::log(light.M), std::move(solution.P), solution.H00, row.Hc};
+  return {std::log(light.M), part_on(climb.hierarchy.levels[l].grid, std::move(solution.P)), solution.H00, row.Hc};
 }
 
 std::string name_of_load(const Scene& scene, double ln_M) {

@@ -11,9 +11,10 @@ constexpr double reach = 2.5;
 
 }  // namespace
 
-FittedMinimum fitted_minimum(const core::Grid& grid, const core::Field& H, int i, int j) {
-  const FittedMinimum node{H(i, j), grid.X(i), grid.Y(j)};
-  if (i < 1 || j < 1 || i >= grid.nx || j >= grid.ny) return node;
+FittedMinimum fitted_minimum(const core::Grid& grid, const core::Field& film, int i, int j) {
+  const FittedMinimum node{film(i, j), grid.X(i), grid.Y(j)};
+  if (i < 1 || j < 1 || i >= grid.nx || j > grid.last_line()) return node;
+  const auto H = [&](int k, int line) { return film(k, line <= grid.ny ? line : 2 * grid.ny - line); };
   // In cells.
   const double g = 0.5 * (H(i + 1, j) - H(i - 1, j));
   const double k = 0.5 * (H(i, j + 1) - H(i, j - 1));

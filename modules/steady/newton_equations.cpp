@@ -11,7 +11,7 @@ namespace ehl::steady {
 NewtonEquations::NewtonEquations(fmg::Hierarchy& hierarchy, std::size_t l)
     : hierarchy_(hierarchy),
       level_(hierarchy.levels[l]),
-      nodes_(static_cast<std::size_t>(level_.grid.nx - 1) * static_cast<std::size_t>(level_.grid.ny - 1)),
+      nodes_(static_cast<std::size_t>(level_.grid.nx - 1) * static_cast<std::size_t>(level_.grid.last_line())),
       threads_(hierarchy.threads_on(level_.grid)),
       scale_(nodes_, 1.0),
       wet_(nodes_, 0),
@@ -30,7 +30,7 @@ void NewtonEquations::make_scale() {
   const core::Field& eps = level_.eps;
   for (int i = 1; i < grid.nx; ++i) {
     const double c0 = reynolds::wedge_weights(wedge(), i, grid.hx())[0];
-    for (int j = 1; j < grid.ny; ++j) {
+    for (int j = 1; j <= grid.last_line(); ++j) {
       const auto e = reynolds::half_points(eps(i - 1, j), eps(i + 1, j), eps(i, j - 1), eps(i, j + 1), eps(i, j),
                                            half_over_hx2, half_over_hy2);
       const double dq = level_.rho_bar(i, j) * level_.film_terms.K[0];
@@ -43,7 +43,7 @@ void NewtonEquations::unknowns(std::span<double> u) {
   fmg::update_residual(hierarchy_, level_);
   make_scale();
   for (int i = 1; i < grid().nx; ++i)
-    for (int j = 1; j < grid().ny; ++j) {
+    for (int j = 1; j <= grid().last_line(); ++j) {
       const std::size_t k = index(i, j);
       const double P = level_.P(i, j);
       u[k] = P > 0.0 ? P : std::min(0.0, -scale_[k] * level_.r(i, j));
@@ -53,7 +53,8 @@ void NewtonEquations::unknowns(std::span<double> u) {
 
 void NewtonEquations::set_state(std::span<const double> u) {
   for (int i = 1; i < grid().nx; ++i)
-    for (int j = 1; j < grid().ny; ++j) level_.P(i, j) = std::max(u[index(i, j)], 0.0);
+    for (int j = 1; j <= grid().last_line(); ++j) level_.P(i, j) = std::max(u[index(i, j)], 0.0);
+  core::make_images(grid(), level_.P);
   hierarchy_.H00 = u[nodes_];
   fmg::update_film(hierarchy_, level_);
 }
@@ -62,7 +63,7 @@ void NewtonEquations::residual(std::span<const double> u, std::span<double> F) {
   set_state(u);
   fmg::update_residual(hierarchy_, level_);
   for (int i = 1; i < grid().nx; ++i)
-    for (int j = 1; j < grid().ny; ++j) {
+    for (int j = 1; j <= grid().last_line(); ++j) {
       const std::size_t k = index(i, j);
       F[k] = scale_[k] * level_.r(i, j) + std::min(u[k], 0.0);
     }
@@ -91,7 +92,8 @@ void NewtonEquations::linearize(std::span<const double> u) {
 void NewtonEquations::jacobian(std::span<const double> v, std::span<double> Jv) {
   const core::Grid& grid = level_.grid;
   for (int i = 1; i < grid.nx; ++i)
-    for (int j = 1; j < grid.ny; ++j) dP_(i, j) = wet_[index(i, j)] ? v[index(i, j)] : 0.0;
+    for (int j = 1; j <= grid.last_line(); ++j) dP_(i, j) = wet_[index(i, j)] ? v[index(i, j)] : 0.0;
+  core::make_images(grid, dP_);
   {
     const core::ScopedTimer timer(hierarchy_.times, core::Part::deformation);
     level_.deformation.evaluate(dP_, dH_);
@@ -106,8 +108,9 @@ void NewtonEquations::jacobian(std::span<const double> v, std::span<double> Jv) 
       const double dH = dH_(i, j) + dH00;
       deps_(i, j) = deps_dP_(i, j) * dP + deps_dH_(i, j) * dH;
       dq(i, j) = dq_dP_(i, j) * dP + level_.rho_bar(i, j) * dH;
-      dload += dP;
+      dload += grid.lines(j) * dP;
     }
+  core::make_images(grid, deps_);
   const double half_over_hx2 = 0.5 / (grid.hx() * grid.hx());
   const double half_over_hy2 = 0.5 / (grid.hy() * grid.hy());
   const core::Field& P = level_.P;
@@ -116,7 +119,7 @@ void NewtonEquations::jacobian(std::span<const double> v, std::span<double> Jv) 
   for (int i = 1; i < grid.nx; ++i) {
     const auto [c0, c1, c2] = reynolds::wedge_weights(wedge(), i, grid.hx());
     const int upstream = std::max(i - 2, 0);
-    for (int j = 1; j < grid.ny; ++j) {
+    for (int j = 1; j <= grid.last_line(); ++j) {
       const std::size_t k = index(i, j);
       const auto e = reynolds::half_points(eps(i - 1, j), eps(i + 1, j), eps(i, j - 1), eps(i, j + 1), eps(i, j),
                                            half_over_hx2, half_over_hy2);

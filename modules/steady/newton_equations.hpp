@@ -25,9 +25,9 @@ class NewtonEquations {
   std::size_t size() const { return nodes_ + 1; }
   const fmg::Level& level() const { return level_; }
   const core::Grid& grid() const { return level_.grid; }
-  /// Places of node (i, j), 1 <= i < nx, 1 <= j < ny, in u and F.
+  /// Places of node (i, j), 1 <= i < nx, 1 <= j <= last_line, in u and F.
   std::size_t index(int i, int j) const {
-    return static_cast<std::size_t>(i - 1) * static_cast<std::size_t>(level_.grid.ny - 1) +
+    return static_cast<std::size_t>(i - 1) * static_cast<std::size_t>(level_.grid.last_line()) +
            static_cast<std::size_t>(j - 1);
   }
 

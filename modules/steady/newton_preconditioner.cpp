@@ -60,7 +60,7 @@ struct NewtonPreconditioner::Implementation {
   Matrix matrix;
   Eigen::SparseLU<Matrix, Eigen::NaturalOrdering<int>> lu;
   Vector border;             // J~^-1 of the column of H00, without the load row
-  double load_weight = 0.0;  // d F_last / d P at each node
+  Vector load_row;           // d F_last / d P at each node
   double schur = 0.0;
   Vector rhs, solution;
 
@@ -73,7 +73,7 @@ void NewtonPreconditioner::Implementation::make_order() {
   const core::Grid& grid = equations.grid();
   order.clear();
   const int reach = equations.wedge() == reynolds::Wedge::upstream2 ? 2 : 1;
-  dissect({1, grid.nx - 1, 1, grid.ny - 1}, reach, equations, order);
+  dissect({1, grid.nx - 1, 1, grid.last_line()}, reach, equations, order);
   place.assign(equations.size() - 1, -1);
   for (std::size_t k = 0; k < order.size(); ++k)
     place[equations.index(order[k].first, order[k].second)] = static_cast<int>(k);
@@ -101,8 +101,9 @@ void NewtonPreconditioner::Implementation::assemble(Vector& column_of_H00) {
     const double east = half_over_hx2 * (P(i + 1, j) - centre);
     const double south = half_over_hy2 * (P(i, j - 1) - centre);
     const double north = half_over_hy2 * (P(i, j + 1) - centre);
-    const auto enter = [&](int ci, int cj, double value) {
-      if (ci < 1 || ci >= grid.nx || cj < 1 || cj >= grid.ny) return;
+    const auto enter = [&](int ci, int line, double value) {
+      const int cj = grid.mirrored && line > grid.ny ? 2 * grid.ny - line : line;
+      if (ci < 1 || ci >= grid.nx || cj < 1 || cj > grid.last_line()) return;
       const int column = place[equations.index(ci, cj)];
       if (column >= 0) entries.emplace_back(static_cast<int>(row), column, s * value);
     };
@@ -140,8 +141,11 @@ bool NewtonPreconditioner::factor() {
   if (own.lu.info() != Eigen::Success) return false;
   own.border = own.lu.solve(column);
   const core::Grid& grid = own.equations.grid();
-  own.load_weight = grid.hx() * grid.hy() / own.equations.level().load;
-  own.schur = own.load_weight * own.border.sum();
+  own.load_row.resize(n);
+  for (std::size_t k = 0; k < own.order.size(); ++k)
+    own.load_row[static_cast<Eigen::Index>(k)] =
+        grid.hx() * grid.hy() * grid.lines(own.order[k].second) / own.equations.level().load;
+  own.schur = own.load_row.dot(own.border);
   own.rhs.resize(n);
   return own.border.allFinite() && own.schur != 0.0;
 }
@@ -151,7 +155,7 @@ void NewtonPreconditioner::solve(std::span<double> v) {
   for (std::size_t k = 0; k < own.order.size(); ++k)
     own.rhs[static_cast<Eigen::Index>(k)] = v[own.equations.index(own.order[k].first, own.order[k].second)];
   own.solution = own.lu.solve(own.rhs);
-  const double dH00 = (own.load_weight * own.solution.sum() - v.back()) / own.schur;
+  const double dH00 = (own.load_row.dot(own.solution) - v.back()) / own.schur;
   for (std::size_t k = 0; k < own.order.size(); ++k) {
     const auto at = static_cast<Eigen::Index>(k);
     v[own.equations.index(own.order[k].first, own.order[k].second)] = own.solution[at] - dH00 * own.border[at];

@@ -23,16 +23,17 @@ double work_units(const fmg::Hierarchy& hierarchy, std::size_t l) {
   double nodes = 0.0;
   for (std::size_t k = 0; k <= l; ++k) {
     const fmg::Level& level = hierarchy.levels[k];
-    nodes += static_cast<double>(level.evaluations) * level.grid.nodes_x() * level.grid.nodes_y();
+    const core::Grid grid = core::whole(level.grid);
+    nodes += static_cast<double>(level.evaluations) * grid.nodes_x() * grid.nodes_y();
   }
-  const core::Grid& grid = hierarchy.levels[l].grid;
+  const core::Grid grid = core::whole(hierarchy.levels[l].grid);
   return nodes / (static_cast<double>(grid.nodes_x()) * grid.nodes_y());
 }
 
 }  // namespace
 
 void record(Climb& climb, std::size_t l, int cycle, const StateOfLevel& now) {
-  const core::Grid& grid = climb.hierarchy.levels[l].grid;
+  const core::Grid grid = core::whole(climb.hierarchy.levels[l].grid);
   const int number = static_cast<int>(l) + 1;
   climb.solution.history.push_back({number, cycle, now.residual, now.load_error, now.Hc, now.Hm});
   LevelRow& row = climb.solution.levels.back();
@@ -70,7 +71,7 @@ void report(const Climb& climb, std::size_t l, int cycle, int planned, const Sta
         cycle <= planned ? share_of_planned * cycle / planned : share_of_planned + (1.0 - share_of_planned) * extra;
     if (k == l) done += cost * cycles_done;
   }
-  const core::Grid& grid = climb.hierarchy.levels[l].grid;
+  const core::Grid grid = core::whole(climb.hierarchy.levels[l].grid);
   const Progress progress{.level = static_cast<int>(l) + 1,
                           .levels = static_cast<int>(climb.finest()) + 1,
                           .cycle = cycle,
@@ -85,7 +86,7 @@ void report(const Climb& climb, std::size_t l, int cycle, int planned, const Sta
 }
 
 std::string name_of_level(const fmg::Hierarchy& hierarchy, std::size_t l) {
-  const core::Grid& grid = hierarchy.levels[l].grid;
+  const core::Grid grid = core::whole(hierarchy.levels[l].grid);
   return "level " + std::to_string(l + 1) + " (" + std::to_string(grid.nx) + " x " + std::to_string(grid.ny) +
          " cells)";
 }

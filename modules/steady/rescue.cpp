@@ -72,7 +72,8 @@ Solution rescue_by_newton(const Scene& scene, const Start& start, const Solution
   const double began = core::now();
   climb.solution.levels = unsolved.levels;
   climb.solution.history = unsolved.history;
-  fmg::start_from_state(climb.hierarchy, climb.finest(), unsolved.P, unsolved.H00);
+  fmg::start_from_state(climb.hierarchy, climb.finest(), part_on(climb.hierarchy.finest().grid, unsolved.P),
+                        unsolved.H00);
   const NewtonResult result = solve_level_by_newton(climb, climb.finest(), final_tolerance(scene));
   judge(climb);
   if (!result.converged) climb.solution.failed_check = result.reason;

@@ -51,6 +51,7 @@ struct Scene {
   ContinuationParameters continuation;
   Polish polish = Polish::rescue;
   AccuracyTarget accuracy;
+  bool use_symmetry = true;  ///< compute on one half of a grid that is symmetric in Y: the same but for rounding
   int threads = 1;
 };
 

@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(residuals_go_down_by_full_weighting_where_epsilon_is_consta
     Field restricted(grid);
     Field full_weighting(grid);
     fmg::restrict_residual(fine, 1, restricted);
-    ehl::transfer::restrict_full_weighting(fine.r, full_weighting);
+    ehl::transfer::restrict_full_weighting(grid, fine.r, full_weighting);
     const double difference = largest_interior_difference(grid, restricted, full_weighting);
     BOOST_TEST_MESSAGE("epsilon " << eps << ": " << difference << " (tolerance 1e-15)");
     BOOST_TEST(difference < 1e-15);

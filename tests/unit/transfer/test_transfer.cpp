@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/norms.hpp"
-#include "support/random.hpp"
+#include "support/mirrored.hpp"
 #include "transfer/transfer.hpp"
 
 using ehl::core::coarsened;
@@ -49,12 +49,15 @@ double smooth(double X, double Y) { return std::sin(2.0 * X + 0.3) * std::cos(1.
 template <class Prolong, class Function>
 double prolongation_error(const Grid& grid, Prolong prolong, Function f) {
   Field fine(grid);
-  prolong(sampled(coarsened(grid), f), fine);
+  prolong(coarsened(grid), sampled(coarsened(grid), f), fine);
   return ehl::core::max_abs_difference(fine, sampled(grid, f));
 }
 
-const auto bilinear = [](const Field& coarse, Field& fine) { transfer::prolong_bilinear(coarse, fine, 1); };
-const auto bicubic = [](const Field& coarse, Field& fine) { transfer::prolong_bicubic(coarse, fine); };
+const auto bilinear = [](const Grid&, const Field& coarse, Field& fine) {
+  transfer::prolong_bilinear(coarse, fine, 1);
+};
+const auto bicubic = transfer::prolong_bicubic;
+
 
 template <class Prolong>
 void check_order(const char* what, Prolong prolong, double order, double constant) {
@@ -90,19 +93,19 @@ BOOST_AUTO_TEST_CASE(full_weighting_keeps_bilinear_functions_and_lifts_curved_on
   const Polynomial f(1, random);
   const Grid grid = coarsened(fine_grid);
   Field coarse(grid);
-  transfer::restrict_full_weighting(sampled(fine_grid, f), coarse);
+  transfer::restrict_full_weighting(grid, sampled(fine_grid, f), coarse);
   const double error = ehl::core::max_abs_difference(coarse, sampled(grid, f));
   BOOST_TEST_MESSAGE("full weighting of a bilinear function: " << error << " (tolerance 1e-15)");
   BOOST_TEST(error < 1e-15);
   // A curved function comes out higher by h^2/4 of its second derivatives: 6 along x, 4 along y.
   const auto curved = [](double X, double Y) { return 3.0 * X * X + 2.0 * Y * Y; };
   const double rise = (6.0 * fine_grid.hx() * fine_grid.hx() + 4.0 * fine_grid.hy() * fine_grid.hy()) / 4.0;
-  transfer::restrict_full_weighting(sampled(fine_grid, curved), coarse);
+  transfer::restrict_full_weighting(grid, sampled(fine_grid, curved), coarse);
   for (int I = 1; I < grid.nx; ++I)
     for (int J = 1; J < grid.ny; ++J) BOOST_TEST(std::abs(coarse(I, J) - curved(grid.X(I), grid.Y(J)) - rise) < 1e-14);
   Field ones(fine_grid);
   ones.fill(0.3);
-  transfer::restrict_full_weighting(ones, coarse);
+  transfer::restrict_full_weighting(grid, ones, coarse);
   Field expected(grid);
   expected.fill(0.3);
   BOOST_TEST(ehl::core::max_abs_difference(coarse, expected) < 1e-16);
@@ -125,7 +128,7 @@ BOOST_AUTO_TEST_CASE(full_weighting_is_the_transpose_of_bilinear_interpolation) 
           Field fine_unit(fine);
           fine_unit(i, j) = 1.0;
           Field down(coarse);
-          transfer::restrict_full_weighting(fine_unit, down);
+          transfer::restrict_full_weighting(coarse, fine_unit, down);
           largest = std::max(largest, std::abs(down(I, J) - up(i, j) / 4.0));
           sum += down(I, J);
         }
@@ -179,7 +182,7 @@ BOOST_AUTO_TEST_CASE(bicubic_interpolation_is_exact_for_bicubic_functions_and_of
   const auto interior_error = [](int n) {
     const Grid grid{n, n, -1, 1, -1, 1};
     Field fine(grid);
-    transfer::prolong_bicubic(sampled(coarsened(grid), smooth), fine);
+    transfer::prolong_bicubic(coarsened(grid), sampled(coarsened(grid), smooth), fine);
     double largest = 0.0;
     for (int i = 4; i <= n - 4; ++i)
       for (int j = 4; j <= n - 4; ++j) largest = std::max(largest, std::abs(fine(i, j) - smooth(grid.X(i), grid.Y(j))));
@@ -191,4 +194,37 @@ BOOST_AUTO_TEST_CASE(bicubic_interpolation_is_exact_for_bicubic_functions_and_of
                                                << " (0.9 to 1.05)");
   BOOST_TEST(std::abs(slope - 4.0) < 0.1);
   BOOST_TEST((constant > 0.9 && constant < 1.05));
+}
+
+BOOST_AUTO_TEST_CASE(the_lower_half_of_a_symmetric_domain_is_treated_as_the_whole) {
+  using ehl::tests::difference_of_half;
+  using ehl::tests::symmetric_field;
+  const Grid fine{24, 32, -3, 1.5, -2, 2};
+  const Grid coarse = coarsened(fine);
+  const Grid half_fine = ehl::core::lower_half(fine);
+  const Grid half_coarse = coarsened(half_fine);
+  Random random(5);
+  const auto down = symmetric_field(fine, random, -1.0, 1.0);
+  const auto up = symmetric_field(coarse, random, -1.0, 1.0);
+  const auto check = [](const char* what, const Grid& grid, const Field& whole, const Field& half) {
+    const double difference = difference_of_half(grid, whole, half);
+    BOOST_TEST_MESSAGE(what << ": difference " << difference << " (tolerance 1e-15)");
+    BOOST_TEST(difference < 1e-15);
+  };
+  Field whole(coarse);
+  Field half(half_coarse);
+  transfer::restrict_injection(down.whole, whole);
+  transfer::restrict_injection(down.half, half);
+  check("injection", coarse, whole, half);
+  transfer::restrict_full_weighting(coarse, down.whole, whole);
+  transfer::restrict_full_weighting(half_coarse, down.half, half);
+  check("full weighting", coarse, whole, half);
+  Field finer(fine);
+  Field finer_half(half_fine);
+  transfer::prolong_bilinear(up.whole, finer, 1);
+  transfer::prolong_bilinear(up.half, finer_half, 1);
+  check("bilinear", fine, finer, finer_half);
+  transfer::prolong_bicubic(coarse, up.whole, finer);
+  transfer::prolong_bicubic(half_coarse, up.half, finer_half);
+  check("bicubic", fine, finer, finer_half);
 }

@@ -1,0 +1,117 @@
+// Relaxation, cycle and starts on the lower half of a symmetric domain against the whole.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "fmg/cycle.hpp"
+#include "fmg/relaxation.hpp"
+#include "support/mirrored.hpp"
+#include "unit/fmg/circular_contact.hpp"
+
+using namespace ehl::tests;
+namespace fmg = ehl::fmg;
+using ehl::core::Field;
+using ehl::core::Grid;
+using ehl::reynolds::Wedge;
+
+namespace {
+
+void make_symmetric(const Grid& grid, Field& field) {
+  for (int i = 0; i <= grid.nx; ++i)
+    for (int j = 0; 2 * j < grid.ny; ++j) field(i, grid.ny - j) = field(i, j);
+}
+
+/// The same rough symmetric state on the finest level of both.
+void set_both(fmg::Hierarchy& whole, fmg::Hierarchy& half, std::uint64_t seed) {
+  Random random(seed);
+  fmg::Level& all = whole.finest();
+  fmg::Level& one = half.finest();
+  set_rough_state(whole, all, random);
+  make_symmetric(all.grid, all.P);
+  make_symmetric(all.grid, all.F);
+  make_symmetric(all.grid, all.f);
+  one.P = half_of(all.grid, all.P);
+  one.F = half_of(all.grid, all.F);
+  one.f = half_of(all.grid, all.f);
+  half.H00 = whole.H00;
+  fmg::update_film(whole, all);
+  fmg::update_film(half, one);
+}
+
+fmg::Hierarchy hierarchy_on(const Grid& grid, const fmg::Parameters& parameters, Wedge wedge, int threads = 1) {
+  return fmg::make_hierarchy(circular_contact(20, 10, wedge), parameters, {.method = ehl::mlmi::Method::fft}, grid,
+                             threads);
+}
+
+double difference_of_P(const fmg::Hierarchy& whole, const fmg::Hierarchy& half) {
+  const fmg::Level& all = whole.levels.back();
+  return difference_of_half(all.grid, all.P, half.levels.back().P);
+}
+
+constexpr double tolerance = 1e-11;
+
+}  // namespace
+
+// The axis in either colour and in every lane of a batch, at its beginning and at its end.
+BOOST_AUTO_TEST_CASE(a_sweep_of_the_half_is_the_sweep_of_the_whole) {
+  double worst = 0.0;
+  for (int ny = 8; ny <= 76; ny += 2)
+    for (const Wedge wedge : {Wedge::upstream1, Wedge::upstream2}) {
+      const Grid grid{20, ny, -3.5, 1.5, -2.5, 2.5};
+      fmg::Parameters parameters;
+      parameters.coarsest_cells = grid.nx;
+      fmg::Hierarchy whole = hierarchy_on(grid, parameters, wedge);
+      fmg::Hierarchy half = hierarchy_on(ehl::core::lower_half(grid), parameters, wedge);
+      set_both(whole, half, static_cast<std::uint64_t>(ny));
+      const Field before = whole.finest().P;
+      for (int sweep = 0; sweep < 2; ++sweep) {
+        fmg::relax(whole, whole.finest());
+        fmg::relax(half, half.finest());
+      }
+      BOOST_TEST(ehl::core::max_abs_difference(before, whole.finest().P) > 1e-3);
+      const double difference = difference_of_P(whole, half);
+      worst = difference <= worst ? worst : difference;
+    }
+  BOOST_TEST_MESSAGE("sweeps: largest difference " << worst << " (tolerance " << tolerance << ")");
+  BOOST_TEST(worst < tolerance);
+}
+
+BOOST_AUTO_TEST_CASE(a_cycle_of_the_half_is_the_cycle_of_the_whole) {
+  for (const fmg::Cycle cycle : {fmg::Cycle::V, fmg::Cycle::W}) {
+    const Grid grid{64, 48, -4.5, 1.5, -2.5, 2.5};
+    fmg::Parameters parameters;
+    parameters.cycle = cycle;
+    parameters.coarsest_cells = 16;
+    fmg::Hierarchy whole = hierarchy_on(grid, parameters, Wedge::upstream2);
+    fmg::Hierarchy half = hierarchy_on(ehl::core::lower_half(grid), parameters, Wedge::upstream2);
+    for (fmg::Hierarchy* one : {&whole, &half}) {
+      fmg::start_from_hertz(*one, 0, -0.6, 20);
+      fmg::fas_cycle(*one, 0);
+      const fmg::Kept kept{one->levels[0].P, one->H00};
+      fmg::start_from_coarser(*one, 1);
+      fmg::fas_cycle(*one, 1);
+      fmg::start_from_two_coarser(*one, 2, kept, 2.0);
+      for (int k = 0; k < 2; ++k) fmg::fas_cycle(*one, 2);
+    }
+    const double difference = difference_of_P(whole, half);
+    const double shift = std::abs(whole.H00 - half.H00);
+    BOOST_TEST_MESSAGE("cycles: difference " << difference << ", of H00 " << shift << " (tolerance " << tolerance
+                                             << "), load " << fmg::carried_load(half.finest()));
+    BOOST_TEST(difference < tolerance);
+    BOOST_TEST(shift < tolerance);
+    BOOST_TEST(std::abs(fmg::carried_load(half.finest()) - fmg::carried_load(whole.finest())) < 1e-12);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(two_threads_give_the_same_bits_on_the_half) {
+  const Grid half = ehl::core::lower_half(Grid{256, 256, -4.5, 1.5, -3, 3});
+  fmg::Parameters parameters;
+  fmg::Hierarchy one = hierarchy_on(half, parameters, Wedge::upstream2, 1);
+  fmg::Hierarchy two = hierarchy_on(half, parameters, Wedge::upstream2, 2);
+  for (fmg::Hierarchy* hierarchy : {&one, &two}) {
+    fmg::start_from_hertz(*hierarchy, 3, -0.6, 2);
+    fmg::fas_cycle(*hierarchy, 3);
+  }
+  BOOST_TEST(ehl::core::max_abs_difference(one.finest().P, two.finest().P) == 0.0);
+  BOOST_TEST(ehl::core::max_abs_difference(one.finest().H, two.finest().H) == 0.0);
+  BOOST_TEST(one.H00 == two.H00);
+}

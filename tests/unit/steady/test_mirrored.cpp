@@ -1,0 +1,78 @@
+// Solutions computed on one half of a symmetric domain against those on the whole.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "contact/groups.hpp"
+#include "core/norms.hpp"
+#include "steady/solve.hpp"
+
+using namespace ehl;
+
+namespace {
+
+steady::Scene contact_scene(double M, double L, const core::Grid& grid) {
+  steady::Scene scene;
+  const contact::Groups groups = contact::from_moes(M, L);
+  scene.M = M;
+  scene.L = L;
+  scene.lambda = groups.lambda;
+  const double p_h = groups.alpha_bar / 2.2e-8;
+  scene.viscosity = rheology::make_roelands(2.2e-8, rheology::roelands_p0, 0.68, p_h);
+  scene.density = rheology::make_dowson_higginson(p_h);
+  scene.grid = grid;
+  scene.multigrid.tolerance = 1e-9;
+  return scene;
+}
+
+void compare(steady::Scene scene, const char* what, double tolerance) {
+  const steady::Solution half = steady::solve(scene);
+  scene.use_symmetry = false;
+  const steady::Solution whole = steady::solve(scene);
+  BOOST_TEST((half.converged && whole.converged));
+  BOOST_TEST((half.grid == scene.grid));
+  BOOST_TEST(half.method == whole.method);
+  BOOST_REQUIRE(half.levels.size() == whole.levels.size());
+  const double P = core::max_abs_difference(half.P, whole.P);
+  const double H = core::max_abs_difference(half.H, whole.H);
+  BOOST_TEST_MESSAGE(what << ": difference of P " << P << ", of H " << H << " (tolerance " << tolerance << ")");
+  BOOST_TEST(P < tolerance);
+  BOOST_TEST(H < tolerance);
+  for (std::size_t k = 0; k < half.levels.size(); ++k) {
+    const steady::LevelRow& a = half.levels[k];
+    const steady::LevelRow& b = whole.levels[k];
+    BOOST_TEST((a.nx == b.nx && a.ny == b.ny && a.cycles == b.cycles));
+    BOOST_TEST(std::abs(a.Hc / b.Hc - 1.0) < tolerance);
+    BOOST_TEST(std::abs(a.Hm / b.Hm - 1.0) < tolerance);
+    BOOST_TEST(std::abs(a.Hm_fitted / b.Hm_fitted - 1.0) < tolerance);
+    BOOST_TEST(std::abs(a.work_units / b.work_units - 1.0) < 1e-12);
+  }
+  BOOST_TEST(std::abs(half.verification.flow_imbalance - whole.verification.flow_imbalance) < 1e-8);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(full_multigrid_on_the_half) {
+  compare(contact_scene(50, 10, {128, 128, -4.5, 1.5, -3, 3}), "(50,10)", 1e-10);
+  // 80/64 of the width: the axis is on a line of the first coarse grid of the film's evaluation only.
+  compare(contact_scene(20, 5, {64, 80, -4.5, 1.5, -3.75, 3.75}), "(20,5), 64 x 80", 1e-10);
+}
+
+BOOST_AUTO_TEST_CASE(newton_and_load_continuation_on_the_half) {
+  steady::Scene scene = contact_scene(100, 10, {64, 64, -2.5, 1.5, -2, 2});
+  scene.polish = steady::Polish::always;
+  compare(scene, "Newton after the cycles", 1e-10);
+  scene.polish = steady::Polish::rescue;
+  scene.continuation.path = steady::ContinuationParameters::Path::load;
+  compare(scene, "load continuation", 1e-8);
+}
+
+BOOST_AUTO_TEST_CASE(a_domain_without_an_axis_on_its_grids_is_computed_whole) {
+  steady::Scene scene = contact_scene(20, 5, {64, 66, -4.5, 1.5, -3, 3});
+  const steady::Solution one = steady::solve(scene);
+  scene.use_symmetry = false;
+  const steady::Solution two = steady::solve(scene);
+  BOOST_TEST((one.converged && two.converged));
+  BOOST_TEST(core::max_abs_difference(one.P, two.P) == 0.0);
+  scene = contact_scene(20, 5, {64, 64, -4.5, 1.5, -3, 2.8});
+  BOOST_TEST(steady::solve(scene).converged);
+}
