@@ -48,9 +48,7 @@ int fail_without_solution(const Arguments& arguments, const Case& input, const s
 
 }  // namespace
 
-int requested_threads(const Arguments& arguments) {
-  return whole_number(arguments, "threads", usable_cores(), 1024);
-}
+int requested_threads(const Arguments& arguments) { return whole_number(arguments, "threads", usable_cores(), 1024); }
 
 void print(const std::string& text) {
   errno = 0;

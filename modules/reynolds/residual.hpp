@@ -22,9 +22,9 @@ struct State {
   const core::Field& f;  ///< right-hand side; an empty field means zero
 };
 
-/// r = f - L(P) on the interior nodes, L(P) the left-hand side of eq. (4) with the chosen wedge; 0 on the boundary. On a
-/// mirrored grid with image lines.
-/// cost: the memory traffic of five fields in and one out. threads: result independent of their number.
+/// r = f - L(P) on the interior nodes, L(P) the left-hand side of eq. (4) with the chosen wedge; 0 on the boundary. On
+/// a mirrored grid with image lines. cost: the memory traffic of five fields in and one out. threads: result
+/// independent of their number.
 void residual(const core::Grid& grid, const State& state, Wedge wedge, int threads, core::Field& r);
 
 /// How far the state is from solving the complementarity problem P >= 0, L(P) <= 0, P L(P) = 0.

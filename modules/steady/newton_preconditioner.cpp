@@ -59,8 +59,8 @@ struct NewtonPreconditioner::Implementation {
   std::vector<int> place;                  // of a node in it; -1: cavitated
   Matrix matrix;
   Eigen::SparseLU<Matrix, Eigen::NaturalOrdering<int>> lu;
-  Vector border;             // J~^-1 of the column of H00, without the load row
-  Vector load_row;           // d F_last / d P at each node
+  Vector border;    // J~^-1 of the column of H00, without the load row
+  Vector load_row;  // d F_last / d P at each node
   double schur = 0.0;
   Vector rhs, solution;
 

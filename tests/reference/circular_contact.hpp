@@ -78,12 +78,9 @@ struct CircularLimit {
   double Hc, Hm;
 };
 inline constexpr CircularLimit circular_limits[] = {
-    {50, 10, Fluid::roelands_z060, 0.22051, 0.13324},
-    {20, 10, Fluid::roelands_z068, 0.43247, 0.29275},
-    {200, 10, Fluid::roelands_z068, 0.08172, 0.03882},
-    {1000, 10, Fluid::roelands_z068, 0.02463, 0.00849},
-    {20, 10, Fluid::barus, 0.49752, 0.30663},
-    {50, 10, Fluid::barus, 0.26717, 0.14378},
+    {50, 10, Fluid::roelands_z060, 0.22051, 0.13324},  {20, 10, Fluid::roelands_z068, 0.43247, 0.29275},
+    {200, 10, Fluid::roelands_z068, 0.08172, 0.03882}, {1000, 10, Fluid::roelands_z068, 0.02463, 0.00849},
+    {20, 10, Fluid::barus, 0.49752, 0.30663},          {50, 10, Fluid::barus, 0.26717, 0.14378},
 };
 
 }  // namespace ehl::reference

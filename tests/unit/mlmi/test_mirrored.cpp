@@ -26,8 +26,8 @@ double difference_from_whole(const Grid& grid, const Parameters& parameters, int
 }
 
 // Axis on a line of every coarsening of y, of the first one only, of none; strips that end at, before and behind it.
-const Grid grids[] = {{48, 32, -3, 1.5, -1.5, 1.5},  {64, 64, -4.5, 1.5, -3, 3}, {40, 36, -3, 1.5, -2, 2},
-                      {33, 50, -3, 1.5, -2, 2},      {32, 112, -1, 1, -3, 3},    {64, 72, -2, 2, -1, 1},
+const Grid grids[] = {{48, 32, -3, 1.5, -1.5, 1.5}, {64, 64, -4.5, 1.5, -3, 3}, {40, 36, -3, 1.5, -2, 2},
+                      {33, 50, -3, 1.5, -2, 2},     {32, 112, -1, 1, -3, 3},    {64, 72, -2, 2, -1, 1},
                       {128, 128, -4.5, 1.5, -3, 3}, {96, 16, -4, 2, -0.5, 0.5}};
 
 }  // namespace
@@ -55,8 +55,7 @@ BOOST_AUTO_TEST_CASE(the_description_and_the_limits_are_those_of_the_whole) {
   BOOST_TEST_MESSAGE(whole.description() << " / " << half.description());
   BOOST_TEST(half.description() == whole.description());
   BOOST_TEST(half.bytes() < 0.75 * static_cast<double>(whole.bytes()));
-  BOOST_CHECK_THROW(ehl::mlmi::Deformation(ehl::core::lower_half(grid), {.coarsenings = 11}, 1),
-                    ehl::core::InputError);
+  BOOST_CHECK_THROW(ehl::mlmi::Deformation(ehl::core::lower_half(grid), {.coarsenings = 11}, 1), ehl::core::InputError);
 }
 
 BOOST_AUTO_TEST_CASE(two_threads_give_the_same_bits_on_the_half) {

@@ -70,8 +70,8 @@ BOOST_AUTO_TEST_CASE(flow_balance_of_the_half) {
       for (const double reach : {std::numeric_limits<double>::infinity(), 1.5, 0.8}) {
         const BothStates both(grid, random);
         const auto all = reynolds::flow_balance(grid, both.whole.state(), Wedge::upstream2, cavitation, reach);
-        const auto one = reynolds::flow_balance(ehl::core::lower_half(grid), both.half.state(), Wedge::upstream2,
-                                                cavitation, reach);
+        const auto one =
+            reynolds::flow_balance(ehl::core::lower_half(grid), both.half.state(), Wedge::upstream2, cavitation, reach);
         const double error = std::max({std::abs(one.in / all.in - 1.0), std::abs(one.out / all.out - 1.0),
                                        std::abs(one.through / all.through - 1.0)});
         BOOST_TEST_MESSAGE("flow balance: difference " << error << " (tolerance 1e-12)");

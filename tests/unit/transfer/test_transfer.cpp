@@ -58,7 +58,6 @@ const auto bilinear = [](const Grid&, const Field& coarse, Field& fine) {
 };
 const auto bicubic = transfer::prolong_bicubic;
 
-
 template <class Prolong>
 void check_order(const char* what, Prolong prolong, double order, double constant) {
   std::array<double, 3> error{};
