@@ -154,6 +154,7 @@ fmg::Parameters multigrid_of(deck::Deck& deck) {
   parameters.pre = deck::integer(deck, "multigrid", "pre", parameters.pre);
   parameters.post = deck::integer(deck, "multigrid", "post", parameters.post);
   parameters.cycles = deck::integer(deck, "multigrid", "cycles", parameters.cycles);
+  parameters.extra_cycles = deck::integer(deck, "multigrid", "extra_cycles", parameters.extra_cycles);
   parameters.max_cycles = deck::integer(deck, "multigrid", "max_cycles", parameters.max_cycles);
   parameters.tolerance = deck::number(deck, "multigrid", "tolerance");
   parameters.coarsest_cells = deck::integer(deck, "grid", "coarsest", 0);

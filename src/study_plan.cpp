@@ -110,6 +110,7 @@ void use_way(const StudyCase& way, steady::Scene& scene) {
   scene.multigrid.cycle = shape == 'V' ? fmg::Cycle::V : shape == 'F' ? fmg::Cycle::F : fmg::Cycle::W;
   scene.multigrid.cycles = std::stoi(way.cycles);
   scene.multigrid.max_cycles = scene.multigrid.cycles;
+  scene.multigrid.extra_cycles = 0;
 }
 
 std::string name_of_way(const StudyCase& way) { return way.wedge + ", " + way.evaluator + ", " + way.cycles; }

@@ -42,6 +42,12 @@ std::vector<deck::Key> keys() {
           .meaning = "Cycles on every level of the full multigrid on its way up, at least; the checks ask for more "
                      "where the level needs them."},
       Key{.section = "multigrid",
+          .name = "extra_cycles",
+          .type = Type::integer,
+          .default_text = std::to_string(defaults.extra_cycles),
+          .range = {0, 200},
+          .meaning = "Cycles beyond `cycles` on a level below the finest at most, where the checks ask for more."},
+      Key{.section = "multigrid",
           .name = "tolerance",
           .default_note = "none: until the cycles no longer change Hc and Hm by a tenth of the discretization error",
           .range = {1e-14, 0.1},

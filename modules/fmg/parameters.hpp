@@ -23,7 +23,8 @@ struct Parameters {
   int pre = 2;          ///< nu_1, relaxations before the coarse grid correction
   int post = 1;         ///< nu_2, relaxations after it
   int cycles = 2;       ///< cycles per level on the way up, at least
-  int max_cycles = 60;  ///< on the finest grid, where the checks ask for more
+  int extra_cycles = 3;  ///< more of them on a level below the finest at most, where the checks ask for them
+  int max_cycles = 60;   ///< on the finest grid, likewise
   /// Relative residual to reach on the finest grid; NaN: the level of the discretization error.
   double tolerance = std::numeric_limits<double>::quiet_NaN();
   int coarsest_cells = 0;         ///< cells along x of the coarsest grid; 0: chosen

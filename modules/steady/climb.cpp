@@ -15,9 +15,6 @@
 namespace ehl::steady {
 namespace {
 
-/// Cycles beyond the planned ones that a level below the finest may take to reach its discretization error.
-constexpr int most_extra_cycles = 3;
-
 /// Mesh size of the first grid, in units of contact_size.
 constexpr double largest_first_step = 0.4;
 /// Above this L epsilon differs by more than a factor e from cell to cell in the whole outlet flank: full weights there
@@ -91,7 +88,7 @@ void solve_first_level(Climb& climb) {
 void solve_level(Climb& climb, std::size_t l, int planned) {
   const fmg::Parameters& multigrid = climb.scene.multigrid;
   const bool last_level = l == climb.finest();
-  const int extra = l == climb.first ? 0 : most_extra_cycles;
+  const int extra = l == climb.first ? 0 : multigrid.extra_cycles;
   const int most = last_level ? std::max(multigrid.max_cycles, planned) : planned + extra;
   const double asked = last_level ? multigrid.tolerance : std::numeric_limits<double>::quiet_NaN();
   std::vector<double> residuals;
