@@ -115,7 +115,7 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
     const FilmStation film0 = film_station(level, i, j);
     const auto k = static_cast<std::size_t>(i);
     const reynolds::HalfPoints<Lanes> e{work_.west[k], work_.west[k + 1], work_.south[k], work_.north[k]};
-    const auto [c0, c1, c2] = reynolds::wedge_weights(hierarchy.problem.wedge, i, grid.hx());
+    const auto [c0, c1, c2] = reynolds::transport_weights(hierarchy.problem.transport, i, grid.hx());
 
     line_solvers::PointEquation point;
     point.c = {c0 * film0.rho_bar, c1 * film1.rho_bar, c2 * film2.rho_bar};

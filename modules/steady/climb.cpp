@@ -62,7 +62,7 @@ Climb begin_climb(const Scene& scene, const Start& start, const ProgressCallback
   const fmg::Problem problem{.lambda = scene.lambda,
                              .viscosity = scene.viscosity,
                              .density = scene.density,
-                             .wedge = scene.wedge,
+                             .transport = scene.wedge,
                              .given_epsilon = {}};
   Climb climb{.scene = scene,
               .progress = progress,

@@ -39,7 +39,7 @@ ModelProblem papers_epsilon(int cells, reynolds::Wedge wedge, fmg::Cycle cycle) 
 fmg::Hierarchy make_error_hierarchy(const ModelProblem& problem) {
   const fmg::Problem equations{.viscosity = rheology::Isoviscous{},
                                .density = rheology::Incompressible{},
-                               .wedge = problem.wedge,
+                               .transport = problem.wedge,
                                .load = std::nullopt,
                                .cavitation = false,
                                .given_epsilon = problem.epsilon};
