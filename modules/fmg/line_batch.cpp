@@ -84,7 +84,9 @@ void LineBatch<reach, solver>::read_coefficients(const Hierarchy& hierarchy, con
     work_.north[k] = (eps.own + eps.north) * half_over_hy2;
     before = eps.own;
   }
-  const double crossover2 = hierarchy.parameters.relaxation.crossover * hierarchy.parameters.relaxation.crossover;
+  // The crossover is where the coupling by epsilon outweighs that by the film.
+  const double crossover = hierarchy.parameters.relaxation.crossover * hierarchy.problem.transport.strength(grid.hx());
+  const double crossover2 = crossover * crossover;
   for (int i = 1; i < grid.nx; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const Lanes largest =

@@ -10,6 +10,9 @@ enum class Wedge { upstream1, upstream2 };
 struct Transport {
   Transport(Wedge form, double U = 1.0, double c = 0.0) : wedge(form), speed(U), squeeze(c) {}
 
+  /// How many times stronger the film's own change acts in a point's equation than in the steady one, on cells hx long.
+  double strength(double hx) const { return speed + squeeze * hx / (wedge == Wedge::upstream2 ? 1.5 : 1.0); }
+
   Wedge wedge;
   double speed;    ///< U >= 0, entrainment speed over the one that lambda is made with
   double squeeze;  ///< c >= 0 [1/T], T = t u_m/a

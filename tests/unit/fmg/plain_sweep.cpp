@@ -58,7 +58,7 @@ class Sweep {
     const Around e = around(i, j);
     const double most = std::max({e.west, e.east, e.south, e.north});
     const double least = std::min({e.west, e.east, e.south, e.north});
-    return !(most * std::sqrt(most / least) > parameters_.crossover);
+    return !(most * std::sqrt(most / least) > parameters_.crossover * problem_.transport.strength(grid_.hx()));
   }
 
   /// U dg/dX + c g at i for g given at i, i-1, i-2.
