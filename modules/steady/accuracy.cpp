@@ -124,7 +124,7 @@ core::Grid on_larger_domain(const core::Grid& grid, double factor) {
   const auto length = [&] { return grid.X_b * parts / (parts - m); };
   while (length() < wanted) {
     if (m + 1 == parts) parts *= 2;
-    m = m + 1 < parts / 2 + parts / 4 && parts > 32 ? parts - 1 : m + 1;
+    m = parts > 32 ? parts - 1 : m + 1;
   }
   core::Grid larger = grid;
   larger.X_a = -grid.X_b * m / (parts - m);

@@ -1,0 +1,143 @@
+// An accuracy instead of a grid, with a domain that may grow.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "unit/steady/made_solutions.hpp"
+
+using namespace ehl;
+using namespace ehl::test;
+using boost::test_tools::tolerance;
+
+namespace {
+
+Scene free_scene(double error) {
+  Scene scene = scene_for(error);
+  scene.accuracy.domain_is_free = true;
+  scene.accuracy.most_cells = 4096;
+  return scene;
+}
+
+}  // namespace
+
+// Lost is 1 % at a length of 6: half of the target of 0.4 % wants sqrt(5) times the length. The ladder's next above it
+// is 1.5 * 32/3 = 16, 2.667 times; what is left of the domain's error is 1/7.1 of it, and the rest is the mesh's.
+BOOST_AUTO_TEST_CASE(it_grows_until_half_of_the_target_is_left) {
+  Made made;
+  made.mesh = 0.05;
+  made.domain = -0.01 * 36.0;
+  const Solution solution = run(free_scene(0.004), made);
+  BOOST_TEST(solution.accuracy.met);
+  BOOST_REQUIRE(made.asked.size() >= 3u);
+  // Two coarse ones, solved well, for the domain itself and for its double; neither asks for an accuracy.
+  for (const std::size_t k : {0u, 1u}) {
+    BOOST_TEST(std::isnan(made.asked[k].accuracy.error));
+    BOOST_TEST(made.asked[k].multigrid.tolerance == 1e-6);
+  }
+  BOOST_TEST(made.asked[0].grid.nx == 64);
+  BOOST_TEST(made.asked[0].grid.X_a == -4.5);
+  BOOST_TEST(made.asked[1].grid.X_a == -10.5);
+  BOOST_TEST(made.asked[1].grid.nx == 128);
+  const core::Grid& grid = made.asked[2].grid;
+  BOOST_TEST_MESSAGE("from " << grid.X_a << " on, " << grid.nx << " cells; error of the domain "
+                             << solution.domain_error_Hc << " (0.01 by 4/9 of the square it was scaled by)");
+  // Of Hm and Hc, at coarse meshes, 0.9901 and 0.9925 times the limit: 4/3 of 3/4 of the loss.
+  const double length = grid.X_b - grid.X_a;
+  BOOST_TEST(length == 1.5 * 32.0 / 3.0, tolerance(1e-12));
+  BOOST_TEST(solution.domain_error_Hc == 0.01 * 36.0 / (length * length), tolerance(0.02));
+  BOOST_TEST(solution.error_bars.domain == solution.domain_error_Hc);
+  BOOST_TEST(std::isnan(made.asked[2].multigrid.tolerance));
+  BOOST_TEST(made.asked[2].accuracy.error == 0.004);
+}
+
+// 0.36 % of the domain: of the target of 0.8 % less than half; of what is left, 0.44 %, the mesh must have less.
+BOOST_AUTO_TEST_CASE(the_mesh_has_what_the_domain_leaves) {
+  const auto last = [](double estimate_of_mesh) {
+    Made made;
+    made.domain = -0.0036 * 36.0;
+    made.mesh = estimate_of_mesh / first_error * 0.5;
+    BOOST_TEST(run(free_scene(0.008), made).accuracy.met);
+    BOOST_TEST(made.asked[2].grid.X_a == -4.5);
+    return made.asked.back().grid.nx;
+  };
+  BOOST_TEST(last(0.0042) == 64);
+  BOOST_TEST(last(0.0046) == 128);
+}
+
+BOOST_AUTO_TEST_CASE(half_the_cells_tell_the_domain) {
+  Made made;
+  Scene scene = free_scene(0.5);
+  scene.grid.nx = scene.grid.ny = 256;
+  run(scene, made);
+  BOOST_TEST(cells(made) == (std::vector<int>{128, 256, 256}), boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(what_stops_the_domain_stops_the_run) {
+  const auto stopped = [](const Scene& scene, Made& made) {
+    const Solution solution = run(scene, made);
+    BOOST_TEST(!solution.converged);
+    BOOST_TEST(!solution.accuracy.met);
+    // It is still solved, on the domain that was there.
+    BOOST_TEST(solution.grid.X_a == -4.5);
+    BOOST_TEST_MESSAGE(solution.failed_check);
+    return solution.accuracy.stopped_by;
+  };
+  // 10 % lost at 6 radii: 1e-4 wants 45 times the length.
+  Made far;
+  far.mesh = 1e-4;
+  far.domain = -0.1 * 36.0;
+  BOOST_TEST(stopped(free_scene(1e-4), far) == "the length of the domain: more than 200 Hertz radii would be needed");
+  Made fine;
+  fine.mesh = 0.01;
+  fine.domain = -0.1 * 36.0;
+  Scene scene = free_scene(0.01);
+  scene.accuracy.most_cells = 256;
+  BOOST_TEST(stopped(scene, fine) == "the level limit of 256 cells");
+  Made memory;
+  memory.mesh = 0.01;
+  memory.domain = -0.1 * 36.0;
+  scene.accuracy.most_cells = 4096;
+  scene.accuracy.most_nodes = 1e5;
+  BOOST_TEST(stopped(scene, memory) == "the memory for 512 cells");
+}
+
+BOOST_AUTO_TEST_CASE(a_domain_without_an_estimate) {
+  for (const int diverges_from : {64, 128}) {
+    Made made;
+    const SolveOnGrid solve = [&](const Scene& one) {
+      made.diverges_from = std::isnan(one.accuracy.error) ? diverges_from : 1 << 20;
+      return made(one);
+    };
+    const Solution solution = solve_to_accuracy(free_scene(0.1), solve, {});
+    BOOST_TEST(solution.accuracy.stopped_by == "the error of the domain, which could not be estimated");
+    BOOST_TEST(!solution.accuracy.met);
+    BOOST_TEST(!solution.converged);
+    BOOST_TEST(std::isnan(solution.domain_error_Hc));
+  }
+}
+
+// (0,0) a node of the grid with 64 cells too; cells no larger; no more than a rung of the ladder too long.
+BOOST_AUTO_TEST_CASE(larger_domains) {
+  const core::Grid grid{256, 128, -4.5, 1.5, -1.5, 1.5};
+  for (const double factor : {1.0, 1.01, 1.5, 2.0, 3.0, 5.0, 8.0, 9.0, 17.0, 33.0, 60.0}) {
+    const core::Grid larger = on_larger_domain(grid, factor);
+    const double length = larger.X_b - larger.X_a;
+    const double node = -larger.X_a / (length / (larger.nx > 4096 ? 256 : 64));
+    BOOST_TEST_MESSAGE("factor " << factor << ": from " << larger.X_a << " on, " << larger.nx
+                                 << " cells, (0,0) at node " << node << " of 64 or 256");
+    BOOST_TEST(length >= 6.0 * factor * (1.0 - 1e-9));
+    BOOST_TEST(length <= 6.0 * factor * 2.0);
+    BOOST_TEST(std::abs(node - std::round(node)) < 1e-9);
+    BOOST_TEST(larger.hx() <= grid.hx() * (1.0 + 1e-9));
+    BOOST_TEST(larger.hx() > 0.5 * grid.hx());
+    BOOST_TEST(larger.X_b == 1.5);
+    BOOST_TEST((larger.Y_b - larger.Y_a) / length == 0.5, tolerance(1e-12));
+    BOOST_TEST(larger.Y_a == -larger.Y_b);
+    BOOST_TEST(larger.nx == 2 * larger.ny);
+  }
+  BOOST_TEST(on_larger_domain(grid, 1.0).X_a == -4.5);
+  BOOST_TEST(on_larger_domain(grid, 1.0).nx == 256);
+  BOOST_TEST(on_larger_domain(grid, 2.0).X_a == -10.5);  // 28 of 32 parts, 14 Hertz radii would do for no less
+  BOOST_TEST(on_larger_domain(grid, 8.5).X_a == -94.5);  // 63 of 64
+}
