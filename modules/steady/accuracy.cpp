@@ -76,11 +76,10 @@ double extrapolated_error(const ErrorBars& bars) {
   return worst(bars.Hc_extrapolated.error, bars.Hm_extrapolated.error);
 }
 
-// Cells of the level that will do for the plain values, by the scheme's order.
+// Cells of the level that will do for the plain values, by the scheme's order; the next where the error is unknown.
 double foretold_cells(const Scene& scene, const Solution& solution, double allowed) {
   double error = plain_error(solution.error_bars);
   double cells = solution.grid.nx;
-  if (std::isnan(error)) return 2.0 * cells;
   do {
     cells *= 2.0;
     error /= std::exp2(reynolds::order(scene.wedge));
@@ -122,10 +121,8 @@ core::Grid on_larger_domain(const core::Grid& grid, double factor) {
   int parts = 32;  // of which m lie upstream of 0
   int m = 16;
   const auto length = [&] { return grid.X_b * parts / (parts - m); };
-  while (length() < wanted) {
+  for (; length() < wanted; ++m)
     if (m + 1 == parts) parts *= 2;
-    m = parts > 32 ? parts - 1 : m + 1;
-  }
   core::Grid larger = grid;
   larger.X_a = -grid.X_b * m / (parts - m);
   const double ratio = length() / (grid.X_b - grid.X_a);

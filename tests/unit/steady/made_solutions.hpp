@@ -12,11 +12,14 @@ using namespace steady;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Made-up solutions: H = limit (1 + mesh h^2 + domain/length^2 + kink), three levels of it; and what they were asked.
+/// Made-up solutions: H = limit (1 + mesh h^2 + domain/length^2 + kink), three levels of it; and what was asked for.
 struct Made {
-  double mesh = 0.5;         ///< relative error over h^2; of Hm twice as much
-  double domain = 0.0;       ///< relative error times length^2; negative: the film grows with the domain
-  double kink = 0.0;         ///< relative disturbance of the level before the last
+  double mesh = 0.5;          ///< relative error of Hc over h^2
+  double mesh_of_Hm = 2.0;    ///< over that of Hc
+  double domain = 0.0;        ///< relative error of Hc times length^2; negative: the film grows with the domain
+  double domain_of_Hm = 1.0;  ///< over that of Hc
+  double kink_of_Hc = 0.0;    ///< relative disturbance of the level before the last
+  double kink_of_Hm = 0.0;
   double algebraic = 0.0;    ///< relative error left by the cycles
   int diverges_from = 1000;  ///< cells from which on no solution is found
   std::vector<Scene> asked{};
@@ -35,13 +38,14 @@ struct Made {
       LevelRow row;
       row.nx = scene.grid.nx / coarser;
       const double h = length / row.nx;
-      const double other = domain / (length * length) + (coarser == 2 ? kink : 0.0);
-      row.Hc = 0.4 * (1.0 + mesh * h * h + other);
-      row.Hm = row.Hm_fitted = 0.3 * (1.0 + 2.0 * mesh * h * h + other);
+      const double of_domain = domain / (length * length);
+      const bool kinked = coarser == 2;
+      row.Hc = 0.4 * (1.0 + mesh * h * h + of_domain + (kinked ? kink_of_Hc : 0.0));
+      row.Hm = 0.3 * (1.0 + mesh_of_Hm * mesh * h * h + domain_of_Hm * of_domain + (kinked ? kink_of_Hm : 0.0));
+      row.Hm_fitted = row.Hm;
       row.P_max = 1.0;
-      const bool all = coarser == 1;
-      row.error_Hc = all ? 1.25 * mesh * h * h : unknown;
-      row.error_Hm = all ? 2.5 * mesh * h * h : unknown;
+      row.error_Hc = 1.25 * mesh * h * h;
+      row.error_Hm = mesh_of_Hm * row.error_Hc;
       solution.levels.push_back(row);
     }
     solution.verification.algebraic_error_Hc = algebraic;

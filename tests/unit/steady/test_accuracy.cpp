@@ -24,12 +24,17 @@ BOOST_AUTO_TEST_CASE(met_on_the_first_grid) {
   BOOST_TEST(solution.accuracy.stopped_by == "");
   BOOST_TEST(solution.accuracy.asked == 1.001 * first_error);
   BOOST_TEST(solution.error_bars.Hm.total() == first_error, tolerance(1e-12));
+  BOOST_TEST(std::isnan(solution.domain_error_Hc));
   BOOST_TEST(cells(made) == std::vector<int>{64}, boost::test_tools::per_element());
   // Both parts of the error count, and both films.
   Made with_cycles;
   with_cycles.algebraic = 0.01 * first_error;
   run(scene_for(1.001 * first_error), with_cycles);
   BOOST_TEST(with_cycles.asked.size() == 2u);
+  Made of_Hc;
+  of_Hc.mesh_of_Hm = 0.5;
+  run(scene_for(0.499 * first_error), of_Hc);
+  BOOST_TEST(of_Hc.asked.size() == 2u);
 }
 
 // A quarter per doubling is foretold, and what leaves more than 0.95 of the target is not risked: 64 -> 128 or 256.
@@ -56,7 +61,7 @@ BOOST_AUTO_TEST_CASE(the_level_is_foretold) {
 // 2 h^2 of Hm is too much on the finest grid, h^2 of Hc is not: both must be right.
 BOOST_AUTO_TEST_CASE(stopped_by_the_level_limit) {
   Made made;
-  made.kink = 0.01;
+  made.kink_of_Hc = 0.01;
   const Solution solution = run(scene_for(0.04 * first_error), made);
   BOOST_TEST(!solution.converged);
   BOOST_TEST(!solution.accuracy.met);
@@ -68,16 +73,19 @@ BOOST_AUTO_TEST_CASE(stopped_by_the_level_limit) {
   BOOST_TEST(cells(made) == (std::vector<int>{64, 128, 256}), boost::test_tools::per_element());
 }
 
+// 129 x 129 nodes are allowed; one less are not.
 BOOST_AUTO_TEST_CASE(stopped_by_memory) {
-  Made made;
-  made.kink = 0.01;
-  Scene scene = scene_for(0.07 * first_error);
-  scene.accuracy.most_nodes = 129.0 * 129.0;
-  const Solution solution = run(scene, made);
-  BOOST_TEST(!solution.converged);
-  BOOST_TEST(!solution.accuracy.met);
-  BOOST_TEST(solution.accuracy.stopped_by == "the memory for 256 cells");
-  BOOST_TEST(cells(made) == (std::vector<int>{64, 128}), boost::test_tools::per_element());
+  for (const double less : {0.0, 1.0}) {
+    Made made;
+    made.kink_of_Hm = 0.01;
+    Scene scene = scene_for(0.07 * first_error);
+    scene.accuracy.most_nodes = 129.0 * 129.0 - less;
+    const Solution solution = run(scene, made);
+    BOOST_TEST(!solution.converged);
+    BOOST_TEST(!solution.accuracy.met);
+    BOOST_TEST(solution.accuracy.stopped_by == (less > 0.0 ? "the memory for 128 cells" : "the memory for 256 cells"));
+    BOOST_TEST(made.asked.back().grid.nx == (less > 0.0 ? 64 : 128));
+  }
 }
 
 // Films of exactly second order: what is extrapolated is right to a twentieth of the last grid's own error, where that
@@ -91,6 +99,10 @@ BOOST_AUTO_TEST_CASE(met_by_extrapolation) {
   BOOST_TEST(solution.error_bars.Hm.total() > 0.05 * first_error);
   BOOST_TEST(solution.error_bars.Hm_extrapolated.error <= 0.05 * first_error);
   BOOST_TEST(cells(made) == std::vector<int>{64}, boost::test_tools::per_element());
+  // Its error there is 0.04 times that of the plain value.
+  Made once_more;
+  BOOST_TEST(run(scene_for(0.03 * first_error), once_more).accuracy.by_extrapolation);
+  BOOST_TEST(once_more.asked.back().grid.nx == 128);
   // Within reach of the plain values nothing is extrapolated.
   Made plain;
   BOOST_TEST(!run(scene_for(0.07 * first_error), plain).accuracy.by_extrapolation);
@@ -106,6 +118,9 @@ BOOST_AUTO_TEST_CASE(an_unconverged_run_is_not_met) {
   BOOST_TEST(first.accuracy.stopped_by == "made up to fail");
   BOOST_TEST(first.failed_check == "made up to fail");
   BOOST_TEST(at_once.asked.size() == 1u);
+  Made far_off;
+  far_off.diverges_from = 64;
+  BOOST_TEST(run(scene_for(0.3 * first_error), far_off).grid.nx == 64);
   Made later;
   later.diverges_from = 128;
   const Solution second = run(scene_for(0.5 * first_error), later);
@@ -117,17 +132,26 @@ BOOST_AUTO_TEST_CASE(an_unconverged_run_is_not_met) {
 
 // A grid without an estimate (one level) is followed by the next.
 BOOST_AUTO_TEST_CASE(an_unknown_error_is_not_small) {
+  for (ErrorBar ErrorBars::*bar : {&ErrorBars::Hc, &ErrorBars::Hm}) {
+    Made made;
+    const SolveOnGrid solve = [&](const Scene& one) {
+      Solution solution = made(one);
+      if (made.asked.size() == 1) (solution.error_bars.*bar).discretization = unknown;
+      return solution;
+    };
+    const Solution solution = solve_to_accuracy(scene_for(0.9), solve, {});
+    BOOST_TEST(solution.accuracy.met);
+    BOOST_TEST(cells(made) == (std::vector<int>{64, 128}), boost::test_tools::per_element());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(warnings_are_those_of_the_last_grid) {
   Made made;
-  bool first = true;
-  const SolveOnGrid solve = [&](const Scene& one) {
-    Solution solution = made(one);
-    if (first) solution.error_bars.Hc.discretization = unknown;
-    first = false;
-    return solution;
-  };
-  const Solution solution = solve_to_accuracy(scene_for(0.9), solve, {});
+  made.mesh = 20.0;
+  const Solution solution = run(scene_for(0.9), made);
   BOOST_TEST(solution.accuracy.met);
-  BOOST_TEST(cells(made) == (std::vector<int>{64, 128}), boost::test_tools::per_element());
+  BOOST_REQUIRE(solution.warnings.size() == 1u);
+  BOOST_TEST(solution.warnings[0].find("not resolved") != std::string::npos);
 }
 
 // The real solver from the real start: 64 cells are 3 % off, 256 are not; and the climb from grid to grid keeps them
@@ -138,7 +162,9 @@ BOOST_AUTO_TEST_CASE(the_climb_goes_on_from_the_last_solution) {
     ++starts;
     Scene plain = one;
     plain.accuracy = {};
-    return steady::solve(plain);
+    Solution solution = steady::solve(plain);
+    solution.continuation.push_back({});
+    return solution;
   };
   Scene scene = scene_for(0.008);
   scene.grid.nx = scene.grid.ny = 128;
@@ -152,8 +178,31 @@ BOOST_AUTO_TEST_CASE(the_climb_goes_on_from_the_last_solution) {
   BOOST_TEST(solution.levels[1].seconds > 0.0);
   BOOST_TEST(solution.method == "full multigrid");
   BOOST_TEST(solution.attempts.size() == 1u);
+  BOOST_TEST(solution.continuation.size() == 1u);
+  std::size_t cycles = 0;
+  for (const LevelRow& row : solution.levels) cycles += static_cast<std::size_t>(row.cycles);
+  BOOST_TEST(solution.history.size() == cycles);
   BOOST_TEST_MESSAGE("Hc " << solution.levels.back().Hc
                            << ", of the limit 0.43247 on this domain, error at most 0.008");
   BOOST_TEST(std::abs(solution.levels.back().Hc / 0.43247 - 1.0) < 0.008);
   BOOST_TEST(std::abs(solution.levels.back().Hm / 0.29275 - 1.0) < 0.008);
+}
+
+// A climb that does not converge, for want of cycles, is replaced by all ways that there are.
+BOOST_AUTO_TEST_CASE(the_climb_that_fails_is_replaced) {
+  int starts = 0;
+  const SolveOnGrid solve_it = [&](const Scene& one) {
+    ++starts;
+    Scene plain = one;
+    plain.accuracy = {};
+    plain.multigrid = {};
+    return steady::solve(plain);
+  };
+  Scene scene = scene_for(0.03);
+  scene.multigrid.tolerance = 1e-12;
+  scene.multigrid.max_cycles = 2;
+  const Solution solution = solve_to_accuracy(scene, solve_it, {});
+  BOOST_TEST(solution.accuracy.met);
+  BOOST_TEST(starts == 2);
+  BOOST_TEST(solution.grid.nx == 128);
 }

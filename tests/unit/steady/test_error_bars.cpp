@@ -171,6 +171,7 @@ BOOST_AUTO_TEST_CASE(largest_pressure) {
   BOOST_TEST(bars(1.0, 1.1, 1.15).P_max == 1.25 * 0.05 / 1.15, tolerance(1e-12));
   BOOST_TEST(bars(1.0, 1.1, 1.11).P_max == 1.25 * 0.01 / 1.11, tolerance(1e-10));
   BOOST_TEST(bars(1.0, 1.1, 1.169).P_max_converging);
+  BOOST_TEST(bars(1.1, 1.0, 0.97).P_max_converging);
   for (const double last : {1.171, 1.3, 1.029}) {
     BOOST_TEST(!bars(1.0, 1.1, last).P_max_converging);
     BOOST_TEST(std::isnan(bars(1.0, 1.1, last).P_max));

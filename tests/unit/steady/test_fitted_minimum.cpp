@@ -93,6 +93,16 @@ BOOST_AUTO_TEST_CASE(node_itself_where_there_is_no_paraboloid) {
   BOOST_TEST(is_node(bowl(0.95, 0.05), 8, 5));
   BOOST_TEST(is_node(bowl(0.05, -0.95), 4, 0));
   BOOST_TEST(is_node(bowl(0.05, 0.95), 4, 10));
+  // Whatever stands where the neighbours beyond the sides would be.
+  for (const double Y : {-0.95, 0.95}) {
+    const int j = Y < 0.0 ? 0 : small_grid.ny;
+    core::Field field = film(small_grid, bowl(0.05, Y));
+    for (int i = 1; i <= small_grid.nx; ++i) {
+      field.at_x(i)[-1] = bowl(0.05, Y)(small_grid.X(i), small_grid.Y(-1));
+      field.at_x(i)[small_grid.ny + 1] = bowl(0.05, Y)(small_grid.X(i), small_grid.Y(small_grid.ny + 1));
+    }
+    BOOST_TEST(fitted_minimum(small_grid, field, 4, j).value == field(4, j));
+  }
   BOOST_TEST(!is_node(bowl(-0.73, 0.05), 1, 5));
   BOOST_TEST(!is_node(bowl(0.73, 0.05), 7, 5));
   BOOST_TEST(!is_node(bowl(0.05, -0.79), 4, 1));

@@ -49,6 +49,7 @@ BOOST_AUTO_TEST_CASE(it_grows_until_half_of_the_target_is_left) {
   BOOST_TEST(solution.error_bars.domain == solution.domain_error_Hc);
   BOOST_TEST(std::isnan(made.asked[2].multigrid.tolerance));
   BOOST_TEST(made.asked[2].accuracy.error == 0.004);
+  BOOST_TEST(solution.accuracy.asked == 0.004);
 }
 
 // 0.36 % of the domain: of the target of 0.8 % less than half; of what is left, 0.44 %, the mesh must have less.
@@ -65,12 +66,43 @@ BOOST_AUTO_TEST_CASE(the_mesh_has_what_the_domain_leaves) {
   BOOST_TEST(last(0.0046) == 128);
 }
 
+// Of Hc and Hm, the larger; of a film that grows and of one that shrinks.
+BOOST_AUTO_TEST_CASE(the_worse_of_both_films_tells_the_domain) {
+  const auto error = [](double domain, double domain_of_Hm) {
+    Made made;
+    made.mesh = 1e-4;
+    made.domain = 36.0 * domain;
+    made.domain_of_Hm = domain_of_Hm;
+    return run(free_scene(0.5), made).domain_error_Hc;
+  };
+  for (const double sign : {1.0, -1.0}) {
+    BOOST_TEST(error(0.01 * sign, 0.2) == 0.01, tolerance(0.02));
+    BOOST_TEST(error(0.01 * sign, 3.0) == 0.03, tolerance(0.05));
+  }
+}
+
+// 10 % lost at a length of 6, and 20 times that wanted: the ladder's next is 192, 190.5 of it upstream.
+BOOST_AUTO_TEST_CASE(up_to_200_radii) {
+  Made made;
+  made.diverges_from = 10000;
+  made.mesh = 1e-6;
+  made.domain = -0.1 * 36.0;
+  Scene scene = free_scene(5e-4);
+  scene.grid.ny = 4;
+  const Solution solution = run(scene, made);
+  BOOST_TEST(solution.accuracy.met);
+  BOOST_TEST(solution.grid.X_a == -190.5);
+  BOOST_TEST(solution.grid.nx == 2048);
+}
+
 BOOST_AUTO_TEST_CASE(half_the_cells_tell_the_domain) {
   Made made;
   Scene scene = free_scene(0.5);
   scene.grid.nx = scene.grid.ny = 256;
   run(scene, made);
   BOOST_TEST(cells(made) == (std::vector<int>{128, 256, 256}), boost::test_tools::per_element());
+  // A domain that is larger than it need be stays.
+  BOOST_TEST(made.asked[2].grid.X_a == -4.5);
 }
 
 BOOST_AUTO_TEST_CASE(what_stops_the_domain_stops_the_run) {
@@ -88,6 +120,13 @@ BOOST_AUTO_TEST_CASE(what_stops_the_domain_stops_the_run) {
   far.mesh = 1e-4;
   far.domain = -0.1 * 36.0;
   BOOST_TEST(stopped(free_scene(1e-4), far) == "the length of the domain: more than 200 Hertz radii would be needed");
+  // And no other limit takes its place.
+  Made both;
+  both.mesh = 1.0;
+  both.domain = -0.1 * 36.0;
+  Scene narrow = free_scene(1e-4);
+  narrow.accuracy.most_cells = 64;
+  BOOST_TEST(stopped(narrow, both).starts_with("the length of the domain"));
   Made fine;
   fine.mesh = 0.01;
   fine.domain = -0.1 * 36.0;
@@ -102,11 +141,14 @@ BOOST_AUTO_TEST_CASE(what_stops_the_domain_stops_the_run) {
   BOOST_TEST(stopped(scene, memory) == "the memory for 512 cells");
 }
 
+// The smaller domain, the larger one, or both are without a solution.
 BOOST_AUTO_TEST_CASE(a_domain_without_an_estimate) {
-  for (const int diverges_from : {64, 128}) {
-    Made made;
+  for (const char* fails : {"small", "large", "both"}) {
     const SolveOnGrid solve = [&](const Scene& one) {
-      made.diverges_from = std::isnan(one.accuracy.error) ? diverges_from : 1 << 20;
+      const bool coarse = std::isnan(one.accuracy.error);
+      const bool large = one.grid.X_a < -4.5;
+      Made made;
+      if (coarse && (fails == std::string("both") || large == (fails == std::string("large")))) made.diverges_from = 0;
       return made(one);
     };
     const Solution solution = solve_to_accuracy(free_scene(0.1), solve, {});
@@ -138,6 +180,12 @@ BOOST_AUTO_TEST_CASE(larger_domains) {
   }
   BOOST_TEST(on_larger_domain(grid, 1.0).X_a == -4.5);
   BOOST_TEST(on_larger_domain(grid, 1.0).nx == 256);
+  BOOST_TEST(on_larger_domain({64, 64, -1.5, 1.5, -1.5, 1.5}, 1.0).X_a == -1.5);
+  // Twice as long is twice the cells, whatever the rounding.
+  for (int k = 1; k < 40; ++k) {
+    const double X_b = 0.1 * k;
+    BOOST_TEST(on_larger_domain({64, 64, -3.0 * X_b, X_b, -1.0, 1.0}, 2.0).nx == 128);
+  }
   BOOST_TEST(on_larger_domain(grid, 2.0).X_a == -10.5);  // 28 of 32 parts, 14 Hertz radii would do for no less
   BOOST_TEST(on_larger_domain(grid, 8.5).X_a == -94.5);  // 63 of 64
 }
