@@ -39,12 +39,17 @@ Scene coarse_scene(const Scene& scene, const core::Grid& grid) {
   return coarse;
 }
 
+// Twice as long (upstream) and twice as wide, with the same nodes where both are: the error of the mesh is the same.
+core::Grid doubled(const core::Grid& grid) {
+  return {2 * grid.nx, 2 * grid.ny, grid.X_a - (grid.X_b - grid.X_a), grid.X_b, 2.0 * grid.Y_a, 2.0 * grid.Y_b};
+}
+
 // Relative growth of Hc or Hm, the larger, on a domain without end. NaN where a coarse solution fails.
 double domain_error(const Scene& scene, const SolveOnGrid& solve_on_grid) {
   core::Grid small = scene.grid;
   if (small.nx % 128 == 0 && small.ny % 2 == 0) small = core::coarsened(small);
   const Solution on_small = solve_on_grid(coarse_scene(scene, small));
-  const Solution on_large = solve_on_grid(coarse_scene(scene, on_larger_domain(small, 2.0)));
+  const Solution on_large = solve_on_grid(coarse_scene(scene, doubled(small)));
   if (!on_small.converged || !on_large.converged) return std::nan("");
   const LevelRow& a = on_small.levels.back();
   const LevelRow& b = on_large.levels.back();

@@ -11,6 +11,8 @@ constexpr double safety_of_two = 1.5;
 constexpr double safety = 1.25;
 /// Error of the first-order wedge over h/Hm^(2/3).
 constexpr double first_order_share = 0.35;
+/// Error of the second-order wedge over h^2/Hm^(4/3), at most; for one grid alone.
+constexpr double second_order_share = 0.85;
 /// Of the change that an extrapolation makes: as sure as the order itself, which comes out within a few hundredths.
 constexpr double least_of_correction = 0.05;
 
@@ -32,6 +34,12 @@ ErrorEstimate estimate_error(std::span<const double> values, double scheme_order
 
 double first_order_floor(double h, double Hm) {
   return Hm > 0.0 ? first_order_share * h / std::pow(Hm, 2.0 / 3.0) : std::numeric_limits<double>::infinity();
+}
+
+double error_of_one_grid(double h, double Hm, double scheme_order) {
+  if (!(Hm > 0.0)) return std::numeric_limits<double>::infinity();
+  const double step = h / std::pow(Hm, 2.0 / 3.0);
+  return scheme_order > 1.0 ? second_order_share * step * step : first_order_share * step * std::max(1.0, step);
 }
 
 Extrapolation extrapolate(std::span<const double> values, double scheme_order) {

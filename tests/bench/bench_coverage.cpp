@@ -102,7 +102,7 @@ void judge_run(const test::Point& point, reynolds::Wedge wedge, int n, const Tru
       return;
     }
     if (std::isnan(solution.error_bars.Hc.total())) {
-      result.without.push_back(name + ": one level, no error told");
+      result.without.push_back(name + ": no error told");
       return;
     }
     for (const test::Judged& judged : test::judged(solution, truth.film)) {
@@ -204,6 +204,8 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "%zu: M = %g, L = %g\n", k + 1, point.M, point.L);
     try {
       const Truth truth = truth_of(point, task);
+      std::fprintf(stderr, "   truth Hc = %.8g (moved by %.1e), Hm = %.8g (%.1e)\n", truth.film.Hc, truth.doubt.Hc,
+                   truth.film.Hm, truth.doubt.Hm);
       for (const reynolds::Wedge wedge : wedges)
         for (const int n : task.cells) judge_run(point, wedge, n, truth, result);
     } catch (const std::exception& error) {

@@ -69,6 +69,15 @@ BOOST_AUTO_TEST_CASE(floor_of_the_first_order) {
   for (const double Hm : {0.0, -0.1, unknown}) BOOST_TEST(std::isinf(first_order_floor(0.01, Hm)));
 }
 
+// h/Hm^(2/3) = 0.5 and 2.
+BOOST_AUTO_TEST_CASE(one_grid_alone) {
+  BOOST_TEST(error_of_one_grid(0.02, 0.008, 2.0) == 0.85 * 0.25, tolerance(1e-12));
+  BOOST_TEST(error_of_one_grid(0.08, 0.008, 2.0) == 0.85 * 4.0, tolerance(1e-12));
+  BOOST_TEST(error_of_one_grid(0.02, 0.008, 1.0) == 0.35 * 0.5, tolerance(1e-12));
+  BOOST_TEST(error_of_one_grid(0.08, 0.008, 1.0) == 0.35 * 4.0, tolerance(1e-12));
+  for (const double Hm : {0.0, -0.1, unknown}) BOOST_TEST(std::isinf(error_of_one_grid(0.01, Hm, 2.0)));
+}
+
 BOOST_AUTO_TEST_CASE(extrapolation_is_exact_for_its_order) {
   for (const double order : {1.0, 2.0})
     for (const int count : {3, 5}) {
@@ -197,6 +206,23 @@ BOOST_AUTO_TEST_CASE(what_is_not_known) {
   Solution no_cycles = three_levels(1.0, 1.1, 1.15);
   no_cycles.verification = {};
   BOOST_TEST(std::isnan(error_bars_of(Scene{}, no_cycles).Hc.total()));
+}
+
+// A row without an estimate has that of its mesh size; h = 6/60, Hm = 0.125.
+BOOST_AUTO_TEST_CASE(one_level) {
+  Solution one = three_levels(1.0, 1.1, 1.15);
+  one.levels = {row(0.5, 0.128, 0.125, 1.0)};
+  one.levels.back().nx = 60;
+  one.levels.back().error_Hc = one.levels.back().error_Hm = unknown;
+  Scene scene;
+  scene.grid = {120, 60, -4.5, 1.5, -1.0, 1.0};
+  const ErrorBars second = error_bars_of(scene, one);
+  BOOST_TEST(second.Hc.discretization == 0.85 * 0.16, tolerance(1e-12));
+  BOOST_TEST(second.Hm.discretization == 0.85 * 0.16 + 0.003 / 0.128, tolerance(1e-12));
+  BOOST_TEST(second.Hm_fitted.discretization == 0.85 * 0.16, tolerance(1e-12));
+  BOOST_TEST(second.Hc.algebraic == 1e-3);
+  scene.wedge = reynolds::Wedge::upstream1;
+  BOOST_TEST(error_bars_of(scene, one).Hc.discretization == 0.35 * 0.4, tolerance(1e-12));
 }
 
 // Where nothing was computed, what the far field says (domain_error.hpp).

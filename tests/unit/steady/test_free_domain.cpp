@@ -39,6 +39,9 @@ BOOST_AUTO_TEST_CASE(it_grows_until_half_of_the_target_is_left) {
   BOOST_TEST(made.asked[0].grid.X_a == -4.5);
   BOOST_TEST(made.asked[1].grid.X_a == -10.5);
   BOOST_TEST(made.asked[1].grid.nx == 128);
+  BOOST_TEST(made.asked[1].grid.ny == 128);
+  BOOST_TEST(made.asked[1].grid.Y_a == -6.0);
+  BOOST_TEST(made.asked[1].grid.Y_b == 6.0);
   const core::Grid& grid = made.asked[2].grid;
   BOOST_TEST_MESSAGE("from " << grid.X_a << " on, " << grid.nx << " cells; error of the domain "
                              << solution.domain_error_Hc << " (0.01 by 4/9 of the square it was scaled by)");
@@ -156,6 +159,20 @@ BOOST_AUTO_TEST_CASE(a_domain_without_an_estimate) {
     BOOST_TEST(!solution.accuracy.met);
     BOOST_TEST(!solution.converged);
     BOOST_TEST(std::isnan(solution.domain_error_Hc));
+  }
+}
+
+// The double domain has the same cells whatever the inlet: a mesh that differs would count as a domain that does.
+BOOST_AUTO_TEST_CASE(the_mesh_does_not_count_as_domain) {
+  for (const double X_a : {-4.5, -1.5 * 21.0 / 11.0}) {
+    Made made;
+    made.mesh = 1.0;
+    Scene scene = free_scene(0.5);
+    scene.grid = {128, 128, X_a, 1.5, -3.0, 3.0};
+    const Solution solution = run(scene, made);
+    BOOST_TEST_MESSAGE("X_a = " << X_a << ": error of the domain " << solution.domain_error_Hc << " (none)");
+    BOOST_TEST(std::abs(solution.domain_error_Hc) < 1e-12);
+    BOOST_TEST(made.asked[1].grid.hx() == made.asked[0].grid.hx(), tolerance(1e-12));
   }
 }
 
