@@ -1,7 +1,8 @@
 // Are the error bars right? Default runs of the program's solver against the truth of tests/support/coverage.hpp:
 // second-order solutions on 1024 and 2048 cells; what is judged ends at 512. Prints Markdown.
-//   bench_coverage [quick | POINT...]
-//   quick: four contacts up to 256 cells, truth from 512 and 1024; POINT: numbers of contacts from the list, from 1
+//   bench_coverage [quick | coarse | POINT...]
+//   quick: four contacts up to 256 cells, truth from 512 and 1024; coarse: the same with all of them
+//   POINT: numbers of contacts from the list, from 1
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -185,10 +186,14 @@ void print_misses(const Result& result) {
 }
 
 Task task_of(int argc, char** argv) {
-  if (argc > 1 && !std::strcmp(argv[1], "quick")) return {{1, 4, 12, 17}, {64, 128, 256}, 512, 1024};
   Task task{{}, {64, 128, 256, 512}, 1024, 2048};
-  for (int k = 1; k < argc; ++k) task.points.push_back(static_cast<std::size_t>(std::atoi(argv[k]) - 1));
-  if (argc == 1)
+  const auto asked = [&](const char* word) { return argc > 1 && !std::strcmp(argv[1], word); };
+  if (asked("quick") || asked("coarse")) task = {{1, 4, 12, 17}, {64, 128, 256}, 512, 1024};
+  if (asked("quick")) return task;
+  task.points.clear();
+  for (int k = 1; k < argc && !asked("coarse"); ++k)
+    task.points.push_back(static_cast<std::size_t>(std::atoi(argv[k]) - 1));
+  if (task.points.empty())
     for (std::size_t k = 0; k < std::size(points); ++k) task.points.push_back(k);
   return task;
 }
