@@ -12,11 +12,13 @@ using namespace steady;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Made-up solutions: H = limit (1 + mesh h^2 + domain/length^2 + kink), three levels of it; and what was asked for.
+/// Made-up solutions: H = limit (1 + mesh h^2 + inlet/length^3 + load/length + kink), three levels of it; and what was
+/// asked for.
 struct Made {
   double mesh = 0.5;          ///< relative error of Hc over h^2
   double mesh_of_Hm = 2.0;    ///< over that of Hc
-  double domain = 0.0;        ///< relative error of Hc times length^2; negative: the film grows with the domain
+  double inlet = 0.0;         ///< relative error of Hc times length^3; negative: the film grows with the domain
+  double load = 0.0;          ///< relative error of Hc times length
   double domain_of_Hm = 1.0;  ///< over that of Hc
   double kink_of_Hc = 0.0;    ///< relative disturbance of the level before the last
   double kink_of_Hm = 0.0;
@@ -38,7 +40,7 @@ struct Made {
       LevelRow row;
       row.nx = scene.grid.nx / coarser;
       const double h = length / row.nx;
-      const double of_domain = domain / (length * length);
+      const double of_domain = inlet / (length * length * length) + load / length;
       const bool kinked = coarser == 2;
       row.Hc = 0.4 * (1.0 + mesh * h * h + of_domain + (kinked ? kink_of_Hc : 0.0));
       row.Hm = 0.3 * (1.0 + mesh_of_Hm * mesh * h * h + domain_of_Hm * of_domain + (kinked ? kink_of_Hm : 0.0));
