@@ -25,8 +25,8 @@ std::vector<double> column(const Solution& solution, double LevelRow::*value) {
   return values;
 }
 
-Extrapolated extrapolated(const std::vector<double>& values, double order, double algebraic) {
-  const Extrapolation result = extrapolate(values, order);
+Extrapolated extrapolated(const std::vector<double>& values, double order, double unsure, double algebraic) {
+  const Extrapolation result = extrapolate(values, order, unsure);
   // An algebraic error of the last value enters the extrapolation with 1 + 1/(2^p - 1).
   const double share = 1.0 + 1.0 / (std::exp2(order) - 1.0);
   return {result.value, result.relative_error + share * algebraic};
@@ -73,8 +73,9 @@ ErrorBars error_bars_of(const Scene& scene, const Solution& solution) {
     bars.Hm_fitted_X = fitted.X;
     bars.Hm_fitted_Y = fitted.Y;
   }
-  bars.Hc_extrapolated = extrapolated(column(solution, &LevelRow::Hc), order, checked.algebraic_error_Hc);
-  bars.Hm_extrapolated = extrapolated(column(solution, &LevelRow::Hm_fitted), order, checked.algebraic_error_Hm);
+  bars.Hc_extrapolated = extrapolated(column(solution, &LevelRow::Hc), order, unsure_of_Hc, checked.algebraic_error_Hc);
+  bars.Hm_extrapolated =
+      extrapolated(column(solution, &LevelRow::Hm_fitted), order, unsure_of_Hm, checked.algebraic_error_Hm);
   bars.domain =
       std::isfinite(solution.domain_error_Hc) ? std::abs(solution.domain_error_Hc) : rough_domain_error(scene);
   judge_P_max(column(solution, &LevelRow::P_max), bars);

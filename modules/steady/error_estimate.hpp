@@ -36,8 +36,13 @@ struct Extrapolation {
   double relative_error = unknown;
 };
 
+/// Of what an extrapolation adds, the share that is never trusted: for Hc, whose order comes out within a few
+/// hundredths, and for the fitted minimum, part of whose error depends on where between the nodes the minimum lies.
+inline constexpr double unsure_of_Hc = 0.05;
+inline constexpr double unsure_of_Hm = 0.2;
+
 /// Richardson's v_k + (v_k - v_{k-1})/(2^p - 1), p the scheme's order; its error from what it changed since the
-/// extrapolation one level below, and at least a twentieth of what was added. NaN with fewer than three values.
-Extrapolation extrapolate(std::span<const double> values, double scheme_order);
+/// extrapolation one level below, and at least the share `unsure` of what was added. NaN with fewer than three values.
+Extrapolation extrapolate(std::span<const double> values, double scheme_order, double unsure);
 
 }  // namespace ehl::steady

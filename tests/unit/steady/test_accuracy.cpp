@@ -88,8 +88,8 @@ BOOST_AUTO_TEST_CASE(stopped_by_memory) {
   }
 }
 
-// Films of exactly second order: what is extrapolated is right to a twentieth of the last grid's own error, where that
-// is beyond what the plain values can be brought to.
+// Films of exactly second order: what is extrapolated is right to a fifth of what that adds to Hm, 0.16 of its error,
+// where that is beyond what the plain values can be brought to.
 BOOST_AUTO_TEST_CASE(met_by_extrapolation) {
   Made made;
   const Solution solution = run(scene_for(0.05 * first_error), made);
@@ -98,11 +98,10 @@ BOOST_AUTO_TEST_CASE(met_by_extrapolation) {
   BOOST_TEST(solution.accuracy.by_extrapolation);
   BOOST_TEST(solution.error_bars.Hm.total() > 0.05 * first_error);
   BOOST_TEST(solution.error_bars.Hm_extrapolated.error <= 0.05 * first_error);
-  BOOST_TEST(cells(made) == std::vector<int>{64}, boost::test_tools::per_element());
-  // Its error there is 0.04 times that of the plain value.
+  BOOST_TEST(cells(made) == (std::vector<int>{64, 128}), boost::test_tools::per_element());
   Made once_more;
   BOOST_TEST(run(scene_for(0.03 * first_error), once_more).accuracy.by_extrapolation);
-  BOOST_TEST(once_more.asked.back().grid.nx == 128);
+  BOOST_TEST(once_more.asked.back().grid.nx == 256);
   // Within reach of the plain values nothing is extrapolated.
   Made plain;
   BOOST_TEST(!run(scene_for(0.07 * first_error), plain).accuracy.by_extrapolation);
