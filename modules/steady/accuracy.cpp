@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -16,8 +17,8 @@
 namespace ehl::steady {
 namespace {
 
-/// Of the target, left to a domain that is free.
-constexpr double share_of_domain = 0.5;
+/// Of the target, left to a domain that is free; the second where the first needs a domain that is forbidden.
+constexpr double shares_of_domain[] = {0.5, 0.7};
 /// A domain is made larger in steps of this, in thought.
 constexpr double step_of_size = 1.01;
 /// Cells of the largest coarse solution that is spent on the domain.
@@ -144,6 +145,24 @@ std::string forbidden(const Scene& scene, const core::Grid& grid) {
   return {};
 }
 
+// The grid on the domain that leaves enough for the mesh; or that of the scene and what forbids a larger one.
+std::pair<core::Grid, std::string> domain_for(const Scene& scene, const DomainError& error) {
+  if (std::isnan(error.left(1.0))) return {scene.grid, "the error of the domain, which could not be estimated"};
+  std::string stopped;
+  for (const double share : shares_of_domain) {
+    double size = 1.0;
+    while (error.left(size) > share * scene.accuracy.error && -size * scene.grid.X_a < 2.0 * longest_domain)
+      size *= step_of_size;
+    const core::Grid larger = size > 1.0 ? on_larger_domain(scene.grid, size) : scene.grid;
+    const std::string forbids = -larger.X_a > longest_domain
+                                    ? "the length of the domain: more than 200 Hertz radii would be needed"
+                                    : forbidden(scene, larger);
+    if (forbids.empty()) return {larger, ""};
+    if (stopped.empty()) stopped = forbids;
+  }
+  return {scene.grid, stopped};
+}
+
 Solution on_finer_grid(const Scene& finer, const Solution& coarser, const SolveOnGrid& solve_on_grid,
                        const ProgressCallback& progress) {
   try {
@@ -181,18 +200,8 @@ Solution solve_to_accuracy(const Scene& asked, const SolveOnGrid& solve_on_grid,
   std::string stopped;
   if (asked.accuracy.domain_is_free) {
     const DomainError error = domain_error(asked, solve_on_grid);
-    of_domain = error.left(1.0);
-    double size = 1.0;
-    while (error.left(size) > share_of_domain * target && -size * asked.grid.X_a < 2.0 * longest_domain)
-      size *= step_of_size;
-    core::Grid larger = size > 1.0 ? on_larger_domain(asked.grid, size) : asked.grid;
-    if (std::isnan(of_domain)) stopped = "the error of the domain, which could not be estimated";
-    if (-larger.X_a > longest_domain) stopped = "the length of the domain: more than 200 Hertz radii would be needed";
-    if (stopped.empty()) stopped = forbidden(scene, larger);
-    if (stopped.empty()) {
-      scene.grid = larger;
-      of_domain = error.left((larger.X_b - larger.X_a) / (asked.grid.X_b - asked.grid.X_a));
-    }
+    std::tie(scene.grid, stopped) = domain_for(asked, error);
+    of_domain = error.left((scene.grid.X_b - scene.grid.X_a) / (asked.grid.X_b - asked.grid.X_a));
   }
   // What stopped the domain is a reason to do no more than the mesh deserves.
   const double allowed = stopped.empty() ? target - of_domain : target;

@@ -75,6 +75,24 @@ BOOST_AUTO_TEST_CASE(missing_load_falls_slowly) {
   BOOST_TEST(run(free_scene(0.0012), both).domain_error_Hc == 0.006 / 16.0 + 0.004 / 4096.0, tolerance(0.02));
 }
 
+// Half of 0.4 % for the domain wants a length of 48 and 512 cells; with 256 allowed 0.7 of it are taken, for which 24
+// will do; with 128 nothing will.
+BOOST_AUTO_TEST_CASE(more_for_the_domain_where_half_is_too_little) {
+  const auto length = [](int most_cells) {
+    Made made;
+    made.mesh = 0.001;
+    made.load = -0.01 * 6.0;
+    Scene scene = free_scene(0.004);
+    scene.accuracy.most_cells = most_cells;
+    const Solution solution = run(scene, made);
+    BOOST_TEST(solution.accuracy.met == (most_cells > 128));
+    return solution.grid.X_b - solution.grid.X_a;
+  };
+  BOOST_TEST(length(512) == 48.0, tolerance(1e-12));
+  BOOST_TEST(length(256) == 24.0, tolerance(1e-12));
+  BOOST_TEST(length(128) == 6.0, tolerance(1e-12));
+}
+
 // Four times the domain is looked at on up to 1024 cells.
 BOOST_AUTO_TEST_CASE(cells_spent_on_the_domain) {
   for (const int cells : {512, 1024}) {
