@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "core/errors.hpp"
 #include "core/timer.hpp"
@@ -15,10 +17,12 @@
 namespace ehl::steady {
 namespace {
 
-/// Of the target, left to a domain that is free.
-constexpr double share_of_domain = 0.5;
-/// The error of a domain falls with the square of its size: what doubling it gains is three quarters of the whole.
-constexpr double whole_over_gain = 4.0 / 3.0;
+/// Of the target, left to a domain that is free; the second where the first needs a domain that is forbidden.
+constexpr double shares_of_domain[] = {0.5, 0.7};
+/// A domain is made larger in steps of this, in thought.
+constexpr double step_of_size = 1.01;
+/// Cells of the largest coarse solution that is spent on the domain.
+constexpr int most_coarse_cells = 1024;
 constexpr double longest_domain = 200.0;
 /// The foretold level is one more where it would leave more than this of what is allowed.
 constexpr double sure = 0.95;
@@ -39,16 +43,54 @@ Scene coarse_scene(const Scene& scene, const core::Grid& grid) {
   return coarse;
 }
 
-// Relative growth of Hc or Hm, the larger, on a domain without end. NaN where a coarse solution fails.
-double domain_error(const Scene& scene, const SolveOnGrid& solve_on_grid) {
-  core::Grid small = scene.grid;
-  if (small.nx % 128 == 0 && small.ny % 2 == 0) small = core::coarsened(small);
-  const Solution on_small = solve_on_grid(coarse_scene(scene, small));
-  const Solution on_large = solve_on_grid(coarse_scene(scene, on_larger_domain(small, 2.0)));
-  if (!on_small.converged || !on_large.converged) return std::nan("");
-  const LevelRow& a = on_small.levels.back();
-  const LevelRow& b = on_large.levels.back();
-  return whole_over_gain * std::max(std::abs(b.Hc / a.Hc - 1.0), std::abs(b.Hm_fitted / a.Hm_fitted - 1.0));
+// Twice as long (upstream) and twice as wide, with the same nodes where both are: the error of the mesh is the same.
+core::Grid doubled(const core::Grid& grid) {
+  return {2 * grid.nx, 2 * grid.ny, grid.X_a - (grid.X_b - grid.X_a), grid.X_b, 2.0 * grid.Y_a, 2.0 * grid.Y_b};
+}
+
+// What a domain cuts off, relative to the film: pressure of the inlet, which falls with the third power of the size;
+// load of the far field, which falls with the first (domain_error.hpp). Never less than what falls with the square and
+// is told by doubling the domain once: three quarters of that are gained.
+struct DomainError {
+  double square = 0.0;
+  double inlet = 0.0;
+  double load = 0.0;
+  double left(double size) const {
+    return std::max(square / (size * size), inlet / (size * size * size) + load / size);
+  }
+};
+
+// From what doubling gains, and doubling again; no second gain, no more than the square.
+DomainError domain_error(double gain, double next_gain) {
+  const double square = 4.0 / 3.0 * gain;
+  if (std::isnan(next_gain)) return {square, 0.0, 0.0};
+  // gain = 7/8 inlet + 1/2 load, next_gain = 7/64 inlet + 1/4 load.
+  const double load = std::clamp((8.0 * next_gain - gain) / 1.5, 0.0, 2.0 * gain);
+  return {square, 8.0 / 7.0 * (gain - 0.5 * load), load};
+}
+
+double change(const LevelRow& from, const LevelRow& to, double LevelRow::*film) {
+  return std::abs(to.*film / from.*film - 1.0);
+}
+
+// Of Hc or Hm, the worse; NaN where a coarse solution fails.
+DomainError domain_error(const Scene& scene, const SolveOnGrid& solve_on_grid) {
+  core::Grid grid = scene.grid;
+  if (grid.nx % 128 == 0 && grid.ny % 2 == 0) grid = core::coarsened(grid);
+  std::vector<LevelRow> rows;
+  for (int size = 1; size <= 4; size *= 2, grid = doubled(grid)) {
+    if (size == 4 && grid.nx > most_coarse_cells) break;
+    const Solution solution = solve_on_grid(coarse_scene(scene, grid));
+    if (!solution.converged) return {std::nan(""), 0.0, 0.0};
+    rows.push_back(solution.levels.back());
+  }
+  const auto error_of = [&](double LevelRow::*film) {
+    const double next_gain = rows.size() > 2 ? change(rows[1], rows[2], film) : std::nan("");
+    return domain_error(change(rows[0], rows[1], film), next_gain);
+  };
+  const DomainError Hc = error_of(&LevelRow::Hc);
+  const DomainError Hm = error_of(&LevelRow::Hm_fitted);
+  return {std::max(Hc.square, Hm.square), std::max(Hc.inlet, Hm.inlet), std::max(Hc.load, Hm.load)};
 }
 
 // The next levels up to the grid of `finer`, from the solution on a coarser one.
@@ -76,11 +118,10 @@ double extrapolated_error(const ErrorBars& bars) {
   return worst(bars.Hc_extrapolated.error, bars.Hm_extrapolated.error);
 }
 
-// Cells of the level that will do for the plain values, by the scheme's order.
+// Cells of the level that will do for the plain values, by the scheme's order; the next where the error is unknown.
 double foretold_cells(const Scene& scene, const Solution& solution, double allowed) {
   double error = plain_error(solution.error_bars);
   double cells = solution.grid.nx;
-  if (std::isnan(error)) return 2.0 * cells;
   do {
     cells *= 2.0;
     error /= std::exp2(reynolds::order(scene.wedge));
@@ -104,6 +145,24 @@ std::string forbidden(const Scene& scene, const core::Grid& grid) {
   return {};
 }
 
+// The grid on the domain that leaves enough for the mesh; or that of the scene and what forbids a larger one.
+std::pair<core::Grid, std::string> domain_for(const Scene& scene, const DomainError& error) {
+  if (std::isnan(error.left(1.0))) return {scene.grid, "the error of the domain, which could not be estimated"};
+  std::string stopped;
+  for (const double share : shares_of_domain) {
+    double size = 1.0;
+    while (error.left(size) > share * scene.accuracy.error && -size * scene.grid.X_a < 2.0 * longest_domain)
+      size *= step_of_size;
+    const core::Grid larger = size > 1.0 ? on_larger_domain(scene.grid, size) : scene.grid;
+    const std::string forbids = -larger.X_a > longest_domain
+                                    ? "the length of the domain: more than 200 Hertz radii would be needed"
+                                    : forbidden(scene, larger);
+    if (forbids.empty()) return {larger, ""};
+    if (stopped.empty()) stopped = forbids;
+  }
+  return {scene.grid, stopped};
+}
+
 Solution on_finer_grid(const Scene& finer, const Solution& coarser, const SolveOnGrid& solve_on_grid,
                        const ProgressCallback& progress) {
   try {
@@ -122,10 +181,8 @@ core::Grid on_larger_domain(const core::Grid& grid, double factor) {
   int parts = 32;  // of which m lie upstream of 0
   int m = 16;
   const auto length = [&] { return grid.X_b * parts / (parts - m); };
-  while (length() < wanted) {
+  for (; length() < wanted; ++m)
     if (m + 1 == parts) parts *= 2;
-    m = m + 1 < parts / 2 + parts / 4 && parts > 32 ? parts - 1 : m + 1;
-  }
   core::Grid larger = grid;
   larger.X_a = -grid.X_b * m / (parts - m);
   const double ratio = length() / (grid.X_b - grid.X_a);
@@ -142,16 +199,9 @@ Solution solve_to_accuracy(const Scene& asked, const SolveOnGrid& solve_on_grid,
   double of_domain = 0.0;
   std::string stopped;
   if (asked.accuracy.domain_is_free) {
-    of_domain = domain_error(asked, solve_on_grid);
-    const double size = std::sqrt(of_domain / (share_of_domain * target));
-    core::Grid larger = size > 1.0 ? on_larger_domain(asked.grid, size) : asked.grid;
-    if (std::isnan(of_domain)) stopped = "the error of the domain, which could not be estimated";
-    if (-larger.X_a > longest_domain) stopped = "the length of the domain: more than 200 Hertz radii would be needed";
-    if (stopped.empty()) stopped = forbidden(scene, larger);
-    if (stopped.empty()) {
-      scene.grid = larger;
-      of_domain *= std::pow((asked.grid.X_b - asked.grid.X_a) / (larger.X_b - larger.X_a), 2.0);
-    }
+    const DomainError error = domain_error(asked, solve_on_grid);
+    std::tie(scene.grid, stopped) = domain_for(asked, error);
+    of_domain = error.left((scene.grid.X_b - scene.grid.X_a) / (asked.grid.X_b - asked.grid.X_a));
   }
   // What stopped the domain is a reason to do no more than the mesh deserves.
   const double allowed = stopped.empty() ? target - of_domain : target;

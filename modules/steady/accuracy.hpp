@@ -12,8 +12,10 @@ namespace ehl::steady {
 using SolveOnGrid = std::function<Solution(const Scene&)>;
 
 /// Solutions from grid to grid until the estimated relative error of Hc and Hm is at most scene.accuracy.error.
-///   Domain, where it is free: solutions on it and on one twice as large, both coarse, tell its error, which falls
-///   with the square of its size; it grows until half of the target is left for the mesh.
+///   Domain, where it is free: coarse solutions of the same mesh on it, on one twice as large and (where that takes no
+///   more than 1024 cells) on one four times as large tell what the inlet cuts off, which falls with the third power
+///   of the size, and what load is missing, which falls with the first; it grows until half of the target is left for
+///   the mesh, or three tenths where half takes a domain that is too large.
 ///   Mesh: the scheme's order foretells the level; the climb goes there from the last solution. The promise is for the
 ///   plain values of the finest grid (node minimum) as far as most_cells and most_nodes allow, and for the values
 ///   extrapolated from the levels beyond that: AccuracyReport::by_extrapolation.

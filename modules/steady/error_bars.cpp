@@ -25,11 +25,24 @@ std::vector<double> column(const Solution& solution, double LevelRow::*value) {
   return values;
 }
 
-Extrapolated extrapolated(const std::vector<double>& values, double order, double algebraic) {
-  const Extrapolation result = extrapolate(values, order);
+Extrapolated extrapolated(const std::vector<double>& values, double order, double unsure, double algebraic) {
+  const Extrapolation result = extrapolate(values, order, unsure);
   // An algebraic error of the last value enters the extrapolation with 1 + 1/(2^p - 1).
   const double share = 1.0 + 1.0 / (std::exp2(order) - 1.0);
   return {result.value, result.relative_error + share * algebraic};
+}
+
+// Of the mesh; where a row has no estimate of it, from that row alone. The node's distance from the minimum counts.
+struct MeshError {
+  double Hc;
+  double Hm;
+  double Hm_fitted;
+};
+MeshError mesh_error(const Scene& scene, const LevelRow& row, double order) {
+  const double of_node = std::abs(row.Hm - row.Hm_fitted) / row.Hm;
+  if (std::isfinite(row.error_Hc)) return {row.error_Hc, row.error_Hm, row.error_Hm - of_node};
+  const double error = error_of_one_grid((scene.grid.X_b - scene.grid.X_a) / row.nx, row.Hm_fitted, order);
+  return {error, error + of_node, error};
 }
 
 void judge_P_max(const std::vector<double>& P_max, ErrorBars& bars) {
@@ -49,9 +62,10 @@ ErrorBars error_bars_of(const Scene& scene, const Solution& solution) {
   const double order = reynolds::order(scene.wedge);
   const LevelRow& last = solution.levels.back();
   const Verification& checked = solution.verification;
-  bars.Hc = {last.error_Hc, checked.algebraic_error_Hc};
-  bars.Hm = {last.error_Hm, checked.algebraic_error_Hm};
-  bars.Hm_fitted = {last.error_Hm - std::abs(last.Hm - last.Hm_fitted) / last.Hm, checked.algebraic_error_Hm};
+  const MeshError mesh = mesh_error(scene, last, order);
+  bars.Hc = {mesh.Hc, checked.algebraic_error_Hc};
+  bars.Hm = {mesh.Hm, checked.algebraic_error_Hm};
+  bars.Hm_fitted = {mesh.Hm_fitted, checked.algebraic_error_Hm};
   bars.Hm_fitted_value = last.Hm_fitted;
   if (solution.H.nodes_x() > 0) {
     const core::Location node = core::minimum(solution.H);
@@ -59,8 +73,9 @@ ErrorBars error_bars_of(const Scene& scene, const Solution& solution) {
     bars.Hm_fitted_X = fitted.X;
     bars.Hm_fitted_Y = fitted.Y;
   }
-  bars.Hc_extrapolated = extrapolated(column(solution, &LevelRow::Hc), order, checked.algebraic_error_Hc);
-  bars.Hm_extrapolated = extrapolated(column(solution, &LevelRow::Hm_fitted), order, checked.algebraic_error_Hm);
+  bars.Hc_extrapolated = extrapolated(column(solution, &LevelRow::Hc), order, unsure_of_Hc, checked.algebraic_error_Hc);
+  bars.Hm_extrapolated =
+      extrapolated(column(solution, &LevelRow::Hm_fitted), order, unsure_of_Hm, checked.algebraic_error_Hm);
   bars.domain =
       std::isfinite(solution.domain_error_Hc) ? std::abs(solution.domain_error_Hc) : rough_domain_error(scene);
   judge_P_max(column(solution, &LevelRow::P_max), bars);

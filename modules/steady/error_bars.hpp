@@ -10,7 +10,7 @@ struct Solution;
 /// Parts of a relative error, each an estimate; NaN where unknown.
 struct ErrorBar {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  double discretization = unknown;  ///< of the mesh (error_estimate.hpp)
+  double discretization = unknown;  ///< of the mesh (error_estimate.hpp): from the levels; rough where there is one
   double algebraic = unknown;       ///< what further cycles would change (checks.hpp)
   /// The error on this domain: the sum of both.
   double total() const { return discretization + algebraic; }

@@ -11,8 +11,8 @@ constexpr double safety_of_two = 1.5;
 constexpr double safety = 1.25;
 /// Error of the first-order wedge over h/Hm^(2/3).
 constexpr double first_order_share = 0.35;
-/// Of the change that an extrapolation makes: as sure as the order itself, which comes out within a few hundredths.
-constexpr double least_of_correction = 0.05;
+/// Error of the second-order wedge over h^2/Hm^(4/3), at most; for one grid alone.
+constexpr double second_order_share = 0.85;
 
 }  // namespace
 
@@ -34,14 +34,20 @@ double first_order_floor(double h, double Hm) {
   return Hm > 0.0 ? first_order_share * h / std::pow(Hm, 2.0 / 3.0) : std::numeric_limits<double>::infinity();
 }
 
-Extrapolation extrapolate(std::span<const double> values, double scheme_order) {
+double error_of_one_grid(double h, double Hm, double scheme_order) {
+  if (!(Hm > 0.0)) return std::numeric_limits<double>::infinity();
+  const double step = h / std::pow(Hm, 2.0 / 3.0);
+  return scheme_order > 1.0 ? second_order_share * step * step : first_order_share * step * std::max(1.0, step);
+}
+
+Extrapolation extrapolate(std::span<const double> values, double scheme_order, double unsure) {
   const std::size_t n = values.size();
   if (n < 3) return {};
   const double share = 1.0 / (std::exp2(scheme_order) - 1.0);
   const double correction = share * (values[n - 1] - values[n - 2]);
   const double value = values[n - 1] + correction;
   const double before = values[n - 2] + share * (values[n - 2] - values[n - 3]);
-  return {value, std::max(std::abs(value - before), least_of_correction * std::abs(correction)) / std::abs(value)};
+  return {value, std::max(std::abs(value - before), unsure * std::abs(correction)) / std::abs(value)};
 }
 
 }  // namespace ehl::steady

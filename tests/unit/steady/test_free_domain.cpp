@@ -1,0 +1,258 @@
+// An accuracy instead of a grid, with a domain that may grow.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "unit/steady/made_solutions.hpp"
+
+using namespace ehl;
+using namespace ehl::test;
+using boost::test_tools::tolerance;
+
+namespace {
+
+Scene free_scene(double error) {
+  Scene scene = scene_for(error);
+  scene.accuracy.domain_is_free = true;
+  scene.accuracy.most_cells = 4096;
+  return scene;
+}
+
+}  // namespace
+
+// The inlet loses 1 % at a length of 6, of which doubling gains 7/8; taken for 3/4 that is 1.17 %. Half of the target
+// of 0.4 % wants 2.42 times the length; the ladder's next is 1.5 * 32/3 = 16, 2.67 times.
+BOOST_AUTO_TEST_CASE(it_grows_until_half_of_the_target_is_left) {
+  Made made;
+  made.mesh = 0.05;
+  made.inlet = -0.01 * 216.0;
+  const Solution solution = run(free_scene(0.004), made);
+  BOOST_TEST(solution.accuracy.met);
+  BOOST_REQUIRE(made.asked.size() >= 4u);
+  // Coarse ones, solved well, for the domain itself, its double and that one's; none asks for an accuracy.
+  for (const std::size_t k : {0u, 1u, 2u}) {
+    BOOST_TEST(std::isnan(made.asked[k].accuracy.error));
+    BOOST_TEST(made.asked[k].multigrid.tolerance == 1e-6);
+  }
+  BOOST_TEST(made.asked[0].grid.nx == 64);
+  BOOST_TEST(made.asked[0].grid.X_a == -4.5);
+  BOOST_TEST(made.asked[1].grid.X_a == -10.5);
+  BOOST_TEST(made.asked[1].grid.nx == 128);
+  BOOST_TEST(made.asked[1].grid.ny == 128);
+  BOOST_TEST(made.asked[1].grid.Y_a == -6.0);
+  BOOST_TEST(made.asked[1].grid.Y_b == 6.0);
+  BOOST_TEST(made.asked[2].grid.X_a == -22.5);
+  BOOST_TEST(made.asked[2].grid.nx == 256);
+  const core::Grid& grid = made.asked[3].grid;
+  BOOST_TEST_MESSAGE("from " << grid.X_a << " on, " << grid.nx << " cells; error of the domain "
+                             << solution.domain_error_Hc << " (0.0117 by the square of that)");
+  const double length = grid.X_b - grid.X_a;
+  BOOST_TEST(length == 1.5 * 32.0 / 3.0, tolerance(1e-12));
+  BOOST_TEST(solution.domain_error_Hc == 7.0 / 6.0 * 0.01 * 36.0 / (length * length), tolerance(0.02));
+  BOOST_TEST(solution.error_bars.domain == solution.domain_error_Hc);
+  BOOST_TEST(std::isnan(made.asked[3].multigrid.tolerance));
+  BOOST_TEST(made.asked[3].accuracy.error == 0.004);
+  BOOST_TEST(solution.accuracy.asked == 0.004);
+}
+
+// Load that is missing falls with the first power: 1 % at a length of 6 and half of 0.4 % want 30 of it, the ladder 48.
+BOOST_AUTO_TEST_CASE(missing_load_falls_slowly) {
+  Made made;
+  made.diverges_from = 10000;
+  made.mesh = 0.001;
+  made.load = -0.01 * 6.0;
+  const Solution solution = run(free_scene(0.004), made);
+  BOOST_TEST(solution.accuracy.met);
+  BOOST_TEST(solution.grid.X_a == -46.5);
+  BOOST_TEST(solution.domain_error_Hc == 0.01 / 8.0, tolerance(0.02));
+  // 0.4 % by the inlet and 0.6 % by the load, at sixteen times the length: told apart.
+  Made both;
+  both.diverges_from = 10000;
+  both.mesh = 0.001;
+  both.inlet = -0.004 * 216.0;
+  both.load = -0.006 * 6.0;
+  BOOST_TEST(run(free_scene(0.0012), both).domain_error_Hc == 0.006 / 16.0 + 0.004 / 4096.0, tolerance(0.02));
+}
+
+// Half of 0.4 % for the domain wants a length of 48 and 512 cells; with 256 allowed 0.7 of it are taken, for which 24
+// will do; with 128 nothing will.
+BOOST_AUTO_TEST_CASE(more_for_the_domain_where_half_is_too_little) {
+  const auto length = [](int most_cells) {
+    Made made;
+    made.mesh = 0.001;
+    made.load = -0.01 * 6.0;
+    Scene scene = free_scene(0.004);
+    scene.accuracy.most_cells = most_cells;
+    const Solution solution = run(scene, made);
+    BOOST_TEST(solution.accuracy.met == (most_cells > 128));
+    return solution.grid.X_b - solution.grid.X_a;
+  };
+  BOOST_TEST(length(512) == 48.0, tolerance(1e-12));
+  BOOST_TEST(length(256) == 24.0, tolerance(1e-12));
+  BOOST_TEST(length(128) == 6.0, tolerance(1e-12));
+}
+
+// Four times the domain is looked at on up to 1024 cells.
+BOOST_AUTO_TEST_CASE(cells_spent_on_the_domain) {
+  for (const int cells : {512, 1024}) {
+    Made made;
+    made.diverges_from = 10000;
+    Scene scene = free_scene(0.5);
+    scene.grid = {cells, 4, -4.5, 1.5, -3.0, 3.0};
+    run(scene, made);
+    BOOST_TEST(made.asked.size() == (cells == 512 ? 4u : 3u));
+  }
+}
+
+// 0.36 % of the domain: of the target of 0.8 % less than half; of what is left, 0.44 %, the mesh must have less.
+BOOST_AUTO_TEST_CASE(the_mesh_has_what_the_domain_leaves) {
+  const auto last = [](double estimate_of_mesh) {
+    Made made;
+    made.inlet = -0.0036 * 6.0 / 7.0 * 216.0;
+    made.mesh = estimate_of_mesh / first_error * 0.5;
+    BOOST_TEST(run(free_scene(0.008), made).accuracy.met);
+    BOOST_TEST(made.asked[3].grid.X_a == -4.5);
+    return made.asked.back().grid.nx;
+  };
+  BOOST_TEST(last(0.0042) == 64);
+  BOOST_TEST(last(0.0046) == 128);
+}
+
+// Of Hc and Hm, the larger; of a film that grows and of one that shrinks.
+BOOST_AUTO_TEST_CASE(the_worse_of_both_films_tells_the_domain) {
+  const auto error = [](double domain, double domain_of_Hm) {
+    Made made;
+    made.mesh = 1e-4;
+    made.inlet = 216.0 * domain;
+    made.domain_of_Hm = domain_of_Hm;
+    return run(free_scene(0.5), made).domain_error_Hc;
+  };
+  for (const double sign : {1.0, -1.0}) {
+    BOOST_TEST(error(0.01 * sign, 0.2) == 7.0 / 6.0 * 0.01, tolerance(0.02));
+    BOOST_TEST(error(0.01 * sign, 3.0) == 7.0 / 6.0 * 0.03, tolerance(0.05));
+  }
+}
+
+// 10 % lost at a length of 6, and 20 times that wanted: the ladder's next is 192, 190.5 of it upstream.
+BOOST_AUTO_TEST_CASE(up_to_200_radii) {
+  Made made;
+  made.diverges_from = 10000;
+  made.mesh = 1e-6;
+  made.inlet = -0.1 * 216.0;
+  Scene scene = free_scene(5e-4);
+  scene.grid.ny = 4;
+  const Solution solution = run(scene, made);
+  BOOST_TEST(solution.accuracy.met);
+  BOOST_TEST(solution.grid.X_a == -190.5);
+  BOOST_TEST(solution.grid.nx == 2048);
+}
+
+BOOST_AUTO_TEST_CASE(half_the_cells_tell_the_domain) {
+  Made made;
+  Scene scene = free_scene(0.5);
+  scene.grid.nx = scene.grid.ny = 256;
+  run(scene, made);
+  BOOST_TEST(cells(made) == (std::vector<int>{128, 256, 512, 256}), boost::test_tools::per_element());
+  // A domain that is larger than it need be stays.
+  BOOST_TEST(made.asked[3].grid.X_a == -4.5);
+}
+
+BOOST_AUTO_TEST_CASE(what_stops_the_domain_stops_the_run) {
+  const auto stopped = [](const Scene& scene, Made& made) {
+    const Solution solution = run(scene, made);
+    BOOST_TEST(!solution.converged);
+    BOOST_TEST(!solution.accuracy.met);
+    // It is still solved, on the domain that was there.
+    BOOST_TEST(solution.grid.X_a == -4.5);
+    BOOST_TEST_MESSAGE(solution.failed_check);
+    return solution.accuracy.stopped_by;
+  };
+  // 10 % lost at 6 radii: 1e-4 wants 45 times the length.
+  Made far;
+  far.mesh = 1e-4;
+  far.inlet = -0.1 * 216.0;
+  BOOST_TEST(stopped(free_scene(1e-4), far) == "the length of the domain: more than 200 Hertz radii would be needed");
+  // And no other limit takes its place.
+  Made both;
+  both.mesh = 1.0;
+  both.inlet = -0.1 * 216.0;
+  Scene narrow = free_scene(1e-4);
+  narrow.accuracy.most_cells = 64;
+  BOOST_TEST(stopped(narrow, both).starts_with("the length of the domain"));
+  Made fine;
+  fine.mesh = 0.01;
+  fine.inlet = -0.1 * 216.0;
+  Scene scene = free_scene(0.01);
+  scene.accuracy.most_cells = 256;
+  BOOST_TEST(stopped(scene, fine) == "the level limit of 256 cells");
+  Made memory;
+  memory.mesh = 0.01;
+  memory.inlet = -0.1 * 216.0;
+  scene.accuracy.most_cells = 4096;
+  scene.accuracy.most_nodes = 1e5;
+  BOOST_TEST(stopped(scene, memory) == "the memory for 512 cells");
+}
+
+// The smaller domain, the larger one, or both are without a solution.
+BOOST_AUTO_TEST_CASE(a_domain_without_an_estimate) {
+  for (const char* fails : {"small", "large", "both"}) {
+    const SolveOnGrid solve = [&](const Scene& one) {
+      const bool coarse = std::isnan(one.accuracy.error);
+      const bool large = one.grid.X_a < -4.5;
+      Made made;
+      if (coarse && (fails == std::string("both") || large == (fails == std::string("large")))) made.diverges_from = 0;
+      return made(one);
+    };
+    const Solution solution = solve_to_accuracy(free_scene(0.1), solve, {});
+    BOOST_TEST(solution.accuracy.stopped_by == "the error of the domain, which could not be estimated");
+    BOOST_TEST(!solution.accuracy.met);
+    BOOST_TEST(!solution.converged);
+    BOOST_TEST(std::isnan(solution.domain_error_Hc));
+  }
+}
+
+// The double domain has the same cells whatever the inlet: a mesh that differs would count as a domain that does.
+BOOST_AUTO_TEST_CASE(the_mesh_does_not_count_as_domain) {
+  for (const double X_a : {-4.5, -1.5 * 21.0 / 11.0}) {
+    Made made;
+    made.mesh = 1.0;
+    Scene scene = free_scene(0.5);
+    scene.grid = {128, 128, X_a, 1.5, -3.0, 3.0};
+    const Solution solution = run(scene, made);
+    BOOST_TEST_MESSAGE("X_a = " << X_a << ": error of the domain " << solution.domain_error_Hc << " (none)");
+    BOOST_TEST(std::abs(solution.domain_error_Hc) < 1e-12);
+    BOOST_TEST(made.asked[1].grid.hx() == made.asked[0].grid.hx(), tolerance(1e-12));
+  }
+}
+
+// (0,0) a node of the grid with 64 cells too; cells no larger; no more than a rung of the ladder too long.
+BOOST_AUTO_TEST_CASE(larger_domains) {
+  const core::Grid grid{256, 128, -4.5, 1.5, -1.5, 1.5};
+  for (const double factor : {1.0, 1.01, 1.5, 2.0, 3.0, 5.0, 8.0, 9.0, 17.0, 33.0, 60.0}) {
+    const core::Grid larger = on_larger_domain(grid, factor);
+    const double length = larger.X_b - larger.X_a;
+    const double node = -larger.X_a / (length / (larger.nx > 4096 ? 256 : 64));
+    BOOST_TEST_MESSAGE("factor " << factor << ": from " << larger.X_a << " on, " << larger.nx
+                                 << " cells, (0,0) at node " << node << " of 64 or 256");
+    BOOST_TEST(length >= 6.0 * factor * (1.0 - 1e-9));
+    BOOST_TEST(length <= 6.0 * factor * 2.0);
+    BOOST_TEST(std::abs(node - std::round(node)) < 1e-9);
+    BOOST_TEST(larger.hx() <= grid.hx() * (1.0 + 1e-9));
+    BOOST_TEST(larger.hx() > 0.5 * grid.hx());
+    BOOST_TEST(larger.X_b == 1.5);
+    BOOST_TEST((larger.Y_b - larger.Y_a) / length == 0.5, tolerance(1e-12));
+    BOOST_TEST(larger.Y_a == -larger.Y_b);
+    BOOST_TEST(larger.nx == 2 * larger.ny);
+  }
+  BOOST_TEST(on_larger_domain(grid, 1.0).X_a == -4.5);
+  BOOST_TEST(on_larger_domain(grid, 1.0).nx == 256);
+  BOOST_TEST(on_larger_domain({64, 64, -1.5, 1.5, -1.5, 1.5}, 1.0).X_a == -1.5);
+  // Twice as long is twice the cells, whatever the rounding.
+  for (int k = 1; k < 40; ++k) {
+    const double X_b = 0.1 * k;
+    BOOST_TEST(on_larger_domain({64, 64, -3.0 * X_b, X_b, -1.0, 1.0}, 2.0).nx == 128);
+  }
+  BOOST_TEST(on_larger_domain(grid, 2.0).X_a == -10.5);  // 28 of 32 parts, 14 Hertz radii would do for no less
+  BOOST_TEST(on_larger_domain(grid, 8.5).X_a == -94.5);  // 63 of 64
+}
