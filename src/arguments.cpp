@@ -72,6 +72,7 @@ std::vector<CommandRecord> command_records() {
         {"output", "FILE.h5", false, "result file (default: [output] file, else the name of the deck)"},
         {"overwrite", "", false, "replace an existing result file"},
         threads,
+        {"profile", "", false, "adds where the time went, part by part"},
         {"json", "", false, "one JSON object on stdout and nothing else"},
         {"quiet", "", false, "no progress"}}},
       {"check",

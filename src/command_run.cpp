@@ -78,8 +78,8 @@ int run(const Arguments& arguments) {
     print(json_report(input, solution, outcome, peak_memory()));
   else
     print("case         " + input.title + "\n" + continuation_table(input, solution) + level_table(solution) +
-          summary(input, solution, outcome) + "memory       " + std::to_string(static_cast<long>(peak_memory() / 1e6)) +
-          " MB at most\n");
+          summary(input, solution, outcome) + (arguments.has("profile") ? profile_table(solution) : "") +
+          "memory       " + std::to_string(static_cast<long>(peak_memory() / 1e6)) + " MB at most\n");
   const DerivedFields derived = derived_fields(input, solution);
   results::write(to.path, result_content(input, solution, outcome, derived), to.overwrite);
   if (!arguments.has("json")) print("result       " + to.path + "\n");

@@ -173,13 +173,22 @@ std::string summary(const Case& input, const steady::Solution& solution, const O
   text += verified(solution.verification);
   text += "method       wedge " + std::string(name(input.scene.wedge)) + "; deformation " + solution.deformation +
           "; " + formatted("%d thread%s\n", input.scene.threads, input.scene.threads == 1 ? "" : "s");
-  text += formatted("time         %.3f s:", solution.seconds);
-  for (std::size_t k = 0; k < solution.times.seconds.size(); ++k)
-    if (solution.times.seconds[k] > 0.0 && solution.seconds > 0.0)
-      text += formatted(" %s %.0f %%,", core::name(static_cast<core::Part>(k)),
-                        100.0 * solution.times.seconds[k] / solution.seconds);
-  text.back() = '\n';
+  text += formatted("time         %.3f s\n", solution.seconds);
   for (const std::string& warning : outcome.warnings) text += "warning: " + warning + "\n";
+  return text;
+}
+
+std::string profile_table(const steady::Solution& solution) {
+  std::string text = formatted("%-28s  %8s  %5s\n", "profile", "seconds", "share");
+  const auto row = [&](const char* part, double seconds) {
+    text += formatted("  %-26s  %8.4f  %3.0f %%\n", part, seconds, 100.0 * seconds / solution.seconds);
+  };
+  double rest = solution.seconds;
+  for (std::size_t k = 0; k < solution.times.seconds.size(); ++k) {
+    row(core::name(static_cast<core::Part>(k)), solution.times.seconds[k]);
+    rest -= solution.times.seconds[k];
+  }
+  row("everything else", rest);
   return text;
 }
 

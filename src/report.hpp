@@ -15,6 +15,9 @@ std::string continuation_table(const Case& input, const steady::Solution& soluti
 /// What a person wants to know after the table; says it first when the solution did not converge.
 std::string summary(const Case& input, const steady::Solution& solution, const Outcome& outcome);
 
+/// Where the time went: seconds and share of every part of the cycles.
+std::string profile_table(const steady::Solution& solution);
+
 /// Everything that follows from the deck before anything is solved.
 std::string derived(const Case& input);
 

@@ -12,7 +12,7 @@ inline double now() {
 }
 
 /// The parts of the solver whose share of the time is reported.
-enum class Part : std::size_t { deformation, coefficients, residual, line_solve, transfer, coarsest, setup, count };
+enum class Part : std::size_t { deformation, coefficients, residual, line_solve, transfer, coarsest, checks, setup, count };
 
 /// Name of a part as the report prints it.
 const char* name(Part part);
@@ -34,6 +34,24 @@ class ScopedTimer {
 
  private:
   PartTimes& times_;
+  Part part_;
+  double start_;
+};
+
+/// The same for all that happens meanwhile, whatever parts it calls itself.
+class EnclosingTimer {
+ public:
+  EnclosingTimer(PartTimes& times, Part part) : times_(times), before_(times), part_(part), start_(now()) {}
+  ~EnclosingTimer() {
+    times_ = before_;
+    times_[part_] += now() - start_;
+  }
+  EnclosingTimer(const EnclosingTimer&) = delete;
+  EnclosingTimer& operator=(const EnclosingTimer&) = delete;
+
+ private:
+  PartTimes& times_;
+  PartTimes before_;
   Part part_;
   double start_;
 };

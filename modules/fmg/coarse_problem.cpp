@@ -61,7 +61,7 @@ void drop_near_cavitation(const core::Grid& grid, const core::Field& P, int thre
     bool own = south;
     const int last = grid.last_line();
     for (int j = 1; j <= last; ++j) {
-      const bool north = j < last || grid.mirrored ? dry(j + 1) : own;
+      const bool north = j < last ? dry(j + 1) : own;  // behind the axis comes the image of the line to the south
       if (south || own || north) out[j] = 0.0;
       south = own;
       own = north;

@@ -20,11 +20,8 @@ void cycle(Hierarchy& hierarchy, std::size_t l, Cycle kind, int coarsest_sweeps)
   Level& level = hierarchy.levels[l];
   const Parameters& parameters = hierarchy.parameters;
   if (l == 0) {
-    const core::PartTimes before = hierarchy.times;
-    const double start = core::now();
+    const core::EnclosingTimer timer(hierarchy.times, core::Part::coarsest);
     relax_with_force_balance(hierarchy, level, coarsest_sweeps);
-    hierarchy.times = before;  // the coarsest grid is one part of its own
-    hierarchy.times[core::Part::coarsest] += core::now() - start;
     return;
   }
   for (int sweep = 0; sweep < parameters.pre; ++sweep) relax(hierarchy, level);
@@ -48,11 +45,10 @@ void fas_cycle(Hierarchy& hierarchy, std::size_t l) {
 
 void relax_with_force_balance(Hierarchy& hierarchy, Level& level, int sweeps) {
   for (int sweep = 0; sweep < sweeps; ++sweep) {
-    relax(hierarchy, level);
-    if (!hierarchy.problem.load) continue;
-    const double change = -hierarchy.parameters.load_relaxation * (level.load - carried_load(level));
-    hierarchy.H00 += change;
-    shift_film(hierarchy, level, change);
+    relax_pressure(hierarchy, level);
+    if (hierarchy.problem.load)
+      hierarchy.H00 -= hierarchy.parameters.load_relaxation * (level.load - carried_load(level));
+    update_film(hierarchy, level);
   }
 }
 

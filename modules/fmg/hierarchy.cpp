@@ -146,12 +146,6 @@ void update_film(Hierarchy& hierarchy, Level& level) {
   });
 }
 
-void shift_film(Hierarchy& hierarchy, Level& level, double change) {
-  for (int i = 0; i <= level.grid.nx; ++i)
-    for (double& H : level.H.station(i)) H += change;
-  update_coefficients(hierarchy, level);
-}
-
 void update_residual(Hierarchy& hierarchy, Level& level) {
   const core::ScopedTimer timer(hierarchy.times, core::Part::residual);
   reynolds::residual(level.grid, state(level), hierarchy.problem.wedge, hierarchy.threads_on(level.grid), level.r);

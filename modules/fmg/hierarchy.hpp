@@ -92,8 +92,6 @@ inline double rigid_gap(const core::Grid& grid, double H00, int i, int j) {
 void update_film(Hierarchy& hierarchy, Level& level);
 /// The coefficients alone.
 void update_coefficients(Hierarchy& hierarchy, Level& level);
-/// H += change on the whole level, then the coefficients: what a change of H00 needs.
-void shift_film(Hierarchy& hierarchy, Level& level, double change);
 
 /// level.r = f - L(P).
 void update_residual(Hierarchy& hierarchy, Level& level);

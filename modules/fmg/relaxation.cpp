@@ -137,15 +137,17 @@ void relax_lines(Hierarchy& hierarchy, Level& level) {
 
 }  // namespace
 
-void relax(Hierarchy& hierarchy, Level& level) {
-  {
-    const core::ScopedTimer timer(hierarchy.times, core::Part::line_solve);
-    switch (hierarchy.parameters.relaxation.reach) {
-      case 1: relax_lines<1>(hierarchy, level); break;
-      case 2: relax_lines<2>(hierarchy, level); break;
-      default: relax_lines<3>(hierarchy, level); break;
-    }
+void relax_pressure(Hierarchy& hierarchy, Level& level) {
+  const core::ScopedTimer timer(hierarchy.times, core::Part::line_solve);
+  switch (hierarchy.parameters.relaxation.reach) {
+    case 1: relax_lines<1>(hierarchy, level); break;
+    case 2: relax_lines<2>(hierarchy, level); break;
+    default: relax_lines<3>(hierarchy, level); break;
   }
+}
+
+void relax(Hierarchy& hierarchy, Level& level) {
+  relax_pressure(hierarchy, level);
   update_film(hierarchy, level);
 }
 

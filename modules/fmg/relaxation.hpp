@@ -18,4 +18,7 @@ namespace ehl::fmg {
 /// errors: core::SolverError on a vanishing pivot (grid, line, point).
 void relax(Hierarchy& hierarchy, Level& level);
 
+/// The same but for the film and the coefficients, which are left as they were.
+void relax_pressure(Hierarchy& hierarchy, Level& level);
+
 }  // namespace ehl::fmg

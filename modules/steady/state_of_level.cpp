@@ -53,6 +53,7 @@ double value_at(const core::Grid& grid, const core::Field& field, double X, doub
 }
 
 StateOfLevel state_of_level(fmg::Hierarchy& hierarchy, std::size_t l) {
+  const core::EnclosingTimer timer(hierarchy.times, core::Part::checks);
   fmg::Level& level = hierarchy.levels[l];
   fmg::update_residual(hierarchy, level);
   const reynolds::ResidualNorms norms = reynolds::residual_norms(level.grid, fmg::state(level), hierarchy.problem.wedge,

@@ -4,7 +4,9 @@
 
 #include "contact/groups.hpp"
 #include "core/norms.hpp"
+#include "steady/fitted_minimum.hpp"
 #include "steady/solve.hpp"
+#include "support/mirrored.hpp"
 
 using namespace ehl;
 
@@ -32,6 +34,7 @@ void compare(steady::Scene scene, const char* what, double tolerance) {
   BOOST_TEST((half.grid == scene.grid));
   BOOST_TEST(half.method == whole.method);
   BOOST_REQUIRE(half.levels.size() == whole.levels.size());
+  BOOST_REQUIRE((half.P.nodes_y() == whole.P.nodes_y() && half.H.nodes_y() == whole.H.nodes_y()));
   const double P = core::max_abs_difference(half.P, whole.P);
   const double H = core::max_abs_difference(half.H, whole.H);
   BOOST_TEST_MESSAGE(what << ": difference of P " << P << ", of H " << H << " (tolerance " << tolerance << ")");
@@ -46,6 +49,10 @@ void compare(steady::Scene scene, const char* what, double tolerance) {
     BOOST_TEST(std::abs(a.Hm_fitted / b.Hm_fitted - 1.0) < tolerance);
     BOOST_TEST(std::abs(a.work_units / b.work_units - 1.0) < 1e-12);
   }
+  // The preconditioner knows of the images too: as many iterations, give or take rounding.
+  BOOST_REQUIRE(half.newton.size() == whole.newton.size());
+  for (std::size_t k = 0; k < half.newton.size(); ++k)
+    BOOST_TEST(std::abs(half.newton[k].linear_iterations - whole.newton[k].linear_iterations) <= 1);
   BOOST_TEST(std::abs(half.verification.flow_imbalance - whole.verification.flow_imbalance) < 1e-8);
 }
 
@@ -75,4 +82,17 @@ BOOST_AUTO_TEST_CASE(a_domain_without_an_axis_on_its_grids_is_computed_whole) {
   BOOST_TEST(core::max_abs_difference(one.P, two.P) == 0.0);
   scene = contact_scene(20, 5, {64, 64, -4.5, 1.5, -3, 2.8});
   BOOST_TEST(steady::solve(scene).converged);
+}
+
+BOOST_AUTO_TEST_CASE(a_minimum_on_the_axis_is_fitted_through_its_images) {
+  const core::Grid grid{16, 16, -1, 1, -1, 1};
+  core::Field film(grid);
+  for (int i = 0; i <= grid.nx; ++i)
+    for (int j = 0; j <= grid.ny; ++j) film(i, j) = 1.0 + std::pow(grid.X(i) - 0.03, 2) + 0.3 * std::pow(grid.Y(j), 2);
+  const steady::FittedMinimum all = steady::fitted_minimum(grid, film, 8, 8);
+  const steady::FittedMinimum one = steady::fitted_minimum(core::lower_half(grid), tests::half_of(grid, film), 8, 8);
+  BOOST_TEST_MESSAGE("fitted at X = " << one.X << ", Y = " << one.Y << ", value - 1 = " << one.value - 1.0);
+  BOOST_TEST(std::abs(one.X - 0.03) < 1e-12);
+  BOOST_TEST(std::abs(one.value - 1.0) < 1e-12);
+  BOOST_TEST((std::abs(one.X - all.X) < 1e-14 && std::abs(one.Y - all.Y) < 1e-14));
 }
