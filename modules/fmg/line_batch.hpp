@@ -1,5 +1,5 @@
 #pragma once
-// Assembly and solution of the line systems of eight lines of one colour.
+// Assembly and solution of the line systems of a batch of lines of one colour.
 #include "fmg/hierarchy.hpp"
 
 namespace ehl::fmg {
@@ -21,7 +21,7 @@ inline core::LaneMask inside(int j0, const core::Grid& grid) {
   return (j >= 1) & (j <= grid.last_line());
 }
 
-/// The line systems of eight lines at once, on the work space of one thread.
+/// The line systems of a batch of lines, on the work space of one thread.
 template <int reach, LineSolver solver>
 class LineBatch {
  public:

@@ -1,4 +1,4 @@
-// The grid, the owning field, eight lanes side by side, errors.
+// The grid, the owning field, lanes side by side, errors.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <cstdint>
