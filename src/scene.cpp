@@ -150,10 +150,11 @@ void check_coarsenings(deck::Deck& deck, const steady::Scene& scene) {
 fmg::Parameters multigrid_of(deck::Deck& deck) {
   fmg::Parameters parameters;
   const std::string cycle = deck::word(deck, "multigrid", "cycle");
-  parameters.cycle = cycle == "V" ? fmg::Cycle::V : cycle == "F" ? fmg::Cycle::F : fmg::Cycle::W;
+  if (!cycle.empty()) parameters.cycle = cycle == "V" ? fmg::Cycle::V : cycle == "F" ? fmg::Cycle::F : fmg::Cycle::W;
   parameters.pre = deck::integer(deck, "multigrid", "pre", parameters.pre);
-  parameters.post = deck::integer(deck, "multigrid", "post", parameters.post);
+  if (given(deck, "multigrid", "post")) parameters.post = deck::integer(deck, "multigrid", "post", 1);
   parameters.cycles = deck::integer(deck, "multigrid", "cycles", parameters.cycles);
+  parameters.extra_cycles = deck::integer(deck, "multigrid", "extra_cycles", parameters.extra_cycles);
   parameters.max_cycles = deck::integer(deck, "multigrid", "max_cycles", parameters.max_cycles);
   parameters.tolerance = deck::number(deck, "multigrid", "tolerance");
   parameters.coarsest_cells = deck::integer(deck, "grid", "coarsest", 0);
@@ -163,7 +164,7 @@ fmg::Parameters multigrid_of(deck::Deck& deck) {
   if (kernel_terms % 2 == 0)
     complain(deck, "multigrid", "kernel_terms", "must be 3, 5 or 7: a point and its neighbours");
   parameters.relaxation.reach = kernel_terms / 2;
-  if (parameters.pre + parameters.post == 0)
+  if (parameters.pre == 0 && parameters.post.value_or(0) == 0)
     complain(deck, "multigrid", "pre", "pre + post = 0: a cycle without relaxation cannot converge");
   return parameters;
 }

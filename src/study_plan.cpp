@@ -108,8 +108,10 @@ void use_way(const StudyCase& way, steady::Scene& scene) {
   if (way.cycles == "run") return;
   const char shape = way.cycles.back();
   scene.multigrid.cycle = shape == 'V' ? fmg::Cycle::V : shape == 'F' ? fmg::Cycle::F : fmg::Cycle::W;
+  if (!scene.multigrid.post) scene.multigrid.post = 1;
   scene.multigrid.cycles = std::stoi(way.cycles);
   scene.multigrid.max_cycles = scene.multigrid.cycles;
+  scene.multigrid.extra_cycles = 0;
 }
 
 std::string name_of_way(const StudyCase& way) { return way.wedge + ", " + way.evaluator + ", " + way.cycles; }

@@ -20,15 +20,16 @@ struct Shares {
 
 class Coupling {
  public:
-  explicit Coupling(const Level& level)
+  Coupling(const Level& level, double elastic)
       : eps_(level.eps),
+        elastic_(elastic),
         half_over_hx2_(0.5 / (level.grid.hx() * level.grid.hx())),
         half_over_hy2_(0.5 / (level.grid.hy() * level.grid.hy())) {}
 
-  double west(int i, int j) const { return elastic_coupling + (eps_(i - 1, j) + eps_(i, j)) * half_over_hx2_; }
-  double east(int i, int j) const { return elastic_coupling + (eps_(i + 1, j) + eps_(i, j)) * half_over_hx2_; }
-  double south(int i, int j) const { return elastic_coupling + (eps_(i, j - 1) + eps_(i, j)) * half_over_hy2_; }
-  double north(int i, int j) const { return elastic_coupling + (eps_(i, j + 1) + eps_(i, j)) * half_over_hy2_; }
+  double west(int i, int j) const { return elastic_ + (eps_(i - 1, j) + eps_(i, j)) * half_over_hx2_; }
+  double east(int i, int j) const { return elastic_ + (eps_(i + 1, j) + eps_(i, j)) * half_over_hx2_; }
+  double south(int i, int j) const { return elastic_ + (eps_(i, j - 1) + eps_(i, j)) * half_over_hy2_; }
+  double north(int i, int j) const { return elastic_ + (eps_(i, j + 1) + eps_(i, j)) * half_over_hy2_; }
 
   Shares to_all(int i, int j) const {
     const Shares e{west(i, j), east(i, j), south(i, j), north(i, j)};
@@ -42,6 +43,7 @@ class Coupling {
 
  private:
   const core::Field& eps_;
+  double elastic_;
   double half_over_hx2_;
   double half_over_hy2_;
 };
@@ -107,8 +109,8 @@ void restrict_pressure(const core::Field& fine, bool cavitation, const core::Gri
 
 }  // namespace
 
-void restrict_residual(const Level& fine, int threads, core::Field& coarse) {
-  const Coupling coupling(fine);
+void restrict_residual(const Level& fine, const reynolds::Transport& transport, int threads, core::Field& coarse) {
+  const Coupling coupling(fine, elastic_coupling * transport.strength(fine.grid.hx()));
   const core::Field& r = fine.r;
   const core::Grid grid = core::coarsened(fine.grid);
   const int last_J = grid.last_line();
@@ -163,7 +165,7 @@ void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse) {
   // f = L(restricted P) + restricted residual + slack: the residual with f = -slack is -slack - L.
   update_residual(hierarchy, coarse);
   const core::ScopedTimer timer(hierarchy.times, core::Part::transfer);
-  restrict_residual(fine, threads, coarse.f);
+  restrict_residual(fine, problem.transport, threads, coarse.f);
   for (int i = 1; i < grid.nx; ++i)
     for (int j = 1; j <= grid.last_line(); ++j) coarse.f(i, j) -= coarse.r(i, j);
   coarse.load = fine.load - carried_load(fine) + carried_load(coarse);

@@ -25,6 +25,6 @@ void correct_from_coarse(Hierarchy& hierarchy, Level& coarse, Level& fine);
 /// the pressure spike), the large residuals of the strongly coupled side do not reach coarse points whose own
 /// equation is orders weaker, and would answer with corrections orders too large.
 /// in: r and epsilon of `fine`; out: on the interior of `coarse`.
-void restrict_residual(const Level& fine, int threads, core::Field& coarse);
+void restrict_residual(const Level& fine, const reynolds::Transport& transport, int threads, core::Field& coarse);
 
 }  // namespace ehl::fmg

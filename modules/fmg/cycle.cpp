@@ -32,15 +32,16 @@ void cycle(Hierarchy& hierarchy, std::size_t l, Cycle kind, int coarsest_sweeps)
   if (kind == Cycle::F && l > 1) cycle(hierarchy, l - 1, Cycle::V, coarsest_sweeps);
   correct_from_coarse(hierarchy, hierarchy.levels[l - 1], level);
 
-  for (int sweep = 0; sweep < parameters.post; ++sweep) relax(hierarchy, level);
+  for (int sweep = 0; sweep < parameters.post.value_or(1); ++sweep) relax(hierarchy, level);
 }
 
 }  // namespace
 
 void fas_cycle(Hierarchy& hierarchy, std::size_t l) {
   const Parameters& parameters = hierarchy.parameters;
-  const int per_visit = least_sweeps_per_cycle / visits_of_coarsest(parameters.cycle, l);
-  cycle(hierarchy, l, parameters.cycle, std::max(parameters.coarsest_sweeps, per_visit));
+  const Cycle kind = parameters.cycle.value_or(Cycle::W);
+  const int per_visit = least_sweeps_per_cycle / visits_of_coarsest(kind, l);
+  cycle(hierarchy, l, kind, std::max(parameters.coarsest_sweeps, per_visit));
 }
 
 void relax_with_force_balance(Hierarchy& hierarchy, Level& level, int sweeps) {

@@ -148,7 +148,7 @@ void update_film(Hierarchy& hierarchy, Level& level) {
 
 void update_residual(Hierarchy& hierarchy, Level& level) {
   const core::ScopedTimer timer(hierarchy.times, core::Part::residual);
-  reynolds::residual(level.grid, state(level), hierarchy.problem.wedge, hierarchy.threads_on(level.grid), level.r);
+  reynolds::residual(level.grid, state(level), hierarchy.problem.transport, hierarchy.threads_on(level.grid), level.r);
 }
 
 double carried_load(const Level& level) {

@@ -22,7 +22,7 @@ struct Problem {
   double lambda = 1.0;
   rheology::ViscosityLaw viscosity;
   rheology::DensityLaw density;
-  reynolds::Wedge wedge = reynolds::Wedge::upstream2;
+  reynolds::Transport transport = reynolds::Wedge::upstream2;
   /// eq. (7), h^2 sum P = load; absent: H00 is given and stays (the model problems).
   std::optional<double> load = 2.0 * std::numbers::pi / 3.0;
   bool cavitation = true;  ///< P >= 0

@@ -11,12 +11,11 @@ std::vector<deck::Key> keys() {
   using deck::Key;
   using deck::Type;
   const Parameters defaults;
-  const char* cycle = defaults.cycle == Cycle::W ? "W" : defaults.cycle == Cycle::V ? "V" : "F";
   return {
       Key{.section = "multigrid",
           .name = "cycle",
           .type = Type::word,
-          .default_text = cycle,
+          .default_note = "F to the level of the discretization error, W towards a tolerance",
           .words = {"V", "W", "F"},
           .meaning = "Shape of the coarse grid correction cycle.",
           .source = "Venner and ten Napel 1992: W at high loads"},
@@ -30,9 +29,9 @@ std::vector<deck::Key> keys() {
       Key{.section = "multigrid",
           .name = "post",
           .type = Type::integer,
-          .default_text = std::to_string(defaults.post),
+          .default_note = "0 to the level of the discretization error, 1 towards a tolerance",
           .range = {0, 20},
-          .meaning = "Relaxations after the coarse grid correction, nu_2.",
+          .meaning = "Relaxations after the coarse grid correction, nu_2; 0 becomes 1 where the residual asks for it.",
           .source = "Venner and ten Napel 1992"},
       Key{.section = "multigrid",
           .name = "cycles",
@@ -41,6 +40,12 @@ std::vector<deck::Key> keys() {
           .range = {1, 200},
           .meaning = "Cycles on every level of the full multigrid on its way up, at least; the checks ask for more "
                      "where the level needs them."},
+      Key{.section = "multigrid",
+          .name = "extra_cycles",
+          .type = Type::integer,
+          .default_text = std::to_string(defaults.extra_cycles),
+          .range = {0, 200},
+          .meaning = "Cycles beyond `cycles` on a level below the finest at most, where the checks ask for more."},
       Key{.section = "multigrid",
           .name = "tolerance",
           .default_note = "none: until the cycles no longer change Hc and Hm by a tenth of the discretization error",

@@ -84,7 +84,9 @@ void LineBatch<reach, solver>::read_coefficients(const Hierarchy& hierarchy, con
     work_.north[k] = (eps.own + eps.north) * half_over_hy2;
     before = eps.own;
   }
-  const double crossover2 = hierarchy.parameters.relaxation.crossover * hierarchy.parameters.relaxation.crossover;
+  // The crossover is where the coupling by epsilon outweighs that by the film.
+  const double crossover = hierarchy.parameters.relaxation.crossover * hierarchy.problem.transport.strength(grid.hx());
+  const double crossover2 = crossover * crossover;
   for (int i = 1; i < grid.nx; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const Lanes largest =
@@ -115,7 +117,7 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
     const FilmStation film0 = film_station(level, i, j);
     const auto k = static_cast<std::size_t>(i);
     const reynolds::HalfPoints<Lanes> e{work_.west[k], work_.west[k + 1], work_.south[k], work_.north[k]};
-    const auto [c0, c1, c2] = reynolds::wedge_weights(hierarchy.problem.wedge, i, grid.hx());
+    const auto [c0, c1, c2] = reynolds::transport_weights(hierarchy.problem.transport, i, grid.hx());
 
     line_solvers::PointEquation point;
     point.c = {c0 * film0.rho_bar, c1 * film1.rho_bar, c2 * film2.rho_bar};

@@ -1,5 +1,6 @@
 #pragma once
 #include <limits>
+#include <optional>
 
 namespace ehl::fmg {
 
@@ -19,11 +20,12 @@ struct RelaxationParameters {
 
 /// How the full multigrid works. The defaults need no tuning.
 struct Parameters {
-  Cycle cycle = Cycle::W;
-  int pre = 2;          ///< nu_1, relaxations before the coarse grid correction
-  int post = 1;         ///< nu_2, relaxations after it
-  int cycles = 2;       ///< cycles per level on the way up, at least
-  int max_cycles = 60;  ///< on the finest grid, where the checks ask for more
+  std::optional<Cycle> cycle;  ///< absent: W; the steady solver has its own choice (steady/climb.hpp)
+  int pre = 2;                 ///< nu_1, relaxations before the coarse grid correction
+  std::optional<int> post;     ///< nu_2, relaxations after it; absent: 1, likewise
+  int cycles = 2;              ///< cycles per level on the way up, at least
+  int extra_cycles = 3;        ///< more of them on a level below the finest at most, where the checks ask for them
+  int max_cycles = 60;         ///< on the finest grid, likewise
   /// Relative residual to reach on the finest grid; NaN: the level of the discretization error.
   double tolerance = std::numeric_limits<double>::quiet_NaN();
   int coarsest_cells = 0;         ///< cells along x of the coarsest grid; 0: chosen

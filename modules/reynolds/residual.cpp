@@ -17,7 +17,7 @@ void epsilon(std::span<const double> H, std::span<const double> rho_bar, std::sp
   }
 }
 
-void residual(const core::Grid& grid, const State& state, Wedge wedge, int threads, core::Field& r) {
+void residual(const core::Grid& grid, const State& state, const Transport& transport, int threads, core::Field& r) {
   const double half_over_hx2 = 0.5 / (grid.hx() * grid.hx());
   const double half_over_hy2 = 0.5 / (grid.hy() * grid.hy());
   const int last = grid.last_line();
@@ -25,7 +25,7 @@ void residual(const core::Grid& grid, const State& state, Wedge wedge, int threa
   std::ranges::fill(r.station(grid.nx), 0.0);
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
   for (int i = 1; i < grid.nx; ++i) {
-    const auto [c0, c1, c2] = wedge_weights(wedge, i, grid.hx());
+    const auto [c0, c1, c2] = transport_weights(transport, i, grid.hx());
     const int upstream = std::max(i - 2, 0);
     const double* __restrict P = state.P.at_x(i);
     const double* __restrict P_west = state.P.at_x(i - 1);
@@ -56,14 +56,14 @@ void residual(const core::Grid& grid, const State& state, Wedge wedge, int threa
   }
 }
 
-ResidualNorms residual_norms(const core::Grid& grid, const State& state, Wedge wedge, bool cavitation,
+ResidualNorms residual_norms(const core::Grid& grid, const State& state, const Transport& transport, bool cavitation,
                              const core::Field& r) {
   ResidualNorms norms;
   double total = 0.0;
   double wedge_total = 0.0;
   double wedge_points = 0.0;
   for (int i = 1; i < grid.nx; ++i) {
-    const auto [c0, c1, c2] = wedge_weights(wedge, i, grid.hx());
+    const auto [c0, c1, c2] = transport_weights(transport, i, grid.hx());
     const int upstream = std::max(i - 2, 0);
     double sum = 0.0;
     double wedge_sum = 0.0;

@@ -22,15 +22,15 @@ struct State {
   const core::Field& f;  ///< right-hand side; an empty field means zero
 };
 
-/// r = f - L(P) on the interior nodes, L(P) the left-hand side of eq. (4) with the chosen wedge; 0 on the boundary. On
+/// r = f - L(P) on the interior nodes, L(P) the left-hand side of eq. (4) with the transport given; 0 on the boundary. On
 /// a mirrored grid with image lines. cost: the memory traffic of five fields in and one out. threads: result
 /// independent of their number.
-void residual(const core::Grid& grid, const State& state, Wedge wedge, int threads, core::Field& r);
+void residual(const core::Grid& grid, const State& state, const Transport& transport, int threads, core::Field& r);
 
 /// How far the state is from solving the complementarity problem P >= 0, L(P) <= 0, P L(P) = 0.
 struct ResidualNorms {
   double root_mean_square = 0.0;  ///< over the interior: r where P > 0, the violation max(0, L(P) - f) where P = 0
-  double wedge = 0.0;             ///< root mean square of the wedge term where P > 0: the scale of the equation
+  double wedge = 0.0;             ///< root mean square of the transport term where P > 0: the scale of the equation
   double largest = 0.0;           ///< largest contribution to root_mean_square
   int i = 0;                      ///< and its node
   int j = 0;
@@ -40,7 +40,7 @@ struct ResidualNorms {
 };
 
 /// in: residual r as made by residual() from the same state. With cavitation false every point counts as P > 0.
-ResidualNorms residual_norms(const core::Grid& grid, const State& state, Wedge wedge, bool cavitation,
+ResidualNorms residual_norms(const core::Grid& grid, const State& state, const Transport& transport, bool cavitation,
                              const core::Field& r);
 
 }  // namespace ehl::reynolds

@@ -26,10 +26,12 @@ Number poiseuille(const HalfPoints<Number>& e, Number west, Number east, Number 
   return e.west * (west - centre) + e.east * (east - centre) + e.south * (south - centre) + e.north * (north - centre);
 }
 
-/// Weights of rho_bar H at i, i-1, i-2 in the wedge term d(rho_bar H)/dX at column i >= 1.
-inline std::array<double, 3> wedge_weights(Wedge wedge, int i, double hx) {
-  if (wedge == Wedge::upstream2 && i >= 2) return {1.5 / hx, -2.0 / hx, 0.5 / hx};
-  return {1.0 / hx, -1.0 / hx, 0.0};
+/// Weights of rho_bar H at i, i-1, i-2 in U d(rho_bar H)/dX + c rho_bar H at column i >= 1.
+inline std::array<double, 3> transport_weights(const Transport& transport, int i, double hx) {
+  const double U = transport.speed;
+  if (transport.wedge == Wedge::upstream2 && i >= 2)
+    return {U * 1.5 / hx + transport.squeeze, U * -2.0 / hx, U * 0.5 / hx};
+  return {U / hx + transport.squeeze, -U / hx, 0.0};
 }
 
 }  // namespace ehl::reynolds

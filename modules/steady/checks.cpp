@@ -83,6 +83,13 @@ double foretold_error(const LastCycle& cycle, double StateOfLevel::*value) {
   return std::abs((after - cycle.before.*value) / after) * factor / (1.0 - factor);
 }
 
+std::string unmet_film(const LastCycle& cycle) {
+  std::string unmet = impossible(cycle.after);
+  if (unmet.empty()) unmet = unmet_share("Hc", foretold_error(cycle, &StateOfLevel::Hc), cycle.error_Hc);
+  if (unmet.empty()) unmet = unmet_share("Hm", foretold_error(cycle, &StateOfLevel::Hm), cycle.error_Hm);
+  return unmet;
+}
+
 std::string unmet_check(const LastCycle& cycle, double tolerance) {
   const StateOfLevel& now = cycle.after;
   if (std::string unmet = impossible(now); !unmet.empty()) return unmet;
@@ -92,9 +99,7 @@ std::string unmet_check(const LastCycle& cycle, double tolerance) {
       by_tolerance ? unmet_residual(now, asked, asked) : unmet_residual(now, loose_residual, loose_load_error);
   if (unmet.empty()) unmet = unmet_balance(now, cycle.error_Hc);
   if (by_tolerance) return unmet;
-  if (unmet.empty()) unmet = unmet_share("Hc", foretold_error(cycle, &StateOfLevel::Hc), cycle.error_Hc);
-  if (unmet.empty()) unmet = unmet_share("Hm", foretold_error(cycle, &StateOfLevel::Hm), cycle.error_Hm);
-  return unmet;
+  return unmet.empty() ? unmet_film(cycle) : unmet;
 }
 
 }  // namespace ehl::steady

@@ -31,4 +31,8 @@ double foretold_error(const LastCycle& cycle, double StateOfLevel::*value);
 /// The README of this module says what the limits were measured on.
 std::string unmet_check(const LastCycle& cycle, double tolerance);
 
+/// The same for a level below the finest, whose solution is only a start: positive film, and the algebraic error of Hc
+/// and Hm as above.
+std::string unmet_film(const LastCycle& cycle);
+
 }  // namespace ehl::steady

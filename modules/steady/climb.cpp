@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "core/errors.hpp"
@@ -14,9 +15,6 @@
 
 namespace ehl::steady {
 namespace {
-
-/// Cycles beyond the planned ones that a level below the finest may take to reach its discretization error.
-constexpr int most_extra_cycles = 3;
 
 /// Mesh size of the first grid, in units of contact_size.
 constexpr double largest_first_step = 0.4;
@@ -35,6 +33,24 @@ core::Grid grid_to_compute_on(const Scene& scene, const fmg::Parameters& paramet
   const auto halves = fmg::grids_below(core::lower_half(grid), parameters);
   constexpr int fewest_cells = 4;
   return halves.size() == all.size() && halves.back().ny >= fewest_cells ? halves.front() : grid;
+}
+
+/// F(2,0) cycles leave the least algebraic error of Hc and Hm for their work, W(2,1) the least residual.
+void choose_cycle(const Scene& scene, fmg::Parameters& parameters) {
+  const bool to_tolerance = std::isfinite(scene.multigrid.tolerance);
+  if (!parameters.cycle) parameters.cycle = to_tolerance ? fmg::Cycle::W : fmg::Cycle::F;
+  if (!parameters.post) parameters.post = to_tolerance || scene.L > very_piezoviscous_L ? 1 : 0;
+}
+
+/// The first grid has cycled enough when the last cycle changed Hc and Hm by less than this, a few hundredths of what
+/// such a grid is wrong by, at least after this many cycles.
+constexpr double settled_change = 1e-3;
+constexpr int fewest_first_cycles = 3;
+
+bool settled(int cycle, const StateOfLevel& before, const StateOfLevel& now) {
+  const auto change = [](double was, double is) { return std::abs((is - was) / is); };
+  return cycle >= fewest_first_cycles && now.Hm > 0.0 && change(before.Hc, now.Hc) < settled_change &&
+         change(before.Hm, now.Hm) < settled_change;
 }
 
 double steep_caution(const Scene& scene) { return scene.L > very_piezoviscous_L ? caution_where_steep : 1.0; }
@@ -62,10 +78,11 @@ Climb begin_climb(const Scene& scene, const Start& start, const ProgressCallback
   fmg::Parameters parameters = scene.multigrid;
   parameters.coarsest_sweeps = std::max(parameters.coarsest_sweeps, start.balances);
   parameters.least_coarsest_cells = std::max(parameters.least_coarsest_cells, start.coarsest);
+  choose_cycle(scene, parameters);
   const fmg::Problem problem{.lambda = scene.lambda,
                              .viscosity = scene.viscosity,
                              .density = scene.density,
-                             .wedge = scene.wedge,
+                             .transport = scene.wedge,
                              .given_epsilon = {}};
   Climb climb{.scene = scene,
               .progress = progress,
@@ -80,18 +97,22 @@ void solve_first_level(Climb& climb) {
   const double began = core::now();
   forget_work(climb.hierarchy);
   climb.caution = {.all = climb.start.caution_at_first, .steep = steep_caution(climb.scene)};
-  use_caution(climb.caution, climb.scene.multigrid.relaxation, climb.hierarchy.parameters.relaxation);
+  fmg::Parameters& used = climb.hierarchy.parameters;
+  use_caution(climb.caution, climb.scene.multigrid.relaxation, used.relaxation);
+  const std::optional<int> post = used.post;
+  used.post = std::max(1, post.value_or(1));  // far from the solution
   fmg::start_from_hertz(climb.hierarchy, climb.first, -1.0 + expected_central_film(climb.scene.M, climb.scene.L),
                         climb.start.sweeps);
   solve_level(climb, climb.first, std::max(climb.start.cycles, climb.scene.multigrid.cycles));
   climb.caution = {.all = climb.start.caution, .steep = steep_caution(climb.scene)};
+  used.post = post;
   climb.solution.levels.back().seconds = core::now() - began;
 }
 
 void solve_level(Climb& climb, std::size_t l, int planned) {
   const fmg::Parameters& multigrid = climb.scene.multigrid;
   const bool last_level = l == climb.finest();
-  const int extra = l == climb.first ? 0 : most_extra_cycles;
+  const int extra = l == climb.first ? 0 : multigrid.extra_cycles;
   const int most = last_level ? std::max(multigrid.max_cycles, planned) : planned + extra;
   const double asked = last_level ? multigrid.tolerance : std::numeric_limits<double>::quiet_NaN();
   std::vector<double> residuals;
@@ -101,10 +122,14 @@ void solve_level(Climb& climb, std::size_t l, int planned) {
     record(climb, l, cycle, now);
     report(climb, l, cycle, planned, now);
     residuals.push_back(now.residual);
+    if (l == climb.first && !last_level && settled(cycle, before, now)) return {};
     if (std::isnan(asked) && cycle < planned) return {"cycles that were planned are still to come"};
-    const LastCycle last{before, now, solution.levels.back().error_Hc, solution.levels.back().error_Hm, cycle == 1};
+    const LevelRow& row = solution.levels.back();
+    const LastCycle last{before, now, row.error_Hc, row.error_Hm, cycle == 1};
     solution.verification = verification_of(last);
-    return {unmet_check(last, asked), now.residual < solved_residual && !(now.Hm > 0.0)};
+    const bool only_a_start = !last_level && std::isfinite(row.error_Hc);
+    return {only_a_start ? unmet_film(last) : unmet_check(last, asked),
+            now.residual < solved_residual && !(now.Hm > 0.0)};
   };
   const CyclesResult result = run_cycles(climb.hierarchy, l, most, multigrid.relaxation, climb.caution, judge);
   if (result.end == CyclesEnd::diverged)

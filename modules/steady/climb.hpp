@@ -38,7 +38,8 @@ struct Climb {
   std::size_t finest() const { return hierarchy.levels.size() - 1; }
 };
 
-/// Makes the grids. errors: core::InputError.
+/// Makes the grids. Cycles that the scene leaves open are F(2,0) to the level of the discretization error and W(2,1)
+/// towards a tolerance. errors: core::InputError.
 Climb begin_climb(const Scene& scene, const Start& start, const ProgressCallback& progress);
 
 /// The first grid, from the Hertz pressure, until it is solved well enough to go on from.

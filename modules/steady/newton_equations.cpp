@@ -29,7 +29,7 @@ void NewtonEquations::make_scale() {
   const double half_over_hy2 = 0.5 / (grid.hy() * grid.hy());
   const core::Field& eps = level_.eps;
   for (int i = 1; i < grid.nx; ++i) {
-    const double c0 = reynolds::wedge_weights(wedge(), i, grid.hx())[0];
+    const double c0 = reynolds::transport_weights(transport(), i, grid.hx())[0];
     for (int j = 1; j <= grid.last_line(); ++j) {
       const auto e = reynolds::half_points(eps(i - 1, j), eps(i + 1, j), eps(i, j - 1), eps(i, j + 1), eps(i, j),
                                            half_over_hx2, half_over_hy2);
@@ -117,7 +117,7 @@ void NewtonEquations::jacobian(std::span<const double> v, std::span<double> Jv) 
   const core::Field& eps = level_.eps;
 #pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
   for (int i = 1; i < grid.nx; ++i) {
-    const auto [c0, c1, c2] = reynolds::wedge_weights(wedge(), i, grid.hx());
+    const auto [c0, c1, c2] = reynolds::transport_weights(transport(), i, grid.hx());
     const int upstream = std::max(i - 2, 0);
     for (int j = 1; j <= grid.last_line(); ++j) {
       const std::size_t k = index(i, j);

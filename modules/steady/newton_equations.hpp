@@ -53,7 +53,7 @@ class NewtonEquations {
   const core::Field& deps_dH() const { return deps_dH_; }
   bool wet(std::size_t node) const { return wet_[node] != 0; }
   double scale(std::size_t node) const { return scale_[node]; }
-  reynolds::Wedge wedge() const { return hierarchy_.problem.wedge; }
+  const reynolds::Transport& transport() const { return hierarchy_.problem.transport; }
 
  private:
   void make_scale();

@@ -72,7 +72,7 @@ struct NewtonPreconditioner::Implementation {
 void NewtonPreconditioner::Implementation::make_order() {
   const core::Grid& grid = equations.grid();
   order.clear();
-  const int reach = equations.wedge() == reynolds::Wedge::upstream2 ? 2 : 1;
+  const int reach = equations.transport().wedge == reynolds::Wedge::upstream2 ? 2 : 1;
   dissect({1, grid.nx - 1, 1, grid.last_line()}, reach, equations, order);
   place.assign(equations.size() - 1, -1);
   for (std::size_t k = 0; k < order.size(); ++k)
@@ -93,7 +93,7 @@ void NewtonPreconditioner::Implementation::assemble(Vector& column_of_H00) {
   for (std::size_t row = 0; row < order.size(); ++row) {
     const auto [i, j] = order[row];
     const double s = equations.scale(equations.index(i, j));
-    const auto [c0, c1, c2] = reynolds::wedge_weights(equations.wedge(), i, grid.hx());
+    const auto [c0, c1, c2] = reynolds::transport_weights(equations.transport(), i, grid.hx());
     const auto e = reynolds::half_points(eps(i - 1, j), eps(i + 1, j), eps(i, j - 1), eps(i, j + 1), eps(i, j),
                                          half_over_hx2, half_over_hy2);
     const double centre = P(i, j);

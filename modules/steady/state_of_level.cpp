@@ -56,11 +56,11 @@ StateOfLevel state_of_level(fmg::Hierarchy& hierarchy, std::size_t l) {
   const core::EnclosingTimer timer(hierarchy.times, core::Part::checks);
   fmg::Level& level = hierarchy.levels[l];
   fmg::update_residual(hierarchy, level);
-  const reynolds::ResidualNorms norms = reynolds::residual_norms(level.grid, fmg::state(level), hierarchy.problem.wedge,
-                                                                 hierarchy.problem.cavitation, level.r);
+  const reynolds::ResidualNorms norms = reynolds::residual_norms(
+      level.grid, fmg::state(level), hierarchy.problem.transport, hierarchy.problem.cavitation, level.r);
   const auto flow = [&](double reach) {
-    return reynolds::flow_balance(level.grid, fmg::state(level), hierarchy.problem.wedge, hierarchy.problem.cavitation,
-                                  reach);
+    return reynolds::flow_balance(level.grid, fmg::state(level), hierarchy.problem.transport.wedge,
+                                  hierarchy.problem.cavitation, reach);
   };
   const reynolds::FlowBalance contact = flow(contact_reach);
   const core::Location Hm = core::minimum(level.H);

@@ -29,7 +29,7 @@ BOOST_AUTO_TEST_CASE(newton_from_hertz_gives_the_reference_digits) {
     const fmg::Problem problem{.lambda = scene.lambda,
                                .viscosity = scene.viscosity,
                                .density = scene.density,
-                               .wedge = scene.wedge,
+                               .transport = scene.wedge,
                                .given_epsilon = {}};
     mlmi::Parameters deformation;
     deformation.method = mlmi::Method::fft;

@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(a_row_is_what_a_run_gives) {
 BOOST_AUTO_TEST_CASE(a_case_that_fails_is_a_row) {
   const Scene scene;
   const support::Ended ended =
-      support::shell(scene.folder, std::string("ulimit -t 2; '") + EHL_PROGRAM +
+      support::shell(scene.folder, std::string("ulimit -t 1; '") + EHL_PROGRAM +
                                        "' sweep d.ini --vary grid.cells=64,77,1024 --set multigrid.tolerance=1e-9");
   BOOST_TEST(ended.status == 3, ended.err);
   const std::vector<Row> rows = scene.table();

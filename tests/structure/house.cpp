@@ -44,7 +44,7 @@ std::vector<Door> doors() {
        {"sundials/", "kinsol/", "ida/", "idas/", "cvode/", "arkode/", "nvector/", "sunlinsol/", "sunnonlinsol/",
         "sunmatrix/"},
        {"steady"},
-       {"modules/steady/kinsol.cpp"}},
+       {"modules/steady/kinsol.cpp", "modules/transient/ida.cpp"}},
       {"FFTW", {"fftw3"}, {"mlmi"}},
       {"Eigen",
        {"Eigen/", "unsupported/Eigen/"},

@@ -39,12 +39,12 @@ ModelProblem papers_epsilon(int cells, reynolds::Wedge wedge, fmg::Cycle cycle) 
 fmg::Hierarchy make_error_hierarchy(const ModelProblem& problem) {
   const fmg::Problem equations{.viscosity = rheology::Isoviscous{},
                                .density = rheology::Incompressible{},
-                               .wedge = problem.wedge,
+                               .transport = problem.wedge,
                                .load = std::nullopt,
                                .cavitation = false,
                                .given_epsilon = problem.epsilon};
   const fmg::Parameters parameters{
-      .cycle = problem.cycle, .coarsest_cells = problem.coarsest, .relaxation = problem.relaxation};
+      .cycle = problem.cycle, .post = 1, .coarsest_cells = problem.coarsest, .relaxation = problem.relaxation};
   fmg::Hierarchy hierarchy =
       fmg::make_hierarchy(equations, parameters, {.method = mlmi::Method::fft}, grid_of(problem.cells), 1);
   fmg::Level& level = hierarchy.finest();

@@ -17,7 +17,7 @@ inline fmg::Problem circular_contact(double M, double L, reynolds::Wedge wedge) 
   problem.lambda = groups.lambda;
   problem.viscosity = rheology::make_roelands(alpha, rheology::roelands_p0, 0.6, p_h);
   problem.density = rheology::make_dowson_higginson(p_h);
-  problem.wedge = wedge;
+  problem.transport = wedge;
   return problem;
 }
 

@@ -58,15 +58,16 @@ class Sweep {
     const Around e = around(i, j);
     const double most = std::max({e.west, e.east, e.south, e.north});
     const double least = std::min({e.west, e.east, e.south, e.north});
-    return !(most * std::sqrt(most / least) > parameters_.crossover);
+    return !(most * std::sqrt(most / least) > parameters_.crossover * problem_.transport.strength(grid_.hx()));
   }
 
-  /// d(g)/dX at i for g given at i, i-1, i-2.
+  /// U dg/dX + c g at i for g given at i, i-1, i-2.
   template <class Function>
-  double upstream_derivative(Function g, int i) const {
-    if (problem_.wedge == reynolds::Wedge::upstream2 && i >= 2)
-      return (1.5 * g(i) - 2.0 * g(i - 1) + 0.5 * g(i - 2)) / grid_.hx();
-    return (g(i) - g(i - 1)) / grid_.hx();
+  double transported(Function g, int i) const {
+    const reynolds::Transport& transport = problem_.transport;
+    const bool second = transport.wedge == reynolds::Wedge::upstream2 && i >= 2;
+    const double slope = second ? 1.5 * g(i) - 2.0 * g(i - 1) + 0.5 * g(i - 2) : g(i) - g(i - 1);
+    return transport.speed * slope / grid_.hx() + transport.squeeze * g(i);
   }
 
   double residual(int i, int j) const {
@@ -74,7 +75,7 @@ class Sweep {
     const Around e = around(i, j);
     const double poiseuille = e.west * (P(i - 1, j) - P(i, j)) + e.east * (P(i + 1, j) - P(i, j)) +
                               e.south * (P(i, j - 1) - P(i, j)) + e.north * (P(i, j + 1) - P(i, j));
-    const double wedge = upstream_derivative([&](int k) { return level_.rho_bar(k, j) * level_.H(k, j); }, i);
+    const double wedge = transported([&](int k) { return level_.rho_bar(k, j) * level_.H(k, j); }, i);
     const double f = level_.f.nodes_x() > 0 ? level_.f(i, j) : 0.0;  // none on the finest level
     return f - poiseuille + wedge;
   }
@@ -94,7 +95,7 @@ class Sweep {
     };
     const Around e = around(i, j);
     return e.west * (pressure(i - 1) - pressure(i)) + e.east * (pressure(i + 1) - pressure(i)) +
-           (e.south + e.north) * (beside - pressure(i)) - upstream_derivative(flow, i);
+           (e.south + e.north) * (beside - pressure(i)) - transported(flow, i);
   }
 
   double weight(int i, int j, bool distributive) const {

@@ -51,7 +51,7 @@ void compare_with_plain_sweep(const fmg::Problem& problem, const fmg::Relaxation
     error = difference <= error ? error : difference;
   }
   BOOST_TEST_MESSAGE(grid.nx << " x " << grid.ny << ", reach " << relaxation.reach
-                             << (problem.wedge == Wedge::upstream1 ? ", upstream1" : ", upstream2")
+                             << (problem.transport.wedge == Wedge::upstream1 ? ", upstream1" : ", upstream2")
                              << (relaxation.line_solver == fmg::LineSolver::decimation ? ", decimation" : "")
                              << ": difference of P " << error << " (tolerance " << tolerance << ")");
   BOOST_TEST(error < tolerance);
@@ -71,7 +71,12 @@ BOOST_AUTO_TEST_CASE(one_sweep_is_the_sweep_written_point_by_point) {
       for (const int reach : {1, 3}) {
         fmg::RelaxationParameters relaxation;
         relaxation.reach = reach;
-        compare_with_plain_sweep(circular_contact(20, 10, wedge), relaxation, grid, counts);
+        fmg::Problem problem = circular_contact(20, 10, wedge);
+        compare_with_plain_sweep(problem, relaxation, grid, counts);
+        problem.transport = {wedge, 0.6, 5.0};  // one step of a transient
+        compare_with_plain_sweep(problem, relaxation, grid, counts);
+        problem.transport = {wedge, 0.0, 30.0};  // pure squeeze
+        compare_with_plain_sweep(problem, relaxation, grid, counts);
       }
   fmg::RelaxationParameters relaxation;
   relaxation.reach = 2;

@@ -182,8 +182,8 @@ BOOST_AUTO_TEST_CASE(ways) {
   scene.multigrid.max_cycles = 60;
   program::use_way({64, "upstream1", "mlmi6", "3V"}, scene);
   BOOST_TEST((scene.wedge == reynolds::Wedge::upstream1 && scene.deformation.order == 6));
-  BOOST_TEST(
-      (scene.multigrid.cycle == fmg::Cycle::V && scene.multigrid.cycles == 3 && scene.multigrid.max_cycles == 3));
+  BOOST_TEST((scene.multigrid.cycle == fmg::Cycle::V && scene.multigrid.cycles == 3 &&
+              scene.multigrid.max_cycles == 3 && scene.multigrid.extra_cycles == 0));
   steady::Scene as_it_is;
   program::use_way({64, "upstream2", "fft", "run"}, as_it_is);
   BOOST_TEST((as_it_is.multigrid.max_cycles == 60 && as_it_is.deformation.method == mlmi::Method::fft));

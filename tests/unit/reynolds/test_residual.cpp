@@ -20,7 +20,7 @@ namespace {
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 // f - L(P) at one node, eq. (4) term by term.
-double residual_at(const Grid& grid, const Fields& s, Wedge wedge, int i, int j) {
+double residual_at(const Grid& grid, const Fields& s, const reynolds::Transport& transport, int i, int j) {
   const double hx = grid.hx();
   const double hy = grid.hy();
   const double eps_west = 0.5 * (s.eps(i - 1, j) + s.eps(i, j));
@@ -32,33 +32,36 @@ double residual_at(const Grid& grid, const Fields& s, Wedge wedge, int i, int j)
   const double along_y =
       (eps_south * s.P(i, j - 1) - (eps_south + eps_north) * s.P(i, j) + eps_north * s.P(i, j + 1)) / (hy * hy);
   const auto flow = [&](int k) { return s.rho_bar(k, j) * s.H(k, j); };
-  const double d_flow_dX = wedge == Wedge::upstream2 && i > 1
+  const double d_flow_dX = transport.wedge == Wedge::upstream2 && i > 1
                                ? (3.0 * flow(i) - 4.0 * flow(i - 1) + flow(i - 2)) / (2.0 * hx)
                                : (flow(i) - flow(i - 1)) / hx;
-  return s.f(i, j) - (along_x + along_y - d_flow_dX);
+  return s.f(i, j) - (along_x + along_y - transport.speed * d_flow_dX - transport.squeeze * flow(i));
 }
 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(residual_is_equation_4) {
   for (const Grid& grid : {Grid{16, 16, -2, 2, -2, 2}, Grid{37, 22, -4.5, 1.5, -1, 1}, Grid{2, 2, 0, 1, 0, 1}})
-    for (const Wedge wedge : {Wedge::upstream1, Wedge::upstream2}) {
+    for (const reynolds::Transport transport :
+         {reynolds::Transport(Wedge::upstream1), reynolds::Transport(Wedge::upstream2),
+          reynolds::Transport(Wedge::upstream1, 0.7, 4.0), reynolds::Transport(Wedge::upstream2, 0.0, 9.0)}) {
       Random random(1);
       const Fields fields = random_fields(grid, random);
       Field r(grid);
       r.fill(not_a_number);
-      reynolds::residual(grid, fields.state(), wedge, 1, r);
+      reynolds::residual(grid, fields.state(), transport, 1, r);
       double largest = 0.0;
       double error = 0.0;
       for (int i = 0; i <= grid.nx; ++i)
         for (int j = 0; j <= grid.ny; ++j) {
           const bool boundary = i == 0 || j == 0 || i == grid.nx || j == grid.ny;
-          const double truth = boundary ? 0.0 : residual_at(grid, fields, wedge, i, j);
+          const double truth = boundary ? 0.0 : residual_at(grid, fields, transport, i, j);
           largest = std::max(largest, std::abs(truth));
           const double difference = std::abs(r(i, j) - truth);
           error = difference <= error ? error : difference;
         }
-      BOOST_TEST_MESSAGE(grid.nx << " x " << grid.ny << (wedge == Wedge::upstream1 ? ", upstream1: " : ", upstream2: ")
+      BOOST_TEST_MESSAGE(grid.nx << " x " << grid.ny
+                                 << (transport.wedge == Wedge::upstream1 ? ", upstream1: " : ", upstream2: ")
                                  << error / largest << " of the largest residual (tolerance 1e-14)");
       BOOST_TEST(error / largest < 1e-14);
     }

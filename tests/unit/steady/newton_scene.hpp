@@ -17,7 +17,7 @@ inline fmg::Hierarchy newton_hierarchy(double M, double L, const core::Grid& gri
   const fmg::Problem problem{.lambda = groups.lambda,
                              .viscosity = rheology::make_roelands(alpha, rheology::roelands_p0, 0.68, p_h),
                              .density = rheology::make_dowson_higginson(p_h),
-                             .wedge = wedge,
+                             .transport = wedge,
                              .given_epsilon = {}};
   mlmi::Parameters deformation;
   deformation.method = mlmi::Method::fft;

@@ -41,7 +41,7 @@ StateOfLevel judged(const Scene& scene, const core::Field& P, double H00) {
   const fmg::Problem problem{.lambda = scene.lambda,
                              .viscosity = scene.viscosity,
                              .density = scene.density,
-                             .wedge = scene.wedge,
+                             .transport = scene.wedge,
                              .given_epsilon = {}};
   fmg::Hierarchy hierarchy = fmg::make_hierarchy(problem, scene.multigrid, scene.deformation, scene.grid, 1);
   fmg::Level& level = hierarchy.finest();

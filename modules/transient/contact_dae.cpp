@@ -1,0 +1,174 @@
+#include "transient/contact_dae.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <cstdio>
+#include <cstdlib>
+
+#include "core/errors.hpp"
+#include "core/norms.hpp"
+#include "fmg/cycle.hpp"
+
+namespace ehl::transient {
+namespace {
+
+constexpr double hertz_load = 2.0 * std::numbers::pi / 3.0;
+/// Nodes within this distance of the contact's centre make up the norm; those outside count as one hundredth.
+constexpr double zone_radius = 1.5;
+constexpr double weight_outside = 0.1;
+/// The rate of a first cycle is taken to be no better than this, of later ones than that.
+constexpr double best_first_rate = 0.3;
+constexpr double best_rate = 0.1;
+/// Cycles that reduce the change by less than this do not converge.
+constexpr double worst_rate = 0.95;
+
+bool in_zone(const core::Grid& grid, int i, int j) {
+  const double X = grid.X(i);
+  const double Y = grid.Y(j);
+  return X * X + Y * Y <= zone_radius * zone_radius;
+}
+
+template <class Action>
+void for_nodes(const core::Grid& grid, Action action) {
+  std::size_t k = 0;
+  for (int i = 0; i <= grid.nx; ++i)
+    for (int j = 0; j <= grid.ny; ++j) action(i, j, k++);
+}
+
+}  // namespace
+
+void prepare(fmg::Hierarchy& hierarchy) {
+  fmg::Level& level = hierarchy.finest();
+  level.f = core::Field(level.grid);
+  level.F = core::Field(level.grid);
+}
+
+ContactDae::ContactDae(fmg::Hierarchy& hierarchy, const Course& course, const ErrorControl& control)
+    : hierarchy_(hierarchy),
+      course_(course),
+      control_(control),
+      nodes_(static_cast<std::size_t>(hierarchy.finest().grid.nodes_x()) *
+             static_cast<std::size_t>(hierarchy.finest().grid.nodes_y())),
+      P_before_(hierarchy.finest().grid),
+      Q_(hierarchy.finest().grid),
+      Q_before_(hierarchy.finest().grid) {}
+
+void ContactDae::state(std::span<double> y) const {
+  const fmg::Level& level = hierarchy_.levels.back();
+  for_nodes(level.grid, [&](int i, int j, std::size_t k) {
+    y[k] = level.P(i, j);
+    y[nodes_ + k] = level.rho_bar(i, j) * level.H(i, j);
+  });
+  y[2 * nodes_] = hierarchy_.H00;
+}
+
+void ContactDae::pose(double T, double cj) {
+  fmg::Level& level = hierarchy_.finest();
+  const Drive drive = course_.drive(T);
+  hierarchy_.problem.transport.speed = drive.speed;
+  hierarchy_.problem.transport.squeeze = cj;
+  level.load = hertz_load * drive.load;
+  level.H_floor = 0.0;
+  if (course_.surface) course_.surface(level.grid, T, level.F);
+}
+
+void ContactDae::set_state(double T, std::span<const double> y) {
+  fmg::Level& level = hierarchy_.finest();
+  pose(T, 0.0);
+  for_nodes(level.grid, [&](int i, int j, std::size_t k) { level.P(i, j) = std::max(0.0, y[k]); });
+  core::make_images(level.grid, level.P);
+  hierarchy_.H00 = y[2 * nodes_];
+  fmg::update_film(hierarchy_, level);
+}
+
+// The cycles balance the load on the coarsest grid, a factor of some five per cycle. What is left is put into the
+// pressure by a common factor, and the film at the centre stays where it is by H00: the change of a load at a constant
+// film, nearly. H = H00 + rest, the deformation is what remains when geometry, surface and H00 are taken away.
+void ContactDae::balance_load() {
+  fmg::Level& level = hierarchy_.finest();
+  const core::Grid& grid = level.grid;
+  const double share = level.load / fmg::carried_load(level) - 1.0;
+  const auto deformation = [&](int i, int j) {
+    return level.H(i, j) - fmg::rigid_gap(grid, hierarchy_.H00, i, j) - level.F(i, j);
+  };
+  const int centre = std::clamp(static_cast<int>(std::lround(-grid.X_a / grid.hx())), 0, grid.nx);
+  const int axis = std::clamp(static_cast<int>(std::lround(-grid.Y_a / grid.hy())), 0, grid.ny);
+  const double shift = share * deformation(centre, axis);
+  for_nodes(grid, [&](int i, int j, std::size_t) { level.H(i, j) += share * deformation(i, j) - shift; });
+  for (int i = 0; i <= grid.nx; ++i)
+    for (double& P : level.P.station(i)) P *= 1.0 + share;
+  core::make_images(grid, level.P);
+  hierarchy_.H00 -= shift;
+  fmg::update_coefficients(hierarchy_, level);
+}
+
+// Norm of what the last cycle changed, as IDA measures it.
+double ContactDae::change(std::span<const double> weights, double H00_before) {
+  const fmg::Level& level = hierarchy_.finest();
+  double sum = 0.0;
+  for_nodes(level.grid, [&](int i, int j, std::size_t k) {
+    const double Q = level.rho_bar(i, j) * level.H(i, j);
+    const double dP = weights[k] * (level.P(i, j) - P_before_(i, j));
+    const double dQ = weights[nodes_ + k] * (Q - Q_before_(i, j));
+    sum += dP * dP + dQ * dQ;
+    P_before_(i, j) = level.P(i, j);
+    Q_before_(i, j) = Q;
+  });
+  const double dH00 = weights[2 * nodes_] * (hierarchy_.H00 - H00_before);
+  return std::sqrt((sum + dH00 * dH00) / static_cast<double>(size()));
+}
+
+StageResult ContactDae::solve(const Stage& stage, std::span<double> correction) {
+  fmg::Level& level = hierarchy_.finest();
+  set_state(stage.T, stage.y_predicted);
+  hierarchy_.problem.transport.squeeze = stage.cj;
+  for_nodes(level.grid, [&](int i, int j, std::size_t k) {
+    level.f(i, j) = stage.yp_predicted[nodes_ + k] - stage.cj * stage.y_predicted[nodes_ + k];
+    P_before_(i, j) = level.P(i, j);
+    Q_before_(i, j) = level.rho_bar(i, j) * level.H(i, j);
+  });
+  StageResult result{.solved = false};
+  double last = std::numeric_limits<double>::quiet_NaN();
+  const std::size_t finest = hierarchy_.levels.size() - 1;
+  while (!result.solved && result.cycles < control_.most_cycles) {
+    const double H00_before = hierarchy_.H00;
+    ++result.cycles;
+    try {
+      fmg::fas_cycle(hierarchy_, finest);
+    } catch (const core::SolverError&) {
+      return result;
+    }
+    balance_load();
+    const double now = change(stage.weights, H00_before);
+    if (getenv("TRDBG")) fprintf(stderr, "   stage T %g cj %g cycle %d change %g tol %g\n", stage.T, stage.cj, result.cycles, now, stage.tolerance);
+    if (!std::isfinite(now)) return result;
+    if (result.cycles > 1) {
+      rate_ = std::max(best_rate, now / last);
+      if (rate_ > worst_rate && now > stage.tolerance) return result;
+    }
+    const double rate = std::clamp(rate_, result.cycles == 1 ? best_first_rate : best_rate, worst_rate);
+    result.solved = now * rate / (1.0 - rate) <= stage.tolerance;
+    last = now;
+  }
+  if (!(core::minimum(level.H).value > 0.0)) result.solved = false;
+  state(correction);
+  for (std::size_t k = 0; k < correction.size(); ++k) correction[k] -= stage.y_predicted[k];
+  return result;
+}
+
+void ContactDae::weights(std::span<const double> y, std::span<double> w) const {
+  const core::Grid& grid = hierarchy_.levels.back().grid;
+  double zone = 0.0;
+  for_nodes(grid, [&](int i, int j, std::size_t) { zone += in_zone(grid, i, j) ? 1.0 : 0.0; });
+  // The mean over all unknowns becomes one over those of the zone.
+  const double inside = std::sqrt(static_cast<double>(size()) / (2.0 * zone)) / control_.rtol;
+  for_nodes(grid, [&](int i, int j, std::size_t k) {
+    const double factor = in_zone(grid, i, j) ? inside : weight_outside * inside;
+    w[k] = factor / (std::abs(y[k]) + control_.P_scale);
+    w[nodes_ + k] = factor / (std::abs(y[nodes_ + k]) + control_.Q_scale);
+  });
+  w[2 * nodes_] = 0.5 * std::sqrt(static_cast<double>(size())) / (control_.Q_scale * control_.rtol);
+}
+
+}  // namespace ehl::transient

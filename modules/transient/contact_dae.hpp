@@ -1,0 +1,73 @@
+#pragma once
+// The lubricated contact in time as a differential-algebraic system, each implicit step solved by multigrid cycles.
+#include <cstddef>
+#include <functional>
+#include <span>
+
+#include "fmg/hierarchy.hpp"
+#include "transient/ida.hpp"
+
+namespace ehl::transient {
+
+/// What acts on the contact at one time.
+struct Drive {
+  double load = 1.0;   ///< over the one that the groups are made with
+  double speed = 1.0;  ///< U >= 0: entrainment speed over the one that lambda is made with
+};
+
+/// Where the contact is taken in time, with T = t u_m/a.
+struct Course {
+  std::function<Drive(double T)> drive;
+  /// Writes S(X, Y, T), the shape of the moving surfaces: what they add to the gap, in units of a^2/R; with image
+  /// lines on a mirrored grid they are not needed. Empty: smooth surfaces.
+  std::function<void(const core::Grid& grid, double T, core::Field& S)> surface;
+};
+
+struct ErrorControl {
+  double rtol = 1e-4;
+  double P_scale = 0.1;  ///< pressures below this count absolutely
+  double Q_scale = 0.1;  ///< films below this too: about the central film
+  int most_cycles = 12;  ///< in one stage, before the step is cut
+};
+
+/// The unknowns y = (P, Q, H00), P and Q = rho_bar H on all nodes of the finest grid, Y fastest:
+///   (eps P_X)_X + (eps P_Y)_Y - U(T) Q_X - Q' = 0 or P = 0,   Q = rho_bar(P) H(P, H00, S),   integral P = load(T).
+/// With y' = y'_p + cj (y - y_p) of the implicit step this is the steady problem with the additional terms
+///   L(P) = (eps P_X)_X + (eps P_Y)_Y - U Q_X - cj Q = Q'_p - cj Q_p,
+/// which the cycles of `fmg` solve from the predicted state on.
+class ContactDae {
+ public:
+  /// in: a hierarchy whose finest level holds the state at the start, with the right-hand sides of a coarse level:
+  /// prepare() it. It must outlive this object.
+  ContactDae(fmg::Hierarchy& hierarchy, const Course& course, const ErrorControl& control);
+
+  std::size_t size() const { return 2 * nodes_ + 1; }
+  std::size_t nodes() const { return nodes_; }
+
+  /// y of the level's state.
+  void state(std::span<double> y) const;
+  /// The level's P, H00 and all that follows from them at T, from y.
+  void set_state(double T, std::span<const double> y);
+
+  StageResult solve(const Stage& stage, std::span<double> correction);
+  void weights(std::span<const double> y, std::span<double> w) const;
+
+  /// The terms of the problem at T with squeeze cj; the right-hand side is left alone.
+  void pose(double T, double cj);
+
+ private:
+  void balance_load();
+  double change(std::span<const double> weights, double H00_before);
+
+  fmg::Hierarchy& hierarchy_;
+  const Course& course_;
+  ErrorControl control_;
+  std::size_t nodes_;
+  double rate_ = 0.3;  ///< of the cycles, as last measured
+  core::Field P_before_, Q_, Q_before_;
+};
+
+/// Gives the finest level the right-hand sides that a transient needs.
+void prepare(fmg::Hierarchy& hierarchy);
+
+}  // namespace ehl::transient
