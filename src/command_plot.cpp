@@ -137,7 +137,11 @@ std::string picture_name(const std::string& result, const std::string& figure, c
 
 std::string folder_of_scripts() {
   const char* own = std::getenv("EHL_POSTPROCESS");
-  return own != nullptr ? own : EHL_POSTPROCESS_FOLDER;
+  if (own != nullptr) return own;
+  // An installed program has its scripts beside it; one that was only built takes them from the source.
+  const files::path installed = files::path(program_path()).parent_path() / EHL_POSTPROCESS_INSTALLED;
+  std::error_code error;
+  return files::is_directory(installed, error) ? installed.lexically_normal().string() : EHL_POSTPROCESS_FOLDER;
 }
 
 Source result_source(const std::string& path) {

@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "core/errors.hpp"
+#include "core/processor_level.hpp"
 #include "deck/text.hpp"
 #include "exit_status.hpp"
 #include "signals.hpp"
@@ -34,7 +35,7 @@ int dispatch(const std::vector<std::string>& words) {
   if (first == "version" || first == "--version") {
     const Version built = version();
     print("ehl " + built.number + ", commit " + built.commit + (built.dirty ? " with changes" : "") + ", " +
-          built.compiler + "\n");
+          built.compiler + ", for " + core::processor_level() + "\n");
     return solved;
   }
   for (std::size_t k = 1; k < words.size(); ++k)

@@ -1,3 +1,4 @@
+#include "core/processor_level.hpp"
 #include "json.hpp"
 #include "report.hpp"
 
@@ -161,6 +162,7 @@ std::string json_report(const Case& input, const steady::Solution& solution, con
                         {"deformation", text(name(input.scene.deformation.method))},
                         {"seconds", number(solution.seconds)},
                         {"threads", number(input.scene.threads)},
+                        {"cpu_level", text(core::processor_level())},
                         {"peak_memory_bytes", number(peak_memory)},
                         {"levels", levels_json(solution)},
                         {"verification", verification_json(solution.verification)},

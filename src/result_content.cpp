@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "core/processor_level.hpp"
 #include "deck/text.hpp"
 #include "deck/write.hpp"
 #include "machine.hpp"
@@ -29,6 +30,7 @@ std::vector<Text> provenance(const Case& input) {
           {"dirty", built.dirty ? "true" : "false", "whether the source had changes that no commit holds"},
           {"compiler", built.compiler, ""},
           {"host_cpu", processor(), "processor of the machine"},
+          {"cpu_level", core::processor_level(), "what the numerics in use were compiled for"},
           {"threads", std::to_string(input.scene.threads), "threads used"},
           {"date", utc_date(), "UTC date of the run"}};
 }

@@ -1,12 +1,23 @@
 #pragma once
-// Eight doubles side by side: one lane per line of a batch. A vector type of the compiler, so plain arithmetic
-// reads as for one line, and a processor with narrower registers runs the same code in two or four pieces.
+// Doubles side by side: one lane per line of a batch. A vector type of the compiler, so plain arithmetic reads as for
+// one line.
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 namespace ehl::core {
 
+// As wide as the processor's registers. The compiler keeps a wider type in memory, and every operation on it goes
+// through memory: eight lanes with AVX2 made a whole solution four times slower. Every line goes its own way, so the
+// width does not change a result.
+#if defined(__AVX512F__)
 inline constexpr int lanes = 8;
+#elif defined(__AVX__)
+inline constexpr int lanes = 4;
+#else
+inline constexpr int lanes = 2;
+#endif
 using Lanes [[gnu::vector_size(lanes * sizeof(double))]] = double;
 /// What comparing two Lanes gives: all bits set where true. `mask ? a : b` selects lane by lane.
 using LaneMask [[gnu::vector_size(lanes * sizeof(double))]] = std::int64_t;
@@ -28,14 +39,36 @@ inline bool all(LaneMask mask) {
   return together != 0;
 }
 
-/// Elements 0, 2, 4, .. and 1, 3, 5, .. of sixteen in a row: the lines of the two colours.
-inline Lanes every_second(Lanes low, Lanes high, LaneMask pick) { return __builtin_shuffle(low, high, pick); }
-inline Lanes evens(Lanes low, Lanes high) { return every_second(low, high, LaneMask{0, 2, 4, 6, 8, 10, 12, 14}); }
-inline Lanes odds(Lanes low, Lanes high) { return every_second(low, high, LaneMask{1, 3, 5, 7, 9, 11, 13, 15}); }
+/// rule(0), rule(1), ..: which element goes into each lane, for __builtin_shuffle.
+template <class Rule>
+inline LaneMask lanes_by(Rule rule) {
+  return [rule]<std::size_t... lane>(std::index_sequence<lane...>) {
+    return LaneMask{std::int64_t{rule(static_cast<int>(lane))}...};
+  }
+  (std::make_index_sequence<lanes>{});
+}
+
+/// Every second of 2 x lanes elements in a row, from the first and from the second on: the lines of the two colours.
+inline Lanes evens(Lanes low, Lanes high) {
+  return __builtin_shuffle(low, high, lanes_by([](int k) { return 2 * k; }));
+}
+inline Lanes odds(Lanes low, Lanes high) {
+  return __builtin_shuffle(low, high, lanes_by([](int k) { return 2 * k + 1; }));
+}
 /// The inverse: the first and the second half of a0 b0 a1 b1 ..
-inline Lanes interleaved_low(Lanes a, Lanes b) { return __builtin_shuffle(a, b, LaneMask{0, 8, 1, 9, 2, 10, 3, 11}); }
+inline Lanes interleaved_low(Lanes a, Lanes b) {
+  return __builtin_shuffle(a, b, lanes_by([](int k) { return k / 2 + k % 2 * lanes; }));
+}
 inline Lanes interleaved_high(Lanes a, Lanes b) {
-  return __builtin_shuffle(a, b, LaneMask{4, 12, 5, 13, 6, 14, 7, 15});
+  return __builtin_shuffle(a, b, lanes_by([](int k) { return lanes / 2 + k / 2 + k % 2 * lanes; }));
+}
+/// before[0], v[0], v[1], ..: every lane one further.
+inline Lanes moved_up(Lanes before, Lanes v) {
+  return __builtin_shuffle(before, v, lanes_by([](int k) { return k == 0 ? 0 : lanes + k - 1; }));
+}
+/// v[1], v[0], v[3], v[2], ..
+inline Lanes swapped_pairs(Lanes v) {
+  return __builtin_shuffle(v, lanes_by([](int k) { return k ^ 1; }));
 }
 
 }  // namespace ehl::core

@@ -30,7 +30,8 @@ struct Problem {
   std::function<double(double, double)> given_epsilon;
 };
 
-/// Lines of one colour side by side, eight to a vector, one entry per station and batch: the changes of a half sweep.
+/// Lines of one colour side by side, as many to a vector as it has lanes, one entry per station and batch: the changes
+/// of a half sweep.
 struct LineChanges {
   core::Field delta;        ///< what the line systems gave, under-relaxed
   core::Field distributed;  ///< the same where the point distributes its change, else 0

@@ -12,7 +12,7 @@ using core::Lanes;
 
 namespace {
 
-/// The values of eight lines j, j+2, .. at one station, and of the lines beside them.
+/// The values of a batch of lines j, j+2, .. at one station, and of the lines beside them.
 struct Beside {
   Lanes south, own, north;
 };

@@ -1,10 +1,10 @@
 #pragma once
-// Assembly and solution of the line systems of eight lines of one colour.
+// Assembly and solution of the line systems of a batch of lines of one colour.
 #include "fmg/hierarchy.hpp"
 
 namespace ehl::fmg {
 
-/// Colour 0 has the lines j = 1, 3, 5, .., colour 1 the lines 2, 4, ..; a batch has eight of them.
+/// Colour 0 has the lines j = 1, 3, 5, .., colour 1 the lines 2, 4, ..; a batch has as many of them as there are lanes.
 inline int first_line(int colour, int batch) { return 1 + colour + 2 * core::lanes * batch; }
 /// Batches with at least one interior line.
 inline int batches_of_colour(const core::Grid& grid, int colour) {
@@ -12,14 +12,16 @@ inline int batches_of_colour(const core::Grid& grid, int colour) {
 }
 
 /// The lines j0, j0 + 2, .. of a batch.
-inline core::LaneMask lines_from(int j0) { return core::LaneMask{0, 2, 4, 6, 8, 10, 12, 14} + j0; }
+inline core::LaneMask lines_from(int j0) {
+  return core::lanes_by([](int k) { return 2 * k; }) + j0;
+}
 /// Lanes whose line j0, j0 + 2, .. is a line of unknowns.
 inline core::LaneMask inside(int j0, const core::Grid& grid) {
   const core::LaneMask j = lines_from(j0);
   return (j >= 1) & (j <= grid.last_line());
 }
 
-/// The line systems of eight lines at once, on the work space of one thread.
+/// The line systems of a batch of lines, on the work space of one thread.
 template <int reach, LineSolver solver>
 class LineBatch {
  public:

@@ -34,7 +34,7 @@ void apply_changes(Level& level, int colour, int batch, bool cavitation, int i) 
   Lanes own_lines = inside(j, grid) ? core::load(here) : Lanes{};
   // The distributed change of the line before the batch.
   const Lanes edge = core::broadcast(batch > 0 ? here[-1] : 0.0);
-  const Lanes one_south = __builtin_shuffle(edge, own_lines, LaneMask{0, 8, 9, 10, 11, 12, 13, 14});
+  const Lanes one_south = core::moved_up(edge, own_lines);
   // Behind the axis comes the image of the line before it.
   if (grid.mirrored) own_lines = lines_from(j) == grid.ny + 1 ? one_south : own_lines;
   Lanes between = floor(core::evens(low, high) - 0.25 * (one_south + own_lines));

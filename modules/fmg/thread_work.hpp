@@ -17,7 +17,7 @@ struct ThreadWork {
   /// One value per node of a station.
   std::vector<double> fluidity;
 
-  // For the line systems of eight lines:
+  // For the line systems of a batch:
   /// Entries before and behind the points of a line in `distributive`.
   static constexpr int margin = line_solvers::max_reach + 2;
 

@@ -7,7 +7,7 @@
 
 namespace ehl::line_solvers {
 
-/// Solves the band by decimation for eight lines at once.
+/// Solves the band by decimation for a batch of lines at once.
 /// cost: about (14/3 m^3) / m multiplications per point with block width m = lower; parallel depth log2(points/m).
 template <int reach>
 class Decimation {

@@ -1,5 +1,5 @@
 #pragma once
-// The line system of the relaxation: two equations per point, eight lines of constant Y side by side in the lanes.
+// The line system of the relaxation: two equations per point, a batch of lines of constant Y side by side in the lanes.
 //
 //   film      h_i - sum_|d|<=reach kappa_{i-d}(d) delta_{i-d} = 0      eqs. (12), (16), (22), (24)
 //   Reynolds  sum_k a_ik delta_k - c_0 h_i - c_1 h_{i-1} - c_2 h_{i-2} = r_i   eqs. (13), (17), (23), (25)
@@ -24,7 +24,7 @@ struct FilmTerms {
   std::array<double, max_reach + 1> delta_K{};  ///< of a distributed change
 };
 
-/// The Reynolds equation of one point in eight lines.
+/// The Reynolds equation of one point in every line of the batch.
 struct PointEquation {
   std::array<Lanes, 5> a;  ///< coefficients of delta_{i-2} .. delta_{i+2}
   std::array<Lanes, 3> c;  ///< coefficients of h_i, h_{i-1}, h_{i-2}

@@ -136,7 +136,7 @@ void FourierConvolution::multiply(const double* kernel, double* transformed) con
   for (int k = 0; k <= length_rows_ / 2; ++k)
     for (int c = 0; c < block_doubles; c += lanes) {
       const Lanes K = 0.5 * core::load(kernel + k * block_doubles + c);
-      const Lanes other = __builtin_shuffle(K, core::LaneMask{1, 0, 3, 2, 5, 4, 7, 6});
+      const Lanes other = core::swapped_pairs(K);
       double* one = transformed + k * block_doubles + c;
       double* opposite = transformed + (k == 0 ? 0 : length_rows_ - k) * block_doubles + c;
       const Lanes Z = core::load(one);

@@ -16,7 +16,7 @@ using core::lanes;
 // Widest strip of columns treated at once [vectors]: its work space must stay in the first-level cache.
 constexpr int widest = 4;
 constexpr int widest_columns = widest * lanes;
-// Coarse rows are transposed eight at a time; 32 hold two groups and the reach of the interpolation.
+// Coarse rows are transposed `lanes` at a time; 32 hold two groups and the reach of the interpolation.
 constexpr int coarse_ring_rows = 32;
 
 /// Where the value at point i stands: at its image behind a plane of symmetry.
@@ -51,7 +51,7 @@ void SemiCoarsening::anterpolate(const double* u, std::ptrdiff_t stride_u, doubl
   };
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
   for (int block = 0; block < blocks; ++block) {
-    // Eight coarse rows need 16 + 2(2p-1) fine ones.
+    // `lanes` coarse rows need twice as many fine ones and 2(2p-1) more.
     constexpr int reach = 7;
     const double* fine[2 * lanes + 2 * reach];
     const int J = coarse_.first + block * lanes;
@@ -85,7 +85,7 @@ struct SemiCoarsening::Arrays {
   std::ptrdiff_t stride_w;
 };
 
-// A strip of 8 `vectors` columns, swept along. Two rings of rows in the first-level cache: the source, with the sums
+// A strip of `lanes` times `vectors` columns, swept along. Two rings of rows in the first-level cache: the source, with the sums
 // u(j-e) + u(j+e) that the correction, even in e, multiplies; and the coarse rows being corrected.
 template <int vectors>
 class SemiCoarsening::Strip {
@@ -152,7 +152,7 @@ class SemiCoarsening::Strip {
 
   double* coarse_row(int J) { return coarse_ring_ + ((J - coarse_.first) % coarse_ring_rows) * width; }
 
-  // Coarse rows J..J+7.
+  // Coarse rows J..J+lanes-1.
   void load_coarse(int J) {
     for (int v = 0; v < width; v += lanes) {
       Lanes in[lanes], out[lanes];

@@ -1,26 +1,29 @@
 #pragma once
-// Eight by eight numbers, rows to columns, in registers.
+// As many rows as columns of numbers, as many as there are lanes, exchanged in registers.
 #include "core/simd.hpp"
 
 namespace ehl::mlmi {
 
+/// Exchanges the blocks of `width` x `width` numbers off the diagonal of each block of twice that size.
+template <int width>
+inline void transpose_blocks(core::Lanes (&rows)[core::lanes]) {
+  using core::Lanes, core::lanes;
+  for (int k = 0; k < lanes; ++k) {
+    if ((k & width) != 0) continue;
+    const Lanes upper = rows[k], lower = rows[k + width];
+    rows[k] =
+        __builtin_shuffle(upper, lower, core::lanes_by([](int m) { return (m & width) == 0 ? m : lanes + m - width; }));
+    rows[k + width] =
+        __builtin_shuffle(upper, lower, core::lanes_by([](int m) { return (m & width) == 0 ? m + width : lanes + m; }));
+  }
+}
+
 /// out[c][r] = in[r][c].
 inline void transpose(const core::Lanes (&in)[core::lanes], core::Lanes (&out)[core::lanes]) {
-  using core::Lanes, core::lanes;
-  Lanes a[lanes], b[lanes];
-  for (int k = 0; k < lanes; k += 2) {
-    a[k] = __builtin_shufflevector(in[k], in[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-    a[k + 1] = __builtin_shufflevector(in[k], in[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-  }
-  for (int k = 0; k < lanes; k += 4)
-    for (int m = 0; m < 2; ++m) {
-      b[k + m] = __builtin_shufflevector(a[k + m], a[k + m + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-      b[k + m + 2] = __builtin_shufflevector(a[k + m], a[k + m + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-  for (int k = 0; k < 4; ++k) {
-    out[k] = __builtin_shufflevector(b[k], b[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-    out[k + 4] = __builtin_shufflevector(b[k], b[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-  }
+  for (int k = 0; k < core::lanes; ++k) out[k] = in[k];
+  transpose_blocks<1>(out);
+  if constexpr (core::lanes > 2) transpose_blocks<2>(out);
+  if constexpr (core::lanes > 4) transpose_blocks<4>(out);
 }
 
 }  // namespace ehl::mlmi

@@ -1,5 +1,5 @@
 #pragma once
-// The discrete Reynolds equation at one node (eq. 4), for a double or for eight lines at once.
+// The discrete Reynolds equation at one node (eq. 4), for a double or for a batch of lines at once.
 #include <array>
 
 #include "reynolds/wedge.hpp"

@@ -38,7 +38,7 @@ std::vector<BandRow<reach>> rows() {
   return all;
 }
 
-/// Best time of one call, in ns per point of one line (a call does eight lines).
+/// Best time of one call, in ns per point of one line (a call does a batch).
 template <class Solve>
 double ns_per_point(int points, Solve solve) {
   double best = 1e9;
@@ -149,7 +149,7 @@ void print_sweeps() {
 }  // namespace
 
 int main() {
-  std::printf("# ns per point of one line; eight lines at once, one thread\n");
+  std::printf("# ns per point of one line; a batch of lines at once, one thread\n");
   std::printf("# points     elimination, reach 1     2     3    decimation, reach 1     2     3\n");
   for (int points = 64; points <= 2048; points *= 2) {
     const Costs one = costs<1>(points), two = costs<2>(points), three = costs<3>(points);

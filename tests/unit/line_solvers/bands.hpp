@@ -1,5 +1,5 @@
 #pragma once
-// Band systems of eight lines for the tests, and both ways to solve them.
+// Band systems of a batch of lines for the tests, and both ways to solve them.
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ using Band = std::vector<line_solvers::BandRow<reach>>;
 
 inline int points_of(std::size_t entries) { return static_cast<int>(entries) - 1; }
 
-/// delta of every point: entry i holds eight lines.
+/// delta of every point: entry i holds all lines of the batch.
 using Deltas = std::vector<Lanes>;
 
 struct Solved {

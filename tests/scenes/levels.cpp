@@ -1,0 +1,99 @@
+// The same program with the numerics of every level of x86-64 that this processor runs: the best is taken unasked, and
+// all give the same film to rounding.
+#include <gnu/libc-version.h>
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <filesystem>
+#include <vector>
+
+#include "support/program.hpp"
+
+namespace {
+
+namespace files = std::filesystem;
+
+struct Level {
+  std::string name;
+  bool runs;
+  std::string folder;  ///< of its library, below lib/
+};
+
+std::vector<Level> levels() {
+  const std::string hwcaps = "glibc-hwcaps/";
+  return {{"x86-64", true, ""},
+          {"x86-64-v3", __builtin_cpu_supports("x86-64-v3") != 0, hwcaps + "x86-64-v3"},
+          {"x86-64-v4", __builtin_cpu_supports("x86-64-v4") != 0, hwcaps + "x86-64-v4"}};
+}
+
+/// The program and its libraries, moved elsewhere; those above `highest` are left behind.
+void move_program(const files::path& to, std::size_t highest) {
+  const files::path from = files::path(EHL_PROGRAM).parent_path();
+  files::create_directories(to);
+  files::copy(EHL_PROGRAM, to / "ehl");
+  for (std::size_t k = 0; k <= highest; ++k) {
+    const files::path library = files::path("lib") / levels()[k].folder / "libehl.so";
+    files::create_directories((to / library).parent_path());
+    files::copy(from / library, to / library);
+  }
+}
+
+double member(const std::string& json, const std::string& name) {
+  const std::size_t at = json.find("\"" + name + "\": ");
+  BOOST_REQUIRE_MESSAGE(at != std::string::npos, name << " is missing in\n" << json);
+  return std::stod(json.substr(at + name.size() + 4));
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(every_level)
+
+// The vector units differ in fused multiply-add and in the order of sums, so the bound is that of rounding errors,
+// 1e-16, grown by the condition of the problem; 1e-15 is what was seen. Before glibc 2.33 the loader knew no levels.
+BOOST_AUTO_TEST_CASE(the_best_is_taken_and_all_agree) {
+  BOOST_TEST_MESSAGE("loader of glibc " << gnu_get_libc_version());
+  constexpr double tolerance = 1e-12;
+  const support::TemporaryFolder folder;
+  folder.write("d.ini",
+               "[contact]\nM = 20\nL = 10\n[lubricant]\nalpha = 2.2e-8\nz = 0.68\n[domain]\nx_inlet = -4.5\ny_half = "
+               "3\n[grid]\ncells = 64\n[multigrid]\ntolerance = 1e-10\n");
+  std::string first;
+  int seen = 0;
+  for (std::size_t k = 0; k < levels().size(); ++k) {
+    const Level level = levels()[k];
+    if (!level.runs) {
+      BOOST_TEST_MESSAGE(level.name << ": not on this processor");
+      continue;
+    }
+    move_program(folder / level.name, k);
+    files::create_symlink(level.name + "/ehl", folder / ("ehl_" + level.name));
+    const support::Ended ended =
+        support::shell(folder, "./ehl_" + level.name + " run d.ini --json --output " + level.name + ".h5");
+    BOOST_REQUIRE_MESSAGE(ended.status == 0, level.name << ": " << ended.err);
+    BOOST_TEST((ended.out.find("\"cpu_level\": \"" + level.name + "\"") != std::string::npos),
+               level.name << " is not what was loaded:\n"
+                          << ended.out);
+    if (first.empty()) first = ended.out;
+    for (const char* name : {"Hc", "Hm", "H00", "P_max"}) {
+      const double value = member(ended.out, name);
+      const double difference = std::abs(value / member(first, name) - 1.0);
+      BOOST_TEST_MESSAGE(level.name << ": " << name << " " << value << ", off the lowest level by " << difference
+                                    << " (" << tolerance << ")");
+      BOOST_TEST(difference < tolerance);
+    }
+    ++seen;
+  }
+  BOOST_TEST(seen >= 1);
+}
+
+// The program where it was built: the level of its tests is the one it takes.
+BOOST_AUTO_TEST_CASE(the_built_program_takes_the_best) {
+  const support::TemporaryFolder folder;
+  std::string best;
+  for (const Level& level : levels())
+    if (level.runs) best = level.name;
+  const support::Ended ended = support::ehl(folder, "version");
+  BOOST_TEST(ended.out.ends_with(", for " + best + "\n"), ended.out << " should end with " << best);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
