@@ -72,6 +72,11 @@ DomainError domain_error(double gain, double next_gain) {
 double change(const LevelRow& from, const LevelRow& to, double LevelRow::*film) {
   return std::abs(to.*film / from.*film - 1.0);
 }
+double gain_of_Hc(const LevelRow& from, const LevelRow& to) { return change(from, to, &LevelRow::Hc); }
+// The nodes are the same; still, where the minimum moves on to another node, the node's film or the fitted one jumps.
+double gain_of_Hm(const LevelRow& from, const LevelRow& to) {
+  return std::min(change(from, to, &LevelRow::Hm), change(from, to, &LevelRow::Hm_fitted));
+}
 
 // Of Hc or Hm, the worse; NaN where a coarse solution fails.
 DomainError domain_error(const Scene& scene, const SolveOnGrid& solve_on_grid) {
@@ -84,12 +89,11 @@ DomainError domain_error(const Scene& scene, const SolveOnGrid& solve_on_grid) {
     if (!solution.converged) return {std::nan(""), 0.0, 0.0};
     rows.push_back(solution.levels.back());
   }
-  const auto error_of = [&](double LevelRow::*film) {
-    const double next_gain = rows.size() > 2 ? change(rows[1], rows[2], film) : std::nan("");
-    return domain_error(change(rows[0], rows[1], film), next_gain);
+  const auto error_of = [&](const auto& gain) {
+    return domain_error(gain(rows[0], rows[1]), rows.size() > 2 ? gain(rows[1], rows[2]) : std::nan(""));
   };
-  const DomainError Hc = error_of(&LevelRow::Hc);
-  const DomainError Hm = error_of(&LevelRow::Hm_fitted);
+  const DomainError Hc = error_of(gain_of_Hc);
+  const DomainError Hm = error_of(gain_of_Hm);
   return {std::max(Hc.square, Hm.square), std::max(Hc.inlet, Hm.inlet), std::max(Hc.load, Hm.load)};
 }
 

@@ -153,6 +153,37 @@ BOOST_AUTO_TEST_CASE(warnings_are_those_of_the_last_grid) {
   BOOST_TEST(solution.warnings[0].find("not resolved") != std::string::npos);
 }
 
+// (0,0) a node of the grid with 64 cells too; cells no larger; no more than a rung of the ladder too long.
+BOOST_AUTO_TEST_CASE(larger_domains) {
+  const core::Grid grid{256, 128, -4.5, 1.5, -1.5, 1.5};
+  for (const double factor : {1.0, 1.01, 1.5, 2.0, 3.0, 5.0, 8.0, 9.0, 17.0, 33.0, 60.0}) {
+    const core::Grid larger = on_larger_domain(grid, factor);
+    const double length = larger.X_b - larger.X_a;
+    const double node = -larger.X_a / (length / (larger.nx > 4096 ? 256 : 64));
+    BOOST_TEST_MESSAGE("factor " << factor << ": from " << larger.X_a << " on, " << larger.nx
+                                 << " cells, (0,0) at node " << node << " of 64 or 256");
+    BOOST_TEST(length >= 6.0 * factor * (1.0 - 1e-9));
+    BOOST_TEST(length <= 6.0 * factor * 2.0);
+    BOOST_TEST(std::abs(node - std::round(node)) < 1e-9);
+    BOOST_TEST(larger.hx() <= grid.hx() * (1.0 + 1e-9));
+    BOOST_TEST(larger.hx() > 0.5 * grid.hx());
+    BOOST_TEST(larger.X_b == 1.5);
+    BOOST_TEST((larger.Y_b - larger.Y_a) / length == 0.5, tolerance(1e-12));
+    BOOST_TEST(larger.Y_a == -larger.Y_b);
+    BOOST_TEST(larger.nx == 2 * larger.ny);
+  }
+  BOOST_TEST(on_larger_domain(grid, 1.0).X_a == -4.5);
+  BOOST_TEST(on_larger_domain(grid, 1.0).nx == 256);
+  BOOST_TEST(on_larger_domain({64, 64, -1.5, 1.5, -1.5, 1.5}, 1.0).X_a == -1.5);
+  // Twice as long is twice the cells, whatever the rounding.
+  for (int k = 1; k < 40; ++k) {
+    const double X_b = 0.1 * k;
+    BOOST_TEST(on_larger_domain({64, 64, -3.0 * X_b, X_b, -1.0, 1.0}, 2.0).nx == 128);
+  }
+  BOOST_TEST(on_larger_domain(grid, 2.0).X_a == -10.5);  // 28 of 32 parts, 14 Hertz radii would do for no less
+  BOOST_TEST(on_larger_domain(grid, 8.5).X_a == -94.5);  // 63 of 64
+}
+
 // The real solver from the real start: 64 cells are 3 % off, 256 are not; and the climb from grid to grid keeps them
 // all.
 BOOST_AUTO_TEST_CASE(the_climb_goes_on_from_the_last_solution) {
