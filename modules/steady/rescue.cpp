@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/errors.hpp"
 #include "core/timer.hpp"
@@ -10,6 +11,7 @@
 #include "steady/checks.hpp"
 #include "steady/newton.hpp"
 #include "steady/resolution.hpp"
+#include "transfer/transfer.hpp"
 
 namespace ehl::steady {
 namespace {
@@ -19,6 +21,8 @@ constexpr double tolerance_on_the_way = 1e-6;
 constexpr double tolerance_at_rounding = 1e-11;
 /// From the Hertz pressure the number of steps grows with the number of cells.
 constexpr int finest_from_hertz = 128;
+/// Grids below the finest one that an estimate of its discretization error needs.
+constexpr std::size_t levels_of_an_estimate = 2;
 
 double final_tolerance(const Scene& scene) {
   return std::fmin(tolerance_at_rounding, scene.multigrid.tolerance);  // that of a NaN and a number is the number
@@ -55,6 +59,32 @@ void judge(Climb& climb) {
   solution.end = unmet.empty() ? CyclesEnd::content : CyclesEnd::stalled;
 }
 
+// What the cycles left below a finest grid that they did not solve says nothing about its discretization error: a new
+// table of levels, with the two grids below it solved too.
+void solve_levels_below(Climb& climb) {
+  climb.solution.levels.clear();
+  const std::size_t finest = climb.finest();
+  std::vector<core::Field> injected;  // from level finest - 1 down
+  for (std::size_t l = finest; l > climb.first && finest - l < levels_of_an_estimate; --l) {
+    injected.emplace_back(climb.hierarchy.levels[l - 1].grid);
+    transfer::restrict_injection(l == finest ? climb.hierarchy.finest().P : injected.end()[-2], injected.back());
+  }
+  const double H00 = climb.hierarchy.H00;
+  for (std::size_t k = injected.size(); k > 0; --k) {
+    const double began = core::now();
+    const std::size_t l = finest - k;
+    forget_work(climb.hierarchy);
+    fmg::start_from_state(climb.hierarchy, l, injected[k - 1], H00);
+    if (!solve_level_by_newton(climb, l, tolerance_on_the_way).converged) {
+      climb.solution.levels.clear();
+      continue;
+    }
+    climb.solution.levels.emplace_back();
+    record(climb, l, 0, state_of_level(climb.hierarchy, l));
+    climb.solution.levels.back().seconds = core::now() - began;
+  }
+}
+
 }  // namespace
 
 void polish(Climb& climb) {
@@ -69,12 +99,19 @@ void polish(Climb& climb) {
 Solution rescue_by_newton(const Scene& scene, const Start& start, const Solution& unsolved,
                           const ProgressCallback& progress) {
   Climb climb = begin_climb(scene, start, progress);
+  const std::size_t l = climb.finest();
+  fmg::Hierarchy& hierarchy = climb.hierarchy;
   const double began = core::now();
   climb.solution.levels = unsolved.levels;
   climb.solution.history = unsolved.history;
-  fmg::start_from_state(climb.hierarchy, climb.finest(), part_on(climb.hierarchy.finest().grid, unsolved.P),
-                        unsolved.H00);
-  const NewtonResult result = solve_level_by_newton(climb, climb.finest(), final_tolerance(scene));
+  fmg::start_from_state(hierarchy, l, part_on(hierarchy.finest().grid, unsolved.P), unsolved.H00);
+  const NewtonResult result = solve_level_by_newton(climb, l, final_tolerance(scene));
+  if (result.converged) {
+    const fmg::Kept kept{hierarchy.finest().P, hierarchy.H00};
+    solve_levels_below(climb);
+    climb.solution.levels.push_back(unsolved.levels.back());
+    fmg::start_from_state(hierarchy, l, kept.P, kept.H00);
+  }
   judge(climb);
   if (!result.converged) climb.solution.failed_check = result.reason;
   climb.solution.converged = climb.solution.converged && result.converged;

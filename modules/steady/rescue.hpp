@@ -13,7 +13,8 @@ inline constexpr double most_nodes_of_rescue = 3e5;
 /// errors: core::Interrupted.
 void polish(Climb& climb);
 
-/// The finest grid by Newton's method from a state that cycles have left unsolved.
+/// The finest grid by Newton's method from a state that cycles have left unsolved; then the two grids below it from its
+/// solution, for the estimate of its error.
 /// in: unsolved, a solution of the scene that is not converged.
 Solution rescue_by_newton(const Scene& scene, const Start& start, const Solution& unsolved,
                           const ProgressCallback& progress);

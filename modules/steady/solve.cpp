@@ -100,7 +100,7 @@ void try_newton(const Scene& scene, const ProgressCallback& progress, Search& se
   if (scene.polish == Polish::rescue && nodes > most_nodes_of_rescue) return;
   if (search.best())
     search.try_way("Newton-Krylov after the cycles",
-                   [&] { return rescue_by_newton(scene, safe_start, *search.best(), progress); });
+                   [&] { return rescue_by_newton(scene, starts[0], *search.best(), progress); });
   if (!search.over()) search.try_way("Newton-Krylov", [&] { return climb_by_newton(scene, starts[0], progress); });
 }
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <cstdio>
-#include <cstdlib>
 
 #include "core/errors.hpp"
 #include "core/norms.hpp"
@@ -141,7 +139,6 @@ StageResult ContactDae::solve(const Stage& stage, std::span<double> correction) 
     }
     balance_load();
     const double now = change(stage.weights, H00_before);
-    if (getenv("TRDBG")) fprintf(stderr, "   stage T %g cj %g cycle %d change %g tol %g\n", stage.T, stage.cj, result.cycles, now, stage.tolerance);
     if (!std::isfinite(now)) return result;
     if (result.cycles > 1) {
       rate_ = std::max(best_rate, now / last);

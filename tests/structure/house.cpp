@@ -43,7 +43,7 @@ std::vector<Door> doors() {
       {"SUNDIALS",
        {"sundials/", "kinsol/", "ida/", "idas/", "cvode/", "arkode/", "nvector/", "sunlinsol/", "sunnonlinsol/",
         "sunmatrix/"},
-       {"steady"},
+       {"steady", "transient"},
        {"modules/steady/kinsol.cpp", "modules/transient/ida.cpp"}},
       {"FFTW", {"fftw3"}, {"mlmi"}},
       {"Eigen",
