@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "core/errors.hpp"
+#include "core/process.hpp"
 #include "core/processor_level.hpp"
 #include "deck/text.hpp"
 #include "exit_status.hpp"
@@ -16,14 +17,6 @@
 
 namespace ehl::program {
 namespace {
-
-// OpenMP's threads wait by spinning. On a machine with other work that made two threads many times slower than one.
-// The library reads the policy before main begins, so the only way to set it is to start once more.
-void wait_passively(char** words) {
-  if (::getenv("OMP_WAIT_POLICY") != nullptr) return;
-  if (::setenv("OMP_WAIT_POLICY", "passive", 1) != 0) return;
-  ::execv("/proc/self/exe", words);  // comes back only where it is impossible; then it is merely slow
-}
 
 int dispatch(const std::vector<std::string>& words) {
   const std::vector<CommandRecord> commands = command_records();
@@ -81,7 +74,7 @@ int guarded(const std::vector<std::string>& words) {
 }  // namespace ehl::program
 
 int main(int count, char** words) {
-  ehl::program::wait_passively(words);
+  ehl::core::prepare_process(words);
   ehl::program::install_signal_handlers();
   return ehl::program::guarded({words + 1, words + count});
 }

@@ -5,12 +5,27 @@
 #endif
 
 #include <algorithm>
+#include <cstdint>
 #include <new>
 
 namespace ehl::core {
 namespace {
 constexpr std::size_t cache_line = 64;
 constexpr std::size_t huge_page = std::size_t{1} << 21;
+
+#ifdef __linux__
+/// Arrays from this size on are worth the call.
+constexpr std::size_t large = std::size_t{1} << 16;
+
+// The whole of the huge pages that the array touches, its neighbours share the first and the last of them; and those of
+// a next array as large, before the allocator writes there. A wish: refusal costs speed only.
+void wish_for_huge_pages(double* p, std::size_t bytes) {
+  const auto address = reinterpret_cast<std::uintptr_t>(p);
+  const std::uintptr_t begin = address / huge_page * huge_page;
+  const std::uintptr_t end = (address + 2 * bytes + huge_page - 1) / huge_page * huge_page;
+  madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+}
+#endif
 }  // namespace
 
 void ReleaseAligned::operator()(double* p) const { ::operator delete[](p, std::align_val_t{alignment}); }
@@ -20,7 +35,7 @@ AlignedArray zeroed_array(std::size_t count) {
   const std::size_t alignment = bytes >= huge_page ? huge_page : cache_line;
   auto* p = static_cast<double*>(::operator new[](bytes, std::align_val_t{alignment}));
 #ifdef __linux__
-  if (alignment == huge_page) madvise(p, bytes, MADV_HUGEPAGE);  // a wish: refusal costs speed only
+  if (bytes >= large) wish_for_huge_pages(p, bytes);
 #endif
   std::fill_n(p, count, 0.0);
   return {p, ReleaseAligned{alignment}};

@@ -12,9 +12,9 @@ struct ReleaseAligned {
 };
 using AlignedArray = std::unique_ptr<double[], ReleaseAligned>;
 
-/// `count` zeros on a 64-byte boundary. Arrays that fill a huge page (2 MiB) lie on huge pages where the system grants
-/// them: walking across the stations of a large field touches another page at every step, and the processor remembers
-/// only a few thousand. errors: std::bad_alloc.
+/// `count` zeros on a 64-byte boundary. Large arrays lie on huge pages (2 MiB) where the system grants them: walking
+/// across the stations of a large field touches another page at every step, and the processor remembers only a few
+/// thousand. errors: std::bad_alloc.
 AlignedArray zeroed_array(std::size_t count);
 
 }  // namespace ehl::core

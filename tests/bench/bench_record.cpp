@@ -17,6 +17,7 @@
 
 #include "bench/yardsticks.hpp"
 #include "contact/groups.hpp"
+#include "core/process.hpp"
 #include "steady/solve.hpp"
 
 using namespace ehl;
@@ -48,7 +49,7 @@ steady::Scene scene_of(const Contact& contact, int cells, int threads) {
 
 /// The plain numbers of a series of runs: what comes through the pipe from the process that ran it.
 struct Series {
-  double least = 0.0;     ///< seconds, set-up included
+  double least = 1e9;     ///< seconds, set-up included
   double greatest = 0.0;  ///< seconds of the slowest run
   double work_units = 0.0;
   double all_work_units = 0.0;  ///< of all levels, in those of the finest
@@ -57,41 +58,36 @@ struct Series {
   bool converged = false;
 };
 
-Series run_series(const Contact& contact, int cells, int threads, int runs) {
-  Series series{.least = 1e9};
-  for (int run = 0; run < runs; ++run) {
-    const double began = core::now();
-    const steady::Solution solution = steady::solve(scene_of(contact, cells, threads));
-    const double seconds = core::now() - began;
-    series.least = std::min(series.least, seconds);
-    series.greatest = std::max(series.greatest, seconds);
-    const steady::LevelRow& last = solution.levels.back();
-    series.work_units = last.work_units;
-    series.all_work_units = 0.0;
-    for (const steady::LevelRow& row : solution.levels)
-      series.all_work_units += row.work_units * (row.nx + 1.0) * (row.ny + 1.0) / ((last.nx + 1.0) * (last.ny + 1.0));
-    series.Hc = last.Hc;
-    series.error_Hc = last.error_Hc;
-    series.algebraic = solution.verification.algebraic_error_Hc;
-    series.converged = solution.converged;
-  }
-  return series;
+void add_run(const Contact& contact, int cells, int threads, Series& series) {
+  const double began = core::now();
+  const steady::Solution solution = steady::solve(scene_of(contact, cells, threads));
+  const double seconds = core::now() - began;
+  series.least = std::min(series.least, seconds);
+  series.greatest = std::max(series.greatest, seconds);
+  const steady::LevelRow& last = solution.levels.back();
+  series.work_units = last.work_units;
+  series.all_work_units = 0.0;
+  for (const steady::LevelRow& row : solution.levels)
+    series.all_work_units += row.work_units * (row.nx + 1.0) * (row.ny + 1.0) / ((last.nx + 1.0) * (last.ny + 1.0));
+  series.Hc = last.Hc;
+  series.error_Hc = last.error_Hc;
+  series.algebraic = solution.verification.algebraic_error_Hc;
+  series.converged = solution.converged;
 }
 
-/// In a process of its own, whose peak memory is that of this case alone.
-Series in_own_process(const Contact& contact, int cells, int threads, int runs) {
+/// Every run in a process of its own: it takes its memory anew, and the peak of the memory is that of this case alone.
+void add_run_in_own_process(const Contact& contact, int cells, int threads, Series& series) {
   int ends[2];
   if (::pipe(ends) != 0) std::exit(1);
   std::fflush(stdout);
   const pid_t child = ::fork();
   if (child < 0) std::exit(1);
   if (child == 0) {
-    const Series series = run_series(contact, cells, threads, runs);
+    add_run(contact, cells, threads, series);
     const bool sent = ::write(ends[1], &series, sizeof series) == static_cast<ssize_t>(sizeof series);
     ::_exit(sent ? 0 : 1);
   }
   ::close(ends[1]);
-  Series series;
   const bool received = ::read(ends[0], &series, sizeof series) == static_cast<ssize_t>(sizeof series);
   ::close(ends[0]);
   rusage usage{};
@@ -101,8 +97,7 @@ Series in_own_process(const Contact& contact, int cells, int threads, int runs) 
     std::fprintf(stderr, "bench_record: the run of %s on %d cells failed\n", contact.name, cells);
     std::exit(1);
   }
-  series.megabytes = static_cast<double>(usage.ru_maxrss) / 1024.0;
-  return series;
+  series.megabytes = std::max(series.megabytes, static_cast<double>(usage.ru_maxrss) / 1024.0);
 }
 
 std::string first_line(const std::string& command) {
@@ -159,6 +154,7 @@ void append(const std::string& path, const std::string& rows) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  core::prepare_process(argv);
   int runs = 5;
   int most_cells = 1024;
   std::string into;
@@ -180,12 +176,15 @@ int main(int argc, char** argv) {
   for (const Contact& contact : contacts) {
     double before[2] = {0.0, 0.0};
     for (int cells = 128; cells <= most_cells; cells *= 2) {
-      double one = 0.0;
+      // In turns, so that both meet the same moods of the machine.
+      std::array<Series, 2> series;
+      for (int run = 0; run < (cells > 1024 ? std::min(runs, 3) : runs); ++run)
+        for (const int threads : {1, 2})
+          add_run_in_own_process(contact, cells, threads, series[static_cast<std::size_t>(threads - 1)]);
+      const double one = series[0].least;
       for (const int threads : {1, 2}) {
-        const int repeats = cells > 1024 ? std::min(runs, 2) : runs;
-        const Series s = in_own_process(contact, cells, threads, repeats);
+        const Series& s = series[static_cast<std::size_t>(threads - 1)];
         const double nodes = (cells + 1.0) * (cells + 1.0);
-        if (threads == 1) one = s.least;
         double& coarser = before[threads - 1];
         char ratio[16] = "-", speedup[16] = "-", row[400];
         if (coarser > 0.0) std::snprintf(ratio, sizeof ratio, "%.2f", s.least / coarser);
