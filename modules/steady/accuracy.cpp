@@ -12,6 +12,7 @@
 #include "core/timer.hpp"
 #include "fmg/full_multigrid.hpp"
 #include "steady/climb.hpp"
+#include "steady/resolution.hpp"
 #include "steady/warnings.hpp"
 
 namespace ehl::steady {
@@ -23,7 +24,10 @@ constexpr double shares_of_domain[] = {0.5, 0.7};
 constexpr double step_of_size = 1.01;
 /// Cells of the largest coarse solution that is spent on the domain.
 constexpr int most_coarse_cells = 1024;
+/// In Hertz radii, and in units of contact_size: on longer ones the coarsest grids no longer hold the contact, and the
+/// cycles fail.
 constexpr double longest_domain = 200.0;
+constexpr double longest_in_contacts = 72.0;
 /// The foretold level is one more where it would leave more than this of what is allowed.
 constexpr double sure = 0.95;
 constexpr double tolerance_of_coarse = 1e-6;
@@ -152,14 +156,16 @@ std::string forbidden(const Scene& scene, const core::Grid& grid) {
 // The grid on the domain that leaves enough for the mesh; or that of the scene and what forbids a larger one.
 std::pair<core::Grid, std::string> domain_for(const Scene& scene, const DomainError& error) {
   if (std::isnan(error.left(1.0))) return {scene.grid, "the error of the domain, which could not be estimated"};
+  const double longest = std::min(longest_domain, longest_in_contacts * contact_size(scene.M, scene.L));
   std::string stopped;
   for (const double share : shares_of_domain) {
     double size = 1.0;
-    while (error.left(size) > share * scene.accuracy.error && -size * scene.grid.X_a < 2.0 * longest_domain)
+    while (error.left(size) > share * scene.accuracy.error && -size * scene.grid.X_a < 2.0 * longest)
       size *= step_of_size;
     const core::Grid larger = size > 1.0 ? on_larger_domain(scene.grid, size) : scene.grid;
-    const std::string forbids = -larger.X_a > longest_domain
-                                    ? "the length of the domain: more than 200 Hertz radii would be needed"
+    const std::string forbids = -larger.X_a > longest
+                                    ? "the length of the domain: more than " + std::to_string(std::lround(longest)) +
+                                          " Hertz radii would be needed"
                                     : forbidden(scene, larger);
     if (forbids.empty()) return {larger, ""};
     if (stopped.empty()) stopped = forbids;

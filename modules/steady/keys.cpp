@@ -66,7 +66,7 @@ std::vector<Key> grid_keys() {
           .range = {1e-6, 0.5},
           .remedy = "a relative error, e.g. 0.01",
           .meaning =
-              "Relative error of Hc and Hm to reach, instead of cells: the run refines the grid, up to 4096 cells, and "
+              "Relative error of Hc and Hm to reach, instead of cells: the run refines the grid, up to 8192 cells, and "
               "extends the domain where x_inlet and y_half are left open, until the estimated error is below it. A "
               "domain that is given is kept and its error told, not counted.",
           .source = "modules/steady/README.md",

@@ -34,7 +34,7 @@ enum class Polish {
 struct AccuracyTarget {
   double error = std::numeric_limits<double>::quiet_NaN();  ///< relative, of Hc and Hm; NaN: the grid is what is given
   bool domain_is_free = false;                              ///< the domain may grow
-  int most_cells = 4096;                                    ///< along x
+  int most_cells = 8192;                                    ///< along x
   double most_nodes = std::numeric_limits<double>::infinity();  ///< that the memory holds
 };
 
