@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "core/errors.hpp"
 #include "core/norms.hpp"
@@ -49,8 +50,8 @@ ContactDae::ContactDae(fmg::Hierarchy& hierarchy, const Course& course, const Er
       nodes_(static_cast<std::size_t>(hierarchy.finest().grid.nodes_x()) *
              static_cast<std::size_t>(hierarchy.finest().grid.nodes_y())),
       P_before_(hierarchy.finest().grid),
-      Q_(hierarchy.finest().grid),
-      Q_before_(hierarchy.finest().grid) {}
+      Q_before_(hierarchy.finest().grid),
+      rho_(nodes_) {}
 
 void ContactDae::state(std::span<double> y) const {
   const fmg::Level& level = hierarchy_.levels.back();
@@ -152,6 +153,13 @@ StageResult ContactDae::solve(const Stage& stage, std::span<double> correction) 
   state(correction);
   for (std::size_t k = 0; k < correction.size(); ++k) correction[k] -= stage.y_predicted[k];
   return result;
+}
+
+double ContactDae::least_film(std::span<const double> y) {
+  rheology::density(hierarchy_.problem.density, y.first(nodes_), rho_);
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < nodes_; ++k) least = std::min(least, y[nodes_ + k] / rho_[k]);
+  return least;
 }
 
 void ContactDae::weights(std::span<const double> y, std::span<double> w) const {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <vector>
 
 #include "fmg/hierarchy.hpp"
 #include "transient/ida.hpp"
@@ -52,11 +53,16 @@ class ContactDae {
   StageResult solve(const Stage& stage, std::span<double> correction);
   void weights(std::span<const double> y, std::span<double> w) const;
 
+  /// Smallest H of all nodes in y.
+  double least_film(std::span<const double> y);
+
+  /// Carries the load exactly: the pressure by a common factor, the film at the centre held by H00.
+  void balance_load();
+
   /// The terms of the problem at T with squeeze cj; the right-hand side is left alone.
   void pose(double T, double cj);
 
  private:
-  void balance_load();
   double change(std::span<const double> weights, double H00_before);
 
   fmg::Hierarchy& hierarchy_;
@@ -64,7 +70,8 @@ class ContactDae {
   ErrorControl control_;
   std::size_t nodes_;
   double rate_ = 0.3;  ///< of the cycles, as last measured
-  core::Field P_before_, Q_, Q_before_;
+  core::Field P_before_, Q_before_;
+  std::vector<double> rho_;
 };
 
 /// Gives the finest level the right-hand sides that a transient needs.

@@ -190,9 +190,7 @@ StepReport Ida::step(double T_stop) {
     case IDA_SUCCESS: report.end = StepReport::End::accepted; break;
     case IDA_TSTOP_RETURN: report.end = StepReport::End::at_stop; break;
     case IDA_ROOT_RETURN: report.end = StepReport::End::at_event; break;
-    default:
-      report.end = StepReport::End::failed;
-      report.reason = in_words(flag, own.calls.message);
+    default: report.end = StepReport::End::failed; report.reason = in_words(flag, own.calls.message);
   }
   IDAGetLastStep(own.memory, &report.length);
   IDAGetLastOrder(own.memory, &report.order);

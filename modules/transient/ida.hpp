@@ -50,10 +50,10 @@ struct StepReport {
   double T = 0.0;  ///< reached
   double length = 0.0;
   int order = 0;
-  int cycles = 0;          ///< of all attempts at this step
-  int rejected = 0;        ///< attempts by the error test
-  int not_solved = 0;      ///< attempts by the iteration
-  std::string reason{};    ///< of a failure, in words
+  int cycles = 0;        ///< of all attempts at this step
+  int rejected = 0;      ///< attempts by the error test
+  int not_solved = 0;    ///< attempts by the iteration
+  std::string reason{};  ///< of a failure, in words
 };
 
 /// Owns IDA's memory for one problem, which must outlive it.

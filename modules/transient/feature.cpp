@@ -1,0 +1,71 @@
+#include "transient/feature.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace ehl::transient {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double parts_of_a_width = 4.0;
+constexpr double parts_of_a_wave = 16.0;
+/// Mourier's shape is written in 1.2 times the radius of the cavity.
+constexpr double cavity_stretch = 1.2;
+/// Cosine of the angle of a line along X, but for rounding.
+constexpr double along_X = 1e-12;
+
+double squared(double x) { return x * x; }
+
+bool has_a_line(Feature::Shape shape) {
+  using Shape = Feature::Shape;
+  return shape == Shape::ridge || shape == Shape::groove || shape == Shape::waviness;
+}
+
+// The first wave begins with a crest of the gap at the feature's middle; ahead of it, along X, they fade.
+double waves(const Feature& feature, double across, double dX) {
+  const double ahead = dX / feature.width;
+  const double wave = feature.height * std::cos(2.0 * pi * across / feature.width);
+  return ahead > 0.0 ? wave * std::pow(10.0, -10.0 * ahead * ahead) : wave;
+}
+
+}  // namespace
+
+double gap_of(const Feature& feature, double dX, double dY) {
+  using Shape = Feature::Shape;
+  const double r2 = dX * dX + dY * dY;
+  const double across = dX * std::cos(feature.angle) + dY * std::sin(feature.angle);
+  switch (feature.shape) {
+    case Shape::dimple: return feature.height * std::exp(-r2 / squared(feature.width));
+    case Shape::bump: return -feature.height * std::exp(-r2 / squared(feature.width));
+    case Shape::groove: return feature.height * std::exp(-squared(across / feature.width));
+    case Shape::ridge: return -feature.height * std::exp(-squared(across / feature.width));
+    case Shape::waviness: return waves(feature, across, dX);
+    case Shape::cavity: {
+      const double s2 = r2 / squared(cavity_stretch * feature.width);
+      return feature.height * std::cos(0.5 * pi * std::sqrt(s2)) * std::exp(-2.0 * s2);
+    }
+  }
+  return 0.0;
+}
+
+void add_gap(const Feature& feature, const core::Grid& grid, double distance, core::Field& S) {
+  for (int i = 0; i <= grid.nx; ++i)
+    for (int j = 0; j <= grid.ny; ++j)
+      S(i, j) += gap_of(feature, grid.X(i) - feature.X - distance, grid.Y(j) - feature.Y);
+}
+
+bool symmetric(const Feature& feature) {
+  const bool transverse = has_a_line(feature.shape) && feature.angle == 0.0;
+  const bool longitudinal = std::abs(std::cos(feature.angle)) < along_X;
+  return transverse || (feature.Y == 0.0 && (longitudinal || !has_a_line(feature.shape)));
+}
+
+double resolving_distance(const Feature& feature) {
+  if (!has_a_line(feature.shape)) return feature.width / parts_of_a_width;
+  const double along = std::abs(std::cos(feature.angle));
+  if (along < along_X) return std::numeric_limits<double>::infinity();
+  return feature.width / along / (feature.shape == Feature::Shape::waviness ? parts_of_a_wave : parts_of_a_width);
+}
+
+}  // namespace ehl::transient

@@ -1,0 +1,39 @@
+#pragma once
+// What a moving surface carries through the contact: its deviation from smooth.
+#include "core/field.hpp"
+#include "core/grid.hpp"
+
+namespace ehl::transient {
+
+/// One deviation of one surface. All lengths in Hertz radii, heights in a^2/R; (xi, zeta) are the coordinates of the
+/// surface with the feature's middle as origin. S is what the gap gains.
+struct Feature {
+  enum class Shape {
+    dimple,    ///< S = height exp(-(r/width)^2)
+    bump,      ///< S = -height exp(-(r/width)^2)
+    ridge,     ///< S = -height exp(-(d/width)^2), d the distance from a line
+    groove,    ///< S = height exp(-(d/width)^2)
+    waviness,  ///< S = height cos(2 pi d/width); ahead of the middle 10^(-10 (dX/width)^2) of it
+    cavity     ///< S = height cos(pi r/(2.4 width)) exp(-2 (r/(1.2 width))^2), Mourier et al. 2006
+  };
+  Shape shape = Shape::dimple;
+  double height = 0.0;
+  double width = 0.0;
+  double angle = 0.0;  ///< between the line (ridge, groove, waves) and the Y axis, in radians
+  double X = 0.0;      ///< of the middle at T = 0
+  double Y = 0.0;
+};
+
+/// S at a distance (dX, dY) from the feature's middle.
+double gap_of(const Feature& feature, double dX, double dY);
+
+/// Adds S to the field, the feature having moved by `distance` along X.
+void add_gap(const Feature& feature, const core::Grid& grid, double distance, core::Field& S);
+
+/// True where S(X, Y) = S(X, -Y) at all times.
+bool symmetric(const Feature& feature);
+
+/// Longest distance that the feature may move in one step of time and still be seen: a quarter of its length along X.
+double resolving_distance(const Feature& feature);
+
+}  // namespace ehl::transient

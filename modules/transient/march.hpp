@@ -1,0 +1,89 @@
+#pragma once
+// A contact in time: from its steady state through varying load and speed, with features on its surfaces.
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/field.hpp"
+#include "steady/scene.hpp"
+#include "steady/solution.hpp"
+#include "transient/feature.hpp"
+#include "transient/schedule.hpp"
+
+namespace ehl::transient {
+
+/// What varies. Time T = t u_m/a, u_m the entrainment speed that lambda of the scene is made with.
+struct Conditions {
+  Schedule load{};  ///< over the scene's
+  Schedule u1{};    ///< of surface 1 over u_m
+  Schedule u2{};
+  std::optional<Feature> on_1{};
+  std::optional<Feature> on_2{};
+};
+
+struct MarchParameters {
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  double end = 0.0;
+  double rtol = 1e-4;          ///< of IDA's error test
+  double longest_step = none;  ///< none: from what varies (longest_step())
+  double shortest_step = 1e-9;
+  int most_steps = 100000;
+  double output_interval = none;  ///< between two frames; none: first and last only
+  double stop_film = none;        ///< end where Hm falls to this
+  double stop_steady = none;      ///< end where Hc, Hm and P_max change by less than this, relative, in a time of 1
+};
+
+/// One accepted step.
+struct StepRow {
+  double T = 0.0;
+  double Hc = 0.0, Hm = 0.0, Hm_X = 0.0, Hm_Y = 0.0, P_max = 0.0, H00 = 0.0;
+  double load = 1.0;        ///< wanted, over the scene's
+  double speed = 1.0;       ///< (u1 + u2)/2 over u_m
+  double load_error = 0.0;  ///< relative
+  double length = 0.0;      ///< of the step; 0 in the first row
+  int order = 0;
+  int cycles = 0;
+  int rejected = 0;    ///< attempts that failed the error test
+  int not_solved = 0;  ///< attempts that the cycles did not solve
+};
+
+/// The contact at one time, on the whole domain.
+struct Frame {
+  double T = 0.0;
+  core::Field P{}, H{};
+};
+
+/// What comes out while it goes on; each may be empty. `row` answers whether to go on.
+struct Observer {
+  std::function<bool(const StepRow& row)> row{};
+  std::function<void(Frame&& frame)> frame{};
+};
+
+enum class MarchEnd { end_time, film, steady, failed, interrupted };
+
+struct MarchReport {
+  MarchEnd end = MarchEnd::end_time;
+  double T = 0.0;
+  std::string reason{};  ///< of a failure
+  int steps = 0, cycles = 0, rejected = 0, not_solved = 0, restarts = 0;
+  double worst_load_error = 0.0;
+  double longest_step = 0.0;  ///< that was allowed
+  double seconds = 0.0;
+  core::PartTimes times{};
+};
+
+/// Longest step that sees everything that varies: a quarter of a feature's width at its speed, a quarter of a ramp, a
+/// twentieth of a period; a tenth of a feature-free time of 10.
+double longest_step(const Conditions& conditions, double end);
+
+/// Integrates (rho_bar H)_T + U (rho_bar H)_X = div(eps grad P), P >= 0, with the load balance, from the steady
+/// solution of the scene under the conditions of T = 0, by IDA's BDF of variable order and step; every implicit step is
+/// solved by multigrid cycles. At a jump of load or speed the integration starts anew behind a very short step. in:
+/// scene, and its solution; conditions with load > 0 and u1 + u2 >= 0 at all times, > 0 at T = 0. errors:
+/// core::SolverError where the state at T = 0 cannot be solved.
+MarchReport march(const steady::Scene& scene, const steady::Solution& start, const Conditions& conditions,
+                  const MarchParameters& parameters, const Observer& observer);
+
+}  // namespace ehl::transient

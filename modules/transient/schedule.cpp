@@ -1,0 +1,106 @@
+#include "transient/schedule.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace ehl::transient {
+namespace {
+
+constexpr double parts_of_a_ramp = 4.0;
+constexpr double parts_of_a_period = 20.0;
+
+double omega(const Schedule::Wave& wave) { return 2.0 * std::numbers::pi / wave.period; }
+
+// Without the wave. At a jump the first of its points.
+double linear(const std::vector<Schedule::Point>& points, double T) {
+  if (points.empty()) return 1.0;
+  const auto after = std::ranges::lower_bound(points, T, {}, &Schedule::Point::T);
+  if (after == points.begin()) return points.front().value;
+  if (after == points.end()) return points.back().value;
+  const Schedule::Point& from = after[-1];
+  return from.value + (after->value - from.value) * (T - from.T) / (after->T - from.T);
+}
+
+// Integral from a to b of (p + q T) (1 + A sin(w (T - T0))), T0 <= a for A != 0.
+double piece(double a, double b, double p, double q, const Schedule::Wave* wave) {
+  const double plain = (b - a) * (p + 0.5 * q * (a + b));
+  if (!wave) return plain;
+  const double w = omega(*wave);
+  const auto primitive = [&](double T) {
+    const double angle = w * (T - wave->start);
+    return -(p + q * T) * std::cos(angle) / w + q * std::sin(angle) / (w * w);
+  };
+  return plain + wave->amplitude * (primitive(b) - primitive(a));
+}
+
+}  // namespace
+
+double value(const Schedule& schedule, double T) {
+  const double mean = linear(schedule.points, T);
+  if (!schedule.wave || T <= schedule.wave->start) return mean;
+  return mean * (1.0 + schedule.wave->amplitude * std::sin(omega(*schedule.wave) * (T - schedule.wave->start)));
+}
+
+double integral(const Schedule& schedule, double T) {
+  std::vector<double> knots{0.0, T};
+  for (const Schedule::Point& point : schedule.points)
+    if (point.T > 0.0 && point.T < T) knots.push_back(point.T);
+  if (schedule.wave && schedule.wave->start > 0.0 && schedule.wave->start < T) knots.push_back(schedule.wave->start);
+  std::ranges::sort(knots);
+  double sum = 0.0;
+  for (std::size_t k = 1; k < knots.size(); ++k) {
+    const double a = knots[k - 1];
+    const double b = knots[k];
+    if (!(b > a)) continue;
+    const double middle = linear(schedule.points, 0.5 * (a + b));
+    const double slope = 2.0 * (linear(schedule.points, b) - middle) / (b - a);
+    const bool waves = schedule.wave && schedule.wave->start <= a;
+    sum += piece(a, b, middle - 0.5 * slope * (a + b), slope, waves ? &*schedule.wave : nullptr);
+  }
+  return sum;
+}
+
+double least(const Schedule& schedule, double end) {
+  double smallest = std::min(linear(schedule.points, 0.0), linear(schedule.points, end));
+  for (const Schedule::Point& point : schedule.points)
+    if (point.T > 0.0 && point.T < end) smallest = std::min(smallest, point.value);
+  if (!schedule.wave || schedule.wave->start >= end) return smallest;
+  const double amplitude = std::abs(schedule.wave->amplitude);
+  return smallest * (smallest > 0.0 ? 1.0 - amplitude : 1.0 + amplitude);
+}
+
+std::vector<double> jumps(const Schedule& schedule, double end) {
+  std::vector<double> times;
+  for (std::size_t k = 1; k < schedule.points.size(); ++k) {
+    const Schedule::Point& a = schedule.points[k - 1];
+    const Schedule::Point& b = schedule.points[k];
+    if (a.T == b.T && a.value != b.value && b.T >= 0.0 && b.T < end) times.push_back(b.T);
+  }
+  return times;
+}
+
+std::vector<double> corners(const Schedule& schedule, double end) {
+  std::vector<double> times;
+  for (const Schedule::Point& point : schedule.points) times.push_back(point.T);
+  if (schedule.wave) times.push_back(schedule.wave->start);
+  std::ranges::sort(times);
+  const std::vector<double> jumping = jumps(schedule, end);
+  std::erase_if(times, [&](double T) { return !(T > 0.0 && T < end) || std::ranges::count(jumping, T) > 0; });
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+double resolving_step(const Schedule& schedule) {
+  double step = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 1; k < schedule.points.size(); ++k) {
+    const Schedule::Point& a = schedule.points[k - 1];
+    const Schedule::Point& b = schedule.points[k];
+    if (b.T > a.T && b.value != a.value) step = std::min(step, (b.T - a.T) / parts_of_a_ramp);
+  }
+  if (schedule.wave) step = std::min(step, schedule.wave->period / parts_of_a_period);
+  return step;
+}
+
+}  // namespace ehl::transient
