@@ -16,7 +16,6 @@
 namespace ehl::transient {
 namespace {
 
-constexpr double longest_of_all = 0.1;
 constexpr double first_step = 1e-3;
 /// The step across a jump of load or speed: the pressure follows at once, the film hardly moves.
 constexpr double micro_step = 1e-3;
@@ -28,47 +27,6 @@ constexpr double settled_residual = 1e-9;
 constexpr double hopeless_residual = 1e-5;
 constexpr int most_settling_cycles = 60;
 constexpr int cycles_per_bit = 3;
-
-double speed(const Conditions& conditions, double T) {
-  return 0.5 * (value(conditions.u1, T) + value(conditions.u2, T));
-}
-
-Course course_of(const Conditions& conditions, const std::optional<Drive>& crossing) {
-  Course course;
-  course.drive = [&](double T) {
-    return crossing ? *crossing : Drive{value(conditions.load, T), speed(conditions, T)};
-  };
-  if (conditions.on_1 || conditions.on_2)
-    course.surface = [&](const core::Grid& grid, double T, core::Field& S) {
-      S.fill(0.0);
-      if (conditions.on_1) add_gap(*conditions.on_1, grid, integral(conditions.u1, T), S);
-      if (conditions.on_2) add_gap(*conditions.on_2, grid, integral(conditions.u2, T), S);
-    };
-  return course;
-}
-
-steady::Scene on_its_symmetry(steady::Scene scene, const Conditions& conditions) {
-  for (const auto& feature : {conditions.on_1, conditions.on_2})
-    if (feature && !symmetric(*feature)) scene.use_symmetry = false;
-  // To a tolerance: cycles with a relaxation after the correction.
-  scene.multigrid.tolerance = settled_residual;
-  return scene;
-}
-
-std::vector<double> stops_of(const Conditions& conditions, double end) {
-  std::vector<double> stops{end};
-  for (const Schedule* schedule : {&conditions.load, &conditions.u1, &conditions.u2})
-    for (const auto& times : {jumps(*schedule, end), corners(*schedule, end)})
-      stops.insert(stops.end(), times.begin(), times.end());
-  std::ranges::sort(stops);
-  stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
-  return stops;
-}
-
-bool jumps_at(const Conditions& conditions, double T, double end) {
-  const auto jumps_there = [&](const Schedule& schedule) { return std::ranges::count(jumps(schedule, end), T) > 0; };
-  return jumps_there(conditions.load) || jumps_there(conditions.u1) || jumps_there(conditions.u2);
-}
 
 core::Field on_whole(const core::Grid& grid, const core::Field& field) {
   if (!grid.mirrored) return field;
@@ -233,7 +191,7 @@ class March {
                       .P_max = core::maximum(level.P).value,
                       .H00 = hierarchy_.H00,
                       .load = value(conditions_.load, step.T),
-                      .speed = speed(conditions_, step.T),
+                      .speed = drive_at(conditions_, step.T).speed,
                       .load_error = std::abs(load / level.load - 1.0),
                       .length = step.length,
                       .order = step.order,
@@ -300,24 +258,12 @@ class March {
 
 }  // namespace
 
-double longest_step(const Conditions& conditions, double end) {
-  double step = std::min(longest_of_all, 0.01 * end);
-  for (const Schedule* schedule : {&conditions.load, &conditions.u1, &conditions.u2})
-    step = std::min(step, resolving_step(*schedule));
-  const auto fastest = [&](const Schedule& schedule) {
-    double most = std::abs(value(schedule, 0.0));
-    for (const Schedule::Point& point : schedule.points) most = std::max(most, std::abs(point.value));
-    return most * (schedule.wave ? 1.0 + std::abs(schedule.wave->amplitude) : 1.0);
-  };
-  if (conditions.on_1) step = std::min(step, resolving_distance(*conditions.on_1) / fastest(conditions.u1));
-  if (conditions.on_2) step = std::min(step, resolving_distance(*conditions.on_2) / fastest(conditions.u2));
-  return step;
-}
-
 MarchReport march(const steady::Scene& scene, const steady::Solution& start, const Conditions& conditions,
                   const MarchParameters& parameters, const Observer& observer) {
   const double began = core::now();
-  const steady::Scene own = on_its_symmetry(scene, conditions);
+  steady::Scene own = scene;
+  own.use_symmetry = own.use_symmetry && symmetric(conditions);
+  own.multigrid.tolerance = settled_residual;  // cycles with a relaxation after the correction
   const steady::ProgressCallback silent;
   steady::Climb climb = steady::begin_climb(own, steady::Start{.coarsest = 32}, silent);
   fmg::Hierarchy& hierarchy = climb.hierarchy;

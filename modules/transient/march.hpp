@@ -2,26 +2,15 @@
 // A contact in time: from its steady state through varying load and speed, with features on its surfaces.
 #include <functional>
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/field.hpp"
 #include "steady/scene.hpp"
 #include "steady/solution.hpp"
-#include "transient/feature.hpp"
-#include "transient/schedule.hpp"
+#include "transient/conditions.hpp"
 
 namespace ehl::transient {
-
-/// What varies. Time T = t u_m/a, u_m the entrainment speed that lambda of the scene is made with.
-struct Conditions {
-  Schedule load{};  ///< over the scene's
-  Schedule u1{};    ///< of surface 1 over u_m
-  Schedule u2{};
-  std::optional<Feature> on_1{};
-  std::optional<Feature> on_2{};
-};
 
 struct MarchParameters {
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -73,10 +62,6 @@ struct MarchReport {
   double seconds = 0.0;
   core::PartTimes times{};
 };
-
-/// Longest step that sees everything that varies: a quarter of a feature's width at its speed, a quarter of a ramp, a
-/// twentieth of a period; a tenth of a feature-free time of 10.
-double longest_step(const Conditions& conditions, double end);
 
 /// Integrates (rho_bar H)_T + U (rho_bar H)_X = div(eps grad P), P >= 0, with the load balance, from the steady
 /// solution of the scene under the conditions of T = 0, by IDA's BDF of variable order and step; every implicit step is

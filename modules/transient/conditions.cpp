@@ -1,0 +1,63 @@
+#include "transient/conditions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ehl::transient {
+namespace {
+
+constexpr double longest_of_all = 0.1;
+
+}  // namespace
+
+Drive drive_at(const Conditions& conditions, double T) {
+  return {value(conditions.load, T), 0.5 * (value(conditions.u1, T) + value(conditions.u2, T))};
+}
+
+Course course_of(const Conditions& conditions, const std::optional<Drive>& crossing) {
+  Course course;
+  course.drive = [&](double T) { return crossing ? *crossing : drive_at(conditions, T); };
+  if (conditions.on_1 || conditions.on_2)
+    course.surface = [&](const core::Grid& grid, double T, core::Field& S) {
+      S.fill(0.0);
+      if (conditions.on_1) add_gap(*conditions.on_1, grid, integral(conditions.u1, T), S);
+      if (conditions.on_2) add_gap(*conditions.on_2, grid, integral(conditions.u2, T), S);
+    };
+  return course;
+}
+
+bool symmetric(const Conditions& conditions) {
+  const auto none_or_symmetric = [](const std::optional<Feature>& feature) { return !feature || symmetric(*feature); };
+  return none_or_symmetric(conditions.on_1) && none_or_symmetric(conditions.on_2);
+}
+
+std::vector<double> stops_of(const Conditions& conditions, double end) {
+  std::vector<double> stops{end};
+  for (const Schedule* schedule : {&conditions.load, &conditions.u1, &conditions.u2})
+    for (const auto& times : {jumps(*schedule, end), corners(*schedule, end)})
+      stops.insert(stops.end(), times.begin(), times.end());
+  std::ranges::sort(stops);
+  stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
+  return stops;
+}
+
+bool jumps_at(const Conditions& conditions, double T, double end) {
+  const auto jumps_there = [&](const Schedule& schedule) { return std::ranges::count(jumps(schedule, end), T) > 0; };
+  return jumps_there(conditions.load) || jumps_there(conditions.u1) || jumps_there(conditions.u2);
+}
+
+double longest_step(const Conditions& conditions, double end) {
+  double step = std::min(longest_of_all, 0.01 * end);
+  for (const Schedule* schedule : {&conditions.load, &conditions.u1, &conditions.u2})
+    step = std::min(step, resolving_step(*schedule));
+  const auto fastest = [&](const Schedule& schedule) {
+    double most = std::abs(value(schedule, 0.0));
+    for (const Schedule::Point& point : schedule.points) most = std::max(most, std::abs(point.value));
+    return most * (schedule.wave ? 1.0 + std::abs(schedule.wave->amplitude) : 1.0);
+  };
+  if (conditions.on_1) step = std::min(step, resolving_distance(*conditions.on_1) / fastest(conditions.u1));
+  if (conditions.on_2) step = std::min(step, resolving_distance(*conditions.on_2) / fastest(conditions.u2));
+  return step;
+}
+
+}  // namespace ehl::transient

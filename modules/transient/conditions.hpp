@@ -1,0 +1,41 @@
+#pragma once
+// What varies in time about a contact, and what follows from it for the steps.
+#include <optional>
+#include <vector>
+
+#include "transient/contact_dae.hpp"
+#include "transient/feature.hpp"
+#include "transient/schedule.hpp"
+
+namespace ehl::transient {
+
+/// What varies. Time T = t u_m/a, u_m the entrainment speed that lambda of the scene is made with.
+struct Conditions {
+  Schedule load{};  ///< over the scene's
+  Schedule u1{};    ///< of surface 1 over u_m
+  Schedule u2{};
+  std::optional<Feature> on_1{};
+  std::optional<Feature> on_2{};
+};
+
+/// Load and entrainment speed at T.
+Drive drive_at(const Conditions& conditions, double T);
+
+/// The course of the contact: the drive at T, or where `crossing` holds one, that; the surfaces, each moved by the
+/// integral of its own speed. Both arguments must outlive it.
+Course course_of(const Conditions& conditions, const std::optional<Drive>& crossing);
+
+/// True where no feature disturbs the symmetry in Y.
+bool symmetric(const Conditions& conditions);
+
+/// Times in [0, end] at which a step must end: jumps and corners of what varies, and the end; rising.
+std::vector<double> stops_of(const Conditions& conditions, double end);
+
+/// True where load or speed jump at T.
+bool jumps_at(const Conditions& conditions, double T, double end);
+
+/// Longest step that sees everything that varies: a quarter of a feature's width at its speed, a quarter of a ramp, a
+/// twentieth of a period; a tenth of a feature-free time of 10.
+double longest_step(const Conditions& conditions, double end);
+
+}  // namespace ehl::transient
