@@ -6,6 +6,7 @@
 #include "reynolds/keys.hpp"
 #include "rheology/keys.hpp"
 #include "steady/keys.hpp"
+#include "transient/keys.hpp"
 
 namespace ehl::program {
 
@@ -24,16 +25,19 @@ deck::Catalogue catalogue() {
       {"deformation", "How the elastic deformation is evaluated."},
       {"multigrid", "How the full multigrid works; the defaults need no tuning."},
       {"continuation", "How a high load is reached from lower ones, where that is needed."},
+      {"transient", "What happens in time, from the steady contact at time 0. Absent: steady."},
+      {"surface1", "What surface 1 carries through the contact, with its own speed. Only with [transient]."},
+      {"surface2", "What surface 2 carries through the contact. Only with [transient]."},
       {"output", "What is kept."},
   };
-  for (const auto& keys :
-       {steady::keys(), contact::keys(), rheology::keys(), reynolds::keys(), mlmi::keys(), fmg::keys()})
+  for (const auto& keys : {steady::keys(), contact::keys(), rheology::keys(), reynolds::keys(), mlmi::keys(),
+                           fmg::keys(), transient::keys()})
     all.keys.insert(all.keys.end(), keys.begin(), keys.end());
 
   const std::string later = "not available in this version: remove it";
-  for (const char* section : {"surface", "transient", "thermal", "shear", "starvation", "subsurface", "friction"})
+  for (const char* section : {"surface", "thermal", "shear", "starvation", "subsurface", "friction"})
     all.unavailable.push_back({section, "",
-                               later + " (this version solves steady, smooth, isothermal, fully flooded "
+                               later + " (this version solves isothermal, fully flooded "
                                        "contacts with a Newtonian lubricant)"});
   all.unavailable.push_back({"output", "checkpoint", later});
   return all;

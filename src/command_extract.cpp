@@ -19,7 +19,8 @@ std::string column_number(double value) { return std::isnan(value) ? "nan" : dec
 // "P" -> /fields/P, "levels" -> /levels, "Hc" -> /summary/Hc, a path as it is.
 std::string full_name(const results::ResultFile& file, const std::string& name) {
   if (name.starts_with("/") && file.kind(name) != Kind::missing) return name;
-  const std::vector<std::string> homes{"/", "/fields/", "/summary/", "/scales/", "/provenance/", "/grid/"};
+  const std::vector<std::string> homes{"/",      "/fields/",    "/summary/",         "/scales/", "/provenance/",
+                                       "/grid/", "/transient/", "/transient/frames/"};
   std::vector<std::string> known;
   for (const std::string& home : homes) {
     if (file.kind(home + name) != Kind::missing) return home + name;
@@ -39,8 +40,9 @@ struct FieldOnGrid {
   double at(std::size_t i, std::size_t j) const { return field.values[j * x.values.size() + i]; }
 };
 
-FieldOnGrid read_field(const results::ResultFile& file, const std::string& name) {
-  FieldOnGrid read{file.numbers(name), file.numbers("/grid/x"), file.numbers("/grid/y")};
+FieldOnGrid read_field(const results::ResultFile& file, const std::string& name, std::size_t step) {
+  FieldOnGrid read{file.dims(name).size() == 3 ? file.frame(name, step) : file.numbers(name), file.numbers("/grid/x"),
+                   file.numbers("/grid/y")};
   if (read.field.dims.size() != 2 || read.field.dims[0] != read.y.values.size() ||
       read.field.dims[1] != read.x.values.size() || read.field.values.empty())
     throw core::FileError(file.path() + ": the file is damaged: " + name + " does not fit its grid");
@@ -106,6 +108,39 @@ std::string section(const FieldOnGrid& f, const std::string& column, const Argum
   return text;
 }
 
+std::size_t chosen_step(const Arguments& arguments, std::size_t count) {
+  const deck::ReadNumber read = deck::read_number(arguments.value("step", "0"));
+  const bool whole = read.status == deck::ReadNumber::Status::number && read.value == std::floor(read.value);
+  if (!whole || read.value < 0.0 || read.value >= static_cast<double>(count))
+    throw core::InputError("command line: --step " + arguments.value("step", "") +
+                           ": must be a whole number from 0 to " + std::to_string(count - 1));
+  return static_cast<std::size_t>(read.value);
+}
+
+// A section at every time: a block of lines "time position value" each, with a blank line between them.
+std::string sections_in_time(const results::ResultFile& file, const std::string& name, const Arguments& arguments,
+                             std::size_t count) {
+  if (!arguments.has("along") && !arguments.has("at"))
+    throw core::InputError("command line: " + name + " holds " + std::to_string(count) +
+                           " fields: choose one with --step 0 to " + std::to_string(count - 1) +
+                           ", or a section of all with --along x");
+  const std::vector<double> times = file.numbers(name.substr(0, name.rfind('/')) + "/time").values;
+  if (times.size() != count) throw core::FileError(file.path() + ": the file is damaged: " + name);
+  std::string text;
+  for (std::size_t k = 0; k < count; ++k) {
+    const FieldOnGrid field = read_field(file, name, k);
+    std::istringstream lines(section(field, name.substr(name.rfind('/') + 1), arguments));
+    if (k > 0) text += "\n";
+    for (std::string line; std::getline(lines, line);) {
+      if (!line.starts_with("#"))
+        text += deck::shortest(times[k]) + " " + line + "\n";
+      else if (k == 0)
+        text += line.starts_with("# along") ? line + "\n" : "# time " + line.substr(2) + "\n";
+    }
+  }
+  return text;
+}
+
 // A group of columns (levels, history); the last line of the header names them.
 std::string table(const results::ResultFile& file, const std::string& name) {
   std::istringstream order(file.attribute(name, "columns"));
@@ -158,14 +193,20 @@ std::string columns(const results::ResultFile& file, const std::string& name) {
 int extract(const Arguments& arguments) {
   const results::ResultFile file(arguments.operands[0]);
   const std::string name = full_name(file, arguments.operands[1]);
-  const bool is_field = name.starts_with("/fields/") && file.kind(name) == Kind::numbers;
+  const std::vector<std::size_t> dims = file.kind(name) == Kind::numbers ? file.dims(name) : std::vector<std::size_t>{};
+  const bool in_time = dims.size() == 3;
+  const bool is_field = in_time || (name.starts_with("/fields/") && file.kind(name) == Kind::numbers);
   for (const char* option : {"along", "at", "matrix"})
     if (arguments.has(option) && !is_field)
       throw core::InputError(std::string("command line: --") + option + " applies to fields, and " + name + " is none");
   if (arguments.has("matrix") && (arguments.has("along") || arguments.has("at")))
     throw core::InputError("command line: either --matrix or --along and --at");
-  if (is_field) {
-    const FieldOnGrid field = read_field(file, name);
+  if (arguments.has("step") && !in_time)
+    throw core::InputError("command line: --step applies to fields of a transient, and " + name + " is none");
+  if (in_time && !arguments.has("step")) {
+    print(sections_in_time(file, name, arguments, dims[0]));
+  } else if (is_field) {
+    const FieldOnGrid field = read_field(file, name, in_time ? chosen_step(arguments, dims[0]) : 0);
     const std::string column = name.substr(name.rfind('/') + 1);
     const bool is_section = arguments.has("along") || arguments.has("at");
     print(header(file, name, field) + (is_section                ? section(field, column, arguments)

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstring>
 #include <iterator>
+#include <optional>
 
 #include "catalogue.hpp"
 #include "commands.hpp"
@@ -18,6 +19,7 @@
 #include "results/atomic_file.hpp"
 #include "results/write.hpp"
 #include "steady/solve.hpp"
+#include "transient_run.hpp"
 
 namespace ehl::program {
 namespace {
@@ -43,6 +45,25 @@ int fail_without_solution(const Arguments& arguments, const Case& input, const s
                "ehl: not converged: %s\nehl: no result was written. Try more cells, a larger domain or a "
                "lighter load.\n",
                reason.c_str());
+  return not_converged;
+}
+
+// Nothing for a steady case, nor where there is no solution to start from.
+std::optional<TransientResult> transient_of(const Arguments& arguments, const Case& input,
+                                            const steady::Solution& start) {
+  if (!input.transient || !start.converged) return std::nullopt;
+  return run_transient(input, start, arguments.has("quiet"));
+}
+
+int status(const steady::Solution& solution, const std::optional<TransientResult>& in_time) {
+  if (!solution.converged) {
+    std::fprintf(stderr, "ehl: not converged: %s\n", solution.failed_check.c_str());
+    return not_converged;
+  }
+  if (!in_time || completed(*in_time)) return solved;
+  if (in_time->report.end == transient::MarchEnd::interrupted) throw core::Interrupted();
+  std::fprintf(stderr, "ehl: not converged: the transient ended at time %g a/u_m: %s\n", in_time->report.T,
+               in_time->report.reason.c_str());
   return not_converged;
 }
 
@@ -74,18 +95,22 @@ int run(const Arguments& arguments) {
   const Outcome outcome = outcome_of(input, solution);
   if (!std::isfinite(outcome.Hc + outcome.Hm.value + outcome.P_max.value))
     return fail_without_solution(arguments, input, "the film or the pressure is not finite");
+  const std::optional<TransientResult> in_time = transient_of(arguments, input, solution);
   if (arguments.has("json"))
-    print(json_report(input, solution, outcome, peak_memory()));
+    print(json_report(input, solution, outcome, peak_memory(), in_time ? transient_json(*in_time) : ""));
   else
     print("case         " + input.title + "\n" + continuation_table(input, solution) + level_table(solution) +
-          summary(input, solution, outcome) + (arguments.has("profile") ? profile_table(solution) : "") +
+          summary(input, solution, outcome) + (in_time ? transient_summary(input, *in_time) : "") +
+          (arguments.has("profile") ? profile_table(in_time ? in_time->report.times : solution.times,
+                                                    in_time ? in_time->report.seconds : solution.seconds)
+                                    : "") +
           "memory       " + std::to_string(static_cast<long>(peak_memory() / 1e6)) + " MB at most\n");
   const DerivedFields derived = derived_fields(input, solution);
-  results::write(to.path, result_content(input, solution, outcome, derived), to.overwrite);
+  results::Content content = result_content(input, solution, outcome, derived);
+  if (in_time) add_transient(input, *in_time, content);
+  results::write(to.path, content, to.overwrite);
   if (!arguments.has("json")) print("result       " + to.path + "\n");
-  if (solution.converged) return solved;
-  std::fprintf(stderr, "ehl: not converged: %s\n", solution.failed_check.c_str());
-  return not_converged;
+  return status(solution, in_time);
 }
 
 int check(const Arguments& arguments) {

@@ -178,15 +178,15 @@ std::string summary(const Case& input, const steady::Solution& solution, const O
   return text;
 }
 
-std::string profile_table(const steady::Solution& solution) {
+std::string profile_table(const core::PartTimes& times, double seconds) {
   std::string text = formatted("%-28s  %8s  %5s\n", "profile", "seconds", "share");
-  const auto row = [&](const char* part, double seconds) {
-    text += formatted("  %-26s  %8.4f  %3.0f %%\n", part, seconds, 100.0 * seconds / solution.seconds);
+  const auto row = [&](const char* part, double of_part) {
+    text += formatted("  %-26s  %8.4f  %3.0f %%\n", part, of_part, 100.0 * of_part / seconds);
   };
-  double rest = solution.seconds;
-  for (std::size_t k = 0; k < solution.times.seconds.size(); ++k) {
-    row(core::name(static_cast<core::Part>(k)), solution.times.seconds[k]);
-    rest -= solution.times.seconds[k];
+  double rest = seconds;
+  for (std::size_t k = 0; k < times.seconds.size(); ++k) {
+    row(core::name(static_cast<core::Part>(k)), times.seconds[k]);
+    rest -= times.seconds[k];
   }
   row("everything else", rest);
   return text;

@@ -16,14 +16,14 @@ std::string continuation_table(const Case& input, const steady::Solution& soluti
 std::string summary(const Case& input, const steady::Solution& solution, const Outcome& outcome);
 
 /// Where the time went: seconds and share of every part of the cycles.
-std::string profile_table(const steady::Solution& solution);
+std::string profile_table(const core::PartTimes& times, double seconds);
 
 /// Everything that follows from the deck before anything is solved.
 std::string derived(const Case& input);
 
-/// One JSON object with the same content. in: seconds, bytes of the whole program.
-std::string json_report(const Case& input, const steady::Solution& solution, const Outcome& outcome,
-                        double peak_memory);
+/// One JSON object with the same content. in: bytes of the whole program; the object of a transient, if there was one.
+std::string json_report(const Case& input, const steady::Solution& solution, const Outcome& outcome, double peak_memory,
+                        const std::string& transient = "");
 
 /// The JSON object for a case that ended without a solution.
 std::string json_failure(const Case& input, const std::string& reason);

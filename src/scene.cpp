@@ -257,6 +257,7 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
                         : polish == "off"  ? steady::Polish::off
                                            : steady::Polish::rescue;
   result.scene.threads = threads;
+  result.transient = transient_input(deck, result.physics, result.scene.grid);
   if (result.scene.grid.ny > 0) {
     check_coarsenings(deck, result.scene);
     check_memory(deck, result.scene);

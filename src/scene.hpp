@@ -6,6 +6,7 @@
 #include "deck/deck.hpp"
 #include "physical_input.hpp"
 #include "steady/scene.hpp"
+#include "transient_input.hpp"
 
 namespace ehl::program {
 
@@ -14,8 +15,9 @@ struct Case {
   deck::Deck deck{};  ///< with everything that was chosen
   Physics physics{};
   steady::Scene scene{};
-  std::vector<std::string> fields{};  ///< to keep in the result
-  std::string output{};               ///< result file that the deck names
+  std::optional<TransientInput> transient{};  ///< nothing: steady
+  std::vector<std::string> fields{};          ///< to keep in the result
+  std::string output{};                       ///< result file that the deck names
 };
 
 /// What the case will need, nearly: for `check`, and to refuse what cannot fit.

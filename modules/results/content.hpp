@@ -45,6 +45,19 @@ struct NamedField {
   const core::Field* field = nullptr;
 };
 
+/// A field at several times.
+struct Series {
+  std::string name{};
+  std::string unit{};
+  std::string meaning{};
+  std::vector<const core::Field*> fields{};  ///< one for each time; looked at while writing
+};
+struct Frames {
+  std::string group{};  ///< "/transient/frames", below a table's group; empty: none
+  std::vector<double> times{};
+  std::vector<Series> series{};
+};
+
 struct Content {
   std::string title{};
   std::string deck{};  ///< the effective deck
@@ -55,6 +68,7 @@ struct Content {
   std::vector<Quantity> summary{};
   std::vector<Text> remarks{};  ///< words of the summary: warnings, the check that failed
   std::vector<Table> tables{};  ///< "levels", "history"
+  Frames frames{};
 };
 
 }  // namespace ehl::results

@@ -107,6 +107,42 @@ Array ResultFile::numbers(const std::string& name) const {
   return array;
 }
 
+std::vector<std::size_t> ResultFile::dims(const std::string& name) const {
+  const QuietErrors quiet;
+  const std::string cannot = implementation_->cannot(name);
+  const Handle set = checked(H5Dopen2(implementation_->file, name.c_str(), H5P_DEFAULT), H5Dclose, cannot);
+  const Handle space = checked(H5Dget_space(set), H5Sclose, cannot);
+  const int rank = H5Sget_simple_extent_ndims(space);
+  if (rank < 0) throw core::FileError(cannot + ": it has no shape");
+  std::vector<hsize_t> lengths(static_cast<std::size_t>(rank));
+  if (rank > 0) H5Sget_simple_extent_dims(space, lengths.data(), nullptr);
+  return {lengths.begin(), lengths.end()};
+}
+
+Array ResultFile::frame(const std::string& name, std::size_t k) const {
+  const std::vector<std::size_t> lengths = dims(name);
+  const QuietErrors quiet;
+  const std::string cannot = implementation_->cannot(name);
+  if (lengths.size() != 3 || k >= lengths[0])
+    throw core::FileError(cannot + ": it has no field number " + std::to_string(k));
+  Array array;
+  array.dims = {lengths[1], lengths[2]};
+  // A damaged header can promise more numbers than there is memory for: the grid has told how many there are.
+  if (lengths[1] != dims("/grid/y").at(0) || lengths[2] != dims("/grid/x").at(0))
+    throw core::FileError(cannot + ": the file is damaged: it does not fit its grid");
+  array.values.resize(lengths[1] * lengths[2]);
+  const Handle set = checked(H5Dopen2(implementation_->file, name.c_str(), H5P_DEFAULT), H5Dclose, cannot);
+  const Handle space = checked(H5Dget_space(set), H5Sclose, cannot);
+  const hsize_t start[] = {k, 0, 0};
+  const hsize_t piece[] = {1, lengths[1], lengths[2]};
+  check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, piece, nullptr), cannot);
+  const Handle memory = checked(H5Screate_simple(3, piece, nullptr), H5Sclose, cannot);
+  check(H5Dread(set, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, array.values.data()), cannot);
+  array.unit = attribute(name, "unit");
+  array.meaning = attribute(name, "meaning");
+  return array;
+}
+
 std::string ResultFile::text(const std::string& name) const {
   const QuietErrors quiet;
   const std::string cannot = implementation_->cannot(name);

@@ -34,6 +34,10 @@ class ResultFile {
 
   /// errors: core::FileError when there is no such dataset or it cannot be read.
   Array numbers(const std::string& name) const;
+  /// Number k of the fields in a dataset (time, y, x), as (y, x). errors: as above; k out of range.
+  Array frame(const std::string& name, std::size_t k) const;
+  /// Lengths of a dataset; empty for a single number.
+  std::vector<std::size_t> dims(const std::string& name) const;
   std::string text(const std::string& name) const;
 
   /// A text attribute of an object; empty when it has none.

@@ -108,8 +108,8 @@ void grid(const Writer& writer, const core::Grid& nodes) {
   numbers(writer, "/grid/y", {{y.size()}}, y, false, "a", "Y of the nodes, across the entrainment, in Hertz radii");
 }
 
-void field(const Writer& writer, const NamedField& entry) {
-  const core::Field& from = *entry.field;
+// Row = y, column = x.
+std::vector<double> row_by_row(const core::Field& from) {
   const auto rows = static_cast<std::size_t>(from.nodes_y());
   const auto columns = static_cast<std::size_t>(from.nodes_x());
   std::vector<double> values(rows * columns);
@@ -117,7 +117,47 @@ void field(const Writer& writer, const NamedField& entry) {
     const std::span<const double> station = from.station(static_cast<int>(i));
     for (std::size_t j = 0; j < rows; ++j) values[j * columns + i] = station[j];
   }
-  numbers(writer, "/fields/" + entry.name, {{rows, columns}}, values, false, entry.unit, entry.meaning);
+  return values;
+}
+
+void field(const Writer& writer, const NamedField& entry) {
+  const std::vector<double> values = row_by_row(*entry.field);
+  const auto rows = static_cast<hsize_t>(entry.field->nodes_y());
+  numbers(writer, "/fields/" + entry.name, {{rows, values.size() / rows}}, values, false, entry.unit, entry.meaning);
+}
+
+// One field after the other into (time, y, x), each a compressed piece of its own.
+void series(const Writer& writer, const std::string& group_name, const Series& entry) {
+  if (entry.fields.empty()) return;
+  const std::string name = group_name + "/" + entry.name;
+  const std::string cannot = writer.cannot(name);
+  const hsize_t dims[] = {entry.fields.size(), static_cast<hsize_t>(entry.fields[0]->nodes_y()),
+                          static_cast<hsize_t>(entry.fields[0]->nodes_x())};
+  const hsize_t piece[] = {1, dims[1], dims[2]};
+  constexpr unsigned fast = 1;
+  const Handle properties = creation(writer);
+  check(H5Pset_chunk(properties, 3, piece), cannot);
+  check(H5Pset_shuffle(properties), cannot);
+  check(H5Pset_deflate(properties, fast), cannot);
+  const Handle space = checked(H5Screate_simple(3, dims, nullptr), H5Sclose, cannot);
+  const Handle made =
+      checked(H5Dcreate2(writer.file, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, properties, H5P_DEFAULT),
+              H5Dclose, cannot);
+  const Handle of_piece = checked(H5Screate_simple(3, piece, nullptr), H5Sclose, cannot);
+  for (std::size_t k = 0; k < entry.fields.size(); ++k) {
+    const hsize_t start[] = {k, 0, 0};
+    check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, piece, nullptr), cannot);
+    const std::vector<double> values = row_by_row(*entry.fields[k]);
+    check(H5Dwrite(made, H5T_NATIVE_DOUBLE, of_piece, space, H5P_DEFAULT, values.data()), cannot);
+  }
+  describe(writer, made, entry.unit, entry.meaning);
+}
+
+void frames(const Writer& writer, const Frames& entry) {
+  if (entry.group.empty()) return;
+  const Handle made = group(writer, entry.group);
+  numbers(writer, entry.group + "/time", {{entry.times.size()}}, entry.times, false, "a/u_m", "times of the fields");
+  for (const Series& one : entry.series) series(writer, entry.group, one);
 }
 
 void table(const Writer& writer, const Table& entry) {
@@ -148,6 +188,7 @@ void everything(const Writer& writer, const Content& content) {
   quantities(writer, "/summary", content.summary);
   texts(writer, "/summary", content.remarks);
   for (const Table& entry : content.tables) table(writer, entry);
+  frames(writer, content.frames);
 }
 
 // The whole file in memory. HDF5 reports a full disk as late as in the close, and then cannot be closed any more; so

@@ -1,0 +1,204 @@
+#include "transient/keys.hpp"
+
+#include "transient/march.hpp"
+
+namespace ehl::transient {
+namespace {
+
+using deck::Key;
+using deck::Type;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr deck::Range positive{0.0, infinity, true, true};
+const deck::Condition timed{.name = "end_time", .words = {}};
+const deck::Condition shaped{.name = "shape", .words = {}};
+
+std::vector<Key> time_keys() {
+  return {
+      Key{.section = "transient",
+          .name = "end_time",
+          .range = positive,
+          .remedy = "the time at which the run ends",
+          .meaning =
+              "How long, from the steady state at time 0, in the unit that time_unit says. Without it the contact "
+              "is steady.",
+          .example = "5"},
+      Key{.section = "transient",
+          .name = "time_unit",
+          .type = Type::word,
+          .default_text = "contact",
+          .words = {"contact", "seconds"},
+          .meaning =
+              "Unit of all times of this section: contact is a/u_m, in which the oil crosses half of the contact; "
+              "seconds need a contact in SI.",
+          .needs = timed},
+      Key{.section = "transient",
+          .name = "rtol",
+          .default_text = "1e-4",
+          .range = {1e-7, 1e-1},
+          .meaning = "Relative tolerance of the time integration's error test for pressure and film.",
+          .source = "modules/transient/README.md",
+          .needs = timed},
+      Key{.section = "transient",
+          .name = "max_step",
+          .default_note =
+              "from what varies: a quarter of a feature's width at its speed, a quarter of a ramp, a twentieth "
+              "of a period",
+          .range = positive,
+          .meaning = "Longest step of time.",
+          .needs = timed,
+          .example = "0.05"},
+      Key{.section = "transient",
+          .name = "max_steps",
+          .type = Type::integer,
+          .default_text = "100000",
+          .range = {1, 100000000},
+          .meaning = "Steps after which the run ends as failed.",
+          .needs = timed},
+      Key{.section = "transient",
+          .name = "output_interval",
+          .default_note = "none: the fields of the first and the last time",
+          .range = positive,
+          .meaning = "Time between two fields of P and H in the result. The numbers of every step are always kept.",
+          .needs = timed,
+          .example = "0.1"},
+  };
+}
+
+std::vector<Key> varying_keys() {
+  return {
+      Key{.section = "transient",
+          .name = "load",
+          .type = Type::text,
+          .default_note = "constant",
+          .meaning =
+              "Load over that of [contact], at times: 'time:value ...', linear between them; the same time twice is "
+              "a jump. Or a file .csv with two columns.",
+          .needs = timed,
+          .example = "1:1 1.1:1.3"},
+      Key{.section = "transient",
+          .name = "load_wave",
+          .type = Type::text,
+          .default_note = "none",
+          .meaning = "'amplitude period [start]': multiplies the load by 1 + amplitude sin(2 pi (t - start)/period).",
+          .needs = timed,
+          .example = "0.3 2"},
+      Key{.section = "transient",
+          .name = "u1",
+          .type = Type::text,
+          .default_note = "constant: from [motion], else 1",
+          .meaning =
+              "Speed of surface 1 over the entrainment speed u_m of [motion] (of M, L where there is none), written "
+              "like load. The film is carried by (u1 + u2)/2, which must not be negative.",
+          .needs = timed,
+          .example = "1:1 2:0 3:0 4:1"},
+      Key{.section = "transient",
+          .name = "u1_wave",
+          .type = Type::text,
+          .default_note = "none",
+          .meaning = "Like load_wave, of u1.",
+          .needs = timed,
+          .example = "0.5 4"},
+      Key{.section = "transient",
+          .name = "u2",
+          .type = Type::text,
+          .default_note = "constant: from [motion], else 1",
+          .meaning = "Speed of surface 2, like u1.",
+          .needs = timed,
+          .example = "1:1 2:0 3:0 4:1"},
+      Key{.section = "transient",
+          .name = "u2_wave",
+          .type = Type::text,
+          .default_note = "none",
+          .meaning = "Like load_wave, of u2.",
+          .needs = timed,
+          .example = "0.5 4"},
+      Key{.section = "transient",
+          .name = "stop_film",
+          .default_note = "none",
+          .range = positive,
+          .meaning = "End where the smallest film falls to this, H = hR/a^2.",
+          .needs = timed,
+          .example = "0.02"},
+      Key{.section = "transient",
+          .name = "stop_steady",
+          .default_note = "none",
+          .range = {1e-12, 0.1},
+          .meaning = "End where Hc, Hm and P_max have changed by less than this, relative, for a time of a/u_m.",
+          .needs = timed,
+          .example = "1e-6"},
+  };
+}
+
+std::vector<Key> surface_keys(const std::string& section) {
+  return {
+      Key{.section = section,
+          .name = "shape",
+          .type = Type::word,
+          .words = {"dimple", "bump", "ridge", "groove", "waviness", "cavity"},
+          .meaning =
+              "What this surface carries through the contact, S being what the gap gains, r and d the distances from "
+              "its middle and its line: dimple height exp(-(r/width)^2), bump the same upwards, groove and ridge "
+              "likewise with d, waviness height cos(2 pi d/width) behind its front at x, cavity height cos(pi "
+              "r/(2.4 width)) exp(-2 (r/(1.2 width))^2).",
+          .source = "cavity: Mourier et al. 2006",
+          .example = "dimple"},
+      Key{.section = section,
+          .name = "height",
+          .range = positive,
+          .meaning = "Height (or depth, or amplitude) in units of a^2/R, as H.",
+          .needs = shaped,
+          .example = "0.02"},
+      Key{.section = section,
+          .name = "height_m",
+          .unit = "m",
+          .range = positive,
+          .meaning = "The same in metres, for a contact in SI.",
+          .needs = shaped,
+          .example = "1e-7"},
+      Key{.section = section,
+          .name = "width",
+          .range = positive,
+          .meaning = "Width, or wavelength, in Hertz radii a.",
+          .needs = shaped,
+          .example = "0.25"},
+      Key{.section = section,
+          .name = "width_m",
+          .unit = "m",
+          .range = positive,
+          .meaning = "The same in metres, for a contact in SI.",
+          .needs = shaped,
+          .example = "2e-5"},
+      Key{.section = section,
+          .name = "angle",
+          .default_text = "0",
+          .range = {-90.0, 90.0},
+          .meaning =
+              "Degrees between the line of a ridge, groove or wave and the y axis: 0 transverse, 90 longitudinal.",
+          .needs = {.name = "shape", .words = {"ridge", "groove", "waviness"}}},
+      Key{.section = section,
+          .name = "x",
+          .default_note = "before the inlet by three widths, or by one wave",
+          .range = {-1e3, 1e3},
+          .meaning = "Where its middle (of waves: the first crest of the gap) is at time 0, in Hertz radii.",
+          .needs = shaped,
+          .example = "-3"},
+      Key{.section = section,
+          .name = "y",
+          .default_text = "0",
+          .range = {-1e3, 1e3},
+          .meaning = "Where its middle is across the entrainment.",
+          .needs = shaped},
+  };
+}
+
+}  // namespace
+
+std::vector<Key> keys() {
+  std::vector<Key> all;
+  for (const auto& list : {time_keys(), varying_keys(), surface_keys("surface1"), surface_keys("surface2")})
+    all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
+
+}  // namespace ehl::transient

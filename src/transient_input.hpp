@@ -1,0 +1,22 @@
+#pragma once
+// From the deck's [transient] and [surface] sections to a march.
+#include <optional>
+
+#include "deck/deck.hpp"
+#include "physical_input.hpp"
+#include "steady/scene.hpp"
+#include "transient/march.hpp"
+
+namespace ehl::program {
+
+struct TransientInput {
+  transient::Conditions conditions{};
+  transient::MarchParameters parameters{};
+  double second = 0.0;  ///< in a/u_m; NaN where the contact is not in SI
+};
+
+/// Nothing where the deck has no [transient]. Rules between keys are complained about in the deck.
+/// in: the physics and the grid of the case. errors: core::FileError where a .csv that the deck names cannot be read.
+std::optional<TransientInput> transient_input(deck::Deck& deck, const Physics& physics, const core::Grid& grid);
+
+}  // namespace ehl::program
