@@ -137,9 +137,11 @@ class March {
   // there at order one. All of it before the next stop.
   bool cross(Ida& ida, double next_stop) {
     const double T = report_.T;
-    EulerStep step{.length = std::min(micro_step, 0.5 * (next_stop - T) / micro_steps)};
+    const double room = 0.5 * (next_stop - T);
+    const int count = std::clamp(static_cast<int>(room / micro_step), 2, micro_steps);
+    EulerStep step{.length = std::min(micro_step, room / count)};
     step.y.assign(ida.y().begin(), ida.y().end());
-    for (int k = 0; k < micro_steps; ++k) {
+    for (int k = 0; k < count; ++k) {
       step.old = step.y;
       step.T = report_.T + step.length;
       step.cycles = 0;
