@@ -36,12 +36,13 @@ inline Marched marched(const steady::Scene& scene, const transient::Conditions& 
                        const transient::MarchParameters& parameters) {
   Marched all;
   const steady::Solution start = steady::solve(scene);
-  const transient::Observer observer{.row =
-                                         [&](const transient::StepRow& row) {
-                                           all.rows.push_back(row);
-                                           return true;
-                                         },
-                                     .frame = [&](transient::Frame&& frame) { all.frames.push_back(std::move(frame)); }};
+  const transient::Observer observer{
+      .row =
+          [&](const transient::StepRow& row) {
+            all.rows.push_back(row);
+            return true;
+          },
+      .frame = [&](transient::Frame&& frame) { all.frames.push_back(std::move(frame)); }};
   all.report = transient::march(scene, start, conditions, parameters, observer);
   return all;
 }
