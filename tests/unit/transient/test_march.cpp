@@ -83,26 +83,26 @@ BOOST_AUTO_TEST_CASE(from_a_wrong_start_it_comes_to_the_steady_film) {
 BOOST_AUTO_TEST_CASE(whatever_varies_is_followed_to_the_end) {
   const steady::Scene scene = marching_scene(64);
   const auto both = [](const Points& points) { return Conditions{.u1 = {.points = points}, .u2 = {.points = points}}; };
-  const Marched load = marched(scene, {.load = {.points = Points{{0.5, 1}, {0.5, 1.3}}}}, {.end = 1.0});
-  check_complete("load jump", load, 1.0);
+  const Marched load = marched(scene, {.load = {.points = Points{{0.1, 1}, {0.1, 1.3}}}}, {.end = 0.5});
+  check_complete("load jump", load, 0.5);
   BOOST_TEST((load.rows.back().load == 1.3 && load.report.restarts == 1));
   const Marched speed = marched(scene, both({{0.5, 1}, {0.5, 0.5}}), {.end = 1.0});
   check_complete("speed jump", speed, 1.0);
   BOOST_TEST((speed.rows.back().speed == 0.5 && speed.report.restarts == 1));
   BOOST_TEST(speed.rows.back().Hm < 0.95 * speed.rows.front().Hm);
-  const Marched stop = marched(scene, both({{0.2, 1}, {0.5, 0}, {1.0, 0}, {1.3, 1}}), {.end = 1.5});
-  check_complete("start and stop", stop, 1.5);
+  const Marched stop = marched(scene, both({{0.1, 1}, {0.4, 0}, {0.7, 0}, {1.0, 1}}), {.end = 1.1});
+  check_complete("start and stop", stop, 1.1);
   BOOST_TEST(stop.report.restarts == 0);
-  for (const double corner : {0.2, 0.5, 1.0, 1.3}) BOOST_TEST(std::ranges::count(stop.rows, corner, &StepRow::T) == 1);
-  const Marched sine = marched(scene, {.load = {.wave = Schedule::Wave{0.3, 1.0, 0.25}}}, {.end = 1.5});
-  check_complete("load sine", sine, 1.5);
+  for (const double corner : {0.1, 0.4, 0.7, 1.0}) BOOST_TEST(std::ranges::count(stop.rows, corner, &StepRow::T) == 1);
+  const Marched sine = marched(scene, {.load = {.wave = Schedule::Wave{0.3, 1.0, 0.25}}}, {.end = 1.0});
+  check_complete("load sine", sine, 1.0);
   const Marched dent = marched(scene, {.on_1 = dimple}, {.end = 2.0});
   check_complete("dimple on surface 1", dent, 2.0);
   BOOST_TEST(largest_difference(dent.rows, dent.rows.front().Hc, Hc_of) > 0.05);
   // Two jumps closer than the steps that cross one, the second close to the end.
-  const Points close{{0.05, 1}, {0.05, 1.1}, {0.0505, 1.1}, {0.0505, 1}, {0.0999, 1}, {0.0999, 0.95}};
-  const Marched quick = marched(scene, {.load = {.points = close}}, {.end = 0.1});
-  check_complete("three jumps", quick, 0.1);
+  const Points close{{0.05, 1}, {0.05, 1.05}, {0.0505, 1.05}, {0.0505, 1}, {0.0599, 1}, {0.0599, 0.97}};
+  const Marched quick = marched(scene, {.load = {.points = close}}, {.end = 0.06});
+  check_complete("three jumps", quick, 0.06);
   BOOST_TEST(quick.report.restarts == 3);
 }
 
