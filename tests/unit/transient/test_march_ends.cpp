@@ -165,7 +165,7 @@ BOOST_AUTO_TEST_CASE(same_bits_with_one_and_two_threads) {
                               if (frame.T > 0.0) last.push_back(std::move(frame));
                             }};
     const Conditions conditions{.on_2 = busy.on_2};
-    const MarchReport report = march(scene, start, conditions, {.end = 0.05, .longest_step = 0.02}, observer);
+    const MarchReport report = march(scene, start, conditions, {.end = 0.03, .longest_step = 0.02}, observer);
     BOOST_TEST((report.end == MarchEnd::end_time));
     BOOST_TEST_MESSAGE(threads << " threads: " << report.steps << " steps, " << report.cycles << " cycles");
   }
