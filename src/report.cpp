@@ -12,9 +12,9 @@ namespace {
 std::string nodes(int nx, int ny) { return formatted("%d x %d", nx + 1, ny + 1); }
 
 std::string formula_lines(const std::vector<Formula>& formulas, double M, double h_scale) {
-  std::string text = "formulas                                Hc        Hm  Hc (Moes)  Hm (Moes)\n";
+  std::string text = "formulas                                 Hc        Hm  Hc (Moes)  Hm (Moes)\n";
   for (const Formula& formula : formulas) {
-    text += formatted("  %-32s", formula.name.c_str());
+    text += formatted("  %-33s", formula.name.c_str());
     text += formatted("%8s  %8s  %9s  %9s", known("%.4g", formula.Hc).c_str(), known("%.4g", formula.Hm).c_str(),
                       known("%.3f", contact::H_to_moes_units(formula.Hc, M)).c_str(),
                       known("%.3f", contact::H_to_moes_units(formula.Hm, M)).c_str());
@@ -179,9 +179,9 @@ std::string summary(const Case& input, const steady::Solution& solution, const O
 }
 
 std::string profile_table(const core::PartTimes& times, double seconds) {
-  std::string text = formatted("%-28s  %8s  %5s\n", "profile", "seconds", "share");
+  std::string text = formatted("%-29s  %8s  %5s\n", "profile", "seconds", "share");
   const auto row = [&](const char* part, double of_part) {
-    text += formatted("  %-26s  %8.4f  %3.0f %%\n", part, of_part, 100.0 * of_part / seconds);
+    text += formatted("  %-27s  %8.4f  %3.0f %%\n", part, of_part, 100.0 * of_part / seconds);
   };
   double rest = seconds;
   for (std::size_t k = 0; k < times.seconds.size(); ++k) {
