@@ -226,7 +226,7 @@ std::string derived(const Case& input) {
   text +=
       "method       wedge " + std::string(name(scene.wedge)) + "; deformation " + name(scene.deformation.method) + "\n";
   text += "effects      " + effects(input) + "\n";
-  const Needs needs = expected_needs(scene);
+  const Needs needs = expected_needs(scene, input.transient);
   text += "needs        about " + memory(needs.bytes) +
           formatted(" and %.1g s with %d thread%s\n", needs.seconds, scene.threads, scene.threads == 1 ? "" : "s");
   return text;

@@ -25,7 +25,7 @@ struct Needs {
   double bytes = 0.0;
   double seconds = 0.0;
 };
-Needs expected_needs(const steady::Scene& scene);
+Needs expected_needs(const steady::Scene& scene, const std::optional<TransientInput>& transient = std::nullopt);
 
 /// Reads, validates and converts. in: path of the deck, overrides, number of threads.
 /// errors: core::InputError with every complaint about keys and about what they mean together.
