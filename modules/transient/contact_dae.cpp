@@ -165,11 +165,12 @@ double ContactDae::least_film(std::span<const double> y) {
 void ContactDae::weights(std::span<const double> y, std::span<double> w) const {
   const core::Grid& grid = hierarchy_.levels.back().grid;
   double zone = 0.0;
-  for_nodes(grid, [&](int i, int j, std::size_t) { zone += in_zone(grid, i, j) ? 1.0 : 0.0; });
-  // The mean over all unknowns becomes one over those of the zone.
+  for_nodes(grid, [&](int i, int j, std::size_t) { zone += in_zone(grid, i, j) ? grid.lines(j) : 0.0; });
+  // The mean over all unknowns becomes one over those of the zone, of the whole domain where the grid is half of it:
+  // the steps of time are the same.
   const double inside = std::sqrt(static_cast<double>(size()) / (2.0 * zone)) / control_.rtol;
   for_nodes(grid, [&](int i, int j, std::size_t k) {
-    const double factor = in_zone(grid, i, j) ? inside : weight_outside * inside;
+    const double factor = std::sqrt(grid.lines(j)) * (in_zone(grid, i, j) ? inside : weight_outside * inside);
     w[k] = factor / (std::abs(y[k]) + control_.P_scale);
     w[nodes_ + k] = factor / (std::abs(y[nodes_ + k]) + control_.Q_scale);
   });

@@ -12,21 +12,22 @@
 #include "steady/climb.hpp"
 #include "steady/state_of_level.hpp"
 #include "transient/contact_dae.hpp"
+#include "transient/jump.hpp"
 
 namespace ehl::transient {
 namespace {
 
 constexpr double first_step = 1e-3;
-/// The step across a jump of load or speed: the pressure follows at once, the film hardly moves.
+/// The step across a jump of load or speed: the pressure follows at once, the film hardly moves. As many in all let
+/// what the jump has stirred up die away, which IDA would follow with steps too short for the cycles.
 constexpr double micro_step = 1e-3;
-constexpr double largest_bit_of_load = 0.02;
-constexpr double largest_bit_of_speed = 0.1;
-/// Of a stage, in IDA's norm: what IDA asks for.
-constexpr double tolerance = 1.0 / 3.0;
+constexpr int micro_steps = 4;
 constexpr double settled_residual = 1e-9;
 constexpr double hopeless_residual = 1e-5;
 constexpr int most_settling_cycles = 60;
 constexpr int cycles_per_bit = 3;
+/// Of times.
+constexpr double rounding_of_time = 1e-14;
 
 core::Field on_whole(const core::Grid& grid, const core::Field& field) {
   if (!grid.mirrored) return field;
@@ -45,8 +46,7 @@ class March {
         observer_(observer),
         course_(course_of(conditions, crossing_)),
         dae_(hierarchy_, course_, {.rtol = parameters.rtol, .Q_scale = central_film()}),
-        y_(dae_.size()),
-        yp_(dae_.size(), 0.0) {
+        between_(dae_.size()) {
     problem_.size = dae_.size();
     problem_.solve = [this](const Stage& stage, std::span<double> correction) { return dae_.solve(stage, correction); };
     problem_.weights = [this](double, std::span<const double> y, std::span<double> w) { dae_.weights(y, w); };
@@ -58,19 +58,21 @@ class March {
 
   MarchReport run() {
     settle();
-    dae_.state(y_);
+    std::vector<double> y(dae_.size());
+    dae_.state(y);
     Ida ida(problem_,
             {.first = std::min(first_step, 0.1 * report_.longest_step),
              .longest = report_.longest_step,
              .shortest = parameters_.shortest_step},
-            0.0, y_, yp_);
-    show({});
+            0.0, y, std::vector<double>(dae_.size(), 0.0));
+    bool on = show({}) || stopped(MarchEnd::interrupted);
     show_frame(0.0);
-    for (const double stop : stops_of(conditions_, parameters_.end)) {
-      if (!reach(ida, stop)) break;
-      if (stop < parameters_.end && jumps_at(conditions_, stop, parameters_.end) && !cross(ida, stop)) break;
+    const std::vector<double> stops = stops_of(conditions_, parameters_.end);
+    for (std::size_t k = 0; on && k < stops.size(); ++k) {
+      on = reach(ida, stops[k]);
+      if (on && jumps_at(conditions_, stops[k], parameters_.end)) on = cross(ida, stops[k + 1]);
     }
-    if (last_frame_ < report_.T && report_.end != MarchEnd::failed) show_frame(report_.T);
+    if (last_frame_ < report_.T * (1.0 - rounding_of_time) && report_.end != MarchEnd::failed) show_frame(report_.T);
     return std::move(report_);
   }
 
@@ -80,23 +82,13 @@ class March {
     return steady::value_at(level.grid, level.H, 0.0, 0.0);
   }
 
-  // Load and speed on the way from one state to another, in bits that the cycles can follow.
-  int bits_between(const Drive& from, const Drive& to) const {
-    const double bits = std::max(std::abs(to.load / from.load - 1.0) / largest_bit_of_load,
-                                 std::abs(to.speed - from.speed) / largest_bit_of_speed);
-    return std::max(1, static_cast<int>(std::ceil(bits)));
-  }
-  void put_between(const Drive& from, const Drive& to, double share) {
-    crossing_ = Drive{from.load + share * (to.load - from.load), from.speed + share * (to.speed - from.speed)};
-  }
-
   // The steady state of T = 0, with its load, speed and surfaces, as exactly as rounding allows.
   void settle() {
     const Drive start = course_.drive(0.0);
     const int bits = bits_between(Drive{}, start);
     double residual = 0.0;
     for (int k = 1; k <= bits; ++k) {
-      put_between(Drive{}, start, static_cast<double>(k) / bits);
+      crossing_ = part_of_the_way(Drive{}, start, static_cast<double>(k) / bits);
       residual = cycles_at_rest(k == bits ? most_settling_cycles : cycles_per_bit);
     }
     crossing_.reset();
@@ -131,13 +123,7 @@ class March {
       const StepReport step = ida.step(stop);
       if (step.end == StepReport::End::failed) return fail(step.reason);
       if (step.end == StepReport::End::at_event) dae_.set_state(step.T, ida.y());
-      ++report_.steps;
-      report_.cycles += step.cycles;
-      report_.rejected += step.rejected;
-      report_.not_solved += step.not_solved;
-      report_.T = step.T;
-      const bool on = show(step);
-      frames_between(ida, before);
+      const bool on = accept(step, ida.y(), [&](double T) { ida.interpolate(T, between_); });
       if (!on) return stopped(MarchEnd::interrupted);
       if (step.end == StepReport::End::at_event) return stopped(MarchEnd::film);
       if (is_steady()) return stopped(MarchEnd::steady);
@@ -147,36 +133,45 @@ class March {
   }
 
   // Behind a jump of load or speed pressure and film must be consistent again before IDA goes on: one very short step
-  // by the same equations, in which load and speed go from the old to the new values bit by bit; and from there at
-  // order one.
-  bool cross(Ida& ida, double T) {
-    const Drive before = course_.drive(T);
-    const Drive after = course_.drive(T + micro_step);
-    const int count = bits_between(before, after);
-    std::ranges::copy(ida.y(), y_.begin());
-    const std::vector<double> old(y_);
-    std::vector<double> weights(dae_.size());
-    std::vector<double> correction(dae_.size());
-    std::ranges::fill(yp_, 0.0);
-    int cycles = 0;
-    for (int k = 1; k <= count; ++k) {
-      put_between(before, after, static_cast<double>(k) / count);
-      dae_.weights(y_, weights);
-      const StageResult result =
-          dae_.solve({T + micro_step, 1.0 / micro_step, y_, yp_, weights, tolerance}, correction);
-      cycles += result.cycles;
-      if (!result.solved) return fail("the cycles did not converge across the jump at T = " + std::to_string(T));
-      for (std::size_t n = 0; n < y_.size(); ++n) y_[n] += correction[n];
-      // The film has moved from its old state since, within this one step.
-      for (std::size_t n = dae_.nodes(); n < 2 * dae_.nodes(); ++n) yp_[n] = (y_[n] - old[n]) / micro_step;
+  // by the same equations, in which load and speed go from the old to the new values; a few more of them; and from
+  // there at order one. All of it before the next stop.
+  bool cross(Ida& ida, double next_stop) {
+    const double T = report_.T;
+    const double room = 0.5 * (next_stop - T);
+    const int count = std::clamp(static_cast<int>(room / micro_step), 2, micro_steps);
+    EulerStep step{.length = std::min(micro_step, room / count)};
+    step.y.assign(ida.y().begin(), ida.y().end());
+    for (int k = 0; k < count; ++k) {
+      step.old = step.y;
+      step.T = report_.T + step.length;
+      step.cycles = 0;
+      const bool solved = k > 0 ? solve_euler_step(dae_, step)
+                                : solve_step_across(dae_, course_.drive(T), course_.drive(step.T), crossing_, step);
+      if (!solved) return fail("the cycles did not converge across the jump at T = " + std::to_string(T));
+      const auto interpolate = [&](double at) {
+        const double ahead = (step.T - at) / step.length;
+        for (std::size_t n = 0; n < step.y.size(); ++n) between_[n] = step.y[n] - ahead * (step.y[n] - step.old[n]);
+      };
+      if (!accept({.T = step.T, .length = step.length, .order = 1, .cycles = step.cycles}, step.y, interpolate))
+        return stopped(MarchEnd::interrupted);
     }
-    crossing_.reset();
-    ida.restart(T + micro_step, y_, yp_, micro_step);
-    report_.T = T + micro_step;
-    report_.cycles += cycles;
     ++report_.restarts;
+    ida.restart(report_.T, step.y, step.yp, step.length);
+    return true;
+  }
+
+  // Counts and shows a step, the level holding its state.
+  template <class Interpolate>
+  bool accept(const StepReport& step, std::span<const double> y, Interpolate interpolate) {
+    const double before = report_.T;
     ++report_.steps;
-    return show({.T = report_.T, .length = micro_step, .order = 1, .cycles = cycles}) || stopped(MarchEnd::interrupted);
+    report_.cycles += step.cycles;
+    report_.rejected += step.rejected;
+    report_.not_solved += step.not_solved;
+    report_.T = step.T;
+    const bool on = show(step);
+    frames_between(before, y, interpolate);
+    return on;
   }
 
   bool show(const StepReport& step) {
@@ -203,15 +198,20 @@ class March {
     return !observer_.row || observer_.row(row);
   }
 
-  void frames_between(const Ida& ida, double before) {
+  // Frames up to report_.T, where the state is `now`; `interpolate` writes an earlier one to between_.
+  template <class Interpolate>
+  void frames_between(double before, std::span<const double> now, Interpolate interpolate) {
     if (std::isnan(parameters_.output_interval) || !observer_.frame) return;
-    for (double T = next_frame(); T <= report_.T * (1.0 + 1e-14) && T <= parameters_.end; T = next_frame()) {
-      ida.interpolate(std::clamp(T, before, report_.T), y_);
-      dae_.set_state(T, y_);
+    bool moved = false;
+    for (double T = next_frame(); T <= report_.T * (1.0 + rounding_of_time) && T <= parameters_.end; T = next_frame()) {
+      interpolate(std::clamp(T, before, report_.T));
+      dae_.set_state(T, between_);
       show_frame(T);
+      moved = true;
     }
+    if (moved) dae_.set_state(report_.T, now);
   }
-  double next_frame() const { return (frames_)*parameters_.output_interval; }
+  double next_frame() const { return frames_ * parameters_.output_interval; }
 
   void show_frame(double T) {
     ++frames_;
@@ -249,7 +249,7 @@ class March {
   Course course_;
   ContactDae dae_;
   DaeProblem problem_{};
-  std::vector<double> y_, yp_;
+  std::vector<double> between_;  ///< a state between two steps
   MarchReport report_{};
   std::vector<StepRow> recent_{};  ///< of the last time of 1
   int frames_ = 0;

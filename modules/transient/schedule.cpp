@@ -63,12 +63,19 @@ double integral(const Schedule& schedule, double T) {
 }
 
 double least(const Schedule& schedule, double end) {
-  double smallest = std::min(linear(schedule.points, 0.0), linear(schedule.points, end));
+  const double first = linear(schedule.points, 0.0);
+  const double last = linear(schedule.points, end);
+  double smallest = std::min(first, last);
+  double largest = std::max(first, last);
   for (const Schedule::Point& point : schedule.points)
-    if (point.T > 0.0 && point.T < end) smallest = std::min(smallest, point.value);
+    if (point.T >= 0.0 && point.T < end) {
+      smallest = std::min(smallest, point.value);
+      largest = std::max(largest, point.value);
+    }
   if (!schedule.wave || schedule.wave->start >= end) return smallest;
+  // The product is least in a corner; a wave larger than one turns the sign, of the largest value most.
   const double amplitude = std::abs(schedule.wave->amplitude);
-  return smallest * (smallest > 0.0 ? 1.0 - amplitude : 1.0 + amplitude);
+  return std::min({smallest * (1.0 - amplitude), smallest * (1.0 + amplitude), largest * (1.0 - amplitude)});
 }
 
 std::vector<double> jumps(const Schedule& schedule, double end) {
@@ -78,6 +85,7 @@ std::vector<double> jumps(const Schedule& schedule, double end) {
     const Schedule::Point& b = schedule.points[k];
     if (a.T == b.T && a.value != b.value && b.T >= 0.0 && b.T < end) times.push_back(b.T);
   }
+  times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
 }
 

@@ -1,0 +1,62 @@
+#include "transient/jump.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ehl::transient {
+namespace {
+
+constexpr double largest_bit_of_load = 0.02;
+constexpr double largest_bit_of_speed = 0.1;
+constexpr double least_share_of_a_bit = 1.0 / 64.0;
+/// Of the step, in the norm of the weights: what IDA asks for.
+constexpr double tolerance = 1.0 / 3.0;
+
+}  // namespace
+
+bool solve_euler_step(ContactDae& dae, EulerStep& step) {
+  const auto slope = [&] {
+    for (std::size_t n = 0; n < step.y.size(); ++n) step.yp[n] = (step.y[n] - step.old[n]) / step.length;
+  };
+  step.yp.resize(step.y.size());
+  slope();
+  std::vector<double> weights(step.y.size());
+  std::vector<double> correction(step.y.size());
+  dae.weights(step.y, weights);
+  const StageResult result = dae.solve({step.T, 1.0 / step.length, step.y, step.yp, weights, tolerance}, correction);
+  step.cycles += result.cycles;
+  if (!result.solved) return false;
+  for (std::size_t n = 0; n < step.y.size(); ++n) step.y[n] += correction[n];
+  slope();
+  return true;
+}
+
+int bits_between(const Drive& from, const Drive& to) {
+  const double bits = std::max(std::abs(to.load / from.load - 1.0) / largest_bit_of_load,
+                               std::abs(to.speed - from.speed) / largest_bit_of_speed);
+  return std::max(1, static_cast<int>(std::ceil(bits)));
+}
+
+Drive part_of_the_way(const Drive& from, const Drive& to, double share) {
+  return {from.load + share * (to.load - from.load), from.speed + share * (to.speed - from.speed)};
+}
+
+bool solve_step_across(ContactDae& dae, const Drive& from, const Drive& to, std::optional<Drive>& crossing,
+                       EulerStep& step) {
+  double bit = 1.0 / bits_between(from, to);
+  const double least_bit = least_share_of_a_bit * bit;
+  for (double share = 0.0; share < 1.0;) {
+    const double next = share + bit > 1.0 - 0.5 * least_bit ? 1.0 : share + bit;
+    crossing = part_of_the_way(from, to, next);
+    if (solve_euler_step(dae, step))
+      share = next;
+    else if (bit > least_bit)
+      bit *= 0.5;
+    else
+      return false;
+  }
+  crossing.reset();
+  return true;
+}
+
+}  // namespace ehl::transient

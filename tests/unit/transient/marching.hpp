@@ -1,0 +1,58 @@
+#pragma once
+// A light contact on a coarse grid, marched in time, and all that comes out.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "contact/groups.hpp"
+#include "steady/solve.hpp"
+#include "transient/march.hpp"
+
+namespace ehl::tests {
+
+/// M = 50, L = 10 with Roelands (z = 0.68, alpha = 2.2e-8 1/Pa) and Dowson-Higginson on n x n cells.
+inline steady::Scene marching_scene(int n, double M = 50.0, double L = 10.0) {
+  steady::Scene scene;
+  const contact::Groups groups = contact::from_moes(M, L);
+  scene.M = M;
+  scene.L = L;
+  scene.lambda = groups.lambda;
+  const double p_h = groups.alpha_bar / 2.2e-8;
+  scene.viscosity = rheology::make_roelands(2.2e-8, rheology::roelands_p0, 0.68, p_h);
+  scene.density = rheology::make_dowson_higginson(p_h);
+  scene.grid = {n, n, -2.5, 1.5, -2.0, 2.0};
+  return scene;
+}
+
+/// All that a march gives.
+struct Marched {
+  transient::MarchReport report{};
+  std::vector<transient::StepRow> rows{};
+  std::vector<transient::Frame> frames{};
+};
+
+/// From the steady solution of the scene, solved first.
+inline Marched marched(const steady::Scene& scene, const transient::Conditions& conditions,
+                       const transient::MarchParameters& parameters) {
+  Marched all;
+  const steady::Solution start = steady::solve(scene);
+  const transient::Observer observer{
+      .row =
+          [&](const transient::StepRow& row) {
+            all.rows.push_back(row);
+            return true;
+          },
+      .frame = [&](transient::Frame&& frame) { all.frames.push_back(std::move(frame)); }};
+  all.report = transient::march(scene, start, conditions, parameters, observer);
+  return all;
+}
+
+/// Largest relative difference of a value of the rows to one.
+template <class Value>
+double largest_difference(const std::vector<transient::StepRow>& rows, double to, Value value) {
+  double largest = 0.0;
+  for (const transient::StepRow& row : rows) largest = std::max(largest, std::abs(value(row) / to - 1.0));
+  return largest;
+}
+
+}  // namespace ehl::tests

@@ -1,0 +1,167 @@
+// A contact in time: what must not change, what must come back, and what must be the same.
+#include <boost/test/unit_test.hpp>
+#include <numbers>
+#include <string>
+
+#include "core/norms.hpp"
+#include "unit/transient/marching.hpp"
+
+using namespace ehl;
+using namespace ehl::tests;
+using namespace ehl::transient;
+using Points = std::vector<Schedule::Point>;
+
+namespace {
+
+double Hc_of(const StepRow& row) { return row.Hc; }
+double Hm_of(const StepRow& row) { return row.Hm; }
+
+/// The frame's load over that of the scene, by the trapezoidal rule: the pressure vanishes on the boundary.
+double carried(const steady::Scene& scene, const Frame& frame) {
+  return core::interior_sum(frame.P) * scene.grid.hx() * scene.grid.hy() / (2.0 * std::numbers::pi / 3.0);
+}
+
+const Feature dimple{.shape = Feature::Shape::dimple, .height = 0.05, .width = 0.5, .X = -1.5};
+
+/// What holds for every march that comes to its end.
+void check_complete(const char* what, const Marched& all, double end) {
+  double load_error = 0.0;
+  int steps = 0, cycles = 0;
+  bool rises = true;
+  for (std::size_t k = 1; k < all.rows.size(); ++k) {
+    rises = rises && all.rows[k].T > all.rows[k - 1].T;
+    steps += 1;
+    cycles += all.rows[k].cycles;
+  }
+  for (const StepRow& row : all.rows) load_error = std::max(load_error, row.load_error);
+  BOOST_TEST_MESSAGE(what << ": " << steps << " steps, " << cycles << " cycles, load off by " << load_error
+                          << " (allowed 1e-6) " << all.report.reason);
+  BOOST_TEST((all.report.end == MarchEnd::end_time));
+  BOOST_TEST(all.report.T == end);
+  BOOST_REQUIRE(!all.rows.empty());
+  BOOST_TEST(all.rows.front().T == 0.0);
+  BOOST_TEST(all.rows.back().T == end);
+  BOOST_TEST(rises);
+  BOOST_TEST(load_error <= 1e-6);
+  BOOST_TEST(all.report.worst_load_error == load_error);
+  BOOST_TEST((all.report.steps == steps && all.report.cycles == cycles));
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_steady_contact_stays_where_it_is) {
+  const steady::Scene scene = marching_scene(64);
+  const Marched all = marched(scene, {}, {.end = 20.0});
+  check_complete("constant", all, 20.0);
+  // A step of the cycles that did nothing would leave the first row; the solution of the steady solver is the truth.
+  steady::Scene exact = scene;
+  exact.multigrid.tolerance = 1e-10;
+  const steady::Solution steady = steady::solve(exact);
+  const double Hc = largest_difference(all.rows, steady.levels.back().Hc, Hc_of);
+  const double Hm = largest_difference(all.rows, steady.levels.back().Hm, Hm_of);
+  BOOST_TEST_MESSAGE("Hc moves by " << Hc << ", Hm by " << Hm << " (allowed 1e-8)");
+  BOOST_TEST(Hc <= 1e-8);
+  BOOST_TEST(Hm <= 1e-8);
+}
+
+BOOST_AUTO_TEST_CASE(from_a_wrong_start_it_comes_to_the_steady_film) {
+  steady::Scene scene = marching_scene(64);
+  const Marched load = marched(scene, {.load = {.points = Points{{0, 1.3}, {0, 1}}}}, {.end = 8.0});
+  check_complete("load 1.3 to 1 at once", load, 8.0);
+  const Points slower{{0, 0.7}, {0, 1}};
+  const Marched speed = marched(scene, {.u1 = {.points = slower}, .u2 = {.points = slower}}, {.end = 8.0});
+  check_complete("speed 0.7 to 1 at once", speed, 8.0);
+  scene.multigrid.tolerance = 1e-9;
+  const steady::LevelRow truth = steady::solve(scene).levels.back();
+  for (const Marched* all : {&load, &speed}) {
+    const StepRow& last = all->rows.back();
+    const double Hc = std::abs(last.Hc / truth.Hc - 1.0);
+    const double Hm = std::abs(last.Hm / truth.Hm - 1.0);
+    BOOST_TEST_MESSAGE("from " << all->rows.front().Hc << " to Hc " << Hc << " and Hm " << Hm
+                               << " off the steady ones (allowed 1e-5)");
+    BOOST_TEST(Hc <= 1e-5);
+    BOOST_TEST(Hm <= 1e-5);
+    BOOST_TEST(std::abs(all->rows.front().Hc / truth.Hc - 1.0) > 0.02);
+    BOOST_TEST(all->report.restarts == 1);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(whatever_varies_is_followed_to_the_end) {
+  const steady::Scene scene = marching_scene(64);
+  const auto both = [](const Points& points) { return Conditions{.u1 = {.points = points}, .u2 = {.points = points}}; };
+  const Marched load = marched(scene, {.load = {.points = Points{{0.1, 1}, {0.1, 1.3}, {0.5, 1.2}}}}, {.end = 0.3});
+  check_complete("load jump, and a ramp behind it", load, 0.3);
+  BOOST_TEST((std::abs(load.rows.back().load - 1.25) < 1e-14 && load.report.restarts == 1));
+  const double share = carried(scene, load.frames.back());
+  BOOST_TEST_MESSAGE("the pressure carries " << share << " (1.25, allowed 1e-6)");
+  BOOST_TEST(std::abs(share - 1.25) <= 1e-6);
+  const Marched speed = marched(scene, both({{0.5, 1}, {0.5, 0.5}}), {.end = 1.0});
+  check_complete("speed jump", speed, 1.0);
+  BOOST_TEST((speed.rows.back().speed == 0.5 && speed.report.restarts == 1));
+  BOOST_TEST(speed.rows.back().Hm < 0.95 * speed.rows.front().Hm);
+  const Marched stop = marched(scene, both({{0.1, 1}, {0.4, 0}, {0.7, 0}, {1.0, 1}}), {.end = 1.1});
+  check_complete("start and stop", stop, 1.1);
+  BOOST_TEST(stop.report.restarts == 0);
+  for (const double corner : {0.1, 0.4, 0.7, 1.0}) BOOST_TEST(std::ranges::count(stop.rows, corner, &StepRow::T) == 1);
+  const Marched sine = marched(scene, {.load = {.wave = Schedule::Wave{0.3, 1.0, 0.25}}}, {.end = 1.0});
+  check_complete("load sine", sine, 1.0);
+  const Marched dent = marched(scene, {.on_1 = dimple}, {.end = 2.0});
+  check_complete("dimple on surface 1", dent, 2.0);
+  BOOST_TEST(largest_difference(dent.rows, dent.rows.front().Hc, Hc_of) > 0.05);
+  // Two jumps closer than the steps that cross one, the second close to the end.
+  const Points close{{0.05, 1}, {0.05, 1.05}, {0.0505, 1.05}, {0.0505, 1}, {0.0599, 1}, {0.0599, 0.97}};
+  const Marched quick = marched(scene, {.load = {.points = close}}, {.end = 0.06});
+  check_complete("three jumps", quick, 0.06);
+  BOOST_TEST(quick.report.restarts == 3);
+}
+
+BOOST_AUTO_TEST_CASE(a_jump_is_a_very_steep_ramp) {
+  const steady::Scene scene = marching_scene(64);
+  const MarchParameters parameters{.end = 0.03, .longest_step = 0.002};
+  const StepRow jump = marched(scene, {.load = {.points = Points{{0.02, 1}, {0.02, 1.2}}}}, parameters).rows.back();
+  const StepRow ramp = marched(scene, {.load = {.points = Points{{0.02, 1}, {0.021, 1.2}}}}, parameters).rows.back();
+  const double Hc = std::abs(jump.Hc / ramp.Hc - 1.0), Hm = std::abs(jump.Hm / ramp.Hm - 1.0);
+  const double H00 = std::abs(jump.H00 - ramp.H00);
+  BOOST_TEST_MESSAGE("Hc " << Hc << ", Hm " << Hm << ", H00 " << H00 << " apart (allowed 5e-4: half of the ramp)");
+  BOOST_TEST(Hc <= 5e-4);
+  BOOST_TEST(Hm <= 5e-4);
+  BOOST_TEST(H00 <= 5e-4);
+}
+
+BOOST_AUTO_TEST_CASE(a_mirrored_dimple_gives_the_mirrored_contact) {
+  const steady::Scene scene = marching_scene(64);
+  Feature aside = dimple;
+  aside.Y = 0.4;
+  const Marched upper = marched(scene, {.on_1 = aside}, {.end = 1.2});
+  aside.Y = -0.4;
+  const Marched lower = marched(scene, {.on_1 = aside}, {.end = 1.2});
+  const core::Field& one = upper.frames.back().H;
+  const core::Field& two = lower.frames.back().H;
+  double apart = 0.0, asymmetry = 0.0;
+  for (int i = 0; i <= scene.grid.nx; ++i)
+    for (int j = 0; j <= scene.grid.ny; ++j) {
+      apart = std::max(apart, std::abs(one(i, j) - two(i, scene.grid.ny - j)));
+      asymmetry = std::max(asymmetry, std::abs(one(i, j) - one(i, scene.grid.ny - j)));
+    }
+  BOOST_TEST_MESSAGE("films apart " << apart << " (allowed 1e-10: rounding, grown by the steps); each differs from its "
+                                    << "own image by " << asymmetry << " (more than 0.01)");
+  BOOST_TEST(apart <= 1e-10);
+  BOOST_TEST(asymmetry > 0.01);
+}
+
+BOOST_AUTO_TEST_CASE(half_of_the_domain_is_the_whole) {
+  steady::Scene scene = marching_scene(64);
+  // Nothing that dries and wets nodes: where rounding decides when, the steps part, by less than their tolerance.
+  const Conditions conditions{.on_1 = dimple};
+  const Marched half = marched(scene, conditions, {.end = 0.8});
+  scene.use_symmetry = false;
+  const Marched whole = marched(scene, conditions, {.end = 0.8});
+  BOOST_REQUIRE(half.rows.size() == whole.rows.size());
+  double apart = 0.0;
+  for (std::size_t k = 0; k < half.rows.size(); ++k)
+    apart = std::max(apart, std::abs(half.rows[k].Hc / whole.rows[k].Hc - 1.0));
+  const double fields = core::max_abs_difference(half.frames.back().H, whole.frames.back().H);
+  BOOST_TEST_MESSAGE("Hc apart by " << apart << ", last film by " << fields << " (allowed 1e-8)");
+  BOOST_TEST(apart <= 1e-8);
+  BOOST_TEST(fields <= 1e-8);
+}
