@@ -6,6 +6,7 @@
 #include "contact/film_formulas.hpp"
 #include "core/constants.hpp"
 #include "deck/text.hpp"
+#include "needs.hpp"
 #include "text_format.hpp"
 
 namespace ehl::program {
