@@ -1,9 +1,12 @@
 #include "report.hpp"
 
 #include <cmath>
+#include <vector>
 
 #include "contact/film_formulas.hpp"
 #include "core/constants.hpp"
+#include "deck/text.hpp"
+#include "needs.hpp"
 #include "text_format.hpp"
 
 namespace ehl::program {
@@ -12,9 +15,9 @@ namespace {
 std::string nodes(int nx, int ny) { return formatted("%d x %d", nx + 1, ny + 1); }
 
 std::string formula_lines(const std::vector<Formula>& formulas, double M, double h_scale) {
-  std::string text = "formulas                                Hc        Hm  Hc (Moes)  Hm (Moes)\n";
+  std::string text = "formulas                                 Hc        Hm  Hc (Moes)  Hm (Moes)\n";
   for (const Formula& formula : formulas) {
-    text += formatted("  %-32s", formula.name.c_str());
+    text += formatted("  %-33s", formula.name.c_str());
     text += formatted("%8s  %8s  %9s  %9s", known("%.4g", formula.Hc).c_str(), known("%.4g", formula.Hm).c_str(),
                       known("%.3f", contact::H_to_moes_units(formula.Hc, M)).c_str(),
                       known("%.3f", contact::H_to_moes_units(formula.Hm, M)).c_str());
@@ -56,6 +59,23 @@ std::string group_lines(const Physics& physics) {
   text += "fluid        " + fluid(physics) + "\n";
   text += "regime       " + contact::regime_text(g.M, g.L) + "\n";
   return text;
+}
+
+// What the deck asks for beyond the steady, smooth contact.
+std::string effects(const Case& input) {
+  const std::string basic = "isothermal, Newtonian, fully flooded";
+  if (!input.transient) return "none beyond the basic model: steady, smooth, " + basic;
+  std::vector<std::string> varying;
+  for (const char* key : {"load", "load_wave", "u1", "u1_wave", "u2", "u2_wave"})
+    if (deck::given(input.deck, "transient", key)) varying.push_back(key);
+  for (const char* surface : {"surface1", "surface2"})
+    if (deck::given(input.deck, surface, "shape"))
+      varying.push_back(deck::word(input.deck, surface, "shape") + " on " + surface);
+  const transient::MarchParameters& march = input.transient->parameters;
+  return formatted("in time to %.4g a/u_m, steps of at most %.3g", march.end,
+                   std::isnan(march.longest_step) ? transient::longest_step(input.transient->conditions, march.end)
+                                                  : march.longest_step) +
+         "; varying: " + (varying.empty() ? "nothing" : deck::joined(varying, ", ")) + "; " + basic;
 }
 
 }  // namespace
@@ -179,9 +199,9 @@ std::string summary(const Case& input, const steady::Solution& solution, const O
 }
 
 std::string profile_table(const core::PartTimes& times, double seconds) {
-  std::string text = formatted("%-28s  %8s  %5s\n", "profile", "seconds", "share");
+  std::string text = formatted("%-29s  %8s  %5s\n", "profile", "seconds", "share");
   const auto row = [&](const char* part, double of_part) {
-    text += formatted("  %-26s  %8.4f  %3.0f %%\n", part, of_part, 100.0 * of_part / seconds);
+    text += formatted("  %-27s  %8.4f  %3.0f %%\n", part, of_part, 100.0 * of_part / seconds);
   };
   double rest = seconds;
   for (std::size_t k = 0; k < times.seconds.size(); ++k) {
@@ -206,8 +226,8 @@ std::string derived(const Case& input) {
           formatted("hx = %.4g, hy = %.4g\n", scene.grid.hx(), scene.grid.hy());
   text +=
       "method       wedge " + std::string(name(scene.wedge)) + "; deformation " + name(scene.deformation.method) + "\n";
-  text += "effects      none beyond the basic model: steady, smooth, isothermal, Newtonian, fully flooded\n";
-  const Needs needs = expected_needs(scene);
+  text += "effects      " + effects(input) + "\n";
+  const Needs needs = expected_needs(scene, input.transient);
   text += "needs        about " + memory(needs.bytes) +
           formatted(" and %.1g s with %d thread%s\n", needs.seconds, scene.threads, scene.threads == 1 ? "" : "s");
   return text;

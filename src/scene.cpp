@@ -7,6 +7,7 @@
 #include "catalogue.hpp"
 #include "deck/text.hpp"
 #include "machine.hpp"
+#include "needs.hpp"
 #include "steady/domain_error.hpp"
 #include "steady/resolution.hpp"
 #include "text_format.hpp"
@@ -19,7 +20,6 @@ using deck::given;
 
 // The multigrid halves a grid as long as this many cells along x are left.
 constexpr int smallest_coarsest = 32;
-constexpr double giga = 1e9;
 
 constexpr int fewest_chosen_cells = 256;
 constexpr int most_chosen_cells = 1024;
@@ -195,48 +195,12 @@ steady::ContinuationParameters continuation_of(deck::Deck& deck, const Physics& 
   return parameters;
 }
 
-void check_memory(deck::Deck& deck, const steady::Scene& scene) {
-  const double needed = expected_needs(scene).bytes;
-  const double available = usable_memory();
-  if (needed <= available) return;
-  const double ratio = std::sqrt(needed / available);
-  const double fitting = std::exp2(std::floor(std::log2(scene.grid.nx / ratio)));
-  complain(deck, "grid", "cells",
-           "needs about " + deck::shortest(std::round(needed / giga)) + " GB of memory and the machine has " +
-               deck::shortest(std::round(available / giga)) + " GB: take at most " + deck::shortest(fitting));
-}
-
 std::string stem_of(const std::string& path) {
   const std::string stem = std::filesystem::path(path).stem();
   return (stem.empty() ? "result" : stem) + ".h5";
 }
 
 }  // namespace
-
-Needs expected_needs(const steady::Scene& scene) {
-  const double nodes = static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y();
-  // Measured at 257 x 257 to 2049 x 2049 nodes; the time of one thread of a machine of the 2020s.
-  constexpr double doubles_per_node = 24.0;
-  constexpr double program_itself = 1.5e7;  // bytes
-  constexpr double seconds_per_node_and_cycle = 1e-6;
-  constexpr double more_cycles = 2.0;  // than planned: the checks on the finest grid ask for them
-  constexpr double direct_pairs_per_second = 2e9;
-  constexpr double evaluations_per_cycle = 8.0;
-  constexpr double newton_bytes_per_node = 2400.0;  // the sparse factors
-  constexpr double newton_seconds_per_node = 4e-5;
-  const fmg::Parameters& multigrid = scene.multigrid;
-  const double cycles = std::isnan(multigrid.tolerance) ? more_cycles * multigrid.cycles : 10.0;
-  Needs needs;
-  needs.bytes = nodes * doubles_per_node * sizeof(double) + program_itself;
-  needs.seconds = 0.1 + cycles * nodes * seconds_per_node_and_cycle / std::sqrt(scene.threads);
-  if (scene.polish == steady::Polish::always) {
-    needs.bytes += nodes * newton_bytes_per_node;
-    needs.seconds += nodes * newton_seconds_per_node;
-  }
-  if (scene.deformation.method == mlmi::Method::direct)
-    needs.seconds += cycles * evaluations_per_cycle * nodes * nodes / direct_pairs_per_second / scene.threads;
-  return needs;
-}
 
 Case read_case(const std::string& path, const std::vector<std::string>& overrides, int threads) {
   Case result;
@@ -260,7 +224,7 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   result.transient = transient_input(deck, result.physics, result.scene.grid);
   if (result.scene.grid.ny > 0) {
     check_coarsenings(deck, result.scene);
-    check_memory(deck, result.scene);
+    check_memory(deck, result.scene, result.transient);
   }
   deck::throw_if_wrong(deck);
 

@@ -20,13 +20,6 @@ struct Case {
   std::string output{};                       ///< result file that the deck names
 };
 
-/// What the case will need, nearly: for `check`, and to refuse what cannot fit.
-struct Needs {
-  double bytes = 0.0;
-  double seconds = 0.0;
-};
-Needs expected_needs(const steady::Scene& scene);
-
 /// Reads, validates and converts. in: path of the deck, overrides, number of threads.
 /// errors: core::InputError with every complaint about keys and about what they mean together.
 Case read_case(const std::string& path, const std::vector<std::string>& overrides, int threads);

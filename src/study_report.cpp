@@ -133,8 +133,7 @@ std::string header_lines(const StudyHeader& header, const Reference& reference) 
           "\n# reference error Hm: " + csv_number(reference.Hm.error) + "\n";
   return text +
          "# reference: extrapolated from second-order solutions with FFT and a residual of 1e-10; its error relative\n"
-         "# cycles: 2W are two W cycles on every level (on those below the finest up to three more, where the checks "
-         "ask for it; the first grid has its own); run: what ehl run does\n"
+         "# cycles: 2W are two W(2,1) cycles on every level (the first grid has its own); run: what ehl run does\n"
          "# status: converged, stopped (after the cycles of its way, not converged), not-converged, failed (the "
          "program); errors of what did not converge are those of what was left\n"
          "# units: seconds [s] (least and most of the repetitions), peak_memory [bytes]; work_units: whole solution, "

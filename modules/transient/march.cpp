@@ -194,6 +194,7 @@ class March {
                       .rejected = step.rejected,
                       .not_solved = step.not_solved};
     report_.worst_load_error = std::max(report_.worst_load_error, row.load_error);
+    if (std::isnan(parameters_.stop_steady)) recent_.clear();
     recent_.push_back(row);
     return !observer_.row || observer_.row(row);
   }

@@ -1,0 +1,41 @@
+# figure: film, pressure, load and speed against time, and the steps that were taken
+# needs: /transient
+figure = "transient_history"
+high = 18
+here = system(sprintf("dirname '%s'", ARG0))
+load here."/common.gp"
+
+set datafile columnheaders
+stats table("transient") using "time" nooutput prefix "T"
+set multiplot layout 3, 1 title title noenhanced
+set title ""
+set lmargin 11
+set rmargin 9
+set xrange [T_min:T_max]
+set key top right
+set offsets 0, 0, graph 0.1, graph 0.05
+set ylabel "H = hR/a^2"
+plot table("transient") using "time":"Hc" with lines lw 1.5 lc rgb blue title "H_c, centre", \
+     table("transient") using "time":"Hm" with lines lw 1.5 lc rgb red title "H_m, minimum"
+set ylabel "P = p/p_h"
+set y2label "load, speed over the start"
+set ytics nomirror
+set y2tics
+stats table("transient") using "load" nooutput prefix "L"
+stats table("transient") using "speed" nooutput prefix "S"
+set y2range [0:1.15 * (L_max > S_max ? L_max : S_max)]
+plot table("transient") using "time":"P_max" with lines lw 1.5 lc rgb red title "P_{max}", \
+     table("transient") using "time":"load" axes x1y2 with lines lw 1 lc rgb grey title "load (right)", \
+     table("transient") using "time":"speed" axes x1y2 with lines lw 1 dt 2 lc rgb grey title "speed (right)"
+set xlabel "time [a/u_m]"
+set ylabel "step [a/u_m]"
+set y2label "cycles, order"
+set y2range [0:*]
+set logscale y
+set format y "10^{%T}"
+unset offsets
+plot table("transient") using "time":(column("step") > 0 ? column("step") : 1/0) with lines lw 1.5 lc rgb blue \
+         title "length of the step", \
+     table("transient") using "time":"cycles" axes x1y2 with points pt 7 ps 0.25 lc rgb red title "cycles (right)", \
+     table("transient") using "time":"order" axes x1y2 with points pt 7 ps 0.15 lc rgb grey title "order (right)"
+unset multiplot

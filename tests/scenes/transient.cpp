@@ -1,0 +1,171 @@
+// Transient decks through the built program: what is refused, what comes out, what the result file holds.
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+
+#include "support/program.hpp"
+
+namespace {
+
+const std::string contact = "[contact]\nM = 50\nL = 10\n[lubricant]\nalpha = 1.7e-8\nz = 0.6\n";
+const std::string grid = "[domain]\nx_inlet = -4.5\nx_outlet = 1.5\ny_half = 3\n[grid]\ncells = 64\n";
+const std::string steel =
+    "[contact]\nload = 15\nradius_x = 0.0125\nE_prime = 110e9\n[motion]\nu1 = 0.045\nu2 = 0.135\n"
+    "[lubricant]\neta0 = 0.25\nalpha = 22e-9\n";
+
+struct Slip {
+  std::string name;
+  std::string lines;
+  std::vector<std::string> parts;
+};
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+// Rows of numbers under a header of "#".
+std::vector<std::vector<double>> rows_of(const std::string& text) {
+  std::vector<std::vector<double>> rows;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty() || line[0] == '#') continue;
+    std::istringstream words(line);
+    rows.emplace_back();
+    for (std::string word; words >> word;) rows.back().push_back(std::atof(word.c_str()));
+  }
+  return rows;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(transient)
+
+BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
+  const std::string timed = "[transient]\nend_time = 1\n";
+  const Slip slips[] = {
+      {"no end", "[transient]\nrtol = 1e-3\n", {"d.ini:14", "rtol", "end_time"}},
+      {"a surface at rest",
+       "[surface1]\nshape = dimple\nheight = 0.1\nwidth = 1\n",
+       {"surface1", "[transient] end_time"}},
+      {"no size", timed + "[surface1]\nshape = dimple\nheight = 0.1\n", {"[surface1] width", "is missing"}},
+      {"two heights",
+       timed + "[surface1]\nshape = dimple\nheight = 0.1\nheight_m = 1e-7\nwidth = 1\n",
+       {"[surface1] height", "keep one"}},
+      {"metres without SI",
+       timed + "[surface1]\nshape = dimple\nheight_m = 1e-7\nwidth = 1\n",
+       {"height_m", "not given in SI"}},
+      {"too small to see",
+       timed + "[surface1]\nshape = dimple\nheight = 0.1\nwidth = 0.1\n",
+       {"width = 0.1", "does not see it"}},
+      {"an unknown shape", timed + "[surface2]\nshape = dimpel\n", {"shape = dimpel", "dimple"}},
+      {"an angle of a round thing",
+       timed + "[surface1]\nshape = bump\nheight = 0.1\nwidth = 1\nangle = 3\n",
+       {"angle = 3", "no influence"}},
+      {"seconds without SI", timed + "time_unit = seconds\n", {"time_unit = seconds", "SI"}},
+      {"no points", timed + "load = half\n", {"load = half", "time:value"}},
+      {"back in time", timed + "load = 1:1 0.5:2\n", {"load = 1:1 0.5:2", "must not fall"}},
+      {"thrice", timed + "load = 0.5:1 0.5:2 0.5:3\n", {"three times"}},
+      {"before time", timed + "load = -1:1 0.5:2\n", {"negative"}},
+      {"lifted", timed + "load = 0.1:1 0.5:-1\n", {"load", "must stay positive"}},
+      {"lifted by the wave", timed + "load_wave = 1.2 3\n", {"load_wave", "must stay positive"}},
+      {"half a wave", timed + "load_wave = 0.2\n", {"load_wave = 0.2", "amplitude period"}},
+      {"no period", timed + "load_wave = 0.2 0\n", {"load_wave", "period must be positive"}},
+      {"backwards", timed + "u1 = 0.2:1 0.5:-2\n", {"u1", "turns negative"}},
+      {"from rest", timed + "u1 = 0:0 1:1\nu2 = 0:0 1:1\n", {"u1", "positive at time 0"}},
+  };
+  const support::TemporaryFolder folder;
+  for (const Slip& slip : slips) {
+    folder.write("d.ini", contact + grid + slip.lines);
+    const support::Ended ended = support::ehl(folder, "run d.ini");
+    BOOST_TEST(ended.status == 2, slip.name << ": ends with " << ended.status << "\n" << ended.err);
+    BOOST_TEST(ended.says(slip.parts), slip.name << " says\n" << ended.err);
+    BOOST_TEST(folder.entries() == 1, slip.name);
+  }
+  folder.write("d.ini", contact + grid + timed + "load = none.csv\n");
+  BOOST_TEST(support::ehl(folder, "run d.ini").status == 4);
+  folder.write("d.ini", contact + "[grid]\naccuracy = 0.01\n" + timed);
+  const support::Ended accuracy = support::ehl(folder, "run d.ini");
+  BOOST_TEST(accuracy.status == 2);
+  BOOST_TEST(accuracy.says({"accuracy", "steady"}));
+}
+
+// A load from a file, a dimple in metres, seconds: the same run as in Hertz radii and a/u_m.
+BOOST_AUTO_TEST_CASE(units_agree) {
+  const support::TemporaryFolder folder;
+  const std::string fields = "[domain]\nx_inlet = -4.5\nx_outlet = 1.5\ny_half = 3\n[grid]\ncells = 64\n";
+  folder.write("plain.ini", steel + fields +
+                                "[transient]\nend_time = 0.5\nload = 0.1:1 0.2:1.1\n[surface1]\nshape = "
+                                "dimple\nheight = 0.05\nwidth = 0.5\nx = -1\n");
+  const support::Ended plain = support::ehl(folder, "run plain.ini --quiet");
+  BOOST_TEST_REQUIRE(plain.status == 0, plain.err);
+  const auto scale = [&](const char* name) {
+    return rows_of(support::ehl(folder, std::string("extract plain.h5 /scales/") + name).out).at(0).at(0);
+  };
+  const double a = scale("a"), second = scale("time"), height = scale("h");
+  BOOST_TEST(second == a / 0.09, boost::test_tools::tolerance(1e-12));
+  std::ostringstream metres;
+  metres.precision(17);
+  metres << steel << fields << "[transient]\ntime_unit = seconds\nend_time = " << 0.5 * second
+         << "\nload = load.csv\n[surface1]\nshape = dimple\nheight_m = " << 0.05 * height << "\nwidth_m = " << 0.5 * a
+         << "\nx = -1\n";
+  folder.write("metres.ini", metres.str());
+  std::ostringstream table;
+  table.precision(17);
+  table << "time, load\n" << 0.1 * second << ", 1\n# up\n" << 0.2 * second << ", 1.1\n";
+  folder.write("load.csv", table.str());
+  BOOST_TEST_REQUIRE(support::ehl(folder, "run metres.ini --quiet").status == 0);
+  const auto one = rows_of(support::ehl(folder, "extract plain.h5 /transient").out);
+  const auto other = rows_of(support::ehl(folder, "extract metres.h5 /transient").out);
+  BOOST_TEST_MESSAGE(one.back()[1] << " and " << other.back()[1]);
+  BOOST_TEST(std::abs(one.back()[1] / other.back()[1] - 1.0) < 1e-6);
+  BOOST_TEST(std::abs(one.back()[7] - 1.1) < 1e-12);
+}
+
+// Every step's numbers, fields at the times asked for, and the words of the summary.
+BOOST_AUTO_TEST_CASE(a_load_step_and_what_is_kept) {
+  const support::TemporaryFolder folder;
+  folder.write("d.ini", contact + grid + "[transient]\nend_time = 1\nload = 0.3:1 0.3:1.2\noutput_interval = 0.25\n");
+  const support::Ended ended = support::ehl(folder, "run d.ini --quiet");
+  BOOST_TEST_REQUIRE(ended.status == 0, ended.err);
+  BOOST_TEST(contains(ended.out, "ended at the end time"));
+  BOOST_TEST(contains(ended.out, "1 jumps"));
+  const auto rows = rows_of(support::ehl(folder, "extract d.h5 /transient").out);
+  BOOST_TEST_REQUIRE(rows.size() > 20u);
+  double worst = 0.0;
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    BOOST_TEST(rows[k][0] > rows[k - 1][0]);
+    worst = std::max(worst, rows[k][9]);
+  }
+  BOOST_TEST_MESSAGE(rows.size() << " steps, worst load error " << worst << " (allowed 1e-6)");
+  BOOST_TEST(worst <= 1e-6);
+  BOOST_TEST(rows.back()[0] == 1.0);
+  const auto times = rows_of(support::ehl(folder, "extract d.h5 /transient/frames/time").out);
+  BOOST_TEST_REQUIRE(times.size() == 5u);
+  for (std::size_t k = 0; k < times.size(); ++k)
+    BOOST_TEST(std::abs(times[k][0] - 0.25 * static_cast<double>(k)) < 1e-12);
+  // The field's smallest film at the last time is the last row's.
+  double least = 1e9;
+  for (const auto& row : rows_of(support::ehl(folder, "extract d.h5 /transient/frames/H --step 4").out))
+    least = std::min(least, row.at(2));
+  BOOST_TEST(std::abs(least / rows.back()[2] - 1.0) < 1e-9);
+  const auto lines = rows_of(support::ehl(folder, "extract d.h5 /transient/frames/P --along x").out);
+  BOOST_TEST(lines.size() == 5u * 65u);
+  const support::Ended refused = support::ehl(folder, "extract d.h5 /transient/frames/P --step 5");
+  BOOST_TEST(refused.status == 2);
+  BOOST_TEST(refused.says({"--step 5", "0 to 4"}));
+  // The deck in the result is the case again.
+  BOOST_TEST(contains(support::ehl(folder, "extract d.h5 deck").out, "load = 0.3:1 0.3:1.2"));
+}
+
+// A run that cannot go on says so, ends with 3 and keeps what it has.
+BOOST_AUTO_TEST_CASE(too_few_steps) {
+  const support::TemporaryFolder folder;
+  folder.write("d.ini", contact + grid + "[transient]\nend_time = 1\nmax_steps = 7\n");
+  const support::Ended ended = support::ehl(folder, "run d.ini --quiet");
+  BOOST_TEST(ended.status == 3);
+  BOOST_TEST(ended.says({"the transient ended at time", "more than 7 steps"}));
+  BOOST_TEST(contains(ended.out, "FAILED"));
+  BOOST_TEST(rows_of(support::ehl(folder, "extract d.h5 /transient").out).size() == 8u);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
