@@ -39,7 +39,6 @@ deck::Catalogue catalogue() {
     all.unavailable.push_back({section, "",
                                later + " (this version solves isothermal, fully flooded "
                                        "contacts with a Newtonian lubricant)"});
-  all.unavailable.push_back({"output", "checkpoint", later});
   return all;
 }
 

@@ -9,6 +9,7 @@
 #include "catalogue.hpp"
 #include "commands.hpp"
 #include "core/errors.hpp"
+#include "deck/document.hpp"
 #include "deck/text.hpp"
 #include "deck/write.hpp"
 #include "exit_status.hpp"
@@ -17,6 +18,7 @@
 #include "report.hpp"
 #include "result_content.hpp"
 #include "results/atomic_file.hpp"
+#include "results/read.hpp"
 #include "results/write.hpp"
 #include "steady/solve.hpp"
 #include "transient_run.hpp"
@@ -48,39 +50,24 @@ int fail_without_solution(const Arguments& arguments, const Case& input, const s
   return not_converged;
 }
 
-// Nothing for a steady case, nor where there is no solution to start from.
-std::optional<TransientResult> transient_of(const Arguments& arguments, const Case& input,
-                                            const steady::Solution& start) {
-  if (!input.transient || !start.converged) return std::nullopt;
-  return run_transient(input, start, arguments.has("quiet"));
-}
-
-int status(const steady::Solution& solution, const std::optional<TransientResult>& in_time) {
+int status(const steady::Solution& solution, const std::optional<TransientResult>& in_time, const std::string& path) {
   if (!solution.converged) {
     std::fprintf(stderr, "ehl: not converged: %s\n", solution.failed_check.c_str());
     return not_converged;
   }
   if (!in_time || completed(*in_time)) return solved;
-  if (in_time->report.end == transient::MarchEnd::interrupted) throw core::Interrupted();
+  if (in_time->report.end == transient::MarchEnd::interrupted) {
+    std::fprintf(stderr, "ehl: stopped at time %g a/u_m; go on with `ehl resume %s`\n", in_time->report.T,
+                 path.c_str());
+    return interrupted;
+  }
   std::fprintf(stderr, "ehl: not converged: the transient ended at time %g a/u_m: %s\n", in_time->report.T,
                in_time->report.reason.c_str());
   return not_converged;
 }
 
-}  // namespace
-
-int requested_threads(const Arguments& arguments) { return whole_number(arguments, "threads", usable_cores(), 1024); }
-
-void print(const std::string& text) {
-  errno = 0;
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    throw core::FileError(std::string("standard output: cannot be written: ") + std::strerror(errno));
-}
-
-int run(const Arguments& arguments) {
-  const Case input = read_case(arguments.operands[0], arguments.values("set"), requested_threads(arguments));
-  const Destination to = destination(arguments, input);
-
+// Solves the case, the steady contact first; what was kept of a transient before goes into it.
+int solve_and_write(const Arguments& arguments, const Case& input, const Destination& to, TransientResult before) {
   steady::Solution solution;
   try {
     ProgressReport progress(arguments.has("quiet"));
@@ -95,7 +82,19 @@ int run(const Arguments& arguments) {
   const Outcome outcome = outcome_of(input, solution);
   if (!std::isfinite(outcome.Hc + outcome.Hm.value + outcome.P_max.value))
     return fail_without_solution(arguments, input, "the film or the pressure is not finite");
-  const std::optional<TransientResult> in_time = transient_of(arguments, input, solution);
+
+  const DerivedFields derived = derived_fields(input, solution);
+  bool overwrite = to.overwrite;
+  const auto save = [&](const TransientResult* so_far) {
+    results::Content content = result_content(input, solution, outcome, derived);
+    if (so_far) add_transient(input, *so_far, content);
+    results::write(to.path, content, overwrite);
+    overwrite = true;
+  };
+  std::optional<TransientResult> in_time;
+  if (input.transient && solution.converged)
+    in_time = run_transient(input, solution, arguments.has("quiet"), std::move(before),
+                            [&](const TransientResult& so_far) { save(&so_far); });
   if (arguments.has("json"))
     print(json_report(input, solution, outcome, peak_memory(), in_time ? transient_json(*in_time) : ""));
   else
@@ -105,12 +104,34 @@ int run(const Arguments& arguments) {
                                                     in_time ? in_time->report.seconds : solution.seconds)
                                     : "") +
           "memory       " + std::to_string(static_cast<long>(peak_memory() / 1e6)) + " MB at most\n");
-  const DerivedFields derived = derived_fields(input, solution);
-  results::Content content = result_content(input, solution, outcome, derived);
-  if (in_time) add_transient(input, *in_time, content);
-  results::write(to.path, content, to.overwrite);
+  save(in_time ? &*in_time : nullptr);
   if (!arguments.has("json")) print("result       " + to.path + "\n");
-  return status(solution, in_time);
+  return status(solution, in_time, to.path);
+}
+
+}  // namespace
+
+int requested_threads(const Arguments& arguments) { return whole_number(arguments, "threads", usable_cores(), 1024); }
+
+void print(const std::string& text) {
+  errno = 0;
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    throw core::FileError(std::string("standard output: cannot be written: ") + std::strerror(errno));
+}
+
+int run(const Arguments& arguments) {
+  const Case input = read_case(arguments.operands[0], arguments.values("set"), requested_threads(arguments));
+  return solve_and_write(arguments, input, destination(arguments, input), {});
+}
+
+int resume(const Arguments& arguments) {
+  const std::string path = arguments.operands[0];
+  const results::ResultFile file(path);
+  TransientResult before = read_transient(file);
+  const deck::Document document = deck::parse(file.text("/deck"), path + " /deck", catalogue());
+  const Case input = case_of(deck::validate(document, {}, catalogue()), path, requested_threads(arguments));
+  results::check_writable(path, true, results::expected_bytes(input.scene.grid, input.fields.size()));
+  return solve_and_write(arguments, input, {path, true}, std::move(before));
 }
 
 int check(const Arguments& arguments) {

@@ -7,6 +7,7 @@ namespace ehl::program {
 /// core::SolverError, core::Interrupted; main turns them into messages and exit statuses.
 int run(const Arguments& arguments);
 int check(const Arguments& arguments);
+int resume(const Arguments& arguments);
 int sweep(const Arguments& arguments);
 int study(const Arguments& arguments);
 int extract(const Arguments& arguments);

@@ -39,6 +39,7 @@ int dispatch(const std::vector<std::string>& words) {
   const Arguments arguments = parse_arguments(words, commands);
   if (arguments.command == "run") return run(arguments);
   if (arguments.command == "check") return check(arguments);
+  if (arguments.command == "resume") return resume(arguments);
   if (arguments.command == "sweep") return sweep(arguments);
   if (arguments.command == "study") return study(arguments);
   if (arguments.command == "extract") return extract(arguments);

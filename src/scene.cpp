@@ -203,8 +203,12 @@ std::string stem_of(const std::string& path) {
 }  // namespace
 
 Case read_case(const std::string& path, const std::vector<std::string>& overrides, int threads) {
+  return case_of(deck::read(path, overrides, catalogue()), path, threads);
+}
+
+Case case_of(deck::Deck understood, const std::string& path, int threads) {
   Case result;
-  result.deck = deck::read(path, overrides, catalogue());
+  result.deck = std::move(understood);
   deck::Deck& deck = result.deck;
   result.physics = physical_input(deck);
   result.scene.deformation = deformation_of(deck);

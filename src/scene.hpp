@@ -24,4 +24,7 @@ struct Case {
 /// errors: core::InputError with every complaint about keys and about what they mean together.
 Case read_case(const std::string& path, const std::vector<std::string>& overrides, int threads);
 
+/// The same of a deck that is read already; path: what names case and result where the deck does not.
+Case case_of(deck::Deck understood, const std::string& path, int threads);
+
 }  // namespace ehl::program

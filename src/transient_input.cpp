@@ -182,6 +182,8 @@ std::optional<TransientInput> transient_input(deck::Deck& deck, const Physics& p
   for (const char* surface : {"surface1", "surface2"})
     if (given(deck, surface, "shape") && !timed)
       complain(deck, surface, "shape", "moves through the contact and needs [transient] end_time");
+  if (!timed && given(deck, "output", "checkpoint"))
+    complain(deck, "output", "checkpoint", "is for runs in time, and there is no [transient] end_time");
   if (!timed) return std::nullopt;
   if (given(deck, "grid", "accuracy"))
     complain(deck, "grid", "accuracy", "is for steady contacts: give cells for a transient one");
@@ -206,6 +208,7 @@ std::optional<TransientInput> transient_input(deck::Deck& deck, const Physics& p
   input.parameters.output_interval = time("output_interval");
   input.parameters.stop_film = deck::number(deck, section, "stop_film");
   input.parameters.stop_steady = deck::number(deck, section, "stop_steady");
+  input.seconds_between_checkpoints = deck::number(deck, "output", "checkpoint");
   if (std::isfinite(input.parameters.end)) check_drive(deck, input);
   return input;
 }

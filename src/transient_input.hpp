@@ -12,7 +12,8 @@ namespace ehl::program {
 struct TransientInput {
   transient::Conditions conditions{};
   transient::MarchParameters parameters{};
-  double second = 0.0;  ///< in a/u_m; NaN where the contact is not in SI
+  double seconds_between_checkpoints = 60.0;  ///< of the clock on the wall
+  double second = 0.0;                        ///< in a/u_m; NaN where the contact is not in SI
 };
 
 /// Nothing where the deck has no [transient]. Rules between keys are complained about in the deck.

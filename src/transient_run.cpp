@@ -58,15 +58,19 @@ class MarchProgress {
   double last_time_ = 0.0;
 };
 
-std::string how_it_ended(const transient::MarchReport& report) {
-  switch (report.end) {
-    case MarchEnd::end_time: return "at the end time";
-    case MarchEnd::film: return "where the film fell to stop_film";
-    case MarchEnd::steady: return "steady to stop_steady";
-    case MarchEnd::interrupted: return "interrupted";
-    case MarchEnd::failed: return "FAILED: " + report.reason;
+// The counts of all rows, those before a checkpoint included.
+void total(TransientResult& result) {
+  transient::MarchReport& report = result.report;
+  report.T = result.rows.back().T;
+  report.steps = static_cast<int>(result.rows.size()) - 1;
+  report.cycles = report.rejected = report.not_solved = 0;
+  report.worst_load_error = 0.0;
+  for (const StepRow& row : result.rows) {
+    report.cycles += row.cycles;
+    report.rejected += row.rejected;
+    report.not_solved += row.not_solved;
+    report.worst_load_error = std::max(report.worst_load_error, row.load_error);
   }
-  return "";
 }
 
 const StepRow& extreme(const std::vector<StepRow>& rows, double StepRow::*value, bool largest) {
@@ -83,17 +87,46 @@ std::string range_line(const char* name, const std::vector<StepRow>& rows, doubl
 
 }  // namespace
 
-TransientResult run_transient(const Case& input, const steady::Solution& start, bool quiet) {
-  TransientResult result;
+std::string how_it_ended(const transient::MarchReport& report) {
+  switch (report.end) {
+    case MarchEnd::end_time: return "at the end time";
+    case MarchEnd::film: return "where the film fell to stop_film";
+    case MarchEnd::steady: return "steady to stop_steady";
+    case MarchEnd::interrupted: return "interrupted";
+    case MarchEnd::failed: return "FAILED: " + report.reason;
+  }
+  return "";
+}
+
+TransientResult run_transient(const Case& input, const steady::Solution& start, bool quiet, TransientResult before,
+                              const std::function<void(const TransientResult& so_far)>& save) {
+  TransientResult result = std::move(before);
+  const std::optional<transient::Checkpoint> from = std::move(result.checkpoint);
+  result.checkpoint.reset();
+  result.report.end = MarchEnd::interrupted;  // so far
   const TransientInput& march = *input.transient;
   MarchProgress progress(march.parameters.end, quiet);
-  const transient::Observer observer{[&](const StepRow& row) {
-                                       result.rows.push_back(row);
-                                       progress.show(row);
-                                       return !stop_requested();
-                                     },
-                                     [&](transient::Frame&& frame) { result.frames.push_back(std::move(frame)); }};
-  result.report = transient::march(input.scene, start, march.conditions, march.parameters, observer);
+  double saved = core::now();
+  const transient::Observer observer{
+      .row =
+          [&](const StepRow& row) {
+            result.rows.push_back(row);
+            progress.show(row);
+            return !stop_requested();
+          },
+      .frame = [&](transient::Frame&& frame) { result.frames.push_back(std::move(frame)); },
+      .wants_checkpoint = [&] { return core::now() - saved > march.seconds_between_checkpoints; },
+      .checkpoint =
+          [&](transient::Checkpoint&& checkpoint) {
+            result.checkpoint = std::move(checkpoint);
+            total(result);
+            if (!stop_requested()) save(result);
+            saved = core::now();
+          }};
+  result.report =
+      transient::march(input.scene, start, march.conditions, march.parameters, observer, from ? &*from : nullptr);
+  if (result.report.end != MarchEnd::interrupted) result.checkpoint.reset();
+  total(result);
   return result;
 }
 
@@ -137,52 +170,6 @@ std::string transient_json(const TransientResult& result) {
                        {"jumps", number(report.restarts)},
                        {"worst_load_error", number(report.worst_load_error)},
                        {"seconds", number(report.seconds)}});
-}
-
-void add_transient(const Case& input, const TransientResult& result, results::Content& content) {
-  using results::Column;
-  const auto column = [&](const char* name, const char* unit, const char* meaning, bool whole,
-                          const std::function<double(const StepRow&)>& value) {
-    Column made{name, unit, meaning, whole, {}};
-    for (const StepRow& row : result.rows) made.values.push_back(value(row));
-    return made;
-  };
-  const auto number = [&](const char* name, const char* unit, const char* meaning, double StepRow::*member) {
-    return column(name, unit, meaning, false, [member](const StepRow& row) { return row.*member; });
-  };
-  const auto count = [&](const char* name, const char* meaning, int StepRow::*member) {
-    return column(name, "-", meaning, true, [member](const StepRow& row) { return row.*member; });
-  };
-  results::Table table{
-      "transient",
-      "every accepted step of time; ended " + how_it_ended(result.report),
-      {number("time", "a/u_m", "time reached", &StepRow::T), number("Hc", "a^2/R", "film at (0,0)", &StepRow::Hc),
-       number("Hm", "a^2/R", "smallest film of all nodes", &StepRow::Hm),
-       number("Hm_x", "a", "where it is", &StepRow::Hm_X), number("Hm_y", "a", "where it is", &StepRow::Hm_Y),
-       number("P_max", "p_h", "highest pressure of all nodes", &StepRow::P_max),
-       number("H00", "a^2/R", "mutual approach", &StepRow::H00),
-       number("load", "-", "wanted, over that of the contact", &StepRow::load),
-       number("speed", "-", "entrainment speed (u1 + u2)/2 over u_m", &StepRow::speed),
-       number("load_error", "-", "relative error of the load", &StepRow::load_error),
-       number("step", "a/u_m", "length of the step; 0 for the start", &StepRow::length),
-       count("order", "of the time integration", &StepRow::order),
-       count("cycles", "of all attempts at the step", &StepRow::cycles),
-       count("rejected", "attempts that failed the error test", &StepRow::rejected),
-       count("not_solved", "attempts that the cycles did not solve", &StepRow::not_solved)}};
-  if (std::isfinite(input.transient->second))
-    content.scales.push_back({"time", 1.0 / input.transient->second, "s", "a/u_m, the scale of time"});
-  content.tables.push_back(std::move(table));
-  content.frames.group = "/transient/frames";
-  for (const transient::Frame& frame : result.frames) content.frames.times.push_back(frame.T);
-  const auto series = [&](const char* name, const char* unit, const char* meaning,
-                          core::Field transient::Frame::*member) {
-    if (std::ranges::find(input.fields, name) == input.fields.end()) return;
-    results::Series made{name, unit, meaning, {}};
-    for (const transient::Frame& frame : result.frames) made.fields.push_back(&(frame.*member));
-    content.frames.series.push_back(std::move(made));
-  };
-  series("P", "p_h", "pressure p/p_h", &transient::Frame::P);
-  series("H", "a^2/R", "film thickness h R/a^2", &transient::Frame::H);
 }
 
 }  // namespace ehl::program

@@ -58,6 +58,14 @@ struct Frames {
   std::vector<Series> series{};
 };
 
+/// Numbers and arrays of any lengths in one group.
+struct Loose {
+  std::string group{};  ///< "/checkpoint"; empty: none
+  std::string meaning{};
+  std::vector<Quantity> numbers{};
+  std::vector<Column> arrays{};
+};
+
 struct Content {
   std::string title{};
   std::string deck{};  ///< the effective deck
@@ -69,6 +77,7 @@ struct Content {
   std::vector<Text> remarks{};  ///< words of the summary: warnings, the check that failed
   std::vector<Table> tables{};  ///< "levels", "history"
   Frames frames{};
+  Loose checkpoint{};
 };
 
 }  // namespace ehl::results

@@ -171,6 +171,16 @@ void table(const Writer& writer, const Table& entry) {
             column.unit, column.meaning);
 }
 
+void loose(const Writer& writer, const Loose& entry) {
+  if (entry.group.empty()) return;
+  const Handle made = group(writer, entry.group);
+  attribute(writer, made, "meaning", entry.meaning);
+  for (const Quantity& one : entry.numbers)
+    numbers(writer, entry.group + "/" + one.name, {}, {one.value}, one.whole, one.unit, one.meaning);
+  for (const Column& one : entry.arrays)
+    numbers(writer, entry.group + "/" + one.name, {{one.values.size()}}, one.values, one.whole, one.unit, one.meaning);
+}
+
 void everything(const Writer& writer, const Content& content) {
   attribute(writer, writer.file, "format", "ehl result");
   attribute(writer, writer.file, "title", content.title);
@@ -189,6 +199,7 @@ void everything(const Writer& writer, const Content& content) {
   texts(writer, "/summary", content.remarks);
   for (const Table& entry : content.tables) table(writer, entry);
   frames(writer, content.frames);
+  loose(writer, content.checkpoint);
 }
 
 // The whole file in memory. HDF5 reports a full disk as late as in the close, and then cannot be closed any more; so

@@ -65,6 +65,16 @@ std::vector<Key> time_keys() {
   };
 }
 
+std::vector<Key> output_keys() {
+  return {Key{.section = "output",
+              .name = "checkpoint",
+              .default_text = "60",
+              .range = positive,
+              .meaning =
+                  "Seconds by the clock between two times at which a run in time writes its result so far, from which "
+                  "`ehl resume` goes on."}};
+}
+
 std::vector<Key> varying_keys() {
   return {
       Key{.section = "transient",
@@ -196,7 +206,8 @@ std::vector<Key> surface_keys(const std::string& section) {
 
 std::vector<Key> keys() {
   std::vector<Key> all;
-  for (const auto& list : {time_keys(), varying_keys(), surface_keys("surface1"), surface_keys("surface2")})
+  for (const auto& list :
+       {time_keys(), varying_keys(), output_keys(), surface_keys("surface1"), surface_keys("surface2")})
     all.insert(all.end(), list.begin(), list.end());
   return all;
 }

@@ -18,6 +18,8 @@ namespace ehl::transient {
 namespace {
 
 constexpr double first_step = 1e-3;
+/// The first step at order one behind a checkpoint, over the last one before it.
+constexpr double shorter_behind_a_checkpoint = 0.1;
 /// The step across a jump of load or speed: the pressure follows at once, the film hardly moves. As many in all let
 /// what the jump has stirred up die away, which IDA would follow with steps too short for the cycles.
 constexpr double micro_step = 1e-3;
@@ -56,23 +58,33 @@ class March {
         std::isnan(parameters.longest_step) ? longest_step(conditions, parameters.end) : parameters.longest_step;
   }
 
-  MarchReport run() {
-    settle();
-    std::vector<double> y(dae_.size());
-    dae_.state(y);
+  std::size_t size() const { return dae_.size(); }
+
+  MarchReport run(const Checkpoint* from) {
+    Checkpoint start = from ? *from : settled();
+    const double shorter = from ? shorter_behind_a_checkpoint * from->step : first_step;
     Ida ida(problem_,
-            {.first = std::min(first_step, 0.1 * report_.longest_step),
+            {.first = std::min(shorter, 0.1 * report_.longest_step),
              .longest = report_.longest_step,
              .shortest = parameters_.shortest_step},
-            0.0, y, std::vector<double>(dae_.size(), 0.0));
-    bool on = show({}) || stopped(MarchEnd::interrupted);
-    show_frame(0.0);
+            start.T, start.y, start.yp);
+    report_.T = start.T;
+    report_.restarts = start.restarts;
+    frames_ = start.frames;
+    dae_.set_state(start.T, start.y);
+    bool on = true;
+    if (!from) {
+      on = show({}) || stopped(MarchEnd::interrupted);
+      show_frame(0.0);
+    }
     const std::vector<double> stops = stops_of(conditions_, parameters_.end);
     for (std::size_t k = 0; on && k < stops.size(); ++k) {
+      if (stops[k] < start.T) continue;
       on = reach(ida, stops[k]);
       if (on && jumps_at(conditions_, stops[k], parameters_.end)) on = cross(ida, stops[k + 1]);
     }
-    if (last_frame_ < report_.T * (1.0 - rounding_of_time) && report_.end != MarchEnd::failed) show_frame(report_.T);
+    const bool whole = report_.end != MarchEnd::failed && report_.end != MarchEnd::interrupted;
+    if (whole && last_frame_ < report_.T * (1.0 - rounding_of_time)) show_frame(report_.T);
     return std::move(report_);
   }
 
@@ -80,6 +92,15 @@ class March {
   double central_film() const {
     const fmg::Level& level = hierarchy_.levels.back();
     return steady::value_at(level.grid, level.H, 0.0, 0.0);
+  }
+
+  Checkpoint settled() {
+    settle();
+    Checkpoint start;
+    start.y.resize(dae_.size());
+    start.yp.resize(dae_.size(), 0.0);
+    dae_.state(start.y);
+    return start;
   }
 
   // The steady state of T = 0, with its load, speed and surfaces, as exactly as rounding allows.
@@ -124,6 +145,8 @@ class March {
       if (step.end == StepReport::End::failed) return fail(step.reason);
       if (step.end == StepReport::End::at_event) dae_.set_state(step.T, ida.y());
       const bool on = accept(step, ida.y(), [&](double T) { ida.interpolate(T, between_); });
+      const bool wanted = observer_.wants_checkpoint && observer_.wants_checkpoint();
+      if ((wanted || !on) && observer_.checkpoint) hand_out_checkpoint(step.length, ida.y(), ida.yp());
       if (!on) return stopped(MarchEnd::interrupted);
       if (step.end == StepReport::End::at_event) return stopped(MarchEnd::film);
       if (is_steady()) return stopped(MarchEnd::steady);
@@ -152,12 +175,18 @@ class March {
         const double ahead = (step.T - at) / step.length;
         for (std::size_t n = 0; n < step.y.size(); ++n) between_[n] = step.y[n] - ahead * (step.y[n] - step.old[n]);
       };
-      if (!accept({.T = step.T, .length = step.length, .order = 1, .cycles = step.cycles}, step.y, interpolate))
+      if (!accept({.T = step.T, .length = step.length, .order = 1, .cycles = step.cycles}, step.y, interpolate)) {
+        if (observer_.checkpoint) hand_out_checkpoint(step.length, step.y, step.yp);
         return stopped(MarchEnd::interrupted);
+      }
     }
     ++report_.restarts;
     ida.restart(report_.T, step.y, step.yp, step.length);
     return true;
+  }
+
+  void hand_out_checkpoint(double length, std::span<const double> y, std::span<const double> yp) {
+    observer_.checkpoint({report_.T, length, frames_, report_.restarts, {y.begin(), y.end()}, {yp.begin(), yp.end()}});
   }
 
   // Counts and shows a step, the level holding its state.
@@ -260,7 +289,7 @@ class March {
 }  // namespace
 
 MarchReport march(const steady::Scene& scene, const steady::Solution& start, const Conditions& conditions,
-                  const MarchParameters& parameters, const Observer& observer) {
+                  const MarchParameters& parameters, const Observer& observer, const Checkpoint* from) {
   const double began = core::now();
   steady::Scene own = scene;
   own.use_symmetry = own.use_symmetry && symmetric(conditions);
@@ -272,7 +301,10 @@ MarchReport march(const steady::Scene& scene, const steady::Solution& start, con
   if (!scene.multigrid.cycle) hierarchy.parameters.cycle = fmg::Cycle::V;
   fmg::start_from_state(hierarchy, climb.finest(), steady::part_on(hierarchy.finest().grid, start.P), start.H00);
   prepare(hierarchy);
-  MarchReport report = March(climb, conditions, parameters, observer).run();
+  March under_way(climb, conditions, parameters, observer);
+  if (from && (from->y.size() != under_way.size() || from->yp.size() != under_way.size()))
+    throw core::FileError("the checkpoint is of another grid than the deck's");
+  MarchReport report = under_way.run(from);
   report.times = hierarchy.times;
   report.seconds = core::now() - began;
   return report;

@@ -44,10 +44,21 @@ struct Frame {
   core::Field P{}, H{};
 };
 
+/// All that a march needs to go on from here.
+struct Checkpoint {
+  double T = 0.0;
+  double step = 0.0;  ///< length of the last one
+  int frames = 0;     ///< given out so far
+  int restarts = 0;
+  std::vector<double> y{}, yp{};  ///< contact_dae.hpp, on the grid that is computed on
+};
+
 /// What comes out while it goes on; each may be empty. `row` answers whether to go on.
 struct Observer {
   std::function<bool(const StepRow& row)> row{};
   std::function<void(Frame&& frame)> frame{};
+  std::function<bool()> wants_checkpoint{};                   ///< asked after every step
+  std::function<void(Checkpoint&& checkpoint)> checkpoint{};  ///< when wanted, and where an answer to a row was to stop
 };
 
 enum class MarchEnd { end_time, film, steady, failed, interrupted };
@@ -65,10 +76,12 @@ struct MarchReport {
 
 /// Integrates (rho_bar H)_T + U (rho_bar H)_X = div(eps grad P), P >= 0, with the load balance, from the steady
 /// solution of the scene under the conditions of T = 0, by IDA's BDF of variable order and step; every implicit step is
-/// solved by multigrid cycles. At a jump of load or speed the integration starts anew behind a very short step. in:
-/// scene, and its solution; conditions with load > 0 and u1 + u2 >= 0 at all times, > 0 at T = 0. errors:
-/// core::SolverError where the state at T = 0 cannot be solved.
+/// solved by multigrid cycles. At a jump of load or speed the integration starts anew behind a very short step.
+/// in: scene, and its solution; conditions with load > 0 and u1 + u2 >= 0 at all times, > 0 at T = 0; from, where given:
+/// a checkpoint of the same march, from which it goes on at order one with a shorter step, the report counting anew.
+/// errors: core::SolverError where the state at T = 0 cannot be solved; core::FileError where the checkpoint is of
+/// another grid.
 MarchReport march(const steady::Scene& scene, const steady::Solution& start, const Conditions& conditions,
-                  const MarchParameters& parameters, const Observer& observer);
+                  const MarchParameters& parameters, const Observer& observer, const Checkpoint* from = nullptr);
 
 }  // namespace ehl::transient

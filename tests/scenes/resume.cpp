@@ -1,0 +1,117 @@
+// Runs in time that are stopped or killed, and go on.
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+
+#include "support/program.hpp"
+
+namespace {
+
+const std::string swinging =
+    "[contact]\nM = 50\nL = 10\n[lubricant]\nalpha = 1.7e-8\nz = 0.6\n[domain]\nx_inlet = -4.5\nx_outlet = 1.5\n"
+    "y_half = 3\n[grid]\ncells = 64\n[transient]\nend_time = 6\noutput_interval = 0.2\nload_wave = 0.2 2\nload = 1:1 "
+    "1:1.1\n";
+
+std::vector<std::vector<double>> rows_of(const std::string& text) {
+  std::vector<std::vector<double>> rows;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty() || line[0] == '#') continue;
+    std::istringstream words(line);
+    rows.emplace_back();
+    for (std::string word; words >> word;) rows.back().push_back(std::atof(word.c_str()));
+  }
+  return rows;
+}
+
+// Hc at T, linear between the rows.
+double Hc_at(const std::vector<std::vector<double>>& rows, double T) {
+  const auto after = std::ranges::find_if(rows, [T](const auto& row) { return row[0] >= T; });
+  if (after == rows.begin() || after == rows.end()) return rows.back()[1];
+  const auto& a = after[-1];
+  const auto& b = after[0];
+  return a[1] + (b[1] - a[1]) * (T - a[0]) / (b[0] - a[0]);
+}
+
+// Starts the program and sends the signal so many seconds later.
+support::Ended stopped(const support::TemporaryFolder& folder, const std::string& words, const std::string& signal,
+                       double seconds) {
+  std::ostringstream line;
+  line << "'" << EHL_PROGRAM << "' " << words << " & p=$!; sleep " << seconds << "; kill -" << signal
+       << " $p 2>/dev/null; wait $p";
+  return support::shell(folder, line.str());
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(resume)
+
+// Stopped and gone on twice: the film of the uninterrupted run, within what its tolerance allows (rtol 1e-4; the error
+// of such runs is a few 1e-4).
+BOOST_AUTO_TEST_CASE(goes_on_to_the_same_film) {
+  const support::TemporaryFolder folder;
+  folder.write("d.ini", swinging);
+  BOOST_TEST_REQUIRE(support::ehl(folder, "run d.ini --quiet --output whole.h5").status == 0);
+  const auto whole = rows_of(support::ehl(folder, "extract whole.h5 /transient").out);
+  const support::Ended complete = support::ehl(folder, "resume whole.h5");
+  BOOST_TEST(complete.status == 2);
+  BOOST_TEST(complete.says({"no checkpoint", "complete"}));
+
+  support::Ended ended = stopped(folder, "run d.ini --quiet --output parts.h5", "INT", 0.35);
+  BOOST_TEST(ended.status == 130);
+  BOOST_TEST_REQUIRE(ended.says({"stopped at time", "ehl resume parts.h5"}), ended.err);
+  const double first = rows_of(support::ehl(folder, "extract parts.h5 /transient").out).back()[0];
+  ended = stopped(folder, "resume parts.h5 --quiet", "INT", 0.35);
+  BOOST_TEST((ended.status == 130 || ended.status == 0), ended.err);
+  if (ended.status == 130) ended = support::ehl(folder, "resume parts.h5 --quiet");
+  BOOST_TEST(ended.status == 0, ended.err);
+  const auto parts = rows_of(support::ehl(folder, "extract parts.h5 /transient").out);
+  BOOST_TEST_REQUIRE(parts.size() > 20u);
+  double worst = 0.0;
+  for (std::size_t k = 1; k < parts.size(); ++k) {
+    BOOST_TEST(parts[k][0] > parts[k - 1][0]);
+    worst = std::max(worst, std::abs(parts[k][1] / Hc_at(whole, parts[k][0]) - 1.0));
+  }
+  BOOST_TEST_MESSAGE("stopped at " << first << "; largest difference of Hc " << worst << " (allowed 1e-3)");
+  BOOST_TEST(first < 6.0);
+  BOOST_TEST(worst < 1e-3);
+  BOOST_TEST(parts.back()[0] == 6.0);
+  // Every field is there once, at its time.
+  const auto times = rows_of(support::ehl(folder, "extract parts.h5 /transient/frames/time").out);
+  BOOST_TEST_REQUIRE(times.size() == 31u);
+  for (std::size_t k = 0; k < times.size(); ++k)
+    BOOST_TEST(std::abs(times[k][0] - 0.2 * static_cast<double>(k)) < 1e-9);
+}
+
+// Killed at twenty moments, most of them while it writes: there is no file yet, or one that can be read and resumed.
+BOOST_AUTO_TEST_CASE(killed_at_any_moment_leaves_a_file_that_goes_on) {
+  const support::TemporaryFolder folder;
+  folder.write("d.ini", swinging + "[output]\ncheckpoint = 1e-3\n");
+  int found = 0;
+  for (int k = 0; k < 20; ++k) {
+    stopped(folder, "run d.ini --quiet --overwrite", "KILL", 0.05 + 0.02 * k);
+    if (support::shell(folder, "test -e d.h5").status != 0) continue;
+    ++found;
+    const support::Ended read = support::ehl(folder, "extract d.h5 /checkpoint/y");
+    BOOST_TEST(read.status == 0, "kill " << k << ": " << read.err);
+    BOOST_TEST(rows_of(read.out).size() == 2u * 65u * 33u + 1u);
+  }
+  BOOST_TEST_MESSAGE(found << " of 20 kills left a file");
+  BOOST_TEST(found >= 5);
+  BOOST_TEST(support::ehl(folder, "resume d.h5 --quiet").status == 0);
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_go_on_is_refused) {
+  const support::TemporaryFolder folder;
+  folder.write("d.ini", "[contact]\nM = 50\nL = 10\n[lubricant]\nalpha = 1.7e-8\nz = 0.6\n[grid]\ncells = 64\n");
+  BOOST_TEST_REQUIRE(support::ehl(folder, "run d.ini --quiet").status == 0);
+  const support::Ended steady = support::ehl(folder, "resume d.h5");
+  BOOST_TEST(steady.status == 2);
+  BOOST_TEST(steady.says({"d.h5", "steady"}));
+  BOOST_TEST(support::ehl(folder, "resume none.h5").status == 4);
+  BOOST_TEST(support::ehl(folder, "resume d.ini").status == 4);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
