@@ -101,6 +101,8 @@ BOOST_AUTO_TEST_CASE(killed_at_any_moment_leaves_a_file_that_goes_on) {
   BOOST_TEST_MESSAGE(found << " of 20 kills left a file");
   BOOST_TEST(found >= 5);
   BOOST_TEST(support::ehl(folder, "resume d.h5 --quiet").status == 0);
+  // Complete, it has no checkpoint left.
+  BOOST_TEST(support::ehl(folder, "resume d.h5").says({"no checkpoint", "complete"}));
 }
 
 BOOST_AUTO_TEST_CASE(what_cannot_go_on_is_refused) {
