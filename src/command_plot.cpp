@@ -33,7 +33,8 @@ struct Figure {
   std::string title;
   std::string script;
   std::vector<std::string>
-      needs;  // datasets without which there is nothing to draw; or what it draws instead: "sweep", "study"
+      needs;           // datasets without which there is nothing to draw; or what it draws instead: "sweep", "study"
+  bool movie = false;  // a GIF whatever the format, and only when asked for
 };
 
 // The kind of file that a figure draws: sweep, study or result.
@@ -53,7 +54,7 @@ struct Source {
   std::function<bool(const std::string&)> has;
 };
 
-// A script is a figure when its first line says "# figure: title"; "# needs: name..." may follow.
+// A script is a figure when its first line says "# figure: title"; "# needs: name..." may follow, and "# movie".
 std::vector<Figure> figures(const files::path& folder) {
   std::error_code error;
   if (!files::is_directory(folder, error))
@@ -65,12 +66,14 @@ std::vector<Figure> figures(const files::path& folder) {
     std::ifstream script(entry.path());
     std::string first;
     std::string second;
+    std::string third;
     std::getline(script, first);
     std::getline(script, second);
+    std::getline(script, third);
     const std::string mark = "# figure:";
     const std::string needs = "# needs:";
     if (!first.starts_with(mark)) continue;
-    Figure figure{entry.path().stem(), deck::trimmed(first.substr(mark.size())), entry.path(), {}};
+    Figure figure{entry.path().stem(), deck::trimmed(first.substr(mark.size())), entry.path(), {}, third == "# movie"};
     if (second.starts_with(needs)) figure.needs = deck::split_words(second.substr(needs.size()));
     found.push_back(figure);
   }
@@ -102,7 +105,7 @@ std::vector<Figure> selected(const std::vector<Figure>& all, const std::vector<s
   }
   if (!names.empty()) return chosen;
   for (const Figure& figure : all)
-    if (std::all_of(figure.needs.begin(), figure.needs.end(), source.has)) chosen.push_back(figure);
+    if (!figure.movie && std::all_of(figure.needs.begin(), figure.needs.end(), source.has)) chosen.push_back(figure);
   return chosen;
 }
 
@@ -181,7 +184,7 @@ int plot(const Arguments& arguments) {
   const std::string settings =
       "file=" + quoted(path) + "; format=" + quoted(format) + "; ehl=" + quoted(program_path()) + source.settings;
   for (const Figure& figure : selected(figures(folder_of_scripts()), arguments.values("figure"), source)) {
-    const std::string picture = picture_name(path, figure.name, format);
+    const std::string picture = picture_name(path, figure.name, figure.movie ? "gif" : format);
     run_gnuplot({"gnuplot", "-e", settings + "; output=" + quoted(picture), figure.script}, figure.name);
     std::error_code error;
     if (files::file_size(picture, error) == 0 || error)
