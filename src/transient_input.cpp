@@ -208,7 +208,8 @@ std::optional<TransientInput> transient_input(deck::Deck& deck, const Physics& p
   input.parameters.output_interval = time("output_interval");
   input.parameters.stop_film = deck::number(deck, section, "stop_film");
   input.parameters.stop_steady = deck::number(deck, section, "stop_steady");
-  input.seconds_between_checkpoints = deck::number(deck, "output", "checkpoint");
+  if (given(deck, "output", "checkpoint"))
+    input.seconds_between_checkpoints = deck::number(deck, "output", "checkpoint");
   if (std::isfinite(input.parameters.end)) check_drive(deck, input);
   return input;
 }

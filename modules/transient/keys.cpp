@@ -68,11 +68,12 @@ std::vector<Key> time_keys() {
 std::vector<Key> output_keys() {
   return {Key{.section = "output",
               .name = "checkpoint",
-              .default_text = "60",
+              .default_note = "60 in a run in time",
+              .unit = "s",
               .range = positive,
-              .meaning =
-                  "Seconds by the clock between two times at which a run in time writes its result so far, from which "
-                  "`ehl resume` goes on."}};
+              .meaning = "Time by the clock between the moments at which a run in time writes its result so far, from "
+                         "which `ehl resume` goes on.",
+              .example = "60"}};
 }
 
 std::vector<Key> varying_keys() {

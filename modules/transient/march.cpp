@@ -7,12 +7,12 @@
 #include "core/errors.hpp"
 #include "core/norms.hpp"
 #include "core/timer.hpp"
-#include "fmg/cycle.hpp"
 #include "fmg/full_multigrid.hpp"
 #include "steady/climb.hpp"
 #include "steady/state_of_level.hpp"
 #include "transient/contact_dae.hpp"
 #include "transient/jump.hpp"
+#include "transient/settle.hpp"
 
 namespace ehl::transient {
 namespace {
@@ -24,10 +24,6 @@ constexpr double shorter_behind_a_checkpoint = 0.1;
 /// what the jump has stirred up die away, which IDA would follow with steps too short for the cycles.
 constexpr double micro_step = 1e-3;
 constexpr int micro_steps = 4;
-constexpr double settled_residual = 1e-9;
-constexpr double hopeless_residual = 1e-5;
-constexpr int most_settling_cycles = 60;
-constexpr int cycles_per_bit = 3;
 /// Of times.
 constexpr double rounding_of_time = 1e-14;
 
@@ -95,45 +91,12 @@ class March {
   }
 
   Checkpoint settled() {
-    settle();
+    settle(hierarchy_, dae_, course_.drive(0.0), crossing_);
     Checkpoint start;
     start.y.resize(dae_.size());
     start.yp.resize(dae_.size(), 0.0);
     dae_.state(start.y);
     return start;
-  }
-
-  // The steady state of T = 0, with its load, speed and surfaces, as exactly as rounding allows.
-  void settle() {
-    const Drive start = course_.drive(0.0);
-    const int bits = bits_between(Drive{}, start);
-    double residual = 0.0;
-    for (int k = 1; k <= bits; ++k) {
-      crossing_ = part_of_the_way(Drive{}, start, static_cast<double>(k) / bits);
-      residual = cycles_at_rest(k == bits ? most_settling_cycles : cycles_per_bit);
-    }
-    crossing_.reset();
-    if (!(residual < hopeless_residual) || !(core::minimum(hierarchy_.finest().H).value > 0.0))
-      throw core::SolverError(
-          "the steady state at the start of the transient was not found: its relative residual is " +
-          std::to_string(residual));
-    dae_.balance_load();
-  }
-  // Residual after cycles at T = 0 without squeeze: `most` of them, or fewer where it is as small as rounding allows.
-  double cycles_at_rest(int most) {
-    dae_.pose(0.0, 0.0);
-    fmg::update_film(hierarchy_, hierarchy_.finest());
-    const std::size_t l = hierarchy_.levels.size() - 1;
-    double residual = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < most; ++k) {
-      fmg::fas_cycle(hierarchy_, l);
-      const double now = steady::state_of_level(hierarchy_, l).residual;
-      if (!std::isfinite(now)) return now;
-      const bool rounding = now < hopeless_residual && now > 0.9 * residual;
-      residual = now;
-      if (now < settled_residual || rounding) break;
-    }
-    return residual;
   }
 
   bool reach(Ida& ida, double stop) {

@@ -77,10 +77,10 @@ struct MarchReport {
 /// Integrates (rho_bar H)_T + U (rho_bar H)_X = div(eps grad P), P >= 0, with the load balance, from the steady
 /// solution of the scene under the conditions of T = 0, by IDA's BDF of variable order and step; every implicit step is
 /// solved by multigrid cycles. At a jump of load or speed the integration starts anew behind a very short step.
-/// in: scene, and its solution; conditions with load > 0 and u1 + u2 >= 0 at all times, > 0 at T = 0; from, where given:
-/// a checkpoint of the same march, from which it goes on at order one with a shorter step, the report counting anew.
-/// errors: core::SolverError where the state at T = 0 cannot be solved; core::FileError where the checkpoint is of
-/// another grid.
+/// in: scene, and its solution; conditions with load > 0 and u1 + u2 >= 0 at all times, > 0 at T = 0; from, where
+/// given: a checkpoint of the same march, from which it goes on at order one with a shorter step, the report counting
+/// anew. errors: core::SolverError where the state at T = 0 cannot be solved; core::FileError where the checkpoint is
+/// of another grid.
 MarchReport march(const steady::Scene& scene, const steady::Solution& start, const Conditions& conditions,
                   const MarchParameters& parameters, const Observer& observer, const Checkpoint* from = nullptr);
 

@@ -1,0 +1,53 @@
+#include "transient/settle.hpp"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "core/errors.hpp"
+#include "core/norms.hpp"
+#include "fmg/cycle.hpp"
+#include "steady/state_of_level.hpp"
+#include "transient/jump.hpp"
+
+namespace ehl::transient {
+namespace {
+
+constexpr double hopeless_residual = 1e-5;
+constexpr int most_settling_cycles = 60;
+constexpr int cycles_per_bit = 3;
+
+// Residual after cycles at T = 0 without squeeze: `most` of them, or fewer where it is as small as rounding allows.
+double cycles_at_rest(fmg::Hierarchy& hierarchy, ContactDae& dae, int most) {
+  dae.pose(0.0, 0.0);
+  fmg::update_film(hierarchy, hierarchy.finest());
+  const std::size_t l = hierarchy.levels.size() - 1;
+  double residual = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < most; ++k) {
+    fmg::fas_cycle(hierarchy, l);
+    const double now = steady::state_of_level(hierarchy, l).residual;
+    if (!std::isfinite(now)) return now;
+    const bool rounding = now < hopeless_residual && now > 0.9 * residual;
+    residual = now;
+    if (now < settled_residual || rounding) break;
+  }
+  return residual;
+}
+
+}  // namespace
+
+void settle(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive& start, std::optional<Drive>& crossing) {
+  const int bits = bits_between(Drive{}, start);
+  double residual = 0.0;
+  for (int k = 1; k <= bits; ++k) {
+    crossing = part_of_the_way(Drive{}, start, static_cast<double>(k) / bits);
+    residual = cycles_at_rest(hierarchy, dae, k == bits ? most_settling_cycles : cycles_per_bit);
+  }
+  crossing.reset();
+  if (!(residual < hopeless_residual) || !(core::minimum(hierarchy.finest().H).value > 0.0))
+    throw core::SolverError("the steady state at the start of the transient was not found: its relative residual is " +
+                            std::to_string(residual));
+  dae.balance_load();
+}
+
+}  // namespace ehl::transient

@@ -1,0 +1,19 @@
+#pragma once
+// The state at the start of a transient.
+#include <optional>
+
+#include "fmg/hierarchy.hpp"
+#include "transient/contact_dae.hpp"
+
+namespace ehl::transient {
+
+/// Relative residual of a state that is as good as steady: its film moves by less than 1e-9 in a long time.
+inline constexpr double settled_residual = 1e-9;
+
+/// Takes the finest level from the steady solution of the scene to the steady state of T = 0, with its load, speed and
+/// surfaces: bit by bit, as exactly as rounding allows, the load exact.
+/// in: start, the drive at T = 0; crossing, what the course of the contact is to say on the way, empty in the end.
+/// errors: core::SolverError where that state is not found.
+void settle(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive& start, std::optional<Drive>& crossing);
+
+}  // namespace ehl::transient
