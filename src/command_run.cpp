@@ -57,8 +57,8 @@ int status(const steady::Solution& solution, const std::optional<TransientResult
   }
   if (!in_time || completed(*in_time)) return solved;
   if (in_time->report.end == transient::MarchEnd::interrupted) {
-    std::fprintf(stderr, "ehl: stopped at time %g a/u_m; go on with `ehl resume %s`\n", in_time->report.T,
-                 path.c_str());
+    const std::string then = in_time->checkpoint ? "; go on with `ehl resume " + path + "`" : ", before the first step";
+    std::fprintf(stderr, "ehl: stopped at time %g a/u_m%s\n", in_time->report.T, then.c_str());
     return interrupted;
   }
   std::fprintf(stderr, "ehl: not converged: the transient ended at time %g a/u_m: %s\n", in_time->report.T,
