@@ -55,13 +55,6 @@ bool settled(int cycle, const StateOfLevel& before, const StateOfLevel& now) {
 
 double steep_caution(const Scene& scene) { return scene.L > very_piezoviscous_L ? caution_where_steep : 1.0; }
 
-core::Field on_whole(const core::Grid& grid, core::Field field) {
-  if (!grid.mirrored) return field;
-  core::Field both(core::whole(grid));
-  core::copy_whole(grid, field, both);
-  return both;
-}
-
 /// Geometric mean of the factors by which the cycles on one level reduced the residual, all but the first.
 double mean_factor(const std::vector<double>& residuals) {
   if (residuals.size() < 2) return std::numeric_limits<double>::quiet_NaN();
@@ -170,6 +163,13 @@ core::Field part_on(const core::Grid& grid, core::Field field) {
   core::Field half(grid);
   core::copy_lower_half(field, half);
   return half;
+}
+
+core::Field on_whole(const core::Grid& grid, core::Field field) {
+  if (!grid.mirrored) return field;
+  core::Field both(core::whole(grid));
+  core::copy_whole(grid, field, both);
+  return both;
 }
 
 Solution result_of(Climb&& climb) {

@@ -53,6 +53,8 @@ void solve_level(Climb& climb, std::size_t l, int planned);
 void ascend(Climb& climb, std::size_t from);
 /// What a grid of the climb, mirrored or not, holds of a field on the whole domain.
 core::Field part_on(const core::Grid& grid, core::Field field);
+/// The other way: a field of a grid of the climb on the whole domain.
+core::Field on_whole(const core::Grid& grid, core::Field field);
 /// The solution, converged or not, out of the climb.
 Solution result_of(Climb&& climb);
 

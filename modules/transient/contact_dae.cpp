@@ -51,7 +51,10 @@ ContactDae::ContactDae(fmg::Hierarchy& hierarchy, const Course& course, const Er
              static_cast<std::size_t>(hierarchy.finest().grid.nodes_y())),
       P_before_(hierarchy.finest().grid),
       Q_before_(hierarchy.finest().grid),
-      rho_(nodes_) {}
+      rho_(nodes_) {
+  const core::Grid& grid = hierarchy.finest().grid;
+  for_nodes(grid, [&](int i, int j, std::size_t) { zone_ += in_zone(grid, i, j) ? grid.lines(j) : 0.0; });
+}
 
 void ContactDae::state(std::span<double> y) const {
   const fmg::Level& level = hierarchy_.levels.back();
@@ -164,11 +167,9 @@ double ContactDae::least_film(std::span<const double> y) {
 
 void ContactDae::weights(std::span<const double> y, std::span<double> w) const {
   const core::Grid& grid = hierarchy_.levels.back().grid;
-  double zone = 0.0;
-  for_nodes(grid, [&](int i, int j, std::size_t) { zone += in_zone(grid, i, j) ? grid.lines(j) : 0.0; });
   // The mean over all unknowns becomes one over those of the zone, of the whole domain where the grid is half of it:
   // the steps of time are the same.
-  const double inside = std::sqrt(static_cast<double>(size()) / (2.0 * zone)) / control_.rtol;
+  const double inside = std::sqrt(static_cast<double>(size()) / (2.0 * zone_)) / control_.rtol;
   for_nodes(grid, [&](int i, int j, std::size_t k) {
     const double factor = std::sqrt(grid.lines(j)) * (in_zone(grid, i, j) ? inside : weight_outside * inside);
     w[k] = factor / (std::abs(y[k]) + control_.P_scale);

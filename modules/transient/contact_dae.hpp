@@ -69,6 +69,7 @@ class ContactDae {
   const Course& course_;
   ErrorControl control_;
   std::size_t nodes_;
+  double zone_ = 0.0;  ///< nodes that make up the norm, of the whole domain
   double rate_ = 0.3;  ///< of the cycles, as last measured
   core::Field P_before_, Q_before_;
   std::vector<double> rho_;

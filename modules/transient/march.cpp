@@ -27,13 +27,6 @@ constexpr int micro_steps = 4;
 /// Of times.
 constexpr double rounding_of_time = 1e-14;
 
-core::Field on_whole(const core::Grid& grid, const core::Field& field) {
-  if (!grid.mirrored) return field;
-  core::Field both(core::whole(grid));
-  core::copy_whole(grid, field, both);
-  return both;
-}
-
 /// The integration under way.
 class March {
  public:
@@ -211,7 +204,7 @@ class March {
     last_frame_ = T;
     if (!observer_.frame) return;
     const fmg::Level& level = hierarchy_.finest();
-    observer_.frame({T, on_whole(level.grid, level.P), on_whole(level.grid, level.H)});
+    observer_.frame({T, steady::on_whole(level.grid, level.P), steady::on_whole(level.grid, level.H)});
   }
 
   bool is_steady() {

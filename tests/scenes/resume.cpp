@@ -2,29 +2,19 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <cstdlib>
 #include <sstream>
 
+#include "support/columns.hpp"
 #include "support/program.hpp"
 
 namespace {
+
+using support::rows_of;
 
 const std::string swinging =
     "[contact]\nM = 50\nL = 10\n[lubricant]\nalpha = 1.7e-8\nz = 0.6\n[domain]\nx_inlet = -4.5\nx_outlet = 1.5\n"
     "y_half = 3\n[grid]\ncells = 64\n[transient]\nend_time = 6\noutput_interval = 0.2\nload_wave = 0.2 2\nload = 1:1 "
     "1:1.1\n";
-
-std::vector<std::vector<double>> rows_of(const std::string& text) {
-  std::vector<std::vector<double>> rows;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    if (line.empty() || line[0] == '#') continue;
-    std::istringstream words(line);
-    rows.emplace_back();
-    for (std::string word; words >> word;) rows.back().push_back(std::atof(word.c_str()));
-  }
-  return rows;
-}
 
 // Hc at T, linear between the rows.
 double Hc_at(const std::vector<std::vector<double>>& rows, double T) {

@@ -2,12 +2,14 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <cstdlib>
 #include <sstream>
 
+#include "support/columns.hpp"
 #include "support/program.hpp"
 
 namespace {
+
+using support::rows_of;
 
 const std::string contact = "[contact]\nM = 50\nL = 10\n[lubricant]\nalpha = 1.7e-8\nz = 0.6\n";
 const std::string grid = "[domain]\nx_inlet = -4.5\nx_outlet = 1.5\ny_half = 3\n[grid]\ncells = 64\n";
@@ -22,19 +24,6 @@ struct Slip {
 };
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-// Rows of numbers under a header of "#".
-std::vector<std::vector<double>> rows_of(const std::string& text) {
-  std::vector<std::vector<double>> rows;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    if (line.empty() || line[0] == '#') continue;
-    std::istringstream words(line);
-    rows.emplace_back();
-    for (std::string word; words >> word;) rows.back().push_back(std::atof(word.c_str()));
-  }
-  return rows;
-}
 
 }  // namespace
 
