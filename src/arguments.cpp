@@ -110,8 +110,8 @@ std::vector<CommandRecord> command_records() {
        1,
        1,
        "what accuracy costs in time: the same case over levels, wedge schemes, film evaluators and cycles; error "
-       "against "
-       "seconds and work, as a table and a CSV file that `ehl plot` draws",
+       "against seconds and work, as a table and a CSV file that `ehl plot` draws. A deck with [transient]: over the "
+       "tolerance of the time integration, error over the run against seconds and steps",
        {{"levels", "a:b", false,
          "cells of the coarsest and of the finest grid, b = a times a power of two (default: from 64 up to the "
          "deck's)"},
@@ -120,6 +120,8 @@ std::vector<CommandRecord> command_records() {
         {"cycles", "LIST", false, "cycles per level, e.g. 1V,2W, or run: as `ehl run` does (default: 1V,2V,1W,2W,run)"},
         {"reference", "N", false,
          "cells of the grid that the reference is extrapolated from, with those below it (default: twice the finest)"},
+        {"rtol", "LIST", false,
+         "of a deck with [transient] and instead of all the above: the tolerances (default: 1e-2,1e-3,1e-4,1e-5,1e-6)"},
         set,
         {"output", "FILE.csv", false, "the table (default: name of the deck with _study.csv)"},
         {"overwrite", "", false, "replace an existing table"},

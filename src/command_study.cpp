@@ -18,6 +18,7 @@
 #include "signals.hpp"
 #include "study_report.hpp"
 #include "sweep_children.hpp"
+#include "time_study.hpp"
 
 namespace ehl::program {
 namespace {
@@ -187,10 +188,14 @@ int study(const Arguments& arguments) {
   const bool quiet = arguments.has("quiet");
 
   const Grids grids(arguments, header.threads);
-  header.title = grids.deck().title;
+  const Case input = grids.deck();
+  header.title = input.title;
   header.deck_text = deck::load_text(header.deck);
   header.machine = processor();
   header.date = utc_date();
+  if (input.transient) return study_in_time(arguments, header, path, input);
+  if (arguments.has("rtol"))
+    throw core::InputError("command line: --rtol is for runs in time, and the deck has no [transient] end_time");
   const StudyPlan plan = plan_of(arguments, grids);
   for (const int cells : plan.cells) grids.on(cells);  // complains before the work
   const std::vector<StudyCase> ways = cases_of(plan, [&](int cells) { return grids.nodes(cells); });

@@ -18,13 +18,6 @@ std::string cells_of(const Reference& reference) {
   return deck::joined(cells, ", ");
 }
 
-std::string times_of(const StudyHeader& header) {
-  std::string text =
-      formatted("least of %d, %d thread%s each, ", header.repeats, header.threads, header.threads == 1 ? "" : "s");
-  return text + (header.jobs == 1 ? std::string("one solution after another")
-                                  : formatted("%d solutions at a time: SHARED, not to be compared", header.jobs));
-}
-
 // The error, or the one below which nothing can be told.
 std::string error_text(double error, bool at_reference, const Extrapolated& reference) {
   return at_reference ? "< " + percent(reference.error) : percent(error);
@@ -145,6 +138,13 @@ std::string header_lines(const StudyHeader& header, const Reference& reference) 
 }
 
 }  // namespace
+
+std::string times_of(const StudyHeader& header) {
+  std::string text =
+      formatted("least of %d, %d thread%s each, ", header.repeats, header.threads, header.threads == 1 ? "" : "s");
+  return text + (header.jobs == 1 ? std::string("one solution after another")
+                                  : formatted("%d solutions at a time: SHARED, not to be compared", header.jobs));
+}
 
 std::string study_csv(const StudyHeader& header, const Reference& reference, const std::vector<StudyPoint>& points) {
   std::string text = header_lines(header, reference);

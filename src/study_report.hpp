@@ -24,6 +24,9 @@ struct StudyHeader {
   int repeats = 1;
 };
 
+/// "least of 3, 1 thread each, one solution after another".
+std::string times_of(const StudyHeader& header);
+
 /// The table as CSV: comments, the names of the columns, a row per point.
 std::string study_csv(const StudyHeader& header, const Reference& reference, const std::vector<StudyPoint>& points);
 

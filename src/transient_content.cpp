@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "core/errors.hpp"
+#include "text_format.hpp"
+#include "transient_probes.hpp"
 #include "transient_run.hpp"
 
 namespace ehl::program {
@@ -35,6 +37,33 @@ constexpr ColumnRecord columns[] = {
     {"rejected", "-", "attempts that failed the error test", nullptr, &StepRow::rejected},
     {"not_solved", "-", "attempts that the cycles did not solve", nullptr, &StepRow::not_solved}};
 
+// Columns P_1, H_1, P_2, ...
+std::string probe_column(const char* quantity, std::size_t number) { return formatted("%s_%zu", quantity, number + 1); }
+
+void add_probes(const std::vector<transient::Place>& places, const std::vector<StepRow>& rows, results::Table& table) {
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    results::Column P{probe_column("P", k), "p_h", name_of_probe("pressure", places[k]), false, {}};
+    results::Column H{probe_column("H", k), "a^2/R", name_of_probe("film", places[k]), false, {}};
+    for (const StepRow& row : rows) {
+      P.values.push_back(row.probed[k].P);
+      H.values.push_back(row.probed[k].H);
+    }
+    table.columns.push_back(std::move(P));
+    table.columns.push_back(std::move(H));
+  }
+}
+
+void read_probes(const results::ResultFile& file, std::vector<StepRow>& rows) {
+  const auto column = [&](const char* quantity, std::size_t k) { return "/transient/" + probe_column(quantity, k); };
+  for (std::size_t k = 0; file.kind(column("P", k)) == results::ResultFile::Kind::numbers; ++k) {
+    const std::vector<double> P = file.numbers(column("P", k)).values;
+    const std::vector<double> H = file.numbers(column("H", k)).values;
+    if (P.size() != rows.size() || H.size() != rows.size())
+      throw core::FileError(file.path() + ": the file is damaged: " + column("P", k));
+    for (std::size_t n = 0; n < rows.size(); ++n) rows[n].probed.push_back({P[n], H[n]});
+  }
+}
+
 results::Loose loose_of(const transient::Checkpoint& checkpoint) {
   const auto array = [](const char* name, const char* meaning, const std::vector<double>& values) {
     return results::Column{name, "-", meaning, false, values};
@@ -58,6 +87,7 @@ void add_transient(const Case& input, const TransientResult& result, results::Co
     for (const StepRow& row : result.rows) made.values.push_back(record.count ? row.*record.count : row.*record.number);
     table.columns.push_back(std::move(made));
   }
+  add_probes(input.transient->parameters.probes, result.rows, table);
   if (std::isfinite(input.transient->second))
     content.scales.push_back({"time", 1.0 / input.transient->second, "s", "a/u_m, the scale of time"});
   content.tables.push_back(std::move(table));
@@ -93,6 +123,7 @@ TransientResult read_transient(const results::ResultFile& file) {
       else
         result.rows[k].*record.number = values[k];
   }
+  read_probes(file, result.rows);
   const auto number = [&](const char* name) {
     const std::vector<double> values = file.numbers(std::string("/checkpoint/") + name).values;
     if (values.size() != 1 || !std::isfinite(values[0])) throw core::FileError(damaged + name);

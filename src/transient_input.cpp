@@ -11,6 +11,7 @@
 
 #include "core/errors.hpp"
 #include "deck/text.hpp"
+#include "transient_probes.hpp"
 
 namespace ehl::program {
 namespace {
@@ -184,6 +185,9 @@ std::optional<TransientInput> transient_input(deck::Deck& deck, const Physics& p
       complain(deck, surface, "shape", "moves through the contact and needs [transient] end_time");
   if (!timed && given(deck, "output", "checkpoint"))
     complain(deck, "output", "checkpoint", "is for runs in time, and there is no [transient] end_time");
+  if (!timed && given(deck, "output", "probe"))
+    complain(deck, "output", "probe",
+             "is for runs in time, and there is no [transient] end_time: a steady result has the whole fields");
   if (!timed) return std::nullopt;
   if (given(deck, "grid", "accuracy"))
     complain(deck, "grid", "accuracy", "is for steady contacts: give cells for a transient one");
@@ -210,6 +214,7 @@ std::optional<TransientInput> transient_input(deck::Deck& deck, const Physics& p
   input.parameters.stop_steady = deck::number(deck, section, "stop_steady");
   if (given(deck, "output", "checkpoint"))
     input.seconds_between_checkpoints = deck::number(deck, "output", "checkpoint");
+  input.parameters.probes = probes_of(deck, grid);
   if (std::isfinite(input.parameters.end)) check_drive(deck, input);
   return input;
 }

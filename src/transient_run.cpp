@@ -7,10 +7,12 @@
 #include <cstdio>
 #include <functional>
 
+#include "core/errors.hpp"
 #include "core/timer.hpp"
 #include "json.hpp"
 #include "signals.hpp"
 #include "text_format.hpp"
+#include "transient_probes.hpp"
 
 namespace ehl::program {
 namespace {
@@ -78,11 +80,22 @@ const StepRow& extreme(const std::vector<StepRow>& rows, double StepRow::*value,
   return *found;
 }
 
-std::string range_line(const char* name, const std::vector<StepRow>& rows, double StepRow::*value) {
-  const StepRow& low = extreme(rows, value, false);
-  const StepRow& high = extreme(rows, value, true);
-  return formatted("  %-11s%.5f to %.5f, at times %.4g and %.4g; at the end %.5f\n", name, low.*value, high.*value,
-                   low.T, high.T, rows.back().*value);
+// in: value, of a row.
+template <class Value>
+std::string range_line(const std::string& name, const std::vector<StepRow>& rows, Value value) {
+  const StepRow& low = *std::ranges::min_element(rows, {}, value);
+  const StepRow& high = *std::ranges::max_element(rows, {}, value);
+  return formatted("  %-10s %.5f to %.5f, at times %.4g and %.4g; at the end %.5f\n", name.c_str(),
+                   std::invoke(value, low), std::invoke(value, high), low.T, high.T, std::invoke(value, rows.back()));
+}
+
+std::string probe_lines(const Case& input, const std::vector<StepRow>& rows) {
+  std::string text;
+  const std::vector<transient::Place>& places = input.transient->parameters.probes;
+  for (std::size_t k = 0; k < places.size(); ++k)
+    text += range_line(name_of_probe("P", places[k]), rows, [k](const StepRow& row) { return row.probed[k].P; }) +
+            range_line(name_of_probe("H", places[k]), rows, [k](const StepRow& row) { return row.probed[k].H; });
+  return text;
 }
 
 }  // namespace
@@ -105,6 +118,8 @@ TransientResult run_transient(const Case& input, const steady::Solution& start, 
   result.checkpoint.reset();
   result.report.end = MarchEnd::interrupted;  // so far
   const TransientInput& march = *input.transient;
+  if (!result.rows.empty() && result.rows.front().probed.size() != march.parameters.probes.size())
+    throw core::FileError("the file is damaged: its rows have other probes than its deck");
   MarchProgress progress(march.parameters.end, quiet);
   double saved = core::now();
   const transient::Observer observer{
@@ -140,7 +155,7 @@ std::string transient_summary(const Case& input, const TransientResult& result) 
   if (std::isfinite(input.transient->second)) text += formatted(" (%.4g s)", report.T / input.transient->second);
   text += ", ended " + how_it_ended(report) + "\n";
   text += range_line("Hc", result.rows, &StepRow::Hc) + range_line("Hm", result.rows, &StepRow::Hm) +
-          range_line("P_max", result.rows, &StepRow::P_max);
+          range_line("P_max", result.rows, &StepRow::P_max) + probe_lines(input, result.rows);
   const int attempts = report.steps + report.rejected + report.not_solved;
   text += formatted(
       "  steps      %d, %.2f cycles each; %d of %d attempts rejected for their error, %d not solved; %d jumps; longest "

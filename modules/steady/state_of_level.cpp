@@ -43,12 +43,14 @@ Interpolation interpolation(double t, int cells) {
 
 double value_at(const core::Grid& grid, const core::Field& field, double X, double Y) {
   const Interpolation x = interpolation((X - grid.X_a) / grid.hx(), grid.nx);
-  const Interpolation y = interpolation((Y - grid.Y_a) / grid.hy(), grid.ny);
+  // Of a mirrored grid the other half too: the same number as on the whole.
+  const Interpolation y = interpolation((Y - grid.Y_a) / grid.hy(), core::whole(grid).ny);
+  const auto line = [&](int j) { return j > grid.ny ? 2 * grid.ny - j : j; };
   double value = 0.0;
   for (int a = 0; a < 4; ++a)
     for (int b = 0; b < 4; ++b)
       value += x.weights[static_cast<std::size_t>(a)] * y.weights[static_cast<std::size_t>(b)] *
-               field(x.first + a, y.first + b);
+               field(x.first + a, line(y.first + b));
   return value;
 }
 

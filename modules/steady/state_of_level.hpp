@@ -27,7 +27,7 @@ struct StateOfLevel {
 };
 
 /// Value at (X, Y): the node's where there is one within 1e-9 of a cell, else by bicubic interpolation.
-/// limits: (X, Y) inside the grid.
+/// limits: (X, Y) inside the grid; of a mirrored one, inside the whole.
 double value_at(const core::Grid& grid, const core::Field& field, double X, double Y);
 
 /// Judges levels[l]; makes its residual anew.

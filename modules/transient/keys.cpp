@@ -66,14 +66,23 @@ std::vector<Key> time_keys() {
 }
 
 std::vector<Key> output_keys() {
-  return {Key{.section = "output",
-              .name = "checkpoint",
-              .default_note = "60 in a run in time",
-              .unit = "s",
-              .range = positive,
-              .meaning = "Time by the clock between the moments at which a run in time writes its result so far, from "
-                         "which `ehl resume` goes on.",
-              .example = "60"}};
+  return {
+      Key{.section = "output",
+          .name = "checkpoint",
+          .default_note = "60 in a run in time",
+          .unit = "s",
+          .range = positive,
+          .meaning = "Time by the clock between the moments at which a run in time writes its result so far, from "
+                     "which `ehl resume` goes on.",
+          .example = "60"},
+      Key{.section = "output",
+          .name = "probe",
+          .type = Type::text,
+          .default_note = "none",
+          .meaning = "Points 'X Y, X Y, ...' in Hertz radii at which a run in time keeps P and H at every step, as the "
+                     "columns P_1, H_1, P_2, ... of /transient: of a node where there is one, else by bicubic "
+                     "interpolation, P no less than 0.",
+          .example = "0 0, 0.7 0.2"}};
 }
 
 std::vector<Key> varying_keys() {
