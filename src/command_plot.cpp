@@ -20,6 +20,7 @@
 #include "results/read.hpp"
 #include "study_report.hpp"
 #include "sweep_table.hpp"
+#include "time_study_report.hpp"
 
 extern char** environ;
 
@@ -32,19 +33,20 @@ struct Figure {
   std::string name;
   std::string title;
   std::string script;
-  std::vector<std::string>
-      needs;           // datasets without which there is nothing to draw; or what it draws instead: "sweep", "study"
-  bool movie = false;  // a GIF whatever the format, and only when asked for
+  std::vector<std::string> needs;  // datasets without which there is nothing to draw; or what it draws instead:
+                                   // "sweep", "study", "time_study"
+  bool movie = false;              // a GIF whatever the format, and only when asked for
 };
 
-// The kind of file that a figure draws: sweep, study or result.
+// The kind of file that a figure draws: sweep, study, time_study or result.
 std::string kind_of(const Figure& figure) {
   const std::string need = figure.needs.empty() ? "" : figure.needs[0];
-  return need == "sweep" || need == "study" ? need : "result";
+  return need == "sweep" || need == "study" || need == "time_study" ? need : "result";
 }
 
 std::string told(const std::string& kind) {
-  return kind == "result" ? "a result, FILE.h5" : "the table of a " + kind + ", FILE.csv";
+  if (kind == "result") return "a result, FILE.h5";
+  return "the table of a " + (kind == "time_study" ? "study of a run in time" : kind) + ", FILE.csv";
 }
 
 // What there is to draw: what scripts are told about it, and whether it has what a figure needs.
@@ -161,10 +163,11 @@ Source table_source(const std::string& path) {
   std::ifstream file(path);
   std::string first;
   if (!std::getline(file, first)) throw core::FileError(path + ": cannot be read, or is empty");
-  const bool sweep = first.starts_with(sweep_mark);
-  if (!sweep && !first.starts_with(study_mark))
-    throw core::FileError(path + ": this is no table of `ehl sweep` or `ehl study`");
-  const std::string kind = sweep ? "sweep" : "study";
+  const std::string kind = first.starts_with(sweep_mark)        ? "sweep"
+                           : first.starts_with(study_mark)      ? "study"
+                           : first.starts_with(time_study_mark) ? "time_study"
+                                                                : "";
+  if (kind.empty()) throw core::FileError(path + ": this is no table of `ehl sweep` or `ehl study`");
   return {"", kind, [kind](const std::string& need) { return need == kind; }};
 }
 
