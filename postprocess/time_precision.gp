@@ -18,6 +18,8 @@ limit(name) = real(said("reference error ".name))
 told(name) = name eq "Hc" ? "H_c" : (name eq "Hm" ? "H_m" : (name eq "P_max" ? "P_{max}" : said("probe ".name[3:*])))
 missing = system(sprintf("awk -F, '/^#/ {next} !at {for (k = 1; k <= NF; ++k) if ($k == \"status\") at = k; next} \
 $at != \"complete\" {printf \"%%s%%s\", n++ ? \", \" : \"\", $1}' '%s'", file))
+none = system(sprintf("grep -c ',complete,' '%s'", file)) eq "0"
+if (none) exit error file.": no run of this study came to its end: there is nothing to draw"
 if (title eq "") title = said("title")
 
 set datafile separator comma

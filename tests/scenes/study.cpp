@@ -116,6 +116,91 @@ BOOST_AUTO_TEST_CASE(a_study_is_drawn_and_kept) {
   BOOST_TEST(scene.ehl(command + " --output t.csv --overwrite").status == 0);
 }
 
+// A deck in time: the error falls with the tolerance, the reference's own error is far below it, what did not come to
+// its end has a mark and no errors.
+BOOST_AUTO_TEST_CASE(a_run_in_time_is_studied_by_its_tolerance) {
+  const Scene scene;
+  const std::string timed = "[transient]\nend_time = 0.6\nload = 0.1:1 0.2:1.2\n[output]\nprobe = 0 0, 0.7 0.1\n";
+  scene.folder.write("t.ini", paper + timed);
+  const support::Ended ended = scene.ehl("study t.ini --set grid.cells=64 --rtol 1e-4,1e-2,1e-3 --repeat 2");
+  BOOST_REQUIRE_MESSAGE(ended.status == 0, ended.err);
+  for (const char* part : {"reference    rtol 1e-05", "P at (0.7, 0.1)", "401 equidistant times", "error(P_2)",
+                           "least of 2", "t_study.csv"})
+    BOOST_TEST(contains(ended.out, part), part << " is missing in\n" << ended.out);
+  const std::string table = scene.folder.read("t_study.csv");
+  const std::vector<Row> rows = rows_of(table);
+  BOOST_REQUIRE(rows.size() == 3u);
+  for (const std::string name : {"Hc", "Hm", "P_max", "P_1", "P_2"}) {
+    double last = 1.0;
+    for (const Row& row : rows) {
+      const double error = std::stod(row.at("error_" + name));
+      BOOST_TEST_MESSAGE("rtol " << row.at("rtol") << ", " << row.at("steps") << " steps: " << name << " off by "
+                                 << error);
+      BOOST_TEST(error > 0.0);
+      BOOST_TEST(error <= 1.1 * last);
+      last = error;
+    }
+    const double known = said(table, "reference error " + name);
+    BOOST_TEST_MESSAGE("the reference is known to " << known);
+    BOOST_TEST((known > 0.0 && known < 0.5 * last));
+    BOOST_TEST(std::stod(rows[2].at("error_" + name)) < 3e-3);
+  }
+  for (const Row& row : rows) {
+    BOOST_TEST(row.at("status") == "complete");
+    BOOST_TEST(std::stod(row.at("seconds")) <= std::stod(row.at("seconds_most")));
+    BOOST_TEST(std::stod(row.at("time")) == 0.6);
+  }
+  const support::Ended drawn = scene.ehl("plot t_study.csv --format svg");
+  BOOST_TEST(drawn.status == 0, drawn.err);
+  BOOST_TEST(drawn.err.empty(), drawn.err);
+  BOOST_TEST(contains(scene.folder.read("t_study_time_precision.svg"), "largest error over the run"));
+  BOOST_TEST(scene.ehl("plot t_study.csv --figure work_precision").says({"draws the table of a study"}));
+}
+
+BOOST_AUTO_TEST_CASE(a_run_in_time_that_does_not_end_has_no_error) {
+  const Scene scene;
+  // Enough steps at 1e-2 and not at 1e-4; the reference does not count them.
+  scene.folder.write("t.ini", paper + "[transient]\nend_time = 0.6\nload = 0.1:1 0.2:1.2\nmax_steps = 130\n");
+  const std::string command = "study t.ini --set grid.cells=64 --repeat 1 --quiet";
+  const support::Ended ended = scene.ehl(command + " --rtol 1e-2,1e-4");
+  BOOST_TEST(ended.status == 3, ended.err);
+  BOOST_TEST(contains(ended.out, "NOT COMPLETE: FAILED: more than 130 steps"), ended.out);
+  const std::vector<Row> rows = rows_of(scene.folder.read("t_study.csv"));
+  BOOST_REQUIRE(rows.size() == 2u);
+  BOOST_TEST((rows[0].at("status") == "complete" && rows[1].at("status") == "not-complete"));
+  for (const std::string name : {"error_Hc", "error_Hm", "error_P_max"}) {
+    BOOST_TEST(std::stod(rows[0].at(name)) > 0.0);
+    BOOST_TEST(rows[1].at(name) == "NaN");
+  }
+  BOOST_TEST(contains(rows[1].at("reason"), "more than 130 steps"));
+  BOOST_TEST(scene.ehl("plot t_study.csv --format svg").status == 0);
+  BOOST_TEST(contains(scene.folder.read("t_study_time_precision.svg"), "NOT COMPLETE and not drawn: rtol 1e-04"));
+}
+
+BOOST_AUTO_TEST_CASE(wrong_command_lines_of_a_run_in_time) {
+  const Scene scene;
+  scene.folder.write("t.ini", paper + "[transient]\nend_time = 0.5\n");
+  struct Line {
+    std::string arguments;
+    std::string part;
+  };
+  for (const Line& line : std::vector<Line>{{"t.ini --levels 64:128", "--levels is for steady decks"},
+                                            {"t.ini --wedges upstream2", "--wedges is for steady decks"},
+                                            {"t.ini --evaluators fft", "--evaluators is for steady decks"},
+                                            {"t.ini --cycles 1V", "--cycles is for steady decks"},
+                                            {"t.ini --reference 256", "--reference is for steady decks"},
+                                            {"t.ini --rtol 1e-9", "from 1e-07 to 0.1"},
+                                            {"t.ini --rtol fine", "'fine' must be a number"},
+                                            {"t.ini --rtol 1e-3,0.001", "given twice"},
+                                            {"t.ini --rtol ,", "the list is empty"},
+                                            {"d.ini --rtol 1e-3", "--rtol is for runs in time"}}) {
+    const support::Ended ended = scene.ehl("study " + line.arguments);
+    BOOST_TEST(ended.status == 2, line.arguments << " ends with " << ended.status);
+    BOOST_TEST(ended.says({line.part}), line.arguments << " says\n" << ended.err);
+  }
+  BOOST_TEST(scene.folder.entries() == 2);
+}
+
 BOOST_AUTO_TEST_CASE(wrong_command_lines) {
   const Scene scene;
   struct Line {

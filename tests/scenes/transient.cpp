@@ -60,6 +60,11 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
       {"half a wave", timed + "load_wave = 0.2\n", {"load_wave = 0.2", "amplitude period"}},
       {"no period", timed + "load_wave = 0.2 0\n", {"load_wave", "period must be positive"}},
       {"backwards", timed + "u1 = 0.2:1 0.5:-2\n", {"u1", "turns negative"}},
+      {"half a probe", timed + "[output]\nprobe = 0 0, 0.7\n", {"probe = 0 0, 0.7", "'0.7' is no point"}},
+      {"words for a probe", timed + "[output]\nprobe = centre\n", {"probe = centre", "X Y, X Y"}},
+      {"a probe outside", timed + "[output]\nprobe = 0 0, 1.6 0\n", {"(1.6, 0) is outside", "-4.5 <= X <= 1.5"}},
+      {"a probe aside", timed + "[output]\nprobe = 0 -3.1\n", {"(0, -3.1) is outside", "|Y| <= 3"}},
+      {"a steady probe", "[output]\nprobe = 0 0\n", {"probe = 0 0", "runs in time", "whole fields"}},
       {"from rest", timed + "u1 = 0:0 1:1\nu2 = 0:0 1:1\n", {"u1", "positive at time 0"}},
   };
   const support::TemporaryFolder folder;
@@ -155,6 +160,80 @@ BOOST_AUTO_TEST_CASE(too_few_steps) {
   BOOST_TEST(ended.says({"the transient ended at time", "more than 7 steps"}));
   BOOST_TEST(contains(ended.out, "FAILED"));
   BOOST_TEST(rows_of(support::ehl(folder, "extract d.h5 /transient").out).size() == 8u);
+}
+
+// The probes' columns against the fields, on nodes and between them, and gone on with after a checkpoint; the other
+// columns are the same bits with and without.
+BOOST_AUTO_TEST_CASE(probes_show_the_fields) {
+  const support::TemporaryFolder folder;
+  const std::string deck = contact + grid +
+                           "[transient]\nend_time = 0.5\nload = 0.1:1 0.2:1.1\n[surface1]\nshape = dimple\nheight = "
+                           "0.05\nwidth = 0.5\nx = -0.6\n";
+  folder.write("d.ini", deck);
+  BOOST_TEST_REQUIRE(support::ehl(folder, "run d.ini --quiet").status == 0);
+  const auto plain = rows_of(support::ehl(folder, "extract d.h5 /transient").out);
+  // (0.75, -0.375) is node (56, 28); (0.7, 0.1) is none; the contact is symmetric in Y.
+  folder.write("p.ini", deck + "[output]\nprobe = 0 0, 0.75 -0.375, 0.75 0.375, 0.7 0.1, 0.7 -0.1, 1.45 0\n");
+  const support::Ended ended = support::ehl(folder, "run p.ini --quiet");
+  BOOST_TEST_REQUIRE(ended.status == 0, ended.err);
+  for (const char* line : {"P at (0.75, -0.375) ", "H at (1.45, 0) "}) BOOST_TEST(contains(ended.out, line), ended.out);
+  const support::Ended table = support::ehl(folder, "extract p.h5 /transient");
+  BOOST_TEST(contains(table.out, "not_solved P_1 H_1 P_2 H_2 P_3 H_3 P_4 H_4 P_5 H_5 P_6 H_6\n"));
+  const auto rows = rows_of(table.out);
+  BOOST_TEST_REQUIRE(rows.size() == plain.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    BOOST_TEST_REQUIRE(rows[k].size() == plain[k].size() + 12u);
+    for (std::size_t c = 0; c < plain[k].size(); ++c) BOOST_TEST(rows[k][c] == plain[k][c]);
+    BOOST_TEST(rows[k][16] == rows[k][1]);   // H at the centre
+    BOOST_TEST(rows[k][17] == rows[k][19]);  // P at a node and its image
+    BOOST_TEST(std::abs(rows[k][21] - rows[k][23]) < 1e-12);
+    BOOST_TEST(rows[k][25] == 0.0);  // cavitated
+  }
+  // Between the nodes: the bilinear value of the four nodes around it, but for the curvature, h^2/8 P'' = 0.003.
+  for (const std::size_t quantity : {0u, 1u}) {
+    const std::string name = quantity == 0 ? "P" : "H";
+    double bilinear = 0.0, node = 0.0;
+    for (const auto& row : rows_of(support::ehl(folder, "extract p.h5 /transient/frames/" + name + " --step 1").out)) {
+      constexpr double h = 6.0 / 64.0;
+      bilinear += row.at(2) * std::max(0.0, 1.0 - std::abs(row.at(0) - 0.7) / h) *
+                  std::max(0.0, 1.0 - std::abs(row.at(1) - 0.1) / h);
+      if (std::abs(row.at(0) - 0.75) + std::abs(row.at(1) - 0.375) < 1e-9) node = row.at(2);
+    }
+    BOOST_TEST_MESSAGE(name << " at (0.7, 0.1): " << rows.back()[21 + quantity] << ", bilinear " << bilinear
+                            << " (allowed 5e-3)");
+    BOOST_TEST(std::abs(rows.back()[21 + quantity] - bilinear) < 5e-3);
+    BOOST_TEST(rows.back()[19 + quantity] == node);
+  }
+}
+
+// The disk is full while a run in time writes (the size of files stands for it): it ends with 4, says which file and
+// why, leaves nothing behind but the last good checkpoint, and goes on from that to the end when there is room again.
+BOOST_AUTO_TEST_CASE(full_disk_keeps_the_last_checkpoint) {
+  const support::TemporaryFolder folder;
+  folder.write("d.ini", contact + grid +
+                            "[transient]\nend_time = 2\nload_wave = 0.2 2\noutput_interval = 0.02\n[output]\n"
+                            "checkpoint = 1e-3\n");
+  const std::string run = std::string("'") + EHL_PROGRAM + "' run d.ini --quiet";
+  // In blocks of 512 bytes: room for about ten of the hundred fields.
+  const support::Ended ended = support::shell(folder, "ulimit -f 2000\n" + run);
+  BOOST_TEST(ended.status == 4);
+  BOOST_TEST(ended.says({"d.h5", "cannot be written", "File too large"}), ended.err);
+  BOOST_TEST_REQUIRE(support::shell(folder, "test -e d.h5").status == 0);
+  BOOST_TEST(support::shell(folder, "ls -A").out == "d.h5\nd.ini\nd.xmf\n", support::shell(folder, "ls -A").out);
+  const auto before = rows_of(support::ehl(folder, "extract d.h5 /transient").out);
+  const auto fields = rows_of(support::ehl(folder, "extract d.h5 /transient/frames/time").out);
+  BOOST_TEST_MESSAGE("the last checkpoint has " << before.size() << " rows, to time " << before.back()[0] << ", and "
+                                                << fields.size() << " fields");
+  BOOST_TEST(before.size() > 5u);
+  BOOST_TEST((fields.size() > 1u && fields.size() < 101u));
+  BOOST_TEST(rows_of(support::ehl(folder, "extract d.h5 /checkpoint/y").out).size() == 2u * 65u * 33u + 1u);
+  // The same again ends the same way and harms nothing.
+  const std::string resume = std::string("'") + EHL_PROGRAM + "' resume d.h5 --quiet";
+  BOOST_TEST(support::shell(folder, "ulimit -f 2000\n" + resume).status == 4);
+  BOOST_TEST(rows_of(support::ehl(folder, "extract d.h5 /transient").out).size() >= before.size());
+  BOOST_TEST(support::ehl(folder, "resume d.h5 --quiet").status == 0);
+  BOOST_TEST(rows_of(support::ehl(folder, "extract d.h5 /transient").out).back()[0] == 2.0);
+  BOOST_TEST(rows_of(support::ehl(folder, "extract d.h5 /transient/frames/time").out).size() == 101u);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
