@@ -143,7 +143,8 @@ BOOST_AUTO_TEST_CASE(a_run_in_time_is_studied_by_its_tolerance) {
     const double known = said(table, "reference error " + name);
     BOOST_TEST_MESSAGE("the reference is known to " << known);
     BOOST_TEST((known > 0.0 && known < 0.5 * last));
-    BOOST_TEST(std::stod(rows[2].at("error_" + name)) < 3e-3);
+    BOOST_TEST(last < 3e-3);
+    BOOST_TEST(std::stod(rows[0].at("error_" + name)) > 3.0 * last);
   }
   for (const Row& row : rows) {
     BOOST_TEST(row.at("status") == "complete");

@@ -162,8 +162,8 @@ BOOST_AUTO_TEST_CASE(too_few_steps) {
   BOOST_TEST(rows_of(support::ehl(folder, "extract d.h5 /transient").out).size() == 8u);
 }
 
-// The probes' columns against the fields, on nodes and between them, and gone on with after a checkpoint; the other
-// columns are the same bits with and without.
+// The probes' columns against the fields, on nodes and between them; the other columns are the same bits with and
+// without.
 BOOST_AUTO_TEST_CASE(probes_show_the_fields) {
   const support::TemporaryFolder folder;
   const std::string deck = contact + grid +
@@ -212,7 +212,7 @@ BOOST_AUTO_TEST_CASE(full_disk_keeps_the_last_checkpoint) {
   const support::TemporaryFolder folder;
   folder.write("d.ini", contact + grid +
                             "[transient]\nend_time = 2\nload_wave = 0.2 2\noutput_interval = 0.02\n[output]\n"
-                            "checkpoint = 1e-3\n");
+                            "checkpoint = 1e-3\nprobe = 0 0, 0.7 0.1\n");
   const std::string run = std::string("'") + EHL_PROGRAM + "' run d.ini --quiet";
   // In blocks of 512 bytes: room for about ten of the hundred fields.
   const support::Ended ended = support::shell(folder, "ulimit -f 2000\n" + run);
@@ -232,7 +232,10 @@ BOOST_AUTO_TEST_CASE(full_disk_keeps_the_last_checkpoint) {
   BOOST_TEST(support::shell(folder, "ulimit -f 2000\n" + resume).status == 4);
   BOOST_TEST(rows_of(support::ehl(folder, "extract d.h5 /transient").out).size() >= before.size());
   BOOST_TEST(support::ehl(folder, "resume d.h5 --quiet").status == 0);
-  BOOST_TEST(rows_of(support::ehl(folder, "extract d.h5 /transient").out).back()[0] == 2.0);
+  const auto whole = rows_of(support::ehl(folder, "extract d.h5 /transient").out);
+  BOOST_TEST(whole.back()[0] == 2.0);
+  for (std::size_t k = 0; k < before.size(); ++k) BOOST_TEST(whole[k] == before[k]);
+  BOOST_TEST(whole.back().size() == 19u);
   BOOST_TEST(rows_of(support::ehl(folder, "extract d.h5 /transient/frames/time").out).size() == 101u);
 }
 
