@@ -1,12 +1,12 @@
 #include "catalogue.hpp"
 
 #include "contact/keys.hpp"
+#include "effects.hpp"
 #include "fmg/keys.hpp"
 #include "mlmi/keys.hpp"
 #include "reynolds/keys.hpp"
 #include "rheology/keys.hpp"
 #include "steady/keys.hpp"
-#include "transient/keys.hpp"
 
 namespace ehl::program {
 
@@ -25,20 +25,21 @@ deck::Catalogue catalogue() {
       {"deformation", "How the elastic deformation is evaluated."},
       {"multigrid", "How the full multigrid works; the defaults need no tuning."},
       {"continuation", "How a high load is reached from lower ones, where that is needed."},
-      {"transient", "What happens in time, from the steady contact at time 0. Absent: steady."},
-      {"surface1", "What surface 1 carries through the contact, with its own speed. Only with [transient]."},
-      {"surface2", "What surface 2 carries through the contact. Only with [transient]."},
       {"output", "What is kept."},
   };
-  for (const auto& keys : {steady::keys(), contact::keys(), rheology::keys(), reynolds::keys(), mlmi::keys(),
-                           fmg::keys(), transient::keys()})
+  for (const auto& keys :
+       {steady::keys(), contact::keys(), rheology::keys(), reynolds::keys(), mlmi::keys(), fmg::keys()})
     all.keys.insert(all.keys.end(), keys.begin(), keys.end());
-
-  const std::string later = "not available in this version: remove it";
-  for (const char* section : {"surface", "thermal", "shear", "starvation", "subsurface", "friction"})
-    all.unavailable.push_back({section, "",
-                               later + " (this version solves isothermal, fully flooded "
-                                       "contacts with a Newtonian lubricant)"});
+  for (const Effect& effect : effects()) {
+    for (deck::Section section : effect.sections) {
+      section.effect = effect.name;
+      all.sections.insert(all.sections.end() - 1, section);  // before [output]
+    }
+    if (!effect.keys) continue;
+    const std::vector<deck::Key> keys = effect.keys();
+    all.keys.insert(all.keys.end(), keys.begin(), keys.end());
+  }
+  all.unavailable = effects_to_come();
   return all;
 }
 

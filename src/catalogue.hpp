@@ -3,7 +3,8 @@
 
 namespace ehl::program {
 
-/// Every key of this version, collected from the modules that use them, and what people will look for in vain.
+/// Every key of this version, collected from the modules that use them and from the list of effects, and what people
+/// will look for in vain.
 deck::Catalogue catalogue();
 
 }  // namespace ehl::program

@@ -4,14 +4,16 @@
 #include <cstdio>
 #include <cstring>
 #include <iterator>
-#include <optional>
+#include <utility>
 
 #include "catalogue.hpp"
 #include "commands.hpp"
 #include "core/errors.hpp"
+#include "core/timer.hpp"
 #include "deck/document.hpp"
 #include "deck/text.hpp"
 #include "deck/write.hpp"
+#include "effects.hpp"
 #include "exit_status.hpp"
 #include "machine.hpp"
 #include "progress.hpp"
@@ -21,7 +23,6 @@
 #include "results/read.hpp"
 #include "results/write.hpp"
 #include "steady/solve.hpp"
-#include "transient_run.hpp"
 
 namespace ehl::program {
 namespace {
@@ -50,7 +51,8 @@ int fail_without_solution(const Arguments& arguments, const Case& input, const s
   return not_converged;
 }
 
-int status(const steady::Solution& solution, const std::optional<TransientResult>& in_time, const std::string& path) {
+int status(const Computed& computed, const std::string& path) {
+  const auto& [solution, in_time, seconds] = computed;
   if (!solution.converged) {
     std::fprintf(stderr, "ehl: not converged: %s\n", solution.failed_check.c_str());
     return not_converged;
@@ -66,9 +68,24 @@ int status(const steady::Solution& solution, const std::optional<TransientResult
   return not_converged;
 }
 
-// Solves the case, the steady contact first; what was kept of a transient before goes into it.
+std::string printed(const Case& input, const Computed& computed, const Outcome& outcome, bool profile) {
+  const auto& [solution, in_time, seconds] = computed;
+  std::string text = "case         " + input.title + "\n" + continuation_table(input, solution) +
+                     level_table(solution) + summary(input, solution, outcome);
+  for (const Effect& effect : effects_of(input))
+    if (effect.summary) text += effect.summary(input, computed);
+  text += effect_times(input, computed);
+  if (profile)
+    text += profile_table(in_time ? in_time->report.times : solution.times,
+                          in_time ? in_time->report.seconds : solution.seconds);
+  return text + "memory       " + std::to_string(static_cast<long>(peak_memory() / 1e6)) + " MB at most\n";
+}
+
+// Solves the case, the steady contact first, then what its effects add.
 int solve_and_write(const Arguments& arguments, const Case& input, const Destination& to, TransientResult before) {
-  steady::Solution solution;
+  const double began = core::now();
+  Computed computed;
+  steady::Solution& solution = computed.solution;
   try {
     ProgressReport progress(arguments.has("quiet"));
     solution = steady::solve(input.scene, [&](const steady::Progress& now) { return progress.show(now); });
@@ -85,28 +102,27 @@ int solve_and_write(const Arguments& arguments, const Case& input, const Destina
 
   const DerivedFields derived = derived_fields(input, solution);
   bool overwrite = to.overwrite;
-  const auto save = [&](const TransientResult* so_far) {
+  const auto save = [&](const std::function<void(results::Content & content)>& add) {
     results::Content content = result_content(input, solution, outcome, derived);
-    if (so_far) add_transient(input, *so_far, content);
+    add(content);
     results::write(to.path, content, overwrite);
     overwrite = true;
   };
-  std::optional<TransientResult> in_time;
-  if (input.transient && solution.converged)
-    in_time = run_transient(input, solution, arguments.has("quiet"), std::move(before),
-                            [&](const TransientResult& so_far) { save(&so_far); });
+  RunSettings settings{.quiet = arguments.has("quiet"), .before = std::move(before), .save = save};
+  for (const Effect& effect : effects_of(input))
+    if (effect.compute) effect.compute(input, settings, computed);
+  computed.seconds = core::now() - began;
   if (arguments.has("json"))
-    print(json_report(input, solution, outcome, peak_memory(), in_time ? transient_json(*in_time) : ""));
+    print(json_report(input, solution, outcome, peak_memory(), effects_json(input, computed)));
   else
-    print("case         " + input.title + "\n" + continuation_table(input, solution) + level_table(solution) +
-          summary(input, solution, outcome) + (in_time ? transient_summary(input, *in_time) : "") +
-          (arguments.has("profile") ? profile_table(in_time ? in_time->report.times : solution.times,
-                                                    in_time ? in_time->report.seconds : solution.seconds)
-                                    : "") +
-          "memory       " + std::to_string(static_cast<long>(peak_memory() / 1e6)) + " MB at most\n");
-  save(in_time ? &*in_time : nullptr);
+    print(printed(input, computed, outcome, arguments.has("profile")));
+  save([&](results::Content& content) {
+    for (const Effect& effect : effects_of(input))
+      if (effect.add_content) effect.add_content(input, computed, content);
+    content.effects = effect_rows(input, computed);
+  });
   if (!arguments.has("json")) print("result       " + to.path + "\n");
-  return status(solution, in_time, to.path);
+  return status(computed, to.path);
 }
 
 }  // namespace

@@ -3,18 +3,20 @@
 #include <cmath>
 
 #include "deck/text.hpp"
+#include "effects.hpp"
 #include "machine.hpp"
 
 namespace ehl::program {
 namespace {
 
 using deck::complain;
+using deck::given;
 
 constexpr double giga = 1e9;
 
 }  // namespace
 
-Needs expected_needs(const steady::Scene& scene, const std::optional<TransientInput>& transient) {
+Needs basic_needs(const steady::Scene& scene) {
   const double nodes = static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y();
   // Measured at 257 x 257 to 2049 x 2049 nodes; the time of one thread of a machine of the 2020s.
   constexpr double doubles_per_node = 24.0;
@@ -36,37 +38,52 @@ Needs expected_needs(const steady::Scene& scene, const std::optional<TransientIn
   }
   if (scene.deformation.method == mlmi::Method::direct)
     needs.seconds += cycles * evaluations_per_cycle * nodes * nodes / direct_pairs_per_second / scene.threads;
-  if (!transient) return needs;
-  constexpr double doubles_of_history = 60.0;  // per node: IDA's vectors of P and Q
-  constexpr double doubles_of_frame = 3.0;     // P, H and their place in the file
-  constexpr double seconds_per_node_and_step = 2.5e-7;
-  const transient::MarchParameters& march = transient->parameters;
-  const double frames = std::isnan(march.output_interval) ? 2.0 : march.end / march.output_interval + 2.0;
-  const double step =
-      std::isnan(march.longest_step) ? transient::longest_step(transient->conditions, march.end) : march.longest_step;
-  needs.bytes += nodes * sizeof(double) * (doubles_of_history + frames * doubles_of_frame);
-  needs.seconds += nodes * seconds_per_node_and_step * march.end / step;
   return needs;
 }
 
-void check_memory(deck::Deck& deck, const steady::Scene& scene, const std::optional<TransientInput>& transient) {
-  const double needed = expected_needs(scene, transient).bytes;
+Needs expected_needs(const Case& input) {
+  Needs needs = basic_needs(input.scene);
+  for (const Effect& effect : effects_of(input)) {
+    const Needs more = effect.expense ? effect.expense(input) : Needs{};
+    needs.bytes += more.bytes;
+    needs.seconds += more.seconds;
+  }
+  return needs;
+}
+
+namespace {
+
+// The key of the deck that an effect's memory hangs on.
+KeyName key_of_memory(const deck::Deck& deck, const Effect& effect) {
+  const KeyName& costly = effect.costly;
+  if (!costly.name.empty() && given(deck, costly.section, costly.name)) return costly;
+  return effect.callers.front();
+}
+
+}  // namespace
+
+void check_memory(Case& input) {
+  deck::Deck& deck = input.deck;
+  const double needed = expected_needs(input).bytes;
   const double available = usable_memory();
   if (needed <= available) return;
-  const bool by_frames = transient && std::isfinite(transient->parameters.output_interval) &&
-                         expected_needs(scene).bytes < 0.5 * available;
-  if (by_frames) {
-    complain(deck, "transient", "output_interval",
-             "keeps so many fields that they need about " + deck::shortest(std::round(needed / giga)) +
-                 " GB of memory, and the machine has " + deck::shortest(std::round(available / giga)) + ": take one " +
-                 deck::shortest(std::ceil(needed / available)) + " times as long");
+  const std::string has = "the machine has " + deck::shortest(std::round(available / giga)) + " GB";
+  const double basic = basic_needs(input.scene).bytes;
+  for (const Effect& effect : effects_of(input)) {
+    const double more = effect.expense ? effect.expense(input).bytes : 0.0;
+    if (basic > 0.5 * available || more <= 0.5 * needed) continue;
+    const KeyName key = key_of_memory(deck, effect);
+    const deck::Key* record = deck::find_key(deck.catalogue, key.section, key.name);
+    complain(deck, key.section, key.name,
+             "needs about " + deck::shortest(std::round(more / giga)) + " GB of memory for the effect " + effect.name +
+                 ", and " + has + (record->remedy.empty() ? "" : ": " + record->remedy));
     return;
   }
   const double ratio = std::sqrt(needed / available);
-  const double fitting = std::exp2(std::floor(std::log2(scene.grid.nx / ratio)));
+  const double fitting = std::exp2(std::floor(std::log2(input.scene.grid.nx / ratio)));
   complain(deck, "grid", "cells",
-           "needs about " + deck::shortest(std::round(needed / giga)) + " GB of memory and the machine has " +
-               deck::shortest(std::round(available / giga)) + " GB: take at most " + deck::shortest(fitting));
+           "needs about " + deck::shortest(std::round(needed / giga)) + " GB of memory and " + has + ": take at most " +
+               deck::shortest(fitting));
 }
 
 }  // namespace ehl::program

@@ -1,10 +1,6 @@
 #pragma once
 // What a case will need of the machine.
-#include <optional>
-
-#include "deck/deck.hpp"
-#include "steady/scene.hpp"
-#include "transient_input.hpp"
+#include "scene.hpp"
 
 namespace ehl::program {
 
@@ -13,9 +9,12 @@ struct Needs {
   double bytes = 0.0;
   double seconds = 0.0;
 };
-Needs expected_needs(const steady::Scene& scene, const std::optional<TransientInput>& transient = std::nullopt);
 
-/// Complains in the deck where the machine has not the memory for the case.
-void check_memory(deck::Deck& deck, const steady::Scene& scene, const std::optional<TransientInput>& transient);
+/// Of the basic model alone, and with the effects that the case calls for.
+Needs basic_needs(const steady::Scene& scene);
+Needs expected_needs(const Case& input);
+
+/// Complains in the case's deck where the machine has not the memory for it.
+void check_memory(Case& input);
 
 }  // namespace ehl::program

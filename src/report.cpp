@@ -6,6 +6,7 @@
 #include "contact/film_formulas.hpp"
 #include "core/constants.hpp"
 #include "deck/text.hpp"
+#include "effects.hpp"
 #include "needs.hpp"
 #include "text_format.hpp"
 
@@ -59,23 +60,6 @@ std::string group_lines(const Physics& physics) {
   text += "fluid        " + fluid(physics) + "\n";
   text += "regime       " + contact::regime_text(g.M, g.L) + "\n";
   return text;
-}
-
-// What the deck asks for beyond the steady, smooth contact.
-std::string effects(const Case& input) {
-  const std::string basic = "isothermal, Newtonian, fully flooded";
-  if (!input.transient) return "none beyond the basic model: steady, smooth, " + basic;
-  std::vector<std::string> varying;
-  for (const char* key : {"load", "load_wave", "u1", "u1_wave", "u2", "u2_wave"})
-    if (deck::given(input.deck, "transient", key)) varying.push_back(key);
-  for (const char* surface : {"surface1", "surface2"})
-    if (deck::given(input.deck, surface, "shape"))
-      varying.push_back(deck::word(input.deck, surface, "shape") + " on " + surface);
-  const transient::MarchParameters& march = input.transient->parameters;
-  return formatted("in time to %.4g a/u_m, steps of at most %.3g", march.end,
-                   std::isnan(march.longest_step) ? transient::longest_step(input.transient->conditions, march.end)
-                                                  : march.longest_step) +
-         "; varying: " + (varying.empty() ? "nothing" : deck::joined(varying, ", ")) + "; " + basic;
 }
 
 }  // namespace
@@ -226,8 +210,8 @@ std::string derived(const Case& input) {
           formatted("hx = %.4g, hy = %.4g\n", scene.grid.hx(), scene.grid.hy());
   text +=
       "method       wedge " + std::string(name(scene.wedge)) + "; deformation " + name(scene.deformation.method) + "\n";
-  text += "effects      " + effects(input) + "\n";
-  const Needs needs = expected_needs(scene, input.transient);
+  text += effect_lines(input);
+  const Needs needs = expected_needs(input);
   text += "needs        about " + memory(needs.bytes) +
           formatted(" and %.1g s with %d thread%s\n", needs.seconds, scene.threads, scene.threads == 1 ? "" : "s");
   return text;

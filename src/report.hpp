@@ -1,6 +1,8 @@
 #pragma once
 // What is printed about a case and its solution.
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "outcome.hpp"
 
@@ -21,9 +23,9 @@ std::string profile_table(const core::PartTimes& times, double seconds);
 /// Everything that follows from the deck before anything is solved.
 std::string derived(const Case& input);
 
-/// One JSON object with the same content. in: bytes of the whole program; the object of a transient, if there was one.
+/// One JSON object with the same content. in: bytes of the whole program; the members that effects_json() makes.
 std::string json_report(const Case& input, const steady::Solution& solution, const Outcome& outcome, double peak_memory,
-                        const std::string& transient = "");
+                        const std::vector<std::pair<std::string, std::string>>& effects = {{"effects", "[]"}});
 
 /// The JSON object for a case that ended without a solution.
 std::string json_failure(const Case& input, const std::string& reason);

@@ -124,7 +124,7 @@ std::string texts_json(const std::vector<std::string>& list) {
 }  // namespace
 
 std::string json_report(const Case& input, const steady::Solution& solution, const Outcome& outcome, double peak_memory,
-                        const std::string& transient) {
+                        const Members& effects) {
   const contact::Groups& groups = input.physics.groups;
   const steady::LevelRow last = solution.levels.empty() ? steady::LevelRow{} : solution.levels.back();
   const steady::ErrorBars& bars = solution.error_bars;
@@ -171,12 +171,11 @@ std::string json_report(const Case& input, const steady::Solution& solution, con
                   {"attempts", attempts_json(solution)},
                   {"continuation", continuation_json(solution)},
                   {"newton", newton_json(solution)},
-                  {"effects", "[]"},
                   {"parts", parts_json(solution.times)},
                   {"formulas", formulas_json(outcome.formulas)},
                   {"regime", text(outcome.regime)},
                   {"warnings", texts_json(outcome.warnings)}};
-  if (!transient.empty()) members.emplace_back("transient", transient);
+  members.insert(members.end(), effects.begin(), effects.end());
   return json::object(members) + "\n";
 }
 

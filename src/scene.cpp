@@ -6,6 +6,7 @@
 
 #include "catalogue.hpp"
 #include "deck/text.hpp"
+#include "effects.hpp"
 #include "machine.hpp"
 #include "needs.hpp"
 #include "steady/domain_error.hpp"
@@ -228,8 +229,9 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   result.transient = transient_input(deck, result.physics, result.scene.grid);
   if (result.scene.grid.ny > 0) {
     check_coarsenings(deck, result.scene);
-    check_memory(deck, result.scene, result.transient);
+    check_memory(result);
   }
+  if (deck.errors.empty()) refuse_idle(result);
   deck::throw_if_wrong(deck);
 
   result.title = deck::word(deck, "case", "title");

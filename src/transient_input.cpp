@@ -183,11 +183,6 @@ std::optional<TransientInput> transient_input(deck::Deck& deck, const Physics& p
   for (const char* surface : {"surface1", "surface2"})
     if (given(deck, surface, "shape") && !timed)
       complain(deck, surface, "shape", "moves through the contact and needs [transient] end_time");
-  if (!timed && given(deck, "output", "checkpoint"))
-    complain(deck, "output", "checkpoint", "is for runs in time, and there is no [transient] end_time");
-  if (!timed && given(deck, "output", "probe"))
-    complain(deck, "output", "probe",
-             "is for runs in time, and there is no [transient] end_time: a steady result has the whole fields");
   if (!timed) return std::nullopt;
   if (given(deck, "grid", "accuracy"))
     complain(deck, "grid", "accuracy", "is for steady contacts: give cells for a transient one");

@@ -1,5 +1,6 @@
 #include "deck/deck.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -35,6 +36,13 @@ const Value& value(const Deck& deck, const std::string& section, const std::stri
 
 bool given(const Deck& deck, const std::string& section, const std::string& name) {
   return value(deck, section, name).origin == Origin::given;
+}
+
+bool called_for(const Deck& deck, const std::string& section) {
+  const Section* record = find_section(deck.catalogue, section);
+  if (record == nullptr || record->called_by.empty()) return true;
+  return std::any_of(record->called_by.begin(), record->called_by.end(),
+                     [&](const std::string& name) { return given(deck, section, name); });
 }
 
 double number(const Deck& deck, const std::string& section, const std::string& name) {

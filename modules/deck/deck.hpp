@@ -42,6 +42,9 @@ const Value& value(const Deck& deck, const std::string& section, const std::stri
 /// True when the deck or the command line gives the key, whether valid or not.
 bool given(const Deck& deck, const std::string& section, const std::string& name);
 
+/// True when the section is one of every deck, or the deck gives a key that calls for the section's effect.
+bool called_for(const Deck& deck, const std::string& section);
+
 /// Number of a key: given, chosen or default; NaN when there is none or it was refused.
 double number(const Deck& deck, const std::string& section, const std::string& name);
 

@@ -28,6 +28,16 @@ const Key* find_key(const Catalogue& catalogue, const std::string& section, cons
   return nullptr;
 }
 
+const Section* find_section(const Catalogue& catalogue, const std::string& name) {
+  for (const Section& section : catalogue.sections)
+    if (section.name == name) return &section;
+  return nullptr;
+}
+
+const std::string& section_needed(const Key& key) {
+  return key.needs.section.empty() ? key.section : key.needs.section;
+}
+
 std::string allowed(const Key& key) {
   switch (key.type) {
     case Type::number:

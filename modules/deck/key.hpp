@@ -20,10 +20,12 @@ struct Range {
   }
 };
 
-/// A key that means something only beside another one of its section: given at all (no words), or one of these words.
+/// A key that means something only beside another one, of its own section where none is named: given at all (no words),
+/// or one of these words.
 struct Condition {
   std::string name{};
   std::vector<std::string> words{};
+  std::string section{};
 };
 
 /// One key of the deck. Everything the program says about a key, anywhere, is said from this record.
@@ -44,10 +46,13 @@ struct Key {
   bool example_is_active = false;  ///< the self-written deck uses the example instead of commenting it out
 };
 
-/// A section of the deck, for headings.
+/// A section of the deck. Of an effect: the section without one of the keys that call for the effect has no influence,
+/// and is refused.
 struct Section {
   std::string name{};
   std::string meaning{};
+  std::vector<std::string> called_by{};  ///< keys of the section, one is enough; none: a section of every deck
+  std::string effect{};                  ///< name of the effect that it belongs to; empty: of every deck
 };
 
 /// Something people will look for that this version cannot do: a whole section (empty name) or a key.
@@ -66,6 +71,12 @@ struct Catalogue {
 
 /// The record of a key, or nullptr.
 const Key* find_key(const Catalogue& catalogue, const std::string& section, const std::string& name);
+
+/// The record of a section, or nullptr.
+const Section* find_section(const Catalogue& catalogue, const std::string& name);
+
+/// The section of the key that `key` needs.
+const std::string& section_needed(const Key& key);
 
 /// "0 < value <= 1000 N", "one of V, W, F": what is allowed, for messages and for the list of keys.
 std::string allowed(const Key& key);

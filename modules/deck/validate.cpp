@@ -23,8 +23,7 @@ std::vector<std::string> section_names(const Catalogue& catalogue) {
 }
 
 bool known_section(const Catalogue& catalogue, const std::string& name) {
-  const std::vector<std::string> names = section_names(catalogue);
-  return std::find(names.begin(), names.end(), name) != names.end();
+  return find_section(catalogue, name) != nullptr;
 }
 
 const Unavailable* find_unavailable(const Catalogue& catalogue, const std::string& section, const std::string& name) {
@@ -60,9 +59,11 @@ void check_headings(Deck& deck, const Document& document) {
       continue;
     }
     const auto in_it = [&](const Assignment& a) { return a.section == heading.section; };
-    if (std::none_of(document.assignments.begin(), document.assignments.end(), in_it))
-      deck.errors.push_back(where + "a section without a key has no influence: remove it, or give one of " +
-                            joined(names_in(deck.catalogue, heading.section), ", "));
+    if (std::any_of(document.assignments.begin(), document.assignments.end(), in_it)) continue;
+    const std::vector<std::string> callers = find_section(deck.catalogue, heading.section)->called_by;
+    deck.errors.push_back(where + "a section without a key has no influence: remove it, or give " +
+                          (callers.empty() ? "one of " + joined(names_in(deck.catalogue, heading.section), ", ")
+                                           : joined(callers, " or ")));
   }
 }
 
@@ -140,19 +141,27 @@ void check_value(Deck& deck, const Key& key, Value& value) {
 
 // "z" says nothing to a Barus fluid: a key that cannot act is a misunderstanding, not a default.
 void check_influence(Deck& deck, const Key& key) {
-  if (key.needs.name.empty() || !given(deck, key.section, key.name)) return;
-  const Value& other = value(deck, key.section, key.needs.name);
+  if (!given(deck, key.section, key.name)) return;
+  if (!called_for(deck, key.section)) {
+    const Section* section = find_section(deck.catalogue, key.section);
+    complain(deck, key.section, key.name,
+             "has no influence without " + joined(section->called_by, " or ") + ": give that too, or remove it");
+    return;
+  }
+  if (key.needs.name.empty()) return;
+  const std::string& section = section_needed(key);
+  const std::string name = (section == key.section ? "" : bracketed(section) + " ") + key.needs.name;
+  const Value& other = value(deck, section, key.needs.name);
   if (!other.valid) return;
   if (key.needs.words.empty()) {
     if (other.origin != Origin::given)
-      complain(deck, key.section, key.name,
-               "has no influence without " + key.needs.name + ": give that too, or remove it");
+      complain(deck, key.section, key.name, "has no influence without " + name + ": give that too, or remove it");
     return;
   }
   if (std::find(key.needs.words.begin(), key.needs.words.end(), other.text) == key.needs.words.end())
     complain(deck, key.section, key.name,
-             "has no influence with " + key.needs.name + " = " + other.text + ": remove it, or set " + key.needs.name +
-                 " = " + joined(key.needs.words, " or "));
+             "has no influence with " + name + " = " + other.text + ": remove it, or set " + name + " = " +
+                 joined(key.needs.words, " or "));
 }
 
 }  // namespace

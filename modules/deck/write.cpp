@@ -34,7 +34,9 @@ std::string default_of(const Key& key) {
 
 std::string condition_of(const Key& key) {
   if (key.needs.name.empty()) return "";
-  return "only with " + key.needs.name + (key.needs.words.empty() ? "" : " = " + joined(key.needs.words, " or "));
+  const std::string section = key.needs.section.empty() ? "" : "[" + key.needs.section + "] ";
+  return "only with " + section + key.needs.name +
+         (key.needs.words.empty() ? "" : " = " + joined(key.needs.words, " or "));
 }
 
 std::string description(const Key& key) {
@@ -57,11 +59,20 @@ std::string entry(const Key& key) {
 bool active_in_example(const Catalogue& catalogue, const Key& key) {
   if (key.example_is_active) return true;
   if (key.default_text.empty()) return false;
+  const Section* section = find_section(catalogue, key.section);
+  if (section != nullptr && !section->called_by.empty()) return false;  // no effect is on in the example
   if (key.needs.name.empty()) return true;
-  const Key* other = find_key(catalogue, key.section, key.needs.name);
+  const Key* other = find_key(catalogue, section_needed(key), key.needs.name);
   if (other == nullptr || key.needs.words.empty()) return false;
   const std::string text = other->example_is_active ? other->example : other->default_text;
   return std::find(key.needs.words.begin(), key.needs.words.end(), text) != key.needs.words.end();
+}
+
+// What a section of an effect is, and what turns it on.
+std::string about(const Section& section) {
+  if (section.effect.empty()) return section.meaning;
+  return section.meaning + " Effect " + section.effect + ": on with " + joined(section.called_by, " or ") +
+         "; absent, it costs nothing.";
 }
 
 std::string example_of(const Key& key) { return key.example.empty() ? key.default_text : key.example; }
@@ -88,8 +99,7 @@ std::string list_keys(const Catalogue& catalogue, const std::string& selection) 
       if (key.section == section.name &&
           (selection.empty() || selection == section.name || selection == key.section + "." + key.name))
         entries += entry(key);
-    if (!entries.empty())
-      text += (text.empty() ? "[" : "\n[") + section.name + "]  " + section.meaning + "\n" + entries;
+    if (!entries.empty()) text += (text.empty() ? "[" : "\n[") + section.name + "]  " + about(section) + "\n" + entries;
   }
   if (text.empty()) throw_unknown(catalogue, selection);
   return text;
@@ -112,7 +122,7 @@ std::string commented_deck(const Catalogue& catalogue) {
     }
     const std::string heading = (any_active ? "[" : "# [") + section.name + "]\n";
     text += "\n";
-    text += wrapped(section.meaning, "# ") + heading + lines;
+    text += wrapped(about(section), "# ") + heading + lines;
   }
   return text;
 }
@@ -126,8 +136,9 @@ std::string effective_deck(const Deck& deck) {
       const Value& value = deck.values[k];
       if (key.section != section.name || value.origin == Origin::absent) continue;
       // A default whose condition does not hold has no influence, and would be refused when read again.
+      if (value.origin == Origin::by_default && !called_for(deck, section.name)) continue;
       if (value.origin == Origin::by_default && !key.needs.name.empty()) {
-        const Value& other = deck::value(deck, key.section, key.needs.name);
+        const Value& other = deck::value(deck, section_needed(key), key.needs.name);
         const bool holds = key.needs.words.empty() ? other.origin == Origin::given
                                                    : std::find(key.needs.words.begin(), key.needs.words.end(),
                                                                other.text) != key.needs.words.end();

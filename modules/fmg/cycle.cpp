@@ -45,10 +45,12 @@ void fas_cycle(Hierarchy& hierarchy, std::size_t l) {
 }
 
 void relax_with_force_balance(Hierarchy& hierarchy, Level& level, int sweeps) {
+  // Where the load itself answers to H00, c is the share of that answer that is left to the pressure.
+  const double c = hierarchy.parameters.load_relaxation;
+  const double share = c / (1.0 + c * hierarchy.load_line.slope);
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     relax_pressure(hierarchy, level);
-    if (hierarchy.problem.load)
-      hierarchy.H00 -= hierarchy.parameters.load_relaxation * (level.load - carried_load(level));
+    if (hierarchy.problem.load) hierarchy.H00 -= share * (wanted_load(hierarchy, level) - carried_load(level));
     update_film(hierarchy, level);
   }
 }

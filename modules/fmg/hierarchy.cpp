@@ -107,7 +107,12 @@ std::vector<core::Grid> grids_below(const core::Grid& finest, const Parameters& 
 
 Hierarchy make_hierarchy(const Problem& problem, const Parameters& parameters, const mlmi::Parameters& deformation,
                          const core::Grid& finest, int threads) {
-  Hierarchy hierarchy{.problem = problem, .parameters = parameters, .levels = {}, .threads = threads, .times = {}};
+  Hierarchy hierarchy{.problem = problem,
+                      .load_line = {},
+                      .parameters = parameters,
+                      .levels = {},
+                      .threads = threads,
+                      .times = {}};
   const core::ScopedTimer timer(hierarchy.times, core::Part::setup);
   const std::vector<core::Grid> grids = grids_below(finest, parameters);
   const int wanted = parameters.coarsest_cells;

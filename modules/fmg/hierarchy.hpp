@@ -54,13 +54,21 @@ struct Level {
   std::vector<ThreadWork> thread_work;  ///< made for the parameters' line solver and reach
   mlmi::Deformation deformation;
   line_solvers::FilmTerms film_terms;
-  double load = 0.0;     ///< right-hand side of the force balance (FAS)
+  double load = 0.0;     ///< right-hand side of the force balance (FAS), at the load line's origin
   double H_floor = 0.0;  ///< share of H_restricted below which epsilon does not follow a falling coarse film
   long evaluations = 0;  ///< of the film, each with a relaxation sweep or a residual
 };
 
+/// A load that grows with H00, by `slope` per unit from `origin` on: in an implicit step of time the inertia of a body
+/// that moves as H00 does. slope >= 0; without it the load is what it is.
+struct LoadLine {
+  double slope = 0.0;
+  double origin = 0.0;
+};
+
 struct Hierarchy {
   Problem problem;
+  LoadLine load_line;
   Parameters parameters;
   std::vector<Level> levels;  ///< coarsest first
   double H00 = 0.0;
@@ -99,6 +107,10 @@ void update_residual(Hierarchy& hierarchy, Level& level);
 
 /// hx hy sum P (left-hand side of eq. 7).
 double carried_load(const Level& level);
+/// Its right-hand side at the present H00.
+inline double wanted_load(const Hierarchy& hierarchy, const Level& level) {
+  return level.load + hierarchy.load_line.slope * (hierarchy.H00 - hierarchy.load_line.origin);
+}
 
 inline reynolds::State state(const Level& level) { return {level.P, level.H, level.rho_bar, level.eps, level.f}; }
 

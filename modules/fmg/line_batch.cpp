@@ -108,6 +108,8 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
   const bool cavitation = hierarchy.problem.cavitation;
   const LaneMask outside = ~inside(j, grid);
   const Lanes* distributive = work_.distributive.data() + ThreadWork::margin;
+  const double far_squeeze =
+      hierarchy.parameters.relaxation.far_squeeze * hierarchy.problem.transport.squeeze * level.film_terms.K[0];
   Lanes P_west = own_lines(level.P, 0, j);
   Beside P = with_neighbours(level.P, 1, j);
   FilmStation film2{};
@@ -129,9 +131,11 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
     // the deltas: the pressure change at k is delta_k - (distributed_{k-1} + distributed_{k+1})/4.
     const Lanes p_far = -c2 * film2.slope_H;
     const Lanes p_west = e.west - c1 * film1.slope_H;
-    const Lanes p_own = -(e.west + e.east + e.south + e.north) - c0 * film0.slope_H;
-    const Lanes p_east = e.east;
     const Lanes* d = distributive + i;
+    // A single change squeezes the film far beyond the line too.
+    const Lanes p_own =
+        -(e.west + e.east + e.south + e.north) - c0 * film0.slope_H - (1.0 - d[0]) * (far_squeeze * film0.rho_bar);
+    const Lanes p_east = e.east;
     point.a[0] = p_far - 0.25 * d[-2] * p_west;
     point.a[1] = p_west - 0.25 * d[-1] * (p_far + p_own);
     point.a[2] = p_own - 0.25 * d[0] * (p_west + p_east + e.south + e.north);

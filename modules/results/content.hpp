@@ -66,6 +66,14 @@ struct Loose {
   std::vector<Column> arrays{};
 };
 
+/// An effect of the case: its seconds under its name in /effects, the rest as attributes.
+struct EffectRow {
+  std::string name{};
+  double seconds = 0.0;  ///< NaN where it has no clock of its own
+  std::string what{};
+  std::string why{};  ///< the keys of the deck that called for it
+};
+
 struct Content {
   std::string title{};
   std::string deck{};  ///< the effective deck
@@ -78,6 +86,7 @@ struct Content {
   std::vector<Table> tables{};  ///< "levels", "history"
   Frames frames{};
   Loose checkpoint{};
+  std::vector<EffectRow> effects{};  ///< none: no group
 };
 
 }  // namespace ehl::results

@@ -181,6 +181,18 @@ void loose(const Writer& writer, const Loose& entry) {
     numbers(writer, entry.group + "/" + one.name, {{one.values.size()}}, one.values, one.whole, one.unit, one.meaning);
 }
 
+void effects(const Writer& writer, const std::vector<EffectRow>& list) {
+  if (list.empty()) return;
+  const Handle made = group(writer, "/effects");
+  attribute(writer, made, "meaning", "what the deck called for beyond the basic model, and the time that each took");
+  for (const EffectRow& row : list) {
+    const std::string name = "/effects/" + row.name;
+    numbers(writer, name, {}, {row.seconds}, false, "s", row.what);
+    const Handle dataset = checked(H5Dopen2(writer.file, name.c_str(), H5P_DEFAULT), H5Dclose, writer.cannot(name));
+    attribute(writer, dataset, "why", row.why);
+  }
+}
+
 void everything(const Writer& writer, const Content& content) {
   attribute(writer, writer.file, "format", "ehl result");
   attribute(writer, writer.file, "title", content.title);
@@ -200,6 +212,7 @@ void everything(const Writer& writer, const Content& content) {
   for (const Table& entry : content.tables) table(writer, entry);
   frames(writer, content.frames);
   loose(writer, content.checkpoint);
+  effects(writer, content.effects);
 }
 
 // The whole file in memory. HDF5 reports a full disk as late as in the close, and then cannot be closed any more; so

@@ -61,17 +61,24 @@ double mean_factor(const std::vector<double>& residuals) {
   return std::pow(residuals.back() / residuals.front(), 1.0 / static_cast<double>(residuals.size() - 1));
 }
 
+fmg::Parameters parameters_of(const Scene& scene, const Start& start) {
+  fmg::Parameters parameters = scene.multigrid;
+  parameters.coarsest_sweeps = std::max(parameters.coarsest_sweeps, start.balances);
+  parameters.least_coarsest_cells = std::max(parameters.least_coarsest_cells, start.coarsest);
+  choose_cycle(scene, parameters);
+  return parameters;
+}
+
 }  // namespace
+
+bool on_one_half(const Scene& scene) { return grid_to_compute_on(scene, parameters_of(scene, {})).mirrored; }
 
 Climb begin_climb(const Scene& scene, const Start& start, const ProgressCallback& progress) {
   // The numbers of cells of a start are for a domain a few radii long. On the long ones of light loads the first grid
   // must still see the contact.
   const double length = (scene.grid.X_b - scene.grid.X_a) / contact_size(scene.M, scene.L);
   const int first_cells = std::max(start.cells, static_cast<int>(length / largest_first_step));
-  fmg::Parameters parameters = scene.multigrid;
-  parameters.coarsest_sweeps = std::max(parameters.coarsest_sweeps, start.balances);
-  parameters.least_coarsest_cells = std::max(parameters.least_coarsest_cells, start.coarsest);
-  choose_cycle(scene, parameters);
+  const fmg::Parameters parameters = parameters_of(scene, start);
   const fmg::Problem problem{.lambda = scene.lambda,
                              .viscosity = scene.viscosity,
                              .density = scene.density,

@@ -38,6 +38,9 @@ struct Climb {
   std::size_t finest() const { return hierarchy.levels.size() - 1; }
 };
 
+/// True where one half of the scene's grid is computed: it is symmetric in Y, and halving keeps all its levels.
+bool on_one_half(const Scene& scene);
+
 /// Makes the grids. Cycles that the scene leaves open are F(2,0) to the level of the discretization error and W(2,1)
 /// towards a tolerance. errors: core::InputError.
 Climb begin_climb(const Scene& scene, const Start& start, const ProgressCallback& progress);

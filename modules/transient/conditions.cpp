@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace ehl::transient {
 namespace {
 
 constexpr double longest_of_all = 0.1;
+constexpr double share_of_vibration = 0.05;  // a twentieth of its period
 
 }  // namespace
 
@@ -16,6 +18,7 @@ Drive drive_at(const Conditions& conditions, double T) {
 
 Course course_of(const Conditions& conditions, const std::optional<Drive>& crossing) {
   Course course;
+  course.body = conditions.body;
   course.drive = [&](double T) { return crossing ? *crossing : drive_at(conditions, T); };
   if (conditions.on_1 || conditions.on_2)
     course.surface = [&](const core::Grid& grid, double T, core::Field& S) {
@@ -50,6 +53,11 @@ double longest_step(const Conditions& conditions, double end) {
   double step = std::min(longest_of_all, 0.01 * end);
   for (const Schedule* schedule : {&conditions.load, &conditions.u1, &conditions.u2})
     step = std::min(step, resolving_step(*schedule));
+  if (conditions.body) {
+    const Body& body = *conditions.body;
+    step = std::min(step, share_of_vibration * 2.0 * std::numbers::pi / natural_frequency(body));
+    if (body.gap && body.velocity < 0.0) step = std::min(step, share_of_vibration * *body.gap / -body.velocity);
+  }
   const auto fastest = [&](const Schedule& schedule) {
     double most = std::abs(value(schedule, 0.0));
     for (const Schedule::Point& point : schedule.points) most = std::max(most, std::abs(point.value));

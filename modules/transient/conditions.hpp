@@ -16,6 +16,7 @@ struct Conditions {
   Schedule u2{};
   std::optional<Feature> on_1{};
   std::optional<Feature> on_2{};
+  std::optional<Body> body{};  ///< moves; absent: the load is imposed
 };
 
 /// Load and entrainment speed at T.
@@ -35,7 +36,8 @@ std::vector<double> stops_of(const Conditions& conditions, double end);
 bool jumps_at(const Conditions& conditions, double T, double end);
 
 /// Longest step that sees everything that varies: a quarter of a feature's width at its speed, a quarter of a ramp, a
-/// twentieth of a period; a tenth of a feature-free time of 10.
+/// twentieth of a period, that of a body's free vibration and the time to its impact too; a tenth of a feature-free
+/// time of 10.
 double longest_step(const Conditions& conditions, double end);
 
 }  // namespace ehl::transient

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "core/errors.hpp"
 #include "core/norms.hpp"
@@ -12,7 +11,6 @@
 namespace ehl::transient {
 namespace {
 
-constexpr double hertz_load = 2.0 * std::numbers::pi / 3.0;
 /// Nodes within this distance of the contact's centre make up the norm; those outside count as one hundredth.
 constexpr double zone_radius = 1.5;
 constexpr double weight_outside = 0.1;
@@ -21,6 +19,8 @@ constexpr double best_first_rate = 0.3;
 constexpr double best_rate = 0.1;
 /// Cycles that reduce the change by less than this do not converge.
 constexpr double worst_rate = 0.95;
+/// Where bodies are nearly apart there is no deformation by which to hold the film while the load is put right.
+constexpr double least_yielding = 0.05;
 
 bool in_zone(const core::Grid& grid, int i, int j) {
   const double X = grid.X(i);
@@ -49,6 +49,8 @@ ContactDae::ContactDae(fmg::Hierarchy& hierarchy, const Course& course, const Er
       control_(control),
       nodes_(static_cast<std::size_t>(hierarchy.finest().grid.nodes_x()) *
              static_cast<std::size_t>(hierarchy.finest().grid.nodes_y())),
+      W_(*hierarchy.problem.load),
+      V_(course.body ? course.body->velocity : 0.0),
       P_before_(hierarchy.finest().grid),
       Q_before_(hierarchy.finest().grid),
       rho_(nodes_) {
@@ -63,6 +65,7 @@ void ContactDae::state(std::span<double> y) const {
     y[nodes_ + k] = level.rho_bar(i, j) * level.H(i, j);
   });
   y[2 * nodes_] = hierarchy_.H00;
+  if (course_.body) y[2 * nodes_ + 1] = V_;
 }
 
 void ContactDae::pose(double T, double cj) {
@@ -70,33 +73,75 @@ void ContactDae::pose(double T, double cj) {
   const Drive drive = course_.drive(T);
   hierarchy_.problem.transport.speed = drive.speed;
   hierarchy_.problem.transport.squeeze = cj;
-  level.load = hertz_load * drive.load;
+  level.load = W_ * drive.load;
+  hierarchy_.load_line = {};
   level.H_floor = 0.0;
   if (course_.surface) course_.surface(level.grid, T, level.F);
 }
 
-void ContactDae::set_state(double T, std::span<const double> y) {
+void ContactDae::set_state(double T, std::span<const double> y, std::span<const double> yp) {
   fmg::Level& level = hierarchy_.finest();
   pose(T, 0.0);
+  if (course_.body) {
+    V_ = y[2 * nodes_ + 1];
+    if (!yp.empty()) level.load += W_ * (course_.body->mass * yp[2 * nodes_ + 1] + course_.body->damping * V_);
+  }
   for_nodes(level.grid, [&](int i, int j, std::size_t k) { level.P(i, j) = std::max(0.0, y[k]); });
   core::make_images(level.grid, level.P);
   hierarchy_.H00 = y[2 * nodes_];
   fmg::update_film(hierarchy_, level);
 }
 
+void ContactDae::release() {
+  fmg::Level& level = hierarchy_.finest();
+  pose(0.0, 0.0);
+  level.P.fill(0.0);
+  hierarchy_.H00 = *course_.body->gap;
+  V_ = course_.body->velocity;
+  fmg::update_film(hierarchy_, level);
+}
+
+// V = yp_p + cj (H00 - H00_p), and V' likewise from V: the load that is wanted grows linearly with H00.
+void ContactDae::move_body(const Stage& stage) {
+  const Body& body = *course_.body;
+  const double H00 = stage.y_predicted[2 * nodes_];
+  const double V = stage.yp_predicted[2 * nodes_];
+  const double V_slope = stage.yp_predicted[2 * nodes_ + 1] + stage.cj * (V - stage.y_predicted[2 * nodes_ + 1]);
+  hierarchy_.finest().load += W_ * (body.mass * V_slope + body.damping * V);
+  hierarchy_.load_line = {W_ * stage.cj * (body.mass * stage.cj + body.damping), H00};
+}
+
+double ContactDae::carried() const { return fmg::carried_load(hierarchy_.levels.back()) / W_; }
+
+double ContactDae::load_error() const {
+  const fmg::Level& level = hierarchy_.levels.back();
+  const double wanted = fmg::wanted_load(hierarchy_, level);
+  const double carried_now = fmg::carried_load(level);
+  return course_.body ? std::abs(carried_now - wanted) / W_ : std::abs(carried_now / wanted - 1.0);
+}
+
 // The cycles balance the load on the coarsest grid, a factor of some five per cycle. What is left is put into the
 // pressure by a common factor, and the film at the centre stays where it is by H00: the change of a load at a constant
-// film, nearly. H = H00 + rest, the deformation is what remains when geometry, surface and H00 are taken away.
+// film, nearly. H = H00 + rest, the deformation is what remains when geometry, surface and H00 are taken away. Where
+// the load grows with H00, the shift of H00 takes its part of the difference.
 void ContactDae::balance_load() {
   fmg::Level& level = hierarchy_.finest();
   const core::Grid& grid = level.grid;
-  const double share = level.load / fmg::carried_load(level) - 1.0;
   const auto deformation = [&](int i, int j) {
     return level.H(i, j) - fmg::rigid_gap(grid, hierarchy_.H00, i, j) - level.F(i, j);
   };
   const int centre = std::clamp(static_cast<int>(std::lround(-grid.X_a / grid.hx())), 0, grid.nx);
   const int axis = std::clamp(static_cast<int>(std::lround(-grid.Y_a / grid.hy())), 0, grid.ny);
-  const double shift = share * deformation(centre, axis);
+  double share = 0.0;
+  double yielding = deformation(centre, axis);
+  if (course_.body) {
+    yielding = std::max(yielding, least_yielding);
+    const double carried_now = fmg::carried_load(level);
+    share = (fmg::wanted_load(hierarchy_, level) - carried_now) / (carried_now + hierarchy_.load_line.slope * yielding);
+  } else {
+    share = level.load / fmg::carried_load(level) - 1.0;
+  }
+  const double shift = share * yielding;
   for_nodes(grid, [&](int i, int j, std::size_t) { level.H(i, j) += share * deformation(i, j) - shift; });
   for (int i = 0; i <= grid.nx; ++i)
     for (double& P : level.P.station(i)) P *= 1.0 + share;
@@ -106,8 +151,9 @@ void ContactDae::balance_load() {
 }
 
 // Norm of what the last cycle changed, as IDA measures it.
-double ContactDae::change(std::span<const double> weights, double H00_before) {
+double ContactDae::change(const Stage& stage, double H00_before) {
   const fmg::Level& level = hierarchy_.finest();
+  const std::span<const double> weights = stage.weights;
   double sum = 0.0;
   for_nodes(level.grid, [&](int i, int j, std::size_t k) {
     const double Q = level.rho_bar(i, j) * level.H(i, j);
@@ -118,13 +164,19 @@ double ContactDae::change(std::span<const double> weights, double H00_before) {
     Q_before_(i, j) = Q;
   });
   const double dH00 = weights[2 * nodes_] * (hierarchy_.H00 - H00_before);
-  return std::sqrt((sum + dH00 * dH00) / static_cast<double>(size()));
+  sum += dH00 * dH00;
+  if (course_.body) {
+    const double dV = weights[2 * nodes_ + 1] * stage.cj * (hierarchy_.H00 - H00_before);
+    sum += dV * dV;
+  }
+  return std::sqrt(sum / static_cast<double>(size()));
 }
 
 StageResult ContactDae::solve(const Stage& stage, std::span<double> correction) {
   fmg::Level& level = hierarchy_.finest();
   set_state(stage.T, stage.y_predicted);
   hierarchy_.problem.transport.squeeze = stage.cj;
+  if (course_.body) move_body(stage);
   for_nodes(level.grid, [&](int i, int j, std::size_t k) {
     level.f(i, j) = stage.yp_predicted[nodes_ + k] - stage.cj * stage.y_predicted[nodes_ + k];
     P_before_(i, j) = level.P(i, j);
@@ -142,7 +194,7 @@ StageResult ContactDae::solve(const Stage& stage, std::span<double> correction) 
       return result;
     }
     balance_load();
-    const double now = change(stage.weights, H00_before);
+    const double now = change(stage, H00_before);
     if (!std::isfinite(now)) return result;
     if (result.cycles > 1) {
       rate_ = std::max(best_rate, now / last);
@@ -153,6 +205,7 @@ StageResult ContactDae::solve(const Stage& stage, std::span<double> correction) 
     last = now;
   }
   if (!(core::minimum(level.H).value > 0.0)) result.solved = false;
+  if (course_.body) V_ = stage.yp_predicted[2 * nodes_] + stage.cj * (hierarchy_.H00 - stage.y_predicted[2 * nodes_]);
   state(correction);
   for (std::size_t k = 0; k < correction.size(); ++k) correction[k] -= stage.y_predicted[k];
   return result;
@@ -175,7 +228,11 @@ void ContactDae::weights(std::span<const double> y, std::span<double> w) const {
     w[k] = factor / (std::abs(y[k]) + control_.P_scale);
     w[nodes_ + k] = factor / (std::abs(y[nodes_ + k]) + control_.Q_scale);
   });
-  w[2 * nodes_] = 0.5 * std::sqrt(static_cast<double>(size())) / (control_.Q_scale * control_.rtol);
+  const double of_one = 0.5 * std::sqrt(static_cast<double>(size()));
+  w[2 * nodes_] = of_one / (control_.Q_scale * control_.rtol);
+  if (!course_.body) return;
+  const double V_scale = std::abs(y[2 * nodes_ + 1]) + natural_frequency(*course_.body) * control_.Q_scale;
+  w[2 * nodes_ + 1] = of_one / (V_scale * control_.rtol);
 }
 
 }  // namespace ehl::transient

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fmg/hierarchy.hpp"
+#include "transient/body.hpp"
 #include "transient/ida.hpp"
 
 namespace ehl::transient {
@@ -22,6 +23,8 @@ struct Course {
   /// Writes S(X, Y, T), the shape of the moving surfaces: what they add to the gap, in units of a^2/R; with image
   /// lines on a mirrored grid they are not needed. Empty: smooth surfaces.
   std::function<void(const core::Grid& grid, double T, core::Field& S)> surface;
+  /// Moves by its own equation; absent: the load is carried at all times.
+  std::optional<Body> body{};
 };
 
 struct ErrorControl {
@@ -35,20 +38,25 @@ struct ErrorControl {
 ///   (eps P_X)_X + (eps P_Y)_Y - U(T) Q_X - Q' = 0 or P = 0,   Q = rho_bar(P) H(P, H00, S),   integral P = load(T).
 /// With y' = y'_p + cj (y - y_p) of the implicit step this is the steady problem with the additional terms
 ///   L(P) = (eps P_X)_X + (eps P_Y)_Y - U Q_X - cj Q = Q'_p - cj Q_p,
-/// which the cycles of `fmg` solve from the predicted state on.
+/// which the cycles of `fmg` solve from the predicted state on. With a body that moves, y = (P, Q, H00, V):
+///   H00' = V,   mass V' + damping V = integral P/W - load(T)
+/// in place of the last equation. In the implicit step V and V' follow from H00: a load that grows with H00.
 class ContactDae {
  public:
   /// in: a hierarchy whose finest level holds the state at the start, with the right-hand sides of a coarse level:
   /// prepare() it. It must outlive this object.
   ContactDae(fmg::Hierarchy& hierarchy, const Course& course, const ErrorControl& control);
 
-  std::size_t size() const { return 2 * nodes_ + 1; }
+  std::size_t size() const { return 2 * nodes_ + (course_.body ? 2 : 1); }
   std::size_t nodes() const { return nodes_; }
 
   /// y of the level's state.
   void state(std::span<double> y) const;
-  /// The level's P, H00 and all that follows from them at T, from y.
-  void set_state(double T, std::span<const double> y);
+  /// The level's P, H00 and all that follows from them at T, from y. yp: for the load that a moving body wants; without
+  /// it, the one that acts.
+  void set_state(double T, std::span<const double> y, std::span<const double> yp = {});
+  /// The body at its gap, without pressure, with its velocity. in: a course with a body that has a gap.
+  void release();
 
   StageResult solve(const Stage& stage, std::span<double> correction);
   void weights(std::span<const double> y, std::span<double> w) const;
@@ -59,16 +67,25 @@ class ContactDae {
   /// Carries the load exactly: the pressure by a common factor, the film at the centre held by H00.
   void balance_load();
 
+  /// Velocity of the body, 0 without one; what the film carries over W; the error of the load over the one that acts,
+  /// or over W where that is less.
+  double velocity() const { return V_; }
+  double carried() const;
+  double load_error() const;
+
   /// The terms of the problem at T with squeeze cj; the right-hand side is left alone.
   void pose(double T, double cj);
 
  private:
-  double change(std::span<const double> weights, double H00_before);
+  double change(const Stage& stage, double H00_before);
+  void move_body(const Stage& stage);
 
   fmg::Hierarchy& hierarchy_;
   const Course& course_;
   ErrorControl control_;
   std::size_t nodes_;
+  double W_;           ///< integral P of the load that the groups are made with
+  double V_ = 0.0;     ///< velocity of the body
   double zone_ = 0.0;  ///< nodes that make up the norm, of the whole domain
   double rate_ = 0.3;  ///< of the cycles, as last measured
   core::Field P_before_, Q_before_;

@@ -59,6 +59,7 @@ std::vector<Key> time_keys() {
           .name = "output_interval",
           .default_note = "none: the fields of the first and the last time",
           .range = positive,
+          .remedy = "a longer time between two fields keeps fewer of them",
           .meaning = "Time between two fields of P and H in the result. The numbers of every step are always kept.",
           .needs = timed,
           .example = "0.1"},
@@ -74,6 +75,7 @@ std::vector<Key> output_keys() {
           .range = positive,
           .meaning = "Time by the clock between the moments at which a run in time writes its result so far, from "
                      "which `ehl resume` goes on.",
+          .needs = {.name = "end_time", .section = "transient"},
           .example = "60"},
       Key{.section = "output",
           .name = "probe",
@@ -82,6 +84,7 @@ std::vector<Key> output_keys() {
           .meaning = "Points 'X Y, X Y, ...' in Hertz radii at which a run in time keeps P and H at every step, as the "
                      "columns P_1, H_1, P_2, ... of /transient: of a node where there is one, else by bicubic "
                      "interpolation, P no less than 0.",
+          .needs = {.name = "end_time", .section = "transient"},
           .example = "0 0, 0.7 0.2"}};
 }
 

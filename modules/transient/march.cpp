@@ -36,8 +36,14 @@ class March {
         parameters_(parameters),
         observer_(observer),
         course_(course_of(conditions, crossing_)),
-        dae_(hierarchy_, course_, {.rtol = parameters.rtol, .Q_scale = central_film()}),
+        dae_(hierarchy_, course_, {.rtol = parameters.rtol, .Q_scale = film_scale()}),
         between_(dae_.size()) {
+    if (course_.surface)
+      course_.surface = [this, shape = std::move(course_.surface)](const core::Grid& grid, double T, core::Field& S) {
+        const double began = core::now();
+        shape(grid, T, S);
+        report_.seconds_of_surfaces += core::now() - began;
+      };
     problem_.size = dae_.size();
     problem_.solve = [this](const Stage& stage, std::span<double> correction) { return dae_.solve(stage, correction); };
     problem_.weights = [this](double, std::span<const double> y, std::span<double> w) { dae_.weights(y, w); };
@@ -50,23 +56,24 @@ class March {
   std::size_t size() const { return dae_.size(); }
 
   MarchReport run(const Checkpoint* from) {
-    Checkpoint start = from ? *from : settled();
+    Checkpoint start = from ? *from : begun();
+    report_.T = start.T;
+    report_.restarts = start.restarts;
+    frames_ = start.frames;
+    dae_.set_state(start.T, start.y);
+    const std::vector<double> stops = stops_of(conditions_, parameters_.end);
+    bool on = true;
+    if (!from) {
+      on = show({}) || stopped(MarchEnd::interrupted);
+      show_frame(0.0);
+      if (on && starts_moving()) on = set_off(*std::ranges::upper_bound(stops, 0.0), start);
+    }
     const double shorter = from ? shorter_behind_a_checkpoint * from->step : first_step;
     Ida ida(problem_,
             {.first = std::min(shorter, 0.1 * report_.longest_step),
              .longest = report_.longest_step,
              .shortest = parameters_.shortest_step},
             start.T, start.y, start.yp);
-    report_.T = start.T;
-    report_.restarts = start.restarts;
-    frames_ = start.frames;
-    dae_.set_state(start.T, start.y);
-    bool on = true;
-    if (!from) {
-      on = show({}) || stopped(MarchEnd::interrupted);
-      show_frame(0.0);
-    }
-    const std::vector<double> stops = stops_of(conditions_, parameters_.end);
     for (std::size_t k = 0; on && k < stops.size(); ++k) {
       if (stops[k] < start.T) continue;
       on = reach(ida, stops[k]);
@@ -83,8 +90,15 @@ class March {
     return steady::value_at(level.grid, level.H, 0.0, 0.0);
   }
 
-  Checkpoint settled() {
-    settle(hierarchy_, dae_, course_.drive(0.0), crossing_);
+  // Of errors. A body that flies towards the other will have a film of that order once it is there.
+  double film_scale() const { return conditions_.body ? std::min(central_film(), 0.1) : central_film(); }
+
+  // The steady state of T = 0, or the bodies apart.
+  Checkpoint begun() {
+    if (conditions_.body && conditions_.body->gap)
+      dae_.release();
+    else
+      settle(hierarchy_, dae_, course_.drive(0.0), crossing_);
     Checkpoint start;
     start.y.resize(dae_.size());
     start.yp.resize(dae_.size(), 0.0);
@@ -99,7 +113,7 @@ class March {
       const double before = report_.T;
       const StepReport step = ida.step(stop);
       if (step.end == StepReport::End::failed) return fail(step.reason);
-      if (step.end == StepReport::End::at_event) dae_.set_state(step.T, ida.y());
+      if (step.end == StepReport::End::at_event) dae_.set_state(step.T, ida.y(), ida.yp());
       const bool on = accept(step, ida.y(), [&](double T) { ida.interpolate(T, between_); });
       const bool wanted = observer_.wants_checkpoint && observer_.wants_checkpoint();
       if ((wanted || !on) && observer_.checkpoint) hand_out_checkpoint(step.length, ida.y(), ida.yp());
@@ -115,17 +129,43 @@ class March {
   // by the same equations, in which load and speed go from the old to the new values; a few more of them; and from
   // there at order one. All of it before the next stop.
   bool cross(Ida& ida, double next_stop) {
+    EulerStep step;
+    step.y.assign(ida.y().begin(), ida.y().end());
+    if (!short_steps(step, course_.drive(report_.T), micro_step, next_stop)) return false;
+    ++report_.restarts;
+    ida.restart(report_.T, step.y, step.yp, step.length);
+    return true;
+  }
+
+  bool starts_moving() const {
+    return conditions_.body && (conditions_.body->gap || conditions_.body->velocity != 0.0);
+  }
+
+  // The same from a velocity at T = 0 that the pressure does not know yet. out: where IDA begins.
+  bool set_off(double next_stop, Checkpoint& start) {
+    EulerStep step;
+    step.y = start.y;
+    if (!short_steps(step, course_.drive(0.0), std::min(micro_step, 0.1 * report_.longest_step), next_stop))
+      return false;
+    start.T = report_.T;
+    start.y = step.y;
+    start.yp = step.yp;
+    return true;
+  }
+
+  // in: step.y, the state at report_.T, and the drive there. out: step, the last one.
+  bool short_steps(EulerStep& step, Drive drive, double length, double next_stop) {
     const double T = report_.T;
     const double room = 0.5 * (next_stop - T);
-    const int count = std::clamp(static_cast<int>(room / micro_step), 2, micro_steps);
-    EulerStep step{.length = std::min(micro_step, room / count)};
-    step.y.assign(ida.y().begin(), ida.y().end());
+    const int count = std::clamp(static_cast<int>(room / length), 2, micro_steps);
+    step.length = std::min(length, room / count);
     for (int k = 0; k < count; ++k) {
       step.old = step.y;
       step.T = report_.T + step.length;
       step.cycles = 0;
-      const bool solved = k > 0 ? solve_euler_step(dae_, step)
-                                : solve_step_across(dae_, course_.drive(T), course_.drive(step.T), crossing_, step);
+      const Drive next = course_.drive(step.T);
+      if (conditions_.body) drive.load = next.load;  // the body's inertia takes it
+      const bool solved = k > 0 ? solve_euler_step(dae_, step) : solve_step_across(dae_, drive, next, crossing_, step);
       if (!solved) return fail("the cycles did not converge across the jump at T = " + std::to_string(T));
       const auto interpolate = [&](double at) {
         const double ahead = (step.T - at) / step.length;
@@ -136,8 +176,6 @@ class March {
         return stopped(MarchEnd::interrupted);
       }
     }
-    ++report_.restarts;
-    ida.restart(report_.T, step.y, step.yp, step.length);
     return true;
   }
 
@@ -169,7 +207,6 @@ class March {
   bool show(const StepReport& step) {
     const fmg::Level& level = hierarchy_.finest();
     const core::Location Hm = core::minimum(level.H);
-    const double load = fmg::carried_load(level);
     const StepRow row{.T = step.T,
                       .Hc = central_film(),
                       .Hm = Hm.value,
@@ -179,7 +216,9 @@ class March {
                       .H00 = hierarchy_.H00,
                       .load = value(conditions_.load, step.T),
                       .speed = drive_at(conditions_, step.T).speed,
-                      .load_error = std::abs(load / level.load - 1.0),
+                      .load_error = dae_.load_error(),
+                      .velocity = dae_.velocity(),
+                      .carried = dae_.carried(),
                       .length = step.length,
                       .order = step.order,
                       .cycles = step.cycles,

@@ -42,6 +42,8 @@ struct StepRow {
   double load = 1.0;        ///< wanted, over the scene's
   double speed = 1.0;       ///< (u1 + u2)/2 over u_m
   double load_error = 0.0;  ///< relative
+  double velocity = 0.0;    ///< V = H00' of a moving body
+  double carried = 1.0;     ///< by the film, over the scene's load
   double length = 0.0;      ///< of the step; 0 in the first row
   int order = 0;
   int cycles = 0;
@@ -88,6 +90,7 @@ struct MarchReport {
   double worst_load_error = 0.0;
   double longest_step = 0.0;  ///< that was allowed
   double seconds = 0.0;
+  double seconds_of_surfaces = 0.0;  ///< of them: the shape of the surfaces
   core::PartTimes times{};
 };
 

@@ -180,7 +180,7 @@ BOOST_AUTO_TEST_CASE(a_run_in_time_that_does_not_end_has_no_error) {
 
 BOOST_AUTO_TEST_CASE(wrong_command_lines_of_a_run_in_time) {
   const Scene scene;
-  scene.folder.write("t.ini", paper + "[transient]\nend_time = 0.5\n");
+  scene.folder.write("t.ini", paper + "[transient]\nend_time = 0.5\nload = 0.1:1 0.2:1.2\n");
   struct Line {
     std::string arguments;
     std::string part;

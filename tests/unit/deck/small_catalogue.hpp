@@ -12,7 +12,10 @@ inline ehl::deck::Catalogue catalogue() {
   using ehl::deck::Key;
   using ehl::deck::Type;
   ehl::deck::Catalogue all;
-  all.sections = {{"body", "The body."}, {"mesh", "The mesh."}, {"law", "The law."}};
+  all.sections = {{"body", "The body."},
+                  {"mesh", "The mesh."},
+                  {"law", "The law."},
+                  {"wind", "The wind.", {"speed", "gust"}, "weather"}};
   all.keys = {
       Key{.section = "body",
           .name = "load",
@@ -52,6 +55,14 @@ inline ehl::deck::Catalogue catalogue() {
           .default_text = "7",
           .meaning = "Needs the tolerance.",
           .needs = {.name = "tolerance"}},
+      Key{.section = "wind", .name = "speed", .unit = "m/s", .meaning = "Speed.", .example = "3"},
+      Key{.section = "wind", .name = "gust", .meaning = "Gust.", .example = "2"},
+      Key{.section = "wind", .name = "angle", .default_text = "0", .meaning = "Angle."},
+      Key{.section = "law",
+          .name = "drag",
+          .default_text = "1",
+          .meaning = "Drag in the wind.",
+          .needs = {.name = "speed", .section = "wind"}},
       Key{.section = "law",
           .name = "tolerance",
           .range = {0.0, 1.0, true, false},

@@ -52,6 +52,9 @@ BOOST_AUTO_TEST_CASE(each_slip_has_its_message) {
       {"[law]\nname = barus\nz = 0.6\n", {"d.ini:3", "z = 0.6", "no influence with name = barus", "remove it"}},
       {"[law]\nlimit = 3\n", {"d.ini:2", "no influence without tolerance"}},
       {"[mesh]\n[body]\nload = 1\n", {"d.ini:1", "[mesh]", "no influence", "cells, length"}},
+      {"[wind]\nangle = 9\n", {"d.ini:2", "angle = 9", "no influence without speed or gust"}},
+      {"[wind]\n[body]\nload = 1\n", {"d.ini:1", "[wind]", "no influence", "give speed or gust"}},
+      {"[law]\ndrag = 2\n[wind]\ngust = 1\n", {"d.ini:2", "drag = 2", "no influence without [wind] speed"}},
       {"[weather]\nrain = 1\n", {"d.ini:1", "[weather]", "not available in this version"}},
       {"[mesh]\naccuracy = 0.1\n", {"d.ini:2", "accuracy", "not in this version"}},
   };
@@ -71,6 +74,9 @@ BOOST_AUTO_TEST_CASE(all_errors_are_listed_at_once) {
 BOOST_AUTO_TEST_CASE(a_condition_that_holds_is_no_error) {
   const deck::Deck deck = small::read("[law]\nz = 0.6\ntolerance = 0.1\nlimit = 3\n");
   BOOST_TEST(deck.errors.empty(), small::all_errors(deck));
+  const deck::Deck windy = small::read("[wind]\nangle = 9\nspeed = 3\n[law]\ndrag = 2\n");
+  BOOST_TEST(windy.errors.empty(), small::all_errors(windy));
+  BOOST_TEST(small::read("[wind]\nangle = 9\ngust = 3\n").errors.empty());
 }
 
 BOOST_AUTO_TEST_CASE(the_command_line_replaces_and_is_checked_alike) {

@@ -21,6 +21,9 @@ BOOST_AUTO_TEST_CASE(the_commented_deck_is_a_valid_deck) {
   for (const deck::Key& key : small::catalogue().keys) BOOST_TEST(contains(text, key.name + " = "), key.name);
   BOOST_TEST(contains(text, "\n# length = 3\n"));
   BOOST_TEST(contains(text, "\n# limit = 7\n"));
+  BOOST_TEST(contains(text, "\n# [wind]\n"));  // an effect that is off
+  BOOST_TEST(contains(text, "\n# angle = 0\n"));
+  BOOST_TEST(contains(text, "\n# drag = 1\n"));
 }
 
 // Idempotent: the effective deck, read again, is itself.
@@ -34,6 +37,11 @@ BOOST_AUTO_TEST_CASE(the_effective_deck_gives_the_same_case) {
   BOOST_TEST(deck::word(again, "body", "title") == "x y");
   BOOST_TEST(contains(text, "chosen: from the load"));
   BOOST_TEST(!contains(text, "z ="));  // a Barus fluid has none
+  for (const char* absent : {"[wind]", "angle", "drag"}) BOOST_TEST(!contains(text, absent), text);
+  const std::string windy = deck::effective_deck(small::read("[wind]\nspeed = 3\n"));
+  BOOST_TEST(contains(windy, "angle = 0  # default"), windy);
+  BOOST_TEST(contains(windy, "drag = 1  # default"), windy);
+  BOOST_TEST(small::read(windy).errors.empty());
 }
 
 BOOST_AUTO_TEST_CASE(the_list_of_keys) {
@@ -41,6 +49,8 @@ BOOST_AUTO_TEST_CASE(the_list_of_keys) {
   for (const deck::Key& key : small::catalogue().keys) BOOST_TEST(contains(all, "  " + key.name), key.name);
   const std::string one = deck::list_keys(small::catalogue(), "mesh.cells");
   BOOST_TEST(contains(one, "cells"));
+  BOOST_TEST(contains(all, "[wind]  The wind. Effect weather: on with speed or gust; absent, it costs nothing."));
+  BOOST_TEST(contains(all, "Drag in the wind. (only with [wind] speed)"));
   BOOST_TEST(contains(one, "default: 64"));
   BOOST_TEST(!contains(one, "length"));
   BOOST_TEST(contains(deck::list_keys(small::catalogue(), "mesh"), "length"));

@@ -31,11 +31,9 @@ struct Marched {
   std::vector<transient::Frame> frames{};
 };
 
-/// From the steady solution of the scene, solved first.
-inline Marched marched(const steady::Scene& scene, const transient::Conditions& conditions,
-                       const transient::MarchParameters& parameters) {
+inline Marched marched_from(const steady::Solution& start, const steady::Scene& scene,
+                            const transient::Conditions& conditions, const transient::MarchParameters& parameters) {
   Marched all;
-  const steady::Solution start = steady::solve(scene);
   const transient::Observer observer{
       .row =
           [&](const transient::StepRow& row) {
@@ -45,6 +43,12 @@ inline Marched marched(const steady::Scene& scene, const transient::Conditions& 
       .frame = [&](transient::Frame&& frame) { all.frames.push_back(std::move(frame)); }};
   all.report = transient::march(scene, start, conditions, parameters, observer);
   return all;
+}
+
+/// From the steady solution of the scene, solved first.
+inline Marched marched(const steady::Scene& scene, const transient::Conditions& conditions,
+                       const transient::MarchParameters& parameters) {
+  return marched_from(steady::solve(scene), scene, conditions, parameters);
 }
 
 /// Largest relative difference of a value of the rows to one.
