@@ -60,8 +60,9 @@ TimeSample sample_of(const Case& input, const transient::Frame& frame) {
   TimeSample sample{frame.T, {}};
   sample.values = {steady::value_at(grid, frame.H, 0.0, 0.0), core::minimum(frame.H).value,
                    core::maximum(frame.P).value};
-  for (const transient::Place& place : input.transient->parameters.probes)
-    sample.values.push_back(transient::probed_at(grid, frame.P, frame.H, place).P);
+  for (const transient::Probed& probed :
+       transient::probed_at(grid, frame.P, frame.H, input.transient->parameters.probes))
+    sample.values.push_back(probed.P);
   return sample;
 }
 

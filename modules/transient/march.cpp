@@ -197,13 +197,6 @@ class March {
     return on;
   }
 
-  std::vector<Probed> probed() const {
-    const fmg::Level& level = hierarchy_.levels.back();
-    std::vector<Probed> all;
-    for (const Place& place : parameters_.probes) all.push_back(probed_at(level.grid, level.P, level.H, place));
-    return all;
-  }
-
   bool show(const StepReport& step) {
     const fmg::Level& level = hierarchy_.finest();
     const core::Location Hm = core::minimum(level.H);
@@ -224,7 +217,7 @@ class March {
                       .cycles = step.cycles,
                       .rejected = step.rejected,
                       .not_solved = step.not_solved,
-                      .probed = probed()};
+                      .probed = probed_at(level.grid, level.P, level.H, parameters_.probes)};
     report_.worst_load_error = std::max(report_.worst_load_error, row.load_error);
     if (std::isnan(parameters_.stop_steady)) recent_.clear();
     recent_.push_back(row);
@@ -290,10 +283,6 @@ class March {
 };
 
 }  // namespace
-
-Probed probed_at(const core::Grid& grid, const core::Field& P, const core::Field& H, const Place& place) {
-  return {std::max(0.0, steady::value_at(grid, P, place.X, place.Y)), steady::value_at(grid, H, place.X, place.Y)};
-}
 
 MarchReport march(const steady::Scene& scene, const steady::Solution& start, const Conditions& conditions,
                   const MarchParameters& parameters, const Observer& observer, const Checkpoint* from) {

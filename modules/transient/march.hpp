@@ -9,13 +9,9 @@
 #include "steady/scene.hpp"
 #include "steady/solution.hpp"
 #include "transient/conditions.hpp"
+#include "transient/probe.hpp"
 
 namespace ehl::transient {
-
-/// A point in Hertz radii.
-struct Place {
-  double X = 0.0, Y = 0.0;
-};
 
 struct MarchParameters {
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -28,11 +24,6 @@ struct MarchParameters {
   double stop_film = none;        ///< end where Hm falls to this
   double stop_steady = none;      ///< end where Hc, Hm and P_max change by less than this, relative, in a time of 1
   std::vector<Place> probes{};    ///< where P and H are wanted at every step
-};
-
-/// What a probe shows.
-struct Probed {
-  double P = 0.0, H = 0.0;
 };
 
 /// One accepted step.
@@ -67,10 +58,6 @@ struct Checkpoint {
   int restarts = 0;
   std::vector<double> y{}, yp{};  ///< contact_dae.hpp, on the grid that is computed on
 };
-
-/// P and H of both fields at a place: of a node where there is one, else by bicubic interpolation, P no less than 0.
-/// in: the grid of the fields, whole or mirrored. limits: inside the whole.
-Probed probed_at(const core::Grid& grid, const core::Field& P, const core::Field& H, const Place& place);
 
 /// What comes out while it goes on; each may be empty. `row` answers whether to go on.
 struct Observer {

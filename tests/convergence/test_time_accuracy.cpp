@@ -34,7 +34,7 @@ History history(const steady::Scene& scene, const steady::Solution& start, const
   const Observer observer{.frame = [&](Frame&& frame) {
     all.Hc.push_back(steady::value_at(scene.grid, frame.H, 0.0, 0.0));
     all.Hm.push_back(core::minimum(frame.H).value);
-    all.P.push_back(probed_at(scene.grid, frame.P, frame.H, {0.7, 0.1}).P);
+    all.P.push_back(probed_at(scene.grid, frame.P, frame.H, {{0.7, 0.1}})[0].P);
   }};
   all.report = march(scene, start, conditions, parameters, observer);
   BOOST_REQUIRE((all.report.end == MarchEnd::end_time));
