@@ -24,21 +24,6 @@ std::string what(const Case& input) {
          (varying.empty() ? "neither load nor speed" : deck::joined(varying, ", "));
 }
 
-std::string idle(const Case& input) {
-  const transient::Conditions& conditions = input.transient->conditions;
-  const double end = input.transient->parameters.end;
-  const auto constant = [end](const transient::Schedule& schedule) {
-    const double at_first = transient::value(schedule, 0.0);
-    return !(schedule.wave && schedule.wave->start < end) && transient::value(schedule, end) == at_first &&
-           std::ranges::all_of(schedule.points, [&](const transient::Schedule::Point& point) {
-             return point.T >= end || point.value == at_first;
-           });
-  };
-  const bool smooth = !conditions.on_1 && !conditions.on_2;
-  if (!smooth || !constant(conditions.load) || !constant(conditions.u1) || !constant(conditions.u2)) return "";
-  return "nothing varies until then: let load, u1 or u2 vary, or give a surface something to carry";
-}
-
 Needs expense(const Case& input) {
   // Of a contact that is symmetric in Y, per node of the whole domain.
   constexpr double doubles_of_history = 30.0;  // IDA's vectors of P and Q
@@ -74,7 +59,6 @@ Effect transient_effect() {
           .keys = transient::keys,
           .on = [](const Case& input) { return input.transient.has_value(); },
           .what = what,
-          .idle = idle,
           .expense = expense,
           .compute = compute,
           .summary =

@@ -72,6 +72,7 @@ std::vector<Effect> effects_of(const Case& input);
 
 /// The entries of the list.
 Effect transient_effect();
+Effect body_effect();
 Effect surfaces_effect();
 
 /// "steady, smooth, ..., fully flooded": what the case leaves to the basic model, that of no version yet included.

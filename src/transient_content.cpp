@@ -19,6 +19,7 @@ struct ColumnRecord {
   const char* meaning;
   double StepRow::*number;
   int StepRow::*count;
+  bool of_body = false;  ///< only where a body moves
 };
 constexpr ColumnRecord columns[] = {
     {"time", "a/u_m", "time reached", &StepRow::T, nullptr},
@@ -31,6 +32,8 @@ constexpr ColumnRecord columns[] = {
     {"load", "-", "wanted, over that of the contact", &StepRow::load, nullptr},
     {"speed", "-", "entrainment speed (u1 + u2)/2 over u_m", &StepRow::speed, nullptr},
     {"load_error", "-", "relative error of the load", &StepRow::load_error, nullptr},
+    {"velocity", "a u_m/R", "of the body", &StepRow::velocity, nullptr, true},
+    {"carried", "-", "load that the film carries, over that of the contact", &StepRow::carried, nullptr, true},
     {"step", "a/u_m", "length of the step; 0 for the start", &StepRow::length, nullptr},
     {"order", "-", "of the time integration", nullptr, &StepRow::order},
     {"cycles", "-", "of all attempts at the step", nullptr, &StepRow::cycles},
@@ -74,7 +77,8 @@ results::Loose loose_of(const transient::Checkpoint& checkpoint) {
            {"step", checkpoint.step, "a/u_m", "length of the last step"},
            {"frames", static_cast<double>(checkpoint.frames), "-", "fields kept so far", true},
            {"jumps", static_cast<double>(checkpoint.restarts), "-", "jumps of load or speed so far", true}},
-          {array("y", "P, rho_bar H and H00 on the grid that is computed on", checkpoint.y),
+          {array("y", "P and rho_bar H on the grid that is computed on, H00, and the velocity of a body that moves",
+                 checkpoint.y),
            array("yp", "their derivatives in time", checkpoint.yp)}};
 }
 
@@ -83,6 +87,7 @@ results::Loose loose_of(const transient::Checkpoint& checkpoint) {
 void add_transient(const Case& input, const TransientResult& result, results::Content& content) {
   results::Table table{"transient", "every accepted step of time; ended " + how_it_ended(result.report), {}};
   for (const ColumnRecord& record : columns) {
+    if (record.of_body && !input.transient->conditions.body) continue;
     results::Column made{record.name, record.unit, record.meaning, record.count != nullptr, {}};
     for (const StepRow& row : result.rows) made.values.push_back(record.count ? row.*record.count : row.*record.number);
     table.columns.push_back(std::move(made));
@@ -115,6 +120,7 @@ TransientResult read_transient(const results::ResultFile& file) {
   const std::string damaged = file.path() + ": the file is damaged: ";
   result.rows.resize(file.numbers("/transient/time").values.size());
   for (const ColumnRecord& record : columns) {
+    if (record.of_body && file.kind(std::string("/transient/") + record.name) != Kind::numbers) continue;
     const std::vector<double> values = file.numbers(std::string("/transient/") + record.name).values;
     if (values.size() != result.rows.size() || values.empty()) throw core::FileError(damaged + record.name);
     for (std::size_t k = 0; k < values.size(); ++k)

@@ -22,10 +22,11 @@ using transient::Feature;
 using transient::Schedule;
 
 constexpr const char* section = "transient";
+constexpr double unset = std::numeric_limits<double>::quiet_NaN();
 
 // Hertz radii over metres, a^2/R over metres, a/u_m over seconds; NaN without SI.
 struct Units {
-  double a = std::numeric_limits<double>::quiet_NaN();
+  double a = unset;
   double height = a;
   double time = a;
 };
@@ -156,9 +157,41 @@ std::optional<Feature> feature_of(deck::Deck& deck, const std::string& of, const
   return feature;
 }
 
+// A quantity of the body given plainly or in SI; NaN: not at all.
+double of_body(deck::Deck& deck, const std::string& key, const std::string& suffix, double unit) {
+  const std::string in_SI = key + suffix;
+  const bool plain = given(deck, "body", key);
+  const bool SI = given(deck, "body", in_SI);
+  if (plain && SI) complain(deck, "body", key, "and " + in_SI + " are both given: keep one of them");
+  if (SI && std::isnan(unit)) complain(deck, "body", in_SI, "is in SI and contact and motion are not: use " + key);
+  return plain ? deck::number(deck, "body", key) : SI ? deck::number(deck, "body", in_SI) / unit : unset;
+}
+
+std::optional<transient::Body> body_of(deck::Deck& deck, const Physics& physics, const Units& units) {
+  const double length = physics.si ? physics.si->contact.radius : unset;
+  const double load = physics.si ? physics.si->contact.load : unset;
+  const double u_m = units.a / units.time;
+  transient::Body body;
+  body.mass = of_body(deck, "mass", "_kg", load * length / (u_m * u_m));
+  if (std::isnan(body.mass)) return std::nullopt;
+  const double damping = of_body(deck, "damping", "_Nspm", load * length / (units.a * u_m));
+  if (std::isfinite(damping)) body.damping = damping;
+  const double gap = of_body(deck, "gap", "_m", units.height);
+  if (std::isfinite(gap)) body.gap = gap;
+  const double velocity = of_body(deck, "velocity", "_mps", units.height / units.time);
+  if (std::isfinite(velocity)) body.velocity = velocity;
+  return body;
+}
+
 void check_drive(deck::Deck& deck, const TransientInput& input) {
   const double end = input.parameters.end;
-  if (!(transient::least(input.conditions.load, end) > 0.0))
+  const std::optional<transient::Body>& body = input.conditions.body;
+  if (body && transient::least(input.conditions.load, end) < 0.0)
+    complain(deck, section, given(deck, section, "load_wave") ? "load_wave" : "load", "the load must not be negative");
+  if (body && !body->gap && !(transient::value(input.conditions.load, 0.0) > 0.0))
+    complain(deck, section, "load",
+             "must be positive at time 0, from whose steady film the body starts; or give a gap");
+  if (!body && !(transient::least(input.conditions.load, end) > 0.0))
     complain(deck, section, given(deck, section, "load_wave") ? "load_wave" : "load",
              "the load must stay positive until the end: the bodies would part");
   constexpr int samples = 4000;
@@ -172,7 +205,8 @@ void check_drive(deck::Deck& deck, const TransientInput& input) {
                    " a/u_m: the oil would enter at the other side, which this version does not solve");
       return;
     }
-  if (transient::drive_at(input.conditions, 0.0).speed <= 0.0)
+  const bool from_steady = !body || !body->gap;
+  if (from_steady && transient::drive_at(input.conditions, 0.0).speed <= 0.0)
     complain(deck, section, key, "(u1 + u2)/2 must be positive at time 0: there is no steady film to start from");
 }
 
@@ -200,6 +234,7 @@ std::optional<TransientInput> transient_input(deck::Deck& deck, const Physics& p
   input.conditions.u2 = schedule_of(deck, "u2", unit, physics.si ? physics.si->u2 / u_m : 1.0);
   input.conditions.on_1 = feature_of(deck, "surface1", units, grid);
   input.conditions.on_2 = feature_of(deck, "surface2", units, grid);
+  input.conditions.body = body_of(deck, physics, units);
   input.parameters.end = time("end_time");
   input.parameters.rtol = deck::number(deck, section, "rtol");
   input.parameters.longest_step = time("max_step");

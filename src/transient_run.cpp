@@ -155,7 +155,11 @@ std::string transient_summary(const Case& input, const TransientResult& result) 
   if (std::isfinite(input.transient->second)) text += formatted(" (%.4g s)", report.T / input.transient->second);
   text += ", ended " + how_it_ended(report) + "\n";
   text += range_line("Hc", result.rows, &StepRow::Hc) + range_line("Hm", result.rows, &StepRow::Hm) +
-          range_line("P_max", result.rows, &StepRow::P_max) + probe_lines(input, result.rows);
+          range_line("P_max", result.rows, &StepRow::P_max);
+  if (input.transient->conditions.body)
+    text +=
+        range_line("velocity", result.rows, &StepRow::velocity) + range_line("carried", result.rows, &StepRow::carried);
+  text += probe_lines(input, result.rows);
   const int attempts = report.steps + report.rejected + report.not_solved;
   text += formatted(
       "  steps      %d, %.2f cycles each; %d of %d attempts rejected for their error, %d not solved; %d jumps; longest "

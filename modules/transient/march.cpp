@@ -12,6 +12,7 @@
 #include "steady/state_of_level.hpp"
 #include "transient/contact_dae.hpp"
 #include "transient/jump.hpp"
+#include "transient/rest.hpp"
 #include "transient/settle.hpp"
 
 namespace ehl::transient {
@@ -37,7 +38,8 @@ class March {
         observer_(observer),
         course_(course_of(conditions, crossing_)),
         dae_(hierarchy_, course_, {.rtol = parameters.rtol, .Q_scale = film_scale()}),
-        between_(dae_.size()) {
+        between_(dae_.size()),
+        rest_(parameters.stop_steady) {
     if (course_.surface)
       course_.surface = [this, shape = std::move(course_.surface)](const core::Grid& grid, double T, core::Field& S) {
         const double began = core::now();
@@ -119,7 +121,7 @@ class March {
       if ((wanted || !on) && observer_.checkpoint) hand_out_checkpoint(step.length, ida.y(), ida.yp());
       if (!on) return stopped(MarchEnd::interrupted);
       if (step.end == StepReport::End::at_event) return stopped(MarchEnd::film);
-      if (is_steady()) return stopped(MarchEnd::steady);
+      if (at_rest_) return stopped(MarchEnd::steady);
       if (!(step.T > before)) return fail("the step does not move the time");
     }
     return true;
@@ -219,8 +221,7 @@ class March {
                       .not_solved = step.not_solved,
                       .probed = probed_at(level.grid, level.P, level.H, parameters_.probes)};
     report_.worst_load_error = std::max(report_.worst_load_error, row.load_error);
-    if (std::isnan(parameters_.stop_steady)) recent_.clear();
-    recent_.push_back(row);
+    at_rest_ = rest_.reached(row);
     return !observer_.row || observer_.row(row);
   }
 
@@ -247,17 +248,6 @@ class March {
     observer_.frame({T, steady::on_whole(level.grid, level.P), steady::on_whole(level.grid, level.H)});
   }
 
-  bool is_steady() {
-    constexpr double window = 1.0;
-    if (std::isnan(parameters_.stop_steady)) return false;
-    const StepRow& now = recent_.back();
-    while (recent_.size() > 1 && recent_[1].T <= now.T - window) recent_.erase(recent_.begin());
-    const StepRow& then = recent_.front();
-    if (now.T - then.T < window) return false;
-    const auto rests = [&](double was, double is) { return std::abs(is / was - 1.0) < parameters_.stop_steady; };
-    return rests(then.Hc, now.Hc) && rests(then.Hm, now.Hm) && rests(then.P_max, now.P_max);
-  }
-
   bool fail(const std::string& reason) {
     report_.reason = reason;
     return stopped(MarchEnd::failed);
@@ -277,7 +267,8 @@ class March {
   DaeProblem problem_{};
   std::vector<double> between_;  ///< a state between two steps
   MarchReport report_{};
-  std::vector<StepRow> recent_{};  ///< of the last time of 1
+  Rest rest_;
+  bool at_rest_ = false;
   int frames_ = 0;
   double last_frame_ = -1.0;
 };

@@ -172,18 +172,6 @@ BOOST_AUTO_TEST_CASE(a_section_without_influence_is_refused) {
   BOOST_TEST(contains(guest, "has no influence without [transient] end_time"), guest);
 }
 
-BOOST_AUTO_TEST_CASE(a_time_in_which_nothing_varies_is_refused) {
-  const std::string end = "transient.end_time=2";
-  for (const std::string still :
-       {"transient.rtol=1e-3", "transient.load=1:1 1.5:1", "transient.u1=2.5:1 3:2", "transient.load_wave=0.1 1 2.5"}) {
-    const std::string said = complaints(plain, {end, still});
-    BOOST_TEST(contains(said, "end_time = 2: the effect transient has no influence: nothing varies"), still + said);
-  }
-  for (const std::string varying :
-       {"transient.load=0:1 3:1.1", "transient.load=1:1 1:1.1", "transient.u2=1.5:1 3:2", "transient.u1_wave=0.1 1"})
-    BOOST_TEST(complaints(plain, {end, varying}).empty(), varying);
-}
-
 BOOST_AUTO_TEST_CASE(what_breaks_the_symmetry_is_named) {
   const std::vector<std::string> ridge{"transient.end_time=1", "surface2.shape=ridge", "surface2.height=0.01",
                                        "surface2.width=0.5"};
