@@ -40,6 +40,7 @@ deck::Catalogue catalogue() {
     all.keys.insert(all.keys.end(), keys.begin(), keys.end());
   }
   all.unavailable = effects_to_come();
+  all.unavailable.push_back({"surface", "", "there are two: write [surface1] or [surface2]"});
   return all;
 }
 

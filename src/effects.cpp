@@ -19,8 +19,11 @@ struct ToCome {
   const char* section;
   const char* without;  ///< what the basic model has in its place; empty: an addition
 };
-constexpr ToCome to_come[] = {{"thermal", "isothermal"}, {"shear", "Newtonian"}, {"starvation", "fully flooded"},
-                              {"surface", ""},           {"subsurface", ""},     {"friction", ""}};
+constexpr ToCome to_come[] = {{"thermal", "isothermal"},
+                              {"shear", "Newtonian"},
+                              {"starvation", "fully flooded"},
+                              {"subsurface", ""},
+                              {"friction", ""}};
 
 bool has_section(const Effect& effect, const std::string& name) {
   return std::ranges::any_of(effect.sections, [&](const deck::Section& section) { return section.name == name; });

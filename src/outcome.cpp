@@ -69,6 +69,7 @@ Outcome outcome_of(const Case& input, const steady::Solution& solution) {
   outcome.formulas = film_formulas(groups);
   outcome.regime = contact::regime_text(groups.M, groups.L);
   outcome.warnings = warnings_of(input.physics, solution, outcome.P_max.value);
+  for (std::string& warning : surface_warnings(input.surfaces, solution.grid)) outcome.warnings.push_back(warning);
   return outcome;
 }
 

@@ -210,7 +210,7 @@ std::string derived(const Case& input) {
           formatted("hx = %.4g, hy = %.4g\n", scene.grid.hx(), scene.grid.hy());
   text +=
       "method       wedge " + std::string(name(scene.wedge)) + "; deformation " + name(scene.deformation.method) + "\n";
-  text += effect_lines(input);
+  text += effect_lines(input) + surface_report(input.surfaces, physics, scene.grid);
   const Needs needs = expected_needs(input);
   text += "needs        about " + memory(needs.bytes) +
           formatted(" and %.1g s with %d thread%s\n", needs.seconds, scene.threads, scene.threads == 1 ? "" : "s");

@@ -8,6 +8,7 @@
 #include "deck/text.hpp"
 #include "deck/write.hpp"
 #include "machine.hpp"
+#include "surface/resample.hpp"
 #include "version.hpp"
 
 namespace ehl::program {
@@ -205,12 +206,28 @@ Table continuation_rows(const steady::Solution& solution) {
                        [](const Row& row) { return row.converged ? 1.0 : 0.0; })}};
 }
 
+// What the mesh holds of each measured map.
+void add_resolution(const Case& input, const core::Grid& grid, std::vector<Quantity>& list) {
+  for (const CarriedSurface* one : carried(input.surfaces)) {
+    const auto* map = std::get_if<surface::HeightMap>(&one->relief);
+    if (!map) continue;
+    const surface::Resolution left = surface::resolution(*map, grid);
+    list.push_back({one->section + "_variance_lost", left.variance_lost, "-", "share of the map's variance"});
+    list.push_back({one->section + "_shortest_wave_x", left.shortest_wave_X, "a", "that the mesh holds along x"});
+    list.push_back({one->section + "_shortest_wave_y", left.shortest_wave_Y, "a", "that the mesh holds along y"});
+  }
+}
+
 }  // namespace
 
 DerivedFields derived_fields(const Case& input, const steady::Solution& solution) {
   DerivedFields derived;
   if (wanted(input, "rho_bar")) derived.rho_bar = core::Field(solution.grid);
   if (wanted(input, "ln_eta_bar")) derived.ln_eta_bar = core::Field(solution.grid);
+  if (input.scene.surface) {
+    derived.S = core::Field(solution.grid);
+    input.scene.surface(solution.grid, derived.S);
+  }
   for (int i = 0; i < solution.grid.nodes_x(); ++i) {
     if (wanted(input, "rho_bar"))
       rheology::density(input.scene.density, solution.P.station(i), derived.rho_bar.station(i));
@@ -234,12 +251,18 @@ results::Content result_content(const Case& input, const steady::Solution& solut
                                                 {"ln_eta_bar", "-", "ln(eta/eta0)", &derived.ln_eta_bar}};
   for (const results::NamedField& field : fields)
     if (wanted(input, field.name)) content.fields.push_back(field);
+  if (input.scene.surface)
+    content.fields.push_back(
+        {"S", "a^2/R", "what the surfaces at rest add to the gap, as means over cells", &derived.S});
   content.summary = summary_numbers(solution, outcome);
   content.remarks = {{"failed_check", solution.failed_check, "empty when converged"},
                      {"warnings", deck::joined(outcome.warnings, "\n"), "one a line"},
                      {"method", solution.method, "the way that led to the solution"},
                      {"regime", outcome.regime, "regime of lubrication"},
                      {"deformation", solution.deformation, "how the elastic deformation was evaluated"}};
+  for (const std::string& line : surface_lines(input.surfaces, input.physics, solution.grid))
+    content.remarks.push_back({line.substr(0, line.find(':')), line.substr(line.find(':') + 2), "what it carries"});
+  add_resolution(input, solution.grid, content.summary);
   content.tables = {level_rows(solution), cycle_rows(solution)};
   if (!solution.continuation.empty()) content.tables.push_back(continuation_rows(solution));
   return content;

@@ -9,6 +9,7 @@ namespace ehl::program {
 struct DerivedFields {
   core::Field rho_bar{};
   core::Field ln_eta_bar{};
+  core::Field S{};  ///< of surfaces at rest
 };
 
 /// The density and the viscosity of a solution, those that the case wants to keep.

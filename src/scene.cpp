@@ -226,7 +226,9 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
                         : polish == "off"  ? steady::Polish::off
                                            : steady::Polish::rescue;
   result.scene.threads = threads;
-  result.transient = transient_input(deck, result.physics, result.scene.grid);
+  result.surfaces = surface_input(deck, result.physics, result.scene.grid, given(deck, "transient", "end_time"));
+  result.transient = transient_input(deck, result.physics, result.surfaces);
+  if (!result.transient) let_stand(result.surfaces, result.scene);
   if (result.scene.grid.ny > 0) {
     check_coarsenings(deck, result.scene);
     check_memory(result);

@@ -15,6 +15,7 @@ struct Case {
   deck::Deck deck{};  ///< with everything that was chosen
   Physics physics{};
   steady::Scene scene{};
+  SurfaceInput surfaces{};                    ///< what they carry, in time or at rest
   std::optional<TransientInput> transient{};  ///< nothing: steady
   std::vector<std::string> fields{};          ///< to keep in the result
   std::string output{};                       ///< result file that the deck names

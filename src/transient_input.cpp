@@ -4,7 +4,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -18,7 +17,6 @@ namespace {
 
 using deck::complain;
 using deck::given;
-using transient::Feature;
 using transient::Schedule;
 
 constexpr const char* section = "transient";
@@ -118,45 +116,6 @@ Schedule schedule_of(deck::Deck& deck, const std::string& key, double unit, doub
   return schedule;
 }
 
-double length_of(deck::Deck& deck, const std::string& of, const std::string& key, double unit) {
-  const std::string in_metres = key + "_m";
-  const bool plain = given(deck, of, key);
-  const bool metres = given(deck, of, in_metres);
-  if (plain == metres)
-    complain(deck, of, key,
-             plain ? "and " + in_metres + " are both given: keep one of them"
-                   : "is missing: give it, or " + in_metres + " for a contact in SI");
-  else if (metres && std::isnan(unit))
-    complain(deck, of, in_metres, "is in metres and the contact is not given in SI: use " + key);
-  return plain ? deck::number(deck, of, key) : deck::number(deck, of, in_metres) / unit;
-}
-
-std::optional<Feature> feature_of(deck::Deck& deck, const std::string& of, const Units& units, const core::Grid& grid) {
-  const std::string shape = deck::word(deck, of, "shape");
-  if (shape.empty()) return std::nullopt;
-  using Shape = Feature::Shape;
-  Feature feature;
-  feature.shape = shape == "dimple"     ? Shape::dimple
-                  : shape == "bump"     ? Shape::bump
-                  : shape == "ridge"    ? Shape::ridge
-                  : shape == "groove"   ? Shape::groove
-                  : shape == "waviness" ? Shape::waviness
-                                        : Shape::cavity;
-  feature.height = length_of(deck, of, "height", units.height);
-  feature.width = length_of(deck, of, "width", units.a);
-  const double angle = deck::number(deck, of, "angle");
-  feature.angle = std::isnan(angle) ? 0.0 : angle * std::numbers::pi / 180.0;
-  feature.Y = deck::number(deck, of, "y");
-  if (!given(deck, of, "x") && std::isfinite(feature.width))
-    deck::choose(deck, of, "x", grid.X_a - (shape == "waviness" ? 1.0 : 3.0) * feature.width, "before the inlet");
-  feature.X = deck::number(deck, of, "x");
-  if (grid.nx > 0 && feature.width < 4.0 * grid.hx())
-    complain(deck, of, given(deck, of, "width") ? "width" : "width_m",
-             "is " + deck::shortest(feature.width) + " Hertz radii, fewer than four cells of " +
-                 deck::shortest(grid.hx()) + ": the mesh does not see it; use more cells");
-  return feature;
-}
-
 // A quantity of the body given plainly or in SI; NaN: not at all.
 double of_body(deck::Deck& deck, const std::string& key, const std::string& suffix, double unit) {
   const std::string in_SI = key + suffix;
@@ -212,11 +171,8 @@ void check_drive(deck::Deck& deck, const TransientInput& input) {
 
 }  // namespace
 
-std::optional<TransientInput> transient_input(deck::Deck& deck, const Physics& physics, const core::Grid& grid) {
+std::optional<TransientInput> transient_input(deck::Deck& deck, const Physics& physics, const SurfaceInput& surfaces) {
   const bool timed = given(deck, section, "end_time");
-  for (const char* surface : {"surface1", "surface2"})
-    if (given(deck, surface, "shape") && !timed)
-      complain(deck, surface, "shape", "moves through the contact and needs [transient] end_time");
   if (!timed) return std::nullopt;
   if (given(deck, "grid", "accuracy"))
     complain(deck, "grid", "accuracy", "is for steady contacts: give cells for a transient one");
@@ -232,8 +188,8 @@ std::optional<TransientInput> transient_input(deck::Deck& deck, const Physics& p
   input.conditions.load = schedule_of(deck, "load", unit, 1.0);
   input.conditions.u1 = schedule_of(deck, "u1", unit, physics.si ? physics.si->u1 / u_m : 1.0);
   input.conditions.u2 = schedule_of(deck, "u2", unit, physics.si ? physics.si->u2 / u_m : 1.0);
-  input.conditions.on_1 = feature_of(deck, "surface1", units, grid);
-  input.conditions.on_2 = feature_of(deck, "surface2", units, grid);
+  if (surfaces.on_1) input.conditions.on_1 = surfaces.on_1->relief;
+  if (surfaces.on_2) input.conditions.on_2 = surfaces.on_2->relief;
   input.conditions.body = body_of(deck, physics, units);
   input.parameters.end = time("end_time");
   input.parameters.rtol = deck::number(deck, section, "rtol");

@@ -1,10 +1,11 @@
 #pragma once
-// From the deck's [transient] and [surface] sections to a march.
+// From the deck's [transient] to a march.
 #include <optional>
 
 #include "deck/deck.hpp"
 #include "physical_input.hpp"
 #include "steady/scene.hpp"
+#include "surface_input.hpp"
 #include "transient/march.hpp"
 
 namespace ehl::program {
@@ -17,7 +18,8 @@ struct TransientInput {
 };
 
 /// Nothing where the deck has no [transient]. Rules between keys are complained about in the deck.
-/// in: the physics and the grid of the case. errors: core::FileError where a .csv that the deck names cannot be read.
-std::optional<TransientInput> transient_input(deck::Deck& deck, const Physics& physics, const core::Grid& grid);
+/// in: the physics of the case and what its surfaces carry. errors: core::FileError where a .csv that the deck names
+/// cannot be read.
+std::optional<TransientInput> transient_input(deck::Deck& deck, const Physics& physics, const SurfaceInput& surfaces);
 
 }  // namespace ehl::program

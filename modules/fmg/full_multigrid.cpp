@@ -15,10 +15,26 @@ constexpr int sweeps_per_balance = 4;
 
 void pose_original_problem(const Problem& problem, Level& level) {
   level.f.fill(0.0);
-  level.F.fill(0.0);
+  if (problem.surface)
+    problem.surface(level.grid, level.F);
+  else
+    level.F.fill(0.0);
   level.H_restricted.fill(0.0);
   level.H_floor = 0.0;
   level.load = problem.load.value_or(0.0);
+}
+
+// Mean of S, weighted with the pressure.
+double mean_surface(const Level& level) {
+  double sum = 0.0;
+  double weights = 0.0;
+  for (int i = 1; i < level.grid.nx; ++i)
+    for (int j = 1; j <= level.grid.last_line(); ++j) {
+      const double weight = level.grid.lines(j) * level.P(i, j);
+      sum += weight * level.F(i, j);
+      weights += weight;
+    }
+  return weights > 0.0 ? sum / weights : 0.0;
 }
 
 }  // namespace
@@ -34,7 +50,7 @@ void start_from_hertz(Hierarchy& hierarchy, std::size_t l, double H00, int sweep
       level.P(i, j) = inside > 0.0 ? std::sqrt(inside) : 0.0;
     }
   core::make_images(level.grid, level.P);
-  hierarchy.H00 = H00;
+  hierarchy.H00 = hierarchy.problem.surface ? H00 - mean_surface(level) : H00;
   update_film(hierarchy, level);
   for (int sweep = 1; sweep <= sweeps; ++sweep) {
     if (sweep % sweeps_per_balance == 0)

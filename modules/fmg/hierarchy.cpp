@@ -33,8 +33,8 @@ mlmi::Parameters fitting(mlmi::Parameters deformation, const core::Grid& grid, b
   return deformation;
 }
 
-Level make_level(const core::Grid& grid, bool finest, const Parameters& parameters, const mlmi::Parameters& deformation,
-                 int threads) {
+Level make_level(const core::Grid& grid, bool finest, bool smooth, const Parameters& parameters,
+                 const mlmi::Parameters& deformation, int threads) {
   const auto zero = [&] { return core::Field(grid); };
   const auto only_below_the_finest = [&] { return finest ? core::Field() : core::Field(grid); };
   // A colour has every second line, and one batch more for the lines beside its last one.
@@ -47,7 +47,7 @@ Level make_level(const core::Grid& grid, bool finest, const Parameters& paramete
           .rho_bar = zero(),
           .drho_bar = zero(),
           .f = only_below_the_finest(),
-          .F = only_below_the_finest(),
+          .F = smooth ? only_below_the_finest() : zero(),
           .H_restricted = only_below_the_finest(),
           .P_restricted = only_below_the_finest(),
           .r = zero(),
@@ -107,12 +107,8 @@ std::vector<core::Grid> grids_below(const core::Grid& finest, const Parameters& 
 
 Hierarchy make_hierarchy(const Problem& problem, const Parameters& parameters, const mlmi::Parameters& deformation,
                          const core::Grid& finest, int threads) {
-  Hierarchy hierarchy{.problem = problem,
-                      .load_line = {},
-                      .parameters = parameters,
-                      .levels = {},
-                      .threads = threads,
-                      .times = {}};
+  Hierarchy hierarchy{
+      .problem = problem, .load_line = {}, .parameters = parameters, .levels = {}, .threads = threads, .times = {}};
   const core::ScopedTimer timer(hierarchy.times, core::Part::setup);
   const std::vector<core::Grid> grids = grids_below(finest, parameters);
   const int wanted = parameters.coarsest_cells;
@@ -121,7 +117,7 @@ Hierarchy make_hierarchy(const Problem& problem, const Parameters& parameters, c
                            std::to_string(core::whole(finest).ny) + " cells cannot be halved down to it");
   for (auto grid = grids.rbegin(); grid != grids.rend(); ++grid)
     hierarchy.levels.push_back(
-        make_level(*grid, *grid == finest, parameters, deformation, hierarchy.threads_on(*grid)));
+        make_level(*grid, *grid == finest, !problem.surface, parameters, deformation, hierarchy.threads_on(*grid)));
   return hierarchy;
 }
 

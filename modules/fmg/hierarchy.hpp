@@ -28,6 +28,9 @@ struct Problem {
   bool cavitation = true;  ///< P >= 0
   /// epsilon(X, Y) instead of eq. (5): the linear model problems of eqs. (9) and (19), with rho_bar = 1.
   std::function<double(double, double)> given_epsilon;
+  /// Writes S(X, Y), what the surfaces add to the gap, in units of a^2/R: on every grid what that grid can hold of it.
+  /// With image lines on a mirrored grid they are not needed. Empty: smooth surfaces.
+  std::function<void(const core::Grid& grid, core::Field& S)> surface{};
 };
 
 /// Lines of one colour side by side, as many to a vector as it has lanes, one entry per station and batch: the changes
@@ -46,7 +49,8 @@ struct Level {
   core::Field rho_bar;
   core::Field drho_bar;      ///< d rho_bar/dP
   core::Field f;             ///< right-hand side of the Reynolds equation (FAS); empty on the finest level: zero
-  core::Field F;             ///< right-hand side of the film equation (FAS); likewise
+  core::Field F;             ///< right-hand side of the film equation: S on the level being solved, else of FAS;
+                             ///< empty on the finest level of a smooth contact
   core::Field H_restricted;  ///< the finer level's film at these nodes; empty on the finest level
   core::Field P_restricted;  ///< the finer level's pressure as it came down; likewise
   core::Field r;             ///< residual; the correction on its way up

@@ -66,6 +66,9 @@ inline Handle checked(hid_t id, Handle::Close close, const std::string& what) {
   return {id, close};
 }
 
+/// A file opened for reading. errors: core::FileError: missing, a directory, no HDF5 file, truncated.
+Handle open_hdf5(const std::string& path);
+
 inline void check(herr_t status, const std::string& what) {
   if (status < 0) throw core::FileError(what + ": " + library_reason());
 }

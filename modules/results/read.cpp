@@ -9,9 +9,8 @@
 #include "results/hdf5_handle.hpp"
 
 namespace ehl::results {
-namespace {
 
-Handle open_file(const std::string& path) {
+Handle open_hdf5(const std::string& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) throw core::FileError(path + ": cannot be read: this is a directory");
   errno = 0;
@@ -20,6 +19,8 @@ Handle open_file(const std::string& path) {
   if (H5Fis_hdf5(path.c_str()) == 0) throw core::FileError(path + ": cannot be read: this is no HDF5 file");
   return checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path + ": cannot be read");
 }
+
+namespace {
 
 // A text in an attribute or a dataset, of fixed or variable length. in: a function that reads into memory.
 template <class Read>
@@ -46,7 +47,7 @@ struct ResultFile::Implementation {
 };
 
 ResultFile::ResultFile(const std::string& path)
-    : implementation_(std::make_unique<Implementation>(Implementation{path, open_file(path)})) {
+    : implementation_(std::make_unique<Implementation>(Implementation{path, open_hdf5(path)})) {
   if (attribute("/", "format") != "ehl result")
     throw core::FileError(path + ": this is an HDF5 file, but no result of ehl");
 }

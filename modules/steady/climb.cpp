@@ -83,7 +83,8 @@ Climb begin_climb(const Scene& scene, const Start& start, const ProgressCallback
                              .viscosity = scene.viscosity,
                              .density = scene.density,
                              .transport = scene.wedge,
-                             .given_epsilon = {}};
+                             .given_epsilon = {},
+                             .surface = scene.surface};
   Climb climb{.scene = scene,
               .progress = progress,
               .start = start,

@@ -65,6 +65,7 @@ void pose(const Scene& scene, fmg::Problem& problem) {
   problem.lambda = scene.lambda;
   problem.viscosity = scene.viscosity;
   problem.density = scene.density;
+  problem.surface = scene.surface;
 }
 
 // Cycles on level l for one load.
@@ -164,6 +165,23 @@ void solve_level_below(Climb& climb, std::size_t l) {
 
 }  // namespace
 
+namespace {
+
+// The bodies keep their surfaces: with a' = s a, H' = h R/a'^2 and X' = x/a' it is S'(X') = S(s X')/s^2.
+std::function<void(const core::Grid&, core::Field&)> scaled(
+    std::function<void(const core::Grid&, core::Field&)> surface, double s) {
+  if (!surface || s == 1.0) return surface;
+  return [surface = std::move(surface), s](const core::Grid& grid, core::Field& S) {
+    core::Grid same = grid;
+    for (double* bound : {&same.X_a, &same.X_b, &same.Y_a, &same.Y_b}) *bound *= s;
+    surface(same, S);
+    for (int i = 0; i <= grid.nx; ++i)
+      for (double& gap : S.station(i)) gap /= s * s;
+  };
+}
+
+}  // namespace
+
 Scene under_load(const Scene& scene, double M) {
   const double p_h_factor = std::cbrt(M / scene.M);
   Scene result = scene;
@@ -171,6 +189,7 @@ Scene under_load(const Scene& scene, double M) {
   result.lambda = contact::from_moes(M, scene.L).lambda;
   result.viscosity = rheology::rescaled(scene.viscosity, p_h_factor);
   result.density = rheology::rescaled(scene.density, p_h_factor);
+  result.surface = scaled(scene.surface, p_h_factor);  // a and p_h both grow with the cube root of the load
   return result;
 }
 

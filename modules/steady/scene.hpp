@@ -1,7 +1,9 @@
 #pragma once
 // Everything a steady computation needs to know, dimensionless.
+#include <functional>
 #include <limits>
 
+#include "core/field.hpp"
 #include "core/grid.hpp"
 #include "fmg/parameters.hpp"
 #include "mlmi/deformation.hpp"
@@ -44,6 +46,9 @@ struct Scene {
   double lambda = 0.0;  ///< 6 eta0 u_s R_x^2 / (a^3 p_h)
   rheology::ViscosityLaw viscosity;
   rheology::DensityLaw density;
+  /// Writes S(X, Y), what surfaces at rest add to the gap, in a^2/R: the mean over each node's cell. Empty: smooth. One
+  /// that is not symmetric in Y forbids use_symmetry.
+  std::function<void(const core::Grid& grid, core::Field& S)> surface{};
   core::Grid grid;  ///< the finest grid; where an accuracy is asked for, the first to be tried
   reynolds::Wedge wedge = reynolds::Wedge::upstream2;
   mlmi::Parameters deformation;

@@ -23,14 +23,16 @@ Course course_of(const Conditions& conditions, const std::optional<Drive>& cross
   if (conditions.on_1 || conditions.on_2)
     course.surface = [&](const core::Grid& grid, double T, core::Field& S) {
       S.fill(0.0);
-      if (conditions.on_1) add_gap(*conditions.on_1, grid, integral(conditions.u1, T), S);
-      if (conditions.on_2) add_gap(*conditions.on_2, grid, integral(conditions.u2, T), S);
+      if (conditions.on_1) surface::add_gap(*conditions.on_1, grid, integral(conditions.u1, T), S);
+      if (conditions.on_2) surface::add_gap(*conditions.on_2, grid, integral(conditions.u2, T), S);
     };
   return course;
 }
 
 bool symmetric(const Conditions& conditions) {
-  const auto none_or_symmetric = [](const std::optional<Feature>& feature) { return !feature || symmetric(*feature); };
+  const auto none_or_symmetric = [](const std::optional<surface::Relief>& relief) {
+    return !relief || surface::symmetric(*relief);
+  };
   return none_or_symmetric(conditions.on_1) && none_or_symmetric(conditions.on_2);
 }
 
@@ -63,8 +65,8 @@ double longest_step(const Conditions& conditions, double end) {
     for (const Schedule::Point& point : schedule.points) most = std::max(most, std::abs(point.value));
     return most * (schedule.wave ? 1.0 + std::abs(schedule.wave->amplitude) : 1.0);
   };
-  if (conditions.on_1) step = std::min(step, resolving_distance(*conditions.on_1) / fastest(conditions.u1));
-  if (conditions.on_2) step = std::min(step, resolving_distance(*conditions.on_2) / fastest(conditions.u2));
+  if (conditions.on_1) step = std::min(step, surface::resolving_distance(*conditions.on_1) / fastest(conditions.u1));
+  if (conditions.on_2) step = std::min(step, surface::resolving_distance(*conditions.on_2) / fastest(conditions.u2));
   return step;
 }
 

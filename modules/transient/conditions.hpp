@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "surface/relief.hpp"
 #include "transient/contact_dae.hpp"
-#include "transient/feature.hpp"
 #include "transient/schedule.hpp"
 
 namespace ehl::transient {
@@ -14,8 +14,8 @@ struct Conditions {
   Schedule load{};  ///< over the scene's
   Schedule u1{};    ///< of surface 1 over u_m
   Schedule u2{};
-  std::optional<Feature> on_1{};
-  std::optional<Feature> on_2{};
+  std::optional<surface::Relief> on_1{};
+  std::optional<surface::Relief> on_2{};
   std::optional<Body> body{};  ///< moves; absent: the load is imposed
 };
 
@@ -26,7 +26,7 @@ Drive drive_at(const Conditions& conditions, double T);
 /// integral of its own speed. Both arguments must outlive it.
 Course course_of(const Conditions& conditions, const std::optional<Drive>& crossing);
 
-/// True where no feature disturbs the symmetry in Y.
+/// True where no surface disturbs the symmetry in Y.
 bool symmetric(const Conditions& conditions);
 
 /// Times in [0, end] at which a step must end: jumps and corners of what varies, and the end; rising.
@@ -35,9 +35,9 @@ std::vector<double> stops_of(const Conditions& conditions, double end);
 /// True where load or speed jump at T.
 bool jumps_at(const Conditions& conditions, double T, double end);
 
-/// Longest step that sees everything that varies: a quarter of a feature's width at its speed, a quarter of a ramp, a
-/// twentieth of a period, that of a body's free vibration and the time to its impact too; a tenth of a feature-free
-/// time of 10.
+/// Longest step that sees everything that varies: a quarter of a feature's width at its speed, of a map the longer of
+/// its own step and the mesh's, a quarter of a ramp, a twentieth of a period, that of a body's free vibration and the
+/// time to its impact too; a tenth of a feature-free time of 10.
 double longest_step(const Conditions& conditions, double end);
 
 }  // namespace ehl::transient

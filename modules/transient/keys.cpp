@@ -11,7 +11,6 @@ using deck::Type;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr deck::Range positive{0.0, infinity, true, true};
 const deck::Condition timed{.name = "end_time", .words = {}};
-const deck::Condition shaped{.name = "shape", .words = {}};
 
 std::vector<Key> time_keys() {
   return {
@@ -153,68 +152,6 @@ std::vector<Key> varying_keys() {
   };
 }
 
-std::vector<Key> surface_keys(const std::string& section) {
-  return {
-      Key{.section = section,
-          .name = "shape",
-          .type = Type::word,
-          .words = {"dimple", "bump", "ridge", "groove", "waviness", "cavity"},
-          .meaning =
-              "What this surface carries through the contact, S being what the gap gains, r and d the distances from "
-              "its middle and its line: dimple height exp(-(r/width)^2), bump the same upwards, groove and ridge "
-              "likewise with d, waviness height cos(2 pi d/width) behind its front at x, cavity height cos(pi "
-              "r/(2.4 width)) exp(-2 (r/(1.2 width))^2).",
-          .source = "cavity: Mourier et al. 2006",
-          .example = "dimple"},
-      Key{.section = section,
-          .name = "height",
-          .range = positive,
-          .meaning = "Height (or depth, or amplitude) in units of a^2/R, as H.",
-          .needs = shaped,
-          .example = "0.02"},
-      Key{.section = section,
-          .name = "height_m",
-          .unit = "m",
-          .range = positive,
-          .meaning = "The same in metres, for a contact in SI.",
-          .needs = shaped,
-          .example = "1e-7"},
-      Key{.section = section,
-          .name = "width",
-          .range = positive,
-          .meaning = "Width, or wavelength, in Hertz radii a.",
-          .needs = shaped,
-          .example = "0.25"},
-      Key{.section = section,
-          .name = "width_m",
-          .unit = "m",
-          .range = positive,
-          .meaning = "The same in metres, for a contact in SI.",
-          .needs = shaped,
-          .example = "2e-5"},
-      Key{.section = section,
-          .name = "angle",
-          .default_text = "0",
-          .range = {-90.0, 90.0},
-          .meaning =
-              "Degrees between the line of a ridge, groove or wave and the y axis: 0 transverse, 90 longitudinal.",
-          .needs = {.name = "shape", .words = {"ridge", "groove", "waviness"}}},
-      Key{.section = section,
-          .name = "x",
-          .default_note = "before the inlet by three widths, or by one wave",
-          .range = {-1e3, 1e3},
-          .meaning = "Where its middle (of waves: the first crest of the gap) is at time 0, in Hertz radii.",
-          .needs = shaped,
-          .example = "-3"},
-      Key{.section = section,
-          .name = "y",
-          .default_text = "0",
-          .range = {-1e3, 1e3},
-          .meaning = "Where its middle is across the entrainment.",
-          .needs = shaped},
-  };
-}
-
 // One quantity of the body in the units of the contact and in SI; one of both is given.
 std::vector<Key> body_pair(const Key& plain, const std::string& suffix, const std::string& unit,
                            const std::string& example) {
@@ -262,8 +199,7 @@ std::vector<Key> body_keys() {
 
 std::vector<Key> keys() {
   std::vector<Key> all;
-  for (const auto& list :
-       {time_keys(), varying_keys(), output_keys(), body_keys(), surface_keys("surface1"), surface_keys("surface2")})
+  for (const auto& list : {time_keys(), varying_keys(), output_keys(), body_keys()})
     all.insert(all.end(), list.begin(), list.end());
   return all;
 }

@@ -5,7 +5,7 @@
 
 namespace ehl::transient {
 
-/// The keys of [transient], [surface1] and [surface2].
+/// The keys of [transient].
 std::vector<deck::Key> keys();
 
 }  // namespace ehl::transient

@@ -9,6 +9,7 @@
 
 using namespace ehl;
 using namespace ehl::transient;
+using ehl::surface::Feature;
 using Points = std::vector<Schedule::Point>;
 using Times = std::vector<double>;
 
@@ -103,10 +104,35 @@ BOOST_AUTO_TEST_CASE(the_longest_step_sees_all_that_varies) {
 BOOST_AUTO_TEST_CASE(one_feature_aside_makes_the_contact_unsymmetric) {
   Conditions conditions = sliding();
   BOOST_TEST(symmetric(conditions));
-  conditions.on_1->Y = 0.3;
+  std::get<Feature>(*conditions.on_1).Y = 0.3;
   BOOST_TEST(!symmetric(conditions));
   conditions = sliding();
-  conditions.on_2->angle = 0.5;
+  std::get<Feature>(*conditions.on_2).angle = 0.5;
   BOOST_TEST(!symmetric(conditions));
   BOOST_TEST(symmetric(Conditions{}));
+}
+
+// A map moves by its own speed, at most by its step in one step of time.
+BOOST_AUTO_TEST_CASE(a_measured_map_is_carried_like_a_feature) {
+  ehl::surface::HeightMap map{
+      .gap = {9, 9, std::vector<double>(81, 0.0)}, .dx = 0.1, .dy = 0.1, .X = -1.0, .Y = 0.0, .step = 0.05};
+  map.gap(4, 4) = 0.2;
+  Conditions conditions;
+  conditions.u1 = {.points = {{0.0, 1.0}, {1.0, 2.0}}};
+  conditions.on_1 = map;
+  BOOST_TEST(symmetric(conditions));
+  BOOST_TEST(longest_step(conditions, 100.0) == 0.05 / 2.0);
+  const std::optional<Drive> none;
+  const Course course = course_of(conditions, none);
+  // The point at the middle has moved to -1 + (1 + 2)/2 = 0.5 after T = 1, a node of a fine mesh.
+  const core::Grid grid{400, 8, -2.0, 2.0, -0.04, 0.04};
+  core::Field S(grid);
+  course.surface(grid, 1.0, S);
+  const core::Location top = core::maximum(S);
+  BOOST_TEST_MESSAGE("highest at X = " << grid.X(top.i) << ", " << top.value);
+  BOOST_TEST(std::abs(grid.X(top.i) - 0.5) < 1e-12);
+  BOOST_TEST(std::abs(top.value - 0.2) < 2e-3);
+  map.gap(4, 1) = 0.1;
+  conditions.on_1 = map;
+  BOOST_TEST(!symmetric(conditions));
 }

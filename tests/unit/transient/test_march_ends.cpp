@@ -10,6 +10,7 @@
 using namespace ehl;
 using namespace ehl::tests;
 using namespace ehl::transient;
+using ehl::surface::Feature;
 using Points = std::vector<Schedule::Point>;
 
 namespace {

@@ -9,10 +9,10 @@
 
 #include "core/norms.hpp"
 #include "support/random.hpp"
-#include "transient/feature.hpp"
+#include "surface/feature.hpp"
 
 using namespace ehl;
-using namespace ehl::transient;
+using namespace ehl::surface;
 using Shape = Feature::Shape;
 
 namespace {
@@ -171,4 +171,41 @@ BOOST_AUTO_TEST_CASE(resolving_distances) {
   }
   BOOST_TEST(distance(Shape::waviness, 0.0) == 0.05);
   BOOST_TEST(std::abs(distance(Shape::waviness, 60.0) - 0.1) <= rounding);
+}
+
+BOOST_AUTO_TEST_CASE(waves_without_a_front_stand_everywhere) {
+  const Feature waves{.shape = Shape::waviness, .height = 0.1, .width = 0.5, .front = false};
+  compare("waves", waves, {{0, 0, 0.1}, {0.25, 1, -0.1}, {0.5, 0, 0.1}, {2, 0, 0.1}, {-5, 3, 0.1}});
+}
+
+// The mean over a cell of a wave is the wave times sin(pi h/w)/(pi h/w) in each direction, of a Gauss bell a product of
+// error functions; from cells a twentieth of the width to three times it.
+BOOST_AUTO_TEST_CASE(means_over_cells) {
+  const Feature waves{.shape = Shape::waviness, .height = 0.1, .width = 0.5, .angle = 30.0 * degree, .front = false};
+  const Feature dimple{.shape = Shape::dimple, .height = 0.1, .width = 0.5, .X = 0.13, .Y = -0.21};
+  for (const double h : {0.025, 0.125, 0.5, 1.5}) {
+    const core::Grid grid{16, 12, -8 * h, 8 * h, -6 * h, 6 * h};
+    core::Field of_waves(grid), of_dimple(grid);
+    add_cell_average(waves, grid, of_waves);
+    add_cell_average(dimple, grid, of_dimple);
+    const auto factor = [&](double slope) {
+      const double x = pi * h * slope / 0.5;
+      return std::sin(x) / x;
+    };
+    const double left = factor(std::cos(waves.angle)) * factor(std::sin(waves.angle));
+    const auto mean_of_bell = [&](double d) {
+      return 0.5 * std::sqrt(pi) * 0.5 / h * (std::erf((d + 0.5 * h) / 0.5) - std::erf((d - 0.5 * h) / 0.5));
+    };
+    double worst_wave = 0.0, worst_dimple = 0.0;
+    for (int i = 0; i <= grid.nx; ++i)
+      for (int j = 0; j <= grid.ny; ++j) {
+        const double X = grid.X(i), Y = grid.Y(j);
+        worst_wave = std::max(worst_wave, std::abs(of_waves(i, j) - left * gap_of(waves, X, Y)));
+        worst_dimple = std::max(
+            worst_dimple, std::abs(of_dimple(i, j) - 0.1 * mean_of_bell(X - dimple.X) * mean_of_bell(Y - dimple.Y)));
+      }
+    BOOST_TEST_MESSAGE("h = " << h << ": errors " << worst_wave << ", " << worst_dimple << " (allowed 1e-4)");
+    BOOST_TEST(worst_wave < 1e-4);
+    BOOST_TEST(worst_dimple < 1e-4);
+  }
 }

@@ -1,10 +1,12 @@
-#include "transient/feature.hpp"
+#include "surface/feature.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
-namespace ehl::transient {
+namespace ehl::surface {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -14,6 +16,10 @@ constexpr double parts_of_a_wave = 16.0;
 constexpr double cavity_stretch = 1.2;
 /// Cosine of the angle of a line along X, but for rounding.
 constexpr double along_X = 1e-12;
+/// Parts of a cell in its quadrature, each with Gauss' two points: at most this wide, in widths.
+constexpr double widest_part = 0.25;
+constexpr double widest_part_of_a_wave = 0.125;
+constexpr int most_parts = 64;
 
 double squared(double x) { return x * x; }
 
@@ -26,7 +32,20 @@ bool has_a_line(Feature::Shape shape) {
 double waves(const Feature& feature, double across, double dX) {
   const double ahead = dX / feature.width;
   const double wave = feature.height * std::cos(2.0 * pi * across / feature.width);
-  return ahead > 0.0 ? wave * std::pow(10.0, -10.0 * ahead * ahead) : wave;
+  return feature.front && ahead > 0.0 ? wave * std::pow(10.0, -10.0 * ahead * ahead) : wave;
+}
+
+// Gauss' points on a cell of the length h, from its middle.
+std::vector<double> gauss_points(double h, double widest) {
+  const int parts = std::clamp(static_cast<int>(std::ceil(h / widest)), 1, most_parts);
+  const double part = h / parts;
+  const double beside = 0.5 * part / std::numbers::sqrt3;
+  std::vector<double> points;
+  for (int k = 0; k < parts; ++k) {
+    const double middle = (k + 0.5) * part - 0.5 * h;
+    points.insert(points.end(), {middle - beside, middle + beside});
+  }
+  return points;
 }
 
 }  // namespace
@@ -55,6 +74,23 @@ void add_gap(const Feature& feature, const core::Grid& grid, double distance, co
       S(i, j) += gap_of(feature, grid.X(i) - feature.X - distance, grid.Y(j) - feature.Y);
 }
 
+void add_cell_average(const Feature& feature, const core::Grid& grid, core::Field& S) {
+  const bool wave = feature.shape == Feature::Shape::waviness;
+  const double widest = feature.width * (wave ? widest_part_of_a_wave : widest_part);
+  const std::vector<double> along = gauss_points(grid.hx(), widest);
+  const std::vector<double> across = gauss_points(grid.hy(), widest);
+  const double weight = 1.0 / static_cast<double>(along.size() * across.size());
+  for (int i = 0; i <= grid.nx; ++i)
+    for (int j = 0; j <= grid.ny; ++j) {
+      const double dX = grid.X(i) - feature.X;
+      const double dY = grid.Y(j) - feature.Y;
+      double sum = 0.0;
+      for (const double x : along)
+        for (const double y : across) sum += gap_of(feature, dX + x, dY + y);
+      S(i, j) += weight * sum;
+    }
+}
+
 bool symmetric(const Feature& feature) {
   const bool transverse = has_a_line(feature.shape) && feature.angle == 0.0;
   const bool longitudinal = std::abs(std::cos(feature.angle)) < along_X;
@@ -68,4 +104,4 @@ double resolving_distance(const Feature& feature) {
   return feature.width / along / (feature.shape == Feature::Shape::waviness ? parts_of_a_wave : parts_of_a_width);
 }
 
-}  // namespace ehl::transient
+}  // namespace ehl::surface

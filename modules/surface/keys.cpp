@@ -1,0 +1,175 @@
+#include "surface/keys.hpp"
+
+#include <limits>
+#include <string>
+
+namespace ehl::surface {
+namespace {
+
+using deck::Key;
+using deck::Type;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr deck::Range positive{0.0, infinity, true, true};
+const deck::Condition shaped{.name = "shape", .words = {}};
+const deck::Condition by_formula{.name = "shape", .words = {"dimple", "bump", "ridge", "groove", "waviness", "cavity"}};
+const deck::Condition mapped{.name = "shape", .words = {"map"}};
+
+Key shape_key(const std::string& section) {
+  return {.section = section,
+          .name = "shape",
+          .type = Type::word,
+          .words = {"dimple", "bump", "ridge", "groove", "waviness", "cavity", "map"},
+          .meaning =
+              "What this surface carries, S being what the gap gains, r and d the distances from its middle and its "
+              "line: dimple height exp(-(r/width)^2), bump the same upwards, groove and ridge likewise with d, "
+              "waviness height cos(2 pi d/width), in time behind its front at x, cavity height cos(pi r/(2.4 "
+              "width)) exp(-2 (r/(1.2 width))^2); map: measured heights from a file. In time it moves with its "
+              "surface; in a steady contact it must be on a surface that stands still.",
+          .source = "cavity: Mourier et al. 2006",
+          .example = "dimple"};
+}
+
+std::vector<Key> size_keys(const std::string& section) {
+  return {
+      Key{.section = section,
+          .name = "height",
+          .range = positive,
+          .meaning = "Height (or depth, or amplitude) in units of a^2/R, as H.",
+          .needs = by_formula,
+          .example = "0.02"},
+      Key{.section = section,
+          .name = "height_m",
+          .unit = "m",
+          .range = positive,
+          .meaning = "The same in metres, for a contact in SI.",
+          .needs = by_formula,
+          .example = "1e-7"},
+      Key{.section = section,
+          .name = "width",
+          .range = positive,
+          .meaning = "Width, or wavelength, in Hertz radii a.",
+          .needs = by_formula,
+          .example = "0.25"},
+      Key{.section = section,
+          .name = "width_m",
+          .unit = "m",
+          .range = positive,
+          .meaning = "The same in metres, for a contact in SI.",
+          .needs = by_formula,
+          .example = "2e-5"},
+      Key{.section = section,
+          .name = "angle",
+          .default_text = "0",
+          .range = {-90.0, 90.0},
+          .meaning =
+              "Degrees between the line of a ridge, groove or wave and the y axis: 0 transverse, 90 longitudinal.",
+          .needs = {.name = "shape", .words = {"ridge", "groove", "waviness"}}},
+      Key{.section = section,
+          .name = "x",
+          .default_note = "in time before the inlet, by three widths, by one wave, by half of a map; steady 0",
+          .range = {-1e3, 1e3},
+          .meaning = "Where its middle (of waves: a crest of the gap, in time the first) is at time 0, in Hertz radii.",
+          .needs = shaped,
+          .example = "-3"},
+      Key{.section = section,
+          .name = "y",
+          .default_text = "0",
+          .range = {-1e3, 1e3},
+          .meaning = "Where its middle is across the entrainment.",
+          .needs = shaped},
+      Key{.section = section,
+          .name = "at_rest",
+          .type = Type::word,
+          .words = {"yes"},
+          .meaning = "Says of a steady contact given by M and L, or W, U and G, that it is this surface that stands "
+                     "still and the other one that moves. A contact in SI says it with u1 = 0 or u2 = 0.",
+          .needs = shaped,
+          .example = "yes"},
+  };
+}
+
+std::vector<Key> map_keys(const std::string& section) {
+  return {
+      Key{.section = section,
+          .name = "file",
+          .type = Type::text,
+          .meaning =
+              "The measured heights, counted from the body outwards: a .csv whose lines run along x, the first at the "
+              "smallest y (numbers between commas, semicolons or blanks; a first line of words is a heading, # begins "
+              "a comment), or a .h5 with a dataset in rows of constant y. At least 8 by 8 points, none missing. It "
+              "is looked for where the program runs, then beside the deck. The "
+              "plane of least squares is taken away; onto the mesh they come as means over its cells.",
+          .source = "modules/surface/README.md",
+          .needs = mapped,
+          .example = "heights.csv"},
+      Key{.section = section,
+          .name = "dataset",
+          .type = Type::text,
+          .default_text = "height",
+          .meaning = "The dataset of a .h5.",
+          .needs = mapped},
+      Key{.section = section,
+          .name = "unit",
+          .range = positive,
+          .meaning = "Height of the number 1 in the file, in units of a^2/R, as H.",
+          .needs = mapped,
+          .example = "0.01"},
+      Key{.section = section,
+          .name = "unit_m",
+          .unit = "m",
+          .range = positive,
+          .meaning = "The same in metres, for a contact in SI: 1e-9 where the file is in nanometres.",
+          .needs = mapped,
+          .example = "1e-9"},
+      Key{.section = section,
+          .name = "dx",
+          .range = positive,
+          .meaning = "Distance between two points of a line of the file, in Hertz radii.",
+          .needs = mapped,
+          .example = "0.02"},
+      Key{.section = section,
+          .name = "dx_m",
+          .unit = "m",
+          .range = positive,
+          .meaning = "The same in metres, for a contact in SI.",
+          .needs = mapped,
+          .example = "1e-6"},
+      Key{.section = section,
+          .name = "dy",
+          .default_note = "dx",
+          .range = positive,
+          .meaning = "Distance between two lines of the file, in Hertz radii.",
+          .needs = mapped,
+          .example = "0.02"},
+      Key{.section = section,
+          .name = "dy_m",
+          .default_note = "dx_m",
+          .unit = "m",
+          .range = positive,
+          .meaning = "The same in metres, for a contact in SI.",
+          .needs = mapped,
+          .example = "1e-6"},
+      Key{.section = section,
+          .name = "taper",
+          .default_text = "0.1",
+          .range = {0.0, 0.5},
+          .meaning =
+              "Share of the map's length along which its heights come down to zero at each of its edges, by a cosine; "
+              "0: they end as they are, in a step.",
+          .needs = mapped},
+  };
+}
+
+}  // namespace
+
+std::vector<Key> keys() {
+  std::vector<Key> all;
+  for (const std::string section : {"surface1", "surface2"}) {
+    all.push_back(shape_key(section));
+    for (const auto& list : {size_keys(section), map_keys(section)}) all.insert(all.end(), list.begin(), list.end());
+  }
+  return all;
+}
+
+}  // namespace ehl::surface

@@ -1,0 +1,72 @@
+// Surfaces at rest up to twice the film high: how many cycles they take, and the same solution by Newton's method.
+#include <boost/test/unit_test.hpp>
+
+#include "hard/hard_scene.hpp"
+#include "steady/solve.hpp"
+#include "surface/feature.hpp"
+
+using namespace ehl;
+using surface::Feature;
+using Shape = Feature::Shape;
+
+namespace {
+
+struct Rough {
+  hard::Load load;
+  double film;  ///< smooth, at the centre
+};
+constexpr Rough contacts[] = {{{50, 10}, 0.21}, {{200, 10}, 0.079}};
+
+steady::Scene rough_scene(const Rough& contact, Shape shape, double films, int n) {
+  steady::Scene scene = hard::scene(contact.load, n);
+  scene.threads = 1;
+  const Feature feature{.shape = shape, .height = films * contact.film, .width = 0.5, .front = false};
+  scene.surface = [feature](const core::Grid& grid, core::Field& S) {
+    S.fill(0.0);
+    surface::add_cell_average(feature, grid, S);
+  };
+  return scene;
+}
+
+const char* name(Shape shape) {
+  return shape == Shape::ridge ? "ridge" : shape == Shape::waviness ? "waves" : "dimple";
+}
+
+}  // namespace
+
+// To the level of the discretization error the smooth contact takes two cycles on 256 cells.
+BOOST_AUTO_TEST_CASE(cycles_with_waves_and_ridges_below_the_film) {
+  for (const Rough& contact : contacts)
+    for (const Shape shape : {Shape::waviness, Shape::ridge, Shape::dimple})
+      for (const double films : {0.1, 0.3}) {
+        steady::Scene scene = rough_scene(contact, shape, films, 256);
+        scene.multigrid.tolerance = std::numeric_limits<double>::quiet_NaN();
+        const steady::Solution solution = steady::solve(scene);
+        BOOST_TEST_MESSAGE(hard::name(scene) << ", " << name(shape) << " of " << films << " films: "
+                                             << solution.levels.back().cycles << " cycles, " << solution.method);
+        BOOST_TEST(solution.converged, solution.failed_check);
+        BOOST_TEST(solution.method == "full multigrid");
+        BOOST_TEST(solution.levels.back().cycles <= 5);
+      }
+}
+
+BOOST_AUTO_TEST_CASE(higher_than_the_film_by_cycles_and_by_newton) {
+  for (const Rough& contact : contacts)
+    for (const Shape shape : {Shape::waviness, Shape::ridge}) {
+      steady::Scene scene = rough_scene(contact, shape, 1.2, 128);
+      scene.multigrid.tolerance = 1e-6;  // the cycles with waves this high stall below it
+      const steady::Solution solution = steady::solve(scene);
+      scene.polish = steady::Polish::always;
+      const steady::Solution newton = steady::solve(scene);
+      BOOST_TEST(solution.converged, solution.failed_check);
+      BOOST_TEST(newton.converged, newton.failed_check);
+      BOOST_TEST(newton.verification.residual < 1e-9);
+      const double apart = hard::difference(solution, newton);
+      BOOST_TEST_MESSAGE(hard::name(scene)
+                         << ", " << name(shape) << ": " << solution.method << ", then residual "
+                         << newton.verification.residual << ", load " << newton.verification.load_error << ", flow "
+                         << newton.verification.flow_imbalance << "; apart by " << apart);
+      BOOST_TEST(apart < 1e-4);  // what a residual of 1e-6 leaves in P: up to 2e-5
+      BOOST_TEST(std::abs(newton.verification.flow_imbalance) < 1e-7);
+    }
+}

@@ -1,0 +1,255 @@
+// Surfaces at rest and measured maps through the built program: what is refused, what comes out, what the result holds.
+#include <hdf5.h>
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <sstream>
+
+#include "support/columns.hpp"
+#include "support/program.hpp"
+
+namespace {
+
+using support::rows_of;
+
+const std::string grid = "[domain]\nx_inlet = -4.5\nx_outlet = 1.5\ny_half = 3\n[grid]\ncells = 64\n";
+const std::string contact = "[contact]\nM = 50\nL = 10\n[lubricant]\nalpha = 1.7e-8\nz = 0.6\n" + grid;
+std::string steel(const std::string& motion) {
+  return "[contact]\nload = 15\nradius_x = 0.0125\nE_prime = 110e9\n[lubricant]\neta0 = 0.25\nalpha = 22e-9\n" + grid +
+         "[motion]\n" + motion;
+}
+const std::string standing = "u_m = 0.09\nsrr = 2\n";  // surface 2
+const std::string dimple = "shape = dimple\nheight = 0.05\nwidth = 0.5\n";
+const std::string map = "[surface2]\nshape = map\nfile = m.csv\nunit_m = 1e-9\ndx_m = 5e-6\n";
+
+double height(int k, int l) { return 40.0 * std::sin(0.4 * k) * std::cos(0.3 * l) + 2.0 * k - l + 300.0; }
+
+/// Lines of nx heights, with one line and one cell replaced.
+std::string csv(int nx, int ny, int bad_line = -1, const std::string& instead = "", int bad_cell = -1) {
+  std::ostringstream text;
+  text.precision(17);
+  for (int l = 0; l < ny; ++l) {
+    if (l == bad_line && bad_cell < 0) {
+      text << instead << "\n";
+      continue;
+    }
+    for (int k = 0; k < nx; ++k) {
+      if (k > 0) text << ",";
+      if (l == bad_line && k == bad_cell)
+        text << instead;
+      else
+        text << height(k, l);
+    }
+    text << "\n";
+  }
+  return text.str();
+}
+
+void write_hdf5(const std::string& path, int nx, int ny, double bad = 0.0) {
+  std::vector<double> values;
+  for (int l = 0; l < ny; ++l)
+    for (int k = 0; k < nx; ++k) values.push_back(height(k, l));
+  if (bad != 0.0) values[3 * static_cast<std::size_t>(nx) + 4] = bad;
+  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const hsize_t dims[] = {static_cast<hsize_t>(ny), static_cast<hsize_t>(nx)};
+  const hid_t space = H5Screate_simple(2, dims, nullptr);
+  const hid_t set = H5Dcreate2(file, "height", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+  H5Dclose(set);
+  H5Sclose(space);
+  H5Fclose(file);
+}
+
+struct Slip {
+  std::string name;
+  std::string deck;
+  std::vector<std::string> parts;
+};
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(surfaces)
+
+BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
+  const std::string at_rest = contact + "[surface2]\nat_rest = yes\n";
+  const Slip slips[] = {
+      {"moving or not", contact + "[surface1]\n" + dimple, {"[surface1] shape", "[transient] end_time", "at_rest"}},
+      {"a moving surface",
+       steel("u1 = 0.05\nu2 = 0.13\n") + "[surface2]\n" + dimple,
+       {"d.ini:18", "moves with 0.13 m/s", "u2 = 0"}},
+      {"the wrong surface", steel(standing) + "[surface1]\n" + dimple, {"[surface1] shape", "0.18 m/s"}},
+      {"said twice", steel(standing) + "[surface2]\nat_rest = yes\n" + dimple, {"at_rest", "no influence"}},
+      {"at rest in time",
+       at_rest + dimple + "[transient]\nend_time = 1\n",
+       {"[surface2] at_rest", "is for steady contacts"}},
+      {"both at rest",
+       at_rest + dimple + "[surface1]\nat_rest = yes\n" + dimple,
+       {"[surface2] at_rest", "nothing would carry the oil"}},
+      {"elsewhere", at_rest + dimple + "x = 40\n", {"no influence", "(40, 0) a"}},
+      {"too small to see", at_rest + "shape = ridge\nheight = 0.1\nwidth = 0.1\n", {"width = 0.1", "does not see it"}},
+      {"one surface too few", contact + "[surface]\nshape = dimple\n", {"[surface]", "[surface1] or [surface2]"}},
+      {"a height of a map", steel(standing) + map + "height_m = 1e-7\n", {"height_m", "no influence"}},
+      {"a file of a dimple", at_rest + dimple + "file = m.csv\n", {"file = m.csv", "no influence"}},
+      {"no spacing", steel(standing) + "[surface2]\nshape = map\nfile = m.csv\nunit_m = 1\n", {"[surface2] dx"}},
+      {"no unit", steel(standing) + "[surface2]\nshape = map\nfile = m.csv\ndx = 1\n", {"[surface2] unit"}},
+      {"no file", steel(standing) + "[surface2]\nshape = map\nunit_m = 1\ndx = 1\n", {"[surface2] file"}},
+      {"spacing of nothing", steel(standing) + map + "dy_m = 0\n", {"dy_m = 0", "d.ini:22"}},
+      {"spacing twice", steel(standing) + map + "dx = 0.1\n", {"[surface2] dx", "keep one"}},
+      {"metres without SI", at_rest + "shape = map\nfile = m.csv\nunit_m = 1\ndx = 1\n", {"unit_m", "not given in SI"}},
+      {"another file", steel(standing) + map + "taper = 0.6\n", {"taper = 0.6"}},
+  };
+  const support::TemporaryFolder folder;
+  folder.write("m.csv", csv(30, 20));
+  for (const Slip& slip : slips) {
+    folder.write("d.ini", slip.deck);
+    const support::Ended ended = support::ehl(folder, "run d.ini");
+    BOOST_TEST(ended.status == 2, slip.name << ": ends with " << ended.status << "\n" << ended.err);
+    BOOST_TEST(ended.says(slip.parts), slip.name << " says\n" << ended.err);
+    BOOST_TEST(folder.entries() == 2, slip.name);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_map_with_gaps_is_refused) {
+  const Slip maps[] = {
+      {"no number", csv(30, 20, 4, "x", 7), {"m.csv:5", "height number 8", "no number"}},
+      {"NaN", csv(30, 20, 4, "NaN", 7), {"m.csv:5", "height number 8", "no finite number"}},
+      {"nothing", csv(30, 20, 4, "", 7), {"m.csv:5", "height number 8", "is missing"}},
+      {"nothing at the end", csv(30, 20, 19, "", 29), {"m.csv:20", "height number 30", "is missing"}},
+      {"a short line", csv(30, 20, 6, "1,2,3"), {"m.csv:7", "3 heights", "30"}},
+      {"a blank line", csv(30, 20, 6, ""), {"m.csv:7", "a gap"}},
+      {"too few lines", csv(30, 7), {"m.csv", "30 x 7", "8 x 8"}},
+      {"too short", csv(5, 20), {"m.csv", "5 x 20"}},
+      {"two headings", "x, y\nz, h\n" + csv(30, 20), {"m.csv:2", "no number"}},
+      {"nothing at all", "", {"0 x 0"}},
+  };
+  const support::TemporaryFolder folder;
+  folder.write("d.ini", steel(standing) + map);
+  for (const Slip& one : maps) {
+    folder.write("m.csv", one.deck);
+    const support::Ended ended = support::ehl(folder, "check d.ini");
+    BOOST_TEST(ended.status == 2, one.name << ": ends with " << ended.status << "\n" << ended.err);
+    BOOST_TEST(ended.says({"[surface2] file = m.csv"}), one.name << " says\n" << ended.err);
+    BOOST_TEST(ended.says(one.parts), one.name << " says\n" << ended.err);
+  }
+  std::ostringstream plane;
+  for (int l = 0; l < 12; ++l)
+    for (int k = 0; k < 12; ++k) plane << 3 * k - 2 * l << (k < 11 ? " " : "\n");
+  folder.write("m.csv", plane.str());
+  BOOST_TEST(support::ehl(folder, "check d.ini").says({"m.csv", "in a plane"}));
+  write_hdf5(folder / "m.h5", 30, 20, std::nan(""));
+  const support::Ended hole = support::ehl(folder, "check d.ini --set surface2.file=m.h5");
+  BOOST_TEST(hole.status == 2);
+  BOOST_TEST(hole.says({"m.h5: height: row 4, column 5", "no gaps"}), hole.err);
+  for (const char* file : {"none.csv", "none.h5", "d.ini.h5"})
+    BOOST_TEST(support::ehl(folder, std::string("check d.ini --set surface2.file=") + file).status == 4);
+  BOOST_TEST(support::ehl(folder, "check d.ini --set surface2.file=m.h5 --set surface2.dataset=depth").status == 4);
+  BOOST_TEST(support::ehl(folder, "check d.ini --set surface2.file=d.ini").says({".csv or a .h5"}));
+}
+
+// From text and from HDF5, in metres and in Hertz radii; from another folder; and the deck in the result once more.
+BOOST_AUTO_TEST_CASE(a_map_stands_in_the_contact) {
+  const support::TemporaryFolder folder;
+  folder.write("m.csv", "# heights\nx, y\n" + csv(60, 50) + "\n\n");
+  write_hdf5(folder / "m.h5", 60, 50);
+  folder.write("d.ini", steel(standing) + map);
+  const support::Ended checked = support::ehl(folder, "check d.ini");
+  for (const char* part : {"map on surface2, at rest", "60 x 50 points", "map of surface2", "slopes 1.99",
+                           "variance lost", "no wave shorter"})
+    BOOST_TEST(contains(checked.out, part), part << " is missing in\n" << checked.out);
+  const support::Ended ended = support::ehl(folder, "run d.ini --quiet");
+  BOOST_TEST_REQUIRE(ended.status == 0, ended.err);
+  BOOST_TEST(contains(ended.out, "variance lost"));
+  const auto extract = [&](const std::string& what) { return support::ehl(folder, "extract " + what); };
+  const auto number = [&](const std::string& what) { return rows_of(extract(what).out).at(0).at(0); };
+  BOOST_TEST(contains(extract("d.h5 /summary").out, "levelled"));
+  const double lost = number("d.h5 /summary/surface2_variance_lost");
+  BOOST_TEST((lost > 0.0 && lost < 1.0));
+  BOOST_TEST(std::abs(number("d.h5 /summary/surface2_shortest_wave_x") - 2.0 * 6.0 / 64) < 1e-12);
+  // What the gap gains is the other sign of the heights, and nothing of their plane: the waves are 40 nm high.
+  const double steps = number("d.h5 /scales/a") / 5e-6;  // of the map in a Hertz radius
+  double most = 0.0, mean = 0.0, with_wave = 0.0, squares = 0.0, of_wave = 0.0;
+  const auto S = rows_of(extract("d.h5 /fields/S").out);
+  for (const auto& row : S) {
+    most = std::max(most, std::abs(row.at(2)));
+    mean += row.at(2) / static_cast<double>(S.size());
+    if (std::max(std::abs(row.at(0)), std::abs(row.at(1))) > 0.6) continue;  // where the taper ends
+    const double wave = std::sin(0.4 * (row.at(0) * steps + 29.5)) * std::cos(0.3 * (row.at(1) * steps + 24.5));
+    with_wave += wave * row.at(2);
+    squares += row.at(2) * row.at(2);
+    of_wave += wave * wave;
+  }
+  const double in_file = 40e-9 / number("d.h5 /scales/h");
+  BOOST_TEST_MESSAGE("largest gap " << most << ", 40 nm are " << in_file << "; mean " << mean);
+  BOOST_TEST((most > 0.5 * in_file && most < 1.3 * in_file));
+  BOOST_TEST(std::abs(mean) < 0.05 * in_file);
+  const double correlation = with_wave / std::sqrt(squares * of_wave);
+  BOOST_TEST_MESSAGE("correlation with the waves of the file " << correlation);
+  BOOST_TEST(correlation < -0.98);
+
+  const double Hc = number("d.h5 /summary/Hc");
+  const auto same = [&](const std::string& arguments, double tolerance) {
+    const support::Ended again = support::ehl(folder, "run " + arguments + " --quiet --output again.h5 --overwrite");
+    BOOST_TEST(again.status == 0, arguments << ": " << again.err);
+    const double other = number("again.h5 /summary/Hc");
+    BOOST_TEST(std::abs(other / Hc - 1.0) <= tolerance, arguments << ": " << other << " and " << Hc);
+  };
+  same("d.ini --set surface2.file=m.h5", 0.0);
+  folder.write("effective.ini", extract("d.h5 deck").out);
+  same("effective.ini", 0.0);
+  const double a = number("d.h5 /scales/a"), h = number("d.h5 /scales/h");
+  std::ostringstream plain;
+  plain.precision(17);
+  plain << steel(standing) << "[surface2]\nshape = map\nfile = m.csv\nunit = " << 1e-9 / h << "\ndx = " << 5e-6 / a
+        << "\n";
+  folder.write("plain.ini", plain.str());
+  same("plain.ini", 1e-9);
+  const support::Ended outside =
+      support::shell(folder, std::string("mkdir sub && cd sub && '") + EHL_PROGRAM + "' check ../d.ini");
+  BOOST_TEST(outside.status == 0, outside.err);
+  // Too coarse for the map: said as a warning.
+  const std::string coarse = support::ehl(folder, "run d.ini --quiet --output c.h5 --set surface2.dx_m=1e-6").out;
+  BOOST_TEST(contains(coarse, "warning: the mesh loses"), coarse);
+}
+
+BOOST_AUTO_TEST_CASE(a_dent_at_rest) {
+  const support::TemporaryFolder folder;
+  folder.write("d.ini", contact + "[surface1]\nat_rest = yes\n" + dimple);
+  const support::Ended ended = support::ehl(folder, "run d.ini --quiet");
+  BOOST_TEST_REQUIRE(ended.status == 0, ended.err);
+  BOOST_TEST(contains(ended.out, "surface1     dimple, height 0.05"));
+  BOOST_TEST(contains(support::ehl(folder, "check d.ini").out, "dimple on surface1, at rest"));
+  BOOST_TEST(contains(support::ehl(folder, "extract d.h5 /summary").out, "dimple, height 0.05"));
+  // Absent: no word and no field of it.
+  folder.write("s.ini", contact);
+  const support::Ended smooth = support::ehl(folder, "run s.ini --quiet");
+  BOOST_TEST(!contains(smooth.out, "surface"));
+  BOOST_TEST(support::ehl(folder, "extract s.h5 /fields/S").status != 0);
+}
+
+// In time the map comes in with its surface, and goes.
+BOOST_AUTO_TEST_CASE(a_map_moves_through) {
+  const support::TemporaryFolder folder;
+  folder.write("m.csv", csv(60, 50));
+  folder.write("d.ini", steel("u1 = 0.09\nu2 = 0.09\n") + map + "[transient]\nend_time = 1.5\nrtol = 1e-3\n" +
+                            "output_interval = 0.5\n[continuation]\npath = off\n");
+  const support::Ended ended = support::ehl(folder, "run d.ini --quiet --set surface2.x=-1.5");
+  BOOST_TEST_REQUIRE(ended.status == 0, ended.err);
+  BOOST_TEST(contains(ended.out, "ended at the end time"));
+  BOOST_TEST(contains(ended.out, "variance lost"));
+  const auto rows = rows_of(support::ehl(folder, "extract d.h5 /transient").out);
+  double least = 1e9, most = 0.0;
+  for (const auto& row : rows) {
+    least = std::min(least, row.at(1));
+    most = std::max(most, row.at(1));
+  }
+  BOOST_TEST_MESSAGE(rows.size() << " steps, Hc from " << least << " to " << most);
+  BOOST_TEST(most / least > 1.02);
+  const support::Ended before = support::ehl(folder, "run d.ini --quiet --set surface2.x=-30 --output f.h5");
+  BOOST_TEST(before.status == 0);
+  const auto quiet = rows_of(support::ehl(folder, "extract f.h5 /transient").out);
+  BOOST_TEST(std::abs(quiet.back().at(1) / quiet.front().at(1) - 1.0) < 1e-6);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
