@@ -136,7 +136,7 @@ std::vector<CommandRecord> command_records() {
        "prints a dataset of a result as columns: P, H, levels, history, summary, scales, deck, or a path in the file",
        {{"along", "x|y", false, "only the section of a field along this axis"},
         {"at", "y=0|x=0", false, "where the section lies: the nearest grid line is taken (default 0)"},
-        {"step", "K", false, "number K, from 0, of the fields of a transient; without it a section at all times"},
+        {"step", "K", false, "number K, from 0, of fields at several times or depths; without it a section of all"},
         {"matrix", "", false, "a field as a matrix with its axes, for gnuplot's `matrix nonuniform`"}}},
       {"plot",
        "FILE.h5|FILE.csv",

@@ -2,6 +2,7 @@
 
 #include "contact/keys.hpp"
 #include "effects.hpp"
+#include "effects/dry/keys.hpp"
 #include "fmg/keys.hpp"
 #include "mlmi/keys.hpp"
 #include "reynolds/keys.hpp"
@@ -25,10 +26,11 @@ deck::Catalogue catalogue() {
       {"deformation", "How the elastic deformation is evaluated."},
       {"multigrid", "How the full multigrid works; the defaults need no tuning."},
       {"continuation", "How a high load is reached from lower ones, where that is needed."},
+      {"dry", "How a contact without lubricant is solved. Only with [case] kind = dry."},
       {"output", "What is kept."},
   };
   for (const auto& keys :
-       {steady::keys(), contact::keys(), rheology::keys(), reynolds::keys(), mlmi::keys(), fmg::keys()})
+       {steady::keys(), contact::keys(), rheology::keys(), reynolds::keys(), mlmi::keys(), fmg::keys(), dry::keys()})
     all.keys.insert(all.keys.end(), keys.begin(), keys.end());
   for (const Effect& effect : effects()) {
     for (deck::Section section : effect.sections) {

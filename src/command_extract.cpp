@@ -19,8 +19,8 @@ std::string column_number(double value) { return std::isnan(value) ? "nan" : dec
 // "P" -> /fields/P, "levels" -> /levels, "Hc" -> /summary/Hc, a path as it is.
 std::string full_name(const results::ResultFile& file, const std::string& name) {
   if (name.starts_with("/") && file.kind(name) != Kind::missing) return name;
-  const std::vector<std::string> homes{"/",      "/fields/",    "/summary/",         "/scales/", "/provenance/",
-                                       "/grid/", "/transient/", "/transient/frames/"};
+  const std::vector<std::string> homes{"/",      "/fields/",    "/summary/",          "/scales/",    "/provenance/",
+                                       "/grid/", "/transient/", "/transient/frames/", "/subsurface/"};
   std::vector<std::string> known;
   for (const std::string& home : homes) {
     if (file.kind(home + name) != Kind::missing) return home + name;
@@ -35,14 +35,22 @@ std::string full_name(const results::ResultFile& file, const std::string& name) 
 struct FieldOnGrid {
   results::Array field;
   results::Array x;
-  results::Array y;
+  results::Array y;          // or z, of a section in depth
+  std::string rows = {"y"};  // its name
 
   double at(std::size_t i, std::size_t j) const { return field.values[j * x.values.size() + i]; }
 };
 
+// A plane has x and y, a section in depth x and z beside it.
+std::string name_of_rows(const results::ResultFile& file, const std::string& name) {
+  const bool in_depth = file.dims(name).size() == 2 && file.axis(name, "z") != "";
+  return in_depth ? "z" : "y";
+}
+
 FieldOnGrid read_field(const results::ResultFile& file, const std::string& name, std::size_t step) {
-  FieldOnGrid read{file.dims(name).size() == 3 ? file.frame(name, step) : file.numbers(name), file.numbers("/grid/x"),
-                   file.numbers("/grid/y")};
+  const std::string rows = name_of_rows(file, name);
+  FieldOnGrid read{file.dims(name).size() == 3 ? file.frame(name, step) : file.numbers(name),
+                   file.numbers(file.axis(name, "x")), file.numbers(file.axis(name, rows)), rows};
   if (read.field.dims.size() != 2 || read.field.dims[0] != read.y.values.size() ||
       read.field.dims[1] != read.x.values.size() || read.field.values.empty())
     throw core::FileError(file.path() + ": the file is damaged: " + name + " does not fit its grid");
@@ -51,11 +59,11 @@ FieldOnGrid read_field(const results::ResultFile& file, const std::string& name,
 
 std::string header(const results::ResultFile& file, const std::string& name, const FieldOnGrid& f) {
   return "# " + file.path() + ": " + file.attribute("/", "title") + "\n# " + name + " [" + f.field.unit +
-         "]: " + f.field.meaning + "; x, y in Hertz radii a\n";
+         "]: " + f.field.meaning + "; x, " + f.rows + " in Hertz radii a\n";
 }
 
 std::string grid_columns(const FieldOnGrid& f, const std::string& column) {
-  std::string text = "# x y " + column + "\n";
+  std::string text = "# x " + f.rows + " " + column + "\n";
   for (std::size_t j = 0; j < f.y.values.size(); ++j) {
     if (j > 0) text += "\n";  // a blank line ends a scan
     for (std::size_t i = 0; i < f.x.values.size(); ++i)
@@ -66,7 +74,8 @@ std::string grid_columns(const FieldOnGrid& f, const std::string& column) {
 }
 
 std::string matrix(const FieldOnGrid& f) {
-  std::string text = "# first row: number of columns and x; then y and the values: plot '...' matrix nonuniform\n";
+  std::string text =
+      "# first row: number of columns and x; then " + f.rows + " and the values: plot '...' matrix nonuniform\n";
   text += std::to_string(f.x.values.size());
   for (const double x : f.x.values) text.append(" ").append(deck::shortest(x));
   text += "\n";
@@ -87,8 +96,9 @@ std::size_t nearest_line(const std::vector<double>& lines, double at) {
 
 std::string section(const FieldOnGrid& f, const std::string& column, const Arguments& arguments) {
   const std::string axis = arguments.value("along", "x");
-  if (axis != "x" && axis != "y") throw core::InputError("command line: --along " + axis + ": must be x or y");
-  const std::string other = axis == "x" ? "y" : "x";
+  if (axis != "x" && axis != f.rows)
+    throw core::InputError("command line: --along " + axis + ": must be x or " + f.rows);
+  const std::string other = axis == "x" ? f.rows : "x";
   const std::string given = arguments.value("at", other + "=0");
   const std::string number = given.starts_with(other + "=") ? given.substr(2) : given;
   const deck::ReadNumber at = deck::read_number(number);
@@ -117,14 +127,15 @@ std::size_t chosen_step(const Arguments& arguments, std::size_t count) {
   return static_cast<std::size_t>(read.value);
 }
 
-// A section at every time: a block of lines "time position value" each, with a blank line between them.
+// A section at every time or depth: a block of lines "time position value" each, with a blank line between them.
 std::string sections_in_time(const results::ResultFile& file, const std::string& name, const Arguments& arguments,
                              std::size_t count) {
   if (!arguments.has("along") && !arguments.has("at"))
     throw core::InputError("command line: " + name + " holds " + std::to_string(count) +
                            " fields: choose one with --step 0 to " + std::to_string(count - 1) +
                            ", or a section of all with --along x");
-  const std::vector<double> times = file.numbers(name.substr(0, name.rfind('/')) + "/time").values;
+  const std::string layer = file.axis(name, "time").empty() ? "z" : "time";
+  const std::vector<double> times = file.numbers(file.axis(name, layer)).values;
   if (times.size() != count) throw core::FileError(file.path() + ": the file is damaged: " + name);
   std::string text;
   for (std::size_t k = 0; k < count; ++k) {
@@ -135,7 +146,7 @@ std::string sections_in_time(const results::ResultFile& file, const std::string&
       if (!line.starts_with("#"))
         text += deck::shortest(times[k]) + " " + line + "\n";
       else if (k == 0)
-        text += line.starts_with("# along") ? line + "\n" : "# time " + line.substr(2) + "\n";
+        text += line.starts_with("# along") ? line + "\n" : "# " + layer + " " + line.substr(2) + "\n";
     }
   }
   return text;
@@ -172,9 +183,9 @@ std::string list(const results::ResultFile& file, const std::string& name) {
     const Kind kind = file.kind(whole);
     if (kind == Kind::text) text += entry + " \"" + file.text(whole) + "\"\n";
     if (kind == Kind::numbers) {
-      const results::Array numbers = file.numbers(whole);
-      const std::string value = numbers.dims.empty() ? column_number(numbers.values[0]) : "(array)";
-      text += entry + " " + value + " \"" + numbers.unit + "\" \"" + numbers.meaning + "\"\n";
+      const std::string value = file.dims(whole).empty() ? column_number(file.numbers(whole).values[0]) : "(array)";
+      text += entry + " " + value + " \"" + file.attribute(whole, "unit") + "\" \"" + file.attribute(whole, "meaning") +
+              "\"\n";
     }
     if (kind == Kind::group) text += entry + " (group)\n";
   }
@@ -195,14 +206,15 @@ int extract(const Arguments& arguments) {
   const std::string name = full_name(file, arguments.operands[1]);
   const std::vector<std::size_t> dims = file.kind(name) == Kind::numbers ? file.dims(name) : std::vector<std::size_t>{};
   const bool in_time = dims.size() == 3;
-  const bool is_field = in_time || (name.starts_with("/fields/") && file.kind(name) == Kind::numbers);
+  const bool is_field = in_time || dims.size() == 2;
   for (const char* option : {"along", "at", "matrix"})
     if (arguments.has(option) && !is_field)
       throw core::InputError(std::string("command line: --") + option + " applies to fields, and " + name + " is none");
   if (arguments.has("matrix") && (arguments.has("along") || arguments.has("at")))
     throw core::InputError("command line: either --matrix or --along and --at");
   if (arguments.has("step") && !in_time)
-    throw core::InputError("command line: --step applies to fields of a transient, and " + name + " is none");
+    throw core::InputError("command line: --step applies to fields of several times or depths, and " + name +
+                           " is none");
   if (in_time && !arguments.has("step")) {
     print(sections_in_time(file, name, arguments, dims[0]));
   } else if (is_field) {

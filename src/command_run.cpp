@@ -13,6 +13,7 @@
 #include "deck/document.hpp"
 #include "deck/text.hpp"
 #include "deck/write.hpp"
+#include "dry_run.hpp"
 #include "effects.hpp"
 #include "exit_status.hpp"
 #include "machine.hpp"
@@ -37,7 +38,14 @@ Destination destination(const Arguments& arguments, const Case& input) {
   Destination to{arguments.value("output", input.output), arguments.has("overwrite")};
   if (results::xdmf_name(to.path) == to.path)
     throw core::InputError("command line: the result cannot be named " + to.path + ": .xmf is its companion; use .h5");
-  results::check_writable(to.path, to.overwrite, results::expected_bytes(input.scene.grid, input.fields.size()));
+  // P and the gap of a dry contact; single precision for stresses in space.
+  std::size_t bytes = results::expected_bytes(input.scene.grid, input.dry ? 2 : input.fields.size());
+  if (input.subsurface) {
+    const core::Grid grid = subsurface::stress_grid(input.scene.grid, *input.subsurface);
+    bytes += results::expected_bytes(grid, input.subsurface->kept.size()) / 2 *
+             static_cast<std::size_t>(input.subsurface->planes);
+  }
+  results::check_writable(to.path, to.overwrite, bytes);
   results::check_writable(results::xdmf_name(to.path), to.overwrite, 0);
   return to;
 }
@@ -52,7 +60,7 @@ int fail_without_solution(const Arguments& arguments, const Case& input, const s
 }
 
 int status(const Computed& computed, const std::string& path) {
-  const auto& [solution, in_time, seconds] = computed;
+  const auto& [solution, in_time, stresses, seconds] = computed;
   if (!solution.converged) {
     std::fprintf(stderr, "ehl: not converged: %s\n", solution.failed_check.c_str());
     return not_converged;
@@ -69,7 +77,7 @@ int status(const Computed& computed, const std::string& path) {
 }
 
 std::string printed(const Case& input, const Computed& computed, const Outcome& outcome, bool profile) {
-  const auto& [solution, in_time, seconds] = computed;
+  const auto& [solution, in_time, stresses, seconds] = computed;
   std::string text = "case         " + input.title + "\n" + continuation_table(input, solution) +
                      level_table(solution) + summary(input, solution, outcome);
   for (const Effect& effect : effects_of(input))
@@ -137,7 +145,13 @@ void print(const std::string& text) {
 
 int run(const Arguments& arguments) {
   const Case input = read_case(arguments.operands[0], arguments.values("set"), requested_threads(arguments));
-  return solve_and_write(arguments, input, destination(arguments, input), {});
+  const Destination to = destination(arguments, input);
+  if (!input.dry) return solve_and_write(arguments, input, to, {});
+  try {
+    return run_dry(arguments, input, to.path, to.overwrite);
+  } catch (const core::SolverError& error) {
+    return fail_without_solution(arguments, input, error.what());
+  }
 }
 
 int resume(const Arguments& arguments) {
@@ -152,7 +166,7 @@ int resume(const Arguments& arguments) {
 
 int check(const Arguments& arguments) {
   const Case input = read_case(arguments.operands[0], arguments.values("set"), requested_threads(arguments));
-  print(derived(input));
+  print(input.dry ? derived_dry(input) : derived(input));
   return solved;
 }
 

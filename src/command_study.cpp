@@ -35,7 +35,7 @@ class Grids {
   Grids(const Arguments& arguments, int threads)
       : path_(arguments.operands[0]), set_(arguments.values("set")), threads_(threads) {}
 
-  Case deck() const { return read_case(path_, set_, threads_); }
+  Case deck() const { return read_lubricated_case(path_, set_, threads_, "study"); }
   Case on(int cells) const { return case_on_grid(path_, set_, cells, threads_); }
   double nodes(int cells) const {
     const core::Grid grid = on(cells).scene.grid;

@@ -22,7 +22,6 @@ struct ToCome {
 constexpr ToCome to_come[] = {{"thermal", "isothermal"},
                               {"shear", "Newtonian"},
                               {"starvation", "fully flooded"},
-                              {"subsurface", ""},
                               {"friction", ""}};
 
 bool has_section(const Effect& effect, const std::string& name) {
@@ -64,7 +63,7 @@ std::string assignment(const Case& input, const KeyName& key, bool with_place) {
 
 }  // namespace
 
-std::vector<Effect> effects() { return {transient_effect(), body_effect(), surfaces_effect()}; }
+std::vector<Effect> effects() { return {transient_effect(), body_effect(), surfaces_effect(), subsurface_effect()}; }
 
 std::vector<Effect> effects_of(const Case& input) {
   std::vector<Effect> on = effects();

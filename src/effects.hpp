@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "deck/key.hpp"
+#include "effects/subsurface/stress.hpp"
 #include "needs.hpp"
 #include "results/content.hpp"
 #include "scene.hpp"
@@ -24,6 +25,7 @@ namespace ehl::program {
 struct Computed {
   steady::Solution solution{};
   std::optional<TransientResult> in_time{};
+  std::optional<subsurface::StressField> stresses{};
   double seconds = 0.0;  ///< of all of it
 };
 
@@ -74,6 +76,7 @@ std::vector<Effect> effects_of(const Case& input);
 Effect transient_effect();
 Effect body_effect();
 Effect surfaces_effect();
+Effect subsurface_effect();
 
 /// "steady, smooth, ..., fully flooded": what the case leaves to the basic model, that of no version yet included.
 std::vector<std::string> basic_model(const Case& input);

@@ -20,6 +20,14 @@ const Names hamrock_dowson_keys{"W", "U", "G"};
 const Names si_keys{"load", "radius_x", "radius_y", "E1", "nu1", "E2", "nu2", "E_prime"};
 const Names four_moduli{"E1", "nu1", "E2", "nu2"};
 
+// Hertz pressures beyond these come from wrong units [Pa].
+constexpr double least_p_h = 1e3, most_p_h = 1e12;
+
+std::string wrong_pressure(double p_h) {
+  return "with the other numbers it means a Hertz pressure of " + formatted("%.3g", p_h) +
+         " Pa: check the units of all of them";
+}
+
 Names given_of(const deck::Deck& deck, const std::string& section, const Names& names) {
   Names found;
   for (const std::string& name : names)
@@ -126,15 +134,18 @@ void check_lubricant(deck::Deck& deck, Language language) {
                     " needs the Hertz pressure, p_h = alpha_bar/alpha");
 }
 
+double modulus(const deck::Deck& deck) {
+  const auto number = [&](const char* name) { return deck::number(deck, "contact", name); };
+  if (given(deck, "contact", "E_prime")) return number("E_prime");
+  return contact::reduced_modulus({number("E1"), number("nu1")}, {number("E2"), number("nu2")});
+}
+
 SiInput si_input(const deck::Deck& deck) {
   const auto contact_number = [&](const char* name) { return deck::number(deck, "contact", name); };
   SiInput si;
   si.contact.load = contact_number("load");
   si.contact.radius = contact_number("radius_x");
-  si.contact.E_prime = given(deck, "contact", "E_prime")
-                           ? contact_number("E_prime")
-                           : contact::reduced_modulus({contact_number("E1"), contact_number("nu1")},
-                                                      {contact_number("E2"), contact_number("nu2")});
+  si.contact.E_prime = modulus(deck);
   if (given(deck, "motion", "u_m")) {
     const double u_m = deck::number(deck, "motion", "u_m");
     const double srr = deck::number(deck, "motion", "srr");
@@ -235,15 +246,27 @@ Physics physical_input(deck::Deck& deck) {
   } else if (given(deck, "lubricant", "alpha") && physics.groups.alpha_bar > 0.0) {
     physics.p_h = contact::hertz_pressure(physics.groups, deck::number(deck, "lubricant", "alpha"));
   }
-  if (physics.p_h > 0.0 && !(physics.p_h >= 1e3 && physics.p_h <= 1e12))
+  if (physics.p_h > 0.0 && !(physics.p_h >= least_p_h && physics.p_h <= most_p_h))
     complain(deck, "contact",
              physics.language == Language::moes ? "M"
              : physics.si                       ? "load"
                                                 : "W",
-             "with the other numbers it means a Hertz pressure of " + formatted("%.3g", physics.p_h) +
-                 " Pa: check the units of all of them");
+             wrong_pressure(physics.p_h));
   if (deck.errors.empty()) set_laws(deck, physics);
   return physics;
+}
+
+std::optional<ElasticContact> elastic_contact(deck::Deck& deck) {
+  if (given_of(deck, "contact", si_keys).empty()) return std::nullopt;
+  demand(deck, "contact", {"load", "radius_x"}, "a contact in SI needs load, radius_x and the elastic moduli");
+  check_elastic(deck);
+  if (!deck.errors.empty()) return std::nullopt;
+  ElasticContact contact{
+      deck::number(deck, "contact", "load"), deck::number(deck, "contact", "radius_x"), modulus(deck), {}};
+  contact.hertz = contact::hertz(contact.load, contact.radius, contact.E_prime);
+  if (!(contact.hertz.p_h >= least_p_h && contact.hertz.p_h <= most_p_h))
+    complain(deck, "contact", "load", wrong_pressure(contact.hertz.p_h));
+  return contact;
 }
 
 }  // namespace ehl::program

@@ -33,4 +33,15 @@ struct Physics {
 /// nothing else in the result but the language has a meaning. Choices (Roelands' z, radius_y) are recorded in the deck.
 Physics physical_input(deck::Deck& deck);
 
+/// The elastic contact alone, for bodies without lubricant.
+struct ElasticContact {
+  double load = 0.0;     ///< [N]
+  double radius = 0.0;   ///< [m]
+  double E_prime = 0.0;  ///< [Pa]
+  contact::Hertz hertz{};
+};
+
+/// load, radius_x and the elastic data of [contact]; nothing where the deck gives none of them. Complains as above.
+std::optional<ElasticContact> elastic_contact(deck::Deck& deck);
+
 }  // namespace ehl::program

@@ -23,19 +23,6 @@ bool wanted(const Case& input, const std::string& field) {
   return std::find(input.fields.begin(), input.fields.end(), field) != input.fields.end();
 }
 
-std::vector<Text> provenance(const Case& input) {
-  const Version built = version();
-  return {{"program", "ehl", "program that wrote the file"},
-          {"version", built.number, "its version"},
-          {"commit", built.commit, "commit of its source"},
-          {"dirty", built.dirty ? "true" : "false", "whether the source had changes that no commit holds"},
-          {"compiler", built.compiler, ""},
-          {"host_cpu", processor(), "processor of the machine"},
-          {"cpu_level", core::processor_level(), "what the numerics in use were compiled for"},
-          {"threads", std::to_string(input.scene.threads), "threads used"},
-          {"date", utc_date(), "UTC date of the run"}};
-}
-
 std::vector<Quantity> scales(const Case& input) {
   const Physics& physics = input.physics;
   const contact::Groups& g = physics.groups;
@@ -220,6 +207,19 @@ void add_resolution(const Case& input, const core::Grid& grid, std::vector<Quant
 
 }  // namespace
 
+std::vector<Text> provenance(int threads) {
+  const Version built = version();
+  return {{"program", "ehl", "program that wrote the file"},
+          {"version", built.number, "its version"},
+          {"commit", built.commit, "commit of its source"},
+          {"dirty", built.dirty ? "true" : "false", "whether the source had changes that no commit holds"},
+          {"compiler", built.compiler, ""},
+          {"host_cpu", processor(), "processor of the machine"},
+          {"cpu_level", core::processor_level(), "what the numerics in use were compiled for"},
+          {"threads", std::to_string(threads), "threads used"},
+          {"date", utc_date(), "UTC date of the run"}};
+}
+
 DerivedFields derived_fields(const Case& input, const steady::Solution& solution) {
   DerivedFields derived;
   if (wanted(input, "rho_bar")) derived.rho_bar = core::Field(solution.grid);
@@ -242,7 +242,7 @@ results::Content result_content(const Case& input, const steady::Solution& solut
   results::Content content;
   content.title = input.title;
   content.deck = deck::effective_deck(with_grid_of(solution, input.deck));
-  content.provenance = provenance(input);
+  content.provenance = provenance(input.scene.threads);
   content.scales = scales(input);
   content.grid = solution.grid;
   const std::vector<results::NamedField> fields{{"P", "p_h", "pressure p/p_h", &solution.P},

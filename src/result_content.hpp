@@ -15,6 +15,9 @@ struct DerivedFields {
 /// The density and the viscosity of a solution, those that the case wants to keep.
 DerivedFields derived_fields(const Case& input, const steady::Solution& solution);
 
+/// Program, version, machine and date.
+std::vector<results::Text> provenance(int threads);
+
 /// Everything the result file holds. The content points to the fields of `solution` and `derived`.
 results::Content result_content(const Case& input, const steady::Solution& solution, const Outcome& outcome,
                                 const DerivedFields& derived);

@@ -5,12 +5,14 @@
 #include <filesystem>
 
 #include "catalogue.hpp"
+#include "core/errors.hpp"
 #include "deck/text.hpp"
 #include "effects.hpp"
 #include "machine.hpp"
 #include "needs.hpp"
 #include "steady/domain_error.hpp"
 #include "steady/resolution.hpp"
+#include "subsurface_report.hpp"
 #include "text_format.hpp"
 
 namespace ehl::program {
@@ -207,18 +209,31 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   return case_of(deck::read(path, overrides, catalogue()), path, threads);
 }
 
+Case read_lubricated_case(const std::string& path, const std::vector<std::string>& overrides, int threads,
+                          const std::string& command) {
+  Case result = read_case(path, overrides, threads);
+  if (result.dry)
+    throw core::InputError(path + ": [case] kind = dry: `ehl " + command +
+                           "` compares films, and this contact has none");
+  return result;
+}
+
 Case case_of(deck::Deck understood, const std::string& path, int threads) {
   Case result;
   result.deck = std::move(understood);
   deck::Deck& deck = result.deck;
-  result.physics = physical_input(deck);
+  result.dry = dry_input(deck);
+  if (!result.dry)
+    result.physics = physical_input(deck);
+  else if (result.dry->contact)
+    result.physics.p_h = result.dry->contact->hertz.p_h;
   result.scene.deformation = deformation_of(deck);
   result.scene.multigrid = multigrid_of(deck);
 
   result.scene.accuracy = accuracy_of(deck);
-  choose_domain(deck, result.physics.groups);
+  if (!result.dry) choose_domain(deck, result.physics.groups);
   result.scene.wedge = wedge_of(deck);
-  choose_cells(deck, result.physics.groups, result.scene.wedge);
+  if (!result.dry) choose_cells(deck, result.physics.groups, result.scene.wedge);
   result.scene.grid = grid_of(deck);
   result.scene.continuation = continuation_of(deck, result.physics);
   const std::string polish = deck::word(deck, "multigrid", "polish");
@@ -227,8 +242,9 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
                                            : steady::Polish::rescue;
   result.scene.threads = threads;
   result.surfaces = surface_input(deck, result.physics, result.scene.grid, given(deck, "transient", "end_time"));
-  result.transient = transient_input(deck, result.physics, result.surfaces);
+  result.transient = transient_input(deck, result.physics, result.surfaces, result.scene.grid);
   if (!result.transient) let_stand(result.surfaces, result.scene);
+  result.subsurface = subsurface_input(deck);
   if (result.scene.grid.ny > 0) {
     check_coarsenings(deck, result.scene);
     check_memory(result);

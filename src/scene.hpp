@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "deck/deck.hpp"
+#include "dry_case.hpp"
+#include "effects/subsurface/stress.hpp"
 #include "physical_input.hpp"
 #include "steady/scene.hpp"
 #include "transient_input.hpp"
@@ -17,13 +19,19 @@ struct Case {
   steady::Scene scene{};
   SurfaceInput surfaces{};                    ///< what they carry, in time or at rest
   std::optional<TransientInput> transient{};  ///< nothing: steady
-  std::vector<std::string> fields{};          ///< to keep in the result
-  std::string output{};                       ///< result file that the deck names
+  std::optional<DryInput> dry{};              ///< without lubricant: then the scene is but a grid
+  std::optional<subsurface::Parameters> subsurface{};
+  std::vector<std::string> fields{};  ///< to keep in the result
+  std::string output{};               ///< result file that the deck names
 };
 
 /// Reads, validates and converts. in: path of the deck, overrides, number of threads.
 /// errors: core::InputError with every complaint about keys and about what they mean together.
 Case read_case(const std::string& path, const std::vector<std::string>& overrides, int threads);
+
+/// The same for commands that compare films: a dry contact is refused. command: "study", "sweep".
+Case read_lubricated_case(const std::string& path, const std::vector<std::string>& overrides, int threads,
+                          const std::string& command);
 
 /// The same of a deck that is read already; path: what names case and result where the deck does not.
 Case case_of(deck::Deck understood, const std::string& path, int threads);

@@ -94,7 +94,7 @@ Case case_on_grid(const std::string& path, const std::vector<std::string>& overr
     if (given.section != "grid" || given.name != "cells") all.push_back(text);
   }
   all.push_back("grid.cells=" + std::to_string(cells));
-  return read_case(path, all, threads);
+  return read_lubricated_case(path, all, threads, "study");
 }
 
 void use_way(const StudyCase& way, steady::Scene& scene) {

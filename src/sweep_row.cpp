@@ -71,7 +71,7 @@ SweepRow solve_case(const std::string& path, const std::string& deck_text, const
   try {
     if (deck::load_text(path) != deck_text)
       throw core::InputError(path + ": the deck has changed since the sweep began");
-    input = read_case(path, overrides, 1);
+    input = read_lubricated_case(path, overrides, 1, "sweep");
     return row_of_solution(*input, steady::solve(input->scene));
   } catch (const core::InputError& error) {
     SweepRow row = input ? row_of_case(*input) : SweepRow{};

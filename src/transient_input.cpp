@@ -171,7 +171,8 @@ void check_drive(deck::Deck& deck, const TransientInput& input) {
 
 }  // namespace
 
-std::optional<TransientInput> transient_input(deck::Deck& deck, const Physics& physics, const SurfaceInput& surfaces) {
+std::optional<TransientInput> transient_input(deck::Deck& deck, const Physics& physics, const SurfaceInput& surfaces,
+                                              const core::Grid& grid) {
   const bool timed = given(deck, section, "end_time");
   if (!timed) return std::nullopt;
   if (given(deck, "grid", "accuracy"))

@@ -18,8 +18,9 @@ struct TransientInput {
 };
 
 /// Nothing where the deck has no [transient]. Rules between keys are complained about in the deck.
-/// in: the physics of the case and what its surfaces carry. errors: core::FileError where a .csv that the deck names
-/// cannot be read.
-std::optional<TransientInput> transient_input(deck::Deck& deck, const Physics& physics, const SurfaceInput& surfaces);
+/// in: the physics of the case, what its surfaces carry, its finest grid. errors: core::FileError where a .csv that the
+/// deck names cannot be read.
+std::optional<TransientInput> transient_input(deck::Deck& deck, const Physics& physics, const SurfaceInput& surfaces,
+                                              const core::Grid& grid);
 
 }  // namespace ehl::program

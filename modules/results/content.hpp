@@ -45,17 +45,31 @@ struct NamedField {
   const core::Field* field = nullptr;
 };
 
-/// A field at several times.
+/// A field at several times or depths.
 struct Series {
   std::string name{};
   std::string unit{};
   std::string meaning{};
   std::vector<const core::Field*> fields{};  ///< one for each time; looked at while writing
+  bool single = false;                       ///< kept with single precision, seven digits: half the file
 };
 struct Frames {
   std::string group{};  ///< "/transient/frames", below a table's group; empty: none
   std::vector<double> times{};
   std::vector<Series> series{};
+};
+
+/// Fields in space: planes of a grid of their own at several depths, and a section across them.
+struct Volume {
+  std::string group{};  ///< "/subsurface"; empty: none
+  std::string meaning{};
+  std::string warnings{};        ///< one a line
+  core::Grid grid{};             ///< of the planes: x and y of the group
+  std::vector<double> depths{};  ///< z of the group
+  std::vector<Series> series{};  ///< one field for each depth
+  std::string section_meaning{};
+  std::vector<NamedField> section{};  ///< along x and depth, in the group's "section"; as many depths
+  std::vector<Quantity> numbers{};
 };
 
 /// Numbers and arrays of any lengths in one group.
@@ -86,6 +100,7 @@ struct Content {
   std::vector<Table> tables{};  ///< "levels", "history"
   Frames frames{};
   Loose checkpoint{};
+  Volume volume{};
   std::vector<EffectRow> effects{};  ///< none: no group
 };
 

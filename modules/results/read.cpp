@@ -120,6 +120,12 @@ std::vector<std::size_t> ResultFile::dims(const std::string& name) const {
   return {lengths.begin(), lengths.end()};
 }
 
+std::string ResultFile::axis(const std::string& field, const std::string& name) const {
+  for (const std::string& home : {field.substr(0, field.rfind('/')), std::string("/grid")})
+    if (kind(home + "/" + name) == Kind::numbers) return home + "/" + name;
+  return "";
+}
+
 Array ResultFile::frame(const std::string& name, std::size_t k) const {
   const std::vector<std::size_t> lengths = dims(name);
   const QuietErrors quiet;
@@ -129,7 +135,8 @@ Array ResultFile::frame(const std::string& name, std::size_t k) const {
   Array array;
   array.dims = {lengths[1], lengths[2]};
   // A damaged header can promise more numbers than there is memory for: the grid has told how many there are.
-  if (lengths[1] != dims("/grid/y").at(0) || lengths[2] != dims("/grid/x").at(0))
+  const std::string x = axis(name, "x"), y = axis(name, "y");
+  if (x.empty() || y.empty() || lengths[1] != dims(y).at(0) || lengths[2] != dims(x).at(0))
     throw core::FileError(cannot + ": the file is damaged: it does not fit its grid");
   array.values.resize(lengths[1] * lengths[2]);
   const Handle set = checked(H5Dopen2(implementation_->file, name.c_str(), H5P_DEFAULT), H5Dclose, cannot);

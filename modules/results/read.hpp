@@ -34,7 +34,10 @@ class ResultFile {
 
   /// errors: core::FileError when there is no such dataset or it cannot be read.
   Array numbers(const std::string& name) const;
-  /// Number k of the fields in a dataset (time, y, x), as (y, x). errors: as above; k out of range.
+  /// Name of the axis "x", "y", "z" or "time" of a field: the one beside it, or for x and y the one of /grid.
+  /// out: empty where there is none.
+  std::string axis(const std::string& field, const std::string& name) const;
+  /// Number k of the fields in a dataset (time or depth, y, x), as (y, x). errors: as above; k out of range.
   Array frame(const std::string& name, std::size_t k) const;
   /// Lengths of a dataset; empty for a single number.
   std::vector<std::size_t> dims(const std::string& name) const;

@@ -98,14 +98,21 @@ void texts(const Writer& writer, const std::string& name, const std::vector<Text
   for (const Text& entry : list) text(writer, name + "/" + entry.name, entry.text, entry.meaning);
 }
 
-void grid(const Writer& writer, const core::Grid& nodes) {
-  const Handle made = group(writer, "/grid");
+std::vector<double> stations(const core::Grid& nodes) {
   std::vector<double> x;
-  std::vector<double> y;
   for (int i = 0; i < nodes.nodes_x(); ++i) x.push_back(nodes.X(i));
+  return x;
+}
+
+void axis(const Writer& writer, const std::string& name, const std::vector<double>& at, const std::string& meaning) {
+  numbers(writer, name, {{at.size()}}, at, false, "a", meaning + ", in Hertz radii");
+}
+
+void grid(const Writer& writer, const std::string& of, const core::Grid& nodes) {
+  std::vector<double> y;
   for (int j = 0; j < nodes.nodes_y(); ++j) y.push_back(nodes.Y(j));
-  numbers(writer, "/grid/x", {{x.size()}}, x, false, "a", "X of the nodes, along the entrainment, in Hertz radii");
-  numbers(writer, "/grid/y", {{y.size()}}, y, false, "a", "Y of the nodes, across the entrainment, in Hertz radii");
+  axis(writer, of + "/x", stations(nodes), "X of the nodes, along the entrainment");
+  axis(writer, of + "/y", y, "Y of the nodes, across the entrainment");
 }
 
 // Row = y, column = x.
@@ -120,10 +127,10 @@ std::vector<double> row_by_row(const core::Field& from) {
   return values;
 }
 
-void field(const Writer& writer, const NamedField& entry) {
+void field(const Writer& writer, const std::string& of, const NamedField& entry) {
   const std::vector<double> values = row_by_row(*entry.field);
   const auto rows = static_cast<hsize_t>(entry.field->nodes_y());
-  numbers(writer, "/fields/" + entry.name, {{rows, values.size() / rows}}, values, false, entry.unit, entry.meaning);
+  numbers(writer, of + "/" + entry.name, {{rows, values.size() / rows}}, values, false, entry.unit, entry.meaning);
 }
 
 // One field after the other into (time, y, x), each a compressed piece of its own.
@@ -140,9 +147,9 @@ void series(const Writer& writer, const std::string& group_name, const Series& e
   check(H5Pset_shuffle(properties), cannot);
   check(H5Pset_deflate(properties, fast), cannot);
   const Handle space = checked(H5Screate_simple(3, dims, nullptr), H5Sclose, cannot);
-  const Handle made =
-      checked(H5Dcreate2(writer.file, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, properties, H5P_DEFAULT),
-              H5Dclose, cannot);
+  const hid_t type = entry.single ? H5T_IEEE_F32LE : H5T_IEEE_F64LE;
+  const Handle made = checked(H5Dcreate2(writer.file, name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT),
+                              H5Dclose, cannot);
   const Handle of_piece = checked(H5Screate_simple(3, piece, nullptr), H5Sclose, cannot);
   for (std::size_t k = 0; k < entry.fields.size(); ++k) {
     const hsize_t start[] = {k, 0, 0};
@@ -181,6 +188,24 @@ void loose(const Writer& writer, const Loose& entry) {
     numbers(writer, entry.group + "/" + one.name, {{one.values.size()}}, one.values, one.whole, one.unit, one.meaning);
 }
 
+void volume(const Writer& writer, const Volume& entry) {
+  if (entry.group.empty()) return;
+  const Handle made = group(writer, entry.group);
+  attribute(writer, made, "meaning", entry.meaning);
+  attribute(writer, made, "warnings", entry.warnings);
+  grid(writer, entry.group, entry.grid);
+  axis(writer, entry.group + "/z", entry.depths, "depth below the surface");
+  for (const Series& one : entry.series) series(writer, entry.group, one);
+  for (const Quantity& one : entry.numbers)
+    numbers(writer, entry.group + "/" + one.name, {}, {one.value}, one.whole, one.unit, one.meaning);
+  const std::string section = entry.group + "/section";
+  const Handle across = group(writer, section);
+  attribute(writer, across, "meaning", entry.section_meaning);
+  axis(writer, section + "/x", stations(entry.grid), "X of the nodes");
+  axis(writer, section + "/z", entry.depths, "depth below the surface");
+  for (const NamedField& one : entry.section) field(writer, section, one);
+}
+
 void effects(const Writer& writer, const std::vector<EffectRow>& list) {
   if (list.empty()) return;
   const Handle made = group(writer, "/effects");
@@ -202,16 +227,20 @@ void everything(const Writer& writer, const Content& content) {
     texts(writer, "/provenance", content.provenance);
   }
   quantities(writer, "/scales", content.scales);
-  grid(writer, content.grid);
+  {
+    const Handle made = group(writer, "/grid");
+    grid(writer, "/grid", content.grid);
+  }
   {
     const Handle made = group(writer, "/fields");
-    for (const NamedField& entry : content.fields) field(writer, entry);
+    for (const NamedField& entry : content.fields) field(writer, "/fields", entry);
   }
   quantities(writer, "/summary", content.summary);
   texts(writer, "/summary", content.remarks);
   for (const Table& entry : content.tables) table(writer, entry);
   frames(writer, content.frames);
   loose(writer, content.checkpoint);
+  volume(writer, content.volume);
   effects(writer, content.effects);
 }
 

@@ -220,6 +220,18 @@ void add_path(Entries& entries, Random& random, bool& ordinary) {
   ordinary = ordinary && !si;  // a load beyond all limits as the first one
 }
 
+// Few planes, for the time.
+void add_subsurface(Entries& entries, Random& random) {
+  const auto add = [&](const char* name, const std::string& value) { entries.push_back({"subsurface", name, value}); };
+  if (!random.chance(0.1)) return;
+  add("depth", written(random, log_between(random, 0.02, 10.0)));
+  add("planes", text(whole(random, 3, 8)));
+  if (random.chance(0.5)) add("cells", text(whole(random, 16, 200)));
+  if (random.chance(0.5)) add("poisson", written(random, random.between(-0.5, 0.5)));
+  if (random.chance(0.5)) add("friction", written(random, random.between(-0.6, 0.6)));
+  if (random.chance(0.3)) add("fields", pick<std::string>(random, {"tau_xz", "sigma_x, sigma_mises", "tau_max"}));
+}
+
 }  // namespace
 
 int whole(Random& random, int low, int high) {
@@ -254,6 +266,7 @@ std::vector<Entry> random_case(Random& random, bool& ordinary) {
     entries.push_back(
         {"output", "fields", pick<std::string>(random, {"P", "P, H", "H P rho_bar", "P,H,rho_bar,ln_eta_bar"})});
   add_path(entries, random, ordinary);
+  add_subsurface(entries, random);
   return entries;
 }
 

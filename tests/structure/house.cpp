@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <string_view>
 
 namespace house {
 namespace {
@@ -22,7 +23,13 @@ std::string without_comments(const std::string& cmake_text) {
   return text;
 }
 
-std::string first_folder(const std::string& include) { return include.substr(0, include.find('/')); }
+constexpr std::string_view effects_folder = "effects/";
+
+// The module that a path below modules/ belongs to: its first folder, or an effect's two.
+std::string module_of(const std::string& path) {
+  const std::size_t from = path.starts_with(effects_folder) ? effects_folder.size() : 0;
+  return path.substr(0, path.find('/', from));
+}
 
 // A library, how its headers begin, the modules through which it comes in, and where given the files.
 struct Door {
@@ -118,7 +125,7 @@ std::vector<SourceFile> read_sources(const fs::path& root, const std::string& fo
     if (!entry.is_regular_file() || (extension != ".cpp" && extension != ".hpp")) continue;
     SourceFile file;
     file.path = fs::relative(entry.path(), root);
-    file.owner = folder == "modules" ? std::next(file.path.begin())->string() : folder;
+    file.owner = folder == "modules" ? module_of(fs::relative(file.path, folder).generic_string()) : folder;
     file.text = read_text(entry.path());
     files.push_back(file);
   }
@@ -139,6 +146,30 @@ std::vector<std::string> order_offences(const std::vector<Module>& modules) {
   return offences;
 }
 
+bool is_effect(const std::string& module) { return module.starts_with(effects_folder); }
+
+std::vector<std::string> effect_offences(const std::vector<Module>& modules, const std::vector<SourceFile>& files) {
+  std::vector<std::string> offences;
+  bool among_effects = false;
+  for (const Module& module : modules) {
+    if (is_effect(module.name)) {
+      among_effects = true;
+      continue;
+    }
+    if (among_effects) offences.push_back(module.name + " is declared behind an effect: the effects come last");
+    for (const std::string& dependency : module.depends)
+      if (is_effect(dependency)) offences.push_back(module.name + " depends on " + dependency + ", an effect");
+  }
+  for (const SourceFile& file : files) {
+    if (is_effect(file.owner) || file.path.generic_string().find("modules/") != 0) continue;
+    for (const Include& include : read_includes(file.text))
+      if (include.path.starts_with(effects_folder))
+        offences.push_back(file.path.string() + ":" + std::to_string(include.line) + " includes " + include.path +
+                           ": no module below the effects knows one of them");
+  }
+  return offences;
+}
+
 std::vector<std::string> include_offences(const std::vector<Module>& modules, const std::vector<SourceFile>& files) {
   std::vector<std::string> offences;
   for (const SourceFile& file : files) {
@@ -146,7 +177,7 @@ std::vector<std::string> include_offences(const std::vector<Module>& modules, co
     const bool is_module = owner != modules.end();
     for (const Include& include : read_includes(file.text)) {
       if (!include.quoted) continue;
-      const std::string target = first_folder(include.path);
+      const std::string target = module_of(include.path);
       const bool names_module = std::ranges::find(modules, target, &Module::name) != modules.end();
       const bool allowed = is_module ? target == file.owner || contains(owner->depends, target)
                                      : names_module || file.owner == "src" || file.owner == "tests";

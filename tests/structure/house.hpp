@@ -25,12 +25,12 @@ std::vector<Include> read_includes(const std::string& source_text);
 
 struct SourceFile {
   std::filesystem::path path;  ///< relative to the root
-  std::string owner;           ///< modules/<owner>/..., "src" or "tests"
+  std::string owner;           ///< modules/<owner>/..., with two folders in effects/; "src" or "tests"
   std::string text;
 };
 
-/// All C++ files below a folder of the root, in alphabetical order. The owner is the folder below modules/,
-/// otherwise the top folder.
+/// All C++ files below a folder of the root, in alphabetical order. The owner is the module of a file below modules/
+/// ("mlmi", "effects/subsurface"), otherwise the top folder.
 std::vector<SourceFile> read_sources(const std::filesystem::path& root, const std::string& folder);
 
 // Each of the following returns one line per offence: file, line, what is wrong.
@@ -39,6 +39,8 @@ std::vector<SourceFile> read_sources(const std::filesystem::path& root, const st
 std::vector<std::string> order_offences(const std::vector<Module>& modules);
 /// Quoted includes of modules that the owner does not declare. src and tests may include every module.
 std::vector<std::string> include_offences(const std::vector<Module>& modules, const std::vector<SourceFile>& files);
+/// Effects that a module below them includes or depends on, and modules declared behind an effect.
+std::vector<std::string> effect_offences(const std::vector<Module>& modules, const std::vector<SourceFile>& files);
 /// Headers of a library outside the modules that are its only doors.
 std::vector<std::string> door_offences(const std::vector<SourceFile>& files);
 

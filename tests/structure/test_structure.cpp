@@ -65,6 +65,28 @@ BOOST_AUTO_TEST_CASE(the_reader_finds_offences) {
   BOOST_TEST(door_offences({beside_the_door, through_the_door}).size() == 2);
 }
 
+BOOST_AUTO_TEST_CASE(the_reader_knows_effects) {
+  const std::vector<Module> modules = {
+      {"core", {}}, {"steady", {"core"}}, {"effects/heat", {"core"}}, {"effects/wear", {"core", "effects/heat"}}};
+  const SourceFile neighbour{"modules/effects/wear/a.cpp", "effects/wear",
+                             "#include \"effects/heat/a.hpp\"\n#include \"effects/wear/a.hpp\"\n"};
+  const SourceFile undeclared{"modules/effects/heat/a.cpp", "effects/heat", "#include \"effects/wear/a.hpp\"\n"};
+  const SourceFile from_below{"modules/steady/a.cpp", "steady", "#include \"effects/heat/a.hpp\"\n"};
+  const SourceFile program{"src/run.cpp", "src", "#include \"effects/heat/a.hpp\"\n"};
+  BOOST_TEST(include_offences(modules, {neighbour, program}).empty());
+  BOOST_TEST(include_offences(modules, {undeclared, from_below}).size() == 2);
+  BOOST_TEST(effect_offences(modules, {neighbour, undeclared, program}).empty());
+  BOOST_TEST(effect_offences(modules, {from_below}).size() == 1);
+  // A declaration does not make it right.
+  const std::vector<Module> upside_down = {{"core", {}}, {"effects/heat", {"core"}}, {"steady", {"effects/heat"}}};
+  BOOST_TEST(effect_offences(upside_down, {}).size() == 2);
+}
+
+BOOST_AUTO_TEST_CASE(no_module_below_the_effects_knows_one_of_them) {
+  const auto modules = declared();
+  report(effect_offences(modules, read_sources(root, "modules")));
+}
+
 BOOST_AUTO_TEST_CASE(dependencies_point_downwards) {
   const auto modules = declared();
   BOOST_TEST_MESSAGE(modules.size() << " modules declared");
@@ -128,8 +150,8 @@ BOOST_AUTO_TEST_CASE(headers_are_guarded_and_in_their_namespace) {
   for (const SourceFile& file : read_sources(root, "modules")) {
     if (file.path.extension() == ".hpp" && !file.text.starts_with("#pragma once\n"))
       offences.push_back(file.path.string() + " does not begin with #pragma once");
-    if (file.text.find("namespace ehl::" + file.owner) == std::string::npos)
-      offences.push_back(file.path.string() + " is not in namespace ehl::" + file.owner);
+    const std::string space = "namespace ehl::" + fs::path(file.owner).filename().string();
+    if (file.text.find(space) == std::string::npos) offences.push_back(file.path.string() + " is not in " + space);
   }
   report(offences);
 }

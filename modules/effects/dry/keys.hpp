@@ -1,0 +1,11 @@
+#pragma once
+#include <vector>
+
+#include "deck/key.hpp"
+
+namespace ehl::dry {
+
+/// The deck keys of this effect: [case] kind and section [dry].
+std::vector<deck::Key> keys();
+
+}  // namespace ehl::dry

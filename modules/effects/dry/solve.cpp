@@ -1,0 +1,134 @@
+#include "effects/dry/solve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/constants.hpp"
+#include "core/errors.hpp"
+#include "core/norms.hpp"
+#include "core/timer.hpp"
+#include "effects/dry/conjugate_gradients.hpp"
+#include "transfer/transfer.hpp"
+
+namespace ehl::dry {
+namespace {
+
+constexpr int fewest_cells = 32;
+
+// The finest first.
+std::vector<core::Grid> grids_of(const Problem& problem) {
+  const int coarsest = problem.parameters.coarsest_cells;
+  std::vector<core::Grid> grids{problem.grid};
+  const auto goes_on = [&](const core::Grid& grid) {
+    return coarsest > 0 ? grid.nx > coarsest : grid.nx / 2 >= fewest_cells;
+  };
+  while (grids.back().nx % 2 == 0 && grids.back().ny % 2 == 0 && goes_on(grids.back()))
+    grids.push_back(core::coarsened(grids.back()));
+  return grids;
+}
+
+// Hertz' pressure where the ellipse lies on the grid, which the scaling to the load makes right for any other.
+core::Field first_guess(const core::Grid& grid) {
+  core::Field P(grid);
+  for (int i = 0; i < grid.nodes_x(); ++i)
+    for (int j = 0; j < grid.nodes_y(); ++j)
+      P(i, j) = std::sqrt(std::max(0.0, 1.0 - grid.X(i) * grid.X(i) - grid.Y(j) * grid.Y(j)));
+  return P;
+}
+
+core::Field whole_of(const core::Grid& grid, const core::Field& f) {
+  core::Field whole(core::whole(grid));
+  if (grid.mirrored)
+    core::copy_whole(grid, f, whole);
+  else
+    core::copy(f, whole);
+  return whole;
+}
+
+std::string text(const char* format, double value) {
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, format, value);
+  return buffer;
+}
+
+bool touches_edge(const core::Field& P) {
+  const int nx = P.nodes_x() - 1, ny = P.nodes_y() - 1;
+  for (int i = 0; i <= nx; ++i)
+    if (P(i, 0) > 0.0 || P(i, ny) > 0.0) return true;
+  for (int j = 0; j <= ny; ++j)
+    if (P(0, j) > 0.0 || P(nx, j) > 0.0) return true;
+  return false;
+}
+
+void check(const Problem& problem, Solution& solution) {
+  const GridRow& last = solution.rows.back();
+  if (!(last.error <= problem.parameters.tolerance))
+    solution.failed_check = "dry contact: after " + std::to_string(last.iterations) + " iterations on " +
+                            std::to_string(last.nx) + " x " + std::to_string(last.ny) + " cells the gap is wrong by " +
+                            text("%.1e", last.error) + " a^2/R, more than the tolerance " +
+                            text("%.1e", problem.parameters.tolerance) + ": allow more iterations";
+  else if (touches_edge(solution.P))
+    solution.failed_check = "dry contact: the contact reaches the edge of the domain: take a larger domain";
+  solution.converged = solution.failed_check.empty();
+}
+
+}  // namespace
+
+core::Field smooth_gap(const core::Grid& grid) {
+  core::Field gap(grid);
+  for (int i = 0; i < grid.nodes_x(); ++i)
+    for (int j = 0; j < grid.nodes_y(); ++j) gap(i, j) = 0.5 * (grid.X(i) * grid.X(i) + grid.Y(j) * grid.Y(j));
+  return gap;
+}
+
+Solution solve(const Problem& problem, const Observer& observe) {
+  const double start = core::now();
+  const std::vector<core::Grid> grids = grids_of(problem);
+  std::vector<core::Field> gaps{problem.gap};
+  for (std::size_t k = 1; k < grids.size(); ++k) {
+    gaps.emplace_back(grids[k]);
+    transfer::restrict_injection(gaps[k - 1], gaps[k]);
+  }
+  Solution solution;
+  core::Field P = first_guess(grids.back()), H;
+  for (std::size_t k = grids.size(); k-- > 0;) {
+    const double begun = core::now();
+    const core::Grid& grid = grids[k];
+    if (k + 1 < grids.size()) {
+      core::Field finer(grid);
+      transfer::prolong_bilinear(P, finer, 1);
+      P = std::move(finer);
+    }
+    mlmi::Deformation deformation(grid, problem.deformation, problem.threads);
+    ConjugateGradients iteration(grid, gaps[k], problem.load, deformation, P);
+    int count = 0;
+    while (iteration.error() > problem.parameters.tolerance && count < problem.parameters.max_iterations) {
+      iteration.step();
+      ++count;
+      if (observe && !observe({core::whole(grid), static_cast<int>(k), count, iteration.error()}))
+        throw core::Interrupted();
+    }
+    if (!std::isfinite(iteration.error()))
+      throw core::SolverError("dry contact: a number is not finite on " + std::to_string(grid.nx) + " x " +
+                              std::to_string(core::whole(grid).ny) + " cells, iteration " + std::to_string(count));
+    P = iteration.P();
+    H = iteration.H();
+    solution.H00 = iteration.H00();
+    solution.rows.push_back({grid.nx, core::whole(grid).ny, core::maximum(P).value, iteration.H00(), iteration.area(),
+                             iteration.error(), count, core::now() - begun});
+    solution.deformation = deformation.description();
+  }
+  solution.grid = core::whole(problem.grid);
+  solution.P = whole_of(problem.grid, P);
+  solution.H = whole_of(problem.grid, H);
+  double sum = 0.0;
+  for (int i = 0; i < solution.grid.nodes_x(); ++i)
+    for (const double p : solution.P.station(i)) sum += p;
+  solution.load_error = std::abs(sum * solution.grid.hx() * solution.grid.hy() / problem.load - 1.0);
+  check(problem, solution);
+  solution.seconds = core::now() - start;
+  return solution;
+}
+
+}  // namespace ehl::dry

@@ -1,0 +1,20 @@
+#pragma once
+// The contact without lubricant: from the deck.
+#include <optional>
+
+#include "deck/deck.hpp"
+#include "effects/dry/solve.hpp"
+#include "physical_input.hpp"
+
+namespace ehl::program {
+
+struct DryInput {
+  dry::Parameters parameters{};
+  std::optional<ElasticContact> contact{};  ///< nothing: in units of Hertz' contact
+};
+
+/// Nothing where the contact is lubricated. Else every key that speaks of a film is refused where it is given and
+/// dropped where it is a default, and domain and cells are chosen where they are open.
+std::optional<DryInput> dry_input(deck::Deck& deck);
+
+}  // namespace ehl::program

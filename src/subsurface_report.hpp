@@ -1,0 +1,32 @@
+#pragma once
+// The stresses below the contact: from the deck, and into summary, JSON and result.
+#include <optional>
+#include <string>
+
+#include "core/grid.hpp"
+#include "deck/deck.hpp"
+#include "effects/subsurface/stress.hpp"
+#include "results/content.hpp"
+
+namespace ehl::program {
+
+/// Nothing where the deck has no [subsurface]. Complains in the deck.
+std::optional<subsurface::Parameters> subsurface_input(deck::Deck& deck);
+
+/// The stresses below a solution, with lines of progress on stderr. in: P on the whole domain.
+/// errors: core::Interrupted.
+subsurface::StressField stresses_below(const core::Grid& grid, const core::Field& P,
+                                       const subsurface::Parameters& parameters, int threads, bool quiet);
+
+/// Where and for which body, in words.
+std::string subsurface_plan(const subsurface::Parameters& parameters, const core::Grid& contact);
+
+/// in: Hertz pressure [Pa], NaN where it is not known; mark: what follows numbers that did not converge.
+std::string subsurface_summary(const subsurface::StressField& field, double p_h, const std::string& mark);
+
+std::string subsurface_json(const subsurface::StressField& field);
+
+/// The content points to the fields of `field`.
+void add_subsurface(const subsurface::StressField& field, results::Content& content);
+
+}  // namespace ehl::program
