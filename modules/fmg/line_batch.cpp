@@ -55,6 +55,7 @@ ThreadWork make_thread_work(const core::Grid& grid, const RelaxationParameters& 
                   .south = std::vector<Lanes>(points),
                   .north = std::vector<Lanes>(points),
                   .distributive = std::vector<Lanes>(points + 2 * ThreadWork::margin),
+                  .far_squeeze = std::vector<Lanes>(points),
                   .solver = {}};
   const auto prepare = [&]<int reach>(std::integral_constant<int, reach>) {
     if (parameters.line_solver == LineSolver::elimination)
@@ -87,6 +88,10 @@ void LineBatch<reach, solver>::read_coefficients(const Hierarchy& hierarchy, con
   // The crossover is where the coupling by epsilon outweighs that by the film.
   const double crossover = hierarchy.parameters.relaxation.crossover * hierarchy.problem.transport.strength(grid.hx());
   const double crossover2 = crossover * crossover;
+  const RelaxationParameters& relaxation = hierarchy.parameters.relaxation;
+  const double squeeze = hierarchy.problem.transport.squeeze;
+  const Lanes far_single = core::broadcast(relaxation.far_squeeze * level.film_terms.K[0] * squeeze);
+  const Lanes far_beside = core::broadcast(relaxation.far_squeeze_beside * squeeze);
   for (int i = 1; i < grid.nx; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const Lanes largest =
@@ -96,7 +101,9 @@ void LineBatch<reach, solver>::read_coefficients(const Hierarchy& hierarchy, con
     // e_max sqrt(e_max/e_min) > crossover, without root and division; e_min = 0 makes it single unless e_max = 0 too.
     LaneMask single = largest * largest * largest > crossover2 * smallest;
     // Beside the cavitated region too: what is cut off at P = 0 would leave half of a distributed change standing.
+    const LaneMask by_epsilon = single;
     if (hierarchy.problem.cavitation) single |= beside_cavitation(level.P, i, j);
+    work_.far_squeeze[k] = by_epsilon ? far_single : single ? far_beside : Lanes{};
     work_.distributive[k + ThreadWork::margin] = single ? Lanes{} : core::broadcast(1.0);
   }
 }
@@ -108,8 +115,6 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
   const bool cavitation = hierarchy.problem.cavitation;
   const LaneMask outside = ~inside(j, grid);
   const Lanes* distributive = work_.distributive.data() + ThreadWork::margin;
-  const double far_squeeze =
-      hierarchy.parameters.relaxation.far_squeeze * hierarchy.problem.transport.squeeze * level.film_terms.K[0];
   Lanes P_west = own_lines(level.P, 0, j);
   Beside P = with_neighbours(level.P, 1, j);
   FilmStation film2{};
@@ -132,13 +137,11 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
     const Lanes p_far = -c2 * film2.slope_H;
     const Lanes p_west = e.west - c1 * film1.slope_H;
     const Lanes* d = distributive + i;
-    // A single change squeezes the film far beyond the line too.
-    const Lanes p_own =
-        -(e.west + e.east + e.south + e.north) - c0 * film0.slope_H - (1.0 - d[0]) * (far_squeeze * film0.rho_bar);
+    const Lanes p_own = -(e.west + e.east + e.south + e.north) - c0 * film0.slope_H;
     const Lanes p_east = e.east;
     point.a[0] = p_far - 0.25 * d[-2] * p_west;
     point.a[1] = p_west - 0.25 * d[-1] * (p_far + p_own);
-    point.a[2] = p_own - 0.25 * d[0] * (p_west + p_east + e.south + e.north);
+    point.a[2] = p_own - 0.25 * d[0] * (p_west + p_east + e.south + e.north) - work_.far_squeeze[k] * film0.rho_bar;
     point.a[3] = p_east - 0.25 * d[1] * p_own;
     point.a[4] = -0.25 * d[2] * p_east;
 

@@ -16,10 +16,11 @@ struct RelaxationParameters {
   double weight_distributed = 0.9;   ///< under-relaxation of distributed changes
   double weight_single = 1.0;        ///< of single changes where epsilon is smooth
   double weight_single_steep = 0.5;  ///< of single changes where epsilon falls or rises by orders from cell to cell
-  /// In an implicit step of time, what the single changes around a point squeeze out of its film beside what its own
-  /// change does. With 0 a ring of them, at the edge of a contact that opens, swings by 0.9 per cycle and diverges;
-  /// from 2 to 16 measured alike (modules/transient/README.md).
-  double far_squeeze = 2.0;
+  /// In an implicit step of time: what the single changes around a point squeeze out of its film beside what its own
+  /// does. A relaxation of single points sees but its own, and a zone of them swings and diverges; how much there is
+  /// is measured, not derived (modules/transient/README.md).
+  double far_squeeze = 2.0;         ///< times its own, where a point changes singly for its epsilon
+  double far_squeeze_beside = 0.2;  ///< H per P, where it does because it is beside the cavitated region
 };
 
 /// How the full multigrid works. The defaults need no tuning.

@@ -25,6 +25,8 @@ struct ThreadWork {
   std::vector<core::Lanes> west, south, north;
   /// 1 where point i distributes its change; zero outside the line.
   std::vector<core::Lanes> distributive;
+  /// What single changes around point i squeeze out of its film, per change of its own and density.
+  std::vector<core::Lanes> far_squeeze;
   /// What the chosen solver needs: factors of the elimination, or the decimation's blocks.
   std::variant<EliminationFactors<1>, EliminationFactors<2>, EliminationFactors<3>, line_solvers::Decimation<1>,
                line_solvers::Decimation<2>, line_solvers::Decimation<3>>

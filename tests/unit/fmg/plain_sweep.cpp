@@ -54,11 +54,14 @@ class Sweep {
   }
 
   bool is_distributive(int i, int j) const {
-    if (problem_.cavitation && beside_cavitation(i, j)) return false;
+    return !(problem_.cavitation && beside_cavitation(i, j)) && !single_by_epsilon(i, j);
+  }
+
+  bool single_by_epsilon(int i, int j) const {
     const Around e = around(i, j);
     const double most = std::max({e.west, e.east, e.south, e.north});
     const double least = std::min({e.west, e.east, e.south, e.north});
-    return !(most * std::sqrt(most / least) > parameters_.crossover * problem_.transport.strength(grid_.hx()));
+    return most * std::sqrt(most / least) > parameters_.crossover * problem_.transport.strength(grid_.hx());
   }
 
   /// U dg/dX + c g at i for g given at i, i-1, i-2.
@@ -98,6 +101,14 @@ class Sweep {
            (e.south + e.north) * (beside - pressure(i)) - transported(flow, i);
   }
 
+  /// What the single changes around a point squeeze out of its film, per change of its own.
+  double far_squeeze(int i, int j) const {
+    if (is_distributive(i, j)) return 0.0;
+    const double film =
+        single_by_epsilon(i, j) ? parameters_.far_squeeze * level_.film_terms.K[0] : parameters_.far_squeeze_beside;
+    return film * problem_.transport.squeeze * level_.rho_bar(i, j);
+  }
+
   double weight(int i, int j, bool distributive) const {
     if (distributive) return parameters_.weight_distributed;
     const Around e = around(i, j);
@@ -123,6 +134,7 @@ class Sweep {
       }
       ++(distributive[static_cast<std::size_t>(i)] ? result_.distributive : result_.single);
       for (int k = 1; k <= points; ++k) A(i - 1, k - 1) = influence(i, k, j, distributive[static_cast<std::size_t>(k)]);
+      A(i - 1, i - 1) -= far_squeeze(i, j);
       rhs(i - 1) = r;
     }
     result_.held += static_cast<int>(held.size());
