@@ -51,3 +51,14 @@ nice(x) = (p = 10.0**floor(log10(x)), x / p >= 5 ? 5 * p : (x / p >= 2 ? 2 * p :
 # Pressures from Hertz' pale to the spike's dark, films from dark (thin) to pale.
 pressure_colours = "defined (0 '#f7fbff', 0.35 '#9ecae1', 0.7 '#3182bd', 0.9 '#08519c', 1 '#67001f')"
 film_colours = "defined (0 '#67001f', 0.2 '#d6604d', 0.45 '#fddbc7', 0.6 '#d1e5f0', 1 '#2166ac')"
+
+# An elliptic contact (a circular one has no kappa): how far it reaches along X and Y in a, and its outline along Y = 0.
+optional(name, otherwise) = (found = system(sprintf("'%s' extract '%s' %s 2>/dev/null | tail -n 1", ehl, file, name)), \
+    found eq "" ? otherwise : real(found))
+kappa = optional("kappa", 1)
+turn = optional("angle", 0) * pi / 180
+reach_x = sqrt(cos(turn)**2 + (kappa * sin(turn))**2)
+reach_y = sqrt(sin(turn)**2 + (kappa * cos(turn))**2)
+outline_XX = cos(turn)**2 + (sin(turn) / kappa)**2
+# What stays free around a contact shrinks with its shorter side.
+margin = reach_x < reach_y ? reach_x : reach_y

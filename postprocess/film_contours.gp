@@ -22,8 +22,8 @@ unset table
 unset contour
 
 set size ratio -1
-set xrange [-1.8:1.4]
-set yrange [-1.6:1.6]
+set xrange [-reach_x - 0.8 * margin:reach_x + 0.4 * margin]
+set yrange [-reach_y - 0.6 * margin:reach_y + 0.6 * margin]
 set xlabel "X = x/a"
 set ylabel "Y = y/a"
 eval "set palette ".film_colours

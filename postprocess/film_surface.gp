@@ -26,7 +26,7 @@ set xyplane at top
 set xlabel "X = x/a" offset 0, -0.5
 set ylabel "Y = y/a" offset 0, -0.5
 set label 1 "H = hR/a^2" at graph 1, graph 0, graph 1.08 center
-set xrange [-2:1.5]
-set yrange [-1.6:1.6]
+set xrange [-reach_x - margin:reach_x + 0.5 * margin]
+set yrange [-reach_y - 0.6 * margin:reach_y + 0.6 * margin]
 set zrange [top:0]
 splot field("H") using 1:2:($3 < top ? $3 : top) every step:step with pm3d notitle

@@ -18,8 +18,8 @@ intensity(h, wavelength) = 0.5 * (1 - visibility(h) * cos(4 * pi * 1.5 * h / wav
 shade(h, wavelength) = int(255 * intensity(h, wavelength))
 
 set size ratio -1
-set xrange [-1.8:1.4]
-set yrange [-1.6:1.6]
+set xrange [-reach_x - 0.8 * margin:reach_x + 0.4 * margin]
+set yrange [-reach_y - 0.6 * margin:reach_y + 0.6 * margin]
 set xlabel "X = x/a"
 set ylabel "Y = y/a"
 unset grid

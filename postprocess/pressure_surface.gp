@@ -23,8 +23,8 @@ set ticslevel 0
 set xlabel "X = x/a" offset 0, -0.5
 set ylabel "Y = y/a" offset 0, -0.5
 set label 1 "P = p/p_h" at graph 1, graph 0, graph 1.08 center
-set xrange [-2:1.5]
-set yrange [-1.6:1.6]
+set xrange [-reach_x - margin:reach_x + 0.5 * margin]
+set yrange [-reach_y - 0.6 * margin:reach_y + 0.6 * margin]
 set zrange [0:*]
 set cbrange [0:S_max_y]
 splot field("P") using 1:2:3 every step:step with pm3d notitle

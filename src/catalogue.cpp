@@ -18,7 +18,9 @@ deck::Catalogue catalogue() {
       {"contact",
        "The contact, in ONE of three languages: M and L (Moes); W, U and G (Hamrock and Dowson); or SI: load, "
        "radius_x and the elastic data."},
-      {"motion", "The speeds of the surfaces: u1 and u2, or u_m and srr. Only with a contact in SI."},
+      {"motion",
+       "The speeds of the surfaces: u1 and u2, or u_m and srr, only with a contact in SI; and the angle of an "
+       "ellipse."},
       {"lubricant", "The oil."},
       {"domain", "The computed rectangle, in radii of the Hertz contact."},
       {"grid", "The finest and the coarsest grid."},

@@ -20,7 +20,7 @@ struct Meaningless {
   std::vector<std::string> keys;  // none: all of them
 };
 
-const std::vector<Meaningless> of_a_film = {{"contact", {"M", "L", "W", "U", "G"}},
+const std::vector<Meaningless> of_a_film = {{"contact", {"M", "L", "W", "U", "G", "radius_y", "radius_ratio"}},
                                             {"motion", {}},
                                             {"lubricant", {}},
                                             {"discretization", {}},
@@ -45,11 +45,14 @@ void refuse_film(deck::Deck& deck) {
     const deck::Key key = deck.catalogue.keys[k];
     if (!speaks_of_film(key)) continue;
     if (given(deck, key.section, key.name)) {
+      const bool radii = key.name.starts_with("radius");
       const bool scales = key.section == "contact";
       complain(deck, key.section, key.name,
-               scales ? "contains a lubricant, and [case] kind = dry: give load, radius_x and the elastic data in SI, "
-                        "or nothing (units of Hertz)"
-                      : "has no influence with [case] kind = dry: remove it");
+               radii ? "a dry contact is circular in this version: remove it"
+               : scales
+                   ? "contains a lubricant, and [case] kind = dry: give load, radius_x and the elastic data in SI, "
+                     "or nothing (units of Hertz)"
+                   : "has no influence with [case] kind = dry: remove it");
     } else {
       deck.values[k] = {.origin = deck::Origin::absent, .number = std::numeric_limits<double>::quiet_NaN()};
     }

@@ -63,7 +63,9 @@ std::string assignment(const Case& input, const KeyName& key, bool with_place) {
 
 }  // namespace
 
-std::vector<Effect> effects() { return {transient_effect(), body_effect(), surfaces_effect(), subsurface_effect()}; }
+std::vector<Effect> effects() {
+  return {elliptic_effect(), transient_effect(), body_effect(), surfaces_effect(), subsurface_effect()};
+}
 
 std::vector<Effect> effects_of(const Case& input) {
   std::vector<Effect> on = effects();

@@ -73,6 +73,7 @@ std::vector<Effect> effects();
 std::vector<Effect> effects_of(const Case& input);
 
 /// The entries of the list.
+Effect elliptic_effect();
 Effect transient_effect();
 Effect body_effect();
 Effect surfaces_effect();

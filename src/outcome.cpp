@@ -37,22 +37,37 @@ std::vector<std::string> warnings_of(const Physics& physics, const steady::Solut
 }  // namespace
 
 std::vector<Formula> film_formulas(const contact::Groups& groups) {
+  const contact::Ellipse& shape = groups.shape;
+  const bool fitted = contact::along_smaller_radius(shape);
   const double M = groups.M;
-  std::vector<Formula> formulas{{"Nijenbanning, Venner, Moes 1994",
-                                 contact::H_from_moes_units(contact::nijenbanning_venner_moes(M, groups.L), M),
-                                 unknown}};
-  if (groups.L > 0.0) {
-    // In Moes' units the formula hardly depends on U (h_c to the power of -0.013, h_m 0.003), so that a typical U
-    // serves where the deck gives M and L alone.
-    constexpr double typical_U = 1e-11;
-    const bool assumed = std::isnan(groups.U);
-    const contact::Groups full = assumed ? contact::from_moes(M, groups.L, typical_U) : groups;
-    const contact::FilmThickness film = contact::hamrock_dowson(full);
-    formulas.push_back({assumed ? "Hamrock, Dowson 1977 (U = 1e-11)" : "Hamrock, Dowson 1977",
-                        contact::H_from_thickness_over_radius(film.central, full.W),
-                        contact::H_from_thickness_over_radius(film.minimum, full.W)});
-  }
+  std::vector<Formula> formulas;
+  if (fitted)
+    formulas.push_back({"Nijenbanning, Venner, Moes 1994",
+                        contact::H_from_moes_units(contact::nijenbanning_venner_moes(M, groups.L, shape), M, shape),
+                        unknown});
+  if (!(groups.L > 0.0)) return formulas;
+  // In Moes' units the formulas hardly depend on U (h_c to the power of -0.013, h_m 0.003), so that a typical U
+  // serves where the deck gives M and L alone.
+  constexpr double typical_U = 1e-11;
+  const bool assumed = std::isnan(groups.U);
+  const contact::Groups full = assumed ? contact::from_moes(M, groups.L, typical_U, shape) : groups;
+  const auto add = [&](const std::string& name, const contact::FilmThickness& film) {
+    formulas.push_back({assumed ? name + " (U = 1e-11)" : name,
+                        contact::H_from_thickness_over_radius(film.central, full.W, shape),
+                        contact::H_from_thickness_over_radius(film.minimum, full.W, shape)});
+  };
+  if (fitted) add("Hamrock, Dowson 1977", contact::hamrock_dowson(full));
+  if (!contact::circular(shape) && contact::near_chittenden(shape))
+    add("Chittenden et al. 1985", contact::chittenden(full));
   return formulas;
+}
+
+std::string formulas_left_out(const contact::Groups& groups) {
+  if (contact::along_smaller_radius(groups.shape)) return {};
+  const std::string fitted =
+      "Nijenbanning, Venner, Moes and Hamrock, Dowson are left out: fitted for entrainment along the smaller radius";
+  if (contact::near_chittenden(groups.shape)) return fitted;
+  return fitted + "; Chittenden et al.: up to half of the film away from our own solutions";
 }
 
 Outcome outcome_of(const Case& input, const steady::Solution& solution) {
@@ -62,12 +77,12 @@ Outcome outcome_of(const Case& input, const steady::Solution& solution) {
   outcome.Hc = solution.levels.empty() ? unknown : solution.levels.back().Hc;
   outcome.Hm = place(solution.grid, core::minimum(solution.H));
   outcome.P_max = place(solution.grid, core::maximum(solution.P));
-  outcome.Hc_moes = contact::H_to_moes_units(outcome.Hc, groups.M);
-  outcome.Hm_moes = contact::H_to_moes_units(outcome.Hm.value, groups.M);
+  outcome.Hc_moes = contact::H_to_moes_units(outcome.Hc, groups.M, groups.shape);
+  outcome.Hm_moes = contact::H_to_moes_units(outcome.Hm.value, groups.M, groups.shape);
   outcome.hc = outcome.Hc * h_scale;
   outcome.hm = outcome.Hm.value * h_scale;
   outcome.formulas = film_formulas(groups);
-  outcome.regime = contact::regime_text(groups.M, groups.L);
+  outcome.regime = contact::regime_text(groups.M, groups.L, groups.shape);
   outcome.warnings = warnings_of(input.physics, solution, outcome.P_max.value);
   for (std::string& warning : surface_warnings(input.surfaces, solution.grid)) outcome.warnings.push_back(warning);
   return outcome;

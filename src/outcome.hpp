@@ -38,8 +38,10 @@ struct Outcome {
 
 Outcome outcome_of(const Case& input, const steady::Solution& solution);
 
-/// Published film formulas for a case, the same for `run` and `check`.
+/// Published film formulas for a case, the same for `run` and `check`: those that were made for its shape.
 std::vector<Formula> film_formulas(const contact::Groups& groups);
+/// Which are not among them, and why; empty where none is missing.
+std::string formulas_left_out(const contact::Groups& groups);
 
 const char* name(reynolds::Wedge wedge);
 const char* name(mlmi::Method method);

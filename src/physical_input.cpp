@@ -80,14 +80,39 @@ void check_elastic(deck::Deck& deck) {
   } else {
     demand(deck, "contact", four_moduli, "E1, nu1, E2 and nu2 belong together (or give E_prime alone)");
   }
+}
+
+// R_x/R_y, or NaN where a complaint is on its way. What follows from it is recorded in the deck.
+double radius_ratio_of(deck::Deck& deck, Language language) {
+  const double ratio = deck::number(deck, "contact", "radius_ratio");
+  if (language != Language::si) return given(deck, "contact", "radius_ratio") ? ratio : 1.0;
   const double radius_x = deck::number(deck, "contact", "radius_x");
-  const double radius_y = deck::number(deck, "contact", "radius_y");
-  if (!given(deck, "contact", "radius_y"))
+  if (given(deck, "contact", "radius_ratio")) {
+    if (given(deck, "contact", "radius_y"))
+      complain(deck, "contact", "radius_ratio", "radius_y is given as well: keep one of them");
+    return ratio;
+  }
+  if (!given(deck, "contact", "radius_y")) {
     deck::choose(deck, "contact", "radius_y", radius_x, "circular contact");
-  else if (std::isfinite(radius_x) && std::isfinite(radius_y) && radius_x != radius_y)
+    return 1.0;
+  }
+  const double of_radii = radius_x / deck::number(deck, "contact", "radius_y");
+  const deck::Key& key = *deck::find_key(deck.catalogue, "contact", "radius_ratio");
+  if (!std::isnan(of_radii) && !key.range.contains(of_radii))
     complain(deck, "contact", "radius_y",
-             "elliptical contacts are not available in this version: remove it or make it radius_x = " +
-                 deck::shortest(radius_x));
+             "means radius_x/radius_y = " + formatted("%.4g", of_radii) + ", which must be " + deck::allowed(key) +
+                 ": beyond it the contact is nearly a line");
+  return of_radii;
+}
+
+contact::Ellipse shape_of(deck::Deck& deck, Language language) {
+  const double ratio = radius_ratio_of(deck, language);
+  if (ratio == 1.0)
+    refuse(deck, "motion", {"angle"},
+           "has no influence on a circular contact: remove it, or give radius_ratio or radius_y");
+  if (!deck.errors.empty() || std::isnan(ratio)) return {};
+  if (ratio != 1.0 && !given(deck, "motion", "angle")) deck::choose(deck, "motion", "angle", 0.0, "along radius_x");
+  return ratio == 1.0 ? contact::Ellipse{} : contact::ellipse(ratio, deck::number(deck, "motion", "angle"));
 }
 
 void check_motion(deck::Deck& deck, Language language) {
@@ -140,7 +165,7 @@ double modulus(const deck::Deck& deck) {
   return contact::reduced_modulus({number("E1"), number("nu1")}, {number("E2"), number("nu2")});
 }
 
-SiInput si_input(const deck::Deck& deck) {
+SiInput si_input(const deck::Deck& deck, const contact::Ellipse& shape) {
   const auto contact_number = [&](const char* name) { return deck::number(deck, "contact", name); };
   SiInput si;
   si.contact.load = contact_number("load");
@@ -160,15 +185,16 @@ SiInput si_input(const deck::Deck& deck) {
   si.contact.eta0 = deck::number(deck, "lubricant", "eta0");
   const double alpha = deck::number(deck, "lubricant", "alpha");
   si.contact.alpha = std::isnan(alpha) ? 0.0 : alpha;
-  si.hertz = contact::hertz(si.contact.load, si.contact.radius, si.contact.E_prime);
+  si.contact.shape = shape;
+  si.hertz = contact::hertz(si.contact.load, si.contact.radius, si.contact.E_prime, shape);
   return si;
 }
 
-contact::Groups groups_of(const deck::Deck& deck, const Physics& physics) {
+contact::Groups groups_of(const deck::Deck& deck, const Physics& physics, const contact::Ellipse& shape) {
   const auto number = [&](const char* name) { return deck::number(deck, "contact", name); };
-  if (physics.language == Language::moes) return contact::from_moes(number("M"), number("L"));
+  if (physics.language == Language::moes) return contact::from_moes(number("M"), number("L"), shape);
   if (physics.language == Language::hamrock_dowson)
-    return contact::from_hamrock_dowson(number("W"), number("U"), number("G"));
+    return contact::from_hamrock_dowson(number("W"), number("U"), number("G"), shape);
   return contact::from_si(physics.si->contact);
 }
 
@@ -236,10 +262,11 @@ Physics physical_input(deck::Deck& deck) {
   }
   check_motion(deck, physics.language);
   check_lubricant(deck, physics.language);
+  const contact::Ellipse shape = shape_of(deck, physics.language);
   if (!deck.errors.empty()) return physics;
 
-  if (physics.language == Language::si) physics.si = si_input(deck);
-  physics.groups = groups_of(deck, physics);
+  if (physics.language == Language::si) physics.si = si_input(deck, shape);
+  physics.groups = groups_of(deck, physics, shape);
   check_derived(deck, physics);
   if (physics.si) {
     physics.p_h = physics.si->hertz.p_h;

@@ -15,17 +15,18 @@ namespace {
 
 std::string nodes(int nx, int ny) { return formatted("%d x %d", nx + 1, ny + 1); }
 
-std::string formula_lines(const std::vector<Formula>& formulas, double M, double h_scale) {
+std::string formula_lines(const std::vector<Formula>& formulas, const contact::Groups& groups, double h_scale) {
   std::string text = "formulas                                 Hc        Hm  Hc (Moes)  Hm (Moes)\n";
   for (const Formula& formula : formulas) {
     text += formatted("  %-33s", formula.name.c_str());
     text += formatted("%8s  %8s  %9s  %9s", known("%.4g", formula.Hc).c_str(), known("%.4g", formula.Hm).c_str(),
-                      known("%.3f", contact::H_to_moes_units(formula.Hc, M)).c_str(),
-                      known("%.3f", contact::H_to_moes_units(formula.Hm, M)).c_str());
+                      known("%.3f", contact::H_to_moes_units(formula.Hc, groups.M, groups.shape)).c_str(),
+                      known("%.3f", contact::H_to_moes_units(formula.Hm, groups.M, groups.shape)).c_str());
     if (std::isfinite(h_scale))
       text += "   h_c " + length(formula.Hc * h_scale) + ", h_m " + length(formula.Hm * h_scale);
     text += "\n";
   }
+  if (const std::string why = formulas_left_out(groups); !why.empty()) text += "  " + why + "\n";
   return text;
 }
 
@@ -41,24 +42,35 @@ std::string fluid(const Physics& physics) {
 
 std::string si_lines(const SiInput& si) {
   const contact::SiContact& c = si.contact;
-  std::string text = formatted("contact      F = %.6g N, R = %s, E' = %s\n", c.load, length(c.radius).c_str(),
-                               pressure(c.E_prime).c_str());
+  const bool circular = contact::circular(c.shape);
+  const std::string radii = circular
+                                ? "R = " + length(c.radius)
+                                : "R_x = " + length(c.radius) + ", R_y = " + length(c.radius / c.shape.radius_ratio);
+  std::string text =
+      formatted("contact      F = %.6g N, %s, E' = %s\n", c.load, radii.c_str(), pressure(c.E_prime).c_str());
   text += formatted("motion       u1 = %.6g m/s, u2 = %.6g m/s: u_m = %.6g m/s, slide-roll ratio %.4g\n", si.u1, si.u2,
                     0.5 * c.u_s, 2.0 * (si.u1 - si.u2) / c.u_s);
   text += formatted("lubricant    eta0 = %.6g Pa s, alpha = %.6g 1/Pa\n", c.eta0, c.alpha);
-  text += "Hertz        a = " + length(si.hertz.a) + ", p_h = " + pressure(si.hertz.p_h) +
-          ", a^2/R = " + length(si.hertz.h_scale) + "\n";
+  text += "Hertz        a = " + length(si.hertz.a) + (circular ? "" : ", b = " + length(si.hertz.b)) +
+          ", p_h = " + pressure(si.hertz.p_h) + (circular ? ", a^2/R = " : ", a^2/R_x = ") + length(si.hertz.h_scale) +
+          "\n";
   return text;
+}
+
+std::string ellipse_line(const contact::Ellipse& shape) {
+  return formatted("ellipse      R_x/R_y = %.6g, kappa = b/a = %.6g, entrainment at %g degrees to R_x\n",
+                   shape.radius_ratio, shape.kappa, shape.angle);
 }
 
 std::string group_lines(const Physics& physics) {
   const contact::Groups& g = physics.groups;
   std::string text = formatted("Moes         M = %.6g, L = %.6g\n", g.M, g.L);
+  if (!contact::circular(g.shape)) text += ellipse_line(g.shape);
   if (std::isfinite(g.U)) text += formatted("Hamrock-D.   W = %.6g, U = %.6g, G = %.6g\n", g.W, g.U, g.G);
   text += formatted("Venner       lambda = %.6g, alpha_bar = %.6g\n", g.lambda, g.alpha_bar);
   if (!physics.si && std::isfinite(physics.p_h)) text += "Hertz        p_h = " + pressure(physics.p_h) + "\n";
   text += "fluid        " + fluid(physics) + "\n";
-  text += "regime       " + contact::regime_text(g.M, g.L) + "\n";
+  text += "regime       " + contact::regime_text(g.M, g.L, g.shape) + "\n";
   return text;
 }
 
@@ -172,7 +184,7 @@ std::string summary(const Case& input, const steady::Solution& solution, const O
   if (spike) text += "             it still grows from grid to grid as at a spike, and belongs to this mesh\n";
   text += error_lines(solution);
   text += group_lines(physics);
-  text += formula_lines(outcome.formulas, physics.groups.M, h_scale);
+  text += formula_lines(outcome.formulas, physics.groups, h_scale);
   text += path(solution);
   text += verified(solution.verification);
   text += "method       wedge " + std::string(name(input.scene.wedge)) + "; deformation " + solution.deformation +
@@ -202,7 +214,7 @@ std::string derived(const Case& input) {
   std::string text = "case         " + input.title + "\n";
   if (physics.si) text += si_lines(*physics.si);
   text += group_lines(physics);
-  text += formula_lines(film_formulas(physics.groups), physics.groups.M,
+  text += formula_lines(film_formulas(physics.groups), physics.groups,
                         physics.si ? physics.si->hertz.h_scale : std::nan(""));
   text += formatted("domain       [%g, %g] x [%g, %g] Hertz radii\n", scene.grid.X_a, scene.grid.X_b, scene.grid.Y_a,
                     scene.grid.Y_b);

@@ -175,6 +175,11 @@ std::string json_report(const Case& input, const steady::Solution& solution, con
                   {"formulas", formulas_json(outcome.formulas)},
                   {"regime", text(outcome.regime)},
                   {"warnings", texts_json(outcome.warnings)}};
+  if (!contact::circular(groups.shape)) {
+    members.emplace_back("radius_ratio", number(groups.shape.radius_ratio));
+    members.emplace_back("angle", number(groups.shape.angle));
+    members.emplace_back("kappa", number(groups.shape.kappa));
+  }
   members.insert(members.end(), effects.begin(), effects.end());
   return json::object(members) + "\n";
 }

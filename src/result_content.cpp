@@ -34,7 +34,13 @@ std::vector<Quantity> scales(const Case& input) {
                              {"lambda", g.lambda, "-", "6 eta0 u_s R^2/(a^3 p_h)"},
                              {"alpha_bar", g.alpha_bar, "-", "alpha p_h"},
                              {"p_h", physics.p_h, "Pa", "Hertz pressure, the scale of P"},
-                             {"H_moes", std::pow(1.5 * g.M, 2.0 / 3.0), "-", "film in Moes units over H"}};
+                             {"H_moes", contact::H_to_moes_units(1.0, g.M, g.shape), "-", "film in Moes units over H"}};
+  const bool elliptic = !contact::circular(g.shape);
+  if (elliptic) {
+    list.push_back({"radius_ratio", g.shape.radius_ratio, "-", "R_x/R_y"});
+    list.push_back({"angle", g.shape.angle, "degrees", "from the direction of R_x to the entrainment"});
+    list.push_back({"kappa", g.shape.kappa, "-", "b/a, the semi-axes along R_y and R_x"});
+  }
   if (!physics.si) return list;
   const contact::SiContact& c = physics.si->contact;
   const std::vector<Quantity> more{{"a", physics.si->hertz.a, "m", "Hertz radius, the scale of X and Y"},
@@ -47,10 +53,18 @@ std::vector<Quantity> scales(const Case& input) {
                                    {"u_s", c.u_s, "m/s", "u1 + u2"},
                                    {"eta0", c.eta0, "Pa s", "viscosity at ambient pressure"}};
   list.insert(list.end(), more.begin(), more.end());
+  if (elliptic) {
+    list.push_back({"b", physics.si->hertz.b, "m", "semi-axis along R_y"});
+    list.push_back({"R_y", c.radius / c.shape.radius_ratio, "m", "reduced radius across R_x"});
+  }
   return list;
 }
 
-void add_verification(const steady::Verification& checked, std::vector<Quantity>& list) {
+void add_verification(const steady::Verification& checked, bool elliptic, std::vector<Quantity>& list) {
+  const char* through = elliptic ? "mass flow through the contact at x = 0, as wide as the ellipse"
+                                 : "mass flow through the contact, |y| <= 1 at x = 0";
+  const char* imbalance = elliptic ? "mass flow out of 1.5 times the ellipse's reach less in, over flow_through"
+                                   : "mass flow out of |x|, |y| <= 1.5 less in, over flow_through";
   const std::vector<Quantity> more{
       {"largest_residual", checked.largest_residual, "-", "at one node, relative to the wedge term like the residual"},
       {"largest_residual_x", checked.largest_residual_X, "a", "where it is"},
@@ -61,8 +75,8 @@ void add_verification(const steady::Verification& checked, std::vector<Quantity>
       {"change_Hm", checked.change_Hm, "-", "relative change of Hm in the last cycle"},
       {"algebraic_error_Hc", checked.algebraic_error_Hc, "-", "what further cycles would change, foretold"},
       {"algebraic_error_Hm", checked.algebraic_error_Hm, "-", "what further cycles would change, foretold"},
-      {"flow_through", checked.flow_through, "rho0 u_m a^3/R", "mass flow through the contact, |y| <= 1 at x = 0"},
-      {"flow_imbalance", checked.flow_imbalance, "-", "mass flow out of |x|, |y| <= 1.5 less in, over flow_through"},
+      {"flow_through", checked.flow_through, "rho0 u_m a^3/R", through},
+      {"flow_imbalance", checked.flow_imbalance, "-", imbalance},
       {"flow_imbalance_whole", checked.flow_imbalance_whole, "-", "the same of all of the pressurised region"}};
   list.insert(list.end(), more.begin(), more.end());
 }
@@ -98,7 +112,7 @@ void add_error_bars(const steady::ErrorBars& bars, std::vector<Quantity>& list) 
   list.insert(list.end(), more.begin(), more.end());
 }
 
-std::vector<Quantity> summary_numbers(const steady::Solution& solution, const Outcome& outcome) {
+std::vector<Quantity> summary_numbers(const steady::Solution& solution, const Outcome& outcome, bool elliptic) {
   std::vector<Quantity> list{{"converged", solution.converged ? 1.0 : 0.0, "-", "1: all checks passed, 0: not", true},
                              {"Hc", outcome.Hc, "a^2/R", "film at (0,0)"},
                              {"Hm", outcome.Hm.value, "a^2/R", "smallest film of all nodes"},
@@ -121,7 +135,7 @@ std::vector<Quantity> summary_numbers(const steady::Solution& solution, const Ou
     list.push_back({"error_Hm", last.error_Hm, "-", "estimated relative discretization error of Hm"});
   }
   add_error_bars(solution.error_bars, list);
-  add_verification(solution.verification, list);
+  add_verification(solution.verification, elliptic, list);
   return list;
 }
 
@@ -254,7 +268,7 @@ results::Content result_content(const Case& input, const steady::Solution& solut
   if (input.scene.surface)
     content.fields.push_back(
         {"S", "a^2/R", "what the surfaces at rest add to the gap, as means over cells", &derived.S});
-  content.summary = summary_numbers(solution, outcome);
+  content.summary = summary_numbers(solution, outcome, !contact::circular(input.scene.shape));
   content.remarks = {{"failed_check", solution.failed_check, "empty when converged"},
                      {"warnings", deck::joined(outcome.warnings, "\n"), "one a line"},
                      {"method", solution.method, "the way that led to the solution"},

@@ -26,6 +26,7 @@ constexpr int smallest_coarsest = 32;
 
 constexpr int fewest_chosen_cells = 256;
 constexpr int most_chosen_cells = 1024;
+constexpr double most_nodes_of_ellipse = 5.0 * most_chosen_cells * most_chosen_cells;
 
 // Before the domain is chosen: what the deck has left open may grow.
 steady::AccuracyTarget accuracy_of(deck::Deck& deck) {
@@ -43,15 +44,16 @@ steady::AccuracyTarget accuracy_of(deck::Deck& deck) {
 
 void choose_domain(deck::Deck& deck, const contact::Groups& groups) {
   if (!given(deck, "domain", "x_outlet"))
-    deck::choose(deck, "domain", "x_outlet", steady::chosen_outlet(groups.M, groups.L),
+    deck::choose(deck, "domain", "x_outlet", steady::chosen_outlet(groups.M, groups.L, groups.shape),
                  "behind the cavitation boundary");
   const double x_outlet = deck::number(deck, "domain", "x_outlet");
   if (!given(deck, "domain", "x_inlet"))
-    deck::choose(deck, "domain", "x_inlet", steady::chosen_inlet(groups.M, groups.L, x_outlet),
+    deck::choose(deck, "domain", "x_inlet", steady::chosen_inlet(groups.M, groups.L, x_outlet, groups.shape),
                  "cuts off less than about 1 % of the film where 200 radii are enough for that");
   if (!given(deck, "domain", "y_half"))
-    deck::choose(deck, "domain", "y_half", 0.5 * (x_outlet - deck::number(deck, "domain", "x_inlet")),
-                 "as wide as long");
+    deck::choose(deck, "domain", "y_half",
+                 steady::chosen_half_width(deck::number(deck, "domain", "x_inlet"), x_outlet, groups.shape),
+                 contact::circular(groups.shape) ? "as wide as long" : "as wide a gap at the sides as along x");
 }
 
 reynolds::Wedge wedge_of(const deck::Deck& deck) {
@@ -65,9 +67,17 @@ void choose_cells(deck::Deck& deck, const contact::Groups& groups, reynolds::Wed
   const double length = deck::number(deck, "domain", "x_outlet") - deck::number(deck, "domain", "x_inlet");
   if (std::isnan(length)) return;
   int fewest = std::max(deck::integer(deck, "grid", "coarsest", fewest_chosen_cells), 1);
-  while (fewest < fewest_chosen_cells) fewest *= 2;
-  const int most = fewest * (most_chosen_cells / fewest_chosen_cells);
-  const int cells = steady::resolving_cells(steady::resolving_step(groups.M, groups.L, wedge), length, fewest, most);
+  // A contact that is slender, or aslant, needs more along X to be seen as well.
+  const double least = fewest_chosen_cells * steady::slenderness(groups.M, groups.L, groups.shape);
+  while (fewest < fewest_chosen_cells || 2 * fewest <= least) fewest *= 2;
+  int most = fewest * (most_chosen_cells / fewest_chosen_cells);
+  if (!contact::circular(groups.shape)) {
+    const double width = 2.0 * deck::number(deck, "domain", "y_half");
+    const double most_along = std::sqrt(most_nodes_of_ellipse * length / width);
+    for (most = fewest; 2 * most <= most_along;) most *= 2;
+  }
+  const double step = steady::resolving_step(groups.M, groups.L, wedge, groups.shape);
+  const int cells = steady::resolving_cells(step, length, fewest, most);
   deck::choose(deck, "grid", "cells", cells, cells < most ? "resolves the film" : "the most that is chosen unasked");
 }
 
@@ -241,6 +251,7 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
                         : polish == "off"  ? steady::Polish::off
                                            : steady::Polish::rescue;
   result.scene.threads = threads;
+  result.scene.shape = result.physics.groups.shape;
   result.surfaces = surface_input(deck, result.physics, result.scene.grid, given(deck, "transient", "end_time"));
   result.transient = transient_input(deck, result.physics, result.surfaces, result.scene.grid);
   if (!result.transient) let_stand(result.surfaces, result.scene);

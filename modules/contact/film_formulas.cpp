@@ -10,26 +10,64 @@ namespace ehl::contact {
 using std::exp;
 using std::pow;
 
-FilmThickness hamrock_dowson(const Groups& groups) {
-  constexpr double k = 1.0;
-  const double W = groups.W, U = groups.U, G = groups.G;
-  const double central = 2.69 * pow(U, 0.67) * pow(G, 0.53) * pow(W, -0.067) * (1.0 - 0.61 * exp(-0.73 * k));
-  const double minimum = 3.63 * pow(U, 0.68) * pow(G, 0.49) * pow(W, -0.073) * (1.0 - exp(-0.68 * k));
-  return {central, minimum};
+namespace {
+
+// The groups with R_e instead of R_x, R_x/R_e = q, and h/R_e in terms of h/R_x.
+struct Frame {
+  double W, U, q, radius_ratio;
+};
+Frame frame_of(const Groups& groups) {
+  const core::QuadraticForm H = gap(groups.shape);
+  const double q = 2.0 * H.XX;
+  return {groups.W * q * q, groups.U * q, q, H.YY / H.XX};
 }
 
-Asymptotes asymptotes(double M, double L) {
+}  // namespace
+
+bool along_smaller_radius(const Ellipse& shape) {
+  const core::QuadraticForm H = gap(shape);
+  return H.XY == 0.0 && H.YY <= H.XX;
+}
+
+bool near_chittenden(const Ellipse& shape) {
+  return along_smaller_radius(shape) || (shape.radius_ratio >= 0.5 && shape.radius_ratio <= 2.0);
+}
+
+FilmThickness hamrock_dowson(const Groups& groups) {
+  const auto [W, U, q, ratio] = frame_of(groups);
+  const double k = along_smaller_radius(groups.shape) ? std::max(groups.shape.kappa, 1.0 / groups.shape.kappa)
+                                                      : 1.03 * pow(ratio, -0.64);
+  const double G = groups.G;
+  const double central = 2.69 * pow(U, 0.67) * pow(G, 0.53) * pow(W, -0.067) * (1.0 - 0.61 * exp(-0.73 * k));
+  const double minimum = 3.63 * pow(U, 0.68) * pow(G, 0.49) * pow(W, -0.073) * (1.0 - exp(-0.68 * k));
+  return {central / q, minimum / q};
+}
+
+FilmThickness chittenden(const Groups& groups) {
+  const auto [W, U, q, ratio] = frame_of(groups);
+  const double common = pow(U, 0.68) * pow(groups.G, 0.49) * pow(W, -0.073) / q;
+  const double width = pow(ratio, -2.0 / 3.0);
+  return {4.31 * common * (1.0 - exp(-1.23 * width)), 3.68 * common * (1.0 - exp(-0.67 * width))};
+}
+
+// The sums are written so that a circle gives the digits of the fit: 1.691 is not the double nearest to 1 + 0.691.
+Asymptotes asymptotes(double M, double L, double q) {
+  const double elastic = 1.63 + 0.006 * std::log(q) + 0.63 * (pow(q, 4.0 / 7.0) - 1.0);
   Asymptotes H{};
-  H.rigid_isoviscous = 145.0 * pow(1.796, -15.0 / 7.0) * pow(M, -2.0);
-  H.rigid_piezoviscous = 1.29 * pow(1.691, -2.0 / 3.0) * pow(L, 2.0 / 3.0);
-  H.elastic_isoviscous = 3.18 * pow(1.63, -14.0 / 25.0) * pow(M, -2.0 / 15.0);
-  H.elastic_piezoviscous = 1.48 * pow(1.63, -7.0 / 20.0) * pow(M, -1.0 / 12.0) * pow(L, 0.75);
-  H.unloaded = 1.8;
+  H.rigid_isoviscous = 145.0 * pow(1.796 + 0.796 * (pow(q, 14.0 / 15.0) - 1.0), -15.0 / 7.0) * pow(M, -2.0) / q;
+  H.rigid_piezoviscous = 1.29 * pow(1.691 + 0.691 * (q - 1.0), -2.0 / 3.0) * pow(L, 2.0 / 3.0);
+  H.elastic_isoviscous = 3.18 * pow(elastic, -14.0 / 25.0) * pow(M, -2.0 / 15.0) * pow(q, -1.0 / 15.0);
+  H.elastic_piezoviscous = 1.48 * pow(elastic, -7.0 / 20.0) * pow(M, -1.0 / 12.0) * pow(L, 0.75) * pow(q, -1.0 / 24.0);
+  H.unloaded = 1.8 / q;
   return H;
 }
 
-double nijenbanning_venner_moes(double M, double L) {
-  const Asymptotes H = asymptotes(M, L);
+namespace {
+
+// Radius R_e, in Moes' units with it.
+double central_film(const AlongEntrainment& contact) {
+  const double L = contact.L;
+  const Asymptotes H = asymptotes(contact.M, L, contact.radius_ratio);
   const double elastic = pow(pow(H.elastic_isoviscous, -4.0) + pow(H.unloaded, -4.0), -3.0 / 8.0);
   const double isoviscous = pow(H.rigid_isoviscous, 1.5) + elastic;
   if (L == 0.0) return pow(isoviscous, 2.0 / 3.0);
@@ -37,8 +75,6 @@ double nijenbanning_venner_moes(double M, double L) {
   const double piezoviscous = pow(H.rigid_piezoviscous, -8.0) + pow(H.elastic_piezoviscous, -8.0);
   return pow(pow(isoviscous, 2.0 * s / 3.0) + pow(piezoviscous, -s / 8.0), 1.0 / s);
 }
-
-namespace {
 
 struct Candidate {
   Regime regime;
@@ -51,8 +87,8 @@ struct Competition {
   std::array<Candidate, 2> other;
 };
 
-Competition compete(double M, double L) {
-  const Asymptotes H = asymptotes(M, L);
+Competition compete(const AlongEntrainment& contact) {
+  const Asymptotes H = asymptotes(contact.M, contact.L, contact.radius_ratio);
   std::array<Candidate, 2> isoviscous = {Candidate{Regime::rigid_isoviscous, H.rigid_isoviscous},
                                          Candidate{Regime::elastic_isoviscous, H.elastic_isoviscous}};
   std::array<Candidate, 2> piezoviscous = {Candidate{Regime::rigid_piezoviscous, H.rigid_piezoviscous},
@@ -65,10 +101,17 @@ Competition compete(double M, double L) {
 
 }  // namespace
 
-Regime regime(double M, double L) { return compete(M, L).governing[0].regime; }
+double nijenbanning_venner_moes(double M, double L, const Ellipse& shape) {
+  const AlongEntrainment contact = along_entrainment(shape, M, L);
+  return contact.film * central_film(contact);
+}
 
-std::string regime_text(double M, double L) {
-  const Competition competition = compete(M, L);
+Regime regime(double M, double L, const Ellipse& shape) {
+  return compete(along_entrainment(shape, M, L)).governing[0].regime;
+}
+
+std::string regime_text(double M, double L, const Ellipse& shape) {
+  const Competition competition = compete(along_entrainment(shape, M, L));
   const Candidate governing = competition.governing[0];
   const auto ratio = [&](const Candidate& rival) { return std::max(rival.H / governing.H, governing.H / rival.H); };
   const Candidate along = competition.governing[1], across = competition.other[0];

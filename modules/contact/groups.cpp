@@ -10,28 +10,29 @@ namespace {
 
 using core::pi;
 
-// a/R = (3W/2)^(1/3), and 3M/2 is the same in Moes' scaling.
-double moes_scale(double M) { return std::pow(1.5 * M, 2.0 / 3.0); }
+// a/R = (3W/2)^(1/3) for a circle, and 3M/2 is the same in Moes' scaling.
+double moes_scale(double M, const Ellipse& shape) { return std::pow(1.5 * M, 2.0 / 3.0) * (shape.a * shape.a); }
 
 }  // namespace
 
-Groups from_moes(double M, double L) {
+Groups from_moes(double M, double L, const Ellipse& shape) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  const double lambda = std::cbrt(128.0 * pi * pi * pi / 3.0) * std::pow(M, -4.0 / 3.0);
-  const double alpha_bar = L / pi * std::cbrt(1.5 * M);
-  return {M, L, lambda, alpha_bar, unknown, unknown, unknown};
+  const double of_circle = std::cbrt(128.0 * pi * pi * pi / 3.0) * std::pow(M, -4.0 / 3.0);
+  const double lambda = of_circle / (shape.a * shape.a * shape.a * shape.p_h);
+  const double alpha_bar = L / pi * std::cbrt(1.5 * M) * shape.p_h;
+  return {M, L, lambda, alpha_bar, unknown, unknown, unknown, shape};
 }
 
-Groups from_moes(double M, double L, double U) {
-  Groups groups = from_moes(M, L);
+Groups from_moes(double M, double L, double U, const Ellipse& shape) {
+  Groups groups = from_moes(M, L, shape);
   groups.W = M * std::pow(2.0 * U, 0.75);
   groups.U = U;
   groups.G = L * std::pow(2.0 * U, -0.25);
   return groups;
 }
 
-Groups from_hamrock_dowson(double W, double U, double G) {
-  Groups groups = from_moes(W * std::pow(2.0 * U, -0.75), G * std::pow(2.0 * U, 0.25));
+Groups from_hamrock_dowson(double W, double U, double G, const Ellipse& shape) {
+  Groups groups = from_moes(W * std::pow(2.0 * U, -0.75), G * std::pow(2.0 * U, 0.25), shape);
   groups.W = W;
   groups.U = U;
   groups.G = G;
@@ -41,7 +42,7 @@ Groups from_hamrock_dowson(double W, double U, double G) {
 Groups from_si(const SiContact& contact) {
   const double W = contact.load / (contact.E_prime * contact.radius * contact.radius);
   const double U = contact.eta0 * 0.5 * contact.u_s / (contact.E_prime * contact.radius);
-  return from_hamrock_dowson(W, U, contact.alpha * contact.E_prime);
+  return from_hamrock_dowson(W, U, contact.alpha * contact.E_prime, contact.shape);
 }
 
 SiContact to_si(const Groups& groups, double radius, double E_prime, double eta0) {
@@ -52,13 +53,16 @@ SiContact to_si(const Groups& groups, double radius, double E_prime, double eta0
   contact.u_s = 2.0 * groups.U * E_prime * radius / eta0;
   contact.eta0 = eta0;
   contact.alpha = groups.G / E_prime;
+  contact.shape = groups.shape;
   return contact;
 }
 
 double hertz_pressure(const Groups& groups, double alpha) { return groups.alpha_bar / alpha; }
 
-double H_from_moes_units(double H_moes, double M) { return H_moes / moes_scale(M); }
-double H_to_moes_units(double H, double M) { return H * moes_scale(M); }
-double H_from_thickness_over_radius(double h_over_R, double W) { return h_over_R / moes_scale(W); }
+double H_from_moes_units(double H_moes, double M, const Ellipse& shape) { return H_moes / moes_scale(M, shape); }
+double H_to_moes_units(double H, double M, const Ellipse& shape) { return H * moes_scale(M, shape); }
+double H_from_thickness_over_radius(double h_over_R, double W, const Ellipse& shape) {
+  return h_over_R / moes_scale(W, shape);
+}
 
 }  // namespace ehl::contact

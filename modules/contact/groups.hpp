@@ -1,18 +1,24 @@
 #pragma once
-// The dimensionless groups of a circular contact and the conventions behind them.
+// The dimensionless groups of a contact and the conventions behind them.
 //
 // THE CONVENTIONS. Every other place refers to these and never restates them.
 //   E'  = 2/[(1 - nu1^2)/E1 + (1 - nu2^2)/E2]       reduced modulus (contact/hertz.hpp)
 //   u_s = u1 + u2, u_m = u_s/2                      sum and mean of the surface speeds; entrainment is along +x
-//   R   = R_x                                       radius of the equivalent ball on a plane
-//   X = x/a, Y = y/a, P = p/p_h, H = h R/a^2        a, p_h of Hertz; the inlet is at negative X
+//   R   = R_x                                       radius of the equivalent ball on a plane; of an elliptic contact
+//                                                   the principal radius along the entrainment, or at an angle to it
+//   X = x/a, Y = y/a, P = p/p_h, H = h R/a^2        a, p_h of Hertz, a the semi-axis in the direction of R_x; the
+//                                                   inlet is at negative X
 //
 //   Hamrock and Dowson   W = F/(E' R^2)   U = eta0 u_m/(E' R)   G = alpha E'
 //   Moes                 M = W (2U)^(-3/4)          L = G (2U)^(1/4)
 //   Venner               lambda = 6 eta0 u_s R^2/(a^3 p_h) = (128 pi^3/(3 M^4))^(1/3)
 //                        alpha_bar = alpha p_h = (L/pi)(3M/2)^(1/3)
+// The last two of a circle; lambda over (a/a_c)^3 (p_h/p_c), alpha_bar times p_h/p_c for an ellipse, a_c and p_c those
+// of the circle (contact/ellipse.hpp).
 // Three groups describe a contact with Barus' viscosity up to one: M and L fix lambda and alpha_bar, and so the
-// dimensionless solution. W, U and G follow when one of them is known as well.
+// dimensionless solution, and with them the ratio of the radii and the angle of an elliptic contact. W, U and G follow
+// when one of them is known as well.
+#include "contact/ellipse.hpp"
 
 namespace ehl::contact {
 
@@ -25,38 +31,40 @@ struct Groups {
   double W;
   double U;
   double G;
+  Ellipse shape{};
 };
 
 /// in: M > 0, L >= 0. out: lambda, alpha_bar; W, U, G = NaN.
-Groups from_moes(double M, double L);
+Groups from_moes(double M, double L, const Ellipse& shape = {});
 /// in: as above and U > 0. out: all groups.
-Groups from_moes(double M, double L, double U);
+Groups from_moes(double M, double L, double U, const Ellipse& shape = {});
 /// in: W > 0, U > 0, G >= 0.
-Groups from_hamrock_dowson(double W, double U, double G);
+Groups from_hamrock_dowson(double W, double U, double G, const Ellipse& shape = {});
 
 /// A contact in SI units.
 struct SiContact {
   double load;     ///< F [N] > 0
-  double radius;   ///< R [m] > 0
+  double radius;   ///< R_x [m] > 0
   double E_prime;  ///< [Pa] > 0
   double u_s;      ///< u1 + u2 [m/s] > 0
   double eta0;     ///< viscosity at ambient pressure [Pa s] > 0
   double alpha;    ///< pressure-viscosity coefficient [1/Pa] >= 0
+  Ellipse shape{};
 };
 /// out: all groups.
 Groups from_si(const SiContact& contact);
-/// The contact with these groups on a given ball: the inverse of from_si.
+/// The contact with these groups and a given radius R_x: the inverse of from_si.
 /// in: groups with W, U, G; radius [m], E_prime [Pa], eta0 [Pa s], all > 0.
 SiContact to_si(const Groups& groups, double radius, double E_prime, double eta0);
 
 /// p_h = alpha_bar/alpha [Pa]: the Hertz pressure that M and L mean for a lubricant. in: alpha [1/Pa] > 0.
 double hertz_pressure(const Groups& groups, double alpha);
 
-/// H = h R/a^2 from Moes' H_M = (h/R)(2U)^(-1/2): H = H_M (3M/2)^(-2/3).
-double H_from_moes_units(double H_moes, double M);
-/// H_M = H (3M/2)^(2/3).
-double H_to_moes_units(double H, double M);
-/// H = (h/R)(3W/2)^(-2/3).
-double H_from_thickness_over_radius(double h_over_R, double W);
+/// H = h R/a^2 from Moes' H_M = (h/R)(2U)^(-1/2): H = H_M (3M/2)^(-2/3) (a_c/a)^2.
+double H_from_moes_units(double H_moes, double M, const Ellipse& shape = {});
+/// H_M = H (3M/2)^(2/3) (a/a_c)^2.
+double H_to_moes_units(double H, double M, const Ellipse& shape = {});
+/// H = (h/R)(3W/2)^(-2/3) (a_c/a)^2.
+double H_from_thickness_over_radius(double h_over_R, double W, const Ellipse& shape = {});
 
 }  // namespace ehl::contact

@@ -1,5 +1,7 @@
 #pragma once
-// The dry circular contact of Hertz: the scales of everything dimensionless.
+// The dry contact of Hertz: the scales of everything dimensionless.
+#include "contact/ellipse.hpp"
+
 namespace ehl::contact {
 
 /// One body: E [Pa] > 0, nu in (-1, 0.5].
@@ -12,17 +14,18 @@ struct Elastic {
 /// in: two bodies. out: [Pa]. limits: one body rigid (E = infinity) gives 2 E/(1 - nu^2) of the other.
 double reduced_modulus(const Elastic& first, const Elastic& second);
 
-/// Circular contact: the pressure is p_h sqrt(1 - (r/a)^2) inside the radius a.
+/// The pressure is p_h sqrt(1 - (x/a)^2 - (y/b)^2), x along the radius R_x and y along R_y.
 struct Hertz {
-  double a;         ///< radius of the contact [m]
+  double a;         ///< semi-axis along R_x, the radius of a circular contact [m]
   double p_h;       ///< maximum pressure [Pa]
-  double approach;  ///< a^2/R, mutual approach of distant points [m]
-  double h_scale;   ///< a^2/R, the film thickness of H = 1 [m]
+  double approach;  ///< mutual approach of distant points, a^2/R of a circular contact [m]
+  double h_scale;   ///< a^2/R_x, the film thickness of H = 1 [m]
+  double b;         ///< semi-axis along R_y [m]
 };
 
-/// a^3 = 3 F R/(2 E'), p_h = 3 F/(2 pi a^2), approach = a^2/R.
-/// in: load F [N] > 0, radius R of the equivalent ball on a plane [m] > 0, E_prime [Pa] > 0 in the convention
-/// of reduced_modulus. source: Hertz (1881).
-Hertz hertz(double load, double radius, double E_prime);
+/// Circle: a^3 = 3 F R/(2 E'), p_h = 3 F/(2 pi a^2), approach = a^2/R; other shapes by contact/ellipse.hpp.
+/// in: load F [N] > 0, radius R_x (of a circular contact: of the equivalent ball on a plane) [m] > 0, E_prime [Pa] > 0
+/// in the convention of reduced_modulus. source: Hertz (1881).
+Hertz hertz(double load, double radius, double E_prime, const Ellipse& shape = {});
 
 }  // namespace ehl::contact

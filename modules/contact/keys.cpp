@@ -64,8 +64,7 @@ std::vector<Key> si_keys() {
           .default_note = "radius_x (circular contact)",
           .unit = "m",
           .range = positive,
-          .meaning =
-              "Reduced radius across the entrainment. This version solves circular contacts: it must equal radius_x.",
+          .meaning = "Principal reduced radius across radius_x: 1/R_y = 1/R_y1 + 1/R_y2; or radius_ratio.",
           .example = "0.0125"},
       Key{.section = "contact",
           .name = "E1",
@@ -98,9 +97,33 @@ std::vector<Key> si_keys() {
   };
 }
 
+std::vector<Key> shape_keys() {
+  return {
+      Key{.section = "contact",
+          .name = "radius_ratio",
+          .default_note = "1 (circular contact), or from radius_y",
+          .range = {0.05, 20.0},
+          .remedy = "beyond it the contact is nearly a line",
+          .meaning =
+              "R_x/R_y, the radius along the entrainment over the one across it: below 1 an ellipse that lies across "
+              "it. With any language; groups, Hertz radii and scales are made with R_x.",
+          .source = "Nijenbanning, Venner and Moes 1994 computed 0.05 to 1",
+          .example = "0.2"},
+  };
+}
+
 std::vector<Key> motion_keys() {
   constexpr deck::Range speed{-1e6, 1e6};
   return {
+      Key{.section = "motion",
+          .name = "angle",
+          .default_note = "0, along radius_x",
+          .unit = "degrees",
+          .range = {-90.0, 90.0},
+          .meaning =
+              "From the direction of radius_x to that of the entrainment, of an elliptic contact; 90: along radius_y. "
+              "Not 0 or 90: the whole domain is computed. x stays the direction of entrainment.",
+          .example = "45"},
       Key{.section = "motion",
           .name = "u1",
           .unit = "m/s",
@@ -135,7 +158,8 @@ std::vector<Key> motion_keys() {
 
 std::vector<Key> keys() {
   std::vector<Key> all = dimensionless_keys();
-  for (const std::vector<Key>& more : {si_keys(), motion_keys()}) all.insert(all.end(), more.begin(), more.end());
+  for (const std::vector<Key>& more : {si_keys(), shape_keys(), motion_keys()})
+    all.insert(all.end(), more.begin(), more.end());
   return all;
 }
 

@@ -159,7 +159,8 @@ void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse) {
   const core::Grid& grid = coarse.grid;
   for (int i = 0; i <= grid.nx; ++i)
     for (int j = 0; j <= grid.ny; ++j)
-      coarse.F(i, j) = coarse.H_restricted(i, j) - (rigid_gap(grid, hierarchy.H00, i, j) + coarse.F(i, j));
+      coarse.F(i, j) =
+          coarse.H_restricted(i, j) - (rigid_gap(problem.geometry, grid, hierarchy.H00, i, j) + coarse.F(i, j));
   core::copy(coarse.H_restricted, coarse.H);
   update_coefficients(hierarchy, coarse);
   // f = L(restricted P) + restricted residual + slack: the residual with f = -slack is -slack - L.

@@ -37,18 +37,59 @@ double mean_surface(const Level& level) {
   return weights > 0.0 ? sum / weights : 0.0;
 }
 
+/// Beside the contact the far field is no guess any more.
+constexpr double a_little = 0.02;
+
+/// The far field of rigid bodies, P = -(c_X X + c_Y Y)/H^2 where it is positive: with the undeformed gap H = x A x,
+/// div(H^3 grad P) = lambda dH/dX gives (A + 2 tr(A)) c = lambda A e_X.
+class FarField {
+ public:
+  FarField(const core::QuadraticForm& gap, double lambda) : gap_(gap) {
+    const double b = 0.5 * gap.XY;
+    const double trace = gap.XX + gap.YY;
+    const double XX = gap.XX + 2.0 * trace;
+    const double YY = gap.YY + 2.0 * trace;
+    const double scale = lambda / (XX * YY - b * b);
+    c_X_ = scale * (YY * gap.XX - b * b);
+    c_Y_ = scale * (XX * b - b * gap.XX);
+  }
+  double P(double X, double Y) const {
+    const double H = gap_.XX * X * X + (gap_.XY * X + gap_.YY * Y) * Y;
+    return std::max(0.0, -(c_X_ * X + c_Y_ * Y) / (H * H));
+  }
+
+ private:
+  core::QuadraticForm gap_;
+  double c_X_, c_Y_;
+};
+
+// The lubricant of a contact that lies aslant is under pressure on one side of an oblique line, and the cycles move the
+// edge of the cavitated region by a few cells each: it begins about where it belongs.
+void begin_aslant(const Problem& problem, Level& level) {
+  const auto& [XX, XY, YY] = problem.geometry.outline;
+  const FarField far(problem.geometry.gap, problem.lambda);
+  for (int i = 1; i < level.grid.nx; ++i)
+    for (int j = 1; j <= level.grid.last_line(); ++j) {
+      const double X = level.grid.X(i);
+      const double Y = level.grid.Y(j);
+      if (XX * X * X + (XY * X + YY * Y) * Y >= 1.0) level.P(i, j) = std::min(far.P(X, Y), a_little);
+    }
+}
+
 }  // namespace
 
 void start_from_hertz(Hierarchy& hierarchy, std::size_t l, double H00, int sweeps) {
   Level& level = hierarchy.levels[l];
   pose_original_problem(hierarchy.problem, level);
+  const auto& [XX, XY, YY] = hierarchy.problem.geometry.outline;
   for (int i = 1; i < level.grid.nx; ++i)
     for (int j = 1; j <= level.grid.last_line(); ++j) {
       const double X = level.grid.X(i);
       const double Y = level.grid.Y(j);
-      const double inside = 1.0 - X * X - Y * Y;
+      const double inside = 1.0 - XX * X * X - (XY * X + YY * Y) * Y;
       level.P(i, j) = inside > 0.0 ? std::sqrt(inside) : 0.0;
     }
+  if (!symmetric(hierarchy.problem.geometry)) begin_aslant(hierarchy.problem, level);
   core::make_images(level.grid, level.P);
   hierarchy.H00 = hierarchy.problem.surface ? H00 - mean_surface(level) : H00;
   update_film(hierarchy, level);

@@ -7,9 +7,9 @@ namespace ehl::fmg {
 // The level being solved has the right-hand sides of the original problem: f = 0, and F = S, its own mean of what the
 // surfaces add to the gap. As a coarse grid of a finer level it has those of the full approximation scheme.
 
-/// Makes levels[l] the level being solved, from the dry contact: P = sqrt(1 - X^2 - Y^2) inside the Hertz circle, H00
-/// as given less the mean of S under that pressure, which lifts the bodies apart; then `sweeps` relaxations with the
-/// force balance (eq. 26) after every fourth. errors: core::SolverError.
+/// Makes levels[l] the level being solved, from the dry contact: P = sqrt(1 - X^2 - Y^2) inside the Hertz circle, or
+/// the like of an ellipse, H00 as given less the mean of S under that pressure, which lifts the bodies apart; then
+/// `sweeps` relaxations with the force balance (eq. 26) after every fourth. errors: core::SolverError.
 void start_from_hertz(Hierarchy& hierarchy, std::size_t l, double H00, int sweeps);
 
 /// Makes levels[l] the level being solved, from a pressure and an H00 given. in: P of the level's shape.

@@ -14,15 +14,13 @@
 namespace ehl::fmg {
 namespace {
 
-constexpr double two_over_pi_squared = 2.0 / (std::numbers::pi * std::numbers::pi);
-
-line_solvers::FilmTerms film_terms(const core::Grid& grid, int reach) {
+line_solvers::FilmTerms film_terms(const core::Grid& grid, double elastic, int reach) {
   line_solvers::FilmTerms terms;
   terms.reach = reach;
   for (int d = 0; d <= reach; ++d) {
     const auto k = static_cast<std::size_t>(d);
-    terms.K[k] = two_over_pi_squared * kernel::influence(d, 0, grid.hx(), grid.hy());
-    terms.delta_K[k] = two_over_pi_squared * kernel::distributed_influence(d, 0, grid.hx(), grid.hy());
+    terms.K[k] = elastic * kernel::influence(d, 0, grid.hx(), grid.hy());
+    terms.delta_K[k] = elastic * kernel::distributed_influence(d, 0, grid.hx(), grid.hy());
   }
   return terms;
 }
@@ -33,7 +31,7 @@ mlmi::Parameters fitting(mlmi::Parameters deformation, const core::Grid& grid, b
   return deformation;
 }
 
-Level make_level(const core::Grid& grid, bool finest, bool smooth, const Parameters& parameters,
+Level make_level(const core::Grid& grid, bool finest, bool smooth, double elastic, const Parameters& parameters,
                  const mlmi::Parameters& deformation, int threads) {
   const auto zero = [&] { return core::Field(grid); };
   const auto only_below_the_finest = [&] { return finest ? core::Field() : core::Field(grid); };
@@ -54,8 +52,8 @@ Level make_level(const core::Grid& grid, bool finest, bool smooth, const Paramet
           .changes = {zero_changes(), zero_changes()},
           .thread_work =
               std::vector<ThreadWork>(static_cast<std::size_t>(threads), make_thread_work(grid, parameters.relaxation)),
-          .deformation = mlmi::Deformation(grid, fitting(deformation, grid, finest), threads),
-          .film_terms = film_terms(grid, parameters.relaxation.reach)};
+          .deformation = mlmi::Deformation(grid, fitting(deformation, grid, finest), threads, elastic),
+          .film_terms = film_terms(grid, elastic, parameters.relaxation.reach)};
 }
 
 // One station of the field: epsilon, rho_bar and its slope from P and H.
@@ -116,8 +114,8 @@ Hierarchy make_hierarchy(const Problem& problem, const Parameters& parameters, c
     throw core::InputError("[grid] coarsest = " + std::to_string(wanted) + ": " + std::to_string(finest.nx) + " x " +
                            std::to_string(core::whole(finest).ny) + " cells cannot be halved down to it");
   for (auto grid = grids.rbegin(); grid != grids.rend(); ++grid)
-    hierarchy.levels.push_back(
-        make_level(*grid, *grid == finest, !problem.surface, parameters, deformation, hierarchy.threads_on(*grid)));
+    hierarchy.levels.push_back(make_level(*grid, *grid == finest, !problem.surface, problem.geometry.elastic, parameters,
+                                          deformation, hierarchy.threads_on(*grid)));
   return hierarchy;
 }
 
@@ -138,7 +136,7 @@ void update_film(Hierarchy& hierarchy, Level& level) {
   const core::Grid& grid = level.grid;
   for_stations(hierarchy, level, [&](int i, std::span<double> fluidity) {
     double* H = level.H.at_x(i);
-    for (int j = 0; j <= grid.ny; ++j) H[j] += rigid_gap(grid, hierarchy.H00, i, j);
+    for (int j = 0; j <= grid.ny; ++j) H[j] += rigid_gap(hierarchy.problem.geometry, grid, hierarchy.H00, i, j);
     if (level.F.nodes_x() > 0) {
       const double* F = level.F.at_x(i);
       for (int j = 0; j <= grid.ny; ++j) H[j] += F[j];

@@ -7,6 +7,7 @@
 
 #include "core/field.hpp"
 #include "core/grid.hpp"
+#include "core/quadratic_form.hpp"
 #include "core/timer.hpp"
 #include "fmg/parameters.hpp"
 #include "fmg/thread_work.hpp"
@@ -16,6 +17,15 @@
 #include "rheology/laws.hpp"
 
 namespace ehl::fmg {
+
+/// The bodies, in the units of eq. (6); without anything said a ball on a plane.
+struct Geometry {
+  core::QuadraticForm gap{0.5, 0.0, 0.5};      ///< of the undeformed bodies
+  core::QuadraticForm outline{1.0, 0.0, 1.0};  ///< 1 along the edge of the dry contact
+  double elastic = mlmi::circular_factor;      ///< factor of K*P
+};
+/// True where X, Y and X, -Y are the same.
+inline bool symmetric(const Geometry& geometry) { return geometry.gap.XY == 0.0; }
 
 /// The equations to solve: eqs. (4)-(7), or one of the linear model problems that lead to them.
 struct Problem {
@@ -28,6 +38,7 @@ struct Problem {
   bool cavitation = true;  ///< P >= 0
   /// epsilon(X, Y) instead of eq. (5): the linear model problems of eqs. (9) and (19), with rho_bar = 1.
   std::function<double(double, double)> given_epsilon;
+  Geometry geometry{};
   /// Writes S(X, Y), what the surfaces add to the gap, in units of a^2/R: on every grid what that grid can hold of it.
   /// With image lines on a mirrored grid they are not needed. Empty: smooth surfaces.
   std::function<void(const core::Grid& grid, core::Field& S)> surface{};
@@ -94,14 +105,15 @@ std::vector<core::Grid> grids_below(const core::Grid& finest, const Parameters& 
 Hierarchy make_hierarchy(const Problem& problem, const Parameters& parameters, const mlmi::Parameters& deformation,
                          const core::Grid& finest, int threads);
 
-/// The film without deformation, H00 + X^2/2 + Y^2/2, at (X_i, Y_j).
-inline double rigid_gap(const core::Grid& grid, double H00, int i, int j) {
+/// The film without deformation, H00 + the gap, for a circular contact X^2/2 + Y^2/2, at (X_i, Y_j).
+inline double rigid_gap(const Geometry& geometry, const core::Grid& grid, double H00, int i, int j) {
+  const auto& [XX, XY, YY] = geometry.gap;
   const double X = grid.X(i);
   const double Y = grid.Y(j);
-  return H00 + 0.5 * X * X + 0.5 * Y * Y;
+  return H00 + XX * X * X + (XY * X + YY * Y) * Y;
 }
 
-/// H = H00 + X^2/2 + Y^2/2 + F + K*P (eq. 6), then rho_bar and epsilon (eq. 5) from P and H.
+/// H = H00 + gap + F + K*P (eq. 6), then rho_bar and epsilon (eq. 5) from P and H.
 void update_film(Hierarchy& hierarchy, Level& level);
 /// The coefficients alone.
 void update_coefficients(Hierarchy& hierarchy, Level& level);

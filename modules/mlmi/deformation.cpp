@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/constants.hpp"
 #include "core/errors.hpp"
 #include "kernel/influence.hpp"
 #include "mlmi/multilevel_sum.hpp"
 
 namespace ehl::mlmi {
 namespace {
-
-// Eq. (6): the deformation in units of a^2/R for the pressure in units of p_h.
-constexpr double half_space_factor = 2.0 / (core::pi * core::pi);
 
 // Below this size starting a team of threads costs more than it saves.
 constexpr int smallest_parallel = 256;
@@ -90,7 +86,7 @@ struct Deformation::Implementation {
   core::Field whole_P, whole_w;
 };
 
-Deformation::Deformation(const core::Grid& grid, const Parameters& parameters, int threads) {
+Deformation::Deformation(const core::Grid& grid, const Parameters& parameters, int threads, double factor) {
   const int team = std::max(grid.nx, core::whole(grid).ny) < smallest_parallel ? 1 : std::max(1, threads);
   const core::Grid whole = core::whole(grid);
   // The direct sum and the plain FFT are the multilevel sum without coarsening.
@@ -103,9 +99,9 @@ Deformation::Deformation(const core::Grid& grid, const Parameters& parameters, i
   Axis y{0, grid.ny, 1, grid.hy(), grid.mirrored};
   const bool on_whole = grid.mirrored && !holds_mirrored(y, choice);
   if (on_whole) y = {0, whole.ny, 1, whole.hy()};
-  implementation_ = std::make_unique<Implementation>(
-      std::string{}, MultilevelSum(x, y, choice, half_space_factor, team), grid,
-      on_whole ? core::Field(whole) : core::Field(), on_whole ? core::Field(whole) : core::Field());
+  implementation_ = std::make_unique<Implementation>(std::string{}, MultilevelSum(x, y, choice, factor, team), grid,
+                                                     on_whole ? core::Field(whole) : core::Field(),
+                                                     on_whole ? core::Field(whole) : core::Field());
   const MultilevelSum& sum = implementation_->sum;
   switch (parameters.method) {
     case Method::mlmi: implementation_->description = describe(choice, sum); break;

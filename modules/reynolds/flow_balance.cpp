@@ -38,11 +38,11 @@ class Fluxes {
   double hx_, hy_;
 };
 
-double flow_through_contact(const core::Grid& grid, const Fluxes& fluxes) {
+double flow_through_contact(const core::Grid& grid, const Fluxes& fluxes, double width) {
   const int centre = std::clamp(static_cast<int>(std::lround(-grid.X_a / grid.hx())), 0, grid.nx);
   double sum = 0.0;
   for (int j = 0; j <= grid.ny; ++j)
-    if (std::abs(grid.Y(j)) <= 1.0 + rounding * grid.hy()) sum += grid.lines(j) * fluxes.rho_H(centre, j);
+    if (std::abs(grid.Y(j)) <= width + rounding * grid.hy()) sum += grid.lines(j) * fluxes.rho_H(centre, j);
   return sum * grid.hy();
 }
 
@@ -64,15 +64,15 @@ bool any_dry(const double* west, const double* P, const double* east, Range y) {
 
 }  // namespace
 
-FlowBalance flow_balance(const core::Grid& grid, const State& state, Wedge wedge, bool cavitation, double reach) {
+FlowBalance flow_balance(const core::Grid& grid, const State& state, Wedge wedge, bool cavitation, const Reach& reach) {
   const Fluxes fluxes(grid, state, wedge);
   const double hx = grid.hx();
   const double hy = grid.hy();
-  const Range x = range(grid.X_a, hx, grid.nx, reach);
-  Range y = range(grid.Y_a, hy, grid.ny, reach);
+  const Range x = range(grid.X_a, hx, grid.nx, reach.X);
+  Range y = range(grid.Y_a, hy, grid.ny, reach.Y);
   if (grid.mirrored) y.last = grid.ny;
   FlowBalance balance;
-  balance.through = flow_through_contact(grid, fluxes);
+  balance.through = flow_through_contact(grid, fluxes, reach.width);
   const auto leaves = [&](int j, double flow) {
     (flow < 0.0 ? balance.in : balance.out) += grid.lines(j) * std::abs(flow);
   };

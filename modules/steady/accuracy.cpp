@@ -103,7 +103,7 @@ DomainError domain_error(const Scene& scene, const SolveOnGrid& solve_on_grid) {
 
 // The next levels up to the grid of `finer`, from the solution on a coarser one.
 Solution refined(const Scene& finer, const Solution& coarser, const ProgressCallback& progress) {
-  const Start start{.coarsest = finer.M > heavy_M ? 64 : 32};
+  const Start start{.coarsest = circular_load(finer.M, finer.L, finer.shape) > heavy_M ? 64 : 32};
   Climb climb = begin_climb(finer, start, progress);
   std::size_t l = 0;
   while (l < climb.finest() && climb.hierarchy.levels[l].grid.nx < coarser.grid.nx) ++l;
@@ -156,7 +156,8 @@ std::string forbidden(const Scene& scene, const core::Grid& grid) {
 // The grid on the domain that leaves enough for the mesh; or that of the scene and what forbids a larger one.
 std::pair<core::Grid, std::string> domain_for(const Scene& scene, const DomainError& error) {
   if (std::isnan(error.left(1.0))) return {scene.grid, "the error of the domain, which could not be estimated"};
-  const double longest = std::min(longest_domain, longest_in_contacts * contact_size(scene.M, scene.L));
+  const double longest = std::min(longest_domain * contact::extent(scene.shape).X,
+                                  longest_in_contacts * contact_size(scene.M, scene.L, scene.shape));
   std::string stopped;
   for (const double share : shares_of_domain) {
     double size = 1.0;

@@ -28,7 +28,8 @@ constexpr double solved_residual = 1e-5;
 /// The grid to compute on: the lower half where the scene's is symmetric in Y and halving keeps all the levels.
 core::Grid grid_to_compute_on(const Scene& scene, const fmg::Parameters& parameters) {
   const core::Grid& grid = scene.grid;
-  if (!scene.use_symmetry || grid.Y_a != -grid.Y_b || grid.ny % 2 != 0) return grid;
+  if (!scene.use_symmetry || !fmg::symmetric(geometry_of(scene.shape)) || grid.Y_a != -grid.Y_b || grid.ny % 2 != 0)
+    return grid;
   const auto all = fmg::grids_below(grid, parameters);
   const auto halves = fmg::grids_below(core::lower_half(grid), parameters);
   constexpr int fewest_cells = 4;
@@ -53,6 +54,15 @@ bool settled(int cycle, const StateOfLevel& before, const StateOfLevel& now) {
          change(before.Hm, now.Hm) < settled_change;
 }
 
+/// Cells along x of the coarsest grid: few enough for its relaxations to solve it, and in a narrow domain, where the
+/// contact is slender, twice as many for a grid that holds it better.
+int coarsest_cells(const Scene& scene, const Start& start) {
+  const double length = scene.grid.X_b - scene.grid.X_a;
+  const double width = scene.grid.Y_b - scene.grid.Y_a;
+  constexpr double narrow = 1.99;
+  return contact::circular(scene.shape) || length < narrow * width ? start.coarsest : 2 * start.coarsest;
+}
+
 double steep_caution(const Scene& scene) { return scene.L > very_piezoviscous_L ? caution_where_steep : 1.0; }
 
 /// Geometric mean of the factors by which the cycles on one level reduced the residual, all but the first.
@@ -64,26 +74,42 @@ double mean_factor(const std::vector<double>& residuals) {
 fmg::Parameters parameters_of(const Scene& scene, const Start& start) {
   fmg::Parameters parameters = scene.multigrid;
   parameters.coarsest_sweeps = std::max(parameters.coarsest_sweeps, start.balances);
-  parameters.least_coarsest_cells = std::max(parameters.least_coarsest_cells, start.coarsest);
+  parameters.least_coarsest_cells = std::max(parameters.least_coarsest_cells, coarsest_cells(scene, start));
+  // The load that a change of H00 brings, 3/2 load/approach of the dry contact, over that of a circle.
+  parameters.load_relaxation *= scene.shape.approach / scene.shape.kappa;
+  // The coupling by the film, against which that by epsilon is held.
+  parameters.relaxation.crossover *= scene.shape.p_h / scene.shape.a;
   choose_cycle(scene, parameters);
   return parameters;
 }
 
 }  // namespace
 
+fmg::Geometry geometry_of(const contact::Ellipse& shape) {
+  return {contact::gap(shape), contact::outline(shape), contact::elastic_factor(shape)};
+}
+
+double first_H00(const Scene& scene) {
+  return -scene.shape.approach + expected_central_film(scene.M, scene.L, scene.shape);
+}
+
 bool on_one_half(const Scene& scene) { return grid_to_compute_on(scene, parameters_of(scene, {})).mirrored; }
 
 Climb begin_climb(const Scene& scene, const Start& start, const ProgressCallback& progress) {
   // The numbers of cells of a start are for a domain a few radii long. On the long ones of light loads the first grid
   // must still see the contact.
-  const double length = (scene.grid.X_b - scene.grid.X_a) / contact_size(scene.M, scene.L);
-  const int first_cells = std::max(start.cells, static_cast<int>(length / largest_first_step));
+  const double length = (scene.grid.X_b - scene.grid.X_a) / contact_size(scene.M, scene.L, scene.shape);
+  const double slender = slenderness(scene.M, scene.L, scene.shape);
+  const auto cells = [slender](double of_circle) { return static_cast<int>(of_circle * slender); };
+  const int first_cells = std::max(cells(start.cells), cells(length / largest_first_step));
   const fmg::Parameters parameters = parameters_of(scene, start);
   const fmg::Problem problem{.lambda = scene.lambda,
                              .viscosity = scene.viscosity,
                              .density = scene.density,
                              .transport = scene.wedge,
+                             .load = contact::load(scene.shape),
                              .given_epsilon = {},
+                             .geometry = geometry_of(scene.shape),
                              .surface = scene.surface};
   Climb climb{.scene = scene,
               .progress = progress,
@@ -102,8 +128,7 @@ void solve_first_level(Climb& climb) {
   use_caution(climb.caution, climb.scene.multigrid.relaxation, used.relaxation);
   const std::optional<int> post = used.post;
   used.post = std::max(1, post.value_or(1));  // far from the solution
-  fmg::start_from_hertz(climb.hierarchy, climb.first, -1.0 + expected_central_film(climb.scene.M, climb.scene.L),
-                        climb.start.sweeps);
+  fmg::start_from_hertz(climb.hierarchy, climb.first, first_H00(climb.scene), climb.start.sweeps);
   solve_level(climb, climb.first, std::max(climb.start.cycles, climb.scene.multigrid.cycles));
   climb.caution = {.all = climb.start.caution, .steep = steep_caution(climb.scene)};
   used.post = post;

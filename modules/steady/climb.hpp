@@ -38,6 +38,11 @@ struct Climb {
   std::size_t finest() const { return hierarchy.levels.size() - 1; }
 };
 
+/// The bodies of a scene as the multigrid needs them.
+fmg::Geometry geometry_of(const contact::Ellipse& shape);
+/// H00 to begin with: that of the dry contact and the film to expect.
+double first_H00(const Scene& scene);
+
 /// True where one half of the scene's grid is computed: it is symmetric in Y, and halving keeps all its levels.
 bool on_one_half(const Scene& scene);
 

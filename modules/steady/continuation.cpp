@@ -37,7 +37,7 @@ struct Solved {
 };
 
 std::size_t level_that_holds(const fmg::Hierarchy& hierarchy, const Scene& scene) {
-  const double step = coarseness * resolving_step(scene.M, scene.L, reynolds::Wedge::upstream2);
+  const double step = coarseness * resolving_step(scene.M, scene.L, reynolds::Wedge::upstream2, scene.shape);
   std::size_t l = 0;
   while (l + 1 < hierarchy.levels.size() && hierarchy.levels[l].grid.hx() > step) ++l;
   return l;
@@ -45,15 +45,17 @@ std::size_t level_that_holds(const fmg::Hierarchy& hierarchy, const Scene& scene
 
 double first_M(const Scene& scene) {
   if (std::isfinite(scene.continuation.load_ratio)) return scene.continuation.load_ratio * scene.M;
-  return std::max(first_ratio * scene.M, std::min(lightest_M, 0.5 * scene.M));
+  const double lightest = lightest_M * scene.M / circular_load(scene.M, scene.L, scene.shape);
+  return std::max(first_ratio * scene.M, std::min(lightest, 0.5 * scene.M));
 }
 
 // The last pressure, in Hertz's units, with H00 changed as the central film will: as the power of the load that led
 // from the last but one to the last; at first as the published formula has it. (A pressure predicted from the last two
 // puts kinks where spike and cavitation boundary have moved, and costs four times the cycles.)
-Solved predict(const std::optional<Solved>& previous, const Solved& last, double ln_M, double L) {
+Solved predict(const std::optional<Solved>& previous, const Solved& last, double ln_M, const Scene& scene) {
   Solved guess{ln_M, last.P, last.H00, 0.0};
-  double ratio = expected_central_film(std::exp(ln_M), L) / expected_central_film(std::exp(last.ln_M), L);
+  const auto expected = [&](double of_ln_M) { return expected_central_film(std::exp(of_ln_M), scene.L, scene.shape); };
+  double ratio = expected(ln_M) / expected(last.ln_M);
   if (previous && previous->Hc > 0.0 && last.Hc > 0.0)
     ratio = std::pow(last.Hc / previous->Hc, (ln_M - last.ln_M) / (last.ln_M - previous->ln_M));
   guess.Hc = ratio * last.Hc;
@@ -122,7 +124,7 @@ void follow_load(Climb& climb, std::size_t l, Solved last, std::vector<Continuat
       throw core::SolverError("load continuation: " + std::to_string(steps.size()) + " steps (max_steps) reached " +
                               name_of_load(scene, last.ln_M));
     const bool arrives = std::abs(target - last.ln_M) <= 1.001 * stride;
-    Solved next = predict(previous, last, arrives ? target : last.ln_M + direction * stride, scene.L);
+    Solved next = predict(previous, last, arrives ? target : last.ln_M + direction * stride, scene);
     const double M = arrives ? scene.M : std::exp(next.ln_M);
     pose(under_load(scene, M), climb.hierarchy.problem);
     fmg::start_from_state(climb.hierarchy, l, next.P, next.H00);
@@ -186,7 +188,7 @@ Scene under_load(const Scene& scene, double M) {
   const double p_h_factor = std::cbrt(M / scene.M);
   Scene result = scene;
   result.M = M;
-  result.lambda = contact::from_moes(M, scene.L).lambda;
+  result.lambda = contact::from_moes(M, scene.L, scene.shape).lambda;
   result.viscosity = rheology::rescaled(scene.viscosity, p_h_factor);
   result.density = rheology::rescaled(scene.density, p_h_factor);
   result.surface = scaled(scene.surface, p_h_factor);  // a and p_h both grow with the cube root of the load

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "contact/film_formulas.hpp"
 #include "contact/groups.hpp"
@@ -30,23 +29,29 @@ struct RoughError {
   double load;
 };
 
-RoughError rough_error(double M, double L, double X_a, double y_half) {
-  const contact::Groups groups = contact::from_moes(M, L);
+RoughError rough_error(double M, double L, const contact::Ellipse& shape, double X_a, double y_half) {
+  const contact::Groups groups = contact::from_moes(M, L, shape);
   const double length = std::abs(X_a);
-  const double cut_off = 4.0 / 3.0 * groups.lambda / (length * length * length);
+  const core::QuadraticForm gap = contact::gap(shape);
+  const double flatter = 0.25 / (gap.XX * gap.XX);
+  const double cut_off = 4.0 / 3.0 * groups.lambda / (length * length * length) * flatter;
   // The far field (4/5) lambda cos(theta)/r^3 integrated from the boundary on: from x = X_a within the angle of the
-  // corner, from y = +-y_half beyond it.
-  const double corner = std::atan2(y_half, length);
+  // corner, from y = +-y_half beyond it. Of an ellipse with Y in a scale in which the undeformed gap is round.
+  const double roundness = gap.YY / gap.XX;
+  const double round_half = y_half * std::sqrt(roundness);
+  const double corner = std::atan2(round_half, length);
   const double outside =
-      (corner + std::sin(corner) * std::cos(corner)) / length + std::cos(corner) * std::cos(corner) / y_half;
-  const double share = 0.8 * groups.lambda * outside / (2.0 * std::numbers::pi / 3.0);
-  const double rigid = contact::asymptotes(M, L).rigid_isoviscous;
-  const double power = 2.0 * std::min(1.0, rigid / contact::nijenbanning_venner_moes(M, L));
+      (corner + std::sin(corner) * std::cos(corner)) / length + std::cos(corner) * std::cos(corner) / round_half;
+  const double strength = 5.0 / (3.0 + 2.0 * roundness) * flatter / std::sqrt(roundness);
+  const double share = 0.8 * groups.lambda * strength * outside / contact::load(shape);
+  const contact::AlongEntrainment along = contact::along_entrainment(shape, M, L);
+  const double rigid = along.film * contact::asymptotes(along.M, along.L, along.radius_ratio).rigid_isoviscous;
+  const double power = 2.0 * std::min(1.0, rigid / contact::nijenbanning_venner_moes(M, L, shape));
   return {0.5 * cut_off * std::max(groups.alpha_bar, 10.0), power * share};
 }
 
 RoughError rough_error(const Scene& scene) {
-  return rough_error(scene.M, scene.L, scene.grid.X_a, std::min(-scene.grid.Y_a, scene.grid.Y_b));
+  return rough_error(scene.M, scene.L, scene.shape, scene.grid.X_a, std::min(-scene.grid.Y_a, scene.grid.Y_b));
 }
 
 }  // namespace
@@ -56,22 +61,33 @@ double rough_domain_error(const Scene& scene) {
   return error.inlet + error.load;
 }
 
-double chosen_outlet(double M, double L) {
+double chosen_outlet(double M, double L, const contact::Ellipse& shape) {
   constexpr double thick = 1.5;
-  return expected_central_film(M, L) > thick ? 3.0 : 1.5;
+  const double film = expected_central_film(M, L, shape) / shape.approach;
+  return (film > thick ? 3.0 : 1.5) * contact::extent(shape).X;
 }
 
-double chosen_inlet(double M, double L, double X_b) {
+double chosen_half_width(double X_a, double X_b, const contact::Ellipse& shape) {
+  const double half_length = 0.5 * (X_b - X_a);
+  if (contact::circular(shape)) return half_length;
+  constexpr double beside = 1.4;
+  constexpr double parts = 16.0;
+  const core::QuadraticForm gap = contact::gap(shape);
+  const double wanted = std::max(beside * contact::extent(shape).Y, half_length * std::sqrt(gap.XX / gap.YY));
+  return half_length * std::ceil(wanted / half_length * parts - 1e-9) / parts;
+}
+
+double chosen_inlet(double M, double L, double X_b, const contact::Ellipse& shape) {
   constexpr double most_at_inlet = 0.006;
   constexpr double most_of_load = 0.02;
-  constexpr double longest = 200.0;
+  const double longest = 200.0 * contact::extent(shape).X;
   double X_a = 0.0;
   // m of `parts` parts lie upstream of 0.
   const auto enough = [&](int m, int parts) {
     const double next = -X_b * m / (parts - m);
     if (X_a < 0.0 && next < -longest) return true;
     X_a = next;
-    const RoughError error = rough_error(M, L, X_a, 0.5 * (X_b - X_a));
+    const RoughError error = rough_error(M, L, shape, X_a, chosen_half_width(X_a, X_b, shape));
     return error.inlet <= most_at_inlet && error.load <= most_of_load;
   };
   for (int m = 20; m < 32; ++m)
@@ -86,7 +102,8 @@ double estimate_domain_error(const Scene& scene) {
   const RoughError rough = rough_error(scene);
   if (rough.load > rough.inlet) return 0.5 * rough.load;
   Scene coarse = scene;
-  while (coarse.grid.nx >= 2 * fewest_cells && coarse.grid.nx % 2 == 0 && coarse.grid.ny % 2 == 0)
+  const int least = static_cast<int>(fewest_cells * slenderness(scene.M, scene.L, scene.shape));
+  while (coarse.grid.nx >= 2 * least && coarse.grid.nx % 2 == 0 && coarse.grid.ny % 2 == 0)
     coarse.grid = core::coarsened(coarse.grid);
   coarse.deformation = {};
   coarse.multigrid = {};

@@ -12,6 +12,8 @@ namespace ehl::steady {
 ///   2 pi/3, times q, the power of the load with which the film falls: 2 for a rigid isoviscous contact, less as the
 ///   film is thicker than that (q = 2 H_RI/H, formulas of contact/film_formulas.hpp). Within a factor of 2 of our own
 ///   solutions for M = 2 to 10 on inlets from 20 to 160.
+/// Of an ellipse the undeformed gap is A X^2 + B Y^2 along the axes of the domain: (1/3) lambda/(A^2 |X_a|^3) and
+///   P = -lambda X/((3 + 2 B/A) H^2).
 double rough_domain_error(const Scene& scene);
 
 /// The inlet boundary that a deck without one gets: the shortest that keeps the first part of rough_domain_error below
@@ -19,11 +21,17 @@ double rough_domain_error(const Scene& scene);
 /// grid with a multiple of 32 cells, |X_a|/X_b = m/(32 - m), m = 20 .. 31, and of 64 and 128 cells for longer ones; no
 /// longer than 200. At M = 50, L = 10 that is the paper's -4.5. in: M > 0, L >= 0, X_b > 0 the outlet boundary.
 /// out: X_a < 0.
-double chosen_inlet(double M, double L, double X_b);
+/// Of an ellipse these are multiples of how far it reaches along X.
+double chosen_inlet(double M, double L, double X_b, const contact::Ellipse& shape = {});
 
 /// The outlet boundary that a deck without one gets: 1.5, and 3 where the film is so thick (Hc > 1.5) that the
 /// lubricant cavitates further downstream. in: M > 0, L >= 0.
-double chosen_outlet(double M, double L);
+double chosen_outlet(double M, double L, const contact::Ellipse& shape = {});
+
+/// Half the width that a deck without one gets: half the length for a circle; else where the undeformed gap is as wide
+/// at the sides as half a length away along X, at least 1.4 times as far as the ellipse reaches, and a multiple of a
+/// 32nd of the length, so that hx = hy. in: X_a < X_b.
+double chosen_half_width(double X_a, double X_b, const contact::Ellipse& shape = {});
 
 /// Relative growth of Hc on a domain twice as long (upstream) and twice as wide: two solutions on coarse grids of the
 /// same mesh size; for light loads, where the load of the far field governs it, half of the rough estimate. It is a

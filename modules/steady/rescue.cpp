@@ -121,7 +121,6 @@ Solution rescue_by_newton(const Scene& scene, const Start& start, const Solution
 
 Solution climb_by_newton(const Scene& scene, const Start& start, const ProgressCallback& progress) {
   Climb climb = begin_climb(scene, start, progress);
-  const double Hc = expected_central_film(scene.M, scene.L);
   bool solved = false;
   std::string last_reason;
   for (std::size_t l = climb.first; l <= climb.finest(); ++l) {
@@ -130,7 +129,7 @@ Solution climb_by_newton(const Scene& scene, const Start& start, const ProgressC
     if (solved)
       fmg::start_from_coarser(climb.hierarchy, l);
     else if (climb.hierarchy.levels[l].grid.nx <= finest_from_hertz)
-      fmg::start_from_hertz(climb.hierarchy, l, -1.0 + Hc, 0);
+      fmg::start_from_hertz(climb.hierarchy, l, first_H00(scene), 0);
     else
       throw core::SolverError("Newton's method solved no grid coarse enough to begin on; " + last_reason);
     const bool last_level = l == climb.finest();

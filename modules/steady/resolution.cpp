@@ -7,25 +7,50 @@
 #include "contact/groups.hpp"
 
 namespace ehl::steady {
-double expected_central_film(double M, double L) {
-  return contact::H_from_moes_units(contact::nijenbanning_venner_moes(M, L), M);
+double expected_central_film(double M, double L, const contact::Ellipse& shape) {
+  return contact::H_from_moes_units(contact::nijenbanning_venner_moes(M, L, shape), M, shape);
 }
 
-double expected_least_film(double M, double L) {
-  const contact::Asymptotes film = contact::asymptotes(M, L);
+double circular_load(double M, double L, const contact::Ellipse& shape) {
+  if (contact::circular(shape)) return M;
+  // The film of a circular contact in a^2/R falls with the power 3/4 of the load where it is elastic.
+  const contact::AlongEntrainment along = contact::along_entrainment(shape, M, L);
+  const double over_approach = expected_central_film(M, L, shape) / shape.approach;
+  return along.M * std::pow(expected_central_film(along.M, along.L) / over_approach, 4.0 / 3.0);
+}
+
+double expected_least_film(double M, double L, const contact::Ellipse& shape) {
+  const contact::AlongEntrainment along = contact::along_entrainment(shape, M, L);
+  const contact::Asymptotes film = contact::asymptotes(along.M, along.L, along.radius_ratio);
   const double isoviscous = std::pow(film.elastic_isoviscous, 8.0);
   const double piezoviscous = std::pow(film.elastic_piezoviscous, 8.0);
   const double at_50 = 0.6 + 0.3 * isoviscous / (isoviscous + piezoviscous);
-  return expected_central_film(M, L) * std::min(0.9, at_50 * std::pow(M / 50.0, -0.2));
+  // Beside a slender contact most of the lubricant escapes.
+  const double slender = std::pow(std::max(1.0, along.radius_ratio), -0.6);
+  const double share = std::min(0.9, slender * at_50 * std::pow(circular_load(M, L, shape) / 50.0, -0.2));
+  return expected_central_film(M, L, shape) * share;
 }
 
-double contact_size(double M, double L) { return std::max(1.0, std::sqrt(2.0 * expected_central_film(M, L))); }
+double contact_size(double M, double L, const contact::Ellipse& shape) {
+  return std::max(contact::extent(shape).X, std::sqrt(expected_central_film(M, L, shape) / contact::gap(shape).XX));
+}
 
-double resolving_step(double M, double L, reynolds::Wedge wedge) {
+double slenderness(double M, double L, const contact::Ellipse& shape) {
+  const double sharpest = 0.5 * std::max(1.0, shape.radius_ratio);
+  const double of_film = std::sqrt(expected_central_film(M, L, shape) / sharpest);
+  return contact_size(M, L, shape) / std::max(contact::extent(shape).shorter, of_film);
+}
+
+double resolving_step(double M, double L, reynolds::Wedge wedge, const contact::Ellipse& shape) {
   const bool second_order = wedge == reynolds::Wedge::upstream2;
   const double share = second_order ? 0.3 : 0.2;
   const double coarsest = second_order ? 0.4 : 0.2;
-  return std::min(coarsest, share * std::pow(expected_least_film(M, L), 2.0 / 3.0));
+  // Near the edge, a distance s inside it, p = p_h sqrt(2 s/l) with the semi-axis l across the edge: the gap outside is
+  // proportional to the elastic factor over sqrt(l).
+  const double shorter = contact::extent(shape).shorter;
+  const double steepness = shape.p_h / shape.a / std::sqrt(shorter);
+  const double zone = std::pow(expected_least_film(M, L, shape) / steepness, 2.0 / 3.0);
+  return std::min(coarsest * shorter, share * zone);
 }
 
 int resolving_cells(double step, double length, int fewest, int most) {

@@ -1,28 +1,40 @@
 #pragma once
-// How fine a grid must be, before anything is known of the solution but its load.
+// How fine a grid must be, before anything is known of the solution but its load and shape. M and L are those of
+// contact/groups.hpp, with R_x; films and lengths are in a^2/R_x and a.
+#include "contact/ellipse.hpp"
 #include "reynolds/wedge.hpp"
 
 namespace ehl::steady {
 
 /// The central film H = h R/a^2 to expect: the formula of Nijenbanning, Venner and Moes, good to 15 %.
 /// in: M > 0, L >= 0.
-double expected_central_film(double M, double L);
+double expected_central_film(double M, double L, const contact::Ellipse& shape = {});
+
+/// The load M of the circular contact of the same oil and speed whose film is as thick over its mutual approach: how
+/// heavily loaded a contact of any shape is. in: M > 0, L >= 0. out: M itself for a circle.
+double circular_load(double M, double L, const contact::Ellipse& shape);
 
 /// The minimum film H = h R/a^2 to expect, within a factor 1.5: the central film of Nijenbanning, Venner and Moes
 /// times the share of it that our own solutions have at its thinnest, 0.6 (M/50)^(-1/5), half as much again where the
 /// lubricant is isoviscous, and at most 0.9.
 /// in: M > 0, L >= 0 (contact/groups.hpp).
-double expected_least_film(double M, double L);
+double expected_least_film(double M, double L, const contact::Ellipse& shape = {});
 
 /// Size of the region where pressure is made, in Hertz radii: 1, or sqrt(2 Hc) where the film is so thick that the
-/// contact is nearly rigid; Hc by the same formula. in: M > 0, L >= 0.
-double contact_size(double M, double L);
+/// contact is nearly rigid; Hc by the same formula. Of an ellipse along X. in: M > 0, L >= 0.
+double contact_size(double M, double L, const contact::Ellipse& shape = {});
+
+/// How much longer the region where pressure is made is along X than across its shorter side, flattened or nearly
+/// rigid: so many times more cells along X hold the contact as well as a circular one. out: >= 1; 1 for a circle.
+double slenderness(double M, double L, const contact::Ellipse& shape);
 
 /// Mesh size along X, in Hertz radii, that resolves the film: 0.3 Hm^(2/3) and at most 0.4, Hm the film to expect; for
 /// the first-order wedge 0.2 Hm^(2/3) and 0.2. The gap beside a flattened contact grows as the power 3/2 of the
 /// distance, so that Hm^(2/3) is the width of the zones at inlet and outlet in which the film is made; the error of the
-/// second-order wedge is about 0.4 (hx/Hm^(2/3))^2 in Hm. in: M > 0, L >= 0.
-double resolving_step(double M, double L, reynolds::Wedge wedge);
+/// second-order wedge is about 0.4 (hx/Hm^(2/3))^2 in Hm. The gap beside an ellipse, steepest at the ends of its
+/// shorter axis or of a slender one, is taken into account, and 0.4 and 0.2 are of the shorter semi-axis. in: M > 0, L
+/// >= 0.
+double resolving_step(double M, double L, reynolds::Wedge wedge, const contact::Ellipse& shape = {});
 
 /// Cells along x of at most this mesh size on this length of domain: `fewest`, doubled as often as it takes and as
 /// `most` allows.

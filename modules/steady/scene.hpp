@@ -3,6 +3,7 @@
 #include <functional>
 #include <limits>
 
+#include "contact/ellipse.hpp"
 #include "core/field.hpp"
 #include "core/grid.hpp"
 #include "fmg/parameters.hpp"
@@ -44,6 +45,7 @@ struct Scene {
   double M = 0.0;       ///< Moes' load parameter: for guesses, and for the loads of a continuation
   double L = 0.0;       ///< Moes' material parameter: likewise
   double lambda = 0.0;  ///< 6 eta0 u_s R_x^2 / (a^3 p_h)
+  contact::Ellipse shape;
   rheology::ViscosityLaw viscosity;
   rheology::DensityLaw density;
   /// Writes S(X, Y), what surfaces at rest add to the gap, in a^2/R: the mean over each node's cell. Empty: smooth. One

@@ -25,7 +25,7 @@ struct LevelRow {
   double Hm_fitted = 0.0;   ///< minimum of H between the nodes (fitted_minimum.hpp)
   double P_max = 0.0;       ///< over the nodes
   double residual = 0.0;    ///< relative residual of the Reynolds equation (root mean square over the wedge's)
-  double load_error = 0.0;  ///< |h^2 sum P - 2 pi/3| / (2 pi/3)
+  double load_error = 0.0;  ///< |h^2 sum P - load| / load, load 2 pi/3 of a circle
   int cycles = 0;
   double work_units = 0.0;  ///< in residual + deformation evaluations on this level
   double seconds = 0.0;

@@ -14,6 +14,7 @@
 #include "steady/continuation.hpp"
 #include "steady/domain_error.hpp"
 #include "steady/rescue.hpp"
+#include "steady/resolution.hpp"
 #include "steady/warnings.hpp"
 
 namespace ehl::steady {
@@ -85,9 +86,10 @@ class Search {
 
 void try_full_multigrid(const Scene& scene, const ProgressCallback& progress, Search& search) {
   const std::span<const Start> all(starts);
-  for (const Start& start : all.subspan(scene.M > heavy_M ? start_of_heavy : 0)) {
+  const double slender = slenderness(scene.M, scene.L, scene.shape);
+  for (const Start& start : all.subspan(circular_load(scene.M, scene.L, scene.shape) > heavy_M ? start_of_heavy : 0)) {
     // A start for finer grids than the scene has brings nothing new.
-    if (search.attempts() > 1 && start.cells > scene.grid.nx) return;
+    if (search.attempts() > 1 && start.cells * slender > scene.grid.nx) return;
     const std::string number = std::to_string(search.attempts() + 1);
     search.try_way(search.attempts() == 0 ? "full multigrid" : "full multigrid, start " + number,
                    [&] { return climb(scene, start, progress); });

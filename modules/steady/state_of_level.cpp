@@ -12,9 +12,19 @@
 namespace ehl::steady {
 namespace {
 
-/// |X|, |Y| up to which the contact is looked at for its mass balance: all of the thin film, the spike and the
-/// constrictions, and little of the inlet, through which a hundred or a thousand times more flows back and forth.
+/// |X|, |Y|, in Hertz radii or half sides of the rectangle around the ellipse, up to which the contact is looked at for
+/// its mass balance: all of the thin film, the spike and the constrictions, and little of the inlet, through which a
+/// hundred or a thousand times more flows back and forth.
 constexpr double contact_reach = 1.5;
+
+// Half the sides of the rectangle around an ellipse.
+struct Sides {
+  double X, Y;
+};
+Sides sides_of(const core::QuadraticForm& outline) {
+  const double determinant = outline.XX * outline.YY - 0.25 * outline.XY * outline.XY;
+  return {std::sqrt(outline.YY / determinant), std::sqrt(outline.XX / determinant)};
+}
 
 struct Interpolation {
   int first = 0;
@@ -60,9 +70,10 @@ StateOfLevel state_of_level(fmg::Hierarchy& hierarchy, std::size_t l) {
   fmg::update_residual(hierarchy, level);
   const reynolds::ResidualNorms norms = reynolds::residual_norms(
       level.grid, fmg::state(level), hierarchy.problem.transport, hierarchy.problem.cavitation, level.r);
+  const Sides sides = sides_of(hierarchy.problem.geometry.outline);
   const auto flow = [&](double reach) {
     return reynolds::flow_balance(level.grid, fmg::state(level), hierarchy.problem.transport.wedge,
-                                  hierarchy.problem.cavitation, reach);
+                                  hierarchy.problem.cavitation, {reach * sides.X, reach * sides.Y, sides.Y});
   };
   const reynolds::FlowBalance contact = flow(contact_reach);
   const core::Location Hm = core::minimum(level.H);

@@ -11,7 +11,8 @@
 namespace ehl::transient {
 namespace {
 
-/// Nodes within this distance of the contact's centre make up the norm; those outside count as one hundredth.
+/// Nodes within this many radii (or semi-axes) of the contact's centre make up the norm; those outside count as one
+/// hundredth.
 constexpr double zone_radius = 1.5;
 constexpr double weight_outside = 0.1;
 /// The rate of a first cycle is taken to be no better than this, of later ones than that.
@@ -22,10 +23,10 @@ constexpr double worst_rate = 0.95;
 /// Where bodies are nearly apart there is no deformation by which to hold the film while the load is put right.
 constexpr double least_yielding = 0.05;
 
-bool in_zone(const core::Grid& grid, int i, int j) {
+bool in_zone(const core::QuadraticForm& outline, const core::Grid& grid, int i, int j) {
   const double X = grid.X(i);
   const double Y = grid.Y(j);
-  return X * X + Y * Y <= zone_radius * zone_radius;
+  return outline.XX * X * X + (outline.XY * X + outline.YY * Y) * Y <= zone_radius * zone_radius;
 }
 
 template <class Action>
@@ -55,7 +56,8 @@ ContactDae::ContactDae(fmg::Hierarchy& hierarchy, const Course& course, const Er
       Q_before_(hierarchy.finest().grid),
       rho_(nodes_) {
   const core::Grid& grid = hierarchy.finest().grid;
-  for_nodes(grid, [&](int i, int j, std::size_t) { zone_ += in_zone(grid, i, j) ? grid.lines(j) : 0.0; });
+  const core::QuadraticForm& outline = hierarchy.problem.geometry.outline;
+  for_nodes(grid, [&](int i, int j, std::size_t) { zone_ += in_zone(outline, grid, i, j) ? grid.lines(j) : 0.0; });
 }
 
 void ContactDae::state(std::span<double> y) const {
@@ -128,7 +130,7 @@ void ContactDae::balance_load() {
   fmg::Level& level = hierarchy_.finest();
   const core::Grid& grid = level.grid;
   const auto deformation = [&](int i, int j) {
-    return level.H(i, j) - fmg::rigid_gap(grid, hierarchy_.H00, i, j) - level.F(i, j);
+    return level.H(i, j) - fmg::rigid_gap(hierarchy_.problem.geometry, grid, hierarchy_.H00, i, j) - level.F(i, j);
   };
   const int centre = std::clamp(static_cast<int>(std::lround(-grid.X_a / grid.hx())), 0, grid.nx);
   const int axis = std::clamp(static_cast<int>(std::lround(-grid.Y_a / grid.hy())), 0, grid.ny);
@@ -220,11 +222,12 @@ double ContactDae::least_film(std::span<const double> y) {
 
 void ContactDae::weights(std::span<const double> y, std::span<double> w) const {
   const core::Grid& grid = hierarchy_.levels.back().grid;
+  const core::QuadraticForm& outline = hierarchy_.problem.geometry.outline;
   // The mean over all unknowns becomes one over those of the zone, of the whole domain where the grid is half of it:
   // the steps of time are the same.
   const double inside = std::sqrt(static_cast<double>(size()) / (2.0 * zone_)) / control_.rtol;
   for_nodes(grid, [&](int i, int j, std::size_t k) {
-    const double factor = std::sqrt(grid.lines(j)) * (in_zone(grid, i, j) ? inside : weight_outside * inside);
+    const double factor = std::sqrt(grid.lines(j)) * (in_zone(outline, grid, i, j) ? inside : weight_outside * inside);
     w[k] = factor / (std::abs(y[k]) + control_.P_scale);
     w[nodes_ + k] = factor / (std::abs(y[nodes_ + k]) + control_.Q_scale);
   });

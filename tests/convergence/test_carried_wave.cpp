@@ -45,7 +45,7 @@ Kept kept(Wedge wedge, int cells_per_wave) {
   const double height = 0.005;
   const transient::Conditions conditions{
       .on_1 =
-          transient::Feature{.shape = transient::Feature::Shape::waviness, .height = height, .width = wave, .X = -1.5}};
+          surface::Feature{.shape = surface::Feature::Shape::waviness, .height = height, .width = wave, .X = -1.5}};
   // The first wave passes `to`, another one, then the period that is looked at.
   const double fill = std::ceil((to + 1.5) / wave + 1.0) * wave;
   const transient::MarchParameters parameters{

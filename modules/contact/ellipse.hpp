@@ -1,0 +1,61 @@
+#pragma once
+// The dry elliptic contact of Hertz, and how it lies to the entrainment.
+#include "core/quadratic_form.hpp"
+
+namespace ehl::contact {
+
+/// The shape of a contact of two principal radii: R_x, the one that all groups and scales are made with, and R_y.
+/// Lengths are given in a, the semi-axis of the Hertz ellipse in the direction of R_x; b is the one in the direction of
+/// R_y. What it says of the dry contact is relative to the circular one of the radius R_x, the same load and bodies.
+/// Without anything said it is that circle.
+struct Ellipse {
+  double radius_ratio = 1.0;  ///< R_x/R_y
+  double angle = 0.0;         ///< from the direction of R_x to that of the entrainment [degrees]
+  double kappa = 1.0;         ///< b/a
+  double a = 1.0;             ///< a over the circle's radius
+  double p_h = 1.0;           ///< maximum pressure over the circle's
+  double approach = 1.0;      ///< mutual approach of the dry bodies, in a^2/R_x
+};
+
+/// The exact ellipse of Hertz: with the larger radius R_s over the smaller R_e, m = 1 - 1/kappa^2 of the longer
+/// semi-axis over the shorter, K(m) and E(m) the complete elliptic integrals,
+///   R_s/R_e = [kappa^2 E - K]/[K - E],   longer^3 = 6 F R_e (kappa^2 E - K)/(pi E' m),   p_h = 3 F/(2 pi a b).
+/// in: R_x/R_y > 0; angle [degrees]. out: kappa to a few times the rounding error, also where it is near 1.
+/// limits: R_x/R_y = 1 is the circle exactly, whatever the angle. source: Hertz (1881); Johnson, Contact Mechanics
+/// (1985), section 4.2.
+Ellipse ellipse(double radius_ratio, double angle = 0.0);
+
+inline bool circular(const Ellipse& shape) { return shape.radius_ratio == 1.0; }
+
+/// In the frame of the entrainment, X along it, lengths in a. With x along R_x and y along R_y
+///   x = X cos(angle) - Y sin(angle),   y = X sin(angle) + Y cos(angle).
+/// The undeformed gap x^2/2 + (R_x/R_y) y^2/2, in a^2/R_x. XY is exactly 0 at 0 and 90 degrees.
+core::QuadraticForm gap(const Ellipse& shape);
+/// The outline of the dry contact: x^2 + y^2/kappa^2 = 1.
+core::QuadraticForm outline(const Ellipse& shape);
+
+/// Half the sides of the rectangle around an outline, along X and Y; and the shorter semi-axis.
+struct Extent {
+  double X;
+  double Y;
+  double shorter;
+};
+Extent extent(const Ellipse& shape);
+
+/// The factor of K*P in the film equation, 2 p_h R_x/(pi E' a): 2/pi^2 for a circle.
+double elastic_factor(const Ellipse& shape);
+/// The load in units of p_h a^2: (2 pi/3) kappa.
+double load(const Ellipse& shape);
+
+/// M and L as they are with R_e, the radius along the entrainment, instead of R_x, and the ratio of that to R_s, the
+/// radius across: 1/R_e = cos^2/R_x + sin^2/R_y, 1/R_s = sin^2/R_x + cos^2/R_y. A film in Moes' units with R_e times
+/// `film` is one with R_x.
+struct AlongEntrainment {
+  double M;
+  double L;
+  double radius_ratio;  ///< R_e/R_s
+  double film;
+};
+AlongEntrainment along_entrainment(const Ellipse& shape, double M, double L);
+
+}  // namespace ehl::contact

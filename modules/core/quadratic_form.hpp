@@ -1,0 +1,11 @@
+#pragma once
+namespace ehl::core {
+
+/// XX X^2 + XY X Y + YY Y^2: a gap or the outline of an ellipse, of any direction.
+struct QuadraticForm {
+  double XX;
+  double XY;
+  double YY;
+};
+
+}  // namespace ehl::core

@@ -1,0 +1,118 @@
+// Elliptic contacts against independent programs, the limit of a line contact, and the published formula.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "contact/film_formulas.hpp"
+#include "contact/groups.hpp"
+#include "steady/domain_error.hpp"
+#include "steady/resolution.hpp"
+#include "steady/solve.hpp"
+
+using namespace ehl;
+
+namespace {
+
+// The domain that a deck without one gets, on these cells along X; the reference's oil.
+steady::Scene scene_of(double M, double L, const contact::Ellipse& shape, int cells) {
+  steady::Scene scene;
+  const contact::Groups groups = contact::from_moes(M, L, shape);
+  scene.M = M;
+  scene.L = L;
+  scene.lambda = groups.lambda;
+  scene.shape = shape;
+  const double p_h = groups.alpha_bar / 2.2e-8;
+  scene.viscosity = rheology::make_roelands(2.2e-8, rheology::roelands_p0, 0.68, p_h);
+  scene.density = rheology::make_dowson_higginson(p_h);
+  const double X_b = steady::chosen_outlet(M, L, shape);
+  const double X_a = steady::chosen_inlet(M, L, X_b, shape);
+  const double Y_b = steady::chosen_half_width(X_a, X_b, shape);
+  scene.grid = {cells, static_cast<int>(std::lround(cells * 2.0 * Y_b / (X_b - X_a))), X_a, X_b, -Y_b, Y_b};
+  return scene;
+}
+
+struct Film {
+  double Hc;
+  double Hm;
+};
+/// In Moes' units, extrapolated to mesh size zero.
+Film film(const steady::Scene& scene) {
+  const steady::Solution solution = steady::solve(scene);
+  BOOST_TEST(solution.converged, solution.failed_check);
+  return {contact::H_to_moes_units(solution.error_bars.Hc_extrapolated.value, scene.M, scene.shape),
+          contact::H_to_moes_units(solution.error_bars.Hm_extrapolated.value, scene.M, scene.shape)};
+}
+
+void check(const char* what, double computed, double expected, double tolerance) {
+  const double difference = computed / expected - 1.0;
+  BOOST_TEST_MESSAGE("  " << what << " " << computed << ", " << expected << ": " << difference << " (tolerance "
+                          << tolerance << ")");
+  BOOST_TEST(std::abs(difference) < tolerance);
+}
+
+}  // namespace
+
+// A program without multigrid, each value to 3 %; ours are uncertain by half a percent, domain included. At M = 100 we
+// find 3.2 and 2.9 % more.
+BOOST_AUTO_TEST_CASE(independent_program) {
+  struct Row {
+    double M, Hc, Hm;
+  };
+  for (const auto& [M, Hc, Hm] : {Row{100, 4.77, 3.86}, Row{300, 4.40, 3.49}}) {
+    BOOST_TEST_MESSAGE("M = " << M << ", L = 10, R_x/R_y = 0.2:");
+    const Film found = film(scene_of(M, 10, contact::ellipse(0.2), 256));
+    check("Hc", found.Hc, Hc, 0.035);
+    check("Hm", found.Hm, Hm, 0.035);
+  }
+}
+
+// The middle of a wide contact is a line contact of the same Hertz pressure. That one solved by another program, dense
+// Newton on 512 and 1024 cells and extrapolated: Hc and Hm in Moes' units of the point contact. At R_x/R_y = 0.05 the
+// point contact is still a little thinner, at 0.2 by 3 %.
+BOOST_AUTO_TEST_CASE(limit_of_a_line) {
+  BOOST_TEST_MESSAGE("M = 100, L = 10, R_x/R_y = 0.05:");
+  const Film light = film(scene_of(100, 10, contact::ellipse(0.05), 256));
+  check("Hc", light.Hc, 5.5341, 0.01);
+  check("Hm", light.Hm, 4.5939, 0.01);
+  BOOST_TEST_MESSAGE("M = 300, L = 10, R_x/R_y = 0.05:");
+  const Film heavy = film(scene_of(300, 10, contact::ellipse(0.05), 256));
+  check("Hc", heavy.Hc, 4.9961, 0.01);
+  check("Hm", heavy.Hm, 4.2169, 0.01);
+  BOOST_TEST_MESSAGE("M = 300, L = 10, R_x/R_y = 0.2:");
+  const double wide = film(scene_of(300, 10, contact::ellipse(0.2), 256)).Hc / 4.5684;
+  const double wider = heavy.Hc / 4.9961;
+  BOOST_TEST_MESSAGE("  Hc over the line's: " << wide << ", at 0.05 " << wider);
+  BOOST_TEST(std::abs(1.0 - wider) < 0.5 * std::abs(1.0 - wide));
+}
+
+// Nijenbanning, Venner and Moes, to within 15 % where both its joining of the asymptotes and the fluid allow it: from
+// the elastic regime on, up to 1 GPa.
+BOOST_AUTO_TEST_CASE(formula_over_a_map) {
+  for (const double ratio : {0.05, 0.2, 0.5, 1.0})
+    for (const double M : {50.0, 300.0})
+      for (const double L : {5.0, 10.0}) {
+        const contact::Ellipse shape = contact::ellipse(ratio);
+        const double formula = contact::nijenbanning_venner_moes(M, L, shape);
+        BOOST_TEST_MESSAGE("R_x/R_y = " << ratio << ", M = " << M << ", L = " << L << ":");
+        check("Hc", film(scene_of(M, L, shape, 256)).Hc, formula, 0.15);
+      }
+}
+
+// As in the circular contact: the cycles reduce the residual as well for every lie and shape.
+BOOST_AUTO_TEST_CASE(convergence_of_the_cycles) {
+  struct Case {
+    double ratio, angle, M;
+    int cells;
+  };
+  for (const auto& [ratio, angle, M, cells] : {Case{0.05, 0, 100, 256}, Case{0.2, 0, 1000, 256},
+                                               Case{0.2, 45, 100, 512}, Case{2, 45, 100, 512}, Case{5, 0, 100, 1024}}) {
+    steady::Scene scene = scene_of(M, 10, contact::ellipse(ratio, angle), cells);
+    scene.multigrid.tolerance = 1e-8;
+    const steady::Solution solution = steady::solve(scene);
+    BOOST_TEST_MESSAGE("R_x/R_y = " << ratio << ", " << angle << " degrees, M = " << M << ", " << cells << " cells: "
+                                    << solution.cycle_factor << " per cycle, " << solution.levels.back().cycles
+                                    << " cycles, " << solution.method << " (at most 0.3)");
+    BOOST_TEST(solution.converged);
+    BOOST_TEST(solution.method == "full multigrid");
+    BOOST_TEST(solution.cycle_factor < 0.3);
+  }
+}
