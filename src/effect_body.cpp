@@ -9,7 +9,6 @@ namespace ehl::program {
 Effect body_effect() {
   return {.name = "body",
           .meaning = "A body with mass that moves under the load and the film: impact, rebound, vibration.",
-          .without = "load imposed",
           .sections = {{.name = "body",
                         .meaning = "The body's equation of motion in place of an imposed load. Only with [transient].",
                         .called_by = {"mass", "mass_kg"}}},

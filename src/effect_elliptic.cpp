@@ -8,7 +8,7 @@ Effect elliptic_effect() {
   return {.name = "elliptic",
           .meaning = "Bodies whose radii along x and y differ, and the direction of entrainment between them.",
           .without = "circular",
-          .callers = {{"contact", "radius_ratio"}, {"contact", "radius_y"}, {"motion", "angle"}},
+          .callers = {{"contact", "radius_ratio"}, {"contact", "radius_y"}},
           .on = [](const Case& input) { return !contact::circular(input.scene.shape); },
           .what =
               [](const Case& input) {
