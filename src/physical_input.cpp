@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "deck/text.hpp"
+#include "fluid_input.hpp"
 #include "text_format.hpp"
 
 namespace ehl::program {
@@ -138,25 +139,28 @@ void check_motion(deck::Deck& deck, Language language) {
 void check_lubricant(deck::Deck& deck, Language language) {
   if (language == Language::none || !deck::value(deck, "lubricant", "viscosity").valid) return;
   const std::string law = deck::word(deck, "lubricant", "viscosity");
-  const bool compressible = deck::word(deck, "lubricant", "density") == "dowson-higginson";
+  const std::string density = deck::word(deck, "lubricant", "density");
+  const bool compressible = density != "incompressible";
   const bool si = language == Language::si;
   const std::string group = language == Language::moes ? "L" : "G";
-  if (si) demand(deck, "lubricant", {"eta0"}, "a contact in SI needs the viscosity at ambient pressure [Pa s]");
+  const bool named = given(deck, "lubricant", "fluid");  // an oil by name brings everything
+  if (si && !named && !brings_eta0(deck))
+    demand(deck, "lubricant", {"eta0"}, "a contact in SI needs the viscosity at ambient pressure [Pa s]");
   if (law == "isoviscous") {
     refuse(deck, "lubricant", {"alpha"}, "has no influence with viscosity = isoviscous: remove it");
     if (!si && deck::number(deck, "contact", group) > 0.0)
       complain(deck, "contact", group, "has no influence with viscosity = isoviscous: set " + group + " = 0");
     if (!si && compressible)
       complain(deck, "lubricant", "density",
-               "dowson-higginson needs the Hertz pressure, which a dimensionless isoviscous case does not contain: set "
-               "density = incompressible, or give the contact in SI");
+               density +
+                   " needs the Hertz pressure, which a dimensionless isoviscous case does not contain: set density = "
+                   "incompressible, or give the contact in SI");
     return;
   }
-  if (si || law == "roelands" || compressible)
+  if (!named && !brings_alpha(deck) && (si || law == "roelands" || compressible))
     demand(deck, "lubricant", {"alpha"},
            si ? "[1/Pa], the pressure coefficient of the viscosity"
-              : "[1/Pa]: " + law + " with density = " + (compressible ? "dowson-higginson" : "incompressible") +
-                    " needs the Hertz pressure, p_h = alpha_bar/alpha");
+              : "[1/Pa]: " + law + " with density = " + density + " needs the Hertz pressure, p_h = alpha_bar/alpha");
 }
 
 double modulus(const deck::Deck& deck) {
@@ -211,25 +215,7 @@ void check_derived(deck::Deck& deck, const Physics& physics) {
   }
 }
 
-double roelands_z(deck::Deck& deck, double alpha, double p0) {
-  if (given(deck, "lubricant", "z")) return deck::number(deck, "lubricant", "z");
-  const double eta0 = deck::number(deck, "lubricant", "eta0");
-  if (std::isnan(eta0)) {
-    deck::choose(deck, "lubricant", "z", 0.68, "a mineral oil; eta0 would tell it");
-    return 0.68;
-  }
-  // alpha p0/z = ln eta0 + 9.67 (Roelands): all oils meet at one point of the (p, ln eta) plane.
-  const double z = alpha * p0 / (std::log(eta0) + 9.67);
-  const deck::Key& key = *deck::find_key(deck.catalogue, "lubricant", "z");
-  if (!key.range.contains(z))
-    complain(deck, "lubricant", "eta0",
-             "with alpha and p0 it means z = alpha p0/(ln eta0 + 9.67) = " + formatted("%.4g", z) + ", which must be " +
-                 deck::allowed(key) + ": give z, or check eta0 [Pa s] and alpha [1/Pa]");
-  deck::choose(deck, "lubricant", "z", z, "from eta0");
-  return z;
-}
-
-void set_laws(deck::Deck& deck, Physics& physics) {
+void set_laws(deck::Deck& deck, const Liquid& liquid, Physics& physics) {
   const std::string law = deck::word(deck, "lubricant", "viscosity");
   const double alpha = deck::number(deck, "lubricant", "alpha");
   if (law == "isoviscous") physics.viscosity = rheology::Isoviscous{};
@@ -241,11 +227,11 @@ void set_laws(deck::Deck& deck, Physics& physics) {
     const double z = roelands_z(deck, alpha, p0);
     physics.viscosity = rheology::Roelands{alpha * p0 / z, p_h / p0, z};
   }
-  constexpr double dowson_higginson_B = 5.9e8;  // Pa
-  if (deck::word(deck, "lubricant", "density") == "incompressible")
-    physics.density = rheology::Incompressible{};
-  else
-    physics.density = rheology::DowsonHigginson{p_h / dowson_higginson_B};
+  const std::string density = deck::word(deck, "lubricant", "density");
+  if (density == "incompressible") physics.density = rheology::Incompressible{};
+  if (density == "dowson-higginson") physics.density = rheology::make_dowson_higginson(p_h);
+  if (liquid.viscosity) physics.viscosity = rheology::rescaled(*liquid.viscosity, p_h);
+  if (liquid.density) physics.density = rheology::rescaled(*liquid.density, p_h);
 }
 
 }  // namespace
@@ -261,6 +247,7 @@ Physics physical_input(deck::Deck& deck) {
     check_elastic(deck);
   }
   check_motion(deck, physics.language);
+  const Liquid liquid = liquid_input(deck);
   check_lubricant(deck, physics.language);
   const contact::Ellipse shape = shape_of(deck, physics.language);
   if (!deck.errors.empty()) return physics;
@@ -270,7 +257,7 @@ Physics physical_input(deck::Deck& deck) {
   check_derived(deck, physics);
   if (physics.si) {
     physics.p_h = physics.si->hertz.p_h;
-  } else if (given(deck, "lubricant", "alpha") && physics.groups.alpha_bar > 0.0) {
+  } else if (std::isfinite(deck::number(deck, "lubricant", "alpha")) && physics.groups.alpha_bar > 0.0) {
     physics.p_h = contact::hertz_pressure(physics.groups, deck::number(deck, "lubricant", "alpha"));
   }
   if (physics.p_h > 0.0 && !(physics.p_h >= least_p_h && physics.p_h <= most_p_h))
@@ -279,7 +266,8 @@ Physics physical_input(deck::Deck& deck) {
              : physics.si                       ? "load"
                                                 : "W",
              wrong_pressure(physics.p_h));
-  if (deck.errors.empty()) set_laws(deck, physics);
+  if (deck.errors.empty()) check_reach(deck, liquid, physics.p_h);
+  if (deck.errors.empty()) set_laws(deck, liquid, physics);
   return physics;
 }
 

@@ -7,6 +7,7 @@
 #include "core/constants.hpp"
 #include "deck/text.hpp"
 #include "effects.hpp"
+#include "fluid_report.hpp"
 #include "needs.hpp"
 #include "text_format.hpp"
 
@@ -28,16 +29,6 @@ std::string formula_lines(const std::vector<Formula>& formulas, const contact::G
   }
   if (const std::string why = formulas_left_out(groups); !why.empty()) text += "  " + why + "\n";
   return text;
-}
-
-std::string fluid(const Physics& physics) {
-  std::string text;
-  if (std::holds_alternative<rheology::Isoviscous>(physics.viscosity)) text = "isoviscous";
-  if (std::holds_alternative<rheology::Barus>(physics.viscosity)) text = "Barus";
-  if (const auto* law = std::get_if<rheology::Roelands>(&physics.viscosity))
-    text = formatted("Roelands, z = %.4g", law->z);
-  return text + (std::holds_alternative<rheology::Incompressible>(physics.density) ? "; incompressible"
-                                                                                   : "; Dowson-Higginson");
 }
 
 std::string si_lines(const SiInput& si) {
@@ -69,7 +60,7 @@ std::string group_lines(const Physics& physics) {
   if (std::isfinite(g.U)) text += formatted("Hamrock-D.   W = %.6g, U = %.6g, G = %.6g\n", g.W, g.U, g.G);
   text += formatted("Venner       lambda = %.6g, alpha_bar = %.6g\n", g.lambda, g.alpha_bar);
   if (!physics.si && std::isfinite(physics.p_h)) text += "Hertz        p_h = " + pressure(physics.p_h) + "\n";
-  text += "fluid        " + fluid(physics) + "\n";
+  text += "fluid        " + fluid_text(physics) + "\n" + film_coefficients_line(physics);
   text += "regime       " + contact::regime_text(g.M, g.L, g.shape) + "\n";
   return text;
 }

@@ -1,4 +1,5 @@
 #include "core/processor_level.hpp"
+#include "fluid_report.hpp"
 #include "json.hpp"
 #include "report.hpp"
 
@@ -128,6 +129,7 @@ std::string json_report(const Case& input, const steady::Solution& solution, con
   const contact::Groups& groups = input.physics.groups;
   const steady::LevelRow last = solution.levels.empty() ? steady::LevelRow{} : solution.levels.back();
   const steady::ErrorBars& bars = solution.error_bars;
+  const FilmCoefficients coefficients = film_coefficients(input.physics);
   Members members{{"converged", json::boolean(solution.converged)},
                   {"failed_check", text(solution.failed_check)},
                   {"title", text(input.title)},
@@ -158,6 +160,8 @@ std::string json_report(const Case& input, const steady::Solution& solution, con
                   {"L", number(groups.L)},
                   {"alpha_bar", number(groups.alpha_bar)},
                   {"lambda", number(groups.lambda)},
+                  {"alpha_star", number(coefficients.alpha_star)},
+                  {"alpha_film", number(coefficients.alpha_film)},
                   {"wedge", text(name(input.scene.wedge))},
                   {"deformation", text(name(input.scene.deformation.method))},
                   {"seconds", number(solution.seconds)},

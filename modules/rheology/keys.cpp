@@ -1,23 +1,30 @@
 #include "rheology/keys.hpp"
 
+#include <utility>
+
 namespace ehl::rheology {
 
 std::vector<deck::Key> keys() {
   using deck::Key;
   using deck::Type;
-  return {
+  std::vector<Key> all{
       Key{.section = "lubricant",
           .name = "viscosity",
           .type = Type::word,
           .default_text = "roelands",
-          .words = {"isoviscous", "barus", "roelands"},
-          .meaning = "Viscosity law: 1; exp(alpha p); exp{(alpha p0/z)[(1 + p/p0)^z - 1]}.",
-          .source = "Roelands 1966, as in Venner and ten Napel 1992"},
+          .words = {"isoviscous", "barus", "roelands", "doolittle", "yasutomi", "table"},
+          .meaning =
+              "Viscosity law eta/eta0: 1; exp(alpha p); exp{(alpha p0/z)[(1 + p/p0)^z - 1]}; exp{B R0 [1/(v - R0) - "
+              "1/(1 - R0)]} with Tait's volume v; 10^{-C1 x/(C2 + x)} eta_g/eta0 with x = (T - Tg) F; or a "
+              "table.",
+          .source = "Roelands 1966, as in Venner and ten Napel 1992; Doolittle 1951; Yasutomi, Bair and Winer 1984, "
+                    "Bair et al. 2013"},
       Key{.section = "lubricant",
           .name = "eta0",
           .unit = "Pa s",
           .range = {0.0, 1e6, true, false},
-          .meaning = "Viscosity at ambient pressure; required with loads and speeds in SI.",
+          .meaning = "Viscosity at ambient pressure; required with loads and speeds in SI and by doolittle. "
+                     "yasutomi and table bring their own.",
           .example = "0.25"},
       Key{.section = "lubricant",
           .name = "alpha",
@@ -26,7 +33,8 @@ std::vector<deck::Key> keys() {
           .remedy = "mineral oils have 1e-8 to 3e-8",
           .meaning =
               "Pressure coefficient of the viscosity. Required for roelands, and for barus in SI; in dimensionless "
-              "cases it gives the Hertz pressure p_h = alpha_bar/alpha.",
+              "cases it gives the Hertz pressure p_h = alpha_bar/alpha. doolittle, yasutomi and table bring their own, "
+              "alpha* = 1/int eta0/eta dp.",
           .source = "1.7e-8: Venner and ten Napel 1992",
           .example = "1.7e-8",
           .example_is_active = true},
@@ -51,10 +59,13 @@ std::vector<deck::Key> keys() {
           .name = "density",
           .type = Type::word,
           .default_text = "dowson-higginson",
-          .words = {"incompressible", "dowson-higginson"},
-          .meaning = "Density law: 1; (5.9e8 + 1.34 p)/(5.9e8 + p), p in Pa.",
-          .source = "Dowson and Higginson 1966"},
+          .words = {"incompressible", "dowson-higginson", "tait", "murnaghan", "table"},
+          .meaning = "Density law rho/rho0: 1; (5.9e8 + 1.34 p)/(5.9e8 + p), p in Pa; 1/v, v = 1 - ln[1 + (1 + K0') "
+                     "p/K0]/(1 + K0'); (1 + K0' p/K0)^(1/K0'); or a table.",
+          .source = "Dowson and Higginson 1966; Tait, Murnaghan 1944"},
   };
+  for (Key& key : liquid_keys()) all.push_back(std::move(key));
+  return all;
 }
 
 }  // namespace ehl::rheology

@@ -1,13 +1,13 @@
 #include "rheology/laws.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
 
 #include "core/errors.hpp"
 #include "rheology/elementary.hpp"
+#include "rheology/spans.hpp"
 
 namespace ehl::rheology {
 namespace {
@@ -16,20 +16,6 @@ namespace {
 constexpr double compression = 0.34;
 // Values per round of the passes below: few enough to stay in the first-level cache.
 constexpr std::size_t chunk = 64;
-
-// out = f(in) for a pack at a time; the rest goes through a padded copy, so that a value never depends on where
-// in the span it stands. in and out may be the same span. 0 is a legal argument of every f here.
-template <class Function>
-void apply(std::span<const double> in, std::span<double> out, Function f) {
-  constexpr std::size_t width = pack_width;
-  const std::size_t whole = in.size() / width * width;
-  for (std::size_t k = 0; k < whole; k += width) store_pack(&out[k], f(load_pack(&in[k])));
-  if (whole == in.size()) return;
-  std::array<double, width> padded{};
-  for (std::size_t k = whole; k < in.size(); ++k) padded[k - whole] = in[k];
-  store_pack(padded.data(), f(load_pack(padded.data())));
-  for (std::size_t k = whole; k < in.size(); ++k) out[k] = padded[k - whole];
-}
 
 void log_eta(Isoviscous, std::span<const double> P, std::span<double> out) {
   apply(P, out, [](Pack) { return Pack{}; });
@@ -135,12 +121,18 @@ ViscosityLaw rescaled(const ViscosityLaw& law, double factor) {
   ViscosityLaw result = law;
   if (auto* barus = std::get_if<Barus>(&result)) barus->alpha_bar *= factor;
   if (auto* roelands = std::get_if<Roelands>(&result)) roelands->p_h_over_p0 *= factor;
+  if (auto* doolittle = std::get_if<Doolittle>(&result)) doolittle->p_h_over_K0 *= factor;
+  if (auto* yasutomi = std::get_if<Yasutomi>(&result)) yasutomi->p_h *= factor;
+  if (auto* table = std::get_if<TabulatedViscosity>(&result)) table->p_h *= factor;
   return result;
 }
 
 DensityLaw rescaled(const DensityLaw& law, double factor) {
   DensityLaw result = law;
   if (auto* compressible = std::get_if<DowsonHigginson>(&result)) compressible->p_h_over_B *= factor;
+  if (auto* tait = std::get_if<Tait>(&result)) tait->p_h_over_K0 *= factor;
+  if (auto* murnaghan = std::get_if<Murnaghan>(&result)) murnaghan->p_h_over_K0 *= factor;
+  if (auto* table = std::get_if<TabulatedDensity>(&result)) table->p_h *= factor;
   return result;
 }
 
@@ -162,8 +154,9 @@ void density_slope(const DensityLaw& law, std::span<const double> P, std::span<d
 
 void film_properties(const ViscosityLaw& viscosity, const DensityLaw& density, std::span<const double> P,
                      std::span<double> fluidity, std::span<double> rho_bar) {
+  // The density is visited chunk by chunk: all pairs of laws side by side would be five times the code.
   std::visit(
-      [&](const auto& v, const auto& d) {
+      [&](const auto& v) {
         for (std::size_t k = 0; k < P.size(); k += chunk) {
           const std::size_t count = std::min(chunk, P.size() - k);
           const auto p = P.subspan(k, count);
@@ -175,11 +168,11 @@ void film_properties(const ViscosityLaw& viscosity, const DensityLaw& density, s
             std::ranges::fill(rho_out, 1.0);
           } else {
             reciprocal_eta(v, p, fluidity_out);
-            rho(d, p, rho_out);
+            std::visit([&](const auto& d) { rho(d, p, rho_out); }, density);
           }
         }
       },
-      viscosity, density);
+      viscosity);
 }
 
 }  // namespace ehl::rheology

@@ -3,6 +3,9 @@
 #include <span>
 #include <variant>
 
+#include "rheology/liquids.hpp"
+#include "rheology/table.hpp"
+
 namespace ehl::rheology {
 
 /// eta_bar = 1.
@@ -17,7 +20,7 @@ struct Roelands {
   double p_h_over_p0;      ///< p_h / p0
   double z;
 };
-using ViscosityLaw = std::variant<Isoviscous, Barus, Roelands>;
+using ViscosityLaw = std::variant<Isoviscous, Barus, Roelands, Doolittle, Yasutomi, TabulatedViscosity>;
 
 /// Roelands' reference pressure [Pa].
 inline constexpr double roelands_p0 = 1.96e8;
@@ -30,7 +33,7 @@ struct Incompressible {};
 struct DowsonHigginson {
   double p_h_over_B;  ///< p_h / 5.9e8 Pa
 };
-using DensityLaw = std::variant<Incompressible, DowsonHigginson>;
+using DensityLaw = std::variant<Incompressible, DowsonHigginson, Tait, Murnaghan, TabulatedDensity>;
 
 /// Barus: alpha_bar = alpha p_h. in: alpha [1/Pa] >= 0, p_h [Pa] > 0.
 Barus make_barus(double alpha, double p_h);
@@ -51,7 +54,8 @@ DensityLaw rescaled(const DensityLaw& law, double factor);
 
 // All functions below: in P = p/p_h, any length; out of the same length, not overlapping P. Each value depends
 // on its own P alone, whatever the length and the position. P slightly below zero continues the formula;
-// where 1 + p_h P/p0 <= 0 Roelands' law has no value and the result is NaN.
+// where 1 + p_h P/p0 <= 0 Roelands' law has no value and the result is NaN; likewise where a logarithm or a power of
+// the others ends.
 
 /// fluidity = 1/eta_bar: never overflows, and underflows to zero where ln(eta_bar) passes 745.
 /// Exactly 1 at P = 0. error: below 4 units in the last place relative to the exact exponential of the rounded

@@ -21,11 +21,16 @@ double log_viscosity_at(const ViscosityLaw& law, double P) {
   return log_eta[0];
 }
 
+// "at p_max = 1.2 GPa"
+std::string state_of_pressure(const Loading& loading) {
+  const double p_max = loading.P_max * loading.p_h;
+  return "at " + (std::isfinite(p_max) ? "p_max = " + gigapascals(p_max) : text("P = %.3g p_h", loading.P_max));
+}
+
 // "at p_max = 1.2 GPa ln(eta/eta0) = 26 (alpha_bar P = 26)"
 std::string state_of_oil(const Loading& loading, double log_eta, double alpha_bar) {
-  const double p_max = loading.P_max * loading.p_h;
-  return "at " + (std::isfinite(p_max) ? "p_max = " + gigapascals(p_max) : text("P = %.3g p_h", loading.P_max)) +
-         text(" ln(eta/eta0) = %.3g", log_eta) + text(" (alpha_bar P = %.3g)", alpha_bar * loading.P_max);
+  return state_of_pressure(loading) + text(" ln(eta/eta0) = %.3g", log_eta) +
+         text(" (alpha_bar P = %.3g)", alpha_bar * loading.P_max);
 }
 
 void judge(Isoviscous, const Loading&, std::vector<std::string>&) {}
@@ -61,6 +66,45 @@ void judge(const Roelands& law, const Loading& loading, std::vector<std::string>
                     "; viscosities were measured up to about 1 GPa, and " + gigapascals(roelands_pressure) +
                     " is twice that");
 }
+
+// From the glass on a law goes along its tangent, and says so.
+void judge_glass(const char* law, double P_glass, double log_eta, const Loading& loading,
+                 std::vector<std::string>& found) {
+  if (!(loading.P_max > P_glass)) return;
+  found.push_back(std::string(law) + " viscosity beyond its range: " + state_of_pressure(loading) +
+                  text(" ln(eta/eta0) = %.3g", log_eta) + "; the oil is a glass above " +
+                  gigapascals(P_glass * loading.p_h) +
+                  ", where the law is continued along its tangent: the film, made in the inlet, suffers little, "
+                  "friction cannot be had from it");
+}
+
+void judge(const Doolittle& law, const Loading& loading, std::vector<std::string>& found) {
+  judge_glass("Doolittle's", law.u_glass / law.p_h_over_K0, log_viscosity_at(law, loading.P_max), loading, found);
+}
+
+void judge(const Yasutomi& law, const Loading& loading, std::vector<std::string>& found) {
+  judge_glass("Yasutomi's", law.p_glass / law.p_h, log_viscosity_at(law, loading.P_max), loading, found);
+}
+
+void judge_table(const char* what, const Curve& curve, double p_h, const Loading& loading,
+                 std::vector<std::string>& found) {
+  const double p_max = p_h * loading.P_max;
+  if (!(p_max > curve.x.back())) return;
+  found.push_back(std::string("the table of the ") + what + " was left: p_max = " + gigapascals(p_max) +
+                  ", and it ends at " + gigapascals(curve.x.back()) + "; above it goes on along its last slope");
+}
+
+void judge(const TabulatedViscosity& law, const Loading& loading, std::vector<std::string>& found) {
+  judge_table("viscosity", *law.curve, law.p_h, loading, found);
+}
+
+void judge(const TabulatedDensity& law, const Loading& loading, std::vector<std::string>& found) {
+  judge_table("density", *law.curve, law.p_h, loading, found);
+}
+
+// Equations of state of liquids hold far beyond the pressures of contacts.
+void judge(const Tait&, const Loading&, std::vector<std::string>&) {}
+void judge(const Murnaghan&, const Loading&, std::vector<std::string>&) {}
 
 void judge(Incompressible, const Loading&, std::vector<std::string>&) {}
 

@@ -35,8 +35,10 @@ inline constexpr double dowson_higginson_pressure = 2e9;
 /// ln(eta/eta0) there and the range it left; empty where the laws hold.
 ///   Barus: p_max above barus_pressure, or where p_h is not known ln(eta/eta0) above barus_log_viscosity.
 ///   Roelands: viscosity above that of a glass, or p_max above roelands_pressure.
+///   Doolittle and Yasutomi: a glass, where the law is continued along its tangent.
+///   Tables: p_max above their last pressure.
 ///   Dowson and Higginson: p_max above dowson_higginson_pressure.
-/// limits: isoviscous and incompressible have no range of pressure.
+/// limits: isoviscous, incompressible, Tait and Murnaghan have no range of pressure.
 std::vector<std::string> out_of_range(const ViscosityLaw& viscosity, const DensityLaw& density, const Loading& loading);
 
 }  // namespace ehl::rheology
