@@ -22,7 +22,7 @@ set offsets 0, 0, graph 0.1, graph 0.05
 set ylabel "H = hR/a^2"
 plot table("transient") using "time":"Hc" with lines lw 1.5 lc rgb blue title "H_c, centre", \
      table("transient") using "time":"Hm" with lines lw 1.5 lc rgb red title "H_m, minimum", \
-     for [k = 1:probes] table("transient") using "time":sprintf("H_%d", k) with lines lw 1 lc rgb probe_colour(k) \
+     for [k = 1:probes] table("transient") using "time":(probes > 0 ? column(sprintf("H_%d", k)) : 1/0) with lines lw 1 lc rgb probe_colour(k) \
          title sprintf("H at (%s)", where(k))
 set ylabel "P = p/p_h"
 set y2label "load, speed over the start"
@@ -30,9 +30,10 @@ set ytics nomirror
 set y2tics
 stats table("transient") using "load" nooutput prefix "L"
 stats table("transient") using "speed" nooutput prefix "S"
-set y2range [0:1.15 * (L_max > S_max ? L_max : S_max)]
+highest = L_max > S_max ? L_max : S_max
+set y2range [0:highest > 0 ? 1.15 * highest : 1]
 plot table("transient") using "time":"P_max" with lines lw 1.5 lc rgb red title "P_{max}", \
-     for [k = 1:probes] table("transient") using "time":sprintf("P_%d", k) with lines lw 1 lc rgb probe_colour(k) \
+     for [k = 1:probes] table("transient") using "time":(probes > 0 ? column(sprintf("P_%d", k)) : 1/0) with lines lw 1 lc rgb probe_colour(k) \
          title sprintf("P at (%s)", where(k)), \
      table("transient") using "time":"load" axes x1y2 with lines lw 1 lc rgb grey title "load (right)", \
      table("transient") using "time":"speed" axes x1y2 with lines lw 1 dt 2 lc rgb grey title "speed (right)"

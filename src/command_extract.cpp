@@ -29,7 +29,7 @@ std::string full_name(const results::ResultFile& file, const std::string& name) 
   }
   const std::string near = deck::nearest(name, known);
   throw core::InputError("command line: " + file.path() + " has no dataset " + name +
-                         (near.empty() ? "" : ": did you mean " + near + "?") + " It has " + deck::joined(known, ", "));
+                         (near.empty() ? "." : ": did you mean " + near + "?") + " It has " + deck::joined(known, ", "));
 }
 
 struct FieldOnGrid {

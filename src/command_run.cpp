@@ -117,8 +117,12 @@ int solve_and_write(const Arguments& arguments, const Case& input, const Destina
     overwrite = true;
   };
   RunSettings settings{.quiet = arguments.has("quiet"), .before = std::move(before), .save = save};
-  for (const Effect& effect : effects_of(input))
-    if (effect.compute) effect.compute(input, settings, computed);
+  try {
+    for (const Effect& effect : effects_of(input))
+      if (effect.compute) effect.compute(input, settings, computed);
+  } catch (const core::SolverError& error) {
+    return fail_without_solution(arguments, input, error.what());
+  }
   computed.seconds = core::now() - began;
   if (arguments.has("json"))
     print(json_report(input, solution, outcome, peak_memory(), effects_json(input, computed)));

@@ -28,8 +28,8 @@ const std::vector<Meaningless> of_a_film = {{"contact", {"M", "L", "W", "U", "G"
                                             {"continuation", {}},
                                             {"transient", {}},
                                             {"body", {}},
-                                            {"surface1", {}},
-                                            {"surface2", {}},
+                                            {"surface1", {"at_rest"}},
+                                            {"surface2", {"at_rest"}},
                                             {"grid", {"accuracy"}},
                                             {"output", {"fields", "checkpoint"}}};
 
@@ -71,6 +71,21 @@ void choose_domain(deck::Deck& deck) {
 }
 
 }  // namespace
+
+Physics dry_physics(const DryInput& input) {
+  Physics physics;
+  if (!input.contact) return physics;
+  const ElasticContact& contact = *input.contact;
+  physics.language = Language::si;
+  SiInput si;
+  si.contact.load = contact.load;
+  si.contact.radius = contact.radius;
+  si.contact.E_prime = contact.E_prime;
+  si.hertz = contact.hertz;
+  physics.si = si;
+  physics.p_h = contact.hertz.p_h;
+  return physics;
+}
 
 std::optional<DryInput> dry_input(deck::Deck& deck) {
   if (deck::word(deck, "case", "kind") != "dry") return std::nullopt;

@@ -17,4 +17,7 @@ struct DryInput {
 /// dropped where it is a default, and domain and cells are chosen where they are open.
 std::optional<DryInput> dry_input(deck::Deck& deck);
 
+/// Its scales, for all that lies on or below it: no oil, no motion, no groups. Without a contact in SI: none.
+Physics dry_physics(const DryInput& input);
+
 }  // namespace ehl::program

@@ -35,6 +35,7 @@ struct DryResult {
   Computed computed;  ///< what the effects see of it, and what they add
   Place P_max;
   std::vector<std::string> warnings;
+  core::Field S;  ///< what the surfaces add to the gap; empty where they are smooth
 };
 
 bool show(const dry::Progress& now, bool quiet, double& last_time) {
@@ -49,9 +50,15 @@ bool show(const dry::Progress& now, bool quiet, double& last_time) {
 }
 
 DryResult solved_contact(const Case& input, bool quiet) {
-  const core::Grid grid = core::lower_half(input.scene.grid);
-  const dry::Problem problem{
+  const core::Grid grid = input.scene.use_symmetry ? core::lower_half(input.scene.grid) : input.scene.grid;
+  dry::Problem problem{
       grid, dry::smooth_gap(grid), hertz_load, input.scene.deformation, input.dry->parameters, input.scene.threads};
+  if (input.scene.surface) {
+    core::Field S(grid);
+    input.scene.surface(grid, S);
+    for (int i = 0; i < grid.nodes_x(); ++i)
+      for (int j = 0; j < grid.nodes_y(); ++j) problem.gap(i, j) += S(i, j);
+  }
   const double began = core::now();
   double last_time = began;
   DryResult result;
@@ -59,6 +66,12 @@ DryResult solved_contact(const Case& input, bool quiet) {
   const core::Location highest = core::maximum(result.solution.P);
   result.P_max = {highest.value, result.solution.grid.X(highest.i), result.solution.grid.Y(highest.j)};
   if (std::optional<std::string> beyond = contact::beyond_yield(input.physics.p_h)) result.warnings.push_back(*beyond);
+  for (std::string& warning : surface_warnings(input.surfaces, input.scene.grid))
+    result.warnings.push_back(std::move(warning));
+  if (input.scene.surface) {
+    result.S = core::Field(result.solution.grid);
+    input.scene.surface(result.solution.grid, result.S);
+  }
   steady::Solution& seen = result.computed.solution;
   seen.grid = result.solution.grid;
   seen.P = result.solution.P;
@@ -181,6 +194,8 @@ results::Content content_of(const Case& input, const DryResult& result) {
                       {"E_prime", contact->E_prime, "Pa", "reduced modulus"}};
   content.grid = solution.grid;
   content.fields = {{"P", "p_h", "pressure p/p_h", &solution.P}, {"gap", "a^2/R", "gap h R/a^2", &solution.H}};
+  if (input.scene.surface)
+    content.fields.push_back({"S", "a^2/R", "what the surfaces add to the gap, as means over cells", &result.S});
   content.summary = {{"converged", solution.converged ? 1.0 : 0.0, "-", "1: all checks passed, 0: not", true},
                      {"P_max", result.P_max.value, "p_h", "highest pressure of all nodes"},
                      {"P_max_x", result.P_max.X, "a", "where it is"},
@@ -193,6 +208,7 @@ results::Content content_of(const Case& input, const DryResult& result) {
   content.remarks = {{"failed_check", solution.failed_check, "empty when converged"},
                      {"warnings", deck::joined(result.warnings, "\n"), "one a line"},
                      {"deformation", solution.deformation, "how the elastic deformation was evaluated"}};
+  add_surface_records(input, solution.grid, content);
   content.tables = {grid_rows(solution)};
   for (const Effect& effect : effects_of(input))
     if (effect.add_content) effect.add_content(input, result.computed, content);
@@ -225,6 +241,7 @@ std::string derived_dry(const Case& input) {
           formatted("%.1g a^2/R\n", input.dry->parameters.tolerance);
   for (const Effect& effect : effects_of(input))
     text += "effects      " + effect.name + ": " + effect.what(input) + "\n";
+  text += surface_report(input.surfaces, input.physics, grid);
   const Needs needs = expected_needs(input);
   text += "needs        about " + memory(needs.bytes) + formatted(" and %.1g s\n", needs.seconds);
   return text;

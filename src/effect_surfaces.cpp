@@ -15,7 +15,7 @@ namespace {
 std::string what(const Case& input) {
   std::vector<std::string> shapes;
   for (const CarriedSurface* one : carried(input.surfaces))
-    shapes.push_back(one->shape + " on " + one->section + (input.transient ? "" : ", at rest"));
+    shapes.push_back(one->shape + " on " + one->section + (input.transient || input.dry ? "" : ", at rest"));
   return deck::joined(shapes, ", ");
 }
 

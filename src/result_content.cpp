@@ -234,6 +234,12 @@ std::vector<Text> provenance(int threads) {
           {"date", utc_date(), "UTC date of the run"}};
 }
 
+void add_surface_records(const Case& input, const core::Grid& grid, results::Content& content) {
+  for (const std::string& line : surface_lines(input.surfaces, input.physics, grid))
+    content.remarks.push_back({line.substr(0, line.find(':')), line.substr(line.find(':') + 2), "what it carries"});
+  add_resolution(input, grid, content.summary);
+}
+
 DerivedFields derived_fields(const Case& input, const steady::Solution& solution) {
   DerivedFields derived;
   if (wanted(input, "rho_bar")) derived.rho_bar = core::Field(solution.grid);
@@ -274,9 +280,7 @@ results::Content result_content(const Case& input, const steady::Solution& solut
                      {"method", solution.method, "the way that led to the solution"},
                      {"regime", outcome.regime, "regime of lubrication"},
                      {"deformation", solution.deformation, "how the elastic deformation was evaluated"}};
-  for (const std::string& line : surface_lines(input.surfaces, input.physics, solution.grid))
-    content.remarks.push_back({line.substr(0, line.find(':')), line.substr(line.find(':') + 2), "what it carries"});
-  add_resolution(input, solution.grid, content.summary);
+  add_surface_records(input, solution.grid, content);
   content.tables = {level_rows(solution), cycle_rows(solution)};
   if (!solution.continuation.empty()) content.tables.push_back(continuation_rows(solution));
   return content;

@@ -15,6 +15,9 @@ struct DerivedFields {
 /// The density and the viscosity of a solution, those that the case wants to keep.
 DerivedFields derived_fields(const Case& input, const steady::Solution& solution);
 
+/// What each surface that is not smooth carries, and what the mesh holds of a measured map.
+void add_surface_records(const Case& input, const core::Grid& grid, results::Content& content);
+
 /// Program, version, machine and date.
 std::vector<results::Text> provenance(int threads);
 

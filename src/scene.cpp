@@ -233,10 +233,7 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   result.deck = std::move(understood);
   deck::Deck& deck = result.deck;
   result.dry = dry_input(deck);
-  if (!result.dry)
-    result.physics = physical_input(deck);
-  else if (result.dry->contact)
-    result.physics.p_h = result.dry->contact->hertz.p_h;
+  result.physics = result.dry ? dry_physics(*result.dry) : physical_input(deck);
   result.scene.deformation = deformation_of(deck);
   result.scene.multigrid = multigrid_of(deck);
 
@@ -252,7 +249,10 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
                                            : steady::Polish::rescue;
   result.scene.threads = threads;
   result.scene.shape = result.physics.groups.shape;
-  result.surfaces = surface_input(deck, result.physics, result.scene.grid, given(deck, "transient", "end_time"));
+  const Motion motion = result.dry                             ? Motion::dry
+                        : given(deck, "transient", "end_time") ? Motion::in_time
+                                                               : Motion::steady;
+  result.surfaces = surface_input(deck, result.physics, result.scene.grid, motion);
   result.transient = transient_input(deck, result.physics, result.surfaces, result.scene.grid);
   if (!result.transient) let_stand(result.surfaces, result.scene);
   result.subsurface = subsurface_input(deck);

@@ -173,16 +173,17 @@ void check_influence(deck::Deck& deck, const CarriedSurface& surface, const core
 }
 
 std::optional<CarriedSurface> carried_by(deck::Deck& deck, const std::string& of, const Physics& physics,
-                                         const core::Grid& grid, bool timed) {
+                                         const core::Grid& grid, Motion motion) {
   const std::string shape = deck::word(deck, of, "shape");
   if (shape.empty()) return std::nullopt;
+  const bool timed = motion == Motion::in_time;
   Units units;
   units.a.known = units.height.known = physics.language == Language::si;
   if (physics.si) {
     units.a.metres = physics.si->hertz.a;
     units.height.metres = physics.si->hertz.h_scale;
   }
-  check_at_rest(deck, of, physics, timed);
+  if (motion != Motion::dry) check_at_rest(deck, of, physics, timed);
   std::optional<CarriedSurface> surface;
   if (shape == "map")
     surface = map_of(deck, of, units, grid, timed);
@@ -194,9 +195,9 @@ std::optional<CarriedSurface> carried_by(deck::Deck& deck, const std::string& of
 
 }  // namespace
 
-SurfaceInput surface_input(deck::Deck& deck, const Physics& physics, const core::Grid& grid, bool timed) {
-  SurfaceInput surfaces{carried_by(deck, "surface1", physics, grid, timed),
-                        carried_by(deck, "surface2", physics, grid, timed)};
+SurfaceInput surface_input(deck::Deck& deck, const Physics& physics, const core::Grid& grid, Motion motion) {
+  SurfaceInput surfaces{carried_by(deck, "surface1", physics, grid, motion),
+                        carried_by(deck, "surface2", physics, grid, motion)};
   if (given(deck, "surface1", "at_rest") && given(deck, "surface2", "at_rest"))
     complain(deck, "surface2", "at_rest", "of both surfaces: nothing would carry the oil into the contact");
   return surfaces;

@@ -31,9 +31,13 @@ struct SurfaceInput {
   std::optional<CarriedSurface> on_2{};
 };
 
-/// Rules between keys are complained about in the deck. in: the physics and the finest grid of the case; timed: there
-/// is a [transient], the surfaces move. errors: core::FileError where a file that the deck names cannot be read.
-SurfaceInput surface_input(deck::Deck& deck, const Physics& physics, const core::Grid& grid, bool timed);
+/// What is asked of the surfaces: in a steady film those that are not smooth must stand, in time they move as
+/// [transient] says, and between dry bodies nothing moves.
+enum class Motion { steady, in_time, dry };
+
+/// Rules between keys are complained about in the deck. in: the physics and the finest grid of the case.
+/// errors: core::FileError where a file that the deck names cannot be read.
+SurfaceInput surface_input(deck::Deck& deck, const Physics& physics, const core::Grid& grid, Motion motion);
 
 /// Those that there are.
 std::vector<const CarriedSurface*> carried(const SurfaceInput& surfaces);

@@ -25,7 +25,7 @@ Key shape_key(const std::string& section) {
               "line: dimple height exp(-(r/width)^2), bump the same upwards, groove and ridge likewise with d, "
               "waviness height cos(2 pi d/width), in time behind its front at x, cavity height cos(pi r/(2.4 "
               "width)) exp(-2 (r/(1.2 width))^2); map: measured heights from a file. In time it moves with its "
-              "surface; in a steady contact it must be on a surface that stands still.",
+              "surface; in a steady contact it must be on a surface that stands still, in a dry one all do.",
           .source = "cavity: Mourier et al. 2006",
           .example = "dimple"};
 }

@@ -39,7 +39,7 @@ bool symmetric(const Conditions& conditions) {
 std::vector<double> stops_of(const Conditions& conditions, double end) {
   std::vector<double> stops{end};
   for (const Schedule* schedule : {&conditions.load, &conditions.u1, &conditions.u2})
-    for (const auto& times : {jumps(*schedule, end), corners(*schedule, end)})
+    for (const auto& times : {jumps(*schedule, end), corners(*schedule, end), quarters(*schedule, end)})
       stops.insert(stops.end(), times.begin(), times.end());
   std::ranges::sort(stops);
   stops.erase(std::unique(stops.begin(), stops.end()), stops.end());

@@ -29,7 +29,8 @@ Course course_of(const Conditions& conditions, const std::optional<Drive>& cross
 /// True where no surface disturbs the symmetry in Y.
 bool symmetric(const Conditions& conditions);
 
-/// Times in [0, end] at which a step must end: jumps and corners of what varies, and the end; rising.
+/// Times in [0, end] at which a step must end: jumps and corners of what varies, quarters of short
+/// ramps, and the end; rising.
 std::vector<double> stops_of(const Conditions& conditions, double end);
 
 /// True where load or speed jump at T.

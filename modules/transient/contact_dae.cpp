@@ -115,6 +115,10 @@ void ContactDae::move_body(const Stage& stage) {
 
 double ContactDae::carried() const { return fmg::carried_load(hierarchy_.levels.back()) / W_; }
 
+double ContactDae::acceleration(double T) const {
+  return (carried() - course_.drive(T).load - course_.body->damping * V_) / course_.body->mass;
+}
+
 double ContactDae::load_error() const {
   const fmg::Level& level = hierarchy_.levels.back();
   const double wanted = fmg::wanted_load(hierarchy_, level);

@@ -72,6 +72,8 @@ class ContactDae {
   double velocity() const { return V_; }
   double carried() const;
   double load_error() const;
+  /// V' of a body at T, by its equation of motion from what the film carries.
+  double acceleration(double T) const;
 
   /// The terms of the problem at T with squeeze cj; the right-hand side is left alone.
   void pose(double T, double cj);

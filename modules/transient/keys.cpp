@@ -40,9 +40,9 @@ std::vector<Key> time_keys() {
           .needs = timed},
       Key{.section = "transient",
           .name = "max_step",
-          .default_note =
-              "from what varies: a quarter of a feature's width at its speed, a quarter of a ramp, a twentieth "
-              "of a period",
+          .default_note = "from what varies: a quarter of a feature's width at its speed, a quarter of a ramp (of one "
+                          "shorter than 0.04 a/u_m only within it), a twentieth "
+                          "of a period",
           .range = positive,
           .meaning = "Longest step of time.",
           .needs = timed,

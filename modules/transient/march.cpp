@@ -62,7 +62,7 @@ class March {
     report_.T = start.T;
     report_.restarts = start.restarts;
     frames_ = start.frames;
-    dae_.set_state(start.T, start.y);
+    dae_.set_state(start.T, start.y, start.yp);
     const std::vector<double> stops = stops_of(conditions_, parameters_.end);
     bool on = true;
     if (!from) {
@@ -105,6 +105,7 @@ class March {
     start.y.resize(dae_.size());
     start.yp.resize(dae_.size(), 0.0);
     dae_.state(start.y);
+    if (conditions_.body) start.yp.back() = dae_.acceleration(0.0);
     return start;
   }
 
@@ -157,8 +158,7 @@ class March {
 
   // in: step.y, the state at report_.T, and the drive there. out: step, the last one.
   bool short_steps(EulerStep& step, Drive drive, double length, double next_stop) {
-    const double T = report_.T;
-    const double room = 0.5 * (next_stop - T);
+    const double room = 0.5 * (next_stop - report_.T);
     const int count = std::clamp(static_cast<int>(room / length), 2, micro_steps);
     step.length = std::min(length, room / count);
     for (int k = 0; k < count; ++k) {
@@ -168,7 +168,7 @@ class March {
       const Drive next = course_.drive(step.T);
       if (conditions_.body) drive.load = next.load;  // the body's inertia takes it
       const bool solved = k > 0 ? solve_euler_step(dae_, step) : solve_step_across(dae_, drive, next, crossing_, step);
-      if (!solved) return fail("the cycles did not converge across the jump at T = " + std::to_string(T));
+      if (!solved) return fail("the cycles did not converge in the short steps behind a jump or a start");
       const auto interpolate = [&](double at) {
         const double ahead = (step.T - at) / step.length;
         for (std::size_t n = 0; n < step.y.size(); ++n) between_[n] = step.y[n] - ahead * (step.y[n] - step.old[n]);

@@ -8,10 +8,20 @@
 namespace ehl::transient {
 namespace {
 
-constexpr double parts_of_a_ramp = 4.0;
+constexpr int parts_of_a_ramp = 4;
+/// A ramp shorter than this and steeper (of the larger value, in a time of 1) is a jump: the film hardly moves
+/// meanwhile, and steps within it would be too short for the cycles.
+constexpr double time_of_a_jump = 1e-3;
+constexpr double steep = 50.0;
 constexpr double parts_of_a_period = 20.0;
 
 double omega(const Schedule::Wave& wave) { return 2.0 * std::numbers::pi / wave.period; }
+
+bool jumps_between(const Schedule::Point& a, const Schedule::Point& b) {
+  const double change = std::abs(b.value - a.value);
+  const double larger = std::max(std::abs(a.value), std::abs(b.value));
+  return b.T == a.T ? change > 0.0 : b.T - a.T < time_of_a_jump && change > steep * larger * (b.T - a.T);
+}
 
 // Without the wave. At a jump the first of its points.
 double linear(const std::vector<Schedule::Point>& points, double T) {
@@ -83,7 +93,7 @@ std::vector<double> jumps(const Schedule& schedule, double end) {
   for (std::size_t k = 1; k < schedule.points.size(); ++k) {
     const Schedule::Point& a = schedule.points[k - 1];
     const Schedule::Point& b = schedule.points[k];
-    if (a.T == b.T && a.value != b.value && b.T >= 0.0 && b.T < end) times.push_back(b.T);
+    if (jumps_between(a, b) && a.T >= 0.0 && a.T < end) times.push_back(a.T);
   }
   times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
@@ -91,7 +101,8 @@ std::vector<double> jumps(const Schedule& schedule, double end) {
 
 std::vector<double> corners(const Schedule& schedule, double end) {
   std::vector<double> times;
-  for (const Schedule::Point& point : schedule.points) times.push_back(point.T);
+  for (std::size_t k = 0; k < schedule.points.size(); ++k)
+    if (k == 0 || !jumps_between(schedule.points[k - 1], schedule.points[k])) times.push_back(schedule.points[k].T);
   if (schedule.wave) times.push_back(schedule.wave->start);
   std::ranges::sort(times);
   const std::vector<double> jumping = jumps(schedule, end);
@@ -100,12 +111,26 @@ std::vector<double> corners(const Schedule& schedule, double end) {
   return times;
 }
 
+std::vector<double> quarters(const Schedule& schedule, double end) {
+  std::vector<double> times;
+  for (std::size_t k = 1; k < schedule.points.size(); ++k) {
+    const Schedule::Point& a = schedule.points[k - 1];
+    const Schedule::Point& b = schedule.points[k];
+    if (b.value == a.value || b.T == a.T || b.T - a.T >= short_ramp || jumps_between(a, b)) continue;
+    for (int part = 1; part < parts_of_a_ramp; ++part) {
+      const double T = a.T + part * (b.T - a.T) / parts_of_a_ramp;
+      if (T < end) times.push_back(T);
+    }
+  }
+  return times;
+}
+
 double resolving_step(const Schedule& schedule) {
   double step = std::numeric_limits<double>::infinity();
   for (std::size_t k = 1; k < schedule.points.size(); ++k) {
     const Schedule::Point& a = schedule.points[k - 1];
     const Schedule::Point& b = schedule.points[k];
-    if (b.T > a.T && b.value != a.value) step = std::min(step, (b.T - a.T) / parts_of_a_ramp);
+    if (b.T - a.T >= short_ramp && b.value != a.value) step = std::min(step, (b.T - a.T) / parts_of_a_ramp);
   }
   if (schedule.wave) step = std::min(step, schedule.wave->period / parts_of_a_period);
   return step;

@@ -30,14 +30,21 @@ double integral(const Schedule& schedule, double T);
 /// Smallest value that it takes from 0 to `end`, or a little less.
 double least(const Schedule& schedule, double end);
 
-/// Times in [0, end) at which the value jumps, rising.
+/// Times in [0, end) at which the value jumps, rising; a change within less than 1e-3 at more than 50 in a time of 1,
+/// of the larger value, is a jump where it begins.
 std::vector<double> jumps(const Schedule& schedule, double end);
 
 /// Times in (0, end) at which only the slope jumps, rising.
 std::vector<double> corners(const Schedule& schedule, double end);
 
-/// Longest step of time in which the schedule can be seen: a quarter of the shortest ramp, a twentieth of the period of
-/// its wave; infinite where it is constant.
+/// Ramps shorter than this are seen by steps that must end at their quarters: all the others may be longer.
+inline constexpr double short_ramp = 0.04;
+
+/// Times before `end` at which a step must end for a short ramp: its quarters; rising for each ramp.
+std::vector<double> quarters(const Schedule& schedule, double end);
+
+/// Longest step of time in which the schedule can be seen, its short ramps apart: a quarter of the shortest ramp, a
+/// twentieth of the period of its wave; infinite where it is constant.
 double resolving_step(const Schedule& schedule);
 
 }  // namespace ehl::transient

@@ -1,6 +1,7 @@
 #include "transient/settle.hpp"
 
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <string>
 
@@ -34,6 +35,13 @@ double cycles_at_rest(fmg::Hierarchy& hierarchy, ContactDae& dae, int most) {
   return residual;
 }
 
+// in: text with one number in it.
+core::SolverError not_found(const char* text, double value) {
+  char reason[160];
+  std::snprintf(reason, sizeof reason, text, value);
+  return core::SolverError("the steady state at the start of the transient was not found: " + std::string(reason));
+}
+
 }  // namespace
 
 void settle(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive& start, std::optional<Drive>& crossing) {
@@ -44,9 +52,9 @@ void settle(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive& start, std:
     residual = cycles_at_rest(hierarchy, dae, k == bits ? most_settling_cycles : cycles_per_bit);
   }
   crossing.reset();
-  if (!(residual < hopeless_residual) || !(core::minimum(hierarchy.finest().H).value > 0.0))
-    throw core::SolverError("the steady state at the start of the transient was not found: its relative residual is " +
-                            std::to_string(residual));
+  const double Hm = core::minimum(hierarchy.finest().H).value;
+  if (!(residual < hopeless_residual)) throw not_found("its relative residual is %.1e", residual);
+  if (!(Hm > 0.0)) throw not_found("its film is negative at its thinnest, H = %.3g: the mesh is too coarse for it", Hm);
   dae.balance_load();
 }
 

@@ -36,6 +36,18 @@ struct Verdict {
 /// and runs the case again on the other number of threads.
 Verdict judge(std::uint64_t seed, const Setting& setting, bool sampled);
 
+/// What is wrong with the report of a contact without lubricant that calls itself solved; an entry for each fault.
+std::vector<std::string> faults_of_dry(const std::string& json);
+
+/// The same of one in time; nothing where the report has no "transient".
+std::vector<std::string> faults_in_time(const std::string& json);
+
+/// What is wrong with the columns that `ehl extract FILE transient` has printed. in: the steps that the report counts.
+std::vector<std::string> faults_of_rows(const std::string& columns, double steps);
+
+/// A number in a text, NaN where there is none.
+double number(const std::string& text);
+
 /// The value of a member as it stands in a JSON text; empty when there is none. limits: the first of that name.
 std::string json_member(const std::string& json, const std::string& name);
 

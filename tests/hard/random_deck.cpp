@@ -22,9 +22,9 @@ struct Groups {
   double L = 0.0;
 };
 
-Groups random_groups(Random& random) {
+Groups random_groups(Random& random, double most_M) {
   Groups groups;
-  groups.M = log_between(random, 1.0, 1e4);
+  groups.M = log_between(random, 1.0, most_M);
   groups.L = random.chance(0.15) ? 0.0 : random.between(0.0, 30.0);
   return groups;
 }
@@ -82,13 +82,13 @@ void add_motion(Entries& entries, Random& random, double u_m) {
 }
 
 // Radii, speeds, solids and oils of real machines with the load that makes M; once in a while one number far away.
-void add_si(Entries& entries, Random& random) {
+void add_si(Entries& entries, Random& random, double most_M) {
   const int strange = random.chance(0.1) ? whole(random, 0, 2) : -1;
   const double far = log_between(random, 1e-6, 1e6);
   const double radius = log_between(random, 2e-3, 0.2);
   const double u_m = log_between(random, 1e-3, 20.0);
   const double eta0 = log_between(random, 2e-3, 3.0);
-  const double M = log_between(random, 1.0, 1e4);
+  const double M = log_between(random, 1.0, most_M);
   entries.push_back({"contact", "radius_x", written(random, radius * (strange == 0 ? far : 1.0))});
   if (random.chance(0.1)) entries.push_back({"contact", "radius_y", entries.front().value});
   const double E_prime = add_elastic(entries, random);
@@ -100,15 +100,15 @@ void add_si(Entries& entries, Random& random) {
   add_lubricant(entries, random, random.chance(0.1) ? 0.0 : 1.0, true);
 }
 
-void add_contact(Entries& entries, Random& random, bool& ordinary) {
+void add_contact(Entries& entries, Random& random, double most_M, bool& ordinary) {
   const Language language =
       pick<Language>(random, {Language::moes, Language::moes, Language::hamrock_dowson, Language::si, Language::si});
   if (language == Language::si) {
-    add_si(entries, random);
+    add_si(entries, random, most_M);
     ordinary = false;  // any L can come out of it
     return;
   }
-  const Groups groups = random_groups(random);
+  const Groups groups = random_groups(random, most_M);
   if (language == Language::moes) {
     entries.push_back({"contact", "M", written(random, groups.M)});
     entries.push_back({"contact", "L", written(random, groups.L)});
@@ -119,10 +119,11 @@ void add_contact(Entries& entries, Random& random, bool& ordinary) {
   if (groups.L < 0.1) ordinary = ordinary && groups.L == 0.0;  // a Hertz pressure of next to nothing may be refused
 }
 
-// Sometimes the program's own choice, sometimes starved, narrow or very long. out: its length, nearly.
-double add_domain(Entries& entries, Random& random, bool& ordinary) {
+// Sometimes the program's own choice, sometimes starved, narrow or very long. in: share of cases that have an inlet of
+// their own. out: its length, nearly.
+double add_domain(Entries& entries, Random& random, double share, bool& ordinary) {
   double length = unknown_length;
-  if (random.chance(0.7)) {
+  if (random.chance(share)) {
     double inlet = random.between(2.5, 8.0);
     if (random.chance(0.15)) inlet = 1.0 + log_between(random, 0.01, 1.0);
     if (random.chance(0.1)) inlet = log_between(random, 8.0, 300.0);
@@ -140,9 +141,8 @@ double add_domain(Entries& entries, Random& random, bool& ordinary) {
   return length;
 }
 
-// At most 128 cells along either axis, mostly fine enough for the domain. out: cells along x.
-int add_grid(Entries& entries, Random& random, double length, bool& ordinary) {
-  constexpr int most = 128;
+// Mostly fine enough for the domain. in: most cells along either axis. out: cells along x.
+int add_grid(Entries& entries, Random& random, double length, int most, bool& ordinary) {
   constexpr double widest_cell = 0.45;
   const bool with_coarsest = random.chance(0.3);
   int cells = with_coarsest ? whole(random, 4, 40) : whole(random, 16, 63);
@@ -220,18 +220,6 @@ void add_path(Entries& entries, Random& random, bool& ordinary) {
   ordinary = ordinary && !si;  // a load beyond all limits as the first one
 }
 
-// Few planes, for the time.
-void add_subsurface(Entries& entries, Random& random) {
-  const auto add = [&](const char* name, const std::string& value) { entries.push_back({"subsurface", name, value}); };
-  if (!random.chance(0.1)) return;
-  add("depth", written(random, log_between(random, 0.02, 10.0)));
-  add("planes", text(whole(random, 3, 8)));
-  if (random.chance(0.5)) add("cells", text(whole(random, 16, 200)));
-  if (random.chance(0.5)) add("poisson", written(random, random.between(-0.5, 0.5)));
-  if (random.chance(0.5)) add("friction", written(random, random.between(-0.6, 0.6)));
-  if (random.chance(0.3)) add("fields", pick<std::string>(random, {"tau_xz", "sigma_x, sigma_mises", "tau_max"}));
-}
-
 }  // namespace
 
 int whole(Random& random, int low, int high) {
@@ -250,13 +238,20 @@ std::string written(Random& random, double value) {
 }
 
 std::vector<Entry> random_case(Random& random, bool& ordinary) {
+  const double kind = random.between(0.0, 1.0);
+  const bool in_time = kind < 0.25;
+  const bool at_rest = !in_time && kind < 0.32;
+  const bool smooth = kind >= 0.4;
+  ordinary = ordinary && smooth;
+  if (!in_time && !at_rest && !smooth) return random_dry_case(random);
   Entries entries;
-  add_contact(entries, random, ordinary);
+  add_contact(entries, random, in_time ? 200.0 : 1e4, ordinary);  // heavier ones need finer grids
+  const bool si = entries.front().name == "radius_x";
   if (random.chance(0.5))
     entries.push_back(
         {"case", "title", pick<std::string>(random, {"a", "two words", "\"q\" \\ /", "µ — 薄膜", "50 %s %n"})});
-  const double length = add_domain(entries, random, ordinary);
-  const int cells = add_grid(entries, random, length, ordinary);
+  const double length = add_domain(entries, random, smooth ? 0.7 : 0.9, ordinary);
+  const int cells = add_grid(entries, random, length, in_time ? 64 : 128, ordinary);
   add_width(entries, random, length, cells);
   if (random.chance(0.6))
     entries.push_back({"discretization", "wedge", pick<std::string>(random, {"upstream1", "upstream2"})});
@@ -266,7 +261,9 @@ std::vector<Entry> random_case(Random& random, bool& ordinary) {
     entries.push_back(
         {"output", "fields", pick<std::string>(random, {"P", "P, H", "H P rho_bar", "P,H,rho_bar,ln_eta_bar"})});
   add_path(entries, random, ordinary);
-  add_subsurface(entries, random);
+  if (random.chance(in_time ? 0.01 : 0.1)) add_subsurface(entries, random);
+  if (in_time) add_in_time(entries, random, si);
+  if (at_rest) add_at_rest(entries, random, si);
   return entries;
 }
 
@@ -300,8 +297,11 @@ RandomDeck random_deck(std::uint64_t seed, const std::vector<KnownKey>& keys) {
   }
   if (random.chance(0.2)) deck.threads = 2;
   deck.text = deck_text(entries, random);
+  deck.files = files_of(entries, random);
+  if (random.chance(0.1))
+    for (File& file : deck.files) damage_text(file.text, random, deck.damage);
   if (damaged && deck.damage.empty()) damage_text(deck.text, random, deck.damage);
-  if (damaged) deck.ordinary = false;
+  if (damaged || !deck.damage.empty()) deck.ordinary = false;
   return deck;
 }
 

@@ -25,8 +25,15 @@ struct Entry {
   std::string value{};
 };
 
+/// What lies beside a deck that names it.
+struct File {
+  std::string name{};
+  std::string text{};
+};
+
 struct RandomDeck {
   std::string text{};
+  std::vector<File> files{};
   std::vector<std::string> overrides{};  ///< "section.key=value", for --set
   int threads = 1;
   std::vector<std::string> damage{};  ///< what was done to it on purpose; empty: a deck in good faith
@@ -39,6 +46,21 @@ RandomDeck random_deck(std::uint64_t seed, const std::vector<KnownKey>& keys);
 
 /// A case in good faith: what a user may want, common or rare. ordinary: left true while nothing in it can be refused.
 std::vector<Entry> random_case(Random& random, bool& ordinary);
+
+/// [transient], and with it [body], surfaces that move and probes, each in some cases. si: the contact is given in SI.
+void add_in_time(std::vector<Entry>& entries, Random& random, bool si);
+
+/// A surface that stands still in a steady contact, or both.
+void add_at_rest(std::vector<Entry>& entries, Random& random, bool si);
+
+/// Stresses below the contact; few planes, for the time.
+void add_subsurface(std::vector<Entry>& entries, Random& random);
+
+/// A contact without lubricant, some with surfaces and with stresses below it.
+std::vector<Entry> random_dry_case(Random& random);
+
+/// The files that the entries name: measured maps, tables of a load.
+std::vector<File> files_of(const std::vector<Entry>& entries, Random& random);
 
 /// As a text; layout: with comments, blanks, repeated headings, CRLF, a byte order mark, which all change nothing.
 std::string deck_text(const std::vector<Entry>& entries, Random& random);

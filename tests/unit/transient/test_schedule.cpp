@@ -183,6 +183,25 @@ BOOST_AUTO_TEST_CASE(least_is_below_every_value_and_reached_without_a_wave) {
   BOOST_TEST(gap <= 1e-12);
 }
 
+// A ramp within a time in which the film does not move is a jump where it begins, and its end is no corner.
+BOOST_AUTO_TEST_CASE(steep_ramps_are_jumps) {
+  const Schedule steep{.points = {{0, 1}, {1, 1}, {1.0005, 1.5}, {2, 1.5}, {2.5, 2}}};
+  BOOST_TEST(jumps(steep, 10.0) == std::vector<double>{1});
+  BOOST_TEST(corners(steep, 10.0) == (std::vector<double>{2, 2.5}));
+  const Schedule slow{.points = {{0, 1}, {1, 1}, {1.0005, 1.01}, {2, 1.5}}};
+  BOOST_TEST(jumps(slow, 10.0) == nowhere);
+  BOOST_TEST(corners(slow, 10.0) == (std::vector<double>{1, 1.0005, 2}));
+}
+
+// A short ramp has stops of its own and does not shorten all other steps.
+BOOST_AUTO_TEST_CASE(short_ramps) {
+  const Schedule ramp{.points = {{0, 1}, {1, 1}, {1.015625, 2}, {3, 2}, {5, 1}}};
+  BOOST_TEST(quarters(ramp, 10.0) == (std::vector<double>{1.00390625, 1.0078125, 1.01171875}));
+  BOOST_TEST(quarters(ramp, 1.01) == (std::vector<double>{1.00390625, 1.0078125}));
+  BOOST_TEST(resolving_step(ramp) == 0.5);
+  BOOST_TEST(quarters({.points = {{0, 1}, {0.015625, 1}, {0.5, 2}}}, 10.0) == nowhere);
+}
+
 BOOST_AUTO_TEST_CASE(resolving_steps) {
   BOOST_TEST(resolving_step({}) == infinity);
   BOOST_TEST(resolving_step({.points = {{0, 1}, {1, 1}, {1, 2}, {5, 2}}}) == infinity);

@@ -1,0 +1,76 @@
+// What can be held against a run with more than a steady film in it.
+#include <cmath>
+#include <sstream>
+
+#include "hard/judge.hpp"
+
+namespace hard {
+namespace {
+
+// Of bodies that fly the load is a difference of forces, over that of the contact.
+constexpr double loose_load_in_time = 1e-3;
+
+void expect(std::vector<std::string>& faults, bool holds, const std::string& what) {
+  if (!holds) faults.push_back(what);
+}
+
+void expect_number(std::vector<std::string>& faults, const std::string& json, const std::string& name) {
+  expect(faults, std::isfinite(number(json_member(json, name))),
+         "solved: " + name + " is a number: " + json_member(json, name));
+}
+
+}  // namespace
+
+double number(const std::string& text) {
+  std::istringstream stream(text);
+  double value = std::nan("");
+  stream >> value;
+  return value;
+}
+
+std::vector<std::string> faults_of_dry(const std::string& json) {
+  std::vector<std::string> faults;
+  for (const char* name : {"P_max", "H00", "area", "gap_error", "load_error"}) expect_number(faults, json, name);
+  expect(faults, number(json_member(json, "P_max")) > 0.0, "solved: P_max > 0");
+  constexpr double rounding = 1e-9;
+  expect(faults, number(json_member(json, "load_error")) < rounding,
+         "solved: the load holds: " + json_member(json, "load_error"));
+  return faults;
+}
+
+std::vector<std::string> faults_in_time(const std::string& json) {
+  std::vector<std::string> faults;
+  const std::size_t at = json.find("\"transient\": {");
+  if (at == std::string::npos) return faults;
+  const std::string own = json.substr(at);
+  expect(faults, json_member(own, "completed") == "true",
+         "solved: the run in time is complete: " + json_member(own, "ended"));
+  for (const char* name : {"end_time", "Hc", "Hm", "least_Hm", "largest_P_max", "worst_load_error"})
+    expect_number(faults, own, name);
+  expect(faults, number(json_member(own, "least_Hm")) > 0.0, "solved: a film at all times");
+  expect(faults, number(json_member(own, "steps")) > 0.0, "solved: steps of time");
+  expect(faults, number(json_member(own, "worst_load_error")) < loose_load_in_time,
+         "solved: the load holds at all times: " + json_member(own, "worst_load_error"));
+  return faults;
+}
+
+std::vector<std::string> faults_of_rows(const std::string& columns, double steps) {
+  std::vector<std::string> faults;
+  std::istringstream lines(columns);
+  double count = 0.0;
+  double before = -1.0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty() || line[0] == '#') continue;
+    std::istringstream row(line);
+    double time = std::nan("");
+    row >> time;
+    expect(faults, time > before, "the times grow: " + line);
+    before = time;
+    for (std::string word; row >> word;) expect(faults, std::isfinite(number(word)), "a row of numbers: " + line);
+    ++count;
+  }
+  expect(faults, count == steps + 1.0, "a row for every step: " + std::to_string(count));
+  return faults;
+}
+
+}  // namespace hard
