@@ -1,5 +1,5 @@
 # figure: the map of loads: convergence factor, work and path over M and L, for each wedge
-# needs: sweep
+# needs: sweep contact.M contact.L
 #
 # From a table of 'ehl sweep' that varies contact.M, contact.L and, as it likes, discretization.wedge:
 #   gnuplot -e "table='stability_map.csv'" postprocess/stability_map.gp

@@ -19,8 +19,8 @@ deck::Catalogue catalogue() {
        "The contact, in ONE of three languages: M and L (Moes); W, U and G (Hamrock and Dowson); or SI: load, "
        "radius_x and the elastic data."},
       {"motion",
-       "The speeds of the surfaces: u1 and u2, or u_m and srr, only with a contact in SI; and the angle of an "
-       "ellipse."},
+       "The speeds of the surfaces: u1 and u2, or u_m and srr. With a contact in M and L or W, U and G srr alone, and "
+       "only with [shear] or [friction]. And the angle of an ellipse."},
       {"lubricant", "The oil."},
       {"domain", "The computed rectangle, in radii of the Hertz contact."},
       {"grid", "The finest and the coarsest grid."},

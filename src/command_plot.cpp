@@ -33,9 +33,9 @@ struct Figure {
   std::string name;
   std::string title;
   std::string script;
-  std::vector<std::string> needs;  // datasets without which there is nothing to draw; or what it draws instead:
-                                   // "sweep", "study", "time_study"
-  bool movie = false;              // a GIF whatever the format, and only when asked for
+  std::vector<std::string> needs;  // datasets without which there is nothing to draw; or what it draws instead,
+                                   // "sweep", "study" or "time_study", and columns without which there is nothing
+  bool movie = false;  // a GIF whatever the format, and only when asked for
 };
 
 // The kind of file that a figure draws: sweep, study, time_study or result.
@@ -168,7 +168,12 @@ Source table_source(const std::string& path) {
                            : first.starts_with(time_study_mark) ? "time_study"
                                                                 : "";
   if (kind.empty()) throw core::FileError(path + ": this is no table of `ehl sweep` or `ehl study`");
-  return {"", kind, [kind](const std::string& need) { return need == kind; }};
+  std::string columns = first;
+  while (columns.starts_with('#') && std::getline(file, columns)) {
+  }
+  return {"", kind, [kind, columns](const std::string& need) {
+            return need == kind || ("," + columns + ",").find("," + need + ",") != std::string::npos;
+          }};
 }
 
 }  // namespace
@@ -184,9 +189,12 @@ int plot(const Arguments& arguments) {
     throw core::InputError("command line: " + path +
                            ": gnuplot's scripts cannot take a file name with a quote: rename it");
 
+  const std::vector<Figure> chosen = selected(figures(folder_of_scripts()), arguments.values("figure"), source);
+  if (chosen.empty())
+    throw core::InputError("command line: " + path + ": no figure draws such a table (--figure NAME lists them)");
   const std::string settings =
       "file=" + quoted(path) + "; format=" + quoted(format) + "; ehl=" + quoted(program_path()) + source.settings;
-  for (const Figure& figure : selected(figures(folder_of_scripts()), arguments.values("figure"), source)) {
+  for (const Figure& figure : chosen) {
     const std::string picture = picture_name(path, figure.name, figure.movie ? "gif" : format);
     run_gnuplot({"gnuplot", "-e", settings + "; output=" + quoted(picture), figure.script}, figure.name);
     std::error_code error;

@@ -60,7 +60,7 @@ int fail_without_solution(const Arguments& arguments, const Case& input, const s
 }
 
 int status(const Computed& computed, const std::string& path) {
-  const auto& [solution, in_time, stresses, seconds] = computed;
+  const auto& [solution, in_time, stresses, friction, seconds] = computed;
   if (!solution.converged) {
     std::fprintf(stderr, "ehl: not converged: %s\n", solution.failed_check.c_str());
     return not_converged;
@@ -77,7 +77,7 @@ int status(const Computed& computed, const std::string& path) {
 }
 
 std::string printed(const Case& input, const Computed& computed, const Outcome& outcome, bool profile) {
-  const auto& [solution, in_time, stresses, seconds] = computed;
+  const auto& [solution, in_time, stresses, friction, seconds] = computed;
   std::string text = "case         " + input.title + "\n" + continuation_table(input, solution) +
                      level_table(solution) + summary(input, solution, outcome);
   for (const Effect& effect : effects_of(input))

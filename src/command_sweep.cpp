@@ -43,8 +43,14 @@ int sweep(const Arguments& arguments) {
   const std::string& deck = arguments.operands[0];
   if (!arguments.has("vary"))
     throw core::InputError("command line: `ehl sweep` needs --vary section.key=LIST, e.g. --vary contact.M=20,50,100");
-  const SweepHeader header{this_program(), deck, deck::load_text(deck), arguments.values("set"),
-                           parse_variations(arguments.values("vary"), arguments.values("set"), catalogue())};
+  SweepHeader header{this_program(), deck, deck::load_text(deck), arguments.values("set"),
+                     parse_variations(arguments.values("vary"), arguments.values("set"), catalogue())};
+  const auto overrides_of = [&](std::size_t index) {
+    std::vector<std::string> overrides = header.set;
+    for (const std::string& varied : overrides_of_case(header.variations, index)) overrides.push_back(varied);
+    return overrides;
+  };
+  header.with_friction = names_friction(deck, overrides_of(0));
   const int at_once = requested_threads(arguments);
   const std::string path = table_name(arguments);
   SweepTable table(path, header, arguments.has("overwrite"));
@@ -56,12 +62,14 @@ int sweep(const Arguments& arguments) {
   ChildrenCalls calls;
   calls.stop = stop_requested;
   calls.task = [&](std::size_t index) {
-    std::vector<std::string> overrides = header.set;
-    for (const std::string& varied : overrides_of_case(header.variations, index)) overrides.push_back(varied);
-    return sweep_text(sweep_case(deck, header.deck_text, overrides));
+    SweepRow row = sweep_case(deck, header.deck_text, overrides_of(index));
+    row.with_friction = header.with_friction;
+    return sweep_text(row);
   };
   calls.ended = [&](const ChildEnd& end) {
-    const std::string row = end.complete ? end.text : sweep_text(row_of_failure(end.status, end.reason));
+    SweepRow failure = row_of_failure(end.status, end.reason);
+    failure.with_friction = header.with_friction;
+    const std::string row = end.complete ? end.text : sweep_text(failure);
     table.append(end.task, row);
     progress.show(deck::joined(overrides_of_case(header.variations, end.task), " "), row.substr(0, row.find(',')));
   };

@@ -28,6 +28,8 @@ const std::vector<Meaningless> of_a_film = {{"contact", {"M", "L", "W", "U", "G"
                                             {"continuation", {}},
                                             {"transient", {}},
                                             {"body", {}},
+                                            {"shear", {}},
+                                            {"friction", {}},
                                             {"surface1", {"at_rest"}},
                                             {"surface2", {"at_rest"}},
                                             {"grid", {"accuracy"}},

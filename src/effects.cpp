@@ -19,10 +19,7 @@ struct ToCome {
   const char* section;
   const char* without;  ///< what the basic model has in its place; empty: an addition
 };
-constexpr ToCome to_come[] = {{"thermal", "isothermal"},
-                              {"shear", "Newtonian"},
-                              {"starvation", "fully flooded"},
-                              {"friction", ""}};
+constexpr ToCome to_come[] = {{"thermal", "isothermal"}, {"starvation", "fully flooded"}};
 
 bool has_section(const Effect& effect, const std::string& name) {
   return std::ranges::any_of(effect.sections, [&](const deck::Section& section) { return section.name == name; });
@@ -64,7 +61,8 @@ std::string assignment(const Case& input, const KeyName& key, bool with_place) {
 }  // namespace
 
 std::vector<Effect> effects() {
-  return {elliptic_effect(), transient_effect(), body_effect(), surfaces_effect(), subsurface_effect()};
+  return {elliptic_effect(), transient_effect(),  body_effect(),    surfaces_effect(),
+          shear_effect(),    subsurface_effect(), friction_effect()};
 }
 
 std::vector<Effect> effects_of(const Case& input) {

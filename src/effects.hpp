@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "deck/key.hpp"
+#include "effects/friction/friction.hpp"
 #include "effects/subsurface/stress.hpp"
 #include "needs.hpp"
 #include "results/content.hpp"
@@ -26,6 +27,7 @@ struct Computed {
   steady::Solution solution{};
   std::optional<TransientResult> in_time{};
   std::optional<subsurface::StressField> stresses{};
+  std::optional<friction::Friction> friction{};
   double seconds = 0.0;  ///< of all of it
 };
 
@@ -77,7 +79,12 @@ Effect elliptic_effect();
 Effect transient_effect();
 Effect body_effect();
 Effect surfaces_effect();
+Effect shear_effect();
 Effect subsurface_effect();
+Effect friction_effect();
+
+/// The friction of a solution of a case that asks for it.
+friction::Friction friction_of(const Case& input, const steady::Solution& solution);
 
 /// "steady, smooth, ..., fully flooded": what the case leaves to the basic model, that of no version yet included.
 std::vector<std::string> basic_model(const Case& input);

@@ -117,12 +117,18 @@ contact::Ellipse shape_of(deck::Deck& deck, Language language) {
 }
 
 void check_motion(deck::Deck& deck, Language language) {
-  const Names all{"u1", "u2", "u_m", "srr"};
+  Names all{"u1", "u2", "u_m", "srr"};
   if (language == Language::none) return;
+  const bool about_sliding = given(deck, "shear", "law") || given(deck, "friction", "cavitated");
+  if (language != Language::moes || !about_sliding)
+    refuse(deck, "contact", {"a_over_R"}, "has no influence but with M and L, and [shear] or [friction]: remove it");
   if (language != Language::si) {
+    if (about_sliding) all.pop_back();  // srr
     refuse(deck, "motion", all, "has no influence: a dimensionless contact contains the speed already; remove it");
     return;
   }
+  if (!given(deck, "motion", "u_m"))
+    refuse(deck, "motion", {"srr"}, "has no influence without u_m: give u_m instead of u1 and u2, or remove it");
   if (given(deck, "motion", "u_m")) {
     refuse(deck, "motion", {"u1", "u2"}, "u_m is given as well: keep either u1 and u2, or u_m and srr");
   } else if (given_of(deck, "motion", {"u1", "u2"}).empty()) {
@@ -177,7 +183,7 @@ SiInput si_input(const deck::Deck& deck, const contact::Ellipse& shape) {
   si.contact.E_prime = modulus(deck);
   if (given(deck, "motion", "u_m")) {
     const double u_m = deck::number(deck, "motion", "u_m");
-    const double srr = deck::number(deck, "motion", "srr");
+    const double srr = given(deck, "motion", "srr") ? deck::number(deck, "motion", "srr") : 0.0;
     si.u1 = u_m * (1.0 + 0.5 * srr);
     si.u2 = u_m * (1.0 - 0.5 * srr);
     si.contact.u_s = 2.0 * u_m;
@@ -200,6 +206,21 @@ contact::Groups groups_of(const deck::Deck& deck, const Physics& physics, const 
   if (physics.language == Language::hamrock_dowson)
     return contact::from_hamrock_dowson(number("W"), number("U"), number("G"), shape);
   return contact::from_si(physics.si->contact);
+}
+
+// A difference of speeds that is but rounding is none.
+double without_rounding(double srr) { return std::abs(srr) < 1e-12 ? 0.0 : srr; }
+
+void set_sliding(const deck::Deck& deck, Physics& physics) {
+  if (physics.si) {
+    physics.srr = without_rounding(2.0 * (physics.si->u1 - physics.si->u2) / physics.si->contact.u_s);
+    physics.a_over_R = physics.si->hertz.h_scale / physics.si->hertz.a;
+    return;
+  }
+  if (given(deck, "motion", "srr")) physics.srr = without_rounding(deck::number(deck, "motion", "srr"));
+  // a^3 = 3 F R/(2 E').
+  physics.a_over_R = physics.language == Language::hamrock_dowson ? std::cbrt(1.5 * physics.groups.W)
+                                                                  : deck::number(deck, "contact", "a_over_R");
 }
 
 // M and L that follow from other numbers are held against the same ranges as M and L given.
@@ -255,6 +276,7 @@ Physics physical_input(deck::Deck& deck) {
   if (physics.language == Language::si) physics.si = si_input(deck, shape);
   physics.groups = groups_of(deck, physics, shape);
   check_derived(deck, physics);
+  set_sliding(deck, physics);
   if (physics.si) {
     physics.p_h = physics.si->hertz.p_h;
   } else if (std::isfinite(deck::number(deck, "lubricant", "alpha")) && physics.groups.alpha_bar > 0.0) {

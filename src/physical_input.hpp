@@ -25,6 +25,8 @@ struct Physics {
   contact::Groups groups{};
   std::optional<SiInput> si{};
   double p_h = std::numeric_limits<double>::quiet_NaN();  ///< Hertz pressure [Pa]; NaN where only M and L are known
+  double srr = 0.0;                                       ///< (u1 - u2)/u_m
+  double a_over_R = std::numeric_limits<double>::quiet_NaN();  ///< NaN where only M and L are known
   rheology::ViscosityLaw viscosity{};
   rheology::DensityLaw density{};
 };

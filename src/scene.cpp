@@ -10,6 +10,7 @@
 #include "effects.hpp"
 #include "machine.hpp"
 #include "needs.hpp"
+#include "sliding_input.hpp"
 #include "steady/domain_error.hpp"
 #include "steady/resolution.hpp"
 #include "subsurface_report.hpp"
@@ -256,6 +257,8 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   result.transient = transient_input(deck, result.physics, result.surfaces, result.scene.grid);
   if (!result.transient) let_stand(result.surfaces, result.scene);
   result.subsurface = subsurface_input(deck);
+  result.scene.thinning = shear_input(deck, result.physics);
+  result.friction = friction_input(deck, result.physics);
   if (result.scene.grid.ny > 0) {
     check_coarsenings(deck, result.scene);
     check_memory(result);

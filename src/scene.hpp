@@ -5,6 +5,7 @@
 
 #include "deck/deck.hpp"
 #include "dry_case.hpp"
+#include "effects/friction/friction.hpp"
 #include "effects/subsurface/stress.hpp"
 #include "physical_input.hpp"
 #include "steady/scene.hpp"
@@ -21,6 +22,7 @@ struct Case {
   std::optional<TransientInput> transient{};  ///< nothing: steady
   std::optional<DryInput> dry{};              ///< without lubricant: then the scene is but a grid
   std::optional<subsurface::Parameters> subsurface{};
+  std::optional<friction::Parameters> friction{};
   std::vector<std::string> fields{};  ///< to keep in the result
   std::string output{};               ///< result file that the deck names
 };

@@ -3,11 +3,13 @@
 #include <cmath>
 #include <optional>
 
+#include "catalogue.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
 #include "csv.hpp"
 #include "deck/document.hpp"
 #include "deck/text.hpp"
+#include "effects.hpp"
 #include "exit_status.hpp"
 #include "machine.hpp"
 #include "outcome.hpp"
@@ -23,29 +25,34 @@ struct Column {
 };
 
 std::vector<Column> columns_of(const SweepRow& row) {
-  return {{"status", row.status},
-          {"exit_status", std::to_string(row.exit_status)},
-          {"method", row.method.empty() ? "none" : csv_word(row.method)},
-          {"attempts", std::to_string(row.attempts)},
-          {"M", csv_number(row.M)},
-          {"L", csv_number(row.L)},
-          {"p_h", csv_number(row.p_h)},
-          {"nx", std::to_string(row.nx)},
-          {"ny", std::to_string(row.ny)},
-          {"Hc", csv_number(row.Hc)},
-          {"Hm", csv_number(row.Hm)},
-          {"P_max", csv_number(row.P_max)},
-          {"error_Hc", csv_number(row.error_Hc)},
-          {"error_Hm", csv_number(row.error_Hm)},
-          {"residual", csv_number(row.residual)},
-          {"load_error", csv_number(row.load_error)},
-          {"cycle_factor", csv_number(row.cycle_factor)},
-          {"cycles", std::to_string(row.cycles)},
-          {"work_units", csv_number(row.work_units)},
-          {"seconds", std::isfinite(row.seconds) ? formatted("%.4g", row.seconds) : "NaN"},
-          {"peak_memory", csv_number(row.peak_memory)},
-          {"warnings", std::to_string(row.warnings)},
-          {"reason", csv_quoted(row.reason)}};
+  std::vector<Column> columns{{"status", row.status},
+                              {"exit_status", std::to_string(row.exit_status)},
+                              {"method", row.method.empty() ? "none" : csv_word(row.method)},
+                              {"attempts", std::to_string(row.attempts)},
+                              {"M", csv_number(row.M)},
+                              {"L", csv_number(row.L)},
+                              {"p_h", csv_number(row.p_h)},
+                              {"nx", std::to_string(row.nx)},
+                              {"ny", std::to_string(row.ny)},
+                              {"Hc", csv_number(row.Hc)},
+                              {"Hm", csv_number(row.Hm)},
+                              {"P_max", csv_number(row.P_max)},
+                              {"error_Hc", csv_number(row.error_Hc)},
+                              {"error_Hm", csv_number(row.error_Hm)},
+                              {"residual", csv_number(row.residual)},
+                              {"load_error", csv_number(row.load_error)},
+                              {"cycle_factor", csv_number(row.cycle_factor)},
+                              {"cycles", std::to_string(row.cycles)},
+                              {"work_units", csv_number(row.work_units)},
+                              {"seconds", std::isfinite(row.seconds) ? formatted("%.4g", row.seconds) : "NaN"},
+                              {"peak_memory", csv_number(row.peak_memory)}};
+  if (row.with_friction)
+    for (const auto& [name, value] :
+         {std::pair{"mu", row.mu}, {"mu_rolling", row.mu_rolling}, {"mu_1", row.mu_1}, {"mu_2", row.mu_2}})
+      columns.push_back({name, csv_number(value)});
+  columns.push_back({"warnings", std::to_string(row.warnings)});
+  columns.push_back({"reason", csv_quoted(row.reason)});
+  return columns;
 }
 
 SweepRow row_of_case(const Case& input) {
@@ -84,11 +91,20 @@ SweepRow solve_case(const std::string& path, const std::string& deck_text, const
   }
 }
 
+// With its warnings among the others.
+void take_friction(const friction::Friction& found, SweepRow& row) {
+  row.mu = found.sliding;
+  row.mu_rolling = found.rolling;
+  row.mu_1 = found.on_1;
+  row.mu_2 = found.on_2;
+  row.warnings += static_cast<int>(friction::warnings(found).size());
+}
+
 }  // namespace
 
-std::string sweep_columns() {
+std::string sweep_columns(bool with_friction) {
   std::vector<std::string> names;
-  for (const Column& column : columns_of({})) names.push_back(column.name);
+  for (const Column& column : columns_of({.with_friction = with_friction})) names.push_back(column.name);
   return deck::joined(names, ",");
 }
 
@@ -126,6 +142,7 @@ SweepRow row_of_solution(const Case& input, const steady::Solution& solution) {
   row.cycles = finest.cycles;
   row.work_units = finest.work_units;
   row.warnings = static_cast<int>(outcome.warnings.size());
+  if (converged && input.friction) take_friction(friction_of(input, solution), row);
   return row;
 }
 
@@ -135,6 +152,10 @@ SweepRow sweep_case(const std::string& path, const std::string& deck_text, const
   row.seconds = core::now() - began;
   row.peak_memory = peak_memory();
   return row;
+}
+
+bool names_friction(const std::string& path, const std::vector<std::string>& overrides) {
+  return deck::given(deck::read(path, overrides, catalogue()), "friction", "cavitated");
 }
 
 SweepRow row_of_failure(int exit_status, const std::string& reason) {

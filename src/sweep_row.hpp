@@ -33,12 +33,17 @@ struct SweepRow {
   double work_units = unknown;  ///< on the finest grid
   double seconds = unknown;
   double peak_memory = unknown;  ///< [bytes]
+  bool with_friction = false;    ///< the case asks for it; these are columns only then
+  double mu = unknown;           ///< of sliding
+  double mu_rolling = unknown;
+  double mu_1 = unknown;  ///< force on surface 1 over the load
+  double mu_2 = unknown;
   int warnings = 0;
   std::string reason{};
 };
 
-/// Names of the columns after the varied keys, between commas.
-std::string sweep_columns();
+/// Names of the columns after the varied keys, between commas. in: whether the cases may ask for friction.
+std::string sweep_columns(bool with_friction);
 
 /// The row as text between commas, in the order of sweep_columns(); words without commas, the reason in quotes.
 std::string sweep_text(const SweepRow& row);
@@ -47,6 +52,9 @@ std::string sweep_text(const SweepRow& row);
 /// errors: none of the case's own: they are rows. core::Interrupted, std::bad_alloc and what nobody foresaw pass
 /// through.
 SweepRow sweep_case(const std::string& path, const std::string& deck_text, const std::vector<std::string>& overrides);
+
+/// Whether a deck with these overrides names friction: then the table has columns for it. in: as above.
+bool names_friction(const std::string& path, const std::vector<std::string>& overrides);
 
 /// The row of a solved case, converged or not. in: what the solver was given and gave back.
 SweepRow row_of_solution(const Case& input, const steady::Solution& solution);

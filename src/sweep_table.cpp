@@ -35,7 +35,7 @@ std::vector<std::string> identity(const SweepHeader& header) {
 std::string column_line(const SweepHeader& header) {
   std::string line;
   for (const Variation& variation : header.variations) line += variation.section + "." + variation.name + ",";
-  return line + sweep_columns();
+  return line + sweep_columns(header.with_friction);
 }
 
 std::string whole_header(const SweepHeader& header, const std::vector<std::string>& programs) {
@@ -49,6 +49,10 @@ std::string whole_header(const SweepHeader& header, const std::vector<std::strin
       "# units: p_h [Pa], seconds [s], peak_memory [bytes]; H = h R/a^2, P = p/p_h, errors and residual relative\n"
       "# nx, ny: cells; cycles, work_units, cycle_factor: on the finest grid; seconds: the whole case, one thread; "
       "exit_status: of `ehl run`\n";
+  if (header.with_friction)
+    text +=
+        "# mu: sliding friction over the load, mu_rolling: rolling friction over it; mu_1, mu_2: forces of the film on "
+        "surfaces 1 and 2 along +x over it\n";
   return text + column_line(header) + "\n";
 }
 

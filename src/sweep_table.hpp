@@ -18,6 +18,7 @@ struct SweepHeader {
   std::string deck_text{};  ///< what it says
   std::vector<std::string> set{};
   std::vector<Variation> variations{};
+  bool with_friction = false;  ///< columns for it
 };
 
 /// The header as lines of a file, each of which begins with #, but for the last, which names the columns.

@@ -40,6 +40,14 @@ std::vector<Key> dimensionless_keys() {
           .range = {0.0, infinity, false, true},
           .meaning = "Hamrock-Dowson material number G = alpha E'; 0 for an isoviscous lubricant.",
           .example = "4500"},
+      Key{.section = "contact",
+          .name = "a_over_R",
+          .range = {0.0, 1.0, true, false},
+          .remedy = "a/R = pi p_h/E'",
+          .meaning =
+              "Hertz radius over R, which M and L leave open and shear stresses depend on. Only with M and L, and "
+              "[shear] or [friction].",
+          .example = "0.01"},
   };
 }
 
@@ -145,12 +153,12 @@ std::vector<Key> motion_keys() {
           .example = "0.09"},
       Key{.section = "motion",
           .name = "srr",
-          .default_text = "0",
+          .default_note = "0",
           .range = {-1e6, 1e6},
           .meaning =
-              "Slide-roll ratio (u1 - u2)/u_m. A steady, smooth, isothermal Newtonian film does not depend on it: "
-              "it is kept for the record.",
-          .needs = {.name = "u_m"}},
+              "Slide-roll ratio (u1 - u2)/u_m. A steady, smooth, isothermal Newtonian film does not depend on it; "
+              "[shear] and [friction] do, with contacts in M and L or W, U and G too.",
+          .example = "0.1"},
   };
 }
 

@@ -22,14 +22,15 @@ class Coupling {
  public:
   Coupling(const Level& level, double elastic)
       : eps_(level.eps),
+        eps_across_(eps_across(level)),
         elastic_(elastic),
         half_over_hx2_(0.5 / (level.grid.hx() * level.grid.hx())),
         half_over_hy2_(0.5 / (level.grid.hy() * level.grid.hy())) {}
 
   double west(int i, int j) const { return elastic_ + (eps_(i - 1, j) + eps_(i, j)) * half_over_hx2_; }
   double east(int i, int j) const { return elastic_ + (eps_(i + 1, j) + eps_(i, j)) * half_over_hx2_; }
-  double south(int i, int j) const { return elastic_ + (eps_(i, j - 1) + eps_(i, j)) * half_over_hy2_; }
-  double north(int i, int j) const { return elastic_ + (eps_(i, j + 1) + eps_(i, j)) * half_over_hy2_; }
+  double south(int i, int j) const { return elastic_ + (eps_across_(i, j - 1) + eps_across_(i, j)) * half_over_hy2_; }
+  double north(int i, int j) const { return elastic_ + (eps_across_(i, j + 1) + eps_across_(i, j)) * half_over_hy2_; }
 
   Shares to_all(int i, int j) const {
     const Shares e{west(i, j), east(i, j), south(i, j), north(i, j)};
@@ -43,6 +44,7 @@ class Coupling {
 
  private:
   const core::Field& eps_;
+  const core::Field& eps_across_;
   double elastic_;
   double half_over_hx2_;
   double half_over_hy2_;

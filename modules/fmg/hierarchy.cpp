@@ -31,33 +31,48 @@ mlmi::Parameters fitting(mlmi::Parameters deformation, const core::Grid& grid, b
   return deformation;
 }
 
-Level make_level(const core::Grid& grid, bool finest, bool smooth, double elastic, const Parameters& parameters,
+Level make_level(const core::Grid& grid, bool finest, const Problem& problem, const Parameters& parameters,
                  const mlmi::Parameters& deformation, int threads) {
   const auto zero = [&] { return core::Field(grid); };
   const auto only_below_the_finest = [&] { return finest ? core::Field() : core::Field(grid); };
   // A colour has every second line, and one batch more for the lines beside its last one.
   const int lines_of_a_colour = grid.ny / 2 + 2 * core::lanes;
   const auto zero_changes = [&] { return core::Field(grid.nodes_x(), lines_of_a_colour); };
+  ThreadWork work = make_thread_work(grid, parameters.relaxation);
+  if (problem.thinning) work.fluidity_along = work.fluidity_across = work.fluidity;
   return {.grid = grid,
           .P = zero(),
           .H = zero(),
           .eps = zero(),
+          .eps_across = problem.thinning ? zero() : core::Field(),
           .rho_bar = zero(),
           .drho_bar = zero(),
           .f = only_below_the_finest(),
-          .F = smooth ? only_below_the_finest() : zero(),
+          .F = problem.surface ? zero() : only_below_the_finest(),
           .H_restricted = only_below_the_finest(),
           .P_restricted = only_below_the_finest(),
           .r = zero(),
           .changes = {zero_changes(), zero_changes()},
-          .thread_work =
-              std::vector<ThreadWork>(static_cast<std::size_t>(threads), make_thread_work(grid, parameters.relaxation)),
-          .deformation = mlmi::Deformation(grid, fitting(deformation, grid, finest), threads, elastic),
-          .film_terms = film_terms(grid, elastic, parameters.relaxation.reach)};
+          .thread_work = std::vector<ThreadWork>(static_cast<std::size_t>(threads), work),
+          .deformation = mlmi::Deformation(grid, fitting(deformation, grid, finest), threads, problem.geometry.elastic),
+          .film_terms = film_terms(grid, problem.geometry.elastic, parameters.relaxation.reach)};
+}
+
+// epsilon of one station. in: the film that it follows.
+void epsilon_of_station(const Problem& problem, std::span<const double> H, Level& level, int i, ThreadWork& work) {
+  const auto rho_bar = std::as_const(level.rho_bar).station(i);
+  if (!problem.thinning) {
+    reynolds::epsilon(H, rho_bar, work.fluidity, problem.lambda, level.eps.station(i));
+    return;
+  }
+  rheology::film_fluidity(*problem.thinning, H, work.fluidity, work.fluidity_along, work.fluidity_across);
+  reynolds::epsilon(H, rho_bar, work.fluidity_along, problem.lambda, level.eps.station(i));
+  reynolds::epsilon(H, rho_bar, work.fluidity_across, problem.lambda, level.eps_across.station(i));
+  core::make_images(level.grid, level.eps_across.at_x(i));
 }
 
 // One station of the field: epsilon, rho_bar and its slope from P and H.
-void coefficients_of_station(const Problem& problem, Level& level, int i, std::span<double> fluidity) {
+void coefficients_of_station(const Problem& problem, Level& level, int i, ThreadWork& work) {
   const auto P = std::as_const(level.P).station(i);
   const auto H = std::as_const(level.H).station(i);
   if (problem.given_epsilon) {
@@ -66,16 +81,15 @@ void coefficients_of_station(const Problem& problem, Level& level, int i, std::s
     std::ranges::fill(level.rho_bar.station(i), 1.0);
     return;
   }
-  rheology::film_properties(problem.viscosity, problem.density, P, fluidity, level.rho_bar.station(i));
+  rheology::film_properties(problem.viscosity, problem.density, P, work.fluidity, level.rho_bar.station(i));
   rheology::density_slope(problem.density, P, level.drho_bar.station(i));
-  const auto rho_bar = std::as_const(level.rho_bar).station(i);
   if (level.H_floor == 0.0) {
-    reynolds::epsilon(H, rho_bar, fluidity, problem.lambda, level.eps.station(i));
+    epsilon_of_station(problem, H, level, i, work);
   } else {
     const auto finer = std::as_const(level.H_restricted).station(i);
     const auto held = level.r.station(i);  // free here: the residual is made anew after every change of the film
     for (std::size_t j = 0; j < held.size(); ++j) held[j] = std::max(H[j], level.H_floor * finer[j]);
-    reynolds::epsilon(held, rho_bar, fluidity, problem.lambda, level.eps.station(i));
+    epsilon_of_station(problem, held, level, i, work);
   }
   core::make_images(level.grid, level.eps.at_x(i));
 }
@@ -86,9 +100,9 @@ void for_stations(Hierarchy& hierarchy, Level& level, Station station) {
   const int last = level.grid.nx;
 #pragma omp parallel num_threads(threads) if (threads > 1)
   {
-    const std::span<double> fluidity = level.thread_work[static_cast<std::size_t>(omp_get_thread_num())].fluidity;
+    ThreadWork& work = level.thread_work[static_cast<std::size_t>(omp_get_thread_num())];
 #pragma omp for schedule(static)
-    for (int i = 0; i <= last; ++i) station(i, fluidity);
+    for (int i = 0; i <= last; ++i) station(i, work);
   }
 }
 
@@ -114,16 +128,15 @@ Hierarchy make_hierarchy(const Problem& problem, const Parameters& parameters, c
     throw core::InputError("[grid] coarsest = " + std::to_string(wanted) + ": " + std::to_string(finest.nx) + " x " +
                            std::to_string(core::whole(finest).ny) + " cells cannot be halved down to it");
   for (auto grid = grids.rbegin(); grid != grids.rend(); ++grid)
-    hierarchy.levels.push_back(make_level(*grid, *grid == finest, !problem.surface, problem.geometry.elastic, parameters,
-                                          deformation, hierarchy.threads_on(*grid)));
+    hierarchy.levels.push_back(
+        make_level(*grid, *grid == finest, problem, parameters, deformation, hierarchy.threads_on(*grid)));
   return hierarchy;
 }
 
 void update_coefficients(Hierarchy& hierarchy, Level& level) {
   const core::ScopedTimer timer(hierarchy.times, core::Part::coefficients);
-  for_stations(hierarchy, level, [&](int i, std::span<double> fluidity) {
-    coefficients_of_station(hierarchy.problem, level, i, fluidity);
-  });
+  for_stations(hierarchy, level,
+               [&](int i, ThreadWork& work) { coefficients_of_station(hierarchy.problem, level, i, work); });
 }
 
 void update_film(Hierarchy& hierarchy, Level& level) {
@@ -134,14 +147,14 @@ void update_film(Hierarchy& hierarchy, Level& level) {
   ++level.evaluations;
   const core::ScopedTimer timer(hierarchy.times, core::Part::coefficients);
   const core::Grid& grid = level.grid;
-  for_stations(hierarchy, level, [&](int i, std::span<double> fluidity) {
+  for_stations(hierarchy, level, [&](int i, ThreadWork& work) {
     double* H = level.H.at_x(i);
     for (int j = 0; j <= grid.ny; ++j) H[j] += rigid_gap(hierarchy.problem.geometry, grid, hierarchy.H00, i, j);
     if (level.F.nodes_x() > 0) {
       const double* F = level.F.at_x(i);
       for (int j = 0; j <= grid.ny; ++j) H[j] += F[j];
     }
-    coefficients_of_station(hierarchy.problem, level, i, fluidity);
+    coefficients_of_station(hierarchy.problem, level, i, work);
   });
 }
 

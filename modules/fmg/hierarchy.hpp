@@ -15,6 +15,7 @@
 #include "mlmi/deformation.hpp"
 #include "reynolds/residual.hpp"
 #include "rheology/laws.hpp"
+#include "rheology/shear.hpp"
 
 namespace ehl::fmg {
 
@@ -42,6 +43,8 @@ struct Problem {
   /// Writes S(X, Y), what the surfaces add to the gap, in units of a^2/R: on every grid what that grid can hold of it.
   /// With image lines on a mirrored grid they are not needed. Empty: smooth surfaces.
   std::function<void(const core::Grid& grid, core::Field& S)> surface{};
+  /// Sliding along X that thins the oil: epsilon along X is another one than along Y. Not with given_epsilon.
+  std::optional<rheology::ShearThinning> thinning{};
 };
 
 /// Lines of one colour side by side, as many to a vector as it has lanes, one entry per station and batch: the changes
@@ -51,12 +54,13 @@ struct LineChanges {
   core::Field distributed;  ///< the same where the point distributes its change, else 0
 };
 
-/// On a mirrored grid P, eps and r have image lines at all times.
+/// On a mirrored grid P, both eps and r have image lines at all times.
 struct Level {
   core::Grid grid;
   core::Field P;
   core::Field H;
-  core::Field eps;
+  core::Field eps;         ///< along X; and along Y, where the oil is not thinned by shear
+  core::Field eps_across;  ///< along Y, where it is; else empty
   core::Field rho_bar;
   core::Field drho_bar;      ///< d rho_bar/dP
   core::Field f;             ///< right-hand side of the Reynolds equation (FAS); empty on the finest level: zero
@@ -128,6 +132,13 @@ inline double wanted_load(const Hierarchy& hierarchy, const Level& level) {
   return level.load + hierarchy.load_line.slope * (hierarchy.H00 - hierarchy.load_line.origin);
 }
 
-inline reynolds::State state(const Level& level) { return {level.P, level.H, level.rho_bar, level.eps, level.f}; }
+/// epsilon along Y: chosen here, so that the stencils read two fields and ask nothing.
+inline const core::Field& eps_across(const Level& level) {
+  return level.eps_across.nodes_x() > 0 ? level.eps_across : level.eps;
+}
+
+inline reynolds::State state(const Level& level) {
+  return {level.P, level.H, level.rho_bar, level.eps, level.f, eps_across(level)};
+}
 
 }  // namespace ehl::fmg

@@ -76,14 +76,16 @@ void LineBatch<reach, solver>::read_coefficients(const Hierarchy& hierarchy, con
   const core::Grid& grid = level.grid;
   const double half_over_hx2 = 0.5 / (grid.hx() * grid.hx());
   const double half_over_hy2 = 0.5 / (grid.hy() * grid.hy());
+  const core::Field& eps_across = fmg::eps_across(level);
   Lanes before = own_lines(level.eps, 0, j);
   for (int i = 1; i <= grid.nx; ++i) {
-    const Beside eps = with_neighbours(level.eps, i, j);
+    const Lanes eps = own_lines(level.eps, i, j);
+    const Beside across = with_neighbours(eps_across, i, j);
     const auto k = static_cast<std::size_t>(i);
-    work_.west[k] = (before + eps.own) * half_over_hx2;
-    work_.south[k] = (eps.south + eps.own) * half_over_hy2;
-    work_.north[k] = (eps.own + eps.north) * half_over_hy2;
-    before = eps.own;
+    work_.west[k] = (before + eps) * half_over_hx2;
+    work_.south[k] = (across.south + across.own) * half_over_hy2;
+    work_.north[k] = (across.own + across.north) * half_over_hy2;
+    before = eps;
   }
   // The crossover is where the coupling by epsilon outweighs that by the film.
   const double crossover = hierarchy.parameters.relaxation.crossover * hierarchy.problem.transport.strength(grid.hx());
@@ -92,20 +94,33 @@ void LineBatch<reach, solver>::read_coefficients(const Hierarchy& hierarchy, con
   const double squeeze = hierarchy.problem.transport.squeeze;
   const Lanes far_single = core::broadcast(relaxation.far_squeeze * level.film_terms.K[0] * squeeze);
   const Lanes far_beside = core::broadcast(relaxation.far_squeeze_beside * squeeze);
-  for (int i = 1; i < grid.nx; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const Lanes largest =
-        core::max(core::max(work_.west[k], work_.west[k + 1]), core::max(work_.south[k], work_.north[k]));
-    const Lanes smallest =
-        core::min(core::min(work_.west[k], work_.west[k + 1]), core::min(work_.south[k], work_.north[k]));
-    // e_max sqrt(e_max/e_min) > crossover, without root and division; e_min = 0 makes it single unless e_max = 0 too.
-    LaneMask single = largest * largest * largest > crossover2 * smallest;
-    // Beside the cavitated region too: what is cut off at P = 0 would leave half of a distributed change standing.
-    const LaneMask by_epsilon = single;
-    if (hierarchy.problem.cavitation) single |= beside_cavitation(level.P, i, j);
-    work_.far_squeeze[k] = by_epsilon ? far_single : single ? far_beside : Lanes{};
-    work_.distributive[k + ThreadWork::margin] = single ? Lanes{} : core::broadcast(1.0);
+  const auto choose = [&](auto above_crossover) {
+    for (int i = 1; i < grid.nx; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      const LaneMask by_epsilon = above_crossover(k);
+      LaneMask single = by_epsilon;
+      // Beside the cavitated region too: what is cut off at P = 0 would leave half of a distributed change standing.
+      if (hierarchy.problem.cavitation) single |= beside_cavitation(level.P, i, j);
+      work_.far_squeeze[k] = by_epsilon ? far_single : single ? far_beside : Lanes{};
+      work_.distributive[k + ThreadWork::margin] = single ? Lanes{} : core::broadcast(1.0);
+    }
+  };
+  // e_max sqrt(e_max/e_min) > crossover, without root and division; e_min = 0 makes it single unless e_max = 0 too.
+  const auto above = [crossover2](Lanes largest, Lanes smallest) {
+    return largest * largest * largest > crossover2 * smallest;
+  };
+  if (!hierarchy.problem.thinning) {
+    choose([&](std::size_t k) {
+      return above(core::max(core::max(work_.west[k], work_.west[k + 1]), core::max(work_.south[k], work_.north[k])),
+                   core::min(core::min(work_.west[k], work_.west[k + 1]), core::min(work_.south[k], work_.north[k])));
+    });
+    return;
   }
+  // That epsilon along X is another one than along Y is no jump: e_max and e_min in each direction by itself.
+  choose([&](std::size_t k) {
+    return above(core::max(work_.west[k], work_.west[k + 1]), core::min(work_.west[k], work_.west[k + 1])) |
+           above(core::max(work_.south[k], work_.north[k]), core::min(work_.south[k], work_.north[k]));
+  });
 }
 
 template <int reach, LineSolver solver>

@@ -16,6 +16,8 @@ using EliminationFactors = std::vector<typename line_solvers::Elimination<reach>
 struct ThreadWork {
   /// One value per node of a station.
   std::vector<double> fluidity;
+  /// The same where shear thins the oil: along and across sliding; else empty.
+  std::vector<double> fluidity_along{}, fluidity_across{};
 
   // For the line systems of a batch:
   /// Entries before and behind the points of a line in `distributive`.

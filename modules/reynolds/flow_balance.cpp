@@ -22,7 +22,7 @@ class Fluxes {
   }
   /// Along Y through the face between j and j+1.
   double along_y(int i, int j) const {
-    const double eps = 0.5 * (state_.eps(i, j) + state_.eps(i, j + 1));
+    const double eps = 0.5 * (state_.eps_across(i, j) + state_.eps_across(i, j + 1));
     return -eps * (state_.P(i, j + 1) - state_.P(i, j)) / hy_;
   }
   double rho_H(int i, int j) const { return state_.rho_bar(i, j) * state_.H(i, j); }

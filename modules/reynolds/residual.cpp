@@ -33,6 +33,7 @@ void residual(const core::Grid& grid, const State& state, const Transport& trans
     const double* __restrict eps = state.eps.at_x(i);
     const double* __restrict eps_west = state.eps.at_x(i - 1);
     const double* __restrict eps_east = state.eps.at_x(i + 1);
+    const double* __restrict eps_across = state.eps_across.at_x(i);
     const double* __restrict H0 = state.H.at_x(i);
     const double* __restrict H1 = state.H.at_x(i - 1);
     const double* __restrict H2 = state.H.at_x(upstream);
@@ -41,8 +42,8 @@ void residual(const core::Grid& grid, const State& state, const Transport& trans
     const double* __restrict rho2 = state.rho_bar.at_x(upstream);
     double* __restrict out = r.at_x(i);
     for (int j = 1; j <= last; ++j) {
-      const auto e =
-          half_points(eps_west[j], eps_east[j], eps[j - 1], eps[j + 1], eps[j], half_over_hx2, half_over_hy2);
+      const auto e = half_points(eps_west[j], eps_east[j], eps[j], eps_across[j - 1], eps_across[j + 1], eps_across[j],
+                                 half_over_hx2, half_over_hy2);
       const double wedge_term = c0 * (rho0[j] * H0[j]) + c1 * (rho1[j] * H1[j]) + c2 * (rho2[j] * H2[j]);
       out[j] = wedge_term - poiseuille(e, P_west[j], P_east[j], P[j - 1], P[j + 1], P[j]);
     }

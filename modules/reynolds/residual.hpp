@@ -19,11 +19,12 @@ struct State {
   const core::Field& H;
   const core::Field& rho_bar;
   const core::Field& eps;
-  const core::Field& f;  ///< right-hand side; an empty field means zero
+  const core::Field& f;                 ///< right-hand side; an empty field means zero
+  const core::Field& eps_across = eps;  ///< epsilon along Y, where it is another one
 };
 
-/// r = f - L(P) on the interior nodes, L(P) the left-hand side of eq. (4) with the transport given; 0 on the boundary. On
-/// a mirrored grid with image lines. cost: the memory traffic of five fields in and one out. threads: result
+/// r = f - L(P) on the interior nodes, L(P) the left-hand side of eq. (4) with the transport given; 0 on the boundary.
+/// On a mirrored grid with image lines. cost: the memory traffic of five fields in and one out. threads: result
 /// independent of their number.
 void residual(const core::Grid& grid, const State& state, const Transport& transport, int threads, core::Field& r);
 

@@ -7,17 +7,26 @@
 namespace ehl::reynolds {
 
 /// epsilon/h^2 at the four half points around a node: arithmetic means of the nodes' values (below eq. 4),
-/// e.g. west = (eps_{i-1,j} + eps_{i,j}) / (2 hx^2).
+/// e.g. west = (eps_{i-1,j} + eps_{i,j}) / (2 hx^2). Along X and along Y with epsilons of their own, where these
+/// differ.
 template <class Number>
 struct HalfPoints {
   Number west, east, south, north;
 };
 
 template <class Number>
-HalfPoints<Number> half_points(Number west, Number east, Number south, Number north, Number centre,
-                               double half_over_hx2, double half_over_hy2) {
-  return {(west + centre) * half_over_hx2, (east + centre) * half_over_hx2, (south + centre) * half_over_hy2,
-          (north + centre) * half_over_hy2};
+HalfPoints<Number> half_points(Number west, Number east, Number centre, Number south, Number north,
+                               Number centre_across, double half_over_hx2, double half_over_hy2) {
+  return {(west + centre) * half_over_hx2, (east + centre) * half_over_hx2, (south + centre_across) * half_over_hy2,
+          (north + centre_across) * half_over_hy2};
+}
+
+/// The same of a node of two fields, eps along X and eps_across along Y: the same field where they are one.
+template <class Field>
+HalfPoints<double> half_points_at(const Field& eps, const Field& eps_across, int i, int j, double half_over_hx2,
+                                  double half_over_hy2) {
+  return half_points(eps(i - 1, j), eps(i + 1, j), eps(i, j), eps_across(i, j - 1), eps_across(i, j + 1),
+                     eps_across(i, j), half_over_hx2, half_over_hy2);
 }
 
 /// The Poiseuille terms: sum over the four neighbours of e (P_neighbour - P_centre).

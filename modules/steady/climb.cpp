@@ -110,7 +110,8 @@ Climb begin_climb(const Scene& scene, const Start& start, const ProgressCallback
                              .load = contact::load(scene.shape),
                              .given_epsilon = {},
                              .geometry = geometry_of(scene.shape),
-                             .surface = scene.surface};
+                             .surface = scene.surface,
+                             .thinning = scene.thinning};
   Climb climb{.scene = scene,
               .progress = progress,
               .start = start,

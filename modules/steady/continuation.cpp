@@ -68,6 +68,7 @@ void pose(const Scene& scene, fmg::Problem& problem) {
   problem.viscosity = scene.viscosity;
   problem.density = scene.density;
   problem.surface = scene.surface;
+  problem.thinning = scene.thinning;
 }
 
 // Cycles on level l for one load.
@@ -191,6 +192,7 @@ Scene under_load(const Scene& scene, double M) {
   result.lambda = contact::from_moes(M, scene.L, scene.shape).lambda;
   result.viscosity = rheology::rescaled(scene.viscosity, p_h_factor);
   result.density = rheology::rescaled(scene.density, p_h_factor);
+  if (scene.thinning) result.thinning = rheology::rescaled(*scene.thinning, p_h_factor);
   result.surface = scaled(scene.surface, p_h_factor);  // a and p_h both grow with the cube root of the load
   return result;
 }

@@ -7,6 +7,17 @@
 #include "rheology/laws.hpp"
 
 namespace ehl::steady {
+namespace {
+
+// What rheology says of the oil along one station.
+struct Station {
+  explicit Station(std::size_t nodes) : slope(nodes), fluidity(nodes), along(nodes, 1.0), across(nodes, 1.0) {}
+  std::vector<double> slope;          // d ln(eta_bar)/dP
+  std::vector<double> fluidity;       // 1/eta_bar
+  std::vector<double> along, across;  // d ln(fluidity) thinned over not thinned
+};
+
+}  // namespace
 
 NewtonEquations::NewtonEquations(fmg::Hierarchy& hierarchy, std::size_t l)
     : hierarchy_(hierarchy),
@@ -15,24 +26,26 @@ NewtonEquations::NewtonEquations(fmg::Hierarchy& hierarchy, std::size_t l)
       threads_(hierarchy.threads_on(level_.grid)),
       scale_(nodes_, 1.0),
       wet_(nodes_, 0),
-      deps_dP_(level_.grid),
-      deps_dH_(level_.grid),
+      along_{core::Field(level_.grid), core::Field(level_.grid), core::Field(level_.grid)},
       dq_dP_(level_.grid),
-      local_{core::Field(level_.grid), core::Field(level_.grid)},
+      local_{core::Field(level_.grid), core::Field(level_.grid), core::Field()},
       dP_(level_.grid),
-      dH_(level_.grid),
-      deps_(level_.grid) {}
+      dH_(level_.grid) {
+  if (!anisotropic()) return;
+  across_ = along_;
+  local_.eps_across = core::Field(level_.grid);
+}
 
 void NewtonEquations::make_scale() {
   const core::Grid& grid = level_.grid;
   const double half_over_hx2 = 0.5 / (grid.hx() * grid.hx());
   const double half_over_hy2 = 0.5 / (grid.hy() * grid.hy());
   const core::Field& eps = level_.eps;
+  const core::Field& eps_across = fmg::eps_across(level_);
   for (int i = 1; i < grid.nx; ++i) {
     const double c0 = reynolds::transport_weights(transport(), i, grid.hx())[0];
     for (int j = 1; j <= grid.last_line(); ++j) {
-      const auto e = reynolds::half_points(eps(i - 1, j), eps(i + 1, j), eps(i, j - 1), eps(i, j + 1), eps(i, j),
-                                           half_over_hx2, half_over_hy2);
+      const auto e = reynolds::half_points_at(eps, eps_across, i, j, half_over_hx2, half_over_hy2);
       const double dq = level_.rho_bar(i, j) * level_.film_terms.K[0];
       scale_[index(i, j)] = 1.0 / (e.west + e.east + e.south + e.north + c0 * dq);
     }
@@ -72,18 +85,31 @@ void NewtonEquations::residual(std::span<const double> u, std::span<double> F) {
 
 void NewtonEquations::linearize(std::span<const double> u) {
   const double self = level_.film_terms.K[0];
-  std::vector<double> slope(static_cast<std::size_t>(grid().nodes_y()));
+  Station station(static_cast<std::size_t>(grid().nodes_y()));
   for (int i = 0; i <= grid().nx; ++i) {
-    rheology::log_viscosity_slope(hierarchy_.problem.viscosity, std::as_const(level_.P).station(i), slope);
+    const std::span<const double> P = std::as_const(level_.P).station(i);
+    rheology::log_viscosity_slope(hierarchy_.problem.viscosity, P, station.slope);
+    if (anisotropic()) {
+      rheology::fluidity(hierarchy_.problem.viscosity, P, station.fluidity);
+      rheology::film_fluidity_slopes(*hierarchy_.problem.thinning, std::as_const(level_.H).station(i), station.fluidity,
+                                     station.along, station.across);
+    }
+    // eps = rho_bar H^3 phi/lambda with d ln phi = -theta slope dP + (theta - 1) dH/H; theta = 1 without thinning.
+    const auto derivatives = [&](const core::Field& eps, const std::vector<double>& theta, Epsilon& out,
+                                 core::Field& local) {
+      for (int j = 0; j <= grid().ny; ++j) {
+        const auto k = static_cast<std::size_t>(j);
+        const double H = level_.H(i, j);
+        out.dP(i, j) = eps(i, j) * (level_.drho_bar(i, j) / level_.rho_bar(i, j) - theta[k] * station.slope[k]);
+        out.dH(i, j) = H > 0.0 ? (2.0 + theta[k]) * eps(i, j) / H : 0.0;
+        local(i, j) = out.dP(i, j) + self * out.dH(i, j);
+      }
+    };
+    derivatives(level_.eps, station.along, along_, local_.eps);
+    if (anisotropic()) derivatives(level_.eps_across, station.across, across_, local_.eps_across);
     for (int j = 0; j <= grid().ny; ++j) {
-      const double H = level_.H(i, j);
-      const double rho_bar = level_.rho_bar(i, j);
-      const double eps = level_.eps(i, j);
-      deps_dP_(i, j) = eps * (level_.drho_bar(i, j) / rho_bar - slope[static_cast<std::size_t>(j)]);
-      deps_dH_(i, j) = H > 0.0 ? 3.0 * eps / H : 0.0;
-      dq_dP_(i, j) = level_.drho_bar(i, j) * H;
-      local_.eps(i, j) = deps_dP_(i, j) + self * deps_dH_(i, j);
-      local_.q(i, j) = dq_dP_(i, j) + self * rho_bar;
+      dq_dP_(i, j) = level_.drho_bar(i, j) * level_.H(i, j);
+      local_.q(i, j) = dq_dP_(i, j) + self * level_.rho_bar(i, j);
     }
   }
   for (std::size_t k = 0; k < nodes_; ++k) wet_[k] = u[k] > 0.0 ? 1 : 0;
@@ -106,25 +132,28 @@ void NewtonEquations::jacobian(std::span<const double> v, std::span<double> Jv) 
     for (int j = 0; j <= grid.ny; ++j) {
       const double dP = dP_(i, j);
       const double dH = dH_(i, j) + dH00;
-      deps_(i, j) = deps_dP_(i, j) * dP + deps_dH_(i, j) * dH;
+      along_.change(i, j) = along_.dP(i, j) * dP + along_.dH(i, j) * dH;
+      if (anisotropic()) across_.change(i, j) = across_.dP(i, j) * dP + across_.dH(i, j) * dH;
       dq(i, j) = dq_dP_(i, j) * dP + level_.rho_bar(i, j) * dH;
       dload += grid.lines(j) * dP;
     }
-  core::make_images(grid, deps_);
+  core::make_images(grid, along_.change);
+  if (anisotropic()) core::make_images(grid, across_.change);
+  const core::Field& deps = along_.change;
+  const core::Field& deps_across = anisotropic() ? across_.change : along_.change;
   const double half_over_hx2 = 0.5 / (grid.hx() * grid.hx());
   const double half_over_hy2 = 0.5 / (grid.hy() * grid.hy());
   const core::Field& P = level_.P;
   const core::Field& eps = level_.eps;
+  const core::Field& eps_across = fmg::eps_across(level_);
 #pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
   for (int i = 1; i < grid.nx; ++i) {
     const auto [c0, c1, c2] = reynolds::transport_weights(transport(), i, grid.hx());
     const int upstream = std::max(i - 2, 0);
     for (int j = 1; j <= grid.last_line(); ++j) {
       const std::size_t k = index(i, j);
-      const auto e = reynolds::half_points(eps(i - 1, j), eps(i + 1, j), eps(i, j - 1), eps(i, j + 1), eps(i, j),
-                                           half_over_hx2, half_over_hy2);
-      const auto de = reynolds::half_points(deps_(i - 1, j), deps_(i + 1, j), deps_(i, j - 1), deps_(i, j + 1),
-                                            deps_(i, j), half_over_hx2, half_over_hy2);
+      const auto e = reynolds::half_points_at(eps, eps_across, i, j, half_over_hx2, half_over_hy2);
+      const auto de = reynolds::half_points_at(deps, deps_across, i, j, half_over_hx2, half_over_hy2);
       const double dr = c0 * dq(i, j) + c1 * dq(i - 1, j) + c2 * dq(upstream, j) -
                         reynolds::poiseuille(e, dP_(i - 1, j), dP_(i + 1, j), dP_(i, j - 1), dP_(i, j + 1), dP_(i, j)) -
                         reynolds::poiseuille(de, P(i - 1, j), P(i + 1, j), P(i, j - 1), P(i, j + 1), P(i, j));

@@ -45,17 +45,27 @@ class NewtonEquations {
 
   /// What the nodes' own and nearest values do to r, with K cut to its self term: for the preconditioner.
   struct Local {
-    core::Field eps;  ///< d eps/dP
-    core::Field q;    ///< d (rho_bar H)/dP
+    core::Field eps;         ///< d eps/dP
+    core::Field q;           ///< d (rho_bar H)/dP
+    core::Field eps_across;  ///< of epsilon along Y where it is another one; else empty
   };
   const Local& local() const { return local_; }
-  /// d eps/dH.
-  const core::Field& deps_dH() const { return deps_dH_; }
+  const core::Field& local_eps_across() const { return anisotropic() ? local_.eps_across : local_.eps; }
+  /// d eps/dH, along X and along Y.
+  const core::Field& deps_dH() const { return along_.dH; }
+  const core::Field& deps_dH_across() const { return anisotropic() ? across_.dH : along_.dH; }
   bool wet(std::size_t node) const { return wet_[node] != 0; }
   double scale(std::size_t node) const { return scale_[node]; }
   const reynolds::Transport& transport() const { return hierarchy_.problem.transport; }
 
  private:
+  /// Derivatives of an epsilon at the point of linearization, P and H as independent variables, and its change in
+  /// jacobian().
+  struct Epsilon {
+    core::Field dP, dH, change;
+  };
+
+  bool anisotropic() const { return hierarchy_.problem.thinning.has_value(); }
   void make_scale();
 
   fmg::Hierarchy& hierarchy_;
@@ -64,9 +74,10 @@ class NewtonEquations {
   int threads_;
   std::vector<double> scale_;
   std::vector<char> wet_;
-  core::Field deps_dP_, deps_dH_, dq_dP_;  // at the point of linearization, P and H as independent variables
+  Epsilon along_, across_;  // the second one empty where there is one epsilon only
+  core::Field dq_dP_;
   Local local_;
-  core::Field dP_, dH_, deps_;  // work space of jacobian()
+  core::Field dP_, dH_;  // work space of jacobian()
 };
 
 }  // namespace ehl::steady

@@ -84,18 +84,21 @@ void NewtonPreconditioner::Implementation::assemble(Vector& column_of_H00) {
   const fmg::Level& level = equations.level();
   const double half_over_hx2 = 0.5 / (grid.hx() * grid.hx());
   const double half_over_hy2 = 0.5 / (grid.hy() * grid.hy());
-  const auto& [deps, dq] = equations.local();
+  const core::Field& deps = equations.local().eps;
+  const core::Field& deps_across = equations.local_eps_across();
+  const core::Field& dq = equations.local().q;
   const core::Field& deps_dH = equations.deps_dH();
+  const core::Field& deps_dH_across = equations.deps_dH_across();
   const core::Field& P = level.P;
   const core::Field& eps = level.eps;
+  const core::Field& eps_across = fmg::eps_across(level);
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(6 * order.size());
   for (std::size_t row = 0; row < order.size(); ++row) {
     const auto [i, j] = order[row];
     const double s = equations.scale(equations.index(i, j));
     const auto [c0, c1, c2] = reynolds::transport_weights(equations.transport(), i, grid.hx());
-    const auto e = reynolds::half_points(eps(i - 1, j), eps(i + 1, j), eps(i, j - 1), eps(i, j + 1), eps(i, j),
-                                         half_over_hx2, half_over_hy2);
+    const auto e = reynolds::half_points_at(eps, eps_across, i, j, half_over_hx2, half_over_hy2);
     const double centre = P(i, j);
     const double west = half_over_hx2 * (P(i - 1, j) - centre);
     const double east = half_over_hx2 * (P(i + 1, j) - centre);
@@ -107,17 +110,21 @@ void NewtonPreconditioner::Implementation::assemble(Vector& column_of_H00) {
       const int column = place[equations.index(ci, cj)];
       if (column >= 0) entries.emplace_back(static_cast<int>(row), column, s * value);
     };
-    enter(i, j, c0 * dq(i, j) + e.west + e.east + e.south + e.north - (west + east + south + north) * deps(i, j));
+    // With one epsilon the last term is zero, and changes no bit.
+    enter(i, j,
+          c0 * dq(i, j) + e.west + e.east + e.south + e.north - (west + east + south + north) * deps(i, j) -
+              (south + north) * (deps_across(i, j) - deps(i, j)));
     enter(i - 1, j, c1 * dq(i - 1, j) - e.west - west * deps(i - 1, j));
     enter(i + 1, j, -e.east - east * deps(i + 1, j));
-    enter(i, j - 1, -e.south - south * deps(i, j - 1));
-    enter(i, j + 1, -e.north - north * deps(i, j + 1));
+    enter(i, j - 1, -e.south - south * deps_across(i, j - 1));
+    enter(i, j + 1, -e.north - north * deps_across(i, j + 1));
     if (c2 != 0.0) enter(i - 2, j, c2 * dq(i - 2, j));
     const double here = deps_dH(i, j);
+    const double here_across = deps_dH_across(i, j);
     column_of_H00[static_cast<Eigen::Index>(row)] =
         s * (c0 * level.rho_bar(i, j) + c1 * level.rho_bar(i - 1, j) + c2 * level.rho_bar(std::max(i - 2, 0), j) -
              west * (deps_dH(i - 1, j) + here) - east * (deps_dH(i + 1, j) + here) -
-             south * (deps_dH(i, j - 1) + here) - north * (deps_dH(i, j + 1) + here));
+             south * (deps_dH_across(i, j - 1) + here_across) - north * (deps_dH_across(i, j + 1) + here_across));
   }
   const auto n = static_cast<Eigen::Index>(order.size());
   matrix.resize(n, n);

@@ -2,6 +2,7 @@
 // Everything a steady computation needs to know, dimensionless.
 #include <functional>
 #include <limits>
+#include <optional>
 
 #include "contact/ellipse.hpp"
 #include "core/field.hpp"
@@ -10,6 +11,7 @@
 #include "mlmi/deformation.hpp"
 #include "reynolds/wedge.hpp"
 #include "rheology/laws.hpp"
+#include "rheology/shear.hpp"
 
 namespace ehl::steady {
 
@@ -51,6 +53,7 @@ struct Scene {
   /// Writes S(X, Y), what surfaces at rest add to the gap, in a^2/R: the mean over each node's cell. Empty: smooth. One
   /// that is not symmetric in Y forbids use_symmetry.
   std::function<void(const core::Grid& grid, core::Field& S)> surface{};
+  std::optional<rheology::ShearThinning> thinning{};  ///< sliding that thins the oil; absent: Newtonian
   core::Grid grid;  ///< the finest grid; where an accuracy is asked for, the first to be tried
   reynolds::Wedge wedge = reynolds::Wedge::upstream2;
   mlmi::Parameters deformation;

@@ -1,0 +1,73 @@
+#pragma once
+// The friction of a lubricated contact, from its pressure and its film.
+//
+// The stress in the film is tau(z) = tau_m + (z - h/2) dp/dx, surface 2 at z = 0 with speed u2, surface 1 at z = h with
+// u1; tau_m = eta_y (u1 - u2)/h, eta_y the viscosity across sliding (rheology/shear.hpp). What the film does to the
+// surfaces along +x:
+//   surface 1   -(tau_m + (h/2) dp/dx),   surface 2   tau_m - (h/2) dp/dx.
+// The part of tau_m is sliding friction, that of dp/dx rolling friction.
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/field.hpp"
+#include "core/grid.hpp"
+#include "rheology/laws.hpp"
+#include "rheology/shear.hpp"
+
+namespace ehl::friction {
+
+/// What fills the gap where P = 0 behind a pressurised film.
+enum class Cavitated {
+  none,      ///< nothing that could be sheared
+  striated,  ///< streamers: H_r/H of the width, H_r the film where the line's pressure ended
+  full,      ///< oil
+};
+
+/// Largest limiting stress over pressure that is known of lubricants. source: REFERENCE, 0.03 to 0.12.
+inline constexpr double largest_limit = 0.12;
+
+struct Parameters {
+  double stress = 0.0;  ///< eta_0 (u1 - u2) R/(a^2 p_h): tau_m/p_h where H = 1 and eta_bar = 1; signed
+  double slope = 0.0;   ///< a/R
+  Cavitated cavitated = Cavitated::striated;
+  double limit = std::numeric_limits<double>::infinity();  ///< Lambda
+  bool keep_tau1 = false, keep_tau2 = false;
+};
+
+/// A solved contact on its whole domain.
+struct Film {
+  const core::Grid& grid;
+  const core::Field& P;
+  const core::Field& H;
+  const rheology::ViscosityLaw& viscosity;
+  const std::optional<rheology::ShearThinning>& thinning;
+};
+
+/// Forces are over the load, the integral of P: friction coefficients.
+struct Friction {
+  Parameters parameters;
+  bool thinned = false;         ///< by a shear law
+  double sliding = 0.0;         ///< integral of tau_m; > 0 where surface 1 is the faster one
+  double rolling = 0.0;         ///< integral of (h/2) dp/dx; it holds back both surfaces
+  double on_1 = 0.0;            ///< force on surface 1 along +x: -(sliding + rolling)
+  double on_2 = 0.0;            ///< on surface 2: sliding - rolling
+  double cavitated = 0.0;       ///< part of `sliding` from where P = 0
+  double largest_stress = 0.0;  ///< of |tau_m| where P > 0, in p_h
+  double limited_share = 0.0;   ///< share of the load that stands where the limit acts
+  double unlikely_share = 0.0;  ///< share of the load where |tau_m| > largest_limit P
+  core::Field tau1{}, tau2{};   ///< in p_h; empty where they are not kept
+  double seconds = 0.0;
+};
+
+/// The friction of a film. in: P and H on a grid that is not mirrored; H > 0 where something is sheared.
+/// The integral of tau_m by the trapezoidal rule, that of H dP/dX as sum of H (mean of the two nodes) times the
+/// differences of P. order: 2, with P and H of order 2; with Cavitated::none 1 in the part beside the edge.
+/// cost: one viscosity per node.
+Friction friction_of(const Film& film, const Parameters& parameters);
+
+/// What is wrong with the numbers, in words: a Newtonian oil that would carry what no lubricant can.
+std::vector<std::string> warnings(const Friction& friction);
+
+}  // namespace ehl::friction

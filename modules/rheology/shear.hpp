@@ -1,0 +1,61 @@
+#pragma once
+// How the lubricant's viscosity falls with the rate of shear: in a film that is sheared by sliding, and beside it by
+// the flow that pressure drives.
+//
+// A law gives the rate of shear that a stress tau causes, in the direction of the stress:
+//   rate_i = F(tau) tau_i/tau,   Eyring F = (tau_0/eta) sinh(tau/tau_0),
+//                                Carreau  tau = eta rate [1 + (eta rate/G)^2]^((n-1)/2).
+// Sliding by du shears the film by tau_m, F(tau_m) = du/h, along X. A pressure gradient adds a stress that is linear
+// across the film and has no mean; to first order in it, it meets
+//   along sliding   1/eta_x = F'(tau_m),    across   1/eta_y = F(tau_m)/tau_m,
+// the same at every height, so that the flow is -h^3/(12 eta_i) dp/dx_i as in a Newtonian film.
+// source: Ehret, Dowson and Taylor 1998; Jacod, Venner and Lubrecht 2001, for Eyring; Carreau's by the same steps.
+// limits: no sliding, no thinning: what the pressure's own flow would thin is left out.
+#include <span>
+#include <variant>
+
+namespace ehl::rheology {
+
+/// tau = tau_c asinh(eta rate/tau_c), with tau_c = tau_0.
+struct Eyring {};
+/// tau = eta rate [1 + (eta rate/tau_c)^2]^((n-1)/2), with tau_c = G. 0 < n <= 1; n = 1 is Newtonian.
+struct Carreau {
+  double n;
+};
+using ShearLaw = std::variant<Eyring, Carreau>;
+
+/// A law in a film that slides.
+struct ShearThinning {
+  ShearLaw law;
+  /// eta_0 |u1 - u2| R/(a^2 tau_c) >= 0: the stress of the unthinned oil over tau_c where H = 1 and eta_bar = 1. 0: the
+  /// film is Newtonian.
+  double k = 0.0;
+};
+
+/// Viscosities over the one without shear.
+struct Thinned {
+  double along;   ///< eta_x/eta
+  double across;  ///< eta_y/eta = tau_m/(eta rate)
+};
+/// in: s = eta rate/tau_c >= 0. limits: 1 as s -> 0, by series, where asinh(s)/s would be 0/0; Eyring's across becomes
+/// ln(2 s)/s.
+Thinned thinned(const ShearLaw& law, double s);
+
+/// |tau| <= limit: the limiting shear stress Lambda p that no lubricant exceeds. in: limit >= 0, same unit.
+double limited(double tau, double limit);
+
+/// eta_0/eta_x and eta_0/eta_y of a film. in: H, fluidity eta_0/eta of the oil at rest, of one length. The same values
+/// as thinned() with s = k/(H fluidity), but finite wherever the fluidity underflows or the film is zero.
+/// limits: k -> 0 gives `fluidity` twice, to rounding. H < 1e-30 counts as 1e-30.
+void film_fluidity(const ShearThinning& thinning, std::span<const double> H, std::span<const double> fluidity,
+                   std::span<double> along, std::span<double> across);
+
+/// d ln(along)/d ln(fluidity) and d ln(across)/d ln(fluidity) at constant H: between 0 (fully thinned) and 1. The
+/// derivatives to ln H at constant fluidity are these less 1.
+void film_fluidity_slopes(const ShearThinning& thinning, std::span<const double> H, std::span<const double> fluidity,
+                          std::span<double> along, std::span<double> across);
+
+/// The same sliding under a load that makes p_h and a `factor` times what they were. in: factor > 0.
+ShearThinning rescaled(const ShearThinning& thinning, double factor);
+
+}  // namespace ehl::rheology
