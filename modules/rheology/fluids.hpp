@@ -29,10 +29,10 @@ constexpr std::array<FluidKey, 8> roelands_oil(std::string_view eta0, std::strin
 inline constexpr std::array<Fluid, 6> fluids{{
     {"mourier", "oil of Mourier's experiment",
      "Mourier, Mazuyer, Lubrecht and Donnet, Tribology International 39, 2006", roelands_oil("0.25", "22e-9")},
-    {"mineral-vg32", "mineral oil like ISO VG 32 (31 mm^2/s at 40 C by Walther), at 30 C",
+    {"mineral-vg32", "mineral oil like ISO VG 32 (about 31 mm^2/s at 40 C), at 30 C",
      "Stachowiak and Batchelor, Engineering Tribology, Table 2.3, light machine oil of medium viscosity index",
      roelands_oil("0.045", "28e-9")},
-    {"mineral-vg68", "mineral oil like ISO VG 68 (69 mm^2/s at 40 C by Walther), at 30 C",
+    {"mineral-vg68", "mineral oil like ISO VG 68 (about 69 mm^2/s at 40 C), at 30 C",
      "Stachowiak and Batchelor, Engineering Tribology, Table 2.3, medicinal white oil",
      roelands_oil("0.107", "29.6e-9")},
     {"pao4", "polyalphaolefin PAO 4, at 40 C",

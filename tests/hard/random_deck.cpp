@@ -267,19 +267,6 @@ std::vector<Entry> random_case(Random& random, bool& ordinary) {
   return entries;
 }
 
-namespace {
-
-// Now and then an ellipse, some of them aslant; drawn for itself, so that the other decks stay what they are.
-void make_elliptic(Entries& entries, Random random, bool& ordinary) {
-  const bool has_radius = std::ranges::any_of(entries, [](const Entry& entry) { return entry.name == "radius_y"; });
-  if (has_radius || !random.chance(0.15)) return;
-  entries.push_back({"contact", "radius_ratio", written(random, log_between(random, 0.06, 16.0))});
-  if (random.chance(0.4)) entries.push_back({"motion", "angle", written(random, random.between(-90.0, 90.0))});
-  ordinary = false;
-}
-
-}  // namespace
-
 RandomDeck random_deck(std::uint64_t seed, const std::vector<KnownKey>& keys) {
   // Neighbouring seeds must not give neighbouring decks.
   Random random(seed * 0x9E3779B97F4A7C15ULL + 1);

@@ -53,6 +53,9 @@ void add_in_time(std::vector<Entry>& entries, Random& random, bool si);
 /// A surface that stands still in a steady contact, or both.
 void add_at_rest(std::vector<Entry>& entries, Random& random, bool si);
 
+/// Now and then an ellipse, some of them aslant; drawn for itself, so that the other decks stay what they are.
+void make_elliptic(std::vector<Entry>& entries, Random random, bool& ordinary);
+
 /// Stresses below the contact; few planes, for the time.
 void add_subsurface(std::vector<Entry>& entries, Random& random);
 

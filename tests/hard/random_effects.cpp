@@ -201,4 +201,12 @@ std::vector<File> files_of(const std::vector<Entry>& entries, Random& random) {
   return files;
 }
 
+void make_elliptic(std::vector<Entry>& entries, Random random, bool& ordinary) {
+  const bool has_radius = std::ranges::any_of(entries, [](const Entry& entry) { return entry.name == "radius_y"; });
+  if (has_radius || !random.chance(0.15)) return;
+  entries.push_back({"contact", "radius_ratio", written(random, log_between(random, 0.06, 16.0))});
+  if (random.chance(0.4)) entries.push_back({"motion", "angle", written(random, random.between(-90.0, 90.0))});
+  ordinary = false;
+}
+
 }  // namespace hard

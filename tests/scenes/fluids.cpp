@@ -211,6 +211,16 @@ BOOST_AUTO_TEST_CASE(the_deck_that_a_result_keeps_says_the_same_again) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(decks_of_the_inputs_are_taken) {
+  const support::TemporaryFolder folder;
+  for (const char* name : {"squalane", "yasutomi", "table"}) {
+    const support::Ended ended =
+        support::ehl(folder, std::string("check '") + EHL_INPUTS + "/fluids/" + name + ".ini'");
+    BOOST_TEST(ended.status == 0, ended.err);
+    BOOST_TEST(ended.out.find("alpha_film = ") != std::string::npos, ended.out);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(in_moes_groups_alpha_star_gives_the_pressure) {
   // p_h = alpha_bar/alpha*, alpha_bar = (L/pi)(3M/2)^(1/3) = 13.42 at (50, 10); alpha* of squalane is 17.78 1/GPa.
   const support::TemporaryFolder folder;
