@@ -27,7 +27,7 @@ std::string idle(const Case& input) {
 Needs expense(const Case& input) {
   const core::Grid& grid = input.scene.grid;
   constexpr double fields = 4.0 / 3.0;
-  constexpr double share = 0.3;  // of the time of the basic model
+  constexpr double share = 0.15;  // of the time of the basic model
   return {.bytes = fields * sizeof(double) * grid.nodes_x() * grid.nodes_y(),
           .seconds = share * basic_needs(input.scene).seconds};
 }
