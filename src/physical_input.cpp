@@ -218,9 +218,10 @@ void set_sliding(const deck::Deck& deck, Physics& physics) {
     return;
   }
   if (given(deck, "motion", "srr")) physics.srr = without_rounding(deck::number(deck, "motion", "srr"));
-  // a^3 = 3 F R/(2 E').
-  physics.a_over_R = physics.language == Language::hamrock_dowson ? std::cbrt(1.5 * physics.groups.W)
-                                                                  : deck::number(deck, "contact", "a_over_R");
+  // Of a circle a^3 = 3 F R/(2 E').
+  physics.a_over_R = physics.language == Language::hamrock_dowson
+                         ? std::cbrt(1.5 * physics.groups.W) * physics.groups.shape.a
+                         : deck::number(deck, "contact", "a_over_R");
 }
 
 // M and L that follow from other numbers are held against the same ranges as M and L given.
