@@ -7,6 +7,7 @@
 
 #include "deck/text.hpp"
 #include "fluid_input.hpp"
+#include "sliding_input.hpp"
 #include "text_format.hpp"
 
 namespace ehl::program {
@@ -206,22 +207,6 @@ contact::Groups groups_of(const deck::Deck& deck, const Physics& physics, const 
   if (physics.language == Language::hamrock_dowson)
     return contact::from_hamrock_dowson(number("W"), number("U"), number("G"), shape);
   return contact::from_si(physics.si->contact);
-}
-
-// A difference of speeds that is but rounding is none.
-double without_rounding(double srr) { return std::abs(srr) < 1e-12 ? 0.0 : srr; }
-
-void set_sliding(const deck::Deck& deck, Physics& physics) {
-  if (physics.si) {
-    physics.srr = without_rounding(2.0 * (physics.si->u1 - physics.si->u2) / physics.si->contact.u_s);
-    physics.a_over_R = physics.si->hertz.h_scale / physics.si->hertz.a;
-    return;
-  }
-  if (given(deck, "motion", "srr")) physics.srr = without_rounding(deck::number(deck, "motion", "srr"));
-  // Of a circle a^3 = 3 F R/(2 E').
-  physics.a_over_R = physics.language == Language::hamrock_dowson
-                         ? std::cbrt(1.5 * physics.groups.W) * physics.groups.shape.a
-                         : deck::number(deck, "contact", "a_over_R");
 }
 
 // M and L that follow from other numbers are held against the same ranges as M and L given.

@@ -29,7 +29,23 @@ double stress_of_sliding(const Physics& physics) {
   return physics.groups.lambda * physics.a_over_R * physics.srr / 12.0;
 }
 
+// A difference of speeds that is but rounding is none.
+double without_rounding(double srr) { return std::abs(srr) < 1e-12 ? 0.0 : srr; }
+
 }  // namespace
+
+void set_sliding(const deck::Deck& deck, Physics& physics) {
+  if (physics.si) {
+    physics.srr = without_rounding(2.0 * (physics.si->u1 - physics.si->u2) / physics.si->contact.u_s);
+    physics.a_over_R = physics.si->hertz.h_scale / physics.si->hertz.a;
+    return;
+  }
+  if (given(deck, "motion", "srr")) physics.srr = without_rounding(deck::number(deck, "motion", "srr"));
+  // Of a circle a^3 = 3 F R/(2 E').
+  physics.a_over_R = physics.language == Language::hamrock_dowson
+                         ? std::cbrt(1.5 * physics.groups.W) * physics.groups.shape.a
+                         : deck::number(deck, "contact", "a_over_R");
+}
 
 std::optional<rheology::ShearThinning> shear_input(deck::Deck& deck, const Physics& physics) {
   if (!given(deck, "shear", "law") || !possible(deck, physics, "shear", "law")) return std::nullopt;
