@@ -3,6 +3,8 @@
 # valgrind, memory, and whether the results are the same bits. For builds of the same level; valgrind knows no AVX-512.
 #   base_cost.sh OLD/ehl NEW/ehl [DECK]
 set -eu
+# Without it the program sets it and starts itself anew, which valgrind does not follow.
+export GOMP_SPINCOUNT=3000
 old=$(realpath "$1")
 new=$(realpath "$2")
 folder=$(mktemp -d)
