@@ -113,6 +113,18 @@ void ContactDae::move_body(const Stage& stage) {
   hierarchy_.load_line = {W_ * stage.cj * (body.mass * stage.cj + body.damping), H00};
 }
 
+// V and V' from the load that the film carries, so that the equation of motion holds to rounding. What the cycles and
+// the rounding of H00, times mass cj^2, have left stands in H00' = V instead.
+void ContactDae::take_velocity(const Stage& stage) {
+  const Body& body = *course_.body;
+  const double load = course_.drive(stage.T).load;
+  const double V_at_rest = stage.y_predicted[2 * nodes_ + 1] - stage.yp_predicted[2 * nodes_ + 1] / stage.cj;
+  const double V_slope = (carried() - load - body.damping * V_at_rest) / (body.mass + body.damping / stage.cj);
+  V_ = V_at_rest + V_slope / stage.cj;
+  hierarchy_.finest().load = W_ * (load + body.mass * V_slope + body.damping * V_);
+  hierarchy_.load_line = {};
+}
+
 double ContactDae::carried() const { return fmg::carried_load(hierarchy_.levels.back()) / W_; }
 
 double ContactDae::acceleration(double T) const {
@@ -211,7 +223,7 @@ StageResult ContactDae::solve(const Stage& stage, std::span<double> correction) 
     last = now;
   }
   if (!(core::minimum(level.H).value > 0.0)) result.solved = false;
-  if (course_.body) V_ = stage.yp_predicted[2 * nodes_] + stage.cj * (hierarchy_.H00 - stage.y_predicted[2 * nodes_]);
+  if (course_.body) take_velocity(stage);
   state(correction);
   for (std::size_t k = 0; k < correction.size(); ++k) correction[k] -= stage.y_predicted[k];
   return result;

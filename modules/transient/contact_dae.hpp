@@ -81,6 +81,7 @@ class ContactDae {
  private:
   double change(const Stage& stage, double H00_before);
   void move_body(const Stage& stage);
+  void take_velocity(const Stage& stage);
 
   fmg::Hierarchy& hierarchy_;
   const Course& course_;
