@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "deck/text.hpp"
+#include "file_beside.hpp"
 #include "fluid_table.hpp"
 #include "rheology/fluids.hpp"
 #include "rheology/pressure_coefficient.hpp"
@@ -107,17 +107,8 @@ void check_constants(deck::Deck& deck, const std::string& viscosity, const std::
                  " C: below it the oil is no liquid");
 }
 
-// Where the program runs, and else beside the deck.
-std::string found(const std::string& file, const std::string& deck) {
-  namespace files = std::filesystem;
-  std::error_code error;
-  if (files::exists(file, error)) return file;
-  const files::path beside = files::path(deck).parent_path() / file;
-  return files::exists(beside, error) ? beside.string() : file;
-}
-
 void add_table(deck::Deck& deck, bool viscosity, bool density, Liquid& liquid) {
-  const ReadTable read = read_fluid_table(found(word(deck, "table"), deck.name), density);
+  const ReadTable read = read_fluid_table(found_beside(word(deck, "table"), deck.name), density);
   if (const auto* wrong = std::get_if<std::string>(&read)) {
     complain(deck, section, "table", *wrong);
     return;

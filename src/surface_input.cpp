@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <memory>
 #include <numbers>
@@ -10,6 +9,7 @@
 
 #include "core/norms.hpp"
 #include "deck/text.hpp"
+#include "file_beside.hpp"
 #include "map_file.hpp"
 
 namespace ehl::program {
@@ -94,15 +94,6 @@ double spacing_across(deck::Deck& deck, const std::string& of, const Units& unit
   return given(deck, of, "dy") || given(deck, of, "dy_m") ? dy : dx;
 }
 
-// Where the program runs, and else beside the deck.
-std::string found(const std::string& file, const std::string& deck) {
-  namespace files = std::filesystem;
-  std::error_code error;
-  if (files::exists(file, error)) return file;
-  const files::path beside = files::path(deck).parent_path() / file;
-  return files::exists(beside, error) ? beside.string() : file;
-}
-
 // Nothing where something was complained about.
 std::optional<CarriedSurface> map_of(deck::Deck& deck, const std::string& of, const Units& units,
                                      const core::Grid& grid, bool timed) {
@@ -115,7 +106,7 @@ std::optional<CarriedSurface> map_of(deck::Deck& deck, const std::string& of, co
     complain(deck, of, "file", "is missing: the measured heights, a .csv or a .h5");
     return std::nullopt;
   }
-  ReadHeights read = read_heights(found(record.file, deck.name), deck::word(deck, of, "dataset"));
+  ReadHeights read = read_heights(found_beside(record.file, deck.name), deck::word(deck, of, "dataset"));
   if (const auto* wrong = std::get_if<std::string>(&read)) {
     complain(deck, of, "file", *wrong);
     return std::nullopt;

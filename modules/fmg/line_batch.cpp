@@ -151,9 +151,9 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
     // the deltas: the pressure change at k is delta_k - (distributed_{k-1} + distributed_{k+1})/4.
     const Lanes p_far = -c2 * film2.slope_H;
     const Lanes p_west = e.west - c1 * film1.slope_H;
-    const Lanes* d = distributive + i;
     const Lanes p_own = -(e.west + e.east + e.south + e.north) - c0 * film0.slope_H;
     const Lanes p_east = e.east;
+    const Lanes* d = distributive + i;
     point.a[0] = p_far - 0.25 * d[-2] * p_west;
     point.a[1] = p_west - 0.25 * d[-1] * (p_far + p_own);
     point.a[2] = p_own - 0.25 * d[0] * (p_west + p_east + e.south + e.north) - work_.far_squeeze[k] * film0.rho_bar;

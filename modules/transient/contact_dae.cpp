@@ -131,11 +131,10 @@ double ContactDae::acceleration(double T) const {
   return (carried() - course_.drive(T).load - course_.body->damping * V_) / course_.body->mass;
 }
 
-double ContactDae::load_error() const {
-  const fmg::Level& level = hierarchy_.levels.back();
-  const double wanted = fmg::wanted_load(hierarchy_, level);
-  const double carried_now = fmg::carried_load(level);
-  return course_.body ? std::abs(carried_now - wanted) / W_ : std::abs(carried_now / wanted - 1.0);
+LoadBalance ContactDae::load_balance() const {
+  const double carried_now = fmg::carried_load(hierarchy_.levels.back());
+  const double wanted = fmg::wanted_load(hierarchy_, hierarchy_.levels.back());
+  return {carried_now / W_, course_.body ? std::abs(carried_now - wanted) / W_ : std::abs(carried_now / wanted - 1.0)};
 }
 
 // The cycles balance the load on the coarsest grid, a factor of some five per cycle. What is left is put into the

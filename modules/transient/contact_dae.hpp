@@ -34,6 +34,11 @@ struct ErrorControl {
   int most_cycles = 12;  ///< in one stage, before the step is cut
 };
 
+struct LoadBalance {
+  double carried = 0.0;  ///< by the film, over W, the load that the groups are made with
+  double error = 0.0;    ///< of what is carried, over the load that acts; with a body, over W
+};
+
 /// The unknowns y = (P, Q, H00), P and Q = rho_bar H on all nodes of the finest grid, Y fastest:
 ///   (eps P_X)_X + (eps P_Y)_Y - U(T) Q_X - Q' = 0 or P = 0,   Q = rho_bar(P) H(P, H00, S),   integral P = load(T).
 /// With y' = y'_p + cj (y - y_p) of the implicit step this is the steady problem with the additional terms
@@ -67,11 +72,9 @@ class ContactDae {
   /// Carries the load exactly: the pressure by a common factor, the film at the centre held by H00.
   void balance_load();
 
-  /// Velocity of the body, 0 without one; what the film carries over W; the error of the load over the one that acts,
-  /// or over W where that is less.
+  /// Velocity of the body, 0 without one.
   double velocity() const { return V_; }
-  double carried() const;
-  double load_error() const;
+  LoadBalance load_balance() const;
   /// V' of a body at T, by its equation of motion from what the film carries.
   double acceleration(double T) const;
 
@@ -80,6 +83,7 @@ class ContactDae {
 
  private:
   double change(const Stage& stage, double H00_before);
+  double carried() const;
   void move_body(const Stage& stage);
   void take_velocity(const Stage& stage);
 

@@ -25,7 +25,6 @@ constexpr double shorter_behind_a_checkpoint = 0.1;
 /// what the jump has stirred up die away, which IDA would follow with steps too short for the cycles.
 constexpr double micro_step = 1e-3;
 constexpr int micro_steps = 4;
-/// Of times.
 constexpr double rounding_of_time = 1e-14;
 
 /// The integration under way.
@@ -202,6 +201,7 @@ class March {
   bool show(const StepReport& step) {
     const fmg::Level& level = hierarchy_.finest();
     const core::Location Hm = core::minimum(level.H);
+    const LoadBalance balance = dae_.load_balance();
     const StepRow row{.T = step.T,
                       .Hc = central_film(),
                       .Hm = Hm.value,
@@ -211,9 +211,9 @@ class March {
                       .H00 = hierarchy_.H00,
                       .load = value(conditions_.load, step.T),
                       .speed = drive_at(conditions_, step.T).speed,
-                      .load_error = dae_.load_error(),
+                      .load_error = balance.error,
                       .velocity = dae_.velocity(),
-                      .carried = dae_.carried(),
+                      .carried = balance.carried,
                       .length = step.length,
                       .order = step.order,
                       .cycles = step.cycles,

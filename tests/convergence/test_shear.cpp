@@ -4,6 +4,7 @@
 
 #include "contact/groups.hpp"
 #include "steady/solve.hpp"
+#include "support/roelands_scene.hpp"
 
 using namespace ehl;
 
@@ -12,16 +13,8 @@ namespace {
 constexpr double a_over_R_of_p_h = 3.141592653589793 / 2.26e11;  // pi/E', steel on steel
 
 steady::Scene scene_of(double M, double L, int n) {
-  steady::Scene scene;
-  const contact::Groups groups = contact::from_moes(M, L);
-  scene.M = M;
-  scene.L = L;
-  scene.lambda = groups.lambda;
-  const double p_h = groups.alpha_bar / 2.2e-8;
-  scene.viscosity = rheology::make_roelands(2.2e-8, rheology::roelands_p0, 0.68, p_h);
-  scene.density = rheology::make_dowson_higginson(p_h);
-  scene.grid = M < 200 ? core::Grid{n, n, -4.5, 1.5, -3.0, 3.0} : core::Grid{n, n, -2.5, 1.5, -2.0, 2.0};
-  return scene;
+  return tests::roelands_scene(
+      M, L, M < 200 ? core::Grid{n, n, -4.5, 1.5, -3.0, 3.0} : core::Grid{n, n, -2.5, 1.5, -2.0, 2.0});
 }
 
 // eta_0 (u1 - u2) R/(a^2 tau_0) = lambda (a/R) srr/12 p_h/tau_0.

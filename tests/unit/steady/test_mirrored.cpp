@@ -2,26 +2,18 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "contact/groups.hpp"
 #include "core/norms.hpp"
 #include "steady/fitted_minimum.hpp"
 #include "steady/solve.hpp"
 #include "support/mirrored.hpp"
+#include "support/roelands_scene.hpp"
 
 using namespace ehl;
 
 namespace {
 
 steady::Scene contact_scene(double M, double L, const core::Grid& grid) {
-  steady::Scene scene;
-  const contact::Groups groups = contact::from_moes(M, L);
-  scene.M = M;
-  scene.L = L;
-  scene.lambda = groups.lambda;
-  const double p_h = groups.alpha_bar / 2.2e-8;
-  scene.viscosity = rheology::make_roelands(2.2e-8, rheology::roelands_p0, 0.68, p_h);
-  scene.density = rheology::make_dowson_higginson(p_h);
-  scene.grid = grid;
+  steady::Scene scene = tests::roelands_scene(M, L, grid);
   scene.multigrid.tolerance = 1e-9;
   return scene;
 }

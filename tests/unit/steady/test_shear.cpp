@@ -8,6 +8,7 @@
 #include "steady/newton_equations.hpp"
 #include "steady/solve.hpp"
 #include "support/random.hpp"
+#include "support/roelands_scene.hpp"
 #include "unit/steady/newton_scene.hpp"
 
 using namespace ehl;
@@ -19,16 +20,8 @@ namespace {
 const std::vector<ShearThinning> thinnings{{rheology::Eyring{}, 5e-3}, {rheology::Carreau{0.46}, 5e-3}};
 
 steady::Scene scene_of(double M, double L, int n) {
-  steady::Scene scene;
-  const contact::Groups groups = contact::from_moes(M, L);
-  scene.M = M;
-  scene.L = L;
-  scene.lambda = groups.lambda;
-  const double p_h = groups.alpha_bar / 2.2e-8;
-  scene.viscosity = rheology::make_roelands(2.2e-8, rheology::roelands_p0, 0.68, p_h);
-  scene.density = rheology::make_dowson_higginson(p_h);
   // Not square cells: every factor in its place.
-  scene.grid = {n, n, -2.5, 1.5, -2.5, 2.5};
+  steady::Scene scene = tests::roelands_scene(M, L, {n, n, -2.5, 1.5, -2.5, 2.5});
   scene.multigrid.tolerance = 1e-9;
   return scene;
 }

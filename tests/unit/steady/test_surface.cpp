@@ -7,6 +7,7 @@
 #include "core/norms.hpp"
 #include "steady/continuation.hpp"
 #include "steady/solve.hpp"
+#include "support/roelands_scene.hpp"
 
 using namespace ehl;
 using Path = steady::ContinuationParameters::Path;
@@ -16,15 +17,7 @@ namespace {
 using Gap = double (*)(double X, double Y);
 
 steady::Scene contact_scene(double M, double L, const core::Grid& grid) {
-  steady::Scene scene;
-  const contact::Groups groups = contact::from_moes(M, L);
-  scene.M = M;
-  scene.L = L;
-  scene.lambda = groups.lambda;
-  const double p_h = groups.alpha_bar / 2.2e-8;
-  scene.viscosity = rheology::make_roelands(2.2e-8, rheology::roelands_p0, 0.68, p_h);
-  scene.density = rheology::make_dowson_higginson(p_h);
-  scene.grid = grid;
+  steady::Scene scene = tests::roelands_scene(M, L, grid);
   scene.multigrid.tolerance = 1e-9;
   scene.deformation.method = mlmi::Method::fft;
   return scene;

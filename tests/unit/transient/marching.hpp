@@ -4,24 +4,15 @@
 #include <cmath>
 #include <vector>
 
-#include "contact/groups.hpp"
 #include "steady/solve.hpp"
+#include "support/roelands_scene.hpp"
 #include "transient/march.hpp"
 
 namespace ehl::tests {
 
 /// M = 50, L = 10 with Roelands (z = 0.68, alpha = 2.2e-8 1/Pa) and Dowson-Higginson on n x n cells.
 inline steady::Scene marching_scene(int n, double M = 50.0, double L = 10.0) {
-  steady::Scene scene;
-  const contact::Groups groups = contact::from_moes(M, L);
-  scene.M = M;
-  scene.L = L;
-  scene.lambda = groups.lambda;
-  const double p_h = groups.alpha_bar / 2.2e-8;
-  scene.viscosity = rheology::make_roelands(2.2e-8, rheology::roelands_p0, 0.68, p_h);
-  scene.density = rheology::make_dowson_higginson(p_h);
-  scene.grid = {n, n, -2.5, 1.5, -2.0, 2.0};
-  return scene;
+  return roelands_scene(M, L, {n, n, -2.5, 1.5, -2.0, 2.0});
 }
 
 /// All that a march gives.
