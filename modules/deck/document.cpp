@@ -70,10 +70,12 @@ std::string load_text(const std::string& path) {
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) throw core::InputError(path + ": cannot be read: " + std::strerror(errno));
-  std::string text(largest_deck + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  std::string text;
+  for (char piece[4096]; file && text.size() <= largest_deck;) {
+    file.read(piece, sizeof piece);
+    text.append(piece, static_cast<std::size_t>(file.gcount()));
+  }
   if (file.bad()) throw core::InputError(path + ": cannot be read: " + std::strerror(errno));
-  text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.size() > largest_deck) throw core::InputError(path + ": larger than a megabyte: this is no deck");
   if (text.find('\0') != std::string::npos) throw core::InputError(path + ": not a text file: this is no deck");
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);

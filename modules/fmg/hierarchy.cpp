@@ -83,14 +83,14 @@ void coefficients_of_station(const Problem& problem, Level& level, int i, Thread
   }
   rheology::film_properties(problem.viscosity, problem.density, P, work.fluidity, level.rho_bar.station(i));
   rheology::density_slope(problem.density, P, level.drho_bar.station(i));
-  if (level.H_floor == 0.0) {
-    epsilon_of_station(problem, H, level, i, work);
-  } else {
+  auto followed = H;
+  if (level.H_floor != 0.0) {
     const auto finer = std::as_const(level.H_restricted).station(i);
     const auto held = level.r.station(i);  // free here: the residual is made anew after every change of the film
     for (std::size_t j = 0; j < held.size(); ++j) held[j] = std::max(H[j], level.H_floor * finer[j]);
-    epsilon_of_station(problem, held, level, i, work);
+    followed = held;
   }
+  epsilon_of_station(problem, followed, level, i, work);
   core::make_images(level.grid, level.eps.at_x(i));
 }
 

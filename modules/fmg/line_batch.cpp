@@ -77,16 +77,22 @@ void LineBatch<reach, solver>::read_coefficients(const Hierarchy& hierarchy, con
   const double half_over_hx2 = 0.5 / (grid.hx() * grid.hx());
   const double half_over_hy2 = 0.5 / (grid.hy() * grid.hy());
   const core::Field& eps_across = fmg::eps_across(level);
-  Lanes before = own_lines(level.eps, 0, j);
-  for (int i = 1; i <= grid.nx; ++i) {
-    const Lanes eps = own_lines(level.eps, i, j);
-    const Beside across = with_neighbours(eps_across, i, j);
-    const auto k = static_cast<std::size_t>(i);
-    work_.west[k] = (before + eps) * half_over_hx2;
-    work_.south[k] = (across.south + across.own) * half_over_hy2;
-    work_.north[k] = (across.own + across.north) * half_over_hy2;
-    before = eps;
-  }
+  const auto read = [&](auto thinning) {
+    Lanes before = own_lines(level.eps, 0, j);
+    for (int i = 1; i <= grid.nx; ++i) {
+      const Beside across = with_neighbours(eps_across, i, j);
+      const Lanes eps = thinning ? own_lines(level.eps, i, j) : across.own;
+      const auto k = static_cast<std::size_t>(i);
+      work_.west[k] = (before + eps) * half_over_hx2;
+      work_.south[k] = (across.south + across.own) * half_over_hy2;
+      work_.north[k] = (across.own + across.north) * half_over_hy2;
+      before = eps;
+    }
+  };
+  if (hierarchy.problem.thinning)
+    read(std::true_type{});
+  else
+    read(std::false_type{});
   // The crossover is where the coupling by epsilon outweighs that by the film.
   const double crossover = hierarchy.parameters.relaxation.crossover * hierarchy.problem.transport.strength(grid.hx());
   const double crossover2 = crossover * crossover;
@@ -94,16 +100,22 @@ void LineBatch<reach, solver>::read_coefficients(const Hierarchy& hierarchy, con
   const double squeeze = hierarchy.problem.transport.squeeze;
   const Lanes far_single = core::broadcast(relaxation.far_squeeze * level.film_terms.K[0] * squeeze);
   const Lanes far_beside = core::broadcast(relaxation.far_squeeze_beside * squeeze);
-  const auto choose = [&](auto above_crossover) {
+  const auto choose_for = [&](auto squeezed, auto above_crossover) {
     for (int i = 1; i < grid.nx; ++i) {
       const auto k = static_cast<std::size_t>(i);
       const LaneMask by_epsilon = above_crossover(k);
       LaneMask single = by_epsilon;
       // Beside the cavitated region too: what is cut off at P = 0 would leave half of a distributed change standing.
       if (hierarchy.problem.cavitation) single |= beside_cavitation(level.P, i, j);
-      work_.far_squeeze[k] = by_epsilon ? far_single : single ? far_beside : Lanes{};
+      if constexpr (squeezed) work_.far_squeeze[k] = by_epsilon ? far_single : single ? far_beside : Lanes{};
       work_.distributive[k + ThreadWork::margin] = single ? Lanes{} : core::broadcast(1.0);
     }
+  };
+  const auto choose = [&](auto above_crossover) {
+    if (squeeze > 0.0)
+      choose_for(std::true_type{}, above_crossover);
+    else
+      choose_for(std::false_type{}, above_crossover);
   };
   // e_max sqrt(e_max/e_min) > crossover, without root and division; e_min = 0 makes it single unless e_max = 0 too.
   const auto above = [crossover2](Lanes largest, Lanes smallest) {
