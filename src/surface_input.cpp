@@ -26,29 +26,16 @@ constexpr double no_heights = 1e-12;
 /// Largest gap on the grid, over the height of what makes it, that is no influence.
 constexpr double no_influence = 1e-9;
 
-struct Unit {
-  bool known = false;  ///< the contact is given in SI
-  double metres = std::numeric_limits<double>::quiet_NaN();
-};
 struct Units {
-  Unit a{};
-  Unit height{};
+  deck::PlainUnit a{.suffix = "_m"};       ///< Hertz radius
+  deck::PlainUnit height{.suffix = "_m"};  ///< a^2/R
 };
 
-// One length that the deck may give in Hertz radii (or a^2/R) as `key`, or in metres as key_m.
-// out: NaN where it is wrong, or open and not demanded.
-double length_of(deck::Deck& deck, const std::string& of, const std::string& key, const Unit& unit,
-                 bool demanded = true) {
-  const std::string in_metres = key + "_m";
-  const bool plain = given(deck, of, key);
-  const bool metres = given(deck, of, in_metres);
-  if (plain && metres)
-    complain(deck, of, key, "and " + in_metres + " are both given: keep one of them");
-  else if (!plain && !metres && demanded)
-    complain(deck, of, key, "is missing: give it, or " + in_metres + " for a contact in SI");
-  else if (metres && !unit.known)
-    complain(deck, of, in_metres, "is in metres and the contact is not given in SI: use " + key);
-  return plain ? deck::number(deck, of, key) : deck::number(deck, of, in_metres) / unit.metres;
+// One length of a surface, which it cannot do without.
+double length_of(deck::Deck& deck, const std::string& of, const std::string& key, const deck::PlainUnit& unit) {
+  if (!given(deck, of, key) && !given(deck, of, key + unit.suffix))
+    complain(deck, of, key, "is missing: give it, or " + key + unit.suffix + " for a contact in SI");
+  return deck::number_in(deck, of, key, unit);
 }
 
 struct Place {
@@ -90,7 +77,7 @@ Feature feature_of(deck::Deck& deck, const std::string& of, const Units& units, 
 
 // The spacing along y is that along x where the deck is silent.
 double spacing_across(deck::Deck& deck, const std::string& of, const Units& units, double dx) {
-  const double dy = length_of(deck, of, "dy", units.a, false);
+  const double dy = deck::number_in(deck, of, "dy", units.a);
   return given(deck, of, "dy") || given(deck, of, "dy_m") ? dy : dx;
 }
 
@@ -171,8 +158,8 @@ std::optional<CarriedSurface> carried_by(deck::Deck& deck, const std::string& of
   Units units;
   units.a.known = units.height.known = physics.language == Language::si;
   if (physics.si) {
-    units.a.metres = physics.si->hertz.a;
-    units.height.metres = physics.si->hertz.h_scale;
+    units.a.in_SI = physics.si->hertz.a;
+    units.height.in_SI = physics.si->hertz.h_scale;
   }
   if (motion != Motion::dry) check_at_rest(deck, of, physics, timed);
   std::optional<CarriedSurface> surface;

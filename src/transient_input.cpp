@@ -116,28 +116,21 @@ Schedule schedule_of(deck::Deck& deck, const std::string& key, double unit, doub
   return schedule;
 }
 
-// A quantity of the body given plainly or in SI; NaN: not at all.
-double of_body(deck::Deck& deck, const std::string& key, const std::string& suffix, double unit) {
-  const std::string in_SI = key + suffix;
-  const bool plain = given(deck, "body", key);
-  const bool SI = given(deck, "body", in_SI);
-  if (plain && SI) complain(deck, "body", key, "and " + in_SI + " are both given: keep one of them");
-  if (SI && std::isnan(unit)) complain(deck, "body", in_SI, "is in SI and contact and motion are not: use " + key);
-  return plain ? deck::number(deck, "body", key) : SI ? deck::number(deck, "body", in_SI) / unit : unset;
-}
-
 std::optional<transient::Body> body_of(deck::Deck& deck, const Physics& physics, const Units& units) {
   const double length = physics.si ? physics.si->contact.radius : unset;
   const double load = physics.si ? physics.si->contact.load : unset;
   const double u_m = units.a / units.time;
+  const auto quantity = [&](const char* key, const char* suffix, double unit) {
+    return deck::number_in(deck, "body", key, {suffix, unit, physics.language == Language::si});
+  };
   transient::Body body;
-  body.mass = of_body(deck, "mass", "_kg", load * length / (u_m * u_m));
+  body.mass = quantity("mass", "_kg", load * length / (u_m * u_m));
   if (std::isnan(body.mass)) return std::nullopt;
-  const double damping = of_body(deck, "damping", "_Nspm", load * length / (units.a * u_m));
+  const double damping = quantity("damping", "_Nspm", load * length / (units.a * u_m));
   if (std::isfinite(damping)) body.damping = damping;
-  const double gap = of_body(deck, "gap", "_m", units.height);
+  const double gap = quantity("gap", "_m", units.height);
   if (std::isfinite(gap)) body.gap = gap;
-  const double velocity = of_body(deck, "velocity", "_mps", units.height / units.time);
+  const double velocity = quantity("velocity", "_mps", units.height / units.time);
   if (std::isfinite(velocity)) body.velocity = velocity;
   return body;
 }

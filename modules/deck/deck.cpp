@@ -51,6 +51,17 @@ double number(const Deck& deck, const std::string& section, const std::string& n
   return usable ? found.number : std::numeric_limits<double>::quiet_NaN();
 }
 
+double number_in(Deck& deck, const std::string& section, const std::string& name, const PlainUnit& unit) {
+  const std::string in_SI = name + unit.suffix;
+  const bool plain = given(deck, section, name);
+  const bool SI = given(deck, section, in_SI);
+  if (plain && SI)
+    complain(deck, section, name, "and " + in_SI + " are both given: keep one of them");
+  else if (SI && !unit.known)
+    complain(deck, section, in_SI, "is in SI and the contact is not given in SI: use " + name);
+  return plain ? number(deck, section, name) : number(deck, section, in_SI) / unit.in_SI;
+}
+
 int integer(const Deck& deck, const std::string& section, const std::string& name, int otherwise) {
   const double found = number(deck, section, name);
   return std::isnan(found) ? otherwise : static_cast<int>(found);

@@ -1,5 +1,6 @@
 #pragma once
 // A deck that was read against the catalogue of keys: one value per key, and every complaint about it.
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -48,7 +49,18 @@ bool called_for(const Deck& deck, const std::string& section);
 /// Number of a key: given, chosen or default; NaN when there is none or it was refused.
 double number(const Deck& deck, const std::string& section, const std::string& name);
 
-/// The same for a whole number. limits: `otherwise` when there is none or it was refused.
+/// The unit of a quantity that a deck may give plainly, as `name`, or in SI, as name + suffix.
+struct PlainUnit {
+  std::string suffix{};
+  double in_SI = std::numeric_limits<double>::quiet_NaN();
+  bool known = false;  ///< the deck gives, right or wrong, what in_SI follows from
+};
+
+/// Such a quantity in its plain unit. Complains where both are given, or the one in SI and the unit is not known.
+/// out: NaN where neither is given, or something is wrong.
+double number_in(Deck& deck, const std::string& section, const std::string& name, const PlainUnit& unit);
+
+/// number() for a whole number. limits: `otherwise` when there is none or it was refused.
 int integer(const Deck& deck, const std::string& section, const std::string& name, int otherwise);
 
 /// Word or text of a key; empty when there is none or it was refused.

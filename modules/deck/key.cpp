@@ -22,6 +22,15 @@ std::string allowed_range(const Key& key) {
 
 }  // namespace
 
+Key in_SI(Key plain, const std::string& suffix, const std::string& unit, const std::string& example) {
+  plain.name += suffix;
+  plain.unit = unit;
+  plain.meaning = "The same in " + unit + ", for a contact in SI.";
+  plain.default_text.clear();
+  plain.example = example;
+  return plain;
+}
+
 const Key* find_key(const Catalogue& catalogue, const std::string& section, const std::string& name) {
   for (const Key& key : catalogue.keys)
     if (key.section == section && key.name == name) return &key;

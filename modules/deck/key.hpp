@@ -69,6 +69,9 @@ struct Catalogue {
   std::vector<Unavailable> unavailable{};
 };
 
+/// The key for the same quantity in SI, "<name><suffix>": one of both is given (deck::number_in reads them).
+Key in_SI(Key plain, const std::string& suffix, const std::string& unit, const std::string& example);
+
 /// The record of a key, or nullptr.
 const Key* find_key(const Catalogue& catalogue, const std::string& section, const std::string& name);
 

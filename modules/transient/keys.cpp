@@ -152,18 +152,6 @@ std::vector<Key> varying_keys() {
   };
 }
 
-// One quantity of the body in the units of the contact and in SI; one of both is given.
-std::vector<Key> body_pair(const Key& plain, const std::string& suffix, const std::string& unit,
-                           const std::string& example) {
-  Key si = plain;
-  si.name += suffix;
-  si.unit = unit;
-  si.meaning = "The same in " + unit + ", for a contact in SI.";
-  si.example = example;
-  si.default_text.clear();
-  return {plain, si};
-}
-
 std::vector<Key> body_keys() {
   const deck::Condition in_time{.name = "end_time", .words = {}, .section = "transient"};
   const auto key = [&](const char* name, const char* note, const deck::Range& range, const char* meaning,
@@ -176,23 +164,19 @@ std::vector<Key> body_keys() {
                .needs = in_time,
                .example = example};
   };
-  std::vector<Key> all;
-  const auto add = [&](const std::vector<Key>& pair) { all.insert(all.end(), pair.begin(), pair.end()); };
-  add(body_pair(key("mass", "none: the load is imposed", positive,
-                    "Mass of the body that moves, in F R/u_m^2: with it H00 follows mass H00'' + damping H00' = load "
-                    "that the film carries - load that acts, both over that of [contact], and the load that acts may "
-                    "be zero.",
-                    "2"),
-                "_kg", "kg", "0.1"));
-  add(body_pair(key("damping", "0", {0.0, infinity}, "Damping of the body, in F R/(a u_m).", "0.1"), "_Nspm", "N s/m",
-                "100"));
-  add(body_pair(key("gap", "none: starts from the steady film", positive,
-                    "H00 at time 0, in a^2/R: the bodies start apart, without pressure.", "2"),
-                "_m", "m", "1e-6"));
-  add(body_pair(
-      key("velocity", "0", {-infinity, infinity}, "H00' at time 0, in a u_m/R; negative: the bodies approach.", "-1"),
-      "_mps", "m/s", "-0.1"));
-  return all;
+  const Key mass =
+      key("mass", "none: the load is imposed", positive,
+          "Mass of the body that moves, in F R/u_m^2: with it H00 follows mass H00'' + damping H00' = load "
+          "that the film carries - load that acts, both over that of [contact], and the load that acts may "
+          "be zero.",
+          "2");
+  const Key damping = key("damping", "0", {0.0, infinity}, "Damping of the body, in F R/(a u_m).", "0.1");
+  const Key gap = key("gap", "none: starts from the steady film", positive,
+                      "H00 at time 0, in a^2/R: the bodies start apart, without pressure.", "2");
+  const Key velocity =
+      key("velocity", "0", {-infinity, infinity}, "H00' at time 0, in a u_m/R; negative: the bodies approach.", "-1");
+  return {mass, in_SI(mass, "_kg", "kg", "0.1"), damping,  in_SI(damping, "_Nspm", "N s/m", "100"),
+          gap,  in_SI(gap, "_m", "m", "1e-6"),   velocity, in_SI(velocity, "_mps", "m/s", "-0.1")};
 }
 
 }  // namespace
