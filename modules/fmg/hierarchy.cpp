@@ -26,11 +26,6 @@ line_solvers::FilmTerms film_terms(const core::Grid& grid, double elastic, int r
 }
 
 // The number of coarsenings that a user gives is meant for the finest grid: the others take as many as they hold.
-mlmi::Parameters fitting(mlmi::Parameters deformation, const core::Grid& grid, bool finest) {
-  if (!finest) deformation.coarsenings = std::min(deformation.coarsenings, mlmi::most_coarsenings(grid));
-  return deformation;
-}
-
 Level make_level(const core::Grid& grid, bool finest, const Problem& problem, const Parameters& parameters,
                  const mlmi::Parameters& deformation, int threads) {
   const auto zero = [&] { return core::Field(grid); };
@@ -54,7 +49,8 @@ Level make_level(const core::Grid& grid, bool finest, const Problem& problem, co
           .r = zero(),
           .changes = {zero_changes(), zero_changes()},
           .thread_work = std::vector<ThreadWork>(static_cast<std::size_t>(threads), work),
-          .deformation = mlmi::Deformation(grid, fitting(deformation, grid, finest), threads, problem.geometry.elastic),
+          .deformation = mlmi::Deformation(grid, finest ? deformation : mlmi::fitting(deformation, grid), threads,
+                                           problem.geometry.elastic),
           .film_terms = film_terms(grid, problem.geometry.elastic, parameters.relaxation.reach)};
 }
 

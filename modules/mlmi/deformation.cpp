@@ -78,6 +78,11 @@ int most_coarsenings(const core::Grid& grid) {
   return most;
 }
 
+Parameters fitting(Parameters parameters, const core::Grid& coarser) {
+  parameters.coarsenings = std::min(parameters.coarsenings, most_coarsenings(core::whole(coarser)));
+  return parameters;
+}
+
 struct Deformation::Implementation {
   std::string description;
   MultilevelSum sum;

@@ -25,6 +25,8 @@ struct Parameters {
 
 /// The most semi-coarsenings a grid allows: every direction that is coarsened keeps 8 cells.
 int most_coarsenings(const core::Grid& grid);
+/// For a grid coarser than the one that the parameters are meant for: with no more coarsenings than it allows.
+Parameters fitting(Parameters parameters, const core::Grid& coarser);
 
 /// Eq. (6): the deformation of a circular contact in units of a^2/R for the pressure in units of p_h is this times K*P.
 inline constexpr double circular_factor = 2.0 / (core::pi * core::pi);

@@ -42,6 +42,7 @@ std::string percent(double value) {
 Scene coarse_scene(const Scene& scene, const core::Grid& grid) {
   Scene coarse = scene;
   coarse.grid = grid;
+  coarse.deformation = mlmi::fitting(coarse.deformation, grid);
   coarse.accuracy = {};
   coarse.multigrid.tolerance = tolerance_of_coarse;
   return coarse;

@@ -93,6 +93,7 @@ ContinuationStep solve_step(Climb& climb, std::size_t l, double M) {
 Solved solve_first_load(const Climb& climb, std::size_t l, std::vector<ContinuationStep>& steps) {
   Scene light = under_load(climb.scene, first_M(climb.scene));
   light.grid = core::whole(climb.hierarchy.levels[l].grid);
+  light.deformation = mlmi::fitting(light.deformation, light.grid);
   light.multigrid.tolerance = step_tolerance;
   Solution solution = ehl::steady::climb(light, climb.start, climb.progress);
   const LevelRow& row = solution.levels.back();

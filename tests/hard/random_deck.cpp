@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 
 namespace hard {
 namespace {
@@ -275,6 +276,7 @@ RandomDeck random_deck(std::uint64_t seed, const std::vector<KnownKey>& keys) {
   deck.ordinary = true;
   Entries entries = random_case(random, deck.ordinary);
   make_elliptic(entries, Random(seed * 0x9E3779B97F4A7C15ULL + 3), deck.ordinary);
+  vary_oil(entries, deck.files, Random(seed * 0x9E3779B97F4A7C15ULL + 5), deck.ordinary);
   const bool damaged = random.chance(share_of_damaged);
   if (damaged && random.chance(0.6)) damage_entries(entries, keys, random, deck.damage);
   if (random.chance(0.2)) {
@@ -284,7 +286,7 @@ RandomDeck random_deck(std::uint64_t seed, const std::vector<KnownKey>& keys) {
   }
   if (random.chance(0.2)) deck.threads = 2;
   deck.text = deck_text(entries, random);
-  deck.files = files_of(entries, random);
+  std::ranges::move(files_of(entries, random), std::back_inserter(deck.files));
   if (random.chance(0.1))
     for (File& file : deck.files) damage_text(file.text, random, deck.damage);
   if (damaged && deck.damage.empty()) damage_text(deck.text, random, deck.damage);

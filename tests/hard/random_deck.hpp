@@ -56,6 +56,9 @@ void add_at_rest(std::vector<Entry>& entries, Random& random, bool si);
 /// Now and then an ellipse, some of them aslant; drawn for itself, so that the other decks stay what they are.
 void make_elliptic(std::vector<Entry>& entries, Random random, bool& ordinary);
 
+/// Now and then an oil by name, by a table or by the laws of a liquid, one that thins, and friction; drawn for itself.
+void vary_oil(std::vector<Entry>& entries, std::vector<File>& files, Random random, bool& ordinary);
+
 /// Stresses below the contact; few planes, for the time.
 void add_subsurface(std::vector<Entry>& entries, Random& random);
 
