@@ -106,7 +106,7 @@ std::optional<CarriedSurface> map_of(deck::Deck& deck, const std::string& of, co
     complain(deck, of, "file", "is missing: the measured heights, a .csv or a .h5");
     return std::nullopt;
   }
-  ReadHeights read = read_heights(found_beside(record.file, deck.name), deck::word(deck, of, "dataset"));
+  ReadHeights read = read_heights(found_beside(deck, of, "file"), deck::word(deck, of, "dataset"));
   if (const auto* wrong = std::get_if<std::string>(&read)) {
     complain(deck, of, "file", *wrong);
     return std::nullopt;
