@@ -243,7 +243,7 @@ std::string derived_dry(const Case& input) {
     text += "effects      " + effect.name + ": " + effect.what(input) + "\n";
   text += surface_report(input.surfaces, input.physics, grid);
   const Needs needs = expected_needs(input);
-  text += "needs        about " + memory(needs.bytes) + formatted(" and %.1g s\n", needs.seconds);
+  text += "needs        about " + memory(needs.bytes) + " and " + about_seconds(needs.seconds) + "\n";
   return text;
 }
 
