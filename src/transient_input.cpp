@@ -53,7 +53,8 @@ std::vector<Schedule::Point> points_of_file(deck::Deck& deck, const std::string&
   const std::string path = found_beside(deck, section, key);
   std::ifstream file(path);
   std::error_code error;
-  if (!file || std::filesystem::is_directory(path, error)) throw core::FileError(path + ": cannot be read ([transient] " + key + ")");
+  if (!file || std::filesystem::is_directory(path, error))
+    throw core::FileError(path + ": cannot be read ([transient] " + key + ")");
   std::vector<Schedule::Point> points;
   int number = 0;
   for (std::string line; std::getline(file, line);) {
@@ -207,6 +208,12 @@ std::optional<TransientInput> transient_input(deck::Deck& deck, const Physics& p
   input.parameters.probes = probes_of(deck, grid);
   if (std::isfinite(input.parameters.end)) check_drive(deck, input);
   return input;
+}
+
+Way way_of(const CarriedSurface& surface, const TransientInput& input) {
+  const double X = std::visit([](const auto& relief) { return relief.X; }, surface.relief);
+  const Schedule& speed = surface.section == "surface1" ? input.conditions.u1 : input.conditions.u2;
+  return {X, X + transient::integral(speed, input.parameters.end)};
 }
 
 }  // namespace ehl::program
