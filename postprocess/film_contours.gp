@@ -30,5 +30,5 @@ eval "set palette ".film_colours
 set cbrange [S_min:top]
 set colorbox
 set cblabel "H = hR/a^2"
-set label 1 sprintf("ΔH = %g", dH) at graph 0.97, 0.96 right
+set label 1 sprintf("ΔH = %g", dH) at screen 0.97, 0.97 right
 plot $contours using 1:2:3 with lines lw 0.7 lc palette notitle

@@ -23,5 +23,5 @@ set ylabel "Y = y/a"
 eval "set palette ".pressure_colours
 set cbrange [-0.3:1.1]
 unset colorbox
-set label 1 sprintf("ΔP = %g", dP) at graph 0.97, 0.96 right
+set label 1 sprintf("ΔP = %g", dP) at screen 0.97, 0.97 right
 plot $contours using 1:2:3 with lines lw 0.7 lc palette notitle

@@ -22,6 +22,7 @@ S = number("/subsurface/largest_sigma_mises")
 Sx = number("/subsurface/largest_sigma_mises_x")
 Sy = number("/subsurface/largest_sigma_mises_y")
 Sz = number("/subsurface/largest_sigma_mises_z")
+shown(x) = abs(x) < 0.005 ? 0 : x  # not -0.00
 stats field("/subsurface/section/sigma_mises") using 2:3 nooutput prefix "s"
 stats field("/subsurface/section/sigma_mises") using 1 nooutput prefix "X"
 
@@ -60,7 +61,7 @@ set view map
 set pm3d corners2color mean
 if (format eq "png") set pm3d interpolate 4,4
 set border 4095 lw 0.8
-set label 1 sprintf("largest: %.4f p_h at (%.2f, %.2f, %.2f) a", S, Sx, Sy, Sz) at graph 0.97, 0.05 right front
+set label 1 sprintf("largest: %.4f p_h at (%.2f, %.2f, %.2f) a", S, shown(Sx), shown(Sy), Sz) at graph 0.97, 0.05 right front
 # Where the largest value of all lies off this section, its mark is open.
 set label 2 "" at Sx, Sz point pt (abs(Sy) < 0.05 ? 7 : 6) ps 1.2 lc rgb "black" front
 splot field("/subsurface/section/sigma_mises") using 1:2:3 with pm3d notitle, \

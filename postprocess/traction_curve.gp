@@ -17,6 +17,8 @@ if (title eq "") title = "Traction: ".system(sprintf("basename \"$(sed -n 's/^# 
 
 set datafile separator comma
 set datafile columnheaders
+# Rows of other curves lie between those of one.
+set datafile missing NaN
 of(v) = stringcolumn("status") eq "converged" && (v eq "all" || stringcolumn(other) eq v)
 srr(v) = of(v) ? abs(column("motion.srr")) : NaN
 mu(v) = of(v) ? abs(column("mu")) : NaN
@@ -41,7 +43,7 @@ set logscale y
 set format y "10^{%T}"
 set ylabel "friction coefficient μ"
 set yrange [0.5 * M_min_y:3 * M_max_y]
-set key top left reverse Left noenhanced
+set key bottom right reverse Left noenhanced
 plot for [k = 1:words(values)] file using (srr(word(values, k))):(mu(word(values, k))) \
          with linespoints pt 7 ps 0.8 lw 1.4 lc rgb word(colours, k) title name(k), \
      M_min_y * x / M_min_x with lines lw 1 dt 2 lc rgb grey title "slope 1"

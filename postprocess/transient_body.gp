@@ -11,9 +11,9 @@ set multiplot layout 3, 1 title title noenhanced
 set title ""
 set lmargin 11
 set rmargin 4
-set xrange [T_min:T_max]
+set xrange [T_min:T_max > T_min ? T_max : T_min + 1]
 set xzeroaxis lw 0.5 lc rgb grey
-set key top right
+set key tmargin center horizontal samplen 3
 set offsets 0, 0, graph 0.1, graph 0.05
 set ylabel "H = hR/a^2"
 stats table("transient") using "Hc" nooutput prefix "C"

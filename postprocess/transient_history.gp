@@ -16,8 +16,8 @@ set multiplot layout 3, 1 title title noenhanced
 set title ""
 set lmargin 11
 set rmargin 9
-set xrange [T_min:T_max]
-set key top right
+set xrange [T_min:T_max > T_min ? T_max : T_min + 1]
+set key tmargin center horizontal samplen 3
 set offsets 0, 0, graph 0.1, graph 0.05
 set ylabel "H = hR/a^2"
 plot table("transient") using "time":"Hc" with lines lw 1.5 lc rgb blue title "H_c, centre", \
@@ -44,7 +44,8 @@ set y2range [0:*]
 set logscale y
 set format y "10^{%T}"
 unset offsets
-plot table("transient") using "time":(column("step") > 0 ? column("step") : 1/0) with lines lw 1.5 lc rgb blue \
+# A run that ended at once took no steps.
+if (T_max > T_min) plot table("transient") using "time":(column("step") > 0 ? column("step") : 1/0) with lines lw 1.5 lc rgb blue \
          title "length of the step", \
      table("transient") using "time":"cycles" axes x1y2 with points pt 7 ps 0.25 lc rgb red title "cycles (right)", \
      table("transient") using "time":"order" axes x1y2 with points pt 7 ps 0.15 lc rgb grey title "order (right)"

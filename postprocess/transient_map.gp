@@ -15,8 +15,9 @@ set cblabel "H/H_c"
 set xrange [-1.5:1.25]
 set autoscale yfix
 set palette @film_colours
-# The film in the contact; the inlet is thicker than any colour tells.
-set cbrange [0.6:1.6]
+# The film in the contact, down to its thinnest; the inlet is thicker than any colour tells.
+stats map using (abs($2) <= 1 ? $3 / Hc : NaN) nooutput prefix "H"
+set cbrange [H_min < 0.6 ? 0.1 * floor(10 * H_min) : 0.6:1.6]
 set cbtics 0.2
 unset grid
 set tics out

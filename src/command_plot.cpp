@@ -35,7 +35,7 @@ struct Figure {
   std::string script;
   std::vector<std::string> needs;  // datasets without which there is nothing to draw; or what it draws instead,
                                    // "sweep", "study" or "time_study", and columns without which there is nothing
-  bool movie = false;  // a GIF whatever the format, and only when asked for
+  bool movie = false;              // a GIF whatever the format, and only when asked for
 };
 
 // The kind of file that a figure draws: sweep, study, time_study or result.
@@ -92,6 +92,9 @@ std::vector<Figure> selected(const std::vector<Figure>& all, const std::vector<s
     if (found != all.end()) {
       if (kind_of(*found) != source.kind)
         throw core::InputError("command line: --figure " + name + " draws " + told(kind_of(*found)));
+      for (const std::string& need : found->needs)
+        if (!source.has(need))
+          throw core::InputError("command line: --figure " + name + ": this file has no " + need + ", which it draws");
       chosen.push_back(*found);
       continue;
     }
@@ -103,7 +106,7 @@ std::vector<Figure> selected(const std::vector<Figure>& all, const std::vector<s
     }
     const std::string near = deck::nearest(name, known);
     throw core::InputError("command line: --figure " + name + ": there is no such figure" +
-                           (near.empty() ? "" : ": did you mean " + near + "?") + " Figures are" + list);
+                           (near.empty() ? "." : ": did you mean " + near + "?") + " Figures are" + list);
   }
   if (!names.empty()) return chosen;
   for (const Figure& figure : all)

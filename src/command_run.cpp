@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <iterator>
 #include <utility>
 
@@ -163,7 +164,11 @@ int resume(const Arguments& arguments) {
   const results::ResultFile file(path);
   TransientResult before = read_transient(file);
   const deck::Document document = deck::parse(file.text("/deck"), path + " /deck", catalogue());
-  const Case input = case_of(deck::validate(document, {}, catalogue()), path, requested_threads(arguments));
+  deck::Deck understood = deck::validate(document, {}, catalogue());
+  if (file.kind("/provenance/deck_folder") != results::ResultFile::Kind::missing)
+    understood.folders.push_back(file.text("/provenance/deck_folder"));
+  understood.folders.push_back(std::filesystem::absolute(path).parent_path().string());
+  const Case input = case_of(std::move(understood), path, requested_threads(arguments));
   results::check_writable(path, true, results::expected_bytes(input.scene.grid, input.fields.size()));
   return solve_and_write(arguments, input, {path, true}, std::move(before));
 }

@@ -184,7 +184,7 @@ results::Content content_of(const Case& input, const DryResult& result) {
   results::Content content;
   content.title = input.title;
   content.deck = deck::effective_deck(input.deck);
-  content.provenance = provenance(input.scene.threads);
+  content.provenance = provenance(input);
   if (const std::optional<ElasticContact>& contact = input.dry->contact)
     content.scales = {{"p_h", contact->hertz.p_h, "Pa", "Hertz pressure, the scale of P"},
                       {"a", contact->hertz.a, "m", "Hertz radius, the scale of X and Y"},
@@ -243,7 +243,7 @@ std::string derived_dry(const Case& input) {
     text += "effects      " + effect.name + ": " + effect.what(input) + "\n";
   text += surface_report(input.surfaces, input.physics, grid);
   const Needs needs = expected_needs(input);
-  text += "needs        about " + memory(needs.bytes) + formatted(" and %.1g s\n", needs.seconds);
+  text += "needs        about " + memory(needs.bytes) + " and " + about_seconds(needs.seconds) + "\n";
   return text;
 }
 

@@ -14,8 +14,16 @@ namespace {
 
 std::string what(const Case& input) {
   std::vector<std::string> shapes;
-  for (const CarriedSurface* one : carried(input.surfaces))
-    shapes.push_back(one->shape + " on " + one->section + (input.transient || input.dry ? "" : ", at rest"));
+  for (const CarriedSurface* one : carried(input.surfaces)) {
+    std::string text = one->shape + " on " + one->section;
+    if (input.transient) {
+      const Way way = way_of(*one, *input.transient);
+      text += formatted(" (x = %.4g to %.4g a)", way.from, way.to);
+    } else if (!input.dry) {
+      text += ", at rest";
+    }
+    shapes.push_back(text);
+  }
   return deck::joined(shapes, ", ");
 }
 

@@ -38,8 +38,9 @@ double own_seconds(const Effect& effect, const Computed& computed) {
 std::string cost(const Needs& more) {
   constexpr double shown_bytes = 5e5;
   if (more.bytes < shown_bytes && more.seconds == 0.0) return "less than 1 MB more";
-  return (more.bytes < shown_bytes ? "less than 1 MB" : "about " + memory(more.bytes)) +
-         (more.seconds > 0.0 ? formatted(" and %.1g s", more.seconds) : "") + " more";
+  std::string text = more.bytes < shown_bytes ? "less than 1 MB" : "about " + memory(more.bytes);
+  if (more.seconds > 0.0) text += " and " + about_seconds(more.seconds);
+  return text + " more";
 }
 
 // What is computed on, and if it is the whole domain, why.

@@ -3,14 +3,25 @@
 #include <filesystem>
 #include <system_error>
 
+#include "core/errors.hpp"
+#include "deck/text.hpp"
+
 namespace ehl::program {
 
-std::string found_beside(const std::string& file, const std::string& deck) {
+std::string found_beside(const deck::Deck& deck, const std::string& section, const std::string& key) {
   namespace files = std::filesystem;
+  const std::string file = deck::word(deck, section, key);
   std::error_code error;
   if (files::exists(file, error)) return file;
-  const files::path beside = files::path(deck).parent_path() / file;
-  return files::exists(beside, error) ? beside.string() : file;
+  for (const std::string& folder : deck.folders) {
+    const files::path beside = files::path(folder) / file;
+    if (files::exists(beside, error)) return beside.string();
+  }
+  const std::string place = deck::value(deck, section, key).place;
+  std::string message = place.empty() ? deck.name : place;
+  message += ": [" + section + "] " + key + " = " + file + ": there is no such file where the program runs";
+  for (const std::string& folder : deck.folders) message += ", nor in " + folder;
+  throw core::FileError(message);
 }
 
 }  // namespace ehl::program

@@ -108,7 +108,7 @@ void check_constants(deck::Deck& deck, const std::string& viscosity, const std::
 }
 
 void add_table(deck::Deck& deck, bool viscosity, bool density, Liquid& liquid) {
-  const ReadTable read = read_fluid_table(found_beside(word(deck, "table"), deck.name), density);
+  const ReadTable read = read_fluid_table(found_beside(deck, section, "table"), density);
   if (const auto* wrong = std::get_if<std::string>(&read)) {
     complain(deck, section, "table", *wrong);
     return;

@@ -1,5 +1,6 @@
 #include "outcome.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -9,6 +10,7 @@
 #include "contact/yield.hpp"
 #include "core/norms.hpp"
 #include "rheology/range.hpp"
+#include "text_format.hpp"
 
 namespace ehl::program {
 namespace {
@@ -32,6 +34,23 @@ std::vector<std::string> warnings_of(const Physics& physics, const steady::Solut
         "incompressible");
   if (std::optional<std::string> warning = contact::beyond_yield(physics.p_h)) warnings.push_back(*warning);
   return warnings;
+}
+
+// Of surfaces that are still before the contact when the run in time ends.
+void warn_of_late(const Case& input, std::vector<std::string>& warnings) {
+  if (!input.transient) return;
+  const double inlet = -contact::extent(input.scene.shape).X;
+  for (const CarriedSurface* one : carried(input.surfaces)) {
+    const auto* feature = std::get_if<surface::Feature>(&one->relief);
+    if (feature && feature->angle != 0.0) continue;  // somewhere along its line it is there
+    const double ahead = feature ? feature->width : 0.5 * std::get<surface::HeightMap>(one->relief).length_x();
+    const Way way = way_of(*one, *input.transient);
+    if (std::max(way.from, way.to) + ahead >= inlet) continue;
+    warnings.push_back(
+        formatted("%s on %s does not come to the contact: its middle is at x = %.4g a at time 0 and at "
+                  "x = %.4g a at the end; a longer end_time, or x closer to the contact",
+                  one->shape.c_str(), one->section.c_str(), way.from, way.to));
+  }
 }
 
 }  // namespace
@@ -85,6 +104,7 @@ Outcome outcome_of(const Case& input, const steady::Solution& solution) {
   outcome.regime = contact::regime_text(groups.M, groups.L, groups.shape);
   outcome.warnings = warnings_of(input.physics, solution, outcome.P_max.value);
   for (std::string& warning : surface_warnings(input.surfaces, solution.grid)) outcome.warnings.push_back(warning);
+  warn_of_late(input, outcome.warnings);
   return outcome;
 }
 

@@ -65,6 +65,9 @@ std::string group_lines(const Physics& physics) {
   return text;
 }
 
+// What would be printed as -0.0000.
+double unsigned_zero(double x) { return std::abs(x) < 5e-5 ? 0.0 : x; }
+
 }  // namespace
 
 std::string level_table(const steady::Solution& solution) {
@@ -138,7 +141,8 @@ std::string error_lines(const steady::Solution& solution) {
             " (mesh size zero, this domain)\n";
   if (std::isfinite(bars.Hm_fitted_value))
     text += formatted("fitted       Hm = %.6f", bars.Hm_fitted_value) + bar(bars.Hm_fitted.total()) +
-            formatted(" between the nodes, at (%.4f, %.4f) a\n", bars.Hm_fitted_X, bars.Hm_fitted_Y);
+            formatted(" between the nodes, at (%.4f, %.4f) a\n", unsigned_zero(bars.Hm_fitted_X),
+                      unsigned_zero(bars.Hm_fitted_Y));
   if (std::isfinite(bars.Hc.discretization))
     text += "errors       Hc: mesh " + percent(bars.Hc.discretization) + ", cycles " + percent(bars.Hc.algebraic) +
             "; Hm: mesh " + percent(bars.Hm.discretization) + ", cycles " + percent(bars.Hm.algebraic) +
@@ -215,8 +219,8 @@ std::string derived(const Case& input) {
       "method       wedge " + std::string(name(scene.wedge)) + "; deformation " + name(scene.deformation.method) + "\n";
   text += effect_lines(input) + surface_report(input.surfaces, physics, scene.grid);
   const Needs needs = expected_needs(input);
-  text += "needs        about " + memory(needs.bytes) +
-          formatted(" and %.1g s with %d thread%s\n", needs.seconds, scene.threads, scene.threads == 1 ? "" : "s");
+  text += "needs        about " + memory(needs.bytes) + " and " + about_seconds(needs.seconds) +
+          formatted(" with %d thread%s\n", scene.threads, scene.threads == 1 ? "" : "s");
   return text;
 }
 

@@ -221,8 +221,9 @@ void add_resolution(const Case& input, const core::Grid& grid, std::vector<Quant
 
 }  // namespace
 
-std::vector<Text> provenance(int threads) {
+std::vector<Text> provenance(const Case& input) {
   const Version built = version();
+  const std::string folder = input.deck.folders.empty() ? "" : input.deck.folders.front();
   return {{"program", "ehl", "program that wrote the file"},
           {"version", built.number, "its version"},
           {"commit", built.commit, "commit of its source"},
@@ -230,7 +231,8 @@ std::vector<Text> provenance(int threads) {
           {"compiler", built.compiler, ""},
           {"host_cpu", processor(), "processor of the machine"},
           {"cpu_level", core::processor_level(), "what the numerics in use were compiled for"},
-          {"threads", std::to_string(threads), "threads used"},
+          {"threads", std::to_string(input.scene.threads), "threads used"},
+          {"deck_folder", folder, "where the deck lay, and files that it names are looked for"},
           {"date", utc_date(), "UTC date of the run"}};
 }
 
@@ -262,7 +264,7 @@ results::Content result_content(const Case& input, const steady::Solution& solut
   results::Content content;
   content.title = input.title;
   content.deck = deck::effective_deck(with_grid_of(solution, input.deck));
-  content.provenance = provenance(input.scene.threads);
+  content.provenance = provenance(input);
   content.scales = scales(input);
   content.grid = solution.grid;
   const std::vector<results::NamedField> fields{{"P", "p_h", "pressure p/p_h", &solution.P},

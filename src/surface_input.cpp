@@ -11,6 +11,7 @@
 #include "deck/text.hpp"
 #include "file_beside.hpp"
 #include "map_file.hpp"
+#include "text_format.hpp"
 
 namespace ehl::program {
 namespace {
@@ -70,8 +71,8 @@ Feature feature_of(deck::Deck& deck, const std::string& of, const Units& units, 
   feature.Y = place.Y;
   if (grid.nx > 0 && feature.width < 4.0 * grid.hx())
     complain(deck, of, given(deck, of, "width") ? "width" : "width_m",
-             "is " + deck::shortest(feature.width) + " Hertz radii, fewer than four cells of " +
-                 deck::shortest(grid.hx()) + ": the mesh does not see it; use more cells");
+             formatted("is %.4g Hertz radii, fewer than four cells of %.4g", feature.width, grid.hx()) +
+                 ": the mesh does not see it; use more cells");
   return feature;
 }
 
@@ -93,7 +94,7 @@ std::optional<CarriedSurface> map_of(deck::Deck& deck, const std::string& of, co
     complain(deck, of, "file", "is missing: the measured heights, a .csv or a .h5");
     return std::nullopt;
   }
-  ReadHeights read = read_heights(found_beside(record.file, deck.name), deck::word(deck, of, "dataset"));
+  ReadHeights read = read_heights(found_beside(deck, of, "file"), deck::word(deck, of, "dataset"));
   if (const auto* wrong = std::get_if<std::string>(&read)) {
     complain(deck, of, "file", *wrong);
     return std::nullopt;
@@ -156,7 +157,8 @@ std::optional<CarriedSurface> carried_by(deck::Deck& deck, const std::string& of
   if (shape.empty()) return std::nullopt;
   const bool timed = motion == Motion::in_time;
   Units units;
-  units.a.known = units.height.known = physics.language == Language::si;
+  // A contact in SI with an error in it has been complained about already.
+  units.a.known = units.height.known = physics.language == Language::si || given(deck, "contact", "load");
   if (physics.si) {
     units.a.in_SI = physics.si->hertz.a;
     units.height.in_SI = physics.si->hertz.h_scale;

@@ -44,6 +44,12 @@ std::string memory(double bytes) {
   return bytes < 1e9 ? formatted("%.0f MB", bytes * 1e-6) : formatted("%.1f GB", bytes * 1e-9);
 }
 
+std::string about_seconds(double seconds) {
+  if (!(seconds > 0.0)) return "0 s";
+  const double digit = std::pow(10.0, std::floor(std::log10(seconds)));
+  return formatted("%g s", std::round(seconds / digit) * digit);
+}
+
 std::string percent(double fraction) {
   if (!std::isfinite(fraction)) return "-";
   return formatted(std::abs(fraction) < 0.001 ? "%.3f %%" : "%.2f %%", 100.0 * fraction);

@@ -16,6 +16,8 @@ std::string length(double metres);
 std::string pressure(double pascal);
 /// Memory: "12 MB".
 std::string memory(double bytes);
+/// A time that is foreseen, to one digit: "0.04 s", "20 s".
+std::string about_seconds(double seconds);
 /// An estimated share: "0.58 %".
 std::string percent(double fraction);
 

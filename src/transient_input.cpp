@@ -10,6 +10,7 @@
 
 #include "core/errors.hpp"
 #include "deck/text.hpp"
+#include "file_beside.hpp"
 #include "transient_probes.hpp"
 
 namespace ehl::program {
@@ -48,9 +49,12 @@ std::vector<double> numbers_in(const std::string& text) {
   return numbers;
 }
 
-std::vector<Schedule::Point> points_of_file(deck::Deck& deck, const std::string& key, const std::string& path) {
+std::vector<Schedule::Point> points_of_file(deck::Deck& deck, const std::string& key) {
+  const std::string path = found_beside(deck, section, key);
   std::ifstream file(path);
-  if (!file) throw core::FileError(path + ": cannot be read ([transient] " + key + ")");
+  std::error_code error;
+  if (!file || std::filesystem::is_directory(path, error))
+    throw core::FileError(path + ": cannot be read ([transient] " + key + ")");
   std::vector<Schedule::Point> points;
   int number = 0;
   for (std::string line; std::getline(file, line);) {
@@ -93,7 +97,7 @@ Schedule schedule_of(deck::Deck& deck, const std::string& key, double unit, doub
   if (otherwise != 1.0) schedule.points = {{0.0, otherwise}};
   const std::string text = deck::word(deck, section, key);
   if (!text.empty())
-    schedule.points = text.ends_with(".csv") ? points_of_file(deck, key, text) : points_of_words(deck, key, text);
+    schedule.points = text.ends_with(".csv") ? points_of_file(deck, key) : points_of_words(deck, key, text);
   for (std::size_t k = 0; k < schedule.points.size(); ++k) {
     if (schedule.points[k].T < 0.0) complain(deck, section, key, "a time is negative");
     if (k > 0 && schedule.points[k].T < schedule.points[k - 1].T)
@@ -197,6 +201,12 @@ std::optional<TransientInput> transient_input(deck::Deck& deck, const Physics& p
   input.parameters.probes = probes_of(deck, grid);
   if (std::isfinite(input.parameters.end)) check_drive(deck, input);
   return input;
+}
+
+Way way_of(const CarriedSurface& surface, const TransientInput& input) {
+  const double X = std::visit([](const auto& relief) { return relief.X; }, surface.relief);
+  const Schedule& speed = surface.section == "surface1" ? input.conditions.u1 : input.conditions.u2;
+  return {X, X + transient::integral(speed, input.parameters.end)};
 }
 
 }  // namespace ehl::program

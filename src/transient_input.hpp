@@ -23,4 +23,11 @@ struct TransientInput {
 std::optional<TransientInput> transient_input(deck::Deck& deck, const Physics& physics, const SurfaceInput& surfaces,
                                               const core::Grid& grid);
 
+/// X of the middle of what a surface carries, at time 0 and at the end.
+struct Way {
+  double from = 0.0;
+  double to = 0.0;
+};
+Way way_of(const CarriedSurface& surface, const TransientInput& input);
+
 }  // namespace ehl::program

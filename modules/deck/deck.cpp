@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <stdexcept>
 
@@ -27,7 +28,9 @@ Deck read(const std::string& path, const std::vector<std::string>& overrides, co
   const Document document = parse(load_text(path), path, catalogue);
   std::vector<Assignment> assignments;
   for (const std::string& override_text : overrides) assignments.push_back(parse_override(override_text));
-  return validate(document, assignments, catalogue);
+  Deck deck = validate(document, assignments, catalogue);
+  deck.folders = {std::filesystem::absolute(path).parent_path().string()};
+  return deck;
 }
 
 const Value& value(const Deck& deck, const std::string& section, const std::string& name) {

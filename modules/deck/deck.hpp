@@ -23,6 +23,7 @@ struct Value {
 
 struct Deck {
   std::string name{};
+  std::vector<std::string> folders{};  ///< where files that it names may lie, beside where the program runs
   Catalogue catalogue{};
   std::vector<Value> values{};        ///< one per key of the catalogue
   std::vector<Heading> headings{};    ///< the sections that the deck has

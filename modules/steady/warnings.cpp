@@ -47,7 +47,8 @@ std::vector<std::string> warnings_of(const Scene& scene, const Solution& solutio
   std::vector<std::string> warnings;
   const LevelRow& last = solution.levels.back();
   if (std::isnan(last.error_Hc))
-    warnings.push_back("rough error estimate: the film was computed on a single level; use at least 128 cells");
+    warnings.push_back("rough error estimate: the film was computed on a single level; use at least " +
+                       std::to_string(2 * last.nx) + " cells");
   else if (const double error = std::max(last.error_Hc, last.error_Hm); error > unresolved_film)
     warnings.push_back("film not resolved by the mesh: estimated error of Hc " + percent(last.error_Hc) + ", of Hm " +
                        percent(last.error_Hm) + " on " + std::to_string(last.nx) + " cells; " +

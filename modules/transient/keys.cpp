@@ -95,7 +95,7 @@ std::vector<Key> varying_keys() {
           .default_note = "constant",
           .meaning =
               "Load over that of [contact], at times: 'time:value ...', linear between them; the same time twice is "
-              "a jump. Or a file .csv with two columns.",
+              "a jump. Or a file .csv with two columns, where the program runs or beside the deck.",
           .needs = timed,
           .example = "1:1 1.1:1.3"},
       Key{.section = "transient",

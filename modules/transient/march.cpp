@@ -66,6 +66,8 @@ class March {
     bool on = true;
     if (!from) {
       on = show({}) || stopped(MarchEnd::interrupted);
+      // An event is a change of sign, and there will be none.
+      if (on && dae_.least_film(start.y) <= parameters_.stop_film) on = stopped(MarchEnd::film);
       show_frame(0.0);
       if (on && starts_moving()) on = set_off(*std::ranges::upper_bound(stops, 0.0), start);
     }
@@ -86,10 +88,7 @@ class March {
   }
 
  private:
-  double central_film() const {
-    const fmg::Level& level = hierarchy_.levels.back();
-    return steady::value_at(level.grid, level.H, 0.0, 0.0);
-  }
+  double central_film() const { return steady::value_at(hierarchy_.finest().grid, hierarchy_.finest().H, 0.0, 0.0); }
 
   // Of errors. A body that flies towards the other will have a film of that order once it is there.
   double film_scale() const { return conditions_.body ? std::min(central_film(), 0.1) : central_film(); }

@@ -180,6 +180,16 @@ BOOST_AUTO_TEST_CASE(all_slips_are_listed_at_once) {
     BOOST_TEST(ended.says({part}), part << " is missing in\n" << ended.err);
 }
 
+// No cells are too few for a domain that nobody chose.
+BOOST_AUTO_TEST_CASE(a_slip_in_the_contact_says_nothing_of_the_mesh) {
+  const support::TemporaryFolder folder;
+  folder.write("d.ini", "[contact]\nload = 10\nradius_x = 0.01\nE_prime = 2e11\n[grid]\ncells = 64\n");
+  const support::Ended ended = support::ehl(folder, "check d.ini");
+  BOOST_TEST(ended.status == 2);
+  BOOST_TEST(ended.says({"[motion] u_m"}), ended.err);
+  BOOST_TEST(!ended.says({"cells"}), ended.err);
+}
+
 BOOST_AUTO_TEST_CASE(files_that_are_no_decks) {
   const support::TemporaryFolder folder;
   folder.write("empty.ini", "");

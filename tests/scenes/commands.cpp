@@ -205,6 +205,9 @@ BOOST_AUTO_TEST_CASE(plot) {
   const support::Ended one = scene.ehl("plot d.h5 --figure centre_lines --format svg");
   BOOST_TEST(one.status == 0, one.err);
   BOOST_TEST(contains(scene.folder.read("d_centre_lines.svg"), "<svg"));
+  const support::Ended nothing = scene.ehl("plot d.h5 --figure roughness");
+  BOOST_TEST(nothing.status == 2);
+  BOOST_TEST(nothing.says({"--figure roughness", "has no /fields/S"}), nothing.err);
   const support::Ended unknown = scene.ehl("plot d.h5 --figure centre_line");
   BOOST_TEST(unknown.status == 2);
   BOOST_TEST(unknown.says({"did you mean centre_lines?", "interferogram"}), unknown.err);

@@ -134,6 +134,12 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
     }
     BOOST_TEST(folder.entries() == 2, slip.name);
   }
+  // Of a slip in a contact in metres nothing follows for what is given in metres.
+  folder.write("d.ini", dry + steel + "radius_y = 0.02\n[surface1]\nshape = dimple\nheight_m = 1e-8\nwidth_m = 5e-5\n");
+  const support::Ended one = support::ehl(folder, "check d.ini");
+  BOOST_TEST(one.status == 2);
+  BOOST_TEST(one.says({"d.ini:9: [contact] radius_y"}), one.err);
+  BOOST_TEST(!contains(one.err, "height_m"), one.err);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

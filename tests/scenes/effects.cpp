@@ -35,15 +35,18 @@ BOOST_AUTO_TEST_SUITE(effects)
 BOOST_AUTO_TEST_CASE(check_says_what_is_on_and_why) {
   const Scene scene;
   const std::string none = scene.ehl("check plain.ini").out;
-  BOOST_TEST(contains(none, "effects      none beyond the basic model: circular, steady, smooth, Newtonian, isothermal"), none);
+  BOOST_TEST(
+      contains(none, "effects      none beyond the basic model: circular, steady, smooth, Newtonian, isothermal"),
+      none);
   BOOST_TEST(contains(none, "symmetry     in Y: one half of the domain is computed"), none);
   const std::string two = scene.ehl("check timed.ini").out;
-  for (const char* part : {"effects      transient: in time to 0.1 a/u_m", "varying: load",
-                           "called for by [transient] end_time = 0.1 (timed.ini:13)", "costs about 1 MB and 0.1 s more",
-                           "surfaces: ridge on surface1", "called for by [surface1] shape = ridge (timed.ini:16)",
-                           "basic model: circular, Newtonian, isothermal",
-                           "none in Y, the whole domain is computed: surfaces: ridge of "
-                           "surface1 at 30 degrees"})
+  for (const char* part :
+       {"effects      transient: in time to 0.1 a/u_m", "varying: load",
+        "called for by [transient] end_time = 0.1 (timed.ini:13)", "costs about 1 MB and 0.1 s more",
+        "surfaces: ridge on surface1 (x = -0.5 to -0.4 a)", "called for by [surface1] shape = ridge (timed.ini:16)",
+        "basic model: circular, Newtonian, isothermal",
+        "none in Y, the whole domain is computed: surfaces: ridge of "
+        "surface1 at 30 degrees"})
     BOOST_TEST(contains(two, part), part << " is missing in\n" << two);
 }
 
@@ -72,7 +75,7 @@ BOOST_AUTO_TEST_CASE(results_name_the_effects_that_were_on) {
     BOOST_TEST(seconds.unit == "s");
   }
   BOOST_TEST(with.attribute("/effects/transient", "why") == "[transient] end_time = 0.1");
-  BOOST_TEST(with.attribute("/effects/surfaces", "meaning") == "ridge on surface1");
+  BOOST_TEST(with.attribute("/effects/surfaces", "meaning") == "ridge on surface1 (x = -0.5 to -0.4 a)");
 }
 
 BOOST_AUTO_TEST_CASE(the_summary_shares_out_the_time) {

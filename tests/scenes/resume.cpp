@@ -95,6 +95,22 @@ BOOST_AUTO_TEST_CASE(killed_at_any_moment_leaves_a_file_that_goes_on) {
   BOOST_TEST(support::ehl(folder, "resume d.h5").says({"no checkpoint", "complete"}));
 }
 
+// A load that lies in a file beside the deck, neither of them where the program runs, where the result is.
+BOOST_AUTO_TEST_CASE(finds_the_files_of_the_deck_again) {
+  const support::TemporaryFolder folder;
+  BOOST_TEST_REQUIRE(support::shell(folder, "mkdir decks").status == 0);
+  const std::string here = swinging.substr(0, swinging.find("load = 1:1"));
+  folder.write("decks/d.ini", here + "load = swing.csv\n");
+  const support::Ended missing = support::ehl(folder, "check decks/d.ini");
+  BOOST_TEST(missing.status == 4, missing.err);
+  BOOST_TEST(missing.says({"decks/d.ini:17: [transient] load = swing.csv", "no such file", "/decks"}), missing.err);
+  folder.write("decks/swing.csv", "time, load\n0, 1\n2, 1.1\n");
+  const support::Ended ended = stopped(folder, "run decks/d.ini --quiet", "INT", 0.3);
+  BOOST_TEST_REQUIRE(ended.status == 130, ended.err);
+  const support::Ended on = support::ehl(folder, "resume d.h5 --quiet");
+  BOOST_TEST(on.status == 0, on.err);
+}
+
 BOOST_AUTO_TEST_CASE(what_cannot_go_on_is_refused) {
   const support::TemporaryFolder folder;
   folder.write("d.ini", "[contact]\nM = 50\nL = 10\n[lubricant]\nalpha = 1.7e-8\nz = 0.6\n[grid]\ncells = 64\n");

@@ -115,6 +115,19 @@ BOOST_AUTO_TEST_CASE(units_agree) {
   BOOST_TEST(std::abs(one.back()[7] - 1.1) < 1e-12);
 }
 
+// A dimple that starts before the inlet needs its time; one that comes to the contact is no reason for a warning.
+BOOST_AUTO_TEST_CASE(what_does_not_come_to_the_contact_is_told) {
+  const support::TemporaryFolder folder;
+  const std::string lines = "[surface1]\nshape = dimple\nheight = 0.02\nwidth = 0.5\n[transient]\nend_time = 0.3\n";
+  folder.write("d.ini", contact + grid + lines);
+  const support::Ended late = support::ehl(folder, "run d.ini --quiet");
+  BOOST_TEST_REQUIRE(late.status == 0, late.err);
+  BOOST_TEST(contains(late.out, "warning: dimple on surface1 does not come to the contact: its middle is at x = -6 a"));
+  BOOST_TEST(contains(late.out, "at x = -5.7 a at the end"));
+  const support::Ended there = support::ehl(folder, "run d.ini --quiet --overwrite --set surface1.x=-1.7");
+  BOOST_TEST(!contains(there.out, "does not come"));
+}
+
 // Every step's numbers, fields at the times asked for, and the words of the summary.
 BOOST_AUTO_TEST_CASE(a_load_step_and_what_is_kept) {
   const support::TemporaryFolder folder;

@@ -229,6 +229,10 @@ BOOST_AUTO_TEST_CASE(numbers_for_people) {
   BOOST_TEST(program::pressure(0.385e9) == "385 MPa");
   BOOST_TEST(program::percent(0.058) == "5.80 %");
   BOOST_TEST(program::percent(unknown) == "-");
+  BOOST_TEST(program::about_seconds(18.2) == "20 s");
+  BOOST_TEST(program::about_seconds(0.0449) == "0.04 s");
+  BOOST_TEST(program::about_seconds(9.7) == "10 s");
+  BOOST_TEST(program::about_seconds(0.0) == "0 s");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

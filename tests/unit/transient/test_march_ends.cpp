@@ -111,6 +111,12 @@ BOOST_AUTO_TEST_CASE(it_ends_where_the_film_is_as_thin_as_asked) {
   BOOST_TEST(std::abs(core::minimum(all.frames.back().H).value / 0.1 - 1.0) <= 1e-4);
   // Before that it was nowhere as thin.
   for (std::size_t k = 0; k + 1 < all.rows.size(); ++k) BOOST_TEST(all.rows[k].Hm > 0.1);
+  // A film that is as thin from the start is no reason to go on.
+  const Marched at_once = marched(scene, conditions, {.end = 3.0, .stop_film = 1.01 * all.rows.front().Hm});
+  BOOST_TEST((at_once.report.end == MarchEnd::film));
+  BOOST_TEST(at_once.report.T == 0.0);
+  BOOST_TEST(at_once.report.steps == 0);
+  BOOST_TEST(at_once.frames.size() == 1U);
 }
 
 BOOST_AUTO_TEST_CASE(it_ends_where_nothing_changes_any_more) {
