@@ -26,7 +26,11 @@ ErrorEstimate estimate_error(std::span<const double> values, double scheme_order
   const double lowest_order = 0.5 * scheme_order;
   if (n > 2) order = std::isfinite(observed) ? std::clamp(observed, lowest_order, scheme_order) : lowest_order;
   const double factor = n > 2 ? safety : safety_of_two;
-  const double error = factor * std::abs(last_change / (std::exp2(order) - 1.0) / values[n - 1]);
+  // Changes that fall much faster than the scheme's are about to change their sign.
+  const double change =
+      n > 2 ? std::max(std::abs(last_change), std::abs(values[n - 2] - values[n - 3]) / std::exp2(scheme_order + 1.0))
+            : std::abs(last_change);
+  const double error = factor * std::abs(change / (std::exp2(order) - 1.0) / values[n - 1]);
   return {std::max(error, least), observed};
 }
 

@@ -14,8 +14,9 @@ struct ErrorEstimate {
 ///   order p = log2((v_{k-1} - v_{k-2}) / (v_k - v_{k-1})),   error = s |v_k - v_{k-1}| / (2^p - 1).
 /// p is held between half the scheme's order and the scheme's order: a sequence that is not yet asymptotic, or whose
 /// differences change their sign, must not promise more than the scheme can give. With two values p is the scheme's
-/// order. s is the safety factor, 1.25 for three values or more and 1.5 for two: the README of this module says what
-/// it was measured on. Never below `least`.
+/// order. A change that is less than 2^-(scheme's order + 1) of the one before counts as that much: differences that
+/// are about to change their sign are small by accident, and say nothing of the error. s is the safety factor, 1.25 for
+/// three values or more and 1.5 for two: the README of this module says what it was measured on. Never below `least`.
 ErrorEstimate estimate_error(std::span<const double> values, double scheme_order, double least = 0.0);
 
 /// Relative error below which the first-order wedge does not promise to be, 0.35 h/Hm^(2/3). Hm^(2/3) is the width of
