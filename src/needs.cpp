@@ -5,6 +5,7 @@
 #include "deck/text.hpp"
 #include "effects.hpp"
 #include "machine.hpp"
+#include "steady/climb.hpp"
 
 namespace ehl::program {
 namespace {
@@ -19,7 +20,7 @@ constexpr double giga = 1e9;
 Needs basic_needs(const steady::Scene& scene) {
   const double nodes = static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y();
   // Measured at 257 x 257 to 2049 x 2049 nodes; the time of one thread of a machine of the 2020s.
-  constexpr double doubles_per_node = 24.0;
+  const double doubles_per_node = steady::on_one_half(scene) ? 15.0 : 25.0;
   constexpr double program_itself = 1.5e7;  // bytes
   constexpr double seconds_per_node_and_cycle = 1e-6;
   constexpr double more_cycles = 2.0;  // than planned: the checks on the finest grid ask for them

@@ -259,7 +259,12 @@ Physics physical_input(deck::Deck& deck) {
   const contact::Ellipse shape = shape_of(deck, physics.language);
   if (!deck.errors.empty()) return physics;
 
-  if (physics.language == Language::si) physics.si = si_input(deck, shape);
+  if (physics.language == Language::si) {
+    physics.si = si_input(deck, shape);
+    // A table that ends too early, in the wrong unit maybe, makes L wrong too.
+    if (physics.si->hertz.p_h < most_p_h) check_reach(deck, liquid, physics.si->hertz.p_h);
+    if (!deck.errors.empty()) return physics;
+  }
   physics.groups = groups_of(deck, physics, shape);
   check_derived(deck, physics);
   set_sliding(deck, physics);

@@ -165,8 +165,10 @@ std::string summary(const Case& input, const steady::Solution& solution, const O
   const std::string mark = solution.converged ? "" : "  (NOT CONVERGED)";
   std::string text;
   if (!solution.converged) text += "NOT CONVERGED: " + solution.failed_check + "\n";
+  const double domain = std::abs(solution.error_bars.domain);
   const auto film = [&](const char* label, double H, double H_moes, const Place& at, double error) {
-    return formatted("%s H = %.5f%s, Moes %.4f%s, at (%.3f, %.3f) a%s\n", label, H, bar(error).c_str(), H_moes,
+    const std::string errors = bar(error) + (domain > error ? " and " + percent(domain) + " of the domain" : "");
+    return formatted("%s H = %.5f%s, Moes %.4f%s, at (%.3f, %.3f) a%s\n", label, H, errors.c_str(), H_moes,
                      std::isfinite(h_scale) ? (", h = " + length(H * h_scale)).c_str() : "", at.X, at.Y, mark.c_str());
   };
   text += film("centre      ", outcome.Hc, outcome.Hc_moes, {}, solution.error_bars.Hc.total());

@@ -155,6 +155,19 @@ mlmi::Parameters deformation_of(deck::Deck& deck) {
   return parameters;
 }
 
+// Only of a domain that the program chose; the deck may ask for a starved one.
+void check_domain(deck::Deck& deck, const steady::Scene& scene) {
+  constexpr double too_much = 0.5;
+  if (given(deck, "domain", "x_inlet")) return;
+  const double error = steady::rough_domain_error(scene);
+  if (error > too_much)
+    complain(
+        deck, "domain", "x_inlet",
+        "is open, and the longest that is chosen, " + formatted("%.4g", scene.grid.X_a) + ", cuts off about " +
+            formatted("%.0f %%", 100.0 * error) +
+            " of the film: so light a load is carried far from the contact. Give x_inlet, as far as the oil reaches");
+}
+
 void check_coarsenings(deck::Deck& deck, const steady::Scene& scene) {
   const int most = mlmi::most_coarsenings(scene.grid);
   if (scene.deformation.coarsenings > most)
@@ -251,7 +264,12 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
                         : polish == "off"  ? steady::Polish::off
                                            : steady::Polish::rescue;
   result.scene.threads = threads;
+  result.scene.M = result.physics.groups.M;
+  result.scene.L = result.physics.groups.L;
+  result.scene.lambda = result.physics.groups.lambda;
   result.scene.shape = result.physics.groups.shape;
+  result.scene.viscosity = result.physics.viscosity;
+  result.scene.density = result.physics.density;
   const Motion motion = result.dry                             ? Motion::dry
                         : given(deck, "transient", "end_time") ? Motion::in_time
                                                                : Motion::steady;
@@ -263,6 +281,7 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   result.friction = friction_input(deck, result.physics);
   if (result.scene.grid.ny > 0) {
     check_coarsenings(deck, result.scene);
+    if (!result.dry && result.scene.M > 0.0) check_domain(deck, result.scene);
     check_memory(result);
   }
   if (deck.errors.empty()) refuse_idle(result);
@@ -273,11 +292,6 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
     result.title = std::filesystem::path(path).stem();
     deck::choose(deck, "case", "title", result.title, "name of the deck");
   }
-  result.scene.M = result.physics.groups.M;
-  result.scene.L = result.physics.groups.L;
-  result.scene.lambda = result.physics.groups.lambda;
-  result.scene.viscosity = result.physics.viscosity;
-  result.scene.density = result.physics.density;
   result.fields = deck::words(deck, "output", "fields");
   result.output = given(deck, "output", "file") ? deck::word(deck, "output", "file") : stem_of(path);
   return result;

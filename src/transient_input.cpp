@@ -11,6 +11,7 @@
 #include "core/errors.hpp"
 #include "deck/text.hpp"
 #include "file_beside.hpp"
+#include "text_format.hpp"
 #include "transient_probes.hpp"
 
 namespace ehl::program {
@@ -166,6 +167,18 @@ void check_drive(deck::Deck& deck, const TransientInput& input) {
     complain(deck, section, key, "(u1 + u2)/2 must be positive at time 0: there is no steady film to start from");
 }
 
+// in: the longest step where the deck says nothing.
+void check_steps(deck::Deck& deck, const transient::MarchParameters& march, double otherwise) {
+  const double longest = std::isnan(march.longest_step) ? otherwise : march.longest_step;
+  const double steps = std::ceil(march.end / longest);
+  const bool bounded = given(deck, section, "max_steps") || given(deck, section, "stop_film");
+  if (bounded || given(deck, section, "stop_steady") || !(steps > march.most_steps)) return;
+  complain(
+      deck, section, "end_time",
+      formatted("takes at least %.3g steps of at most %.3g a/u_m, and max_steps is %d: a shorter time, or more steps",
+                steps, longest, march.most_steps));
+}
+
 }  // namespace
 
 std::optional<TransientInput> transient_input(deck::Deck& deck, const Physics& physics, const SurfaceInput& surfaces,
@@ -200,6 +213,8 @@ std::optional<TransientInput> transient_input(deck::Deck& deck, const Physics& p
     input.seconds_between_checkpoints = deck::number(deck, "output", "checkpoint");
   input.parameters.probes = probes_of(deck, grid);
   if (std::isfinite(input.parameters.end)) check_drive(deck, input);
+  if (deck.errors.empty())
+    check_steps(deck, input.parameters, transient::longest_step(input.conditions, input.parameters.end));
   return input;
 }
 

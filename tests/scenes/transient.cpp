@@ -57,6 +57,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
       {"before time", timed + "load = -1:1 0.5:2\n", {"negative"}},
       {"lifted", timed + "load = 0.1:1 0.5:-1\n", {"load", "must stay positive"}},
       {"lifted by the wave", timed + "load_wave = 1.2 3\n", {"load_wave", "must stay positive"}},
+      {"never there", "[transient]\nend_time = 1e9\n", {"end_time = 1e9", "1e+10 steps", "max_steps is 100000"}},
       {"half a wave", timed + "load_wave = 0.2\n", {"load_wave = 0.2", "amplitude period"}},
       {"no period", timed + "load_wave = 0.2 0\n", {"load_wave", "period must be positive"}},
       {"backwards", timed + "u1 = 0.2:1 0.5:-2\n", {"u1", "turns negative"}},
