@@ -57,8 +57,8 @@ void hold_to_what_is_there(Level& level, int colour, int batch) {
     double* distributed = level.changes.distributed.at_x(i) + at;
     const Lanes asked = core::load(distributed);
     const Beside P = with_neighbours(level.P, i, j);
-    const Lanes least = core::min(core::min(own_lines(level.P, i - 1, j), own_lines(level.P, i + 1, j)),
-                                  core::min(P.south, P.north));
+    const Lanes least =
+        core::min(core::min(own_lines(level.P, i - 1, j), own_lines(level.P, i + 1, j)), core::min(P.south, P.north));
     const Lanes held = core::max(core::min(asked, least), -P.own);
     core::store(delta, asked != 0.0 ? held : core::load(delta));
     core::store(distributed, asked != 0.0 ? held : asked);
