@@ -46,22 +46,20 @@ LaneMask beside_cavitation(const core::Field& P, int i, int j) {
   return least <= 0.0;
 }
 
-// Holds the distributed changes of a batch to what is there: a point gives no more than its own pressure, and of a
-// neighbour's, from which four can take, no more than a quarter each. What goes below zero is cut off, and what it has
-// given to its neighbours stays: pressure out of nothing, which a strong squeeze answers by far more (README.md).
+// Holds the distributed changes of a batch to what is there: no point gives more than its pressure. What goes below
+// zero is cut off, while its neighbours keep what they were given: pressure out of nothing, which a strong squeeze
+// answers by far more.
 void hold_to_what_is_there(Level& level, int colour, int batch) {
   const int j = first_line(colour, batch);
   const int at = batch * core::lanes;
   for (int i = 1; i < level.grid.nx; ++i) {
     double* delta = level.changes.delta.at_x(i) + at;
     double* distributed = level.changes.distributed.at_x(i) + at;
+    const Lanes P = own_lines(level.P, i, j);
     const Lanes asked = core::load(distributed);
-    const Beside P = with_neighbours(level.P, i, j);
-    const Lanes least =
-        core::min(core::min(own_lines(level.P, i - 1, j), own_lines(level.P, i + 1, j)), core::min(P.south, P.north));
-    const Lanes held = core::max(core::min(asked, least), -P.own);
-    core::store(delta, asked != 0.0 ? held : core::load(delta));
-    core::store(distributed, asked != 0.0 ? held : asked);
+    const LaneMask too_much = asked < -P;
+    core::store(delta, too_much ? -P : core::load(delta));
+    core::store(distributed, too_much ? -P : asked);
   }
 }
 
