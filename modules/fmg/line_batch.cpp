@@ -46,6 +46,23 @@ LaneMask beside_cavitation(const core::Field& P, int i, int j) {
   return least <= 0.0;
 }
 
+// Holds the distributed changes of a batch to what is there: no point gives more than its pressure. What goes below
+// zero is cut off, while its neighbours keep what they were given: pressure out of nothing, which a strong squeeze
+// answers by far more.
+void hold_to_what_is_there(Level& level, int colour, int batch) {
+  const int j = first_line(colour, batch);
+  const int at = batch * core::lanes;
+  for (int i = 1; i < level.grid.nx; ++i) {
+    double* delta = level.changes.delta.at_x(i) + at;
+    double* distributed = level.changes.distributed.at_x(i) + at;
+    const Lanes P = own_lines(level.P, i, j);
+    const Lanes asked = core::load(distributed);
+    const LaneMask too_much = asked < -P;
+    core::store(delta, too_much ? -P : core::load(delta));
+    core::store(distributed, too_much ? -P : asked);
+  }
+}
+
 }  // namespace
 
 ThreadWork make_thread_work(const core::Grid& grid, const RelaxationParameters& parameters) {
@@ -211,17 +228,20 @@ line_solvers::SmallPivot LineBatch<reach, solver>::solve(const Hierarchy& hierar
                                                          int batch) {
   const int j = first_line(colour, batch);
   const RelaxationParameters& parameters = hierarchy.parameters.relaxation;
+  const bool cut_off = hierarchy.problem.cavitation && hierarchy.problem.transport.squeeze > 0.0;
   read_coefficients(hierarchy, level, j);
   if constexpr (solver == LineSolver::elimination) {
     line_solvers::Elimination<reach> elimination(std::get<EliminationFactors<reach>>(work_.solver).data());
     assemble(hierarchy, level, j, [&](int, const line_solvers::BandRow<reach>& row) { elimination.push(row); });
     elimination.back_substitute([&](int i, Lanes delta) { keep(parameters, level, batch, i, delta); });
+    if (cut_off) hold_to_what_is_there(level, colour, batch);
     return elimination.small_pivot();
   } else {
     auto& decimation = std::get<line_solvers::Decimation<reach>>(work_.solver);
     assemble(hierarchy, level, j, [&](int i, const line_solvers::BandRow<reach>& row) { decimation.set(i, row); });
     const line_solvers::SmallPivot small = decimation.solve();
     for (int i = 1; i < level.grid.nx; ++i) keep(parameters, level, batch, i, decimation.delta(i));
+    if (cut_off) hold_to_what_is_there(level, colour, batch);
     return small;
   }
 }

@@ -18,8 +18,13 @@ constexpr double weight_outside = 0.1;
 /// The rate of a first cycle is taken to be no better than this, of later ones than that.
 constexpr double best_first_rate = 0.3;
 constexpr double best_rate = 0.1;
-/// Cycles that reduce the change by less than this do not converge.
+/// Cycles that reduce the change by less than this do not converge, as many of them in a row: while points open and
+/// close, single ones do.
 constexpr double worst_rate = 0.95;
+constexpr int patience = 3;
+/// Of the squeeze, above which the load is put right behind the last cycle only: what the common factor does to the
+/// film, times c, is more than what a cycle reduces, and it came anew with every cycle.
+constexpr double strong_squeeze = 1e4;
 /// Where bodies are nearly apart there is no deformation by which to hold the film while the load is put right.
 constexpr double least_yielding = 0.05;
 
@@ -200,7 +205,10 @@ StageResult ContactDae::solve(const Stage& stage, std::span<double> correction) 
     Q_before_(i, j) = level.rho_bar(i, j) * level.H(i, j);
   });
   StageResult result{.solved = false};
+  const bool weak = stage.cj < strong_squeeze;
   double last = std::numeric_limits<double>::quiet_NaN();
+  double least = std::numeric_limits<double>::infinity();
+  int in_vain = 0;
   const std::size_t finest = hierarchy_.levels.size() - 1;
   while (!result.solved && result.cycles < control_.most_cycles) {
     const double H00_before = hierarchy_.H00;
@@ -210,16 +218,21 @@ StageResult ContactDae::solve(const Stage& stage, std::span<double> correction) 
     } catch (const core::SolverError&) {
       return result;
     }
-    balance_load();
+    if (weak) balance_load();
     const double now = change(stage, H00_before);
     if (!std::isfinite(now)) return result;
-    if (result.cycles > 1) {
-      rate_ = std::max(best_rate, now / last);
-      if (rate_ > worst_rate && now > stage.tolerance) return result;
-    }
+    if (result.cycles > 1) rate_ = std::max(best_rate, now / last);
+    in_vain = now > worst_rate * least ? in_vain + 1 : 0;
+    if (in_vain >= patience && now > stage.tolerance) return result;
     const double rate = std::clamp(rate_, result.cycles == 1 ? best_first_rate : best_rate, worst_rate);
     result.solved = now * rate / (1.0 - rate) <= stage.tolerance;
+    if (result.solved && !weak) {
+      const double H00_of_cycle = hierarchy_.H00;
+      balance_load();
+      result.solved = change(stage, H00_of_cycle) <= stage.tolerance;
+    }
     last = now;
+    least = std::min(least, now);
   }
   if (!(core::minimum(level.H).value > 0.0)) result.solved = false;
   if (course_.body) take_velocity(stage);

@@ -31,7 +31,7 @@ struct ErrorControl {
   double rtol = 1e-4;
   double P_scale = 0.1;  ///< pressures below this count absolutely
   double Q_scale = 0.1;  ///< films below this too: about the central film
-  int most_cycles = 12;  ///< in one stage, before the step is cut
+  int most_cycles = 30;  ///< in one stage, before the step is cut
 };
 
 struct LoadBalance {

@@ -143,6 +143,10 @@ class Sweep {
     for (int i = 1; i <= points; ++i) {
       const bool distributes = distributive[static_cast<std::size_t>(i)];
       delta_(i, j) = weight(i, j, distributes) * x(i - 1);
+      if (distributes && problem_.cavitation && problem_.transport.squeeze > 0.0 && delta_(i, j) < -result_.P(i, j)) {
+        delta_(i, j) = -result_.P(i, j);  // no more than there is
+        ++result_.withheld;
+      }
       distributed_(i, j) = distributes ? delta_(i, j) : 0.0;
     }
   }

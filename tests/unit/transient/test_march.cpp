@@ -1,5 +1,6 @@
 // A contact in time: what must not change, what must come back, and what must be the same.
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <numbers>
 #include <string>
 
@@ -117,6 +118,33 @@ BOOST_AUTO_TEST_CASE(whatever_varies_is_followed_to_the_end) {
   const Marched quick = marched(scene, {.load = {.points = close}}, {.end = 0.051, .longest_step = 0.01});
   check_complete("two jumps", quick, 0.051);
   BOOST_TEST(quick.report.restarts == 2);
+}
+
+// Isoviscous oil behind the contact fills the gap, without pressure. Pressed together, all of it at once carries: the
+// cycles of a short step must find which points do, where c K is as strong as epsilon/h^2.
+BOOST_AUTO_TEST_CASE(a_load_that_doubles_in_a_twentieth_comes_to_its_own_steady_film) {
+  const auto isoviscous = [](double M, double scale) {
+    steady::Scene scene = roelands_scene(M, 1.0, {64, 64, -3.5 / scale, 2.0 / scale, -2.75 / scale, 2.75 / scale});
+    scene.L = 0.0;
+    scene.viscosity = rheology::Isoviscous{};
+    scene.density = rheology::Incompressible{};
+    return scene;
+  };
+  const Points doubled{{0.1, 1}, {0.15, 2}};
+  const Marched all = marched(isoviscous(30.0, 1.0), {.load = {.points = doubled}}, {.end = 6.0});
+  check_complete("isoviscous, load 1 to 2", all, 6.0);
+  // The same contact in the units of twice the load: M doubles, lengths by a, films by a^2/R.
+  const double a = std::cbrt(2.0);
+  steady::Scene twice = isoviscous(60.0, a);
+  twice.multigrid.tolerance = 1e-9;
+  const steady::LevelRow truth = steady::solve(twice).levels.back();
+  const double Hc = std::abs(all.rows.back().Hc / (truth.Hc * a * a) - 1.0);
+  const double Hm = std::abs(all.rows.back().Hm / (truth.Hm * a * a) - 1.0);
+  BOOST_TEST_MESSAGE("Hc off by " << Hc << ", Hm by " << Hm << " (allowed 3e-4); " << all.report.not_solved
+                                  << " attempts not solved (allowed 5)");
+  BOOST_TEST(Hc <= 3e-4);
+  BOOST_TEST(Hm <= 3e-4);
+  BOOST_TEST(all.report.not_solved <= 5);
 }
 
 BOOST_AUTO_TEST_CASE(a_jump_is_a_very_steep_ramp) {
