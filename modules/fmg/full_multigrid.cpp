@@ -40,8 +40,8 @@ double mean_surface(const Level& level) {
 /// Beside the contact the far field is no guess any more.
 constexpr double a_little = 0.02;
 
-/// The far field of rigid bodies, P = -(c_X X + c_Y Y)/H^2 where it is positive: with the undeformed gap H = x A x,
-/// div(H^3 grad P) = lambda dH/dX gives (A + 2 tr(A)) c = lambda A e_X.
+/// The far field of rigid bodies, P = -(c_X X + c_Y Y)/H^2: with the undeformed gap H = x A x, div(H^3 grad P) =
+/// lambda dH/dX gives (A + 2 tr(A)) c = lambda A e_X.
 class FarField {
  public:
   FarField(const core::QuadraticForm& gap, double lambda) : gap_(gap) {
@@ -55,7 +55,7 @@ class FarField {
   }
   double P(double X, double Y) const {
     const double H = gap_.XX * X * X + (gap_.XY * X + gap_.YY * Y) * Y;
-    return std::max(0.0, -(c_X_ * X + c_Y_ * Y) / (H * H));
+    return -(c_X_ * X + c_Y_ * Y) / (H * H);
   }
 
  private:
@@ -63,18 +63,30 @@ class FarField {
   double c_X_, c_Y_;
 };
 
-// The lubricant of a contact that lies aslant is under pressure on one side of an oblique line, and the cycles move the
-// edge of the cavitated region by a few cells each: it begins about where it belongs.
-void begin_aslant(const Problem& problem, Level& level) {
+/// 1 in the middle of the domain, falling to zero on its boundary, where the pressure is zero.
+double taper(const core::Grid& domain, double X, double Y) {
+  const double x = X / (X < 0.0 ? domain.X_a : domain.X_b);
+  const double y = Y / (Y < 0.0 ? domain.Y_a : domain.Y_b);
+  return (1.0 - x * x) * (1.0 - y * y);
+}
+
+// Where the film ruptures beside an ellipse is far from the contact and along no line of constant X, and an edge of the
+// pressure goes forward by one cell in a relaxation, but back by as many as it takes: it begins too far downstream,
+// with the pressure of the far field everywhere and its sign turned where that is negative.
+void begin_outside(const Problem& problem, Level& level) {
   const auto& [XX, XY, YY] = problem.geometry.outline;
   const FarField far(problem.geometry.gap, problem.lambda);
+  const core::Grid domain = core::whole(level.grid);
   for (int i = 1; i < level.grid.nx; ++i)
     for (int j = 1; j <= level.grid.last_line(); ++j) {
       const double X = level.grid.X(i);
       const double Y = level.grid.Y(j);
-      if (XX * X * X + (XY * X + YY * Y) * Y >= 1.0) level.P(i, j) = std::min(far.P(X, Y), a_little);
+      if (XX * X * X + (XY * X + YY * Y) * Y >= 1.0)
+        level.P(i, j) = std::min(std::abs(far.P(X, Y)), a_little) * taper(domain, X, Y);
     }
 }
+
+bool round(const core::QuadraticForm& gap) { return gap.XY == 0.0 && gap.XX == gap.YY; }
 
 }  // namespace
 
@@ -89,7 +101,7 @@ void start_from_hertz(Hierarchy& hierarchy, std::size_t l, double H00, int sweep
       const double inside = 1.0 - XX * X * X - (XY * X + YY * Y) * Y;
       level.P(i, j) = inside > 0.0 ? std::sqrt(inside) : 0.0;
     }
-  if (!symmetric(hierarchy.problem.geometry)) begin_aslant(hierarchy.problem, level);
+  if (!round(hierarchy.problem.geometry.gap)) begin_outside(hierarchy.problem, level);
   core::make_images(level.grid, level.P);
   hierarchy.H00 = hierarchy.problem.surface ? H00 - mean_surface(level) : H00;
   update_film(hierarchy, level);

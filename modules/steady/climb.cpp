@@ -101,7 +101,11 @@ Climb begin_climb(const Scene& scene, const Start& start, const ProgressCallback
   const double length = (scene.grid.X_b - scene.grid.X_a) / contact_size(scene.M, scene.L, scene.shape);
   const double slender = slenderness(scene.M, scene.L, scene.shape);
   const auto cells = [slender](double of_circle) { return static_cast<int>(of_circle * slender); };
-  const int first_cells = std::max(cells(start.cells), cells(length / largest_first_step));
+  int first_cells = std::max(cells(start.cells), cells(length / largest_first_step));
+  if (start.coarseness > 0.0) {
+    const double step = start.coarseness * resolving_step(scene.M, scene.L, scene.wedge, scene.shape);
+    first_cells = std::max(first_cells, static_cast<int>((scene.grid.X_b - scene.grid.X_a) / step));
+  }
   const fmg::Parameters parameters = parameters_of(scene, start);
   const fmg::Problem problem{.lambda = scene.lambda,
                              .viscosity = scene.viscosity,

@@ -8,6 +8,7 @@
 #include "steady/domain_error.hpp"
 #include "steady/error_estimate.hpp"
 #include "steady/fitted_minimum.hpp"
+#include "steady/resolution.hpp"
 #include "steady/scene.hpp"
 #include "steady/solution.hpp"
 
@@ -41,8 +42,11 @@ struct MeshError {
 MeshError mesh_error(const Scene& scene, const LevelRow& row, double order) {
   const double of_node = std::abs(row.Hm - row.Hm_fitted) / row.Hm;
   if (std::isfinite(row.error_Hc)) return {row.error_Hc, row.error_Hm, row.error_Hm - of_node};
-  const double error = error_of_one_grid((scene.grid.X_b - scene.grid.X_a) / row.nx, row.Hm_fitted, order);
-  return {error, error + of_node, error};
+  const double step = (scene.grid.X_b - scene.grid.X_a) / row.nx;
+  const double error = error_of_one_grid(step, row.Hm_fitted, order);
+  // Beside an ellipse the zone in which the film is thinnest is that of a circle's film of this height.
+  const double error_Hm = error_of_one_grid(step, row.Hm_fitted / edge_steepness(scene.shape), order);
+  return {error, error_Hm + of_node, error_Hm};
 }
 
 void judge_P_max(const std::vector<double>& P_max, ErrorBars& bars) {

@@ -41,16 +41,18 @@ double slenderness(double M, double L, const contact::Ellipse& shape) {
   return contact_size(M, L, shape) / std::max(contact::extent(shape).shorter, of_film);
 }
 
+double edge_steepness(const contact::Ellipse& shape) {
+  // Near the edge, a distance s inside it, p = p_h sqrt(2 s/l) with the semi-axis l across the edge: the gap outside is
+  // proportional to the elastic factor over sqrt(l).
+  return shape.p_h / shape.a / std::sqrt(contact::extent(shape).shorter);
+}
+
 double resolving_step(double M, double L, reynolds::Wedge wedge, const contact::Ellipse& shape) {
   const bool second_order = wedge == reynolds::Wedge::upstream2;
   const double share = second_order ? 0.3 : 0.2;
   const double coarsest = second_order ? 0.4 : 0.2;
-  // Near the edge, a distance s inside it, p = p_h sqrt(2 s/l) with the semi-axis l across the edge: the gap outside is
-  // proportional to the elastic factor over sqrt(l).
-  const double shorter = contact::extent(shape).shorter;
-  const double steepness = shape.p_h / shape.a / std::sqrt(shorter);
-  const double zone = std::pow(expected_least_film(M, L, shape) / steepness, 2.0 / 3.0);
-  return std::min(coarsest * shorter, share * zone);
+  const double zone = std::pow(expected_least_film(M, L, shape) / edge_steepness(shape), 2.0 / 3.0);
+  return std::min(coarsest * contact::extent(shape).shorter, share * zone);
 }
 
 int resolving_cells(double step, double length, int fewest, int most) {

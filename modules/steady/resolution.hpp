@@ -28,6 +28,10 @@ double contact_size(double M, double L, const contact::Ellipse& shape = {});
 /// rigid: so many times more cells along X hold the contact as well as a circular one. out: >= 1; 1 for a circle.
 double slenderness(double M, double L, const contact::Ellipse& shape);
 
+/// The gap beside the edge of the dry contact, which grows as the power 3/2 of the distance, over that beside a circle:
+/// where the edge is steepest, at the ends of the shorter axis. out: 1 for a circle.
+double edge_steepness(const contact::Ellipse& shape);
+
 /// Mesh size along X, in Hertz radii, that resolves the film: 0.3 Hm^(2/3) and at most 0.4, Hm the film to expect; for
 /// the first-order wedge 0.2 Hm^(2/3) and 0.2. The gap beside a flattened contact grows as the power 3/2 of the
 /// distance, so that Hm^(2/3) is the width of the zones at inlet and outlet in which the film is made; the error of the

@@ -51,17 +51,48 @@ void check(const char* what, double computed, double expected, double tolerance)
 
 }  // namespace
 
-// A program without multigrid, each value to 3 %; ours are uncertain by half a percent, domain included. At M = 100 we
-// find 3.2 and 2.9 % more.
+// A program without multigrid, each value to 3 %. All four are those of a domain that ends three a upstream and 1.5 b
+// beside the axis: from there to an infinite one the film grows by 4 % at M = 100 and by 2 % at M = 300.
 BOOST_AUTO_TEST_CASE(independent_program) {
   struct Row {
-    double M, Hc, Hm;
+    double M, Hc, Hm, Hc_infinite, Hm_infinite;
   };
-  for (const auto& [M, Hc, Hm] : {Row{100, 4.77, 3.86}, Row{300, 4.40, 3.49}}) {
-    BOOST_TEST_MESSAGE("M = " << M << ", L = 10, R_x/R_y = 0.2:");
-    const Film found = film(scene_of(M, 10, contact::ellipse(0.2), 256));
-    check("Hc", found.Hc, Hc, 0.035);
-    check("Hm", found.Hm, Hm, 0.035);
+  for (const Row& row : {Row{100, 4.77, 3.86, 4.960, 3.996}, Row{300, 4.40, 3.49, 4.471, 3.564}}) {
+    BOOST_TEST_MESSAGE("M = " << row.M << ", L = 10, R_x/R_y = 0.2:");
+    steady::Scene scene = scene_of(row.M, 10, contact::ellipse(0.2), 256);
+    const Film chosen = film(scene);
+    check("Hc on the chosen domain, on an infinite one", chosen.Hc, row.Hc_infinite, 0.01);
+    check("Hm", chosen.Hm, row.Hm_infinite, 0.01);
+    scene.grid = {256, 512, -3.0, 1.5, -4.335, 4.335};
+    const Film found = film(scene);
+    check("Hc on the short domain", found.Hc, row.Hc, 0.01);
+    check("Hm", found.Hm, row.Hm, 0.01);
+  }
+}
+
+// The discrete equations solved by another program to rounding: dense Newton in SI with its own ellipse, kernel and
+// frame of the bodies, on 64 x 64 cells that are not square. The same program has the circle's reference to every
+// digit.
+BOOST_AUTO_TEST_CASE(exact_discrete_solutions) {
+  struct Row {
+    double M, ratio, angle, X_a, X_b, Y_b, Hc, Hm, H00, P_right, P_left;  ///< P at the nodes (40, 24) and (40, 40)
+  };
+  for (const Row& row : {Row{100, 0.2, 0, -4.5, 1.5, 4.5, 0.29923329, 0.24580926, -0.99248331, 0.42791598, 0.42791598},
+                         Row{20, 0.2, 90, -12, 4, 4, 0.69735242, 0.47571353, -0.55156279, 0.13815656, 0.13815656},
+                         Row{50, 0.4, 30, -6, 2, 4, 0.33885306, 0.23727923, -0.79545653, 0.49277737, 0.07654233},
+                         Row{30, 2.5, -50, -6, 2, 4, 0.13293249, 0.08469125, -0.71150976, 0.02350203, 0.00342025}}) {
+    steady::Scene scene = scene_of(row.M, 10, contact::ellipse(row.ratio, row.angle), 64);
+    scene.grid = {64, 64, row.X_a, row.X_b, -row.Y_b, row.Y_b};
+    scene.deformation.method = mlmi::Method::fft;
+    scene.multigrid.tolerance = 1e-9;
+    const steady::Solution solution = steady::solve(scene);
+    BOOST_TEST(solution.converged, solution.failed_check);
+    BOOST_TEST_MESSAGE("M = " << row.M << ", R_x/R_y = " << row.ratio << ", " << row.angle << " degrees:");
+    check("Hc", solution.levels.back().Hc, row.Hc, 1e-6);
+    check("Hm", solution.levels.back().Hm, row.Hm, 1e-6);
+    check("H00", solution.H00, row.H00, 1e-6);
+    check("P to the right", solution.P(40, 24), row.P_right, 3e-6);
+    check("P to the left", solution.P(40, 40), row.P_left, 3e-6);
   }
 }
 
@@ -102,17 +133,34 @@ BOOST_AUTO_TEST_CASE(convergence_of_the_cycles) {
   struct Case {
     double ratio, angle, M;
     int cells;
+    double most;  ///< a sixth above what they take
   };
-  for (const auto& [ratio, angle, M, cells] : {Case{0.05, 0, 100, 256}, Case{0.2, 0, 1000, 256},
-                                               Case{0.2, 45, 100, 512}, Case{2, 45, 100, 512}, Case{5, 0, 100, 1024}}) {
+  for (const auto& [ratio, angle, M, cells, most] :
+       {Case{0.05, 0, 100, 256, 0.27}, Case{0.2, 0, 1000, 256, 0.17}, Case{0.2, 45, 100, 512, 0.21},
+        Case{2, 45, 100, 512, 0.19}, Case{5, 0, 100, 1024, 0.23}}) {
     steady::Scene scene = scene_of(M, 10, contact::ellipse(ratio, angle), cells);
     scene.multigrid.tolerance = 1e-8;
     const steady::Solution solution = steady::solve(scene);
     BOOST_TEST_MESSAGE("R_x/R_y = " << ratio << ", " << angle << " degrees, M = " << M << ", " << cells << " cells: "
                                     << solution.cycle_factor << " per cycle, " << solution.levels.back().cycles
-                                    << " cycles, " << solution.method << " (at most 0.3)");
+                                    << " cycles, " << solution.method << " (at most " << most << ")");
     BOOST_TEST(solution.converged);
     BOOST_TEST(solution.method == "full multigrid");
-    BOOST_TEST(solution.cycle_factor < 0.3);
+    BOOST_TEST(solution.cycle_factor < most);
   }
+}
+
+// The film beside a slender heavy contact is thin and its cavitated region ends far out along a curved line. Begun
+// without pressure there and on coarser grids it took 29 cycles, and on 4096 cells there was no solution.
+BOOST_AUTO_TEST_CASE(a_slender_heavy_contact) {
+  steady::Scene scene = scene_of(200, 10, contact::ellipse(20), 2048);
+  scene.multigrid.tolerance = 1e-5;
+  const steady::Solution solution = steady::solve(scene);
+  const steady::LevelRow& last = solution.levels.back();
+  BOOST_TEST_MESSAGE("R_x/R_y = 20, M = 200, 2048 cells: " << solution.cycle_factor << " per cycle, " << last.cycles
+                                                           << " cycles (at most 20), " << solution.method << ", Hm/Hc "
+                                                           << last.Hm / last.Hc);
+  BOOST_TEST(solution.converged, solution.failed_check);
+  BOOST_TEST(last.cycles <= 20);
+  BOOST_TEST(last.Hm > 0.0);
 }

@@ -32,22 +32,33 @@ const char* name(Shape shape) {
   return shape == Shape::ridge ? "ridge" : shape == Shape::waviness ? "waves" : "dimple";
 }
 
+double pressure_at_centre(const steady::Solution& solution) {
+  const core::Grid& grid = solution.grid;
+  return solution.P(static_cast<int>(std::lround(-grid.X_a / grid.hx())), grid.ny / 2);
+}
+
 }  // namespace
 
-// To the level of the discretization error the smooth contact takes two cycles on 256 cells.
+// To the level of the discretization error the smooth contact takes two cycles on 256 cells. What stands in the gap at
+// the centre raises the pressure there, what is missing lowers it.
 BOOST_AUTO_TEST_CASE(cycles_with_waves_and_ridges_below_the_film) {
-  for (const Rough& contact : contacts)
+  for (const Rough& contact : contacts) {
+    const double smooth = pressure_at_centre(steady::solve(hard::scene(contact.load, 256)));
     for (const Shape shape : {Shape::waviness, Shape::ridge, Shape::dimple})
       for (const double films : {0.1, 0.3}) {
         steady::Scene scene = rough_scene(contact, shape, films, 256);
         scene.multigrid.tolerance = std::numeric_limits<double>::quiet_NaN();
         const steady::Solution solution = steady::solve(scene);
-        BOOST_TEST_MESSAGE(hard::name(scene) << ", " << name(shape) << " of " << films << " films: "
-                                             << solution.levels.back().cycles << " cycles, " << solution.method);
+        const double rise = pressure_at_centre(solution) - smooth;
+        BOOST_TEST_MESSAGE(hard::name(scene)
+                           << ", " << name(shape) << " of " << films << " films: " << solution.levels.back().cycles
+                           << " cycles, " << solution.method << ", P at the centre changed by " << rise);
         BOOST_TEST(solution.converged, solution.failed_check);
         BOOST_TEST(solution.method == "full multigrid");
-        BOOST_TEST(solution.levels.back().cycles <= 5);
+        BOOST_TEST(solution.levels.back().cycles <= 4);
+        BOOST_TEST((shape == Shape::ridge ? rise : -rise) > 0.0);
       }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(higher_than_the_film_by_cycles_and_by_newton) {
@@ -60,13 +71,15 @@ BOOST_AUTO_TEST_CASE(higher_than_the_film_by_cycles_and_by_newton) {
       const steady::Solution newton = steady::solve(scene);
       BOOST_TEST(solution.converged, solution.failed_check);
       BOOST_TEST(newton.converged, newton.failed_check);
-      BOOST_TEST(newton.verification.residual < 1e-9);
+      BOOST_TEST(newton.verification.residual < 1e-10);
+      BOOST_TEST(newton.newton.size() <= 8u);
       const double apart = hard::difference(solution, newton);
       BOOST_TEST_MESSAGE(hard::name(scene)
                          << ", " << name(shape) << ": " << solution.method << ", then residual "
                          << newton.verification.residual << ", load " << newton.verification.load_error << ", flow "
-                         << newton.verification.flow_imbalance << "; apart by " << apart);
-      BOOST_TEST(apart < 1e-4);  // what a residual of 1e-6 leaves in P: up to 2e-5
-      BOOST_TEST(std::abs(newton.verification.flow_imbalance) < 1e-7);
+                         << newton.verification.flow_imbalance << " in " << newton.newton.size() << " steps; apart by "
+                         << apart);
+      BOOST_TEST(apart < 5e-5);  // what a residual of 1e-6 leaves in P: up to 2e-5
+      BOOST_TEST(std::abs(newton.verification.flow_imbalance) < 1e-9);
     }
 }
