@@ -105,6 +105,7 @@ class Judge {
     expect(support::is_json(ran.out), "solved: the output is JSON: " + ran.out);
     expect(json_member(ran.out, "converged") == "true", "solved: converged is true");
     take(faults_in_time(ran.out));
+    take(faults_of_friction(ran.out));
     verdict_.warnings = {json_member(ran.out, "warnings")};
     if (json_member(ran.out, "kind") == "dry") return take(faults_of_dry(ran.out));
     for (const char* name : {"Hc", "Hm", "Hc_moes", "Hm_moes", "P_max", "H00", "residual", "load_error", "lambda"})
@@ -177,7 +178,8 @@ class Judge {
   // Of a file that the deck names.
   void judge_unreadable(const Finished& ran) {
     verdict_.end = End::refused;
-    expect(contains(ran.err, ".csv"), "4: a file that cannot be read: " + ran.err);
+    expect(contains(ran.err, ".csv") || contains(ran.err, "there is no such file"),
+           "4: a file that cannot be read: " + ran.err);
     expect(!std::filesystem::exists(folder_ / "r.h5"), "4: no result file");
   }
 

@@ -1,4 +1,5 @@
 // What can be held against a run with more than a steady film in it.
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -35,6 +36,22 @@ std::vector<std::string> faults_of_dry(const std::string& json) {
   constexpr double rounding = 1e-9;
   expect(faults, number(json_member(json, "load_error")) < rounding,
          "solved: the load holds: " + json_member(json, "load_error"));
+  return faults;
+}
+
+std::vector<std::string> faults_of_friction(const std::string& json) {
+  std::vector<std::string> faults;
+  const std::size_t at = json.find("\"friction\": {");
+  if (at == std::string::npos) return faults;
+  const std::string own = json.substr(at);
+  for (const char* name : {"mu", "mu_rolling", "mu_1", "mu_2", "mu_cavitated", "largest_stress"})
+    expect_number(faults, own, name);
+  // What sliding does to one surface it does to the other; pressure on the slopes of the gap makes up the rest.
+  const double mu = number(json_member(own, "mu"));
+  const double halves = 0.5 * (number(json_member(own, "mu_2")) - number(json_member(own, "mu_1")));
+  constexpr double rounding = 1e-9;
+  expect(faults, std::abs(halves - mu) <= rounding * std::max(1.0, std::abs(mu)),
+         "solved: mu is half of what both surfaces feel: " + std::to_string(mu) + ", " + std::to_string(halves));
   return faults;
 }
 
