@@ -13,10 +13,11 @@ set table $times
 plot table("levels") using (nodes(column("nx"), column("ny"))):(running(column("seconds"))) with table
 unset table
 unset datafile columnheaders
-stats $times using 1:2 nooutput prefix "T"
+stats $times using 1 nooutput prefix "N"
+stats $times using 2 nooutput prefix "T"
 # Both lines pass through the finest level; the coarsest is solved to the end and costs more than its share.
-n0 = T_max_x
-t0 = T_max_y
+n0 = N_max
+t0 = T_max
 
 set logscale xy
 set xlabel "nodes n"
@@ -24,8 +25,8 @@ set ylabel "seconds to a solution"
 set format x "10^{%L}"
 set format y "10^{%L}"
 set key top left
-set xrange [T_min_x / 2:T_max_x * 2]
-set yrange [T_min_y / 5:T_max_y * 3]
+set xrange [N_min / 2:N_max * 2]
+set yrange [T_min / 5:T_max * 3]
 set samples 50
 plot t0 * x / n0 with lines dt 2 lc rgb grey title "O(n)", \
      t0 * (x / n0)**2 with lines dt 4 lc rgb grey title "O(n^2)", \
