@@ -1,5 +1,6 @@
 #include "report.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -165,9 +166,11 @@ std::string summary(const Case& input, const steady::Solution& solution, const O
   const std::string mark = solution.converged ? "" : "  (NOT CONVERGED)";
   std::string text;
   if (!solution.converged) text += "NOT CONVERGED: " + solution.failed_check + "\n";
+  // What the domain cuts off changes both alike.
   const double domain = std::abs(solution.error_bars.domain);
+  const bool governs = domain > std::min(solution.error_bars.Hc.total(), solution.error_bars.Hm.total());
   const auto film = [&](const char* label, double H, double H_moes, const Place& at, double error) {
-    const std::string errors = bar(error) + (domain > error ? " and " + percent(domain) + " of the domain" : "");
+    const std::string errors = bar(error) + (governs ? " (domain " + percent(domain) + ")" : "");
     return formatted("%s H = %.5f%s, Moes %.4f%s, at (%.3f, %.3f) a%s\n", label, H, errors.c_str(), H_moes,
                      std::isfinite(h_scale) ? (", h = " + length(H * h_scale)).c_str() : "", at.X, at.Y, mark.c_str());
   };
