@@ -121,12 +121,26 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
-void run_gnuplot(const std::vector<std::string>& words, const std::string& figure) {
+std::vector<char*> pointers_to(const std::vector<std::string>& words) {
   std::vector<char*> pointers;
   for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));  // spawn does not write
   pointers.push_back(nullptr);
+  return pointers;
+}
+
+// The scripts are in UTF-8, and their numbers have points, whatever the locale.
+std::vector<std::string> environment_of_scripts() {
+  std::vector<std::string> variables;
+  for (char** one = environ; *one != nullptr; ++one)
+    if (const std::string variable = *one; !variable.starts_with("LC_ALL=")) variables.push_back(variable);
+  variables.emplace_back("LC_ALL=C.UTF-8");
+  return variables;
+}
+
+void run_gnuplot(const std::vector<std::string>& words, const std::string& figure) {
   pid_t child = 0;
-  const int error = ::posix_spawnp(&child, "gnuplot", nullptr, nullptr, pointers.data(), environ);
+  const int error = ::posix_spawnp(&child, "gnuplot", nullptr, nullptr, pointers_to(words).data(),
+                                   pointers_to(environment_of_scripts()).data());
   if (error != 0)
     throw core::FileError(std::string("gnuplot cannot be started: ") + std::strerror(error) +
                           ": install it (Debian: gnuplot-nox)");

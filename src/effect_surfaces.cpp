@@ -5,12 +5,23 @@
 
 #include "deck/text.hpp"
 #include "effects.hpp"
+#include "steady/resolution.hpp"
 #include "surface/keys.hpp"
 #include "surface_input.hpp"
 #include "text_format.hpp"
 
 namespace ehl::program {
 namespace {
+
+// How high it is, of maps the rms, beside the film to expect of smooth surfaces: what cannot be pressed flat pierces
+// it.
+std::string over_film(const CarriedSurface& surface, const steady::Scene& scene) {
+  const auto* feature = std::get_if<surface::Feature>(&surface.relief);
+  const double height = feature ? feature->height : surface.map->rms;
+  return formatted(feature ? ", height %.2g" : ", rms %.2g",
+                   height / steady::expected_central_film(scene.M, scene.L, scene.shape)) +
+         " of the smooth film";
+}
 
 std::string what(const Case& input) {
   std::vector<std::string> shapes;
@@ -22,6 +33,7 @@ std::string what(const Case& input) {
     } else if (!input.dry) {
       text += ", at rest";
     }
+    if (!input.dry) text += over_film(*one, input.scene);
     shapes.push_back(text);
   }
   return deck::joined(shapes, ", ");

@@ -29,7 +29,7 @@ Needs expense(const Case& input) {
   constexpr double doubles_of_history = 30.0;  // IDA's vectors of P and Q
   constexpr double doubles_of_frame = 3.0;     // P, H and their place in the file
   constexpr double seconds_per_node_and_step = 2.5e-7;
-  constexpr double shorter_steps = 4.0;  // than the longest, where what drives the contact varies; measured 1.3 to 7
+  constexpr double shorter_steps = 3.0;  // than the longest, where what drives the contact varies; measured 1.3 to 7
   const core::Grid& grid = input.scene.grid;
   const double nodes = static_cast<double>(grid.nodes_x()) * grid.nodes_y();
   const transient::MarchParameters& march = input.transient->parameters;

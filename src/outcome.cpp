@@ -53,6 +53,24 @@ void warn_of_late(const Case& input, std::vector<std::string>& warnings) {
   }
 }
 
+// Of features that move: what a coarse mesh does to them as they go (modules/transient/README.md).
+void warn_of_coarse(const Case& input, std::vector<std::string>& warnings) {
+  if (!input.transient) return;
+  const core::Grid& grid = input.scene.grid;
+  for (const CarriedSurface* one : carried(input.surfaces)) {
+    const auto* feature = std::get_if<surface::Feature>(&one->relief);
+    if (!feature) continue;
+    const bool waves = feature->shape == surface::Feature::Shape::waviness;
+    const double wanted = waves ? 30.0 : 8.0;
+    const double cells = feature->width / std::max(grid.hx(), grid.hy());
+    if (cells < wanted)
+      warnings.push_back(
+          formatted("%s on %s has %.2g cells for its %s where %g are wanted of what moves: its amplitude in "
+                    "the film and its pressure belong to this mesh",
+                    one->shape.c_str(), one->section.c_str(), cells, waves ? "wavelength" : "width", wanted));
+  }
+}
+
 }  // namespace
 
 std::vector<Formula> film_formulas(const contact::Groups& groups) {
@@ -105,6 +123,7 @@ Outcome outcome_of(const Case& input, const steady::Solution& solution) {
   outcome.warnings = warnings_of(input.physics, solution, outcome.P_max.value);
   for (std::string& warning : surface_warnings(input.surfaces, solution.grid)) outcome.warnings.push_back(warning);
   warn_of_late(input, outcome.warnings);
+  warn_of_coarse(input, outcome.warnings);
   return outcome;
 }
 

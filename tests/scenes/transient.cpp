@@ -116,8 +116,8 @@ BOOST_AUTO_TEST_CASE(units_agree) {
   BOOST_TEST(std::abs(one.back()[7] - 1.1) < 1e-12);
 }
 
-// A dimple that starts before the inlet needs its time; one that comes to the contact is no reason for a warning.
-BOOST_AUTO_TEST_CASE(what_does_not_come_to_the_contact_is_told) {
+// A dimple that starts before the inlet needs its time, and one that moves needs cells; others are no reason to warn.
+BOOST_AUTO_TEST_CASE(a_feature_that_comes_late_or_is_coarse_is_told) {
   const support::TemporaryFolder folder;
   const std::string lines = "[surface1]\nshape = dimple\nheight = 0.02\nwidth = 0.5\n[transient]\nend_time = 0.3\n";
   folder.write("d.ini", contact + grid + lines);
@@ -127,6 +127,10 @@ BOOST_AUTO_TEST_CASE(what_does_not_come_to_the_contact_is_told) {
   BOOST_TEST(contains(late.out, "at x = -5.7 a at the end"));
   const support::Ended there = support::ehl(folder, "run d.ini --quiet --overwrite --set surface1.x=-1.7");
   BOOST_TEST(!contains(there.out, "does not come"));
+  BOOST_TEST(contains(there.out, "warning: dimple on surface1 has 5.3 cells for its width where 8 are wanted"));
+  const support::Ended fine =
+      support::ehl(folder, "run d.ini --quiet --overwrite --set surface1.x=-1.7 --set surface1.width=0.8");
+  BOOST_TEST(!contains(fine.out, "are wanted"));
 }
 
 // Every step's numbers, fields at the times asked for, and the words of the summary.
