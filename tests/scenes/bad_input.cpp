@@ -3,7 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "support/program.hpp"
+#include "support/refused.hpp"
 
 namespace {
 
@@ -13,33 +13,12 @@ const std::string steel =
     "[contact]\nload = 15\nradius_x = 0.0125\nE_prime = 110e9\n[motion]\nu_m = 0.09\n"
     "[lubricant]\neta0 = 0.25\nalpha = 22e-9\n";
 
-struct Slip {
-  std::string name;
-  std::string deck;
-  std::vector<std::string> parts;  ///< of the message
-};
-
-// in: decks with one slip each. Both commands that read a deck must refuse it alike, and `run` must leave no file.
-void check_all(const std::vector<Slip>& slips) {
-  const support::TemporaryFolder folder;
-  for (const Slip& slip : slips) {
-    folder.write("d.ini", slip.deck);
-    for (const char* command : {"check d.ini", "run d.ini"}) {
-      const support::Ended ended = support::ehl(folder, command);
-      BOOST_TEST(ended.status == 2, slip.name << ": " << command << " ends with " << ended.status << "\n" << ended.err);
-      BOOST_TEST(ended.says(slip.parts), slip.name << " says\n" << ended.err);
-      BOOST_TEST(ended.out.empty(), slip.name << " prints\n" << ended.out);
-    }
-    BOOST_TEST(folder.entries() == 1, slip.name);
-  }
-}
-
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(bad_input)
 
 BOOST_AUTO_TEST_CASE(names_and_values) {
-  check_all({
+  support::check_refused({
       {"misspelt key", moes + oil + "[grid]\ncels = 64\n", {"d.ini:8", "[grid] cels = 64", "did you mean cells?"}},
       {"misspelt section", moes + oil + "[gird]\ncells = 64\n", {"d.ini:7", "[gird]", "did you mean grid?"}},
       {"nan", "[contact]\nM = nan\nL = 10\n" + oil, {"d.ini:2", "[contact] M = nan", "not a finite number"}},
@@ -66,7 +45,7 @@ BOOST_AUTO_TEST_CASE(names_and_values) {
 }
 
 BOOST_AUTO_TEST_CASE(languages_and_groups) {
-  check_all({
+  support::check_refused({
       {"two languages",
        "[contact]\nM = 50\nL = 10\nload = 15\n" + oil,
        {"d.ini:4", "load = 15", "two languages", "M, L", "d.ini:2"}},
@@ -139,7 +118,7 @@ BOOST_AUTO_TEST_CASE(languages_and_groups) {
 
 BOOST_AUTO_TEST_CASE(grids_and_domains) {
   const std::string good = moes + oil;
-  check_all({
+  support::check_refused({
       {"no cells", good + "[grid]\ncells = 0\n", {"d.ini:8", "cells = 0", ">= 16"}},
       {"77 cells", good + "[grid]\ncells = 77\n", {"d.ini:8", "[grid] cells = 77", "power of two", "e.g. 64 or 128"}},
       {"too many cells",

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "results/read.hpp"
-#include "support/program.hpp"
+#include "support/refused.hpp"
 
 using ehl::results::ResultFile;
 
@@ -36,19 +36,11 @@ struct Slip {
   std::vector<std::string> parts;  ///< of the message
 };
 
-// Decks of `contact` with one slip each: refused by check and run, and nothing written.
 void check_all(const std::string& before, const std::vector<Slip>& slips) {
   for (const Slip& slip : slips) {
     const support::TemporaryFolder folder;
-    folder.write("d.ini", before + slip.oil);
     if (!slip.table.empty()) folder.write("t.csv", slip.table);
-    const std::size_t files = folder.entries();
-    for (const char* command : {"check d.ini", "run d.ini"}) {
-      const support::Ended ended = support::ehl(folder, command);
-      BOOST_TEST(ended.status == 2, slip.name << ": " << command << " ends with " << ended.status << "\n" << ended.err);
-      BOOST_TEST(ended.says(slip.parts), slip.name << " says\n" << ended.err);
-    }
-    BOOST_TEST(folder.entries() == files, slip.name);
+    support::check_refused(folder, {slip.name, before + slip.oil, slip.parts});
   }
 }
 

@@ -4,7 +4,7 @@
 
 #include "support/columns.hpp"
 #include "support/json.hpp"
-#include "support/program.hpp"
+#include "support/refused.hpp"
 
 namespace {
 
@@ -15,25 +15,6 @@ const std::string oiled =
     "[domain]\nx_inlet = -4.5\nx_outlet = 1.5\ny_half = 3\n[grid]\ncells = 64\n";
 const std::string dry = "[case]\nkind = dry\n[grid]\ncells = 64\n";
 const std::string stresses = "[subsurface]\ndepth = 1.5\nplanes = 21\n";
-
-struct Slip {
-  std::string name;
-  std::string deck;
-  std::vector<std::string> parts;
-};
-
-void check_all(const std::vector<Slip>& slips) {
-  const support::TemporaryFolder folder;
-  for (const Slip& slip : slips) {
-    folder.write("d.ini", slip.deck);
-    for (const char* command : {"check d.ini", "run d.ini"}) {
-      const support::Ended ended = support::ehl(folder, command);
-      BOOST_TEST(ended.status == 2, slip.name << ": " << command << " ends with " << ended.status << "\n" << ended.err);
-      BOOST_TEST(ended.says(slip.parts), slip.name << " says\n" << ended.err);
-    }
-    BOOST_TEST(folder.entries() == 1, slip.name);
-  }
-}
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
@@ -53,7 +34,7 @@ std::string values(const support::TemporaryFolder& folder, const std::string& fi
 BOOST_AUTO_TEST_SUITE(stress_and_dry)
 
 BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
-  check_all({
+  support::check_refused({
       {"no depth", oiled + "[subsurface]\nfriction = 0.1\n", {"d.ini:14", "friction", "without depth"}},
       {"above the surface", oiled + "[subsurface]\ndepth = -1\n", {"d.ini:14", "depth = -1", ">= 0.01"}},
       {"no solid", oiled + stresses + "poisson = 0.7\n", {"d.ini:16", "poisson = 0.7", "0.5"}},

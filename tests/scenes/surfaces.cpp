@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "support/columns.hpp"
-#include "support/program.hpp"
+#include "support/refused.hpp"
 
 namespace {
 
@@ -60,12 +60,6 @@ void write_hdf5(const std::string& path, int nx, int ny, double bad = 0.0) {
   H5Fclose(file);
 }
 
-struct Slip {
-  std::string name;
-  std::string deck;
-  std::vector<std::string> parts;
-};
-
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
@@ -74,7 +68,7 @@ BOOST_AUTO_TEST_SUITE(surfaces)
 
 BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
   const std::string at_rest = contact + "[surface2]\nat_rest = yes\n";
-  const Slip slips[] = {
+  const support::Slip slips[] = {
       {"moving or not", contact + "[surface1]\n" + dimple, {"[surface1] shape", "[transient] end_time", "at_rest"}},
       {"a moving surface",
        steel("u1 = 0.05\nu2 = 0.13\n") + "[surface2]\n" + dimple,
@@ -102,17 +96,11 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
   };
   const support::TemporaryFolder folder;
   folder.write("m.csv", csv(30, 20));
-  for (const Slip& slip : slips) {
-    folder.write("d.ini", slip.deck);
-    const support::Ended ended = support::ehl(folder, "run d.ini");
-    BOOST_TEST(ended.status == 2, slip.name << ": ends with " << ended.status << "\n" << ended.err);
-    BOOST_TEST(ended.says(slip.parts), slip.name << " says\n" << ended.err);
-    BOOST_TEST(folder.entries() == 2, slip.name);
-  }
+  for (const support::Slip& slip : slips) support::check_refused(folder, slip);
 }
 
 BOOST_AUTO_TEST_CASE(a_map_with_gaps_is_refused) {
-  const Slip maps[] = {
+  const support::Slip maps[] = {
       {"no number", csv(30, 20, 4, "x", 7), {"m.csv:5", "height number 8", "no number"}},
       {"NaN", csv(30, 20, 4, "NaN", 7), {"m.csv:5", "height number 8", "no finite number"}},
       {"nothing", csv(30, 20, 4, "", 7), {"m.csv:5", "height number 8", "is missing"}},
@@ -126,7 +114,7 @@ BOOST_AUTO_TEST_CASE(a_map_with_gaps_is_refused) {
   };
   const support::TemporaryFolder folder;
   folder.write("d.ini", steel(standing) + map);
-  for (const Slip& one : maps) {
+  for (const support::Slip& one : maps) {
     folder.write("m.csv", one.deck);
     const support::Ended ended = support::ehl(folder, "check d.ini");
     BOOST_TEST(ended.status == 2, one.name << ": ends with " << ended.status << "\n" << ended.err);

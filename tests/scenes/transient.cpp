@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "support/columns.hpp"
-#include "support/program.hpp"
+#include "support/refused.hpp"
 
 namespace {
 
@@ -17,12 +17,6 @@ const std::string steel =
     "[contact]\nload = 15\nradius_x = 0.0125\nE_prime = 110e9\n[motion]\nu1 = 0.045\nu2 = 0.135\n"
     "[lubricant]\neta0 = 0.25\nalpha = 22e-9\n";
 
-struct Slip {
-  std::string name;
-  std::string lines;
-  std::vector<std::string> parts;
-};
-
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
@@ -31,7 +25,7 @@ BOOST_AUTO_TEST_SUITE(transient)
 
 BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
   const std::string timed = "[transient]\nend_time = 1\n";
-  const Slip slips[] = {
+  const support::Slip slips[] = {
       {"no end", "[transient]\nrtol = 1e-3\n", {"d.ini:14", "rtol", "end_time"}},
       {"a surface at rest",
        "[surface1]\nshape = dimple\nheight = 0.1\nwidth = 1\n",
@@ -69,13 +63,8 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
       {"from rest", timed + "u1 = 0:0 1:1\nu2 = 0:0 1:1\n", {"u1", "positive at time 0"}},
   };
   const support::TemporaryFolder folder;
-  for (const Slip& slip : slips) {
-    folder.write("d.ini", contact + grid + slip.lines);
-    const support::Ended ended = support::ehl(folder, "run d.ini");
-    BOOST_TEST(ended.status == 2, slip.name << ": ends with " << ended.status << "\n" << ended.err);
-    BOOST_TEST(ended.says(slip.parts), slip.name << " says\n" << ended.err);
-    BOOST_TEST(folder.entries() == 1, slip.name);
-  }
+  for (const support::Slip& slip : slips)
+    support::check_refused(folder, {slip.name, contact + grid + slip.deck, slip.parts});
   folder.write("d.ini", contact + grid + timed + "load = none.csv\n");
   BOOST_TEST(support::ehl(folder, "run d.ini").status == 4);
   folder.write("d.ini", contact + "[grid]\naccuracy = 0.01\n" + timed);

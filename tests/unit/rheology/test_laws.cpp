@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/errors.hpp"
-#include "rheology/laws.hpp"
+#include "support/law_at.hpp"
 
 using namespace ehl::rheology;
 
@@ -15,19 +15,7 @@ constexpr double ulp = std::numeric_limits<double>::epsilon();
 constexpr double alpha = 1.7e-8;  // the mineral oil of the circular-contact papers
 constexpr double p_h = 0.789e9;
 
-using Function = void (*)(const ViscosityLaw&, std::span<const double>, std::span<double>);
-
-double value(Function f, const ViscosityLaw& law, double P) {
-  double out = 0.0;
-  f(law, {&P, 1}, {&out, 1});
-  return out;
-}
-double value(void (*f)(const DensityLaw&, std::span<const double>, std::span<double>), const DensityLaw& law,
-             double P) {
-  double out = 0.0;
-  f(law, {&P, 1}, {&out, 1});
-  return out;
-}
+using support::value;
 
 // ln(eta_bar) from the constants the law holds, in long double.
 long double exact_log_eta(const Roelands& law, long double P) {
@@ -151,7 +139,8 @@ BOOST_AUTO_TEST_CASE(slopes_against_differences) {
   for (int k = 1; k <= 200; ++k) {
     const double P = 0.01 * k;
     const double slope = value(log_viscosity_slope, roelands, P);
-    worst = std::max(worst, std::abs(difference<ViscosityLaw>(Function(log_viscosity), roelands, P) / slope - 1.0));
+    worst = std::max(
+        worst, std::abs(difference<ViscosityLaw>(support::OfViscosity(log_viscosity), roelands, P) / slope - 1.0));
     const double density_s = value(density_slope, dowson_higginson, P);
     const auto f = static_cast<void (*)(const DensityLaw&, std::span<const double>, std::span<double>)>(density);
     worst = std::max(worst, std::abs(difference<DensityLaw>(f, dowson_higginson, P) / density_s - 1.0));

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "rheology/fluids.hpp"
-#include "rheology/laws.hpp"
 #include "rheology/range.hpp"
+#include "support/law_at.hpp"
 
 using namespace ehl::rheology;
 
@@ -14,18 +14,7 @@ namespace {
 constexpr double p_h = 1e9;
 using Real = long double;
 
-double value(void (*f)(const ViscosityLaw&, std::span<const double>, std::span<double>), const ViscosityLaw& law,
-             double P) {
-  double out = 0.0;
-  f(law, {&P, 1}, {&out, 1});
-  return out;
-}
-double value(void (*f)(const DensityLaw&, std::span<const double>, std::span<double>), const DensityLaw& law,
-             double P) {
-  double out = 0.0;
-  f(law, {&P, 1}, {&out, 1});
-  return out;
-}
+using support::value;
 
 // Squalane at 40 C, an oil like Shell T9 at 25 C, and the lowest bulk modulus of oils.
 const DoolittleConstants squalane{4.71, 0.6568, 1.192e9, 11.74, 0.0156};
