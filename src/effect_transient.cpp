@@ -33,9 +33,9 @@ Needs expense(const Case& input) {
   const core::Grid& grid = input.scene.grid;
   const double nodes = static_cast<double>(grid.nodes_x()) * grid.nodes_y();
   const transient::MarchParameters& march = input.transient->parameters;
-  const transient::Conditions& given = input.transient->conditions;
+  const transient::Conditions& conditions = input.transient->conditions;
   const auto varies = [](const transient::Schedule& schedule) { return schedule.wave || schedule.points.size() > 1; };
-  const bool driven = given.body || varies(given.load) || varies(given.u1) || varies(given.u2);
+  const bool driven = conditions.body || varies(conditions.load) || varies(conditions.u1) || varies(conditions.u2);
   const double steps = march.end / step_of(*input.transient) * (driven ? shorter_steps : 1.0);
   const double frames = std::isnan(march.output_interval) ? 2.0 : march.end / march.output_interval + 2.0;
   return {.bytes = nodes * sizeof(double) * (doubles_of_history + frames * doubles_of_frame),

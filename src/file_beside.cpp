@@ -24,4 +24,11 @@ std::string found_beside(const deck::Deck& deck, const std::string& section, con
   throw core::FileError(message);
 }
 
+std::ifstream opened(const std::string& path, const std::string& note) {
+  std::error_code error;
+  std::ifstream file(path);
+  if (!file || std::filesystem::is_directory(path, error)) throw core::FileError(path + ": cannot be read" + note);
+  return file;
+}
+
 }  // namespace ehl::program

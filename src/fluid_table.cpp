@@ -1,10 +1,7 @@
 #include "fluid_table.hpp"
 
-#include <filesystem>
-#include <fstream>
-
-#include "core/errors.hpp"
 #include "deck/text.hpp"
+#include "file_beside.hpp"
 
 namespace ehl::program {
 namespace {
@@ -40,9 +37,7 @@ std::string what_is_wrong(const FluidTable& table, double p, double eta, double 
 }  // namespace
 
 ReadTable read_fluid_table(const std::string& path, bool with_rho) {
-  std::error_code error;
-  std::ifstream file(path);
-  if (!file || std::filesystem::is_directory(path, error)) throw core::FileError(path + ": cannot be read");
+  std::ifstream file = opened(path);
   FluidTable table;
   const std::size_t columns = with_rho ? 3 : 2;
   const std::string wanted = with_rho ? "p [Pa], eta [Pa s], rho [kg/m^3]" : "p [Pa], eta [Pa s]";

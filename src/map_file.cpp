@@ -2,11 +2,10 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <vector>
 
-#include "core/errors.hpp"
 #include "deck/text.hpp"
+#include "file_beside.hpp"
 #include "results/matrix.hpp"
 
 namespace ehl::program {
@@ -50,9 +49,7 @@ std::string too_few(int nx, int ny) {
 }
 
 ReadHeights read_csv(const std::string& path) {
-  std::error_code error;
-  std::ifstream file(path);
-  if (!file || std::filesystem::is_directory(path, error)) throw core::FileError(path + ": cannot be read");
+  std::ifstream file = opened(path);
   Heights heights;
   int number = 0;
   bool heading_allowed = true;

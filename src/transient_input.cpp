@@ -2,13 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
-#include "core/errors.hpp"
 #include "deck/text.hpp"
 #include "file_beside.hpp"
 #include "text_format.hpp"
@@ -52,10 +48,7 @@ std::vector<double> numbers_in(const std::string& text) {
 
 std::vector<Schedule::Point> points_of_file(deck::Deck& deck, const std::string& key) {
   const std::string path = found_beside(deck, section, key);
-  std::ifstream file(path);
-  std::error_code error;
-  if (!file || std::filesystem::is_directory(path, error))
-    throw core::FileError(path + ": cannot be read ([transient] " + key + ")");
+  std::ifstream file = opened(path, " ([transient] " + key + ")");
   std::vector<Schedule::Point> points;
   int number = 0;
   for (std::string line; std::getline(file, line);) {
