@@ -6,6 +6,8 @@ struct QuadraticForm {
   double XX;
   double XY;
   double YY;
+
+  double at(double X, double Y) const { return XX * X * X + (XY * X + YY * Y) * Y; }
 };
 
 }  // namespace ehl::core

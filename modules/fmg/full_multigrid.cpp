@@ -54,7 +54,7 @@ class FarField {
     c_Y_ = scale * (XX * b - b * gap.XX);
   }
   double P(double X, double Y) const {
-    const double H = gap_.XX * X * X + (gap_.XY * X + gap_.YY * Y) * Y;
+    const double H = gap_.at(X, Y);
     return -(c_X_ * X + c_Y_ * Y) / (H * H);
   }
 
@@ -74,14 +74,13 @@ double taper(const core::Grid& domain, double X, double Y) {
 // pressure goes forward by one cell in a relaxation, but back by as many as it takes: it begins too far downstream,
 // with the pressure of the far field everywhere and its sign turned where that is negative.
 void begin_outside(const Problem& problem, Level& level) {
-  const auto& [XX, XY, YY] = problem.geometry.outline;
   const FarField far(problem.geometry.gap, problem.lambda);
   const core::Grid domain = core::whole(level.grid);
   for (int i = 1; i < level.grid.nx; ++i)
     for (int j = 1; j <= level.grid.last_line(); ++j) {
       const double X = level.grid.X(i);
       const double Y = level.grid.Y(j);
-      if (XX * X * X + (XY * X + YY * Y) * Y >= 1.0)
+      if (problem.geometry.outline.at(X, Y) >= 1.0)
         level.P(i, j) = std::min(std::abs(far.P(X, Y)), a_little) * taper(domain, X, Y);
     }
 }

@@ -31,7 +31,7 @@ constexpr double least_yielding = 0.05;
 bool in_zone(const core::QuadraticForm& outline, const core::Grid& grid, int i, int j) {
   const double X = grid.X(i);
   const double Y = grid.Y(j);
-  return outline.XX * X * X + (outline.XY * X + outline.YY * Y) * Y <= zone_radius * zone_radius;
+  return outline.at(X, Y) <= zone_radius * zone_radius;
 }
 
 template <class Action>
