@@ -6,14 +6,14 @@
 #include <exception>
 #include <new>
 
-#include "commands.hpp"
+#include "commands/commands.hpp"
+#include "commands/exit_status.hpp"
+#include "commands/signals.hpp"
 #include "core/errors.hpp"
 #include "core/process.hpp"
 #include "core/processor_level.hpp"
 #include "deck/text.hpp"
-#include "exit_status.hpp"
-#include "signals.hpp"
-#include "version.hpp"
+#include "report/version.hpp"
 
 namespace ehl::program {
 namespace {

@@ -16,7 +16,7 @@ if(GIT_FOUND)
     endif()
   endif()
 endif()
-set(text "#include \"version.hpp\"
+set(text "#include \"report/version.hpp\"
 
 namespace ehl::program {
 

@@ -12,7 +12,17 @@ inline double now() {
 }
 
 /// The parts of the solver whose share of the time is reported.
-enum class Part : std::size_t { deformation, coefficients, residual, line_solve, transfer, coarsest, checks, setup, count };
+enum class Part : std::size_t {
+  deformation,
+  coefficients,
+  residual,
+  line_solve,
+  transfer,
+  coarsest,
+  checks,
+  setup,
+  count
+};
 
 /// Name of a part as the report prints it.
 const char* name(Part part);

@@ -85,8 +85,8 @@ struct SemiCoarsening::Arrays {
   std::ptrdiff_t stride_w;
 };
 
-// A strip of `lanes` times `vectors` columns, swept along. Two rings of rows in the first-level cache: the source, with the sums
-// u(j-e) + u(j+e) that the correction, even in e, multiplies; and the coarse rows being corrected.
+// A strip of `lanes` times `vectors` columns, swept along. Two rings of rows in the first-level cache: the source, with
+// the sums u(j-e) + u(j+e) that the correction, even in e, multiplies; and the coarse rows being corrected.
 template <int vectors>
 class SemiCoarsening::Strip {
  public:

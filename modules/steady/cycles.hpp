@@ -34,10 +34,10 @@ using Judge = std::function<Verdict(int cycle, const StateOfLevel& before, const
 
 /// FAS cycles on level l, from the state that is there, at most `most`.
 /// Backs off: without relaxations after the correction, a residual that falls slowly adds one to the hierarchy's
-/// parameters, for good; a residual that rises or hardly falls lowers the weight where epsilon is steep, and then all weights; a
-/// state that is no longer finite, or hopeless, is replaced by the one at the beginning and all weights are lowered;
-/// where that does not help the one at the beginning is what is left. in: weights, those of no caution; in/out:
-/// caution, what the level below needed and what this one did.
+/// parameters, for good; a residual that rises or hardly falls lowers the weight where epsilon is steep, and then all
+/// weights; a state that is no longer finite, or hopeless, is replaced by the one at the beginning and all weights are
+/// lowered; where that does not help the one at the beginning is what is left. in: weights, those of no caution;
+/// in/out: caution, what the level below needed and what this one did.
 CyclesResult run_cycles(fmg::Hierarchy& hierarchy, std::size_t l, int most, const fmg::RelaxationParameters& weights,
                         Caution& caution, const Judge& judge);
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "effects.hpp"
+#include "case/effects.hpp"
 #include "results/read.hpp"
 #include "support/program.hpp"
 

@@ -44,8 +44,7 @@ Kept kept(Wedge wedge, int cells_per_wave) {
   const double wave = cells_per_wave * grid.hx();
   const double height = 0.005;
   const transient::Conditions conditions{
-      .on_1 =
-          surface::Feature{.shape = surface::Feature::Shape::waviness, .height = height, .width = wave, .X = -1.5}};
+      .on_1 = surface::Feature{.shape = surface::Feature::Shape::waviness, .height = height, .width = wave, .X = -1.5}};
   // The first wave passes `to`, another one, then the period that is looked at.
   const double fill = std::ceil((to + 1.5) / wave + 1.0) * wave;
   const transient::MarchParameters parameters{

@@ -75,7 +75,8 @@ BOOST_AUTO_TEST_CASE(results_name_the_effects_that_were_on) {
     BOOST_TEST(seconds.unit == "s");
   }
   BOOST_TEST(with.attribute("/effects/transient", "why") == "[transient] end_time = 0.1");
-  BOOST_TEST(with.attribute("/effects/surfaces", "meaning") == "ridge on surface1 (x = -0.5 to -0.4 a), height 0.023 of the smooth film");
+  BOOST_TEST(with.attribute("/effects/surfaces", "meaning") ==
+             "ridge on surface1 (x = -0.5 to -0.4 a), height 0.023 of the smooth film");
 }
 
 BOOST_AUTO_TEST_CASE(the_summary_shares_out_the_time) {

@@ -1,4 +1,4 @@
-#include "arguments.hpp"
+#include "commands/arguments.hpp"
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,13 +1,13 @@
 // The list of effects against the deck: nothing belongs to two of them, and nothing is on that the deck did not call
 // for.
-#include "effects.hpp"
+#include "case/effects.hpp"
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <set>
 
-#include "catalogue.hpp"
+#include "case/catalogue.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
 #include "support/json.hpp"

@@ -1,13 +1,13 @@
 // Reports on a solution that was made up, so that every number in them is known.
-#include "report.hpp"
+#include "report/report.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "json.hpp"
-#include "result_content.hpp"
+#include "report/json.hpp"
+#include "report/result_content.hpp"
+#include "report/text_format.hpp"
 #include "support/json.hpp"
-#include "text_format.hpp"
 
 using namespace ehl;
 

@@ -1,10 +1,10 @@
 // From decks to what the solver gets, against numbers worked out elsewhere.
-#include "scene.hpp"
+#include "case/scene.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "catalogue.hpp"
+#include "case/catalogue.hpp"
 #include "core/errors.hpp"
 #include "deck/write.hpp"
 #include "support/temporary_folder.hpp"
@@ -182,7 +182,8 @@ BOOST_AUTO_TEST_CASE(the_catalogue_is_sound) {
     BOOST_TEST(!key.meaning.empty(), name);
     BOOST_TEST((!key.default_text.empty() || !key.default_note.empty() || !key.example.empty()), name);
     BOOST_TEST((deck::find_key(all, key.section, key.name) == &key), name << " is declared twice");
-    BOOST_TEST((key.needs.name.empty() || deck::find_key(all, deck::section_needed(key), key.needs.name) != nullptr), name);
+    BOOST_TEST((key.needs.name.empty() || deck::find_key(all, deck::section_needed(key), key.needs.name) != nullptr),
+               name);
     if (key.type == deck::Type::word || key.type == deck::Type::words) BOOST_TEST(!key.words.empty(), name);
   }
 }

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/errors.hpp"
-#include "study_report.hpp"
+#include "tables/study_report.hpp"
 
 using namespace ehl;
 using Texts = std::vector<std::string>;

@@ -7,13 +7,13 @@
 #include <map>
 #include <new>
 
-#include "catalogue.hpp"
+#include "case/catalogue.hpp"
 #include "core/errors.hpp"
 #include "support/temporary_folder.hpp"
-#include "sweep_children.hpp"
-#include "sweep_range.hpp"
-#include "sweep_row.hpp"
-#include "sweep_table.hpp"
+#include "tables/sweep_children.hpp"
+#include "tables/sweep_range.hpp"
+#include "tables/sweep_row.hpp"
+#include "tables/sweep_table.hpp"
 
 using namespace ehl;
 using Texts = std::vector<std::string>;

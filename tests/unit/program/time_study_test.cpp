@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/errors.hpp"
-#include "time_study_report.hpp"
+#include "tables/time_study_report.hpp"
 
 using namespace ehl;
 

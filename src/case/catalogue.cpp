@@ -1,0 +1,51 @@
+#include "case/catalogue.hpp"
+
+#include "case/effects.hpp"
+#include "contact/keys.hpp"
+#include "effects/dry/keys.hpp"
+#include "fmg/keys.hpp"
+#include "mlmi/keys.hpp"
+#include "reynolds/keys.hpp"
+#include "rheology/keys.hpp"
+#include "steady/keys.hpp"
+
+namespace ehl::program {
+
+deck::Catalogue catalogue() {
+  deck::Catalogue all;
+  all.sections = {
+      {"case", "What this case is called."},
+      {"contact",
+       "The contact, in ONE of three languages: M and L (Moes); W, U and G (Hamrock and Dowson); or SI: load, "
+       "radius_x and the elastic data."},
+      {"motion",
+       "The speeds of the surfaces: u1 and u2, or u_m and srr. With a contact in M and L or W, U and G srr alone, and "
+       "only with [shear] or [friction]. And the angle of an ellipse."},
+      {"lubricant", "The oil."},
+      {"domain", "The computed rectangle, in radii of the Hertz contact."},
+      {"grid", "The finest and the coarsest grid."},
+      {"discretization", "How derivatives become differences."},
+      {"deformation", "How the elastic deformation is evaluated."},
+      {"multigrid", "How the full multigrid works; the defaults need no tuning."},
+      {"continuation", "How a high load is reached from lower ones, where that is needed."},
+      {"dry", "How a contact without lubricant is solved. Only with [case] kind = dry."},
+      {"output", "What is kept."},
+  };
+  for (const auto& keys :
+       {steady::keys(), contact::keys(), rheology::keys(), reynolds::keys(), mlmi::keys(), fmg::keys(), dry::keys()})
+    all.keys.insert(all.keys.end(), keys.begin(), keys.end());
+  for (const Effect& effect : effects()) {
+    for (deck::Section section : effect.sections) {
+      section.effect = effect.name;
+      all.sections.insert(all.sections.end() - 1, section);  // before [output]
+    }
+    if (!effect.keys) continue;
+    const std::vector<deck::Key> keys = effect.keys();
+    all.keys.insert(all.keys.end(), keys.begin(), keys.end());
+  }
+  all.unavailable = effects_to_come();
+  all.unavailable.push_back({"surface", "", "there are two: write [surface1] or [surface2]"});
+  return all;
+}
+
+}  // namespace ehl::program

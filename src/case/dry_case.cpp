@@ -1,0 +1,104 @@
+#include "case/dry_case.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace ehl::program {
+namespace {
+
+using deck::complain;
+using deck::given;
+
+// A dry contact is the circle of radius 1; roughness spreads it a little.
+constexpr double chosen_edge = 1.5;
+constexpr int chosen_cells = 256;
+
+struct Meaningless {
+  std::string section;
+  std::vector<std::string> keys;  // none: all of them
+};
+
+const std::vector<Meaningless> of_a_film = {{"contact", {"M", "L", "W", "U", "G", "radius_y", "radius_ratio"}},
+                                            {"motion", {}},
+                                            {"lubricant", {}},
+                                            {"discretization", {}},
+                                            {"multigrid", {}},
+                                            {"continuation", {}},
+                                            {"transient", {}},
+                                            {"body", {}},
+                                            {"shear", {}},
+                                            {"friction", {}},
+                                            {"surface1", {"at_rest"}},
+                                            {"surface2", {"at_rest"}},
+                                            {"grid", {"accuracy"}},
+                                            {"output", {"fields", "checkpoint"}}};
+
+bool speaks_of_film(const deck::Key& key) {
+  return std::ranges::any_of(of_a_film, [&](const Meaningless& entry) {
+    return entry.section == key.section &&
+           (entry.keys.empty() || std::ranges::find(entry.keys, key.name) != entry.keys.end());
+  });
+}
+
+void refuse_film(deck::Deck& deck) {
+  for (std::size_t k = 0; k < deck.catalogue.keys.size(); ++k) {
+    const deck::Key key = deck.catalogue.keys[k];
+    if (!speaks_of_film(key)) continue;
+    if (given(deck, key.section, key.name)) {
+      const bool radii = key.name.starts_with("radius");
+      const bool scales = key.section == "contact";
+      complain(deck, key.section, key.name,
+               radii ? "a dry contact is circular in this version: remove it"
+               : scales
+                   ? "contains a lubricant, and [case] kind = dry: give load, radius_x and the elastic data in SI, "
+                     "or nothing (units of Hertz)"
+                   : "has no influence with [case] kind = dry: remove it");
+    } else {
+      deck.values[k] = {.origin = deck::Origin::absent, .number = std::numeric_limits<double>::quiet_NaN()};
+    }
+  }
+}
+
+void choose_domain(deck::Deck& deck) {
+  const std::string why = "a dry contact has radius 1";
+  if (!given(deck, "domain", "x_inlet")) deck::choose(deck, "domain", "x_inlet", -chosen_edge, why);
+  if (!given(deck, "domain", "x_outlet")) deck::choose(deck, "domain", "x_outlet", chosen_edge, why);
+  if (!given(deck, "domain", "y_half")) deck::choose(deck, "domain", "y_half", chosen_edge, why);
+  if (given(deck, "grid", "cells")) return;
+  int cells = std::max(1, deck::integer(deck, "grid", "coarsest", chosen_cells));
+  while (cells < chosen_cells) cells *= 2;
+  deck::choose(deck, "grid", "cells", cells, "Hertz' pressure to about 1e-5 at the centre");
+}
+
+}  // namespace
+
+Physics dry_physics(const DryInput& input) {
+  Physics physics;
+  if (!input.contact) return physics;
+  const ElasticContact& contact = *input.contact;
+  physics.language = Language::si;
+  SiInput si;
+  si.contact.load = contact.load;
+  si.contact.radius = contact.radius;
+  si.contact.E_prime = contact.E_prime;
+  si.hertz = contact.hertz;
+  physics.si = si;
+  physics.p_h = contact.hertz.p_h;
+  return physics;
+}
+
+std::optional<DryInput> dry_input(deck::Deck& deck) {
+  if (deck::word(deck, "case", "kind") != "dry") return std::nullopt;
+  refuse_film(deck);
+  DryInput input;
+  input.contact = elastic_contact(deck);
+  choose_domain(deck);
+  input.parameters.tolerance = deck::number(deck, "dry", "tolerance");
+  input.parameters.max_iterations = deck::integer(deck, "dry", "max_iterations", input.parameters.max_iterations);
+  input.parameters.coarsest_cells = deck::integer(deck, "grid", "coarsest", 0);
+  return input;
+}
+
+}  // namespace ehl::program

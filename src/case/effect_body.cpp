@@ -1,0 +1,31 @@
+// A body that moves under the load and the film's pressure.
+#include <numbers>
+
+#include "case/effects.hpp"
+#include "report/text_format.hpp"
+
+namespace ehl::program {
+
+Effect body_effect() {
+  return {.name = "body",
+          .meaning = "A body with mass that moves under the load and the film: impact, rebound, vibration.",
+          .sections = {{.name = "body",
+                        .meaning = "The body's equation of motion in place of an imposed load. Only with [transient].",
+                        .called_by = {"mass", "mass_kg"}}},
+          .callers = {{"body", "mass"}, {"body", "mass_kg"}},
+          .on = [](const Case& input) { return input.transient && input.transient->conditions.body; },
+          .what =
+              [](const Case& input) {
+                const transient::Body& body = *input.transient->conditions.body;
+                const std::string start = body.gap ? formatted("apart by %.4g", *body.gap) : "upon the steady film";
+                return formatted(
+                    "mass %.4g, damping %.4g, from %s with velocity %.4g; %.4g vibrations per a/u_m upon "
+                    "the dry contact",
+                    body.mass, body.damping, start.c_str(), body.velocity,
+                    transient::natural_frequency(body) / (2.0 * std::numbers::pi));
+              },
+          .example = {"body.mass=2"},
+          .upon = "transient"};
+}
+
+}  // namespace ehl::program

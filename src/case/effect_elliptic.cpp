@@ -1,0 +1,27 @@
+// Bodies of two radii each.
+#include "case/effects.hpp"
+#include "report/text_format.hpp"
+
+namespace ehl::program {
+
+Effect elliptic_effect() {
+  return {.name = "elliptic",
+          .meaning = "Bodies whose radii along x and y differ, and the direction of entrainment between them.",
+          .without = "circular",
+          .callers = {{"contact", "radius_ratio"}, {"contact", "radius_y"}},
+          .on = [](const Case& input) { return !contact::circular(input.scene.shape); },
+          .what =
+              [](const Case& input) {
+                const contact::Ellipse& shape = input.scene.shape;
+                return formatted("R_x/R_y = %.4g, b/a = %.4g, entrained at %.4g degrees to R_x", shape.radius_ratio,
+                                 shape.kappa, shape.angle);
+              },
+          .asymmetry =
+              [](const Case& input) {
+                const bool aslant = contact::gap(input.scene.shape).XY != 0.0;
+                return aslant ? formatted("entrained at %.4g degrees", input.scene.shape.angle) : std::string();
+              },
+          .example = {"contact.radius_ratio=0.5"}};
+}
+
+}  // namespace ehl::program

@@ -1,0 +1,113 @@
+// Friction on both surfaces.
+#include <cmath>
+
+#include "case/effects.hpp"
+#include "deck/text.hpp"
+#include "effects/friction/keys.hpp"
+#include "report/json.hpp"
+#include "report/text_format.hpp"
+
+namespace ehl::program {
+namespace {
+
+using friction::Friction;
+
+std::string oil(const Case& input) { return input.scene.thinning ? "shear-thinning" : "Newtonian"; }
+
+std::string what(const Case& input) {
+  const friction::Parameters& parameters = *input.friction;
+  return formatted("isothermal, %s, slide-roll ratio %.4g, ", oil(input).c_str(), input.physics.srr) +
+         (std::isfinite(parameters.limit) ? formatted("limited to %.4g p", parameters.limit) : "no limiting stress") +
+         ", cavitated region: " + deck::word(input.deck, "friction", "cavitated");
+}
+
+Needs expense(const Case& input) {
+  const core::Grid& grid = input.scene.grid;
+  const double nodes = static_cast<double>(grid.nodes_x()) * grid.nodes_y();
+  const int kept = (input.friction->keep_tau1 ? 1 : 0) + (input.friction->keep_tau2 ? 1 : 0);
+  constexpr double seconds_per_node = 4e-8;
+  return {.bytes = nodes * sizeof(double) * kept, .seconds = nodes * seconds_per_node};
+}
+
+std::string summary(const Case& input, const Computed& computed) {
+  const Friction& f = *computed.friction;
+  const auto in_newtons = [&](double mu) {
+    return input.physics.si ? formatted(" (%.3g N)", mu * input.physics.si->contact.load) : "";
+  };
+  const char* mark = computed.solution.converged ? "" : "  (NOT CONVERGED)";
+  std::string text = formatted("friction     mu = %.5g sliding%s, %.3g rolling%s%s\n", f.sliding,
+                               in_newtons(f.sliding).c_str(), f.rolling, in_newtons(f.rolling).c_str(), mark);
+  text += formatted("             on surface 1 %.5g, on surface 2 %.5g of the load along +x; cavitated region %.2g\n",
+                    f.on_1, f.on_2, f.cavitated);
+  text += formatted("             largest shear stress of sliding %.4g p_h", f.largest_stress);
+  if (std::isfinite(input.physics.p_h)) text += ", " + pressure(f.largest_stress * input.physics.p_h);
+  if (std::isfinite(f.parameters.limit)) text += formatted(", limited on %.0f %% of the load", 100.0 * f.limited_share);
+  text += "; isothermal, " + oil(input) + "\n";
+  for (const std::string& warning : friction::warnings(f)) text += "warning: " + warning + "\n";
+  return text;
+}
+
+std::string json_of(const Computed& computed) {
+  const Friction& f = *computed.friction;
+  std::vector<std::string> texts;
+  for (const std::string& warning : friction::warnings(f)) texts.push_back(json::text(warning));
+  return json::object({{"mu", json::number(f.sliding)},
+                       {"mu_rolling", json::number(f.rolling)},
+                       {"mu_1", json::number(f.on_1)},
+                       {"mu_2", json::number(f.on_2)},
+                       {"mu_cavitated", json::number(f.cavitated)},
+                       {"largest_stress", json::number(f.largest_stress)},
+                       {"limited_share", json::number(f.limited_share)},
+                       {"warnings", json::array(texts)},
+                       {"seconds", json::number(f.seconds)}});
+}
+
+void add_content(const Case& input, const Computed& computed, results::Content& content) {
+  const Friction& f = *computed.friction;
+  if (f.parameters.keep_tau1)
+    content.fields.push_back({"tau1", "p_h", "shear stress of the film on surface 1 along +x", &f.tau1});
+  if (f.parameters.keep_tau2)
+    content.fields.push_back({"tau2", "p_h", "shear stress of the film on surface 2 along +x", &f.tau2});
+  const std::vector<results::Quantity> more{
+      {"mu", f.sliding, "-", "sliding friction over the load, positive where surface 1 is the faster one"},
+      {"mu_rolling", f.rolling, "-", "rolling friction over the load, the same on both surfaces"},
+      {"mu_1", f.on_1, "-", "force of the film on surface 1 along +x over the load"},
+      {"mu_2", f.on_2, "-", "force of the film on surface 2 along +x over the load"},
+      {"mu_cavitated", f.cavitated, "-", "part of mu from the cavitated region"},
+      {"largest_shear_stress", f.largest_stress, "p_h", "of sliding, in the pressurised film"},
+      {"limited_share", f.limited_share, "-", "share of the load where the limiting stress acts"},
+      {"slide_roll_ratio", input.physics.srr, "-", "(u1 - u2)/u_m"}};
+  content.summary.insert(content.summary.end(), more.begin(), more.end());
+  content.remarks.push_back({"friction", what(input), "what it holds for"});
+  content.remarks.push_back({"friction_warnings", deck::joined(friction::warnings(f), "\n"), "one a line"});
+}
+
+}  // namespace
+
+friction::Friction friction_of(const Case& input, const steady::Solution& solution) {
+  return friction::friction_of({solution.grid, solution.P, solution.H, input.scene.viscosity, input.scene.thinning},
+                               *input.friction);
+}
+
+Effect friction_effect() {
+  return {.name = "friction",
+          .meaning = "Friction on both surfaces, from the steady pressure and film.",
+          .sections = {{.name = "friction",
+                        .meaning = "Friction on both surfaces, from the steady pressure and film.",
+                        .called_by = {"cavitated"}}},
+          .callers = {{"friction", "cavitated"}},
+          .costly = {"friction", "fields"},
+          .keys = friction::keys,
+          .on = [](const Case& input) { return input.friction.has_value(); },
+          .what = what,
+          .expense = expense,
+          .compute = [](const Case& input, RunSettings&,
+                        Computed& computed) { computed.friction = friction_of(input, computed.solution); },
+          .summary = summary,
+          .json = json_of,
+          .add_content = add_content,
+          .seconds = [](const Computed& computed) { return computed.friction->seconds; },
+          .example = {"motion.srr=0.5", "contact.a_over_R=0.01", "friction.cavitated=striated"}};
+}
+
+}  // namespace ehl::program

@@ -1,0 +1,47 @@
+// Stresses below the contact.
+#include "case/effects.hpp"
+#include "effects/subsurface/keys.hpp"
+#include "report/subsurface_report.hpp"
+
+namespace ehl::program {
+namespace {
+
+Needs expense(const Case& input) {
+  const core::Grid& grid = input.scene.grid;
+  return {.bytes = subsurface::expected_bytes(grid, *input.subsurface, input.scene.threads),
+          .seconds = subsurface::expected_seconds(grid, *input.subsurface) / input.scene.threads};
+}
+
+void compute(const Case& input, RunSettings& settings, Computed& computed) {
+  const steady::Solution& solution = computed.solution;
+  computed.stresses = stresses_below(solution.grid, solution.P, *input.subsurface, input.scene.threads, settings.quiet);
+}
+
+}  // namespace
+
+Effect subsurface_effect() {
+  return {.name = "subsurface",
+          .meaning = "The stresses below the contact, from the steady pressure.",
+          .sections = {{.name = "subsurface",
+                        .meaning = "The stresses below the contact, from the steady pressure.",
+                        .called_by = {"depth"}}},
+          .callers = {{"subsurface", "depth"}},
+          .costly = {"subsurface", "planes"},
+          .keys = subsurface::keys,
+          .on = [](const Case& input) { return input.subsurface.has_value(); },
+          .what = [](const Case& input) { return subsurface_plan(*input.subsurface, input.scene.grid); },
+          .expense = expense,
+          .compute = compute,
+          .summary =
+              [](const Case& input, const Computed& computed) {
+                return subsurface_summary(*computed.stresses, input.physics.p_h,
+                                          computed.solution.converged ? "" : "  (NOT CONVERGED)");
+              },
+          .json = [](const Computed& computed) { return subsurface_json(*computed.stresses); },
+          .add_content = [](const Case&, const Computed& computed,
+                            results::Content& content) { add_subsurface(*computed.stresses, content); },
+          .seconds = [](const Computed& computed) { return computed.stresses->seconds; },
+          .example = {"subsurface.depth=1", "subsurface.planes=5", "subsurface.cells=32"}};
+}
+
+}  // namespace ehl::program

@@ -1,0 +1,108 @@
+// What the surfaces carry.
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "case/effects.hpp"
+#include "case/surface_input.hpp"
+#include "deck/text.hpp"
+#include "report/text_format.hpp"
+#include "steady/resolution.hpp"
+#include "surface/keys.hpp"
+
+namespace ehl::program {
+namespace {
+
+// How high it is, of maps the rms, beside the film to expect of smooth surfaces: what cannot be pressed flat pierces
+// it.
+std::string over_film(const CarriedSurface& surface, const steady::Scene& scene) {
+  const auto* feature = std::get_if<surface::Feature>(&surface.relief);
+  const double height = feature ? feature->height : surface.map->rms;
+  return formatted(feature ? ", height %.2g" : ", rms %.2g",
+                   height / steady::expected_central_film(scene.M, scene.L, scene.shape)) +
+         " of the smooth film";
+}
+
+std::string what(const Case& input) {
+  std::vector<std::string> shapes;
+  for (const CarriedSurface* one : carried(input.surfaces)) {
+    std::string text = one->shape + " on " + one->section;
+    if (input.transient) {
+      const Way way = way_of(*one, *input.transient);
+      text += formatted(" (x = %.4g to %.4g a)", way.from, way.to);
+    } else if (!input.dry) {
+      text += ", at rest";
+    }
+    if (!input.dry) text += over_film(*one, input.scene);
+    shapes.push_back(text);
+  }
+  return deck::joined(shapes, ", ");
+}
+
+// "ridge of surface1 at 30 degrees"
+std::string asymmetry_of(const CarriedSurface& one) {
+  const auto* feature = std::get_if<surface::Feature>(&one.relief);
+  const std::string name = one.shape + " of " + one.section;
+  if (!feature) return name;
+  return name + (feature->Y != 0.0 ? formatted(" at y = %.4g", feature->Y)
+                                   : formatted(" at %.4g degrees", feature->angle * 180.0 / std::numbers::pi));
+}
+
+std::string asymmetry(const Case& input) {
+  std::vector<std::string> reasons;
+  for (const CarriedSurface* one : carried(input.surfaces))
+    if (!surface::symmetric(one->relief)) reasons.push_back(asymmetry_of(*one));
+  return deck::joined(reasons, ", ");
+}
+
+// Evaluating the shape at every step; and where it is not symmetric, the other half of the domain, in time or at rest.
+Needs expense(const Case& input) {
+  const core::Grid& grid = input.scene.grid;
+  const double nodes = static_cast<double>(grid.nodes_x()) * grid.nodes_y();
+  constexpr double share_of_a_step = 0.05;  // of the time that a step takes
+  constexpr double fields_at_rest = 2.0;    // the film equation's right-hand side, and S for the result
+  if (!input.transient)
+    return {.bytes = nodes * sizeof(double) * fields_at_rest,
+            .seconds = asymmetry(input).empty() ? 0.0 : basic_needs(input.scene).seconds};
+  const Needs one_half = transient_effect().expense(input);
+  Needs more{.bytes = nodes * sizeof(double), .seconds = share_of_a_step * one_half.seconds};
+  if (asymmetry(input).empty()) return more;
+  constexpr double doubles_of_history = 30.0;  // as those of effect_transient.cpp
+  more.bytes += nodes * sizeof(double) * doubles_of_history;
+  more.seconds = 2.0 * more.seconds + one_half.seconds;
+  return more;
+}
+
+}  // namespace
+
+Effect surfaces_effect() {
+  return {
+      .name = "surfaces",
+      .meaning = "What a surface carries: through the contact in time, or, in a steady contact, at rest in it.",
+      .without = "smooth",
+      .sections = {{.name = "surface1",
+                    .meaning = "What surface 1 carries: through the contact in time, or, in a steady contact, at rest "
+                               "in it.",
+                    .called_by = {"shape"}},
+                   {.name = "surface2", .meaning = "What surface 2 carries, likewise.", .called_by = {"shape"}}},
+      .callers = {{"surface1", "shape"}, {"surface2", "shape"}},
+      .keys = surface::keys,
+      .on = [](const Case& input) { return !carried(input.surfaces).empty(); },
+      .what = what,
+      .expense = expense,
+      .asymmetry = asymmetry,
+      .summary =
+          [](const Case& input, const Computed& computed) {
+            return surface_report(input.surfaces, input.physics, computed.solution.grid);
+          },
+      .seconds =
+          [](const Computed& computed) {
+            // At rest they are part of the steady contact, and evaluated once on each level.
+            return computed.in_time ? computed.in_time->report.seconds_of_surfaces
+                                    : std::numeric_limits<double>::quiet_NaN();
+          },
+      .example = {"surface1.shape=dimple", "surface1.height=0.05", "surface1.width=0.5", "surface1.x=-0.5"},
+      .upon = "transient"};
+}
+
+}  // namespace ehl::program

@@ -1,0 +1,86 @@
+// Contacts in time.
+#include <algorithm>
+#include <cmath>
+
+#include "case/effects.hpp"
+#include "deck/text.hpp"
+#include "report/text_format.hpp"
+#include "transient/keys.hpp"
+
+namespace ehl::program {
+namespace {
+
+double step_of(const TransientInput& transient) {
+  const transient::MarchParameters& march = transient.parameters;
+  return std::isnan(march.longest_step) ? transient::longest_step(transient.conditions, march.end) : march.longest_step;
+}
+
+std::string what(const Case& input) {
+  std::vector<std::string> varying;
+  for (const char* key : {"load", "load_wave", "u1", "u1_wave", "u2", "u2_wave"})
+    if (deck::given(input.deck, "transient", key)) varying.push_back(key);
+  return formatted("in time to %.4g a/u_m, steps of at most %.3g; varying: ", input.transient->parameters.end,
+                   step_of(*input.transient)) +
+         (varying.empty() ? "neither load nor speed" : deck::joined(varying, ", "));
+}
+
+Needs expense(const Case& input) {
+  // Of a contact that is symmetric in Y, per node of the whole domain.
+  constexpr double doubles_of_history = 30.0;  // IDA's vectors of P and Q
+  constexpr double doubles_of_frame = 3.0;     // P, H and their place in the file
+  constexpr double seconds_per_node_and_step = 2.5e-7;
+  constexpr double shorter_steps = 3.0;  // than the longest, where what drives the contact varies; measured 1.3 to 7
+  const core::Grid& grid = input.scene.grid;
+  const double nodes = static_cast<double>(grid.nodes_x()) * grid.nodes_y();
+  const transient::MarchParameters& march = input.transient->parameters;
+  const transient::Conditions& conditions = input.transient->conditions;
+  const auto varies = [](const transient::Schedule& schedule) { return schedule.wave || schedule.points.size() > 1; };
+  const bool driven = conditions.body || varies(conditions.load) || varies(conditions.u1) || varies(conditions.u2);
+  const double steps = march.end / step_of(*input.transient) * (driven ? shorter_steps : 1.0);
+  const double frames = std::isnan(march.output_interval) ? 2.0 : march.end / march.output_interval + 2.0;
+  return {.bytes = nodes * sizeof(double) * (doubles_of_history + frames * doubles_of_frame),
+          .seconds = nodes * seconds_per_node_and_step * steps};
+}
+
+void compute(const Case& input, RunSettings& settings, Computed& computed) {
+  if (!computed.solution.converged) return;
+  computed.in_time = run_transient(
+      input, computed.solution, settings.quiet, std::move(settings.before), [&](const TransientResult& so_far) {
+        settings.save([&](results::Content& content) { add_transient(input, so_far, content); });
+      });
+}
+
+}  // namespace
+
+Effect transient_effect() {
+  return {.name = "transient",
+          .meaning = "What happens in time, from the steady contact at time 0.",
+          .without = "steady",
+          .sections = {{.name = "transient",
+                        .meaning = "What happens in time, from the steady contact at time 0.",
+                        .called_by = {"end_time"}}},
+          .callers = {{"transient", "end_time"}},
+          .costly = {"transient", "output_interval"},
+          .keys = transient::keys,
+          .on = [](const Case& input) { return input.transient.has_value(); },
+          .what = what,
+          .expense = expense,
+          .compute = compute,
+          .summary =
+              [](const Case& input, const Computed& computed) {
+                return computed.in_time ? transient_summary(input, *computed.in_time) : "";
+              },
+          .json = [](const Computed& computed) { return computed.in_time ? transient_json(*computed.in_time) : ""; },
+          .add_content =
+              [](const Case& input, const Computed& computed, results::Content& content) {
+                if (computed.in_time) add_transient(input, *computed.in_time, content);
+              },
+          .seconds =
+              [](const Computed& computed) {
+                if (!computed.in_time) return 0.0;
+                return computed.in_time->report.seconds - computed.in_time->report.seconds_of_surfaces;
+              },
+          .example = {"transient.end_time=0.5", "transient.load=0.1:1 0.4:1.1"}};
+}
+
+}  // namespace ehl::program

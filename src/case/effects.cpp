@@ -1,0 +1,177 @@
+#include "case/effects.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "deck/text.hpp"
+#include "report/json.hpp"
+#include "report/text_format.hpp"
+#include "steady/climb.hpp"
+
+namespace ehl::program {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// What no version has yet; an entry goes without a word as soon as an effect of the list has its section.
+struct ToCome {
+  const char* section;
+  const char* without;  ///< what the basic model has in its place; empty: an addition
+};
+constexpr ToCome to_come[] = {{"thermal", "isothermal"}, {"starvation", "fully flooded"}};
+
+bool has_section(const Effect& effect, const std::string& name) {
+  return std::ranges::any_of(effect.sections, [&](const deck::Section& section) { return section.name == name; });
+}
+
+bool to_come_still(const ToCome& entry) {
+  const std::vector<Effect> all = effects();
+  return std::ranges::none_of(all, [&](const Effect& effect) { return has_section(effect, entry.section); });
+}
+
+double own_seconds(const Effect& effect, const Computed& computed) {
+  return effect.seconds ? effect.seconds(computed) : unknown;
+}
+
+// "2 MB and 0.1 s more"
+std::string cost(const Needs& more) {
+  constexpr double shown_bytes = 5e5;
+  if (more.bytes < shown_bytes && more.seconds == 0.0) return "less than 1 MB more";
+  std::string text = more.bytes < shown_bytes ? "less than 1 MB" : "about " + memory(more.bytes);
+  if (more.seconds > 0.0) text += " and " + about_seconds(more.seconds);
+  return text + " more";
+}
+
+// What is computed on, and if it is the whole domain, why.
+std::string symmetry(const Case& input) {
+  const std::vector<std::string> reasons = asymmetries(input);
+  if (!reasons.empty()) return "none in Y, the whole domain is computed: " + deck::joined(reasons, "; ");
+  return steady::on_one_half(input.scene) ? "in Y: one half of the domain is computed"
+                                          : "in Y, but half of the coarsest grid would be too small: the whole domain "
+                                            "is computed";
+}
+
+std::string assignment(const Case& input, const KeyName& key, bool with_place) {
+  const deck::Value& value = deck::value(input.deck, key.section, key.name);
+  std::string text = "[" + key.section + "] " + key.name + " = " + value.text;
+  if (with_place) text += " (" + (value.origin == deck::Origin::given ? value.place : "chosen: " + value.why) + ")";
+  return text;
+}
+
+}  // namespace
+
+std::vector<Effect> effects() {
+  return {elliptic_effect(), transient_effect(),  body_effect(),    surfaces_effect(),
+          shear_effect(),    subsurface_effect(), friction_effect()};
+}
+
+std::vector<Effect> effects_of(const Case& input) {
+  std::vector<Effect> on = effects();
+  std::erase_if(on, [&](const Effect& effect) { return !effect.on(input); });
+  return on;
+}
+
+std::vector<std::string> basic_model(const Case& input) {
+  std::vector<std::string> words;
+  for (const Effect& effect : effects())
+    if (!effect.without.empty() && !effect.on(input)) words.push_back(effect.without);
+  for (const ToCome& entry : to_come)
+    if (entry.without[0] != '\0' && to_come_still(entry)) words.emplace_back(entry.without);
+  return words;
+}
+
+std::vector<deck::Unavailable> effects_to_come() {
+  std::vector<deck::Unavailable> list;
+  std::vector<std::string> model;
+  for (const ToCome& entry : to_come)
+    if (entry.without[0] != '\0' && to_come_still(entry)) model.emplace_back(entry.without);
+  for (const ToCome& entry : to_come)
+    if (to_come_still(entry))
+      list.push_back({entry.section, "",
+                      "not available in this version: remove it (this version solves contacts that are " +
+                          deck::joined(model, ", ") + ")"});
+  return list;
+}
+
+std::vector<std::string> called_by(const Case& input, const Effect& effect, bool with_place) {
+  std::vector<std::string> keys;
+  for (const KeyName& key : effect.callers) {
+    const deck::Origin origin = deck::value(input.deck, key.section, key.name).origin;
+    if (origin == deck::Origin::given || origin == deck::Origin::chosen)
+      keys.push_back(assignment(input, key, with_place));
+  }
+  return keys;
+}
+
+std::vector<std::string> asymmetries(const Case& input) {
+  std::vector<std::string> reasons;
+  for (const Effect& effect : effects_of(input)) {
+    const std::string reason = effect.asymmetry ? effect.asymmetry(input) : "";
+    if (!reason.empty()) reasons.push_back(effect.name + ": " + reason);
+  }
+  return reasons;
+}
+
+void refuse_idle(Case& input) {
+  for (const Effect& effect : effects_of(input)) {
+    const std::string reason = effect.idle ? effect.idle(input) : "";
+    if (!reason.empty())
+      complain(input.deck, effect.callers.front().section, effect.callers.front().name,
+               "the effect " + effect.name + " has no influence: " + reason);
+  }
+}
+
+std::string effect_lines(const Case& input) {
+  const std::vector<Effect> on = effects_of(input);
+  const std::string model = deck::joined(basic_model(input), ", ");
+  std::string text;
+  for (const Effect& effect : on) {
+    text += (text.empty() ? "effects      " : "             ") + effect.name + ": " + effect.what(input) + "\n";
+    text += "               called for by " + deck::joined(called_by(input, effect, true), ", ") + "\n";
+    text += "               costs " + (effect.expense ? cost(effect.expense(input)) : "nothing that would show") + "\n";
+  }
+  text += on.empty() ? "effects      none beyond the basic model: " + model + "\n"
+                     : "             beside that the basic model: " + model + "\n";
+  return text + "symmetry     " + symmetry(input) + "\n";
+}
+
+std::string effect_times(const Case& input, const Computed& computed) {
+  const std::vector<Effect> on = effects_of(input);
+  if (on.empty()) return {};
+  std::string text = formatted("%-29s  %8s  %5s\n", "effects", "seconds", "share");
+  std::string rows;
+  double basic = computed.seconds;
+  for (const Effect& effect : on) {
+    const double seconds = own_seconds(effect, computed);
+    rows += formatted("  %-27s  %8s  %5s\n", effect.name.c_str(), known("%.4f", seconds).c_str(),
+                      std::isfinite(seconds) ? formatted("%3.0f %%", 100.0 * seconds / computed.seconds).c_str() : "-");
+    if (std::isfinite(seconds)) basic -= seconds;
+  }
+  return text + formatted("  %-27s  %8.4f  %3.0f %%\n", "basic model", basic, 100.0 * basic / computed.seconds) + rows;
+}
+
+std::vector<std::pair<std::string, std::string>> effects_json(const Case& input, const Computed& computed) {
+  std::vector<std::string> rows;
+  std::vector<std::pair<std::string, std::string>> members(1);
+  for (const Effect& effect : effects_of(input)) {
+    rows.push_back(json::object({{"name", json::text(effect.name)},
+                                 {"seconds", json::number(own_seconds(effect, computed))},
+                                 {"what", json::text(effect.what(input))},
+                                 {"why", json::text(deck::joined(called_by(input, effect, false), ", "))}}));
+    const std::string own = effect.json ? effect.json(computed) : "";
+    if (!own.empty()) members.emplace_back(effect.name, own);
+  }
+  members[0] = {"effects", json::array(rows)};
+  return members;
+}
+
+std::vector<results::EffectRow> effect_rows(const Case& input, const Computed& computed) {
+  std::vector<results::EffectRow> rows;
+  for (const Effect& effect : effects_of(input))
+    rows.push_back({effect.name, own_seconds(effect, computed), effect.what(input),
+                    deck::joined(called_by(input, effect, false), ", ")});
+  return rows;
+}
+
+}  // namespace ehl::program

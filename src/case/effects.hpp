@@ -1,0 +1,116 @@
+#pragma once
+// What a scene can call for beyond the basic model: one list, from which all that the program says and does about an
+// effect follows: the sections of the deck and their help, `ehl check`, the run, the table of times, the JSON, the
+// result. An effect that a case does not call for is asked whether it is on, and nothing else.
+//
+// A new one: an optional in Case (scene.hpp) that its section of the deck fills, a file effect_<name>.cpp with its
+// record, a line in effects().
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "case/needs.hpp"
+#include "case/scene.hpp"
+#include "commands/transient_run.hpp"
+#include "deck/key.hpp"
+#include "effects/friction/friction.hpp"
+#include "effects/subsurface/stress.hpp"
+#include "results/content.hpp"
+#include "steady/solution.hpp"
+
+namespace ehl::program {
+
+/// What a run has computed: the steady solution, and what each effect has added to it.
+struct Computed {
+  steady::Solution solution{};
+  std::optional<TransientResult> in_time{};
+  std::optional<subsurface::StressField> stresses{};
+  std::optional<friction::Friction> friction{};
+  double seconds = 0.0;  ///< of all of it
+};
+
+/// How a run was asked for.
+struct RunSettings {
+  bool quiet = false;
+  TransientResult before{};  ///< what was kept of a transient before: with a checkpoint it goes on from there
+  /// Writes the result so far: that of the steady solution, with what `add` adds to it.
+  std::function<void(const std::function<void(results::Content& content)>& add)> save{};
+};
+
+struct KeyName {
+  std::string section{};
+  std::string name{};
+};
+
+/// One effect. A function that is not set has nothing to say or to do; all but `on` are called where it is on.
+struct Effect {
+  std::string name{};
+  std::string meaning{};
+  std::string without{};                                  ///< what the basic model has in its place: "steady"
+  std::vector<deck::Section> sections{};                  ///< of the deck, that belong to nothing else
+  std::vector<KeyName> callers{};                         ///< keys of the deck that call for it; one is enough
+  KeyName costly{};                                       ///< key that governs its memory; none: a caller
+  std::vector<deck::Key> (*keys)() = nullptr;             ///< not set: they stand among those of another module
+  bool (*on)(const Case& input) = nullptr;                ///< must be set
+  std::string (*what)(const Case& input) = nullptr;       ///< what there is of it in this case, must be set
+  std::string (*idle)(const Case& input) = nullptr;       ///< why it has no influence in this case; empty where it has
+  Needs (*expense)(const Case& input) = nullptr;          ///< beyond the case without it
+  std::string (*asymmetry)(const Case& input) = nullptr;  ///< why the case is not symmetric in Y; empty where it is
+  void (*compute)(const Case& input, RunSettings& settings,
+                  Computed& computed) = nullptr;  ///< after the steady contact
+  std::string (*summary)(const Case& input, const Computed& computed) = nullptr;
+  std::string (*json)(const Computed& computed) = nullptr;  ///< the member of its name
+  void (*add_content)(const Case& input, const Computed& computed, results::Content& content) = nullptr;
+  double (*seconds)(const Computed& computed) = nullptr;  ///< its own, that no other effect counts
+  std::vector<std::string> example{};                     ///< "section.key=value" that turn it on in a deck in M and L
+  std::string upon{};                                     ///< the effect that the example needs besides
+};
+
+/// The list, in the order in which they are computed and spoken of.
+std::vector<Effect> effects();
+
+/// Those that the case calls for.
+std::vector<Effect> effects_of(const Case& input);
+
+/// The entries of the list.
+Effect elliptic_effect();
+Effect transient_effect();
+Effect body_effect();
+Effect surfaces_effect();
+Effect shear_effect();
+Effect subsurface_effect();
+Effect friction_effect();
+
+/// The friction of a solution of a case that asks for it.
+friction::Friction friction_of(const Case& input, const steady::Solution& solution);
+
+/// "steady, smooth, ..., fully flooded": what the case leaves to the basic model, that of no version yet included.
+std::vector<std::string> basic_model(const Case& input);
+
+/// Sections that people will look for in vain: effects of no version yet.
+std::vector<deck::Unavailable> effects_to_come();
+
+/// The keys of the deck that call for the effect, "[transient] end_time = 8"; with_place: and where they stand.
+std::vector<std::string> called_by(const Case& input, const Effect& effect, bool with_place);
+
+/// Why the case is not symmetric in Y, an entry for each reason; none: one half of it can be computed.
+std::vector<std::string> asymmetries(const Case& input);
+
+/// Complains in the case's deck about every effect that was called for and has no influence.
+void refuse_idle(Case& input);
+
+/// Lines of `ehl check`: what is on, what it is in this case, why, and what it will cost; the symmetry in Y.
+std::string effect_lines(const Case& input);
+
+/// Seconds and share of the basic model and of each effect; empty where there is none.
+std::string effect_times(const Case& input, const Computed& computed);
+
+/// "effects": [{name, seconds, why, what}], and a member for each effect that has more to say.
+std::vector<std::pair<std::string, std::string>> effects_json(const Case& input, const Computed& computed);
+
+/// /effects in the result file: name, seconds and why; none where there is no effect.
+std::vector<results::EffectRow> effect_rows(const Case& input, const Computed& computed);
+
+}  // namespace ehl::program

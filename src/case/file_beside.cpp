@@ -1,0 +1,34 @@
+#include "case/file_beside.hpp"
+
+#include <filesystem>
+#include <system_error>
+
+#include "core/errors.hpp"
+#include "deck/text.hpp"
+
+namespace ehl::program {
+
+std::string found_beside(const deck::Deck& deck, const std::string& section, const std::string& key) {
+  namespace files = std::filesystem;
+  const std::string file = deck::word(deck, section, key);
+  std::error_code error;
+  if (files::exists(file, error)) return file;
+  for (const std::string& folder : deck.folders) {
+    const files::path beside = files::path(folder) / file;
+    if (files::exists(beside, error)) return beside.string();
+  }
+  const std::string place = deck::value(deck, section, key).place;
+  std::string message = place.empty() ? deck.name : place;
+  message += ": [" + section + "] " + key + " = " + file + ": there is no such file where the program runs";
+  for (const std::string& folder : deck.folders) message += ", nor in " + folder;
+  throw core::FileError(message);
+}
+
+std::ifstream opened(const std::string& path, const std::string& note) {
+  std::error_code error;
+  std::ifstream file(path);
+  if (!file || std::filesystem::is_directory(path, error)) throw core::FileError(path + ": cannot be read" + note);
+  return file;
+}
+
+}  // namespace ehl::program

@@ -1,0 +1,90 @@
+#include "case/needs.hpp"
+
+#include <cmath>
+
+#include "case/effects.hpp"
+#include "commands/machine.hpp"
+#include "deck/text.hpp"
+#include "steady/climb.hpp"
+
+namespace ehl::program {
+namespace {
+
+using deck::complain;
+using deck::given;
+
+constexpr double giga = 1e9;
+
+}  // namespace
+
+Needs basic_needs(const steady::Scene& scene) {
+  const double nodes = static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y();
+  // Measured at 257 x 257 to 2049 x 2049 nodes; the time of one thread of a machine of the 2020s.
+  const double doubles_per_node = steady::on_one_half(scene) ? 15.0 : 25.0;
+  constexpr double program_itself = 1.5e7;  // bytes
+  constexpr double seconds_per_node_and_cycle = 1e-6;
+  constexpr double more_cycles = 2.0;  // than planned: the checks on the finest grid ask for them
+  constexpr double direct_pairs_per_second = 2e9;
+  constexpr double evaluations_per_cycle = 8.0;
+  constexpr double newton_bytes_per_node = 2400.0;  // the sparse factors
+  constexpr double newton_seconds_per_node = 4e-5;
+  const fmg::Parameters& multigrid = scene.multigrid;
+  const double cycles = std::isnan(multigrid.tolerance) ? more_cycles * multigrid.cycles : 10.0;
+  Needs needs;
+  needs.bytes = nodes * doubles_per_node * sizeof(double) + program_itself;
+  needs.seconds = 0.1 + cycles * nodes * seconds_per_node_and_cycle / std::sqrt(scene.threads);
+  if (scene.polish == steady::Polish::always) {
+    needs.bytes += nodes * newton_bytes_per_node;
+    needs.seconds += nodes * newton_seconds_per_node;
+  }
+  if (scene.deformation.method == mlmi::Method::direct)
+    needs.seconds += cycles * evaluations_per_cycle * nodes * nodes / direct_pairs_per_second / scene.threads;
+  return needs;
+}
+
+Needs expected_needs(const Case& input) {
+  Needs needs = basic_needs(input.scene);
+  for (const Effect& effect : effects_of(input)) {
+    const Needs more = effect.expense ? effect.expense(input) : Needs{};
+    needs.bytes += more.bytes;
+    needs.seconds += more.seconds;
+  }
+  return needs;
+}
+
+namespace {
+
+// The key of the deck that an effect's memory hangs on.
+KeyName key_of_memory(const deck::Deck& deck, const Effect& effect) {
+  const KeyName& costly = effect.costly;
+  if (!costly.name.empty() && given(deck, costly.section, costly.name)) return costly;
+  return effect.callers.front();
+}
+
+}  // namespace
+
+void check_memory(Case& input) {
+  deck::Deck& deck = input.deck;
+  const double needed = expected_needs(input).bytes;
+  const double available = usable_memory();
+  if (needed <= available) return;
+  const std::string has = "the machine has " + deck::shortest(std::round(available / giga)) + " GB";
+  const double basic = basic_needs(input.scene).bytes;
+  for (const Effect& effect : effects_of(input)) {
+    const double more = effect.expense ? effect.expense(input).bytes : 0.0;
+    if (basic > 0.5 * available || more <= 0.5 * needed) continue;
+    const KeyName key = key_of_memory(deck, effect);
+    const deck::Key* record = deck::find_key(deck.catalogue, key.section, key.name);
+    complain(deck, key.section, key.name,
+             "needs about " + deck::shortest(std::round(more / giga)) + " GB of memory for the effect " + effect.name +
+                 ", and " + has + (record->remedy.empty() ? "" : ": " + record->remedy));
+    return;
+  }
+  const double ratio = std::sqrt(needed / available);
+  const double fitting = std::exp2(std::floor(std::log2(input.scene.grid.nx / ratio)));
+  complain(deck, "grid", "cells",
+           "needs about " + deck::shortest(std::round(needed / giga)) + " GB of memory and " + has + ": take at most " +
+               deck::shortest(fitting));
+}
+
+}  // namespace ehl::program

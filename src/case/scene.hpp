@@ -1,0 +1,41 @@
+#pragma once
+// From a deck to a case that can be solved.
+#include <string>
+#include <vector>
+
+#include "case/dry_case.hpp"
+#include "case/physical_input.hpp"
+#include "case/transient_input.hpp"
+#include "deck/deck.hpp"
+#include "effects/friction/friction.hpp"
+#include "effects/subsurface/stress.hpp"
+#include "steady/scene.hpp"
+
+namespace ehl::program {
+
+struct Case {
+  std::string title{};
+  deck::Deck deck{};  ///< with everything that was chosen
+  Physics physics{};
+  steady::Scene scene{};
+  SurfaceInput surfaces{};                    ///< what they carry, in time or at rest
+  std::optional<TransientInput> transient{};  ///< nothing: steady
+  std::optional<DryInput> dry{};              ///< without lubricant: then the scene is but a grid
+  std::optional<subsurface::Parameters> subsurface{};
+  std::optional<friction::Parameters> friction{};
+  std::vector<std::string> fields{};  ///< to keep in the result
+  std::string output{};               ///< result file that the deck names
+};
+
+/// Reads, validates and converts. in: path of the deck, overrides, number of threads.
+/// errors: core::InputError with every complaint about keys and about what they mean together.
+Case read_case(const std::string& path, const std::vector<std::string>& overrides, int threads);
+
+/// The same for commands that compare films: a dry contact is refused. command: "study", "sweep".
+Case read_lubricated_case(const std::string& path, const std::vector<std::string>& overrides, int threads,
+                          const std::string& command);
+
+/// The same of a deck that is read already; path: what names case and result where the deck does not.
+Case case_of(deck::Deck understood, const std::string& path, int threads);
+
+}  // namespace ehl::program

@@ -1,0 +1,21 @@
+#pragma once
+// From the deck's [shear] and [friction] to what the film and the friction need: sliding in the contact's own units.
+#include <optional>
+
+#include "case/physical_input.hpp"
+#include "deck/deck.hpp"
+#include "effects/friction/friction.hpp"
+#include "rheology/shear.hpp"
+
+namespace ehl::program {
+
+/// physics.srr and a_over_R, from what else it holds.
+void set_sliding(const deck::Deck& deck, Physics& physics);
+
+/// Nothing where the deck has no [shear], or complaints already. Complains in the deck.
+std::optional<rheology::ShearThinning> shear_input(deck::Deck& deck, const Physics& physics);
+
+/// The same for [friction].
+std::optional<friction::Parameters> friction_input(deck::Deck& deck, const Physics& physics);
+
+}  // namespace ehl::program

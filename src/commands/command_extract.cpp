@@ -1,0 +1,238 @@
+// ehl extract: datasets as columns that gnuplot reads.
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "commands/commands.hpp"
+#include "commands/exit_status.hpp"
+#include "core/errors.hpp"
+#include "deck/text.hpp"
+#include "results/read.hpp"
+
+namespace ehl::program {
+namespace {
+
+using Kind = results::ResultFile::Kind;
+
+std::string column_number(double value) { return std::isnan(value) ? "nan" : deck::shortest(value); }
+
+// "P" -> /fields/P, "levels" -> /levels, "Hc" -> /summary/Hc, a path as it is.
+std::string full_name(const results::ResultFile& file, const std::string& name) {
+  if (name.starts_with("/") && file.kind(name) != Kind::missing) return name;
+  const std::vector<std::string> homes{"/",      "/fields/",    "/summary/",          "/scales/",    "/provenance/",
+                                       "/grid/", "/transient/", "/transient/frames/", "/subsurface/"};
+  std::vector<std::string> known;
+  for (const std::string& home : homes) {
+    if (file.kind(home + name) != Kind::missing) return home + name;
+    if (file.kind(home) == Kind::group)
+      for (const std::string& found : file.names(home)) known.push_back(found);
+  }
+  const std::string near = deck::nearest(name, known);
+  throw core::InputError("command line: " + file.path() + " has no dataset " + name +
+                         (near.empty() ? "." : ": did you mean " + near + "?") + " It has " +
+                         deck::joined(known, ", "));
+}
+
+struct FieldOnGrid {
+  results::Array field;
+  results::Array x;
+  results::Array y;          // or z, of a section in depth
+  std::string rows = {"y"};  // its name
+
+  double at(std::size_t i, std::size_t j) const { return field.values[j * x.values.size() + i]; }
+};
+
+// A plane has x and y, a section in depth x and z beside it.
+std::string name_of_rows(const results::ResultFile& file, const std::string& name) {
+  const bool in_depth = file.dims(name).size() == 2 && file.axis(name, "z") != "";
+  return in_depth ? "z" : "y";
+}
+
+FieldOnGrid read_field(const results::ResultFile& file, const std::string& name, std::size_t step) {
+  const std::string rows = name_of_rows(file, name);
+  FieldOnGrid read{file.dims(name).size() == 3 ? file.frame(name, step) : file.numbers(name),
+                   file.numbers(file.axis(name, "x")), file.numbers(file.axis(name, rows)), rows};
+  if (read.field.dims.size() != 2 || read.field.dims[0] != read.y.values.size() ||
+      read.field.dims[1] != read.x.values.size() || read.field.values.empty())
+    throw core::FileError(file.path() + ": the file is damaged: " + name + " does not fit its grid");
+  return read;
+}
+
+std::string header(const results::ResultFile& file, const std::string& name, const FieldOnGrid& f) {
+  return "# " + file.path() + ": " + file.attribute("/", "title") + "\n# " + name + " [" + f.field.unit +
+         "]: " + f.field.meaning + "; x, " + f.rows + " in Hertz radii a\n";
+}
+
+std::string grid_columns(const FieldOnGrid& f, const std::string& column) {
+  std::string text = "# x " + f.rows + " " + column + "\n";
+  for (std::size_t j = 0; j < f.y.values.size(); ++j) {
+    if (j > 0) text += "\n";  // a blank line ends a scan
+    for (std::size_t i = 0; i < f.x.values.size(); ++i)
+      text +=
+          deck::shortest(f.x.values[i]) + " " + deck::shortest(f.y.values[j]) + " " + column_number(f.at(i, j)) + "\n";
+  }
+  return text;
+}
+
+std::string matrix(const FieldOnGrid& f) {
+  std::string text =
+      "# first row: number of columns and x; then " + f.rows + " and the values: plot '...' matrix nonuniform\n";
+  text += std::to_string(f.x.values.size());
+  for (const double x : f.x.values) text.append(" ").append(deck::shortest(x));
+  text += "\n";
+  for (std::size_t j = 0; j < f.y.values.size(); ++j) {
+    text += deck::shortest(f.y.values[j]);
+    for (std::size_t i = 0; i < f.x.values.size(); ++i) text.append(" ").append(column_number(f.at(i, j)));
+    text += "\n";
+  }
+  return text;
+}
+
+std::size_t nearest_line(const std::vector<double>& lines, double at) {
+  std::size_t best = 0;
+  for (std::size_t k = 1; k < lines.size(); ++k)
+    if (std::abs(lines[k] - at) < std::abs(lines[best] - at)) best = k;
+  return best;
+}
+
+std::string section(const FieldOnGrid& f, const std::string& column, const Arguments& arguments) {
+  const std::string axis = arguments.value("along", "x");
+  if (axis != "x" && axis != f.rows)
+    throw core::InputError("command line: --along " + axis + ": must be x or " + f.rows);
+  const std::string other = axis == "x" ? f.rows : "x";
+  const std::string given = arguments.value("at", other + "=0");
+  const std::string number = given.starts_with(other + "=") ? given.substr(2) : given;
+  const deck::ReadNumber at = deck::read_number(number);
+  if (at.status != deck::ReadNumber::Status::number)
+    throw core::InputError("command line: --at " + given + ": write --at " + other + "=NUMBER, in Hertz radii");
+  const bool along_x = axis == "x";
+  const std::vector<double>& positions = along_x ? f.x.values : f.y.values;
+  const std::vector<double>& lines = along_x ? f.y.values : f.x.values;
+  if (at.value < std::min(lines.front(), lines.back()) || at.value > std::max(lines.front(), lines.back()))
+    throw core::InputError("command line: --at " + given + ": the domain is [" + deck::shortest(lines.front()) + ", " +
+                           deck::shortest(lines.back()) + "]");
+  const std::size_t line = nearest_line(lines, at.value);
+  std::string text =
+      "# along " + axis + " at " + other + " = " + deck::shortest(lines[line]) + "\n# " + axis + " " + column + "\n";
+  for (std::size_t k = 0; k < positions.size(); ++k)
+    text += deck::shortest(positions[k]) + " " + column_number(along_x ? f.at(k, line) : f.at(line, k)) + "\n";
+  return text;
+}
+
+std::size_t chosen_step(const Arguments& arguments, std::size_t count) {
+  const deck::ReadNumber read = deck::read_number(arguments.value("step", "0"));
+  const bool whole = read.status == deck::ReadNumber::Status::number && read.value == std::floor(read.value);
+  if (!whole || read.value < 0.0 || read.value >= static_cast<double>(count))
+    throw core::InputError("command line: --step " + arguments.value("step", "") +
+                           ": must be a whole number from 0 to " + std::to_string(count - 1));
+  return static_cast<std::size_t>(read.value);
+}
+
+// A section at every time or depth: a block of lines "time position value" each, with a blank line between them.
+std::string sections_in_time(const results::ResultFile& file, const std::string& name, const Arguments& arguments,
+                             std::size_t count) {
+  if (!arguments.has("along") && !arguments.has("at"))
+    throw core::InputError("command line: " + name + " holds " + std::to_string(count) +
+                           " fields: choose one with --step 0 to " + std::to_string(count - 1) +
+                           ", or a section of all with --along x");
+  const std::string layer = file.axis(name, "time").empty() ? "z" : "time";
+  const std::vector<double> times = file.numbers(file.axis(name, layer)).values;
+  if (times.size() != count) throw core::FileError(file.path() + ": the file is damaged: " + name);
+  std::string text;
+  for (std::size_t k = 0; k < count; ++k) {
+    const FieldOnGrid field = read_field(file, name, k);
+    std::istringstream lines(section(field, name.substr(name.rfind('/') + 1), arguments));
+    if (k > 0) text += "\n";
+    for (std::string line; std::getline(lines, line);) {
+      if (!line.starts_with("#"))
+        text += deck::shortest(times[k]) + " " + line + "\n";
+      else if (k == 0)
+        text += line.starts_with("# along") ? line + "\n" : "# " + layer + " " + line.substr(2) + "\n";
+    }
+  }
+  return text;
+}
+
+// A group of columns (levels, history); the last line of the header names them.
+std::string table(const results::ResultFile& file, const std::string& name) {
+  std::istringstream order(file.attribute(name, "columns"));
+  std::vector<results::Array> columns;
+  std::string names = "#";
+  std::string units = "# units:";
+  for (std::string column; order >> column;) {
+    columns.push_back(file.numbers(name + "/" + column));
+    names += " " + column;
+    units += " " + columns.back().unit;
+  }
+  std::string text = "# " + file.attribute(name, "meaning") + "\n" + units + "\n" + names + "\n";
+  const std::size_t rows = columns.empty() ? 0 : columns[0].values.size();
+  for (const results::Array& column : columns)
+    if (column.values.size() != rows) throw core::FileError(file.path() + ": the file is damaged: " + name);
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      text.append(k == 0 ? "" : " ").append(column_number(columns[k].values[row]));
+    text += "\n";
+  }
+  return text;
+}
+
+// A group of single values: one a line.
+std::string list(const results::ResultFile& file, const std::string& name) {
+  std::string text = "# name value unit meaning\n";
+  for (const std::string& entry : file.names(name)) {
+    const std::string whole = (name == "/" ? "" : name) + "/" + entry;
+    const Kind kind = file.kind(whole);
+    if (kind == Kind::text) text += entry + " \"" + file.text(whole) + "\"\n";
+    if (kind == Kind::numbers) {
+      const std::string value = file.dims(whole).empty() ? column_number(file.numbers(whole).values[0]) : "(array)";
+      text += entry + " " + value + " \"" + file.attribute(whole, "unit") + "\" \"" + file.attribute(whole, "meaning") +
+              "\"\n";
+    }
+    if (kind == Kind::group) text += entry + " (group)\n";
+  }
+  return text;
+}
+
+std::string columns(const results::ResultFile& file, const std::string& name) {
+  const results::Array array = file.numbers(name);
+  std::string text = "# " + name + " [" + array.unit + "]: " + array.meaning + "\n";
+  for (const double value : array.values) text += column_number(value) + "\n";
+  return text;
+}
+
+}  // namespace
+
+int extract(const Arguments& arguments) {
+  const results::ResultFile file(arguments.operands[0]);
+  const std::string name = full_name(file, arguments.operands[1]);
+  const std::vector<std::size_t> dims = file.kind(name) == Kind::numbers ? file.dims(name) : std::vector<std::size_t>{};
+  const bool in_time = dims.size() == 3;
+  const bool is_field = in_time || dims.size() == 2;
+  for (const char* option : {"along", "at", "matrix"})
+    if (arguments.has(option) && !is_field)
+      throw core::InputError(std::string("command line: --") + option + " applies to fields, and " + name + " is none");
+  if (arguments.has("matrix") && (arguments.has("along") || arguments.has("at")))
+    throw core::InputError("command line: either --matrix or --along and --at");
+  if (arguments.has("step") && !in_time)
+    throw core::InputError("command line: --step applies to fields of several times or depths, and " + name +
+                           " is none");
+  if (in_time && !arguments.has("step")) {
+    print(sections_in_time(file, name, arguments, dims[0]));
+  } else if (is_field) {
+    const FieldOnGrid field = read_field(file, name, in_time ? chosen_step(arguments, dims[0]) : 0);
+    const std::string column = name.substr(name.rfind('/') + 1);
+    const bool is_section = arguments.has("along") || arguments.has("at");
+    print(header(file, name, field) + (is_section                ? section(field, column, arguments)
+                                       : arguments.has("matrix") ? matrix(field)
+                                                                 : grid_columns(field, column)));
+  } else if (file.kind(name) == Kind::text) {
+    print(file.text(name) + "\n");
+  } else if (file.kind(name) == Kind::group) {
+    print(file.attribute(name, "columns").empty() ? list(file, name) : table(file, name));
+  } else {
+    print(columns(file, name));
+  }
+  return solved;
+}
+
+}  // namespace ehl::program

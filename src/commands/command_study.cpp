@@ -1,0 +1,217 @@
+// ehl study: what accuracy costs in time.
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "commands/commands.hpp"
+#include "commands/exit_status.hpp"
+#include "commands/machine.hpp"
+#include "commands/signals.hpp"
+#include "core/errors.hpp"
+#include "deck/document.hpp"
+#include "deck/text.hpp"
+#include "report/case_progress.hpp"
+#include "results/atomic_file.hpp"
+#include "tables/csv.hpp"
+#include "tables/study_report.hpp"
+#include "tables/sweep_children.hpp"
+#include "tables/time_study.hpp"
+
+namespace ehl::program {
+namespace {
+
+constexpr double reference_tolerance = 1e-10;
+constexpr int reference_cycles = 200;
+/// The reference may be one level finer than what is studied up to 2049 x 2049 nodes: minutes.
+constexpr double most_nodes_of_reference = 5e6;
+constexpr std::size_t grids_of_reference = 3;
+
+// A case on a grid, without solving it.
+class Grids {
+ public:
+  Grids(const Arguments& arguments, int threads)
+      : path_(arguments.operands[0]), set_(arguments.values("set")), threads_(threads) {}
+
+  Case deck() const { return read_lubricated_case(path_, set_, threads_, "study"); }
+  Case on(int cells) const { return case_on_grid(path_, set_, cells, threads_); }
+  double nodes(int cells) const {
+    const core::Grid grid = on(cells).scene.grid;
+    return static_cast<double>(grid.nodes_x()) * grid.nodes_y();
+  }
+  bool legal(int cells) const try {
+    on(cells);
+    return true;
+  } catch (const core::InputError&) {
+    return false;
+  }
+
+ private:
+  std::string path_;
+  std::vector<std::string> set_;
+  int threads_;
+};
+
+StudyPlan plan_of(const Arguments& arguments, const Grids& grids) {
+  StudyPlan plan;
+  const Case deck = grids.deck();
+  plan.cells = arguments.has("levels")
+                   ? levels_between(arguments.value("levels", ""))
+                   : levels_of_deck(deck.scene.grid.nx, [&](int cells) { return grids.legal(cells); });
+  plan.wedges = words_of_list("wedges", arguments.value("wedges", "upstream1,upstream2"), is_study_wedge,
+                              "upstream1 or upstream2");
+  plan.evaluators = words_of_list("evaluators", arguments.value("evaluators", "mlmi4,mlmi6,mlmi8,fft,direct"),
+                                  is_study_evaluator, "mlmi4, mlmi6, mlmi8, fft or direct");
+  plan.cycles = words_of_list("cycles", arguments.value("cycles", "1V,2V,1W,2W,run"), is_study_cycles,
+                              "a number and a shape, e.g. 2W (V, W or F), or run");
+  return plan;
+}
+
+// Coarse to fine: one level finer than the finest studied where that is affordable, and the grids below it.
+std::vector<int> reference_grids(const Arguments& arguments, const Grids& grids, int finest) {
+  int cells = finest;
+  if (arguments.has("reference")) {
+    cells = whole_number(arguments, "reference", finest, 1 << 20);
+    int grown = finest;
+    while (grown < cells) grown *= 2;
+    if (grown != cells)
+      throw core::InputError("command line: --reference " + std::to_string(cells) + ": must be the " +
+                             std::to_string(finest) +
+                             " cells of the finest grid studied, or that times a power of two");
+    grids.on(cells);
+  } else if (4.0 * grids.nodes(finest) <= most_nodes_of_reference && grids.legal(2 * finest)) {
+    cells = 2 * finest;
+  }
+  std::vector<int> all{cells};
+  while (all.size() < grids_of_reference && all.front() % 2 == 0 && grids.legal(all.front() / 2))
+    all.insert(all.begin(), all.front() / 2);
+  return all;
+}
+
+Case reference_case(const Grids& grids, int cells) {
+  Case input = grids.on(cells);
+  input.scene.multigrid.tolerance = reference_tolerance;
+  input.scene.multigrid.max_cycles = std::max(input.scene.multigrid.max_cycles, reference_cycles);
+  input.scene.threads = usable_cores();
+  return input;
+}
+
+// Runs tasks that give points, and tells how each ended. A process that died is a point too.
+void run_tasks(const std::vector<std::size_t>& tasks, int at_once, bool quiet,
+               const std::function<const StudyCase&(std::size_t)>& way,
+               const std::function<StudyPoint(std::size_t)>& task,
+               const std::function<void(std::size_t, const StudyPoint&)>& ended) {
+  CaseProgress progress(quiet, tasks.size());
+  ChildrenCalls calls;
+  calls.stop = stop_requested;
+  calls.task = [&](std::size_t index) { return study_text(task(index)); };
+  calls.ended = [&](const ChildEnd& end) {
+    StudyPoint point;
+    if (end.complete) {
+      point = study_point(end.text);
+    } else {
+      point.way = way(end.task);
+      point.status = "failed";
+      point.reason = end.reason;
+    }
+    progress.show(std::to_string(way(end.task).cells) + " cells, " + name_of_way(way(end.task)), point.status);
+    ended(end.task, point);
+  };
+  const bool finished = run_in_children(tasks, at_once, calls);
+  progress.close();
+  if (!finished) throw core::Interrupted();
+}
+
+Reference find_reference(const Grids& grids, const std::vector<int>& cells, bool quiet) {
+  std::vector<StudyPoint> solutions(cells.size());
+  std::vector<StudyCase> ways;
+  std::vector<std::size_t> tasks;
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    ways.push_back({cells[k], "upstream2", "fft", "run"});
+    tasks.push_back(k);
+  }
+  if (!quiet) std::fprintf(stderr, "ehl: the reference, on %zu grids\n", cells.size());
+  run_tasks(
+      tasks, 1, quiet, [&](std::size_t k) -> const StudyCase& { return ways[k]; },
+      [&](std::size_t k) { return measure(reference_case(grids, cells[k]), ways[k]); },
+      [&](std::size_t k, const StudyPoint& point) { solutions[k] = point; });
+  const Reference reference = reference_of(solutions);
+  if (reference.cells.size() < 2)
+    throw core::SolverError("the reference needs second-order solutions with a residual of 1e-10 on two grids: " +
+                            (solutions.back().reason.empty() ? "the deck has one grid only" : solutions.back().reason));
+  return reference;
+}
+
+// The repetitions of a case are far apart, so that a disturbance does not meet all of them.
+std::vector<StudyPoint> measured(const Grids& grids, const std::vector<StudyCase>& ways, const StudyHeader& header,
+                                 bool quiet) {
+  std::vector<std::optional<StudyPoint>> points(ways.size());
+  std::vector<std::size_t> tasks(ways.size() * static_cast<std::size_t>(header.repeats));
+  for (std::size_t k = 0; k < tasks.size(); ++k) tasks[k] = k;
+  const auto way = [&](std::size_t task) -> const StudyCase& { return ways[task % ways.size()]; };
+  if (!quiet) std::fprintf(stderr, "ehl: %zu ways, %d times each\n", ways.size(), header.repeats);
+  run_tasks(
+      tasks, header.jobs, quiet, way, [&](std::size_t task) { return measure(grids.on(way(task).cells), way(task)); },
+      [&](std::size_t task, const StudyPoint& point) {
+        std::optional<StudyPoint>& kept = points[task % ways.size()];
+        if (!kept || kept->status == "failed")
+          kept = point;
+        else if (point.status != "failed")
+          add_repetition(point, *kept);
+      });
+  std::vector<StudyPoint> all;
+  for (const std::optional<StudyPoint>& point : points) all.push_back(*point);
+  return all;
+}
+
+std::string table_name(const Arguments& arguments) {
+  const std::string stem = std::filesystem::path(arguments.operands[0]).stem();
+  const std::string path = arguments.value("output", stem + "_study.csv");
+  if (!path.ends_with(".csv"))
+    throw core::InputError("command line: --output " + path + ": the table's name ends with .csv");
+  return path;
+}
+
+}  // namespace
+
+int study(const Arguments& arguments) {
+  StudyHeader header;
+  header.program = this_program();
+  header.deck = arguments.operands[0];
+  header.set = arguments.values("set");
+  header.threads = arguments.has("threads") ? requested_threads(arguments) : 1;
+  header.jobs = whole_number(arguments, "jobs", 1, 1024);
+  header.repeats = whole_number(arguments, "repeat", 3, 100);
+  const std::string path = table_name(arguments);
+  const bool quiet = arguments.has("quiet");
+
+  const Grids grids(arguments, header.threads);
+  const Case input = grids.deck();
+  header.title = input.title;
+  header.deck_text = deck::load_text(header.deck);
+  header.machine = processor();
+  header.date = utc_date();
+  if (input.transient) return study_in_time(arguments, header, path, input);
+  if (arguments.has("rtol"))
+    throw core::InputError("command line: --rtol is for runs in time, and the deck has no [transient] end_time");
+  const StudyPlan plan = plan_of(arguments, grids);
+  for (const int cells : plan.cells) grids.on(cells);  // complains before the work
+  const std::vector<StudyCase> ways = cases_of(plan, [&](int cells) { return grids.nodes(cells); });
+  if (ways.empty())
+    throw core::InputError(
+        "command line: --evaluators direct: no level is small enough: it is tried up to 20000 nodes");
+  const std::vector<int> finest = reference_grids(arguments, grids, plan.cells.back());
+  results::check_writable(path, arguments.has("overwrite"), 0);
+
+  const Reference reference = find_reference(grids, finest, quiet);
+  std::vector<StudyPoint> points = measured(grids, ways, header, quiet);
+  judge(reference, points);
+  const std::string csv = study_csv(header, reference, points);
+  results::write_atomically(path, std::as_bytes(std::span(csv)), arguments.has("overwrite"));
+  print(study_report(header, reference, points) + "\ntable        " + path + "\n");
+  return std::all_of(points.begin(), points.end(), has_film) ? solved : not_converged;
+}
+
+}  // namespace ehl::program

@@ -1,0 +1,88 @@
+// ehl sweep: many cases of one deck, one table.
+#include <cstdio>
+#include <filesystem>
+
+#include "case/catalogue.hpp"
+#include "commands/commands.hpp"
+#include "commands/exit_status.hpp"
+#include "commands/signals.hpp"
+#include "core/errors.hpp"
+#include "core/timer.hpp"
+#include "deck/document.hpp"
+#include "deck/text.hpp"
+#include "report/case_progress.hpp"
+#include "report/text_format.hpp"
+#include "tables/csv.hpp"
+#include "tables/sweep_children.hpp"
+#include "tables/sweep_row.hpp"
+#include "tables/sweep_table.hpp"
+
+namespace ehl::program {
+namespace {
+
+std::string table_name(const Arguments& arguments) {
+  const std::string stem = std::filesystem::path(arguments.operands[0]).stem();
+  const std::string path = arguments.value("output", stem + "_sweep.csv");
+  if (!path.ends_with(".csv"))
+    throw core::InputError("command line: --output " + path + ": the table's name ends with .csv");
+  return path;
+}
+
+std::string summary(const SweepTable& table, std::size_t cases, std::size_t kept, double seconds) {
+  std::string text =
+      formatted("cases        %zu: %zu kept, %zu computed in %.1f s\n", cases, kept, cases - kept, seconds);
+  text += "status       ";
+  for (const char* status : {"converged", "not-converged", "refused", "failed"})
+    text += formatted("%zu %s%s", table.count(status), status, status == std::string("failed") ? "\n" : ", ");
+  return text;
+}
+
+}  // namespace
+
+int sweep(const Arguments& arguments) {
+  const std::string& deck = arguments.operands[0];
+  if (!arguments.has("vary"))
+    throw core::InputError("command line: `ehl sweep` needs --vary section.key=LIST, e.g. --vary contact.M=20,50,100");
+  SweepHeader header{this_program(), deck, deck::load_text(deck), arguments.values("set"),
+                     parse_variations(arguments.values("vary"), arguments.values("set"), catalogue())};
+  const auto overrides_of = [&](std::size_t index) {
+    std::vector<std::string> overrides = header.set;
+    for (const std::string& varied : overrides_of_case(header.variations, index)) overrides.push_back(varied);
+    return overrides;
+  };
+  header.with_friction = names_friction(deck, overrides_of(0));
+  const int at_once = requested_threads(arguments);
+  const std::string path = table_name(arguments);
+  SweepTable table(path, header, arguments.has("overwrite"));
+
+  const double began = core::now();
+  const std::vector<std::size_t> missing = table.missing();
+  const std::size_t cases = number_of_cases(header.variations);
+  CaseProgress progress(arguments.has("quiet"), missing.size());
+  ChildrenCalls calls;
+  calls.stop = stop_requested;
+  calls.task = [&](std::size_t index) {
+    SweepRow row = sweep_case(deck, header.deck_text, overrides_of(index));
+    row.with_friction = header.with_friction;
+    return sweep_text(row);
+  };
+  calls.ended = [&](const ChildEnd& end) {
+    SweepRow failure = row_of_failure(end.status, end.reason);
+    failure.with_friction = header.with_friction;
+    const std::string row = end.complete ? end.text : sweep_text(failure);
+    table.append(end.task, row);
+    progress.show(deck::joined(overrides_of_case(header.variations, end.task), " "), row.substr(0, row.find(',')));
+  };
+  const bool finished = run_in_children(missing, at_once, calls);
+  progress.close();
+  if (!finished) {
+    std::fprintf(stderr, "ehl: interrupted: %zu of %zu cases are in %s; the same command goes on with them\n",
+                 cases - table.missing().size(), cases, path.c_str());
+    return interrupted;
+  }
+  table.finish();
+  print(summary(table, cases, cases - missing.size(), core::now() - began) + "table        " + path + "\n");
+  return table.count("converged") == cases ? solved : not_converged;
+}
+
+}  // namespace ehl::program

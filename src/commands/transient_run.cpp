@@ -1,0 +1,194 @@
+#include "commands/transient_run.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+
+#include "case/transient_probes.hpp"
+#include "commands/signals.hpp"
+#include "core/errors.hpp"
+#include "core/timer.hpp"
+#include "report/json.hpp"
+#include "report/text_format.hpp"
+
+namespace ehl::program {
+namespace {
+
+using transient::MarchEnd;
+using transient::StepRow;
+
+constexpr double bar_interval = 0.05;  // s
+constexpr double line_interval = 5.0;
+constexpr int bar_width = 30;
+
+/// A bar in model time, with the present step.
+class MarchProgress {
+ public:
+  MarchProgress(double end, bool quiet) : end_(end), quiet_(quiet), terminal_(::isatty(STDERR_FILENO) != 0) {}
+  ~MarchProgress() {
+    if (line_open_) std::fputs("\r\x1b[K", stderr);
+  }
+  MarchProgress(const MarchProgress&) = delete;
+  MarchProgress& operator=(const MarchProgress&) = delete;
+
+  void show(const StepRow& row) {
+    const double now = core::now();
+    if (quiet_ || now - last_time_ < (terminal_ ? bar_interval : line_interval)) return;
+    last_time_ = now;
+    const double share = std::clamp(row.T / end_, 0.0, 1.0);
+    const std::string words = formatted("time %.4g of %.4g a/u_m  step %.1e  order %d  Hc %.4f  Hm %.4f", row.T, end_,
+                                        row.length, row.order, row.Hc, row.Hm);
+    if (terminal_) {
+      const auto filled = static_cast<std::size_t>(share * bar_width);
+      const std::string bar = std::string(filled, '#') + std::string(bar_width - filled, '.');
+      std::fprintf(stderr, "\r[%s] %3.0f %%  %s\x1b[K", bar.c_str(), 100.0 * share, words.c_str());
+      std::fflush(stderr);
+      line_open_ = true;
+    } else {
+      std::fprintf(stderr, "ehl: %3.0f %%  %s\n", 100.0 * share, words.c_str());
+    }
+  }
+
+ private:
+  double end_;
+  bool quiet_;
+  bool terminal_;
+  bool line_open_ = false;
+  double last_time_ = 0.0;
+};
+
+// The counts of all rows, those before a checkpoint included.
+void total(TransientResult& result) {
+  transient::MarchReport& report = result.report;
+  report.T = result.rows.back().T;
+  report.steps = static_cast<int>(result.rows.size()) - 1;
+  report.cycles = report.rejected = report.not_solved = 0;
+  report.worst_load_error = 0.0;
+  for (const StepRow& row : result.rows) {
+    report.cycles += row.cycles;
+    report.rejected += row.rejected;
+    report.not_solved += row.not_solved;
+    report.worst_load_error = std::max(report.worst_load_error, row.load_error);
+  }
+}
+
+const StepRow& extreme(const std::vector<StepRow>& rows, double StepRow::*value, bool largest) {
+  const auto found = largest ? std::ranges::max_element(rows, {}, value) : std::ranges::min_element(rows, {}, value);
+  return *found;
+}
+
+// in: value, of a row.
+template <class Value>
+std::string range_line(const std::string& name, const std::vector<StepRow>& rows, Value value) {
+  const StepRow& low = *std::ranges::min_element(rows, {}, value);
+  const StepRow& high = *std::ranges::max_element(rows, {}, value);
+  return formatted("  %-10s %.5f to %.5f, at times %.4g and %.4g; at the end %.5f\n", name.c_str(),
+                   std::invoke(value, low), std::invoke(value, high), low.T, high.T, std::invoke(value, rows.back()));
+}
+
+std::string probe_lines(const Case& input, const std::vector<StepRow>& rows) {
+  std::string text;
+  const std::vector<transient::Place>& places = input.transient->parameters.probes;
+  for (std::size_t k = 0; k < places.size(); ++k)
+    text += range_line(name_of_probe("P", places[k]), rows, [k](const StepRow& row) { return row.probed[k].P; }) +
+            range_line(name_of_probe("H", places[k]), rows, [k](const StepRow& row) { return row.probed[k].H; });
+  return text;
+}
+
+}  // namespace
+
+std::string how_it_ended(const transient::MarchReport& report) {
+  switch (report.end) {
+    case MarchEnd::end_time: return "at the end time";
+    case MarchEnd::film: return "where the film fell to stop_film";
+    case MarchEnd::steady: return "steady to stop_steady";
+    case MarchEnd::interrupted: return "interrupted";
+    case MarchEnd::failed: return "FAILED: " + report.reason;
+  }
+  return "";
+}
+
+TransientResult run_transient(const Case& input, const steady::Solution& start, bool quiet, TransientResult before,
+                              const std::function<void(const TransientResult& so_far)>& save) {
+  TransientResult result = std::move(before);
+  const std::optional<transient::Checkpoint> from = std::move(result.checkpoint);
+  result.checkpoint.reset();
+  result.report.end = MarchEnd::interrupted;  // so far
+  const TransientInput& march = *input.transient;
+  if (!result.rows.empty() && result.rows.front().probed.size() != march.parameters.probes.size())
+    throw core::FileError("the file is damaged: its rows have other probes than its deck");
+  MarchProgress progress(march.parameters.end, quiet);
+  double saved = core::now();
+  const transient::Observer observer{
+      .row =
+          [&](const StepRow& row) {
+            result.rows.push_back(row);
+            progress.show(row);
+            return !stop_requested();
+          },
+      .frame = [&](transient::Frame&& frame) { result.frames.push_back(std::move(frame)); },
+      .wants_checkpoint = [&] { return core::now() - saved > march.seconds_between_checkpoints; },
+      .checkpoint =
+          [&](transient::Checkpoint&& checkpoint) {
+            result.checkpoint = std::move(checkpoint);
+            total(result);
+            if (!stop_requested()) save(result);
+            saved = core::now();
+          }};
+  result.report =
+      transient::march(input.scene, start, march.conditions, march.parameters, observer, from ? &*from : nullptr);
+  if (result.report.end != MarchEnd::interrupted) result.checkpoint.reset();
+  total(result);
+  return result;
+}
+
+bool completed(const TransientResult& result) {
+  return result.report.end != MarchEnd::failed && result.report.end != MarchEnd::interrupted;
+}
+
+std::string transient_summary(const Case& input, const TransientResult& result) {
+  const transient::MarchReport& report = result.report;
+  std::string text = formatted("transient    time 0 to %.6g a/u_m", report.T);
+  if (std::isfinite(input.transient->second)) text += formatted(" (%.4g s)", report.T / input.transient->second);
+  text += ", ended " + how_it_ended(report) + "\n";
+  text += range_line("Hc", result.rows, &StepRow::Hc) + range_line("Hm", result.rows, &StepRow::Hm) +
+          range_line("P_max", result.rows, &StepRow::P_max);
+  if (input.transient->conditions.body)
+    text +=
+        range_line("velocity", result.rows, &StepRow::velocity) + range_line("carried", result.rows, &StepRow::carried);
+  text += probe_lines(input, result.rows);
+  const int attempts = report.steps + report.rejected + report.not_solved;
+  text += formatted(
+      "  steps      %d, %.2f cycles each; %d of %d attempts rejected for their error, %d not solved; %d jumps; longest "
+      "allowed %.3g\n",
+      report.steps, static_cast<double>(report.cycles) / std::max(1, report.steps), report.rejected, attempts,
+      report.not_solved, report.restarts, report.longest_step);
+  text += formatted("  load       worst error %.1e\n  time       %.3f s, %.2f ms per step; %zu fields kept\n",
+                    report.worst_load_error, report.seconds, 1e3 * report.seconds / std::max(1, report.steps),
+                    result.frames.size());
+  return text;
+}
+
+std::string transient_json(const TransientResult& result) {
+  const transient::MarchReport& report = result.report;
+  using json::number;
+  return json::object({{"completed", json::boolean(completed(result))},
+                       {"ended", json::text(how_it_ended(report))},
+                       {"end_time", number(report.T)},
+                       {"Hc", number(result.rows.back().Hc)},
+                       {"Hm", number(result.rows.back().Hm)},
+                       {"least_Hm", number(extreme(result.rows, &StepRow::Hm, false).Hm)},
+                       {"largest_P_max", number(extreme(result.rows, &StepRow::P_max, true).P_max)},
+                       {"steps", number(report.steps)},
+                       {"cycles", number(report.cycles)},
+                       {"rejected", number(report.rejected)},
+                       {"not_solved", number(report.not_solved)},
+                       {"jumps", number(report.restarts)},
+                       {"worst_load_error", number(report.worst_load_error)},
+                       {"seconds", number(report.seconds)}});
+}
+
+}  // namespace ehl::program

@@ -1,0 +1,61 @@
+#include "report/fluid_report.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "report/text_format.hpp"
+#include "rheology/pressure_coefficient.hpp"
+
+namespace ehl::program {
+namespace {
+
+std::string text(rheology::Isoviscous) { return "isoviscous"; }
+std::string text(const rheology::Barus&) { return "Barus"; }
+std::string text(const rheology::Roelands& law) { return formatted("Roelands, z = %.4g", law.z); }
+std::string text(const rheology::Doolittle& law) {
+  return formatted("Doolittle, B = %.4g, R0 = %.4g (Tait's volume)", law.B, law.R0);
+}
+std::string text(const rheology::Yasutomi& law) {
+  return formatted("Yasutomi, %.4g K above the glass transition", law.x0);
+}
+std::string text(const rheology::TabulatedViscosity& law) {
+  return formatted("table of %zu viscosities", law.curve->x.size());
+}
+
+std::string text(rheology::Incompressible) { return "incompressible"; }
+std::string text(const rheology::DowsonHigginson&) { return "Dowson-Higginson"; }
+std::string text(const rheology::Tait& law) { return formatted("Tait, K0' = %.4g", law.K0_prime); }
+std::string text(const rheology::Murnaghan& law) { return formatted("Murnaghan, K0' = %.4g", law.K0_prime); }
+std::string text(const rheology::TabulatedDensity& law) {
+  return formatted("table of %zu densities", law.curve->x.size());
+}
+
+}  // namespace
+
+std::string fluid_text(const Physics& physics) {
+  const auto said = [](const auto& law) { return text(law); };
+  return std::visit(said, physics.viscosity) + "; " + std::visit(said, physics.density);
+}
+
+FilmCoefficients film_coefficients(const Physics& physics) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  FilmCoefficients found{unknown, unknown, unknown, unknown};
+  const double alpha_bar = physics.groups.alpha_bar;
+  if (!std::isfinite(physics.p_h) || !(alpha_bar > 0.0)) return found;
+  const rheology::PressureCoefficients scaled = rheology::pressure_coefficients(physics.viscosity);
+  if (!(scaled.alpha_star > 0.0)) return found;
+  found.alpha_star = scaled.alpha_star / physics.p_h;
+  found.alpha_film = scaled.alpha_film / physics.p_h;
+  found.L_star = physics.groups.L * scaled.alpha_star / alpha_bar;
+  found.L_film = physics.groups.L * scaled.alpha_film / alpha_bar;
+  return found;
+}
+
+std::string film_coefficients_line(const Physics& physics) {
+  const FilmCoefficients found = film_coefficients(physics);
+  if (std::isnan(found.alpha_star)) return {};
+  return formatted("             alpha* = %.4g 1/Pa (L = %.4g), alpha_film = %.4g 1/Pa (L = %.4g)\n", found.alpha_star,
+                   found.L_star, found.alpha_film, found.L_film);
+}
+
+}  // namespace ehl::program

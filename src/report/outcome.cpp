@@ -1,0 +1,141 @@
+#include "report/outcome.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "contact/film_formulas.hpp"
+#include "contact/yield.hpp"
+#include "core/norms.hpp"
+#include "report/text_format.hpp"
+#include "rheology/range.hpp"
+
+namespace ehl::program {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+Place place(const core::Grid& grid, const core::Location& location) {
+  return {location.value, grid.X(location.i), grid.Y(location.j)};
+}
+
+// The solution's own, and those that need the scales of the physical contact.
+std::vector<std::string> warnings_of(const Physics& physics, const steady::Solution& solution, double P_max) {
+  std::vector<std::string> warnings = solution.warnings;
+  const double eta0 = physics.si ? physics.si->contact.eta0 : unknown;
+  for (std::string& warning :
+       rheology::out_of_range(physics.viscosity, physics.density, {.P_max = P_max, .p_h = physics.p_h, .eta0 = eta0}))
+    warnings.push_back(std::move(warning));
+  if (physics.groups.L == 0.0 && !std::holds_alternative<rheology::Isoviscous>(physics.viscosity))
+    warnings.push_back(
+        "L = 0 is the limit in which no pressure arises that would change the lubricant: solved as isoviscous and "
+        "incompressible");
+  if (std::optional<std::string> warning = contact::beyond_yield(physics.p_h)) warnings.push_back(*warning);
+  return warnings;
+}
+
+// Of surfaces that are still before the contact when the run in time ends.
+void warn_of_late(const Case& input, std::vector<std::string>& warnings) {
+  if (!input.transient) return;
+  const double inlet = -contact::extent(input.scene.shape).X;
+  for (const CarriedSurface* one : carried(input.surfaces)) {
+    const auto* feature = std::get_if<surface::Feature>(&one->relief);
+    if (feature && feature->angle != 0.0) continue;  // somewhere along its line it is there
+    const double ahead = feature ? feature->width : 0.5 * std::get<surface::HeightMap>(one->relief).length_x();
+    const Way way = way_of(*one, *input.transient);
+    if (std::max(way.from, way.to) + ahead >= inlet) continue;
+    warnings.push_back(
+        formatted("%s on %s does not come to the contact: its middle is at x = %.4g a at time 0 and at "
+                  "x = %.4g a at the end; a longer end_time, or x closer to the contact",
+                  one->shape.c_str(), one->section.c_str(), way.from, way.to));
+  }
+}
+
+// Of features that move: what a coarse mesh does to them as they go (modules/transient/README.md).
+void warn_of_coarse(const Case& input, std::vector<std::string>& warnings) {
+  if (!input.transient) return;
+  const core::Grid& grid = input.scene.grid;
+  for (const CarriedSurface* one : carried(input.surfaces)) {
+    const auto* feature = std::get_if<surface::Feature>(&one->relief);
+    if (!feature) continue;
+    const bool waves = feature->shape == surface::Feature::Shape::waviness;
+    const double wanted = waves ? 30.0 : 8.0;
+    const double cells = feature->width / std::max(grid.hx(), grid.hy());
+    if (cells < wanted)
+      warnings.push_back(
+          formatted("%s on %s has %.2g cells for its %s where %g are wanted of what moves: its amplitude in "
+                    "the film and its pressure belong to this mesh",
+                    one->shape.c_str(), one->section.c_str(), cells, waves ? "wavelength" : "width", wanted));
+  }
+}
+
+}  // namespace
+
+std::vector<Formula> film_formulas(const contact::Groups& groups) {
+  const contact::Ellipse& shape = groups.shape;
+  const bool fitted = contact::along_smaller_radius(shape);
+  const double M = groups.M;
+  std::vector<Formula> formulas;
+  if (fitted)
+    formulas.push_back({"Nijenbanning, Venner, Moes 1994",
+                        contact::H_from_moes_units(contact::nijenbanning_venner_moes(M, groups.L, shape), M, shape),
+                        unknown});
+  if (!(groups.L > 0.0)) return formulas;
+  // In Moes' units the formulas hardly depend on U (h_c to the power of -0.013, h_m 0.003), so that a typical U
+  // serves where the deck gives M and L alone.
+  constexpr double typical_U = 1e-11;
+  const bool assumed = std::isnan(groups.U);
+  const contact::Groups full = assumed ? contact::from_moes(M, groups.L, typical_U, shape) : groups;
+  const auto add = [&](const std::string& name, const contact::FilmThickness& film) {
+    formulas.push_back({assumed ? name + " (U = 1e-11)" : name,
+                        contact::H_from_thickness_over_radius(film.central, full.W, shape),
+                        contact::H_from_thickness_over_radius(film.minimum, full.W, shape)});
+  };
+  if (fitted) add("Hamrock, Dowson 1977", contact::hamrock_dowson(full));
+  if (!contact::circular(shape) && contact::near_chittenden(shape))
+    add("Chittenden et al. 1985", contact::chittenden(full));
+  return formulas;
+}
+
+std::string formulas_left_out(const contact::Groups& groups) {
+  if (contact::along_smaller_radius(groups.shape)) return {};
+  const std::string fitted =
+      "Nijenbanning, Venner, Moes and Hamrock, Dowson are left out: fitted for entrainment along the smaller radius";
+  if (contact::near_chittenden(groups.shape)) return fitted;
+  return fitted + "; Chittenden et al.: up to half of the film away from our own solutions";
+}
+
+Outcome outcome_of(const Case& input, const steady::Solution& solution) {
+  const contact::Groups& groups = input.physics.groups;
+  const double h_scale = input.physics.si ? input.physics.si->hertz.h_scale : unknown;
+  Outcome outcome;
+  outcome.Hc = solution.levels.empty() ? unknown : solution.levels.back().Hc;
+  outcome.Hm = place(solution.grid, core::minimum(solution.H));
+  outcome.P_max = place(solution.grid, core::maximum(solution.P));
+  outcome.Hc_moes = contact::H_to_moes_units(outcome.Hc, groups.M, groups.shape);
+  outcome.Hm_moes = contact::H_to_moes_units(outcome.Hm.value, groups.M, groups.shape);
+  outcome.hc = outcome.Hc * h_scale;
+  outcome.hm = outcome.Hm.value * h_scale;
+  outcome.formulas = film_formulas(groups);
+  outcome.regime = contact::regime_text(groups.M, groups.L, groups.shape);
+  outcome.warnings = warnings_of(input.physics, solution, outcome.P_max.value);
+  for (std::string& warning : surface_warnings(input.surfaces, solution.grid)) outcome.warnings.push_back(warning);
+  warn_of_late(input, outcome.warnings);
+  warn_of_coarse(input, outcome.warnings);
+  return outcome;
+}
+
+const char* name(reynolds::Wedge wedge) { return wedge == reynolds::Wedge::upstream1 ? "upstream1" : "upstream2"; }
+
+const char* name(mlmi::Method method) {
+  switch (method) {
+    case mlmi::Method::mlmi: return "mlmi";
+    case mlmi::Method::fft: return "fft";
+    case mlmi::Method::direct: break;
+  }
+  return "direct";
+}
+
+}  // namespace ehl::program

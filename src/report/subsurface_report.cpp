@@ -1,0 +1,151 @@
+#include "report/subsurface_report.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "commands/signals.hpp"
+#include "core/timer.hpp"
+#include "deck/text.hpp"
+#include "report/json.hpp"
+#include "report/text_format.hpp"
+
+namespace ehl::program {
+namespace {
+
+using deck::complain;
+using deck::given;
+using subsurface::Maximum;
+using subsurface::Parameters;
+using subsurface::Quantity;
+using subsurface::StressField;
+
+constexpr const char* section = "subsurface";
+
+std::string nodes(const core::Grid& grid, std::size_t planes) {
+  return formatted("%d x %d nodes on %zu planes to depth ", grid.nodes_x(), grid.nodes_y(), planes);
+}
+
+std::string body(const Parameters& parameters) {
+  return formatted("Poisson's ratio %.4g, friction %.4g", parameters.nu, parameters.friction);
+}
+
+// Without the signs of zeros that rounding leaves.
+double shown(double place) { return std::abs(place) < 5e-5 ? 0.0 : place; }
+
+std::string maximum_line(const char* label, const Maximum& maximum, double p_h, const std::string& mark) {
+  const std::string absolute = std::isfinite(p_h) ? ", " + pressure(maximum.value * p_h) : "";
+  return formatted("%s %.5f p_h%s, at (%.3f, %.3f) a, depth %.4f a%s\n", label, maximum.value, absolute.c_str(),
+                   shown(maximum.X), shown(maximum.Y), maximum.Z, mark.c_str());
+}
+
+std::string warning_lines(const StressField& field) {
+  std::string text;
+  for (const std::string& warning : field.warnings) text += "warning: " + warning + "\n";
+  return text;
+}
+
+std::string maximum_json(const Maximum& maximum) {
+  return json::object({{"value", json::number(maximum.value)},
+                       {"X", json::number(maximum.X)},
+                       {"Y", json::number(maximum.Y)},
+                       {"Z", json::number(maximum.Z)},
+                       {"on_node", json::number(maximum.on_node)}});
+}
+
+}  // namespace
+
+std::optional<Parameters> subsurface_input(deck::Deck& deck) {
+  if (!given(deck, section, "depth")) return std::nullopt;
+  if (given(deck, "transient", "end_time"))
+    complain(deck, section, "depth", "is for steady contacts: remove it, or [transient]");
+  Parameters parameters;
+  parameters.depth = deck::number(deck, section, "depth");
+  parameters.planes = deck::integer(deck, section, "planes", parameters.planes);
+  parameters.most_cells = deck::integer(deck, section, "cells", parameters.most_cells);
+  parameters.friction = deck::number(deck, section, "friction");
+  if (!given(deck, section, "poisson")) {
+    const bool known = given(deck, "contact", "nu1");
+    deck::choose(deck, section, "poisson", known ? deck::number(deck, "contact", "nu1") : parameters.nu,
+                 known ? "nu1 of [contact]" : "of steel");
+  }
+  parameters.nu = deck::number(deck, section, "poisson");
+  parameters.kept.clear();
+  const std::vector<std::string> names = deck::words(deck, section, "fields");
+  for (int k = 0; k < subsurface::quantities; ++k)
+    for (const std::string& name : names)
+      if (name == subsurface::name(static_cast<Quantity>(k))) parameters.kept.push_back(static_cast<Quantity>(k));
+  return parameters;
+}
+
+StressField stresses_below(const core::Grid& grid, const core::Field& P, const Parameters& parameters, int threads,
+                           bool quiet) {
+  constexpr double interval = 5.0;  // s
+  double last_time = core::now();
+  return subsurface::stress_below(grid, P, parameters, threads, [&](int done) {
+    const double now = core::now();
+    if (!quiet && now - last_time > interval) {
+      last_time = now;
+      std::fprintf(stderr, "ehl: stresses below the contact: %d of %d planes\n", done, parameters.planes);
+    }
+    return !stop_requested();
+  });
+}
+
+std::string subsurface_plan(const Parameters& parameters, const core::Grid& contact) {
+  return nodes(subsurface::stress_grid(contact, parameters), static_cast<std::size_t>(parameters.planes)) +
+         formatted("%.4g a; ", parameters.depth) + body(parameters);
+}
+
+std::string subsurface_summary(const StressField& field, double p_h, const std::string& mark) {
+  return maximum_line("von Mises   ", field.mises, p_h, mark) + maximum_line("tau_max     ", field.shear, p_h, mark) +
+         "subsurface   " + nodes(field.grid, field.depths.size()) + formatted("%.4g a; ", field.depths.back()) +
+         body(field.parameters) + formatted("; %.3f s\n", field.seconds) + warning_lines(field);
+}
+
+std::string subsurface_json(const StressField& field) {
+  std::vector<std::string> warnings;
+  for (const std::string& warning : field.warnings) warnings.push_back(json::text(warning));
+  return json::object({{"sigma_mises", maximum_json(field.mises)},
+                       {"tau_max", maximum_json(field.shear)},
+                       {"depth", json::number(field.depths.back())},
+                       {"planes", json::number(static_cast<double>(field.depths.size()))},
+                       {"nx", json::number(field.grid.nx)},
+                       {"ny", json::number(field.grid.ny)},
+                       {"poisson", json::number(field.parameters.nu)},
+                       {"friction", json::number(field.parameters.friction)},
+                       {"warnings", json::array(warnings)},
+                       {"seconds", json::number(field.seconds)}});
+}
+
+void add_subsurface(const StressField& field, results::Content& content) {
+  results::Volume& volume = content.volume;
+  volume.group = "/subsurface";
+  volume.meaning = "stresses below the contact, the body at z >= 0; tension positive";
+  volume.warnings = deck::joined(field.warnings, "\n");
+  volume.grid = field.grid;
+  volume.depths = field.depths;
+  for (const subsurface::Volume& kept : field.kept) {
+    results::Series series{subsurface::name(kept.quantity), "p_h", subsurface::meaning(kept.quantity), {}, true};
+    for (const core::Field& plane : kept.planes) series.fields.push_back(&plane);
+    volume.series.push_back(std::move(series));
+  }
+  volume.section_meaning = "the section along x at y = " + deck::shortest(field.section_Y) + ": rows z, columns x";
+  for (int k = 0; k < subsurface::quantities; ++k) {
+    const auto quantity = static_cast<Quantity>(k);
+    volume.section.push_back({subsurface::name(quantity), "p_h", subsurface::meaning(quantity),
+                              &field.section[static_cast<std::size_t>(k)]});
+  }
+  const auto add = [&](const std::string& name, const Maximum& maximum) {
+    volume.numbers.push_back({name, maximum.value, "p_h", "largest value, by parabolas between nodes and planes"});
+    volume.numbers.push_back({name + "_x", maximum.X, "a", "where it is"});
+    volume.numbers.push_back({name + "_y", maximum.Y, "a", "where it is"});
+    volume.numbers.push_back({name + "_z", maximum.Z, "a", "where it is: depth"});
+  };
+  add("largest_sigma_mises", field.mises);
+  add("largest_tau_max", field.shear);
+  volume.numbers.push_back({"poisson", field.parameters.nu, "-", "Poisson's ratio of the body"});
+  volume.numbers.push_back({"friction", field.parameters.friction, "-", "shear traction along +x over pressure"});
+  volume.numbers.push_back({"seconds", field.seconds, "s", "time of the stresses"});
+}
+
+}  // namespace ehl::program

@@ -1,0 +1,58 @@
+#include "report/text_format.hpp"
+
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+
+namespace ehl::program {
+
+std::string formatted(const char* format, ...) {
+  std::va_list arguments;
+  va_start(arguments, format);
+  std::va_list again;
+  va_copy(again, arguments);
+  const int length = std::vsnprintf(nullptr, 0, format, arguments);
+  va_end(arguments);
+  std::string text(static_cast<std::size_t>(length < 0 ? 0 : length), '\0');
+  std::vsnprintf(text.data(), text.size() + 1, format, again);
+  va_end(again);
+  return text;
+}
+
+std::string known(const char* format, double value) {
+  if (!std::isfinite(value)) return "-";
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wformat-nonliteral"
+  return formatted(format, value);
+#pragma GCC diagnostic pop
+}
+
+std::string length(double metres) {
+  if (!std::isfinite(metres)) return "-";
+  const double size = std::abs(metres);
+  if (size < 1e-6) return formatted("%.1f nm", metres * 1e9);
+  if (size < 1e-3) return formatted("%.4g um", metres * 1e6);
+  return formatted("%.4g mm", metres * 1e3);
+}
+
+std::string pressure(double pascal) {
+  if (!std::isfinite(pascal)) return "-";
+  return std::abs(pascal) < 1e9 ? formatted("%.4g MPa", pascal * 1e-6) : formatted("%.4g GPa", pascal * 1e-9);
+}
+
+std::string memory(double bytes) {
+  return bytes < 1e9 ? formatted("%.0f MB", bytes * 1e-6) : formatted("%.1f GB", bytes * 1e-9);
+}
+
+std::string about_seconds(double seconds) {
+  if (!(seconds > 0.0)) return "0 s";
+  const double digit = std::pow(10.0, std::floor(std::log10(seconds)));
+  return formatted("%g s", std::round(seconds / digit) * digit);
+}
+
+std::string percent(double fraction) {
+  if (!std::isfinite(fraction)) return "-";
+  return formatted(std::abs(fraction) < 0.001 ? "%.3f %%" : "%.2f %%", 100.0 * fraction);
+}
+
+}  // namespace ehl::program

@@ -1,0 +1,91 @@
+#include "tables/study_judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace ehl::program {
+namespace {
+
+double relative_error(double value, const Extrapolated& reference) { return std::abs(value / reference.value - 1.0); }
+
+void mark_front(double StudyPoint::*error, double known_to, bool StudyPoint::*front, std::vector<StudyPoint>& points) {
+  const auto counted = [&](const StudyPoint& point) { return std::max(point.*error, known_to); };
+  std::vector<std::size_t> order;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    points[k].*front = false;
+    if (has_film(points[k]) && std::isfinite(points[k].*error) && std::isfinite(points[k].seconds)) order.push_back(k);
+  }
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    if (points[a].seconds != points[b].seconds) return points[a].seconds < points[b].seconds;
+    return counted(points[a]) < counted(points[b]);
+  });
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::size_t k : order) {
+    if (!(counted(points[k]) < least)) continue;
+    least = counted(points[k]);
+    points[k].*front = true;
+  }
+}
+
+bool same_way(const StudyCase& a, const StudyCase& b) {
+  return a.wedge == b.wedge && a.evaluator == b.evaluator && a.cycles == b.cycles;
+}
+
+}  // namespace
+
+Extrapolated extrapolated(std::span<const double> values, double least_share) {
+  const std::size_t n = values.size();
+  if (n < 2) return {};
+  const auto richardson = [&](std::size_t k) { return values[k] + (values[k] - values[k - 1]) / 3.0; };
+  const double value = richardson(n - 1);
+  const double correction = std::abs(value - values[n - 1]);
+  const double error = n > 2 ? std::max(std::abs(value - richardson(n - 2)), least_share * correction) : correction;
+  return {value, error / std::abs(value)};
+}
+
+Reference reference_of(std::span<const StudyPoint> solutions) {
+  std::size_t first = solutions.size();
+  while (first > 0 && solutions[first - 1].status == "converged") --first;
+  // A finest grid that did not converge is no reason to do without: the grids below it serve.
+  if (first == solutions.size() && first > 1) return reference_of(solutions.first(first - 1));
+  Reference reference;
+  std::vector<double> Hc;
+  std::vector<double> Hm;
+  for (const StudyPoint& point : solutions.subspan(first)) {
+    reference.cells.push_back(point.nx);
+    Hc.push_back(point.Hc);
+    Hm.push_back(point.Hm);
+    reference.residual = std::max(reference.residual, point.residual);
+  }
+  reference.Hc = extrapolated(Hc, smooth_share);
+  reference.Hm = extrapolated(Hm, node_minimum_share);
+  return reference;
+}
+
+bool has_film(const StudyPoint& point) { return point.status == "converged" || point.status == "stopped"; }
+
+void judge(const Reference& reference, std::vector<StudyPoint>& points) {
+  for (StudyPoint& point : points) {
+    point.error_Hc = relative_error(point.Hc, reference.Hc);
+    point.error_Hm = relative_error(point.Hm, reference.Hm);
+    point.at_reference_Hc = point.error_Hc < reference.Hc.error;
+    point.at_reference_Hm = point.error_Hm < reference.Hm.error;
+  }
+  mark_front(&StudyPoint::error_Hc, reference.Hc.error, &StudyPoint::front_Hc, points);
+  mark_front(&StudyPoint::error_Hm, reference.Hm.error, &StudyPoint::front_Hm, points);
+}
+
+std::size_t cheapest(const std::vector<StudyPoint>& points, double StudyPoint::*error, double wanted) {
+  const auto good = [&](const StudyPoint& point) { return has_film(point) && point.*error <= wanted; };
+  std::size_t best = points.size();
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const bool lasting = std::all_of(points.begin(), points.end(), [&](const StudyPoint& finer) {
+      return finer.way.cells < points[k].way.cells || !same_way(finer.way, points[k].way) || good(finer);
+    });
+    if (good(points[k]) && lasting && (best == points.size() || points[k].seconds < points[best].seconds)) best = k;
+  }
+  return best;
+}
+
+}  // namespace ehl::program

@@ -1,0 +1,119 @@
+#include "tables/study_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/errors.hpp"
+#include "deck/document.hpp"
+#include "deck/text.hpp"
+
+namespace ehl::program {
+namespace {
+
+constexpr int fewest_cells = 64;
+constexpr int most_cells = 1 << 20;
+
+const std::string evaluator_names[] = {"mlmi4", "mlmi6", "mlmi8", "fft", "direct"};
+
+int cells_in(const std::string& text, const std::string& whole) {
+  const deck::ReadNumber read = deck::read_number(text);
+  const bool good = read.status == deck::ReadNumber::Status::number && read.value >= 16.0 && read.value <= most_cells &&
+                    read.value == std::floor(read.value);
+  if (!good)
+    throw core::InputError("command line: --levels " + whole + ": write a:b, cells of the coarsest and of the finest " +
+                           "grid studied, e.g. 64:512");
+  return static_cast<int>(read.value);
+}
+
+}  // namespace
+
+std::vector<int> levels_between(const std::string& text) {
+  const std::size_t colon = std::min(text.find(':'), text.size());
+  const int first = cells_in(text.substr(0, colon), text);
+  const int last = colon == text.size() ? first : cells_in(text.substr(colon + 1), text);
+  std::vector<int> levels{first};
+  while (2 * levels.back() <= last) levels.push_back(2 * levels.back());
+  if (levels.back() != last)
+    throw core::InputError("command line: --levels " + text + ": the second number must be the first times a power " +
+                           "of two, e.g. " + std::to_string(first) + ":" + std::to_string(4 * first));
+  return levels;
+}
+
+std::vector<int> levels_of_deck(int cells, const std::function<bool(int)>& legal) {
+  std::vector<int> levels{cells};
+  while (levels.back() % 2 == 0 && levels.back() / 2 >= fewest_cells && legal(levels.back() / 2))
+    levels.push_back(levels.back() / 2);
+  std::reverse(levels.begin(), levels.end());
+  return levels;
+}
+
+std::vector<std::string> words_of_list(const std::string& option, const std::string& text,
+                                       const std::function<bool(const std::string&)>& allowed,
+                                       const std::string& told) {
+  const std::string said = "command line: --" + option + " " + text + ": ";
+  const std::vector<std::string> words = deck::split_words(text);
+  if (words.empty()) throw core::InputError(said + "the list is empty: " + told);
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (!allowed(words[k])) throw core::InputError(said + "'" + words[k] + "' must be " + told);
+    if (std::find(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(k), words[k]) !=
+        words.begin() + static_cast<std::ptrdiff_t>(k))
+      throw core::InputError(said + words[k] + " is given twice");
+  }
+  return words;
+}
+
+bool is_study_wedge(const std::string& word) { return word == "upstream1" || word == "upstream2"; }
+
+bool is_study_evaluator(const std::string& word) {
+  return std::find(std::begin(evaluator_names), std::end(evaluator_names), word) != std::end(evaluator_names);
+}
+
+bool is_study_cycles(const std::string& word) {
+  if (word == "run") return true;
+  if (word.size() < 2 || word.size() > 3 || word[0] == '0') return false;
+  const std::string number = word.substr(0, word.size() - 1);
+  const char shape = word.back();
+  return number.find_first_not_of("0123456789") == std::string::npos && (shape == 'V' || shape == 'W' || shape == 'F');
+}
+
+std::vector<StudyCase> cases_of(const StudyPlan& plan, const std::function<double(int)>& nodes) {
+  std::vector<StudyCase> cases;
+  for (const int cells : plan.cells)
+    for (const std::string& wedge : plan.wedges)
+      for (const std::string& evaluator : plan.evaluators)
+        for (const std::string& cycles : plan.cycles)
+          if (evaluator != "direct" || nodes(cells) <= most_nodes_of_direct)
+            cases.push_back({cells, wedge, evaluator, cycles});
+  return cases;
+}
+
+Case case_on_grid(const std::string& path, const std::vector<std::string>& overrides, int cells, int threads) {
+  std::vector<std::string> all;
+  for (const std::string& text : overrides) {
+    const deck::Assignment given = deck::parse_override(text);
+    if (given.section != "grid" || given.name != "cells") all.push_back(text);
+  }
+  all.push_back("grid.cells=" + std::to_string(cells));
+  return read_lubricated_case(path, all, threads, "study");
+}
+
+void use_way(const StudyCase& way, steady::Scene& scene) {
+  scene.wedge = way.wedge == "upstream1" ? reynolds::Wedge::upstream1 : reynolds::Wedge::upstream2;
+  if (way.evaluator == "fft" || way.evaluator == "direct") {
+    scene.deformation.method = way.evaluator == "fft" ? mlmi::Method::fft : mlmi::Method::direct;
+  } else {
+    scene.deformation.method = mlmi::Method::mlmi;
+    scene.deformation.order = way.evaluator.back() - '0';
+  }
+  if (way.cycles == "run") return;
+  const char shape = way.cycles.back();
+  scene.multigrid.cycle = shape == 'V' ? fmg::Cycle::V : shape == 'F' ? fmg::Cycle::F : fmg::Cycle::W;
+  if (!scene.multigrid.post) scene.multigrid.post = 1;
+  scene.multigrid.cycles = std::stoi(way.cycles);
+  scene.multigrid.max_cycles = scene.multigrid.cycles;
+  scene.multigrid.extra_cycles = 0;
+}
+
+std::string name_of_way(const StudyCase& way) { return way.wedge + ", " + way.evaluator + ", " + way.cycles; }
+
+}  // namespace ehl::program

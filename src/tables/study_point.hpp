@@ -1,0 +1,57 @@
+#pragma once
+// One way to solve the case, measured: what it costs and, beside the reference, how wrong it is.
+#include <limits>
+#include <string>
+
+#include "steady/solution.hpp"
+#include "tables/study_plan.hpp"
+
+namespace ehl::program {
+
+/// NaN: not known.
+struct StudyPoint {
+  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  StudyCase way{};
+  int nx = 0;  ///< cells
+  int ny = 0;
+  /// converged; stopped (the fixed number of cycles is done and the checks are not content); not-converged; failed (the
+  /// program).
+  std::string status{};
+  double Hc = unknown;
+  double Hm = unknown;
+  double error_Hc = unknown;  ///< relative, to the reference
+  double error_Hm = unknown;
+  double estimate_Hc = unknown;  ///< of its discretization error, by the run itself, relative
+  double estimate_Hm = unknown;
+  double residual = unknown;
+  std::string cycles_by_level{};  ///< "6;2;2": from the first grid to the finest
+  int attempts = 0;
+  double work_units = unknown;    ///< of the whole solution, in units of the finest grid
+  double seconds = unknown;       ///< the least of the repetitions
+  double seconds_most = unknown;  ///< the most
+  double peak_memory = unknown;   ///< [bytes]
+  bool at_reference_Hc = false;   ///< the error is below that of the reference
+  bool at_reference_Hm = false;
+  bool front_Hc = false;  ///< nothing cheaper is as accurate
+  bool front_Hm = false;
+  std::string reason{};
+};
+
+/// Names of the columns, between commas, and a point as such a row.
+std::string study_columns();
+std::string study_text(const StudyPoint& point);
+
+/// The point of a row. errors: core::FileError: no such row.
+StudyPoint study_point(const std::string& row);
+
+/// Solves the case by one way and measures it once. in: the case on this way's grid, as the deck has it.
+/// errors: core::Interrupted, core::InputError (the evaluator does not fit the grid). Not converging is a status.
+StudyPoint measure(Case input, const StudyCase& way);
+
+/// The point of a solution. in: the way, the solution, its wall-clock seconds.
+StudyPoint point_of_solution(const StudyCase& way, const steady::Solution& solution, double seconds);
+
+/// One more repetition of the same way: least and most seconds, most memory.
+void add_repetition(const StudyPoint& again, StudyPoint& point);
+
+}  // namespace ehl::program

@@ -1,0 +1,43 @@
+#pragma once
+// A study as a file and on the screen.
+#include <string>
+#include <vector>
+
+#include "tables/study_judge.hpp"
+
+namespace ehl::program {
+
+/// How the first line of every table of a study begins.
+constexpr char study_mark[] = "# ehl study, table 1";
+
+/// What a study is about and how it was measured.
+struct StudyHeader {
+  std::string program{};  ///< version, commit, compiler
+  std::string deck{};     ///< its path, for the reader
+  std::string deck_text{};
+  std::string title{};
+  std::vector<std::string> set{};
+  std::string machine{};  ///< processor
+  std::string date{};
+  int threads = 1;  ///< of each solution
+  int jobs = 1;     ///< solutions at a time
+  int repeats = 1;
+};
+
+/// "least of 3, 1 thread each, one solution after another".
+std::string times_of(const StudyHeader& header);
+
+/// The table as CSV: comments, the names of the columns, a row per point.
+std::string study_csv(const StudyHeader& header, const Reference& reference, const std::vector<StudyPoint>& points);
+
+/// For people: the reference, every point, the Pareto fronts, the seconds to an accuracy, and two cuts, Tables 1 and 2
+/// of Venner and ten Napel (1992).
+std::string study_report(const StudyHeader& header, const Reference& reference, const std::vector<StudyPoint>& points);
+
+/// The film by level for each wedge, by the most cycles of the lists and the default evaluator (the paper's Table 1).
+std::string film_by_level(const std::vector<StudyPoint>& points);
+
+/// Seconds by level and cycles, for the first wedge and the default evaluator (the paper's Table 2).
+std::string seconds_by_level(const std::vector<StudyPoint>& points);
+
+}  // namespace ehl::program

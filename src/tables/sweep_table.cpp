@@ -1,0 +1,202 @@
+#include "tables/sweep_table.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <span>
+#include <sstream>
+
+#include "core/errors.hpp"
+#include "deck/text.hpp"
+#include "results/atomic_file.hpp"
+#include "tables/csv.hpp"
+#include "tables/sweep_row.hpp"
+
+namespace ehl::program {
+namespace {
+
+const std::string program_mark = "# program: ";
+
+// What makes a sweep this sweep.
+std::vector<std::string> identity(const SweepHeader& header) {
+  std::vector<std::string> lines{deck_text_line(header.deck_text)};
+  for (const std::string& set : header.set) lines.push_back("# set: " + set);
+  for (const Variation& variation : header.variations)
+    lines.push_back("# vary: " + variation.section + "." + variation.name + " = " +
+                    deck::joined(variation.values, ","));
+  return lines;
+}
+
+std::string column_line(const SweepHeader& header) {
+  std::string line;
+  for (const Variation& variation : header.variations) line += variation.section + "." + variation.name + ",";
+  return line + sweep_columns(header.with_friction);
+}
+
+std::string whole_header(const SweepHeader& header, const std::vector<std::string>& programs) {
+  std::string text = std::string(sweep_mark) + "\n";
+  for (const std::string& program : programs) text += program_mark + program + "\n";
+  text += "# deck: " + header.deck + "\n" + deck::joined(identity(header), "\n") + "\n";
+  text +=
+      "# status: converged, not-converged (then the films, P_max and errors are NaN), refused (wrong deck for this "
+      "case), "
+      "failed (the program)\n"
+      "# units: p_h [Pa], seconds [s], peak_memory [bytes]; H = h R/a^2, P = p/p_h, errors and residual relative\n"
+      "# nx, ny: cells; cycles, work_units, cycle_factor: on the finest grid; seconds: the whole case, one thread; "
+      "exit_status: of `ehl run`\n";
+  if (header.with_friction)
+    text +=
+        "# mu: sliding friction over the load, mu_rolling: rolling friction over it; mu_1, mu_2: forces of the film on "
+        "surfaces 1 and 2 along +x over it\n";
+  return text + column_line(header) + "\n";
+}
+
+std::string load(int descriptor, const std::string& path) {
+  std::string text;
+  std::array<char, 65536> bytes{};
+  for (;;) {
+    const ssize_t count = ::pread(descriptor, bytes.data(), bytes.size(), static_cast<off_t>(text.size()));
+    if (count < 0) throw core::FileError(path + ": cannot be read: " + std::strerror(errno));
+    if (count == 0) return text;
+    text.append(bytes.data(), static_cast<std::size_t>(count));
+  }
+}
+
+const std::string remedy = ": give --overwrite to begin anew, or another --output";
+
+std::string start_of_row(const std::vector<std::string>& values) {
+  return deck::joined(values, ",") + (values.empty() ? "" : ",");
+}
+
+}  // namespace
+
+std::string header_text(const SweepHeader& header) { return whole_header(header, {header.program}); }
+
+SweepTable::SweepTable(const std::string& path, const SweepHeader& header, bool overwrite)
+    : path_(path), header_(header), rows_(number_of_cases(header.variations)) {
+  results::check_writable(path, true, 0);
+  descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) throw core::FileError(path + ": cannot be written: " + std::strerror(errno));
+  try {
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+      throw core::FileError(path + ": another sweep is writing this table");
+    const std::string content = overwrite ? "" : load(descriptor_, path);
+    if (content.empty()) {
+      if (::ftruncate(descriptor_, 0) != 0)
+        throw core::FileError(path + ": cannot be written: " + std::strerror(errno));
+      programs_ = {header.program};
+      write(header_text(header));
+    } else {
+      read(content);
+    }
+  } catch (...) {
+    ::close(descriptor_);
+    throw;
+  }
+}
+
+SweepTable::~SweepTable() { ::close(descriptor_); }
+
+void SweepTable::read(const std::string& content) {
+  std::istringstream lines(content.substr(0, content.rfind('\n') + 1));
+  std::vector<std::string> found;
+  std::map<std::string, std::size_t> cases;
+  for (std::size_t index = 0; index < rows_.size(); ++index)
+    cases[start_of_row(values_of_case(header_.variations, index))] = index;
+  bool has_columns = false;
+  std::string line;
+  std::getline(lines, line);
+  if (line != sweep_mark) throw core::FileError(path_ + ": exists already and is no table of a sweep" + remedy);
+  while (std::getline(lines, line)) {
+    if (line.starts_with(program_mark)) programs_.push_back(line.substr(program_mark.size()));
+    for (const char* mark : {"# deck text: ", "# set: ", "# vary: "})
+      if (line.starts_with(mark)) found.push_back(line);
+    if (line.starts_with('#')) continue;
+    if (has_columns) {
+      take_row(line, cases);
+      continue;
+    }
+    has_columns = true;
+    check_identity(found);
+    if (line != column_line(header_))
+      throw core::FileError(path_ + ": has other columns than this version writes" + remedy);
+  }
+  if (!has_columns) throw core::FileError(path_ + ": exists already and is only the head of a table" + remedy);
+  // A killed sweep may leave half a line.
+  if (::ftruncate(descriptor_, static_cast<off_t>(content.rfind('\n') + 1)) != 0)
+    throw core::FileError(path_ + ": cannot be written: " + std::strerror(errno));
+  if (std::find(programs_.begin(), programs_.end(), header_.program) == programs_.end()) {
+    programs_.push_back(header_.program);
+    write(program_mark + header_.program + "\n");
+  }
+}
+
+void SweepTable::check_identity(const std::vector<std::string>& found) const {
+  const std::vector<std::string> own = identity(header_);
+  for (std::size_t k = 0; k < std::max(own.size(), found.size()); ++k) {
+    const std::string here = k < found.size() ? found[k].substr(2) : "nothing";
+    const std::string asked = k < own.size() ? own[k].substr(2) : "nothing";
+    if (here != asked)
+      throw core::FileError(path_ + ": is the table of another sweep (it has '" + here + "', this one '" + asked +
+                            "')" + remedy);
+  }
+}
+
+void SweepTable::take_row(const std::string& line, const std::map<std::string, std::size_t>& cases) {
+  const auto commas = [](const std::string& text) { return std::count(text.begin(), text.end(), ','); };
+  std::size_t after_keys = 0;
+  for (std::size_t k = 0; k < header_.variations.size() && after_keys <= line.size(); ++k)
+    after_keys = std::min(line.find(',', after_keys), line.size()) + 1;
+  const auto found = cases.find(line.substr(0, after_keys));
+  // The reason is the last column, and the only one that may hold commas.
+  if (found != cases.end() && line.ends_with('"') && commas(line) >= commas(column_line(header_))) {
+    rows_[found->second] = line;
+    return;
+  }
+  throw core::FileError(path_ + ": this line is no row of the sweep: " + line.substr(0, 120) +
+                        ": remove it, give --overwrite to begin anew, or another --output");
+}
+
+std::string SweepTable::status_of(std::size_t index) const {
+  const std::size_t begin = start_of_row(values_of_case(header_.variations, index)).size();
+  return rows_[index].empty() ? "" : rows_[index].substr(begin, rows_[index].find(',', begin) - begin);
+}
+
+void SweepTable::write(const std::string& text) const {
+  // One call per row: readers see whole rows, and a full disk shows as a short count.
+  const ssize_t written = ::write(descriptor_, text.data(), text.size());
+  if (written == static_cast<ssize_t>(text.size())) return;
+  throw core::FileError(path_ + ": cannot be written: " + (written < 0 ? std::strerror(errno) : "no room is left"));
+}
+
+void SweepTable::append(std::size_t index, const std::string& text) {
+  rows_[index] = start_of_row(values_of_case(header_.variations, index)) + text;
+  write(rows_[index] + "\n");
+}
+
+void SweepTable::finish() const {
+  std::string text = whole_header(header_, programs_);
+  for (const std::string& row : rows_)
+    if (!row.empty()) text += row + "\n";
+  results::write_atomically(path_, std::as_bytes(std::span(text)), true);
+}
+
+std::vector<std::size_t> SweepTable::missing() const {
+  std::vector<std::size_t> cases;
+  for (std::size_t index = 0; index < rows_.size(); ++index)
+    if (rows_[index].empty() || status_of(index) == "failed") cases.push_back(index);
+  return cases;
+}
+
+std::size_t SweepTable::count(const std::string& status) const {
+  std::size_t found = 0;
+  for (std::size_t index = 0; index < rows_.size(); ++index) found += status_of(index) == status ? 1 : 0;
+  return found;
+}
+
+}  // namespace ehl::program

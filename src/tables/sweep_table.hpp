@@ -1,0 +1,65 @@
+#pragma once
+// The table of a sweep: a CSV file that grows by whole rows, and that a sweep cut short goes on with.
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tables/sweep_range.hpp"
+
+namespace ehl::program {
+
+/// How the first line of every table begins.
+constexpr char sweep_mark[] = "# ehl sweep, table 1";
+
+/// What a table is about. The same sweep is the same deck text, the same --set and the same --vary.
+struct SweepHeader {
+  std::string program{};    ///< version, commit, compiler
+  std::string deck{};       ///< its path, for the reader
+  std::string deck_text{};  ///< what it says
+  std::vector<std::string> set{};
+  std::vector<Variation> variations{};
+  bool with_friction = false;  ///< columns for it
+};
+
+/// The header as lines of a file, each of which begins with #, but for the last, which names the columns.
+std::string header_text(const SweepHeader& header);
+
+/// An open table, locked against a second sweep.
+class SweepTable {
+ public:
+  /// Opens or begins the table. in: path; overwrite: begin anew whatever the file holds.
+  /// errors: core::FileError: no room for a file there, in use by another sweep, a file of another kind or of another
+  /// sweep, a damaged row (a last line without its end is dropped: the sweep was killed while writing it).
+  SweepTable(const std::string& path, const SweepHeader& header, bool overwrite);
+  ~SweepTable();
+  SweepTable(const SweepTable&) = delete;
+  SweepTable& operator=(const SweepTable&) = delete;
+
+  /// Adds the row of a case, whole, to the file. in: case number; its columns after the varied keys (sweep_row.hpp).
+  /// errors: core::FileError.
+  void append(std::size_t index, const std::string& text);
+
+  /// The rows in the order of the cases, in place of the file as it grew. errors: core::FileError.
+  void finish() const;
+
+  /// Cases without a row, and those whose row says `failed`: a process that died says nothing about its case.
+  std::vector<std::size_t> missing() const;
+
+  /// Rows of this status.
+  std::size_t count(const std::string& status) const;
+
+ private:
+  void read(const std::string& content);
+  void check_identity(const std::vector<std::string>& found) const;
+  void take_row(const std::string& line, const std::map<std::string, std::size_t>& cases);
+  std::string status_of(std::size_t index) const;
+  void write(const std::string& text) const;
+
+  std::string path_;
+  SweepHeader header_;
+  std::vector<std::string> rows_;      ///< one per case, whole lines; empty where there is none yet
+  std::vector<std::string> programs_;  ///< the lines of all programs that worked on it
+  int descriptor_ = -1;
+};
+
+}  // namespace ehl::program

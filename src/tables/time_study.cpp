@@ -1,0 +1,148 @@
+#include "tables/time_study.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "commands/exit_status.hpp"
+#include "commands/machine.hpp"
+#include "commands/signals.hpp"
+#include "core/errors.hpp"
+#include "deck/text.hpp"
+#include "report/case_progress.hpp"
+#include "report/text_format.hpp"
+#include "results/atomic_file.hpp"
+#include "tables/sweep_children.hpp"
+#include "tables/time_study_report.hpp"
+
+namespace ehl::program {
+namespace {
+
+constexpr int samples = 400;
+/// The reference, beside the least tolerance studied and the longest step of the deck.
+constexpr double tighter = 0.1;
+constexpr double shorter = 1.0 / 16.0;
+/// The run that tells how well the reference is known, beside it.
+constexpr double coarser_rtol = 3.0;
+constexpr double coarser_step = 2.0;
+constexpr int most_steps = 100000000;
+constexpr double least_rtol = 1e-7;
+constexpr double most_rtol = 1e-1;
+
+// A run and how often it was timed already; the first one of each looks at the film and is not timed.
+struct Task {
+  TimeWay way{};
+  int samples = 0;
+};
+
+std::vector<double> tolerances(const Arguments& arguments) {
+  const std::string text = arguments.value("rtol", "1e-2,1e-3,1e-4,1e-5,1e-6");
+  const std::string said = "command line: --rtol " + text + ": ";
+  std::vector<double> list;
+  for (const std::string& word : deck::split_words(text)) {
+    const deck::ReadNumber read = deck::read_number(word);
+    const bool good =
+        read.status == deck::ReadNumber::Status::number && read.value >= least_rtol && read.value <= most_rtol;
+    if (!good)
+      throw core::InputError(said + deck::quoted(word) +
+                             formatted(" must be a number from %g to %g", least_rtol, most_rtol));
+    if (std::ranges::find(list, read.value) != list.end()) throw core::InputError(said + word + " is given twice");
+    list.push_back(read.value);
+  }
+  if (list.empty()) throw core::InputError(said + "the list is empty");
+  std::ranges::sort(list, std::greater<>());
+  return list;
+}
+
+std::string name_of(const Task& task) {
+  return formatted("rtol %g, steps of at most %.3g%s", task.way.rtol, task.way.longest_step,
+                   task.samples > 0 ? "" : ", timed");
+}
+
+std::vector<TimeStudyPoint> run_tasks(const Case& input, const std::vector<Task>& tasks, int at_once, bool quiet) {
+  CaseProgress progress(quiet, tasks.size());
+  std::vector<TimeStudyPoint> points(tasks.size());
+  std::vector<std::size_t> order;
+  for (std::size_t k = 0; k < tasks.size(); ++k) order.push_back(k);
+  ChildrenCalls calls;
+  calls.stop = stop_requested;
+  calls.task = [&](std::size_t k) { return text_of(measure_in_time(input, tasks[k].way, tasks[k].samples)); };
+  calls.ended = [&](const ChildEnd& end) {
+    TimeStudyPoint& point = points[end.task];
+    if (end.complete) {
+      point = time_study_point(end.text);
+    } else {
+      point.way = tasks[end.task].way;
+      point.status = "failed";
+      point.reason = end.reason;
+    }
+    progress.show(name_of(tasks[end.task]), point.status);
+  };
+  const bool finished = run_in_children(order, at_once, calls);
+  progress.close();
+  if (!finished) throw core::Interrupted();
+  return points;
+}
+
+TimeReference find_reference(Case input, double rtol, double longest_step, bool quiet) {
+  input.scene.threads = usable_cores();
+  input.transient->parameters.most_steps = most_steps;  // the deck's are for its own tolerance
+  const TimeWay way{tighter * rtol, shorter * longest_step};
+  const TimeWay coarser{coarser_rtol * way.rtol, coarser_step * way.longest_step};
+  if (!quiet) std::fprintf(stderr, "ehl: the reference, and the run that tells how well it is known\n");
+  std::vector<TimeStudyPoint> runs = run_tasks(input, {{coarser, samples}, {way, samples}}, 1, quiet);
+  for (const TimeStudyPoint& run : runs)
+    if (!is_complete(run)) throw core::SolverError("the reference, " + name_of({run.way, samples}) + ": " + run.reason);
+  TimeReference reference{std::move(runs[1]), std::move(runs[0]), {}, input.transient->parameters.probes};
+  reference.errors = errors_in_time(reference.run, reference.coarser);
+  return reference;
+}
+
+// The repetitions of a run are far apart, so that a disturbance does not meet all of them.
+std::vector<TimeStudyPoint> measured(const Case& input, const std::vector<double>& rtols, double longest_step,
+                                     const StudyHeader& header, bool quiet) {
+  std::vector<Task> tasks;
+  for (int repetition = 0; repetition <= header.repeats; ++repetition)
+    for (const double rtol : rtols) tasks.push_back({{rtol, longest_step}, repetition == 0 ? samples : 0});
+  if (!quiet)
+    std::fprintf(stderr, "ehl: %zu tolerances, each once for its film and %d times for its time\n", rtols.size(),
+                 header.repeats);
+  const std::vector<TimeStudyPoint> runs = run_tasks(input, tasks, header.jobs, quiet);
+  std::vector<TimeStudyPoint> points;
+  for (std::size_t k = 0; k < rtols.size(); ++k) {
+    TimeStudyPoint point = runs[k];
+    point.seconds = point.seconds_most = TimeStudyPoint::unknown;  // those with the looking
+    for (std::size_t again = k + rtols.size(); again < runs.size(); again += rtols.size())
+      add_repetition(runs[again], point);
+    points.push_back(std::move(point));
+  }
+  return points;
+}
+
+}  // namespace
+
+int study_in_time(const Arguments& arguments, const StudyHeader& header, const std::string& path, const Case& input) {
+  for (const char* option : {"levels", "wedges", "evaluators", "cycles", "reference"})
+    if (arguments.has(option))
+      throw core::InputError(std::string("command line: --") + option +
+                             " is for steady decks; in this one there is [transient] end_time: --rtol");
+  const std::vector<double> rtols = tolerances(arguments);
+  const bool quiet = arguments.has("quiet");
+  results::check_writable(path, arguments.has("overwrite"), 0);
+  const transient::MarchParameters& march = input.transient->parameters;
+  const double longest_step = std::isnan(march.longest_step)
+                                  ? transient::longest_step(input.transient->conditions, march.end)
+                                  : march.longest_step;
+  const TimeReference reference = find_reference(input, rtols.back(), longest_step, quiet);
+  std::vector<TimeStudyPoint> points = measured(input, rtols, longest_step, header, quiet);
+  for (TimeStudyPoint& point : points) point.errors = errors_in_time(reference.run, point);
+  const std::string csv = time_study_csv(header, reference, points);
+  results::write_atomically(path, std::as_bytes(std::span(csv)), arguments.has("overwrite"));
+  print(time_study_report(header, reference, points) + "table        " + path + "\n");
+  return std::ranges::all_of(points, is_complete) ? solved : not_converged;
+}
+
+}  // namespace ehl::program
