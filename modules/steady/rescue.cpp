@@ -8,8 +8,8 @@
 #include "core/errors.hpp"
 #include "core/timer.hpp"
 #include "fmg/full_multigrid.hpp"
+#include "newton/solve.hpp"
 #include "steady/checks.hpp"
-#include "steady/newton.hpp"
 #include "steady/resolution.hpp"
 #include "transfer/transfer.hpp"
 
@@ -29,16 +29,16 @@ double final_tolerance(const Scene& scene) {
 }
 
 // Newton on level l with its row in the table of levels.
-NewtonResult solve_level_by_newton(Climb& climb, std::size_t l, double tolerance) {
+newton::Result solve_level_by_newton(Climb& climb, std::size_t l, double tolerance) {
   const StateOfLevel start = state_of_level(climb.hierarchy, l);
   int steps = 0;
-  const NewtonProgress progress = [&](const NewtonStep& step) {
+  const newton::Progress progress = [&](const newton::Step& step) {
     StateOfLevel now = start;
     now.residual = step.residual;
-    report(climb, l, ++steps, NewtonParameters{}.max_steps, now);
+    report(climb, l, ++steps, newton::Parameters{}.max_steps, now);
     return true;
   };
-  NewtonResult result = solve_by_newton(climb.hierarchy, l, {.tolerance = tolerance}, progress);
+  newton::Result result = newton::solve(climb.hierarchy, l, {.tolerance = tolerance}, progress);
   if (l == climb.finest()) climb.solution.newton = result.steps;
   return result;
 }
@@ -90,7 +90,7 @@ void solve_levels_below(Climb& climb) {
 void polish(Climb& climb) {
   const double began = core::now();
   const bool was_converged = climb.solution.converged;
-  const NewtonResult result = solve_level_by_newton(climb, climb.finest(), final_tolerance(climb.scene));
+  const newton::Result result = solve_level_by_newton(climb, climb.finest(), final_tolerance(climb.scene));
   if (!result.converged) climb.solution.polish_failure = result.reason;
   if (result.converged || !was_converged) judge(climb);
   climb.solution.levels.back().seconds += core::now() - began;
@@ -105,7 +105,7 @@ Solution rescue_by_newton(const Scene& scene, const Start& start, const Solution
   climb.solution.levels = unsolved.levels;
   climb.solution.history = unsolved.history;
   fmg::start_from_state(hierarchy, l, part_on(hierarchy.finest().grid, unsolved.P), unsolved.H00);
-  const NewtonResult result = solve_level_by_newton(climb, l, final_tolerance(scene));
+  const newton::Result result = solve_level_by_newton(climb, l, final_tolerance(scene));
   if (result.converged) {
     const fmg::Kept kept{hierarchy.finest().P, hierarchy.H00};
     solve_levels_below(climb);
@@ -134,7 +134,7 @@ Solution climb_by_newton(const Scene& scene, const Start& start, const ProgressC
       throw core::SolverError("Newton's method solved no grid coarse enough to begin on; " + last_reason);
     const bool last_level = l == climb.finest();
     climb.solution.levels.emplace_back();
-    const NewtonResult result =
+    const newton::Result result =
         solve_level_by_newton(climb, l, last_level ? final_tolerance(scene) : tolerance_on_the_way);
     // A coarse film that is negative is no solution of the contact, and a good start for the next grid.
     solved = result.equations_met;

@@ -7,6 +7,7 @@
 #include "core/field.hpp"
 #include "core/grid.hpp"
 #include "core/timer.hpp"
+#include "newton/solve.hpp"
 #include "steady/error_bars.hpp"
 #include "steady/verification.hpp"
 
@@ -68,12 +69,6 @@ struct ContinuationStep {
   bool converged = false;
 };
 
-/// One step of Newton's method on the finest grid.
-struct NewtonStep {
-  double residual = 0.0;  ///< relative, as in LevelRow, after the step
-  int linear_iterations = 0;
-};
-
 /// What became of the accuracy that was asked for.
 struct AccuracyReport {
   double asked = std::numeric_limits<double>::quiet_NaN();  ///< NaN: none
@@ -99,8 +94,8 @@ struct Solution {
   std::string method;                  ///< of the attempt that led to what is shown
   std::vector<Attempt> attempts;
   std::vector<ContinuationStep> continuation;
-  std::vector<NewtonStep> newton;
-  std::string polish_failure;  ///< why Newton's method after the cycles did not reach rounding errors
+  std::vector<newton::Step> newton;  ///< on the finest grid
+  std::string polish_failure;        ///< why Newton's method after the cycles did not reach rounding errors
   /// Residual after a cycle over that before it, geometric mean of the cycles on the finest grid but the first; NaN
   /// where there are fewer than two.
   double cycle_factor = std::numeric_limits<double>::quiet_NaN();

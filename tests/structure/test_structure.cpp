@@ -59,9 +59,9 @@ BOOST_AUTO_TEST_CASE(the_reader_finds_offences) {
                               "#include <boost/program_options.hpp>\n"};
   const SourceFile right_door{"modules/mlmi/a.cpp", "mlmi", "#include <fftw3.h>\n"};
   BOOST_TEST(door_offences({wrong_door, right_door}).size() == 4);
-  const SourceFile beside_the_door{"modules/steady/newton.cpp", "steady",
+  const SourceFile beside_the_door{"modules/newton/solve.cpp", "newton",
                                    "#include <kinsol/kinsol.h>\n#include <Eigen/SparseLU>\n"};
-  const SourceFile through_the_door{"modules/steady/kinsol.cpp", "steady", "#include <kinsol/kinsol.h>\n"};
+  const SourceFile through_the_door{"modules/newton/kinsol.cpp", "newton", "#include <kinsol/kinsol.h>\n"};
   BOOST_TEST(door_offences({beside_the_door, through_the_door}).size() == 2);
 }
 

@@ -7,7 +7,7 @@
 #include "core/field.hpp"
 #include "fmg/hierarchy.hpp"
 
-namespace ehl::steady {
+namespace ehl::newton {
 
 /// The unknowns u are a number z per interior node and, as the last one, H00. With P = max(z, 0) and the residual
 /// r = -L(P) of the Reynolds equation
@@ -16,11 +16,11 @@ namespace ehl::steady {
 /// r = 0, a cavitated one P = 0 and r = -z/s. P is never negative, whatever u. The row scale s_ij > 0, one over the
 /// local part of dr_ij/dP_ij, gives every F the unit of a pressure; it changes nothing in the solution.
 /// Nodes in order of storage: along Y fastest.
-class NewtonEquations {
+class Equations {
  public:
   /// Takes over levels[l] as it is: the unknowns come from its P and from H00. limits: no right-hand sides f, F; a
   /// given load; cavitation.
-  NewtonEquations(fmg::Hierarchy& hierarchy, std::size_t l);
+  Equations(fmg::Hierarchy& hierarchy, std::size_t l);
 
   std::size_t size() const { return nodes_ + 1; }
   const fmg::Level& level() const { return level_; }
@@ -80,4 +80,4 @@ class NewtonEquations {
   core::Field dP_, dH_;  // work space of jacobian()
 };
 
-}  // namespace ehl::steady
+}  // namespace ehl::newton

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-namespace ehl::steady {
+namespace ehl::newton {
 
 /// F(u) = 0 as KINSOL sees it. What the functions throw passes through KINSOL unharmed.
 struct KrylovProblem {
@@ -45,4 +45,4 @@ class Kinsol {
   std::unique_ptr<Implementation> implementation_;
 };
 
-}  // namespace ehl::steady
+}  // namespace ehl::newton

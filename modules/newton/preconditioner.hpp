@@ -5,15 +5,15 @@
 #include <memory>
 #include <span>
 
-#include "steady/newton_equations.hpp"
+#include "newton/equations.hpp"
 
-namespace ehl::steady {
+namespace ehl::newton {
 
 /// Solves J~ x = v, where J~ is the Jacobian with K cut to its self term K_00, bordered by H00 and the load row.
-class NewtonPreconditioner {
+class Preconditioner {
  public:
-  explicit NewtonPreconditioner(const NewtonEquations& equations);
-  ~NewtonPreconditioner();
+  explicit Preconditioner(const Equations& equations);
+  ~Preconditioner();
 
   /// Factors J~ at the equations' point of linearization. false: singular.
   bool factor();
@@ -27,4 +27,4 @@ class NewtonPreconditioner {
   std::unique_ptr<Implementation> implementation_;
 };
 
-}  // namespace ehl::steady
+}  // namespace ehl::newton

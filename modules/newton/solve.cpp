@@ -1,4 +1,4 @@
-#include "steady/newton.hpp"
+#include "newton/solve.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,12 +8,12 @@
 
 #include "core/errors.hpp"
 #include "core/norms.hpp"
-#include "steady/kinsol.hpp"
-#include "steady/newton_equations.hpp"
-#include "steady/newton_preconditioner.hpp"
-#include "steady/state_of_level.hpp"
+#include "core/timer.hpp"
+#include "newton/equations.hpp"
+#include "newton/kinsol.hpp"
+#include "newton/preconditioner.hpp"
 
-namespace ehl::steady {
+namespace ehl::newton {
 namespace {
 
 /// A step this small, in units of p_h, is on its way in: solve its system accurately, and keep the factors.
@@ -37,11 +37,32 @@ std::string in_figures(double value) {
   return text;
 }
 
+/// By what a state is judged.
+struct State {
+  double residual = 0.0;    ///< of the complementarity problem, relative
+  double load_error = 0.0;  ///< relative
+  double Hc = 0.0;          ///< H at the node next to (0, 0)
+  double Hm = 0.0;          ///< minimum of H over the nodes
+};
+
+State judge(fmg::Hierarchy& hierarchy, fmg::Level& level) {
+  const core::EnclosingTimer timer(hierarchy.times, core::Part::checks);
+  fmg::update_residual(hierarchy, level);
+  const core::Grid& grid = level.grid;
+  const reynolds::ResidualNorms norms = reynolds::residual_norms(grid, fmg::state(level), hierarchy.problem.transport,
+                                                                 hierarchy.problem.cavitation, level.r);
+  return {.residual = norms.relative(),
+          .load_error = std::abs(fmg::carried_load(level) - level.load) / level.load,
+          .Hc = level.H(static_cast<int>(std::lround(-grid.X_a / grid.hx())),
+                        static_cast<int>(std::lround(-grid.Y_a / grid.hy()))),
+          .Hm = core::minimum(level.H).value};
+}
+
 class NewtonIteration {
  public:
-  NewtonIteration(fmg::Hierarchy& hierarchy, std::size_t l, const NewtonParameters& parameters)
+  NewtonIteration(fmg::Hierarchy& hierarchy, std::size_t l, const Parameters& parameters)
       : hierarchy_(hierarchy),
-        l_(l),
+        level_(hierarchy.levels[l]),
         parameters_(parameters),
         equations_(hierarchy, l),
         preconditioner_(equations_),
@@ -50,18 +71,18 @@ class NewtonIteration {
         problem_(make_problem()),
         kinsol_(problem_) {}
 
-  NewtonResult run(const NewtonProgress& progress) {
-    fmg::update_film(hierarchy_, hierarchy_.levels[l_]);
-    StateOfLevel state = state_of_level(hierarchy_, l_);
+  Result run(const Progress& progress) {
+    fmg::update_film(hierarchy_, level_);
+    State state = judge(hierarchy_, level_);
     equations_.unknowns(u_);
     remember(state);
-    if (core::max_abs(equations_.level().P) == 0.0) return fail("no node carries pressure at the start");
+    if (core::max_abs(level_.P) == 0.0) return fail("no node carries pressure at the start");
     while (!good(state)) {
       if (static_cast<int>(result_.steps.size()) >= parameters_.max_steps)
         return fail("after " + std::to_string(parameters_.max_steps) + " steps");
       const std::string trouble = step(state);
       if (!trouble.empty()) return fail(trouble);
-      state = state_of_level(hierarchy_, l_);
+      state = judge(hierarchy_, level_);
       result_.steps.push_back({state.residual, static_cast<int>(iterations_)});
       remember(state);
       if (progress && !progress(result_.steps.back())) throw core::Interrupted();
@@ -97,12 +118,12 @@ class NewtonIteration {
     return problem;
   }
 
-  bool good(const StateOfLevel& state) const {
+  bool good(const State& state) const {
     return state.residual <= parameters_.tolerance && state.load_error <= parameters_.tolerance;
   }
 
   /// One Newton step from the state given, shortened where it changes P or H00 too much. out: what went wrong.
-  std::string step(const StateOfLevel& state) {
+  std::string step(const State& state) {
     equations_.unknowns(u_);
     std::ranges::copy(u_, old_.begin());
     KinsolStep newton = take_step(linear_tolerance(state));
@@ -122,7 +143,7 @@ class NewtonIteration {
   }
 
   /// No tighter than what the step needs to end it all.
-  double linear_tolerance(const StateOfLevel& state) const {
+  double linear_tolerance(const State& state) const {
     if (!(last_change_ < small_change)) return loose;
     return std::clamp(last_bit * parameters_.tolerance / state.residual, tight, loose);
   }
@@ -144,7 +165,7 @@ class NewtonIteration {
     last_change_ = share < 1.0 ? std::numeric_limits<double>::infinity() : change;
   }
 
-  void remember(const StateOfLevel& state) {
+  void remember(const State& state) {
     const double measure = std::max(state.residual, state.load_error);
     if (!best_.empty() && !(measure < best_measure_)) return;
     best_ = u_;
@@ -152,9 +173,9 @@ class NewtonIteration {
     best_step_ = static_cast<int>(result_.steps.size());
   }
 
-  NewtonResult fail(const std::string& reason) {
+  Result fail(const std::string& reason) {
     equations_.set_state(best_);
-    const StateOfLevel state = state_of_level(hierarchy_, l_);
+    const State state = judge(hierarchy_, level_);
     result_.reason = "Newton's method: " + reason + "; relative residual " + in_figures(state.residual) +
                      ", load error " + in_figures(state.load_error) + " (asked " + in_figures(parameters_.tolerance) +
                      ")";
@@ -162,14 +183,14 @@ class NewtonIteration {
   }
 
   fmg::Hierarchy& hierarchy_;
-  std::size_t l_;
-  const NewtonParameters& parameters_;
-  NewtonEquations equations_;
-  NewtonPreconditioner preconditioner_;
+  fmg::Level& level_;
+  const Parameters& parameters_;
+  Equations equations_;
+  Preconditioner preconditioner_;
   std::vector<double> u_, old_, best_;
   KrylovProblem problem_;
   Kinsol kinsol_;
-  NewtonResult result_;
+  Result result_;
   bool keep_factors_ = false;
   bool fresh_factors_ = false;
   long iterations_ = 0;
@@ -181,12 +202,11 @@ class NewtonIteration {
 
 }  // namespace
 
-NewtonResult solve_by_newton(fmg::Hierarchy& hierarchy, std::size_t l, const NewtonParameters& parameters,
-                             const NewtonProgress& progress) {
+Result solve(fmg::Hierarchy& hierarchy, std::size_t l, const Parameters& parameters, const Progress& progress) {
   const fmg::Problem& problem = hierarchy.problem;
   if (!problem.load || !reynolds::ruptures(problem.cavitation) || problem.given_epsilon)
     throw core::InputError("Newton's method needs the whole problem: a load to carry, cavitation, epsilon of the film");
   return NewtonIteration(hierarchy, l, parameters).run(progress);
 }
 
-}  // namespace ehl::steady
+}  // namespace ehl::newton

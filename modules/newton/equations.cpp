@@ -1,4 +1,4 @@
-#include "steady/newton_equations.hpp"
+#include "newton/equations.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -6,7 +6,7 @@
 #include "reynolds/flux.hpp"
 #include "rheology/laws.hpp"
 
-namespace ehl::steady {
+namespace ehl::newton {
 namespace {
 
 // What rheology says of the oil along one station.
@@ -19,7 +19,7 @@ struct Station {
 
 }  // namespace
 
-NewtonEquations::NewtonEquations(fmg::Hierarchy& hierarchy, std::size_t l)
+Equations::Equations(fmg::Hierarchy& hierarchy, std::size_t l)
     : hierarchy_(hierarchy),
       level_(hierarchy.levels[l]),
       nodes_(static_cast<std::size_t>(level_.grid.nx - 1) * static_cast<std::size_t>(level_.grid.last_line())),
@@ -36,7 +36,7 @@ NewtonEquations::NewtonEquations(fmg::Hierarchy& hierarchy, std::size_t l)
   local_.eps_across = core::Field(level_.grid);
 }
 
-void NewtonEquations::make_scale() {
+void Equations::make_scale() {
   const core::Grid& grid = level_.grid;
   const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
   const core::Field& eps = level_.eps;
@@ -51,7 +51,7 @@ void NewtonEquations::make_scale() {
   }
 }
 
-void NewtonEquations::unknowns(std::span<double> u) {
+void Equations::unknowns(std::span<double> u) {
   fmg::update_residual(hierarchy_, level_);
   make_scale();
   for (int i = 1; i < grid().nx; ++i)
@@ -63,7 +63,7 @@ void NewtonEquations::unknowns(std::span<double> u) {
   u[nodes_] = hierarchy_.H00;
 }
 
-void NewtonEquations::set_state(std::span<const double> u) {
+void Equations::set_state(std::span<const double> u) {
   for (int i = 1; i < grid().nx; ++i)
     for (int j = 1; j <= grid().last_line(); ++j) level_.P(i, j) = std::max(u[index(i, j)], 0.0);
   core::make_images(grid(), level_.P);
@@ -71,7 +71,7 @@ void NewtonEquations::set_state(std::span<const double> u) {
   fmg::update_film(hierarchy_, level_);
 }
 
-void NewtonEquations::residual(std::span<const double> u, std::span<double> F) {
+void Equations::residual(std::span<const double> u, std::span<double> F) {
   set_state(u);
   fmg::update_residual(hierarchy_, level_);
   for (int i = 1; i < grid().nx; ++i)
@@ -82,7 +82,7 @@ void NewtonEquations::residual(std::span<const double> u, std::span<double> F) {
   F[nodes_] = (fmg::carried_load(level_) - level_.load) / level_.load;
 }
 
-void NewtonEquations::linearize(std::span<const double> u) {
+void Equations::linearize(std::span<const double> u) {
   const double self = level_.film_terms.K[0];
   Station station(static_cast<std::size_t>(grid().nodes_y()));
   for (int i = 0; i <= grid().nx; ++i) {
@@ -114,7 +114,7 @@ void NewtonEquations::linearize(std::span<const double> u) {
   for (std::size_t k = 0; k < nodes_; ++k) wet_[k] = u[k] > 0.0 ? 1 : 0;
 }
 
-void NewtonEquations::jacobian(std::span<const double> v, std::span<double> Jv) {
+void Equations::jacobian(std::span<const double> v, std::span<double> Jv) {
   const core::Grid& grid = level_.grid;
   for (int i = 1; i < grid.nx; ++i)
     for (int j = 1; j <= grid.last_line(); ++j) dP_(i, j) = wet_[index(i, j)] ? v[index(i, j)] : 0.0;
@@ -161,4 +161,4 @@ void NewtonEquations::jacobian(std::span<const double> v, std::span<double> Jv) 
   Jv[nodes_] = grid.hx() * grid.hy() * dload / level_.load;
 }
 
-}  // namespace ehl::steady
+}  // namespace ehl::newton

@@ -1,4 +1,4 @@
-#include "steady/newton_preconditioner.hpp"
+#include "newton/preconditioner.hpp"
 
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
@@ -8,7 +8,7 @@
 
 #include "reynolds/flux.hpp"
 
-namespace ehl::steady {
+namespace ehl::newton {
 namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
@@ -26,7 +26,7 @@ constexpr int leaf = 3;
 
 /// Nested dissection of the rectangular grid: first one half, then the other, last the separator. A separator across X
 /// must be as thick as the wedge reaches upstream, one across Y one node.
-void dissect(const Box& box, int reach, const NewtonEquations& equations, std::vector<std::pair<int, int>>& order) {
+void dissect(const Box& box, int reach, const Equations& equations, std::vector<std::pair<int, int>>& order) {
   if (box.width() <= 0 || box.height() <= 0) return;
   const auto take = [&](const Box& part) {
     for (int i = part.i_first; i <= part.i_last; ++i)
@@ -53,8 +53,8 @@ void dissect(const Box& box, int reach, const NewtonEquations& equations, std::v
 
 }  // namespace
 
-struct NewtonPreconditioner::Implementation {
-  const NewtonEquations& equations;
+struct Preconditioner::Implementation {
+  const Equations& equations;
   std::vector<std::pair<int, int>> order;  // wet nodes in the order of elimination
   std::vector<int> place;                  // of a node in it; -1: cavitated
   Matrix matrix;
@@ -64,12 +64,12 @@ struct NewtonPreconditioner::Implementation {
   double schur = 0.0;
   Vector rhs, solution;
 
-  explicit Implementation(const NewtonEquations& e) : equations(e) {}
+  explicit Implementation(const Equations& e) : equations(e) {}
   void make_order();
   void assemble(Vector& column_of_H00);
 };
 
-void NewtonPreconditioner::Implementation::make_order() {
+void Preconditioner::Implementation::make_order() {
   const core::Grid& grid = equations.grid();
   order.clear();
   const int reach = equations.transport().wedge == reynolds::Wedge::upstream2 ? 2 : 1;
@@ -79,7 +79,7 @@ void NewtonPreconditioner::Implementation::make_order() {
     place[equations.index(order[k].first, order[k].second)] = static_cast<int>(k);
 }
 
-void NewtonPreconditioner::Implementation::assemble(Vector& column_of_H00) {
+void Preconditioner::Implementation::assemble(Vector& column_of_H00) {
   const core::Grid& grid = equations.grid();
   const fmg::Level& level = equations.level();
   const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
@@ -130,11 +130,11 @@ void NewtonPreconditioner::Implementation::assemble(Vector& column_of_H00) {
   matrix.setFromTriplets(entries.begin(), entries.end());
 }
 
-NewtonPreconditioner::NewtonPreconditioner(const NewtonEquations& equations)
+Preconditioner::Preconditioner(const Equations& equations)
     : implementation_(std::make_unique<Implementation>(equations)) {}
-NewtonPreconditioner::~NewtonPreconditioner() = default;
+Preconditioner::~Preconditioner() = default;
 
-bool NewtonPreconditioner::factor() {
+bool Preconditioner::factor() {
   Implementation& own = *implementation_;
   own.make_order();
   if (own.order.empty()) return false;
@@ -156,7 +156,7 @@ bool NewtonPreconditioner::factor() {
   return own.border.allFinite() && own.schur != 0.0;
 }
 
-void NewtonPreconditioner::solve(std::span<double> v) {
+void Preconditioner::solve(std::span<double> v) {
   Implementation& own = *implementation_;
   for (std::size_t k = 0; k < own.order.size(); ++k)
     own.rhs[static_cast<Eigen::Index>(k)] = v[own.equations.index(own.order[k].first, own.order[k].second)];
@@ -169,8 +169,8 @@ void NewtonPreconditioner::solve(std::span<double> v) {
   v.back() = dH00;
 }
 
-std::size_t NewtonPreconditioner::entries() const {
+std::size_t Preconditioner::entries() const {
   return static_cast<std::size_t>(implementation_->lu.nnzL() + implementation_->lu.nnzU());
 }
 
-}  // namespace ehl::steady
+}  // namespace ehl::newton

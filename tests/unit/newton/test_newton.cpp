@@ -12,16 +12,17 @@
 #include "core/errors.hpp"
 #include "core/norms.hpp"
 #include "fmg/cycle.hpp"
-#include "steady/kinsol.hpp"
-#include "steady/newton.hpp"
-#include "steady/newton_equations.hpp"
-#include "steady/newton_preconditioner.hpp"
+#include "newton/equations.hpp"
+#include "newton/kinsol.hpp"
+#include "newton/preconditioner.hpp"
+#include "newton/solve.hpp"
 #include "steady/state_of_level.hpp"
 #include "support/random.hpp"
-#include "unit/steady/newton_scene.hpp"
+#include "unit/newton/newton_scene.hpp"
 
 using namespace ehl;
-using namespace ehl::steady;
+using steady::state_of_level;
+using steady::StateOfLevel;
 using namespace ehl::tests;
 
 namespace {
@@ -29,7 +30,7 @@ namespace {
 constexpr core::Grid square(int n) { return {n, n, -2.5, 1.5, -2.0, 2.0}; }
 
 /// Hertz pressure with noise inside, light pressures and cavitated nodes mixed outside; every number away from zero.
-std::vector<double> mixed_unknowns(const NewtonEquations& equations, Random& random) {
+std::vector<double> mixed_unknowns(const newton::Equations& equations, Random& random) {
   std::vector<double> u(equations.size());
   const core::Grid& grid = equations.grid();
   for (int i = 1; i < grid.nx; ++i)
@@ -59,7 +60,7 @@ BOOST_AUTO_TEST_CASE(jacobian_products_are_the_slope_of_the_residual) {
     fmg::Hierarchy hierarchy = newton_hierarchy(50, 10, {32, 24, -3.0, 1.5, -2.0, 2.0}, 1, wedge);
     const std::size_t l = hierarchy.levels.size() - 1;
     fmg::start_from_hertz(hierarchy, l, -0.6, 0);
-    NewtonEquations equations(hierarchy, l);
+    newton::Equations equations(hierarchy, l);
     std::vector<double> scratch(equations.size());
     equations.unknowns(scratch);
     const std::vector<double> u = mixed_unknowns(equations, random);
@@ -92,13 +93,13 @@ BOOST_AUTO_TEST_CASE(preconditioner_solves_the_local_equations) {
   fmg::Hierarchy hierarchy = newton_hierarchy(50, 10, square(32), 1);
   const std::size_t l = hierarchy.levels.size() - 1;
   fmg::start_from_hertz(hierarchy, l, -0.6, 0);
-  NewtonEquations equations(hierarchy, l);
+  newton::Equations equations(hierarchy, l);
   std::vector<double> u(equations.size()), F(u.size());
   equations.unknowns(u);
   u = mixed_unknowns(equations, random);
   equations.residual(u, F);
   equations.linearize(u);
-  NewtonPreconditioner preconditioner(equations);
+  newton::Preconditioner preconditioner(equations);
   BOOST_REQUIRE(preconditioner.factor());
   // A change of H00 alone has no deformation: its product with the exact Jacobian is one with the local one as well,
   // but for the load row, which H00 does not enter.
@@ -132,18 +133,18 @@ BOOST_AUTO_TEST_CASE(from_hertz_to_the_solution_of_the_cycles) {
   }
   BOOST_REQUIRE(state.residual < 1e-11);
 
-  fmg::Hierarchy newton = newton_hierarchy(200, 10, grid, 1);
-  fmg::start_from_hertz(newton, l, first_H00(200, 10), 0);
-  const NewtonResult result = solve_by_newton(newton, l);
+  fmg::Hierarchy alone = newton_hierarchy(200, 10, grid, 1);
+  fmg::start_from_hertz(alone, l, first_H00(200, 10), 0);
+  const newton::Result result = newton::solve(alone, l);
   BOOST_TEST(result.converged);
   BOOST_TEST(result.reason.empty());
-  const double P_apart = core::max_abs_difference(newton.levels[l].P, cycles.levels[l].P);
-  const double H_apart = core::max_abs_difference(newton.levels[l].H, cycles.levels[l].H);
-  BOOST_TEST_MESSAGE("P " << P_apart << ", H " << H_apart << ", H00 " << std::abs(newton.H00 - cycles.H00)
+  const double P_apart = core::max_abs_difference(alone.levels[l].P, cycles.levels[l].P);
+  const double H_apart = core::max_abs_difference(alone.levels[l].H, cycles.levels[l].H);
+  BOOST_TEST_MESSAGE("P " << P_apart << ", H " << H_apart << ", H00 " << std::abs(alone.H00 - cycles.H00)
                           << " away from the cycles' (allowed 1e-9), in " << result.steps.size() << " steps");
   BOOST_TEST(P_apart <= 1e-9);
   BOOST_TEST(H_apart <= 1e-9);
-  BOOST_TEST(std::abs(newton.H00 - cycles.H00) <= 1e-9);
+  BOOST_TEST(std::abs(alone.H00 - cycles.H00) <= 1e-9);
 
   // The end is quadratic, up to the 1e-5 to which the linear systems are solved: better than any cycle.
   double best = 1.0;
@@ -153,18 +154,18 @@ BOOST_AUTO_TEST_CASE(from_hertz_to_the_solution_of_the_cycles) {
   BOOST_TEST(best <= 1e-3);
 
   // From a solution there is nothing to do; from one that is a little off, little.
-  BOOST_TEST(solve_by_newton(newton, l).steps.size() <= 1);
-  fmg::fas_cycle(newton, l);
-  BOOST_TEST(solve_by_newton(newton, l).steps.size() <= 2);
+  BOOST_TEST(newton::solve(alone, l).steps.size() <= 1);
+  fmg::fas_cycle(alone, l);
+  BOOST_TEST(newton::solve(alone, l).steps.size() <= 2);
 
   // The force balance alone can be off.
-  newton.levels[l].load *= 1.0 + 1e-6;
-  BOOST_TEST(solve_by_newton(newton, l).converged);
-  BOOST_TEST(state_of_level(newton, l).load_error <= 1e-11);
+  alone.levels[l].load *= 1.0 + 1e-6;
+  BOOST_TEST(newton::solve(alone, l).converged);
+  BOOST_TEST(state_of_level(alone, l).load_error <= 1e-11);
 }
 
 BOOST_AUTO_TEST_CASE(failures_are_told) {
-  const auto tells = [](const NewtonResult& result, const char* word) {
+  const auto tells = [](const newton::Result& result, const char* word) {
     BOOST_TEST_MESSAGE(result.reason);
     BOOST_TEST(!result.converged);
     BOOST_TEST(result.reason.find(word) != std::string::npos);
@@ -172,19 +173,19 @@ BOOST_AUTO_TEST_CASE(failures_are_told) {
   // A grid whose discrete film is negative has no solution that means anything.
   fmg::Hierarchy coarse = newton_hierarchy(1000, 10, square(32), 1);
   fmg::start_from_hertz(coarse, 0, first_H00(1000, 10), 0);
-  const NewtonResult negative = solve_by_newton(coarse, 0);
+  const newton::Result negative = newton::solve(coarse, 0);
   tells(negative, "film");
   BOOST_TEST(negative.equations_met);
   // Without pressure nothing depends on H00.
   fmg::Hierarchy dry = newton_hierarchy(50, 10, square(32), 1);
   fmg::start_from_hertz(dry, 0, first_H00(50, 10), 0);
   dry.levels[0].P.fill(0.0);
-  tells(solve_by_newton(dry, 0), "no node carries pressure");
+  tells(newton::solve(dry, 0), "no node carries pressure");
   // Stopped early, after a step that made things worse: the best state met, with the film that belongs to it.
   fmg::Hierarchy stopped = newton_hierarchy(20, 10, {64, 64, -4.5, 1.5, -3.0, 3.0}, 1);
   const std::size_t l = stopped.levels.size() - 1;
   fmg::start_from_hertz(stopped, l, first_H00(20, 10), 0);
-  const NewtonResult result = solve_by_newton(stopped, l, {.max_steps = 3});
+  const newton::Result result = newton::solve(stopped, l, {.max_steps = 3});
   tells(result, "after 3 steps");
   BOOST_TEST(!result.equations_met);
   BOOST_REQUIRE(result.steps.size() == 3U);
@@ -195,11 +196,11 @@ BOOST_AUTO_TEST_CASE(failures_are_told) {
   BOOST_TEST(core::max_abs_difference(H, stopped.levels[l].H) == 0.0);
   // The user's stop.
   int calls = 0;
-  BOOST_CHECK_THROW(solve_by_newton(stopped, l, {}, [&](const NewtonStep&) { return ++calls < 2; }), core::Interrupted);
+  BOOST_CHECK_THROW(newton::solve(stopped, l, {}, [&](const newton::Step&) { return ++calls < 2; }), core::Interrupted);
   BOOST_TEST(calls == 2);
   // A problem without force balance is another one.
   stopped.problem.load.reset();
-  BOOST_CHECK_THROW(solve_by_newton(stopped, l), core::InputError);
+  BOOST_CHECK_THROW(newton::solve(stopped, l), core::InputError);
 }
 
 BOOST_AUTO_TEST_CASE(same_bits_with_one_and_two_threads) {
@@ -208,7 +209,7 @@ BOOST_AUTO_TEST_CASE(same_bits_with_one_and_two_threads) {
     fmg::Hierarchy hierarchy = newton_hierarchy(200, 10, square(128), threads);
     const std::size_t l = hierarchy.levels.size() - 1;
     fmg::start_from_hertz(hierarchy, l, first_H00(200, 10), 0);
-    const NewtonResult result = solve_by_newton(hierarchy, l, {.max_steps = 3});
+    const newton::Result result = newton::solve(hierarchy, l, {.max_steps = 3});
     BOOST_TEST(result.steps.size() == 3U);
     P.push_back(hierarchy.levels[l].P);
   }
@@ -219,8 +220,8 @@ BOOST_AUTO_TEST_CASE(same_bits_with_one_and_two_threads) {
 namespace {
 
 /// u_k^2 = k + 1, solved with the exact slope.
-KrylovProblem square_roots(const std::vector<double>& at) {
-  KrylovProblem problem;
+newton::KrylovProblem square_roots(const std::vector<double>& at) {
+  newton::KrylovProblem problem;
   problem.size = at.size();
   problem.residual = [](std::span<const double> u, std::span<double> F) {
     for (std::size_t k = 0; k < u.size(); ++k) F[k] = u[k] * u[k] - static_cast<double>(k + 1);
@@ -253,8 +254,8 @@ long bytes_on_stderr(const std::function<void()>& function) {
 
 BOOST_AUTO_TEST_CASE(kinsol_takes_newton_steps_and_keeps_quiet) {
   std::vector<double> u{1.0, 1.5, 2.0};
-  const KrylovProblem problem = square_roots(u);
-  Kinsol kinsol(problem);
+  const newton::KrylovProblem problem = square_roots(u);
+  newton::Kinsol kinsol(problem);
   for (int step = 0; step < 6; ++step) {
     const std::vector<double> before = u;
     BOOST_TEST(kinsol.step(u, 1e-12).reason.empty());
@@ -265,10 +266,10 @@ BOOST_AUTO_TEST_CASE(kinsol_takes_newton_steps_and_keeps_quiet) {
   for (std::size_t k = 0; k < u.size(); ++k) BOOST_TEST(std::abs(u[k] - std::sqrt(static_cast<double>(k + 1))) < 1e-14);
 
   u = {1.0, 1.5, 2.0};
-  const auto reason_of = [&](const KrylovProblem& broken) {
+  const auto reason_of = [&](const newton::KrylovProblem& broken) {
     std::string reason;
     const long bytes = bytes_on_stderr([&] {
-      Kinsol solver(broken);
+      newton::Kinsol solver(broken);
       std::vector<double> start{1.0, 1.5, 2.0};
       reason = solver.step(start, 1e-10).reason;
     });
@@ -276,22 +277,22 @@ BOOST_AUTO_TEST_CASE(kinsol_takes_newton_steps_and_keeps_quiet) {
     BOOST_TEST_MESSAGE(reason);
     return reason;
   };
-  KrylovProblem singular = problem;
+  newton::KrylovProblem singular = problem;
   singular.linearize = [](std::span<const double>) { return false; };
   BOOST_TEST(reason_of(singular).find("singular") != std::string::npos);
-  KrylovProblem nowhere = problem;
+  newton::KrylovProblem nowhere = problem;
   nowhere.residual = [](std::span<const double>, std::span<double>) { return false; };
   BOOST_TEST(reason_of(nowhere).find("start") != std::string::npos);
-  KrylovProblem only_here = problem;
+  newton::KrylovProblem only_here = problem;
   only_here.residual = [&](std::span<const double> at, std::span<double> F) {
     return problem.residual(at, F) && at[0] == 1.0 && at[1] == 1.5;
   };
   BOOST_TEST(reason_of(only_here).find("along the step") != std::string::npos);
-  KrylovProblem flat = problem;
+  newton::KrylovProblem flat = problem;
   flat.jacobian = [](std::span<const double>, std::span<double> Jv) { std::ranges::fill(Jv, 0.0); };
   BOOST_TEST(!reason_of(flat).empty());
-  KrylovProblem throwing = problem;
+  newton::KrylovProblem throwing = problem;
   throwing.jacobian = [](std::span<const double>, std::span<double>) { throw std::runtime_error("mine"); };
-  Kinsol solver(throwing);
+  newton::Kinsol solver(throwing);
   BOOST_CHECK_THROW(solver.step(u, 1e-10), std::runtime_error);
 }

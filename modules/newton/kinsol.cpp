@@ -1,4 +1,4 @@
-#include "steady/kinsol.hpp"
+#include "newton/kinsol.hpp"
 
 #include <kinsol/kinsol.h>
 #include <kinsol/kinsol_ls.h>
@@ -12,7 +12,7 @@
 
 #include "core/errors.hpp"
 
-namespace ehl::steady {
+namespace ehl::newton {
 namespace {
 
 constexpr int krylov_vectors = 30;
@@ -151,4 +151,4 @@ KinsolStep Kinsol::step(std::span<double> u, double linear_tolerance) {
   return step;
 }
 
-}  // namespace ehl::steady
+}  // namespace ehl::newton
