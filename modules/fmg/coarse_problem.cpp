@@ -59,7 +59,7 @@ void take_slack(reynolds::Cavitation cavitation, const Level& fine, Level& coars
 void restrict_residual(const Level& fine, const reynolds::Transport& transport, int threads, core::Field& coarse) {
   const Coupling coupling(fine, elastic_coupling * reynolds::relative_strength(transport, fine.grid.hx()));
   const core::Field& r = fine.r;
-  const core::Grid grid = core::coarsened(fine.grid);
+  const core::Patch grid = core::coarsened(fine.grid);
   const int last_J = grid.last_line();
   // Residual of a point between two coarse columns, with what the centre points of its column give it.
   const auto column_point = [&](int i, int j) {
@@ -97,10 +97,10 @@ void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse) {
   // F = injected H - (H00 + geometry + K*P): the coarse film equation then gives the injected film at the restricted P.
   {
     const core::ScopedTimer timer(hierarchy.times, core::Part::deformation);
-    coarse.deformation.evaluate(coarse.P, coarse.F);
+    coarse.deformation.evaluate(pressure_on_bodies(coarse), coarse.F);
     ++coarse.evaluations;
   }
-  const core::Grid& grid = coarse.grid;
+  const core::Patch& grid = coarse.grid;
   for (int i = 0; i <= grid.nx; ++i)
     for (int j = 0; j <= grid.ny; ++j)
       coarse.F(i, j) =
@@ -110,7 +110,7 @@ void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse) {
   // f = L(restricted P) + restricted residual + slack: the residual with f = -slack is -slack - L.
   update_residual(hierarchy, coarse);
   const core::ScopedTimer timer(hierarchy.times, core::Part::transfer);
-  restrict_residual(fine, problem.transport, threads, coarse.f);
+  restrict_residual(fine, hierarchy.transport, threads, coarse.f);
   for (int i = 1; i < grid.nx; ++i)
     for (int j = 1; j <= grid.last_line(); ++j) coarse.f(i, j) -= coarse.r(i, j);
   coarse.load = fine.load - carried_load(fine) + carried_load(coarse);
@@ -120,17 +120,17 @@ void correct_from_coarse(Hierarchy& hierarchy, Level& coarse, Level& fine) {
   {
     const core::ScopedTimer timer(hierarchy.times, core::Part::transfer);
     const reynolds::Cavitation cavitation = hierarchy.problem.cavitation;
-    core::Field& correction = coarse.r;
+    core::Field& correction = coarse.correction;
     for (int i = 0; i <= coarse.grid.nx; ++i)
       for (int j = 0; j <= coarse.grid.ny; ++j) correction(i, j) = coarse.P(i, j) - coarse.P_restricted(i, j);
-    transfer::prolong_bilinear(correction, fine.r, hierarchy.threads_on(fine.grid));
+    transfer::prolong_bilinear(correction, fine.correction, hierarchy.threads_on(fine.grid));
     // Where no residual went down, no correction comes up.
-    reynolds::drop_beside_dry(cavitation, fine.grid, fine.P, hierarchy.threads_on(fine.grid), fine.r);
+    reynolds::drop_beside_dry(cavitation, fine.grid, fine.P, hierarchy.threads_on(fine.grid), fine.correction);
     for (int i = 1; i < fine.grid.nx; ++i) {
       double* P = fine.P.at_x(i);
-      const double* change = fine.r.at_x(i);
+      const double* change = fine.correction.at_x(i);
       for (int j = 1; j <= fine.grid.last_line(); ++j) P[j] = reynolds::projected(cavitation, P[j] + change[j]);
-      core::make_images(fine.grid, P);
+      core::fill_ghosts(fine.grid, P);
     }
   }
   update_film(hierarchy, fine);

@@ -65,9 +65,10 @@ void hold_to_what_is_there(Level& level, int colour, int batch) {
 
 }  // namespace
 
-ThreadWork make_thread_work(const core::Grid& grid, const RelaxationParameters& parameters) {
+ThreadWork make_thread_work(const core::Patch& grid, const film::Model& film, const RelaxationParameters& parameters) {
   const auto points = static_cast<std::size_t>(grid.nodes_x());
-  ThreadWork work{.fluidity = std::vector<double>(static_cast<std::size_t>(grid.nodes_y())),
+  ThreadWork work{.film = film::make_buffers(film, grid.nodes_y()),
+                  .followed = std::vector<double>(static_cast<std::size_t>(grid.nodes_y())),
                   .west = std::vector<Lanes>(points),
                   .south = std::vector<Lanes>(points),
                   .north = std::vector<Lanes>(points),
@@ -90,14 +91,14 @@ ThreadWork make_thread_work(const core::Grid& grid, const RelaxationParameters& 
 
 template <int reach, LineSolver solver>
 void LineBatch<reach, solver>::read_coefficients(const Hierarchy& hierarchy, const Level& level, int j) {
-  const core::Grid& grid = level.grid;
+  const core::Patch& grid = level.grid;
   const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
   const core::Field& eps_across = fmg::eps_across(level);
-  const auto read = [&](auto thinning) {
+  const auto read = [&](auto anisotropic) {
     Lanes before = own_lines(level.eps, 0, j);
     for (int i = 1; i <= grid.nx; ++i) {
       const Beside across = with_neighbours(eps_across, i, j);
-      const Lanes eps = thinning ? own_lines(level.eps, i, j) : across.own;
+      const Lanes eps = anisotropic ? own_lines(level.eps, i, j) : across.own;
       const auto k = static_cast<std::size_t>(i);
       work_.west[k] = reynolds::conductance(before, eps, half.X);
       work_.south[k] = reynolds::conductance(across.south, across.own, half.Y);
@@ -105,18 +106,16 @@ void LineBatch<reach, solver>::read_coefficients(const Hierarchy& hierarchy, con
       before = eps;
     }
   };
-  if (hierarchy.problem.thinning)
+  if (film::anisotropic(hierarchy.problem.film))
     read(std::true_type{});
   else
     read(std::false_type{});
   // The crossover is where the coupling by epsilon outweighs that by the film.
-  const double crossover =
-      hierarchy.parameters.relaxation.crossover * reynolds::relative_strength(hierarchy.problem.transport, grid.hx());
+  const double crossover = how_.crossover * reynolds::relative_strength(hierarchy.transport, grid.hx());
   const double crossover2 = crossover * crossover;
-  const RelaxationParameters& relaxation = hierarchy.parameters.relaxation;
-  const double squeeze = hierarchy.problem.transport.squeeze;
-  const Lanes far_single = core::broadcast(relaxation.far_squeeze * level.film_terms.K[0] * squeeze);
-  const Lanes far_beside = core::broadcast(relaxation.far_squeeze_beside * squeeze);
+  const double squeeze = hierarchy.transport.squeeze;
+  const Lanes far_single = core::broadcast(how_.far_squeeze * level.film_terms.K[0] * squeeze);
+  const Lanes far_beside = core::broadcast(how_.far_squeeze_beside * squeeze);
   const auto choose_for = [&](auto squeezed, auto above_crossover) {
     for (int i = 1; i < grid.nx; ++i) {
       const auto k = static_cast<std::size_t>(i);
@@ -138,7 +137,7 @@ void LineBatch<reach, solver>::read_coefficients(const Hierarchy& hierarchy, con
   const auto above = [crossover2](Lanes largest, Lanes smallest) {
     return largest * largest * largest > crossover2 * smallest;
   };
-  if (!hierarchy.problem.thinning) {
+  if (!film::anisotropic(hierarchy.problem.film)) {
     choose([&](std::size_t k) {
       return above(core::max(core::max(work_.west[k], work_.west[k + 1]), core::max(work_.south[k], work_.north[k])),
                    core::min(core::min(work_.west[k], work_.west[k + 1]), core::min(work_.south[k], work_.north[k])));
@@ -155,7 +154,7 @@ void LineBatch<reach, solver>::read_coefficients(const Hierarchy& hierarchy, con
 template <int reach, LineSolver solver>
 template <class Take>
 void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level& level, int j, Take take) {
-  const core::Grid& grid = level.grid;
+  const core::Patch& grid = level.grid;
   const reynolds::Cavitation cavitation = hierarchy.problem.cavitation;
   const LaneMask outside = ~inside(j, grid);
   const Lanes* distributive = work_.distributive.data() + ThreadWork::margin;
@@ -168,7 +167,7 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
     const FilmStation film0 = film_station(level, i, j);
     const auto k = static_cast<std::size_t>(i);
     const reynolds::Faces<Lanes> e{work_.west[k], work_.west[k + 1], work_.south[k], work_.north[k]};
-    const auto c = reynolds::transport_weights(hierarchy.problem.transport, i, grid.hx());
+    const auto c = reynolds::transport_weights(hierarchy.transport, i, grid.hx());
 
     line_solvers::PointEquation point;
     point.c = {c[0] * film0.rho_bar, c[1] * film1.rho_bar, c[2] * film2.rho_bar};
@@ -204,18 +203,17 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
 }
 
 template <int reach, LineSolver solver>
-void LineBatch<reach, solver>::keep(const RelaxationParameters& parameters, Level& level, int batch, int i,
-                                    Lanes delta) const {
+void LineBatch<reach, solver>::keep(Level& level, int batch, int i, Lanes delta) const {
   const auto k = static_cast<std::size_t>(i);
   const Lanes low = core::min(core::min(work_.west[k], work_.west[k + 1]), core::min(work_.south[k], work_.north[k]));
   const Lanes high = core::max(core::max(work_.west[k], work_.west[k + 1]), core::max(work_.south[k], work_.north[k]));
   // Weight of a single change: from `steep` up to the full one as the coefficients of the four half points come within
   // a factor 2 of each other.
-  const double steep = parameters.weight_single_steep;
-  const double range = parameters.weight_single - steep;
+  const double steep = how_.weight_single_steep;
+  const double range = how_.weight_single - steep;
   const Lanes smooth = 2.0 * low >= high ? core::broadcast(1.0) : 2.0 * low / high;
   const Lanes distributive = work_.distributive[k + ThreadWork::margin];
-  const Lanes weight = distributive > 0.0 ? core::broadcast(parameters.weight_distributed) : steep + range * smooth;
+  const Lanes weight = distributive > 0.0 ? core::broadcast(how_.weight_distributed) : steep + range * smooth;
   const int at = batch * core::lanes;
   core::store(level.changes.delta.at_x(i) + at, weight * delta);
   core::store(level.changes.distributed.at_x(i) + at, distributive * weight * delta);
@@ -225,20 +223,19 @@ template <int reach, LineSolver solver>
 line_solvers::SmallPivot LineBatch<reach, solver>::solve(const Hierarchy& hierarchy, Level& level, int colour,
                                                          int batch) {
   const int j = first_line(colour, batch);
-  const RelaxationParameters& parameters = hierarchy.parameters.relaxation;
-  const bool cut_off = reynolds::ruptures(hierarchy.problem.cavitation) && hierarchy.problem.transport.squeeze > 0.0;
+  const bool cut_off = reynolds::ruptures(hierarchy.problem.cavitation) && hierarchy.transport.squeeze > 0.0;
   read_coefficients(hierarchy, level, j);
   if constexpr (solver == LineSolver::elimination) {
     line_solvers::Elimination<reach> elimination(std::get<EliminationFactors<reach>>(work_.solver).data());
     assemble(hierarchy, level, j, [&](int, const line_solvers::BandRow<reach>& row) { elimination.push(row); });
-    elimination.back_substitute([&](int i, Lanes delta) { keep(parameters, level, batch, i, delta); });
+    elimination.back_substitute([&](int i, Lanes delta) { keep(level, batch, i, delta); });
     if (cut_off) hold_to_what_is_there(level, colour, batch);
     return elimination.small_pivot();
   } else {
     auto& decimation = std::get<line_solvers::Decimation<reach>>(work_.solver);
     assemble(hierarchy, level, j, [&](int i, const line_solvers::BandRow<reach>& row) { decimation.set(i, row); });
     const line_solvers::SmallPivot small = decimation.solve();
-    for (int i = 1; i < level.grid.nx; ++i) keep(parameters, level, batch, i, decimation.delta(i));
+    for (int i = 1; i < level.grid.nx; ++i) keep(level, batch, i, decimation.delta(i));
     if (cut_off) hold_to_what_is_there(level, colour, batch);
     return small;
   }

@@ -4,20 +4,8 @@
 #include <utility>
 
 #include "reynolds/flux.hpp"
-#include "rheology/laws.hpp"
 
 namespace ehl::newton {
-namespace {
-
-// What rheology says of the oil along one station.
-struct Station {
-  explicit Station(std::size_t nodes) : slope(nodes), fluidity(nodes), along(nodes, 1.0), across(nodes, 1.0) {}
-  std::vector<double> slope;          // d ln(eta_bar)/dP
-  std::vector<double> fluidity;       // 1/eta_bar
-  std::vector<double> along, across;  // d ln(fluidity) thinned over not thinned
-};
-
-}  // namespace
 
 Equations::Equations(fmg::Hierarchy& hierarchy, std::size_t l)
     : hierarchy_(hierarchy),
@@ -37,7 +25,7 @@ Equations::Equations(fmg::Hierarchy& hierarchy, std::size_t l)
 }
 
 void Equations::make_scale() {
-  const core::Grid& grid = level_.grid;
+  const core::Patch& grid = level_.grid;
   const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
   const core::Field& eps = level_.eps;
   const core::Field& eps_across = fmg::eps_across(level_);
@@ -66,7 +54,7 @@ void Equations::unknowns(std::span<double> u) {
 void Equations::set_state(std::span<const double> u) {
   for (int i = 1; i < grid().nx; ++i)
     for (int j = 1; j <= grid().last_line(); ++j) level_.P(i, j) = std::max(u[index(i, j)], 0.0);
-  core::make_images(grid(), level_.P);
+  core::fill_ghosts(grid(), level_.P);
   hierarchy_.H00 = u[nodes_];
   fmg::update_film(hierarchy_, level_);
 }
@@ -84,29 +72,21 @@ void Equations::residual(std::span<const double> u, std::span<double> F) {
 
 void Equations::linearize(std::span<const double> u) {
   const double self = level_.film_terms.K[0];
-  Station station(static_cast<std::size_t>(grid().nodes_y()));
+  const film::Model& model = hierarchy_.problem.film;
+  film::Buffers buffers = film::make_buffers(model, grid().nodes_y());
+  const auto none = std::span<double>{};
   for (int i = 0; i <= grid().nx; ++i) {
-    const std::span<const double> P = std::as_const(level_.P).station(i);
-    rheology::log_viscosity_slope(hierarchy_.problem.viscosity, P, station.slope);
-    if (anisotropic()) {
-      rheology::fluidity(hierarchy_.problem.viscosity, P, station.fluidity);
-      rheology::film_fluidity_slopes(*hierarchy_.problem.thinning, std::as_const(level_.H).station(i), station.fluidity,
-                                     station.along, station.across);
-    }
-    // eps = rho_bar H^3 phi/lambda with d ln phi = -theta slope dP + (theta - 1) dH/H; theta = 1 without thinning.
-    const auto derivatives = [&](const core::Field& eps, const std::vector<double>& theta, Epsilon& out,
-                                 core::Field& local) {
-      for (int j = 0; j <= grid().ny; ++j) {
-        const auto k = static_cast<std::size_t>(j);
-        const double H = level_.H(i, j);
-        out.dP(i, j) = eps(i, j) * (level_.drho_bar(i, j) / level_.rho_bar(i, j) - theta[k] * station.slope[k]);
-        out.dH(i, j) = H > 0.0 ? (2.0 + theta[k]) * eps(i, j) / H : 0.0;
-        local(i, j) = out.dP(i, j) + self * out.dH(i, j);
-      }
+    const auto known = [i](const core::Field& field) {
+      return field.nodes_x() > 0 ? field.station(i) : std::span<const double>{};
     };
-    derivatives(level_.eps, station.along, along_, local_.eps);
-    if (anisotropic()) derivatives(level_.eps_across, station.across, across_, local_.eps_across);
+    const film::Station station{grid(), i, known(level_.P), known(level_.H)};
+    film::slopes(model, station,
+                 {known(level_.eps), known(level_.eps_across), known(level_.rho_bar), known(level_.drho_bar)}, buffers,
+                 {along_.dP.station(i), along_.dH.station(i), anisotropic() ? across_.dP.station(i) : none,
+                  anisotropic() ? across_.dH.station(i) : none});
     for (int j = 0; j <= grid().ny; ++j) {
+      local_.eps(i, j) = along_.dP(i, j) + self * along_.dH(i, j);
+      if (anisotropic()) local_.eps_across(i, j) = across_.dP(i, j) + self * across_.dH(i, j);
       dq_dP_(i, j) = level_.drho_bar(i, j) * level_.H(i, j);
       local_.q(i, j) = dq_dP_(i, j) + self * level_.rho_bar(i, j);
     }
@@ -115,10 +95,10 @@ void Equations::linearize(std::span<const double> u) {
 }
 
 void Equations::jacobian(std::span<const double> v, std::span<double> Jv) {
-  const core::Grid& grid = level_.grid;
+  const core::Patch& grid = level_.grid;
   for (int i = 1; i < grid.nx; ++i)
     for (int j = 1; j <= grid.last_line(); ++j) dP_(i, j) = wet_[index(i, j)] ? v[index(i, j)] : 0.0;
-  core::make_images(grid, dP_);
+  core::fill_ghosts(grid, dP_);
   {
     const core::ScopedTimer timer(hierarchy_.times, core::Part::deformation);
     level_.deformation.evaluate(dP_, dH_);
@@ -136,8 +116,8 @@ void Equations::jacobian(std::span<const double> v, std::span<double> Jv) {
       dq(i, j) = dq_dP_(i, j) * dP + level_.rho_bar(i, j) * dH;
       dload += grid.lines(j) * dP;
     }
-  core::make_images(grid, along_.change);
-  if (anisotropic()) core::make_images(grid, across_.change);
+  core::fill_ghosts(grid, along_.change);
+  if (anisotropic()) core::fill_ghosts(grid, across_.change);
   const core::Field& deps = along_.change;
   const core::Field& deps_across = anisotropic() ? across_.change : along_.change;
   const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());

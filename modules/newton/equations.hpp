@@ -24,7 +24,7 @@ class Equations {
 
   std::size_t size() const { return nodes_ + 1; }
   const fmg::Level& level() const { return level_; }
-  const core::Grid& grid() const { return level_.grid; }
+  const core::Patch& grid() const { return level_.grid; }
   /// Places of node (i, j), 1 <= i < nx, 1 <= j <= last_line, in u and F.
   std::size_t index(int i, int j) const {
     return static_cast<std::size_t>(i - 1) * static_cast<std::size_t>(level_.grid.last_line()) +
@@ -56,7 +56,7 @@ class Equations {
   const core::Field& deps_dH_across() const { return anisotropic() ? across_.dH : along_.dH; }
   bool wet(std::size_t node) const { return wet_[node] != 0; }
   double scale(std::size_t node) const { return scale_[node]; }
-  const reynolds::Transport& transport() const { return hierarchy_.problem.transport; }
+  const reynolds::Transport& transport() const { return hierarchy_.transport; }
 
  private:
   /// Derivatives of an epsilon at the point of linearization, P and H as independent variables, and its change in
@@ -65,7 +65,7 @@ class Equations {
     core::Field dP, dH, change;
   };
 
-  bool anisotropic() const { return hierarchy_.problem.thinning.has_value(); }
+  bool anisotropic() const { return film::anisotropic(hierarchy_.problem.film); }
   void make_scale();
 
   fmg::Hierarchy& hierarchy_;

@@ -70,7 +70,7 @@ struct Preconditioner::Implementation {
 };
 
 void Preconditioner::Implementation::make_order() {
-  const core::Grid& grid = equations.grid();
+  const core::Patch& grid = equations.grid();
   order.clear();
   const int reach = equations.transport().wedge == reynolds::Wedge::upstream2 ? 2 : 1;
   dissect({1, grid.nx - 1, 1, grid.last_line()}, reach, equations, order);
@@ -80,7 +80,7 @@ void Preconditioner::Implementation::make_order() {
 }
 
 void Preconditioner::Implementation::assemble(Vector& column_of_H00) {
-  const core::Grid& grid = equations.grid();
+  const core::Patch& grid = equations.grid();
   const fmg::Level& level = equations.level();
   const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
   const core::Field& deps = equations.local().eps;
@@ -104,7 +104,7 @@ void Preconditioner::Implementation::assemble(Vector& column_of_H00) {
     const double south = half.Y * (P(i, j - 1) - centre);
     const double north = half.Y * (P(i, j + 1) - centre);
     const auto enter = [&](int ci, int line, double value) {
-      const int cj = grid.mirrored && line > grid.ny ? 2 * grid.ny - line : line;
+      const int cj = grid.holder(line);
       if (ci < 1 || ci >= grid.nx || cj < 1 || cj > grid.last_line()) return;
       const int column = place[equations.index(ci, cj)];
       if (column >= 0) entries.emplace_back(static_cast<int>(row), column, s * value);
@@ -146,7 +146,7 @@ bool Preconditioner::factor() {
   own.lu.factorize(own.matrix);
   if (own.lu.info() != Eigen::Success) return false;
   own.border = own.lu.solve(column);
-  const core::Grid& grid = own.equations.grid();
+  const core::Patch& grid = own.equations.grid();
   own.load_row.resize(n);
   for (std::size_t k = 0; k < own.order.size(); ++k)
     own.load_row[static_cast<Eigen::Index>(k)] =

@@ -48,13 +48,13 @@ struct State {
 State judge(fmg::Hierarchy& hierarchy, fmg::Level& level) {
   const core::EnclosingTimer timer(hierarchy.times, core::Part::checks);
   fmg::update_residual(hierarchy, level);
-  const core::Grid& grid = level.grid;
-  const reynolds::ResidualNorms norms = reynolds::residual_norms(grid, fmg::state(level), hierarchy.problem.transport,
-                                                                 hierarchy.problem.cavitation, level.r);
+  const core::Patch& grid = level.grid;
+  const reynolds::ResidualNorms norms =
+      reynolds::residual_norms(grid, fmg::fields(level), hierarchy.transport, hierarchy.problem.cavitation, level.r);
   return {.residual = norms.relative(),
           .load_error = std::abs(fmg::carried_load(level) - level.load) / level.load,
-          .Hc = level.H(static_cast<int>(std::lround(-grid.X_a / grid.hx())),
-                        static_cast<int>(std::lround(-grid.Y_a / grid.hy()))),
+          .Hc = level.H(static_cast<int>(std::lround(-grid.domain.X_a / grid.hx())),
+                        static_cast<int>(std::lround(-grid.domain.Y_a / grid.hy()))),
           .Hm = core::minimum(level.H).value};
 }
 
@@ -204,7 +204,7 @@ class NewtonIteration {
 
 Result solve(fmg::Hierarchy& hierarchy, std::size_t l, const Parameters& parameters, const Progress& progress) {
   const fmg::Problem& problem = hierarchy.problem;
-  if (!problem.load || !reynolds::ruptures(problem.cavitation) || problem.given_epsilon)
+  if (!problem.load || !reynolds::ruptures(problem.cavitation) || problem.film.given_epsilon)
     throw core::InputError("Newton's method needs the whole problem: a load to carry, cavitation, epsilon of the film");
   return NewtonIteration(hierarchy, l, parameters).run(progress);
 }

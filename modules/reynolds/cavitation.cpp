@@ -2,7 +2,7 @@
 
 namespace ehl::reynolds {
 
-void drop_beside_dry(Cavitation model, const core::Grid& grid, const core::Field& P, int threads, core::Field& r) {
+void drop_beside_dry(Cavitation model, const core::Patch& grid, const core::Field& P, int threads, core::Field& r) {
   if (!ruptures(model)) return;
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
   for (int i = 1; i < grid.nx; ++i) {
@@ -21,11 +21,11 @@ void drop_beside_dry(Cavitation model, const core::Grid& grid, const core::Field
       south = own;
       own = north;
     }
-    core::make_images(grid, out);
+    core::fill_ghosts(grid, out);
   }
 }
 
-void restrict_pressure(Cavitation model, const core::Field& fine, const core::Grid& grid, core::Field& coarse) {
+void restrict_pressure(Cavitation model, const core::Field& fine, const core::Patch& grid, core::Field& coarse) {
   for (int I = 0; I <= grid.nx; ++I) {
     double* to = coarse.at_x(I);
     const double* own = fine.at_x(2 * I);
@@ -43,7 +43,7 @@ void restrict_pressure(Cavitation model, const core::Field& fine, const core::Gr
       }
       if (!any_dry) to[J] = weighted / 16.0;
     }
-    core::make_images(grid, to);
+    core::fill_ghosts(grid, to);
   }
 }
 

@@ -39,10 +39,10 @@ inline double slack(Cavitation model, double P, double r) { return dry(model, P)
 
 /// Sets a residual or a correction to zero where a point is dry or has a dry one among its eight neighbours: the edge
 /// of the cavitated region is left to the relaxation of its own grid. in: ghost lines of P; out: of r.
-void drop_beside_dry(Cavitation model, const core::Grid& grid, const core::Field& P, int threads, core::Field& r);
+void drop_beside_dry(Cavitation model, const core::Patch& grid, const core::Field& P, int threads, core::Field& r);
 
 /// The pressure on the grid of every second node: full weighting where all nine fine points carry pressure, injection
 /// otherwise. in: the coarse grid, `fine` with ghost lines; out: with ghost lines.
-void restrict_pressure(Cavitation model, const core::Field& fine, const core::Grid& grid, core::Field& coarse);
+void restrict_pressure(Cavitation model, const core::Field& fine, const core::Patch& grid, core::Field& coarse);
 
 }  // namespace ehl::reynolds

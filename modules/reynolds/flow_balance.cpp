@@ -14,7 +14,7 @@ constexpr double rounding = 1e-9;
 /// Fluxes per unit of length through the faces around a node.
 class Fluxes {
  public:
-  Fluxes(const core::Grid& grid, const State& state, Wedge wedge)
+  Fluxes(const core::Patch& grid, const Fields& state, Wedge wedge)
       : state_(state), wedge_(wedge), hx_(grid.hx()), hy_(grid.hy()) {}
 
   /// Along X through the face between i and i+1.
@@ -31,13 +31,13 @@ class Fluxes {
   double rho_H(int i, int j) const { return state_.rho_bar(i, j) * state_.H(i, j); }
 
  private:
-  const State& state_;
+  const Fields& state_;
   Wedge wedge_;
   double hx_, hy_;
 };
 
-double flow_through_contact(const core::Grid& grid, const Fluxes& fluxes, double width) {
-  const int centre = std::clamp(static_cast<int>(std::lround(-grid.X_a / grid.hx())), 0, grid.nx);
+double flow_through_contact(const core::Patch& grid, const Fluxes& fluxes, double width) {
+  const int centre = std::clamp(static_cast<int>(std::lround(-grid.domain.X_a / grid.hx())), 0, grid.nx);
   double sum = 0.0;
   for (int j = 0; j <= grid.ny; ++j)
     if (std::abs(grid.Y(j)) <= width + rounding * grid.hy()) sum += grid.lines(j) * fluxes.rho_H(centre, j);
@@ -63,20 +63,21 @@ bool any_dry(Cavitation cavitation, const double* west, const double* P, const d
 
 }  // namespace
 
-FlowBalance flow_balance(const core::Grid& grid, const State& state, Wedge wedge, Cavitation cavitation,
+FlowBalance flow_balance(const core::Patch& grid, const Fields& state, Wedge wedge, Cavitation cavitation,
                          const Reach& reach) {
   const Fluxes fluxes(grid, state, wedge);
   const double hx = grid.hx();
   const double hy = grid.hy();
-  const Range x = range(grid.X_a, hx, grid.nx, reach.X);
-  Range y = range(grid.Y_a, hy, grid.ny, reach.Y);
-  if (grid.mirrored) y.last = grid.ny;
+  const Range x = range(grid.domain.X_a, hx, grid.nx, reach.X);
+  Range y = range(grid.domain.Y_a, hy, grid.domain.ny, reach.Y);
+  const bool goes_on = y.last > grid.last_line();  // behind the last line, by symmetry
+  y.last = std::min(y.last, grid.last_line());
   FlowBalance balance;
   balance.through = flow_through_contact(grid, fluxes, reach.width);
   const auto leaves = [&](int j, double flow) {
     (flow < 0.0 ? balance.in : balance.out) += grid.lines(j) * std::abs(flow);
   };
-  const int north_end = grid.mirrored ? -1 : y.last;  // there is none at the axis
+  const int north_end = goes_on ? -1 : y.last;
   for (int i = x.first; i <= x.last; ++i) {
     const double* P = state.P.at_x(i);
     const double* west = state.P.at_x(i - 1);

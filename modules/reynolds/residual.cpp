@@ -2,22 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 #include "reynolds/flux.hpp"
 
 namespace ehl::reynolds {
 
-void epsilon(std::span<const double> H, std::span<const double> rho_bar, std::span<const double> fluidity,
-             double lambda, std::span<double> eps) {
-  const double inverse = 1.0 / lambda;
-  for (std::size_t k = 0; k < eps.size(); ++k) {
-    const double film = H[k] < 0.0 ? 0.0 : H[k];
-    eps[k] = rho_bar[k] * fluidity[k] * (film * film * film) * inverse;
-  }
-}
-
-void residual(const core::Grid& grid, const State& state, const Transport& transport, int threads, core::Field& r) {
+void residual(const core::Patch& grid, const Fields& state, const Transport& transport, int threads, core::Field& r) {
   const HalfInverseSquares half(grid.hx(), grid.hy());
   const int last = grid.last_line();
   std::ranges::fill(r.station(0), 0.0);
@@ -53,11 +43,11 @@ void residual(const core::Grid& grid, const State& state, const Transport& trans
     }
     out[0] = 0.0;
     out[last + 1] = 0.0;
-    core::make_images(grid, out);
+    core::fill_ghosts(grid, out);
   }
 }
 
-ResidualNorms residual_norms(const core::Grid& grid, const State& state, const Transport& transport,
+ResidualNorms residual_norms(const core::Patch& grid, const Fields& state, const Transport& transport,
                              Cavitation cavitation, const core::Field& r) {
   ResidualNorms norms;
   double total = 0.0;
@@ -89,7 +79,7 @@ ResidualNorms residual_norms(const core::Grid& grid, const State& state, const T
     total += sum;
     wedge_total += wedge_sum;
   }
-  const double points = static_cast<double>(grid.nx - 1) * (core::whole(grid).ny - 1);
+  const double points = static_cast<double>(grid.nx - 1) * (grid.domain.ny - 1);
   norms.root_mean_square = std::sqrt(total / points);
   norms.wedge = std::sqrt(wedge_total / std::max(wedge_points, 1.0));
   return norms;

@@ -3,7 +3,7 @@
 #include "core/field.hpp"
 #include "core/grid.hpp"
 
-namespace ehl::steady {
+namespace ehl::judgement {
 
 struct FittedMinimum {
   double value = 0.0;
@@ -18,6 +18,6 @@ struct FittedMinimum {
 /// order of convergence of Hm, and the paraboloid takes the most of it away. order: h^3, for a smooth film.
 /// limits: the node itself where it lies on the boundary, where the paraboloid has no minimum, or where the minimum is
 /// more than 2.5 cells away along x or y.
-FittedMinimum fitted_minimum(const core::Grid& grid, const core::Field& film, int i, int j);
+FittedMinimum fitted_minimum(const core::Patch& grid, const core::Field& film, int i, int j);
 
-}  // namespace ehl::steady
+}  // namespace ehl::judgement

@@ -1,11 +1,12 @@
 #pragma once
 // The numbers by which a state is judged.
 #include "core/grid.hpp"
-#include "fmg/hierarchy.hpp"
+#include "core/quadratic_form.hpp"
+#include "reynolds/residual.hpp"
 
-namespace ehl::steady {
+namespace ehl::judgement {
 
-struct StateOfLevel {
+struct Measures {
   double Hc = 0.0;          ///< H at (0,0)
   double Hm = 0.0;          ///< minimum of H over the nodes
   double residual = 0.0;    ///< relative residual of the complementarity problem
@@ -27,10 +28,20 @@ struct StateOfLevel {
 };
 
 /// Value at (X, Y): the node's where there is one within 1e-9 of a cell, else by bicubic interpolation.
-/// limits: (X, Y) inside the grid; of a mirrored one, inside the whole.
-double value_at(const core::Grid& grid, const core::Field& field, double X, double Y);
+/// limits: (X, Y) inside the domain.
+double value_at(const core::Patch& grid, const core::Field& field, double X, double Y);
 
-/// Judges levels[l]; makes its residual anew.
-StateOfLevel state_of_level(fmg::Hierarchy& hierarchy, std::size_t l);
+/// A state and the equations it is held against.
+struct Subject {
+  const core::Patch& grid;
+  reynolds::Fields fields;
+  const core::Field& r;  ///< residual of these fields
+  const reynolds::Transport& transport;
+  reynolds::Cavitation cavitation;
+  const core::QuadraticForm& outline;  ///< 1 along the edge of the dry contact
+  double carried = 0.0;                ///< load
+  double wanted = 0.0;
+};
+Measures measures(const Subject& subject);
 
-}  // namespace ehl::steady
+}  // namespace ehl::judgement

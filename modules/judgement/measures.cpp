@@ -1,4 +1,4 @@
-#include "steady/state_of_level.hpp"
+#include "judgement/measures.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,10 +6,10 @@
 #include <limits>
 
 #include "core/norms.hpp"
+#include "judgement/fitted_minimum.hpp"
 #include "reynolds/flow_balance.hpp"
-#include "steady/fitted_minimum.hpp"
 
-namespace ehl::steady {
+namespace ehl::judgement {
 namespace {
 
 /// |X|, |Y|, in Hertz radii or half sides of the rectangle around the ellipse, up to which the contact is looked at for
@@ -51,47 +51,41 @@ Interpolation interpolation(double t, int cells) {
 
 }  // namespace
 
-double value_at(const core::Grid& grid, const core::Field& field, double X, double Y) {
-  const Interpolation x = interpolation((X - grid.X_a) / grid.hx(), grid.nx);
-  // Of a mirrored grid the other half too: the same number as on the whole.
-  const Interpolation y = interpolation((Y - grid.Y_a) / grid.hy(), core::whole(grid).ny);
-  const auto line = [&](int j) { return j > grid.ny ? 2 * grid.ny - j : j; };
+double value_at(const core::Patch& grid, const core::Field& field, double X, double Y) {
+  const Interpolation x = interpolation((X - grid.domain.X_a) / grid.hx(), grid.nx);
+  const Interpolation y = interpolation((Y - grid.domain.Y_a) / grid.hy(), grid.domain.ny);
   double value = 0.0;
   for (int a = 0; a < 4; ++a)
     for (int b = 0; b < 4; ++b)
       value += x.weights[static_cast<std::size_t>(a)] * y.weights[static_cast<std::size_t>(b)] *
-               field(x.first + a, line(y.first + b));
+               field(x.first + a, grid.holder(y.first + b));
   return value;
 }
 
-StateOfLevel state_of_level(fmg::Hierarchy& hierarchy, std::size_t l) {
-  const core::EnclosingTimer timer(hierarchy.times, core::Part::checks);
-  fmg::Level& level = hierarchy.levels[l];
-  fmg::update_residual(hierarchy, level);
-  const reynolds::ResidualNorms norms = reynolds::residual_norms(
-      level.grid, fmg::state(level), hierarchy.problem.transport, hierarchy.problem.cavitation, level.r);
-  const Sides sides = sides_of(hierarchy.problem.geometry.outline);
+Measures measures(const Subject& subject) {
+  const auto& [grid, fields, r, transport, cavitation, outline, carried, wanted] = subject;
+  const reynolds::ResidualNorms norms = reynolds::residual_norms(grid, fields, transport, cavitation, r);
+  const Sides sides = sides_of(outline);
   const auto flow = [&](double reach) {
-    return reynolds::flow_balance(level.grid, fmg::state(level), hierarchy.problem.transport.wedge,
-                                  hierarchy.problem.cavitation, {reach * sides.X, reach * sides.Y, sides.Y});
+    return reynolds::flow_balance(subject.grid, subject.fields, subject.transport.wedge, subject.cavitation,
+                                  {reach * sides.X, reach * sides.Y, sides.Y});
   };
   const reynolds::FlowBalance contact = flow(contact_reach);
-  const core::Location Hm = core::minimum(level.H);
-  const FittedMinimum fitted = fitted_minimum(level.grid, level.H, Hm.i, Hm.j);
-  const double load = fmg::carried_load(level);
-  return {.Hc = value_at(level.grid, level.H, 0.0, 0.0),
+  const core::Location Hm = core::minimum(fields.H);
+  const FittedMinimum fitted = fitted_minimum(grid, fields.H, Hm.i, Hm.j);
+  return {.Hc = value_at(grid, fields.H, 0.0, 0.0),
           .Hm = Hm.value,
           .residual = norms.relative(),
-          .load_error = std::abs(load - level.load) / level.load,
-          .Hm_X = level.grid.X(Hm.i),
-          .Hm_Y = level.grid.Y(Hm.j),
+          .load_error = std::abs(carried - wanted) / wanted,
+          .Hm_X = grid.X(Hm.i),
+          .Hm_Y = grid.Y(Hm.j),
           .Hm_fitted = fitted.value,
           .Hm_fitted_X = fitted.X,
           .Hm_fitted_Y = fitted.Y,
-          .P_max = core::maximum(level.P).value,
+          .P_max = core::maximum(fields.P).value,
           .largest_residual = norms.largest / norms.wedge,
-          .largest_residual_X = level.grid.X(norms.i),
-          .largest_residual_Y = level.grid.Y(norms.j),
+          .largest_residual_X = grid.X(norms.i),
+          .largest_residual_Y = grid.Y(norms.j),
           .least_P = norms.least_P,
           .dry_violation = norms.largest_dry / norms.wedge,
           .flow_through = contact.through,
@@ -99,4 +93,4 @@ StateOfLevel state_of_level(fmg::Hierarchy& hierarchy, std::size_t l) {
           .flow_imbalance_whole = flow(std::numeric_limits<double>::infinity()).imbalance()};
 }
 
-}  // namespace ehl::steady
+}  // namespace ehl::judgement

@@ -1,8 +1,8 @@
-#include "steady/fitted_minimum.hpp"
+#include "judgement/fitted_minimum.hpp"
 
 #include <cmath>
 
-namespace ehl::steady {
+namespace ehl::judgement {
 namespace {
 
 /// Cells along x and y beyond which the paraboloid is not followed. The valley of the film beside the contact is
@@ -11,7 +11,7 @@ constexpr double reach = 2.5;
 
 }  // namespace
 
-FittedMinimum fitted_minimum(const core::Grid& grid, const core::Field& film, int i, int j) {
+FittedMinimum fitted_minimum(const core::Patch& grid, const core::Field& film, int i, int j) {
   const FittedMinimum node{film(i, j), grid.X(i), grid.Y(j)};
   if (i < 1 || j < 1 || i >= grid.nx || j > grid.last_line()) return node;
   const auto H = [&](int k, int line) { return film(k, line <= grid.ny ? line : 2 * grid.ny - line); };
@@ -29,4 +29,4 @@ FittedMinimum fitted_minimum(const core::Grid& grid, const core::Field& film, in
   return {node.value + 0.5 * (g * x + k * y), node.X + x * grid.hx(), node.Y + y * grid.hy()};
 }
 
-}  // namespace ehl::steady
+}  // namespace ehl::judgement

@@ -1,13 +1,13 @@
-#include "steady/verification.hpp"
+#include "judgement/verification.hpp"
 
 #include <cmath>
 
-#include "steady/checks.hpp"
+#include "judgement/stopping.hpp"
 
-namespace ehl::steady {
+namespace ehl::judgement {
 
 Verification verification_of(const LastCycle& cycle) {
-  const StateOfLevel& now = cycle.after;
+  const Measures& now = cycle.after;
   const auto change = [](double before, double after) { return std::abs((after - before) / after); };
   return {.residual = now.residual,
           .largest_residual = now.largest_residual,
@@ -18,8 +18,8 @@ Verification verification_of(const LastCycle& cycle) {
           .load_error = now.load_error,
           .change_Hc = change(cycle.before.Hc, now.Hc),
           .change_Hm = change(cycle.before.Hm, now.Hm),
-          .algebraic_error_Hc = foretold_error(cycle, &StateOfLevel::Hc),
-          .algebraic_error_Hm = foretold_error(cycle, &StateOfLevel::Hm),
+          .algebraic_error_Hc = foretold_error(cycle, &Measures::Hc),
+          .algebraic_error_Hm = foretold_error(cycle, &Measures::Hm),
           .Hm = now.Hm,
           .Hm_X = now.Hm_X,
           .Hm_Y = now.Hm_Y,
@@ -28,4 +28,4 @@ Verification verification_of(const LastCycle& cycle) {
           .flow_imbalance_whole = now.flow_imbalance_whole};
 }
 
-}  // namespace ehl::steady
+}  // namespace ehl::judgement

@@ -2,7 +2,7 @@
 // The numbers behind the word "converged", of the final state on the finest level.
 #include <limits>
 
-namespace ehl::steady {
+namespace ehl::judgement {
 
 struct LastCycle;
 
@@ -31,4 +31,4 @@ struct Verification {
 /// The numbers by which unmet_check (checks.hpp) judges this cycle.
 Verification verification_of(const LastCycle& cycle);
 
-}  // namespace ehl::steady
+}  // namespace ehl::judgement

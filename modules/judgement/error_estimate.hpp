@@ -3,7 +3,7 @@
 #include <limits>
 #include <span>
 
-namespace ehl::steady {
+namespace ehl::judgement {
 
 struct ErrorEstimate {
   double relative_error = 0.0;  ///< |error of the last value / last value|; NaN with fewer than two values
@@ -46,4 +46,4 @@ inline constexpr double unsure_of_Hm = 0.2;
 /// extrapolation one level below, and at least the share `unsure` of what was added. NaN with fewer than three values.
 Extrapolation extrapolate(std::span<const double> values, double scheme_order, double unsure);
 
-}  // namespace ehl::steady
+}  // namespace ehl::judgement

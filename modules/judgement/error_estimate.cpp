@@ -1,9 +1,9 @@
-#include "steady/error_estimate.hpp"
+#include "judgement/error_estimate.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace ehl::steady {
+namespace ehl::judgement {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -54,4 +54,4 @@ Extrapolation extrapolate(std::span<const double> values, double scheme_order, d
   return {value, std::max(std::abs(value - before), unsure * std::abs(correction)) / std::abs(value)};
 }
 
-}  // namespace ehl::steady
+}  // namespace ehl::judgement

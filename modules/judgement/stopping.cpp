@@ -1,10 +1,10 @@
-#include "steady/checks.hpp"
+#include "judgement/stopping.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-namespace ehl::steady {
+namespace ehl::judgement {
 namespace {
 
 /// Foretold algebraic error allowed in Hc and Hm, as a share of the estimated discretization error: a tenth is
@@ -30,6 +30,12 @@ constexpr double worst_factor = 0.9;
 constexpr double best_factor_at_first = 0.5;
 /// Relative rounding noise of Hc and Hm.
 constexpr double rounding = 1e-11;
+/// The first grid has cycled enough when the last cycle changed Hc and Hm by less than this, a few hundredths of what
+/// such a grid is wrong by, at least after this many cycles.
+constexpr double settled_change = 1e-3;
+constexpr int fewest_first_cycles = 3;
+/// A state with this relative residual solves the equations, whatever else is wrong with it.
+constexpr double solved_residual = 1e-5;
 
 std::string text(double value) {
   char buffer[32];
@@ -38,7 +44,7 @@ std::string text(double value) {
 }
 
 // What no state may have, whatever else is asked.
-std::string impossible(const StateOfLevel& now) {
+std::string impossible(const Measures& now) {
   if (!(now.Hm > 0.0))
     return "the film is negative at its thinnest, H = " + text(now.Hm) +
            ": the mesh is too coarse for this contact; use more cells";
@@ -46,7 +52,7 @@ std::string impossible(const StateOfLevel& now) {
   return {};
 }
 
-std::string unmet_residual(const StateOfLevel& now, double residual, double load_error) {
+std::string unmet_residual(const Measures& now, double residual, double load_error) {
   if (!(now.residual <= residual))
     return "relative residual " + text(now.residual) + " is above " + text(residual) +
            "; more max_cycles or a finer grid may help";
@@ -55,7 +61,7 @@ std::string unmet_residual(const StateOfLevel& now, double residual, double load
   return {};
 }
 
-std::string unmet_balance(const StateOfLevel& now, double error_Hc) {
+std::string unmet_balance(const Measures& now, double error_Hc) {
   if (!(now.dry_violation <= largest_dry_violation))
     return "a cavitated node wants pressure: its residual is " + text(now.dry_violation) +
            " of the wedge term, above " + text(largest_dry_violation) + "; more max_cycles may help";
@@ -74,9 +80,15 @@ std::string unmet_share(const char* name, double left, double discretization_err
          ", too much beside its discretization error " + text(discretization_error) + "; more max_cycles may help";
 }
 
+bool settled(int cycle, const Measures& before, const Measures& now) {
+  const auto change = [](double was, double is) { return std::abs((is - was) / is); };
+  return cycle >= fewest_first_cycles && now.Hm > 0.0 && change(before.Hc, now.Hc) < settled_change &&
+         change(before.Hm, now.Hm) < settled_change;
+}
+
 }  // namespace
 
-double foretold_error(const LastCycle& cycle, double StateOfLevel::*value) {
+double foretold_error(const LastCycle& cycle, double Measures::*value) {
   const double best = cycle.first ? best_factor_at_first : best_factor;
   const double factor = std::clamp(cycle.after.residual / cycle.before.residual, best, worst_factor);
   const double after = cycle.after.*value;
@@ -85,13 +97,13 @@ double foretold_error(const LastCycle& cycle, double StateOfLevel::*value) {
 
 std::string unmet_film(const LastCycle& cycle) {
   std::string unmet = impossible(cycle.after);
-  if (unmet.empty()) unmet = unmet_share("Hc", foretold_error(cycle, &StateOfLevel::Hc), cycle.error_Hc);
-  if (unmet.empty()) unmet = unmet_share("Hm", foretold_error(cycle, &StateOfLevel::Hm), cycle.error_Hm);
+  if (unmet.empty()) unmet = unmet_share("Hc", foretold_error(cycle, &Measures::Hc), cycle.error_Hc);
+  if (unmet.empty()) unmet = unmet_share("Hm", foretold_error(cycle, &Measures::Hm), cycle.error_Hm);
   return unmet;
 }
 
 std::string unmet_check(const LastCycle& cycle, double tolerance) {
-  const StateOfLevel& now = cycle.after;
+  const Measures& now = cycle.after;
   if (std::string unmet = impossible(now); !unmet.empty()) return unmet;
   const bool by_tolerance = std::isfinite(tolerance) || !std::isfinite(cycle.error_Hc);
   const double asked = std::isfinite(tolerance) ? tolerance : default_tolerance;
@@ -102,4 +114,15 @@ std::string unmet_check(const LastCycle& cycle, double tolerance) {
   return unmet.empty() ? unmet_film(cycle) : unmet;
 }
 
-}  // namespace ehl::steady
+Verdict judged(const StoppingCriterion& criterion, int cycle, const LastCycle& last) {
+  const Measures& now = last.after;
+  if (criterion.aim == Aim::residual) return {unmet_residual(now, criterion.tolerance, criterion.tolerance)};
+  if (criterion.aim == Aim::first_start && settled(cycle, last.before, now)) return {};
+  if (std::isnan(criterion.tolerance) && cycle < criterion.planned)
+    return {"cycles that were planned are still to come"};
+  const bool only_a_start = criterion.aim != Aim::solution && std::isfinite(last.error_Hc);
+  return {only_a_start ? unmet_film(last) : unmet_check(last, criterion.tolerance),
+          now.residual < solved_residual && !(now.Hm > 0.0)};
+}
+
+}  // namespace ehl::judgement
