@@ -130,7 +130,7 @@ void start_from_coarser(Hierarchy& hierarchy, std::size_t l) {
     for (int i = 0; i <= level.grid.nx; ++i)
       for (int j = 0; j <= level.grid.ny; ++j) {
         const bool boundary = i == 0 || j == 0 || i == level.grid.nx || j > level.grid.last_line();
-        if (boundary || (hierarchy.problem.cavitation && level.P(i, j) < 0.0)) level.P(i, j) = 0.0;
+        level.P(i, j) = boundary ? 0.0 : reynolds::projected(hierarchy.problem.cavitation, level.P(i, j));
       }
     core::make_images(level.grid, level.P);
   }

@@ -36,7 +36,7 @@ struct Problem {
   reynolds::Transport transport = reynolds::Wedge::upstream2;
   /// eq. (7), h^2 sum P = load; absent: H00 is given and stays (the model problems).
   std::optional<double> load = 2.0 * std::numbers::pi / 3.0;
-  bool cavitation = true;  ///< P >= 0
+  reynolds::Cavitation cavitation = reynolds::Cavitation::nonnegative_pressure;
   /// epsilon(X, Y) instead of eq. (5): the linear model problems of eqs. (9) and (19), with rho_bar = 1.
   std::function<double(double, double)> given_epsilon;
   Geometry geometry{};

@@ -18,8 +18,8 @@ using core::Lanes;
 
 // Applies the changes of one batch at station i to its own lines and to the line before each of them:
 // P_ij += delta_ij - (distributed_{i-1} + distributed_{i+1} + distributed_{j-1} + distributed_{j+1})/4 (eq. 15),
-// and holds P >= 0.
-void apply_changes(Level& level, int colour, int batch, bool cavitation, int i) {
+// and holds the pressure to what is allowed.
+void apply_changes(Level& level, int colour, int batch, reynolds::Cavitation cavitation, int i) {
   const core::Grid& grid = level.grid;
   const int j = first_line(colour, batch);
   const int k = batch * core::lanes;
@@ -27,7 +27,6 @@ void apply_changes(Level& level, int colour, int batch, bool cavitation, int i) 
   const double* west = level.changes.distributed.at_x(i - 1) + k;
   const double* east = level.changes.distributed.at_x(i + 1) + k;
   double* P = level.P.at_x(i) + j - 1;
-  const auto floor = [cavitation](Lanes p) { return cavitation ? (p < 0.0 ? Lanes{} : p) : p; };
   const Lanes low = core::load(P);
   const Lanes high = core::load(P + core::lanes);
   // Behind the last line may stand what the other colour left there.
@@ -37,9 +36,9 @@ void apply_changes(Level& level, int colour, int batch, bool cavitation, int i) 
   const Lanes one_south = core::moved_up(edge, own_lines);
   // Behind the axis comes the image of the line before it.
   if (grid.mirrored) own_lines = lines_from(j) == grid.ny + 1 ? one_south : own_lines;
-  Lanes between = floor(core::evens(low, high) - 0.25 * (one_south + own_lines));
-  Lanes own = floor(core::odds(low, high) + core::load(level.changes.delta.at_x(i) + k) -
-                    0.25 * (core::load(west) + core::load(east)));
+  Lanes between = reynolds::projected(cavitation, core::evens(low, high) - 0.25 * (one_south + own_lines));
+  Lanes own = reynolds::projected(cavitation, core::odds(low, high) + core::load(level.changes.delta.at_x(i) + k) -
+                                                  0.25 * (core::load(west) + core::load(east)));
   between = inside(j - 1, grid) ? between : core::evens(low, high);
   own = inside(j, grid) ? own : core::odds(low, high);
   core::store(P, core::interleaved_low(between, own));
@@ -80,7 +79,7 @@ int batches_to_apply(const core::Grid& grid, int colour) {
 
 template <int reach, LineSolver solver>
 void relax_lines(Hierarchy& hierarchy, Level& level) {
-  const bool cavitation = hierarchy.problem.cavitation;
+  const reynolds::Cavitation cavitation = hierarchy.problem.cavitation;
   const core::Grid& grid = level.grid;
   FirstSmallPivot small;
   const auto solve = [&](ThreadWork& work, int colour, int batch) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "reynolds/stencil.hpp"
+#include "reynolds/flux.hpp"
 #include "rheology/laws.hpp"
 
 namespace ehl::newton {
@@ -38,14 +38,13 @@ Equations::Equations(fmg::Hierarchy& hierarchy, std::size_t l)
 
 void Equations::make_scale() {
   const core::Grid& grid = level_.grid;
-  const double half_over_hx2 = 0.5 / (grid.hx() * grid.hx());
-  const double half_over_hy2 = 0.5 / (grid.hy() * grid.hy());
+  const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
   const core::Field& eps = level_.eps;
   const core::Field& eps_across = fmg::eps_across(level_);
   for (int i = 1; i < grid.nx; ++i) {
     const double c0 = reynolds::transport_weights(transport(), i, grid.hx())[0];
     for (int j = 1; j <= grid.last_line(); ++j) {
-      const auto e = reynolds::half_points_at(eps, eps_across, i, j, half_over_hx2, half_over_hy2);
+      const auto e = reynolds::faces_at(eps, eps_across, i, j, half);
       const double dq = level_.rho_bar(i, j) * level_.film_terms.K[0];
       scale_[index(i, j)] = 1.0 / (e.west + e.east + e.south + e.north + c0 * dq);
     }
@@ -141,8 +140,7 @@ void Equations::jacobian(std::span<const double> v, std::span<double> Jv) {
   if (anisotropic()) core::make_images(grid, across_.change);
   const core::Field& deps = along_.change;
   const core::Field& deps_across = anisotropic() ? across_.change : along_.change;
-  const double half_over_hx2 = 0.5 / (grid.hx() * grid.hx());
-  const double half_over_hy2 = 0.5 / (grid.hy() * grid.hy());
+  const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
   const core::Field& P = level_.P;
   const core::Field& eps = level_.eps;
   const core::Field& eps_across = fmg::eps_across(level_);
@@ -152,8 +150,8 @@ void Equations::jacobian(std::span<const double> v, std::span<double> Jv) {
     const int upstream = std::max(i - 2, 0);
     for (int j = 1; j <= grid.last_line(); ++j) {
       const std::size_t k = index(i, j);
-      const auto e = reynolds::half_points_at(eps, eps_across, i, j, half_over_hx2, half_over_hy2);
-      const auto de = reynolds::half_points_at(deps, deps_across, i, j, half_over_hx2, half_over_hy2);
+      const auto e = reynolds::faces_at(eps, eps_across, i, j, half);
+      const auto de = reynolds::faces_at(deps, deps_across, i, j, half);
       const double dr = c0 * dq(i, j) + c1 * dq(i - 1, j) + c2 * dq(upstream, j) -
                         reynolds::poiseuille(e, dP_(i - 1, j), dP_(i + 1, j), dP_(i, j - 1), dP_(i, j + 1), dP_(i, j)) -
                         reynolds::poiseuille(de, P(i - 1, j), P(i + 1, j), P(i, j - 1), P(i, j + 1), P(i, j));

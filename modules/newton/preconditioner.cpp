@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "reynolds/stencil.hpp"
+#include "reynolds/flux.hpp"
 
 namespace ehl::newton {
 namespace {
@@ -82,8 +82,7 @@ void Preconditioner::Implementation::make_order() {
 void Preconditioner::Implementation::assemble(Vector& column_of_H00) {
   const core::Grid& grid = equations.grid();
   const fmg::Level& level = equations.level();
-  const double half_over_hx2 = 0.5 / (grid.hx() * grid.hx());
-  const double half_over_hy2 = 0.5 / (grid.hy() * grid.hy());
+  const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
   const core::Field& deps = equations.local().eps;
   const core::Field& deps_across = equations.local_eps_across();
   const core::Field& dq = equations.local().q;
@@ -98,12 +97,12 @@ void Preconditioner::Implementation::assemble(Vector& column_of_H00) {
     const auto [i, j] = order[row];
     const double s = equations.scale(equations.index(i, j));
     const auto [c0, c1, c2] = reynolds::transport_weights(equations.transport(), i, grid.hx());
-    const auto e = reynolds::half_points_at(eps, eps_across, i, j, half_over_hx2, half_over_hy2);
+    const auto e = reynolds::faces_at(eps, eps_across, i, j, half);
     const double centre = P(i, j);
-    const double west = half_over_hx2 * (P(i - 1, j) - centre);
-    const double east = half_over_hx2 * (P(i + 1, j) - centre);
-    const double south = half_over_hy2 * (P(i, j - 1) - centre);
-    const double north = half_over_hy2 * (P(i, j + 1) - centre);
+    const double west = half.X * (P(i - 1, j) - centre);
+    const double east = half.X * (P(i + 1, j) - centre);
+    const double south = half.Y * (P(i, j - 1) - centre);
+    const double north = half.Y * (P(i, j + 1) - centre);
     const auto enter = [&](int ci, int line, double value) {
       const int cj = grid.mirrored && line > grid.ny ? 2 * grid.ny - line : line;
       if (ci < 1 || ci >= grid.nx || cj < 1 || cj > grid.last_line()) return;

@@ -179,7 +179,7 @@ class NewtonIteration {
 
 Result solve(fmg::Hierarchy& hierarchy, std::size_t l, const Parameters& parameters, const Progress& progress) {
   const fmg::Problem& problem = hierarchy.problem;
-  if (!problem.load || !problem.cavitation || problem.given_epsilon)
+  if (!problem.load || !reynolds::ruptures(problem.cavitation) || problem.given_epsilon)
     throw core::InputError("Newton's method needs the whole problem: a load to carry, cavitation, epsilon of the film");
   return NewtonIteration(hierarchy, l, parameters).run(progress);
 }

@@ -4,6 +4,7 @@
 
 #include "core/field.hpp"
 #include "core/grid.hpp"
+#include "reynolds/cavitation.hpp"
 #include "reynolds/wedge.hpp"
 
 namespace ehl::reynolds {
@@ -40,8 +41,8 @@ struct ResidualNorms {
   double relative() const { return root_mean_square / wedge; }
 };
 
-/// in: residual r as made by residual() from the same state. With cavitation false every point counts as P > 0.
-ResidualNorms residual_norms(const core::Grid& grid, const State& state, const Transport& transport, bool cavitation,
-                             const core::Field& r);
+/// in: residual r as made by residual() from the same state. Without cavitation every point counts as P > 0.
+ResidualNorms residual_norms(const core::Grid& grid, const State& state, const Transport& transport,
+                             Cavitation cavitation, const core::Field& r);
 
 }  // namespace ehl::reynolds
