@@ -1,8 +1,9 @@
 #include "newton/solve.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <span>
 
@@ -30,12 +31,6 @@ constexpr double longest_shift_share = 0.3;
 constexpr int patience = 20;
 constexpr int patience_at_the_end = 5;
 constexpr double near = 1e-6;
-
-std::string in_figures(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g", value);
-  return text;
-}
 
 /// By what a state is judged.
 struct State {
@@ -80,8 +75,8 @@ class NewtonIteration {
       const int taken = static_cast<int>(result_.steps.size());
       if (!std::isfinite(state.residual)) return fail("the residual is not finite");
       if (taken - best_step_ >= (best_measure_ < near ? patience_at_the_end : patience))
-        return fail("no progress in the last " + std::to_string(taken - best_step_) + " steps");
-      if (taken >= parameters_.max_steps) return fail("after " + std::to_string(taken) + " steps");
+        return fail(fmt::format("no progress in the last {} steps", taken - best_step_));
+      if (taken >= parameters_.max_steps) return fail(fmt::format("after {} steps", taken));
       const std::string trouble = step(state);
       if (!trouble.empty()) return fail(trouble);
       state = judge(hierarchy_, level_);
@@ -91,8 +86,8 @@ class NewtonIteration {
     }
     result_.equations_met = true;
     if (!(state.Hm > 0.0))
-      return fail("the discrete film of this grid is not positive (minimum " + in_figures(state.Hm) +
-                  "): use more cells");
+      return fail(
+          fmt::format("the discrete film of this grid is not positive (minimum {:.2g}): use more cells", state.Hm));
     result_.converged = true;
     return std::move(result_);
   }
@@ -152,9 +147,8 @@ class NewtonIteration {
   Result fail(const std::string& reason) {
     equations_.set_state(best_);
     const State state = judge(hierarchy_, level_);
-    result_.reason = "Newton's method: " + reason + "; relative residual " + in_figures(state.residual) +
-                     ", load error " + in_figures(state.load_error) + " (asked " + in_figures(parameters_.tolerance) +
-                     ")";
+    result_.reason = fmt::format("Newton's method: {}; relative residual {:.2g}, load error {:.2g} (asked {:.2g})",
+                                 reason, state.residual, state.load_error, parameters_.tolerance);
     return std::move(result_);
   }
 
