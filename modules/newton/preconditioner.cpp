@@ -65,6 +65,12 @@ struct Preconditioner::Implementation {
   Vector rhs, solution;
 
   explicit Implementation(const Equations& e) : equations(e) {}
+  Eigen::Index size() const { return static_cast<Eigen::Index>(order.size()); }
+  /// Place in u and F of the k-th node of the order.
+  std::size_t node(Eigen::Index k) const {
+    const auto [i, j] = order[static_cast<std::size_t>(k)];
+    return equations.index(i, j);
+  }
   void make_order();
   void assemble(Vector& column_of_H00);
 };
@@ -75,8 +81,7 @@ void Preconditioner::Implementation::make_order() {
   const int reach = equations.transport().wedge == reynolds::Wedge::upstream2 ? 2 : 1;
   dissect({1, grid.nx - 1, 1, grid.last_line()}, reach, equations, order);
   place.assign(equations.size() - 1, -1);
-  for (std::size_t k = 0; k < order.size(); ++k)
-    place[equations.index(order[k].first, order[k].second)] = static_cast<int>(k);
+  for (Eigen::Index k = 0; k < size(); ++k) place[node(k)] = static_cast<int>(k);
 }
 
 void Preconditioner::Implementation::assemble(Vector& column_of_H00) {
@@ -125,8 +130,7 @@ void Preconditioner::Implementation::assemble(Vector& column_of_H00) {
              west * (deps_dH(i - 1, j) + here) - east * (deps_dH(i + 1, j) + here) -
              south * (deps_dH_across(i, j - 1) + here_across) - north * (deps_dH_across(i, j + 1) + here_across));
   }
-  const auto n = static_cast<Eigen::Index>(order.size());
-  matrix.resize(n, n);
+  matrix.resize(size(), size());
   matrix.setFromTriplets(entries.begin(), entries.end());
 }
 
@@ -138,8 +142,7 @@ bool Preconditioner::factor() {
   Implementation& own = *implementation_;
   own.make_order();
   if (own.order.empty()) return false;
-  const auto n = static_cast<Eigen::Index>(own.order.size());
-  Vector column(n);
+  Vector column(own.size());
   own.assemble(column);
   own.lu.setPivotThreshold(1e-3);
   own.lu.analyzePattern(own.matrix);
@@ -147,30 +150,22 @@ bool Preconditioner::factor() {
   if (own.lu.info() != Eigen::Success) return false;
   own.border = own.lu.solve(column);
   const core::Patch& grid = own.equations.grid();
-  own.load_row.resize(n);
-  for (std::size_t k = 0; k < own.order.size(); ++k)
-    own.load_row[static_cast<Eigen::Index>(k)] =
-        grid.hx() * grid.hy() * grid.lines(own.order[k].second) / own.equations.level().load;
+  own.load_row.resize(own.size());
+  std::ranges::transform(own.order, own.load_row.begin(), [&](const auto& node) {
+    return grid.hx() * grid.hy() * grid.lines(node.second) / own.equations.level().load;
+  });
   own.schur = own.load_row.dot(own.border);
-  own.rhs.resize(n);
+  own.rhs.resize(own.size());
   return own.border.allFinite() && own.schur != 0.0;
 }
 
 void Preconditioner::solve(std::span<double> v) {
   Implementation& own = *implementation_;
-  for (std::size_t k = 0; k < own.order.size(); ++k)
-    own.rhs[static_cast<Eigen::Index>(k)] = v[own.equations.index(own.order[k].first, own.order[k].second)];
+  for (Eigen::Index k = 0; k < own.size(); ++k) own.rhs[k] = v[own.node(k)];
   own.solution = own.lu.solve(own.rhs);
   const double dH00 = (own.load_row.dot(own.solution) - v.back()) / own.schur;
-  for (std::size_t k = 0; k < own.order.size(); ++k) {
-    const auto at = static_cast<Eigen::Index>(k);
-    v[own.equations.index(own.order[k].first, own.order[k].second)] = own.solution[at] - dH00 * own.border[at];
-  }
+  for (Eigen::Index k = 0; k < own.size(); ++k) v[own.node(k)] = own.solution[k] - dH00 * own.border[k];
   v.back() = dH00;
-}
-
-std::size_t Preconditioner::entries() const {
-  return static_cast<std::size_t>(implementation_->lu.nnzL() + implementation_->lu.nnzU());
 }
 
 }  // namespace ehl::newton

@@ -1,7 +1,6 @@
 #pragma once
 // The preconditioner of Newton's linear systems: a sparse LU of the Jacobian without the far reach of the elastic
 // deformation.
-#include <cstddef>
 #include <memory>
 #include <span>
 
@@ -19,8 +18,6 @@ class Preconditioner {
   bool factor();
   /// v <- J~^-1 v.
   void solve(std::span<double> v);
-  /// Entries of L and U.
-  std::size_t entries() const;
 
  private:
   struct Implementation;

@@ -1,8 +1,9 @@
 #include "newton/solve.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <span>
 
@@ -10,7 +11,7 @@
 #include "core/norms.hpp"
 #include "core/timer.hpp"
 #include "newton/equations.hpp"
-#include "newton/kinsol.hpp"
+#include "newton/gmres.hpp"
 #include "newton/preconditioner.hpp"
 
 namespace ehl::newton {
@@ -22,7 +23,7 @@ constexpr double loose = 1e-2;
 constexpr double tight = 1e-5;
 constexpr double last_bit = 0.03;
 /// Old factors are used until they cost this many times the iterations that they took when they were new.
-constexpr double worn_out = 2.0;
+constexpr int worn_out = 2;
 /// Longest change of H00 in one step: an absolute part, and a share of the film at the centre.
 constexpr double longest_shift = 0.1;
 constexpr double longest_shift_share = 0.3;
@@ -30,12 +31,6 @@ constexpr double longest_shift_share = 0.3;
 constexpr int patience = 20;
 constexpr int patience_at_the_end = 5;
 constexpr double near = 1e-6;
-
-std::string in_figures(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g", value);
-  return text;
-}
 
 /// By what a state is judged.
 struct State {
@@ -67,9 +62,8 @@ class NewtonIteration {
         equations_(hierarchy, l),
         preconditioner_(equations_),
         u_(equations_.size()),
-        old_(u_),
-        problem_(make_problem()),
-        kinsol_(problem_) {}
+        minus_F_(u_.size()),
+        d_(u_.size()) {}
 
   Result run(const Progress& progress) {
     fmg::update_film(hierarchy_, level_);
@@ -78,46 +72,27 @@ class NewtonIteration {
     remember(state);
     if (core::max_abs(level_.P) == 0.0) return fail("no node carries pressure at the start");
     while (!good(state)) {
-      if (static_cast<int>(result_.steps.size()) >= parameters_.max_steps)
-        return fail("after " + std::to_string(parameters_.max_steps) + " steps");
+      const int taken = static_cast<int>(result_.steps.size());
+      if (!std::isfinite(state.residual)) return fail("the residual is not finite");
+      if (taken - best_step_ >= (best_measure_ < near ? patience_at_the_end : patience))
+        return fail(fmt::format("no progress in the last {} steps", taken - best_step_));
+      if (taken >= parameters_.max_steps) return fail(fmt::format("after {} steps", taken));
       const std::string trouble = step(state);
       if (!trouble.empty()) return fail(trouble);
       state = judge(hierarchy_, level_);
-      result_.steps.push_back({state.residual, static_cast<int>(iterations_)});
+      result_.steps.push_back({state.residual, iterations_});
       remember(state);
       if (progress && !progress(result_.steps.back())) throw core::Interrupted();
-      if (!std::isfinite(state.residual)) return fail("the residual is not finite");
-      const int age = static_cast<int>(result_.steps.size()) - best_step_;
-      if (age >= (best_measure_ < near ? patience_at_the_end : patience))
-        return fail("no progress in the last " + std::to_string(age) + " steps");
     }
     result_.equations_met = true;
     if (!(state.Hm > 0.0))
-      return fail("the discrete film of this grid is not positive (minimum " + in_figures(state.Hm) +
-                  "): use more cells");
+      return fail(
+          fmt::format("the discrete film of this grid is not positive (minimum {:.2g}): use more cells", state.Hm));
     result_.converged = true;
     return std::move(result_);
   }
 
  private:
-  KrylovProblem make_problem() {
-    KrylovProblem problem;
-    problem.size = equations_.size();
-    problem.residual = [this](std::span<const double> u, std::span<double> F) {
-      equations_.residual(u, F);
-      return std::ranges::all_of(F, [](double value) { return std::isfinite(value); });
-    };
-    problem.linearize = [this](std::span<const double> u) {
-      equations_.linearize(u);
-      if (keep_factors_) return true;
-      fresh_factors_ = true;
-      return preconditioner_.factor();
-    };
-    problem.jacobian = [this](std::span<const double> v, std::span<double> Jv) { equations_.jacobian(v, Jv); };
-    problem.precondition = [this](std::span<double> v) { preconditioner_.solve(v); };
-    return problem;
-  }
-
   bool good(const State& state) const {
     return state.residual <= parameters_.tolerance && state.load_error <= parameters_.tolerance;
   }
@@ -125,20 +100,20 @@ class NewtonIteration {
   /// One Newton step from the state given, shortened where it changes P or H00 too much. out: what went wrong.
   std::string step(const State& state) {
     equations_.unknowns(u_);
-    std::ranges::copy(u_, old_.begin());
-    KinsolStep newton = take_step(linear_tolerance(state));
-    if (!newton.reason.empty() && keep_factors_) {  // they may have been too old
-      keep_factors_ = false;
-      std::ranges::copy(old_, u_.begin());
-      newton = take_step(loose);
+    equations_.residual(u_, minus_F_);
+    for (double& value : minus_F_) value = -value;
+    equations_.linearize(u_);
+    GmresResult solved;
+    if (keep_factors_) solved = gmres(system_, minus_F_, linear_tolerance(state), d_);
+    if (!solved.reduced) {  // no factors yet, or they are too old
+      if (!preconditioner_.factor()) return "the preconditioner is singular";
+      solved = gmres(system_, minus_F_, keep_factors_ ? loose : linear_tolerance(state), d_);
+      if (!solved.reduced) return "the linear solver does not converge";
+      iterations_when_fresh_ = solved.iterations;
     }
-    if (!newton.reason.empty()) return newton.reason;
-    shorten(longest_shift + longest_shift_share * std::abs(state.Hc));
-    equations_.set_state(u_);
-    iterations_ = newton.linear_iterations;
-    if (fresh_factors_) iterations_when_fresh_ = iterations_;
-    keep_factors_ = last_change_ < small_change &&
-                    static_cast<double>(iterations_) <= worn_out * static_cast<double>(iterations_when_fresh_);
+    take_step(longest_shift + longest_shift_share * std::abs(state.Hc));
+    iterations_ = solved.iterations;
+    keep_factors_ = last_change_ < small_change && iterations_ <= worn_out * iterations_when_fresh_;
     return "";
   }
 
@@ -148,20 +123,16 @@ class NewtonIteration {
     return std::clamp(last_bit * parameters_.tolerance / state.residual, tight, loose);
   }
 
-  KinsolStep take_step(double linear_tolerance) {
-    fresh_factors_ = false;
-    return kinsol_.step(u_, linear_tolerance);
-  }
-
-  void shorten(double most_shift) {
+  void take_step(double most_shift) {
     double change = 0.0;
     for (std::size_t k = 0; k + 1 < u_.size(); ++k)
-      change = std::max(change, std::abs(std::max(u_[k], 0.0) - std::max(old_[k], 0.0)));
-    const double shift = std::abs(u_.back() - old_.back());
+      change = std::max(change, std::abs(std::max(u_[k] + d_[k], 0.0) - std::max(u_[k], 0.0)));
+    const double shift = std::abs(d_.back());
     double share = 1.0;
     if (change > parameters_.longest_change) share = parameters_.longest_change / change;
     if (shift * share > most_shift) share = most_shift / shift;
-    for (std::size_t k = 0; k < u_.size(); ++k) u_[k] = old_[k] + share * (u_[k] - old_[k]);
+    for (std::size_t k = 0; k < u_.size(); ++k) u_[k] += share * d_[k];
+    equations_.set_state(u_);
     last_change_ = share < 1.0 ? std::numeric_limits<double>::infinity() : change;
   }
 
@@ -176,9 +147,8 @@ class NewtonIteration {
   Result fail(const std::string& reason) {
     equations_.set_state(best_);
     const State state = judge(hierarchy_, level_);
-    result_.reason = "Newton's method: " + reason + "; relative residual " + in_figures(state.residual) +
-                     ", load error " + in_figures(state.load_error) + " (asked " + in_figures(parameters_.tolerance) +
-                     ")";
+    result_.reason = fmt::format("Newton's method: {}; relative residual {:.2g}, load error {:.2g} (asked {:.2g})",
+                                 reason, state.residual, state.load_error, parameters_.tolerance);
     return std::move(result_);
   }
 
@@ -187,14 +157,13 @@ class NewtonIteration {
   const Parameters& parameters_;
   Equations equations_;
   Preconditioner preconditioner_;
-  std::vector<double> u_, old_, best_;
-  KrylovProblem problem_;
-  Kinsol kinsol_;
+  std::vector<double> u_, minus_F_, d_, best_;
+  const LinearSystem system_{[this](auto v, auto Jv) { equations_.jacobian(v, Jv); },
+                             [this](auto v) { preconditioner_.solve(v); }};
   Result result_;
   bool keep_factors_ = false;
-  bool fresh_factors_ = false;
-  long iterations_ = 0;
-  long iterations_when_fresh_ = 0;
+  int iterations_ = 0;
+  int iterations_when_fresh_ = 0;
   double last_change_ = std::numeric_limits<double>::infinity();
   double best_measure_ = std::numeric_limits<double>::infinity();
   int best_step_ = 0;

@@ -34,7 +34,7 @@ struct Result {
 using Progress = std::function<bool(const Step&)>;
 
 /// Solves eqs. (4)-(7) with P >= 0 on levels[l] by semismooth Newton steps for (P, H00), each linear system by flexible
-/// GMRES with exact Jacobian products and one sparse LU (equations, preconditioner, kinsol).
+/// GMRES with exact Jacobian products and one sparse LU (equations, preconditioner, gmres).
 /// in: P of levels[l] and H00, as a finest level has them. out: P, film, coefficients, residual and H00 of the last
 /// state, or on failure of the best one met. Converged only with residual and load error within the tolerance and a
 /// film that is positive everywhere.

@@ -83,9 +83,8 @@ std::vector<Key> path_keys() {
           .type = Type::word,
           .default_text = "rescue",
           .words = {"rescue", "always", "off"},
-          .meaning =
-              "Newton's method (Newton-Krylov, KINSOL) on the finest grid: where nothing else leads to a solution; "
-              "always, also after the cycles and down to rounding errors; or never.",
+          .meaning = "Newton's method (Newton-Krylov) on the finest grid: where nothing else leads to a solution; "
+                     "always, also after the cycles and down to rounding errors; or never.",
           .source = "modules/steady/README.md"},
       Key{.section = "continuation",
           .name = "path",

@@ -51,7 +51,7 @@ std::vector<Door> doors() {
        {"sundials/", "kinsol/", "ida/", "idas/", "cvode/", "arkode/", "nvector/", "sunlinsol/", "sunnonlinsol/",
         "sunmatrix/"},
        {"newton", "transient"},
-       {"modules/newton/kinsol.cpp", "modules/transient/ida.cpp"}},
+       {"modules/newton/gmres.cpp", "modules/transient/ida.cpp"}},
       {"FFTW", {"fftw3"}, {"mlmi"}},
       {"Eigen",
        {"Eigen/", "unsupported/Eigen/"},

@@ -55,13 +55,13 @@ BOOST_AUTO_TEST_CASE(the_reader_finds_offences) {
   const SourceFile clean{"modules/kernel/b.cpp", "kernel", "#include \"core/grid.hpp\"\n#include <cmath>\n"};
   BOOST_TEST(include_offences(modules, {upwards, undeclared, homeless, clean}).size() == 3);
   const SourceFile wrong_door{"modules/fmg/a.cpp", "fmg",
-                              "#include <hdf5.h>\n#include <fftw3.h>\n#include <kinsol/kinsol.h>\n"
+                              "#include <hdf5.h>\n#include <fftw3.h>\n#include <sunlinsol/sunlinsol_spfgmr.h>\n"
                               "#include <boost/program_options.hpp>\n"};
   const SourceFile right_door{"modules/mlmi/a.cpp", "mlmi", "#include <fftw3.h>\n"};
   BOOST_TEST(door_offences({wrong_door, right_door}).size() == 4);
   const SourceFile beside_the_door{"modules/newton/solve.cpp", "newton",
-                                   "#include <kinsol/kinsol.h>\n#include <Eigen/SparseLU>\n"};
-  const SourceFile through_the_door{"modules/newton/kinsol.cpp", "newton", "#include <kinsol/kinsol.h>\n"};
+                                   "#include <sunlinsol/sunlinsol_spfgmr.h>\n#include <Eigen/SparseLU>\n"};
+  const SourceFile through_the_door{"modules/newton/gmres.cpp", "newton", "#include <sunlinsol/sunlinsol_spfgmr.h>\n"};
   BOOST_TEST(door_offences({beside_the_door, through_the_door}).size() == 2);
 }
 
