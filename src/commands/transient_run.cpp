@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <functional>
 
-#include "case/transient_probes.hpp"
+#include "case/transient_input.hpp"
 #include "commands/signals.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
@@ -117,7 +117,7 @@ TransientResult run_transient(const Case& input, const steady::Solution& start, 
   const std::optional<transient::Checkpoint> from = std::move(result.checkpoint);
   result.checkpoint.reset();
   result.report.end = MarchEnd::interrupted;  // so far
-  const TransientInput& march = *input.transient;
+  const transient::Input& march = *input.transient;
   if (!result.rows.empty() && result.rows.front().probed.size() != march.parameters.probes.size())
     throw core::FileError("the file is damaged: its rows have other probes than its deck");
   MarchProgress progress(march.parameters.end, quiet);

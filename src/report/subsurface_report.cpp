@@ -12,8 +12,6 @@
 namespace ehl::program {
 namespace {
 
-using deck::complain;
-using deck::given;
 using subsurface::Maximum;
 using subsurface::Parameters;
 using subsurface::Quantity;
@@ -53,29 +51,6 @@ std::string maximum_json(const Maximum& maximum) {
 }
 
 }  // namespace
-
-std::optional<Parameters> subsurface_input(deck::Deck& deck) {
-  if (!given(deck, section, "depth")) return std::nullopt;
-  if (given(deck, "transient", "end_time"))
-    complain(deck, section, "depth", "is for steady contacts: remove it, or [transient]");
-  Parameters parameters;
-  parameters.depth = deck::number(deck, section, "depth");
-  parameters.planes = deck::integer(deck, section, "planes", parameters.planes);
-  parameters.most_cells = deck::integer(deck, section, "cells", parameters.most_cells);
-  parameters.friction = deck::number(deck, section, "friction");
-  if (!given(deck, section, "poisson")) {
-    const bool known = given(deck, "contact", "nu1");
-    deck::choose(deck, section, "poisson", known ? deck::number(deck, "contact", "nu1") : parameters.nu,
-                 known ? "nu1 of [contact]" : "of steel");
-  }
-  parameters.nu = deck::number(deck, section, "poisson");
-  parameters.kept.clear();
-  const std::vector<std::string> names = deck::words(deck, section, "fields");
-  for (int k = 0; k < subsurface::quantities; ++k)
-    for (const std::string& name : names)
-      if (name == subsurface::name(static_cast<Quantity>(k))) parameters.kept.push_back(static_cast<Quantity>(k));
-  return parameters;
-}
 
 StressField stresses_below(const core::Grid& grid, const core::Field& P, const Parameters& parameters, int threads,
                            bool quiet) {

@@ -1,17 +1,12 @@
 #pragma once
 // The stresses below the contact: from the deck, and into summary, JSON and result.
-#include <optional>
 #include <string>
 
 #include "core/grid.hpp"
-#include "deck/deck.hpp"
 #include "effects/subsurface/stress.hpp"
 #include "results/content.hpp"
 
 namespace ehl::program {
-
-/// Nothing where the deck has no [subsurface]. Complains in the deck.
-std::optional<subsurface::Parameters> subsurface_input(deck::Deck& deck);
 
 /// The stresses below a solution, with lines of progress on stderr. in: P on the whole domain.
 /// errors: core::Interrupted.

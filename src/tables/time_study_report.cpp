@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "case/transient_probes.hpp"
+#include "case/transient_input.hpp"
 #include "report/text_format.hpp"
 #include "tables/csv.hpp"
 

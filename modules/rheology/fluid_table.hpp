@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-namespace ehl::program {
+namespace ehl::rheology {
 
 /// Columns of the table; a column that was not asked for may be missing.
 struct FluidTable {
@@ -20,4 +20,4 @@ using ReadTable = std::variant<FluidTable, std::string>;
 /// line may name the columns. errors: core::FileError where the file cannot be read at all.
 ReadTable read_fluid_table(const std::string& path, bool with_rho);
 
-}  // namespace ehl::program
+}  // namespace ehl::rheology

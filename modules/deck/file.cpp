@@ -1,4 +1,4 @@
-#include "case/file_beside.hpp"
+#include "deck/file.hpp"
 
 #include <filesystem>
 #include <system_error>
@@ -6,18 +6,18 @@
 #include "core/errors.hpp"
 #include "deck/text.hpp"
 
-namespace ehl::program {
+namespace ehl::deck {
 
-std::string found_beside(const deck::Deck& deck, const std::string& section, const std::string& key) {
+std::string found_beside(const Deck& deck, const std::string& section, const std::string& key) {
   namespace files = std::filesystem;
-  const std::string file = deck::word(deck, section, key);
+  const std::string file = word(deck, section, key);
   std::error_code error;
   if (files::exists(file, error)) return file;
   for (const std::string& folder : deck.folders) {
     const files::path beside = files::path(folder) / file;
     if (files::exists(beside, error)) return beside.string();
   }
-  const std::string place = deck::value(deck, section, key).place;
+  const std::string place = value(deck, section, key).place;
   std::string message = place.empty() ? deck.name : place;
   message += ": [" + section + "] " + key + " = " + file + ": there is no such file where the program runs";
   for (const std::string& folder : deck.folders) message += ", nor in " + folder;
@@ -31,4 +31,4 @@ std::ifstream opened(const std::string& path, const std::string& note) {
   return file;
 }
 
-}  // namespace ehl::program
+}  // namespace ehl::deck

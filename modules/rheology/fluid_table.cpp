@@ -1,9 +1,9 @@
-#include "case/fluid_table.hpp"
+#include "rheology/fluid_table.hpp"
 
-#include "case/file_beside.hpp"
+#include "deck/file.hpp"
 #include "deck/text.hpp"
 
-namespace ehl::program {
+namespace ehl::rheology {
 namespace {
 
 constexpr std::size_t fewest_rows = 4;
@@ -37,7 +37,7 @@ std::string what_is_wrong(const FluidTable& table, double p, double eta, double 
 }  // namespace
 
 ReadTable read_fluid_table(const std::string& path, bool with_rho) {
-  std::ifstream file = opened(path);
+  std::ifstream file = deck::opened(path);
   FluidTable table;
   const std::size_t columns = with_rho ? 3 : 2;
   const std::string wanted = with_rho ? "p [Pa], eta [Pa s], rho [kg/m^3]" : "p [Pa], eta [Pa s]";
@@ -70,4 +70,4 @@ ReadTable read_fluid_table(const std::string& path, bool with_rho) {
   return table;
 }
 
-}  // namespace ehl::program
+}  // namespace ehl::rheology

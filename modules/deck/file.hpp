@@ -5,13 +5,13 @@
 
 #include "deck/deck.hpp"
 
-namespace ehl::program {
+namespace ehl::deck {
 
 /// The file that a key names: where the program runs, and else in the first of the deck's folders that has it.
 /// in: a key whose value is the name of a file. errors: core::FileError with file, line and key where it is nowhere.
-std::string found_beside(const deck::Deck& deck, const std::string& section, const std::string& key);
+std::string found_beside(const Deck& deck, const std::string& section, const std::string& key);
 
 /// A text file to read. in: what follows the message. errors: core::FileError where it cannot be read.
 std::ifstream opened(const std::string& path, const std::string& note = {});
 
-}  // namespace ehl::program
+}  // namespace ehl::deck
