@@ -1,10 +1,7 @@
-// ehl run, check and keys.
-#include <cerrno>
+// ehl run, resume and check.
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
-#include <iterator>
 #include <utility>
 
 #include "case/catalogue.hpp"
@@ -16,8 +13,6 @@
 #include "core/errors.hpp"
 #include "core/timer.hpp"
 #include "deck/document.hpp"
-#include "deck/text.hpp"
-#include "deck/write.hpp"
 #include "report/progress.hpp"
 #include "report/report.hpp"
 #include "report/result_content.hpp"
@@ -140,14 +135,6 @@ int solve_and_write(const Arguments& arguments, const Case& input, const Destina
 
 }  // namespace
 
-int requested_threads(const Arguments& arguments) { return whole_number(arguments, "threads", usable_cores(), 1024); }
-
-void print(const std::string& text) {
-  errno = 0;
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    throw core::FileError(std::string("standard output: cannot be written: ") + std::strerror(errno));
-}
-
 int run(const Arguments& arguments) {
   const Case input = read_case(arguments.operands[0], arguments.values("set"), requested_threads(arguments));
   const Destination to = destination(arguments, input);
@@ -176,14 +163,6 @@ int resume(const Arguments& arguments) {
 int check(const Arguments& arguments) {
   const Case input = read_case(arguments.operands[0], arguments.values("set"), requested_threads(arguments));
   print(input.dry ? derived_dry(input) : derived(input));
-  return solved;
-}
-
-int keys(const Arguments& arguments) {
-  const std::string selection = arguments.operands.empty() ? "" : arguments.operands[0];
-  if (arguments.has("deck") && !selection.empty())
-    throw core::InputError("command line: `ehl keys --deck` writes the whole deck: leave " + selection + " out");
-  print(arguments.has("deck") ? deck::commented_deck(catalogue()) : deck::list_keys(catalogue(), selection));
   return solved;
 }
 

@@ -1,7 +1,6 @@
 // ehl study: what accuracy costs in time.
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <span>
@@ -164,14 +163,6 @@ std::vector<StudyPoint> measured(const Grids& grids, const std::vector<StudyCase
   std::vector<StudyPoint> all;
   for (const std::optional<StudyPoint>& point : points) all.push_back(*point);
   return all;
-}
-
-std::string table_name(const Arguments& arguments) {
-  const std::string stem = std::filesystem::path(arguments.operands[0]).stem();
-  const std::string path = arguments.value("output", stem + "_study.csv");
-  if (!path.ends_with(".csv"))
-    throw core::InputError("command line: --output " + path + ": the table's name ends with .csv");
-  return path;
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 // ehl sweep: many cases of one deck, one table.
 #include <cstdio>
-#include <filesystem>
 
 #include "case/catalogue.hpp"
 #include "commands/commands.hpp"
@@ -19,14 +18,6 @@
 
 namespace ehl::program {
 namespace {
-
-std::string table_name(const Arguments& arguments) {
-  const std::string stem = std::filesystem::path(arguments.operands[0]).stem();
-  const std::string path = arguments.value("output", stem + "_sweep.csv");
-  if (!path.ends_with(".csv"))
-    throw core::InputError("command line: --output " + path + ": the table's name ends with .csv");
-  return path;
-}
 
 std::string summary(const SweepTable& table, std::size_t cases, std::size_t kept, double seconds) {
   std::string text =
