@@ -2,6 +2,7 @@
 #include "case/effects.hpp"
 #include "effects/subsurface/keys.hpp"
 #include "report/subsurface_report.hpp"
+#include "report/text_format.hpp"
 
 namespace ehl::program {
 namespace {
@@ -14,7 +15,12 @@ Needs expense(const Case& input) {
 
 void compute(const Case& input, RunSettings& settings, Computed& computed) {
   const steady::Solution& solution = computed.solution;
-  computed.stresses = stresses_below(solution.grid, solution.P, *input.subsurface, input.scene.threads, settings.quiet);
+  const int planes = input.subsurface->planes;
+  computed.stresses =
+      subsurface::stress_below(solution.grid, solution.P, *input.subsurface, input.scene.threads, [&](int done) {
+        return settings.progress.show(static_cast<double>(done) / planes,
+                                      formatted("stresses below the contact: %d of %d planes", done, planes));
+      });
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ Needs expense(const Case& input) {
 void compute(const Case& input, RunSettings& settings, Computed& computed) {
   if (!computed.solution.converged) return;
   computed.in_time = run_transient(
-      input, computed.solution, settings.quiet, std::move(settings.before), [&](const TransientResult& so_far) {
+      input, computed.solution, settings.progress, std::move(settings.before), [&](const TransientResult& so_far) {
         settings.save([&](results::Content& content) { add_transient(input, so_far, content); });
       });
 }

@@ -131,6 +131,7 @@ std::string effect_lines(const Case& input) {
     text += "               called for by " + deck::joined(called_by(input, effect, true), ", ") + "\n";
     text += "               costs " + (effect.expense ? cost(effect.expense(input)) : "nothing that would show") + "\n";
   }
+  if (input.dry) return text;
   text += on.empty() ? "effects      none beyond the basic model: " + model + "\n"
                      : "             beside that the basic model: " + model + "\n";
   return text + "symmetry     " + symmetry(input) + "\n";

@@ -22,9 +22,12 @@
 
 namespace ehl::program {
 
-/// What a run has computed: the steady solution, and what each effect has added to it.
+/// What a run has computed: the contact, and what each effect has added to it.
 struct Computed {
-  steady::Solution solution{};
+  steady::Solution solution{};  ///< of a dry contact grid, P and whether it converged
+  std::optional<dry::Solution> dry{};
+  Outcome outcome{};
+  DerivedFields derived{};
   std::optional<TransientResult> in_time{};
   std::optional<subsurface::StressField> stresses{};
   std::optional<friction::Friction> friction{};
@@ -33,9 +36,9 @@ struct Computed {
 
 /// How a run was asked for.
 struct RunSettings {
-  bool quiet = false;
+  Progress& progress;
   TransientResult before{};  ///< what was kept of a transient before: with a checkpoint it goes on from there
-  /// Writes the result so far: that of the steady solution, with what `add` adds to it.
+  /// Writes the result so far: that of the contact, with what `add` adds to it.
   std::function<void(const std::function<void(results::Content& content)>& add)> save{};
 };
 

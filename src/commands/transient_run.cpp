@@ -1,7 +1,5 @@
 #include "commands/transient_run.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -20,45 +18,10 @@ namespace {
 using transient::MarchEnd;
 using transient::StepRow;
 
-constexpr double bar_interval = 0.05;  // s
-constexpr double line_interval = 5.0;
-constexpr int bar_width = 30;
-
-/// A bar in model time, with the present step.
-class MarchProgress {
- public:
-  MarchProgress(double end, bool quiet) : end_(end), quiet_(quiet), terminal_(::isatty(STDERR_FILENO) != 0) {}
-  ~MarchProgress() {
-    if (line_open_) std::fputs("\r\x1b[K", stderr);
-  }
-  MarchProgress(const MarchProgress&) = delete;
-  MarchProgress& operator=(const MarchProgress&) = delete;
-
-  void show(const StepRow& row) {
-    const double now = core::now();
-    if (quiet_ || now - last_time_ < (terminal_ ? bar_interval : line_interval)) return;
-    last_time_ = now;
-    const double share = std::clamp(row.T / end_, 0.0, 1.0);
-    const std::string words = formatted("time %.4g of %.4g a/u_m  step %.1e  order %d  Hc %.4f  Hm %.4f", row.T, end_,
-                                        row.length, row.order, row.Hc, row.Hm);
-    if (terminal_) {
-      const auto filled = static_cast<std::size_t>(share * bar_width);
-      const std::string bar = std::string(filled, '#') + std::string(bar_width - filled, '.');
-      std::fprintf(stderr, "\r[%s] %3.0f %%  %s\x1b[K", bar.c_str(), 100.0 * share, words.c_str());
-      std::fflush(stderr);
-      line_open_ = true;
-    } else {
-      std::fprintf(stderr, "ehl: %3.0f %%  %s\n", 100.0 * share, words.c_str());
-    }
-  }
-
- private:
-  double end_;
-  bool quiet_;
-  bool terminal_;
-  bool line_open_ = false;
-  double last_time_ = 0.0;
-};
+std::string text_of(const StepRow& row, double end) {
+  return formatted("time %.4g of %.4g a/u_m  step %.1e  order %d  Hc %.4f  Hm %.4f", row.T, end, row.length, row.order,
+                   row.Hc, row.Hm);
+}
 
 // The counts of all rows, those before a checkpoint included.
 void total(TransientResult& result) {
@@ -111,8 +74,8 @@ std::string how_it_ended(const transient::MarchReport& report) {
   return "";
 }
 
-TransientResult run_transient(const Case& input, const steady::Solution& start, bool quiet, TransientResult before,
-                              const std::function<void(const TransientResult& so_far)>& save) {
+TransientResult run_transient(const Case& input, const steady::Solution& start, Progress& progress,
+                              TransientResult before, const std::function<void(const TransientResult& so_far)>& save) {
   TransientResult result = std::move(before);
   const std::optional<transient::Checkpoint> from = std::move(result.checkpoint);
   result.checkpoint.reset();
@@ -120,14 +83,12 @@ TransientResult run_transient(const Case& input, const steady::Solution& start, 
   const TransientInput& march = *input.transient;
   if (!result.rows.empty() && result.rows.front().probed.size() != march.parameters.probes.size())
     throw core::FileError("the file is damaged: its rows have other probes than its deck");
-  MarchProgress progress(march.parameters.end, quiet);
   double saved = core::now();
   const transient::Observer observer{
       .row =
           [&](const StepRow& row) {
             result.rows.push_back(row);
-            progress.show(row);
-            return !stop_requested();
+            return progress.show(row.T / march.parameters.end, text_of(row, march.parameters.end));
           },
       .frame = [&](transient::Frame&& frame) { result.frames.push_back(std::move(frame)); },
       .wants_checkpoint = [&] { return core::now() - saved > march.seconds_between_checkpoints; },

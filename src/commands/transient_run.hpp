@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "case/scene.hpp"
+#include "report/progress.hpp"
 #include "report/result_content.hpp"
 #include "results/read.hpp"
 #include "transient/march.hpp"
@@ -22,8 +23,8 @@ struct TransientResult {
 /// From the steady solution of the case; or, where `before` has a checkpoint, on from there, with all that it had.
 /// save: called with what there is at every checkpoint. errors: core::SolverError where the state at time 0 is not
 /// found.
-TransientResult run_transient(const Case& input, const steady::Solution& start, bool quiet, TransientResult before,
-                              const std::function<void(const TransientResult& so_far)>& save);
+TransientResult run_transient(const Case& input, const steady::Solution& start, Progress& progress,
+                              TransientResult before, const std::function<void(const TransientResult& so_far)>& save);
 
 /// True where it came to its end: the end time, or what the deck says that it stops at.
 bool completed(const TransientResult& result);

@@ -1,10 +1,7 @@
 #include "report/subsurface_report.hpp"
 
 #include <cmath>
-#include <cstdio>
 
-#include "commands/signals.hpp"
-#include "core/timer.hpp"
 #include "deck/text.hpp"
 #include "report/json.hpp"
 #include "report/text_format.hpp"
@@ -75,20 +72,6 @@ std::optional<Parameters> subsurface_input(deck::Deck& deck) {
     for (const std::string& name : names)
       if (name == subsurface::name(static_cast<Quantity>(k))) parameters.kept.push_back(static_cast<Quantity>(k));
   return parameters;
-}
-
-StressField stresses_below(const core::Grid& grid, const core::Field& P, const Parameters& parameters, int threads,
-                           bool quiet) {
-  constexpr double interval = 5.0;  // s
-  double last_time = core::now();
-  return subsurface::stress_below(grid, P, parameters, threads, [&](int done) {
-    const double now = core::now();
-    if (!quiet && now - last_time > interval) {
-      last_time = now;
-      std::fprintf(stderr, "ehl: stresses below the contact: %d of %d planes\n", done, parameters.planes);
-    }
-    return !stop_requested();
-  });
 }
 
 std::string subsurface_plan(const Parameters& parameters, const core::Grid& contact) {

@@ -13,11 +13,6 @@ namespace ehl::program {
 /// Nothing where the deck has no [subsurface]. Complains in the deck.
 std::optional<subsurface::Parameters> subsurface_input(deck::Deck& deck);
 
-/// The stresses below a solution, with lines of progress on stderr. in: P on the whole domain.
-/// errors: core::Interrupted.
-subsurface::StressField stresses_below(const core::Grid& grid, const core::Field& P,
-                                       const subsurface::Parameters& parameters, int threads, bool quiet);
-
 /// Where and for which body, in words.
 std::string subsurface_plan(const subsurface::Parameters& parameters, const core::Grid& contact);
 

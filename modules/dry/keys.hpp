@@ -5,7 +5,7 @@
 
 namespace ehl::dry {
 
-/// The deck keys of this effect: [case] kind and section [dry].
+/// The deck keys of the dry contact: [case] kind and section [dry].
 std::vector<deck::Key> keys();
 
 }  // namespace ehl::dry

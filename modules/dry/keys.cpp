@@ -1,7 +1,7 @@
-#include "effects/dry/keys.hpp"
+#include "dry/keys.hpp"
 
 #include "deck/text.hpp"
-#include "effects/dry/solve.hpp"
+#include "dry/solve.hpp"
 
 namespace ehl::dry {
 
@@ -27,7 +27,7 @@ std::vector<Key> keys() {
           .default_text = deck::shortest(defaults.tolerance),
           .range = {1e-12, 1e-2},
           .meaning = "Largest gap inside the contact and largest overlap outside it, in a^2/R.",
-          .source = "modules/effects/dry/README.md",
+          .source = "modules/dry/README.md",
           .needs = dry},
       Key{.section = "dry",
           .name = "max_iterations",
