@@ -126,7 +126,7 @@ int solve_and_write(const Arguments& arguments, const Case& input, const Destina
   }
   computed.seconds = core::now() - began;
   if (arguments.has("json"))
-    print(json_report(input, solution, outcome, peak_memory(), effects_json(input, computed)));
+    print(json_report(input, computed, outcome, peak_memory()));
   else
     print(printed(input, computed, outcome, arguments.has("profile")));
   save([&](results::Content& content) {

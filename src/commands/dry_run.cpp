@@ -26,8 +26,6 @@
 namespace ehl::program {
 namespace {
 
-using json::number;
-
 constexpr double hertz_load = 2.0 * core::pi / 3.0;  // of P = sqrt(1 - r^2)
 
 struct DryResult {
@@ -126,57 +124,47 @@ std::string summary(const Case& input, const DryResult& result) {
          std::to_string(static_cast<long>(peak_memory() / 1e6)) + " MB at most\n";
 }
 
-std::string report(const Case& input, const DryResult& result) {
+std::vector<results::Quantity> quantities(const DryResult& result) {
   const dry::Solution& solution = result.solution;
-  std::vector<std::string> grids, warnings;
-  for (const dry::GridRow& row : solution.rows)
-    grids.push_back(json::object({{"nx", number(row.nx)},
-                                  {"ny", number(row.ny)},
-                                  {"P_max", number(row.P_max)},
-                                  {"H00", number(row.H00)},
-                                  {"area", number(row.area)},
-                                  {"gap_error", number(row.error)},
-                                  {"iterations", number(row.iterations)},
-                                  {"seconds", number(row.seconds)}}));
-  for (const std::string& warning : result.warnings) warnings.push_back(json::text(warning));
-  std::vector<std::pair<std::string, std::string>> members{
-      {"converged", json::boolean(solution.converged)},
-      {"failed_check", json::text(solution.failed_check)},
-      {"title", json::text(input.title)},
-      {"kind", json::text("dry")},
-      {"P_max", number(result.P_max.value)},
-      {"H00", number(solution.H00)},
-      {"area", number(solution.rows.back().area)},
-      {"gap_error", number(solution.rows.back().error)},
-      {"load_error", number(solution.load_error)},
-      {"p_h_Pa", number(input.physics.p_h)},
-      {"deformation", json::text(name(input.scene.deformation.method))},
-      {"seconds", number(solution.seconds)},
-      {"threads", number(input.scene.threads)},
-      {"cpu_level", json::text(core::processor_level())},
-      {"peak_memory_bytes", number(peak_memory())},
-      {"grids", json::array(grids)},
-      {"warnings", json::array(warnings)}};
-  for (auto& member : effects_json(input, result.computed)) members.push_back(std::move(member));
-  return json::object(members) + "\n";
+  return {{"converged", solution.converged, "-", "1: all checks passed, 0: not"},
+          {"failed_check", solution.failed_check, "", "empty when converged"},
+          {"P_max", result.P_max.value, "p_h", "highest pressure of all nodes"},
+          {"P_max_x", result.P_max.X, "a", "where it is", "P_max_X"},
+          {"P_max_y", result.P_max.Y, "a", "where it is", "P_max_Y"},
+          {"H00", solution.H00, "a^2/R", "minus the mutual approach"},
+          {"area", solution.rows.back().area, "a^2", "area of the nodes in contact"},
+          {"gap_error", solution.rows.back().error, "a^2/R", "largest gap in the contact, overlap outside"},
+          {"load_error", solution.load_error, "-", "relative error of the load"},
+          {"seconds", solution.seconds, "s", "time of the solution"},
+          {"deformation", solution.deformation, "", "how the elastic deformation was evaluated", results::not_in_json}};
 }
 
-results::Table grid_rows(const dry::Solution& solution) {
-  const auto column = [&](const char* name, const char* unit, const char* meaning, auto dry::GridRow::*member) {
-    results::Column made{name, unit, meaning, std::is_same_v<decltype(member), int dry::GridRow::*>, {}};
-    for (const dry::GridRow& row : solution.rows) made.values.push_back(static_cast<double>(row.*member));
-    return made;
-  };
+std::vector<Column<dry::GridRow>> grid_columns() {
   using Row = dry::GridRow;
-  return {"grids",
-          "the grids, coarse to fine",
-          {column("nx", "-", "cells along x", &Row::nx), column("ny", "-", "cells along y", &Row::ny),
-           column("P_max", "p_h", "highest pressure of all nodes", &Row::P_max),
-           column("H00", "a^2/R", "minus the mutual approach", &Row::H00),
-           column("area", "a^2", "area of the nodes in contact", &Row::area),
-           column("gap_error", "a^2/R", "largest gap in the contact, largest overlap outside", &Row::error),
-           column("iterations", "-", "conjugate gradients", &Row::iterations),
-           column("seconds", "s", "time on the grid", &Row::seconds)}};
+  return {{"nx", "-", "cells along x", &Row::nx},
+          {"ny", "-", "cells along y", &Row::ny},
+          {"P_max", "p_h", "highest pressure of all nodes", &Row::P_max},
+          {"H00", "a^2/R", "minus the mutual approach", &Row::H00},
+          {"area", "a^2", "area of the nodes in contact", &Row::area},
+          {"gap_error", "a^2/R", "largest gap in the contact, largest overlap outside", &Row::error},
+          {"iterations", "-", "conjugate gradients", &Row::iterations},
+          {"seconds", "s", "time on the grid", &Row::seconds}};
+}
+
+std::string report(const Case& input, const DryResult& result) {
+  Json json;
+  add(quantities(result), json);
+  json["title"] = input.title;
+  json["kind"] = "dry";
+  json["p_h_Pa"] = input.physics.p_h;
+  json["deformation"] = name(input.scene.deformation.method);
+  json["threads"] = input.scene.threads;
+  json["cpu_level"] = core::processor_level();
+  json["peak_memory_bytes"] = peak_memory();
+  json["grids"] = rows_json(grid_columns(), result.solution.rows);
+  json["warnings"] = result.warnings;
+  add_effects(input, result.computed, json);
+  return line_of(json);
 }
 
 results::Content content_of(const Case& input, const DryResult& result) {
@@ -196,20 +184,10 @@ results::Content content_of(const Case& input, const DryResult& result) {
   content.fields = {{"P", "p_h", "pressure p/p_h", &solution.P}, {"gap", "a^2/R", "gap h R/a^2", &solution.H}};
   if (input.scene.surface)
     content.fields.push_back({"S", "a^2/R", "what the surfaces add to the gap, as means over cells", &result.S});
-  content.summary = {{"converged", solution.converged ? 1.0 : 0.0, "-", "1: all checks passed, 0: not", true},
-                     {"P_max", result.P_max.value, "p_h", "highest pressure of all nodes"},
-                     {"P_max_x", result.P_max.X, "a", "where it is"},
-                     {"P_max_y", result.P_max.Y, "a", "where it is"},
-                     {"H00", solution.H00, "a^2/R", "minus the mutual approach"},
-                     {"area", solution.rows.back().area, "a^2", "area of the nodes in contact"},
-                     {"gap_error", solution.rows.back().error, "a^2/R", "largest gap in the contact, overlap outside"},
-                     {"load_error", solution.load_error, "-", "relative error of the load"},
-                     {"seconds", solution.seconds, "s", "time of the solution"}};
-  content.remarks = {{"failed_check", solution.failed_check, "empty when converged"},
-                     {"warnings", deck::joined(result.warnings, "\n"), "one a line"},
-                     {"deformation", solution.deformation, "how the elastic deformation was evaluated"}};
+  content.summary = quantities(result);
+  content.summary.push_back({"warnings", deck::joined(result.warnings, "\n"), "", "one a line"});
   add_surface_records(input, solution.grid, content);
-  content.tables = {grid_rows(solution)};
+  content.tables = {table_of("grids", "the grids, coarse to fine", grid_columns(), solution.rows)};
   for (const Effect& effect : effects_of(input))
     if (effect.add_content) effect.add_content(input, result.computed, content);
   content.effects = effect_rows(input, result.computed);

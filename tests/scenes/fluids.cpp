@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "results/read.hpp"
+#include "support/json.hpp"
 #include "support/refused.hpp"
 
 using ehl::results::ResultFile;
@@ -45,16 +46,14 @@ void check_all(const std::string& before, const std::vector<Slip>& slips) {
 }
 
 double json_number(const std::string& json, const std::string& name) {
-  const std::size_t at = json.find("\"" + name + "\": ");
-  return at == std::string::npos ? std::nan("") : std::stod(json.substr(at + name.size() + 4));
+  return support::number_at(support::parsed(json), "/" + name);
 }
 
 // Of all levels.
 int cycles_of(const std::string& json) {
-  const std::string name = "\"cycles\": ";
+  const nlohmann::json report = support::parsed(json);
   int sum = 0;
-  for (std::size_t at = json.find(name); at != std::string::npos; at = json.find(name, at + 1))
-    sum += std::stoi(json.substr(at + name.size()));
+  for (const nlohmann::json& level : report.at("levels")) sum += level.at("cycles").get<int>();
   return sum;
 }
 
