@@ -1,6 +1,7 @@
 // Stresses below the contact.
 #include "case/effects.hpp"
 #include "effects/subsurface/keys.hpp"
+#include "report/json.hpp"
 #include "report/subsurface_report.hpp"
 #include "report/text_format.hpp"
 

@@ -152,19 +152,12 @@ std::string effect_times(const Case& input, const Computed& computed) {
   return text + formatted("  %-27s  %8.4f  %3.0f %%\n", "basic model", basic, 100.0 * basic / computed.seconds) + rows;
 }
 
-std::vector<std::pair<std::string, std::string>> effects_json(const Case& input, const Computed& computed) {
-  std::vector<std::string> rows;
-  std::vector<std::pair<std::string, std::string>> members(1);
-  for (const Effect& effect : effects_of(input)) {
-    rows.push_back(json::object({{"name", json::text(effect.name)},
-                                 {"seconds", json::number(own_seconds(effect, computed))},
-                                 {"what", json::text(effect.what(input))},
-                                 {"why", json::text(deck::joined(called_by(input, effect, false), ", "))}}));
-    const std::string own = effect.json ? effect.json(computed) : "";
-    if (!own.empty()) members.emplace_back(effect.name, own);
-  }
-  members[0] = {"effects", json::array(rows)};
-  return members;
+void add_effects(const Case& input, const Computed& computed, Json& report) {
+  Json& rows = report["effects"] = Json::array();
+  for (const results::EffectRow& row : effect_rows(input, computed))
+    rows.push_back({{"name", row.name}, {"seconds", row.seconds}, {"what", row.what}, {"why", row.why}});
+  for (const Effect& effect : effects_of(input))
+    if (Json own = effect.json ? effect.json(computed) : Json(); !own.is_null()) report[effect.name] = std::move(own);
 }
 
 std::vector<results::EffectRow> effect_rows(const Case& input, const Computed& computed) {

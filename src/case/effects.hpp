@@ -6,9 +6,9 @@
 // A new one: an optional in Case (scene.hpp) that its section of the deck fills, a file effect_<name>.cpp with its
 // record, a line in effects().
 #include <functional>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "case/needs.hpp"
@@ -64,7 +64,7 @@ struct Effect {
   void (*compute)(const Case& input, RunSettings& settings,
                   Computed& computed) = nullptr;  ///< after the steady contact
   std::string (*summary)(const Case& input, const Computed& computed) = nullptr;
-  std::string (*json)(const Computed& computed) = nullptr;  ///< the member of its name
+  nlohmann::ordered_json (*json)(const Computed& computed) = nullptr;  ///< the member of its name
   void (*add_content)(const Case& input, const Computed& computed, results::Content& content) = nullptr;
   double (*seconds)(const Computed& computed) = nullptr;  ///< its own, that no other effect counts
   std::vector<std::string> example{};                     ///< "section.key=value" that turn it on in a deck in M and L
@@ -110,8 +110,8 @@ std::string effect_lines(const Case& input);
 /// Seconds and share of the basic model and of each effect; empty where there is none.
 std::string effect_times(const Case& input, const Computed& computed);
 
-/// "effects": [{name, seconds, why, what}], and a member for each effect that has more to say.
-std::vector<std::pair<std::string, std::string>> effects_json(const Case& input, const Computed& computed);
+/// Adds to a report "effects": [{name, seconds, why, what}], and a member for each effect that has more to say.
+void add_effects(const Case& input, const Computed& computed, nlohmann::ordered_json& report);
 
 /// /effects in the result file: name, seconds and why; none where there is no effect.
 std::vector<results::EffectRow> effect_rows(const Case& input, const Computed& computed);

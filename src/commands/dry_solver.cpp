@@ -16,8 +16,6 @@
 namespace ehl::program {
 namespace {
 
-using json::number;
-
 constexpr double hertz_load = 2.0 * core::pi / 3.0;  // of P = sqrt(1 - r^2)
 
 // On each grid the error falls at an even pace, and the next takes four times as long.
@@ -94,64 +92,48 @@ std::string summary(const Case& input, const Computed& computed) {
   return text;
 }
 
-results::Table grid_rows(const dry::Solution& solution) {
-  const auto column = [&](const char* name, const char* unit, const char* meaning, auto dry::GridRow::*member) {
-    results::Column made{name, unit, meaning, std::is_same_v<decltype(member), int dry::GridRow::*>, {}};
-    for (const dry::GridRow& row : solution.rows) made.values.push_back(static_cast<double>(row.*member));
-    return made;
-  };
-  using Row = dry::GridRow;
-  return {"grids",
-          "the grids, coarse to fine",
-          {column("nx", "-", "cells along x", &Row::nx), column("ny", "-", "cells along y", &Row::ny),
-           column("P_max", "p_h", "highest pressure of all nodes", &Row::P_max),
-           column("H00", "a^2/R", "minus the mutual approach", &Row::H00),
-           column("area", "a^2", "area of the nodes in contact", &Row::area),
-           column("gap_error", "a^2/R", "largest gap in the contact, largest overlap outside", &Row::error),
-           column("iterations", "-", "conjugate gradients", &Row::iterations),
-           column("seconds", "s", "time on the grid", &Row::seconds)}};
-}
-
-std::vector<results::Quantity> numbers(const Computed& computed) {
+std::vector<results::Quantity> quantities(const Computed& computed) {
   const dry::Solution& solution = *computed.dry;
   const Place& P_max = computed.outcome.P_max;
-  return {{"P_max", P_max.value, "p_h", "highest pressure of all nodes"},
-          {"P_max_x", P_max.X, "a", "where it is"},
-          {"P_max_y", P_max.Y, "a", "where it is"},
+  return {{"converged", solution.converged, "-", "1: all checks passed, 0: not"},
+          {"failed_check", solution.failed_check, "", "empty when converged"},
+          {"P_max", P_max.value, "p_h", "highest pressure of all nodes"},
+          {"P_max_x", P_max.X, "a", "where it is", "P_max_X"},
+          {"P_max_y", P_max.Y, "a", "where it is", "P_max_Y"},
           {"H00", solution.H00, "a^2/R", "minus the mutual approach"},
           {"area", solution.rows.back().area, "a^2", "area of the nodes in contact"},
           {"gap_error", solution.rows.back().error, "a^2/R", "largest gap in the contact, overlap outside"},
           {"load_error", solution.load_error, "-", "relative error of the load"},
-          {"seconds", solution.seconds, "s", "time of the solution"}};
+          {"seconds", solution.seconds, "s", "time of the solution"},
+          {"deformation", solution.deformation, "", "how the elastic deformation was evaluated", results::not_in_json}};
 }
 
-// An object for each row.
-std::string rows_json(const results::Table& table) {
-  std::vector<std::string> rows;
-  for (std::size_t k = 0; k < table.columns[0].values.size(); ++k) {
-    std::vector<std::pair<std::string, std::string>> members;
-    for (const results::Column& column : table.columns) members.emplace_back(column.name, number(column.values[k]));
-    rows.push_back(json::object(members));
-  }
-  return json::array(rows);
+std::vector<Column<dry::GridRow>> grid_columns() {
+  using Row = dry::GridRow;
+  return {{"nx", "-", "cells along x", &Row::nx},
+          {"ny", "-", "cells along y", &Row::ny},
+          {"P_max", "p_h", "highest pressure of all nodes", &Row::P_max},
+          {"H00", "a^2/R", "minus the mutual approach", &Row::H00},
+          {"area", "a^2", "area of the nodes in contact", &Row::area},
+          {"gap_error", "a^2/R", "largest gap in the contact, largest overlap outside", &Row::error},
+          {"iterations", "-", "conjugate gradients", &Row::iterations},
+          {"seconds", "s", "time on the grid", &Row::seconds}};
 }
 
-std::string json_of(const Case& input, const Computed& computed) {
-  std::vector<std::pair<std::string, std::string>> members{{"converged", json::boolean(computed.dry->converged)},
-                                                           {"failed_check", json::text(computed.dry->failed_check)},
-                                                           {"title", json::text(input.title)},
-                                                           {"kind", json::text("dry")}};
-  for (const results::Quantity& one : numbers(computed)) members.emplace_back(one.name, number(one.value));
-  std::vector<std::string> warnings;
-  for (const std::string& warning : computed.outcome.warnings) warnings.push_back(json::text(warning));
-  const std::vector<std::pair<std::string, std::string>> more{
-      {"p_h_Pa", number(input.physics.p_h)},        {"deformation", json::text(name(input.scene.deformation.method))},
-      {"threads", number(input.scene.threads)},     {"cpu_level", json::text(core::processor_level())},
-      {"peak_memory_bytes", number(peak_memory())}, {"grids", rows_json(grid_rows(*computed.dry))},
-      {"warnings", json::array(warnings)}};
-  members.insert(members.end(), more.begin(), more.end());
-  for (auto& member : effects_json(input, computed)) members.push_back(std::move(member));
-  return json::object(members) + "\n";
+std::string json(const Case& input, const Computed& computed) {
+  Json report;
+  add(quantities(computed), report);
+  report["title"] = input.title;
+  report["kind"] = "dry";
+  report["p_h_Pa"] = input.physics.p_h;
+  report["deformation"] = name(input.scene.deformation.method);
+  report["threads"] = input.scene.threads;
+  report["cpu_level"] = core::processor_level();
+  report["peak_memory_bytes"] = peak_memory();
+  report["grids"] = rows_json(grid_columns(), computed.dry->rows);
+  report["warnings"] = computed.outcome.warnings;
+  add_effects(input, computed, report);
+  return line_of(report);
 }
 
 results::Content content(const Case& input, const Computed& computed) {
@@ -172,14 +154,10 @@ results::Content content(const Case& input, const Computed& computed) {
   if (input.scene.surface)
     content.fields.push_back(
         {"S", "a^2/R", "what the surfaces add to the gap, as means over cells", &computed.derived.S});
-  content.summary = numbers(computed);
-  content.summary.insert(content.summary.begin(),
-                         {"converged", solution.converged ? 1.0 : 0.0, "-", "1: all checks passed, 0: not", true});
-  content.remarks = {{"failed_check", solution.failed_check, "empty when converged"},
-                     {"warnings", deck::joined(computed.outcome.warnings, "\n"), "one a line"},
-                     {"deformation", solution.deformation, "how the elastic deformation was evaluated"}};
+  content.summary = quantities(computed);
+  content.summary.push_back({"warnings", deck::joined(computed.outcome.warnings, "\n"), "", "one a line"});
   add_surface_records(input, solution.grid, content);
-  content.tables = {grid_rows(solution)};
+  content.tables = {table_of("grids", "the grids, coarse to fine", grid_columns(), solution.rows)};
   return content;
 }
 
@@ -202,7 +180,7 @@ std::string derived_dry(const Case& input) {
 }  // namespace
 
 Solver dry_solver() {
-  return {.solve = solve, .derived = derived_dry, .summary = summary, .json = json_of, .content = content};
+  return {.solve = solve, .derived = derived_dry, .summary = summary, .json = json, .content = content};
 }
 
 }  // namespace ehl::program

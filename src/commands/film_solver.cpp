@@ -1,3 +1,4 @@
+// The film of a lubricated contact, from the case to what is printed and kept.
 #include <algorithm>
 #include <cmath>
 
@@ -36,22 +37,20 @@ void solve(const Case& input, Progress& progress, Computed& computed) {
 }  // namespace
 
 Solver film_solver() {
-  return {.solve = solve,
-          .derived = derived,
-          .summary =
-              [](const Case& input, const Computed& computed) {
-                return continuation_table(input, computed.solution) + level_table(computed.solution) +
-                       summary(input, computed.solution, computed.outcome);
-              },
-          .json =
-              [](const Case& input, const Computed& computed) {
-                return json_report(input, computed.solution, computed.outcome, peak_memory(),
-                                   effects_json(input, computed));
-              },
-          .content =
-              [](const Case& input, const Computed& computed) {
-                return result_content(input, computed.solution, computed.outcome, computed.derived);
-              }};
+  return {
+      .solve = solve,
+      .derived = derived,
+      .summary =
+          [](const Case& input, const Computed& computed) {
+            return continuation_table(input, computed.solution) + level_table(computed.solution) +
+                   summary(input, computed.solution, computed.outcome);
+          },
+      .json = [](const Case& input,
+                 const Computed& computed) { return json_report(input, computed, computed.outcome, peak_memory()); },
+      .content =
+          [](const Case& input, const Computed& computed) {
+            return result_content(input, computed.solution, computed.outcome, computed.derived);
+          }};
 }
 
 }  // namespace ehl::program

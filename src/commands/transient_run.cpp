@@ -38,11 +38,6 @@ void total(TransientResult& result) {
   }
 }
 
-const StepRow& extreme(const std::vector<StepRow>& rows, double StepRow::*value, bool largest) {
-  const auto found = largest ? std::ranges::max_element(rows, {}, value) : std::ranges::min_element(rows, {}, value);
-  return *found;
-}
-
 // in: value, of a row.
 template <class Value>
 std::string range_line(const std::string& name, const std::vector<StepRow>& rows, Value value) {
@@ -133,23 +128,22 @@ std::string transient_summary(const Case& input, const TransientResult& result) 
   return text;
 }
 
-std::string transient_json(const TransientResult& result) {
+Json transient_json(const TransientResult& result) {
   const transient::MarchReport& report = result.report;
-  using json::number;
-  return json::object({{"completed", json::boolean(completed(result))},
-                       {"ended", json::text(how_it_ended(report))},
-                       {"end_time", number(report.T)},
-                       {"Hc", number(result.rows.back().Hc)},
-                       {"Hm", number(result.rows.back().Hm)},
-                       {"least_Hm", number(extreme(result.rows, &StepRow::Hm, false).Hm)},
-                       {"largest_P_max", number(extreme(result.rows, &StepRow::P_max, true).P_max)},
-                       {"steps", number(report.steps)},
-                       {"cycles", number(report.cycles)},
-                       {"rejected", number(report.rejected)},
-                       {"not_solved", number(report.not_solved)},
-                       {"jumps", number(report.restarts)},
-                       {"worst_load_error", number(report.worst_load_error)},
-                       {"seconds", number(report.seconds)}});
+  return {{"completed", completed(result)},
+          {"ended", how_it_ended(report)},
+          {"end_time", report.T},
+          {"Hc", result.rows.back().Hc},
+          {"Hm", result.rows.back().Hm},
+          {"least_Hm", std::ranges::min(result.rows, {}, &StepRow::Hm).Hm},
+          {"largest_P_max", std::ranges::max(result.rows, {}, &StepRow::P_max).P_max},
+          {"steps", report.steps},
+          {"cycles", report.cycles},
+          {"rejected", report.rejected},
+          {"not_solved", report.not_solved},
+          {"jumps", report.restarts},
+          {"worst_load_error", report.worst_load_error},
+          {"seconds", report.seconds}};
 }
 
 }  // namespace ehl::program

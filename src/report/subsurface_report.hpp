@@ -1,5 +1,6 @@
 #pragma once
 // The stresses below the contact: from the deck, and into summary, JSON and result.
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
@@ -19,7 +20,7 @@ std::string subsurface_plan(const subsurface::Parameters& parameters, const core
 /// in: Hertz pressure [Pa], NaN where it is not known; mark: what follows numbers that did not converge.
 std::string subsurface_summary(const subsurface::StressField& field, double p_h, const std::string& mark);
 
-std::string subsurface_json(const subsurface::StressField& field);
+nlohmann::ordered_json subsurface_json(const subsurface::StressField& field);
 
 /// The content points to the fields of `field`.
 void add_subsurface(const subsurface::StressField& field, results::Content& content);

@@ -107,9 +107,9 @@ BOOST_AUTO_TEST_CASE(a_plain_deck_calls_for_none) {
   const program::Computed nothing;
   BOOST_TEST(program::effect_times(input, nothing).empty());
   BOOST_TEST(program::effect_rows(input, nothing).empty());
-  const auto members = program::effects_json(input, nothing);
-  BOOST_TEST(members.size() == 1u);
-  BOOST_TEST(members[0].second == "[]");
+  nlohmann::ordered_json report;
+  program::add_effects(input, nothing, report);
+  BOOST_TEST(report.dump() == "{\"effects\":[]}");
 }
 
 // Each is turned on by its example alone, and names keys that the deck does give.
@@ -202,10 +202,11 @@ BOOST_AUTO_TEST_CASE(times_and_shares) {
        {"basic model                    4.0000   40 %", "transient                      5.0000   50 %",
         "surfaces                       1.0000   10 %"})
     BOOST_TEST(contains(table, row), table);
-  const auto members = program::effects_json(input, computed);
-  BOOST_TEST(contains(members[0].second, "{\"name\": \"transient\", \"seconds\": 5,"), members[0].second);
-  BOOST_TEST(support::is_json(members[0].second));
-  BOOST_TEST(members.back().first == "transient");
+  nlohmann::ordered_json report;
+  program::add_effects(input, computed, report);
+  BOOST_TEST(report["effects"][0]["name"] == "transient");
+  BOOST_TEST(report["effects"][0]["seconds"] == 5.0);
+  BOOST_TEST(report.contains("transient"));
   const std::vector<results::EffectRow> rows = program::effect_rows(input, computed);
   BOOST_REQUIRE(rows.size() == 2u);
   BOOST_TEST(rows[1].seconds == 1.0);
