@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "case/effects.hpp"
+#include "case/sliding_input.hpp"
 #include "deck/text.hpp"
 #include "effects/friction/keys.hpp"
 #include "report/json.hpp"
@@ -94,6 +95,7 @@ Effect friction_effect() {
           .callers = {{"friction", "cavitated"}},
           .costly = {"friction", "fields"},
           .keys = friction::keys,
+          .read = [](Case& input) { input.friction = friction_input(input.deck, input.physics); },
           .on = [](const Case& input) { return input.friction.has_value(); },
           .what = what,
           .expense = expense,

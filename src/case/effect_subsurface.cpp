@@ -35,6 +35,7 @@ Effect subsurface_effect() {
           .callers = {{"subsurface", "depth"}},
           .costly = {"subsurface", "planes"},
           .keys = subsurface::keys,
+          .read = [](Case& input) { input.subsurface = subsurface_input(input.deck); },
           .on = [](const Case& input) { return input.subsurface.has_value(); },
           .what = [](const Case& input) { return subsurface_plan(*input.subsurface, input.scene.grid); },
           .expense = expense,

@@ -57,6 +57,7 @@ Effect transient_effect() {
   return {
       .name = "transient",
       .meaning = "What happens in time, from the steady contact at time 0.",
+      .stage = Stage::unknowns,
       .without = "steady",
       .sections = {{.name = "transient",
                     .meaning = "What happens in time, from the steady contact at time 0.",

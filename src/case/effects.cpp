@@ -43,6 +43,16 @@ std::string cost(const Needs& more) {
   return text + " more";
 }
 
+const char* where(Stage stage) {
+  switch (stage) {
+    case Stage::coefficients: return "on the coefficients of the film";
+    case Stage::after_relaxation: return "after a relaxation";
+    case Stage::unknowns: return "by unknowns of its own";
+    case Stage::after_solution: break;
+  }
+  return "after the solution";
+}
+
 // What is computed on, and if it is the whole domain, why.
 std::string symmetry(const Case& input) {
   const std::vector<std::string> reasons = asymmetries(input);
@@ -64,6 +74,11 @@ std::string assignment(const Case& input, const KeyName& key, bool with_place) {
 std::vector<Effect> effects() {
   return {elliptic_effect(), transient_effect(),  body_effect(),    surfaces_effect(),
           shear_effect(),    subsurface_effect(), friction_effect()};
+}
+
+void read_effects(Case& input) {
+  for (const Effect& effect : effects())
+    if (effect.read) effect.read(input);
 }
 
 std::vector<Effect> effects_of(const Case& input) {
@@ -129,7 +144,8 @@ std::string effect_lines(const Case& input) {
   for (const Effect& effect : on) {
     text += (text.empty() ? "effects      " : "             ") + effect.name + ": " + effect.what(input) + "\n";
     text += "               called for by " + deck::joined(called_by(input, effect, true), ", ") + "\n";
-    text += "               costs " + (effect.expense ? cost(effect.expense(input)) : "nothing that would show") + "\n";
+    text += std::string("               acts ") + where(effect.stage) + ", costs " +
+            (effect.expense ? cost(effect.expense(input)) : "nothing that would show") + "\n";
   }
   if (input.dry) return text;
   text += on.empty() ? "effects      none beyond the basic model: " + model + "\n"

@@ -3,8 +3,8 @@
 // effect follows: the sections of the deck and their help, `ehl check`, the run, the table of times, the JSON, the
 // result. An effect that a case does not call for is asked whether it is on, and nothing else.
 //
-// A new one: an optional in Case (scene.hpp) that its section of the deck fills, a file effect_<name>.cpp with its
-// record, a line in effects().
+// A new one: a file effect_<name>.cpp with its record, a line in effects(), its declaration below. What its section of
+// the deck says goes into the case by `read`: into the scene, or into an optional of its own in Case (scene.hpp).
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -47,15 +47,26 @@ struct KeyName {
   std::string name{};
 };
 
-/// One effect. A function that is not set has nothing to say or to do; all but `on` are called where it is on.
+/// Where an effect acts.
+enum class Stage {
+  coefficients,      ///< of the film: gap, viscosity, density
+  after_relaxation,  ///< on what follows the pressure from sweep to sweep
+  unknowns,          ///< it has unknowns of its own, or steps in time
+  after_solution     ///< on nothing: it follows from P and H
+};
+
+/// One effect. A function that is not set has nothing to say or to do; all but `read` and `on` are called where it is
+/// on.
 struct Effect {
   std::string name{};
   std::string meaning{};
+  Stage stage = Stage::after_solution;
   std::string without{};                                  ///< what the basic model has in its place: "steady"
   std::vector<deck::Section> sections{};                  ///< of the deck, that belong to nothing else
   std::vector<KeyName> callers{};                         ///< keys of the deck that call for it; one is enough
   KeyName costly{};                                       ///< key that governs its memory; none: a caller
   std::vector<deck::Key> (*keys)() = nullptr;             ///< not set: they stand among those of another module
+  void (*read)(Case& input) = nullptr;                    ///< from the deck; complains there; the scene is made before
   bool (*on)(const Case& input) = nullptr;                ///< must be set
   std::string (*what)(const Case& input) = nullptr;       ///< what there is of it in this case, must be set
   std::string (*idle)(const Case& input) = nullptr;       ///< why it has no influence in this case; empty where it has
@@ -76,6 +87,9 @@ std::vector<Effect> effects();
 
 /// Those that the case calls for.
 std::vector<Effect> effects_of(const Case& input);
+
+/// What the deck says of each effect, into the case. Complains in its deck.
+void read_effects(Case& input);
 
 /// The entries of the list.
 Effect elliptic_effect();

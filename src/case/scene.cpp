@@ -7,11 +7,9 @@
 #include "case/effects.hpp"
 #include "case/grid_input.hpp"
 #include "case/needs.hpp"
-#include "case/sliding_input.hpp"
 #include "commands/machine.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
-#include "report/subsurface_report.hpp"
 
 namespace ehl::program {
 namespace {
@@ -160,9 +158,7 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   result.surfaces = surface_input(deck, result.physics, result.scene.grid, motion);
   result.transient = transient_input(deck, result.physics, result.surfaces, result.scene.grid);
   if (!result.transient) let_stand(result.surfaces, result.scene);
-  result.subsurface = subsurface_input(deck);
-  result.scene.thinning = shear_input(deck, result.physics);
-  result.friction = friction_input(deck, result.physics);
+  read_effects(result);
   if (result.scene.grid.ny > 0) {
     check_coarsenings(deck, result.scene);
     if (!result.dry && result.scene.M > 0.0) check_domain(deck, result.scene);
