@@ -1,6 +1,8 @@
 #pragma once
 // What a result file holds, as plain data: the writer knows no physics, it knows names, units and numbers.
+#include <limits>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "core/field.hpp"
@@ -8,20 +10,26 @@
 
 namespace ehl::results {
 
-/// One number with its unit and meaning; NaN: not known in this case, and then not written.
+/// What is known of a case: a number (NaN: not known in this case, and then not written), a count, yes or no, a word.
+using Value = std::variant<double, int, bool, std::string>;
+
+/// As a double; NaN for a word.
+inline double number(const Value& value) {
+  if (const auto* real = std::get_if<double>(&value)) return *real;
+  if (const auto* count = std::get_if<int>(&value)) return *count;
+  if (const auto* yes = std::get_if<bool>(&value)) return *yes ? 1.0 : 0.0;
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+/// One value with its unit and meaning.
 struct Quantity {
-  std::string name{};
-  double value = 0.0;
+  std::string name{};  ///< in the file; empty: it is not kept there
+  Value value{};
   std::string unit{};  ///< "-" for a pure number
   std::string meaning{};
-  bool whole = false;  ///< kept as an integer
+  std::string json{};  ///< path in a report as JSON, where it is another one: "verification/least_P"
 };
-
-struct Text {
-  std::string name{};
-  std::string text{};
-  std::string meaning{};
-};
+constexpr char not_in_json[] = "-";
 
 struct Column {
   std::string name{};
@@ -91,12 +99,11 @@ struct EffectRow {
 struct Content {
   std::string title{};
   std::string deck{};  ///< the effective deck
-  std::vector<Text> provenance{};
+  std::vector<Quantity> provenance{};
   std::vector<Quantity> scales{};
   core::Grid grid{};
   std::vector<NamedField> fields{};
   std::vector<Quantity> summary{};
-  std::vector<Text> remarks{};  ///< words of the summary: warnings, the check that failed
   std::vector<Table> tables{};  ///< "levels", "history"
   Frames frames{};
   Loose checkpoint{};

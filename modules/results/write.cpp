@@ -86,16 +86,17 @@ void numbers(const Writer& writer, const std::string& name, const Shape& shape, 
   describe(writer, made, unit, meaning);
 }
 
-void quantities(const Writer& writer, const std::string& name, const std::vector<Quantity>& list) {
-  const Handle made = group(writer, name);
-  for (const Quantity& quantity : list)
-    if (std::isfinite(quantity.value))
-      numbers(writer, name + "/" + quantity.name, {}, {quantity.value}, quantity.whole, quantity.unit,
-              quantity.meaning);
+void quantity(const Writer& writer, const std::string& name, const Quantity& one) {
+  if (const auto* words = std::get_if<std::string>(&one.value)) return text(writer, name, *words, one.meaning);
+  const double value = number(one.value);
+  const bool whole = !std::holds_alternative<double>(one.value);
+  if (std::isfinite(value)) numbers(writer, name, {}, {value}, whole, one.unit, one.meaning);
 }
 
-void texts(const Writer& writer, const std::string& name, const std::vector<Text>& list) {
-  for (const Text& entry : list) text(writer, name + "/" + entry.name, entry.text, entry.meaning);
+// In a group that there is.
+void quantities(const Writer& writer, const std::string& group, const std::vector<Quantity>& list) {
+  for (const Quantity& one : list)
+    if (!one.name.empty()) quantity(writer, group + "/" + one.name, one);
 }
 
 std::vector<double> stations(const core::Grid& nodes) {
@@ -182,8 +183,7 @@ void loose(const Writer& writer, const Loose& entry) {
   if (entry.group.empty()) return;
   const Handle made = group(writer, entry.group);
   attribute(writer, made, "meaning", entry.meaning);
-  for (const Quantity& one : entry.numbers)
-    numbers(writer, entry.group + "/" + one.name, {}, {one.value}, one.whole, one.unit, one.meaning);
+  quantities(writer, entry.group, entry.numbers);
   for (const Column& one : entry.arrays)
     numbers(writer, entry.group + "/" + one.name, {{one.values.size()}}, one.values, one.whole, one.unit, one.meaning);
 }
@@ -196,8 +196,7 @@ void volume(const Writer& writer, const Volume& entry) {
   grid(writer, entry.group, entry.grid);
   axis(writer, entry.group + "/z", entry.depths, "depth below the surface");
   for (const Series& one : entry.series) series(writer, entry.group, one);
-  for (const Quantity& one : entry.numbers)
-    numbers(writer, entry.group + "/" + one.name, {}, {one.value}, one.whole, one.unit, one.meaning);
+  quantities(writer, entry.group, entry.numbers);
   const std::string section = entry.group + "/section";
   const Handle across = group(writer, section);
   attribute(writer, across, "meaning", entry.section_meaning);
@@ -224,9 +223,12 @@ void everything(const Writer& writer, const Content& content) {
   text(writer, "/deck", content.deck, "the deck as it was understood: read again, it gives this case");
   {
     const Handle made = group(writer, "/provenance");
-    texts(writer, "/provenance", content.provenance);
+    quantities(writer, "/provenance", content.provenance);
   }
-  quantities(writer, "/scales", content.scales);
+  {
+    const Handle made = group(writer, "/scales");
+    quantities(writer, "/scales", content.scales);
+  }
   {
     const Handle made = group(writer, "/grid");
     grid(writer, "/grid", content.grid);
@@ -235,8 +237,10 @@ void everything(const Writer& writer, const Content& content) {
     const Handle made = group(writer, "/fields");
     for (const NamedField& entry : content.fields) field(writer, "/fields", entry);
   }
-  quantities(writer, "/summary", content.summary);
-  texts(writer, "/summary", content.remarks);
+  {
+    const Handle made = group(writer, "/summary");
+    quantities(writer, "/summary", content.summary);
+  }
   for (const Table& entry : content.tables) table(writer, entry);
   frames(writer, content.frames);
   loose(writer, content.checkpoint);

@@ -2,7 +2,7 @@
 
 #include "case/effects.hpp"
 #include "contact/keys.hpp"
-#include "effects/dry/keys.hpp"
+#include "dry/keys.hpp"
 #include "fmg/keys.hpp"
 #include "mlmi/keys.hpp"
 #include "reynolds/keys.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "effects/dry/keys.hpp"
+#include "dry/keys.hpp"
 
 namespace ehl::program {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "case/physical_input.hpp"
 #include "deck/deck.hpp"
-#include "effects/dry/solve.hpp"
+#include "dry/solve.hpp"
 
 namespace ehl::program {
 

@@ -9,6 +9,7 @@ namespace ehl::program {
 Effect body_effect() {
   return {.name = "body",
           .meaning = "A body with mass that moves under the load and the film: impact, rebound, vibration.",
+          .stage = Stage::unknowns,
           .sections = {{.name = "body",
                         .meaning = "The body's equation of motion in place of an imposed load. Only with [transient].",
                         .called_by = {"mass", "mass_kg"}}},

@@ -7,6 +7,7 @@ namespace ehl::program {
 Effect elliptic_effect() {
   return {.name = "elliptic",
           .meaning = "Bodies whose radii along x and y differ, and the direction of entrainment between them.",
+          .stage = Stage::coefficients,
           .without = "circular",
           .callers = {{"contact", "radius_ratio"}, {"contact", "radius_y"}},
           .on = [](const Case& input) { return !contact::circular(input.scene.shape); },

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "case/effects.hpp"
+#include "case/sliding_input.hpp"
 #include "deck/text.hpp"
 #include "effects/friction/keys.hpp"
 #include "report/json.hpp"
@@ -47,19 +48,23 @@ std::string summary(const Case& input, const Computed& computed) {
   return text;
 }
 
-std::string json_of(const Computed& computed) {
+std::vector<results::Quantity> quantities(const Friction& f) {
+  return {{"mu", f.sliding, "-", "sliding friction over the load, positive where surface 1 is the faster one"},
+          {"mu_rolling", f.rolling, "-", "rolling friction over the load, the same on both surfaces"},
+          {"mu_1", f.on_1, "-", "force of the film on surface 1 along +x over the load"},
+          {"mu_2", f.on_2, "-", "force of the film on surface 2 along +x over the load"},
+          {"mu_cavitated", f.cavitated, "-", "part of mu from the cavitated region"},
+          {"largest_shear_stress", f.largest_stress, "p_h", "of sliding, in the pressurised film", "largest_stress"},
+          {"limited_share", f.limited_share, "-", "share of the load where the limiting stress acts"}};
+}
+
+Json json(const Computed& computed) {
   const Friction& f = *computed.friction;
-  std::vector<std::string> texts;
-  for (const std::string& warning : friction::warnings(f)) texts.push_back(json::text(warning));
-  return json::object({{"mu", json::number(f.sliding)},
-                       {"mu_rolling", json::number(f.rolling)},
-                       {"mu_1", json::number(f.on_1)},
-                       {"mu_2", json::number(f.on_2)},
-                       {"mu_cavitated", json::number(f.cavitated)},
-                       {"largest_stress", json::number(f.largest_stress)},
-                       {"limited_share", json::number(f.limited_share)},
-                       {"warnings", json::array(texts)},
-                       {"seconds", json::number(f.seconds)}});
+  Json report;
+  add(quantities(f), report);
+  report["warnings"] = friction::warnings(f);
+  report["seconds"] = f.seconds;
+  return report;
 }
 
 void add_content(const Case& input, const Computed& computed, results::Content& content) {
@@ -68,18 +73,10 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
     content.fields.push_back({"tau1", "p_h", "shear stress of the film on surface 1 along +x", &f.tau1});
   if (f.parameters.keep_tau2)
     content.fields.push_back({"tau2", "p_h", "shear stress of the film on surface 2 along +x", &f.tau2});
-  const std::vector<results::Quantity> more{
-      {"mu", f.sliding, "-", "sliding friction over the load, positive where surface 1 is the faster one"},
-      {"mu_rolling", f.rolling, "-", "rolling friction over the load, the same on both surfaces"},
-      {"mu_1", f.on_1, "-", "force of the film on surface 1 along +x over the load"},
-      {"mu_2", f.on_2, "-", "force of the film on surface 2 along +x over the load"},
-      {"mu_cavitated", f.cavitated, "-", "part of mu from the cavitated region"},
-      {"largest_shear_stress", f.largest_stress, "p_h", "of sliding, in the pressurised film"},
-      {"limited_share", f.limited_share, "-", "share of the load where the limiting stress acts"},
-      {"slide_roll_ratio", input.physics.srr, "-", "(u1 - u2)/u_m"}};
-  content.summary.insert(content.summary.end(), more.begin(), more.end());
-  content.remarks.push_back({"friction", what(input), "what it holds for"});
-  content.remarks.push_back({"friction_warnings", deck::joined(friction::warnings(f), "\n"), "one a line"});
+  for (results::Quantity& one : quantities(f)) content.summary.push_back(std::move(one));
+  content.summary.push_back({"slide_roll_ratio", input.physics.srr, "-", "(u1 - u2)/u_m"});
+  content.summary.push_back({"friction", what(input), "", "what it holds for"});
+  content.summary.push_back({"friction_warnings", deck::joined(friction::warnings(f), "\n"), "", "one a line"});
 }
 
 }  // namespace
@@ -98,13 +95,14 @@ Effect friction_effect() {
           .callers = {{"friction", "cavitated"}},
           .costly = {"friction", "fields"},
           .keys = friction::keys,
+          .read = [](Case& input) { input.friction = friction_input(input.deck, input.physics); },
           .on = [](const Case& input) { return input.friction.has_value(); },
           .what = what,
           .expense = expense,
           .compute = [](const Case& input, RunSettings&,
                         Computed& computed) { computed.friction = friction_of(input, computed.solution); },
           .summary = summary,
-          .json = json_of,
+          .json = json,
           .add_content = add_content,
           .seconds = [](const Computed& computed) { return computed.friction->seconds; },
           .example = {"motion.srr=0.5", "contact.a_over_R=0.01", "friction.cavitated=striated"}};

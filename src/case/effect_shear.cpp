@@ -1,5 +1,6 @@
 // Oil that thins where it is sheared.
 #include "case/effects.hpp"
+#include "case/sliding_input.hpp"
 #include "report/text_format.hpp"
 #include "rheology/shear_keys.hpp"
 
@@ -37,12 +38,14 @@ Needs expense(const Case& input) {
 Effect shear_effect() {
   return {.name = "shear",
           .meaning = "Oil that thins where sliding shears it: in the film, and in the friction.",
+          .stage = Stage::coefficients,
           .without = "Newtonian",
           .sections = {{.name = "shear",
                         .meaning = "Oil that thins where sliding shears it: in the film, and in the friction.",
                         .called_by = {"law"}}},
           .callers = {{"shear", "law"}},
           .keys = rheology::shear_keys,
+          .read = [](Case& input) { input.scene.thinning = shear_input(input.deck, input.physics); },
           .on = [](const Case& input) { return input.scene.thinning.has_value(); },
           .what = what,
           .idle = idle,

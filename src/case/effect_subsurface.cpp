@@ -1,10 +1,20 @@
 // Stresses below the contact.
 #include "case/effects.hpp"
 #include "effects/subsurface/keys.hpp"
+#include "report/json.hpp"
 #include "report/subsurface_report.hpp"
+#include "report/text_format.hpp"
 
 namespace ehl::program {
 namespace {
+
+void read(Case& input) {
+  deck::Deck& deck = input.deck;
+  if (!deck::given(deck, "subsurface", "depth")) return;
+  if (deck::given(deck, "transient", "end_time"))
+    deck::complain(deck, "subsurface", "depth", "is for steady contacts: remove it, or [transient]");
+  input.subsurface = subsurface::read(deck, deck::number(deck, "contact", "nu1"));
+}
 
 Needs expense(const Case& input) {
   const core::Grid& grid = input.scene.grid;
@@ -14,7 +24,12 @@ Needs expense(const Case& input) {
 
 void compute(const Case& input, RunSettings& settings, Computed& computed) {
   const steady::Solution& solution = computed.solution;
-  computed.stresses = stresses_below(solution.grid, solution.P, *input.subsurface, input.scene.threads, settings.quiet);
+  const int planes = input.subsurface->planes;
+  computed.stresses =
+      subsurface::stress_below(solution.grid, solution.P, *input.subsurface, input.scene.threads, [&](int done) {
+        return settings.progress.show(static_cast<double>(done) / planes,
+                                      formatted("stresses below the contact: %d of %d planes", done, planes));
+      });
 }
 
 }  // namespace
@@ -28,6 +43,7 @@ Effect subsurface_effect() {
           .callers = {{"subsurface", "depth"}},
           .costly = {"subsurface", "planes"},
           .keys = subsurface::keys,
+          .read = read,
           .on = [](const Case& input) { return input.subsurface.has_value(); },
           .what = [](const Case& input) { return subsurface_plan(*input.subsurface, input.scene.grid); },
           .expense = expense,

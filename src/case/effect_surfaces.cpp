@@ -79,6 +79,7 @@ Effect surfaces_effect() {
   return {
       .name = "surfaces",
       .meaning = "What a surface carries: through the contact in time, or, in a steady contact, at rest in it.",
+      .stage = Stage::coefficients,
       .without = "smooth",
       .sections = {{.name = "surface1",
                     .meaning = "What surface 1 carries: through the contact in time, or, in a steady contact, at rest "

@@ -43,6 +43,16 @@ std::string cost(const Needs& more) {
   return text + " more";
 }
 
+const char* where(Stage stage) {
+  switch (stage) {
+    case Stage::coefficients: return "on the coefficients of the film";
+    case Stage::after_relaxation: return "after a relaxation";
+    case Stage::unknowns: return "by unknowns of its own";
+    case Stage::after_solution: break;
+  }
+  return "after the solution";
+}
+
 // What is computed on, and if it is the whole domain, why.
 std::string symmetry(const Case& input) {
   const std::vector<std::string> reasons = asymmetries(input);
@@ -64,6 +74,11 @@ std::string assignment(const Case& input, const KeyName& key, bool with_place) {
 std::vector<Effect> effects() {
   return {elliptic_effect(), transient_effect(),  body_effect(),    surfaces_effect(),
           shear_effect(),    subsurface_effect(), friction_effect()};
+}
+
+void read_effects(Case& input) {
+  for (const Effect& effect : effects())
+    if (effect.read) effect.read(input);
 }
 
 std::vector<Effect> effects_of(const Case& input) {
@@ -129,8 +144,10 @@ std::string effect_lines(const Case& input) {
   for (const Effect& effect : on) {
     text += (text.empty() ? "effects      " : "             ") + effect.name + ": " + effect.what(input) + "\n";
     text += "               called for by " + deck::joined(called_by(input, effect, true), ", ") + "\n";
-    text += "               costs " + (effect.expense ? cost(effect.expense(input)) : "nothing that would show") + "\n";
+    text += std::string("               acts ") + where(effect.stage) + ", costs " +
+            (effect.expense ? cost(effect.expense(input)) : "nothing that would show") + "\n";
   }
+  if (input.dry) return text;
   text += on.empty() ? "effects      none beyond the basic model: " + model + "\n"
                      : "             beside that the basic model: " + model + "\n";
   return text + "symmetry     " + symmetry(input) + "\n";
@@ -151,19 +168,12 @@ std::string effect_times(const Case& input, const Computed& computed) {
   return text + formatted("  %-27s  %8.4f  %3.0f %%\n", "basic model", basic, 100.0 * basic / computed.seconds) + rows;
 }
 
-std::vector<std::pair<std::string, std::string>> effects_json(const Case& input, const Computed& computed) {
-  std::vector<std::string> rows;
-  std::vector<std::pair<std::string, std::string>> members(1);
-  for (const Effect& effect : effects_of(input)) {
-    rows.push_back(json::object({{"name", json::text(effect.name)},
-                                 {"seconds", json::number(own_seconds(effect, computed))},
-                                 {"what", json::text(effect.what(input))},
-                                 {"why", json::text(deck::joined(called_by(input, effect, false), ", "))}}));
-    const std::string own = effect.json ? effect.json(computed) : "";
-    if (!own.empty()) members.emplace_back(effect.name, own);
-  }
-  members[0] = {"effects", json::array(rows)};
-  return members;
+void add_effects(const Case& input, const Computed& computed, Json& report) {
+  Json& rows = report["effects"] = Json::array();
+  for (const results::EffectRow& row : effect_rows(input, computed))
+    rows.push_back({{"name", row.name}, {"seconds", row.seconds}, {"what", row.what}, {"why", row.why}});
+  for (const Effect& effect : effects_of(input))
+    if (Json own = effect.json ? effect.json(computed) : Json(); !own.is_null()) report[effect.name] = std::move(own);
 }
 
 std::vector<results::EffectRow> effect_rows(const Case& input, const Computed& computed) {

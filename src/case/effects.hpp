@@ -3,12 +3,12 @@
 // effect follows: the sections of the deck and their help, `ehl check`, the run, the table of times, the JSON, the
 // result. An effect that a case does not call for is asked whether it is on, and nothing else.
 //
-// A new one: an optional in Case (scene.hpp) that its section of the deck fills, a file effect_<name>.cpp with its
-// record, a line in effects().
+// A new one: a file effect_<name>.cpp with its record, a line in effects(), its declaration below. What its section of
+// the deck says goes into the case by `read`: into the scene, or into an optional of its own in Case (scene.hpp).
 #include <functional>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "case/needs.hpp"
@@ -22,9 +22,12 @@
 
 namespace ehl::program {
 
-/// What a run has computed: the steady solution, and what each effect has added to it.
+/// What a run has computed: the contact, and what each effect has added to it.
 struct Computed {
-  steady::Solution solution{};
+  steady::Solution solution{};  ///< of a dry contact grid, P and whether it converged
+  std::optional<dry::Solution> dry{};
+  Outcome outcome{};
+  DerivedFields derived{};
   std::optional<TransientResult> in_time{};
   std::optional<subsurface::StressField> stresses{};
   std::optional<friction::Friction> friction{};
@@ -33,9 +36,9 @@ struct Computed {
 
 /// How a run was asked for.
 struct RunSettings {
-  bool quiet = false;
+  Progress& progress;
   TransientResult before{};  ///< what was kept of a transient before: with a checkpoint it goes on from there
-  /// Writes the result so far: that of the steady solution, with what `add` adds to it.
+  /// Writes the result so far: that of the contact, with what `add` adds to it.
   std::function<void(const std::function<void(results::Content& content)>& add)> save{};
 };
 
@@ -44,15 +47,26 @@ struct KeyName {
   std::string name{};
 };
 
-/// One effect. A function that is not set has nothing to say or to do; all but `on` are called where it is on.
+/// Where an effect acts.
+enum class Stage {
+  coefficients,      ///< of the film: gap, viscosity, density
+  after_relaxation,  ///< on what follows the pressure from sweep to sweep
+  unknowns,          ///< it has unknowns of its own, or steps in time
+  after_solution     ///< on nothing: it follows from P and H
+};
+
+/// One effect. A function that is not set has nothing to say or to do; all but `read` and `on` are called where it is
+/// on.
 struct Effect {
   std::string name{};
   std::string meaning{};
+  Stage stage = Stage::after_solution;
   std::string without{};                                  ///< what the basic model has in its place: "steady"
   std::vector<deck::Section> sections{};                  ///< of the deck, that belong to nothing else
   std::vector<KeyName> callers{};                         ///< keys of the deck that call for it; one is enough
   KeyName costly{};                                       ///< key that governs its memory; none: a caller
   std::vector<deck::Key> (*keys)() = nullptr;             ///< not set: they stand among those of another module
+  void (*read)(Case& input) = nullptr;                    ///< from the deck; complains there; the scene is made before
   bool (*on)(const Case& input) = nullptr;                ///< must be set
   std::string (*what)(const Case& input) = nullptr;       ///< what there is of it in this case, must be set
   std::string (*idle)(const Case& input) = nullptr;       ///< why it has no influence in this case; empty where it has
@@ -61,7 +75,7 @@ struct Effect {
   void (*compute)(const Case& input, RunSettings& settings,
                   Computed& computed) = nullptr;  ///< after the steady contact
   std::string (*summary)(const Case& input, const Computed& computed) = nullptr;
-  std::string (*json)(const Computed& computed) = nullptr;  ///< the member of its name
+  nlohmann::ordered_json (*json)(const Computed& computed) = nullptr;  ///< the member of its name
   void (*add_content)(const Case& input, const Computed& computed, results::Content& content) = nullptr;
   double (*seconds)(const Computed& computed) = nullptr;  ///< its own, that no other effect counts
   std::vector<std::string> example{};                     ///< "section.key=value" that turn it on in a deck in M and L
@@ -73,6 +87,9 @@ std::vector<Effect> effects();
 
 /// Those that the case calls for.
 std::vector<Effect> effects_of(const Case& input);
+
+/// What the deck says of each effect, into the case. Complains in its deck.
+void read_effects(Case& input);
 
 /// The entries of the list.
 Effect elliptic_effect();
@@ -107,8 +124,8 @@ std::string effect_lines(const Case& input);
 /// Seconds and share of the basic model and of each effect; empty where there is none.
 std::string effect_times(const Case& input, const Computed& computed);
 
-/// "effects": [{name, seconds, why, what}], and a member for each effect that has more to say.
-std::vector<std::pair<std::string, std::string>> effects_json(const Case& input, const Computed& computed);
+/// Adds to a report "effects": [{name, seconds, why, what}], and a member for each effect that has more to say.
+void add_effects(const Case& input, const Computed& computed, nlohmann::ordered_json& report);
 
 /// /effects in the result file: name, seconds and why; none where there is no effect.
 std::vector<results::EffectRow> effect_rows(const Case& input, const Computed& computed);

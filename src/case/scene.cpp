@@ -6,11 +6,9 @@
 #include "case/catalogue.hpp"
 #include "case/effects.hpp"
 #include "case/needs.hpp"
-#include "case/sliding_input.hpp"
 #include "commands/machine.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
-#include "effects/subsurface/keys.hpp"
 #include "fmg/keys.hpp"
 #include "mlmi/keys.hpp"
 #include "reynolds/keys.hpp"
@@ -118,13 +116,7 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   result.surfaces = surface_input(deck, result.physics, scene.grid, motion);
   result.transient = transient_input(deck, result.physics, result.surfaces, scene.grid);
   if (!result.transient) let_stand(result.surfaces, scene);
-  if (given(deck, "subsurface", "depth")) {
-    if (given(deck, "transient", "end_time"))
-      complain(deck, "subsurface", "depth", "is for steady contacts: remove it, or [transient]");
-    result.subsurface = subsurface::read(deck, deck::number(deck, "contact", "nu1"));
-  }
-  scene.thinning = shear_input(deck, result.physics);
-  result.friction = friction_input(deck, result.physics);
+  read_effects(result);
   if (scene.grid.ny > 0) {
     check_coarsenings(deck, scene);
     if (!result.dry && scene.M > 0.0) check_domain(deck, scene);

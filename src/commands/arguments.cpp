@@ -1,6 +1,9 @@
 #include "commands/arguments.hpp"
 
 #include <algorithm>
+#include <boost/program_options/options_description.hpp>
+#include <boost/program_options/parsers.hpp>
+#include <sstream>
 
 #include "core/errors.hpp"
 #include "deck/text.hpp"
@@ -8,43 +11,72 @@
 namespace ehl::program {
 namespace {
 
-const CommandRecord& find_command(const std::vector<CommandRecord>& commands, const std::string& name) {
-  std::vector<std::string> names;
-  for (const CommandRecord& command : commands) {
-    if (command.name == name) return command;
-    names.push_back(command.name);
-  }
-  const std::string near = deck::nearest(name, names);
-  throw core::InputError("command line: unknown command '" + name + "'" +
-                         (near.empty() ? "" : ": did you mean " + near + "?") + " Commands are " +
-                         deck::joined(names, ", ") + " (`ehl help`)");
+namespace po = boost::program_options;
+
+[[noreturn]] void refuse(const std::string& message) { throw core::InputError("command line: " + message); }
+
+template <class Record>
+const Record* find(const std::vector<Record>& records, const std::string& name) {
+  const auto found = std::ranges::find(records, name, &Record::name);
+  return found == records.end() ? nullptr : &*found;
 }
 
-const OptionRecord& find_option(const CommandRecord& command, const std::string& name) {
-  std::vector<std::string> names;
-  for (const OptionRecord& option : command.options) {
-    if (option.name == name) return option;
-    names.push_back(option.name);
-  }
-  const std::string near = deck::nearest(name, names);
-  throw core::InputError("command line: `ehl " + command.name + "` has no option --" + name +
-                         (near.empty() ? "" : ": did you mean --" + near + "?") + " (`ehl help " + command.name + "`)");
+template <class Record>
+std::vector<std::string> names(const std::vector<Record>& records) {
+  std::vector<std::string> all;
+  for (const Record& record : records) all.push_back(record.name);
+  return all;
 }
 
-std::string usage(const CommandRecord& command) {
+// ": did you mean --set?"
+std::string suggestion(const std::string& near, const std::string& dashes = "") {
+  return near.empty() ? "" : ": did you mean " + dashes + near + "?";
+}
+
+po::options_description described(const Command& command) {
+  po::options_description all("options");
+  for (const Option& option : command.options)
+    all.add_options()(option.name.c_str(),
+                      option.argument.empty() ? static_cast<po::value_semantic*>(new po::untyped_value(true))
+                                              : po::value<std::string>()->value_name(option.argument),
+                      option.meaning.c_str());
+  return all;
+}
+
+std::string usage(const Command& command) {
   std::string text = "ehl " + command.name + (command.operands.empty() ? "" : " ") + command.operands;
-  for (const OptionRecord& option : command.options)
+  for (const Option& option : command.options)
     text += " [--" + option.name + (option.argument.empty() ? "" : " " + option.argument) + "]" +
             (option.repeated ? "..." : "");
   return text;
 }
 
-void check_operands(const CommandRecord& command, const Arguments& given) {
-  const std::string said = "command line: `ehl " + command.name + "`: ";
-  if (given.operands.size() < command.least)
-    throw core::InputError(said + command.operands + " is missing. Usage: " + usage(command));
-  if (given.operands.size() > command.most)
-    throw core::InputError(said + "'" + given.operands[command.most] + "' is one too many. Usage: " + usage(command));
+void check_operands(const Command& command, const std::vector<std::string>& given) {
+  const std::vector<std::string> wanted = deck::split_words(command.operands);
+  const auto least = std::ranges::count_if(wanted, [](const std::string& word) { return !word.starts_with('['); });
+  const std::string said = "`ehl " + command.name + "`: ";
+  if (given.size() < static_cast<std::size_t>(least))
+    refuse(said + command.operands + " is missing. Usage: " + usage(command));
+  if (given.size() > wanted.size())
+    refuse(said + "'" + given[wanted.size()] + "' is one too many. Usage: " + usage(command));
+}
+
+// What the library calls by its name, "--set", or as it was typed, "-sett=3".
+std::string bare_name(const std::string& token) {
+  const std::string name = token.substr(0, token.find('='));
+  return name.substr(std::min(name.size(), name.find_first_not_of('-')));
+}
+
+po::parsed_options parsed(const Command& command, const std::vector<std::string>& words) try {
+  using namespace po::command_line_style;
+  // No option is short: -x is an option that is not known, and not a file.
+  constexpr int style = (unix_style & ~allow_guessing) | allow_long_disguise;
+  return po::command_line_parser(words).options(described(command)).style(style).allow_unregistered().run();
+} catch (const po::invalid_command_line_syntax& error) {
+  const std::string name = bare_name(error.get_option_name());
+  const Option* option = find(command.options, name);
+  if (error.kind() == po::invalid_syntax::extra_parameter) refuse("--" + name + " takes no value");
+  refuse("--" + name + ": the value is missing" + (option == nullptr ? "" : ": " + option->argument));
 }
 
 }  // namespace
@@ -59,136 +91,35 @@ std::vector<std::string> Arguments::values(const std::string& name) const {
   return found == options.end() ? std::vector<std::string>{} : found->second;
 }
 
-std::vector<CommandRecord> command_records() {
-  const OptionRecord set{"set", "section.key=value", true, "overrides or adds a key of the deck"};
-  const OptionRecord threads{"threads", "N", false, "number of threads (default: the cores this process may use)"};
-  return {
-      {"run",
-       "DECK",
-       1,
-       1,
-       "solves a case: table and summary on stdout, progress on stderr, result in an HDF5 file",
-       {set,
-        {"output", "FILE.h5", false, "result file (default: [output] file, else the name of the deck)"},
-        {"overwrite", "", false, "replace an existing result file"},
-        threads,
-        {"profile", "", false, "adds where the time went, part by part"},
-        {"json", "", false, "one JSON object on stdout and nothing else"},
-        {"quiet", "", false, "no progress"}}},
-      {"check",
-       "DECK",
-       1,
-       1,
-       "validates a deck and prints everything that follows from it; solves nothing",
-       {set, threads}},
-      {"resume",
-       "FILE.h5",
-       1,
-       1,
-       "goes on with a run in time from the checkpoint in its result file, and completes that file",
-       {threads,
-        {"profile", "", false, "adds where the time went, part by part"},
-        {"json", "", false, "one JSON object on stdout and nothing else"},
-        {"quiet", "", false, "no progress"}}},
-      {"sweep",
-       "DECK",
-       1,
-       1,
-       "solves many cases of one deck, several at a time: one row per case in a CSV table. The same command again goes "
-       "on "
-       "where it was stopped",
-       {{"vary", "section.key=LIST", true,
-         "a key and its values: 2,5,10 or a:b:n or a:b:n:log or words; several --vary make all combinations, the first "
-         "varies slowest"},
-        set,
-        {"output", "FILE.csv", false, "the table (default: name of the deck with _sweep.csv)"},
-        {"overwrite", "", false, "begin the table anew"},
-        {"threads", "N", false, "cases at a time, one thread each (default: the cores this process may use)"},
-        {"quiet", "", false, "no progress"}}},
-      {"study",
-       "DECK",
-       1,
-       1,
-       "what accuracy costs in time: the same case over levels, wedge schemes, film evaluators and cycles; error "
-       "against seconds and work, as a table and a CSV file that `ehl plot` draws. A deck with [transient]: over the "
-       "tolerance of the time integration, error over the run against seconds and steps",
-       {{"levels", "a:b", false,
-         "cells of the coarsest and of the finest grid, b = a times a power of two (default: from 64 up to the "
-         "deck's)"},
-        {"wedges", "LIST", false, "of upstream1,upstream2 (default: both)"},
-        {"evaluators", "LIST", false, "of mlmi4,mlmi6,mlmi8,fft,direct (default: all; direct up to 20000 nodes)"},
-        {"cycles", "LIST", false, "cycles per level, e.g. 1V,2W, or run: as `ehl run` does (default: 1V,2V,1W,2W,run)"},
-        {"reference", "N", false,
-         "cells of the grid that the reference is extrapolated from, with those below it (default: twice the finest)"},
-        {"rtol", "LIST", false,
-         "of a deck with [transient] and instead of all the above: the tolerances (default: 1e-2,1e-3,1e-4,1e-5,1e-6)"},
-        set,
-        {"output", "FILE.csv", false, "the table (default: name of the deck with _study.csv)"},
-        {"overwrite", "", false, "replace an existing table"},
-        {"repeat", "N", false, "solve everything N times and take the least time (default 3)"},
-        {"threads", "N", false, "number of threads of each solution (default 1)"},
-        {"jobs", "N", false, "solutions at a time (default 1); with more the times are marked as shared"},
-        {"quiet", "", false, "no progress"}}},
-      {"extract",
-       "FILE.h5 DATASET",
-       2,
-       2,
-       "prints a dataset of a result as columns: P, H, levels, history, summary, scales, deck, or a path in the file",
-       {{"along", "x|y", false, "only the section of a field along this axis"},
-        {"at", "y=0|x=0", false, "where the section lies: the nearest grid line is taken (default 0)"},
-        {"step", "K", false, "number K, from 0, of fields at several times or depths; without it a section of all"},
-        {"matrix", "", false, "a field as a matrix with its axes, for gnuplot's `matrix nonuniform`"}}},
-      {"plot",
-       "FILE.h5|FILE.csv",
-       1,
-       1,
-       "draws the figures of postprocess/ from a result or the table of a sweep or a study, beside it",
-       {{"figure", "NAME", true, "only this figure"},
-        {"format", "png|svg|pdf", false, "format of the pictures (default png)"}}},
-      {"keys",
-       "[SECTION[.KEY]]",
-       0,
-       1,
-       "lists the keys of the deck: default, unit, range, meaning, source",
-       {{"deck", "", false, "a complete commented deck instead"}}},
-  };
+const Command& find_command(const std::vector<Command>& commands, const std::string& name) {
+  if (const Command* command = find(commands, name)) return *command;
+  refuse("unknown command '" + name + "'" + suggestion(deck::nearest(name, names(commands))) + " Commands are " +
+         deck::joined(names(commands), ", ") + " (`ehl help`)");
 }
 
-Arguments parse_arguments(const std::vector<std::string>& words, const std::vector<CommandRecord>& commands) {
+Arguments parse_arguments(std::vector<std::string> words, const std::vector<Command>& commands) {
+  if (words.empty()) refuse("a command is missing\n" + help_text(commands, ""));
+  if (words[0].starts_with('-')) words[0] = words[0] == "-h" ? "help" : bare_name(words[0]);
+  if (std::any_of(words.begin() + 1, words.end(), [](const auto& word) { return word == "--help" || word == "-h"; }))
+    words = {"help", words[0]};
+  const Command& command = find_command(commands, words[0]);
+  words.erase(words.begin());
   Arguments given;
-  if (words.empty()) throw core::InputError("command line: a command is missing\n" + help(commands, ""));
-  const CommandRecord& command = find_command(commands, words[0]);
   given.command = command.name;
-  bool only_operands = false;  // after "--"
-  for (std::size_t k = 1; k < words.size(); ++k) {
-    const std::string& word = words[k];
-    if (only_operands || word.size() < 2 || word[0] != '-') {
-      given.operands.push_back(word);
+  for (const po::option& one : parsed(command, words).options) {
+    if (one.position_key >= 0) {
+      given.operands.insert(given.operands.end(), one.value.begin(), one.value.end());
       continue;
     }
-    if (word == "--") {
-      only_operands = true;
-      continue;
-    }
-    const std::size_t equals = word.find('=');
-    const std::size_t dashes = word.starts_with("--") ? 2 : 1;
-    const std::string name = word.substr(dashes, equals == std::string::npos ? equals : equals - dashes);
-    const OptionRecord& option = find_option(command, name);
-    std::string value;
-    if (option.argument.empty()) {
-      if (equals != std::string::npos)
-        throw core::InputError("command line: " + word + ": --" + name + " takes no value");
-    } else if (equals != std::string::npos) {
-      value = word.substr(equals + 1);
-    } else if (k + 1 < words.size()) {
-      value = words[++k];
-    } else {
-      throw core::InputError("command line: --" + name + ": the value is missing: " + option.argument);
-    }
-    if (given.has(name) && !option.repeated) throw core::InputError("command line: --" + name + " is given twice");
-    given.options[name].push_back(value);
+    const std::string name = bare_name(one.unregistered ? one.original_tokens[0] : one.string_key);
+    const Option* option = find(command.options, name);
+    if (option == nullptr)
+      refuse("`ehl " + command.name + "` has no option --" + name +
+             suggestion(deck::nearest(name, names(command.options)), "--") + " (`ehl help " + command.name + "`)");
+    if (given.has(name) && !option->repeated) refuse("--" + name + " is given twice");
+    given.options[name].push_back(one.value.empty() ? "" : one.value[0]);
   }
-  check_operands(command, given);
+  check_operands(command, given.operands);
   return given;
 }
 
@@ -198,28 +129,23 @@ int whole_number(const Arguments& arguments, const std::string& name, int otherw
   const deck::ReadNumber read = deck::read_number(text);
   const bool good = read.status == deck::ReadNumber::Status::number && read.value >= 1.0 && read.value <= most &&
                     read.value == static_cast<int>(read.value);
-  if (!good)
-    throw core::InputError("command line: --" + name + " " + text +
-                           ": must be a whole number >= 1 and <= " + std::to_string(most));
+  if (!good) refuse("--" + name + " " + text + ": must be a whole number >= 1 and <= " + std::to_string(most));
   return static_cast<int>(read.value);
 }
 
-std::string help(const std::vector<CommandRecord>& commands, const std::string& name) {
-  if (!name.empty()) {
-    const CommandRecord& command = find_command(commands, name);
-    std::string text = "usage: " + usage(command) + "\n\n" + command.meaning + "\n";
-    for (const OptionRecord& option : command.options)
-      text += "\n  --" + option.name + (option.argument.empty() ? "" : " " + option.argument) + "\n      " +
-              option.meaning + "\n";
-    return text;
+std::string help_text(const std::vector<Command>& commands, const std::string& name) {
+  std::ostringstream text;
+  if (name.empty()) {
+    text << "ehl: elastohydrodynamically lubricated contacts by multilevel methods\n\n";
+    for (const Command& command : commands) text << "  " << usage(command) << "\n      " << command.meaning << "\n";
+    text << "\nexit status: 0 solved, 1 internal failure, 2 wrong input, 3 not converged, "
+            "4 a file could not be read or written,\n130 interrupted\n";
+    return text.str();
   }
-  std::string text = "ehl: elastohydrodynamically lubricated contacts by multilevel methods\n\n";
-  for (const CommandRecord& command : commands) text += "  " + usage(command) + "\n      " + command.meaning + "\n";
-  text +=
-      "  ehl help [COMMAND]\n  ehl version\n\nexit status: 0 solved, 1 internal failure, 2 wrong input, 3 not "
-      "converged, "
-      "4 a file could not be read or written,\n130 interrupted\n";
-  return text;
+  const Command& command = find_command(commands, name);
+  text << "usage: " << usage(command) << "\n\n" << command.meaning << "\n";
+  if (!command.options.empty()) text << "\n" << described(command);
+  return text.str();
 }
 
 }  // namespace ehl::program

@@ -1,27 +1,12 @@
 #pragma once
-// The command line: commands, their options, and what was given.
+// The command line: what a command takes, and what was given.
 #include <map>
 #include <string>
 #include <vector>
 
 namespace ehl::program {
 
-struct OptionRecord {
-  std::string name{};      ///< without the dashes
-  std::string argument{};  ///< name of its value; empty: a flag
-  bool repeated = false;   ///< may be given more than once
-  std::string meaning{};
-};
-
-struct CommandRecord {
-  std::string name{};
-  std::string operands{};  ///< as in the usage line
-  std::size_t least = 0;   ///< operands
-  std::size_t most = 0;
-  std::string meaning{};
-  std::vector<OptionRecord> options{};
-};
-
+/// What was given.
 struct Arguments {
   std::string command{};
   std::vector<std::string> operands{};
@@ -34,17 +19,33 @@ struct Arguments {
   std::vector<std::string> values(const std::string& name) const;
 };
 
-/// All commands of this version.
-std::vector<CommandRecord> command_records();
+struct Option {
+  std::string name{};      ///< without the dashes
+  std::string argument{};  ///< name of its value; empty: a flag
+  std::string meaning{};
+  bool repeated = false;  ///< may be given more than once
+};
 
+struct Command {
+  std::string name{};
+  std::string operands{};  ///< one word each, between brackets what may be left out: "DECK", "[COMMAND]"
+  std::string meaning{};
+  std::vector<Option> options{};
+  int (*function)(const Arguments& arguments) = nullptr;  ///< gives the exit status
+};
+
+/// The command of this name. errors: core::InputError, with the nearest name.
+const Command& find_command(const std::vector<Command>& commands, const std::string& name);
+
+/// in: command, operands and options in any order. `--help` or `-h` among them becomes `help COMMAND`.
 /// errors: core::InputError: unknown command or option (with the nearest), a value or an operand missing, too many.
-Arguments parse_arguments(const std::vector<std::string>& words, const std::vector<CommandRecord>& commands);
+Arguments parse_arguments(std::vector<std::string> words, const std::vector<Command>& commands);
 
 /// The value of an option that takes a whole number >= 1; `otherwise` where it was not given.
 /// errors: core::InputError: another value, or one above `most`.
 int whole_number(const Arguments& arguments, const std::string& name, int otherwise, int most);
 
-/// The help of the program, or of one command.
-std::string help(const std::vector<CommandRecord>& commands, const std::string& command);
+/// The help of the program, or of one command. errors: core::InputError where it is unknown.
+std::string help_text(const std::vector<Command>& commands, const std::string& command);
 
 }  // namespace ehl::program

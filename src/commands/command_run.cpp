@@ -1,30 +1,21 @@
-// ehl run, check and keys.
-#include <cerrno>
-#include <cmath>
+// ehl run, resume and check.
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
-#include <iterator>
 #include <utility>
 
 #include "case/catalogue.hpp"
 #include "case/effects.hpp"
 #include "commands/commands.hpp"
-#include "commands/dry_run.hpp"
 #include "commands/exit_status.hpp"
 #include "commands/machine.hpp"
+#include "commands/solver.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
 #include "deck/document.hpp"
-#include "deck/text.hpp"
-#include "deck/write.hpp"
-#include "report/progress.hpp"
 #include "report/report.hpp"
-#include "report/result_content.hpp"
 #include "results/atomic_file.hpp"
 #include "results/read.hpp"
 #include "results/write.hpp"
-#include "steady/solve.hpp"
 
 namespace ehl::program {
 namespace {
@@ -53,17 +44,14 @@ Destination destination(const Arguments& arguments, const Case& input) {
 
 int fail_without_solution(const Arguments& arguments, const Case& input, const std::string& reason) {
   if (arguments.has("json")) print(json_failure(input, reason));
-  std::fprintf(stderr,
-               "ehl: not converged: %s\nehl: no result was written. Try more cells, a larger domain or a "
-               "lighter load.\n",
-               reason.c_str());
+  std::fprintf(stderr, "ehl: not converged: %s\nehl: no result was written\n", reason.c_str());
   return not_converged;
 }
 
 int status(const Computed& computed, const std::string& path) {
-  const auto& [solution, in_time, stresses, friction, seconds] = computed;
-  if (!solution.converged) {
-    std::fprintf(stderr, "ehl: not converged: %s\n", solution.failed_check.c_str());
+  const std::optional<TransientResult>& in_time = computed.in_time;
+  if (!computed.solution.converged) {
+    std::fprintf(stderr, "ehl: not converged: %s\n", computed.solution.failed_check.c_str());
     return not_converged;
   }
   if (!in_time || completed(*in_time)) return solved;
@@ -77,58 +65,44 @@ int status(const Computed& computed, const std::string& path) {
   return not_converged;
 }
 
-std::string printed(const Case& input, const Computed& computed, const Outcome& outcome, bool profile) {
-  const auto& [solution, in_time, stresses, friction, seconds] = computed;
-  std::string text = "case         " + input.title + "\n" + continuation_table(input, solution) +
-                     level_table(solution) + summary(input, solution, outcome);
+std::string printed(const Case& input, const Solver& solver, const Computed& computed, bool profile) {
+  std::string text = "case         " + input.title + "\n" + solver.summary(input, computed);
   for (const Effect& effect : effects_of(input))
     if (effect.summary) text += effect.summary(input, computed);
   text += effect_times(input, computed);
-  if (profile)
-    text += profile_table(in_time ? in_time->report.times : solution.times,
-                          in_time ? in_time->report.seconds : solution.seconds);
+  if (profile && computed.in_time)
+    text += profile_table(computed.in_time->report.times, computed.in_time->report.seconds);
+  else if (profile && !input.dry)
+    text += profile_table(computed.solution.times, computed.solution.seconds);
   return text + "memory       " + std::to_string(static_cast<long>(peak_memory() / 1e6)) + " MB at most\n";
 }
 
-// Solves the case, the steady contact first, then what its effects add.
+Solver solver_of(const Case& input) { return input.dry ? dry_solver() : film_solver(); }
+
+// Solves the case, the contact first, then what its effects add; says and saves what came out.
 int solve_and_write(const Arguments& arguments, const Case& input, const Destination& to, TransientResult before) {
   const double began = core::now();
+  const Solver solver = solver_of(input);
   Computed computed;
-  steady::Solution& solution = computed.solution;
-  try {
-    ProgressReport progress(arguments.has("quiet"));
-    solution = steady::solve(input.scene, [&](const steady::Progress& now) { return progress.show(now); });
-  } catch (const core::SolverError& error) {
-    return fail_without_solution(arguments, input, error.what());
-  }
-
-  // No start led to a state that could be shown.
-  if (solution.levels.empty() || solution.H.nodes_x() == 0)
-    return fail_without_solution(arguments, input, solution.failed_check);
-  const Outcome outcome = outcome_of(input, solution);
-  if (!std::isfinite(outcome.Hc + outcome.Hm.value + outcome.P_max.value))
-    return fail_without_solution(arguments, input, "the film or the pressure is not finite");
-
-  const DerivedFields derived = derived_fields(input, solution);
   bool overwrite = to.overwrite;
   const auto save = [&](const std::function<void(results::Content & content)>& add) {
-    results::Content content = result_content(input, solution, outcome, derived);
+    results::Content content = solver.content(input, computed);
     add(content);
     results::write(to.path, content, overwrite);
     overwrite = true;
   };
-  RunSettings settings{.quiet = arguments.has("quiet"), .before = std::move(before), .save = save};
   try {
+    Progress progress(arguments.has("quiet"));
+    RunSettings settings{.progress = progress, .before = std::move(before), .save = save};
+    solver.solve(input, progress, computed);
     for (const Effect& effect : effects_of(input))
       if (effect.compute) effect.compute(input, settings, computed);
   } catch (const core::SolverError& error) {
     return fail_without_solution(arguments, input, error.what());
   }
   computed.seconds = core::now() - began;
-  if (arguments.has("json"))
-    print(json_report(input, solution, outcome, peak_memory(), effects_json(input, computed)));
-  else
-    print(printed(input, computed, outcome, arguments.has("profile")));
+  print(arguments.has("json") ? solver.json(input, computed)
+                              : printed(input, solver, computed, arguments.has("profile")));
   save([&](results::Content& content) {
     for (const Effect& effect : effects_of(input))
       if (effect.add_content) effect.add_content(input, computed, content);
@@ -140,23 +114,9 @@ int solve_and_write(const Arguments& arguments, const Case& input, const Destina
 
 }  // namespace
 
-int requested_threads(const Arguments& arguments) { return whole_number(arguments, "threads", usable_cores(), 1024); }
-
-void print(const std::string& text) {
-  errno = 0;
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    throw core::FileError(std::string("standard output: cannot be written: ") + std::strerror(errno));
-}
-
 int run(const Arguments& arguments) {
   const Case input = read_case(arguments.operands[0], arguments.values("set"), requested_threads(arguments));
-  const Destination to = destination(arguments, input);
-  if (!input.dry) return solve_and_write(arguments, input, to, {});
-  try {
-    return run_dry(arguments, input, to.path, to.overwrite);
-  } catch (const core::SolverError& error) {
-    return fail_without_solution(arguments, input, error.what());
-  }
+  return solve_and_write(arguments, input, destination(arguments, input), {});
 }
 
 int resume(const Arguments& arguments) {
@@ -175,15 +135,7 @@ int resume(const Arguments& arguments) {
 
 int check(const Arguments& arguments) {
   const Case input = read_case(arguments.operands[0], arguments.values("set"), requested_threads(arguments));
-  print(input.dry ? derived_dry(input) : derived(input));
-  return solved;
-}
-
-int keys(const Arguments& arguments) {
-  const std::string selection = arguments.operands.empty() ? "" : arguments.operands[0];
-  if (arguments.has("deck") && !selection.empty())
-    throw core::InputError("command line: `ehl keys --deck` writes the whole deck: leave " + selection + " out");
-  print(arguments.has("deck") ? deck::commented_deck(catalogue()) : deck::list_keys(catalogue(), selection));
+  print(solver_of(input).derived(input));
   return solved;
 }
 

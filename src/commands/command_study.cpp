@@ -1,7 +1,6 @@
 // ehl study: what accuracy costs in time.
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <span>
@@ -13,7 +12,7 @@
 #include "core/errors.hpp"
 #include "deck/document.hpp"
 #include "deck/text.hpp"
-#include "report/case_progress.hpp"
+#include "report/progress.hpp"
 #include "results/atomic_file.hpp"
 #include "tables/csv.hpp"
 #include "tables/study_report.hpp"
@@ -103,7 +102,8 @@ void run_tasks(const std::vector<std::size_t>& tasks, int at_once, bool quiet,
                const std::function<const StudyCase&(std::size_t)>& way,
                const std::function<StudyPoint(std::size_t)>& task,
                const std::function<void(std::size_t, const StudyPoint&)>& ended) {
-  CaseProgress progress(quiet, tasks.size());
+  Progress progress(quiet);
+  std::size_t done = 0;
   ChildrenCalls calls;
   calls.stop = stop_requested;
   calls.task = [&](std::size_t index) { return study_text(task(index)); };
@@ -116,11 +116,11 @@ void run_tasks(const std::vector<std::size_t>& tasks, int at_once, bool quiet,
       point.status = "failed";
       point.reason = end.reason;
     }
-    progress.show(std::to_string(way(end.task).cells) + " cells, " + name_of_way(way(end.task)), point.status);
+    progress.count(++done, tasks.size(),
+                   std::to_string(way(end.task).cells) + " cells, " + name_of_way(way(end.task)) + "  " + point.status);
     ended(end.task, point);
   };
   const bool finished = run_in_children(tasks, at_once, calls);
-  progress.close();
   if (!finished) throw core::Interrupted();
 }
 
@@ -164,14 +164,6 @@ std::vector<StudyPoint> measured(const Grids& grids, const std::vector<StudyCase
   std::vector<StudyPoint> all;
   for (const std::optional<StudyPoint>& point : points) all.push_back(*point);
   return all;
-}
-
-std::string table_name(const Arguments& arguments) {
-  const std::string stem = std::filesystem::path(arguments.operands[0]).stem();
-  const std::string path = arguments.value("output", stem + "_study.csv");
-  if (!path.ends_with(".csv"))
-    throw core::InputError("command line: --output " + path + ": the table's name ends with .csv");
-  return path;
 }
 
 }  // namespace

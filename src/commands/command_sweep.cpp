@@ -1,6 +1,5 @@
 // ehl sweep: many cases of one deck, one table.
 #include <cstdio>
-#include <filesystem>
 
 #include "case/catalogue.hpp"
 #include "commands/commands.hpp"
@@ -10,7 +9,7 @@
 #include "core/timer.hpp"
 #include "deck/document.hpp"
 #include "deck/text.hpp"
-#include "report/case_progress.hpp"
+#include "report/progress.hpp"
 #include "report/text_format.hpp"
 #include "tables/csv.hpp"
 #include "tables/sweep_children.hpp"
@@ -19,14 +18,6 @@
 
 namespace ehl::program {
 namespace {
-
-std::string table_name(const Arguments& arguments) {
-  const std::string stem = std::filesystem::path(arguments.operands[0]).stem();
-  const std::string path = arguments.value("output", stem + "_sweep.csv");
-  if (!path.ends_with(".csv"))
-    throw core::InputError("command line: --output " + path + ": the table's name ends with .csv");
-  return path;
-}
 
 std::string summary(const SweepTable& table, std::size_t cases, std::size_t kept, double seconds) {
   std::string text =
@@ -58,7 +49,8 @@ int sweep(const Arguments& arguments) {
   const double began = core::now();
   const std::vector<std::size_t> missing = table.missing();
   const std::size_t cases = number_of_cases(header.variations);
-  CaseProgress progress(arguments.has("quiet"), missing.size());
+  Progress progress(arguments.has("quiet"));
+  std::size_t done = 0;
   ChildrenCalls calls;
   calls.stop = stop_requested;
   calls.task = [&](std::size_t index) {
@@ -71,10 +63,12 @@ int sweep(const Arguments& arguments) {
     failure.with_friction = header.with_friction;
     const std::string row = end.complete ? end.text : sweep_text(failure);
     table.append(end.task, row);
-    progress.show(deck::joined(overrides_of_case(header.variations, end.task), " "), row.substr(0, row.find(',')));
+    progress.count(
+        ++done, missing.size(),
+        deck::joined(overrides_of_case(header.variations, end.task), " ") + "  " + row.substr(0, row.find(',')));
   };
   const bool finished = run_in_children(missing, at_once, calls);
-  progress.close();
+  progress.clear();
   if (!finished) {
     std::fprintf(stderr, "ehl: interrupted: %zu of %zu cases are in %s; the same command goes on with them\n",
                  cases - table.missing().size(), cases, path.c_str());

@@ -1,7 +1,5 @@
 #include "commands/transient_run.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -20,45 +18,10 @@ namespace {
 using transient::MarchEnd;
 using transient::StepRow;
 
-constexpr double bar_interval = 0.05;  // s
-constexpr double line_interval = 5.0;
-constexpr int bar_width = 30;
-
-/// A bar in model time, with the present step.
-class MarchProgress {
- public:
-  MarchProgress(double end, bool quiet) : end_(end), quiet_(quiet), terminal_(::isatty(STDERR_FILENO) != 0) {}
-  ~MarchProgress() {
-    if (line_open_) std::fputs("\r\x1b[K", stderr);
-  }
-  MarchProgress(const MarchProgress&) = delete;
-  MarchProgress& operator=(const MarchProgress&) = delete;
-
-  void show(const StepRow& row) {
-    const double now = core::now();
-    if (quiet_ || now - last_time_ < (terminal_ ? bar_interval : line_interval)) return;
-    last_time_ = now;
-    const double share = std::clamp(row.T / end_, 0.0, 1.0);
-    const std::string words = formatted("time %.4g of %.4g a/u_m  step %.1e  order %d  Hc %.4f  Hm %.4f", row.T, end_,
-                                        row.length, row.order, row.Hc, row.Hm);
-    if (terminal_) {
-      const auto filled = static_cast<std::size_t>(share * bar_width);
-      const std::string bar = std::string(filled, '#') + std::string(bar_width - filled, '.');
-      std::fprintf(stderr, "\r[%s] %3.0f %%  %s\x1b[K", bar.c_str(), 100.0 * share, words.c_str());
-      std::fflush(stderr);
-      line_open_ = true;
-    } else {
-      std::fprintf(stderr, "ehl: %3.0f %%  %s\n", 100.0 * share, words.c_str());
-    }
-  }
-
- private:
-  double end_;
-  bool quiet_;
-  bool terminal_;
-  bool line_open_ = false;
-  double last_time_ = 0.0;
-};
+std::string text_of(const StepRow& row, double end) {
+  return formatted("time %.4g of %.4g a/u_m  step %.1e  order %d  Hc %.4f  Hm %.4f", row.T, end, row.length, row.order,
+                   row.Hc, row.Hm);
+}
 
 // The counts of all rows, those before a checkpoint included.
 void total(TransientResult& result) {
@@ -73,11 +36,6 @@ void total(TransientResult& result) {
     report.not_solved += row.not_solved;
     report.worst_load_error = std::max(report.worst_load_error, row.load_error);
   }
-}
-
-const StepRow& extreme(const std::vector<StepRow>& rows, double StepRow::*value, bool largest) {
-  const auto found = largest ? std::ranges::max_element(rows, {}, value) : std::ranges::min_element(rows, {}, value);
-  return *found;
 }
 
 // in: value, of a row.
@@ -111,8 +69,8 @@ std::string how_it_ended(const transient::MarchReport& report) {
   return "";
 }
 
-TransientResult run_transient(const Case& input, const steady::Solution& start, bool quiet, TransientResult before,
-                              const std::function<void(const TransientResult& so_far)>& save) {
+TransientResult run_transient(const Case& input, const steady::Solution& start, Progress& progress,
+                              TransientResult before, const std::function<void(const TransientResult& so_far)>& save) {
   TransientResult result = std::move(before);
   const std::optional<transient::Checkpoint> from = std::move(result.checkpoint);
   result.checkpoint.reset();
@@ -120,14 +78,12 @@ TransientResult run_transient(const Case& input, const steady::Solution& start, 
   const transient::Input& march = *input.transient;
   if (!result.rows.empty() && result.rows.front().probed.size() != march.parameters.probes.size())
     throw core::FileError("the file is damaged: its rows have other probes than its deck");
-  MarchProgress progress(march.parameters.end, quiet);
   double saved = core::now();
   const transient::Observer observer{
       .row =
           [&](const StepRow& row) {
             result.rows.push_back(row);
-            progress.show(row);
-            return !stop_requested();
+            return progress.show(row.T / march.parameters.end, text_of(row, march.parameters.end));
           },
       .frame = [&](transient::Frame&& frame) { result.frames.push_back(std::move(frame)); },
       .wants_checkpoint = [&] { return core::now() - saved > march.seconds_between_checkpoints; },
@@ -172,23 +128,22 @@ std::string transient_summary(const Case& input, const TransientResult& result) 
   return text;
 }
 
-std::string transient_json(const TransientResult& result) {
+Json transient_json(const TransientResult& result) {
   const transient::MarchReport& report = result.report;
-  using json::number;
-  return json::object({{"completed", json::boolean(completed(result))},
-                       {"ended", json::text(how_it_ended(report))},
-                       {"end_time", number(report.T)},
-                       {"Hc", number(result.rows.back().Hc)},
-                       {"Hm", number(result.rows.back().Hm)},
-                       {"least_Hm", number(extreme(result.rows, &StepRow::Hm, false).Hm)},
-                       {"largest_P_max", number(extreme(result.rows, &StepRow::P_max, true).P_max)},
-                       {"steps", number(report.steps)},
-                       {"cycles", number(report.cycles)},
-                       {"rejected", number(report.rejected)},
-                       {"not_solved", number(report.not_solved)},
-                       {"jumps", number(report.restarts)},
-                       {"worst_load_error", number(report.worst_load_error)},
-                       {"seconds", number(report.seconds)}});
+  return {{"completed", completed(result)},
+          {"ended", how_it_ended(report)},
+          {"end_time", report.T},
+          {"Hc", result.rows.back().Hc},
+          {"Hm", result.rows.back().Hm},
+          {"least_Hm", std::ranges::min(result.rows, {}, &StepRow::Hm).Hm},
+          {"largest_P_max", std::ranges::max(result.rows, {}, &StepRow::P_max).P_max},
+          {"steps", report.steps},
+          {"cycles", report.cycles},
+          {"rejected", report.rejected},
+          {"not_solved", report.not_solved},
+          {"jumps", report.restarts},
+          {"worst_load_error", report.worst_load_error},
+          {"seconds", report.seconds}};
 }
 
 }  // namespace ehl::program

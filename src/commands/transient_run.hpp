@@ -1,11 +1,13 @@
 #pragma once
 // Runs a transient and keeps what comes out: the numbers of every step, and the fields at the times asked for.
 #include <functional>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "case/scene.hpp"
+#include "report/progress.hpp"
 #include "report/result_content.hpp"
 #include "results/read.hpp"
 #include "transient/march.hpp"
@@ -22,8 +24,8 @@ struct TransientResult {
 /// From the steady solution of the case; or, where `before` has a checkpoint, on from there, with all that it had.
 /// save: called with what there is at every checkpoint. errors: core::SolverError where the state at time 0 is not
 /// found.
-TransientResult run_transient(const Case& input, const steady::Solution& start, bool quiet, TransientResult before,
-                              const std::function<void(const TransientResult& so_far)>& save);
+TransientResult run_transient(const Case& input, const steady::Solution& start, Progress& progress,
+                              TransientResult before, const std::function<void(const TransientResult& so_far)>& save);
 
 /// True where it came to its end: the end time, or what the deck says that it stops at.
 bool completed(const TransientResult& result);
@@ -35,7 +37,7 @@ std::string how_it_ended(const transient::MarchReport& report);
 std::string transient_summary(const Case& input, const TransientResult& result);
 
 /// The same as a JSON object.
-std::string transient_json(const TransientResult& result);
+nlohmann::ordered_json transient_json(const TransientResult& result);
 
 /// Adds /transient, and /checkpoint where there is one, to the content of a result file; the result must outlive it.
 void add_transient(const Case& input, const TransientResult& result, results::Content& content);

@@ -1,18 +1,33 @@
 #pragma once
-// Just enough JSON to print a result.
-#include <string>
-#include <utility>
-#include <vector>
+// Records as JSON.
+#include <nlohmann/json.hpp>
 
-namespace ehl::program::json {
+#include "report/column.hpp"
 
-/// A text in quotes, with quotes, backslashes and control characters escaped; bytes that are no UTF-8 become U+FFFD.
-std::string text(const std::string& value);
-/// The shortest decimal that reads back as the same number; null when it is not finite, which JSON cannot say.
-std::string number(double value);
-std::string boolean(bool value);
-/// in: members with values that are JSON already.
-std::string object(const std::vector<std::pair<std::string, std::string>>& members);
-std::string array(const std::vector<std::string>& values);
+namespace ehl::program {
 
-}  // namespace ehl::program::json
+using Json = nlohmann::ordered_json;
+
+/// A number that is not finite becomes null, which is how JSON says it.
+inline Json json_of(const Value& value) {
+  return std::visit([](const auto& held) { return Json(held); }, value);
+}
+
+/// An object for each row.
+template <class Row>
+Json rows_json(const std::vector<Column<Row>>& columns, const std::vector<Row>& rows) {
+  Json list = Json::array();
+  for (const Row& row : rows) {
+    Json& made = list.emplace_back();
+    for (const Column<Row>& column : columns) made[column.name] = json_of(column.get(row));
+  }
+  return list;
+}
+
+/// Sets a member for each quantity that has one.
+void add(const std::vector<results::Quantity>& quantities, Json& object);
+
+/// One line; bytes that are no UTF-8 become U+FFFD.
+std::string line_of(const Json& json);
+
+}  // namespace ehl::program

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <string>
 
 #include "commands/signals.hpp"
 #include "core/timer.hpp"
+#include "report/text_format.hpp"
 
 namespace ehl::program {
 namespace {
@@ -15,41 +15,43 @@ namespace {
 constexpr double bar_interval = 0.05;  // s: smooth for the eye
 constexpr double line_interval = 5.0;  // s: a log stays short
 constexpr int bar_width = 30;
+constexpr const char* clear_line = "\r\x1b[K";
 
 }  // namespace
 
-ProgressReport::ProgressReport(bool quiet) : quiet_(quiet), terminal_(::isatty(STDERR_FILENO) != 0) {}
+Progress::Progress(bool quiet) : quiet_(quiet), terminal_(::isatty(STDERR_FILENO) != 0) {}
 
-ProgressReport::~ProgressReport() {
-  if (line_open_) std::fputs("\r\x1b[K", stderr);
+void Progress::clear() {
+  if (drawn_) std::fputs(clear_line, stderr);
+  drawn_ = false;
 }
 
-bool ProgressReport::show(const steady::Progress& progress) {
+void Progress::draw(double fraction, const std::string& text) {
+  const auto filled = static_cast<std::size_t>(std::clamp(fraction, 0.0, 1.0) * bar_width);
+  const std::string bar = std::string(filled, '#') + std::string(bar_width - filled, '.');
+  std::fprintf(stderr, "%s[%s] %s", clear_line, bar.c_str(), text.c_str());
+  std::fflush(stderr);
+  drawn_ = true;
+}
+
+bool Progress::show(double fraction, const std::string& text, bool at_once) {
   if (stop_requested()) return false;
   const double now = core::now();
-  const bool new_level = progress.level != last_level_;
-  const bool due = now - last_time_ > (terminal_ ? bar_interval : line_interval);
-  if (quiet_ || !(new_level || due)) return true;
-  last_level_ = progress.level;
+  if (quiet_ || !(at_once || now - last_time_ > (terminal_ ? bar_interval : line_interval))) return true;
   last_time_ = now;
-  // A continuation solves for other loads first.
-  char load[32] = "";
-  if (progress.load_ratio != 1.0) std::snprintf(load, sizeof load, "  load %.3g %%", 100.0 * progress.load_ratio);
-  const double fraction = std::clamp(progress.fraction, 0.0, 1.0);
-  if (terminal_) {
-    const auto filled = static_cast<std::size_t>(fraction * bar_width);
-    const std::string bar = std::string(filled, '#') + std::string(bar_width - filled, '.');
-    std::fprintf(stderr, "\r[%s] %3.0f %%  %d x %d%s  cycle %d/%d  residual %.1e  Hc %.4f\x1b[K", bar.c_str(),
-                 100.0 * fraction, progress.nx + 1, progress.ny + 1, load, progress.cycle,
-                 std::max(progress.cycle, progress.cycles), progress.residual, progress.Hc);
-    std::fflush(stderr);
-    line_open_ = true;
-  } else {
-    std::fprintf(stderr, "ehl: %3.0f %%  %d x %d%s  cycle %d/%d  residual %.1e  Hc %.4f\n", 100.0 * fraction,
-                 progress.nx + 1, progress.ny + 1, load, progress.cycle, std::max(progress.cycle, progress.cycles),
-                 progress.residual, progress.Hc);
-  }
+  const std::string line = formatted("%3.0f %%  ", 100.0 * std::clamp(fraction, 0.0, 1.0)) + text;
+  if (terminal_)
+    draw(fraction, line);
+  else
+    std::fprintf(stderr, "ehl: %s\n", line.c_str());
   return true;
+}
+
+void Progress::count(std::size_t done, std::size_t cases, const std::string& text) {
+  if (quiet_) return;
+  const std::string so_far = std::to_string(done) + "/" + std::to_string(cases);
+  std::fprintf(stderr, "%sehl: %s  %s\n", terminal_ ? clear_line : "", so_far.c_str(), text.c_str());
+  if (terminal_) draw(static_cast<double>(done) / static_cast<double>(cases), so_far);
 }
 
 }  // namespace ehl::program

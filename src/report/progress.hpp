@@ -1,25 +1,34 @@
 #pragma once
-#include "steady/solve.hpp"
+// How far a run has come, on stderr.
+#include <cstddef>
+#include <string>
 
 namespace ehl::program {
 
-/// Progress on stderr: a bar on a terminal, otherwise a line per level and every few seconds; and the moment at which
-/// a stop takes effect.
-class ProgressReport {
+/// On a terminal a bar that is drawn anew; otherwise a line every few seconds.
+class Progress {
  public:
-  explicit ProgressReport(bool quiet);
-  ~ProgressReport();
-  ProgressReport(const ProgressReport&) = delete;
-  ProgressReport& operator=(const ProgressReport&) = delete;
+  explicit Progress(bool quiet);
+  ~Progress() { clear(); }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
 
-  /// Returns false when the user asked to stop.
-  bool show(const steady::Progress& progress);
+  /// in: share of the work that is done; what goes on; whether it is shown soon after the last one too.
+  /// out: false when the user asked to stop.
+  bool show(double fraction, const std::string& text, bool at_once = false);
+
+  /// One of many cases has ended: a line that stays, with the bar below it.
+  void count(std::size_t done, std::size_t cases, const std::string& text);
+
+  /// Takes the bar away.
+  void clear();
 
  private:
+  void draw(double fraction, const std::string& text);
+
   bool quiet_;
   bool terminal_;
-  bool line_open_ = false;
-  int last_level_ = -1;
+  bool drawn_ = false;
   double last_time_ = 0.0;
 };
 

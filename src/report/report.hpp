@@ -1,8 +1,6 @@
 #pragma once
 // What is printed about a case and its solution.
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "report/outcome.hpp"
 
@@ -23,9 +21,10 @@ std::string profile_table(const core::PartTimes& times, double seconds);
 /// Everything that follows from the deck before anything is solved.
 std::string derived(const Case& input);
 
-/// One JSON object with the same content. in: bytes of the whole program; the members that effects_json() makes.
-std::string json_report(const Case& input, const steady::Solution& solution, const Outcome& outcome, double peak_memory,
-                        const std::vector<std::pair<std::string, std::string>>& effects = {{"effects", "[]"}});
+struct Computed;
+
+/// One JSON object with the same content, that of the effects included. in: bytes of the whole program.
+std::string json_report(const Case& input, const Computed& computed, const Outcome& outcome, double peak_memory);
 
 /// The JSON object for a case that ended without a solution.
 std::string json_failure(const Case& input, const std::string& reason);

@@ -19,7 +19,7 @@ DerivedFields derived_fields(const Case& input, const steady::Solution& solution
 void add_surface_records(const Case& input, const core::Grid& grid, results::Content& content);
 
 /// Program, version, machine and date.
-std::vector<results::Text> provenance(const Case& input);
+std::vector<results::Quantity> provenance(const Case& input);
 
 /// Everything the result file holds. The content points to the fields of `solution` and `derived`.
 results::Content result_content(const Case& input, const steady::Solution& solution, const Outcome& outcome,

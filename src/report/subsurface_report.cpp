@@ -1,10 +1,7 @@
 #include "report/subsurface_report.hpp"
 
 #include <cmath>
-#include <cstdio>
 
-#include "commands/signals.hpp"
-#include "core/timer.hpp"
 #include "deck/text.hpp"
 #include "report/json.hpp"
 #include "report/text_format.hpp"
@@ -42,28 +39,27 @@ std::string warning_lines(const StressField& field) {
   return text;
 }
 
-std::string maximum_json(const Maximum& maximum) {
-  return json::object({{"value", json::number(maximum.value)},
-                       {"X", json::number(maximum.X)},
-                       {"Y", json::number(maximum.Y)},
-                       {"Z", json::number(maximum.Z)},
-                       {"on_node", json::number(maximum.on_node)}});
+std::vector<results::Quantity> quantities(const StressField& field) {
+  std::vector<results::Quantity> list;
+  const auto add_maximum = [&](const std::string& name, const Maximum& maximum) {
+    const std::string file = "largest_" + name;
+    list.push_back(
+        {file, maximum.value, "p_h", "largest value, by parabolas between nodes and planes", name + "/value"});
+    list.push_back({file + "_x", maximum.X, "a", "where it is", name + "/X"});
+    list.push_back({file + "_y", maximum.Y, "a", "where it is", name + "/Y"});
+    list.push_back({file + "_z", maximum.Z, "a", "where it is: depth", name + "/Z"});
+    list.push_back({"", maximum.on_node, "p_h", "largest value of all nodes", name + "/on_node"});
+  };
+  add_maximum("sigma_mises", field.mises);
+  add_maximum("tau_max", field.shear);
+  list.push_back({"poisson", field.parameters.nu, "-", "Poisson's ratio of the body"});
+  list.push_back({"friction", field.parameters.friction, "-", "shear traction along +x over pressure"});
+  list.push_back({"seconds", field.seconds, "s", "time of the stresses"});
+  return list;
 }
 
 }  // namespace
 
-StressField stresses_below(const core::Grid& grid, const core::Field& P, const Parameters& parameters, int threads,
-                           bool quiet) {
-  constexpr double interval = 5.0;  // s
-  double last_time = core::now();
-  return subsurface::stress_below(grid, P, parameters, threads, [&](int done) {
-    const double now = core::now();
-    if (!quiet && now - last_time > interval) {
-      last_time = now;
-      std::fprintf(stderr, "ehl: stresses below the contact: %d of %d planes\n", done, parameters.planes);
-    }
-    return !stop_requested();
-  });
 }
 
 std::string subsurface_plan(const Parameters& parameters, const core::Grid& contact) {
@@ -77,19 +73,15 @@ std::string subsurface_summary(const StressField& field, double p_h, const std::
          body(field.parameters) + formatted("; %.3f s\n", field.seconds) + warning_lines(field);
 }
 
-std::string subsurface_json(const StressField& field) {
-  std::vector<std::string> warnings;
-  for (const std::string& warning : field.warnings) warnings.push_back(json::text(warning));
-  return json::object({{"sigma_mises", maximum_json(field.mises)},
-                       {"tau_max", maximum_json(field.shear)},
-                       {"depth", json::number(field.depths.back())},
-                       {"planes", json::number(static_cast<double>(field.depths.size()))},
-                       {"nx", json::number(field.grid.nx)},
-                       {"ny", json::number(field.grid.ny)},
-                       {"poisson", json::number(field.parameters.nu)},
-                       {"friction", json::number(field.parameters.friction)},
-                       {"warnings", json::array(warnings)},
-                       {"seconds", json::number(field.seconds)}});
+Json subsurface_json(const StressField& field) {
+  Json report;
+  add(quantities(field), report);
+  report["depth"] = field.depths.back();
+  report["planes"] = field.depths.size();
+  report["nx"] = field.grid.nx;
+  report["ny"] = field.grid.ny;
+  report["warnings"] = field.warnings;
+  return report;
 }
 
 void add_subsurface(const StressField& field, results::Content& content) {
@@ -110,17 +102,7 @@ void add_subsurface(const StressField& field, results::Content& content) {
     volume.section.push_back({subsurface::name(quantity), "p_h", subsurface::meaning(quantity),
                               &field.section[static_cast<std::size_t>(k)]});
   }
-  const auto add = [&](const std::string& name, const Maximum& maximum) {
-    volume.numbers.push_back({name, maximum.value, "p_h", "largest value, by parabolas between nodes and planes"});
-    volume.numbers.push_back({name + "_x", maximum.X, "a", "where it is"});
-    volume.numbers.push_back({name + "_y", maximum.Y, "a", "where it is"});
-    volume.numbers.push_back({name + "_z", maximum.Z, "a", "where it is: depth"});
-  };
-  add("largest_sigma_mises", field.mises);
-  add("largest_tau_max", field.shear);
-  volume.numbers.push_back({"poisson", field.parameters.nu, "-", "Poisson's ratio of the body"});
-  volume.numbers.push_back({"friction", field.parameters.friction, "-", "shear traction along +x over pressure"});
-  volume.numbers.push_back({"seconds", field.seconds, "s", "time of the stresses"});
+  volume.numbers = quantities(field);
 }
 
 }  // namespace ehl::program

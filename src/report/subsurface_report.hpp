@@ -1,5 +1,6 @@
 #pragma once
 // The stresses below the contact: from the deck, and into summary, JSON and result.
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "core/grid.hpp"
@@ -8,10 +9,6 @@
 
 namespace ehl::program {
 
-/// The stresses below a solution, with lines of progress on stderr. in: P on the whole domain.
-/// errors: core::Interrupted.
-subsurface::StressField stresses_below(const core::Grid& grid, const core::Field& P,
-                                       const subsurface::Parameters& parameters, int threads, bool quiet);
 
 /// Where and for which body, in words.
 std::string subsurface_plan(const subsurface::Parameters& parameters, const core::Grid& contact);
@@ -19,7 +16,7 @@ std::string subsurface_plan(const subsurface::Parameters& parameters, const core
 /// in: Hertz pressure [Pa], NaN where it is not known; mark: what follows numbers that did not converge.
 std::string subsurface_summary(const subsurface::StressField& field, double p_h, const std::string& mark);
 
-std::string subsurface_json(const subsurface::StressField& field);
+nlohmann::ordered_json subsurface_json(const subsurface::StressField& field);
 
 /// The content points to the fields of `field`.
 void add_subsurface(const subsurface::StressField& field, results::Content& content);

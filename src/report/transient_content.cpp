@@ -5,66 +5,66 @@
 #include "case/transient_input.hpp"
 #include "commands/transient_run.hpp"
 #include "core/errors.hpp"
-#include "report/text_format.hpp"
+#include "report/column.hpp"
 
 namespace ehl::program {
 namespace {
 
 using transient::StepRow;
 
-/// The columns of /transient, in order; one of both members is set.
-struct ColumnRecord {
-  const char* name;
-  const char* unit;
-  const char* meaning;
-  double StepRow::*number;
-  int StepRow::*count;
-  bool of_body = false;  ///< only where a body moves
-};
-constexpr ColumnRecord columns[] = {
-    {"time", "a/u_m", "time reached", &StepRow::T, nullptr},
-    {"Hc", "a^2/R", "film at (0,0)", &StepRow::Hc, nullptr},
-    {"Hm", "a^2/R", "smallest film of all nodes", &StepRow::Hm, nullptr},
-    {"Hm_x", "a", "where it is", &StepRow::Hm_X, nullptr},
-    {"Hm_y", "a", "where it is", &StepRow::Hm_Y, nullptr},
-    {"P_max", "p_h", "highest pressure of all nodes", &StepRow::P_max, nullptr},
-    {"H00", "a^2/R", "mutual approach", &StepRow::H00, nullptr},
-    {"load", "-", "wanted, over that of the contact", &StepRow::load, nullptr},
-    {"speed", "-", "entrainment speed (u1 + u2)/2 over u_m", &StepRow::speed, nullptr},
-    {"load_error", "-", "relative error of the load", &StepRow::load_error, nullptr},
-    {"velocity", "a u_m/R", "of the body", &StepRow::velocity, nullptr, true},
-    {"carried", "-", "load that the film carries, over that of the contact", &StepRow::carried, nullptr, true},
-    {"step", "a/u_m", "length of the step; 0 for the start", &StepRow::length, nullptr},
-    {"order", "-", "of the time integration", nullptr, &StepRow::order},
-    {"cycles", "-", "of all attempts at the step", nullptr, &StepRow::cycles},
-    {"rejected", "-", "attempts that failed the error test", nullptr, &StepRow::rejected},
-    {"not_solved", "-", "attempts that the cycles did not solve", nullptr, &StepRow::not_solved}};
-
-// Columns P_1, H_1, P_2, ...
-std::string probe_column(const char* quantity, std::size_t number) { return formatted("%s_%zu", quantity, number + 1); }
-
-void add_probes(const std::vector<transient::Place>& places, const std::vector<StepRow>& rows, results::Table& table) {
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    results::Column P{probe_column("P", k), "p_h", name_of_probe("pressure", places[k]), false, {}};
-    results::Column H{probe_column("H", k), "a^2/R", name_of_probe("film", places[k]), false, {}};
-    for (const StepRow& row : rows) {
-      P.values.push_back(row.probed[k].P);
-      H.values.push_back(row.probed[k].H);
-    }
-    table.columns.push_back(std::move(P));
-    table.columns.push_back(std::move(H));
+// Of /transient, in order. in: whether a body moves; the points that are looked at.
+std::vector<Column<StepRow>> step_columns(bool with_body, const std::vector<transient::Place>& probes) {
+  std::vector<Column<StepRow>> columns{{"time", "a/u_m", "time reached", &StepRow::T},
+                                       {"Hc", "a^2/R", "film at (0,0)", &StepRow::Hc},
+                                       {"Hm", "a^2/R", "smallest film of all nodes", &StepRow::Hm},
+                                       {"Hm_x", "a", "where it is", &StepRow::Hm_X},
+                                       {"Hm_y", "a", "where it is", &StepRow::Hm_Y},
+                                       {"P_max", "p_h", "highest pressure of all nodes", &StepRow::P_max},
+                                       {"H00", "a^2/R", "mutual approach", &StepRow::H00},
+                                       {"load", "-", "wanted, over that of the contact", &StepRow::load},
+                                       {"speed", "-", "entrainment speed (u1 + u2)/2 over u_m", &StepRow::speed},
+                                       {"load_error", "-", "relative error of the load", &StepRow::load_error}};
+  if (with_body) {
+    columns.push_back({"velocity", "a u_m/R", "of the body", &StepRow::velocity});
+    columns.push_back({"carried", "-", "load that the film carries, over that of the contact", &StepRow::carried});
   }
+  columns.push_back({"step", "a/u_m", "length of the step; 0 for the start", &StepRow::length});
+  columns.push_back({"order", "-", "of the time integration", &StepRow::order});
+  columns.push_back({"cycles", "-", "of all attempts at the step", &StepRow::cycles});
+  columns.push_back({"rejected", "-", "attempts that failed the error test", &StepRow::rejected});
+  columns.push_back({"not_solved", "-", "attempts that the cycles did not solve", &StepRow::not_solved});
+  for (std::size_t k = 0; k < probes.size(); ++k) {
+    const std::string number = std::to_string(k + 1);
+    columns.push_back({"P_" + number, "p_h", name_of_probe("pressure", probes[k]),
+                       [k](auto& row) -> auto& { return row.probed[k].P;
+  }
+});
+    columns.push_back({"H_" + number, "a^2/R", name_of_probe("film", probes[k]),
+                       [k](auto& row) -> auto& { return row.probed[k].H;
+    }  // namespace
+    }  // namespace ehl::program
+);
+}
+return columns;
 }
 
-void read_probes(const results::ResultFile& file, std::vector<StepRow>& rows) {
-  const auto column = [&](const char* quantity, std::size_t k) { return "/transient/" + probe_column(quantity, k); };
-  for (std::size_t k = 0; file.kind(column("P", k)) == results::ResultFile::Kind::numbers; ++k) {
-    const std::vector<double> P = file.numbers(column("P", k)).values;
-    const std::vector<double> H = file.numbers(column("H", k)).values;
-    if (P.size() != rows.size() || H.size() != rows.size())
-      throw core::FileError(file.path() + ": the file is damaged: " + column("P", k));
-    for (std::size_t n = 0; n < rows.size(); ++n) rows[n].probed.push_back({P[n], H[n]});
+// The rows of the file; as many probes as it has.
+std::vector<StepRow> read_rows(const results::ResultFile& file) {
+  const auto there = [&](const std::string& name) {
+    return file.kind("/transient/" + name) == results::ResultFile::Kind::numbers;
+  };
+  std::vector<transient::Place> probes;
+  while (there("P_" + std::to_string(probes.size() + 1))) probes.emplace_back();
+  std::vector<StepRow> rows(file.numbers("/transient/time").values.size());
+  for (StepRow& row : rows) row.probed.resize(probes.size());
+  for (const Column<StepRow>& column : step_columns(there("velocity"), probes)) {
+    const std::vector<double> values = file.numbers("/transient/" + column.name).values;
+    if (values.size() != rows.size() || values.empty())
+      throw core::FileError(file.path() + ": the file is damaged: " + column.name);
+    for (std::size_t k = 0; k < values.size(); ++k)
+      column.set(rows[k], column.whole ? Value(static_cast<int>(values[k])) : Value(values[k]));
   }
+  return rows;
 }
 
 results::Loose loose_of(const transient::Checkpoint& checkpoint) {
@@ -75,8 +75,8 @@ results::Loose loose_of(const transient::Checkpoint& checkpoint) {
           "where `ehl resume` goes on",
           {{"time", checkpoint.T, "a/u_m", "time reached"},
            {"step", checkpoint.step, "a/u_m", "length of the last step"},
-           {"frames", static_cast<double>(checkpoint.frames), "-", "fields kept so far", true},
-           {"jumps", static_cast<double>(checkpoint.restarts), "-", "jumps of load or speed so far", true}},
+           {"frames", checkpoint.frames, "-", "fields kept so far"},
+           {"jumps", checkpoint.restarts, "-", "jumps of load or speed so far"}},
           {array("y", "P and rho_bar H on the grid that is computed on, H00, and the velocity of a body that moves",
                  checkpoint.y),
            array("yp", "their derivatives in time", checkpoint.yp)}};
@@ -85,17 +85,12 @@ results::Loose loose_of(const transient::Checkpoint& checkpoint) {
 }  // namespace
 
 void add_transient(const Case& input, const TransientResult& result, results::Content& content) {
-  results::Table table{"transient", "every accepted step of time; ended " + how_it_ended(result.report), {}};
-  for (const ColumnRecord& record : columns) {
-    if (record.of_body && !input.transient->conditions.body) continue;
-    results::Column made{record.name, record.unit, record.meaning, record.count != nullptr, {}};
-    for (const StepRow& row : result.rows) made.values.push_back(record.count ? row.*record.count : row.*record.number);
-    table.columns.push_back(std::move(made));
-  }
-  add_probes(input.transient->parameters.probes, result.rows, table);
-  if (std::isfinite(input.transient->second))
-    content.scales.push_back({"time", 1.0 / input.transient->second, "s", "a/u_m, the scale of time"});
-  content.tables.push_back(std::move(table));
+  const TransientInput& march = *input.transient;
+  content.tables.push_back(table_of("transient", "every accepted step of time; ended " + how_it_ended(result.report),
+                                    step_columns(march.conditions.body.has_value(), march.parameters.probes),
+                                    result.rows));
+  if (std::isfinite(march.second))
+    content.scales.push_back({"time", 1.0 / march.second, "s", "a/u_m, the scale of time"});
   content.frames.group = "/transient/frames";
   for (const transient::Frame& frame : result.frames) content.frames.times.push_back(frame.T);
   const auto series = [&](const char* name, const char* unit, const char* meaning,
@@ -107,7 +102,7 @@ void add_transient(const Case& input, const TransientResult& result, results::Co
   };
   series("P", "p_h", "pressure p/p_h", &transient::Frame::P);
   series("H", "a^2/R", "film thickness h R/a^2", &transient::Frame::H);
-  content.summary.push_back({"transient_completed", completed(result) ? 1.0 : 0.0, "-", "1: to its end, 0: not", true});
+  content.summary.push_back({"transient_completed", completed(result), "-", "1: to its end, 0: not"});
   if (result.checkpoint) content.checkpoint = loose_of(*result.checkpoint);
 }
 
@@ -118,18 +113,7 @@ TransientResult read_transient(const results::ResultFile& file) {
                            (file.kind("/transient") == Kind::group ? "its run is complete" : "its case is steady"));
   TransientResult result;
   const std::string damaged = file.path() + ": the file is damaged: ";
-  result.rows.resize(file.numbers("/transient/time").values.size());
-  for (const ColumnRecord& record : columns) {
-    if (record.of_body && file.kind(std::string("/transient/") + record.name) != Kind::numbers) continue;
-    const std::vector<double> values = file.numbers(std::string("/transient/") + record.name).values;
-    if (values.size() != result.rows.size() || values.empty()) throw core::FileError(damaged + record.name);
-    for (std::size_t k = 0; k < values.size(); ++k)
-      if (record.count)
-        result.rows[k].*record.count = static_cast<int>(values[k]);
-      else
-        result.rows[k].*record.number = values[k];
-  }
-  read_probes(file, result.rows);
+  result.rows = read_rows(file);
   const auto number = [&](const char* name) {
     const std::vector<double> values = file.numbers(std::string("/checkpoint/") + name).values;
     if (values.size() != 1 || !std::isfinite(values[0])) throw core::FileError(damaged + name);

@@ -12,7 +12,7 @@
 #include "commands/signals.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
-#include "report/case_progress.hpp"
+#include "report/progress.hpp"
 #include "report/text_format.hpp"
 #include "results/atomic_file.hpp"
 #include "tables/sweep_children.hpp"
@@ -63,7 +63,8 @@ std::string name_of(const Task& task) {
 }
 
 std::vector<TimeStudyPoint> run_tasks(const Case& input, const std::vector<Task>& tasks, int at_once, bool quiet) {
-  CaseProgress progress(quiet, tasks.size());
+  Progress progress(quiet);
+  std::size_t done = 0;
   std::vector<TimeStudyPoint> points(tasks.size());
   std::vector<std::size_t> order;
   for (std::size_t k = 0; k < tasks.size(); ++k) order.push_back(k);
@@ -79,10 +80,9 @@ std::vector<TimeStudyPoint> run_tasks(const Case& input, const std::vector<Task>
       point.status = "failed";
       point.reason = end.reason;
     }
-    progress.show(name_of(tasks[end.task]), point.status);
+    progress.count(++done, tasks.size(), name_of(tasks[end.task]) + "  " + point.status);
   };
   const bool finished = run_in_children(order, at_once, calls);
-  progress.close();
   if (!finished) throw core::Interrupted();
   return points;
 }

@@ -36,7 +36,7 @@ instructions() {
 memory() {
   for _ in 1 2 3 4 5; do
     "$1" run small.ini --threads 1 --quiet --json --overwrite --output memory.h5 |
-      sed -n 's/.*"peak_memory_bytes": \([0-9]*\).*/\1/p'
+      sed -n 's/.*"peak_memory_bytes": *\([0-9]*\).*/\1/p'
   done | sort -n | head -n 1
 }
 compare() { awk -v n="$1" -v a="$2" -v b="$3" 'BEGIN { printf "%-13s %14.0f %14.0f  %+.3f %%\n", n, a, b, 100 * (b / a - 1) }'; }

@@ -12,6 +12,7 @@
 
 #include "case/effects.hpp"
 #include "results/read.hpp"
+#include "support/json.hpp"
 #include "support/program.hpp"
 
 using namespace ehl;
@@ -35,11 +36,6 @@ void list_datasets(const results::ResultFile& file, const std::string& group, st
     else
       list.push_back(path);
   }
-}
-
-double member(const std::string& json, const std::string& name) {
-  const std::size_t at = json.find("\"" + name + "\": ");
-  return at == std::string::npos ? 0.0 : std::atof(json.c_str() + at + name.size() + 4);
 }
 
 // Processor time of all that was run and has ended: it depends less than the clock on who else works here.
@@ -66,7 +62,7 @@ Cost cost_of(const std::vector<std::string>& overrides, int cells, int runs) {
       std::exit(1);
     }
     cost.seconds = std::min(cost.seconds, processor_seconds() - before);
-    cost.bytes = std::min(cost.bytes, member(ended.out, "peak_memory_bytes"));
+    cost.bytes = std::min(cost.bytes, support::number_at(support::parsed(ended.out), "/peak_memory_bytes"));
   }
   list_datasets(results::ResultFile(folder / "d.h5"), "/", cost.datasets);
   return cost;

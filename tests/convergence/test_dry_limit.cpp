@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "contact/groups.hpp"
-#include "effects/dry/solve.hpp"
+#include "dry/solve.hpp"
 #include "steady/solve.hpp"
 
 using namespace ehl;

@@ -121,16 +121,15 @@ class Judge {
     expect(value("load_error") <= std::max(loose_load_error, asked_tolerance()),
            "solved: a small load error: " + json_member(ran.out, "load_error"));
     verdict_.Hc = value("Hc");
-    const std::size_t formulas = ran.out.find("\"formulas\": ");
-    if (formulas != std::string::npos)
-      verdict_.formula_ratio = verdict_.Hc / number(json_member(ran.out.substr(formulas), "Hc"));
+    if (const std::string told_Hc = json_member(ran.out, "formulas/0/Hc"); !told_Hc.empty())
+      verdict_.formula_ratio = verdict_.Hc / number(told_Hc);
     // Without a warning the film is resolved and flooded, and the formula is good to 15 % there.
     constexpr double least_ratio = 0.7;
     constexpr double largest_ratio = 1.4;
     // It is told where it was made for the shape of the contact.
     const bool told = ran.out.find("Nijenbanning") != std::string::npos;
     const bool near_formula = !told || (verdict_.formula_ratio > least_ratio && verdict_.formula_ratio < largest_ratio);
-    const bool smooth = !contains(ran.out, "\"name\": \"surfaces\"");
+    const bool smooth = !contains(ran.out, "\"name\":\"surfaces\"");
     expect(near_formula || json_member(ran.out, "warnings") != "[]" || !smooth,
            "solved without a warning: Hc near the published formula, not " + std::to_string(verdict_.formula_ratio) +
                " of it");
@@ -188,8 +187,8 @@ class Judge {
     verdict_.reason = json_member(ran.out, "failed_check");
     expect(support::is_json(ran.out), "not converged: the output is JSON: " + ran.out);
     // The steady contact may be solved, and what follows in time not.
-    const bool in_time = json_member(ran.out, "completed") == "false";
-    if (in_time) verdict_.reason = json_member(ran.out, "ended");
+    const bool in_time = json_member(ran.out, "transient/completed") == "false";
+    if (in_time) verdict_.reason = json_member(ran.out, "transient/ended");
     expect(in_time || json_member(ran.out, "converged") == "false", "not converged: converged is false");
     expect(verdict_.reason.size() > 10, "not converged: a reason");
     expect(contains(ran.err, "not converged: "), "not converged: said on standard error: " + ran.err);
@@ -207,10 +206,9 @@ class Judge {
     expect(checked.status == 0, "the deck in the result is a deck: " + checked.err + deck.out);
     const Finished mark = ehl({"extract", "r.h5", "converged"}, "extract");
     expect(mark.status == 0 && contains(mark.out, "1"), "the result is marked as converged: " + mark.out + mark.err);
-    const std::size_t in_time = ran.out.find("\"transient\": {");
-    if (in_time != std::string::npos) {
+    if (const std::string steps = json_member(ran.out, "transient/steps"); !steps.empty()) {
       const Finished rows = ehl({"extract", "r.h5", "transient"}, "extract");
-      take(faults_of_rows(rows.out, number(json_member(ran.out.substr(in_time), "steps"))));
+      take(faults_of_rows(rows.out, number(steps)));
     }
     const Finished field = ehl({"extract", "r.h5", "P"}, "extract");
     expect(field.status == 0, "P can be read back: " + field.err);
@@ -257,16 +255,11 @@ Verdict judge(std::uint64_t seed, const Setting& setting, bool sampled) {
   }
 }
 
-std::string json_member(const std::string& json, const std::string& name) {
-  const std::string label = "\"" + name + "\": ";
-  const std::size_t at = json.find(label);
-  if (at == std::string::npos) return "";
-  const std::size_t begin = at + label.size();
-  if (json[begin] == '[') return json.substr(begin, json.find(']', begin) + 1 - begin);
-  if (json[begin] != '"') return json.substr(begin, json.find_first_of(",}", begin) - begin);
-  std::size_t end = begin + 1;
-  while (end < json.size() && json[end] != '"') end += json[end] == '\\' ? 2 : 1;
-  return json.substr(begin + 1, end - begin - 1);
+std::string json_member(const std::string& json, const std::string& path) {
+  const nlohmann::json all = support::parsed(json);
+  const nlohmann::json::json_pointer at("/" + path);
+  if (!all.contains(at)) return "";
+  return all[at].is_string() ? all[at].get<std::string>() : all[at].dump();
 }
 
 }  // namespace hard

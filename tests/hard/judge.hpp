@@ -51,7 +51,7 @@ std::vector<std::string> faults_of_rows(const std::string& columns, double steps
 /// A number in a text, NaN where there is none.
 double number(const std::string& text);
 
-/// The value of a member as it stands in a JSON text; empty when there is none. limits: the first of that name.
-std::string json_member(const std::string& json, const std::string& name);
+/// The value of a member as JSON, a text without its quotes; empty when there is none. in: its path, "friction/mu".
+std::string json_member(const std::string& json, const std::string& path);
 
 }  // namespace hard

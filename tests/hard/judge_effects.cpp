@@ -41,9 +41,8 @@ std::vector<std::string> faults_of_dry(const std::string& json) {
 
 std::vector<std::string> faults_of_friction(const std::string& json) {
   std::vector<std::string> faults;
-  const std::size_t at = json.find("\"friction\": {");
-  if (at == std::string::npos) return faults;
-  const std::string own = json.substr(at);
+  const std::string own = json_member(json, "friction");
+  if (own.empty()) return faults;
   for (const char* name : {"mu", "mu_rolling", "mu_1", "mu_2", "mu_cavitated", "largest_stress"})
     expect_number(faults, own, name);
   // What sliding does to one surface it does to the other; pressure on the slopes of the gap makes up the rest.
@@ -57,9 +56,8 @@ std::vector<std::string> faults_of_friction(const std::string& json) {
 
 std::vector<std::string> faults_in_time(const std::string& json) {
   std::vector<std::string> faults;
-  const std::size_t at = json.find("\"transient\": {");
-  if (at == std::string::npos) return faults;
-  const std::string own = json.substr(at);
+  const std::string own = json_member(json, "transient");
+  if (own.empty()) return faults;
   expect(faults, json_member(own, "completed") == "true",
          "solved: the run in time is complete: " + json_member(own, "ended"));
   for (const char* name : {"end_time", "Hc", "Hm", "least_Hm", "largest_P_max", "worst_load_error"})

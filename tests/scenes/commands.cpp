@@ -42,7 +42,7 @@ BOOST_AUTO_TEST_CASE(json_is_json_and_nothing_else) {
   const support::Ended ended = scene.ehl("run d.ini --json --output sub.h5");
   BOOST_TEST(ended.status == 0);
   BOOST_TEST(support::is_json(ended.out), ended.out);
-  BOOST_TEST(contains(ended.out, "\"converged\": true"));
+  BOOST_TEST(contains(ended.out, "\"converged\":true"));
 }
 
 // Coarsenings are meant for the finest grid: six fit 64 cells, although not the 32 of the coarsest grid.
@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(not_converged) {
   const support::Ended json = scene.ehl("run d.ini --json --overwrite" + few);
   BOOST_TEST(json.status == 3);
   BOOST_TEST(support::is_json(json.out));
-  BOOST_TEST(contains(json.out, "\"converged\": false"));
+  BOOST_TEST(contains(json.out, "\"converged\":false"));
 }
 
 // Long enough to be interrupted in its middle; the shell sends what Ctrl-C sends.

@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(the_same_in_metres_and_from_its_own_deck) {
     BOOST_TEST(contains(checked.out, part), checked.out);
   const support::Ended json = support::ehl(folder, "run metres.ini --json --overwrite");
   BOOST_TEST(support::is_json(json.out));
-  BOOST_TEST(contains(json.out, "\"name\": \"surfaces\""), json.out);
+  BOOST_TEST(contains(json.out, "\"name\":\"surfaces\""), json.out);
 }
 
 BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {

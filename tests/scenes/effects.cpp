@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(results_name_the_effects_that_were_on) {
   const Scene scene;
   const support::Ended none = scene.ehl("run plain.ini --json --quiet");
   BOOST_REQUIRE_MESSAGE(none.status == 0, none.err);
-  BOOST_TEST(contains(none.out, "\"effects\": []"));
+  BOOST_TEST(contains(none.out, "\"effects\":[]"));
   const ResultFile without(scene.folder / "plain.h5");
   BOOST_TEST((without.kind("/effects") == ResultFile::Kind::missing));
   BOOST_TEST((without.kind("/transient") == ResultFile::Kind::missing));
@@ -63,8 +63,8 @@ BOOST_AUTO_TEST_CASE(results_name_the_effects_that_were_on) {
   const support::Ended two = scene.ehl("run timed.ini --json --quiet");
   BOOST_REQUIRE_MESSAGE(two.status == 0, two.err);
   BOOST_TEST(support::is_json(two.out), two.out);
-  for (const char* part : {"\"effects\": [{\"name\": \"transient\", \"seconds\": ", "{\"name\": \"surfaces\", ",
-                           "\"why\": \"[surface1] shape = ridge\"", "\"transient\": {\"completed\": true"})
+  for (const char* part : {"\"effects\":[{\"name\":\"transient\",\"seconds\":", "{\"name\":\"surfaces\",",
+                           "\"why\":\"[surface1] shape = ridge\"", "\"transient\":{\"completed\":true"})
     BOOST_TEST(contains(two.out, part), part << " is missing in\n" << two.out);
   const ResultFile with(scene.folder / "timed.h5");
   BOOST_TEST(with.names("/effects") == (std::vector<std::string>{"surfaces", "transient"}),

@@ -45,7 +45,10 @@ struct Door {
 
 std::vector<Door> doors() {
   return {
-      {"Boost.Program_options", {"boost/program_options"}, {"deck"}},
+      {"Boost.Program_options",
+       {"boost/program_options"},
+       {"deck", "src"},
+       {"modules/deck/document.cpp", "src/commands/arguments.cpp"}},
       {"HDF5", {"hdf5", "H5"}, {"results"}},
       {"SUNDIALS",
        {"sundials/", "kinsol/", "ida/", "idas/", "cvode/", "arkode/", "nvector/", "sunlinsol/", "sunnonlinsol/",

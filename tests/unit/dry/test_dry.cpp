@@ -7,7 +7,7 @@
 
 #include "core/errors.hpp"
 #include "core/norms.hpp"
-#include "effects/dry/solve.hpp"
+#include "dry/solve.hpp"
 
 using namespace ehl;
 

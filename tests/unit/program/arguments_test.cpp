@@ -1,17 +1,18 @@
 #include "commands/arguments.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <set>
 
+#include "commands/commands.hpp"
 #include "core/errors.hpp"
+#include "deck/text.hpp"
 
 using namespace ehl;
 using program::Arguments;
 
 namespace {
 
-Arguments parse(const std::vector<std::string>& words) {
-  return program::parse_arguments(words, program::command_records());
-}
+Arguments parse(const std::vector<std::string>& words) { return program::parse_arguments(words, program::commands()); }
 
 std::string refusal(const std::vector<std::string>& words) {
   try {
@@ -57,9 +58,54 @@ BOOST_AUTO_TEST_CASE(slips) {
 
 // Commands that do not work yet are not in the help; those that work are.
 BOOST_AUTO_TEST_CASE(the_help_names_what_works) {
-  const std::string help = program::help(program::command_records(), "");
+  const std::string help = program::help_text(program::commands(), "");
   for (const char* command : {"run", "check", "resume", "sweep", "study", "extract", "plot", "keys"})
     BOOST_TEST(contains(help, std::string("ehl ") + command), command);
+}
+
+BOOST_AUTO_TEST_CASE(more_slips) {
+  BOOST_TEST(contains(refusal({"run", "d", "--out", "x"}), "no option --out"));  // no abbreviations
+  BOOST_TEST(contains(refusal({"run", "d", "-sett=x"}), "did you mean --set?"));
+  BOOST_TEST(contains(refusal({"run", "d", "--quiet=3"}), "--quiet takes no value"));
+  BOOST_TEST(contains(refusal({"run", "d", "--output="}), "--output: the value is missing: FILE.h5"));
+  BOOST_TEST(contains(refusal({"run", "--json", "d", "e"}), "'e' is one too many"));
+}
+
+BOOST_AUTO_TEST_CASE(values_are_taken_as_they_are) {
+  const Arguments given = parse({"run", "my deck.ini", "--set", "case.title=a = b, c", "--set", "", "--output", "-x"});
+  BOOST_TEST((given.operands == std::vector<std::string>{"my deck.ini"}));
+  BOOST_TEST((given.values("set") == std::vector<std::string>{"case.title=a = b, c", ""}));
+  BOOST_TEST(given.value("output", "") == "-x");
+}
+
+BOOST_AUTO_TEST_CASE(help_is_asked_for_anywhere) {
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"help", "run"}, {"run", "--help"}, {"run", "d", "--set", "x", "-h"}}) {
+    const Arguments given = parse(words);
+    BOOST_TEST(given.command == "help");
+    BOOST_TEST((given.operands == std::vector<std::string>{"run"}));
+  }
+  for (const char* word : {"help", "--help", "-h"}) BOOST_TEST(parse({word}).command == "help");
+  BOOST_TEST(parse({"--version"}).command == "version");
+}
+
+// A command of the list can be called, is its own function, and is in the help with all its options.
+BOOST_AUTO_TEST_CASE(every_command_is_dispatched) {
+  std::set<int (*)(const Arguments&)> functions;
+  std::set<std::string> names;
+  const std::string overview = program::help_text(program::commands(), "");
+  for (const program::Command& command : program::commands()) {
+    BOOST_TEST((command.function != nullptr), command.name);
+    BOOST_TEST(functions.insert(command.function).second, command.name);
+    BOOST_TEST(names.insert(command.name).second, command.name);
+    std::vector<std::string> words = deck::split_words(command.operands);
+    words.insert(words.begin(), command.name);
+    BOOST_TEST(parse(words).command == command.name);
+    BOOST_TEST((&program::find_command(program::commands(), command.name) == &command));
+    BOOST_TEST(contains(overview, "\n  ehl " + command.name), command.name);
+    const std::string own = program::help_text(program::commands(), command.name);
+    for (const program::Option& option : command.options) BOOST_TEST(contains(own, "--" + option.name), own);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

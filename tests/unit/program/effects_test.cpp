@@ -85,6 +85,10 @@ BOOST_AUTO_TEST_CASE(every_entry_is_complete) {
     BOOST_TEST(!effect.callers.empty(), effect.name);
     for (const program::KeyName& key : effect.callers)
       BOOST_TEST((deck::find_key(catalogue, key.section, key.name) != nullptr), key.section << "." << key.name);
+    // What is computed from the solution comes after it; what is part of the film is computed with it.
+    using program::Stage;
+    BOOST_TEST((effect.stage != Stage::after_solution || effect.compute), effect.name);
+    BOOST_TEST((effect.stage != Stage::coefficients || !effect.compute), effect.name);
     if (!effect.costly.name.empty())
       BOOST_TEST((deck::find_key(catalogue, effect.costly.section, effect.costly.name) != nullptr), effect.name);
     for (const deck::Section& section : effect.sections)
@@ -107,9 +111,9 @@ BOOST_AUTO_TEST_CASE(a_plain_deck_calls_for_none) {
   const program::Computed nothing;
   BOOST_TEST(program::effect_times(input, nothing).empty());
   BOOST_TEST(program::effect_rows(input, nothing).empty());
-  const auto members = program::effects_json(input, nothing);
-  BOOST_TEST(members.size() == 1u);
-  BOOST_TEST(members[0].second == "[]");
+  nlohmann::ordered_json report;
+  program::add_effects(input, nothing, report);
+  BOOST_TEST(report.dump() == "{\"effects\":[]}");
 }
 
 // Each is turned on by its example alone, and names keys that the deck does give.
@@ -202,10 +206,11 @@ BOOST_AUTO_TEST_CASE(times_and_shares) {
        {"basic model                    4.0000   40 %", "transient                      5.0000   50 %",
         "surfaces                       1.0000   10 %"})
     BOOST_TEST(contains(table, row), table);
-  const auto members = program::effects_json(input, computed);
-  BOOST_TEST(contains(members[0].second, "{\"name\": \"transient\", \"seconds\": 5,"), members[0].second);
-  BOOST_TEST(support::is_json(members[0].second));
-  BOOST_TEST(members.back().first == "transient");
+  nlohmann::ordered_json report;
+  program::add_effects(input, computed, report);
+  BOOST_TEST(report["effects"][0]["name"] == "transient");
+  BOOST_TEST(report["effects"][0]["seconds"] == 5.0);
+  BOOST_TEST(report.contains("transient"));
   const std::vector<results::EffectRow> rows = program::effect_rows(input, computed);
   BOOST_REQUIRE(rows.size() == 2u);
   BOOST_TEST(rows[1].seconds == 1.0);

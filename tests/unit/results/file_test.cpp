@@ -26,12 +26,13 @@ struct Example {
       for (int j = 0; j < grid.nodes_y(); ++j) field(i, j) = 1000.0 * i + j;
     content.title = "an <example> & more";
     content.deck = "[contact]\nM = 50\n";
-    content.provenance = {{"version", "0.1", "version of the program"}};
+    content.provenance = {{"version", "0.1", "", "version of the program"}};
     content.scales = {{"a", 136.5e-6, "m", "Hertz radius"}, {"unknown", nan, "m", "not known"}};
     content.grid = grid;
     content.fields = {{"P", "p_h", "pressure", &field}};
-    content.summary = {{"converged", 1.0, "-", "1: converged", true}, {"Hc", 0.2205, "a^2/R", "central film"}};
-    content.remarks = {{"warnings", "", "none"}};
+    content.summary = {{"converged", true, "-", "1: converged"},
+                       {"Hc", 0.2205, "a^2/R", "central film"},
+                       {"warnings", "", "", "none"}};
     content.tables = {{"levels",
                        "the ladder",
                        {{"level", "-", "level", true, {1, 2, 3}}, {"Hc", "-", "film", false, {0.1, nan, 0.3}}}}};

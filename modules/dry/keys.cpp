@@ -1,6 +1,7 @@
-#include "effects/dry/keys.hpp"
+#include "dry/keys.hpp"
 
 #include "deck/text.hpp"
+#include "dry/solve.hpp"
 
 namespace ehl::dry {
 
@@ -24,7 +25,7 @@ std::vector<deck::Key> keys() {
                                  .default_text = deck::shortest(defaults.tolerance),
                                  .range = {1e-12, 1e-2},
                                  .meaning = "Largest gap inside the contact and largest overlap outside it, in a^2/R.",
-                                 .source = "modules/effects/dry/README.md",
+                                 .source = "modules/dry/README.md",
                                  .needs = dry},
                                 {.name = "max_iterations",
                                  .type = Type::integer,

@@ -3,11 +3,11 @@
 #include <vector>
 
 #include "deck/deck.hpp"
-#include "effects/dry/solve.hpp"
+#include "dry/solve.hpp"
 
 namespace ehl::dry {
 
-/// The deck keys of this effect: [case] kind and section [dry].
+/// The deck keys of the dry contact: [case] kind and section [dry].
 std::vector<deck::Key> keys();
 /// Nothing where the contact is lubricated.
 std::optional<Parameters> read(deck::Deck& deck);

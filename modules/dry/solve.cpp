@@ -1,4 +1,4 @@
-#include "effects/dry/solve.hpp"
+#include "dry/solve.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "core/errors.hpp"
 #include "core/norms.hpp"
 #include "core/timer.hpp"
-#include "effects/dry/conjugate_gradients.hpp"
+#include "dry/conjugate_gradients.hpp"
 #include "transfer/transfer.hpp"
 
 namespace ehl::dry {

@@ -1,4 +1,4 @@
-#include "effects/dry/conjugate_gradients.hpp"
+#include "dry/conjugate_gradients.hpp"
 
 #include <algorithm>
 #include <cmath>

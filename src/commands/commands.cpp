@@ -1,0 +1,160 @@
+// The list of commands, the small ones among them, and what several of them need.
+#include "commands/commands.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include "case/catalogue.hpp"
+#include "commands/exit_status.hpp"
+#include "commands/machine.hpp"
+#include "core/errors.hpp"
+#include "core/processor_level.hpp"
+#include "deck/write.hpp"
+#include "report/version.hpp"
+
+namespace ehl::program {
+namespace {
+
+const Option set{"set", "section.key=value", "overrides or adds a key of the deck", true};
+const Option threads{"threads", "N", "number of threads (default: the cores this process may use)"};
+const Option profile{"profile", "", "adds where the time went, part by part"};
+const Option as_json{"json", "", "one JSON object on stdout and nothing else"};
+const Option quiet{"quiet", "", "no progress"};
+
+const Command run_command{"run",
+                          "DECK",
+                          "solves a case: table and summary on stdout, progress on stderr, result in an HDF5 file",
+                          {set,
+                           {"output", "FILE.h5", "result file (default: [output] file, else the name of the deck)"},
+                           {"overwrite", "", "replace an existing result file"},
+                           threads,
+                           profile,
+                           as_json,
+                           quiet},
+                          run};
+
+const Command sweep_command{
+    "sweep",
+    "DECK",
+    "solves many cases of one deck, several at a time: one row per case in a CSV table. The same command again goes on "
+    "where it was stopped",
+    {{"vary", "section.key=LIST",
+      "a key and its values: 2,5,10 or a:b:n or a:b:n:log or words; several --vary make all combinations, the first "
+      "varies slowest",
+      true},
+     set,
+     {"output", "FILE.csv", "the table (default: name of the deck with _sweep.csv)"},
+     {"overwrite", "", "begin the table anew"},
+     {"threads", "N", "cases at a time, one thread each (default: the cores this process may use)"},
+     quiet},
+    sweep};
+
+const Command study_command{
+    "study",
+    "DECK",
+    "what accuracy costs in time: the same case over levels, wedge schemes, film evaluators and cycles; error against "
+    "seconds and work, as a table and a CSV file that `ehl plot` draws. A deck with [transient]: over the tolerance of "
+    "the time integration, error over the run against seconds and steps",
+    {{"levels", "a:b",
+      "cells of the coarsest and of the finest grid, b = a times a power of two (default: from 64 up to the deck's)"},
+     {"wedges", "LIST", "of upstream1,upstream2 (default: both)"},
+     {"evaluators", "LIST", "of mlmi4,mlmi6,mlmi8,fft,direct (default: all; direct up to 20000 nodes)"},
+     {"cycles", "LIST", "cycles per level, e.g. 1V,2W, or run: as `ehl run` does (default: 1V,2V,1W,2W,run)"},
+     {"reference", "N",
+      "cells of the grid that the reference is extrapolated from, with those below it (default: twice the finest)"},
+     {"rtol", "LIST",
+      "of a deck with [transient] and instead of all the above: the tolerances (default: 1e-2,1e-3,1e-4,1e-5,1e-6)"},
+     set,
+     {"output", "FILE.csv", "the table (default: name of the deck with _study.csv)"},
+     {"overwrite", "", "replace an existing table"},
+     {"repeat", "N", "solve everything N times and take the least time (default 3)"},
+     {"threads", "N", "number of threads of each solution (default 1)"},
+     {"jobs", "N", "solutions at a time (default 1); with more the times are marked as shared"},
+     quiet},
+    study};
+
+const Command extract_command{
+    "extract",
+    "FILE.h5 DATASET",
+    "prints a dataset of a result as columns: P, H, levels, history, summary, scales, deck, or a path in the file",
+    {{"along", "x|y", "only the section of a field along this axis"},
+     {"at", "y=0|x=0", "where the section lies: the nearest grid line is taken (default 0)"},
+     {"step", "K", "number K, from 0, of fields at several times or depths; without it a section of all"},
+     {"matrix", "", "a field as a matrix with its axes, for gnuplot's `matrix nonuniform`"}},
+    extract};
+
+const Command plot_command{
+    "plot",
+    "FILE.h5|FILE.csv",
+    "draws the figures of postprocess/ from a result or the table of a sweep or a study, beside it",
+    {{"figure", "NAME", "only this figure", true}, {"format", "png|svg|pdf", "format of the pictures (default png)"}},
+    plot};
+
+}  // namespace
+
+const std::vector<Command>& commands() {
+  static const std::vector<Command> all{
+      run_command,
+      {"check",
+       "DECK",
+       "validates a deck and prints everything that follows from it; solves nothing",
+       {set, threads},
+       check},
+      {"resume",
+       "FILE.h5",
+       "goes on with a run in time from the checkpoint in its result file, and completes that file",
+       {threads, profile, as_json, quiet},
+       resume},
+      sweep_command,
+      study_command,
+      extract_command,
+      plot_command,
+      {"keys",
+       "[SECTION[.KEY]]",
+       "lists the keys of the deck: default, unit, range, meaning, source",
+       {{"deck", "", "a complete commented deck instead"}},
+       keys},
+      {"help", "[COMMAND]", "what the commands do, or one of them and its options", {}, help},
+      {"version", "", "version, commit, compiler, and what the numerics in use were compiled for", {}, version}};
+  return all;
+}
+
+int keys(const Arguments& arguments) {
+  const std::string selection = arguments.operands.empty() ? "" : arguments.operands[0];
+  if (arguments.has("deck") && !selection.empty())
+    throw core::InputError("command line: `ehl keys --deck` writes the whole deck: leave " + selection + " out");
+  print(arguments.has("deck") ? deck::commented_deck(catalogue()) : deck::list_keys(catalogue(), selection));
+  return solved;
+}
+
+int help(const Arguments& arguments) {
+  print(help_text(commands(), arguments.operands.empty() ? "" : arguments.operands[0]));
+  return solved;
+}
+
+int version(const Arguments&) {
+  const Version built = version();
+  print("ehl " + built.number + ", commit " + built.commit + (built.dirty ? " with changes" : "") + ", " +
+        built.compiler + ", for " + core::processor_level() + "\n");
+  return solved;
+}
+
+int requested_threads(const Arguments& arguments) { return whole_number(arguments, "threads", usable_cores(), 1024); }
+
+std::string table_name(const Arguments& arguments) {
+  const std::string stem = std::filesystem::path(arguments.operands[0]).stem();
+  const std::string path = arguments.value("output", stem + "_" + arguments.command + ".csv");
+  if (!path.ends_with(".csv"))
+    throw core::InputError("command line: --output " + path + ": the table's name ends with .csv");
+  return path;
+}
+
+void print(const std::string& text) {
+  errno = 0;
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    throw core::FileError(std::string("standard output: cannot be written: ") + std::strerror(errno));
+}
+
+}  // namespace ehl::program

@@ -1,0 +1,187 @@
+// A contact without lubricant, from the case to what is printed and kept.
+#include <algorithm>
+#include <cmath>
+
+#include "commands/machine.hpp"
+#include "commands/solver.hpp"
+#include "contact/yield.hpp"
+#include "core/constants.hpp"
+#include "core/norms.hpp"
+#include "core/processor_level.hpp"
+#include "deck/text.hpp"
+#include "deck/write.hpp"
+#include "report/json.hpp"
+#include "report/text_format.hpp"
+
+namespace ehl::program {
+namespace {
+
+constexpr double hertz_load = 2.0 * core::pi / 3.0;  // of P = sqrt(1 - r^2)
+
+// On each grid the error falls at an even pace, and the next takes four times as long.
+double fraction(const dry::Progress& now, double tolerance) {
+  const double of_grid = std::clamp(std::log(now.error) / std::log(tolerance), 0.0, 1.0);
+  return std::pow(4.0, -now.grids_left) * (0.25 + 0.75 * of_grid);
+}
+
+void solve(const Case& input, Progress& progress, Computed& computed) {
+  const core::Patch grid =
+      input.scene.use_symmetry ? core::lower_half(input.scene.grid) : core::Patch(input.scene.grid);
+  dry::Problem problem{
+      grid, dry::smooth_gap(grid), hertz_load, input.scene.deformation, input.dry->parameters, input.scene.threads};
+  if (input.scene.surface) {
+    core::Field S(grid);
+    input.scene.surface(grid, S);
+    for (int i = 0; i < grid.nodes_x(); ++i)
+      for (int j = 0; j < grid.nodes_y(); ++j) problem.gap(i, j) += S(i, j);
+  }
+  dry::Solution& solution = computed.dry.emplace();
+  solution = dry::solve(problem, [&](const dry::Progress& now) {
+    return progress.show(fraction(now, problem.parameters.tolerance),
+                         formatted("%d x %d  iteration %d  gap wrong by %.1e", now.grid.nodes_x(), now.grid.nodes_y(),
+                                   now.iteration, now.error));
+  });
+  const core::Location highest = core::maximum(solution.P);
+  Outcome& outcome = computed.outcome;
+  outcome.P_max = {highest.value, solution.grid.X(highest.i), solution.grid.Y(highest.j)};
+  if (std::optional<std::string> beyond = contact::beyond_yield(input.physics.p_h)) outcome.warnings.push_back(*beyond);
+  for (std::string& warning : surface_warnings(input.surfaces, input.scene.grid))
+    outcome.warnings.push_back(std::move(warning));
+  computed.solution.grid = solution.grid;
+  computed.solution.P = solution.P;
+  computed.solution.converged = solution.converged;
+  computed.solution.failed_check = solution.failed_check;
+  computed.derived = derived_fields(input, computed.solution);
+}
+
+std::string contact_lines(const ElasticContact& contact) {
+  return formatted("contact      F = %.6g N, R = %s, E' = %s\n", contact.load, length(contact.radius).c_str(),
+                   pressure(contact.E_prime).c_str()) +
+         "Hertz        a = " + length(contact.hertz.a) + ", p_h = " + pressure(contact.hertz.p_h) +
+         ", a^2/R = " + length(contact.hertz.h_scale) + "\n";
+}
+
+std::string table(const dry::Solution& solution) {
+  std::string text = "       nodes     P_max  approach      area  gap error  iterations   seconds\n";
+  for (const dry::GridRow& row : solution.rows)
+    text += formatted("%12s  %8.5f  %8.5f  %8.5f  %9.0e  %10d  %8.3f\n",
+                      formatted("%d x %d", row.nx + 1, row.ny + 1).c_str(), row.P_max, -row.H00, row.area, row.error,
+                      row.iterations, row.seconds);
+  return text;
+}
+
+std::string summary(const Case& input, const Computed& computed) {
+  const dry::Solution& solution = *computed.dry;
+  const Place& P_max = computed.outcome.P_max;
+  const std::optional<ElasticContact>& contact = input.dry->contact;
+  const char* mark = solution.converged ? "" : "  (NOT CONVERGED)";
+  const dry::GridRow& last = solution.rows.back();
+  std::string text = table(solution);
+  if (!solution.converged) text += "NOT CONVERGED: " + solution.failed_check + "\n";
+  text += formatted("p_max        P = %.5f%s, at (%.3f, %.3f) a%s\n", P_max.value,
+                    contact ? (", " + pressure(P_max.value * input.physics.p_h)).c_str() : "", P_max.X, P_max.Y, mark);
+  text += formatted("approach     %.5f a^2/R%s (smooth: 1)%s\n", -solution.H00,
+                    contact ? (", " + length(-solution.H00 * contact->hertz.h_scale)).c_str() : "", mark);
+  text += formatted("area         %.5f a^2, %.4f of Hertz' circle%s\n", last.area, last.area / core::pi, mark);
+  if (contact) text += contact_lines(*contact);
+  text += formatted("load         error %.1e; gap in contact and overlap outside at most %.1e a^2/R\n",
+                    solution.load_error, last.error);
+  text += "method       dry, conjugate gradients; deformation " + solution.deformation +
+          formatted("; %d thread%s\n", input.scene.threads, input.scene.threads == 1 ? "" : "s");
+  text += formatted("time         %.3f s\n", solution.seconds);
+  for (const std::string& warning : computed.outcome.warnings) text += "warning: " + warning + "\n";
+  return text;
+}
+
+std::vector<results::Quantity> quantities(const Computed& computed) {
+  const dry::Solution& solution = *computed.dry;
+  const Place& P_max = computed.outcome.P_max;
+  return {{"converged", solution.converged, "-", "1: all checks passed, 0: not"},
+          {"failed_check", solution.failed_check, "", "empty when converged"},
+          {"P_max", P_max.value, "p_h", "highest pressure of all nodes"},
+          {"P_max_x", P_max.X, "a", "where it is", "P_max_X"},
+          {"P_max_y", P_max.Y, "a", "where it is", "P_max_Y"},
+          {"H00", solution.H00, "a^2/R", "minus the mutual approach"},
+          {"area", solution.rows.back().area, "a^2", "area of the nodes in contact"},
+          {"gap_error", solution.rows.back().error, "a^2/R", "largest gap in the contact, overlap outside"},
+          {"load_error", solution.load_error, "-", "relative error of the load"},
+          {"seconds", solution.seconds, "s", "time of the solution"},
+          {"deformation", solution.deformation, "", "how the elastic deformation was evaluated", results::not_in_json}};
+}
+
+std::vector<Column<dry::GridRow>> grid_columns() {
+  using Row = dry::GridRow;
+  return {{"nx", "-", "cells along x", &Row::nx},
+          {"ny", "-", "cells along y", &Row::ny},
+          {"P_max", "p_h", "highest pressure of all nodes", &Row::P_max},
+          {"H00", "a^2/R", "minus the mutual approach", &Row::H00},
+          {"area", "a^2", "area of the nodes in contact", &Row::area},
+          {"gap_error", "a^2/R", "largest gap in the contact, largest overlap outside", &Row::error},
+          {"iterations", "-", "conjugate gradients", &Row::iterations},
+          {"seconds", "s", "time on the grid", &Row::seconds}};
+}
+
+std::string json(const Case& input, const Computed& computed) {
+  Json report;
+  add(quantities(computed), report);
+  report["title"] = input.title;
+  report["kind"] = "dry";
+  report["p_h_Pa"] = input.physics.p_h;
+  report["deformation"] = name(input.scene.deformation.method);
+  report["threads"] = input.scene.threads;
+  report["cpu_level"] = core::processor_level();
+  report["peak_memory_bytes"] = peak_memory();
+  report["grids"] = rows_json(grid_columns(), computed.dry->rows);
+  report["warnings"] = computed.outcome.warnings;
+  add_effects(input, computed, report);
+  return line_of(report);
+}
+
+results::Content content(const Case& input, const Computed& computed) {
+  const dry::Solution& solution = *computed.dry;
+  results::Content content;
+  content.title = input.title;
+  content.deck = deck::effective_deck(input.deck);
+  content.provenance = provenance(input);
+  if (const std::optional<ElasticContact>& contact = input.dry->contact)
+    content.scales = {{"p_h", contact->hertz.p_h, "Pa", "Hertz pressure, the scale of P"},
+                      {"a", contact->hertz.a, "m", "Hertz radius, the scale of X and Y"},
+                      {"h", contact->hertz.h_scale, "m", "a^2/R, the scale of the gap"},
+                      {"load", contact->load, "N", "normal load"},
+                      {"R", contact->radius, "m", "reduced radius"},
+                      {"E_prime", contact->E_prime, "Pa", "reduced modulus"}};
+  content.grid = solution.grid;
+  content.fields = {{"P", "p_h", "pressure p/p_h", &solution.P}, {"gap", "a^2/R", "gap h R/a^2", &solution.H}};
+  if (input.scene.surface)
+    content.fields.push_back(
+        {"S", "a^2/R", "what the surfaces add to the gap, as means over cells", &computed.derived.S});
+  content.summary = quantities(computed);
+  content.summary.push_back({"warnings", deck::joined(computed.outcome.warnings, "\n"), "", "one a line"});
+  add_surface_records(input, solution.grid, content);
+  content.tables = {table_of("grids", "the grids, coarse to fine", grid_columns(), solution.rows)};
+  return content;
+}
+
+std::string derived_dry(const Case& input) {
+  const core::Grid& grid = input.scene.grid;
+  const Needs needs = expected_needs(input);
+  return "case         " + input.title + "\n" +
+         (input.dry->contact ? contact_lines(*input.dry->contact)
+                             : "contact      in units of Hertz: P in p_h, x in a\n") +
+         formatted("domain       [%g, %g] x [%g, %g] Hertz radii\n", grid.X_a, grid.X_b, grid.Y_a, grid.Y_b) +
+         formatted("grid         %d x %d nodes, hx = %.4g, hy = %.4g\n", grid.nodes_x(), grid.nodes_y(), grid.hx(),
+                   grid.hy()) +
+         "method       dry, conjugate gradients; deformation " + name(input.scene.deformation.method) +
+         formatted("\nkind         dry: no lubricant; conjugate gradients to %.1g a^2/R\n",
+                   input.dry->parameters.tolerance) +
+         effect_lines(input) + surface_report(input.surfaces, input.physics, grid) + "needs        about " +
+         memory(needs.bytes) + " and " + about_seconds(needs.seconds) + "\n";
+}
+
+}  // namespace
+
+Solver dry_solver() {
+  return {.solve = solve, .derived = derived_dry, .summary = summary, .json = json, .content = content};
+}
+
+}  // namespace ehl::program

@@ -1,0 +1,56 @@
+// The film of a lubricated contact, from the case to what is printed and kept.
+#include <algorithm>
+#include <cmath>
+
+#include "commands/machine.hpp"
+#include "commands/solver.hpp"
+#include "core/errors.hpp"
+#include "report/report.hpp"
+#include "report/text_format.hpp"
+#include "steady/solve.hpp"
+
+namespace ehl::program {
+namespace {
+
+std::string text_of(const steady::Progress& now) {
+  // A continuation solves for other loads first.
+  const std::string load = now.load_ratio == 1.0 ? "" : formatted("  load %.3g %%", 100.0 * now.load_ratio);
+  return formatted("%d x %d%s  cycle %d/%d  residual %.1e  Hc %.4f", now.nx + 1, now.ny + 1, load.c_str(), now.cycle,
+                   std::max(now.cycle, now.cycles), now.residual, now.Hc);
+}
+
+void solve(const Case& input, Progress& progress, Computed& computed) {
+  steady::Solution& solution = computed.solution;
+  int level = -1;
+  solution = steady::solve(input.scene, [&](const steady::Progress& now) {
+    const bool new_level = now.level != level;
+    level = now.level;
+    return progress.show(now.fraction, text_of(now), new_level);
+  });
+  if (solution.levels.empty() || solution.H.nodes_x() == 0) throw core::SolverError(solution.failed_check);
+  computed.outcome = outcome_of(input, solution);
+  if (!std::isfinite(computed.outcome.Hc + computed.outcome.Hm.value + computed.outcome.P_max.value))
+    throw core::SolverError("the film or the pressure is not finite");
+  computed.derived = derived_fields(input, solution);
+}
+
+}  // namespace
+
+Solver film_solver() {
+  return {
+      .solve = solve,
+      .derived = derived,
+      .summary =
+          [](const Case& input, const Computed& computed) {
+            return continuation_table(input, computed.solution) + level_table(computed.solution) +
+                   summary(input, computed.solution, computed.outcome);
+          },
+      .json = [](const Case& input,
+                 const Computed& computed) { return json_report(input, computed, computed.outcome, peak_memory()); },
+      .content =
+          [](const Case& input, const Computed& computed) {
+            return result_content(input, computed.solution, computed.outcome, computed.derived);
+          }};
+}
+
+}  // namespace ehl::program

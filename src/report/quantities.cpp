@@ -1,0 +1,169 @@
+#include "report/quantities.hpp"
+
+#include <cmath>
+
+namespace ehl::program {
+namespace {
+
+using results::not_in_json;
+
+constexpr const char* not_in_file = "";
+
+}  // namespace
+
+std::vector<Quantity> film_quantities(const Case& input, const steady::Solution& solution, const Outcome& outcome) {
+  const steady::ErrorBars& bars = solution.error_bars;
+  const steady::LevelRow last = solution.levels.empty() ? steady::LevelRow{} : solution.levels.back();
+  return {
+      {"converged", solution.converged, "-", "1: all checks passed, 0: not"},
+      {"failed_check", solution.failed_check, "", "empty when converged"},
+      {not_in_file, input.title, "", "of the case", "title"},
+      {"Hc", outcome.Hc, "a^2/R", "film at (0,0)"},
+      {"Hm", outcome.Hm.value, "a^2/R", "smallest film of all nodes"},
+      {"Hm_x", outcome.Hm.X, "a", "where the smallest film is", "Hm_X"},
+      {"Hm_y", outcome.Hm.Y, "a", "where the smallest film is", "Hm_Y"},
+      {"total_error_Hc", bars.Hc.total(), "-", "estimated relative error on this domain: mesh and cycles", "error_Hc"},
+      {"total_error_Hm", bars.Hm.total(), "-", "estimated relative error on this domain: mesh and cycles", "error_Hm"},
+      {"Hc_extrapolated", bars.Hc_extrapolated.value, "a^2/R", "Hc extrapolated to mesh size zero"},
+      {"error_Hc_extrapolated", bars.Hc_extrapolated.error, "-", "its estimated relative error"},
+      {"Hm_extrapolated", bars.Hm_extrapolated.value, "a^2/R", "Hm_fitted extrapolated to mesh size zero"},
+      {"error_Hm_extrapolated", bars.Hm_extrapolated.error, "-", "its estimated relative error"},
+      {"Hm_fitted", bars.Hm_fitted_value, "a^2/R", "smallest film between the nodes, by a paraboloid"},
+      {"Hm_fitted_x", bars.Hm_fitted_X, "a", "where it is", "Hm_fitted_X"},
+      {"Hm_fitted_y", bars.Hm_fitted_Y, "a", "where it is", "Hm_fitted_Y"},
+      {"P_max_converging", bars.P_max_converging, "-", "0: P_max grows with the mesh"},
+      {"error_P_max", bars.P_max, "-", "estimated relative error of P_max; NaN where it does not converge"},
+      {not_in_file, bars.Hc.discretization, "-", "mesh", "error_parts/Hc/discretization"},
+      {not_in_file, bars.Hc.algebraic, "-", "cycles", "error_parts/Hc/algebraic"},
+      {not_in_file, bars.Hc.total(), "-", "both", "error_parts/Hc/total"},
+      {not_in_file, bars.Hm.discretization, "-", "mesh", "error_parts/Hm/discretization"},
+      {not_in_file, bars.Hm.algebraic, "-", "cycles", "error_parts/Hm/algebraic"},
+      {not_in_file, bars.Hm.total(), "-", "both", "error_parts/Hm/total"},
+      {not_in_file, bars.Hm_fitted.discretization, "-", "mesh", "error_parts/Hm_fitted/discretization"},
+      {not_in_file, bars.Hm_fitted.algebraic, "-", "cycles", "error_parts/Hm_fitted/algebraic"},
+      {"error_Hm_fitted", bars.Hm_fitted.total(), "-", "its estimated relative error on this domain",
+       "error_parts/Hm_fitted/total"},
+      {"domain_error", bars.domain, "-", "estimated relative change of Hc on a domain without end",
+       "error_parts/domain"},
+      {"Hc_moes", outcome.Hc_moes, "-", "(h/R)(2U)^(-1/2) at the centre"},
+      {"Hm_moes", outcome.Hm_moes, "-", "(h/R)(2U)^(-1/2), smallest"},
+      {"hc", outcome.hc, "m", "film at (0,0)", "hc_m"},
+      {"hm", outcome.hm, "m", "smallest film", "hm_m"},
+      {"P_max", outcome.P_max.value, "p_h", "highest pressure of all nodes"},
+      {"P_max_x", outcome.P_max.X, "a", "where the highest pressure is", "P_max_X"},
+      {"P_max_y", outcome.P_max.Y, "a", "where the highest pressure is", "P_max_Y"},
+      {not_in_file, outcome.P_max.value * input.physics.p_h, "Pa", "highest pressure of all nodes", "p_max_Pa"},
+      {"H00", solution.H00, "a^2/R", "mutual approach"},
+      {"residual", last.residual, "-", "relative residual of the Reynolds equation"},
+      {"load_error", last.load_error, "-", "|integral of P - 2 pi/3| over 2 pi/3"},
+      {"error_Hc", last.error_Hc, "-", "estimated relative discretization error of Hc", not_in_json},
+      {"error_Hm", last.error_Hm, "-", "estimated relative discretization error of Hm", not_in_json},
+      {"cycle_factor", solution.cycle_factor, "-", "residual left by a cycle, mean of those on the finest grid"},
+      {"seconds", solution.seconds, "s", "time of the solution"},
+      {"method", solution.method, "", "the way that led to the solution"},
+      {"regime", outcome.regime, "", "regime of lubrication"},
+      {"deformation", solution.deformation, "", "how the elastic deformation was evaluated", not_in_json},
+  };
+}
+
+std::vector<Quantity> verification_quantities(const steady::Verification& checked, bool elliptic) {
+  std::vector<Quantity> list{
+      {not_in_file, checked.residual, "-", "relative residual of the Reynolds equation", "residual"},
+      {"largest_residual", checked.largest_residual, "-", "at one node, relative to the wedge term like the residual"},
+      {"largest_residual_x", checked.largest_residual_X, "a", "where it is", "largest_residual_X"},
+      {"largest_residual_y", checked.largest_residual_Y, "a", "where it is", "largest_residual_Y"},
+      {"least_P", checked.least_P, "p_h", "lowest pressure of all nodes"},
+      {"dry_violation", checked.dry_violation, "-", "largest residual of a cavitated node that wants pressure"},
+      {not_in_file, checked.load_error, "-", "relative error of the load", "load_error"},
+      {"change_Hc", checked.change_Hc, "-", "relative change of Hc in the last cycle"},
+      {"change_Hm", checked.change_Hm, "-", "relative change of Hm in the last cycle"},
+      {"algebraic_error_Hc", checked.algebraic_error_Hc, "-", "what further cycles would change, foretold"},
+      {"algebraic_error_Hm", checked.algebraic_error_Hm, "-", "what further cycles would change, foretold"},
+      {not_in_file, checked.Hm, "a^2/R", "smallest film of all nodes", "Hm"},
+      {not_in_file, checked.Hm_X, "a", "where it is", "Hm_X"},
+      {not_in_file, checked.Hm_Y, "a", "where it is", "Hm_Y"},
+      {"flow_through", checked.flow_through, "rho0 u_m a^3/R",
+       elliptic ? "mass flow through the contact at x = 0, as wide as the ellipse"
+                : "mass flow through the contact, |y| <= 1 at x = 0"},
+      {"flow_imbalance", checked.flow_imbalance, "-",
+       elliptic ? "mass flow out of 1.5 times the ellipse's reach less in, over flow_through"
+                : "mass flow out of |x|, |y| <= 1.5 less in, over flow_through"},
+      {"flow_imbalance_whole", checked.flow_imbalance_whole, "-", "the same of all of the pressurised region"}};
+  return list;
+}
+
+std::vector<Quantity> scale_quantities(const Physics& physics) {
+  const contact::Groups& g = physics.groups;
+  std::vector<Quantity> list{{"M", g.M, "-", "Moes load number"},
+                             {"L", g.L, "-", "Moes material number"},
+                             {"W", g.W, "-", "Hamrock-Dowson load number"},
+                             {"U", g.U, "-", "Hamrock-Dowson speed number"},
+                             {"G", g.G, "-", "Hamrock-Dowson material number"},
+                             {"lambda", g.lambda, "-", "6 eta0 u_s R^2/(a^3 p_h)"},
+                             {"alpha_bar", g.alpha_bar, "-", "alpha p_h"},
+                             {"p_h", physics.p_h, "Pa", "Hertz pressure, the scale of P", "p_h_Pa"},
+                             {"H_moes", contact::H_to_moes_units(1.0, g.M, g.shape), "-", "film in Moes units over H"}};
+  const auto append = [&](const std::vector<Quantity>& more) { list.insert(list.end(), more.begin(), more.end()); };
+  const bool elliptic = !contact::circular(g.shape);
+  if (elliptic)
+    append({{"radius_ratio", g.shape.radius_ratio, "-", "R_x/R_y"},
+            {"angle", g.shape.angle, "degrees", "from the direction of R_x to the entrainment"},
+            {"kappa", g.shape.kappa, "-", "b/a, the semi-axes along R_y and R_x"}});
+  if (!physics.si) return list;
+  const contact::SiContact& c = physics.si->contact;
+  append({{"a", physics.si->hertz.a, "m", "Hertz radius, the scale of X and Y", "a_m"},
+          {"h", physics.si->hertz.h_scale, "m", "a^2/R, the scale of H", not_in_json},
+          {"load", c.load, "N", "normal load", not_in_json},
+          {"R", c.radius, "m", "reduced radius", not_in_json},
+          {"E_prime", c.E_prime, "Pa", "reduced modulus", not_in_json},
+          {"u1", physics.si->u1, "m/s", "speed of surface 1", not_in_json},
+          {"u2", physics.si->u2, "m/s", "speed of surface 2", not_in_json},
+          {"u_s", c.u_s, "m/s", "u1 + u2", not_in_json},
+          {"eta0", c.eta0, "Pa s", "viscosity at ambient pressure", not_in_json}});
+  if (elliptic)
+    append({{"b", physics.si->hertz.b, "m", "semi-axis along R_y", not_in_json},
+            {"R_y", c.radius / c.shape.radius_ratio, "m", "reduced radius across R_x", not_in_json}});
+  return list;
+}
+
+std::vector<Column<steady::LevelRow>> level_columns() {
+  using Row = steady::LevelRow;
+  return {{"level", "-", "grid level", &Row::level},
+          {"nx", "-", "cells along x", &Row::nx},
+          {"ny", "-", "cells along y", &Row::ny},
+          {"Hc", "a^2/R", "film at (0,0)", &Row::Hc},
+          {"Hm", "a^2/R", "smallest film of all nodes", &Row::Hm},
+          {"error_Hc", "-", "estimated relative discretization error", &Row::error_Hc},
+          {"error_Hm", "-", "estimated relative discretization error", &Row::error_Hm},
+          {"Hm_fitted", "a^2/R", "smallest film between the nodes", &Row::Hm_fitted},
+          {"P_max", "p_h", "highest pressure of all nodes", &Row::P_max},
+          {"order_Hc", "-", "observed order of convergence", &Row::order_Hc},
+          {"residual", "-", "relative residual of the Reynolds equation", &Row::residual},
+          {"load_error", "-", "relative error of the load", &Row::load_error},
+          {"cycles", "-", "cycles on the level", &Row::cycles},
+          {"work_units", "-", "in residual and deformation evaluations on the level", &Row::work_units},
+          {"seconds", "s", "time on the level", &Row::seconds}};
+}
+
+std::vector<Column<steady::CycleRow>> cycle_columns() {
+  using Row = steady::CycleRow;
+  return {{"level", "-", "grid level", &Row::level},
+          {"cycle", "-", "cycle on the level", &Row::cycle},
+          {"residual", "-", "relative residual of the Reynolds equation", &Row::residual},
+          {"load_error", "-", "relative error of the load", &Row::load_error},
+          {"Hc", "a^2/R", "film at (0,0)", &Row::Hc},
+          {"Hm", "a^2/R", "smallest film of all nodes", &Row::Hm}};
+}
+
+std::vector<Column<steady::ContinuationStep>> continuation_columns() {
+  using Row = steady::ContinuationStep;
+  return {{"M", "-", "Moes load number", &Row::M},
+          {"load_ratio", "-", "load over that of the case", &Row::load_ratio},
+          {"Hc", "a^2/R", "film at (0,0)", &Row::Hc},
+          {"Hm", "a^2/R", "smallest film", &Row::Hm},
+          {"residual", "-", "relative residual of the Reynolds equation", &Row::residual},
+          {"cycles", "-", "cycles for this load", &Row::cycles},
+          {"converged", "-", "1: solved; 0: rejected, a shorter step follows", &Row::converged}};
+}
+
+}  // namespace ehl::program
