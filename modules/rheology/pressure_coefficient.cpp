@@ -13,9 +13,9 @@ constexpr int most_panels = 20000;
 // A pressure at which ln eta_bar is about one; infinite where there is none.
 double pressure_of_one(const ViscosityLaw& law) {
   double P = 1.0;
-  for (int k = 0; k < 200 && log_viscosity(law, P) > 1.0; ++k) P *= 0.5;
+  for (int k = 0; k < 200 && log_viscosity_at(law, P) > 1.0; ++k) P *= 0.5;
   for (int k = 0; k < 200; ++k, P *= 2.0)
-    if (log_viscosity(law, P) >= 0.5) return P;
+    if (log_viscosity_at(law, P) >= 0.5) return P;
   return std::numeric_limits<double>::infinity();
 }
 
@@ -26,12 +26,12 @@ double integral_of_fluidity(const ViscosityLaw& law, double scale, double end) {
   double sum = 0.0, P = 0.0, width = scale / 16.0, log_here = 0.0;
   for (int panel = 0; panel < most_panels && P < end; ++panel) {
     width = std::min(width, end - P);
-    double rise = log_viscosity(law, P + width) - log_here;
+    double rise = log_viscosity_at(law, P + width) - log_here;
     while (rise > 1.0 && P + 0.5 * width > P) {
       width *= 0.5;
-      rise = log_viscosity(law, P + width) - log_here;
+      rise = log_viscosity_at(law, P + width) - log_here;
     }
-    sum += GaussLegendre::integrate([&](double p) { return std::exp(-log_viscosity(law, p)); }, P, P + width);
+    sum += GaussLegendre::integrate([&](double p) { return std::exp(-log_viscosity_at(law, p)); }, P, P + width);
     P += width;
     log_here += rise;
     // What is left is about eta_bar^-1 over its logarithmic slope.

@@ -39,7 +39,7 @@ void judge(const Barus& law, const Loading& loading, std::vector<std::string>& f
 }
 
 void judge(const Roelands& law, const Loading& loading, std::vector<std::string>& found) {
-  const double log_eta = log_viscosity(law, loading.P_max);
+  const double log_eta = log_viscosity_at(law, loading.P_max);
   const double p_max = loading.P_max * loading.p_h;
   const double alpha_bar = law.alpha_p0_over_z * law.z * law.p_h_over_p0;
   const bool known = std::isfinite(loading.eta0);
@@ -71,11 +71,11 @@ void judge_glass(const char* law, double P_glass, double log_eta, const Loading&
 }
 
 void judge(const Doolittle& law, const Loading& loading, std::vector<std::string>& found) {
-  judge_glass("Doolittle's", law.u_glass / law.p_h_over_K0, log_viscosity(law, loading.P_max), loading, found);
+  judge_glass("Doolittle's", law.u_glass / law.p_h_over_K0, log_viscosity_at(law, loading.P_max), loading, found);
 }
 
 void judge(const Yasutomi& law, const Loading& loading, std::vector<std::string>& found) {
-  judge_glass("Yasutomi's", law.p_glass / law.p_h, log_viscosity(law, loading.P_max), loading, found);
+  judge_glass("Yasutomi's", law.p_glass / law.p_h, log_viscosity_at(law, loading.P_max), loading, found);
 }
 
 void judge_table(const char* what, const Curve& curve, double p_h, const Loading& loading,
