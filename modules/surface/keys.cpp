@@ -12,9 +12,7 @@ using deck::Type;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr deck::Range positive{0.0, infinity, true, true};
-const deck::Condition shaped{.name = "shape", .words = {}};
 const deck::Condition by_formula{.name = "shape", .words = {"dimple", "bump", "ridge", "groove", "waviness", "cavity"}};
-const deck::Condition mapped{.name = "shape", .words = {"map"}};
 
 Key shape_key() {
   return {.name = "shape",
@@ -54,18 +52,15 @@ std::vector<Key> size_keys() {
        .default_note = "in time before the inlet, by three widths, by one wave, by half of a map; steady 0",
        .range = {-1e3, 1e3},
        .meaning = "Where its middle (of waves: a crest of the gap, in time the first) is at time 0, in Hertz radii.",
-       .needs = shaped,
        .example = "-3"},
       {.name = "y",
        .default_text = "0",
        .range = {-1e3, 1e3},
-       .meaning = "Where its middle is across the entrainment.",
-       .needs = shaped},
+       .meaning = "Where its middle is across the entrainment."},
       {.name = "at_rest",
        .words = {"yes"},
        .meaning = "Says of a steady contact given by M and L, or W, U and G, that it is this surface that stands "
                   "still and the other one that moves. A contact in SI says it with u1 = 0 or u2 = 0.",
-       .needs = shaped,
        .example = "yes"},
   };
 }
@@ -76,18 +71,15 @@ std::vector<Key> map_keys() {
       .range = positive,
       .meaning =
           "Height of the number 1 in the file, in units of a^2/R, as H; unit_m = 1e-9 where the file is in nanometres.",
-      .needs = mapped,
       .example = "0.01"};
   const Key dx{.name = "dx",
                .range = positive,
                .meaning = "Distance between two points of a line of the file, in Hertz radii.",
-               .needs = mapped,
                .example = "0.02"};
   const Key dy{.name = "dy",
                .default_note = "that of dx",
                .range = positive,
                .meaning = "Distance between two lines of the file, in Hertz radii.",
-               .needs = mapped,
                .example = "0.02"};
   return {
       {.name = "file",
@@ -99,13 +91,8 @@ std::vector<Key> map_keys() {
            "is looked for where the program runs, then beside the deck. The "
            "plane of least squares is taken away; onto the mesh they come as means over its cells.",
        .source = "modules/surface/README.md",
-       .needs = mapped,
        .example = "heights.csv"},
-      {.name = "dataset",
-       .type = Type::text,
-       .default_text = "height",
-       .meaning = "The dataset of a .h5.",
-       .needs = mapped},
+      {.name = "dataset", .type = Type::text, .default_text = "height", .meaning = "The dataset of a .h5."},
       unit,
       in_SI(unit, "_m", "m", "1e-9"),
       dx,
@@ -117,8 +104,7 @@ std::vector<Key> map_keys() {
        .range = {0.0, 0.5},
        .meaning =
            "Share of the map's length along which its heights come down to zero at each of its edges, by a cosine; "
-           "0: they end as they are, in a step.",
-       .needs = mapped},
+           "0: they end as they are, in a step."},
   };
 }
 
@@ -156,9 +142,11 @@ MapInput read_map(const deck::Part& surface, const Units& units) {
 }  // namespace
 
 std::vector<Key> keys() {
+  const std::vector<Key> of_one =
+      deck::together({deck::only_with({.name = "shape"}, deck::together({{shape_key()}, size_keys()})),
+                      deck::only_with({.name = "shape", .words = {"map"}}, map_keys())});
   std::vector<Key> all;
-  for (const char* section : {"surface1", "surface2"})
-    all = deck::together({all, deck::in_section(section, deck::together({{shape_key()}, size_keys(), map_keys()}))});
+  for (const char* section : {"surface1", "surface2"}) all = deck::together({all, deck::in_section(section, of_one)});
   return all;
 }
 
