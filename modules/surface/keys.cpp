@@ -18,11 +18,12 @@ Key shape_key() {
   return {.name = "shape",
           .words = {"dimple", "bump", "ridge", "groove", "waviness", "cavity", "map"},
           .meaning =
-              "What this surface carries, S being what the gap gains, r and d the distances from its middle and its "
-              "line: dimple height exp(-(r/width)^2), bump the same upwards, groove and ridge likewise with d, "
-              "waviness height cos(2 pi d/width), in time behind its front at x, cavity height cos(pi r/(2.4 "
-              "width)) exp(-2 (r/(1.2 width))^2); map: measured heights from a file. In time it moves with its "
-              "surface; in a steady contact it must be on a surface that stands still, in a dry one all do.",
+              "What this surface carries, S being what the gap gains, r and d the distances from its middle "
+              "and its line: dimple height exp(-(r/width)^2), bump the same upwards, groove and ridge "
+              "likewise with d, waviness height cos(2 pi d/width), in time behind its front at x, cavity "
+              "height cos(pi r/(2.4 width)) exp(-2 (r/(1.2 width))^2); map: measured heights from a file. In "
+              "time it moves with its surface; in a steady contact it must be on a surface that stands still, "
+              "in a dry one all do.",
           .source = "cavity: Mourier et al. 2006",
           .example = "dimple"};
 }
@@ -66,12 +67,12 @@ std::vector<Key> size_keys() {
 }
 
 std::vector<Key> map_keys() {
-  const Key unit{
-      .name = "unit",
-      .range = positive,
-      .meaning =
-          "Height of the number 1 in the file, in units of a^2/R, as H; unit_m = 1e-9 where the file is in nanometres.",
-      .example = "0.01"};
+  const Key unit{.name = "unit",
+                 .range = positive,
+                 .meaning =
+                     "Height of the number 1 in the file, in units of a^2/R, as H; unit_m = 1e-9 where the file is in "
+                     "nanometres.",
+                 .example = "0.01"};
   const Key dx{.name = "dx",
                .range = positive,
                .meaning = "Distance between two points of a line of the file, in Hertz radii.",
@@ -84,12 +85,11 @@ std::vector<Key> map_keys() {
   return {
       {.name = "file",
        .type = Type::text,
-       .meaning =
-           "The measured heights, counted from the body outwards: a .csv whose lines run along x, the first at the "
-           "smallest y (numbers between commas, semicolons or blanks; a first line of words is a heading, # begins "
-           "a comment), or a .h5 with a dataset in rows of constant y. At least 8 by 8 points, none missing. It "
-           "is looked for where the program runs, then beside the deck. The "
-           "plane of least squares is taken away; onto the mesh they come as means over its cells.",
+       .meaning = "The measured heights, counted from the body outwards: a .csv whose lines run along x, the first "
+                  "at the smallest y (numbers between commas, semicolons or blanks; a first line of words is a "
+                  "heading, # begins a comment), or a .h5 with a dataset in rows of constant y. At least 8 by 8 "
+                  "points, none missing. It is looked for where the program runs, then beside the deck. The plane of "
+                  "least squares is taken away; onto the mesh they come as means over its cells.",
        .source = "modules/surface/README.md",
        .example = "heights.csv"},
       {.name = "dataset", .type = Type::text, .default_text = "height", .meaning = "The dataset of a .h5."},
@@ -102,9 +102,8 @@ std::vector<Key> map_keys() {
       {.name = "taper",
        .default_text = "0.1",
        .range = {0.0, 0.5},
-       .meaning =
-           "Share of the map's length along which its heights come down to zero at each of its edges, by a cosine; "
-           "0: they end as they are, in a step."},
+       .meaning = "Share of the map's length along which its heights come down to zero at each of its edges, by a "
+                  "cosine; 0: they end as they are, in a step."},
   };
 }
 

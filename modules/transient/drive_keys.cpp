@@ -17,9 +17,8 @@ std::vector<Key> drive_keys() {
       {.name = "load",
        .type = Type::text,
        .default_note = "constant",
-       .meaning =
-           "Load over that of [contact], at times: 'time:value ...', linear between them; the same time twice is "
-           "a jump. Or a file .csv with two columns, where the program runs or beside the deck.",
+       .meaning = "Load over that of [contact], at times: 'time:value ...', linear between them; the same time twice "
+                  "is a jump. Or a file .csv with two columns, where the program runs or beside the deck.",
        .example = "1:1 1.1:1.3"},
       {.name = "load_wave",
        .type = Type::text,
@@ -29,9 +28,8 @@ std::vector<Key> drive_keys() {
       {.name = "u1",
        .type = Type::text,
        .default_note = "constant: from [motion], else 1",
-       .meaning =
-           "Speed of surface 1 over the entrainment speed u_m of [motion] (of M, L where there is none), written "
-           "like load. The film is carried by (u1 + u2)/2, which must not be negative.",
+       .meaning = "Speed of surface 1 over the entrainment speed u_m of [motion] (of M, L where there is none), "
+                  "written like load. The film is carried by (u1 + u2)/2, which must not be negative.",
        .example = "1:1 2:0 3:0 4:1"},
       {.name = "u1_wave",
        .type = Type::text,
