@@ -17,7 +17,7 @@ std::vector<deck::Key> path_keys() {
            {{.name = "polish",
              .default_text = "rescue",
              .words = {"rescue", "always", "off"},
-             .meaning = "Newton's method (Newton-Krylov, KINSOL) on the finest grid: where nothing else leads to a "
+             .meaning = "Newton's method (Newton-Krylov) on the finest grid: where nothing else leads to a "
                         "solution; always, also after the cycles and down to rounding errors; or never.",
              .source = "modules/steady/README.md"}}),
        deck::in_section(

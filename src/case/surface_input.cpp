@@ -151,7 +151,7 @@ void let_stand(const SurfaceInput& surfaces, steady::Scene& scene) {
       scene.use_symmetry && std::ranges::all_of(all, [](const auto& one) { return surface::symmetric(one); });
   // Scenes are copied, maps need not be.
   const auto shared = std::make_shared<const std::vector<surface::Relief>>(std::move(all));
-  scene.surface = [shared](const core::Grid& grid, core::Field& S) {
+  scene.surface = [shared](const core::Patch& grid, core::Field& S) {
     S.fill(0.0);
     for (const surface::Relief& relief : *shared) surface::add_cell_average(relief, grid, S);
   };

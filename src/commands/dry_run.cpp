@@ -50,7 +50,7 @@ bool show(const dry::Progress& now, bool quiet, double& last_time) {
 }
 
 DryResult solved_contact(const Case& input, bool quiet) {
-  const core::Grid grid = input.scene.use_symmetry ? core::lower_half(input.scene.grid) : input.scene.grid;
+  const core::Patch grid = input.scene.use_symmetry ? core::lower_half(input.scene.grid) : core::Patch(input.scene.grid);
   dry::Problem problem{
       grid, dry::smooth_gap(grid), hertz_load, input.scene.deformation, input.dry->parameters, input.scene.threads};
   if (input.scene.surface) {

@@ -102,7 +102,7 @@ std::string continuation_json(const steady::Solution& solution) {
 
 std::string newton_json(const steady::Solution& solution) {
   std::vector<std::string> rows;
-  for (const steady::NewtonStep& step : solution.newton)
+  for (const newton::Step& step : solution.newton)
     rows.push_back(
         json::object({{"residual", number(step.residual)}, {"linear_iterations", number(step.linear_iterations)}}));
   return json::array(rows);

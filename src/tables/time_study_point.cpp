@@ -10,7 +10,7 @@
 #include "deck/text.hpp"
 #include "report/text_format.hpp"
 #include "steady/solve.hpp"
-#include "steady/state_of_level.hpp"
+#include "judgement/measures.hpp"
 #include "tables/csv.hpp"
 
 namespace ehl::program {
@@ -58,7 +58,7 @@ std::vector<double> counts_of(const TimeStudyPoint& point) {
 TimeSample sample_of(const Case& input, const transient::Frame& frame) {
   const core::Grid& grid = input.scene.grid;
   TimeSample sample{frame.T, {}};
-  sample.values = {steady::value_at(grid, frame.H, 0.0, 0.0), core::minimum(frame.H).value,
+  sample.values = {judgement::value_at(grid, frame.H, 0.0, 0.0), core::minimum(frame.H).value,
                    core::maximum(frame.P).value};
   for (const transient::Probed& probed :
        transient::probed_at(grid, frame.P, frame.H, input.transient->parameters.probes))
