@@ -92,43 +92,10 @@ std::vector<deck::Key> shape_keys() {
        .default_note = "1 (circular contact), or from radius_y",
        .range = {0.05, 20.0},
        .remedy = "beyond it the contact is nearly a line",
-       .meaning =
-           "R_x/R_y, the radius along the entrainment over the one across it: below 1 an ellipse that lies across "
-           "it. With any language; groups, Hertz radii and scales are made with R_x.",
+       .meaning = "R_x/R_y, the radius along the entrainment over the one across it: below 1 an ellipse that lies "
+                  "across it. With any language; groups, Hertz radii and scales are made with R_x.",
        .source = "Nijenbanning, Venner and Moes 1994 computed 0.05 to 1",
        .example = "0.2"},
-  };
-}
-
-std::vector<deck::Key> motion_keys() {
-  constexpr deck::Range speed{-1e6, 1e6};
-  return {
-      {.name = "angle",
-       .default_note = "0, along radius_x",
-       .unit = "degrees",
-       .range = {-90.0, 90.0},
-       .meaning =
-           "From the direction of radius_x to that of the entrainment, of an elliptic contact; 90: along radius_y. "
-           "Not 0 or 90: the whole domain is computed. x stays the direction of entrainment.",
-       .example = "45"},
-      {.name = "u1",
-       .unit = "m/s",
-       .range = speed,
-       .meaning = "Surface speed of body 1 (u1 and u2, or u_m and srr). The oil enters at the side of negative x.",
-       .example = "0.09"},
-      {.name = "u2", .unit = "m/s", .range = speed, .meaning = "Surface speed of body 2.", .example = "0.09"},
-      {.name = "u_m",
-       .unit = "m/s",
-       .range = {0.0, 1e6, true, false},
-       .remedy = "without entrainment there is no film",
-       .meaning = "Entrainment speed (u1 + u2)/2, instead of u1 and u2.",
-       .example = "0.09"},
-      {.name = "srr",
-       .default_note = "0",
-       .range = {-1e6, 1e6},
-       .meaning = "Slide-roll ratio (u1 - u2)/u_m. A steady, smooth, isothermal Newtonian film does not depend on it; "
-                  "[shear] and [friction] do, with contacts in M and L or W, U and G too.",
-       .example = "0.1"},
   };
 }
 
@@ -210,39 +177,6 @@ Ellipse read_shape(const deck::Part& contact, const deck::Part& motion, Language
   return ellipse(ratio, motion.number("angle"));
 }
 
-void check_motion(const deck::Part& motion, Language language, bool slides) {
-  if (language != Language::si) {
-    const Names all{"u1", "u2", "u_m"};
-    const std::string why = "has no influence: a dimensionless contact contains the speed already; remove it";
-    motion.refuse(all, why);
-    if (!slides) motion.refuse({"srr"}, why);
-    return;
-  }
-  if (motion.given("u_m")) {
-    motion.refuse({"u1", "u2"}, "u_m is given as well: keep either u1 and u2, or u_m and srr");
-    return;
-  }
-  motion.refuse({"srr"}, "has no influence without u_m: give u_m instead of u1 and u2, or remove it");
-  if (motion.given_of({"u1", "u2"}).empty()) {
-    motion.complain("u_m", "is missing: give the entrainment speed, or u1 and u2");
-    return;
-  }
-  motion.demand({"u1", "u2"}, "u1 and u2 belong together (or give u_m)");
-  const double sum = motion.number("u1") + motion.number("u2");
-  if (!(sum > 0.0) && !std::isnan(sum))
-    motion.complain("u2",
-                    "u1 + u2 = " + deck::shortest(sum) + " m/s: it must be > 0, for the oil enters at negative x");
-}
-
-void read_motion(const deck::Part& motion, Input& input) {
-  const double u_m = motion.number("u_m"), srr = motion.number("srr");
-  if (motion.given("srr")) input.srr = srr;
-  const bool mean = motion.given("u_m");
-  input.u1 = mean ? u_m * (1.0 + 0.5 * input.srr) : motion.number("u1");
-  input.u2 = mean ? u_m * (1.0 - 0.5 * input.srr) : motion.number("u2");
-  input.u_s = mean ? 2.0 * u_m : input.u1 + input.u2;
-}
-
 }  // namespace
 
 std::vector<deck::Key> keys() {
@@ -266,9 +200,8 @@ Input read(deck::Deck& deck, bool slides) {
   if (input.language != Language::none) {
     if (input.language != Language::moes || !slides)
       contact.refuse({"a_over_R"}, "has no influence but with M and L, and [shear] or [friction]: remove it");
-    check_motion(motion, input.language, slides);
   }
-  read_motion(motion, input);
+  read_motion(motion, slides, input);
   input.shape = read_shape(contact, motion, input.language);
   return input;
 }

@@ -40,4 +40,8 @@ Input read(deck::Deck& deck, bool slides);
 /// Of bodies without lubricant; nothing where the deck gives no contact in SI.
 std::optional<Bodies> read_bodies(deck::Deck& deck);
 
+/// Those of [motion] among them. out: speeds and srr of the input.
+std::vector<deck::Key> motion_keys();
+void read_motion(const deck::Part& motion, bool slides, Input& input);
+
 }  // namespace ehl::contact

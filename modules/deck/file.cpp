@@ -1,5 +1,7 @@
 #include "deck/file.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <system_error>
 
@@ -29,6 +31,24 @@ std::ifstream opened(const std::string& path, const std::string& note) {
   std::ifstream file(path);
   if (!file || std::filesystem::is_directory(path, error)) throw core::FileError(path + ": cannot be read" + note);
   return file;
+}
+
+std::vector<Row> rows_of(const std::string& path, const std::string& note) {
+  std::ifstream file = opened(path, note);
+  std::vector<Row> rows;
+  int number = 0;
+  bool heading_allowed = true;
+  for (std::string line; std::getline(file, line);) {
+    ++number;
+    line.erase(std::min(line.find('#'), line.size()));
+    std::ranges::replace(line, ';', ',');
+    const std::vector<std::string> cells = split_words(trimmed(line));
+    if (cells.empty()) continue;
+    if (!heading_allowed || std::isfinite(read_number(cells[0]).value))
+      rows.push_back({path + ":" + std::to_string(number), cells});
+    heading_allowed = false;
+  }
+  return rows;
 }
 
 }  // namespace ehl::deck

@@ -30,6 +30,12 @@ std::vector<Key> in_section(const std::string& section, std::vector<Key> keys) {
   return keys;
 }
 
+std::vector<Key> only_with(const Condition& other, std::vector<Key> keys) {
+  for (Key& key : keys)
+    if (key.needs.name.empty() && key.name != other.name) key.needs = other;
+  return keys;
+}
+
 std::vector<Key> together(std::initializer_list<std::vector<Key>> lists) {
   std::vector<Key> all;
   for (const std::vector<Key>& list : lists) all.insert(all.end(), list.begin(), list.end());

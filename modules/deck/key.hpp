@@ -73,6 +73,9 @@ struct Catalogue {
 /// Keys of one section. Each with words is of Type::word, unless it says that it takes several of them.
 std::vector<Key> in_section(const std::string& section, std::vector<Key> keys);
 
+/// The same keys, each only with another one where it does not say itself what it needs; that one stays free.
+std::vector<Key> only_with(const Condition& other, std::vector<Key> keys);
+
 /// Lists of keys, one behind the other.
 std::vector<Key> together(std::initializer_list<std::vector<Key>> lists);
 

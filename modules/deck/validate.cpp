@@ -160,11 +160,10 @@ Deck validate(const Document& document, const std::vector<Assignment>& overrides
   deck.headings = document.headings;
   deck.errors = document.errors;
   for (const Key& key : catalogue.keys) {
-    const bool has_default = !key.default_text.empty();
-    const ReadNumber by_default = read_number(key.default_text);
-    const bool is_number = by_default.status == ReadNumber::Status::number;
-    deck.values.push_back({has_default ? Origin::by_default : Origin::absent, true, key.default_text,
-                           is_number ? by_default.value : std::numeric_limits<double>::quiet_NaN(), "", ""});
+    const bool open = key.default_text.empty();
+    deck.values.push_back({.origin = open ? Origin::absent : Origin::by_default,
+                           .text = key.default_text,
+                           .number = read_number(key.default_text).value});
   }
 
   check_headings(deck, document);

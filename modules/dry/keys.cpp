@@ -16,11 +16,9 @@ std::vector<deck::Key> keys() {
            {{.name = "kind",
              .default_text = "lubricated",
              .words = {"lubricated", "dry"},
-             .meaning =
-                 "dry: the bodies touch without lubricant, Hertz' contact with whatever the surfaces carry. Then "
-                 "[contact] "
-                 "has load, radius_x and the elastic data, or nothing (in units of Hertz), and no key is allowed that "
-                 "speaks of a film."}}),
+             .meaning = "dry: the bodies touch without lubricant, Hertz' contact with whatever the surfaces carry. "
+                        "Then [contact] has load, radius_x and the elastic data, or nothing (in units of Hertz), and "
+                        "no key is allowed that speaks of a film."}}),
        deck::in_section("dry", {{.name = "tolerance",
                                  .default_text = deck::shortest(defaults.tolerance),
                                  .range = {1e-12, 1e-2},

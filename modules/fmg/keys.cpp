@@ -42,9 +42,8 @@ std::vector<deck::Key> keys() {
        {.name = "tolerance",
         .default_note = "none: until the cycles no longer change Hc and Hm by a tenth of the discretization error",
         .range = {1e-14, 0.1},
-        .meaning =
-            "Relative residual of the Reynolds equation to reach on the finest grid (root mean square, over that "
-            "of the wedge term).",
+        .meaning = "Relative residual of the Reynolds equation to reach on the finest grid (root mean square, over "
+                   "that of the wedge term).",
         .example = "1e-6"},
        {.name = "max_cycles",
         .type = Type::integer,

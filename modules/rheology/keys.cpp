@@ -12,10 +12,9 @@ std::vector<deck::Key> law_keys() {
       {.name = "viscosity",
        .default_text = "roelands",
        .words = {"isoviscous", "barus", "roelands", "doolittle", "yasutomi", "table"},
-       .meaning =
-           "Viscosity law eta/eta0: 1; exp(alpha p); exp{(alpha p0/z)[(1 + p/p0)^z - 1]}; exp{B R0 [1/(v - R0) - "
-           "1/(1 - R0)]} with Tait's volume v; 10^{-C1 x/(C2 + x)} eta_g/eta0 with x = (T - Tg) F; or a "
-           "table.",
+       .meaning = "Viscosity law eta/eta0: 1; exp(alpha p); exp{(alpha p0/z)[(1 + p/p0)^z - 1]}; exp{B R0 [1/(v - "
+                  "R0) - 1/(1 - R0)]} with Tait's volume v; 10^{-C1 x/(C2 + x)} eta_g/eta0 with x = (T - Tg) F; or a "
+                  "table.",
        .source = "Roelands 1966, as in Venner and ten Napel 1992; Doolittle 1951; Yasutomi, Bair and Winer 1984, "
                  "Bair et al. 2013"},
       {.name = "eta0",
@@ -28,10 +27,9 @@ std::vector<deck::Key> law_keys() {
        .unit = "1/Pa",
        .range = {1e-12, 1e-6},
        .remedy = "mineral oils have 1e-8 to 3e-8",
-       .meaning =
-           "Pressure coefficient of the viscosity. Required for roelands, and for barus in SI; in dimensionless "
-           "cases it gives the Hertz pressure p_h = alpha_bar/alpha. doolittle, yasutomi and table bring their own, "
-           "alpha* = 1/int eta0/eta dp.",
+       .meaning = "Pressure coefficient of the viscosity. Required for roelands, and for barus in SI; in "
+                  "dimensionless cases it gives the Hertz pressure p_h = alpha_bar/alpha. doolittle, yasutomi and "
+                  "table bring their own, alpha* = 1/int eta0/eta dp.",
        .source = "1.7e-8: Venner and ten Napel 1992",
        .example = "1.7e-8",
        .example_is_active = true},

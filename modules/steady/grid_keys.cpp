@@ -41,9 +41,8 @@ std::vector<deck::Key> grid_keys() {
              .default_note = "256, 512 or 1024, the first that resolves the film",
              .range = {16, 1048576},
              .remedy = "cells along x of the finest grid, e.g. 256",
-             .meaning =
-                 "Cells of the finest grid along x, the coarsest grid's times a power of two; along y they follow from "
-                 "the domain, as nearly square as possible.",
+             .meaning = "Cells of the finest grid along x, the coarsest grid's times a power of two; along y they "
+                        "follow from the domain, as nearly square as possible.",
              .example = "256"},
             {.name = "coarsest",
              .type = deck::Type::integer,
@@ -55,11 +54,9 @@ std::vector<deck::Key> grid_keys() {
              .default_note = "none: the grid is given or chosen",
              .range = {1e-6, 0.5},
              .remedy = "a relative error, e.g. 0.01",
-             .meaning =
-                 "Relative error of Hc and Hm to reach, instead of cells: the run refines the grid, up to 8192 cells, "
-                 "and "
-                 "extends the domain where x_inlet and y_half are left open, until the estimated error is below it. A "
-                 "domain that is given is kept and its error told, not counted.",
+             .meaning = "Relative error of Hc and Hm to reach, instead of cells: the run refines the grid, up to "
+                        "8192 cells, and extends the domain where x_inlet and y_half are left open, until the "
+                        "estimated error is below it. A domain that is given is kept and its error told, not counted.",
              .source = "modules/steady/README.md",
              .example = "0.01"}})});
 }

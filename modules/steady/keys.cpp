@@ -11,49 +11,45 @@ using deck::Type;
 
 std::vector<deck::Key> path_keys() {
   const ContinuationParameters defaults;
-  const deck::Condition on_the_path{.name = "path", .words = {"automatic", "load"}};
   return deck::together(
       {deck::in_section(
            "multigrid",
            {{.name = "polish",
              .default_text = "rescue",
              .words = {"rescue", "always", "off"},
-             .meaning =
-                 "Newton's method (Newton-Krylov) on the finest grid: where nothing else leads to a solution; "
-                 "always, also after the cycles and down to rounding errors; or never.",
+             .meaning = "Newton's method (Newton-Krylov) on the finest grid: where nothing else leads to a "
+                        "solution; always, also after the cycles and down to rounding errors; or never.",
              .source = "modules/steady/README.md"}}),
        deck::in_section(
            "continuation",
-           {{.name = "path",
-             .default_text = "automatic",
-             .words = {"automatic", "load", "off"},
-             .meaning =
-                 "Load continuation, from a lower load to the deck's one: where the full multigrid alone does not lead "
-                 "to a solution; always; or never."},
-            {.name = "M_start",
-             .default_note = "a hundredth of the contact's M, 20 at least",
-             .range = {0.1, 1e5},
-             .meaning = "First load of a continuation, as Moes load number M; L does not depend on the load.",
-             .needs = on_the_path,
-             .example = "20"},
-            {.name = "load_start",
-             .default_note = "see M_start",
-             .unit = "N",
-             .range = {0.0, std::numeric_limits<double>::infinity(), true, true},
-             .meaning = "The same in newtons, for a contact in SI.",
-             .needs = on_the_path,
-             .example = "10"},
-            {.name = "step",
-             .default_text = deck::shortest(defaults.step),
-             .range = {1.0, 10.0, true, false},
-             .meaning = "Factor between the first two loads; later ones follow from the number of cycles.",
-             .needs = on_the_path},
-            {.name = "max_steps",
-             .type = Type::integer,
-             .default_text = std::to_string(defaults.max_steps),
-             .range = {1, 10000},
-             .meaning = "Loads to solve for at most, rejected steps included.",
-             .needs = on_the_path}})});
+           deck::only_with(
+               {.name = "path", .words = {"automatic", "load"}},
+               {{.name = "path",
+                 .default_text = "automatic",
+                 .words = {"automatic", "load", "off"},
+                 .meaning = "Load continuation, from a lower load to the deck's one: where the full multigrid alone "
+                            "does not lead "
+                            "to a solution; always; or never."},
+                {.name = "M_start",
+                 .default_note = "a hundredth of the contact's M, 20 at least",
+                 .range = {0.1, 1e5},
+                 .meaning = "First load of a continuation, as Moes load number M; L does not depend on the load.",
+                 .example = "20"},
+                {.name = "load_start",
+                 .default_note = "see M_start",
+                 .unit = "N",
+                 .range = {0.0, std::numeric_limits<double>::infinity(), true, true},
+                 .meaning = "The same in newtons, for a contact in SI.",
+                 .example = "10"},
+                {.name = "step",
+                 .default_text = deck::shortest(defaults.step),
+                 .range = {1.0, 10.0, true, false},
+                 .meaning = "Factor between the first two loads; later ones follow from the number of cycles."},
+                {.name = "max_steps",
+                 .type = Type::integer,
+                 .default_text = std::to_string(defaults.max_steps),
+                 .range = {1, 10000},
+                 .meaning = "Loads to solve for at most, rejected steps included."}}))});
 }
 
 Polish read_polish(deck::Deck& deck) {

@@ -12,19 +12,18 @@ using deck::Type;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr deck::Range positive{0.0, infinity, true, true};
-const deck::Condition shaped{.name = "shape", .words = {}};
 const deck::Condition by_formula{.name = "shape", .words = {"dimple", "bump", "ridge", "groove", "waviness", "cavity"}};
-const deck::Condition mapped{.name = "shape", .words = {"map"}};
 
 Key shape_key() {
   return {.name = "shape",
           .words = {"dimple", "bump", "ridge", "groove", "waviness", "cavity", "map"},
           .meaning =
-              "What this surface carries, S being what the gap gains, r and d the distances from its middle and its "
-              "line: dimple height exp(-(r/width)^2), bump the same upwards, groove and ridge likewise with d, "
-              "waviness height cos(2 pi d/width), in time behind its front at x, cavity height cos(pi r/(2.4 "
-              "width)) exp(-2 (r/(1.2 width))^2); map: measured heights from a file. In time it moves with its "
-              "surface; in a steady contact it must be on a surface that stands still, in a dry one all do.",
+              "What this surface carries, S being what the gap gains, r and d the distances from its middle "
+              "and its line: dimple height exp(-(r/width)^2), bump the same upwards, groove and ridge "
+              "likewise with d, waviness height cos(2 pi d/width), in time behind its front at x, cavity "
+              "height cos(pi r/(2.4 width)) exp(-2 (r/(1.2 width))^2); map: measured heights from a file. In "
+              "time it moves with its surface; in a steady contact it must be on a surface that stands still, "
+              "in a dry one all do.",
           .source = "cavity: Mourier et al. 2006",
           .example = "dimple"};
 }
@@ -54,58 +53,46 @@ std::vector<Key> size_keys() {
        .default_note = "in time before the inlet, by three widths, by one wave, by half of a map; steady 0",
        .range = {-1e3, 1e3},
        .meaning = "Where its middle (of waves: a crest of the gap, in time the first) is at time 0, in Hertz radii.",
-       .needs = shaped,
        .example = "-3"},
       {.name = "y",
        .default_text = "0",
        .range = {-1e3, 1e3},
-       .meaning = "Where its middle is across the entrainment.",
-       .needs = shaped},
+       .meaning = "Where its middle is across the entrainment."},
       {.name = "at_rest",
        .words = {"yes"},
        .meaning = "Says of a steady contact given by M and L, or W, U and G, that it is this surface that stands "
                   "still and the other one that moves. A contact in SI says it with u1 = 0 or u2 = 0.",
-       .needs = shaped,
        .example = "yes"},
   };
 }
 
 std::vector<Key> map_keys() {
-  const Key unit{
-      .name = "unit",
-      .range = positive,
-      .meaning =
-          "Height of the number 1 in the file, in units of a^2/R, as H; unit_m = 1e-9 where the file is in nanometres.",
-      .needs = mapped,
-      .example = "0.01"};
+  const Key unit{.name = "unit",
+                 .range = positive,
+                 .meaning =
+                     "Height of the number 1 in the file, in units of a^2/R, as H; unit_m = 1e-9 where the file is in "
+                     "nanometres.",
+                 .example = "0.01"};
   const Key dx{.name = "dx",
                .range = positive,
                .meaning = "Distance between two points of a line of the file, in Hertz radii.",
-               .needs = mapped,
                .example = "0.02"};
   const Key dy{.name = "dy",
                .default_note = "that of dx",
                .range = positive,
                .meaning = "Distance between two lines of the file, in Hertz radii.",
-               .needs = mapped,
                .example = "0.02"};
   return {
       {.name = "file",
        .type = Type::text,
-       .meaning =
-           "The measured heights, counted from the body outwards: a .csv whose lines run along x, the first at the "
-           "smallest y (numbers between commas, semicolons or blanks; a first line of words is a heading, # begins "
-           "a comment), or a .h5 with a dataset in rows of constant y. At least 8 by 8 points, none missing. It "
-           "is looked for where the program runs, then beside the deck. The "
-           "plane of least squares is taken away; onto the mesh they come as means over its cells.",
+       .meaning = "The measured heights, counted from the body outwards: a .csv whose lines run along x, the first "
+                  "at the smallest y (numbers between commas, semicolons or blanks; a first line of words is a "
+                  "heading, # begins a comment), or a .h5 with a dataset in rows of constant y. At least 8 by 8 "
+                  "points, none missing. It is looked for where the program runs, then beside the deck. The plane of "
+                  "least squares is taken away; onto the mesh they come as means over its cells.",
        .source = "modules/surface/README.md",
-       .needs = mapped,
        .example = "heights.csv"},
-      {.name = "dataset",
-       .type = Type::text,
-       .default_text = "height",
-       .meaning = "The dataset of a .h5.",
-       .needs = mapped},
+      {.name = "dataset", .type = Type::text, .default_text = "height", .meaning = "The dataset of a .h5."},
       unit,
       in_SI(unit, "_m", "m", "1e-9"),
       dx,
@@ -115,10 +102,8 @@ std::vector<Key> map_keys() {
       {.name = "taper",
        .default_text = "0.1",
        .range = {0.0, 0.5},
-       .meaning =
-           "Share of the map's length along which its heights come down to zero at each of its edges, by a cosine; "
-           "0: they end as they are, in a step.",
-       .needs = mapped},
+       .meaning = "Share of the map's length along which its heights come down to zero at each of its edges, by a "
+                  "cosine; 0: they end as they are, in a step."},
   };
 }
 
@@ -156,9 +141,11 @@ MapInput read_map(const deck::Part& surface, const Units& units) {
 }  // namespace
 
 std::vector<Key> keys() {
+  const std::vector<Key> of_one =
+      deck::together({deck::only_with({.name = "shape"}, deck::together({{shape_key()}, size_keys()})),
+                      deck::only_with({.name = "shape", .words = {"map"}}, map_keys())});
   std::vector<Key> all;
-  for (const char* section : {"surface1", "surface2"})
-    all = deck::together({all, deck::in_section(section, deck::together({{shape_key()}, size_keys(), map_keys()}))});
+  for (const char* section : {"surface1", "surface2"}) all = deck::together({all, deck::in_section(section, of_one)});
   return all;
 }
 

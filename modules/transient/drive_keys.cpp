@@ -13,47 +13,38 @@ using deck::Key;
 using deck::Type;
 
 std::vector<Key> drive_keys() {
-  const deck::Condition timed{.name = "end_time", .words = {}};
   return {
       {.name = "load",
        .type = Type::text,
        .default_note = "constant",
-       .meaning =
-           "Load over that of [contact], at times: 'time:value ...', linear between them; the same time twice is "
-           "a jump. Or a file .csv with two columns, where the program runs or beside the deck.",
-       .needs = timed,
+       .meaning = "Load over that of [contact], at times: 'time:value ...', linear between them; the same time twice "
+                  "is a jump. Or a file .csv with two columns, where the program runs or beside the deck.",
        .example = "1:1 1.1:1.3"},
       {.name = "load_wave",
        .type = Type::text,
        .default_note = "none",
        .meaning = "'amplitude period [start]': multiplies the load by 1 + amplitude sin(2 pi (t - start)/period).",
-       .needs = timed,
        .example = "0.3 2"},
       {.name = "u1",
        .type = Type::text,
        .default_note = "constant: from [motion], else 1",
-       .meaning =
-           "Speed of surface 1 over the entrainment speed u_m of [motion] (of M, L where there is none), written "
-           "like load. The film is carried by (u1 + u2)/2, which must not be negative.",
-       .needs = timed,
+       .meaning = "Speed of surface 1 over the entrainment speed u_m of [motion] (of M, L where there is none), "
+                  "written like load. The film is carried by (u1 + u2)/2, which must not be negative.",
        .example = "1:1 2:0 3:0 4:1"},
       {.name = "u1_wave",
        .type = Type::text,
        .default_note = "none",
        .meaning = "Like load_wave, of u1.",
-       .needs = timed,
        .example = "0.5 4"},
       {.name = "u2",
        .type = Type::text,
        .default_note = "constant: from [motion], else 1",
        .meaning = "Speed of surface 2, like u1.",
-       .needs = timed,
        .example = "1:1 2:0 3:0 4:1"},
       {.name = "u2_wave",
        .type = Type::text,
        .default_note = "none",
        .meaning = "Like load_wave, of u2.",
-       .needs = timed,
        .example = "0.5 4"},
   };
 }
@@ -61,11 +52,9 @@ std::vector<Key> drive_keys() {
 std::vector<Key> body_keys() {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   constexpr deck::Range positive{0.0, infinity, true, true};
-  const deck::Condition in_time{.name = "end_time", .words = {}, .section = "transient"};
   const auto key = [&](const char* name, const char* note, const deck::Range& range, const char* meaning,
                        const char* example) -> Key {
-    return {
-        .name = name, .default_note = note, .range = range, .meaning = meaning, .needs = in_time, .example = example};
+    return {.name = name, .default_note = note, .range = range, .meaning = meaning, .example = example};
   };
   const Key mass =
       key("mass", "none: the load is imposed", positive,
@@ -84,36 +73,27 @@ std::vector<Key> body_keys() {
 
 namespace {
 
-std::vector<double> numbers_in(const std::string& text) {
-  std::string spaced = text;
-  std::ranges::replace(spaced, ',', ' ');
-  std::ranges::replace(spaced, ';', ' ');
+// NaN where a cell is no number.
+std::vector<double> numbers_in(const std::vector<std::string>& cells) {
   std::vector<double> numbers;
-  for (const std::string& word : deck::split_words(spaced)) {
-    const deck::ReadNumber read = deck::read_number(word);
-    numbers.push_back(read.status == deck::ReadNumber::Status::number ? read.value
-                                                                      : std::numeric_limits<double>::quiet_NaN());
-  }
+  for (const std::string& cell : cells) numbers.push_back(deck::read_number(cell).value);
   return numbers;
+}
+
+bool all_finite(const std::vector<double>& numbers) {
+  return std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); });
 }
 
 std::vector<Schedule::Point> points_of_file(const deck::Part& part, const std::string& key) {
   const std::string path = deck::found_beside(part.deck, part.section, key);
-  std::ifstream file = deck::opened(path, " ([transient] " + key + ")");
   std::vector<Schedule::Point> points;
-  int number = 0;
-  for (std::string line; std::getline(file, line);) {
-    ++number;
-    line = deck::trimmed(line.substr(0, line.find('#')));
-    if (line.empty()) continue;
-    const std::vector<double> row = numbers_in(line);
-    const bool numeric = row.size() == 2 && std::isfinite(row[0]) && std::isfinite(row[1]);
-    if (!numeric && points.empty() && number == 1) continue;  // a heading
-    if (!numeric) {
-      part.complain(key, path + ":" + std::to_string(number) + ": must be two numbers, time and value");
+  for (const deck::Row& row : deck::rows_of(path, " ([transient] " + key + ")")) {
+    const std::vector<double> numbers = numbers_in(row.cells);
+    if (numbers.size() != 2 || !all_finite(numbers)) {
+      part.complain(key, row.place + ": must be two numbers, time and value");
       return {};
     }
-    points.push_back({row[0], row[1]});
+    points.push_back({numbers[0], numbers[1]});
   }
   if (points.empty()) part.complain(key, path + " has no rows");
   return points;
@@ -121,17 +101,15 @@ std::vector<Schedule::Point> points_of_file(const deck::Part& part, const std::s
 
 std::vector<Schedule::Point> points_of_words(const deck::Part& part, const std::string& key, const std::string& text) {
   std::vector<Schedule::Point> points;
-  std::string spaced = text;
-  std::ranges::replace(spaced, ',', ' ');
-  for (const std::string& word : deck::split_words(spaced)) {
-    const std::size_t colon = word.find(':');
-    const std::vector<double> T = numbers_in(word.substr(0, colon));
-    const std::vector<double> v = colon == std::string::npos ? T : numbers_in(word.substr(colon + 1));
-    if (colon == std::string::npos || T.size() != 1 || v.size() != 1 || !std::isfinite(T[0] + v[0])) {
+  for (const std::string& word : deck::split_words(text)) {
+    const std::size_t colon = std::min(word.find(':'), word.size());
+    const double T = deck::read_number(word.substr(0, colon)).value;
+    const double value = colon < word.size() ? deck::read_number(word.substr(colon + 1)).value : Scales::unset;
+    if (!std::isfinite(T + value)) {
       part.complain(key, "'" + word + "' is not time:value, as in 1:1 1.1:1.3");
       return {};
     }
-    points.push_back({T[0], v[0]});
+    points.push_back({T, value});
   }
   return points;
 }
@@ -151,10 +129,9 @@ Schedule schedule_of(const deck::Part& part, const std::string& key, double unit
   }
   for (Schedule::Point& point : schedule.points) point.T /= unit;
   const std::string wave_key = key + "_wave";
+  const std::vector<double> wave = numbers_in(deck::split_words(part.word(wave_key)));
   if (!part.given(wave_key)) return schedule;
-  const std::vector<double> wave = numbers_in(part.word(wave_key));
-  const bool right =
-      (wave.size() == 2 || wave.size() == 3) && std::ranges::all_of(wave, [](double v) { return std::isfinite(v); });
+  const bool right = (wave.size() == 2 || wave.size() == 3) && all_finite(wave);
   if (!right)
     part.complain(wave_key, "must be 'amplitude period' or 'amplitude period start'");
   else if (!(wave[1] > 0.0) || (wave.size() == 3 && wave[2] < 0.0))

@@ -15,7 +15,6 @@ using deck::Key;
 using deck::Type;
 
 constexpr deck::Range positive{0.0, std::numeric_limits<double>::infinity(), true, true};
-const deck::Condition timed{.name = "end_time", .words = {}};
 
 std::vector<Key> time_keys() {
   return {
@@ -29,34 +28,29 @@ std::vector<Key> time_keys() {
        .default_text = "contact",
        .words = {"contact", "seconds"},
        .meaning = "Unit of all times of this section: contact is a/u_m, in which the oil crosses half of the contact; "
-                  "seconds need a contact in SI.",
-       .needs = timed},
+                  "seconds need a contact in SI."},
       {.name = "rtol",
        .default_text = "1e-4",
        .range = {1e-7, 1e-1},
        .meaning = "Relative tolerance of the time integration's error test for pressure and film.",
-       .source = "modules/transient/README.md",
-       .needs = timed},
+       .source = "modules/transient/README.md"},
       {.name = "max_step",
        .default_note = "from what varies: a quarter of a feature's width at its speed, a quarter of a ramp (of one "
                        "shorter than 0.04 a/u_m only within it), a twentieth "
                        "of a period",
        .range = positive,
        .meaning = "Longest step of time.",
-       .needs = timed,
        .example = "0.05"},
       {.name = "max_steps",
        .type = Type::integer,
        .default_text = "100000",
        .range = {1, 100000000},
-       .meaning = "Steps after which the run ends as failed.",
-       .needs = timed},
+       .meaning = "Steps after which the run ends as failed."},
       {.name = "output_interval",
        .default_note = "none: the fields of the first and the last time",
        .range = positive,
        .remedy = "a longer time between two fields keeps fewer of them",
        .meaning = "Time between two fields of P and H in the result. The numbers of every step are always kept.",
-       .needs = timed,
        .example = "0.1"},
   };
 }
@@ -67,13 +61,11 @@ std::vector<Key> stop_keys() {
        .default_note = "none",
        .range = positive,
        .meaning = "End where the smallest film falls to this, H = hR/a^2.",
-       .needs = timed,
        .example = "0.02"},
       {.name = "stop_steady",
        .default_note = "none",
        .range = {1e-12, 0.1},
        .meaning = "End where Hc, Hm and P_max have changed by less than this, relative, for a time of a/u_m.",
-       .needs = timed,
        .example = "1e-6"},
   };
 }
@@ -86,7 +78,6 @@ std::vector<Key> output_keys() {
        .range = positive,
        .meaning = "Time by the clock between the moments at which a run in time writes its result so far, from "
                   "which `ehl resume` goes on.",
-       .needs = {.name = "end_time", .section = "transient"},
        .example = "60"},
       {.name = "probe",
        .type = Type::text,
@@ -94,27 +85,17 @@ std::vector<Key> output_keys() {
        .meaning = "Points 'X Y, X Y, ...' in Hertz radii at which a run in time keeps P and H at every step, as the "
                   "columns P_1, H_1, P_2, ... of /transient: of a node where there is one, else by bicubic "
                   "interpolation, P no less than 0.",
-       .needs = {.name = "end_time", .section = "transient"},
        .example = "0 0, 0.7 0.2"}};
-}
-
-// Two numbers and nothing else.
-bool read_place(const std::string& text, Place& place) {
-  using Status = deck::ReadNumber::Status;
-  const std::vector<std::string> words = deck::split_words(text);
-  if (words.size() != 2) return false;
-  const deck::ReadNumber X = deck::read_number(words[0]);
-  const deck::ReadNumber Y = deck::read_number(words[1]);
-  place = {X.value, Y.value};
-  return X.status == Status::number && Y.status == Status::number;
 }
 
 std::vector<Place> read_probes(const deck::Part& output, const core::Grid& grid) {
   std::vector<Place> places;
   std::istringstream parts(output.word("probe"));
   for (std::string part; std::getline(parts, part, ',');) {
-    Place place;
-    if (!read_place(part, place)) {
+    const std::vector<std::string> words = deck::split_words(part);
+    const Place place = words.size() == 2 ? Place{deck::read_number(words[0]).value, deck::read_number(words[1]).value}
+                                          : Place{Scales::unset, Scales::unset};
+    if (std::isnan(place.X + place.Y)) {
       output.complain("probe",
                       deck::quoted(deck::trimmed(part)) + " is no point: write X Y, X Y, ... as in 0 0, 0.7 0.2");
       return {};
@@ -142,8 +123,11 @@ void check_steps(const deck::Part& transient, const MarchParameters& march, doub
 }  // namespace
 
 std::vector<Key> keys() {
-  return deck::together({deck::in_section("transient", deck::together({time_keys(), drive_keys(), stop_keys()})),
-                         deck::in_section("output", output_keys()), deck::in_section("body", body_keys())});
+  const deck::Condition in_time{.name = "end_time", .section = "transient"};
+  const std::vector<Key> of_transient = deck::together({time_keys(), drive_keys(), stop_keys()});
+  return deck::together({deck::in_section("transient", deck::only_with({.name = "end_time"}, of_transient)),
+                         deck::in_section("output", deck::only_with(in_time, output_keys())),
+                         deck::in_section("body", deck::only_with(in_time, body_keys()))});
 }
 
 Input read(deck::Deck& deck, const Scales& scales, const Conditions& carried, const core::Grid& grid) {

@@ -9,17 +9,16 @@ std::vector<deck::Key> keys() {
       "friction",
       {{.name = "cavitated",
         .words = {"none", "striated", "full"},
-        .meaning =
-            "Computes the friction; and what the cavitated region adds to it: nothing; streamers that carry what "
-            "left the pressurised film, the rest of the width being gas; or a film that fills the whole gap.",
+        .meaning = "Computes the friction; and what the cavitated region adds to it: nothing; streamers that carry "
+                   "what left the pressurised film, the rest of the width being gas; or a film that fills the whole "
+                   "gap.",
         .source = "modules/effects/friction/README.md",
         .example = "striated"},
        {.name = "limit",
         .range = {0.0, 10.0, true, false},
         .remedy = "lubricants have 0.03 to 0.12",
-        .meaning =
-            "Lambda: the shear stress of sliding stays below the limiting stress Lambda p. Without it there is no "
-            "limit. It acts on the friction, not on the film.",
+        .meaning = "Lambda: the shear stress of sliding stays below the limiting stress Lambda p. Without it there "
+                   "is no limit. It acts on the friction, not on the film.",
         .example = "0.08"},
        {.name = "fields",
         .type = deck::Type::words,

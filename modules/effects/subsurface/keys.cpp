@@ -30,23 +30,21 @@ std::vector<deck::Key> keys() {
       {{.name = "depth",
         .range = {0.01, 1000.0},
         .remedy = "in Hertz radii, e.g. 2",
-        .meaning =
-            "Depth of the lowest plane in Hertz radii: how far below the contact the stresses are computed. Without "
-            "it they are not.",
+        .meaning = "Depth of the lowest plane in Hertz radii: how far below the contact the stresses are computed. "
+                   "Without it they are not.",
         .example = "2"},
        {.name = "planes",
         .type = Type::integer,
         .default_text = std::to_string(defaults.planes),
         .range = {3, 1000},
-        .meaning =
-            "Planes of constant depth, surface and lowest included: number k = 0..n-1 lies at depth (k/(n-1))^1.5, "
-            "closer to its neighbours near the surface."},
+        .meaning = "Planes of constant depth, surface and lowest included: number k = 0..n-1 lies at depth "
+                   "(k/(n-1))^1.5, closer to its neighbours near the surface."},
        {.name = "cells",
         .type = Type::integer,
         .default_text = std::to_string(defaults.most_cells),
         .range = {16, 1048576},
-        .meaning =
-            "The stresses' grid has at most so many cells along x: the contact's grid, halved as often as needed.",
+        .meaning = "The stresses' grid has at most so many cells along x: the contact's grid, halved as often as "
+                   "needed.",
         .source = "modules/effects/subsurface/README.md"},
        {.name = "poisson",
         .default_note = "nu1 of [contact], or 0.3",
@@ -62,9 +60,8 @@ std::vector<deck::Key> keys() {
         .type = Type::words,
         .default_text = "sigma_mises, tau_max",
         .words = names_of_quantities(),
-        .meaning =
-            "The stresses to keep in space: von Mises' equivalent stress, the largest shear stress, the components. "
-            "The section at y = 0 has them all."}});
+        .meaning = "The stresses to keep in space: von Mises' equivalent stress, the largest shear stress, the "
+                   "components. The section at y = 0 has them all."}});
 }
 
 Parameters read(deck::Deck& deck, double nu1) {
