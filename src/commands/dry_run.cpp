@@ -1,5 +1,6 @@
 #include "commands/dry_run.hpp"
 
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -82,8 +83,8 @@ DryResult solved_contact(const Case& input, bool quiet) {
 }
 
 std::string contact_lines(const ElasticContact& contact) {
-  return formatted("contact      F = %.6g N, R = %s, E' = %s\n", contact.load, length(contact.radius).c_str(),
-                   pressure(contact.E_prime).c_str()) +
+  return fmt::format("contact      F = {:.6g} N, R = {}, E' = {}\n", contact.load, length(contact.radius),
+                     pressure(contact.E_prime)) +
          "Hertz        a = " + length(contact.hertz.a) + ", p_h = " + pressure(contact.hertz.p_h) +
          ", a^2/R = " + length(contact.hertz.h_scale) + "\n";
 }
@@ -91,9 +92,9 @@ std::string contact_lines(const ElasticContact& contact) {
 std::string table(const dry::Solution& solution) {
   std::string text = "       nodes     P_max  approach      area  gap error  iterations   seconds\n";
   for (const dry::GridRow& row : solution.rows)
-    text += formatted("%12s  %8.5f  %8.5f  %8.5f  %9.0e  %10d  %8.3f\n",
-                      formatted("%d x %d", row.nx + 1, row.ny + 1).c_str(), row.P_max, -row.H00, row.area, row.error,
-                      row.iterations, row.seconds);
+    text += fmt::format("{:>12}  {:8.5f}  {:8.5f}  {:8.5f}  {:9.0e}  {:10}  {:8.3f}\n",
+                        fmt::format("{} x {}", row.nx + 1, row.ny + 1), row.P_max, -row.H00, row.area, row.error,
+                        row.iterations, row.seconds);
   return text;
 }
 
@@ -105,18 +106,17 @@ std::string summary(const Case& input, const DryResult& result) {
   const dry::GridRow& last = solution.rows.back();
   std::string text = "case         " + input.title + "\n" + table(solution);
   if (!solution.converged) text += "NOT CONVERGED: " + solution.failed_check + "\n";
-  text += formatted("p_max        P = %.5f%s, at (%.3f, %.3f) a%s\n", result.P_max.value,
-                    contact ? (", " + pressure(result.P_max.value * p_h)).c_str() : "", result.P_max.X, result.P_max.Y,
-                    mark.c_str());
-  text += formatted("approach     %.5f a^2/R%s (smooth: 1)%s\n", -solution.H00,
-                    contact ? (", " + length(-solution.H00 * contact->hertz.h_scale)).c_str() : "", mark.c_str());
-  text += formatted("area         %.5f a^2, %.4f of Hertz' circle%s\n", last.area, last.area / core::pi, mark.c_str());
+  text += fmt::format("p_max        P = {:.5f}{}, at ({:.3f}, {:.3f}) a{}\n", result.P_max.value,
+                      contact ? (", " + pressure(result.P_max.value * p_h)) : "", result.P_max.X, result.P_max.Y, mark);
+  text += fmt::format("approach     {:.5f} a^2/R{} (smooth: 1){}\n", -solution.H00,
+                      contact ? (", " + length(-solution.H00 * contact->hertz.h_scale)) : "", mark);
+  text += fmt::format("area         {:.5f} a^2, {:.4f} of Hertz' circle{}\n", last.area, last.area / core::pi, mark);
   if (contact) text += contact_lines(*contact);
-  text += formatted("load         error %.1e; gap in contact and overlap outside at most %.1e a^2/R\n",
-                    solution.load_error, last.error);
+  text += fmt::format("load         error {:.1e}; gap in contact and overlap outside at most {:.1e} a^2/R\n",
+                      solution.load_error, last.error);
   text += "method       dry, conjugate gradients; deformation " + solution.deformation +
-          formatted("; %d thread%s\n", input.scene.threads, input.scene.threads == 1 ? "" : "s");
-  text += formatted("time         %.3f s\n", solution.seconds);
+          fmt::format("; {} thread{}\n", input.scene.threads, input.scene.threads == 1 ? "" : "s");
+  text += fmt::format("time         {:.3f} s\n", solution.seconds);
   for (const std::string& warning : result.warnings) text += "warning: " + warning + "\n";
   for (const Effect& effect : effects_of(input))
     if (effect.summary) text += effect.summary(input, result.computed);
@@ -211,12 +211,12 @@ std::string derived_dry(const Case& input) {
   std::string text = "case         " + input.title + "\n";
   text +=
       input.dry->contact ? contact_lines(*input.dry->contact) : "contact      in units of Hertz: P in p_h, x in a\n";
-  text += formatted("domain       [%g, %g] x [%g, %g] Hertz radii\n", grid.X_a, grid.X_b, grid.Y_a, grid.Y_b);
-  text += formatted("grid         %d x %d nodes, hx = %.4g, hy = %.4g\n", grid.nodes_x(), grid.nodes_y(), grid.hx(),
-                    grid.hy());
+  text += fmt::format("domain       [{:g}, {:g}] x [{:g}, {:g}] Hertz radii\n", grid.X_a, grid.X_b, grid.Y_a, grid.Y_b);
+  text += fmt::format("grid         {} x {} nodes, hx = {:.4g}, hy = {:.4g}\n", grid.nodes_x(), grid.nodes_y(),
+                      grid.hx(), grid.hy());
   text += std::string("method       dry, conjugate gradients; deformation ") + name(input.scene.deformation.method) +
           "\nkind         dry: no lubricant; conjugate gradients to " +
-          formatted("%.1g a^2/R\n", input.dry->parameters.tolerance);
+          fmt::format("{:.1g} a^2/R\n", input.dry->parameters.tolerance);
   for (const Effect& effect : effects_of(input))
     text += "effects      " + effect.name + ": " + effect.what(input) + "\n";
   text += surface_report(input.surfaces, input.physics, grid);
