@@ -1,5 +1,7 @@
 #include "report/subsurface_report.hpp"
 
+#include <fmt/core.h>
+
 #include <cmath>
 
 #include "deck/text.hpp"
@@ -17,11 +19,11 @@ using subsurface::StressField;
 constexpr const char* section = "subsurface";
 
 std::string nodes(const core::Grid& grid, std::size_t planes) {
-  return formatted("%d x %d nodes on %zu planes to depth ", grid.nodes_x(), grid.nodes_y(), planes);
+  return fmt::format("{} x {} nodes on {} planes to depth ", grid.nodes_x(), grid.nodes_y(), planes);
 }
 
 std::string body(const Parameters& parameters) {
-  return formatted("Poisson's ratio %.4g, friction %.4g", parameters.nu, parameters.friction);
+  return fmt::format("Poisson's ratio {:.4g}, friction {:.4g}", parameters.nu, parameters.friction);
 }
 
 // Without the signs of zeros that rounding leaves.
@@ -29,8 +31,8 @@ double shown(double place) { return std::abs(place) < 5e-5 ? 0.0 : place; }
 
 std::string maximum_line(const char* label, const Maximum& maximum, double p_h, const std::string& mark) {
   const std::string absolute = std::isfinite(p_h) ? ", " + pressure(maximum.value * p_h) : "";
-  return formatted("%s %.5f p_h%s, at (%.3f, %.3f) a, depth %.4f a%s\n", label, maximum.value, absolute.c_str(),
-                   shown(maximum.X), shown(maximum.Y), maximum.Z, mark.c_str());
+  return fmt::format("{} {:.5f} p_h{}, at ({:.3f}, {:.3f}) a, depth {:.4f} a{}\n", label, maximum.value, absolute,
+                     shown(maximum.X), shown(maximum.Y), maximum.Z, mark);
 }
 
 std::string warning_lines(const StressField& field) {
@@ -64,13 +66,13 @@ std::vector<results::Quantity> quantities(const StressField& field) {
 
 std::string subsurface_plan(const Parameters& parameters, const core::Grid& contact) {
   return nodes(subsurface::stress_grid(contact, parameters), static_cast<std::size_t>(parameters.planes)) +
-         formatted("%.4g a; ", parameters.depth) + body(parameters);
+         fmt::format("{:.4g} a; ", parameters.depth) + body(parameters);
 }
 
 std::string subsurface_summary(const StressField& field, double p_h, const std::string& mark) {
   return maximum_line("von Mises   ", field.mises, p_h, mark) + maximum_line("tau_max     ", field.shear, p_h, mark) +
-         "subsurface   " + nodes(field.grid, field.depths.size()) + formatted("%.4g a; ", field.depths.back()) +
-         body(field.parameters) + formatted("; %.3f s\n", field.seconds) + warning_lines(field);
+         "subsurface   " + nodes(field.grid, field.depths.size()) + fmt::format("{:.4g} a; ", field.depths.back()) +
+         body(field.parameters) + fmt::format("; {:.3f} s\n", field.seconds) + warning_lines(field);
 }
 
 Json subsurface_json(const StressField& field) {

@@ -1,4 +1,4 @@
-#include "tables/sweep_children.hpp"
+#include "tables/children.hpp"
 
 #include <poll.h>
 #include <signal.h>
