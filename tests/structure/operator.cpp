@@ -24,12 +24,14 @@ const std::vector<Pattern>& patterns() {
 }  // namespace
 
 std::vector<std::string> operator_offences(const std::vector<SourceFile>& files, const std::string& home) {
+  static const std::regex comment("//[^\n]*");
   std::vector<std::string> offences;
   for (const SourceFile& file : files) {
     const std::string path = file.path.generic_string();
     if (path == home) continue;
+    const std::string code = std::regex_replace(file.text, comment, "");
     for (const Pattern& pattern : patterns()) {
-      if (!std::regex_search(file.text, pattern.looks_like)) continue;
+      if (!std::regex_search(code, pattern.looks_like)) continue;
       offences.push_back(path);
       break;
     }
