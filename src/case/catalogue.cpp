@@ -35,10 +35,7 @@ deck::Catalogue catalogue() {
        {steady::keys(), contact::keys(), rheology::keys(), reynolds::keys(), mlmi::keys(), fmg::keys(), dry::keys()})
     all.keys.insert(all.keys.end(), keys.begin(), keys.end());
   for (const Effect& effect : effects()) {
-    for (deck::Section section : effect.sections) {
-      section.effect = effect.name;
-      all.sections.insert(all.sections.end() - 1, section);  // before [output]
-    }
+    all.sections.insert(all.sections.end() - 1, effect.sections.begin(), effect.sections.end());  // before [output]
     if (!effect.keys) continue;
     const std::vector<deck::Key> keys = effect.keys();
     all.keys.insert(all.keys.end(), keys.begin(), keys.end());
