@@ -72,6 +72,8 @@ po::parsed_options parsed(const Command& command, const std::vector<std::string>
   const Option* option = find(command.options, name);
   if (error.kind() == po::invalid_syntax::extra_parameter) refuse("--" + name + " takes no value");
   refuse("--" + name + ": the value is missing" + (option == nullptr ? "" : ": " + option->argument));
+} catch (const po::error& error) {
+  refuse(error.what());  // "-=x"
 }
 
 }  // namespace
