@@ -39,9 +39,9 @@ grey_not_converged = "#a0a0a0"
 # A solution of the equations on a grid that does not hold the contact: the star says so.
 star(none) = known("error_Hm") && column("error_Hm") > 0.1 ? "*" : none
 # Direct: the full multigrid from its first start.
-path(m) = strstrt(m, "ewton") ? 4 : (strstrt(m, "ontinuation") ? 3 : (strstrt(m, "start") && !strstrt(m, "start 1") ? 2 : 1))
+kind(path) = path[1:6] eq "newton" ? 4 : (path eq "load-continuation" ? 3 : (path eq "full-multigrid" ? 1 : 2))
 path_colours = "#7cc4ee #33b08b #f0b429 #d98cb3"
-colour_of_path(method) = rgb_of(word(path_colours, path(method)))
+colour_of(path) = rgb_of(word(path_colours, kind(path)))
 
 stats file using (is("converged") ? column("work_units") : NaN) nooutput prefix "W"
 work_low = exists("W_min") ? nice(W_min) : 10
@@ -116,7 +116,7 @@ do for [row = 1:3] {
             at screen 0.075, 0.012 left front
       }
       plot file using (X_if("not-converged", wedge)):(Y("contact.L")):(0.5):(0.5) with boxxyerror lc rgb grey_not_converged, \
-           file using (X_if("converged", wedge)):(Y("contact.L")):(0.5):(0.5):(colour_of_path(stringcolumn("method"))) \
+           file using (X_if("converged", wedge)):(Y("contact.L")):(0.5):(0.5):(colour_of(stringcolumn("path"))) \
                with boxxyerror lc rgb variable, \
            file using (X(wedge)):(Y("contact.L")):(mark(stringcolumn("nx").star(""))) with labels textcolor rgb "#222222" font ",14"
     }

@@ -3,17 +3,16 @@
 # In a cell: convergence factor per cycle, work units on the finest grid; then s: a later start, c: load continuation, N: Newton.
 # A star: the estimated discretization error of Hm is above 10 %, the grid too coarse for the contact.
 # Not converged, refused and failed cases are in words, and never as numbers.
-function path(method) {
-  if (method ~ /ewton/) return " N"
-  if (method ~ /ontinuation/) return " c"
-  if (method ~ /start/ && method !~ /start 1/) return " s"
-  return ""
+function letter(path) {
+  if (path ~ /^newton/) return " N"
+  if (path == "load-continuation") return " c"
+  return path == "full-multigrid" ? "" : " s"
 }
 function cell() {
   if ($at["status"] != "converged") return $at["status"]
   factor = $at["cycle_factor"] == "NaN" ? "–" : sprintf("%.2f", $at["cycle_factor"])
   star = $at["error_Hm"] != "NaN" && $at["error_Hm"] > 0.1 ? "*" : ""
-  return factor ", " sprintf("%.0f", $at["work_units"]) path($at["method"]) star
+  return factor ", " sprintf("%.0f", $at["work_units"]) letter($at["path"]) star
 }
 BEGIN { FS = "," }
 /^# set: / { settings = settings (settings == "" ? "" : ", ") substr($0, 8) }

@@ -1,7 +1,11 @@
 #include "contact/ellipse.hpp"
 
 #include <algorithm>
+#include <boost/math/special_functions/ellint_rd.hpp>
+#include <boost/math/special_functions/ellint_rf.hpp>
+#include <boost/math/tools/roots.hpp>
 #include <cmath>
+#include <cstdint>
 
 #include "core/constants.hpp"
 
@@ -10,53 +14,30 @@ namespace {
 
 using core::pi;
 
-/// K = B + D and E = B + (1 - m) D: with these nothing cancels as the ellipse becomes a circle.
+/// The complete integrals at m = 1 - 1/kappa^2 as K = B + D and E = B + (1 - m) D: with these nothing cancels as the
+/// ellipse becomes a circle, and Carlson's forms take 1 - m itself.
 struct Integrals {
   double K;
   double B;  ///< (E - (1 - m) K)/m
   double D;  ///< (K - E)/m
 };
-
-// By the arithmetic-geometric mean: K = pi/(2 agm(1, 1/kappa)), (K - E)/K = sum of 2^(n-1) c_n^2, c_0^2 = m; here all
-// terms over m.
 Integrals integrals(double kappa) {
-  double mean = 1.0, geometric = 1.0 / kappa;
-  const double m = (1.0 - geometric) * (1.0 + geometric);
-  double c2_over_m = 1.0, sum = 0.5, weight = 0.5;
-  constexpr int enough = 40;  // it converges quadratically
-  for (int n = 0; n < enough && mean != geometric; ++n) {
-    const double next = 0.5 * (mean + geometric);
-    const double root = std::sqrt(mean * geometric);
-    // c_(n+1) = c_n^2/(4 a_(n+1))
-    c2_over_m *= c2_over_m * m / (16.0 * next * next);
-    weight *= 2.0;
-    sum += weight * c2_over_m;
-    if (next == mean || c2_over_m == 0.0) break;
-    mean = next;
-    geometric = root;
-  }
-  const double K = 0.5 * pi / mean;
-  return {K, K * (1.0 - sum), K * sum};
+  const double one_less_m = 1.0 / (kappa * kappa);
+  const double K = boost::math::ellint_rf(0.0, one_less_m, 1.0);
+  const double D = boost::math::ellint_rd(0.0, one_less_m, 1.0) / 3.0;
+  return {K, K - D, D};
 }
 
-// [kappa^2 E - K]/[K - E] = kappa^2 B/D.
-double radius_ratio_of(double kappa) {
-  const Integrals I = integrals(kappa);
-  return kappa * kappa * I.B / I.D;
-}
-
-// Longer over shorter semi-axis, from R_s/R_e >= 1. The logarithm of the ratio of radii grows with that of kappa by
-// between 3/2 and 2, nearly as a straight line.
+// Longer over shorter semi-axis, from R_s/R_e = [kappa^2 E - K]/[K - E] = kappa^2 B/D >= 1, near its 2/3rd power.
 double kappa_of(double radius_ratio) {
-  const double target = std::log(radius_ratio);
-  double kappa = std::exp(target * 2.0 / 3.0);
-  double step = 1.0;
-  constexpr double rounding = 1e-16;
-  for (int n = 0; n < 100 && std::abs(step) > rounding; ++n) {
-    step = (target - std::log(radius_ratio_of(kappa))) / 1.75;
-    kappa *= std::exp(step);
-  }
-  return std::max(kappa, 1.0);
+  const auto excess = [&](double kappa) {
+    const Integrals I = integrals(kappa);
+    return kappa * kappa * I.B / I.D - radius_ratio;
+  };
+  std::uintmax_t steps = 100;
+  const auto [below, above] = boost::math::tools::bracket_and_solve_root(
+      excess, std::cbrt(radius_ratio * radius_ratio), 2.0, true, boost::math::tools::eps_tolerance<double>(), steps);
+  return std::max(0.5 * (below + above), 1.0);
 }
 
 struct Direction {

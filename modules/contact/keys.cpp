@@ -1,174 +1,215 @@
 #include "contact/keys.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "contact/hertz.hpp"
+#include "deck/text.hpp"
+
 namespace ehl::contact {
 namespace {
-
-using deck::Key;
-using deck::Type;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr deck::Range positive{0.0, infinity, true, true};
 
-std::vector<Key> dimensionless_keys() {
+std::vector<deck::Key> dimensionless_keys() {
   return {
-      Key{.section = "contact",
-          .name = "M",
-          .range = {0.1, 1e5},
-          .remedy = "outside it the contact is rigid or dry for every grid",
-          .meaning = "Moes load number M = W (2U)^(-3/4). First language: M and L.",
-          .source = "Moes; Venner and ten Napel 1992 use M = 50, L = 10",
-          .example = "50",
-          .example_is_active = true},
-      Key{.section = "contact",
-          .name = "L",
-          .range = {0.0, 100.0},
-          .meaning = "Moes material number L = G (2U)^(1/4); 0 for an isoviscous lubricant.",
-          .example = "10",
-          .example_is_active = true},
-      Key{.section = "contact",
-          .name = "W",
-          .range = positive,
-          .meaning = "Hamrock-Dowson load number W = F/(E' R_x^2). Second language: W, U and G.",
-          .example = "1.9e-7"},
-      Key{.section = "contact",
-          .name = "U",
-          .range = positive,
-          .meaning = "Hamrock-Dowson speed number U = eta0 u_m/(E' R_x), u_m = (u1 + u2)/2.",
-          .example = "9.1e-12"},
-      Key{.section = "contact",
-          .name = "G",
-          .range = {0.0, infinity, false, true},
-          .meaning = "Hamrock-Dowson material number G = alpha E'; 0 for an isoviscous lubricant.",
-          .example = "4500"},
-      Key{.section = "contact",
-          .name = "a_over_R",
-          .range = {0.0, 1.0, true, false},
-          .remedy = "a/R = pi p_h/E'",
-          .meaning =
-              "Hertz radius over R, which M and L leave open and shear stresses depend on. Only with M and L, and "
-              "[shear] or [friction].",
-          .example = "0.01"},
+      {.name = "M",
+       .range = {0.1, 1e5},
+       .remedy = "outside it the contact is rigid or dry for every grid",
+       .meaning = "Moes load number M = W (2U)^(-3/4). First language: M and L.",
+       .source = "Moes; Venner and ten Napel 1992 use M = 50, L = 10",
+       .example = "50",
+       .example_is_active = true},
+      {.name = "L",
+       .range = {0.0, 100.0},
+       .meaning = "Moes material number L = G (2U)^(1/4); 0 for an isoviscous lubricant.",
+       .example = "10",
+       .example_is_active = true},
+      {.name = "W",
+       .range = positive,
+       .meaning = "Hamrock-Dowson load number W = F/(E' R_x^2). Second language: W, U and G.",
+       .example = "1.9e-7"},
+      {.name = "U",
+       .range = positive,
+       .meaning = "Hamrock-Dowson speed number U = eta0 u_m/(E' R_x), u_m = (u1 + u2)/2.",
+       .example = "9.1e-12"},
+      {.name = "G",
+       .range = {0.0, infinity, false, true},
+       .meaning = "Hamrock-Dowson material number G = alpha E'; 0 for an isoviscous lubricant.",
+       .example = "4500"},
+      {.name = "a_over_R",
+       .range = {0.0, 1.0, true, false},
+       .remedy = "a/R = pi p_h/E'",
+       .meaning = "Hertz radius over R, which M and L leave open and shear stresses depend on. Only with M and L, and "
+                  "[shear] or [friction].",
+       .example = "0.01"},
   };
 }
 
-std::vector<Key> si_keys() {
+std::vector<deck::Key> si_keys() {
   return {
-      Key{.section = "contact",
-          .name = "load",
-          .unit = "N",
-          .range = positive,
-          .remedy = "the load presses the bodies together",
-          .meaning =
-              "Normal load F. Third language: load, radius_x and the elastic data in SI, with [motion] and eta0.",
-          .example = "15"},
-      Key{.section = "contact",
-          .name = "radius_x",
-          .unit = "m",
-          .range = positive,
-          .meaning = "Reduced radius along the entrainment: 1/R_x = 1/R_x1 + 1/R_x2 (ball on flat: the ball's).",
-          .example = "0.0125"},
-      Key{.section = "contact",
-          .name = "radius_y",
-          .default_note = "radius_x (circular contact)",
-          .unit = "m",
-          .range = positive,
-          .meaning = "Principal reduced radius across radius_x: 1/R_y = 1/R_y1 + 1/R_y2; or radius_ratio.",
-          .example = "0.0125"},
-      Key{.section = "contact",
-          .name = "E1",
-          .unit = "Pa",
-          .range = positive,
-          .meaning = "Young's modulus of body 1 (with nu1, E2 and nu2; or E_prime instead of the four).",
-          .example = "206e9"},
-      Key{.section = "contact",
-          .name = "nu1",
-          .range = {-1.0, 0.5, true, false},
-          .meaning = "Poisson's ratio of body 1.",
-          .example = "0.3"},
-      Key{.section = "contact",
-          .name = "E2",
-          .unit = "Pa",
-          .range = positive,
-          .meaning = "Young's modulus of body 2.",
-          .example = "81e9"},
-      Key{.section = "contact",
-          .name = "nu2",
-          .range = {-1.0, 0.5, true, false},
-          .meaning = "Poisson's ratio of body 2.",
-          .example = "0.208"},
-      Key{.section = "contact",
-          .name = "E_prime",
-          .unit = "Pa",
-          .range = positive,
-          .meaning = "Reduced modulus E' = 2/[(1 - nu1^2)/E1 + (1 - nu2^2)/E2], instead of E1, nu1, E2, nu2.",
-          .example = "110e9"},
+      {.name = "load",
+       .unit = "N",
+       .range = positive,
+       .remedy = "the load presses the bodies together",
+       .meaning = "Normal load F. Third language: load, radius_x and the elastic data in SI, with [motion] and eta0.",
+       .example = "15"},
+      {.name = "radius_x",
+       .unit = "m",
+       .range = positive,
+       .meaning = "Reduced radius along the entrainment: 1/R_x = 1/R_x1 + 1/R_x2 (ball on flat: the ball's).",
+       .example = "0.0125"},
+      {.name = "radius_y",
+       .default_note = "radius_x (circular contact)",
+       .unit = "m",
+       .range = positive,
+       .meaning = "Principal reduced radius across radius_x: 1/R_y = 1/R_y1 + 1/R_y2; or radius_ratio.",
+       .example = "0.0125"},
+      {.name = "E1",
+       .unit = "Pa",
+       .range = positive,
+       .meaning = "Young's modulus of body 1 (with nu1, E2 and nu2; or E_prime instead of the four).",
+       .example = "206e9"},
+      {.name = "nu1", .range = {-1.0, 0.5, true, false}, .meaning = "Poisson's ratio of body 1.", .example = "0.3"},
+      {.name = "E2", .unit = "Pa", .range = positive, .meaning = "Young's modulus of body 2.", .example = "81e9"},
+      {.name = "nu2", .range = {-1.0, 0.5, true, false}, .meaning = "Poisson's ratio of body 2.", .example = "0.208"},
+      {.name = "E_prime",
+       .unit = "Pa",
+       .range = positive,
+       .meaning = "Reduced modulus E' = 2/[(1 - nu1^2)/E1 + (1 - nu2^2)/E2], instead of E1, nu1, E2, nu2.",
+       .example = "110e9"},
   };
 }
 
-std::vector<Key> shape_keys() {
+std::vector<deck::Key> shape_keys() {
   return {
-      Key{.section = "contact",
-          .name = "radius_ratio",
-          .default_note = "1 (circular contact), or from radius_y",
-          .range = {0.05, 20.0},
-          .remedy = "beyond it the contact is nearly a line",
-          .meaning =
-              "R_x/R_y, the radius along the entrainment over the one across it: below 1 an ellipse that lies across "
-              "it. With any language; groups, Hertz radii and scales are made with R_x.",
-          .source = "Nijenbanning, Venner and Moes 1994 computed 0.05 to 1",
-          .example = "0.2"},
+      {.name = "radius_ratio",
+       .default_note = "1 (circular contact), or from radius_y",
+       .range = {0.05, 20.0},
+       .remedy = "beyond it the contact is nearly a line",
+       .meaning = "R_x/R_y, the radius along the entrainment over the one across it: below 1 an ellipse that lies "
+                  "across it. With any language; groups, Hertz radii and scales are made with R_x.",
+       .source = "Nijenbanning, Venner and Moes 1994 computed 0.05 to 1",
+       .example = "0.2"},
   };
 }
 
-std::vector<Key> motion_keys() {
-  constexpr deck::Range speed{-1e6, 1e6};
-  return {
-      Key{.section = "motion",
-          .name = "angle",
-          .default_note = "0, along radius_x",
-          .unit = "degrees",
-          .range = {-90.0, 90.0},
-          .meaning =
-              "From the direction of radius_x to that of the entrainment, of an elliptic contact; 90: along radius_y. "
-              "Not 0 or 90: the whole domain is computed. x stays the direction of entrainment.",
-          .example = "45"},
-      Key{.section = "motion",
-          .name = "u1",
-          .unit = "m/s",
-          .range = speed,
-          .meaning = "Surface speed of body 1 (u1 and u2, or u_m and srr). The oil enters at the side of negative x.",
-          .example = "0.09"},
-      Key{.section = "motion",
-          .name = "u2",
-          .unit = "m/s",
-          .range = speed,
-          .meaning = "Surface speed of body 2.",
-          .example = "0.09"},
-      Key{.section = "motion",
-          .name = "u_m",
-          .unit = "m/s",
-          .range = {0.0, 1e6, true, false},
-          .remedy = "without entrainment there is no film",
-          .meaning = "Entrainment speed (u1 + u2)/2, instead of u1 and u2.",
-          .example = "0.09"},
-      Key{.section = "motion",
-          .name = "srr",
-          .default_note = "0",
-          .range = {-1e6, 1e6},
-          .meaning =
-              "Slide-roll ratio (u1 - u2)/u_m. A steady, smooth, isothermal Newtonian film does not depend on it; "
-              "[shear] and [friction] do, with contacts in M and L or W, U and G too.",
-          .example = "0.1"},
+using Names = std::vector<std::string>;
+
+const Names names_in_moes{"M", "L"};
+const Names names_in_hamrock_dowson{"W", "U", "G"};
+const Names names_in_si{"load", "radius_x", "radius_y", "E1", "nu1", "E2", "nu2", "E_prime"};
+const Names four_moduli{"E1", "nu1", "E2", "nu2"};
+
+Language language_of(const deck::Part& contact) {
+  struct Choice {
+    Language language;
+    Names given;
   };
+  std::vector<Choice> spoken;
+  for (const auto& [language, names] : {std::pair{Language::moes, names_in_moes},
+                                        {Language::hamrock_dowson, names_in_hamrock_dowson},
+                                        {Language::si, names_in_si}})
+    if (const Names found = contact.given_of(names); !found.empty()) spoken.push_back({language, found});
+  if (spoken.empty())
+    contact.complain("M",
+                     "the contact is missing: give M and L, or W, U and G, or load, radius_x and E_prime (or E1, "
+                     "nu1, E2, nu2)");
+  if (spoken.size() == 1) return spoken[0].language;
+  // A stray key is told to go, not the three that it is added to.
+  std::ranges::stable_sort(spoken, std::ranges::greater{}, [](const Choice& choice) { return choice.given.size(); });
+  for (std::size_t k = 1; k < spoken.size(); ++k)
+    contact.refuse(spoken[k].given, "the contact is given in two languages: " + deck::joined(spoken[0].given, ", ") +
+                                        " (" + deck::value(contact.deck, "contact", spoken[0].given[0]).place +
+                                        ") already; keep one of M, L | W, U, G | load, radius_x and moduli");
+  return Language::none;
+}
+
+Bodies read_bodies(const deck::Part& contact) {
+  contact.demand({"load", "radius_x"}, "a contact in SI needs load, radius_x and the elastic moduli");
+  const auto number = [&](const char* name) { return contact.number(name); };
+  const Names moduli = contact.given_of(four_moduli);
+  if (contact.given("E_prime"))
+    contact.refuse(moduli, "E_prime is given as well: keep either E_prime or E1, nu1, E2, nu2");
+  else if (moduli.empty())
+    contact.complain("E_prime", "is missing: give it, or E1, nu1, E2 and nu2");
+  else
+    contact.demand(four_moduli, "E1, nu1, E2 and nu2 belong together (or give E_prime alone)");
+  return {.load = number("load"),
+          .radius = number("radius_x"),
+          .E_prime = contact.given("E_prime")
+                         ? number("E_prime")
+                         : reduced_modulus({number("E1"), number("nu1")}, {number("E2"), number("nu2")})};
+}
+
+// R_x/R_y, or NaN where a complaint is on its way. What follows from it is recorded in the deck.
+double read_radius_ratio(const deck::Part& contact, Language language) {
+  const double ratio = contact.number("radius_ratio");
+  const bool given = contact.given("radius_ratio");
+  if (language != Language::si) return given ? ratio : 1.0;
+  if (given) {
+    if (contact.given("radius_y")) contact.complain("radius_ratio", "radius_y is given as well: keep one of them");
+    return ratio;
+  }
+  const double radius_x = contact.number("radius_x");
+  contact.fill("radius_y", radius_x, "circular contact");
+  const double of_radii = radius_x / contact.number("radius_y");
+  const deck::Key& key = *deck::find_key(contact.deck.catalogue, "contact", "radius_ratio");
+  if (!std::isnan(of_radii) && !key.range.contains(of_radii))
+    contact.complain(
+        "radius_y", fmt::format("means radius_x/radius_y = {:.4g}, which must be {}: beyond it the contact is nearly a "
+                                "line",
+                                of_radii, deck::allowed(key)));
+  return of_radii;
+}
+
+Ellipse read_shape(const deck::Part& contact, const deck::Part& motion, Language language) {
+  const double ratio = read_radius_ratio(contact, language);
+  if (ratio == 1.0)
+    motion.refuse({"angle"}, "has no influence on a circular contact: remove it, or give radius_ratio or radius_y");
+  if (!contact.deck.errors.empty() || std::isnan(ratio) || ratio == 1.0) return {};
+  motion.fill("angle", 0.0, "along radius_x");
+  return ellipse(ratio, motion.number("angle"));
 }
 
 }  // namespace
 
-std::vector<Key> keys() {
-  std::vector<Key> all = dimensionless_keys();
-  for (const std::vector<Key>& more : {si_keys(), shape_keys(), motion_keys()})
-    all.insert(all.end(), more.begin(), more.end());
-  return all;
+std::vector<deck::Key> keys() {
+  return deck::together({deck::in_section("contact", deck::together({dimensionless_keys(), si_keys(), shape_keys()})),
+                         deck::in_section("motion", motion_keys())});
+}
+
+Input read(deck::Deck& deck, bool slides) {
+  const deck::Part contact{deck, "contact"}, motion{deck, "motion"};
+  const auto number = [&](const char* name) { return contact.number(name); };
+  Input input{.language = language_of(contact),
+              .M = number("M"),
+              .L = number("L"),
+              .W = number("W"),
+              .U = number("U"),
+              .G = number("G"),
+              .a_over_R = number("a_over_R")};
+  if (input.language == Language::moes) contact.demand(names_in_moes, "M and L belong together");
+  if (input.language == Language::hamrock_dowson) contact.demand(names_in_hamrock_dowson, "W, U and G belong together");
+  if (input.language == Language::si) input.bodies = read_bodies(contact);
+  if (input.language != Language::none) {
+    if (input.language != Language::moes || !slides)
+      contact.refuse({"a_over_R"}, "has no influence but with M and L, and [shear] or [friction]: remove it");
+  }
+  read_motion(motion, slides, input);
+  input.shape = read_shape(contact, motion, input.language);
+  return input;
+}
+
+std::optional<Bodies> read_bodies(deck::Deck& deck) {
+  const deck::Part contact{deck, "contact"};
+  if (contact.given_of(names_in_si).empty()) return std::nullopt;
+  return read_bodies(contact);
 }
 
 }  // namespace ehl::contact

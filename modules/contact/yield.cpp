@@ -1,29 +1,27 @@
 #include "contact/yield.hpp"
 
-#include <cstdio>
+#include <fmt/format.h>
 
 namespace ehl::contact {
 namespace {
 
-std::string gigapascals(double p) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.3g GPa", 1e-9 * p);
-  return buffer;
-}
+std::string gigapascals(double p) { return fmt::format("{:.3g} GPa", 1e-9 * p); }
 
 }  // namespace
 
 std::optional<std::string> beyond_yield(double p_h) {
   constexpr double yields = first_yield * bearing_steel_yield;
   if (!(p_h > yields)) return std::nullopt;
-  const std::string first = "hardened bearing steel first yields below its surface at about " + gigapascals(yields) +
-                            " (1.6 times its yield stress of about " + gigapascals(bearing_steel_yield) + ")";
-  const std::string iso = "ISO 76 permits balls " + gigapascals(iso76_ball_pressure) +
-                          ", which leaves a permanent dent of 1e-4 of their diameter";
+  const std::string first = fmt::format(
+      "hardened bearing steel first yields below its surface at about {} (1.6 times its yield stress of about {})",
+      gigapascals(yields), gigapascals(bearing_steel_yield));
+  const std::string iso =
+      fmt::format("ISO 76 permits balls {}, which leaves a permanent dent of 1e-4 of their diameter",
+                  gigapascals(iso76_ball_pressure));
   if (p_h > iso76_ball_pressure)
-    return "p_h = " + gigapascals(p_h) + " is beyond steel: " + iso + "; " + first +
-           ": these elastic numbers belong to no real contact of steel";
-  return "p_h = " + gigapascals(p_h) + " is beyond the yield of steel: " + first + "; " + iso;
+    return fmt::format("p_h = {} is beyond steel: {}; {}: these elastic numbers belong to no real contact of steel",
+                       gigapascals(p_h), iso, first);
+  return fmt::format("p_h = {} is beyond the yield of steel: {}; {}", gigapascals(p_h), first, iso);
 }
 
 }  // namespace ehl::contact

@@ -34,21 +34,35 @@ void copy(const Field& from, Field& to) {
   std::copy_n(from.at_x(0), count(from.nodes_x(), from.stride()), to.at_x(0));
 }
 
-void make_images(const Grid& grid, Field& f) {
-  if (!grid.mirrored) return;
-  for (int i = 0; i < f.nodes_x(); ++i) make_images(grid, f.at_x(i));
+void fill_ghosts(const Patch& patch, Field& f) {
+  if (patch.north != Edge::mirror) return;
+  for (int i = 0; i < f.nodes_x(); ++i) fill_ghosts(patch, f.at_x(i));
 }
 
-void copy_lower_half(const Field& whole, Field& half) {
-  for (int i = 0; i < half.nodes_x(); ++i) std::copy_n(whole.at_x(i), half.nodes_y(), half.at_x(i));
+void copy_to_patch(const Patch& patch, const Field& on_domain, Field& on_patch) {
+  for (int i = 0; i <= patch.nx; ++i)
+    std::copy_n(on_domain.at_x(patch.i0 + i) + patch.j0, patch.nodes_y(), on_patch.at_x(i));
 }
 
-void copy_whole(const Grid& mirrored, const Field& half, Field& whole) {
-  for (int i = 0; i < half.nodes_x(); ++i) {
-    const double* from = half.at_x(i);
-    std::copy_n(from, mirrored.nodes_y(), whole.at_x(i));
-    std::reverse_copy(from, from + mirrored.ny, whole.at_x(i) + mirrored.ny + 1);
+Field on_patch(const Patch& patch, const Field& on_domain) {
+  Field f(patch);
+  copy_to_patch(patch, on_domain, f);
+  return f;
+}
+
+void copy_to_domain(const Patch& patch, const Field& on_patch, Field& on_domain) {
+  for (int i = 0; i <= patch.nx; ++i) {
+    const double* from = on_patch.at_x(i);
+    double* to = on_domain.at_x(patch.i0 + i) + patch.j0;
+    std::copy_n(from, patch.nodes_y(), to);
+    if (patch.north == Edge::mirror) std::reverse_copy(from, from + patch.ny, to + patch.nodes_y());
   }
+}
+
+Field on_domain(const Patch& patch, const Field& on_patch) {
+  Field f(patch.domain);
+  copy_to_domain(patch, on_patch, f);
+  return f;
 }
 
 }  // namespace ehl::core

@@ -11,13 +11,13 @@ namespace ehl::core {
 /// One double per node of a grid, zero at birth. Storage runs along y (j) fastest: the line relaxation solves
 /// lines of constant Y, many lines j at once, one in each lane of a vector register, so neighbouring lines
 /// must be neighbours in memory. Every station i starts on a 64-byte boundary; the padding behind j = ny holds no
-/// information, but for the image lines of a mirrored grid.
+/// information, but for the ghost lines.
 class Field {
  public:
   Field() = default;
   /// in: nodes_x, nodes_y >= 1 numbers of nodes. errors: std::bad_alloc.
   Field(int nodes_x, int nodes_y);
-  explicit Field(const Grid& grid) : Field(grid.nodes_x(), grid.nodes_y()) {}
+  explicit Field(const Patch& patch) : Field(patch.nodes_x(), patch.nodes_y()) {}
   Field(const Field& other);
   Field& operator=(const Field& other);
   Field(Field&&) noexcept = default;
@@ -54,20 +54,21 @@ class Field {
 /// to <- from. limits: same shape.
 void copy(const Field& from, Field& to);
 
-/// How many lines behind the axis can have an image.
-inline constexpr int most_images = 2;
-/// The image lines of one station, f_{ny+k} = f_{ny-k}, k = 1, 2; nothing on a grid that is not mirrored.
-/// limits: ny >= 2.
-inline void make_images(const Grid& grid, double* station) {
-  if (!grid.mirrored) return;
-  for (int k = 1; k <= most_images; ++k) station[grid.ny + k] = station[grid.ny - k];
+/// How many ghost lines stand behind a mirror.
+inline constexpr int ghost_lines = 2;
+/// Fills the ghost lines of one station, behind a mirror f_{ny+k} = f_{ny-k}, k = 1, 2. limits: ny >= 2.
+inline void fill_ghosts(const Patch& patch, double* station) {
+  if (patch.north != Edge::mirror) return;
+  for (int k = 1; k <= ghost_lines; ++k) station[patch.ny + k] = station[patch.ny - k];
 }
 /// The same of all stations.
-void make_images(const Grid& grid, Field& f);
+void fill_ghosts(const Patch& patch, Field& f);
 
-/// half <- the lower half, axis included, of a field on the whole of a mirrored grid; no image lines.
-void copy_lower_half(const Field& whole, Field& half);
-/// whole <- both halves. in: a field on the mirrored grid.
-void copy_whole(const Grid& mirrored, const Field& half, Field& whole);
+/// What a patch holds of a field on its domain; ghost lines are not filled.
+Field on_patch(const Patch& patch, const Field& on_domain);
+void copy_to_patch(const Patch& patch, const Field& on_domain, Field& on_patch);
+/// A field of a patch on the whole of its domain.
+Field on_domain(const Patch& patch, const Field& on_patch);
+void copy_to_domain(const Patch& patch, const Field& on_patch, Field& on_domain);
 
 }  // namespace ehl::core

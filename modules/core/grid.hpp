@@ -1,8 +1,8 @@
 #pragma once
-// The uniform grid of the discretised contact problem.
+// The lattice of a discretised domain, and the patch of it on which a level computes.
 namespace ehl::core {
 
-/// A uniform grid of nx x ny cells on [X_a, X_b] x [Y_a, Y_b]; nodes are (0..nx, 0..ny).
+/// A uniform lattice of nx x ny cells on [X_a, X_b] x [Y_a, Y_b]; nodes are (0..nx, 0..ny).
 /// Dimensionless lengths in Hertz radii a; x is the direction of entrainment, the inlet at X_a.
 struct Grid {
   int nx = 0;        ///< cells along x
@@ -11,9 +11,6 @@ struct Grid {
   double X_b = 0.0;  ///< outlet boundary
   double Y_a = 0.0;  ///< lower side boundary
   double Y_b = 0.0;  ///< upper side boundary
-  /// True: the lower half of a domain that is symmetric in Y. Y_b = 0 is then the axis, where the unknowns go on as
-  /// their own mirror image.
-  bool mirrored = false;
 
   double hx() const { return (X_b - X_a) / nx; }
   double hy() const { return (Y_b - Y_a) / ny; }
@@ -21,34 +18,72 @@ struct Grid {
   double Y(int j) const { return Y_a + j * hy(); }
   int nodes_x() const { return nx + 1; }
   int nodes_y() const { return ny + 1; }
-  /// The last line of unknowns: the one before the boundary, or the axis.
-  int last_line() const { return mirrored ? ny : ny - 1; }
-  /// How many lines of the whole domain line j stands for.
-  double lines(int j) const { return mirrored && j < ny ? 2.0 : 1.0; }
+
+  friend bool operator==(const Grid&, const Grid&) = default;
 };
 
-inline bool operator==(const Grid& a, const Grid& b) {
-  return a.nx == b.nx && a.ny == b.ny && a.X_a == b.X_a && a.X_b == b.X_b && a.Y_a == b.Y_a && a.Y_b == b.Y_b &&
-         a.mirrored == b.mirrored;
-}
+/// What stands behind an edge of a patch. (A patch that covers a part of its domain will have a third kind: values from
+/// the coarser level.)
+enum class Edge {
+  zero,   ///< the boundary of the domain, where the pressure is zero
+  mirror  ///< the domain goes on as the image of the patch; the edge itself belongs to the unknowns
+};
 
-/// The next coarser grid: every second node. limits: nx and ny must be even.
+/// A rectangle of a lattice: nodes (0..nx, 0..ny) from node (i0, j0) of the domain's lattice on. Its edges are the
+/// domain's, but for the one to the north. What stands behind a mirror is kept in ghost lines (field.hpp), so that a
+/// stencil asks for no edge.
+struct Patch {
+  Grid domain;
+  int i0 = 0;
+  int j0 = 0;
+  int nx = 0;
+  int ny = 0;
+  Edge north = Edge::zero;
+
+  Patch() = default;
+  /// All of the domain.
+  Patch(const Grid& grid) : domain(grid), nx(grid.nx), ny(grid.ny) {}
+
+  double hx() const { return domain.hx(); }
+  double hy() const { return domain.hy(); }
+  double X(int i) const { return domain.X(i0 + i); }
+  double Y(int j) const { return domain.Y(j0 + j); }
+  int nodes_x() const { return nx + 1; }
+  int nodes_y() const { return ny + 1; }
+  /// The last line of unknowns; the first is 1.
+  int last_line() const { return north == Edge::mirror ? ny : ny - 1; }
+  /// How many lines of the domain line j stands for.
+  double lines(int j) const { return north == Edge::mirror && j < ny ? 2.0 : 1.0; }
+  /// The line that holds the values of line j of the domain: j, or that of which it is the image.
+  int holder(int j) const { return north == Edge::mirror && j > ny ? 2 * ny - j : j; }
+
+  friend bool operator==(const Patch&, const Patch&) = default;
+};
+
+/// The next coarser lattice: every second node. limits: nx and ny must be even.
 inline Grid coarsened(const Grid& fine) {
   Grid coarse = fine;
   coarse.nx /= 2;
   coarse.ny /= 2;
   return coarse;
 }
-
-/// The lower half of a grid. limits: Y_a = -Y_b and ny even.
-inline Grid lower_half(const Grid& whole) {
-  return {whole.nx, whole.ny / 2, whole.X_a, whole.X_b, whole.Y_a, 0.0, true};
+/// The same of a patch. limits: i0, j0 too.
+inline Patch coarsened(const Patch& fine) {
+  Patch coarse = fine;
+  coarse.domain = coarsened(fine.domain);
+  coarse.i0 /= 2;
+  coarse.j0 /= 2;
+  coarse.nx /= 2;
+  coarse.ny /= 2;
+  return coarse;
 }
 
-/// The grid of the whole domain: of a mirrored one with its other half.
-inline Grid whole(const Grid& grid) {
-  if (!grid.mirrored) return grid;
-  return {grid.nx, 2 * grid.ny, grid.X_a, grid.X_b, grid.Y_a, -grid.Y_a, false};
+/// The lower half of a domain whose unknowns are even in Y, the axis its mirror. limits: Y_a = -Y_b and ny even.
+inline Patch lower_half(const Grid& domain) {
+  Patch half = domain;
+  half.ny = domain.ny / 2;
+  half.north = Edge::mirror;
+  return half;
 }
 
 }  // namespace ehl::core

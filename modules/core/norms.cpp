@@ -35,10 +35,10 @@ double interior_sum(const Field& f) {
   return sum_over_interior(f, [](double v) { return v; });
 }
 
-double interior_sum(const Grid& grid, const Field& f) {
-  if (!grid.mirrored) return interior_sum(f);
+double interior_sum(const Patch& patch, const Field& f) {
+  if (patch.north != Edge::mirror) return interior_sum(f);
   double axis = 0.0;
-  for (int i = 1; i < grid.nx; ++i) axis += f(i, grid.ny);
+  for (int i = 1; i < patch.nx; ++i) axis += f(i, patch.ny);
   return 2.0 * interior_sum(f) + axis;
 }
 

@@ -6,8 +6,8 @@ namespace ehl::core {
 
 /// sum over the interior nodes of f. order of summation: along y within a station, then the stations in order.
 double interior_sum(const Field& f);
-/// The same over the interior of the whole domain, of which the grid may be the mirrored half.
-double interior_sum(const Grid& grid, const Field& f);
+/// The same over the interior of the patch's domain, images included.
+double interior_sum(const Patch& patch, const Field& f);
 
 /// sqrt(mean over the interior nodes of f^2).
 double root_mean_square(const Field& f);

@@ -17,4 +17,8 @@ const char* name(Part part) {
   return "?";
 }
 
+void add(const PartTimes& more, PartTimes& what) {
+  for (std::size_t k = 0; k < what.seconds.size(); ++k) what.seconds[k] += more.seconds[k];
+}
+
 }  // namespace ehl::core

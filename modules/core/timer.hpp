@@ -34,6 +34,9 @@ struct PartTimes {
   double operator[](Part part) const { return seconds[static_cast<std::size_t>(part)]; }
 };
 
+/// what += more, part by part.
+void add(const PartTimes& more, PartTimes& what);
+
 /// Adds the seconds from its birth to its death to one part.
 class ScopedTimer {
  public:

@@ -25,9 +25,9 @@ Value& value_of(Deck& deck, const std::string& section, const std::string& name)
 }  // namespace
 
 Deck read(const std::string& path, const std::vector<std::string>& overrides, const Catalogue& catalogue) {
-  const Document document = parse(load_text(path), path, catalogue);
+  const Document document = parse(load_text(path), path);
   std::vector<Assignment> assignments;
-  for (const std::string& override_text : overrides) assignments.push_back(parse_override(override_text));
+  for (const std::string& text : overrides) assignments.push_back(parse_override(text));
   Deck deck = validate(document, assignments, catalogue);
   deck.folders = {std::filesystem::absolute(path).parent_path().string()};
   return deck;
@@ -43,26 +43,36 @@ bool given(const Deck& deck, const std::string& section, const std::string& name
 
 bool called_for(const Deck& deck, const std::string& section) {
   const Section* record = find_section(deck.catalogue, section);
-  if (record == nullptr || record->called_by.empty()) return true;
-  return std::any_of(record->called_by.begin(), record->called_by.end(),
-                     [&](const std::string& name) { return given(deck, section, name); });
+  return record == nullptr || record->called_by.empty() ||
+         std::ranges::any_of(record->called_by, [&](const auto& name) { return given(deck, section, name); });
+}
+
+bool has_influence(const Deck& deck, const Key& key) {
+  if (!called_for(deck, key.section)) return false;
+  if (key.needs.name.empty()) return true;
+  const Value& other = value(deck, section_needed(key), key.needs.name);
+  return key.needs.words.empty() ? other.origin == Origin::given
+                                 : std::ranges::find(key.needs.words, other.text) != key.needs.words.end();
 }
 
 double number(const Deck& deck, const std::string& section, const std::string& name) {
   const Value& found = value(deck, section, name);
+  found.read = true;
   const bool usable = found.origin != Origin::absent && found.valid;
   return usable ? found.number : std::numeric_limits<double>::quiet_NaN();
 }
 
 double number_in(Deck& deck, const std::string& section, const std::string& name, const PlainUnit& unit) {
   const std::string in_SI = name + unit.suffix;
+  const double number = deck::number(deck, section, name);
+  const double number_in_SI = deck::number(deck, section, in_SI);
   const bool plain = given(deck, section, name);
   const bool SI = given(deck, section, in_SI);
   if (plain && SI)
     complain(deck, section, name, "and " + in_SI + " are both given: keep one of them");
   else if (SI && !unit.known)
     complain(deck, section, in_SI, "is in SI and the contact is not given in SI: use " + name);
-  return plain ? number(deck, section, name) : number(deck, section, in_SI) / unit.in_SI;
+  return plain ? number : number_in_SI / unit.in_SI;
 }
 
 int integer(const Deck& deck, const std::string& section, const std::string& name, int otherwise) {
@@ -72,6 +82,7 @@ int integer(const Deck& deck, const std::string& section, const std::string& nam
 
 std::string word(const Deck& deck, const std::string& section, const std::string& name) {
   const Value& found = value(deck, section, name);
+  found.read = true;
   return found.valid ? found.text : "";
 }
 
@@ -79,13 +90,25 @@ std::vector<std::string> words(const Deck& deck, const std::string& section, con
   return split_words(word(deck, section, name));
 }
 
+std::size_t index_of_word(const Deck& deck, const std::string& section, const std::string& name) {
+  const std::vector<std::string>& legal = find_key(deck.catalogue, section, name)->words;
+  const auto found = std::ranges::find(legal, word(deck, section, name));
+  return found == legal.end() ? 0 : static_cast<std::size_t>(found - legal.begin());
+}
+
 void choose(Deck& deck, const std::string& section, const std::string& name, double number, const std::string& why) {
-  value_of(deck, section, name) = {Origin::chosen, true, shortest(number), number, "", why};
+  choose(deck, section, name, shortest(number), why);
+  value_of(deck, section, name).number = number;
 }
 
 void choose(Deck& deck, const std::string& section, const std::string& name, const std::string& text,
             const std::string& why) {
-  value_of(deck, section, name) = {Origin::chosen, true, text, std::numeric_limits<double>::quiet_NaN(), "", why};
+  Value& chosen = value_of(deck, section, name);
+  chosen = {.origin = Origin::chosen,
+            .text = text,
+            .number = std::numeric_limits<double>::quiet_NaN(),
+            .why = why,
+            .read = chosen.read};
 }
 
 void complain(Deck& deck, const std::string& section, const std::string& name, const std::string& what) {
@@ -97,6 +120,21 @@ void complain(Deck& deck, const std::string& section, const std::string& name, c
 
 void throw_if_wrong(const Deck& deck) {
   if (!deck.errors.empty()) throw core::InputError(deck.errors);
+}
+
+std::vector<std::string> Part::given_of(const std::vector<std::string>& names) const {
+  std::vector<std::string> found;
+  std::ranges::copy_if(names, std::back_inserter(found), [&](const std::string& name) { return given(name); });
+  return found;
+}
+
+void Part::demand(const std::vector<std::string>& names, const std::string& why) const {
+  for (const std::string& name : names)
+    if (!given(name)) complain(name, "is missing: " + why);
+}
+
+void Part::refuse(const std::vector<std::string>& names, const std::string& why) const {
+  for (const std::string& name : given_of(names)) complain(name, why);
 }
 
 }  // namespace ehl::deck

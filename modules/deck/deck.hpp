@@ -1,5 +1,6 @@
 #pragma once
 // A deck that was read against the catalogue of keys: one value per key, and every complaint about it.
+#include <initializer_list>
 #include <limits>
 #include <string>
 #include <vector>
@@ -19,6 +20,8 @@ struct Value {
   double number = 0.0;  ///< numbers and integers; NaN when absent or not valid
   std::string place{};  ///< where it was given
   std::string why{};    ///< how it was chosen
+  /// Somebody has asked for the number or the text. Only a test looks: a key that nobody reads must not be declared.
+  mutable bool read = false;
 };
 
 struct Deck {
@@ -47,6 +50,9 @@ bool given(const Deck& deck, const std::string& section, const std::string& name
 /// True when the section is one of every deck, or the deck gives a key that calls for the section's effect.
 bool called_for(const Deck& deck, const std::string& section);
 
+/// True when the key can act: its section is called for, and what the key needs beside it is there.
+bool has_influence(const Deck& deck, const Key& key);
+
 /// Number of a key: given, chosen or default; NaN when there is none or it was refused.
 double number(const Deck& deck, const std::string& section, const std::string& name);
 
@@ -70,6 +76,9 @@ std::string word(const Deck& deck, const std::string& section, const std::string
 /// Several words.
 std::vector<std::string> words(const Deck& deck, const std::string& section, const std::string& name);
 
+/// Which of the key's words is given; the first where there is none or it was refused.
+std::size_t index_of_word(const Deck& deck, const std::string& section, const std::string& name);
+
 /// Records a value that the program chose for an open key, for the effective deck and the report.
 void choose(Deck& deck, const std::string& section, const std::string& name, double number, const std::string& why);
 void choose(Deck& deck, const std::string& section, const std::string& name, const std::string& text,
@@ -80,5 +89,39 @@ void complain(Deck& deck, const std::string& section, const std::string& name, c
 
 /// errors: core::InputError with all complaints, when there are any.
 void throw_if_wrong(const Deck& deck);
+
+/// One section, as the module that declares its keys reads it: the functions above without deck and section.
+struct Part {
+  Deck& deck;
+  std::string section;
+
+  bool given(const std::string& name) const { return deck::given(deck, section, name); }
+  double number(const std::string& name) const { return deck::number(deck, section, name); }
+  double number_in(const std::string& name, const PlainUnit& unit) const {
+    return deck::number_in(deck, section, name, unit);
+  }
+  int integer(const std::string& name, int otherwise) const { return deck::integer(deck, section, name, otherwise); }
+  std::string word(const std::string& name) const { return deck::word(deck, section, name); }
+  std::vector<std::string> words(const std::string& name) const { return deck::words(deck, section, name); }
+  /// The value that stands for the word. in: values in the order of the words in the key's record.
+  template <class T>
+  T choice(const std::string& name, std::initializer_list<T> values) const {
+    return values.begin()[index_of_word(deck, section, name)];
+  }
+  void choose(const std::string& name, const auto& value, const std::string& why) const {
+    deck::choose(deck, section, name, value, why);
+  }
+  /// choose() where the deck leaves the key open.
+  void fill(const std::string& name, const auto& value, const std::string& why) const {
+    if (!given(name)) choose(name, value, why);
+  }
+  void complain(const std::string& name, const std::string& what) const { deck::complain(deck, section, name, what); }
+
+  /// Those of the names that the deck gives.
+  std::vector<std::string> given_of(const std::vector<std::string>& names) const;
+  /// Complains about each of the names that the deck does not give, or does.
+  void demand(const std::vector<std::string>& names, const std::string& why) const;
+  void refuse(const std::vector<std::string>& names, const std::string& why) const;
+};
 
 }  // namespace ehl::deck

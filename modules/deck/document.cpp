@@ -21,40 +21,27 @@ namespace options = boost::program_options;
 constexpr std::size_t largest_deck = 1 << 20;  // bytes; somebody named a result or a device
 constexpr std::size_t most_broken_lines = 20;  // listed; a file with more of them is hardly a deck
 
-struct Line {
-  enum class Kind { blank, heading, assignment, broken };
-  Kind kind = Kind::blank;
-  std::string text;   // what the library gets to read
-  std::string error;  // of a broken line
-};
-
-Line classify(const std::string& raw) {
-  const std::string text = trimmed(raw.substr(0, raw.find('#')));
-  if (text.empty() || text[0] == ';') return {};
-  if (text[0] == '[') {
-    const std::string name = trimmed(text.substr(1, text.find(']') - 1));
-    if (text.back() != ']' || text.find(']') != text.size() - 1)
-      // The library still gets the heading, so that one slip is not reported again for every key below it.
-      return {Line::Kind::broken, "[" + name + "]",
-              quoted(text) + " is no heading: write [" + quotable(name) + "] alone on a line"};
-    if (name.empty()) return {Line::Kind::broken, "", "a section heading without a name"};
-    return {Line::Kind::heading, "[" + name + "]", ""};
+// Reads one line, neither blank nor a comment. out: what is wrong with it; empty where nothing is.
+std::string read_line(const std::string& line, const std::string& place, std::string& section, Document& document) {
+  if (line[0] == '[') {
+    const std::size_t end = line.find(']');
+    const std::string name = trimmed(line.substr(1, end - 1));
+    if (end + 1 == line.size() && name.empty()) return "a section heading without a name";
+    section = name;  // of a broken heading too, so that one slip is not reported again for every key below it
+    if (end + 1 != line.size()) return quoted(line) + " is no heading: write [" + quotable(name) + "] alone on a line";
+    document.headings.push_back({section, place});
+    return {};
   }
-  const std::size_t equals = text.find('=');
-  if (equals == std::string::npos)
-    return {Line::Kind::broken, "", quoted(text) + " is neither [section] nor key = value: an = is missing"};
-  if (trimmed(text.substr(0, equals)).empty())
-    return {Line::Kind::broken, "", quoted(text) + ": the name of the key is missing before the ="};
-  return {Line::Kind::assignment, text, ""};
-}
-
-// Every key is announced to the library, so that its own notion of a registered name is the catalogue's.
-options::options_description describe(const Catalogue& catalogue) {
-  options::options_description description;
-  for (const Key& key : catalogue.keys)
-    description.add_options()((key.section + "." + key.name).c_str(), options::value<std::string>(),
-                              key.meaning.c_str());
-  return description;
+  // The library forgets the lines and stops at the first that it cannot read: it gets them one by one.
+  std::istringstream stream(line);
+  try {
+    const auto read = options::parse_config_file(stream, {}, /*allow_unregistered=*/true).options.front();
+    if (read.string_key.empty()) return quoted(line) + ": the name of the key is missing before the =";
+    document.assignments.push_back({section, read.string_key, trimmed(read.value.front()), place});
+  } catch (const options::invalid_config_file_syntax&) {
+    return quoted(line) + " is neither [section] nor key = value: an = is missing";
+  }
+  return {};
 }
 
 }  // namespace
@@ -84,49 +71,22 @@ std::string load_text(const std::string& path) {
   return text;
 }
 
-Document parse(const std::string& text, const std::string& name, const Catalogue& catalogue) {
-  // The library reads the values but forgets the lines. So the lines are told apart here, broken ones listed and
-  // left out, and the n-th assignment that the library returns is the n-th assignment line.
-  Document document;
-  document.name = name;
-  std::vector<std::string> places;
-  std::string readable;
+Document parse(const std::string& text, const std::string& name) {
+  Document document{.name = name};
+  std::string section;
   std::istringstream lines(text);
   int number = 0;
   std::size_t broken = 0;
-  for (std::string raw; std::getline(lines, raw);) {
+  for (std::string line; std::getline(lines, line);) {
     const std::string place = name + ":" + std::to_string(++number);
-    const Line line = classify(raw);
-    if (line.kind == Line::Kind::broken && ++broken <= most_broken_lines)
-      document.errors.push_back(place + ": " + line.error);
-    if (line.kind == Line::Kind::heading)
-      document.headings.push_back({line.text.substr(1, line.text.size() - 2), place});
-    if (line.kind == Line::Kind::assignment) places.push_back(place);
-    readable += line.text + "\n";
+    line = trimmed(line.substr(0, line.find('#')));
+    if (line.empty() || line[0] == ';') continue;
+    const std::string wrong = read_line(line, place, section, document);
+    if (!wrong.empty() && ++broken <= most_broken_lines) document.errors.push_back(place + ": " + wrong);
   }
   if (broken > most_broken_lines)
     document.errors.push_back(name + ": " + std::to_string(broken - most_broken_lines) +
                               " more lines cannot be read: is this a deck?");
-
-  std::istringstream stream(readable);
-  options::parsed_options parsed(nullptr);
-  try {
-    parsed = options::parse_config_file(stream, describe(catalogue), /*allow_unregistered=*/true);
-  } catch (const options::error& error) {
-    document.errors.push_back(name + ": " + error.what());
-    return document;
-  }
-  if (parsed.options.size() != places.size()) throw std::logic_error("deck: lines and assignments do not match");
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    const auto& option = parsed.options[k];
-    // A name may contain a dot, a section may not: the last heading above the line decides, and the library has
-    // put it in front of the first dot.
-    const std::size_t dot = option.string_key.find('.');
-    const std::string section = dot == std::string::npos ? "" : option.string_key.substr(0, dot);
-    const std::string key = dot == std::string::npos ? option.string_key : option.string_key.substr(dot + 1);
-    document.assignments.push_back(
-        {section, key, option.value.empty() ? "" : trimmed(option.value.front()), places[k]});
-  }
   return document;
 }
 

@@ -3,8 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "deck/key.hpp"
-
 namespace ehl::deck {
 
 /// One "name = value" line.
@@ -32,9 +30,9 @@ struct Document {
 /// larger than a megabyte.
 std::string load_text(const std::string& path);
 
-/// Splits the text of a deck. Comments run from # to the end of the line; a line that starts with ; is a comment too.
+/// Reads the text of a deck. Comments run from # to the end of the line; a line that starts with ; is a comment too.
 /// in: text; name of the file for messages. errors: none thrown, all listed in the document.
-Document parse(const std::string& text, const std::string& name, const Catalogue& catalogue);
+Document parse(const std::string& text, const std::string& name);
 
 /// An assignment from the command line, "section.key=value". errors: core::InputError when it has another form.
 Assignment parse_override(const std::string& text);

@@ -22,6 +22,26 @@ std::string allowed_range(const Key& key) {
 
 }  // namespace
 
+std::vector<Key> in_section(const std::string& section, std::vector<Key> keys) {
+  for (Key& key : keys) {
+    key.section = section;
+    if (!key.words.empty() && key.type == Type::number) key.type = Type::word;
+  }
+  return keys;
+}
+
+std::vector<Key> only_with(const Condition& other, std::vector<Key> keys) {
+  for (Key& key : keys)
+    if (key.needs.name.empty() && key.name != other.name) key.needs = other;
+  return keys;
+}
+
+std::vector<Key> together(std::initializer_list<std::vector<Key>> lists) {
+  std::vector<Key> all;
+  for (const std::vector<Key>& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
+
 Key in_SI(Key plain, const std::string& suffix, const std::string& unit, const std::string& example) {
   plain.name += suffix;
   plain.unit = unit;

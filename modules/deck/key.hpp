@@ -1,5 +1,6 @@
 #pragma once
 // What a deck may say: one record per key, declared by the module that uses the key.
+#include <initializer_list>
 #include <limits>
 #include <string>
 #include <vector>
@@ -68,6 +69,15 @@ struct Catalogue {
   std::vector<Key> keys{};
   std::vector<Unavailable> unavailable{};
 };
+
+/// Keys of one section. Each with words is of Type::word, unless it says that it takes several of them.
+std::vector<Key> in_section(const std::string& section, std::vector<Key> keys);
+
+/// The same keys, each only with another one where it does not say itself what it needs; that one stays free.
+std::vector<Key> only_with(const Condition& other, std::vector<Key> keys);
+
+/// Lists of keys, one behind the other.
+std::vector<Key> together(std::initializer_list<std::vector<Key>> lists);
 
 /// The key for the same quantity in SI, "<name><suffix>": one of both is given (deck::number_in reads them).
 Key in_SI(Key plain, const std::string& suffix, const std::string& unit, const std::string& example);

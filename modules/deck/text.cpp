@@ -79,7 +79,7 @@ ReadNumber read_number(const std::string& text) {
   const std::size_t sign = !number.empty() && (number[0] == '+' || number[0] == '-') ? 1 : 0;
   const std::string unsigned_text = lower(number.substr(sign));
   for (const char* word : {"nan", "inf", "infinity"})
-    if (unsigned_text == word) return {ReadNumber::Status::not_finite, 0.0, ""};
+    if (unsigned_text == word) return {.status = ReadNumber::Status::not_finite};
 
   // from_chars knows no plus sign and, unlike strtod, reads no hexadecimal and follows no locale.
   if (number.starts_with("+-")) return {};
@@ -87,11 +87,10 @@ ReadNumber read_number(const std::string& text) {
   const char* last = number.data() + number.size();
   double value = 0.0;
   const auto [end, error] = std::from_chars(first, last, value);
-  if (error == std::errc::result_out_of_range) return {ReadNumber::Status::out_of_reach, 0.0, ""};
+  if (error == std::errc::result_out_of_range) return {.status = ReadNumber::Status::out_of_reach};
   if (error != std::errc{} || !std::isfinite(value)) return {};
   if (end != last)
-    return {ReadNumber::Status::trailing_text, value,
-            trimmed(std::string_view(end, static_cast<std::size_t>(last - end)))};
+    return {.status = ReadNumber::Status::trailing_text, .trailing = trimmed(std::string_view(end, last))};
   return {ReadNumber::Status::number, value, ""};
 }
 

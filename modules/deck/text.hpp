@@ -1,5 +1,6 @@
 #pragma once
 // Small helpers on text: trimming, joining, numbers to and from text, the nearest legal name.
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,8 +28,8 @@ std::string shortest(double value);
 struct ReadNumber {
   enum class Status { number, not_finite, out_of_reach, trailing_text, not_a_number };
   Status status = Status::not_a_number;
-  double value = 0.0;
-  std::string trailing;  ///< what follows the number ("N" in "15 N")
+  double value = std::numeric_limits<double>::quiet_NaN();  ///< NaN unless it is a number
+  std::string trailing{};                                   ///< what follows the number ("N" in "15 N")
 };
 
 /// Reads a decimal number, independent of the locale. nan and inf are recognised and refused (not_finite);

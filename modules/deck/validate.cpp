@@ -22,10 +22,6 @@ std::vector<std::string> section_names(const Catalogue& catalogue) {
   return names;
 }
 
-bool known_section(const Catalogue& catalogue, const std::string& name) {
-  return find_section(catalogue, name) != nullptr;
-}
-
 const Unavailable* find_unavailable(const Catalogue& catalogue, const std::string& section, const std::string& name) {
   for (const Unavailable& entry : catalogue.unavailable)
     if (entry.section == section && entry.name == name) return &entry;
@@ -44,23 +40,23 @@ std::string said(const Assignment& given) {
   return given.place + ": " + section + quotable(given.name) + " = " + quotable(given.value) + ": ";
 }
 
+std::string unknown_section(const Catalogue& catalogue, const std::string& name) {
+  if (const Unavailable* unavailable = find_unavailable(catalogue, name, "")) return unavailable->message;
+  const std::vector<std::string> sections = section_names(catalogue);
+  return "unknown section: " + did_you_mean(name, sections) + "Sections are " + joined(sections, ", ");
+}
+
 void check_headings(Deck& deck, const Document& document) {
   for (const Heading& heading : document.headings) {
     const std::string where = heading.place + ": " + bracketed(heading.section) + ": ";
-    const Unavailable* unavailable = find_unavailable(deck.catalogue, heading.section, "");
-    if (unavailable != nullptr) {
-      deck.errors.push_back(where + unavailable->message);
-      continue;
-    }
-    if (!known_section(deck.catalogue, heading.section)) {
-      const std::vector<std::string> sections = section_names(deck.catalogue);
-      deck.errors.push_back(where + "unknown section: " + did_you_mean(heading.section, sections) + "Sections are " +
-                            joined(sections, ", "));
+    const Section* section = find_section(deck.catalogue, heading.section);
+    if (section == nullptr) {
+      deck.errors.push_back(where + unknown_section(deck.catalogue, heading.section));
       continue;
     }
     const auto in_it = [&](const Assignment& a) { return a.section == heading.section; };
     if (std::any_of(document.assignments.begin(), document.assignments.end(), in_it)) continue;
-    const std::vector<std::string> callers = find_section(deck.catalogue, heading.section)->called_by;
+    const std::vector<std::string>& callers = section->called_by;
     deck.errors.push_back(where + "a section without a key has no influence: remove it, or give " +
                           (callers.empty() ? "one of " + joined(names_in(deck.catalogue, heading.section), ", ")
                                            : joined(callers, " or ")));
@@ -78,18 +74,13 @@ void refuse_unknown(Deck& deck, const Assignment& given) {
   if (given.section.empty()) {
     deck.errors.push_back(said(given) + "a key before the first [section]" +
                           (home.empty() ? "" : ": it belongs below [" + home + "]"));
-  } else if (known_section(deck.catalogue, given.section)) {
+  } else if (find_section(deck.catalogue, given.section) != nullptr) {
     const std::vector<std::string> names = names_in(deck.catalogue, given.section);
     const std::string hint = home.empty() ? did_you_mean(given.name, names) : "it belongs below [" + home + "]. ";
     deck.errors.push_back(said(given) + "unknown key: " + hint + "Keys of [" + given.section + "] are " +
                           joined(names, ", "));
   } else if (given.place == "command line") {
-    const Unavailable* section = find_unavailable(deck.catalogue, given.section, "");
-    const std::vector<std::string> sections = section_names(deck.catalogue);
-    deck.errors.push_back(said(given) + (section != nullptr
-                                             ? section->message
-                                             : "unknown section: " + did_you_mean(given.section, sections) +
-                                                   "Sections are " + joined(sections, ", ")));
+    deck.errors.push_back(said(given) + unknown_section(deck.catalogue, given.section));
   }
   // A key below an unknown heading: the heading has been complained about.
 }
@@ -141,24 +132,20 @@ void check_value(Deck& deck, const Key& key, Value& value) {
 
 // "z" says nothing to a Barus fluid: a key that cannot act is a misunderstanding, not a default.
 void check_influence(Deck& deck, const Key& key) {
-  if (!given(deck, key.section, key.name)) return;
+  if (!given(deck, key.section, key.name) || has_influence(deck, key)) return;
+  const auto nothing_without = [&](const std::string& what) {
+    complain(deck, key.section, key.name, "has no influence without " + what + ": give that too, or remove it");
+  };
   if (!called_for(deck, key.section)) {
-    const Section* section = find_section(deck.catalogue, key.section);
-    complain(deck, key.section, key.name,
-             "has no influence without " + joined(section->called_by, " or ") + ": give that too, or remove it");
+    nothing_without(joined(find_section(deck.catalogue, key.section)->called_by, " or "));
     return;
   }
-  if (key.needs.name.empty()) return;
   const std::string& section = section_needed(key);
   const std::string name = (section == key.section ? "" : bracketed(section) + " ") + key.needs.name;
   const Value& other = value(deck, section, key.needs.name);
-  if (!other.valid) return;
-  if (key.needs.words.empty()) {
-    if (other.origin != Origin::given)
-      complain(deck, key.section, key.name, "has no influence without " + name + ": give that too, or remove it");
-    return;
-  }
-  if (std::find(key.needs.words.begin(), key.needs.words.end(), other.text) == key.needs.words.end())
+  if (key.needs.words.empty())
+    nothing_without(name);
+  else if (other.valid)
     complain(deck, key.section, key.name,
              "has no influence with " + name + " = " + other.text + ": remove it, or set " + name + " = " +
                  joined(key.needs.words, " or "));
@@ -173,11 +160,10 @@ Deck validate(const Document& document, const std::vector<Assignment>& overrides
   deck.headings = document.headings;
   deck.errors = document.errors;
   for (const Key& key : catalogue.keys) {
-    const bool has_default = !key.default_text.empty();
-    const ReadNumber by_default = read_number(key.default_text);
-    const bool is_number = by_default.status == ReadNumber::Status::number;
-    deck.values.push_back({has_default ? Origin::by_default : Origin::absent, true, key.default_text,
-                           is_number ? by_default.value : std::numeric_limits<double>::quiet_NaN(), "", ""});
+    const bool open = key.default_text.empty();
+    deck.values.push_back({.origin = open ? Origin::absent : Origin::by_default,
+                           .text = key.default_text,
+                           .number = read_number(key.default_text).value});
   }
 
   check_headings(deck, document);

@@ -135,15 +135,8 @@ std::string effective_deck(const Deck& deck) {
       const Key& key = deck.catalogue.keys[k];
       const Value& value = deck.values[k];
       if (key.section != section.name || value.origin == Origin::absent) continue;
-      // A default whose condition does not hold has no influence, and would be refused when read again.
-      if (value.origin == Origin::by_default && !called_for(deck, section.name)) continue;
-      if (value.origin == Origin::by_default && !key.needs.name.empty()) {
-        const Value& other = deck::value(deck, section_needed(key), key.needs.name);
-        const bool holds = key.needs.words.empty() ? other.origin == Origin::given
-                                                   : std::find(key.needs.words.begin(), key.needs.words.end(),
-                                                               other.text) != key.needs.words.end();
-        if (!holds) continue;
-      }
+      // A default that cannot act would be refused when read again.
+      if (value.origin == Origin::by_default && !has_influence(deck, key)) continue;
       lines += key.name + " = " + value.text;
       std::string note = key.unit;
       if (value.origin == Origin::by_default) note += std::string(note.empty() ? "" : ", ") + "default";

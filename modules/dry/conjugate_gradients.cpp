@@ -8,14 +8,14 @@ namespace {
 
 // f(i, j) of all nodes and how many nodes of the whole domain each stands for, in order.
 template <class Visit>
-void for_nodes(const core::Grid& grid, Visit visit) {
+void for_nodes(const core::Patch& grid, Visit visit) {
   for (int i = 0; i < grid.nodes_x(); ++i)
     for (int j = 0; j < grid.nodes_y(); ++j) visit(i, j, grid.lines(j));
 }
 
 }  // namespace
 
-ConjugateGradients::ConjugateGradients(const core::Grid& grid, const core::Field& gap, double load,
+ConjugateGradients::ConjugateGradients(const core::Patch& grid, const core::Field& gap, double load,
                                        mlmi::Deformation& deformation, const core::Field& P)
     : grid_(grid), gap_(gap), load_(load), deformation_(deformation), P_(P), H_(grid), direction_(grid), change_(grid) {
   scale_to_load();

@@ -11,7 +11,7 @@ namespace ehl::dry {
 class ConjugateGradients {
  public:
   /// in: gap on the nodes; P a first guess with at least one positive value; load > 0. The references must outlive it.
-  ConjugateGradients(const core::Grid& grid, const core::Field& gap, double load, mlmi::Deformation& deformation,
+  ConjugateGradients(const core::Patch& grid, const core::Field& gap, double load, mlmi::Deformation& deformation,
                      const core::Field& P);
 
   /// One step; then H, H00 and error() are those of the new P.
@@ -31,7 +31,7 @@ class ConjugateGradients {
   void scale_to_load();
   double mean_over_contact(const core::Field& f) const;
 
-  core::Grid grid_;
+  core::Patch grid_;
   const core::Field& gap_;
   double load_;
   mlmi::Deformation& deformation_;

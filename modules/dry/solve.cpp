@@ -17,10 +17,10 @@ namespace {
 constexpr int fewest_cells = 32;
 
 // The finest first.
-std::vector<core::Grid> grids_of(const Problem& problem) {
+std::vector<core::Patch> grids_of(const Problem& problem) {
   const int coarsest = problem.parameters.coarsest_cells;
-  std::vector<core::Grid> grids{problem.grid};
-  const auto goes_on = [&](const core::Grid& grid) {
+  std::vector<core::Patch> grids{problem.grid};
+  const auto goes_on = [&](const core::Patch& grid) {
     return coarsest > 0 ? grid.nx > coarsest : grid.nx / 2 >= fewest_cells;
   };
   while (grids.back().nx % 2 == 0 && grids.back().ny % 2 == 0 && goes_on(grids.back()))
@@ -29,21 +29,12 @@ std::vector<core::Grid> grids_of(const Problem& problem) {
 }
 
 // Hertz' pressure where the ellipse lies on the grid, which the scaling to the load makes right for any other.
-core::Field first_guess(const core::Grid& grid) {
+core::Field first_guess(const core::Patch& grid) {
   core::Field P(grid);
   for (int i = 0; i < grid.nodes_x(); ++i)
     for (int j = 0; j < grid.nodes_y(); ++j)
       P(i, j) = std::sqrt(std::max(0.0, 1.0 - grid.X(i) * grid.X(i) - grid.Y(j) * grid.Y(j)));
   return P;
-}
-
-core::Field whole_of(const core::Grid& grid, const core::Field& f) {
-  core::Field whole(core::whole(grid));
-  if (grid.mirrored)
-    core::copy_whole(grid, f, whole);
-  else
-    core::copy(f, whole);
-  return whole;
 }
 
 std::string text(const char* format, double value) {
@@ -75,7 +66,7 @@ void check(const Problem& problem, Solution& solution) {
 
 }  // namespace
 
-core::Field smooth_gap(const core::Grid& grid) {
+core::Field smooth_gap(const core::Patch& grid) {
   core::Field gap(grid);
   for (int i = 0; i < grid.nodes_x(); ++i)
     for (int j = 0; j < grid.nodes_y(); ++j) gap(i, j) = 0.5 * (grid.X(i) * grid.X(i) + grid.Y(j) * grid.Y(j));
@@ -84,7 +75,7 @@ core::Field smooth_gap(const core::Grid& grid) {
 
 Solution solve(const Problem& problem, const Observer& observe) {
   const double start = core::now();
-  const std::vector<core::Grid> grids = grids_of(problem);
+  const std::vector<core::Patch> grids = grids_of(problem);
   std::vector<core::Field> gaps{problem.gap};
   for (std::size_t k = 1; k < grids.size(); ++k) {
     gaps.emplace_back(grids[k]);
@@ -94,7 +85,7 @@ Solution solve(const Problem& problem, const Observer& observe) {
   core::Field P = first_guess(grids.back()), H;
   for (std::size_t k = grids.size(); k-- > 0;) {
     const double begun = core::now();
-    const core::Grid& grid = grids[k];
+    const core::Patch& grid = grids[k];
     if (k + 1 < grids.size()) {
       core::Field finer(grid);
       transfer::prolong_bilinear(P, finer, 1);
@@ -106,22 +97,21 @@ Solution solve(const Problem& problem, const Observer& observe) {
     while (iteration.error() > problem.parameters.tolerance && count < problem.parameters.max_iterations) {
       iteration.step();
       ++count;
-      if (observe && !observe({core::whole(grid), static_cast<int>(k), count, iteration.error()}))
-        throw core::Interrupted();
+      if (observe && !observe({grid.domain, static_cast<int>(k), count, iteration.error()})) throw core::Interrupted();
     }
     if (!std::isfinite(iteration.error()))
       throw core::SolverError("dry contact: a number is not finite on " + std::to_string(grid.nx) + " x " +
-                              std::to_string(core::whole(grid).ny) + " cells, iteration " + std::to_string(count));
+                              std::to_string(grid.domain.ny) + " cells, iteration " + std::to_string(count));
     P = iteration.P();
     H = iteration.H();
     solution.H00 = iteration.H00();
-    solution.rows.push_back({grid.nx, core::whole(grid).ny, core::maximum(P).value, iteration.H00(), iteration.area(),
+    solution.rows.push_back({grid.nx, grid.domain.ny, core::maximum(P).value, iteration.H00(), iteration.area(),
                              iteration.error(), count, core::now() - begun});
     solution.deformation = deformation.description();
   }
-  solution.grid = core::whole(problem.grid);
-  solution.P = whole_of(problem.grid, P);
-  solution.H = whole_of(problem.grid, H);
+  solution.grid = problem.grid.domain;
+  solution.P = core::on_domain(problem.grid, P);
+  solution.H = core::on_domain(problem.grid, H);
   double sum = 0.0;
   for (int i = 0; i < solution.grid.nodes_x(); ++i)
     for (const double p : solution.P.station(i)) sum += p;

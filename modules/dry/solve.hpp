@@ -21,8 +21,8 @@ struct Parameters {
 };
 
 struct Problem {
-  core::Grid grid;  ///< the finest; mirrored where G is even in Y
-  core::Field gap;  ///< G on its nodes
+  core::Patch grid;  ///< the finest; the lower half where G is even in Y
+  core::Field gap;   ///< G on its nodes
   double load = 0.0;
   mlmi::Parameters deformation;
   Parameters parameters;
@@ -30,7 +30,7 @@ struct Problem {
 };
 
 /// G = X^2/2 + Y^2/2.
-core::Field smooth_gap(const core::Grid& grid);
+core::Field smooth_gap(const core::Patch& grid);
 
 /// One row per grid, coarse to fine.
 struct GridRow {

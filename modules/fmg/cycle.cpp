@@ -16,40 +16,38 @@ int visits_of_coarsest(Cycle kind, std::size_t l) {
   return kind == Cycle::W ? 1 << (l - 1) : static_cast<int>(l);
 }
 
-void cycle(Hierarchy& hierarchy, std::size_t l, Cycle kind, int coarsest_sweeps) {
+void cycle(Hierarchy& hierarchy, std::size_t l, Cycle kind, int coarsest_sweeps, const Parameters& how) {
   Level& level = hierarchy.levels[l];
-  const Parameters& parameters = hierarchy.parameters;
   if (l == 0) {
     const core::EnclosingTimer timer(hierarchy.times, core::Part::coarsest);
-    relax_with_force_balance(hierarchy, level, coarsest_sweeps);
+    relax_with_force_balance(hierarchy, level, coarsest_sweeps, how);
     return;
   }
-  for (int sweep = 0; sweep < parameters.pre; ++sweep) relax(hierarchy, level);
+  for (int sweep = 0; sweep < how.pre; ++sweep) relax(hierarchy, level, how.relaxation);
 
   restrict_problem(hierarchy, level, hierarchy.levels[l - 1]);
-  cycle(hierarchy, l - 1, kind, coarsest_sweeps);
-  if (kind == Cycle::W && l > 1) cycle(hierarchy, l - 1, Cycle::W, coarsest_sweeps);
-  if (kind == Cycle::F && l > 1) cycle(hierarchy, l - 1, Cycle::V, coarsest_sweeps);
+  cycle(hierarchy, l - 1, kind, coarsest_sweeps, how);
+  if (kind == Cycle::W && l > 1) cycle(hierarchy, l - 1, Cycle::W, coarsest_sweeps, how);
+  if (kind == Cycle::F && l > 1) cycle(hierarchy, l - 1, Cycle::V, coarsest_sweeps, how);
   correct_from_coarse(hierarchy, hierarchy.levels[l - 1], level);
 
-  for (int sweep = 0; sweep < parameters.post.value_or(1); ++sweep) relax(hierarchy, level);
+  for (int sweep = 0; sweep < how.post.value_or(1); ++sweep) relax(hierarchy, level, how.relaxation);
 }
 
 }  // namespace
 
-void fas_cycle(Hierarchy& hierarchy, std::size_t l) {
-  const Parameters& parameters = hierarchy.parameters;
-  const Cycle kind = parameters.cycle.value_or(Cycle::W);
+void fas_cycle(Hierarchy& hierarchy, std::size_t l, const Parameters& how) {
+  const Cycle kind = how.cycle.value_or(Cycle::W);
   const int per_visit = least_sweeps_per_cycle / visits_of_coarsest(kind, l);
-  cycle(hierarchy, l, kind, std::max(parameters.coarsest_sweeps, per_visit));
+  cycle(hierarchy, l, kind, std::max(how.coarsest_sweeps, per_visit), how);
 }
 
-void relax_with_force_balance(Hierarchy& hierarchy, Level& level, int sweeps) {
+void relax_with_force_balance(Hierarchy& hierarchy, Level& level, int sweeps, const Parameters& how) {
   // Where the load itself answers to H00, c is the share of that answer that is left to the pressure.
-  const double c = hierarchy.parameters.load_relaxation;
+  const double c = how.load_relaxation;
   const double share = c / (1.0 + c * hierarchy.load_line.slope);
   for (int sweep = 0; sweep < sweeps; ++sweep) {
-    relax_pressure(hierarchy, level);
+    relax_pressure(hierarchy, level, how.relaxation);
     if (hierarchy.problem.load) hierarchy.H00 -= share * (wanted_load(hierarchy, level) - carried_load(level));
     update_film(hierarchy, level);
   }

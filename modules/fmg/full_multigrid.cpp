@@ -2,154 +2,107 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
 
-#include "fmg/cycle.hpp"
-#include "fmg/relaxation.hpp"
-#include "transfer/transfer.hpp"
+#include "core/errors.hpp"
+#include "core/timer.hpp"
+#include "fmg/start.hpp"
 
 namespace ehl::fmg {
 namespace {
 
-/// Relaxations between two corrections of H00 on a grid that is relaxed alone: long enough for the pressure to answer.
-constexpr int sweeps_per_balance = 4;
+using judgement::Aim;
+using judgement::Measures;
+using judgement::StoppingCriterion;
 
-void pose_original_problem(const Problem& problem, Level& level) {
-  level.f.fill(0.0);
-  if (problem.surface)
-    problem.surface(level.grid, level.F);
-  else
-    level.F.fill(0.0);
-  level.H_restricted.fill(0.0);
-  level.H_floor = 0.0;
-  level.load = problem.load.value_or(0.0);
+StoppingCriterion criterion_of(const Run& run, std::size_t l) {
+  const Parameters& parameters = run.hierarchy.parameters;
+  const int planned = l == run.plan.first ? std::max(run.plan.cycles, parameters.cycles) : parameters.cycles;
+  if (l == run.finest())
+    return {.aim = Aim::solution,
+            .planned = planned,
+            .most = std::max(parameters.max_cycles, planned),
+            .tolerance = parameters.tolerance};
+  if (l == run.plan.first) return {.aim = Aim::first_start, .planned = planned, .most = planned};
+  return {.aim = Aim::start, .planned = planned, .most = planned + parameters.extra_cycles};
 }
 
-// Mean of S, weighted with the pressure.
-double mean_surface(const Level& level) {
-  double sum = 0.0;
-  double weights = 0.0;
-  for (int i = 1; i < level.grid.nx; ++i)
-    for (int j = 1; j <= level.grid.last_line(); ++j) {
-      const double weight = level.grid.lines(j) * level.P(i, j);
-      sum += weight * level.F(i, j);
-      weights += weight;
-    }
-  return weights > 0.0 ? sum / weights : 0.0;
+/// Geometric mean of the factors by which the cycles on one level reduced the residual, all but the first.
+double mean_factor(const std::vector<double>& residuals) {
+  if (residuals.size() < 2) return std::numeric_limits<double>::quiet_NaN();
+  return std::pow(residuals.back() / residuals.front(), 1.0 / static_cast<double>(residuals.size() - 1));
 }
 
-/// Beside the contact the far field is no guess any more.
-constexpr double a_little = 0.02;
-
-/// The far field of rigid bodies, P = -(c_X X + c_Y Y)/H^2: with the undeformed gap H = x A x, div(H^3 grad P) =
-/// lambda dH/dX gives (A + 2 tr(A)) c = lambda A e_X.
-class FarField {
+/// Adds the seconds of its life to the last row of the record, and counts work units anew.
+class RowTimer {
  public:
-  FarField(const core::QuadraticForm& gap, double lambda) : gap_(gap) {
-    const double b = 0.5 * gap.XY;
-    const double trace = gap.XX + gap.YY;
-    const double XX = gap.XX + 2.0 * trace;
-    const double YY = gap.YY + 2.0 * trace;
-    const double scale = lambda / (XX * YY - b * b);
-    c_X_ = scale * (YY * gap.XX - b * b);
-    c_Y_ = scale * (XX * b - b * gap.XX);
-  }
-  double P(double X, double Y) const {
-    const double H = gap_.at(X, Y);
-    return -(c_X_ * X + c_Y_ * Y) / (H * H);
-  }
+  explicit RowTimer(Run& run) : run_(run), began_(core::now()) { forget_work(run.hierarchy); }
+  void stop() { run_.record.levels.back().seconds = core::now() - began_; }
 
  private:
-  core::QuadraticForm gap_;
-  double c_X_, c_Y_;
+  Run& run_;
+  double began_;
 };
 
-/// 1 in the middle of the domain, falling to zero on its boundary, where the pressure is zero.
-double taper(const core::Grid& domain, double X, double Y) {
-  const double x = X / (X < 0.0 ? domain.X_a : domain.X_b);
-  const double y = Y / (Y < 0.0 ? domain.Y_a : domain.Y_b);
-  return (1.0 - x * x) * (1.0 - y * y);
+void solve_first_level(Run& run) {
+  RowTimer timer(run);
+  const Plan& plan = run.plan;
+  run.caution = plan.at_first;
+  start_from_hertz(run.hierarchy, plan.first, plan.H00, plan.sweeps, cautious(run.hierarchy.parameters, run.caution));
+  solve_level(run, plan.first);
+  run.caution = plan.above;
+  timer.stop();
 }
-
-// Where the film ruptures beside an ellipse is far from the contact and along no line of constant X, and an edge of the
-// pressure goes forward by one cell in a relaxation, but back by as many as it takes: it begins too far downstream,
-// with the pressure of the far field everywhere and its sign turned where that is negative.
-void begin_outside(const Problem& problem, Level& level) {
-  const FarField far(problem.geometry.gap, problem.lambda);
-  const core::Grid domain = core::whole(level.grid);
-  for (int i = 1; i < level.grid.nx; ++i)
-    for (int j = 1; j <= level.grid.last_line(); ++j) {
-      const double X = level.grid.X(i);
-      const double Y = level.grid.Y(j);
-      if (problem.geometry.outline.at(X, Y) >= 1.0)
-        level.P(i, j) = std::min(std::abs(far.P(X, Y)), a_little) * taper(domain, X, Y);
-    }
-}
-
-bool round(const core::QuadraticForm& gap) { return gap.XY == 0.0 && gap.XX == gap.YY; }
 
 }  // namespace
 
-void start_from_hertz(Hierarchy& hierarchy, std::size_t l, double H00, int sweeps) {
-  Level& level = hierarchy.levels[l];
-  pose_original_problem(hierarchy.problem, level);
-  const auto& [XX, XY, YY] = hierarchy.problem.geometry.outline;
-  for (int i = 1; i < level.grid.nx; ++i)
-    for (int j = 1; j <= level.grid.last_line(); ++j) {
-      const double X = level.grid.X(i);
-      const double Y = level.grid.Y(j);
-      const double inside = 1.0 - XX * X * X - (XY * X + YY * Y) * Y;
-      level.P(i, j) = inside > 0.0 ? std::sqrt(inside) : 0.0;
-    }
-  if (!round(hierarchy.problem.geometry.gap)) begin_outside(hierarchy.problem, level);
-  core::make_images(level.grid, level.P);
-  hierarchy.H00 = hierarchy.problem.surface ? H00 - mean_surface(level) : H00;
-  update_film(hierarchy, level);
-  for (int sweep = 1; sweep <= sweeps; ++sweep) {
-    if (sweep % sweeps_per_balance == 0)
-      relax_with_force_balance(hierarchy, level, 1);
+void full_multigrid(Run& run) {
+  solve_first_level(run);
+  ascend(run, run.plan.first);
+}
+
+void ascend(Run& run, std::size_t from) {
+  Hierarchy& hierarchy = run.hierarchy;
+  const double order = reynolds::order(hierarchy.problem.transport.wedge);
+  State two_below;  // without a pressure where there is none to foretell from
+  for (std::size_t l = from + 1; l <= run.finest(); ++l) {
+    RowTimer timer(run);
+    // A film that is negative on a coarse grid foretells nothing.
+    const bool holds = run.record.levels.back().Hm > 0.0;
+    State below = state_of(hierarchy, l - 1);
+    if (two_below.P.nodes_x() > 0 && holds)
+      start_from_two_coarser(hierarchy, l, two_below, order);
     else
-      relax(hierarchy, level);
+      start_from_coarser(hierarchy, l);
+    two_below = holds ? std::move(below) : State{};
+    solve_level(run, l);
+    timer.stop();
   }
 }
 
-void start_from_state(Hierarchy& hierarchy, std::size_t l, const core::Field& P, double H00) {
-  Level& level = hierarchy.levels[l];
-  pose_original_problem(hierarchy.problem, level);
-  core::copy(P, level.P);
-  core::make_images(level.grid, level.P);
-  hierarchy.H00 = H00;
-  update_film(hierarchy, level);
-}
-
-void start_from_coarser(Hierarchy& hierarchy, std::size_t l) {
-  Level& level = hierarchy.levels[l];
-  pose_original_problem(hierarchy.problem, level);
-  {
-    const core::ScopedTimer timer(hierarchy.times, core::Part::transfer);
-    transfer::prolong_bicubic(hierarchy.levels[l - 1].grid, hierarchy.levels[l - 1].P, level.P);
-    for (int i = 0; i <= level.grid.nx; ++i)
-      for (int j = 0; j <= level.grid.ny; ++j) {
-        const bool boundary = i == 0 || j == 0 || i == level.grid.nx || j > level.grid.last_line();
-        if (boundary || (hierarchy.problem.cavitation && level.P(i, j) < 0.0)) level.P(i, j) = 0.0;
-      }
-    core::make_images(level.grid, level.P);
-  }
-  update_film(hierarchy, level);
-}
-
-void start_from_two_coarser(Hierarchy& hierarchy, std::size_t l, const Kept& two_below, double order) {
-  const double weight = std::exp2(-order);
-  Level& below = hierarchy.levels[l - 1];
-  core::Field coarser(below.grid);
-  transfer::prolong_bicubic(hierarchy.levels[l - 2].grid, two_below.P, coarser);
-  // No pressure where the finer solution has none: the cavitated region is the finer one's.
-  for (int i = 1; i < below.grid.nx; ++i)
-    for (int j = 1; j <= below.grid.last_line(); ++j) {
-      double& P = below.P(i, j);
-      if (P > 0.0) P = std::max(0.0, P + weight * (P - coarser(i, j)));
-    }
-  hierarchy.H00 += weight * (hierarchy.H00 - two_below.H00);
-  start_from_coarser(hierarchy, l);
+void solve_level(Run& run, std::size_t l) {
+  const StoppingCriterion criterion = criterion_of(run, l);
+  Record& record = run.record;
+  record.levels.emplace_back();
+  std::vector<double> residuals;
+  const CycleObserver observe = [&](int cycle, const Measures& now) -> DiscretizationError {
+    enter(run.hierarchy, l, cycle, now, record);
+    report(run, l, cycle, criterion.planned, now);
+    residuals.push_back(now.residual);
+    return {record.levels.back().error_Hc, record.levels.back().error_Hm};
+  };
+  const CyclesResult result = run_cycles(run.hierarchy, l, criterion, run.caution, observe);
+  run.caution = result.caution;
+  record.verification = verification_of(result.last);
+  const std::string where = name_of_level(run.hierarchy, l) + ": ";
+  if (result.end == CyclesEnd::diverged) throw core::SolverError(where + result.unmet);
+  record.failed_check = result.unmet.empty() ? "" : where + result.unmet;
+  if (l != run.finest()) return;
+  record.end = result.end;
+  record.cycle_factor = mean_factor(residuals);
+  record.converged = record.failed_check.empty();
 }
 
 }  // namespace ehl::fmg

@@ -1,32 +1,42 @@
 #pragma once
-// The way up of the full multigrid: a first solution on a coarse grid, and better ones from level to level.
+// The full multigrid: from a first solution on a coarse grid to the finest.
+#include "fmg/cycles.hpp"
 #include "fmg/hierarchy.hpp"
+#include "fmg/record.hpp"
 
 namespace ehl::fmg {
 
-// The level being solved has the right-hand sides of the original problem: f = 0, and F = S, its own mean of what the
-// surfaces add to the gap. As a coarse grid of a finer level it has those of the full approximation scheme.
-
-/// Makes levels[l] the level being solved, from the dry contact: P = sqrt(1 - X^2 - Y^2) inside the Hertz circle, or
-/// the like of an ellipse, H00 as given less the mean of S under that pressure, which lifts the bodies apart; then
-/// `sweeps` relaxations with the force balance (eq. 26) after every fourth. errors: core::SolverError.
-void start_from_hertz(Hierarchy& hierarchy, std::size_t l, double H00, int sweeps);
-
-/// Makes levels[l] the level being solved, from a pressure and an H00 given. in: P of the level's shape.
-void start_from_state(Hierarchy& hierarchy, std::size_t l, const core::Field& P, double H00);
-
-/// Makes levels[l] the level being solved, from the solution on levels[l-1] by bicubic interpolation held at P >= 0.
-void start_from_coarser(Hierarchy& hierarchy, std::size_t l);
-
-/// A solution that is kept while its level serves as a coarse grid.
-struct Kept {
-  core::Field P;
-  double H00 = 0.0;
+/// How the full multigrid begins.
+struct Plan {
+  std::size_t first = 0;  ///< level of the first grid
+  double H00 = 0.0;       ///< to begin with
+  int sweeps = 20;        ///< relaxations of the first grid alone, from the Hertz pressure
+  int cycles = 4;         ///< cycles on the first grid, at least
+  Caution at_first{};     ///< on the first grid
+  Caution above{};        ///< and on the finer ones, to begin with
 };
 
-/// The same from the solutions on levels[l-1] and levels[l-2]: what changed from the coarser to the finer one, divided
-/// by 2^order, is what will change next, where the discretization error falls with that order. The start is three to
-/// ten times closer to the solution. in: two_below, the solution on levels[l-2]; order > 0.
-void start_from_two_coarser(Hierarchy& hierarchy, std::size_t l, const Kept& two_below, double order);
+/// A full multigrid under way: the grids and their state, and what is known of the solution.
+struct Run {
+  Hierarchy hierarchy;
+  Plan plan{};
+  ProgressCallback progress{};
+  Caution caution{};  ///< that was needed so far
+  Record record{};
+
+  std::size_t finest() const { return hierarchy.levels.size() - 1; }
+};
+
+/// The first grid from the Hertz pressure; every finer one from the one below it, until its stopping criterion is met:
+///   first grid   until its film has settled, or as below
+///   others       parameters.cycles at least, and up to extra_cycles more where Hc or Hm are not exact enough for a
+///   start the finest   until all checks are met, or the tolerance, with max_cycles at most
+/// errors: core::SolverError where the cycles diverge; core::Interrupted.
+void full_multigrid(Run& run);
+/// The levels above `from`, whose solution is there.
+void ascend(Run& run, std::size_t from);
+/// Cycles on level l from the state that is there, until the criterion of its place in the hierarchy is met, with a new
+/// row in the record.
+void solve_level(Run& run, std::size_t l);
 
 }  // namespace ehl::fmg

@@ -9,13 +9,12 @@
 #include "core/grid.hpp"
 #include "core/quadratic_form.hpp"
 #include "core/timer.hpp"
+#include "film/model.hpp"
 #include "fmg/parameters.hpp"
 #include "fmg/thread_work.hpp"
 #include "line_solvers/line_system.hpp"
 #include "mlmi/deformation.hpp"
 #include "reynolds/residual.hpp"
-#include "rheology/laws.hpp"
-#include "rheology/shear.hpp"
 
 namespace ehl::fmg {
 
@@ -30,21 +29,21 @@ inline bool symmetric(const Geometry& geometry) { return geometry.gap.XY == 0.0;
 
 /// The equations to solve: eqs. (4)-(7), or one of the linear model problems that lead to them.
 struct Problem {
-  double lambda = 1.0;
-  rheology::ViscosityLaw viscosity;
-  rheology::DensityLaw density;
+  film::Model film;
   reynolds::Transport transport = reynolds::Wedge::upstream2;
   /// eq. (7), h^2 sum P = load; absent: H00 is given and stays (the model problems).
   std::optional<double> load = 2.0 * std::numbers::pi / 3.0;
-  bool cavitation = true;  ///< P >= 0
-  /// epsilon(X, Y) instead of eq. (5): the linear model problems of eqs. (9) and (19), with rho_bar = 1.
-  std::function<double(double, double)> given_epsilon;
+  reynolds::Cavitation cavitation = reynolds::Cavitation::nonnegative_pressure;
   Geometry geometry{};
   /// Writes S(X, Y), what the surfaces add to the gap, in units of a^2/R: on every grid what that grid can hold of it.
-  /// With image lines on a mirrored grid they are not needed. Empty: smooth surfaces.
-  std::function<void(const core::Grid& grid, core::Field& S)> surface{};
-  /// Sliding along X that thins the oil: epsilon along X is another one than along Y. Not with given_epsilon.
-  std::optional<rheology::ShearThinning> thinning{};
+  /// Ghost lines are not needed. Empty: smooth surfaces.
+  std::function<void(const core::Patch& grid, core::Field& S)> surface{};
+};
+
+/// The unknowns on one level: what a solution is, and all that is kept of one.
+struct State {
+  core::Field P;
+  double H00 = 0.0;
 };
 
 /// Lines of one colour side by side, as many to a vector as it has lanes, one entry per station and batch: the changes
@@ -54,9 +53,9 @@ struct LineChanges {
   core::Field distributed;  ///< the same where the point distributes its change, else 0
 };
 
-/// On a mirrored grid P, both eps and r have image lines at all times.
+/// P, both eps and r have their ghost lines filled at all times.
 struct Level {
-  core::Grid grid;
+  core::Patch grid;
   core::Field P;
   core::Field H;
   core::Field eps;         ///< along X; and along Y, where the oil is not thinned by shear
@@ -68,7 +67,8 @@ struct Level {
                              ///< empty on the finest level of a smooth contact
   core::Field H_restricted;  ///< the finer level's film at these nodes; empty on the finest level
   core::Field P_restricted;  ///< the finer level's pressure as it came down; likewise
-  core::Field r;             ///< residual; the correction on its way up
+  core::Field r;             ///< residual
+  core::Field correction;    ///< of P, on its way up
   LineChanges changes;
   std::vector<ThreadWork> thread_work;  ///< made for the parameters' line solver and reach
   mlmi::Deformation deformation;
@@ -86,9 +86,10 @@ struct LoadLine {
 };
 
 struct Hierarchy {
-  Problem problem;
+  const Problem problem;
+  const Parameters parameters;
+  reynolds::Transport transport;  ///< the problem's, or that of an implicit step in time
   LoadLine load_line;
-  Parameters parameters;
   std::vector<Level> levels;  ///< coarsest first
   double H00 = 0.0;
   int threads = 1;
@@ -96,21 +97,24 @@ struct Hierarchy {
 
   Level& finest() { return levels.back(); }
   /// Threads worth using on a level: small grids are slower with more than one.
-  int threads_on(const core::Grid& grid) const { return grid.nx * grid.ny < 128 * 128 ? 1 : threads; }
+  int threads_on(const core::Patch& grid) const { return grid.nx * grid.ny < 128 * 128 ? 1 : threads; }
 };
 
+/// What levels[l] holds now.
+inline State state_of(const Hierarchy& hierarchy, std::size_t l) { return {hierarchy.levels[l].P, hierarchy.H00}; }
+
 /// The grids from `finest` down to the coarsest, the finest first.
-std::vector<core::Grid> grids_below(const core::Grid& finest, const Parameters& parameters);
+std::vector<core::Patch> grids_below(const core::Patch& finest, const Parameters& parameters);
 
 /// Grids from `finest` down to the coarsest, all fields zero, H00 = 0.
 /// The coarsest has parameters.coarsest_cells cells along x, or by default the smallest number >= 32 that halving
 /// gives. errors: core::InputError when the finest grid cannot be halved down to the coarsest, or the film evaluation
 /// refuses.
 Hierarchy make_hierarchy(const Problem& problem, const Parameters& parameters, const mlmi::Parameters& deformation,
-                         const core::Grid& finest, int threads);
+                         const core::Patch& finest, int threads);
 
 /// The film without deformation, H00 + the gap, for a circular contact X^2/2 + Y^2/2, at (X_i, Y_j).
-inline double rigid_gap(const Geometry& geometry, const core::Grid& grid, double H00, int i, int j) {
+inline double rigid_gap(const Geometry& geometry, const core::Patch& grid, double H00, int i, int j) {
   const auto& [XX, XY, YY] = geometry.gap;
   const double X = grid.X(i);
   const double Y = grid.Y(j);
@@ -125,6 +129,10 @@ void update_coefficients(Hierarchy& hierarchy, Level& level);
 /// level.r = f - L(P).
 void update_residual(Hierarchy& hierarchy, Level& level);
 
+/// The pressure that deforms the bodies and carries the load: what the fluid has. (Where the surfaces touch, the sum of
+/// the fluid's, which the Reynolds equation knows, and of theirs.)
+inline const core::Field& pressure_on_bodies(const Level& level) { return level.P; }
+
 /// hx hy sum P (left-hand side of eq. 7).
 double carried_load(const Level& level);
 /// Its right-hand side at the present H00.
@@ -137,7 +145,7 @@ inline const core::Field& eps_across(const Level& level) {
   return level.eps_across.nodes_x() > 0 ? level.eps_across : level.eps;
 }
 
-inline reynolds::State state(const Level& level) {
+inline reynolds::Fields fields(const Level& level) {
   return {level.P, level.H, level.rho_bar, level.eps, level.f, eps_across(level)};
 }
 

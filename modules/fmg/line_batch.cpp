@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "reynolds/stencil.hpp"
+#include "reynolds/flux.hpp"
 
 namespace ehl::fmg {
 
@@ -38,12 +38,12 @@ FilmStation film_station(const Level& level, int i, int j) {
   return {rho_bar, rho_bar * H, own_lines(level.drho_bar, i, j) * H};
 }
 
-/// Lanes where the point itself or one of its four neighbours carries no pressure.
-LaneMask beside_cavitation(const core::Field& P, int i, int j) {
+/// Lanes where the point itself or one of its four neighbours is dry.
+LaneMask beside_dry(reynolds::Cavitation cavitation, const core::Field& P, int i, int j) {
   const Beside here = with_neighbours(P, i, j);
   const Lanes least = core::min(core::min(own_lines(P, i - 1, j), own_lines(P, i + 1, j)),
                                 core::min(here.own, core::min(here.south, here.north)));
-  return least <= 0.0;
+  return reynolds::dry(cavitation, least);
 }
 
 // Holds the distributed changes of a batch to what is there: no point gives more than its pressure. What goes below
@@ -65,9 +65,10 @@ void hold_to_what_is_there(Level& level, int colour, int batch) {
 
 }  // namespace
 
-ThreadWork make_thread_work(const core::Grid& grid, const RelaxationParameters& parameters) {
+ThreadWork make_thread_work(const core::Patch& grid, const film::Model& film, const RelaxationParameters& parameters) {
   const auto points = static_cast<std::size_t>(grid.nodes_x());
-  ThreadWork work{.fluidity = std::vector<double>(static_cast<std::size_t>(grid.nodes_y())),
+  ThreadWork work{.film = film::make_buffers(film, grid.nodes_y()),
+                  .followed = std::vector<double>(static_cast<std::size_t>(grid.nodes_y())),
                   .west = std::vector<Lanes>(points),
                   .south = std::vector<Lanes>(points),
                   .north = std::vector<Lanes>(points),
@@ -90,40 +91,38 @@ ThreadWork make_thread_work(const core::Grid& grid, const RelaxationParameters& 
 
 template <int reach, LineSolver solver>
 void LineBatch<reach, solver>::read_coefficients(const Hierarchy& hierarchy, const Level& level, int j) {
-  const core::Grid& grid = level.grid;
-  const double half_over_hx2 = 0.5 / (grid.hx() * grid.hx());
-  const double half_over_hy2 = 0.5 / (grid.hy() * grid.hy());
+  const core::Patch& grid = level.grid;
+  const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
   const core::Field& eps_across = fmg::eps_across(level);
-  const auto read = [&](auto thinning) {
+  const auto read = [&](auto anisotropic) {
     Lanes before = own_lines(level.eps, 0, j);
     for (int i = 1; i <= grid.nx; ++i) {
       const Beside across = with_neighbours(eps_across, i, j);
-      const Lanes eps = thinning ? own_lines(level.eps, i, j) : across.own;
+      const Lanes eps = anisotropic ? own_lines(level.eps, i, j) : across.own;
       const auto k = static_cast<std::size_t>(i);
-      work_.west[k] = (before + eps) * half_over_hx2;
-      work_.south[k] = (across.south + across.own) * half_over_hy2;
-      work_.north[k] = (across.own + across.north) * half_over_hy2;
+      work_.west[k] = reynolds::conductance(before, eps, half.X);
+      work_.south[k] = reynolds::conductance(across.south, across.own, half.Y);
+      work_.north[k] = reynolds::conductance(across.own, across.north, half.Y);
       before = eps;
     }
   };
-  if (hierarchy.problem.thinning)
+  if (film::anisotropic(hierarchy.problem.film))
     read(std::true_type{});
   else
     read(std::false_type{});
   // The crossover is where the coupling by epsilon outweighs that by the film.
-  const double crossover = hierarchy.parameters.relaxation.crossover * hierarchy.problem.transport.strength(grid.hx());
+  const double crossover = how_.crossover * reynolds::relative_strength(hierarchy.transport, grid.hx());
   const double crossover2 = crossover * crossover;
-  const RelaxationParameters& relaxation = hierarchy.parameters.relaxation;
-  const double squeeze = hierarchy.problem.transport.squeeze;
-  const Lanes far_single = core::broadcast(relaxation.far_squeeze * level.film_terms.K[0] * squeeze);
-  const Lanes far_beside = core::broadcast(relaxation.far_squeeze_beside * squeeze);
+  const double squeeze = hierarchy.transport.squeeze;
+  const Lanes far_single = core::broadcast(how_.far_squeeze * level.film_terms.K[0] * squeeze);
+  const Lanes far_beside = core::broadcast(how_.far_squeeze_beside * squeeze);
   const auto choose_for = [&](auto squeezed, auto above_crossover) {
     for (int i = 1; i < grid.nx; ++i) {
       const auto k = static_cast<std::size_t>(i);
       const LaneMask by_epsilon = above_crossover(k);
       LaneMask single = by_epsilon;
       // Beside the cavitated region too: what is cut off at P = 0 would leave half of a distributed change standing.
-      if (hierarchy.problem.cavitation) single |= beside_cavitation(level.P, i, j);
+      single |= beside_dry(hierarchy.problem.cavitation, level.P, i, j);
       if constexpr (squeezed) work_.far_squeeze[k] = by_epsilon ? far_single : single ? far_beside : Lanes{};
       work_.distributive[k + ThreadWork::margin] = single ? Lanes{} : core::broadcast(1.0);
     }
@@ -138,7 +137,7 @@ void LineBatch<reach, solver>::read_coefficients(const Hierarchy& hierarchy, con
   const auto above = [crossover2](Lanes largest, Lanes smallest) {
     return largest * largest * largest > crossover2 * smallest;
   };
-  if (!hierarchy.problem.thinning) {
+  if (!film::anisotropic(hierarchy.problem.film)) {
     choose([&](std::size_t k) {
       return above(core::max(core::max(work_.west[k], work_.west[k + 1]), core::max(work_.south[k], work_.north[k])),
                    core::min(core::min(work_.west[k], work_.west[k + 1]), core::min(work_.south[k], work_.north[k])));
@@ -155,8 +154,8 @@ void LineBatch<reach, solver>::read_coefficients(const Hierarchy& hierarchy, con
 template <int reach, LineSolver solver>
 template <class Take>
 void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level& level, int j, Take take) {
-  const core::Grid& grid = level.grid;
-  const bool cavitation = hierarchy.problem.cavitation;
+  const core::Patch& grid = level.grid;
+  const reynolds::Cavitation cavitation = hierarchy.problem.cavitation;
   const LaneMask outside = ~inside(j, grid);
   const Lanes* distributive = work_.distributive.data() + ThreadWork::margin;
   Lanes P_west = own_lines(level.P, 0, j);
@@ -167,34 +166,32 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
     const Beside P_east = with_neighbours(level.P, i + 1, j);
     const FilmStation film0 = film_station(level, i, j);
     const auto k = static_cast<std::size_t>(i);
-    const reynolds::HalfPoints<Lanes> e{work_.west[k], work_.west[k + 1], work_.south[k], work_.north[k]};
-    const auto [c0, c1, c2] = reynolds::transport_weights(hierarchy.problem.transport, i, grid.hx());
+    const reynolds::Faces<Lanes> e{work_.west[k], work_.west[k + 1], work_.south[k], work_.north[k]};
+    const auto c = reynolds::transport_weights(hierarchy.transport, i, grid.hx());
 
     line_solvers::PointEquation point;
-    point.c = {c0 * film0.rho_bar, c1 * film1.rho_bar, c2 * film2.rho_bar};
-    point.r = (c0 * film0.rho_H + c1 * film1.rho_H + c2 * film2.rho_H) -
+    point.c = {c[0] * film0.rho_bar, c[1] * film1.rho_bar, c[2] * film2.rho_bar};
+    point.r = reynolds::transported(c, film0.rho_H, film1.rho_H, film2.rho_H) -
               reynolds::poiseuille(e, P_west, P_east.own, P.south, P.north, P.own);
     if (level.f.nodes_x() > 0) point.r += own_lines(level.f, i, j);
 
-    // Coefficients of the pressure changes at i-2 .. i+1 (Poiseuille, and the density's part of the wedge), and then of
-    // the deltas: the pressure change at k is delta_k - (distributed_{k-1} + distributed_{k+1})/4.
-    const Lanes p_far = -c2 * film2.slope_H;
-    const Lanes p_west = e.west - c1 * film1.slope_H;
-    const Lanes p_own = -(e.west + e.east + e.south + e.north) - c0 * film0.slope_H;
-    const Lanes p_east = e.east;
+    // From the coefficients of the pressure changes (Poiseuille, and the density's part of the wedge) to those of the
+    // deltas: the pressure change at k is delta_k - (distributed_{k-1} + distributed_{k+1})/4.
+    const auto dr = reynolds::pressure_row(c, e, film0.slope_H, film1.slope_H, film2.slope_H);
     const Lanes* d = distributive + i;
-    point.a[0] = p_far - 0.25 * d[-2] * p_west;
-    point.a[1] = p_west - 0.25 * d[-1] * (p_far + p_own);
-    point.a[2] = p_own - 0.25 * d[0] * (p_west + p_east + e.south + e.north) - work_.far_squeeze[k] * film0.rho_bar;
-    point.a[3] = p_east - 0.25 * d[1] * p_own;
-    point.a[4] = -0.25 * d[2] * p_east;
+    point.a[0] = 0.25 * d[-2] * dr.west - dr.far_west;
+    point.a[1] = 0.25 * d[-1] * (dr.far_west + dr.own) - dr.west;
+    point.a[2] =
+        0.25 * d[0] * (dr.west + dr.east + dr.south + dr.north) - dr.own - work_.far_squeeze[k] * film0.rho_bar;
+    point.a[3] = 0.25 * d[1] * dr.own - dr.east;
+    point.a[4] = 0.25 * d[2] * dr.east;
 
     line_solvers::BandRow<reach> row = line_solvers::eliminate_film<reach>(level.film_terms, point, d);
     // delta_{i-3} reaches the density's part at i-2 through its distribution.
-    row.a[line_solvers::BandRow<reach>::lower - 3] -= 0.25 * d[-3] * p_far;
+    row.a[line_solvers::BandRow<reach>::lower - 3] += 0.25 * d[-3] * dr.far_west;
     LaneMask fixed = outside;
-    // A cavitated point whose equation asks for P < 0 stays cavitated: otherwise the solution is no fixed point.
-    if (cavitation) fixed |= (P.own <= 0.0) & (point.r >= 0.0);
+    // Otherwise the solution is no fixed point.
+    fixed |= reynolds::stays_dry(cavitation, P.own, point.r);
     line_solvers::make_identity(row, fixed);
     take(i, row);
 
@@ -206,18 +203,17 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
 }
 
 template <int reach, LineSolver solver>
-void LineBatch<reach, solver>::keep(const RelaxationParameters& parameters, Level& level, int batch, int i,
-                                    Lanes delta) const {
+void LineBatch<reach, solver>::keep(Level& level, int batch, int i, Lanes delta) const {
   const auto k = static_cast<std::size_t>(i);
   const Lanes low = core::min(core::min(work_.west[k], work_.west[k + 1]), core::min(work_.south[k], work_.north[k]));
   const Lanes high = core::max(core::max(work_.west[k], work_.west[k + 1]), core::max(work_.south[k], work_.north[k]));
   // Weight of a single change: from `steep` up to the full one as the coefficients of the four half points come within
   // a factor 2 of each other.
-  const double steep = parameters.weight_single_steep;
-  const double range = parameters.weight_single - steep;
+  const double steep = how_.weight_single_steep;
+  const double range = how_.weight_single - steep;
   const Lanes smooth = 2.0 * low >= high ? core::broadcast(1.0) : 2.0 * low / high;
   const Lanes distributive = work_.distributive[k + ThreadWork::margin];
-  const Lanes weight = distributive > 0.0 ? core::broadcast(parameters.weight_distributed) : steep + range * smooth;
+  const Lanes weight = distributive > 0.0 ? core::broadcast(how_.weight_distributed) : steep + range * smooth;
   const int at = batch * core::lanes;
   core::store(level.changes.delta.at_x(i) + at, weight * delta);
   core::store(level.changes.distributed.at_x(i) + at, distributive * weight * delta);
@@ -227,20 +223,19 @@ template <int reach, LineSolver solver>
 line_solvers::SmallPivot LineBatch<reach, solver>::solve(const Hierarchy& hierarchy, Level& level, int colour,
                                                          int batch) {
   const int j = first_line(colour, batch);
-  const RelaxationParameters& parameters = hierarchy.parameters.relaxation;
-  const bool cut_off = hierarchy.problem.cavitation && hierarchy.problem.transport.squeeze > 0.0;
+  const bool cut_off = reynolds::ruptures(hierarchy.problem.cavitation) && hierarchy.transport.squeeze > 0.0;
   read_coefficients(hierarchy, level, j);
   if constexpr (solver == LineSolver::elimination) {
     line_solvers::Elimination<reach> elimination(std::get<EliminationFactors<reach>>(work_.solver).data());
     assemble(hierarchy, level, j, [&](int, const line_solvers::BandRow<reach>& row) { elimination.push(row); });
-    elimination.back_substitute([&](int i, Lanes delta) { keep(parameters, level, batch, i, delta); });
+    elimination.back_substitute([&](int i, Lanes delta) { keep(level, batch, i, delta); });
     if (cut_off) hold_to_what_is_there(level, colour, batch);
     return elimination.small_pivot();
   } else {
     auto& decimation = std::get<line_solvers::Decimation<reach>>(work_.solver);
     assemble(hierarchy, level, j, [&](int i, const line_solvers::BandRow<reach>& row) { decimation.set(i, row); });
     const line_solvers::SmallPivot small = decimation.solve();
-    for (int i = 1; i < level.grid.nx; ++i) keep(parameters, level, batch, i, decimation.delta(i));
+    for (int i = 1; i < level.grid.nx; ++i) keep(level, batch, i, decimation.delta(i));
     if (cut_off) hold_to_what_is_there(level, colour, batch);
     return small;
   }

@@ -7,7 +7,7 @@ namespace ehl::fmg {
 /// Colour 0 has the lines j = 1, 3, 5, .., colour 1 the lines 2, 4, ..; a batch has as many of them as there are lanes.
 inline int first_line(int colour, int batch) { return 1 + colour + 2 * core::lanes * batch; }
 /// Batches with at least one interior line.
-inline int batches_of_colour(const core::Grid& grid, int colour) {
+inline int batches_of_colour(const core::Patch& grid, int colour) {
   return (grid.last_line() - colour + 2 * core::lanes - 1) / (2 * core::lanes);
 }
 
@@ -16,7 +16,7 @@ inline core::LaneMask lines_from(int j0) {
   return core::lanes_by([](int k) { return 2 * k; }) + j0;
 }
 /// Lanes whose line j0, j0 + 2, .. is a line of unknowns.
-inline core::LaneMask inside(int j0, const core::Grid& grid) {
+inline core::LaneMask inside(int j0, const core::Patch& grid) {
   const core::LaneMask j = lines_from(j0);
   return (j >= 1) & (j <= grid.last_line());
 }
@@ -26,7 +26,7 @@ template <int reach, LineSolver solver>
 class LineBatch {
  public:
   /// in: work made for this reach and solver.
-  explicit LineBatch(ThreadWork& work) : work_(work) {}
+  LineBatch(ThreadWork& work, const RelaxationParameters& how) : work_(work), how_(how) {}
 
   /// Solves the line systems of one batch and leaves the changes, under-relaxed, in level.changes.
   line_solvers::SmallPivot solve(const Hierarchy& hierarchy, Level& level, int colour, int batch);
@@ -35,9 +35,10 @@ class LineBatch {
   void read_coefficients(const Hierarchy& hierarchy, const Level& level, int j);
   template <class Take>
   void assemble(const Hierarchy& hierarchy, const Level& level, int j, Take take);
-  void keep(const RelaxationParameters& parameters, Level& level, int batch, int i, core::Lanes delta) const;
+  void keep(Level& level, int batch, int i, core::Lanes delta) const;
 
   ThreadWork& work_;
+  const RelaxationParameters& how_;
 };
 
 }  // namespace ehl::fmg

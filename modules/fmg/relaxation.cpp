@@ -18,16 +18,15 @@ using core::Lanes;
 
 // Applies the changes of one batch at station i to its own lines and to the line before each of them:
 // P_ij += delta_ij - (distributed_{i-1} + distributed_{i+1} + distributed_{j-1} + distributed_{j+1})/4 (eq. 15),
-// and holds P >= 0.
-void apply_changes(Level& level, int colour, int batch, bool cavitation, int i) {
-  const core::Grid& grid = level.grid;
+// and holds the pressure to what is allowed.
+void apply_changes(Level& level, int colour, int batch, reynolds::Cavitation cavitation, int i) {
+  const core::Patch& grid = level.grid;
   const int j = first_line(colour, batch);
   const int k = batch * core::lanes;
   const double* here = level.changes.distributed.at_x(i) + k;
   const double* west = level.changes.distributed.at_x(i - 1) + k;
   const double* east = level.changes.distributed.at_x(i + 1) + k;
   double* P = level.P.at_x(i) + j - 1;
-  const auto floor = [cavitation](Lanes p) { return cavitation ? (p < 0.0 ? Lanes{} : p) : p; };
   const Lanes low = core::load(P);
   const Lanes high = core::load(P + core::lanes);
   // Behind the last line may stand what the other colour left there.
@@ -35,23 +34,23 @@ void apply_changes(Level& level, int colour, int batch, bool cavitation, int i) 
   // The distributed change of the line before the batch.
   const Lanes edge = core::broadcast(batch > 0 ? here[-1] : 0.0);
   const Lanes one_south = core::moved_up(edge, own_lines);
-  // Behind the axis comes the image of the line before it.
-  if (grid.mirrored) own_lines = lines_from(j) == grid.ny + 1 ? one_south : own_lines;
-  Lanes between = floor(core::evens(low, high) - 0.25 * (one_south + own_lines));
-  Lanes own = floor(core::odds(low, high) + core::load(level.changes.delta.at_x(i) + k) -
-                    0.25 * (core::load(west) + core::load(east)));
+  // Behind a mirror comes the image of the line before it.
+  if (grid.north == core::Edge::mirror) own_lines = lines_from(j) == grid.ny + 1 ? one_south : own_lines;
+  Lanes between = reynolds::projected(cavitation, core::evens(low, high) - 0.25 * (one_south + own_lines));
+  Lanes own = reynolds::projected(cavitation, core::odds(low, high) + core::load(level.changes.delta.at_x(i) + k) -
+                                                  0.25 * (core::load(west) + core::load(east)));
   between = inside(j - 1, grid) ? between : core::evens(low, high);
   own = inside(j, grid) ? own : core::odds(low, high);
   core::store(P, core::interleaved_low(between, own));
   core::store(P + core::lanes, core::interleaved_high(between, own));
 }
 
-std::string describe(const line_solvers::SmallPivot& small, int line, const core::Grid& grid) {
+std::string describe(const line_solvers::SmallPivot& small, int line, const core::Patch& grid) {
   char text[160];
   std::snprintf(text, sizeof text,
                 "line relaxation on %d x %d cells: pivot %.3g at point i = %d of line j = %d is nothing beside its row "
                 "(the state has diverged)",
-                grid.nx, core::whole(grid).ny, small.pivot, small.point, line);
+                grid.nx, grid.domain.ny, small.pivot, small.point, line);
   return text;
 }
 
@@ -74,18 +73,18 @@ struct FirstSmallPivot {
 };
 
 /// Batches whose own lines, or lines before these, are interior lines.
-int batches_to_apply(const core::Grid& grid, int colour) {
+int batches_to_apply(const core::Patch& grid, int colour) {
   return (grid.last_line() + 1 - colour + 2 * core::lanes - 1) / (2 * core::lanes);
 }
 
 template <int reach, LineSolver solver>
-void relax_lines(Hierarchy& hierarchy, Level& level) {
-  const bool cavitation = hierarchy.problem.cavitation;
-  const core::Grid& grid = level.grid;
+void relax_lines(Hierarchy& hierarchy, Level& level, const RelaxationParameters& how) {
+  const reynolds::Cavitation cavitation = hierarchy.problem.cavitation;
+  const core::Patch& grid = level.grid;
   FirstSmallPivot small;
   const auto solve = [&](ThreadWork& work, int colour, int batch) {
     if (batch < batches_of_colour(grid, colour))
-      small.meet(LineBatch<reach, solver>(work).solve(hierarchy, level, colour, batch), colour, batch);
+      small.meet(LineBatch<reach, solver>(work, how).solve(hierarchy, level, colour, batch), colour, batch);
   };
   const int threads = hierarchy.threads_on(grid);
   if (threads == 1) {
@@ -93,7 +92,7 @@ void relax_lines(Hierarchy& hierarchy, Level& level) {
       const bool beside_axis = first_line(colour, batch) + 2 * core::lanes > grid.ny;
       for (int i = 1; i < grid.nx; ++i) {
         apply_changes(level, colour, batch, cavitation, i);
-        if (beside_axis) core::make_images(grid, level.P.at_x(i));
+        if (beside_axis) core::fill_ghosts(grid, level.P.at_x(i));
       }
     };
     // The second colour follows one batch behind the first, while its lines are still in the cache: a batch of it
@@ -119,7 +118,7 @@ void relax_lines(Hierarchy& hierarchy, Level& level) {
 #pragma omp for schedule(static)
         for (int i = 1; i < grid.nx; ++i) {
           for (int batch = 0; batch < batches; ++batch) apply_changes(level, colour, batch, cavitation, i);
-          core::make_images(grid, level.P.at_x(i));
+          core::fill_ghosts(grid, level.P.at_x(i));
         }
       }
     }
@@ -128,26 +127,26 @@ void relax_lines(Hierarchy& hierarchy, Level& level) {
 }
 
 template <int reach>
-void relax_lines(Hierarchy& hierarchy, Level& level) {
-  if (hierarchy.parameters.relaxation.line_solver == LineSolver::elimination)
-    relax_lines<reach, LineSolver::elimination>(hierarchy, level);
+void relax_lines(Hierarchy& hierarchy, Level& level, const RelaxationParameters& how) {
+  if (how.line_solver == LineSolver::elimination)
+    relax_lines<reach, LineSolver::elimination>(hierarchy, level, how);
   else
-    relax_lines<reach, LineSolver::decimation>(hierarchy, level);
+    relax_lines<reach, LineSolver::decimation>(hierarchy, level, how);
 }
 
 }  // namespace
 
-void relax_pressure(Hierarchy& hierarchy, Level& level) {
+void relax_pressure(Hierarchy& hierarchy, Level& level, const RelaxationParameters& how) {
   const core::ScopedTimer timer(hierarchy.times, core::Part::line_solve);
-  switch (hierarchy.parameters.relaxation.reach) {
-    case 1: relax_lines<1>(hierarchy, level); break;
-    case 2: relax_lines<2>(hierarchy, level); break;
-    default: relax_lines<3>(hierarchy, level); break;
+  switch (how.reach) {
+    case 1: relax_lines<1>(hierarchy, level, how); break;
+    case 2: relax_lines<2>(hierarchy, level, how); break;
+    default: relax_lines<3>(hierarchy, level, how); break;
   }
 }
 
-void relax(Hierarchy& hierarchy, Level& level) {
-  relax_pressure(hierarchy, level);
+void relax(Hierarchy& hierarchy, Level& level, const RelaxationParameters& how) {
+  relax_pressure(hierarchy, level, how);
   update_film(hierarchy, level);
 }
 

@@ -16,9 +16,10 @@ namespace ehl::fmg {
 /// cell to cell, distributing a change would throw a share of it on a neighbour with far stronger coupling.
 ///
 /// errors: core::SolverError on a vanishing pivot (grid, line, point).
-void relax(Hierarchy& hierarchy, Level& level);
+void relax(Hierarchy& hierarchy, Level& level, const RelaxationParameters& how);
+inline void relax(Hierarchy& hierarchy, Level& level) { relax(hierarchy, level, hierarchy.parameters.relaxation); }
 
 /// The same but for the film and the coefficients, which are left as they were.
-void relax_pressure(Hierarchy& hierarchy, Level& level);
+void relax_pressure(Hierarchy& hierarchy, Level& level, const RelaxationParameters& how);
 
 }  // namespace ehl::fmg

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/grid.hpp"
+#include "film/model.hpp"
 #include "fmg/parameters.hpp"
 #include "line_solvers/decimation.hpp"
 #include "line_solvers/elimination.hpp"
@@ -14,10 +15,9 @@ template <int reach>
 using EliminationFactors = std::vector<typename line_solvers::Elimination<reach>::Factors>;
 
 struct ThreadWork {
-  /// One value per node of a station.
-  std::vector<double> fluidity;
-  /// The same where shear thins the oil: along and across sliding; else empty.
-  std::vector<double> fluidity_along{}, fluidity_across{};
+  film::Buffers film;
+  /// One value per node of a station: the film that epsilon follows on a coarse grid.
+  std::vector<double> followed;
 
   // For the line systems of a batch:
   /// Entries before and behind the points of a line in `distributive`.
@@ -36,6 +36,6 @@ struct ThreadWork {
 };
 
 /// in: parameters.reach 1, 2 or 3.
-ThreadWork make_thread_work(const core::Grid& grid, const RelaxationParameters& parameters);
+ThreadWork make_thread_work(const core::Patch& grid, const film::Model& film, const RelaxationParameters& parameters);
 
 }  // namespace ehl::fmg

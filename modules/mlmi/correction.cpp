@@ -20,8 +20,8 @@ Axis coarsened(const Axis& fine, int order) {
   // An odd point 2J+1 takes J-p+1 ... J+p; the outermost odd points reach further than the outermost even ones.
   const int first_odd = fine.first % 2 == 0 ? fine.first + 1 : fine.first;
   const int last_odd = fine.last % 2 == 0 ? fine.last - 1 : fine.last;
-  const int last = fine.mirrored ? fine.last / 2 : floor_half(last_odd - 1) + p;
-  return {floor_half(first_odd - 1) - p + 1, last, 2 * fine.every, fine.h, fine.mirrored};
+  const int last = fine.end == core::Edge::mirror ? fine.last / 2 : floor_half(last_odd - 1) + p;
+  return {floor_half(first_odd - 1) - p + 1, last, 2 * fine.every, fine.h, fine.end};
 }
 
 std::array<double, 4> midpoint_weights(int order) {

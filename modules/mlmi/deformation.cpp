@@ -78,22 +78,22 @@ int most_coarsenings(const core::Grid& grid) {
   return most;
 }
 
-Parameters fitting(Parameters parameters, const core::Grid& coarser) {
-  parameters.coarsenings = std::min(parameters.coarsenings, most_coarsenings(core::whole(coarser)));
+Parameters fitting(Parameters parameters, const core::Patch& coarser) {
+  parameters.coarsenings = std::min(parameters.coarsenings, most_coarsenings(coarser.domain));
   return parameters;
 }
 
 struct Deformation::Implementation {
   std::string description;
   MultilevelSum sum;
-  core::Grid grid;
+  core::Patch grid;
   // For the sums that know no symmetry.
   core::Field whole_P, whole_w;
 };
 
-Deformation::Deformation(const core::Grid& grid, const Parameters& parameters, int threads, double factor) {
-  const int team = std::max(grid.nx, core::whole(grid).ny) < smallest_parallel ? 1 : std::max(1, threads);
-  const core::Grid whole = core::whole(grid);
+Deformation::Deformation(const core::Patch& grid, const Parameters& parameters, int threads, double factor) {
+  const int team = std::max(grid.nx, grid.domain.ny) < smallest_parallel ? 1 : std::max(1, threads);
+  const core::Grid& whole = grid.domain;
   // The direct sum and the plain FFT are the multilevel sum without coarsening.
   MultilevelChoice choice{.coarsenings = 0, .coarsest_direct = parameters.method == Method::direct};
   if (parameters.method == Method::mlmi) {
@@ -101,8 +101,8 @@ Deformation::Deformation(const core::Grid& grid, const Parameters& parameters, i
     check(whole, choice);
   }
   const Axis x{0, grid.nx, 1, grid.hx()};
-  Axis y{0, grid.ny, 1, grid.hy(), grid.mirrored};
-  const bool on_whole = grid.mirrored && !holds_mirrored(y, choice);
+  Axis y{0, grid.ny, 1, grid.hy(), grid.north};
+  const bool on_whole = y.end == core::Edge::mirror && !holds_mirror(y, choice);
   if (on_whole) y = {0, whole.ny, 1, whole.hy()};
   implementation_ = std::make_unique<Implementation>(std::string{}, MultilevelSum(x, y, choice, factor, team), grid,
                                                      on_whole ? core::Field(whole) : core::Field(),
@@ -124,9 +124,9 @@ void Deformation::evaluate(const core::Field& P, core::Field& w) {
     own.sum.apply(P.at_x(0), P.stride(), w.at_x(0), w.stride());
     return;
   }
-  core::copy_whole(own.grid, P, own.whole_P);
+  core::copy_to_domain(own.grid, P, own.whole_P);
   own.sum.apply(own.whole_P.at_x(0), own.whole_P.stride(), own.whole_w.at_x(0), own.whole_w.stride());
-  core::copy_lower_half(own.whole_w, w);
+  core::copy_to_patch(own.grid, own.whole_w, w);
 }
 
 std::string Deformation::description() const { return implementation_->description; }

@@ -26,20 +26,20 @@ struct Parameters {
 /// The most semi-coarsenings a grid allows: every direction that is coarsened keeps 8 cells.
 int most_coarsenings(const core::Grid& grid);
 /// For a grid coarser than the one that the parameters are meant for: with no more coarsenings than it allows.
-Parameters fitting(Parameters parameters, const core::Grid& coarser);
+Parameters fitting(Parameters parameters, const core::Patch& coarser);
 
 /// Eq. (6): the deformation of a circular contact in units of a^2/R for the pressure in units of p_h is this times K*P.
 inline constexpr double circular_factor = 2.0 / (core::pi * core::pi);
 
 /// Evaluates w_ij = factor sum_kl K_ijkl P_kl on one grid; owns the tables, plans and work space.
 /// Not copyable; one evaluator serves one caller at a time. Grids of any size from 1 x 1 cells on, odd numbers too,
-/// hx != hy allowed; on a mirrored grid the sum goes over the images too, at half the cost, or on the whole where the
+/// hx != hy allowed; behind a mirror the sum goes over the images too, at half the cost, or on the whole where the
 /// numbers of cells do not allow that. Same bits for any number of threads; grids below 256 cells per direction run on
 /// one.
 class Deformation {
  public:
   /// errors: core::InputError when the parameters do not fit the grid.
-  Deformation(const core::Grid& grid, const Parameters& parameters, int threads, double factor = circular_factor);
+  Deformation(const core::Patch& grid, const Parameters& parameters, int threads, double factor = circular_factor);
   ~Deformation();
   Deformation(Deformation&&) noexcept;
   Deformation& operator=(Deformation&&) noexcept;

@@ -42,7 +42,7 @@ FourierConvolution::FourierConvolution(const Shape& shape, const kernel::Influen
     : shape_(shape),
       length_rows_(padded_length(2 * shape.rows - 1)),
       length_columns_(padded_length(2 * shape.all_columns() - 1)),
-      numbers_((shape.mirrored ? 1 : 2) * (length_columns_ / 2 + 1)),
+      numbers_((shape.even ? 1 : 2) * (length_columns_ / 2 + 1)),
       blocks_((numbers_ + block_doubles - 1) / block_doubles),
       stride_(static_cast<std::ptrdiff_t>(blocks_) * block_doubles),
       half_(size(shape.rows * stride_)),
@@ -72,7 +72,7 @@ void FourierConvolution::prepare_spectrum(const kernel::InfluenceTable& kernel, 
     worker.row.forward(worker.real.data(), worker.complex.data());
     double* to = half_.data() + i * stride_;
     // Without symmetry one real number serves the real and the imaginary part.
-    for (int k = 0; k < numbers_; ++k) to[k] = worker.complex[size(shape_.mirrored ? 2 * k : k - k % 2)];
+    for (int k = 0; k < numbers_; ++k) to[k] = worker.complex[size(shape_.even ? 2 * k : k - k % 2)];
   }
 #pragma omp parallel for schedule(static) num_threads(count) if (count > 1)
   for (int b = 0; b < blocks_; ++b) {
@@ -94,7 +94,7 @@ void FourierConvolution::prepare_spectrum(const kernel::InfluenceTable& kernel, 
 
 void FourierConvolution::row_forward(const double* u, Worker& worker, double* spectrum) const {
   double* row = worker.real.data();
-  if (!shape_.mirrored) {
+  if (!shape_.even) {
     std::copy_n(u, shape_.columns, row);
     worker.row.forward(row, spectrum);
     return;
@@ -108,7 +108,7 @@ void FourierConvolution::row_forward(const double* u, Worker& worker, double* sp
 
 void FourierConvolution::row_inverse(double* spectrum, Worker& worker, double* w) const {
   double* row = worker.real.data();
-  if (!shape_.mirrored) {
+  if (!shape_.even) {
     worker.row.inverse(spectrum, row);
     std::copy_n(row, shape_.columns, w);
     return;
@@ -121,11 +121,11 @@ void FourierConvolution::row_inverse(double* spectrum, Worker& worker, double* w
   std::reverse_copy(row, row + shape_.columns, w);
 }
 
-// A complex column Z is one column with the kernel's spectrum K, or mirrored two real ones, Z = A + iB, with K_A and
-// K_B: K_A A + i K_B B is (K_A + K_B)/2 Z_k + (K_A - K_B)/2 conj(Z_-k).
+// A complex column Z is one column with the kernel's spectrum K, or of even rows two real ones, Z = A + iB, with K_A
+// and K_B: K_A A + i K_B B is (K_A + K_B)/2 Z_k + (K_A - K_B)/2 conj(Z_-k).
 void FourierConvolution::multiply(const double* kernel, double* transformed) const {
   using core::Lanes, core::lanes;
-  if (!shape_.mirrored) {
+  if (!shape_.even) {
     for (int k = 0; k < length_rows_; ++k) {
       const double* factor = kernel + std::min(k, length_rows_ - k) * block_doubles;
       double* value = transformed + k * block_doubles;

@@ -16,16 +16,16 @@ int padded_length(int n);
 /// Owns the real spectrum of the symmetric kernel, the plans and the work space.
 /// cost: O(N ln N); rows of u that are zero at both ends of the array are not transformed.
 ///
-/// Mirrored: the last column is a plane of symmetry and the sum goes over the images of the others too. Rows that are
+/// Even: the last column is a plane of symmetry and the sum goes over the images of the others too. Rows that are
 /// even about it have real spectra, and two of these make one complex column for the transform across: half the work.
 class FourierConvolution {
  public:
   struct Shape {
     int rows = 0;
-    int columns = 0;  ///< that are stored
-    bool mirrored = false;
+    int columns = 0;    ///< that are stored
+    bool even = false;  ///< about the last column
     /// Columns of the whole array.
-    int all_columns() const { return mirrored ? 2 * columns - 1 : columns; }
+    int all_columns() const { return even ? 2 * columns - 1 : columns; }
   };
   /// in: kernel table with n_x >= rows-1 (first offset), n_y >= all_columns-1.
   FourierConvolution(const Shape& shape, const kernel::InfluenceTable& kernel, double factor, int threads);
@@ -50,7 +50,7 @@ class FourierConvolution {
 
   Shape shape_;
   int length_rows_, length_columns_;  // padded numbers of rows and columns
-  int numbers_;                       // doubles of a row's spectrum: complex, or mirrored real
+  int numbers_;                       // doubles of a row's spectrum: complex, or real
   int blocks_;                        // of ColumnTransform::columns complex columns
   std::ptrdiff_t stride_;             // doubles per row of the half transformed array
   Buffer half_;                       // rows x numbers: transformed along the columns only

@@ -3,60 +3,59 @@
 namespace ehl::mlmi {
 
 std::vector<deck::Key> keys() {
-  using deck::Key;
   using deck::Type;
-  const deck::Condition multilevel{.name = "method", .words = {"mlmi"}};
   const std::string chosen = "chosen for the grid";
-  return {
-      Key{.section = "deformation",
-          .name = "method",
-          .type = Type::word,
-          .default_text = "mlmi",
-          .words = {"mlmi", "fft", "direct"},
-          .meaning =
-              "How the elastic deformation is summed: multilevel multi-integration, exact by FFT, or the direct double "
-              "sum (exact, slow: small grids only).",
-          .source = "Brandt and Lubrecht 1990"},
-      Key{.section = "deformation",
-          .name = "order",
-          .type = Type::integer,
-          .default_note = chosen,
-          .range = {4, 8},
-          .meaning = "Transfer order 2p: 4, 6 or 8.",
-          .needs = multilevel,
-          .example = "6"},
-      Key{.section = "deformation",
-          .name = "patch_along",
-          .type = Type::integer,
-          .default_note = chosen,
-          .range = {1, 64},
-          .meaning = "Radius of the correction patch along the coarsening direction [points].",
-          .needs = multilevel,
-          .example = "9"},
-      Key{.section = "deformation",
-          .name = "patch_across",
-          .type = Type::integer,
-          .default_note = chosen,
-          .range = {1, 64},
-          .meaning = "Radius of the correction patch across the coarsening direction [points].",
-          .needs = multilevel,
-          .example = "3"},
-      Key{.section = "deformation",
-          .name = "coarsenings",
-          .type = Type::integer,
-          .default_note = chosen,
-          .range = {0, 20},
-          .meaning = "Number of semi-coarsenings (x and y in turn) before the coarsest sum.",
-          .needs = multilevel,
-          .example = "2"},
-      Key{.section = "deformation",
-          .name = "coarsest_sum",
-          .type = Type::word,
-          .default_text = "fft",
-          .words = {"fft", "direct"},
-          .meaning = "How the coarsest grid is summed.",
-          .needs = multilevel},
-  };
+  return deck::in_section(
+      "deformation",
+      deck::only_with({.name = "method", .words = {"mlmi"}},
+                      {{.name = "method",
+                        .default_text = "mlmi",
+                        .words = {"mlmi", "fft", "direct"},
+                        .meaning = "How the elastic deformation is summed: multilevel multi-integration, exact by FFT, "
+                                   "or the direct double "
+                                   "sum (exact, slow: small grids only).",
+                        .source = "Brandt and Lubrecht 1990"},
+                       {.name = "order",
+                        .type = Type::integer,
+                        .default_note = chosen,
+                        .range = {4, 8},
+                        .meaning = "Transfer order 2p: 4, 6 or 8.",
+                        .example = "6"},
+                       {.name = "patch_along",
+                        .type = Type::integer,
+                        .default_note = chosen,
+                        .range = {1, 64},
+                        .meaning = "Radius of the correction patch along the coarsening direction [points].",
+                        .example = "9"},
+                       {.name = "patch_across",
+                        .type = Type::integer,
+                        .default_note = chosen,
+                        .range = {1, 64},
+                        .meaning = "Radius of the correction patch across the coarsening direction [points].",
+                        .example = "3"},
+                       {.name = "coarsenings",
+                        .type = Type::integer,
+                        .default_note = chosen,
+                        .range = {0, 20},
+                        .meaning = "Number of semi-coarsenings (x and y in turn) before the coarsest sum.",
+                        .example = "2"},
+                       {.name = "coarsest_sum",
+                        .default_text = "fft",
+                        .words = {"fft", "direct"},
+                        .meaning = "How the coarsest grid is summed."}}));
+}
+
+Parameters read(deck::Deck& deck) {
+  const deck::Part deformation{deck, "deformation"};
+  Parameters parameters;
+  parameters.method = deformation.choice("method", {Method::mlmi, Method::fft, Method::direct});
+  parameters.order = deformation.integer("order", parameters.order);
+  if (parameters.order % 2 != 0) deformation.complain("order", "must be 4, 6 or 8");
+  parameters.patch_along = deformation.integer("patch_along", parameters.patch_along);
+  parameters.patch_across = deformation.integer("patch_across", parameters.patch_across);
+  parameters.coarsenings = deformation.integer("coarsenings", parameters.coarsenings);
+  parameters.coarsest_direct = deformation.choice("coarsest_sum", {false, true});
+  return parameters;
 }
 
 }  // namespace ehl::mlmi

@@ -18,7 +18,7 @@ int points_across(int patch_across, const Axis& along, const Axis& across) {
 
 }  // namespace
 
-bool holds_mirrored(const Axis& y, const MultilevelChoice& choice) {
+bool holds_mirror(const Axis& y, const MultilevelChoice& choice) {
   return choice.coarsenings % 2 == 0 && !choice.coarsest_direct && y.last % (1 << (choice.coarsenings / 2)) == 0;
 }
 
@@ -37,7 +37,7 @@ MultilevelSum::MultilevelSum(const Axis& x, const Axis& y, const MultilevelChoic
     grids_.push_back({stride, Buffer(size), Buffer(size)});
   }
   coarsest_rows_ = along.points();
-  const FourierConvolution::Shape shape{coarsest_rows_, across.points(), across.mirrored};
+  const FourierConvolution::Shape shape{coarsest_rows_, across.points(), across.end == core::Edge::mirror};
   coarsest_columns_ = shape.all_columns();
   const auto kernel =
       kernel::influence_table(coarsest_rows_ - 1, coarsest_columns_ - 1, along.h, across.h, along.every, across.every);

@@ -20,14 +20,13 @@ struct MultilevelChoice {
   bool coarsest_direct = false;  ///< else by Fourier transform
 };
 
-/// True where MultilevelSum can take y as mirrored.
-bool holds_mirrored(const Axis& y, const MultilevelChoice& choice);
+/// True where MultilevelSum can take a mirror at the end of y.
+bool holds_mirror(const Axis& y, const MultilevelChoice& choice);
 
 /// w_ij = factor sum_kl K(i-k, j-l) u_kl on x points x y points, y contiguous. Owns every level.
-/// limits: where y is mirrored, an even number of coarsenings, the coarsest sum by Fourier transform, and a last point
-/// that stays one through the coarsenings of y (holds_mirrored).
-/// source: Brandt and Lubrecht, J. Comput. Phys. 90 (1990) 348; semi-coarsening: Venner and Lubrecht, Multilevel
-/// Methods in Lubrication (2000).
+/// limits: where y ends in a mirror, an even number of coarsenings, the coarsest sum by Fourier transform, and a last
+/// point that stays one through the coarsenings of y (holds_mirror). source: Brandt and Lubrecht, J. Comput. Phys. 90
+/// (1990) 348; semi-coarsening: Venner and Lubrecht, Multilevel Methods in Lubrication (2000).
 class MultilevelSum {
  public:
   MultilevelSum(const Axis& x, const Axis& y, const MultilevelChoice& choice, double factor, int threads);

@@ -20,7 +20,7 @@ constexpr int widest_columns = widest * lanes;
 constexpr int coarse_ring_rows = 32;
 
 /// Where the value at point i stands: at its image behind a plane of symmetry.
-int folded(const Axis& axis, int i) { return axis.mirrored && i > axis.last ? 2 * axis.last - i : i; }
+int folded(const Axis& axis, int i) { return axis.end == core::Edge::mirror && i > axis.last ? 2 * axis.last - i : i; }
 
 int vectors(int columns) { return (columns + lanes - 1) / lanes; }
 std::size_t size(std::ptrdiff_t n) { return static_cast<std::size_t>(n); }
@@ -113,7 +113,7 @@ class SemiCoarsening::Strip {
       load_source(2 * J + m1);
       if (J <= coarse_.last)
         correct_even(J);
-      else if (coarse_.mirrored)
+      else if (coarse_.end == core::Edge::mirror)
         std::copy_n(coarse_row(folded(coarse_, J)), width, coarse_row(J));
       const int odd = 2 * (J - p) + 1;
       if (odd >= shape_.along.first && odd <= shape_.along.last) interpolate_odd(odd);
@@ -139,7 +139,7 @@ class SemiCoarsening::Strip {
     if (end - begin < width + 2 * m2) {
       std::fill_n(margin_, width + 2 * m2, 0.0);
       std::copy(row + begin, row + end, margin_ + (begin - (first_column_ - m2)));
-      if (shape_.across.mirrored)
+      if (shape_.across.end == core::Edge::mirror)
         for (int c = columns; c < std::min(2 * columns - 1, first_column_ + width + m2); ++c)
           margin_[c - (first_column_ - m2)] = row[2 * (columns - 1) - c];
       from = margin_ + m2;

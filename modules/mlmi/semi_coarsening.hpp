@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/grid.hpp"
 #include "mlmi/buffer.hpp"
 
 namespace ehl::mlmi {
@@ -23,13 +24,12 @@ struct Axis {
   int last = 0;
   int every = 1;
   double h = 0.0;
-  /// The last point is a plane of symmetry: behind it come the images of the points before it.
-  bool mirrored = false;
+  core::Edge end = core::Edge::zero;  ///< a mirror: behind the last point come the images of the points before it
   int points() const { return last - first + 1; }
 };
 
 /// Every second point, as far out as interpolation of order 2p to all points of the fine axis needs.
-/// limits: the last point of a mirrored axis is even.
+/// limits: the last point of an axis that ends in a mirror is even.
 Axis coarsened(const Axis& fine, int order);
 
 /// Weights of the central interpolation of order 2p = 4, 6, 8 halfway between points, from the middle outwards.

@@ -23,19 +23,17 @@ struct Reach {
 };
 
 /// Sums the fluxes (rho_bar H - eps dP/dX, -eps dP/dY) over the faces around the nodes within reach and with P > 0;
-/// every interior node stands for a cell hx x hy around it. The fluxes are those of eq. (4):
-///   eps dP/dX at i+1/2:  (eps_i + eps_{i+1})/2 (P_{i+1} - P_i)/hx, and the same along Y;
-///   rho_bar H at i+1/2:  upstream1 r_i;  upstream2 1.5 r_i - 0.5 r_{i-1}, and (r_0 + r_1)/2 at the first face, with
-///                        which the column i = 1 has upstream1's difference r_1 - r_0.
+/// every interior node stands for a cell hx x hy around it. The fluxes are those of flux.hpp.
 /// Then out - in is the sum of hx hy r over the region, without residual() having been asked: zero where eq. (4) holds,
 /// whatever the shape of the region.
-/// in: P, H, rho_bar and eps of `state`; f is not looked at and must be zero. With cavitation false every node within
+/// in: P, H, rho_bar and eps of `state`; f is not looked at and must be zero. Without cavitation every node within
 /// reach belongs to the region; X, Y > 0, infinity for the whole domain. limits: `through` is taken at the column next
 /// to X = 0 and is 0 without a node in |Y| <= width.
 /// cost: one pass over P within reach, the other fields along the boundary only.
-FlowBalance flow_balance(const core::Grid& grid, const State& state, Wedge wedge, bool cavitation, const Reach& reach);
+FlowBalance flow_balance(const core::Patch& grid, const Fields& state, Wedge wedge, Cavitation cavitation,
+                         const Reach& reach);
 /// |X|, |Y| <= reach of a circular contact.
-inline FlowBalance flow_balance(const core::Grid& grid, const State& state, Wedge wedge, bool cavitation,
+inline FlowBalance flow_balance(const core::Patch& grid, const Fields& state, Wedge wedge, Cavitation cavitation,
                                 double reach) {
   return flow_balance(grid, state, wedge, cavitation, Reach{reach, reach});
 }

@@ -1,11 +1,13 @@
 #pragma once
 #include <vector>
 
-#include "deck/key.hpp"
+#include "deck/deck.hpp"
+#include "reynolds/wedge.hpp"
 
 namespace ehl::reynolds {
 
 /// The deck's keys of [discretization].
 std::vector<deck::Key> keys();
+Wedge read(deck::Deck& deck);
 
 }  // namespace ehl::reynolds

@@ -2,30 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
-#include "reynolds/stencil.hpp"
+#include "reynolds/flux.hpp"
 
 namespace ehl::reynolds {
 
-void epsilon(std::span<const double> H, std::span<const double> rho_bar, std::span<const double> fluidity,
-             double lambda, std::span<double> eps) {
-  const double inverse = 1.0 / lambda;
-  for (std::size_t k = 0; k < eps.size(); ++k) {
-    const double film = H[k] < 0.0 ? 0.0 : H[k];
-    eps[k] = rho_bar[k] * fluidity[k] * (film * film * film) * inverse;
-  }
-}
-
-void residual(const core::Grid& grid, const State& state, const Transport& transport, int threads, core::Field& r) {
-  const double half_over_hx2 = 0.5 / (grid.hx() * grid.hx());
-  const double half_over_hy2 = 0.5 / (grid.hy() * grid.hy());
+void residual(const core::Patch& grid, const Fields& state, const Transport& transport, int threads, core::Field& r) {
+  const HalfInverseSquares half(grid.hx(), grid.hy());
   const int last = grid.last_line();
   std::ranges::fill(r.station(0), 0.0);
   std::ranges::fill(r.station(grid.nx), 0.0);
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
   for (int i = 1; i < grid.nx; ++i) {
-    const auto [c0, c1, c2] = transport_weights(transport, i, grid.hx());
+    const auto c = transport_weights(transport, i, grid.hx());
     const int upstream = std::max(i - 2, 0);
     const double* __restrict P = state.P.at_x(i);
     const double* __restrict P_west = state.P.at_x(i - 1);
@@ -42,10 +31,11 @@ void residual(const core::Grid& grid, const State& state, const Transport& trans
     const double* __restrict rho2 = state.rho_bar.at_x(upstream);
     double* __restrict out = r.at_x(i);
     for (int j = 1; j <= last; ++j) {
-      const auto e = half_points(eps_west[j], eps_east[j], eps[j], eps_across[j - 1], eps_across[j + 1], eps_across[j],
-                                 half_over_hx2, half_over_hy2);
-      const double wedge_term = c0 * (rho0[j] * H0[j]) + c1 * (rho1[j] * H1[j]) + c2 * (rho2[j] * H2[j]);
-      out[j] = wedge_term - poiseuille(e, P_west[j], P_east[j], P[j - 1], P[j + 1], P[j]);
+      const Faces<double> e{conductance(eps_west[j], eps[j], half.X), conductance(eps_east[j], eps[j], half.X),
+                            conductance(eps_across[j - 1], eps_across[j], half.Y),
+                            conductance(eps_across[j + 1], eps_across[j], half.Y)};
+      out[j] = transported(c, rho0[j] * H0[j], rho1[j] * H1[j], rho2[j] * H2[j]) -
+               poiseuille(e, P_west[j], P_east[j], P[j - 1], P[j + 1], P[j]);
     }
     if (state.f.nodes_x() > 0) {
       const double* __restrict f = state.f.at_x(i);
@@ -53,26 +43,27 @@ void residual(const core::Grid& grid, const State& state, const Transport& trans
     }
     out[0] = 0.0;
     out[last + 1] = 0.0;
-    core::make_images(grid, out);
+    core::fill_ghosts(grid, out);
   }
 }
 
-ResidualNorms residual_norms(const core::Grid& grid, const State& state, const Transport& transport, bool cavitation,
-                             const core::Field& r) {
+ResidualNorms residual_norms(const core::Patch& grid, const Fields& state, const Transport& transport,
+                             Cavitation cavitation, const core::Field& r) {
   ResidualNorms norms;
   double total = 0.0;
   double wedge_total = 0.0;
   double wedge_points = 0.0;
+  const auto Q = [&](int i, int j) { return state.rho_bar(i, j) * state.H(i, j); };
   for (int i = 1; i < grid.nx; ++i) {
-    const auto [c0, c1, c2] = transport_weights(transport, i, grid.hx());
+    const auto c = transport_weights(transport, i, grid.hx());
     const int upstream = std::max(i - 2, 0);
     double sum = 0.0;
     double wedge_sum = 0.0;
     for (int j = 1; j <= grid.last_line(); ++j) {
       const double lines = grid.lines(j);
-      const bool cavitated = cavitation && state.P(i, j) <= 0.0;
+      const bool cavitated = dry(cavitation, state.P(i, j));
       // In a cavitated point L(P) <= f is allowed: only r < 0 violates. Written so that NaN goes through.
-      const double violation = cavitated && r(i, j) >= 0.0 ? 0.0 : r(i, j);
+      const double violation = stays_dry(cavitation, state.P(i, j), r(i, j)) ? 0.0 : r(i, j);
       sum += lines * (violation * violation);
       if (!(std::abs(violation) <= norms.largest) && !std::isnan(norms.largest))  // the first NaN stays
         norms = {0.0, 0.0, std::abs(violation), i, j, norms.largest_dry, norms.least_P};
@@ -81,15 +72,14 @@ ResidualNorms residual_norms(const core::Grid& grid, const State& state, const T
         norms.least_P = std::min(norms.least_P, state.P(i, j));
         continue;
       }
-      const double w = c0 * state.rho_bar(i, j) * state.H(i, j) + c1 * state.rho_bar(i - 1, j) * state.H(i - 1, j) +
-                       c2 * state.rho_bar(upstream, j) * state.H(upstream, j);
+      const double w = transported(c, Q(i, j), Q(i - 1, j), Q(upstream, j));
       wedge_sum += lines * (w * w);
       wedge_points += lines;
     }
     total += sum;
     wedge_total += wedge_sum;
   }
-  const double points = static_cast<double>(grid.nx - 1) * (core::whole(grid).ny - 1);
+  const double points = static_cast<double>(grid.nx - 1) * (grid.domain.ny - 1);
   norms.root_mean_square = std::sqrt(total / points);
   norms.wedge = std::sqrt(wedge_total / std::max(wedge_points, 1.0));
   return norms;

@@ -1,20 +1,14 @@
 #pragma once
-// Residual of the discrete Reynolds equation, and the coefficient epsilon.
-#include <span>
-
+// Residual of the discrete Reynolds equation.
 #include "core/field.hpp"
 #include "core/grid.hpp"
+#include "reynolds/cavitation.hpp"
 #include "reynolds/wedge.hpp"
 
 namespace ehl::reynolds {
 
-/// epsilon = rho_bar H^3 / (eta_bar lambda) (eq. 5). in: spans of one length; film thickness H, fluidity = 1/eta_bar.
-/// limits: 0 where H < 0, a state that cycles can pass through on the way to a solution but that is none.
-void epsilon(std::span<const double> H, std::span<const double> rho_bar, std::span<const double> fluidity,
-             double lambda, std::span<double> eps);
-
-/// What the equation needs of a state: nodes of one grid; on a mirrored one with one image line of P and eps.
-struct State {
+/// What the equation needs: nodes of one patch; P and eps with ghost lines.
+struct Fields {
   const core::Field& P;
   const core::Field& H;
   const core::Field& rho_bar;
@@ -24,9 +18,9 @@ struct State {
 };
 
 /// r = f - L(P) on the interior nodes, L(P) the left-hand side of eq. (4) with the transport given; 0 on the boundary.
-/// On a mirrored grid with image lines. cost: the memory traffic of five fields in and one out. threads: result
+/// out: with ghost lines. cost: the memory traffic of five fields in and one out. threads: result
 /// independent of their number.
-void residual(const core::Grid& grid, const State& state, const Transport& transport, int threads, core::Field& r);
+void residual(const core::Patch& grid, const Fields& state, const Transport& transport, int threads, core::Field& r);
 
 /// How far the state is from solving the complementarity problem P >= 0, L(P) <= 0, P L(P) = 0.
 struct ResidualNorms {
@@ -40,8 +34,8 @@ struct ResidualNorms {
   double relative() const { return root_mean_square / wedge; }
 };
 
-/// in: residual r as made by residual() from the same state. With cavitation false every point counts as P > 0.
-ResidualNorms residual_norms(const core::Grid& grid, const State& state, const Transport& transport, bool cavitation,
-                             const core::Field& r);
+/// in: residual r as made by residual() from the same state. Without cavitation every point counts as P > 0.
+ResidualNorms residual_norms(const core::Patch& grid, const Fields& state, const Transport& transport,
+                             Cavitation cavitation, const core::Field& r);
 
 }  // namespace ehl::reynolds

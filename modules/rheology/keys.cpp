@@ -1,71 +1,96 @@
 #include "rheology/keys.hpp"
 
-#include <utility>
+#include <fmt/format.h>
+
+#include <cmath>
 
 namespace ehl::rheology {
+namespace {
 
-std::vector<deck::Key> keys() {
-  using deck::Key;
-  using deck::Type;
-  std::vector<Key> all{
-      Key{.section = "lubricant",
-          .name = "viscosity",
-          .type = Type::word,
-          .default_text = "roelands",
-          .words = {"isoviscous", "barus", "roelands", "doolittle", "yasutomi", "table"},
-          .meaning =
-              "Viscosity law eta/eta0: 1; exp(alpha p); exp{(alpha p0/z)[(1 + p/p0)^z - 1]}; exp{B R0 [1/(v - R0) - "
-              "1/(1 - R0)]} with Tait's volume v; 10^{-C1 x/(C2 + x)} eta_g/eta0 with x = (T - Tg) F; or a "
-              "table.",
-          .source = "Roelands 1966, as in Venner and ten Napel 1992; Doolittle 1951; Yasutomi, Bair and Winer 1984, "
-                    "Bair et al. 2013"},
-      Key{.section = "lubricant",
-          .name = "eta0",
-          .unit = "Pa s",
-          .range = {0.0, 1e6, true, false},
-          .meaning = "Viscosity at ambient pressure; required with loads and speeds in SI and by doolittle. "
-                     "yasutomi and table bring their own.",
-          .example = "0.25"},
-      Key{.section = "lubricant",
-          .name = "alpha",
-          .unit = "1/Pa",
-          .range = {1e-12, 1e-6},
-          .remedy = "mineral oils have 1e-8 to 3e-8",
-          .meaning =
-              "Pressure coefficient of the viscosity. Required for roelands, and for barus in SI; in dimensionless "
-              "cases it gives the Hertz pressure p_h = alpha_bar/alpha. doolittle, yasutomi and table bring their own, "
-              "alpha* = 1/int eta0/eta dp.",
-          .source = "1.7e-8: Venner and ten Napel 1992",
-          .example = "1.7e-8",
-          .example_is_active = true},
-      Key{.section = "lubricant",
-          .name = "z",
-          .default_note = "alpha p0/(ln eta0 + 9.67) when eta0 is given, else 0.68",
-          .range = {0.05, 1.5},
-          .remedy = "mineral oils have 0.5 to 0.7",
-          .meaning = "Roelands' exponent.",
-          .source = "Roelands 1966: alpha p0/z = ln eta0 + 9.67",
-          .needs = {.name = "viscosity", .words = {"roelands"}},
-          .example = "0.6"},
-      Key{.section = "lubricant",
-          .name = "p0",
-          .default_text = "1.96e8",
-          .unit = "Pa",
-          .range = {1e6, 1e10},
-          .meaning = "Roelands' reference pressure.",
-          .source = "Roelands 1966",
-          .needs = {.name = "viscosity", .words = {"roelands"}}},
-      Key{.section = "lubricant",
-          .name = "density",
-          .type = Type::word,
-          .default_text = "dowson-higginson",
-          .words = {"incompressible", "dowson-higginson", "tait", "murnaghan", "table"},
-          .meaning = "Density law rho/rho0: 1; (5.9e8 + 1.34 p)/(5.9e8 + p), p in Pa; 1/v, v = 1 - ln[1 + (1 + K0') "
-                     "p/K0]/(1 + K0'); (1 + K0' p/K0)^(1/K0'); or a table.",
-          .source = "Dowson and Higginson 1966; Tait, Murnaghan 1944"},
+std::vector<deck::Key> law_keys() {
+  return {
+      {.name = "viscosity",
+       .default_text = "roelands",
+       .words = {"isoviscous", "barus", "roelands", "doolittle", "yasutomi", "table"},
+       .meaning = "Viscosity law eta/eta0: 1; exp(alpha p); exp{(alpha p0/z)[(1 + p/p0)^z - 1]}; exp{B R0 [1/(v - "
+                  "R0) - 1/(1 - R0)]} with Tait's volume v; 10^{-C1 x/(C2 + x)} eta_g/eta0 with x = (T - Tg) F; or a "
+                  "table.",
+       .source = "Roelands 1966, as in Venner and ten Napel 1992; Doolittle 1951; Yasutomi, Bair and Winer 1984, "
+                 "Bair et al. 2013"},
+      {.name = "eta0",
+       .unit = "Pa s",
+       .range = {0.0, 1e6, true, false},
+       .meaning = "Viscosity at ambient pressure; required with loads and speeds in SI and by doolittle. "
+                  "yasutomi and table bring their own.",
+       .example = "0.25"},
+      {.name = "alpha",
+       .unit = "1/Pa",
+       .range = {1e-12, 1e-6},
+       .remedy = "mineral oils have 1e-8 to 3e-8",
+       .meaning = "Pressure coefficient of the viscosity. Required for roelands, and for barus in SI; in "
+                  "dimensionless cases it gives the Hertz pressure p_h = alpha_bar/alpha. doolittle, yasutomi and "
+                  "table bring their own, alpha* = 1/int eta0/eta dp.",
+       .source = "1.7e-8: Venner and ten Napel 1992",
+       .example = "1.7e-8",
+       .example_is_active = true},
+      {.name = "z",
+       .default_note = "alpha p0/(ln eta0 + 9.67) when eta0 is given, else 0.68",
+       .range = {0.05, 1.5},
+       .remedy = "mineral oils have 0.5 to 0.7",
+       .meaning = "Roelands' exponent.",
+       .source = "Roelands 1966: alpha p0/z = ln eta0 + 9.67",
+       .needs = {.name = "viscosity", .words = {"roelands"}},
+       .example = "0.6"},
+      {.name = "p0",
+       .default_text = "1.96e8",
+       .unit = "Pa",
+       .range = {1e6, 1e10},
+       .meaning = "Roelands' reference pressure.",
+       .source = "Roelands 1966",
+       .needs = {.name = "viscosity", .words = {"roelands"}}},
+      {.name = "density",
+       .default_text = "dowson-higginson",
+       .words = {"incompressible", "dowson-higginson", "tait", "murnaghan", "table"},
+       .meaning = "Density law rho/rho0: 1; (5.9e8 + 1.34 p)/(5.9e8 + p), p in Pa; 1/v, v = 1 - ln[1 + (1 + K0') "
+                  "p/K0]/(1 + K0'); (1 + K0' p/K0)^(1/K0'); or a table.",
+       .source = "Dowson and Higginson 1966; Tait, Murnaghan 1944"},
   };
-  for (Key& key : liquid_keys()) all.push_back(std::move(key));
-  return all;
+}
+
+// Roelands' z as given, else from eta0 and recorded in the deck.
+double read_z(const deck::Part& lubricant, const Oil& oil) {
+  if (lubricant.given("z")) return lubricant.number("z");
+  if (std::isnan(oil.eta0)) {
+    lubricant.choose("z", 0.68, "a mineral oil; eta0 would tell it");
+    return 0.68;
+  }
+  // alpha p0/z = ln eta0 + 9.67 (Roelands): all oils meet at one point of the (p, ln eta) plane.
+  const double z = oil.alpha * oil.p0 / (std::log(oil.eta0) + 9.67);
+  const deck::Key& key = *deck::find_key(lubricant.deck.catalogue, "lubricant", "z");
+  if (!key.range.contains(z))
+    lubricant.complain("eta0", fmt::format("with alpha and p0 it means z = alpha p0/(ln eta0 + 9.67) = {:.4g}, which "
+                                           "must be {}: give z, or check eta0 [Pa s] and alpha [1/Pa]",
+                                           z, deck::allowed(key)));
+  lubricant.choose("z", z, "from eta0");
+  return z;
+}
+
+}  // namespace
+
+std::vector<deck::Key> keys() { return deck::in_section("lubricant", deck::together({law_keys(), liquid_keys()})); }
+
+Oil read(deck::Deck& deck) {
+  const deck::Part lubricant{deck, "lubricant"};
+  Oil oil;
+  oil.by_name = lubricant.given("fluid");
+  oil.liquid = read_liquid(deck);
+  oil.viscosity = lubricant.word("viscosity");
+  oil.density = lubricant.word("density");
+  oil.eta0 = lubricant.number("eta0");
+  oil.alpha = lubricant.number("alpha");
+  oil.p0 = lubricant.number("p0");
+  if (oil.viscosity == "roelands" && std::isfinite(oil.alpha)) oil.z = read_z(lubricant, oil);
+  return oil;
 }
 
 }  // namespace ehl::rheology

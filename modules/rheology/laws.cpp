@@ -140,6 +140,12 @@ void log_viscosity(const ViscosityLaw& law, std::span<const double> P, std::span
   std::visit([&](const auto& v) { in_chunks(P, log_eta_bar, [&](auto p, auto out) { log_eta(v, p, out); }); }, law);
 }
 
+double log_viscosity_at(const ViscosityLaw& law, double P) {
+  double log_eta_bar = 0.0;
+  log_viscosity(law, {&P, 1}, {&log_eta_bar, 1});
+  return log_eta_bar;
+}
+
 void log_viscosity_slope(const ViscosityLaw& law, std::span<const double> P, std::span<double> slope) {
   std::visit([&](const auto& v) { in_chunks(P, slope, [&](auto p, auto out) { log_eta_slope(v, p, out); }); }, law);
 }

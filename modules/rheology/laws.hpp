@@ -63,6 +63,8 @@ DensityLaw rescaled(const DensityLaw& law, double factor);
 void fluidity(const ViscosityLaw& law, std::span<const double> P, std::span<double> fluidity);
 /// ln(eta_bar): finite where eta_bar itself overflows, accurate where it is small.
 void log_viscosity(const ViscosityLaw& law, std::span<const double> P, std::span<double> log_eta);
+/// The same at one pressure.
+double log_viscosity_at(const ViscosityLaw& law, double P);
 /// d ln(eta_bar)/dP.
 void log_viscosity_slope(const ViscosityLaw& law, std::span<const double> P, std::span<double> slope);
 

@@ -1,6 +1,13 @@
 // The keys of [lubricant] that belong to single laws, and the fluids by name.
+#include <algorithm>
+#include <cmath>
+
+#include "deck/file.hpp"
+#include "deck/text.hpp"
+#include "rheology/fluid_table.hpp"
 #include "rheology/fluids.hpp"
 #include "rheology/keys.hpp"
+#include "rheology/pressure_coefficient.hpp"
 
 namespace ehl::rheology {
 namespace {
@@ -9,18 +16,11 @@ using deck::Key;
 using deck::Type;
 
 Key constant(const char* name, const char* unit, deck::Range range, const char* meaning, const char* example) {
-  return {.section = "lubricant", .name = name, .unit = unit, .range = range, .meaning = meaning, .example = example};
-}
-
-Key of_law(Key key, const char* law) {
-  key.needs = {.name = "viscosity", .words = {law}};
-  return key;
+  return {.name = name, .unit = unit, .range = range, .meaning = meaning, .example = example};
 }
 
 Key fluid_key() {
-  Key key{.section = "lubricant",
-          .name = "fluid",
-          .type = Type::word,
+  Key key{.name = "fluid",
           .default_note = "none: the keys of [lubricant] say what the oil is",
           .meaning =
               "An oil by name: laws of viscosity and density with their constants. A key that it sets may be "
@@ -34,45 +34,167 @@ Key fluid_key() {
   return key;
 }
 
+using Names = std::vector<std::string>;
+
+const Names bulk_modulus{"K0", "K0_prime"};
+const Names doolittle{"eta0", "doolittle_B", "doolittle_R0", "K0", "K0_prime"};
+const Names yasutomi{"temperature", "Tg0", "A1", "A2", "b1", "b2", "C1", "C2", "eta_g"};
+
+// The value of a key follows from others. Repeated as it is, as in the deck that a result keeps, it may stand.
+void settle(const deck::Part& lubricant, const std::string& name, const std::string& text, const std::string& why) {
+  constexpr double rounding = 1e-12;
+  const deck::ReadNumber settled = deck::read_number(text);
+  const bool is_number = settled.status == deck::ReadNumber::Status::number;
+  const double said = lubricant.number(name);
+  const bool same =
+      is_number ? std::isnan(said) || std::abs(said / settled.value - 1.0) < rounding : lubricant.word(name) == text;
+  if (lubricant.given(name) && !same)
+    lubricant.complain(name,
+                       "is " + (is_number ? deck::shortest(settled.value) : text) + " already, " + why + ": remove it");
+  if (is_number)
+    lubricant.fill(name, settled.value, why);
+  else
+    lubricant.fill(name, text, why);
+}
+
+void choose_fluid(const deck::Part& lubricant) {
+  const Fluid* fluid = find_fluid(lubricant.word("fluid"));
+  if (!fluid) return;  // none, or an unknown name that was complained about
+  const std::string why = std::string("fluid = ").append(fluid->name);
+  Names set;
+  for (const FluidKey& key : fluid->keys) {
+    if (key.name.empty()) break;
+    set.emplace_back(key.name);
+    settle(lubricant, set.back(), std::string(key.value), why);
+  }
+  if (lubricant.word("viscosity") == "roelands") {
+    const double z = roelands_z(lubricant.number("alpha"), lubricant.number("p0"), lubricant.number("eta0"));
+    settle(lubricant, "z", deck::shortest(z), why);
+    set.emplace_back("z");
+  } else {
+    set.emplace_back("alpha");  // settled by the law, like the rest of what follows
+  }
+  for (const Key& key : lubricant.deck.catalogue.keys)
+    if (key.section == lubricant.section && key.name != "fluid" && std::ranges::find(set, key.name) == set.end())
+      lubricant.refuse({key.name}, "has no influence: " + why + " brings its laws and constants (" +
+                                       deck::joined(set, ", ") + "); remove it, or give the oil without fluid");
+}
+
+void demand(const deck::Part& lubricant, const Names& names, const std::string& law) {
+  for (const std::string& name : names)
+    if (deck::value(lubricant.deck, lubricant.section, name).origin == deck::Origin::absent)
+      lubricant.complain(name, "is missing: " + law + " needs " + deck::joined(names, ", "));
+}
+
+// What the laws need, and what no law uses.
+void check_constants(const deck::Part& lubricant, const std::string& viscosity, const std::string& density) {
+  if (viscosity == "doolittle") demand(lubricant, doolittle, "viscosity = doolittle");
+  if (viscosity == "yasutomi") demand(lubricant, yasutomi, "viscosity = yasutomi");
+  const bool tait = density == "tait" || density == "murnaghan";
+  if (tait) demand(lubricant, bulk_modulus, "density = " + density);
+  const bool tabulated = viscosity == "table" || density == "table";
+  if (tabulated) demand(lubricant, {"table"}, viscosity == "table" ? "viscosity = table" : "density = table");
+  const std::string laws = "has no influence with viscosity = " + viscosity + " and density = " + density;
+  if (!tait && viscosity != "doolittle")
+    lubricant.refuse(bulk_modulus, laws + ": remove it, or set density = tait or murnaghan");
+  if (!tabulated) lubricant.refuse({"table"}, laws + ": remove it, or set viscosity = table or density = table");
+  const double Tg0 = lubricant.number("Tg0");
+  if (viscosity == "yasutomi" && lubricant.number("temperature") <= Tg0)
+    lubricant.complain("temperature", "must be above the glass transition at ambient pressure, Tg0 = " +
+                                          deck::shortest(Tg0) + " C: below it the oil is no liquid");
+}
+
+void add_table(const deck::Part& lubricant, bool viscosity, bool density, Liquid& liquid) {
+  const ReadTable read = read_fluid_table(deck::found_beside(lubricant.deck, lubricant.section, "table"), density);
+  if (const auto* wrong = std::get_if<std::string>(&read)) {
+    lubricant.complain("table", *wrong);
+    return;
+  }
+  const FluidTable& table = std::get<FluidTable>(read);
+  liquid.table_end = table.p.back();
+  if (density) liquid.density = make_tabulated_density(table.p, table.rho, 1.0);
+  if (!viscosity) return;
+  liquid.viscosity = make_tabulated_viscosity(table.p, table.eta, 1.0);
+  settle(lubricant, "eta0", deck::shortest(table.eta.front()), "the first row of the table");
+}
+
+YasutomiConstants read_yasutomi(const deck::Part& lubricant) {
+  const auto number = [&](const char* name) { return lubricant.number(name); };
+  return {.T = number("temperature"),
+          .Tg0 = number("Tg0"),
+          .A1 = number("A1"),
+          .A2 = number("A2"),
+          .b1 = number("b1"),
+          .b2 = number("b2"),
+          .C1 = number("C1"),
+          .C2 = number("C2"),
+          .eta_g = number("eta_g")};
+}
+
 }  // namespace
 
 std::vector<Key> liquid_keys() {
   const deck::Range positive{0.0, 1e12, true, false};
-  std::vector<Key> all{
-      fluid_key(),
-      constant("K0", "Pa", {1e7, 1e12},
-               "Bulk modulus at ambient pressure, at the temperature of the contact. Required by density = tait and "
-               "murnaghan and by viscosity = doolittle.",
-               "1.192e9"),
-      constant("K0_prime", "", {1.0, 50.0}, "Its derivative with pressure. Required with K0.", "11.74"),
-      of_law(constant("doolittle_B", "", {0.0, 1e3, true, false}, "Doolittle's factor.", "4.71"), "doolittle"),
-      of_law(
-          constant("doolittle_R0", "", {0.0, 1.0, true, true},
-                   "Occupied volume over the volume at ambient pressure, at the temperature of the contact.", "0.6568"),
-          "doolittle"),
-      of_law(constant("temperature", "C", {-273.15, 1000.0, true, false},
-                      "Temperature of the contact, above the glass transition Tg0. The other laws have none.", "40"),
-             "yasutomi"),
-      of_law(constant("Tg0", "C", {-273.15, 1000.0, true, false}, "Glass transition at ambient pressure.", "-83.2"),
-             "yasutomi"),
-      of_law(constant("A1", "K", positive, "Tg = Tg0 + A1 ln(1 + A2 p).", "188.95"), "yasutomi"),
-      of_law(constant("A2", "1/Pa", {0.0, 1e-6, true, false}, "Tg = Tg0 + A1 ln(1 + A2 p).", "0.719e-9"), "yasutomi"),
-      of_law(constant("b1", "1/Pa", {0.0, 1e-6}, "F = (1 + b1 p)^b2.", "8.2e-9"), "yasutomi"),
-      of_law(constant("b2", "", {-10.0, 0.0}, "F = (1 + b1 p)^b2.", "-0.53"), "yasutomi"),
-      of_law(constant("C1", "", {0.0, 100.0, true, false}, "First constant of Williams, Landel and Ferry.", "16.09"),
-             "yasutomi"),
-      of_law(constant("C2", "K", {0.0, 1e3, true, false}, "Second constant of Williams, Landel and Ferry.", "17.38"),
-             "yasutomi"),
-      of_law(constant("eta_g", "Pa s", {1e3, 1e15}, "Viscosity at the glass transition.", "1e12"), "yasutomi"),
-      {.section = "lubricant",
-       .name = "table",
-       .type = Type::text,
-       .meaning = "A CSV file with columns p [Pa], rising from 0, eta [Pa s], rho [kg/m^3]; for viscosity = table, "
-                  "density = table or both. At least 4 rows, eta and rho > 0 and rising, up to more than p_h. Beside "
-                  "the deck, or where the program runs.",
-       .example = "oil.csv"},
-  };
-  return all;
+  return deck::together(
+      {{fluid_key(),
+        constant("K0", "Pa", {1e7, 1e12},
+                 "Bulk modulus at ambient pressure, at the temperature of the contact. Required by density = tait and "
+                 "murnaghan and by viscosity = doolittle.",
+                 "1.192e9"),
+        constant("K0_prime", "", {1.0, 50.0}, "Its derivative with pressure. Required with K0.", "11.74")},
+       deck::only_with(
+           {.name = "viscosity", .words = {"doolittle"}},
+           {constant("doolittle_B", "", {0.0, 1e3, true, false}, "Doolittle's factor.", "4.71"),
+            constant("doolittle_R0", "", {0.0, 1.0, true, true},
+                     "Occupied volume over the volume at ambient pressure, at the temperature of the contact.",
+                     "0.6568")}),
+       deck::only_with(
+           {.name = "viscosity", .words = {"yasutomi"}},
+           {constant("temperature", "C", {-273.15, 1000.0, true, false},
+                     "Temperature of the contact, above the glass transition Tg0. The other laws have none.", "40"),
+            constant("Tg0", "C", {-273.15, 1000.0, true, false}, "Glass transition at ambient pressure.", "-83.2"),
+            constant("A1", "K", positive, "Tg = Tg0 + A1 ln(1 + A2 p).", "188.95"),
+            constant("A2", "1/Pa", {0.0, 1e-6, true, false}, "Tg = Tg0 + A1 ln(1 + A2 p).", "0.719e-9"),
+            constant("b1", "1/Pa", {0.0, 1e-6}, "F = (1 + b1 p)^b2.", "8.2e-9"),
+            constant("b2", "", {-10.0, 0.0}, "F = (1 + b1 p)^b2.", "-0.53"),
+            constant("C1", "", {0.0, 100.0, true, false}, "First constant of Williams, Landel and Ferry.", "16.09"),
+            constant("C2", "K", {0.0, 1e3, true, false}, "Second constant of Williams, Landel and Ferry.", "17.38"),
+            constant("eta_g", "Pa s", {1e3, 1e15}, "Viscosity at the glass transition.", "1e12")}),
+       {{.name = "table",
+         .type = Type::text,
+         .meaning = "A CSV file with columns p [Pa], rising from 0, eta [Pa s], rho [kg/m^3]; for viscosity = table, "
+                    "density = table or both. At least 4 rows, eta and rho > 0 and rising, up to more than p_h. Beside "
+                    "the deck, or where the program runs.",
+         .example = "oil.csv"}}});
+}
+
+Liquid read_liquid(deck::Deck& deck) {
+  const deck::Part lubricant{deck, "lubricant"};
+  choose_fluid(lubricant);
+  const std::string viscosity = lubricant.word("viscosity"), density = lubricant.word("density");
+  check_constants(lubricant, viscosity, density);
+  Liquid liquid;
+  if (!deck.errors.empty()) return liquid;
+
+  constexpr double pascal = 1.0;
+  const double K0 = lubricant.number("K0"), K0_prime = lubricant.number("K0_prime");
+  if (density == "tait") liquid.density = make_tait(K0, K0_prime, pascal);
+  if (density == "murnaghan") liquid.density = make_murnaghan(K0, K0_prime, pascal);
+  if (viscosity == "doolittle")
+    liquid.viscosity = make_doolittle(
+        {lubricant.number("doolittle_B"), lubricant.number("doolittle_R0"), K0, K0_prime, lubricant.number("eta0")},
+        pascal);
+  if (viscosity == "yasutomi") {
+    const YasutomiConstants constants = read_yasutomi(lubricant);
+    liquid.viscosity = make_yasutomi(constants, pascal);
+    settle(lubricant, "eta0", deck::shortest(yasutomi_eta0(constants)), "the law at ambient pressure");
+  }
+  if (viscosity == "table" || density == "table")
+    add_table(lubricant, viscosity == "table", density == "table", liquid);
+  if (liquid.viscosity && deck.errors.empty())
+    settle(lubricant, "alpha", deck::shortest(pressure_coefficients(*liquid.viscosity).alpha_star),
+           "alpha* of the law, 1/int eta0/eta dp");
+  return liquid;
 }
 
 }  // namespace ehl::rheology

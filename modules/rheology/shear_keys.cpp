@@ -3,43 +3,44 @@
 namespace ehl::rheology {
 
 std::vector<deck::Key> shear_keys() {
-  using deck::Key;
-  using deck::Type;
   constexpr deck::Range stress{0.0, 1e15, true, false};
-  return {
-      Key{.section = "shear",
-          .name = "law",
-          .type = Type::word,
-          .words = {"eyring", "carreau"},
-          .meaning =
-              "How sliding thins the oil: tau = tau_0 asinh(eta rate/tau_0), or tau = eta rate [1 + (eta rate/G)^2]"
-              "^((n-1)/2). Without it the oil is Newtonian. Only with surfaces that slide.",
-          .source = "Ehret, Dowson and Taylor 1998 for the film",
-          .example = "eyring"},
-      Key{.section = "shear",
-          .name = "tau_0",
-          .unit = "Pa",
-          .range = stress,
-          .remedy = "mineral oils have 2e6 to 1e7 Pa",
-          .meaning = "Eyring's stress: where thinning begins.",
-          .needs = {.name = "law", .words = {"eyring"}},
-          .example = "5e6"},
-      Key{.section = "shear",
-          .name = "G",
-          .unit = "Pa",
-          .range = stress,
-          .remedy = "squalane has 6.9e6 Pa",
-          .meaning = "Carreau's stress: where thinning begins.",
-          .needs = {.name = "law", .words = {"carreau"}},
-          .example = "6.9e6"},
-      Key{.section = "shear",
-          .name = "n",
-          .range = {0.0, 1.0, true, false},
-          .remedy = "squalane has 0.46; 1 is a Newtonian oil",
-          .meaning = "Carreau's exponent: at high rates the stress grows with the rate to the power n.",
-          .needs = {.name = "law", .words = {"carreau"}},
-          .example = "0.46"},
-  };
+  return deck::in_section(
+      "shear", {{.name = "law",
+                 .words = {"eyring", "carreau"},
+                 .meaning = "How sliding thins the oil: tau = tau_0 asinh(eta rate/tau_0), or tau = eta rate [1 + (eta "
+                            "rate/G)^2]^((n-1)/2). Without it the oil is Newtonian. Only with surfaces that slide.",
+                 .source = "Ehret, Dowson and Taylor 1998 for the film",
+                 .example = "eyring"},
+                {.name = "tau_0",
+                 .unit = "Pa",
+                 .range = stress,
+                 .remedy = "mineral oils have 2e6 to 1e7 Pa",
+                 .meaning = "Eyring's stress: where thinning begins.",
+                 .needs = {.name = "law", .words = {"eyring"}},
+                 .example = "5e6"},
+                {.name = "G",
+                 .unit = "Pa",
+                 .range = stress,
+                 .remedy = "squalane has 6.9e6 Pa",
+                 .meaning = "Carreau's stress: where thinning begins.",
+                 .needs = {.name = "law", .words = {"carreau"}},
+                 .example = "6.9e6"},
+                {.name = "n",
+                 .range = {0.0, 1.0, true, false},
+                 .remedy = "squalane has 0.46; 1 is a Newtonian oil",
+                 .meaning = "Carreau's exponent: at high rates the stress grows with the rate to the power n.",
+                 .needs = {.name = "law", .words = {"carreau"}},
+                 .example = "0.46"}});
+}
+
+Shear read_shear(deck::Deck& deck) {
+  const deck::Part shear{deck, "shear"};
+  const bool eyring = shear.word("law") == "eyring";
+  const double tau_0 = shear.number("tau_0"), G = shear.number("G"), n = shear.number("n");
+  shear.demand(eyring ? std::vector<std::string>{"tau_0"} : std::vector<std::string>{"G", "n"},
+               std::string("law = ") + (eyring ? "eyring" : "carreau") + " needs it");
+  if (eyring) return {Eyring{}, tau_0};
+  return {Carreau{n}, G};
 }
 
 }  // namespace ehl::rheology

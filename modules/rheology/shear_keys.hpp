@@ -1,11 +1,19 @@
 #pragma once
 #include <vector>
 
-#include "deck/key.hpp"
+#include "deck/deck.hpp"
+#include "rheology/shear.hpp"
 
 namespace ehl::rheology {
 
+/// A shear law and the stress where thinning begins [Pa].
+struct Shear {
+  ShearLaw law{};
+  double stress = 0.0;
+};
+
 /// The deck keys of [shear].
 std::vector<deck::Key> shear_keys();
+Shear read_shear(deck::Deck& deck);
 
 }  // namespace ehl::rheology

@@ -10,7 +10,7 @@
 
 #include "core/errors.hpp"
 #include "core/timer.hpp"
-#include "fmg/full_multigrid.hpp"
+#include "fmg/start.hpp"
 #include "steady/climb.hpp"
 #include "steady/resolution.hpp"
 #include "steady/warnings.hpp"
@@ -105,15 +105,15 @@ DomainError domain_error(const Scene& scene, const SolveOnGrid& solve_on_grid) {
 // The next levels up to the grid of `finer`, from the solution on a coarser one.
 Solution refined(const Scene& finer, const Solution& coarser, const ProgressCallback& progress) {
   const Start start{.coarsest = circular_load(finer.M, finer.L, finer.shape) > heavy_M ? 64 : 32};
-  Climb climb = begin_climb(finer, start, progress);
+  fmg::Run run = begin_climb(finer, start, progress);
   std::size_t l = 0;
-  while (l < climb.finest() && climb.hierarchy.levels[l].grid.nx < coarser.grid.nx) ++l;
-  climb.solution.levels = coarser.levels;
-  climb.solution.history = coarser.history;
-  climb.first = l;
-  fmg::start_from_state(climb.hierarchy, l, part_on(climb.hierarchy.levels[l].grid, coarser.P), coarser.H00);
-  ascend(climb, l);
-  Solution solution = result_of(std::move(climb));
+  while (l < run.finest() && run.hierarchy.levels[l].grid.nx < coarser.grid.nx) ++l;
+  run.record.levels = coarser.levels;
+  run.record.history = coarser.history;
+  run.plan.first = l;
+  fmg::start_from_state(run.hierarchy, l, {core::on_patch(run.hierarchy.levels[l].grid, coarser.P), coarser.H00});
+  fmg::ascend(run, l);
+  Solution solution = end_climb(finer, std::move(run));
   solution.method = coarser.method;
   solution.attempts = coarser.attempts;
   solution.continuation = coarser.continuation;

@@ -8,7 +8,7 @@
 #include "contact/groups.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
-#include "fmg/full_multigrid.hpp"
+#include "fmg/start.hpp"
 #include "steady/resolution.hpp"
 #include "transfer/transfer.hpp"
 
@@ -31,8 +31,7 @@ constexpr double lightest_M = 20.0;
 
 struct Solved {
   double ln_M;
-  core::Field P;
-  double H00;
+  fmg::State state;
   double Hc;
 };
 
@@ -53,52 +52,53 @@ double first_M(const Scene& scene) {
 // from the last but one to the last; at first as the published formula has it. (A pressure predicted from the last two
 // puts kinks where spike and cavitation boundary have moved, and costs four times the cycles.)
 Solved predict(const std::optional<Solved>& previous, const Solved& last, double ln_M, const Scene& scene) {
-  Solved guess{ln_M, last.P, last.H00, 0.0};
+  Solved guess{ln_M, last.state, 0.0};
   const auto expected = [&](double of_ln_M) { return expected_central_film(std::exp(of_ln_M), scene.L, scene.shape); };
   double ratio = expected(ln_M) / expected(last.ln_M);
   if (previous && previous->Hc > 0.0 && last.Hc > 0.0)
     ratio = std::pow(last.Hc / previous->Hc, (ln_M - last.ln_M) / (last.ln_M - previous->ln_M));
   guess.Hc = ratio * last.Hc;
-  guess.H00 += guess.Hc - last.Hc;
+  guess.state.H00 += guess.Hc - last.Hc;
   return guess;
 }
 
-void pose(const Scene& scene, fmg::Problem& problem) {
-  problem.lambda = scene.lambda;
-  problem.viscosity = scene.viscosity;
-  problem.density = scene.density;
-  problem.surface = scene.surface;
-  problem.thinning = scene.thinning;
+/// A scene on the grid of level l, which is the finest then.
+Scene on_level(const Scene& scene, const fmg::Hierarchy& hierarchy, std::size_t l) {
+  Scene same = scene;
+  same.grid = hierarchy.levels[l].grid.domain;
+  same.deformation = mlmi::fitting(same.deformation, hierarchy.levels[l].grid);
+  return same;
 }
 
-// Cycles on level l for one load.
-ContinuationStep solve_step(Climb& climb, std::size_t l, double M) {
-  ContinuationStep step{.M = M, .load_ratio = M / climb.scene.M};
-  const Judge judge = [&](int cycle, const StateOfLevel&, const StateOfLevel& now) -> Verdict {
+// Cycles on the finest grid of a run for one load. in/out: caution, of which only the relaxation after the correction
+// stays for the next load.
+ContinuationStep solve_step(fmg::Run& run, double M, double load_ratio, fmg::Caution& caution) {
+  ContinuationStep step{.M = M, .load_ratio = load_ratio};
+  const fmg::CycleObserver observe = [&](int cycle, const judgement::Measures& now) -> fmg::DiscretizationError {
     step.Hc = now.Hc;
     step.Hm = now.Hm;
     step.residual = now.residual;
-    report(climb, l, cycle, most_cycles_of_a_step, now, step.load_ratio);
-    return {now.residual <= step_tolerance && now.load_error <= step_tolerance ? "" : "not solved yet"};
+    fmg::report(run, run.finest(), cycle, most_cycles_of_a_step, now, step.load_ratio);
+    return {};
   };
-  Caution caution = climb.caution;  // of this step alone
-  const CyclesResult result =
-      run_cycles(climb.hierarchy, l, most_cycles_of_a_step, climb.scene.multigrid.relaxation, caution, judge);
+  const judgement::StoppingCriterion criterion{
+      .aim = judgement::Aim::residual, .most = most_cycles_of_a_step, .tolerance = step_tolerance};
+  const fmg::CyclesResult result = fmg::run_cycles(run.hierarchy, run.finest(), criterion, caution, observe);
+  caution.relax_after = result.caution.relax_after;
   step.cycles = result.cycles;
   step.converged = result.end == CyclesEnd::content;
   return step;
 }
 
-// The first load by full multigrid on the grid of level l.
-Solved solve_first_load(const Climb& climb, std::size_t l, std::vector<ContinuationStep>& steps) {
-  Scene light = under_load(climb.scene, first_M(climb.scene));
-  light.grid = core::whole(climb.hierarchy.levels[l].grid);
-  light.deformation = mlmi::fitting(light.deformation, light.grid);
+// The first load by full multigrid. in: the scene on the grid of the continuation.
+Solved solve_first_load(const Scene& scene, const Start& start, const ProgressCallback& progress,
+                        std::vector<ContinuationStep>& steps) {
+  Scene light = under_load(scene, first_M(scene));
   light.multigrid.tolerance = step_tolerance;
-  Solution solution = ehl::steady::climb(light, climb.start, climb.progress);
+  const Solution solution = climb(light, start, progress);
   const LevelRow& row = solution.levels.back();
   steps.push_back({.M = light.M,
-                   .load_ratio = light.M / climb.scene.M,
+                   .load_ratio = light.M / scene.M,
                    .Hc = row.Hc,
                    .Hm = row.Hm,
                    .residual = row.residual,
@@ -106,7 +106,7 @@ Solved solve_first_load(const Climb& climb, std::size_t l, std::vector<Continuat
                    .converged = row.residual <= step_tolerance});
   if (!steps.back().converged)
     throw core::SolverError("the first load of the continuation was not solved: " + solution.failed_check);
-  return {std::log(light.M), part_on(climb.hierarchy.levels[l].grid, std::move(solution.P)), solution.H00, row.Hc};
+  return {std::log(light.M), {solution.P, solution.H00}, row.Hc};
 }
 
 std::string name_of_load(const Scene& scene, double ln_M) {
@@ -114,9 +114,10 @@ std::string name_of_load(const Scene& scene, double ln_M) {
   return "M = " + std::to_string(M) + " (" + std::to_string(100.0 * M / scene.M) + " % of the load)";
 }
 
-// From load to load on level l, up to the load of the scene.
-void follow_load(Climb& climb, std::size_t l, Solved last, std::vector<ContinuationStep>& steps) {
-  const Scene& scene = climb.scene;
+// From load to load up to that of the scene, each on grids of its own. in: the scene on the grid of the continuation,
+// the first solution; fields are on the domain. out: the last solution.
+Solved follow_load(const Scene& scene, const Start& start, const ProgressCallback& progress, Solved last,
+                   std::vector<ContinuationStep>& steps, fmg::Caution& caution, core::PartTimes& times) {
   const double target = std::log(scene.M);
   const double direction = target >= last.ln_M ? 1.0 : -1.0;
   double stride = std::log(scene.continuation.step);
@@ -128,12 +129,13 @@ void follow_load(Climb& climb, std::size_t l, Solved last, std::vector<Continuat
     const bool arrives = std::abs(target - last.ln_M) <= 1.001 * stride;
     Solved next = predict(previous, last, arrives ? target : last.ln_M + direction * stride, scene);
     const double M = arrives ? scene.M : std::exp(next.ln_M);
-    pose(under_load(scene, M), climb.hierarchy.problem);
-    fmg::start_from_state(climb.hierarchy, l, next.P, next.H00);
-    steps.push_back(solve_step(climb, l, M));
+    fmg::Run run = begin_climb(under_load(scene, M), start, progress);
+    const core::Patch& grid = run.hierarchy.finest().grid;
+    fmg::start_from_state(run.hierarchy, run.finest(), {core::on_patch(grid, next.state.P), next.state.H00});
+    steps.push_back(solve_step(run, M, M / scene.M, caution));
+    core::add(run.hierarchy.times, times);
     if (steps.back().converged) {
-      next.P = climb.hierarchy.levels[l].P;
-      next.H00 = climb.hierarchy.H00;
+      next.state = {core::on_domain(grid, run.hierarchy.finest().P), run.hierarchy.H00};
       next.Hc = steps.back().Hc;
       previous = std::move(last);
       last = std::move(next);
@@ -144,40 +146,33 @@ void follow_load(Climb& climb, std::size_t l, Solved last, std::vector<Continuat
         throw core::SolverError("load continuation: no step leads on from " + name_of_load(scene, last.ln_M));
     }
   }
+  return last;
 }
 
 // The next coarser grid at the load of the scene too, from the solution on level l: without it there would be no
 // estimate of the discretization error. Where it cannot hold the contact there is none.
-void solve_level_below(Climb& climb, std::size_t l) {
+void solve_level_below(fmg::Run& run, std::size_t l, const fmg::State& solved) {
   if (l == 0) return;
-  const core::Field P = climb.hierarchy.levels[l].P;
-  const double H00 = climb.hierarchy.H00;
-  core::Field P_below(climb.hierarchy.levels[l - 1].grid);
-  transfer::restrict_injection(P, P_below);
-  forget_work(climb.hierarchy);
-  fmg::start_from_state(climb.hierarchy, l - 1, P_below, H00);
+  fmg::State below{core::Field(run.hierarchy.levels[l - 1].grid), solved.H00};
+  transfer::restrict_injection(solved.P, below.P);
+  fmg::forget_work(run.hierarchy);
+  fmg::start_from_state(run.hierarchy, l - 1, below);
   try {
     const double began = core::now();
-    solve_level(climb, l - 1, climb.scene.multigrid.cycles);
-    climb.solution.levels.back().seconds = core::now() - began;
+    fmg::solve_level(run, l - 1);
+    run.record.levels.back().seconds = core::now() - began;
   } catch (const core::SolverError&) {
-    climb.solution.levels.clear();
+    run.record.levels.clear();
   }
-  forget_work(climb.hierarchy);
-  fmg::start_from_state(climb.hierarchy, l, P, H00);
 }
 
-}  // namespace
-
-namespace {
-
 // The bodies keep their surfaces: with a' = s a, H' = h R/a'^2 and X' = x/a' it is S'(X') = S(s X')/s^2.
-std::function<void(const core::Grid&, core::Field&)> scaled(
-    std::function<void(const core::Grid&, core::Field&)> surface, double s) {
+std::function<void(const core::Patch&, core::Field&)> scaled(
+    std::function<void(const core::Patch&, core::Field&)> surface, double s) {
   if (!surface || s == 1.0) return surface;
-  return [surface = std::move(surface), s](const core::Grid& grid, core::Field& S) {
-    core::Grid same = grid;
-    for (double* bound : {&same.X_a, &same.X_b, &same.Y_a, &same.Y_b}) *bound *= s;
+  return [surface = std::move(surface), s](const core::Patch& grid, core::Field& S) {
+    core::Patch same = grid;
+    for (double* bound : {&same.domain.X_a, &same.domain.X_b, &same.domain.Y_a, &same.domain.Y_b}) *bound *= s;
     surface(same, S);
     for (int i = 0; i <= grid.nx; ++i)
       for (double& gap : S.station(i)) gap /= s * s;
@@ -200,17 +195,23 @@ Scene under_load(const Scene& scene, double M) {
 
 Solution climb_by_load(const Scene& scene, const Start& start, const ProgressCallback& progress,
                        std::vector<ContinuationStep>& steps) {
-  Climb climb = begin_climb(scene, start, progress);
-  const std::size_t l = level_that_holds(climb.hierarchy, scene);
-  climb.first = l;
-  climb.caution = {.all = start.caution};
-  follow_load(climb, l, solve_first_load(climb, l, steps), steps);
-  solve_level_below(climb, l);
+  fmg::Run run = begin_climb(scene, start, progress);
+  const std::size_t l = level_that_holds(run.hierarchy, scene);
+  run.plan.first = l;
+  run.plan.cycles = 0;  // no more than on the levels above
+  run.caution = {.all = start.caution};
+  const Scene on_grid = on_level(scene, run.hierarchy, l);
+  const Solved last = follow_load(on_grid, start, progress, solve_first_load(on_grid, start, progress, steps), steps,
+                                  run.caution, run.hierarchy.times);
+  const fmg::State solved{core::on_patch(run.hierarchy.levels[l].grid, last.state.P), last.state.H00};
+  solve_level_below(run, l, solved);
+  fmg::forget_work(run.hierarchy);
+  fmg::start_from_state(run.hierarchy, l, solved);
   const double began = core::now();
-  solve_level(climb, l, scene.multigrid.cycles);
-  climb.solution.levels.back().seconds = core::now() - began;
-  ascend(climb, l);
-  return result_of(std::move(climb));
+  fmg::solve_level(run, l);
+  run.record.levels.back().seconds = core::now() - began;
+  fmg::ascend(run, l);
+  return end_climb(scene, std::move(run));
 }
 
 }  // namespace ehl::steady

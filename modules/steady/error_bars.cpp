@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "core/norms.hpp"
+#include "judgement/error_estimate.hpp"
+#include "judgement/fitted_minimum.hpp"
 #include "steady/domain_error.hpp"
-#include "steady/error_estimate.hpp"
-#include "steady/fitted_minimum.hpp"
 #include "steady/resolution.hpp"
 #include "steady/scene.hpp"
 #include "steady/solution.hpp"
@@ -27,7 +27,7 @@ std::vector<double> column(const Solution& solution, double LevelRow::*value) {
 }
 
 Extrapolated extrapolated(const std::vector<double>& values, double order, double unsure, double algebraic) {
-  const Extrapolation result = extrapolate(values, order, unsure);
+  const judgement::Extrapolation result = judgement::extrapolate(values, order, unsure);
   // An algebraic error of the last value enters the extrapolation with 1 + 1/(2^p - 1).
   const double share = 1.0 + 1.0 / (std::exp2(order) - 1.0);
   return {result.value, result.relative_error + share * algebraic};
@@ -43,9 +43,9 @@ MeshError mesh_error(const Scene& scene, const LevelRow& row, double order) {
   const double of_node = std::abs(row.Hm - row.Hm_fitted) / row.Hm;
   if (std::isfinite(row.error_Hc)) return {row.error_Hc, row.error_Hm, row.error_Hm - of_node};
   const double step = (scene.grid.X_b - scene.grid.X_a) / row.nx;
-  const double error = error_of_one_grid(step, row.Hm_fitted, order);
+  const double error = judgement::error_of_one_grid(step, row.Hm_fitted, order);
   // Beside an ellipse the zone in which the film is thinnest is that of a circle's film of this height.
-  const double error_Hm = error_of_one_grid(step, row.Hm_fitted / edge_steepness(scene.shape), order);
+  const double error_Hm = judgement::error_of_one_grid(step, row.Hm_fitted / edge_steepness(scene.shape), order);
   return {error, error_Hm + of_node, error_Hm};
 }
 
@@ -55,7 +55,7 @@ void judge_P_max(const std::vector<double>& P_max, ErrorBars& bars) {
   const double before = std::abs(P_max[n - 2] - P_max[n - 3]);
   const double last = std::abs(P_max[n - 1] - P_max[n - 2]);
   bars.P_max_converging = last <= std::max(falls * before, at_rest * P_max[n - 1]);
-  if (bars.P_max_converging) bars.P_max = estimate_error(P_max, 1.0).relative_error;
+  if (bars.P_max_converging) bars.P_max = judgement::estimate_error(P_max, 1.0).relative_error;
 }
 
 }  // namespace
@@ -73,13 +73,14 @@ ErrorBars error_bars_of(const Scene& scene, const Solution& solution) {
   bars.Hm_fitted_value = last.Hm_fitted;
   if (solution.H.nodes_x() > 0) {
     const core::Location node = core::minimum(solution.H);
-    const FittedMinimum fitted = fitted_minimum(solution.grid, solution.H, node.i, node.j);
+    const judgement::FittedMinimum fitted = judgement::fitted_minimum(solution.grid, solution.H, node.i, node.j);
     bars.Hm_fitted_X = fitted.X;
     bars.Hm_fitted_Y = fitted.Y;
   }
-  bars.Hc_extrapolated = extrapolated(column(solution, &LevelRow::Hc), order, unsure_of_Hc, checked.algebraic_error_Hc);
+  bars.Hc_extrapolated =
+      extrapolated(column(solution, &LevelRow::Hc), order, judgement::unsure_of_Hc, checked.algebraic_error_Hc);
   bars.Hm_extrapolated =
-      extrapolated(column(solution, &LevelRow::Hm_fitted), order, unsure_of_Hm, checked.algebraic_error_Hm);
+      extrapolated(column(solution, &LevelRow::Hm_fitted), order, judgement::unsure_of_Hm, checked.algebraic_error_Hm);
   bars.domain =
       std::isfinite(solution.domain_error_Hc) ? std::abs(solution.domain_error_Hc) : rough_domain_error(scene);
   judge_P_max(column(solution, &LevelRow::P_max), bars);

@@ -1,11 +1,34 @@
 #pragma once
 #include <vector>
 
-#include "deck/key.hpp"
+#include "contact/groups.hpp"
+#include "deck/deck.hpp"
+#include "steady/scene.hpp"
 
 namespace ehl::steady {
 
-/// The deck's keys of [case], [domain], [grid] and [output].
-std::vector<deck::Key> keys();
+/// The deck's keys of [domain] and [grid].
+std::vector<deck::Key> grid_keys();
+/// [grid] accuracy. in: the most nodes that the memory holds.
+AccuracyTarget read_accuracy(deck::Deck& deck, double most_nodes);
+/// Records in the deck the domain and the cells that it leaves open: domain_error.hpp, resolution.hpp.
+void choose_grid(deck::Deck& deck, const contact::Groups& groups, reynolds::Wedge wedge);
+/// The finest grid, and the cells of the coarsest one along x; 0 where they are open.
+struct GridInput {
+  core::Grid finest{};
+  int coarsest = 0;
+};
+/// in: contact_known: the contact has no error in it, so that a domain chosen for it has a meaning. Complains about
+/// cells that cannot be halved and about those wider than half a Hertz radius.
+/// out: ny = 0 where something is missing or wrong.
+GridInput read_grid(deck::Deck& deck, bool contact_known);
+/// Complains where the domain that was chosen cuts off half of the film; the deck itself may ask for a starved one.
+void check_domain(deck::Deck& deck, const Scene& scene);
+
+/// Those of the path to the solution: [multigrid] polish and [continuation].
+std::vector<deck::Key> path_keys();
+Polish read_polish(deck::Deck& deck);
+/// in: the contact's M; its load [N], "known" where the deck speaks SI or no language at all.
+ContinuationParameters read_continuation(deck::Deck& deck, double M, const deck::PlainUnit& newton);
 
 }  // namespace ehl::steady

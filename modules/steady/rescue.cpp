@@ -7,9 +7,9 @@
 
 #include "core/errors.hpp"
 #include "core/timer.hpp"
-#include "fmg/full_multigrid.hpp"
-#include "steady/checks.hpp"
-#include "steady/newton.hpp"
+#include "fmg/start.hpp"
+#include "judgement/stopping.hpp"
+#include "newton/solve.hpp"
 #include "steady/resolution.hpp"
 #include "transfer/transfer.hpp"
 
@@ -29,125 +29,132 @@ double final_tolerance(const Scene& scene) {
 }
 
 // Newton on level l with its row in the table of levels.
-NewtonResult solve_level_by_newton(Climb& climb, std::size_t l, double tolerance) {
-  const StateOfLevel start = state_of_level(climb.hierarchy, l);
+newton::Result solve_level_by_newton(fmg::Run& run, std::size_t l, double tolerance) {
+  const judgement::Measures start = fmg::measures_of(run.hierarchy, l);
   int steps = 0;
-  const NewtonProgress progress = [&](const NewtonStep& step) {
-    StateOfLevel now = start;
+  const newton::Progress progress = [&](const newton::Step& step) {
+    judgement::Measures now = start;
     now.residual = step.residual;
-    report(climb, l, ++steps, NewtonParameters{}.max_steps, now);
+    fmg::report(run, l, ++steps, newton::Parameters{}.max_steps, now);
     return true;
   };
-  NewtonResult result = solve_by_newton(climb.hierarchy, l, {.tolerance = tolerance}, progress);
-  if (l == climb.finest()) climb.solution.newton = result.steps;
-  return result;
+  return newton::solve(run.hierarchy, l, {.tolerance = tolerance}, progress);
 }
 
 // The checks of the finest grid on the state that Newton has left: no cycle foretells its error, the residual does.
-void judge(Climb& climb) {
-  const std::size_t l = climb.finest();
-  Solution& solution = climb.solution;
-  const StateOfLevel now = state_of_level(climb.hierarchy, l);
-  record(climb, l, solution.levels.back().cycles, now);
-  const LastCycle last{now, now, solution.levels.back().error_Hc, solution.levels.back().error_Hm};
-  solution.verification = verification_of(last);
-  const double tolerance =
-      std::isfinite(climb.scene.multigrid.tolerance) ? climb.scene.multigrid.tolerance : tolerance_on_the_way;
-  const std::string unmet = unmet_check(last, tolerance);
-  solution.failed_check = unmet.empty() ? unmet : name_of_level(climb.hierarchy, l) + ": " + unmet;
-  solution.converged = unmet.empty();
-  solution.end = unmet.empty() ? CyclesEnd::content : CyclesEnd::stalled;
+void judge(fmg::Run& run) {
+  const std::size_t l = run.finest();
+  fmg::Record& record = run.record;
+  const judgement::Measures now = fmg::measures_of(run.hierarchy, l);
+  fmg::enter(run.hierarchy, l, record.levels.back().cycles, now, record);
+  const judgement::LastCycle last{now, now, record.levels.back().error_Hc, record.levels.back().error_Hm};
+  record.verification = judgement::verification_of(last);
+  const double asked = run.hierarchy.parameters.tolerance;
+  const double tolerance = std::isfinite(asked) ? asked : tolerance_on_the_way;
+  const std::string unmet = judgement::unmet_check(last, tolerance);
+  record.failed_check = unmet.empty() ? unmet : fmg::name_of_level(run.hierarchy, l) + ": " + unmet;
+  record.converged = unmet.empty();
+  record.end = unmet.empty() ? CyclesEnd::content : CyclesEnd::stalled;
 }
 
 // What the cycles left below a finest grid that they did not solve says nothing about its discretization error: a new
 // table of levels, with the two grids below it solved too.
-void solve_levels_below(Climb& climb) {
-  climb.solution.levels.clear();
-  const std::size_t finest = climb.finest();
+void solve_levels_below(fmg::Run& run) {
+  run.record.levels.clear();
+  const std::size_t finest = run.finest();
   std::vector<core::Field> injected;  // from level finest - 1 down
-  for (std::size_t l = finest; l > climb.first && finest - l < levels_of_an_estimate; --l) {
-    injected.emplace_back(climb.hierarchy.levels[l - 1].grid);
-    transfer::restrict_injection(l == finest ? climb.hierarchy.finest().P : injected.end()[-2], injected.back());
+  for (std::size_t l = finest; l > run.plan.first && finest - l < levels_of_an_estimate; --l) {
+    injected.emplace_back(run.hierarchy.levels[l - 1].grid);
+    transfer::restrict_injection(l == finest ? run.hierarchy.finest().P : injected.end()[-2], injected.back());
   }
-  const double H00 = climb.hierarchy.H00;
+  const double H00 = run.hierarchy.H00;
   for (std::size_t k = injected.size(); k > 0; --k) {
     const double began = core::now();
     const std::size_t l = finest - k;
-    forget_work(climb.hierarchy);
-    fmg::start_from_state(climb.hierarchy, l, injected[k - 1], H00);
-    if (!solve_level_by_newton(climb, l, tolerance_on_the_way).converged) {
-      climb.solution.levels.clear();
+    fmg::forget_work(run.hierarchy);
+    fmg::start_from_state(run.hierarchy, l, {injected[k - 1], H00});
+    if (!solve_level_by_newton(run, l, tolerance_on_the_way).converged) {
+      run.record.levels.clear();
       continue;
     }
-    climb.solution.levels.emplace_back();
-    record(climb, l, 0, state_of_level(climb.hierarchy, l));
-    climb.solution.levels.back().seconds = core::now() - began;
+    run.record.levels.emplace_back();
+    fmg::enter(run.hierarchy, l, 0, fmg::measures_of(run.hierarchy, l), run.record);
+    run.record.levels.back().seconds = core::now() - began;
   }
 }
 
 }  // namespace
 
-void polish(Climb& climb) {
+Solution polished(const Scene& scene, fmg::Run&& run) {
   const double began = core::now();
-  const bool was_converged = climb.solution.converged;
-  const NewtonResult result = solve_level_by_newton(climb, climb.finest(), final_tolerance(climb.scene));
-  if (!result.converged) climb.solution.polish_failure = result.reason;
-  if (result.converged || !was_converged) judge(climb);
-  climb.solution.levels.back().seconds += core::now() - began;
+  const bool was_converged = run.record.converged;
+  const newton::Result result = solve_level_by_newton(run, run.finest(), final_tolerance(scene));
+  if (result.converged || !was_converged) judge(run);
+  run.record.levels.back().seconds += core::now() - began;
+  Solution solution = solution_of(std::move(run));
+  solution.newton = result.steps;
+  if (!result.converged) solution.polish_failure = result.reason;
+  return solution;
 }
 
 Solution rescue_by_newton(const Scene& scene, const Start& start, const Solution& unsolved,
                           const ProgressCallback& progress) {
-  Climb climb = begin_climb(scene, start, progress);
-  const std::size_t l = climb.finest();
-  fmg::Hierarchy& hierarchy = climb.hierarchy;
+  fmg::Run run = begin_climb(scene, start, progress);
+  const std::size_t l = run.finest();
+  fmg::Hierarchy& hierarchy = run.hierarchy;
   const double began = core::now();
-  climb.solution.levels = unsolved.levels;
-  climb.solution.history = unsolved.history;
-  fmg::start_from_state(hierarchy, l, part_on(hierarchy.finest().grid, unsolved.P), unsolved.H00);
-  const NewtonResult result = solve_level_by_newton(climb, l, final_tolerance(scene));
+  run.record.levels = unsolved.levels;
+  run.record.history = unsolved.history;
+  fmg::start_from_state(hierarchy, l, {core::on_patch(hierarchy.finest().grid, unsolved.P), unsolved.H00});
+  const newton::Result result = solve_level_by_newton(run, l, final_tolerance(scene));
   if (result.converged) {
-    const fmg::Kept kept{hierarchy.finest().P, hierarchy.H00};
-    solve_levels_below(climb);
-    climb.solution.levels.push_back(unsolved.levels.back());
-    fmg::start_from_state(hierarchy, l, kept.P, kept.H00);
+    const fmg::State solved = fmg::state_of(hierarchy, l);
+    solve_levels_below(run);
+    run.record.levels.push_back(unsolved.levels.back());
+    fmg::start_from_state(hierarchy, l, solved);
   }
-  judge(climb);
-  if (!result.converged) climb.solution.failed_check = result.reason;
-  climb.solution.converged = climb.solution.converged && result.converged;
-  climb.solution.levels.back().seconds += core::now() - began;
-  return result_of(std::move(climb));
+  judge(run);
+  if (!result.converged) run.record.failed_check = result.reason;
+  run.record.converged = run.record.converged && result.converged;
+  run.record.levels.back().seconds += core::now() - began;
+  Solution solution = solution_of(std::move(run));
+  solution.newton = result.steps;
+  return solution;
 }
 
 Solution climb_by_newton(const Scene& scene, const Start& start, const ProgressCallback& progress) {
-  Climb climb = begin_climb(scene, start, progress);
+  fmg::Run run = begin_climb(scene, start, progress);
   bool solved = false;
   std::string last_reason;
-  for (std::size_t l = climb.first; l <= climb.finest(); ++l) {
+  std::vector<newton::Step> steps;
+  for (std::size_t l = run.plan.first; l <= run.finest(); ++l) {
     const double began = core::now();
-    forget_work(climb.hierarchy);
+    fmg::forget_work(run.hierarchy);
     if (solved)
-      fmg::start_from_coarser(climb.hierarchy, l);
-    else if (climb.hierarchy.levels[l].grid.nx <= finest_from_hertz)
-      fmg::start_from_hertz(climb.hierarchy, l, first_H00(scene), 0);
+      fmg::start_from_coarser(run.hierarchy, l);
+    else if (run.hierarchy.levels[l].grid.nx <= finest_from_hertz)
+      fmg::start_from_hertz(run.hierarchy, l, first_H00(scene), 0, run.hierarchy.parameters);
     else
       throw core::SolverError("Newton's method solved no grid coarse enough to begin on; " + last_reason);
-    const bool last_level = l == climb.finest();
-    climb.solution.levels.emplace_back();
-    const NewtonResult result =
-        solve_level_by_newton(climb, l, last_level ? final_tolerance(scene) : tolerance_on_the_way);
+    const bool last_level = l == run.finest();
+    run.record.levels.emplace_back();
+    const newton::Result result =
+        solve_level_by_newton(run, l, last_level ? final_tolerance(scene) : tolerance_on_the_way);
     // A coarse film that is negative is no solution of the contact, and a good start for the next grid.
     solved = result.equations_met;
-    last_reason = name_of_level(climb.hierarchy, l) + ": " + result.reason;
-    record(climb, l, 0, state_of_level(climb.hierarchy, l));
+    steps = result.steps;
+    last_reason = fmg::name_of_level(run.hierarchy, l) + ": " + result.reason;
+    fmg::enter(run.hierarchy, l, 0, fmg::measures_of(run.hierarchy, l), run.record);
     if (last_level) {
-      judge(climb);
-      climb.solution.converged = climb.solution.converged && result.converged;
-      if (!result.converged) climb.solution.failed_check = last_reason;
+      judge(run);
+      run.record.converged = run.record.converged && result.converged;
+      if (!result.converged) run.record.failed_check = last_reason;
     }
-    climb.solution.levels.back().seconds = core::now() - began;
+    run.record.levels.back().seconds = core::now() - began;
   }
-  return result_of(std::move(climb));
+  Solution solution = solution_of(std::move(run));
+  solution.newton = std::move(steps);
+  return solution;
 }
 
 }  // namespace ehl::steady

@@ -11,7 +11,7 @@ inline constexpr double most_nodes_of_rescue = 3e5;
 /// where that is smaller; the last row of the level table then tells of its state. Where it fails the better of both
 /// states stays, and Solution::polish_failure says why.
 /// errors: core::Interrupted.
-void polish(Climb& climb);
+Solution polished(const Scene& scene, fmg::Run&& run);
 
 /// The finest grid by Newton's method from a state that cycles have left unsolved; then the two grids below it from its
 /// solution, for the estimate of its error.

@@ -3,10 +3,12 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "contact/ellipse.hpp"
 #include "core/field.hpp"
 #include "core/grid.hpp"
+#include "film/model.hpp"
 #include "fmg/parameters.hpp"
 #include "mlmi/deformation.hpp"
 #include "reynolds/wedge.hpp"
@@ -52,8 +54,9 @@ struct Scene {
   rheology::DensityLaw density;
   /// Writes S(X, Y), what surfaces at rest add to the gap, in a^2/R: the mean over each node's cell. Empty: smooth. One
   /// that is not symmetric in Y forbids use_symmetry.
-  std::function<void(const core::Grid& grid, core::Field& S)> surface{};
-  std::optional<rheology::ShearThinning> thinning{};  ///< sliding that thins the oil; absent: Newtonian
+  std::function<void(const core::Patch& grid, core::Field& S)> surface{};
+  std::optional<rheology::ShearThinning> thinning{};     ///< sliding that thins the oil; absent: Newtonian
+  std::vector<film::FluidityEffect> fluidity_effects{};  ///< effects at the stage of the coefficients
   core::Grid grid;  ///< the finest grid; where an accuracy is asked for, the first to be tried
   reynolds::Wedge wedge = reynolds::Wedge::upstream2;
   mlmi::Parameters deformation;

@@ -68,13 +68,13 @@ double gap_of(const Feature& feature, double dX, double dY) {
   return 0.0;
 }
 
-void add_gap(const Feature& feature, const core::Grid& grid, double distance, core::Field& S) {
+void add_gap(const Feature& feature, const core::Patch& grid, double distance, core::Field& S) {
   for (int i = 0; i <= grid.nx; ++i)
     for (int j = 0; j <= grid.ny; ++j)
       S(i, j) += gap_of(feature, grid.X(i) - feature.X - distance, grid.Y(j) - feature.Y);
 }
 
-void add_cell_average(const Feature& feature, const core::Grid& grid, core::Field& S) {
+void add_cell_average(const Feature& feature, const core::Patch& grid, core::Field& S) {
   const bool wave = feature.shape == Feature::Shape::waviness;
   const double widest = feature.width * (wave ? widest_part_of_a_wave : widest_part);
   const std::vector<double> along = gauss_points(grid.hx(), widest);

@@ -29,12 +29,12 @@ struct Feature {
 double gap_of(const Feature& feature, double dX, double dY);
 
 /// Adds S to the field, the feature having moved by `distance` along X.
-void add_gap(const Feature& feature, const core::Grid& grid, double distance, core::Field& S);
+void add_gap(const Feature& feature, const core::Patch& grid, double distance, core::Field& S);
 
 /// Adds to each node the mean of S over the cell around it, hx by hy: what a grid too coarse for the feature can hold
 /// of it. order: of a feature that the grid resolves, S + h^2/24 (S_XX + S_YY); the quadrature's own error is below
 /// 1e-3 of the height. cost: four evaluations per node, more where a cell is wider than a quarter of the width.
-void add_cell_average(const Feature& feature, const core::Grid& grid, core::Field& S);
+void add_cell_average(const Feature& feature, const core::Patch& grid, core::Field& S);
 
 /// True where S(X, Y) = S(X, -Y) at all times.
 bool symmetric(const Feature& feature);

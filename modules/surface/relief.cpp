@@ -4,14 +4,14 @@
 
 namespace ehl::surface {
 
-void add_gap(const Relief& relief, const core::Grid& grid, double distance, core::Field& S) {
+void add_gap(const Relief& relief, const core::Patch& grid, double distance, core::Field& S) {
   if (const auto* feature = std::get_if<Feature>(&relief))
     add_gap(*feature, grid, distance, S);
   else
     add_average(std::get<HeightMap>(relief), grid, distance, S);
 }
 
-void add_cell_average(const Relief& relief, const core::Grid& grid, core::Field& S) {
+void add_cell_average(const Relief& relief, const core::Patch& grid, core::Field& S) {
   if (const auto* feature = std::get_if<Feature>(&relief))
     add_cell_average(*feature, grid, S);
   else

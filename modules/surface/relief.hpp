@@ -11,10 +11,10 @@ using Relief = std::variant<Feature, HeightMap>;
 
 /// Adds S at the nodes, the surface having moved by `distance` along X: a feature's value there, a map's mean over the
 /// cell.
-void add_gap(const Relief& relief, const core::Grid& grid, double distance, core::Field& S);
+void add_gap(const Relief& relief, const core::Patch& grid, double distance, core::Field& S);
 
 /// Adds the mean of S over each node's cell, the surface standing where it is at T = 0.
-void add_cell_average(const Relief& relief, const core::Grid& grid, core::Field& S);
+void add_cell_average(const Relief& relief, const core::Patch& grid, core::Field& S);
 
 /// True where S(X, Y) = S(X, -Y) at all times.
 bool symmetric(const Relief& relief);

@@ -54,7 +54,7 @@ double average_along_x(const std::vector<double>& stations, const Mean& mean) {
 }
 
 // The map averaged over cells of the mesh's size, at its own points.
-Heights averaged(const HeightMap& map, const core::Grid& grid) {
+Heights averaged(const HeightMap& map, const core::Patch& grid) {
   const auto means = [](int points, double cell) {
     std::vector<Mean> all;
     for (int k = 0; k < points; ++k) all.push_back(mean_over_cell(k, cell, points));
@@ -73,7 +73,7 @@ Heights averaged(const HeightMap& map, const core::Grid& grid) {
 
 }  // namespace
 
-void add_average(const HeightMap& map, const core::Grid& grid, double distance, core::Field& S) {
+void add_average(const HeightMap& map, const core::Patch& grid, double distance, core::Field& S) {
   const double left = map.X + distance - 0.5 * map.length_x();
   const double lower = map.Y - 0.5 * map.length_y();
   std::vector<Mean> of_x;
@@ -88,7 +88,7 @@ void add_average(const HeightMap& map, const core::Grid& grid, double distance, 
   }
 }
 
-Resolution resolution(const HeightMap& map, const core::Grid& grid) {
+Resolution resolution(const HeightMap& map, const core::Patch& grid) {
   const double before = rms(map.gap);
   const double after = rms(averaged(map, grid));
   return {.variance_lost = std::max(0.0, 1.0 - after * after / (before * before)),

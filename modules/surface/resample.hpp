@@ -14,7 +14,7 @@ namespace ehl::surface {
 /// derivatives: a time integration of second order sees no corner when a point of the map passes a node. cost: per node
 /// (hx/dx + 4) additions, and per point of the map along x (hy/dy + 4) for every line of the mesh. source: Keys 1981
 /// for the cubic convolution.
-void add_average(const HeightMap& map, const core::Grid& grid, double distance, core::Field& S);
+void add_average(const HeightMap& map, const core::Patch& grid, double distance, core::Field& S);
 
 /// What a mesh holds of a map.
 struct Resolution {
@@ -23,6 +23,6 @@ struct Resolution {
   double shortest_wave_Y = 0.0;
 };
 /// errors: of the kept waves, those with few cells are weakened too, and count as lost by as much.
-Resolution resolution(const HeightMap& map, const core::Grid& grid);
+Resolution resolution(const HeightMap& map, const core::Patch& grid);
 
 }  // namespace ehl::surface

@@ -12,7 +12,7 @@ void restrict_injection(const core::Field& fine, core::Field& coarse) {
   }
 }
 
-void restrict_full_weighting(const core::Grid& grid, const core::Field& fine, core::Field& coarse) {
+void restrict_full_weighting(const core::Patch& grid, const core::Field& fine, core::Field& coarse) {
   restrict_injection(fine, coarse);
   for (int I = 1; I < coarse.nodes_x() - 1; ++I) {
     const double* west = fine.at_x(2 * I - 1);
@@ -58,7 +58,7 @@ double half_way(Value value, int left, int last) {
 
 }  // namespace
 
-void prolong_bicubic(const core::Grid& grid, const core::Field& coarse, core::Field& fine) {
+void prolong_bicubic(const core::Patch& grid, const core::Field& coarse, core::Field& fine) {
   const int last_x = coarse.nodes_x() - 1;
   const int last_y = coarse.nodes_y() - 1;
   std::vector<double> row(static_cast<std::size_t>(coarse.nodes_y()));  // the station of the fine grid at coarse Y
@@ -66,9 +66,9 @@ void prolong_bicubic(const core::Grid& grid, const core::Field& coarse, core::Fi
     for (int J = 0; J <= last_y; ++J)
       row[static_cast<std::size_t>(J)] =
           i % 2 == 0 ? coarse(i / 2, J) : half_way([&](int I) { return coarse(I, J); }, i / 2, last_x);
-    const auto along_y = [&](int J) { return row[static_cast<std::size_t>(J <= last_y ? J : 2 * last_y - J)]; };
+    const auto along_y = [&](int J) { return row[static_cast<std::size_t>(J <= last_y ? J : grid.holder(J))]; };
     for (int j = 0; j < fine.nodes_y(); ++j)
-      fine(i, j) = j % 2 == 0 ? along_y(j / 2) : half_way(along_y, j / 2, grid.mirrored ? 2 * last_y : last_y);
+      fine(i, j) = j % 2 == 0 ? along_y(j / 2) : half_way(along_y, j / 2, grid.domain.ny);
   }
 }
 

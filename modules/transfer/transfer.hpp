@@ -8,8 +8,8 @@ namespace ehl::transfer {
 void restrict_injection(const core::Field& fine, core::Field& coarse);
 
 /// coarse(I,J) = weighted mean of the nine fine points around (2I,2J), weights (1 2 1)(1 2 1)/16;
-/// injection on the boundary. in: the grid of `coarse`; where it is mirrored, `fine` with an image line.
-void restrict_full_weighting(const core::Grid& grid, const core::Field& fine, core::Field& coarse);
+/// injection on the boundary. in: the patch of `coarse`; `fine` with ghost lines.
+void restrict_full_weighting(const core::Patch& grid, const core::Field& fine, core::Field& coarse);
 
 /// Bilinear interpolation. order: 2.
 void prolong_bilinear(const core::Field& coarse, core::Field& fine, int threads);
@@ -17,6 +17,6 @@ void prolong_bilinear(const core::Field& coarse, core::Field& fine, int threads)
 /// Bicubic interpolation, (-1 9 9 -1)/16 along x and then y; beside the boundary the missing value is extrapolated
 /// cubically (weights (5 15 -5 1)/16). order: 4, also at the boundary. in: the grid of `coarse`.
 /// limits: at least 4 nodes each way on the coarse grid.
-void prolong_bicubic(const core::Grid& grid, const core::Field& coarse, core::Field& fine);
+void prolong_bicubic(const core::Patch& grid, const core::Field& coarse, core::Field& fine);
 
 }  // namespace ehl::transfer

@@ -16,12 +16,11 @@ Drive drive_at(const Conditions& conditions, double T) {
   return {value(conditions.load, T), 0.5 * (value(conditions.u1, T) + value(conditions.u2, T))};
 }
 
-Course course_of(const Conditions& conditions, const std::optional<Drive>& crossing) {
+Course course_of(const Conditions& conditions) {
   Course course;
   course.body = conditions.body;
-  course.drive = [&](double T) { return crossing ? *crossing : drive_at(conditions, T); };
   if (conditions.on_1 || conditions.on_2)
-    course.surface = [&](const core::Grid& grid, double T, core::Field& S) {
+    course.surface = [&](const core::Patch& grid, double T, core::Field& S) {
       S.fill(0.0);
       if (conditions.on_1) surface::add_gap(*conditions.on_1, grid, integral(conditions.u1, T), S);
       if (conditions.on_2) surface::add_gap(*conditions.on_2, grid, integral(conditions.u2, T), S);

@@ -22,9 +22,9 @@ struct Conditions {
 /// Load and entrainment speed at T.
 Drive drive_at(const Conditions& conditions, double T);
 
-/// The course of the contact: the drive at T, or where `crossing` holds one, that; the surfaces, each moved by the
-/// integral of its own speed. Both arguments must outlive it.
-Course course_of(const Conditions& conditions, const std::optional<Drive>& crossing);
+/// The course of the contact: the surfaces, each moved by the integral of its own speed; the body. The conditions must
+/// outlive it.
+Course course_of(const Conditions& conditions);
 
 /// True where no surface disturbs the symmetry in Y.
 bool symmetric(const Conditions& conditions);

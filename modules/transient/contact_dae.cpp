@@ -28,14 +28,14 @@ constexpr double strong_squeeze = 1e4;
 /// Where bodies are nearly apart there is no deformation by which to hold the film while the load is put right.
 constexpr double least_yielding = 0.05;
 
-bool in_zone(const core::QuadraticForm& outline, const core::Grid& grid, int i, int j) {
+bool in_zone(const core::QuadraticForm& outline, const core::Patch& grid, int i, int j) {
   const double X = grid.X(i);
   const double Y = grid.Y(j);
   return outline.at(X, Y) <= zone_radius * zone_radius;
 }
 
 template <class Action>
-void for_nodes(const core::Grid& grid, Action action) {
+void for_nodes(const core::Patch& grid, Action action) {
   std::size_t k = 0;
   for (int i = 0; i <= grid.nx; ++i)
     for (int j = 0; j <= grid.ny; ++j) action(i, j, k++);
@@ -60,7 +60,7 @@ ContactDae::ContactDae(fmg::Hierarchy& hierarchy, const Course& course, const Er
       P_before_(hierarchy.finest().grid),
       Q_before_(hierarchy.finest().grid),
       rho_(nodes_) {
-  const core::Grid& grid = hierarchy.finest().grid;
+  const core::Patch& grid = hierarchy.finest().grid;
   const core::QuadraticForm& outline = hierarchy.problem.geometry.outline;
   for_nodes(grid, [&](int i, int j, std::size_t) { zone_ += in_zone(outline, grid, i, j) ? grid.lines(j) : 0.0; });
 }
@@ -75,33 +75,32 @@ void ContactDae::state(std::span<double> y) const {
   if (course_.body) y[2 * nodes_ + 1] = V_;
 }
 
-void ContactDae::pose(double T, double cj) {
+void ContactDae::pose(double T, const Drive& drive, double cj) {
   fmg::Level& level = hierarchy_.finest();
-  const Drive drive = course_.drive(T);
-  hierarchy_.problem.transport.speed = drive.speed;
-  hierarchy_.problem.transport.squeeze = cj;
+  hierarchy_.transport.speed = drive.speed;
+  hierarchy_.transport.squeeze = cj;
   level.load = W_ * drive.load;
   hierarchy_.load_line = {};
   level.H_floor = 0.0;
   if (course_.surface) course_.surface(level.grid, T, level.F);
 }
 
-void ContactDae::set_state(double T, std::span<const double> y, std::span<const double> yp) {
+void ContactDae::set_state(double T, const Drive& drive, std::span<const double> y, std::span<const double> yp) {
   fmg::Level& level = hierarchy_.finest();
-  pose(T, 0.0);
+  pose(T, drive, 0.0);
   if (course_.body) {
     V_ = y[2 * nodes_ + 1];
     if (!yp.empty()) level.load += W_ * (course_.body->mass * yp[2 * nodes_ + 1] + course_.body->damping * V_);
   }
   for_nodes(level.grid, [&](int i, int j, std::size_t k) { level.P(i, j) = std::max(0.0, y[k]); });
-  core::make_images(level.grid, level.P);
+  core::fill_ghosts(level.grid, level.P);
   hierarchy_.H00 = y[2 * nodes_];
   fmg::update_film(hierarchy_, level);
 }
 
-void ContactDae::release() {
+void ContactDae::release(const Drive& drive) {
   fmg::Level& level = hierarchy_.finest();
-  pose(0.0, 0.0);
+  pose(0.0, drive, 0.0);
   level.P.fill(0.0);
   hierarchy_.H00 = *course_.body->gap;
   V_ = course_.body->velocity;
@@ -120,20 +119,19 @@ void ContactDae::move_body(const Stage& stage) {
 
 // V and V' from the load that the film carries, so that the equation of motion holds to rounding. What the cycles and
 // the rounding of H00, times mass cj^2, have left stands in H00' = V instead.
-void ContactDae::take_velocity(const Stage& stage) {
+void ContactDae::take_velocity(const Stage& stage, const Drive& drive) {
   const Body& body = *course_.body;
-  const double load = course_.drive(stage.T).load;
   const double V_at_rest = stage.y_predicted[2 * nodes_ + 1] - stage.yp_predicted[2 * nodes_ + 1] / stage.cj;
-  const double V_slope = (carried() - load - body.damping * V_at_rest) / (body.mass + body.damping / stage.cj);
+  const double V_slope = (carried() - drive.load - body.damping * V_at_rest) / (body.mass + body.damping / stage.cj);
   V_ = V_at_rest + V_slope / stage.cj;
-  hierarchy_.finest().load = W_ * (load + body.mass * V_slope + body.damping * V_);
+  hierarchy_.finest().load = W_ * (drive.load + body.mass * V_slope + body.damping * V_);
   hierarchy_.load_line = {};
 }
 
 double ContactDae::carried() const { return fmg::carried_load(hierarchy_.levels.back()) / W_; }
 
-double ContactDae::acceleration(double T) const {
-  return (carried() - course_.drive(T).load - course_.body->damping * V_) / course_.body->mass;
+double ContactDae::acceleration(const Drive& drive) const {
+  return (carried() - drive.load - course_.body->damping * V_) / course_.body->mass;
 }
 
 LoadBalance ContactDae::load_balance() const {
@@ -148,12 +146,12 @@ LoadBalance ContactDae::load_balance() const {
 // the load grows with H00, the shift of H00 takes its part of the difference.
 void ContactDae::balance_load() {
   fmg::Level& level = hierarchy_.finest();
-  const core::Grid& grid = level.grid;
+  const core::Patch& grid = level.grid;
   const auto deformation = [&](int i, int j) {
     return level.H(i, j) - fmg::rigid_gap(hierarchy_.problem.geometry, grid, hierarchy_.H00, i, j) - level.F(i, j);
   };
-  const int centre = std::clamp(static_cast<int>(std::lround(-grid.X_a / grid.hx())), 0, grid.nx);
-  const int axis = std::clamp(static_cast<int>(std::lround(-grid.Y_a / grid.hy())), 0, grid.ny);
+  const int centre = std::clamp(static_cast<int>(std::lround(-grid.domain.X_a / grid.hx())), 0, grid.nx);
+  const int axis = std::clamp(static_cast<int>(std::lround(-grid.domain.Y_a / grid.hy())), 0, grid.ny);
   double share = 0.0;
   double yielding = deformation(centre, axis);
   if (course_.body) {
@@ -167,7 +165,7 @@ void ContactDae::balance_load() {
   for_nodes(grid, [&](int i, int j, std::size_t) { level.H(i, j) += share * deformation(i, j) - shift; });
   for (int i = 0; i <= grid.nx; ++i)
     for (double& P : level.P.station(i)) P *= 1.0 + share;
-  core::make_images(grid, level.P);
+  core::fill_ghosts(grid, level.P);
   hierarchy_.H00 -= shift;
   fmg::update_coefficients(hierarchy_, level);
 }
@@ -194,10 +192,10 @@ double ContactDae::change(const Stage& stage, double H00_before) {
   return std::sqrt(sum / static_cast<double>(size()));
 }
 
-StageResult ContactDae::solve(const Stage& stage, std::span<double> correction) {
+StageResult ContactDae::solve(const Stage& stage, const Drive& drive, std::span<double> correction) {
   fmg::Level& level = hierarchy_.finest();
-  set_state(stage.T, stage.y_predicted);
-  hierarchy_.problem.transport.squeeze = stage.cj;
+  set_state(stage.T, drive, stage.y_predicted);
+  hierarchy_.transport.squeeze = stage.cj;
   if (course_.body) move_body(stage);
   for_nodes(level.grid, [&](int i, int j, std::size_t k) {
     level.f(i, j) = stage.yp_predicted[nodes_ + k] - stage.cj * stage.y_predicted[nodes_ + k];
@@ -235,21 +233,21 @@ StageResult ContactDae::solve(const Stage& stage, std::span<double> correction) 
     least = std::min(least, now);
   }
   if (!(core::minimum(level.H).value > 0.0)) result.solved = false;
-  if (course_.body) take_velocity(stage);
+  if (course_.body) take_velocity(stage, drive);
   state(correction);
   for (std::size_t k = 0; k < correction.size(); ++k) correction[k] -= stage.y_predicted[k];
   return result;
 }
 
 double ContactDae::least_film(std::span<const double> y) {
-  rheology::density(hierarchy_.problem.density, y.first(nodes_), rho_);
+  rheology::density(hierarchy_.problem.film.density, y.first(nodes_), rho_);
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < nodes_; ++k) least = std::min(least, y[nodes_ + k] / rho_[k]);
   return least;
 }
 
 void ContactDae::weights(std::span<const double> y, std::span<double> w) const {
-  const core::Grid& grid = hierarchy_.levels.back().grid;
+  const core::Patch& grid = hierarchy_.levels.back().grid;
   const core::QuadraticForm& outline = hierarchy_.problem.geometry.outline;
   // The mean over all unknowns becomes one over those of the zone, of the whole domain where the grid is half of it:
   // the steps of time are the same.

@@ -17,12 +17,11 @@ struct Drive {
   double speed = 1.0;  ///< U >= 0: entrainment speed over the one that lambda is made with
 };
 
-/// Where the contact is taken in time, with T = t u_m/a.
+/// Where the contact is taken in time beside its drive, with T = t u_m/a.
 struct Course {
-  std::function<Drive(double T)> drive;
-  /// Writes S(X, Y, T), the shape of the moving surfaces: what they add to the gap, in units of a^2/R; with image
-  /// lines on a mirrored grid they are not needed. Empty: smooth surfaces.
-  std::function<void(const core::Grid& grid, double T, core::Field& S)> surface;
+  /// Writes S(X, Y, T), the shape of the moving surfaces: what they add to the gap, in units of a^2/R; Ghost
+  /// lines are not needed. Empty: smooth surfaces.
+  std::function<void(const core::Patch& grid, double T, core::Field& S)> surface;
   /// Moves by its own equation; absent: the load is carried at all times.
   std::optional<Body> body{};
 };
@@ -59,11 +58,13 @@ class ContactDae {
   void state(std::span<double> y) const;
   /// The level's P, H00 and all that follows from them at T, from y. yp: for the load that a moving body wants; without
   /// it, the one that acts.
-  void set_state(double T, std::span<const double> y, std::span<const double> yp = {});
-  /// The body at its gap, without pressure, with its velocity. in: a course with a body that has a gap.
-  void release();
+  void set_state(double T, const Drive& drive, std::span<const double> y, std::span<const double> yp = {});
+  /// The body at its gap, without pressure, with its velocity. in: the drive at T = 0; a course with a body that has a
+  /// gap.
+  void release(const Drive& drive);
 
-  StageResult solve(const Stage& stage, std::span<double> correction);
+  /// in: the drive at the stage's time.
+  StageResult solve(const Stage& stage, const Drive& drive, std::span<double> correction);
   void weights(std::span<const double> y, std::span<double> w) const;
 
   /// Smallest H of all nodes in y.
@@ -75,17 +76,17 @@ class ContactDae {
   /// Velocity of the body, 0 without one.
   double velocity() const { return V_; }
   LoadBalance load_balance() const;
-  /// V' of a body at T, by its equation of motion from what the film carries.
-  double acceleration(double T) const;
+  /// V' of a body, by its equation of motion from what the film carries.
+  double acceleration(const Drive& drive) const;
 
   /// The terms of the problem at T with squeeze cj; the right-hand side is left alone.
-  void pose(double T, double cj);
+  void pose(double T, const Drive& drive, double cj);
 
  private:
   double change(const Stage& stage, double H00_before);
   double carried() const;
   void move_body(const Stage& stage);
-  void take_velocity(const Stage& stage);
+  void take_velocity(const Stage& stage, const Drive& drive);
 
   fmg::Hierarchy& hierarchy_;
   const Course& course_;

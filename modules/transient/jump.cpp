@@ -14,7 +14,7 @@ constexpr double tolerance = 1.0 / 3.0;
 
 }  // namespace
 
-bool solve_euler_step(ContactDae& dae, EulerStep& step) {
+bool solve_euler_step(ContactDae& dae, const Drive& drive, EulerStep& step) {
   const auto slope = [&] {
     for (std::size_t n = 0; n < step.y.size(); ++n) step.yp[n] = (step.y[n] - step.old[n]) / step.length;
   };
@@ -23,7 +23,8 @@ bool solve_euler_step(ContactDae& dae, EulerStep& step) {
   std::vector<double> weights(step.y.size());
   std::vector<double> correction(step.y.size());
   dae.weights(step.y, weights);
-  const StageResult result = dae.solve({step.T, 1.0 / step.length, step.y, step.yp, weights, tolerance}, correction);
+  const StageResult result =
+      dae.solve({step.T, 1.0 / step.length, step.y, step.yp, weights, tolerance}, drive, correction);
   step.cycles += result.cycles;
   if (!result.solved) return false;
   for (std::size_t n = 0; n < step.y.size(); ++n) step.y[n] += correction[n];
@@ -41,21 +42,18 @@ Drive part_of_the_way(const Drive& from, const Drive& to, double share) {
   return {from.load + share * (to.load - from.load), from.speed + share * (to.speed - from.speed)};
 }
 
-bool solve_step_across(ContactDae& dae, const Drive& from, const Drive& to, std::optional<Drive>& crossing,
-                       EulerStep& step) {
+bool solve_step_across(ContactDae& dae, const Drive& from, const Drive& to, EulerStep& step) {
   double bit = 1.0 / bits_between(from, to);
   const double least_bit = least_share_of_a_bit * bit;
   for (double share = 0.0; share < 1.0;) {
     const double next = share + bit > 1.0 - 0.5 * least_bit ? 1.0 : share + bit;
-    crossing = part_of_the_way(from, to, next);
-    if (solve_euler_step(dae, step))
+    if (solve_euler_step(dae, part_of_the_way(from, to, next), step))
       share = next;
     else if (bit > least_bit)
       bit *= 0.5;
     else
       return false;
   }
-  crossing.reset();
   return true;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 // Across a jump of load or speed: short steps by backward Euler, before IDA goes on from a consistent state.
-#include <optional>
 #include <vector>
 
 #include "transient/contact_dae.hpp"
@@ -17,8 +16,9 @@ struct EulerStep {
   std::vector<double> yp{};
 };
 
-/// Solves the step, the guess by the state before it. false where the cycles do not converge: y is still the guess.
-bool solve_euler_step(ContactDae& dae, EulerStep& step);
+/// Solves the step under the drive at its end, the guess by the state before it. false where the cycles do not
+/// converge: y is still the guess.
+bool solve_euler_step(ContactDae& dae, const Drive& drive, EulerStep& step);
 
 /// Parts, small enough for the cycles, of the way from one drive to another.
 int bits_between(const Drive& from, const Drive& to);
@@ -27,9 +27,7 @@ int bits_between(const Drive& from, const Drive& to);
 Drive part_of_the_way(const Drive& from, const Drive& to, double share);
 
 /// Solves the step in which the drive goes from one to the other: bit by bit, in halves where the cycles do not follow.
-/// out: crossing, what the course of the contact is to say on the way; empty in the end. false where the cycles do not
-/// converge with the smallest bits.
-bool solve_step_across(ContactDae& dae, const Drive& from, const Drive& to, std::optional<Drive>& crossing,
-                       EulerStep& step);
+/// false where the cycles do not converge with the smallest bits.
+bool solve_step_across(ContactDae& dae, const Drive& from, const Drive& to, EulerStep& step);
 
 }  // namespace ehl::transient

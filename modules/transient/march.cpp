@@ -7,9 +7,9 @@
 #include "core/errors.hpp"
 #include "core/norms.hpp"
 #include "core/timer.hpp"
-#include "fmg/full_multigrid.hpp"
+#include "fmg/start.hpp"
+#include "judgement/measures.hpp"
 #include "steady/climb.hpp"
-#include "steady/state_of_level.hpp"
 #include "transient/contact_dae.hpp"
 #include "transient/jump.hpp"
 #include "transient/rest.hpp"
@@ -30,23 +30,26 @@ constexpr double rounding_of_time = 1e-14;
 /// The integration under way.
 class March {
  public:
-  March(steady::Climb& climb, const Conditions& conditions, const MarchParameters& parameters, const Observer& observer)
-      : hierarchy_(climb.hierarchy),
+  March(fmg::Hierarchy& hierarchy, const Conditions& conditions, const MarchParameters& parameters,
+        const Observer& observer)
+      : hierarchy_(hierarchy),
         conditions_(conditions),
         parameters_(parameters),
         observer_(observer),
-        course_(course_of(conditions, crossing_)),
+        course_(course_of(conditions)),
         dae_(hierarchy_, course_, {.rtol = parameters.rtol, .Q_scale = film_scale()}),
         between_(dae_.size()),
         rest_(parameters.stop_steady) {
     if (course_.surface)
-      course_.surface = [this, shape = std::move(course_.surface)](const core::Grid& grid, double T, core::Field& S) {
+      course_.surface = [this, shape = std::move(course_.surface)](const core::Patch& grid, double T, core::Field& S) {
         const double began = core::now();
         shape(grid, T, S);
         report_.seconds_of_surfaces += core::now() - began;
       };
     problem_.size = dae_.size();
-    problem_.solve = [this](const Stage& stage, std::span<double> correction) { return dae_.solve(stage, correction); };
+    problem_.solve = [this](const Stage& stage, std::span<double> correction) {
+      return dae_.solve(stage, drive(stage.T), correction);
+    };
     problem_.weights = [this](double, std::span<const double> y, std::span<double> w) { dae_.weights(y, w); };
     if (!std::isnan(parameters.stop_film))
       problem_.event = [this](double, std::span<const double> y) { return dae_.least_film(y) - parameters_.stop_film; };
@@ -61,7 +64,7 @@ class March {
     report_.T = start.T;
     report_.restarts = start.restarts;
     frames_ = start.frames;
-    dae_.set_state(start.T, start.y, start.yp);
+    dae_.set_state(start.T, drive(start.T), start.y, start.yp);
     const std::vector<double> stops = stops_of(conditions_, parameters_.end);
     bool on = true;
     if (!from) {
@@ -88,7 +91,8 @@ class March {
   }
 
  private:
-  double central_film() const { return steady::value_at(hierarchy_.finest().grid, hierarchy_.finest().H, 0.0, 0.0); }
+  Drive drive(double T) const { return drive_at(conditions_, T); }
+  double central_film() const { return judgement::value_at(hierarchy_.finest().grid, hierarchy_.finest().H, 0.0, 0.0); }
 
   // Of errors. A body that flies towards the other will have a film of that order once it is there.
   double film_scale() const { return conditions_.body ? std::min(central_film(), 0.1) : central_film(); }
@@ -96,14 +100,14 @@ class March {
   // The steady state of T = 0, or the bodies apart.
   Checkpoint begun() {
     if (conditions_.body && conditions_.body->gap)
-      dae_.release();
+      dae_.release(drive(0.0));
     else
-      settle(hierarchy_, dae_, course_.drive(0.0), crossing_);
+      settle(hierarchy_, dae_, drive(0.0));
     Checkpoint start;
     start.y.resize(dae_.size());
     start.yp.resize(dae_.size(), 0.0);
     dae_.state(start.y);
-    if (conditions_.body) start.yp.back() = dae_.acceleration(0.0);
+    if (conditions_.body) start.yp.back() = dae_.acceleration(drive(0.0));
     return start;
   }
 
@@ -114,7 +118,7 @@ class March {
       const double before = report_.T;
       const StepReport step = ida.step(stop);
       if (step.end == StepReport::End::failed) return fail(step.reason);
-      if (step.end == StepReport::End::at_event) dae_.set_state(step.T, ida.y(), ida.yp());
+      if (step.end == StepReport::End::at_event) dae_.set_state(step.T, drive(step.T), ida.y(), ida.yp());
       const bool on = accept(step, ida.y(), [&](double T) { ida.interpolate(T, between_); });
       const bool wanted = observer_.wants_checkpoint && observer_.wants_checkpoint();
       if ((wanted || !on) && observer_.checkpoint) hand_out_checkpoint(step.length, ida.y(), ida.yp());
@@ -132,7 +136,7 @@ class March {
   bool cross(Ida& ida, double next_stop) {
     EulerStep step;
     step.y.assign(ida.y().begin(), ida.y().end());
-    if (!short_steps(step, course_.drive(report_.T), micro_step, next_stop)) return false;
+    if (!short_steps(step, drive(report_.T), micro_step, next_stop)) return false;
     ++report_.restarts;
     ida.restart(report_.T, step.y, step.yp, step.length);
     return true;
@@ -146,8 +150,7 @@ class March {
   bool set_off(double next_stop, Checkpoint& start) {
     EulerStep step;
     step.y = start.y;
-    if (!short_steps(step, course_.drive(0.0), std::min(micro_step, 0.1 * report_.longest_step), next_stop))
-      return false;
+    if (!short_steps(step, drive(0.0), std::min(micro_step, 0.1 * report_.longest_step), next_stop)) return false;
     start.T = report_.T;
     start.y = step.y;
     start.yp = step.yp;
@@ -155,7 +158,7 @@ class March {
   }
 
   // in: step.y, the state at report_.T, and the drive there. out: step, the last one.
-  bool short_steps(EulerStep& step, Drive drive, double length, double next_stop) {
+  bool short_steps(EulerStep& step, Drive before, double length, double next_stop) {
     const double room = 0.5 * (next_stop - report_.T);
     const int count = std::clamp(static_cast<int>(room / length), 2, micro_steps);
     step.length = std::min(length, room / count);
@@ -163,9 +166,9 @@ class March {
       step.old = step.y;
       step.T = report_.T + step.length;
       step.cycles = 0;
-      const Drive next = course_.drive(step.T);
-      if (conditions_.body) drive.load = next.load;  // the body's inertia takes it
-      const bool solved = k > 0 ? solve_euler_step(dae_, step) : solve_step_across(dae_, drive, next, crossing_, step);
+      const Drive next = drive(step.T);
+      if (conditions_.body) before.load = next.load;  // the body's inertia takes it
+      const bool solved = k > 0 ? solve_euler_step(dae_, next, step) : solve_step_across(dae_, before, next, step);
       if (!solved) return fail("the cycles did not converge in the short steps behind a jump or a start");
       const auto interpolate = [&](double at) {
         const double ahead = (step.T - at) / step.length;
@@ -209,7 +212,7 @@ class March {
                       .P_max = core::maximum(level.P).value,
                       .H00 = hierarchy_.H00,
                       .load = value(conditions_.load, step.T),
-                      .speed = drive_at(conditions_, step.T).speed,
+                      .speed = drive(step.T).speed,
                       .load_error = balance.error,
                       .velocity = dae_.velocity(),
                       .carried = balance.carried,
@@ -231,11 +234,11 @@ class March {
     bool moved = false;
     for (double T = next_frame(); T <= report_.T * (1.0 + rounding_of_time) && T <= parameters_.end; T = next_frame()) {
       interpolate(std::clamp(T, before, report_.T));
-      dae_.set_state(T, between_);
+      dae_.set_state(T, drive(T), between_);
       show_frame(T);
       moved = true;
     }
-    if (moved) dae_.set_state(report_.T, now);
+    if (moved) dae_.set_state(report_.T, drive(report_.T), now);
   }
   double next_frame() const { return frames_ * parameters_.output_interval; }
 
@@ -244,7 +247,7 @@ class March {
     last_frame_ = T;
     if (!observer_.frame) return;
     const fmg::Level& level = hierarchy_.finest();
-    observer_.frame({T, steady::on_whole(level.grid, level.P), steady::on_whole(level.grid, level.H)});
+    observer_.frame({T, core::on_domain(level.grid, level.P), core::on_domain(level.grid, level.H)});
   }
 
   bool fail(const std::string& reason) {
@@ -260,7 +263,6 @@ class March {
   const Conditions& conditions_;
   const MarchParameters& parameters_;
   const Observer& observer_;
-  std::optional<Drive> crossing_{};  ///< on the way across a jump
   Course course_;
   ContactDae dae_;
   DaeProblem problem_{};
@@ -279,15 +281,14 @@ MarchReport march(const steady::Scene& scene, const steady::Solution& start, con
   const double began = core::now();
   steady::Scene own = scene;
   own.use_symmetry = own.use_symmetry && symmetric(conditions);
-  own.multigrid.tolerance = settled_residual;  // cycles with a relaxation after the correction
-  const steady::ProgressCallback silent;
-  steady::Climb climb = steady::begin_climb(own, steady::Start{.coarsest = 32}, silent);
-  fmg::Hierarchy& hierarchy = climb.hierarchy;
-  // A V-cycle from the predicted state is enough for a step.
-  if (!scene.multigrid.cycle) hierarchy.parameters.cycle = fmg::Cycle::V;
-  fmg::start_from_state(hierarchy, climb.finest(), steady::part_on(hierarchy.finest().grid, start.P), start.H00);
+  // A V(2,1)-cycle from the predicted state is enough for a step.
+  own.multigrid.cycle = scene.multigrid.cycle.value_or(fmg::Cycle::V);
+  own.multigrid.post = scene.multigrid.post.value_or(1);
+  fmg::Run run = steady::begin_climb(own, steady::Start{.coarsest = 32}, {});
+  fmg::Hierarchy& hierarchy = run.hierarchy;
+  fmg::start_from_state(hierarchy, run.finest(), {core::on_patch(hierarchy.finest().grid, start.P), start.H00});
   prepare(hierarchy);
-  March under_way(climb, conditions, parameters, observer);
+  March under_way(hierarchy, conditions, parameters, observer);
   if (from && (from->y.size() != under_way.size() || from->yp.size() != under_way.size()))
     throw core::FileError("the checkpoint is of another grid than the deck's");
   MarchReport report = under_way.run(from);

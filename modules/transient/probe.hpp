@@ -18,8 +18,8 @@ struct Probed {
 };
 
 /// P and H at every place: of a node where there is one, else by bicubic interpolation, P no less than 0.
-/// in: the grid of the fields, whole or mirrored. limits: inside the whole.
-std::vector<Probed> probed_at(const core::Grid& grid, const core::Field& P, const core::Field& H,
+/// in: the patch of the fields. limits: inside its domain.
+std::vector<Probed> probed_at(const core::Patch& grid, const core::Field& P, const core::Field& H,
                               const std::vector<Place>& places);
 
 }  // namespace ehl::transient

@@ -8,7 +8,7 @@
 #include "core/errors.hpp"
 #include "core/norms.hpp"
 #include "fmg/cycle.hpp"
-#include "steady/state_of_level.hpp"
+#include "fmg/cycles.hpp"
 #include "transient/jump.hpp"
 
 namespace ehl::transient {
@@ -19,14 +19,14 @@ constexpr int most_settling_cycles = 60;
 constexpr int cycles_per_bit = 3;
 
 // Residual after cycles at T = 0 without squeeze: `most` of them, or fewer where it is as small as rounding allows.
-double cycles_at_rest(fmg::Hierarchy& hierarchy, ContactDae& dae, int most) {
-  dae.pose(0.0, 0.0);
+double cycles_at_rest(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive& drive, int most) {
+  dae.pose(0.0, drive, 0.0);
   fmg::update_film(hierarchy, hierarchy.finest());
   const std::size_t l = hierarchy.levels.size() - 1;
   double residual = std::numeric_limits<double>::infinity();
   for (int k = 0; k < most; ++k) {
     fmg::fas_cycle(hierarchy, l);
-    const double now = steady::state_of_level(hierarchy, l).residual;
+    const double now = fmg::measures_of(hierarchy, l).residual;
     if (!std::isfinite(now)) return now;
     const bool rounding = now < hopeless_residual && now > 0.9 * residual;
     residual = now;
@@ -44,14 +44,13 @@ core::SolverError not_found(const char* text, double value) {
 
 }  // namespace
 
-void settle(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive& start, std::optional<Drive>& crossing) {
+void settle(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive& start) {
   const int bits = bits_between(Drive{}, start);
   double residual = 0.0;
   for (int k = 1; k <= bits; ++k) {
-    crossing = part_of_the_way(Drive{}, start, static_cast<double>(k) / bits);
-    residual = cycles_at_rest(hierarchy, dae, k == bits ? most_settling_cycles : cycles_per_bit);
+    const Drive drive = part_of_the_way(Drive{}, start, static_cast<double>(k) / bits);
+    residual = cycles_at_rest(hierarchy, dae, drive, k == bits ? most_settling_cycles : cycles_per_bit);
   }
-  crossing.reset();
   const double Hm = core::minimum(hierarchy.finest().H).value;
   if (!(residual < hopeless_residual)) throw not_found("its relative residual is %.1e", residual);
   if (!(Hm > 0.0)) throw not_found("its film is negative at its thinnest, H = %.3g: the mesh is too coarse for it", Hm);

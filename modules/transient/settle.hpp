@@ -1,7 +1,5 @@
 #pragma once
 // The state at the start of a transient.
-#include <optional>
-
 #include "fmg/hierarchy.hpp"
 #include "transient/contact_dae.hpp"
 
@@ -12,8 +10,8 @@ inline constexpr double settled_residual = 1e-9;
 
 /// Takes the finest level from the steady solution of the scene to the steady state of T = 0, with its load, speed and
 /// surfaces: bit by bit, as exactly as rounding allows, the load exact.
-/// in: start, the drive at T = 0; crossing, what the course of the contact is to say on the way, empty in the end.
+/// in: start, the drive at T = 0.
 /// errors: core::SolverError where that state is not found.
-void settle(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive& start, std::optional<Drive>& crossing);
+void settle(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive& start);
 
 }  // namespace ehl::transient

@@ -31,14 +31,12 @@ deck::Catalogue catalogue() {
       {"dry", "How a contact without lubricant is solved. Only with [case] kind = dry."},
       {"output", "What is kept."},
   };
-  for (const auto& keys :
-       {steady::keys(), contact::keys(), rheology::keys(), reynolds::keys(), mlmi::keys(), fmg::keys(), dry::keys()})
-    all.keys.insert(all.keys.end(), keys.begin(), keys.end());
+  all.keys = deck::together({case_keys(), steady::grid_keys(), steady::path_keys(), contact::keys(), rheology::keys(),
+                             reynolds::keys(), mlmi::keys(), fmg::keys(), dry::keys()});
   for (const Effect& effect : effects()) {
     all.sections.insert(all.sections.end() - 1, effect.sections.begin(), effect.sections.end());  // before [output]
     if (!effect.keys) continue;
-    const std::vector<deck::Key> keys = effect.keys();
-    all.keys.insert(all.keys.end(), keys.begin(), keys.end());
+    all.keys = deck::together({all.keys, effect.keys()});
   }
   all.unavailable = effects_to_come();
   all.unavailable.push_back({"surface", "", "there are two: write [surface1] or [surface2]"});

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "dry/keys.hpp"
+
 namespace ehl::program {
 namespace {
 
@@ -90,14 +92,12 @@ Physics dry_physics(const DryInput& input) {
 }
 
 std::optional<DryInput> dry_input(deck::Deck& deck) {
-  if (deck::word(deck, "case", "kind") != "dry") return std::nullopt;
+  const std::optional<dry::Parameters> parameters = dry::read(deck);
+  if (!parameters) return std::nullopt;
   refuse_film(deck);
-  DryInput input;
+  DryInput input{.parameters = *parameters};
   input.contact = elastic_contact(deck);
   choose_domain(deck);
-  input.parameters.tolerance = deck::number(deck, "dry", "tolerance");
-  input.parameters.max_iterations = deck::integer(deck, "dry", "max_iterations", input.parameters.max_iterations);
-  input.parameters.coarsest_cells = deck::integer(deck, "grid", "coarsest", 0);
   return input;
 }
 

@@ -48,20 +48,10 @@ std::string summary(const Case& input, const Computed& computed) {
   return text;
 }
 
-std::vector<results::Quantity> quantities(const Friction& f) {
-  return {{"mu", f.sliding, "-", "sliding friction over the load, positive where surface 1 is the faster one"},
-          {"mu_rolling", f.rolling, "-", "rolling friction over the load, the same on both surfaces"},
-          {"mu_1", f.on_1, "-", "force of the film on surface 1 along +x over the load"},
-          {"mu_2", f.on_2, "-", "force of the film on surface 2 along +x over the load"},
-          {"mu_cavitated", f.cavitated, "-", "part of mu from the cavitated region"},
-          {"largest_shear_stress", f.largest_stress, "p_h", "of sliding, in the pressurised film", "largest_stress"},
-          {"limited_share", f.limited_share, "-", "share of the load where the limiting stress acts"}};
-}
-
 Json json(const Computed& computed) {
   const Friction& f = *computed.friction;
   Json report;
-  add(quantities(f), report);
+  add(friction_quantities(f), report);
   report["warnings"] = friction::warnings(f);
   report["seconds"] = f.seconds;
   return report;
@@ -73,13 +63,23 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
     content.fields.push_back({"tau1", "p_h", "shear stress of the film on surface 1 along +x", &f.tau1});
   if (f.parameters.keep_tau2)
     content.fields.push_back({"tau2", "p_h", "shear stress of the film on surface 2 along +x", &f.tau2});
-  for (results::Quantity& one : quantities(f)) content.summary.push_back(std::move(one));
+  for (results::Quantity& one : friction_quantities(f)) content.summary.push_back(std::move(one));
   content.summary.push_back({"slide_roll_ratio", input.physics.srr, "-", "(u1 - u2)/u_m"});
   content.summary.push_back({"friction", what(input), "", "what it holds for"});
   content.summary.push_back({"friction_warnings", deck::joined(friction::warnings(f), "\n"), "", "one a line"});
 }
 
 }  // namespace
+
+std::vector<results::Quantity> friction_quantities(const friction::Friction& f) {
+  return {{"mu", f.sliding, "-", "sliding friction over the load, positive where surface 1 is the faster one"},
+          {"mu_rolling", f.rolling, "-", "rolling friction over the load, the same on both surfaces"},
+          {"mu_1", f.on_1, "-", "force of the film on surface 1 along +x over the load"},
+          {"mu_2", f.on_2, "-", "force of the film on surface 2 along +x over the load"},
+          {"mu_cavitated", f.cavitated, "-", "part of mu from the cavitated region"},
+          {"largest_shear_stress", f.largest_stress, "p_h", "of sliding, in the pressurised film", "largest_stress"},
+          {"limited_share", f.limited_share, "-", "share of the load where the limiting stress acts"}};
+}
 
 friction::Friction friction_of(const Case& input, const steady::Solution& solution) {
   return friction::friction_of({solution.grid, solution.P, solution.H, input.scene.viscosity, input.scene.thinning},

@@ -8,6 +8,14 @@
 namespace ehl::program {
 namespace {
 
+void read(Case& input) {
+  deck::Deck& deck = input.deck;
+  if (!deck::given(deck, "subsurface", "depth")) return;
+  if (deck::given(deck, "transient", "end_time"))
+    deck::complain(deck, "subsurface", "depth", "is for steady contacts: remove it, or [transient]");
+  input.subsurface = subsurface::read(deck, deck::number(deck, "contact", "nu1"));
+}
+
 Needs expense(const Case& input) {
   const core::Grid& grid = input.scene.grid;
   return {.bytes = subsurface::expected_bytes(grid, *input.subsurface, input.scene.threads),
@@ -32,7 +40,7 @@ Effect subsurface_effect() {
           .sections = {{.name = "subsurface", .called_by = {"depth"}}},
           .costly = {"subsurface", "planes"},
           .keys = subsurface::keys,
-          .read = [](Case& input) { input.subsurface = subsurface_input(input.deck); },
+          .read = read,
           .on = [](const Case& input) { return input.subsurface.has_value(); },
           .what = [](const Case& input) { return subsurface_plan(*input.subsurface, input.scene.grid); },
           .expense = expense,

@@ -11,7 +11,7 @@
 namespace ehl::program {
 namespace {
 
-double step_of(const TransientInput& transient) {
+double step_of(const transient::Input& transient) {
   const transient::MarchParameters& march = transient.parameters;
   return std::isnan(march.longest_step) ? transient::longest_step(transient.conditions, march.end) : march.longest_step;
 }

@@ -169,7 +169,7 @@ std::string effect_times(const Case& input, const Computed& computed) {
   double basic = computed.seconds;
   for (const Effect& effect : on) {
     const double seconds = own_seconds(effect, computed);
-    rows += formatted("  %-27s  %8s  %5s\n", effect.name.c_str(), known("%.4f", seconds).c_str(),
+    rows += formatted("  %-27s  %8s  %5s\n", effect.name.c_str(), known("{:.4f}", seconds).c_str(),
                       std::isfinite(seconds) ? formatted("%3.0f %%", 100.0 * seconds / computed.seconds).c_str() : "-");
     if (std::isfinite(seconds)) basic -= seconds;
   }

@@ -102,6 +102,8 @@ Effect friction_effect();
 
 /// The friction of a solution of a case that asks for it.
 friction::Friction friction_of(const Case& input, const steady::Solution& solution);
+/// Its numbers, for the report as JSON, the result file and the tables.
+std::vector<results::Quantity> friction_quantities(const friction::Friction& found);
 
 /// "steady, smooth, ..., fully flooded": what the case leaves to the basic model, that of no version yet included.
 std::vector<std::string> basic_model(const Case& input);

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "case/file_beside.hpp"
+#include "deck/file.hpp"
 #include "deck/text.hpp"
 #include "results/matrix.hpp"
 
@@ -49,7 +49,7 @@ std::string too_few(int nx, int ny) {
 }
 
 ReadHeights read_csv(const std::string& path) {
-  std::ifstream file = opened(path);
+  std::ifstream file = deck::opened(path);
   Heights heights;
   int number = 0;
   bool heading_allowed = true;

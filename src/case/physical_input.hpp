@@ -5,12 +5,13 @@
 
 #include "contact/groups.hpp"
 #include "contact/hertz.hpp"
+#include "contact/keys.hpp"
 #include "deck/deck.hpp"
 #include "rheology/laws.hpp"
 
 namespace ehl::program {
 
-enum class Language { none, moes, hamrock_dowson, si };
+using contact::Language;
 
 /// A contact given in SI units.
 struct SiInput {

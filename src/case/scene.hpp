@@ -18,14 +18,17 @@ struct Case {
   deck::Deck deck{};  ///< with everything that was chosen
   Physics physics{};
   steady::Scene scene{};
-  SurfaceInput surfaces{};                    ///< what they carry, in time or at rest
-  std::optional<TransientInput> transient{};  ///< nothing: steady
-  std::optional<DryInput> dry{};              ///< without lubricant: then the scene is but a grid
+  SurfaceInput surfaces{};                      ///< what they carry, in time or at rest
+  std::optional<transient::Input> transient{};  ///< nothing: steady
+  std::optional<DryInput> dry{};                ///< without lubricant: then the scene is but a grid
   std::optional<subsurface::Parameters> subsurface{};
   std::optional<friction::Parameters> friction{};
   std::vector<std::string> fields{};  ///< to keep in the result
   std::string output{};               ///< result file that the deck names
 };
+
+/// The deck's keys of [case] title and [output], which are the program's own.
+std::vector<deck::Key> case_keys();
 
 /// Reads, validates and converts. in: path of the deck, overrides, number of threads.
 /// errors: core::InputError with every complaint about keys and about what they mean together.

@@ -10,7 +10,7 @@
 namespace ehl::program {
 
 /// physics.srr and a_over_R, from what else it holds.
-void set_sliding(const deck::Deck& deck, Physics& physics);
+void set_sliding(const contact::Input& input, Physics& physics);
 
 /// Nothing where the deck has no [shear], or complaints already. Complains in the deck.
 std::optional<rheology::ShearThinning> shear_input(deck::Deck& deck, const Physics& physics);

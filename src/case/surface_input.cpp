@@ -1,22 +1,21 @@
 #include "case/surface_input.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
-#include <numbers>
 #include <utility>
 
-#include "case/file_beside.hpp"
 #include "case/map_file.hpp"
 #include "core/norms.hpp"
+#include "deck/file.hpp"
 #include "deck/text.hpp"
-#include "report/text_format.hpp"
+#include "surface/keys.hpp"
 
 namespace ehl::program {
 namespace {
 
-using deck::complain;
 using deck::given;
 using surface::Feature;
 
@@ -27,159 +26,113 @@ constexpr double no_heights = 1e-12;
 /// Largest gap on the grid, over the height of what makes it, that is no influence.
 constexpr double no_influence = 1e-9;
 
-struct Units {
-  deck::PlainUnit a{.suffix = "_m"};       ///< Hertz radius
-  deck::PlainUnit height{.suffix = "_m"};  ///< a^2/R
-};
-
-// One length of a surface, which it cannot do without.
-double length_of(deck::Deck& deck, const std::string& of, const std::string& key, const deck::PlainUnit& unit) {
-  if (!given(deck, of, key) && !given(deck, of, key + unit.suffix))
-    complain(deck, of, key, "is missing: give it, or " + key + unit.suffix + " for a contact in SI");
-  return deck::number_in(deck, of, key, unit);
+// A place that the deck leaves open is chosen. in: how far before the inlet it begins where it moves.
+double place_of(const deck::Part& surface, double X, const core::Grid& grid, double before, bool timed) {
+  if (!std::isnan(X) || !std::isfinite(before)) return X;
+  const double chosen = timed ? grid.X_a - before : 0.0;
+  surface.fill("x", chosen, timed ? "before the inlet" : "in the middle");
+  return chosen;
 }
 
-struct Place {
-  double X = 0.0;
-  double Y = 0.0;
-};
-
-// in: how far before the inlet it begins where it moves.
-Place place_of(deck::Deck& deck, const std::string& of, const core::Grid& grid, double before, bool timed) {
-  if (!given(deck, of, "x") && std::isfinite(before))
-    deck::choose(deck, of, "x", timed ? grid.X_a - before : 0.0, timed ? "before the inlet" : "in the middle");
-  return {deck::number(deck, of, "x"), deck::number(deck, of, "y")};
-}
-
-Feature feature_of(deck::Deck& deck, const std::string& of, const Units& units, const core::Grid& grid, bool timed) {
-  const std::string shape = deck::word(deck, of, "shape");
-  using Shape = Feature::Shape;
-  Feature feature;
-  feature.shape = shape == "dimple"     ? Shape::dimple
-                  : shape == "bump"     ? Shape::bump
-                  : shape == "ridge"    ? Shape::ridge
-                  : shape == "groove"   ? Shape::groove
-                  : shape == "waviness" ? Shape::waviness
-                                        : Shape::cavity;
-  feature.height = length_of(deck, of, "height", units.height);
-  feature.width = length_of(deck, of, "width", units.a);
-  const double angle = deck::number(deck, of, "angle");
-  feature.angle = std::isnan(angle) ? 0.0 : angle * std::numbers::pi / 180.0;
+CarriedSurface feature_of(const deck::Part& part, const surface::Input& input, const core::Grid& grid, bool timed) {
+  Feature feature = *input.feature;
   feature.front = timed;
-  const Place place = place_of(deck, of, grid, (shape == "waviness" ? 1.0 : 3.0) * feature.width, timed);
-  feature.X = place.X;
-  feature.Y = place.Y;
+  const double widths = feature.shape == Feature::Shape::waviness ? 1.0 : 3.0;
+  feature.X = place_of(part, input.X, grid, widths * feature.width, timed);
+  feature.Y = input.Y;
   if (grid.nx > 0 && feature.width < 4.0 * grid.hx())
-    complain(deck, of, given(deck, of, "width") ? "width" : "width_m",
-             formatted("is %.4g Hertz radii, fewer than four cells of %.4g", feature.width, grid.hx()) +
-                 ": the mesh does not see it; use more cells");
-  return feature;
-}
-
-// The spacing along y is that along x where the deck is silent.
-double spacing_across(deck::Deck& deck, const std::string& of, const Units& units, double dx) {
-  const double dy = deck::number_in(deck, of, "dy", units.a);
-  return given(deck, of, "dy") || given(deck, of, "dy_m") ? dy : dx;
+    part.complain(part.given("width") ? "width" : "width_m",
+                  fmt::format("is {:.4g} Hertz radii, fewer than four cells of {:.4g}: the mesh does not see it; use "
+                              "more cells",
+                              feature.width, grid.hx()));
+  return {part.section, input.shape, feature, std::nullopt};
 }
 
 // Nothing where something was complained about.
-std::optional<CarriedSurface> map_of(deck::Deck& deck, const std::string& of, const Units& units,
-                                     const core::Grid& grid, bool timed) {
-  surface::HeightMap map;
-  const double unit = length_of(deck, of, "unit", units.height);
-  map.dx = length_of(deck, of, "dx", units.a);
-  map.dy = spacing_across(deck, of, units, map.dx);
-  MapRecord record{.file = deck::word(deck, of, "file"), .taper = deck::number(deck, of, "taper")};
-  if (record.file.empty()) {
-    complain(deck, of, "file", "is missing: the measured heights, a .csv or a .h5");
-    return std::nullopt;
-  }
-  ReadHeights read = read_heights(found_beside(deck, of, "file"), deck::word(deck, of, "dataset"));
-  if (const auto* wrong = std::get_if<std::string>(&read)) {
-    complain(deck, of, "file", *wrong);
-    return std::nullopt;
-  }
-  if (!deck.errors.empty()) return std::nullopt;
-  map.gap = std::move(std::get<surface::Heights>(read));
+std::optional<CarriedSurface> map_of(const deck::Part& part, const surface::Input& input, const core::Grid& grid,
+                                     bool timed) {
+  if (input.map->file.empty()) return std::nullopt;
+  ReadHeights read = read_heights(deck::found_beside(part.deck, part.section, "file"), input.map->dataset);
+  if (const auto* wrong = std::get_if<std::string>(&read)) part.complain("file", *wrong);
+  if (!part.deck.errors.empty()) return std::nullopt;
+  surface::HeightMap map{.gap = std::move(std::get<surface::Heights>(read)), .dx = input.map->dx, .dy = input.map->dy};
+  MapRecord record{.file = input.map->file, .taper = input.map->taper};
   const double before = std::ranges::max(map.gap.values, {}, [](double z) { return std::abs(z); });
   record.plane = surface::level(map.gap);
   const double left = surface::rms(map.gap);
   if (!(left > no_heights * std::abs(before))) {
-    complain(deck, of, "file", record.file + ": its heights lie in a plane: without it nothing is left");
+    part.complain("file", record.file + ": its heights lie in a plane: without it nothing is left");
     return std::nullopt;
   }
-  for (double& z : map.gap.values) z *= -unit;
-  record.rms = unit * left;
+  for (double& z : map.gap.values) z *= -input.map->unit;
+  record.rms = input.map->unit * left;
   surface::taper(map.gap, record.taper);
-  const Place place = place_of(deck, of, grid, 0.5 * map.length_x(), timed);
-  map.X = place.X;
-  map.Y = place.Y;
+  map.X = place_of(part, input.X, grid, 0.5 * map.length_x(), timed);
+  map.Y = input.Y;
   map.step = std::max(map.dx, grid.hx());
-  return CarriedSurface{of, "map", std::move(map), std::move(record)};
+  return CarriedSurface{part.section, input.shape, std::move(map), std::move(record)};
 }
 
 // A steady film is that of surfaces that look the same at all times: one that is not smooth must stand.
-void check_at_rest(deck::Deck& deck, const std::string& of, const Physics& physics, bool timed) {
-  const bool said = given(deck, of, "at_rest");
+void check_at_rest(const deck::Part& part, const Physics& physics, bool timed) {
+  const bool said = part.given("at_rest");
   if (timed) {
-    if (said) complain(deck, of, "at_rest", "is for steady contacts: in time [transient] u1 and u2 say how it moves");
-  } else if (physics.language == Language::si) {
-    if (said) complain(deck, of, "at_rest", "has no influence: [motion] says which surface stands; remove it");
+    if (said) part.complain("at_rest", "is for steady contacts: in time [transient] u1 and u2 say how it moves");
+  } else if (physics.language == contact::Language::si) {
+    if (said) part.complain("at_rest", "has no influence: [motion] says which surface stands; remove it");
     if (!physics.si) return;  // complained about already
-    const double u = of == "surface1" ? physics.si->u1 : physics.si->u2;
+    const double u = part.section == "surface1" ? physics.si->u1 : physics.si->u2;
     if (std::abs(u) > no_speed * physics.si->contact.u_s)
-      complain(deck, of, "shape",
-               "is on a surface that moves with " + deck::shortest(u) +
-                   " m/s, and the film is not steady: give [transient] end_time, or let this surface stand (u" +
-                   of.back() + " = 0 in [motion])");
+      part.complain("shape", "is on a surface that moves with " + deck::shortest(u) +
+                                 " m/s, and the film is not steady: give [transient] end_time, or let this surface "
+                                 "stand (u" +
+                                 part.section.back() + " = 0 in [motion])");
   } else if (!said) {
-    complain(deck, of, "shape",
-             "moves through the contact and needs [transient] end_time, unless this surface stands still: then say "
-             "at_rest = yes");
+    part.complain(
+        "shape",
+        "moves through the contact and needs [transient] end_time, unless this surface stands still: then say "
+        "at_rest = yes");
   }
 }
 
-void check_influence(deck::Deck& deck, const CarriedSurface& surface, const core::Grid& grid) {
+void check_influence(const deck::Part& part, const surface::Relief& relief, const core::Grid& grid) {
   if (grid.ny == 0) return;
   core::Field S(grid);
-  surface::add_cell_average(surface.relief, grid, S);
-  const auto* map = std::get_if<surface::HeightMap>(&surface.relief);
-  const double height = map ? surface::rms(map->gap) : std::get<Feature>(surface.relief).height;
+  surface::add_cell_average(relief, grid, S);
+  const auto* map = std::get_if<surface::HeightMap>(&relief);
+  const double height = map ? surface::rms(map->gap) : std::get<Feature>(relief).height;
   if (core::max_abs(S) > no_influence * height) return;
-  complain(deck, surface.section, "shape",
-           "has no influence: where it stands, at (" + deck::shortest(deck::number(deck, surface.section, "x")) + ", " +
-               deck::shortest(deck::number(deck, surface.section, "y")) + ") a, nothing of it lies in the domain");
+  const auto [X, Y] = std::visit([](const auto& one) { return std::pair(one.X, one.Y); }, relief);
+  part.complain("shape", "has no influence: where it stands, at (" + deck::shortest(X) + ", " + deck::shortest(Y) +
+                             ") a, nothing of it lies in the domain");
 }
 
-std::optional<CarriedSurface> carried_by(deck::Deck& deck, const std::string& of, const Physics& physics,
-                                         const core::Grid& grid, Motion motion) {
-  const std::string shape = deck::word(deck, of, "shape");
-  if (shape.empty()) return std::nullopt;
+std::optional<CarriedSurface> carried_by(const deck::Part& part, const Physics& physics, const core::Grid& grid,
+                                         Motion motion) {
   const bool timed = motion == Motion::in_time;
-  Units units;
+  surface::Units units;
   // A contact in SI with an error in it has been complained about already.
-  units.a.known = units.height.known = physics.language == Language::si || given(deck, "contact", "load");
+  units.a.known = units.height.known = physics.language == contact::Language::si || given(part.deck, "contact", "load");
   if (physics.si) {
     units.a.in_SI = physics.si->hertz.a;
     units.height.in_SI = physics.si->hertz.h_scale;
   }
-  if (motion != Motion::dry) check_at_rest(deck, of, physics, timed);
-  std::optional<CarriedSurface> surface;
-  if (shape == "map")
-    surface = map_of(deck, of, units, grid, timed);
-  else
-    surface = CarriedSurface{of, shape, feature_of(deck, of, units, grid, timed), std::nullopt};
-  if (!timed && surface && deck.errors.empty()) check_influence(deck, *surface, grid);
+  const surface::Input input = surface::read(part.deck, part.section, units);
+  if (input.shape.empty()) return std::nullopt;
+  if (motion != Motion::dry) check_at_rest(part, physics, timed);
+  std::optional<CarriedSurface> surface =
+      input.map ? map_of(part, input, grid, timed) : feature_of(part, input, grid, timed);
+  if (!timed && surface && part.deck.errors.empty()) check_influence(part, surface->relief, grid);
   return surface;
 }
 
 }  // namespace
 
 SurfaceInput surface_input(deck::Deck& deck, const Physics& physics, const core::Grid& grid, Motion motion) {
-  SurfaceInput surfaces{carried_by(deck, "surface1", physics, grid, motion),
-                        carried_by(deck, "surface2", physics, grid, motion)};
+  SurfaceInput surfaces{carried_by({deck, "surface1"}, physics, grid, motion),
+                        carried_by({deck, "surface2"}, physics, grid, motion)};
   if (given(deck, "surface1", "at_rest") && given(deck, "surface2", "at_rest"))
-    complain(deck, "surface2", "at_rest", "of both surfaces: nothing would carry the oil into the contact");
+    deck::complain(deck, "surface2", "at_rest", "of both surfaces: nothing would carry the oil into the contact");
   return surfaces;
 }
 
@@ -198,7 +151,7 @@ void let_stand(const SurfaceInput& surfaces, steady::Scene& scene) {
       scene.use_symmetry && std::ranges::all_of(all, [](const auto& one) { return surface::symmetric(one); });
   // Scenes are copied, maps need not be.
   const auto shared = std::make_shared<const std::vector<surface::Relief>>(std::move(all));
-  scene.surface = [shared](const core::Grid& grid, core::Field& S) {
+  scene.surface = [shared](const core::Patch& grid, core::Field& S) {
     S.fill(0.0);
     for (const surface::Relief& relief : *shared) surface::add_cell_average(relief, grid, S);
   };

@@ -123,7 +123,7 @@ int resume(const Arguments& arguments) {
   const std::string path = arguments.operands[0];
   const results::ResultFile file(path);
   TransientResult before = read_transient(file);
-  const deck::Document document = deck::parse(file.text("/deck"), path + " /deck", catalogue());
+  const deck::Document document = deck::parse(file.text("/deck"), path + " /deck");
   deck::Deck understood = deck::validate(document, {}, catalogue());
   if (file.kind("/provenance/deck_folder") != results::ResultFile::Kind::missing)
     understood.folders.push_back(file.text("/provenance/deck_folder"));

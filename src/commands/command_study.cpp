@@ -2,21 +2,18 @@
 #include <algorithm>
 #include <cstdio>
 #include <functional>
-#include <optional>
 #include <span>
 
 #include "commands/commands.hpp"
 #include "commands/exit_status.hpp"
 #include "commands/machine.hpp"
-#include "commands/signals.hpp"
 #include "core/errors.hpp"
 #include "deck/document.hpp"
 #include "deck/text.hpp"
-#include "report/progress.hpp"
 #include "results/atomic_file.hpp"
+#include "tables/children.hpp"
 #include "tables/csv.hpp"
 #include "tables/study_report.hpp"
-#include "tables/sweep_children.hpp"
 #include "tables/time_study.hpp"
 
 namespace ehl::program {
@@ -97,46 +94,25 @@ Case reference_case(const Grids& grids, int cells) {
   return input;
 }
 
-// Runs tasks that give points, and tells how each ended. A process that died is a point too.
-void run_tasks(const std::vector<std::size_t>& tasks, int at_once, bool quiet,
-               const std::function<const StudyCase&(std::size_t)>& way,
-               const std::function<StudyPoint(std::size_t)>& task,
-               const std::function<void(std::size_t, const StudyPoint&)>& ended) {
-  Progress progress(quiet);
-  std::size_t done = 0;
-  ChildrenCalls calls;
-  calls.stop = stop_requested;
-  calls.task = [&](std::size_t index) { return study_text(task(index)); };
-  calls.ended = [&](const ChildEnd& end) {
-    StudyPoint point;
-    if (end.complete) {
-      point = study_point(end.text);
-    } else {
-      point.way = way(end.task);
-      point.status = "failed";
-      point.reason = end.reason;
-    }
-    progress.count(++done, tasks.size(),
-                   std::to_string(way(end.task).cells) + " cells, " + name_of_way(way(end.task)) + "  " + point.status);
-    ended(end.task, point);
-  };
-  const bool finished = run_in_children(tasks, at_once, calls);
-  if (!finished) throw core::Interrupted();
+// Each way on its grid, measured once.
+std::vector<StudyPoint> measured_once(const std::vector<StudyCase>& ways, int at_once, bool quiet,
+                                      const std::function<Case(int cells)>& on_grid) {
+  std::vector<StudyPoint> planned(ways.size());
+  for (std::size_t k = 0; k < ways.size(); ++k) planned[k].way = ways[k];
+  const RowCalls<StudyPoint> calls{
+      .compute = [&](const StudyPoint& point) { return measure(on_grid(point.way.cells), point.way); },
+      .write = study_text,
+      .read = study_point,
+      .name = [](const StudyPoint& p) { return std::to_string(p.way.cells) + " cells, " + name_of_way(p.way); }};
+  return computed_rows(std::move(planned), at_once, quiet, calls);
 }
 
 Reference find_reference(const Grids& grids, const std::vector<int>& cells, bool quiet) {
-  std::vector<StudyPoint> solutions(cells.size());
   std::vector<StudyCase> ways;
-  std::vector<std::size_t> tasks;
-  for (std::size_t k = 0; k < cells.size(); ++k) {
-    ways.push_back({cells[k], "upstream2", "fft", "run"});
-    tasks.push_back(k);
-  }
+  for (const int one : cells) ways.push_back({one, "upstream2", "fft", "run"});
   if (!quiet) std::fprintf(stderr, "ehl: the reference, on %zu grids\n", cells.size());
-  run_tasks(
-      tasks, 1, quiet, [&](std::size_t k) -> const StudyCase& { return ways[k]; },
-      [&](std::size_t k) { return measure(reference_case(grids, cells[k]), ways[k]); },
-      [&](std::size_t k, const StudyPoint& point) { solutions[k] = point; });
+  const std::vector<StudyPoint> solutions =
+      measured_once(ways, 1, quiet, [&](int one) { return reference_case(grids, one); });
   const Reference reference = reference_of(solutions);
   if (reference.cells.size() < 2)
     throw core::SolverError("the reference needs second-order solutions with a residual of 1e-10 on two grids: " +
@@ -147,23 +123,21 @@ Reference find_reference(const Grids& grids, const std::vector<int>& cells, bool
 // The repetitions of a case are far apart, so that a disturbance does not meet all of them.
 std::vector<StudyPoint> measured(const Grids& grids, const std::vector<StudyCase>& ways, const StudyHeader& header,
                                  bool quiet) {
-  std::vector<std::optional<StudyPoint>> points(ways.size());
-  std::vector<std::size_t> tasks(ways.size() * static_cast<std::size_t>(header.repeats));
-  for (std::size_t k = 0; k < tasks.size(); ++k) tasks[k] = k;
-  const auto way = [&](std::size_t task) -> const StudyCase& { return ways[task % ways.size()]; };
+  std::vector<StudyCase> tasks;
+  for (int repetition = 0; repetition < header.repeats; ++repetition)
+    tasks.insert(tasks.end(), ways.begin(), ways.end());
   if (!quiet) std::fprintf(stderr, "ehl: %zu ways, %d times each\n", ways.size(), header.repeats);
-  run_tasks(
-      tasks, header.jobs, quiet, way, [&](std::size_t task) { return measure(grids.on(way(task).cells), way(task)); },
-      [&](std::size_t task, const StudyPoint& point) {
-        std::optional<StudyPoint>& kept = points[task % ways.size()];
-        if (!kept || kept->status == "failed")
-          kept = point;
-        else if (point.status != "failed")
-          add_repetition(point, *kept);
-      });
-  std::vector<StudyPoint> all;
-  for (const std::optional<StudyPoint>& point : points) all.push_back(*point);
-  return all;
+  const std::vector<StudyPoint> all =
+      measured_once(tasks, header.jobs, quiet, [&](int cells) { return grids.on(cells); });
+  std::vector<StudyPoint> points(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(ways.size()));
+  for (std::size_t k = ways.size(); k < all.size(); ++k) {
+    StudyPoint& kept = points[k % ways.size()];
+    if (kept.status == "failed")
+      kept = all[k];
+    else if (all[k].status != "failed")
+      add_repetition(all[k], kept);
+  }
+  return points;
 }
 
 }  // namespace
@@ -176,7 +150,7 @@ int study(const Arguments& arguments) {
   header.threads = arguments.has("threads") ? requested_threads(arguments) : 1;
   header.jobs = whole_number(arguments, "jobs", 1, 1024);
   header.repeats = whole_number(arguments, "repeat", 3, 100);
-  const std::string path = table_name(arguments);
+  const std::string path = table_name(arguments.value("output", ""), header.deck, "_study.csv");
   const bool quiet = arguments.has("quiet");
 
   const Grids grids(arguments, header.threads);

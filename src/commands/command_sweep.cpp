@@ -1,4 +1,6 @@
 // ehl sweep: many cases of one deck, one table.
+#include <fmt/core.h>
+
 #include <cstdio>
 
 #include "case/catalogue.hpp"
@@ -10,9 +12,8 @@
 #include "deck/document.hpp"
 #include "deck/text.hpp"
 #include "report/progress.hpp"
-#include "report/text_format.hpp"
+#include "tables/children.hpp"
 #include "tables/csv.hpp"
-#include "tables/sweep_children.hpp"
 #include "tables/sweep_row.hpp"
 #include "tables/sweep_table.hpp"
 
@@ -21,10 +22,10 @@ namespace {
 
 std::string summary(const SweepTable& table, std::size_t cases, std::size_t kept, double seconds) {
   std::string text =
-      formatted("cases        %zu: %zu kept, %zu computed in %.1f s\n", cases, kept, cases - kept, seconds);
+      fmt::format("cases        {}: {} kept, {} computed in {:.1f} s\n", cases, kept, cases - kept, seconds);
   text += "status       ";
   for (const char* status : {"converged", "not-converged", "refused", "failed"})
-    text += formatted("%zu %s%s", table.count(status), status, status == std::string("failed") ? "\n" : ", ");
+    text += fmt::format("{} {}{}", table.count(status), status, status == std::string("failed") ? "\n" : ", ");
   return text;
 }
 
@@ -43,7 +44,7 @@ int sweep(const Arguments& arguments) {
   };
   header.with_friction = names_friction(deck, overrides_of(0));
   const int at_once = requested_threads(arguments);
-  const std::string path = table_name(arguments);
+  const std::string path = table_name(arguments.value("output", ""), deck, "_sweep.csv");
   SweepTable table(path, header, arguments.has("overwrite"));
 
   const double began = core::now();

@@ -25,7 +25,8 @@ double fraction(const dry::Progress& now, double tolerance) {
 }
 
 void solve(const Case& input, Progress& progress, Computed& computed) {
-  const core::Grid grid = input.scene.use_symmetry ? core::lower_half(input.scene.grid) : input.scene.grid;
+  const core::Patch grid =
+      input.scene.use_symmetry ? core::lower_half(input.scene.grid) : core::Patch(input.scene.grid);
   dry::Problem problem{
       grid, dry::smooth_gap(grid), hertz_load, input.scene.deformation, input.dry->parameters, input.scene.threads};
   if (input.scene.surface) {

@@ -1,11 +1,13 @@
 #include "commands/transient_run.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <functional>
 
-#include "case/transient_probes.hpp"
+#include "case/transient_input.hpp"
 #include "commands/signals.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
@@ -19,8 +21,8 @@ using transient::MarchEnd;
 using transient::StepRow;
 
 std::string text_of(const StepRow& row, double end) {
-  return formatted("time %.4g of %.4g a/u_m  step %.1e  order %d  Hc %.4f  Hm %.4f", row.T, end, row.length, row.order,
-                   row.Hc, row.Hm);
+  return fmt::format("time {:.4g} of {:.4g} a/u_m  step {:.1e}  order {}  Hc {:.4f}  Hm {:.4f}", row.T, end, row.length,
+                     row.order, row.Hc, row.Hm);
 }
 
 // The counts of all rows, those before a checkpoint included.
@@ -43,8 +45,8 @@ template <class Value>
 std::string range_line(const std::string& name, const std::vector<StepRow>& rows, Value value) {
   const StepRow& low = *std::ranges::min_element(rows, {}, value);
   const StepRow& high = *std::ranges::max_element(rows, {}, value);
-  return formatted("  %-10s %.5f to %.5f, at times %.4g and %.4g; at the end %.5f\n", name.c_str(),
-                   std::invoke(value, low), std::invoke(value, high), low.T, high.T, std::invoke(value, rows.back()));
+  return fmt::format("  {:<10} {:.5f} to {:.5f}, at times {:.4g} and {:.4g}; at the end {:.5f}\n", name,
+                     std::invoke(value, low), std::invoke(value, high), low.T, high.T, std::invoke(value, rows.back()));
 }
 
 std::string probe_lines(const Case& input, const std::vector<StepRow>& rows) {
@@ -75,7 +77,7 @@ TransientResult run_transient(const Case& input, const steady::Solution& start, 
   const std::optional<transient::Checkpoint> from = std::move(result.checkpoint);
   result.checkpoint.reset();
   result.report.end = MarchEnd::interrupted;  // so far
-  const TransientInput& march = *input.transient;
+  const transient::Input& march = *input.transient;
   if (!result.rows.empty() && result.rows.front().probed.size() != march.parameters.probes.size())
     throw core::FileError("the file is damaged: its rows have other probes than its deck");
   double saved = core::now();
@@ -107,8 +109,8 @@ bool completed(const TransientResult& result) {
 
 std::string transient_summary(const Case& input, const TransientResult& result) {
   const transient::MarchReport& report = result.report;
-  std::string text = formatted("transient    time 0 to %.6g a/u_m", report.T);
-  if (std::isfinite(input.transient->second)) text += formatted(" (%.4g s)", report.T / input.transient->second);
+  std::string text = fmt::format("transient    time 0 to {:.6g} a/u_m", report.T);
+  if (std::isfinite(input.transient->second)) text += fmt::format(" ({:.4g} s)", report.T / input.transient->second);
   text += ", ended " + how_it_ended(report) + "\n";
   text += range_line("Hc", result.rows, &StepRow::Hc) + range_line("Hm", result.rows, &StepRow::Hm) +
           range_line("P_max", result.rows, &StepRow::P_max);
@@ -117,14 +119,15 @@ std::string transient_summary(const Case& input, const TransientResult& result) 
         range_line("velocity", result.rows, &StepRow::velocity) + range_line("carried", result.rows, &StepRow::carried);
   text += probe_lines(input, result.rows);
   const int attempts = report.steps + report.rejected + report.not_solved;
-  text += formatted(
-      "  steps      %d, %.2f cycles each; %d of %d attempts rejected for their error, %d not solved; %d jumps; longest "
-      "allowed %.3g\n",
+  text += fmt::format(
+      "  steps      {}, {:.2f} cycles each; {} of {} attempts rejected for their error, {} not solved; {} jumps; "
+      "longest "
+      "allowed {:.3g}\n",
       report.steps, static_cast<double>(report.cycles) / std::max(1, report.steps), report.rejected, attempts,
       report.not_solved, report.restarts, report.longest_step);
-  text += formatted("  load       worst error %.1e\n  time       %.3f s, %.2f ms per step; %zu fields kept\n",
-                    report.worst_load_error, report.seconds, 1e3 * report.seconds / std::max(1, report.steps),
-                    result.frames.size());
+  text += fmt::format("  load       worst error {:.1e}\n  time       {:.3f} s, {:.2f} ms per step; {} fields kept\n",
+                      report.worst_load_error, report.seconds, 1e3 * report.seconds / std::max(1, report.steps),
+                      result.frames.size());
   return text;
 }
 

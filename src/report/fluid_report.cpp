@@ -1,5 +1,7 @@
 #include "report/fluid_report.hpp"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <limits>
 
@@ -11,23 +13,23 @@ namespace {
 
 std::string text(rheology::Isoviscous) { return "isoviscous"; }
 std::string text(const rheology::Barus&) { return "Barus"; }
-std::string text(const rheology::Roelands& law) { return formatted("Roelands, z = %.4g", law.z); }
+std::string text(const rheology::Roelands& law) { return fmt::format("Roelands, z = {:.4g}", law.z); }
 std::string text(const rheology::Doolittle& law) {
-  return formatted("Doolittle, B = %.4g, R0 = %.4g (Tait's volume)", law.B, law.R0);
+  return fmt::format("Doolittle, B = {:.4g}, R0 = {:.4g} (Tait's volume)", law.B, law.R0);
 }
 std::string text(const rheology::Yasutomi& law) {
-  return formatted("Yasutomi, %.4g K above the glass transition", law.x0);
+  return fmt::format("Yasutomi, {:.4g} K above the glass transition", law.x0);
 }
 std::string text(const rheology::TabulatedViscosity& law) {
-  return formatted("table of %zu viscosities", law.curve->x.size());
+  return fmt::format("table of {} viscosities", law.curve->x.size());
 }
 
 std::string text(rheology::Incompressible) { return "incompressible"; }
 std::string text(const rheology::DowsonHigginson&) { return "Dowson-Higginson"; }
-std::string text(const rheology::Tait& law) { return formatted("Tait, K0' = %.4g", law.K0_prime); }
-std::string text(const rheology::Murnaghan& law) { return formatted("Murnaghan, K0' = %.4g", law.K0_prime); }
+std::string text(const rheology::Tait& law) { return fmt::format("Tait, K0' = {:.4g}", law.K0_prime); }
+std::string text(const rheology::Murnaghan& law) { return fmt::format("Murnaghan, K0' = {:.4g}", law.K0_prime); }
 std::string text(const rheology::TabulatedDensity& law) {
-  return formatted("table of %zu densities", law.curve->x.size());
+  return fmt::format("table of {} densities", law.curve->x.size());
 }
 
 }  // namespace
@@ -54,8 +56,8 @@ FilmCoefficients film_coefficients(const Physics& physics) {
 std::string film_coefficients_line(const Physics& physics) {
   const FilmCoefficients found = film_coefficients(physics);
   if (std::isnan(found.alpha_star)) return {};
-  return formatted("             alpha* = %.4g 1/Pa (L = %.4g), alpha_film = %.4g 1/Pa (L = %.4g)\n", found.alpha_star,
-                   found.L_star, found.alpha_film, found.L_film);
+  return fmt::format("             alpha* = {:.4g} 1/Pa (L = {:.4g}), alpha_film = {:.4g} 1/Pa (L = {:.4g})\n",
+                     found.alpha_star, found.L_star, found.alpha_film, found.L_film);
 }
 
 }  // namespace ehl::program

@@ -1,5 +1,7 @@
 #include "report/outcome.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -47,9 +49,9 @@ void warn_of_late(const Case& input, std::vector<std::string>& warnings) {
     const Way way = way_of(*one, *input.transient);
     if (std::max(way.from, way.to) + ahead >= inlet) continue;
     warnings.push_back(
-        formatted("%s on %s does not come to the contact: its middle is at x = %.4g a at time 0 and at "
-                  "x = %.4g a at the end; a longer end_time, or x closer to the contact",
-                  one->shape.c_str(), one->section.c_str(), way.from, way.to));
+        fmt::format("{} on {} does not come to the contact: its middle is at x = {:.4g} a at time 0 and at "
+                    "x = {:.4g} a at the end; a longer end_time, or x closer to the contact",
+                    one->shape, one->section, way.from, way.to));
   }
 }
 
@@ -65,9 +67,9 @@ void warn_of_coarse(const Case& input, std::vector<std::string>& warnings) {
     const double cells = feature->width / std::max(grid.hx(), grid.hy());
     if (cells < wanted)
       warnings.push_back(
-          formatted("%s on %s has %.2g cells for its %s where %g are wanted of what moves: its amplitude in "
-                    "the film and its pressure belong to this mesh",
-                    one->shape.c_str(), one->section.c_str(), cells, waves ? "wavelength" : "width", wanted));
+          fmt::format("{} on {} has {:.2g} cells for its {} where {:g} are wanted of what moves: its amplitude in "
+                      "the film and its pressure belong to this mesh",
+                      one->shape, one->section, cells, waves ? "wavelength" : "width", wanted));
   }
 }
 
@@ -125,6 +127,17 @@ Outcome outcome_of(const Case& input, const steady::Solution& solution) {
   warn_of_late(input, outcome.warnings);
   warn_of_coarse(input, outcome.warnings);
   return outcome;
+}
+
+// The only place where the words of a method are read: the rest of the program and the plots go by the code.
+std::string path_code(const steady::Solution& solution) {
+  const std::string& method = solution.method;
+  const std::string later = "full multigrid, start ";
+  if (method.empty()) return "none";
+  if (method.starts_with(later)) return "full-multigrid-" + method.substr(later.size());
+  if (method.starts_with("load continuation")) return "load-continuation";
+  if (method.starts_with("Newton-Krylov after")) return "newton-after-cycles";
+  return method.starts_with("Newton") ? "newton" : "full-multigrid";
 }
 
 const char* name(reynolds::Wedge wedge) { return wedge == reynolds::Wedge::upstream1 ? "upstream1" : "upstream2"; }

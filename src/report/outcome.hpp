@@ -43,6 +43,10 @@ std::vector<Formula> film_formulas(const contact::Groups& groups);
 /// Which are not among them, and why; empty where none is missing.
 std::string formulas_left_out(const contact::Groups& groups);
 
+/// A word for the way that led to a solution, for scripts and plots: full-multigrid, full-multigrid-2 (from another
+/// start), load-continuation, newton, newton-after-cycles; none.
+std::string path_code(const steady::Solution& solution);
+
 const char* name(reynolds::Wedge wedge);
 const char* name(mlmi::Method method);
 

@@ -1,5 +1,7 @@
 #include "report/report.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -15,15 +17,15 @@
 namespace ehl::program {
 namespace {
 
-std::string nodes(int nx, int ny) { return formatted("%d x %d", nx + 1, ny + 1); }
+std::string nodes(int nx, int ny) { return fmt::format("{} x {}", nx + 1, ny + 1); }
 
 std::string formula_lines(const std::vector<Formula>& formulas, const contact::Groups& groups, double h_scale) {
   std::string text = "formulas                                 Hc        Hm  Hc (Moes)  Hm (Moes)\n";
   for (const Formula& formula : formulas) {
-    text += formatted("  %-33s", formula.name.c_str());
-    text += formatted("%8s  %8s  %9s  %9s", known("%.4g", formula.Hc).c_str(), known("%.4g", formula.Hm).c_str(),
-                      known("%.3f", contact::H_to_moes_units(formula.Hc, groups.M, groups.shape)).c_str(),
-                      known("%.3f", contact::H_to_moes_units(formula.Hm, groups.M, groups.shape)).c_str());
+    text += fmt::format("  {:<33}", formula.name);
+    text += fmt::format("{:>8}  {:>8}  {:>9}  {:>9}", known("{:.4g}", formula.Hc), known("{:.4g}", formula.Hm),
+                        known("{:.3f}", contact::H_to_moes_units(formula.Hc, groups.M, groups.shape)),
+                        known("{:.3f}", contact::H_to_moes_units(formula.Hm, groups.M, groups.shape)));
     if (std::isfinite(h_scale))
       text += "   h_c " + length(formula.Hc * h_scale) + ", h_m " + length(formula.Hm * h_scale);
     text += "\n";
@@ -38,11 +40,10 @@ std::string si_lines(const SiInput& si) {
   const std::string radii = circular
                                 ? "R = " + length(c.radius)
                                 : "R_x = " + length(c.radius) + ", R_y = " + length(c.radius / c.shape.radius_ratio);
-  std::string text =
-      formatted("contact      F = %.6g N, %s, E' = %s\n", c.load, radii.c_str(), pressure(c.E_prime).c_str());
-  text += formatted("motion       u1 = %.6g m/s, u2 = %.6g m/s: u_m = %.6g m/s, slide-roll ratio %.4g\n", si.u1, si.u2,
-                    0.5 * c.u_s, 2.0 * (si.u1 - si.u2) / c.u_s);
-  text += formatted("lubricant    eta0 = %.6g Pa s, alpha = %.6g 1/Pa\n", c.eta0, c.alpha);
+  std::string text = fmt::format("contact      F = {:.6g} N, {}, E' = {}\n", c.load, radii, pressure(c.E_prime));
+  text += fmt::format("motion       u1 = {:.6g} m/s, u2 = {:.6g} m/s: u_m = {:.6g} m/s, slide-roll ratio {:.4g}\n",
+                      si.u1, si.u2, 0.5 * c.u_s, 2.0 * (si.u1 - si.u2) / c.u_s);
+  text += fmt::format("lubricant    eta0 = {:.6g} Pa s, alpha = {:.6g} 1/Pa\n", c.eta0, c.alpha);
   text += "Hertz        a = " + length(si.hertz.a) + (circular ? "" : ", b = " + length(si.hertz.b)) +
           ", p_h = " + pressure(si.hertz.p_h) + (circular ? ", a^2/R = " : ", a^2/R_x = ") + length(si.hertz.h_scale) +
           "\n";
@@ -50,16 +51,16 @@ std::string si_lines(const SiInput& si) {
 }
 
 std::string ellipse_line(const contact::Ellipse& shape) {
-  return formatted("ellipse      R_x/R_y = %.6g, kappa = b/a = %.6g, entrainment at %g degrees to R_x\n",
-                   shape.radius_ratio, shape.kappa, shape.angle);
+  return fmt::format("ellipse      R_x/R_y = {:.6g}, kappa = b/a = {:.6g}, entrainment at {:g} degrees to R_x\n",
+                     shape.radius_ratio, shape.kappa, shape.angle);
 }
 
 std::string group_lines(const Physics& physics) {
   const contact::Groups& g = physics.groups;
-  std::string text = formatted("Moes         M = %.6g, L = %.6g\n", g.M, g.L);
+  std::string text = fmt::format("Moes         M = {:.6g}, L = {:.6g}\n", g.M, g.L);
   if (!contact::circular(g.shape)) text += ellipse_line(g.shape);
-  if (std::isfinite(g.U)) text += formatted("Hamrock-D.   W = %.6g, U = %.6g, G = %.6g\n", g.W, g.U, g.G);
-  text += formatted("Venner       lambda = %.6g, alpha_bar = %.6g\n", g.lambda, g.alpha_bar);
+  if (std::isfinite(g.U)) text += fmt::format("Hamrock-D.   W = {:.6g}, U = {:.6g}, G = {:.6g}\n", g.W, g.U, g.G);
+  text += fmt::format("Venner       lambda = {:.6g}, alpha_bar = {:.6g}\n", g.lambda, g.alpha_bar);
   if (!physics.si && std::isfinite(physics.p_h)) text += "Hertz        p_h = " + pressure(physics.p_h) + "\n";
   text += "fluid        " + fluid_text(physics) + "\n" + film_coefficients_line(physics);
   text += "regime       " + contact::regime_text(g.M, g.L, g.shape) + "\n";
@@ -75,11 +76,11 @@ std::string level_table(const steady::Solution& solution) {
   std::string text =
       "level        nodes        Hc        Hm  error(Hc)  error(Hm)  residual  load err  work units   seconds\n";
   for (const steady::LevelRow& row : solution.levels)
-    text += formatted("%5d  %11s  %8.5f  %8.5f  %9s  %9s  %8.0e  %8.0e  %10.1f  %8.3f\n", row.level,
-                      nodes(row.nx, row.ny).c_str(), row.Hc, row.Hm, percent(row.error_Hc).c_str(),
-                      percent(row.error_Hm).c_str(), row.residual, row.load_error, row.work_units, row.seconds);
+    text += fmt::format("{:5}  {:>11}  {:8.5f}  {:8.5f}  {:>9}  {:>9}  {:8.0e}  {:8.0e}  {:10.1f}  {:8.3f}\n",
+                        row.level, nodes(row.nx, row.ny), row.Hc, row.Hm, percent(row.error_Hc), percent(row.error_Hm),
+                        row.residual, row.load_error, row.work_units, row.seconds);
   const bool has_order = !solution.levels.empty() && std::isfinite(solution.levels.back().order_Hc);
-  if (has_order) text += formatted("observed order of Hc: %.2f\n", solution.levels.back().order_Hc);
+  if (has_order) text += fmt::format("observed order of Hc: {:.2f}\n", solution.levels.back().order_Hc);
   return text;
 }
 
@@ -89,11 +90,10 @@ std::string continuation_table(const Case& input, const steady::Solution& soluti
   std::string text = std::string("continuation        M  ") + (si ? "    load [N]" : "load ratio") +
                      "        Hc        Hm  residual  cycles\n";
   for (const steady::ContinuationStep& step : solution.continuation)
-    text +=
-        formatted("%21.6g  %10.4g  %8s  %8s  %8s  %6d%s\n", step.M,
-                  si ? step.load_ratio * input.physics.si->contact.load : step.load_ratio,
-                  known("%.5f", step.Hc).c_str(), known("%.5f", step.Hm).c_str(), known("%.0e", step.residual).c_str(),
-                  step.cycles, step.converged ? "" : "  rejected: a shorter step follows");
+    text += fmt::format("{:21.6g}  {:10.4g}  {:>8}  {:>8}  {:>8}  {:6}{}\n", step.M,
+                        si ? step.load_ratio * input.physics.si->contact.load : step.load_ratio,
+                        known("{:.5f}", step.Hc), known("{:.5f}", step.Hm), known("{:.0e}", step.residual), step.cycles,
+                        step.converged ? "" : "  rejected: a shorter step follows");
   return text;
 }
 
@@ -102,25 +102,26 @@ namespace {
 // The way to the solution, and what did not lead to it.
 std::string path(const steady::Solution& solution) {
   std::string text = "path         " + solution.method;
-  if (std::isfinite(solution.cycle_factor)) text += formatted("; residual left per cycle %.2f", solution.cycle_factor);
+  if (std::isfinite(solution.cycle_factor))
+    text += fmt::format("; residual left per cycle {:.2f}", solution.cycle_factor);
   if (!solution.newton.empty())
-    text += formatted("; %zu Newton steps to %.0e", solution.newton.size(), solution.newton.back().residual);
+    text += fmt::format("; {} Newton steps to {:.0e}", solution.newton.size(), solution.newton.back().residual);
   text += "\n";
   for (const steady::Attempt& attempt : solution.attempts)
     if (!attempt.reason.empty())
-      text += "             tried before, " + formatted("%.2f s: ", attempt.seconds) + attempt.method + ": " +
+      text += "             tried before, " + fmt::format("{:.2f} s: ", attempt.seconds) + attempt.method + ": " +
               attempt.reason + "\n";
   return text;
 }
 
 std::string verified(const steady::Verification& checked) {
-  const auto number = [](double value) { return known("%.1e", value); };
-  const auto at = [](double X, double Y) { return formatted("(%.3f, %.3f) a", X, Y); };
+  const auto number = [](double value) { return known("{:.1e}", value); };
+  const auto at = [](double X, double Y) { return fmt::format("({:.3f}, {:.3f}) a", X, Y); };
   if (std::isnan(checked.residual)) return {};
   return "verified     residual " + number(checked.residual) + ", largest " + number(checked.largest_residual) +
          " at " + at(checked.largest_residual_X, checked.largest_residual_Y) + "; load error " +
          number(checked.load_error) + "; mass flow error " + number(std::abs(checked.flow_imbalance)) +
-         "\n             least P " + known("%.1g", checked.least_P) + ", dry node that wants pressure " +
+         "\n             least P " + known("{:.1g}", checked.least_P) + ", dry node that wants pressure " +
          number(checked.dry_violation) + "; left to the cycles Hc " + number(checked.algebraic_error_Hc) + ", Hm " +
          number(checked.algebraic_error_Hm) + "\n";
 }
@@ -137,13 +138,13 @@ std::string error_lines(const steady::Solution& solution) {
   const steady::ErrorBars& bars = solution.error_bars;
   std::string text;
   if (std::isfinite(bars.Hc_extrapolated.value))
-    text += formatted("extrapolated Hc = %.6f", bars.Hc_extrapolated.value) + bar(bars.Hc_extrapolated.error) +
-            formatted(", Hm = %.6f", bars.Hm_extrapolated.value) + bar(bars.Hm_extrapolated.error) +
+    text += fmt::format("extrapolated Hc = {:.6f}", bars.Hc_extrapolated.value) + bar(bars.Hc_extrapolated.error) +
+            fmt::format(", Hm = {:.6f}", bars.Hm_extrapolated.value) + bar(bars.Hm_extrapolated.error) +
             " (mesh size zero, this domain)\n";
   if (std::isfinite(bars.Hm_fitted_value))
-    text += formatted("fitted       Hm = %.6f", bars.Hm_fitted_value) + bar(bars.Hm_fitted.total()) +
-            formatted(" between the nodes, at (%.4f, %.4f) a\n", unsigned_zero(bars.Hm_fitted_X),
-                      unsigned_zero(bars.Hm_fitted_Y));
+    text += fmt::format("fitted       Hm = {:.6f}", bars.Hm_fitted_value) + bar(bars.Hm_fitted.total()) +
+            fmt::format(" between the nodes, at ({:.4f}, {:.4f}) a\n", unsigned_zero(bars.Hm_fitted_X),
+                        unsigned_zero(bars.Hm_fitted_Y));
   if (std::isfinite(bars.Hc.discretization))
     text += "errors       Hc: mesh " + percent(bars.Hc.discretization) + ", cycles " + percent(bars.Hc.algebraic) +
             "; Hm: mesh " + percent(bars.Hm.discretization) + ", cycles " + percent(bars.Hm.algebraic) +
@@ -171,16 +172,16 @@ std::string summary(const Case& input, const steady::Solution& solution, const O
   const bool governs = domain > std::min(solution.error_bars.Hc.total(), solution.error_bars.Hm.total());
   const auto film = [&](const char* label, double H, double H_moes, const Place& at, double error) {
     const std::string errors = bar(error) + (governs ? " (domain " + percent(domain) + ")" : "");
-    return formatted("%s H = %.5f%s, Moes %.4f%s, at (%.3f, %.3f) a%s\n", label, H, errors.c_str(), H_moes,
-                     std::isfinite(h_scale) ? (", h = " + length(H * h_scale)).c_str() : "", at.X, at.Y, mark.c_str());
+    return fmt::format("{} H = {:.5f}{}, Moes {:.4f}{}, at ({:.3f}, {:.3f}) a{}\n", label, H, errors, H_moes,
+                       std::isfinite(h_scale) ? (", h = " + length(H * h_scale)) : "", at.X, at.Y, mark);
   };
   text += film("centre      ", outcome.Hc, outcome.Hc_moes, {}, solution.error_bars.Hc.total());
   text += film("minimum     ", outcome.Hm.value, outcome.Hm_moes, outcome.Hm, solution.error_bars.Hm.total());
   const steady::ErrorBars& bars = solution.error_bars;
   const bool spike = solution.levels.size() > 2 && !bars.P_max_converging;
-  text += formatted("p_max        P = %.5f%s%s, at (%.3f, %.3f) a%s\n", outcome.P_max.value, bar(bars.P_max).c_str(),
-                    std::isfinite(physics.p_h) ? (", " + pressure(outcome.P_max.value * physics.p_h)).c_str() : "",
-                    outcome.P_max.X, outcome.P_max.Y, mark.c_str());
+  text += fmt::format("p_max        P = {:.5f}{}{}, at ({:.3f}, {:.3f}) a{}\n", outcome.P_max.value, bar(bars.P_max),
+                      std::isfinite(physics.p_h) ? (", " + pressure(outcome.P_max.value * physics.p_h)) : "",
+                      outcome.P_max.X, outcome.P_max.Y, mark);
   if (spike) text += "             it still grows from grid to grid as at a spike, and belongs to this mesh\n";
   text += error_lines(solution);
   text += group_lines(physics);
@@ -188,16 +189,16 @@ std::string summary(const Case& input, const steady::Solution& solution, const O
   text += path(solution);
   text += verified(solution.verification);
   text += "method       wedge " + std::string(name(input.scene.wedge)) + "; deformation " + solution.deformation +
-          "; " + formatted("%d thread%s\n", input.scene.threads, input.scene.threads == 1 ? "" : "s");
-  text += formatted("time         %.3f s\n", solution.seconds);
+          "; " + fmt::format("{} thread{}\n", input.scene.threads, input.scene.threads == 1 ? "" : "s");
+  text += fmt::format("time         {:.3f} s\n", solution.seconds);
   for (const std::string& warning : outcome.warnings) text += "warning: " + warning + "\n";
   return text;
 }
 
 std::string profile_table(const core::PartTimes& times, double seconds) {
-  std::string text = formatted("%-29s  %8s  %5s\n", "profile", "seconds", "share");
+  std::string text = fmt::format("{:<29}  {:>8}  {:>5}\n", "profile", "seconds", "share");
   const auto row = [&](const char* part, double of_part) {
-    text += formatted("  %-27s  %8.4f  %3.0f %%\n", part, of_part, 100.0 * of_part / seconds);
+    text += fmt::format("  {:<27}  {:8.4f}  {:3.0f} %\n", part, of_part, 100.0 * of_part / seconds);
   };
   double rest = seconds;
   for (std::size_t k = 0; k < times.seconds.size(); ++k) {
@@ -216,16 +217,16 @@ std::string derived(const Case& input) {
   text += group_lines(physics);
   text += formula_lines(film_formulas(physics.groups), physics.groups,
                         physics.si ? physics.si->hertz.h_scale : std::nan(""));
-  text += formatted("domain       [%g, %g] x [%g, %g] Hertz radii\n", scene.grid.X_a, scene.grid.X_b, scene.grid.Y_a,
-                    scene.grid.Y_b);
+  text += fmt::format("domain       [{:g}, {:g}] x [{:g}, {:g}] Hertz radii\n", scene.grid.X_a, scene.grid.X_b,
+                      scene.grid.Y_a, scene.grid.Y_b);
   text += "grid         " + nodes(scene.grid.nx, scene.grid.ny) + " nodes, " +
-          formatted("hx = %.4g, hy = %.4g\n", scene.grid.hx(), scene.grid.hy());
+          fmt::format("hx = {:.4g}, hy = {:.4g}\n", scene.grid.hx(), scene.grid.hy());
   text +=
       "method       wedge " + std::string(name(scene.wedge)) + "; deformation " + name(scene.deformation.method) + "\n";
   text += effect_lines(input) + surface_report(input.surfaces, physics, scene.grid);
   const Needs needs = expected_needs(input);
   text += "needs        about " + memory(needs.bytes) + " and " + about_seconds(needs.seconds) +
-          formatted(" with %d thread%s\n", scene.threads, scene.threads == 1 ? "" : "s");
+          fmt::format(" with {} thread{}\n", scene.threads, scene.threads == 1 ? "" : "s");
   return text;
 }
 

@@ -21,8 +21,8 @@ std::vector<Column<steady::Attempt>> attempt_columns() {
           {"seconds", "s", "time of the attempt", &Row::seconds}};
 }
 
-std::vector<Column<steady::NewtonStep>> newton_columns() {
-  using Row = steady::NewtonStep;
+std::vector<Column<newton::Step>> newton_columns() {
+  using Row = newton::Step;
   return {{"residual", "-", "relative residual after the step", &Row::residual},
           {"linear_iterations", "-", "of the linear solver", &Row::linear_iterations}};
 }

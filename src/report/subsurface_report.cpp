@@ -1,5 +1,7 @@
 #include "report/subsurface_report.hpp"
 
+#include <fmt/core.h>
+
 #include <cmath>
 
 #include "deck/text.hpp"
@@ -9,8 +11,6 @@
 namespace ehl::program {
 namespace {
 
-using deck::complain;
-using deck::given;
 using subsurface::Maximum;
 using subsurface::Parameters;
 using subsurface::Quantity;
@@ -19,11 +19,11 @@ using subsurface::StressField;
 constexpr const char* section = "subsurface";
 
 std::string nodes(const core::Grid& grid, std::size_t planes) {
-  return formatted("%d x %d nodes on %zu planes to depth ", grid.nodes_x(), grid.nodes_y(), planes);
+  return fmt::format("{} x {} nodes on {} planes to depth ", grid.nodes_x(), grid.nodes_y(), planes);
 }
 
 std::string body(const Parameters& parameters) {
-  return formatted("Poisson's ratio %.4g, friction %.4g", parameters.nu, parameters.friction);
+  return fmt::format("Poisson's ratio {:.4g}, friction {:.4g}", parameters.nu, parameters.friction);
 }
 
 // Without the signs of zeros that rounding leaves.
@@ -31,8 +31,8 @@ double shown(double place) { return std::abs(place) < 5e-5 ? 0.0 : place; }
 
 std::string maximum_line(const char* label, const Maximum& maximum, double p_h, const std::string& mark) {
   const std::string absolute = std::isfinite(p_h) ? ", " + pressure(maximum.value * p_h) : "";
-  return formatted("%s %.5f p_h%s, at (%.3f, %.3f) a, depth %.4f a%s\n", label, maximum.value, absolute.c_str(),
-                   shown(maximum.X), shown(maximum.Y), maximum.Z, mark.c_str());
+  return fmt::format("{} {:.5f} p_h{}, at ({:.3f}, {:.3f}) a, depth {:.4f} a{}\n", label, maximum.value, absolute,
+                     shown(maximum.X), shown(maximum.Y), maximum.Z, mark);
 }
 
 std::string warning_lines(const StressField& field) {
@@ -62,38 +62,17 @@ std::vector<results::Quantity> quantities(const StressField& field) {
 
 }  // namespace
 
-std::optional<Parameters> subsurface_input(deck::Deck& deck) {
-  if (!given(deck, section, "depth")) return std::nullopt;
-  if (given(deck, "transient", "end_time"))
-    complain(deck, section, "depth", "is for steady contacts: remove it, or [transient]");
-  Parameters parameters;
-  parameters.depth = deck::number(deck, section, "depth");
-  parameters.planes = deck::integer(deck, section, "planes", parameters.planes);
-  parameters.most_cells = deck::integer(deck, section, "cells", parameters.most_cells);
-  parameters.friction = deck::number(deck, section, "friction");
-  if (!given(deck, section, "poisson")) {
-    const bool known = given(deck, "contact", "nu1");
-    deck::choose(deck, section, "poisson", known ? deck::number(deck, "contact", "nu1") : parameters.nu,
-                 known ? "nu1 of [contact]" : "of steel");
-  }
-  parameters.nu = deck::number(deck, section, "poisson");
-  parameters.kept.clear();
-  const std::vector<std::string> names = deck::words(deck, section, "fields");
-  for (int k = 0; k < subsurface::quantities; ++k)
-    for (const std::string& name : names)
-      if (name == subsurface::name(static_cast<Quantity>(k))) parameters.kept.push_back(static_cast<Quantity>(k));
-  return parameters;
 }
 
 std::string subsurface_plan(const Parameters& parameters, const core::Grid& contact) {
   return nodes(subsurface::stress_grid(contact, parameters), static_cast<std::size_t>(parameters.planes)) +
-         formatted("%.4g a; ", parameters.depth) + body(parameters);
+         fmt::format("{:.4g} a; ", parameters.depth) + body(parameters);
 }
 
 std::string subsurface_summary(const StressField& field, double p_h, const std::string& mark) {
   return maximum_line("von Mises   ", field.mises, p_h, mark) + maximum_line("tau_max     ", field.shear, p_h, mark) +
-         "subsurface   " + nodes(field.grid, field.depths.size()) + formatted("%.4g a; ", field.depths.back()) +
-         body(field.parameters) + formatted("; %.3f s\n", field.seconds) + warning_lines(field);
+         "subsurface   " + nodes(field.grid, field.depths.size()) + fmt::format("{:.4g} a; ", field.depths.back()) +
+         body(field.parameters) + fmt::format("; {:.3f} s\n", field.seconds) + warning_lines(field);
 }
 
 Json subsurface_json(const StressField& field) {

@@ -1,18 +1,14 @@
 #pragma once
 // The stresses below the contact: from the deck, and into summary, JSON and result.
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
 #include <string>
 
 #include "core/grid.hpp"
-#include "deck/deck.hpp"
 #include "effects/subsurface/stress.hpp"
 #include "results/content.hpp"
 
 namespace ehl::program {
 
-/// Nothing where the deck has no [subsurface]. Complains in the deck.
-std::optional<subsurface::Parameters> subsurface_input(deck::Deck& deck);
 
 /// Where and for which body, in words.
 std::string subsurface_plan(const subsurface::Parameters& parameters, const core::Grid& contact);

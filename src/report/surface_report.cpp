@@ -1,4 +1,6 @@
 // What is told about surfaces that are not smooth.
+#include <fmt/core.h>
+
 #include <cmath>
 
 #include "case/surface_input.hpp"
@@ -13,27 +15,28 @@ constexpr double worth_a_word = 0.1;
 
 // In a^2/R, and in metres where the contact is in SI.
 std::string height_text(double H, const Physics& physics) {
-  return formatted("%.4g", H) + (physics.si ? " (" + length(H * physics.si->hertz.h_scale) + ")" : "");
+  return fmt::format("{:.4g}", H) + (physics.si ? " (" + length(H * physics.si->hertz.h_scale) + ")" : "");
 }
 std::string length_text(double X, const Physics& physics) {
-  return formatted("%.4g a", X) + (physics.si ? " (" + length(X * physics.si->hertz.a) + ")" : "");
+  return fmt::format("{:.4g} a", X) + (physics.si ? " (" + length(X * physics.si->hertz.a) + ")" : "");
 }
 
 std::string text(const surface::Feature& feature, const Physics& physics) {
   return "height " + height_text(feature.height, physics) + ", width " + length_text(feature.width, physics) +
-         formatted(", at (%.4g, %.4g) a", feature.X, feature.Y) +
-         (feature.angle != 0.0 ? formatted(", turned by %.4g degrees", feature.angle * 180.0 / 3.14159265358979) : "");
+         fmt::format(", at ({:.4g}, {:.4g}) a", feature.X, feature.Y) +
+         (feature.angle != 0.0 ? fmt::format(", turned by {:.4g} degrees", feature.angle * 180.0 / 3.14159265358979)
+                               : "");
 }
 
 std::string text(const surface::HeightMap& map, const MapRecord& record, const Physics& physics,
                  const core::Grid& grid) {
   const surface::Resolution left = surface::resolution(map, grid);
-  std::string text = record.file + formatted(", %d x %d points on %.4g x %.4g a around (%.4g, %.4g) a", map.gap.nx,
-                                             map.gap.ny, map.length_x(), map.length_y(), map.X, map.Y);
-  text += formatted("; levelled (taken away: mean %.4g, slopes %.3g and %.3g per point, in the file's unit), ",
-                    record.plane.mean, record.plane.slope_x, record.plane.slope_y);
+  std::string text = record.file + fmt::format(", {} x {} points on {:.4g} x {:.4g} a around ({:.4g}, {:.4g}) a",
+                                               map.gap.nx, map.gap.ny, map.length_x(), map.length_y(), map.X, map.Y);
+  text += fmt::format("; levelled (taken away: mean {:.4g}, slopes {:.3g} and {:.3g} per point, in the file's unit), ",
+                      record.plane.mean, record.plane.slope_x, record.plane.slope_y);
   text += "rms " + height_text(record.rms, physics) +
-          formatted(", tapered over %.3g of its length at each edge", record.taper);
+          fmt::format(", tapered over {:.3g} of its length at each edge", record.taper);
   text += "; on this mesh " + percent(left.variance_lost) + " of its variance lost, no wave shorter than " +
           length_text(left.shortest_wave_X, physics) + " along x, " + length_text(left.shortest_wave_Y, physics) +
           " along y";
@@ -54,7 +57,7 @@ std::vector<std::string> surface_lines(const SurfaceInput& surfaces, const Physi
 }
 
 std::string surface_report(const SurfaceInput& surfaces, const Physics& physics, const core::Grid& grid) {
-  const std::string next = formatted("\n%13s", "");
+  const std::string next = fmt::format("\n{:>13}", "");
   std::string text;
   for (std::string line : surface_lines(surfaces, physics, grid)) {
     const std::size_t colon = line.find(": ");

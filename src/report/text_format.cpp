@@ -1,5 +1,7 @@
 #include "report/text_format.hpp"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
@@ -20,39 +22,35 @@ std::string formatted(const char* format, ...) {
 }
 
 std::string known(const char* format, double value) {
-  if (!std::isfinite(value)) return "-";
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wformat-nonliteral"
-  return formatted(format, value);
-#pragma GCC diagnostic pop
+  return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "-";
 }
 
 std::string length(double metres) {
   if (!std::isfinite(metres)) return "-";
   const double size = std::abs(metres);
-  if (size < 1e-6) return formatted("%.1f nm", metres * 1e9);
-  if (size < 1e-3) return formatted("%.4g um", metres * 1e6);
-  return formatted("%.4g mm", metres * 1e3);
+  if (size < 1e-6) return fmt::format("{:.1f} nm", metres * 1e9);
+  if (size < 1e-3) return fmt::format("{:.4g} um", metres * 1e6);
+  return fmt::format("{:.4g} mm", metres * 1e3);
 }
 
 std::string pressure(double pascal) {
   if (!std::isfinite(pascal)) return "-";
-  return std::abs(pascal) < 1e9 ? formatted("%.4g MPa", pascal * 1e-6) : formatted("%.4g GPa", pascal * 1e-9);
+  return std::abs(pascal) < 1e9 ? fmt::format("{:.4g} MPa", pascal * 1e-6) : fmt::format("{:.4g} GPa", pascal * 1e-9);
 }
 
 std::string memory(double bytes) {
-  return bytes < 1e9 ? formatted("%.0f MB", bytes * 1e-6) : formatted("%.1f GB", bytes * 1e-9);
+  return bytes < 1e9 ? fmt::format("{:.0f} MB", bytes * 1e-6) : fmt::format("{:.1f} GB", bytes * 1e-9);
 }
 
 std::string about_seconds(double seconds) {
   if (!(seconds > 0.0)) return "0 s";
   const double digit = std::pow(10.0, std::floor(std::log10(seconds)));
-  return formatted("%g s", std::round(seconds / digit) * digit);
+  return fmt::format("{:g} s", std::round(seconds / digit) * digit);
 }
 
 std::string percent(double fraction) {
   if (!std::isfinite(fraction)) return "-";
-  return formatted(std::abs(fraction) < 0.001 ? "%.3f %%" : "%.2f %%", 100.0 * fraction);
+  return fmt::format("{:.{}f} %", 100.0 * fraction, std::abs(fraction) < 0.001 ? 3 : 2);
 }
 
 }  // namespace ehl::program

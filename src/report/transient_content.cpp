@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "case/transient_probes.hpp"
+#include "case/transient_input.hpp"
 #include "commands/transient_run.hpp"
 #include "core/errors.hpp"
 #include "report/column.hpp"

@@ -1,10 +1,13 @@
 #include "tables/csv.hpp"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 
+#include "core/errors.hpp"
 #include "deck/text.hpp"
-#include "report/text_format.hpp"
 #include "report/version.hpp"
 
 namespace ehl::program {
@@ -29,9 +32,21 @@ std::uint64_t hash(const std::string& text) {
 
 }  // namespace
 
-std::string csv_number(double value) { return std::isfinite(value) ? deck::shortest(value) : "NaN"; }
+std::string csv_cell(const Value& value) {
+  if (const auto* word = std::get_if<std::string>(&value)) return plain(*word, ";");
+  const double number = results::number(value);
+  return std::isfinite(number) ? deck::shortest(number) : "NaN";
+}
 
-std::string csv_word(const std::string& text) { return plain(text, ";"); }
+Value csv_value(const std::string& cell, const Value& like) {
+  if (std::holds_alternative<std::string>(like)) return cell;
+  const deck::ReadNumber read = deck::read_number(cell);
+  const bool known = read.status == deck::ReadNumber::Status::number;
+  if (std::holds_alternative<double>(like) && (known || cell == "NaN")) return known ? read.value : std::nan("");
+  if (std::holds_alternative<int>(like) && known) return static_cast<int>(read.value);
+  if (std::holds_alternative<bool>(like) && (cell == "0" || cell == "1")) return cell == "1";
+  throw core::FileError("this is no number: '" + cell.substr(0, 40) + "'");
+}
 
 std::string csv_quoted(const std::string& text) {
   std::string result(1, '"');
@@ -55,14 +70,20 @@ std::vector<std::string> csv_cells(const std::string& line, std::size_t columns)
 }
 
 std::string deck_text_line(const std::string& deck_text) {
-  return formatted("# deck text: %zu bytes, %016llx", deck_text.size(),
-                   static_cast<unsigned long long>(hash(deck_text)));
+  return fmt::format("# deck text: {} bytes, {:016x}", deck_text.size(), hash(deck_text));
 }
 
 std::string this_program() {
   const Version built = version();
   return "ehl " + built.number + ", commit " + built.commit + (built.dirty ? " with changes" : "") + ", " +
          built.compiler;
+}
+
+std::string table_name(const std::string& given, const std::string& deck, const std::string& end) {
+  const std::string path = given.empty() ? std::filesystem::path(deck).stem().string() + end : given;
+  if (!path.ends_with(".csv"))
+    throw core::InputError("command line: --output " + path + ": the table's name ends with .csv");
+  return path;
 }
 
 }  // namespace ehl::program

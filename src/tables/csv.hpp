@@ -1,27 +1,68 @@
 #pragma once
-// What the tables of `ehl sweep` and `ehl study` have in common: cells of a row, and lines that say where it is from.
+// The tables of `ehl sweep` and `ehl study` as CSV: what comments say where a table is from, and rows by their columns.
+// Only the last cell of a row, a sentence between quotes, may hold commas.
 #include <string>
 #include <vector>
 
+#include "report/column.hpp"
+
 namespace ehl::program {
 
-/// The shortest text that reads back as the number; NaN where it is not finite.
-std::string csv_number(double value);
-
-/// One word for every reader of tables: no comma, no quote, no comment, one line.
-std::string csv_word(const std::string& text);
+/// A number (the shortest text that reads back as it; NaN where it is not finite), a count, 1 or 0, or one word for
+/// every reader of tables: no comma, no quote, no comment, one line.
+std::string csv_cell(const Value& value);
 
 /// A sentence between quotes, which may hold commas.
 std::string csv_quoted(const std::string& text);
 
-/// The cells of a row; only the last one may hold commas. in: number of columns. out: fewer cells where the line has
-/// fewer; a sentence without its quotes.
+/// The cells of a row, no more than there are columns; a sentence without its quotes.
 std::vector<std::string> csv_cells(const std::string& line, std::size_t columns);
+
+/// What a cell says, as a value of the same kind as `like`. errors: core::FileError.
+Value csv_value(const std::string& cell, const Value& like);
+
+template <class Row>
+std::string csv_names(const std::vector<Column<Row>>& columns) {
+  std::string line;
+  for (const Column<Row>& column : columns) line += (line.empty() ? "" : ",") + column.name;
+  return line;
+}
+
+/// in: columns, of which the last is a sentence.
+template <class Row>
+std::string csv_row(const std::vector<Column<Row>>& columns, const Row& row) {
+  std::string line;
+  for (std::size_t k = 0; k + 1 < columns.size(); ++k) line += csv_cell(columns[k].get(row)) + ",";
+  return line + csv_quoted(std::get<std::string>(columns.back().get(row)));
+}
+
+/// The row again, without what follows from the rest. errors: core::FileError.
+template <class Row>
+Row csv_read(const std::vector<Column<Row>>& columns, const std::string& line) {
+  Row row;
+  const std::vector<std::string> cells = csv_cells(line, columns.size());
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    if (columns[k].set) columns[k].set(row, csv_value(k < cells.size() ? cells[k] : "", columns[k].get(row)));
+  return row;
+}
+
+/// "# units: p_h [Pa], seconds [s]", of what is no pure number.
+template <class Row>
+std::string csv_units(const std::vector<Column<Row>>& columns) {
+  std::string line;
+  for (const Column<Row>& column : columns)
+    if (!column.unit.empty() && column.unit != "-")
+      line += (line.empty() ? "# units: " : ", ") + column.name + " [" + column.unit + "]";
+  return line;
+}
 
 /// "# deck text: 812 bytes, 6f0d...": enough to notice that a deck is another one.
 std::string deck_text_line(const std::string& deck_text);
 
 /// Version, commit and compiler of this program.
 std::string this_program();
+
+/// The table's name: that of the option, else the deck's with this end. errors: core::InputError where it is no .csv.
+std::string table_name(const std::string& given, const std::string& deck, const std::string& end);
 
 }  // namespace ehl::program

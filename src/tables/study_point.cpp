@@ -1,8 +1,6 @@
 #include "tables/study_point.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "commands/machine.hpp"
 #include "core/errors.hpp"
@@ -14,70 +12,42 @@
 namespace ehl::program {
 namespace {
 
-// A column, how it is written and how it is read: one list for both.
-struct Column {
-  std::string name;
-  std::string text;
-  std::string* word = nullptr;
-  double* number = nullptr;
-  int* whole = nullptr;
-  bool* flag = nullptr;
-};
-
-Column word(const std::string& name, std::string& value) {
-  return {.name = name, .text = csv_word(value), .word = &value};
+std::vector<Column<StudyPoint>> columns() {
+  using Point = StudyPoint;
+  return {{"cells", "-", "of the finest grid, along x", [](auto& point) -> auto& {return point.way.cells;
 }
-Column number(const std::string& name, double& value) {
-  return {.name = name, .text = csv_number(value), .number = &value};
+}  // namespace
+, {"wedge", "", "scheme of the wedge term", [](auto& point) -> auto& {return point.way.wedge;
+}  // namespace ehl::program
 }
-Column whole(const std::string& name, int& value) {
-  return {.name = name, .text = std::to_string(value), .whole = &value};
+, {"evaluator", "", "of the deformation", [](auto& point) -> auto& {return point.way.evaluator;
 }
-Column flag(const std::string& name, bool& value) { return {.name = name, .text = value ? "1" : "0", .flag = &value}; }
-
-std::vector<Column> columns_of(StudyPoint& point) {
-  return {whole("cells", point.way.cells),
-          word("wedge", point.way.wedge),
-          word("evaluator", point.way.evaluator),
-          word("cycles", point.way.cycles),
-          word("status", point.status),
-          whole("nx", point.nx),
-          whole("ny", point.ny),
-          number("Hc", point.Hc),
-          number("Hm", point.Hm),
-          number("error_Hc", point.error_Hc),
-          number("error_Hm", point.error_Hm),
-          number("estimate_Hc", point.estimate_Hc),
-          number("estimate_Hm", point.estimate_Hm),
-          number("residual", point.residual),
-          word("cycles_by_level", point.cycles_by_level),
-          whole("attempts", point.attempts),
-          number("work_units", point.work_units),
-          number("seconds", point.seconds),
-          number("seconds_most", point.seconds_most),
-          number("peak_memory", point.peak_memory),
-          flag("at_reference_Hc", point.at_reference_Hc),
-          flag("at_reference_Hm", point.at_reference_Hm),
-          flag("front_Hc", point.front_Hc),
-          flag("front_Hm", point.front_Hm),
-          {.name = "reason", .text = csv_quoted(point.reason), .word = &point.reason}};
 }
-
-bool read_into(const std::string& cell, const Column& column) {
-  if (column.word != nullptr) {
-    *column.word = cell;
-    return true;
-  }
-  if (column.flag != nullptr) {
-    *column.flag = cell == "1";
-    return cell == "0" || cell == "1";
-  }
-  const bool unknown = cell == "NaN" && column.number != nullptr;
-  const deck::ReadNumber read = deck::read_number(cell);
-  if (!unknown && read.status != deck::ReadNumber::Status::number) return false;
-  if (column.number != nullptr) *column.number = unknown ? StudyPoint::unknown : read.value;
-  if (column.whole != nullptr) *column.whole = static_cast<int>(read.value);
-  return true;
+, {"cycles", "", "and their shape, or run", [](auto& point) -> auto& {return point.way.cycles;
+}
+}
+, {"status", "", "how it ended", &Point::status}, {"nx", "-", "cells along x", &Point::nx},
+    {"ny", "-", "cells along y", &Point::ny}, {"Hc", "-", "film at (0,0)", &Point::Hc},
+    {"Hm", "-", "smallest film of all nodes", &Point::Hm},
+    {"error_Hc", "-", "relative, to the reference", &Point::error_Hc},
+    {"error_Hm", "-", "relative, to the reference", &Point::error_Hm},
+    {"estimate_Hc", "-", "of its discretization error, by the run itself", &Point::estimate_Hc},
+    {"estimate_Hm", "-", "of its discretization error, by the run itself", &Point::estimate_Hm},
+    {"residual", "-", "relative residual of the Reynolds equation", &Point::residual},
+    {"cycles_by_level", "", "from the first grid to the finest", &Point::cycles_by_level},
+    {"attempts", "-", "ways that were tried", &Point::attempts},
+    {"work_units", "-", "of the whole solution, in units of the finest grid", &Point::work_units},
+    {"seconds", "s", "the least of the repetitions", &Point::seconds},
+    {"seconds_most", "s", "the most of them", &Point::seconds_most},
+    {"peak_memory", "bytes", "of the process", &Point::peak_memory},
+    {"at_reference_Hc", "-", "the error is below that of the reference", &Point::at_reference_Hc},
+    {"at_reference_Hm", "-", "the error is below that of the reference", &Point::at_reference_Hm},
+    {"front_Hc", "-", "nothing cheaper is as accurate", &Point::front_Hc},
+    {"front_Hm", "-", "nothing cheaper is as accurate", &Point::front_Hm}, {
+  "reason", "", "why there is no solution", &Point::reason
+}
+}
+;
 }
 
 // Work of the levels below in units of the finest grid.
@@ -90,28 +60,16 @@ double whole_work(const steady::Solution& solution) {
 
 }  // namespace
 
-std::string study_columns() {
-  StudyPoint point;
-  std::vector<std::string> names;
-  for (const Column& column : columns_of(point)) names.push_back(column.name);
-  return deck::joined(names, ",");
-}
+std::string study_columns() { return csv_names(columns()); }
 
-std::string study_text(const StudyPoint& point) {
-  StudyPoint copy = point;
-  std::vector<std::string> texts;
-  for (const Column& column : columns_of(copy)) texts.push_back(column.text);
-  return deck::joined(texts, ",");
-}
+std::string study_units() { return csv_units(columns()); }
 
-StudyPoint study_point(const std::string& row) {
-  StudyPoint point;
-  const std::vector<Column> columns = columns_of(point);
-  const std::vector<std::string> cells = csv_cells(row, columns.size());
-  bool good = cells.size() == columns.size();
-  for (std::size_t k = 0; good && k < cells.size(); ++k) good = read_into(cells[k], columns[k]);
-  if (!good) throw core::FileError("this line is no row of a study: " + row.substr(0, 120));
-  return point;
+std::string study_text(const StudyPoint& point) { return csv_row(columns(), point); }
+
+StudyPoint study_point(const std::string& row) try {
+  return csv_read(columns(), row);
+} catch (const core::FileError& error) {
+  throw core::FileError("this line is no row of a study: " + row.substr(0, 120) + ": " + error.what());
 }
 
 StudyPoint point_of_solution(const StudyCase& way, const steady::Solution& solution, double seconds) {
@@ -163,10 +121,10 @@ StudyPoint measure(Case input, const StudyCase& way) {
   return point;
 }
 
-void add_repetition(const StudyPoint& again, StudyPoint& point) {
-  point.seconds = std::fmin(point.seconds, again.seconds);
-  point.seconds_most = std::fmax(point.seconds_most, again.seconds_most);
-  point.peak_memory = std::fmax(point.peak_memory, again.peak_memory);
+void add_repetition(const Cost& again, Cost& cost) {
+  cost.seconds = std::fmin(cost.seconds, again.seconds);
+  cost.seconds_most = std::fmax(cost.seconds_most, again.seconds_most);
+  cost.peak_memory = std::fmax(cost.peak_memory, again.peak_memory);
 }
 
 }  // namespace ehl::program

@@ -8,8 +8,18 @@
 
 namespace ehl::program {
 
+/// What a solution took, of several repetitions; NaN: not known.
+struct Cost {
+  double seconds = std::numeric_limits<double>::quiet_NaN();       ///< the least of the repetitions
+  double seconds_most = std::numeric_limits<double>::quiet_NaN();  ///< the most
+  double peak_memory = std::numeric_limits<double>::quiet_NaN();   ///< [bytes]
+};
+
+/// One more repetition.
+void add_repetition(const Cost& again, Cost& cost);
+
 /// NaN: not known.
-struct StudyPoint {
+struct StudyPoint : Cost {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   StudyCase way{};
   int nx = 0;  ///< cells
@@ -26,19 +36,17 @@ struct StudyPoint {
   double residual = unknown;
   std::string cycles_by_level{};  ///< "6;2;2": from the first grid to the finest
   int attempts = 0;
-  double work_units = unknown;    ///< of the whole solution, in units of the finest grid
-  double seconds = unknown;       ///< the least of the repetitions
-  double seconds_most = unknown;  ///< the most
-  double peak_memory = unknown;   ///< [bytes]
-  bool at_reference_Hc = false;   ///< the error is below that of the reference
+  double work_units = unknown;   ///< of the whole solution, in units of the finest grid
+  bool at_reference_Hc = false;  ///< the error is below that of the reference
   bool at_reference_Hm = false;
   bool front_Hc = false;  ///< nothing cheaper is as accurate
   bool front_Hm = false;
   std::string reason{};
 };
 
-/// Names of the columns, between commas, and a point as such a row.
+/// Names of the columns, between commas, their units as a comment, and a point as a row.
 std::string study_columns();
+std::string study_units();
 std::string study_text(const StudyPoint& point);
 
 /// The point of a row. errors: core::FileError: no such row.
@@ -50,8 +58,5 @@ StudyPoint measure(Case input, const StudyCase& way);
 
 /// The point of a solution. in: the way, the solution, its wall-clock seconds.
 StudyPoint point_of_solution(const StudyCase& way, const steady::Solution& solution, double seconds);
-
-/// One more repetition of the same way: least and most seconds, most memory.
-void add_repetition(const StudyPoint& again, StudyPoint& point);
 
 }  // namespace ehl::program

@@ -1,5 +1,7 @@
 #include "tables/study_report.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +12,7 @@
 namespace ehl::program {
 namespace {
 
-std::string nodes_of(const StudyPoint& point) { return formatted("%d x %d", point.nx + 1, point.ny + 1); }
+std::string nodes_of(const StudyPoint& point) { return fmt::format("{} x {}", point.nx + 1, point.ny + 1); }
 
 std::string cells_of(const Reference& reference) {
   std::vector<std::string> cells;
@@ -30,12 +32,12 @@ std::string fronts_of(const StudyPoint& point) {
 
 std::string point_line(const StudyPoint& point, const Reference& reference) {
   const std::string status = point.status == "converged" ? "" : point.status;
-  std::string line = formatted(
-      "%11s  %-9s  %-9s  %6s  %8s  %8s  %9s  %9s  %10s  %8s  %-13s  %s", nodes_of(point).c_str(),
-      point.way.wedge.c_str(), point.way.evaluator.c_str(), point.way.cycles.c_str(), known("%.5f", point.Hc).c_str(),
-      known("%.5f", point.Hm).c_str(), error_text(point.error_Hc, point.at_reference_Hc, reference.Hc).c_str(),
-      error_text(point.error_Hm, point.at_reference_Hm, reference.Hm).c_str(), known("%.1f", point.work_units).c_str(),
-      known("%.3f", point.seconds).c_str(), status.c_str(), fronts_of(point).c_str());
+  std::string line =
+      fmt::format("{:>11}  {:<9}  {:<9}  {:>6}  {:>8}  {:>8}  {:>9}  {:>9}  {:>10}  {:>8}  {:<13}  {}", nodes_of(point),
+                  point.way.wedge, point.way.evaluator, point.way.cycles, known("{:.5f}", point.Hc),
+                  known("{:.5f}", point.Hm), error_text(point.error_Hc, point.at_reference_Hc, reference.Hc),
+                  error_text(point.error_Hm, point.at_reference_Hm, reference.Hm), known("{:.1f}", point.work_units),
+                  known("{:.3f}", point.seconds), status, fronts_of(point));
   return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
 }
 
@@ -64,11 +66,10 @@ std::string accuracy_lines(const std::vector<StudyPoint>& points) {
   for (const Wanted& wanted : {Wanted{"Hc", &StudyPoint::error_Hc}, Wanted{"Hm", &StudyPoint::error_Hm}})
     for (const double error : {1e-2, 1e-3, 1e-4}) {
       const std::size_t found = cheapest(points, wanted.error, error);
-      text += formatted("  %s to %-6s", wanted.name, formatted("%g %%", 100.0 * error).c_str());
-      text += found == points.size()
-                  ? "  not reached\n"
-                  : formatted("  %.3f s: %s, ", points[found].seconds, nodes_of(points[found]).c_str()) +
-                        name_of_way(points[found].way) + "\n";
+      text += fmt::format("  {} to {:<6}", wanted.name, fmt::format("{:g} %", 100.0 * error));
+      text += found == points.size() ? "  not reached\n"
+                                     : fmt::format("  {:.3f} s: {}, ", points[found].seconds, nodes_of(points[found])) +
+                                           name_of_way(points[found].way) + "\n";
     }
   return text;
 }
@@ -110,44 +111,47 @@ std::string line_of_films(const std::vector<StudyPoint>& points, StudyCase way) 
     const StudyPoint* point = find(points, way);
     if (point != nullptr) nodes = nodes_of(*point);
     for (const double value : {point ? point->Hm : StudyPoint::unknown, point ? point->Hc : StudyPoint::unknown})
-      line += formatted("  %12s", (known("%.5f", value) + (point ? mark(*point) : " ")).c_str());
+      line += fmt::format("  {:>12}", (known("{:.5f}", value) + (point ? mark(*point) : " ")));
   }
-  return formatted("%11s", nodes.c_str()) + line + "\n";
+  return fmt::format("{:>11}", nodes) + line + "\n";
 }
 
-std::string header_lines(const StudyHeader& header, const Reference& reference) {
-  std::string text = std::string(study_mark) + "\n# program: " + header.program + "\n# deck: " + header.deck + "\n" +
-                     deck_text_line(header.deck_text) + "\n# title: " + header.title + "\n";
-  for (const std::string& set : header.set) text += "# set: " + set + "\n";
-  text += "# machine: " + header.machine + "\n# date: " + header.date + "\n# times: " + times_of(header) + "\n";
-  text += "# reference cells: " + cells_of(reference) + "\n# reference Hc: " + csv_number(reference.Hc.value) +
-          "\n# reference Hm: " + csv_number(reference.Hm.value) +
-          "\n# reference error Hc: " + csv_number(reference.Hc.error) +
-          "\n# reference error Hm: " + csv_number(reference.Hm.error) + "\n";
-  return text +
-         "# reference: extrapolated from second-order solutions with FFT and a residual of 1e-10; its error relative\n"
-         "# cycles: 2W are two W(2,1) cycles on every level (the first grid has its own); run: what ehl run does\n"
-         "# status: converged, stopped (after the cycles of its way, not converged), not-converged, failed (the "
-         "program); errors of what did not converge are those of what was left\n"
-         "# units: seconds [s] (least and most of the repetitions), peak_memory [bytes]; work_units: whole solution, "
-         "in "
-         "evaluations of the finest grid; H = h R/a^2; errors and estimates relative\n"
-         "# error: against the reference; estimate: of the discretization, by the run itself; at_reference: the error "
-         "is below the reference's own; front: nothing cheaper [s] is as accurate\n" +
-         study_columns() + "\n";
+std::string reference_lines(const Reference& reference) {
+  return fmt::format(
+      "# reference cells: {}\n# reference Hc: {}\n# reference Hm: {}\n# reference error Hc: {}\n"
+      "# reference error Hm: {}\n",
+      cells_of(reference), csv_cell(reference.Hc.value), csv_cell(reference.Hm.value), csv_cell(reference.Hc.error),
+      csv_cell(reference.Hm.error));
 }
+
+constexpr char how_to_read[] =
+    "# reference: extrapolated from second-order solutions with FFT and a residual of 1e-10; its error relative\n"
+    "# cycles: 2W are two W(2,1) cycles on every level (the first grid has its own); run: what ehl run does\n"
+    "# status: converged, stopped (after the cycles of its way, not converged), not-converged, failed (the program); "
+    "errors of what did not converge are those of what was left\n"
+    "# work_units: whole solution, in evaluations of the finest grid; H = h R/a^2; errors and estimates relative\n"
+    "# error: against the reference; estimate: of the discretization, by the run itself; at_reference: the error is "
+    "below the reference's own; front: nothing cheaper [s] is as accurate\n";
 
 }  // namespace
 
 std::string times_of(const StudyHeader& header) {
-  std::string text =
-      formatted("least of %d, %d thread%s each, ", header.repeats, header.threads, header.threads == 1 ? "" : "s");
-  return text + (header.jobs == 1 ? std::string("one solution after another")
-                                  : formatted("%d solutions at a time: SHARED, not to be compared", header.jobs));
+  return fmt::format("least of {}, {} thread{} each, ", header.repeats, header.threads,
+                     header.threads == 1 ? "" : "s") +
+         (header.jobs == 1 ? "one solution after another"
+                           : fmt::format("{} solutions at a time: SHARED, not to be compared", header.jobs));
+}
+
+std::string origin_lines(const StudyHeader& header, const std::string& times) {
+  std::string text = fmt::format("\n# program: {}\n# deck: {}\n{}\n# title: {}\n", header.program, header.deck,
+                                 deck_text_line(header.deck_text), header.title);
+  for (const std::string& set : header.set) text += "# set: " + set + "\n";
+  return text + fmt::format("# machine: {}\n# date: {}\n# times: {}\n", header.machine, header.date, times);
 }
 
 std::string study_csv(const StudyHeader& header, const Reference& reference, const std::vector<StudyPoint>& points) {
-  std::string text = header_lines(header, reference);
+  std::string text = study_mark + origin_lines(header, times_of(header)) + reference_lines(reference) + how_to_read +
+                     study_units() + "\n" + study_columns() + "\n";
   for (const StudyPoint& point : points) text += study_text(point) + "\n";
   return text;
 }
@@ -158,7 +162,7 @@ std::string film_by_level(const std::vector<StudyPoint>& points) {
   std::string text = "\nTable 1: the film by level, " + way.evaluator + ", " + way.cycles +
                      " (* not converged: what these cycles leave)\n      nodes";
   for (const std::string& wedge : distinct(points, &StudyCase::wedge))
-    text += formatted("  %12s  %12s", ("Hm " + wedge).c_str(), ("Hc " + wedge).c_str());
+    text += fmt::format("  {:>12}  {:>12}", ("Hm " + wedge), ("Hc " + wedge));
   text += "\n";
   for (const int cells : levels_of(points)) {
     way.cells = cells;
@@ -173,7 +177,7 @@ std::string seconds_by_level(const std::vector<StudyPoint>& points) {
   std::string text =
       "\nTable 2: seconds by level and cycles per level, " + way.wedge + ", " + way.evaluator + "\n      nodes";
   const std::vector<std::string> all = distinct(points, &StudyCase::cycles);
-  for (const std::string& cycles : all) text += formatted("  %8s", cycles.c_str());
+  for (const std::string& cycles : all) text += fmt::format("  {:>8}", cycles);
   text += "\n";
   for (const int cells : levels_of(points)) {
     std::string nodes = "-";
@@ -183,19 +187,19 @@ std::string seconds_by_level(const std::vector<StudyPoint>& points) {
       way.cycles = cycles;
       const StudyPoint* point = find(points, way);
       if (point != nullptr) nodes = nodes_of(*point);
-      line += formatted("  %8s", known("%.3f", point ? point->seconds : StudyPoint::unknown).c_str());
+      line += fmt::format("  {:>8}", known("{:.3f}", point ? point->seconds : StudyPoint::unknown));
     }
-    text += formatted("%11s", nodes.c_str()) + line + "\n";
+    text += fmt::format("{:>11}", nodes) + line + "\n";
   }
   return text;
 }
 
 std::string study_report(const StudyHeader& header, const Reference& reference, const std::vector<StudyPoint>& points) {
   std::string text = "case         " + header.title + "\n";
-  text += formatted("reference    Hc = %.7f to %s, Hm = %.7f to %s\n", reference.Hc.value,
-                    percent(reference.Hc.error).c_str(), reference.Hm.value, percent(reference.Hm.error).c_str());
-  text += formatted("             second order, FFT, %s cells, extrapolated; residual %.0e\n",
-                    cells_of(reference).c_str(), reference.residual);
+  text += fmt::format("reference    Hc = {:.7f} to {}, Hm = {:.7f} to {}\n", reference.Hc.value,
+                      percent(reference.Hc.error), reference.Hm.value, percent(reference.Hm.error));
+  text += fmt::format("             second order, FFT, {} cells, extrapolated; residual {:.0e}\n", cells_of(reference),
+                      reference.residual);
   text += "times        " + times_of(header) + "\n\n" + column_line();
   for (const StudyPoint& point : points) text += point_line(point, reference);
   text += "(< below the reference's own error; stopped: after the cycles of its way, not converged)\n";

@@ -27,6 +27,9 @@ struct StudyHeader {
 /// "least of 3, 1 thread each, one solution after another".
 std::string times_of(const StudyHeader& header);
 
+/// Comments of a table: program, deck, machine, date, times. in: what is said of the times.
+std::string origin_lines(const StudyHeader& header, const std::string& times);
+
 /// The table as CSV: comments, the names of the columns, a row per point.
 std::string study_csv(const StudyHeader& header, const Reference& reference, const std::vector<StudyPoint>& points);
 

@@ -1,5 +1,7 @@
 #include "tables/sweep_range.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -56,7 +58,7 @@ std::vector<std::string> values_of_range(const std::string& text, const std::str
   for (int k = 1; k + 1 < count; ++k) {
     const double t = static_cast<double>(k) / (count - 1);
     // Twelve digits: 20 and not 19.999999999999996.
-    values.push_back(formatted("%.12g", logarithmic ? a * std::pow(b / a, t) : a + (b - a) * t));
+    values.push_back(fmt::format("{:.12g}", logarithmic ? a * std::pow(b / a, t) : a + (b - a) * t));
   }
   values.push_back(parts[1]);
   return values;
@@ -130,7 +132,7 @@ std::vector<Variation> parse_variations(const std::vector<std::string>& texts, c
       errors.insert(errors.end(), error.messages().begin(), error.messages().end());
     }
   if (cases > static_cast<double>(most_cases))
-    errors.push_back(formatted("command line: the --vary make %.3g cases: a sweep has at most 1000000", cases));
+    errors.push_back(fmt::format("command line: the --vary make {:.3g} cases: a sweep has at most 1000000", cases));
   if (!errors.empty()) throw core::InputError(errors);
   return variations;
 }

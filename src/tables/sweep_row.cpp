@@ -1,5 +1,7 @@
 #include "tables/sweep_row.hpp"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <optional>
 
@@ -12,48 +14,48 @@
 #include "deck/document.hpp"
 #include "deck/text.hpp"
 #include "report/outcome.hpp"
-#include "report/text_format.hpp"
 #include "steady/solve.hpp"
 #include "tables/csv.hpp"
 
 namespace ehl::program {
 namespace {
 
-struct Column {
-  std::string name;
-  std::string text;
-};
+// Of the numbers of friction (case/effect_friction.cpp).
+constexpr const char* friction_names[] = {"mu", "mu_rolling", "mu_1", "mu_2"};
 
-std::vector<Column> columns_of(const SweepRow& row) {
-  std::vector<Column> columns{{"status", row.status},
-                              {"exit_status", std::to_string(row.exit_status)},
-                              {"method", row.method.empty() ? "none" : csv_word(row.method)},
-                              {"attempts", std::to_string(row.attempts)},
-                              {"M", csv_number(row.M)},
-                              {"L", csv_number(row.L)},
-                              {"p_h", csv_number(row.p_h)},
-                              {"nx", std::to_string(row.nx)},
-                              {"ny", std::to_string(row.ny)},
-                              {"Hc", csv_number(row.Hc)},
-                              {"Hm", csv_number(row.Hm)},
-                              {"P_max", csv_number(row.P_max)},
-                              {"error_Hc", csv_number(row.error_Hc)},
-                              {"error_Hm", csv_number(row.error_Hm)},
-                              {"residual", csv_number(row.residual)},
-                              {"load_error", csv_number(row.load_error)},
-                              {"cycle_factor", csv_number(row.cycle_factor)},
-                              {"cycles", std::to_string(row.cycles)},
-                              {"work_units", csv_number(row.work_units)},
-                              {"seconds", std::isfinite(row.seconds) ? formatted("%.4g", row.seconds) : "NaN"},
-                              {"peak_memory", csv_number(row.peak_memory)}};
-  if (row.with_friction)
-    for (const auto& [name, value] :
-         {std::pair{"mu", row.mu}, {"mu_rolling", row.mu_rolling}, {"mu_1", row.mu_1}, {"mu_2", row.mu_2}})
-      columns.push_back({name, csv_number(value)});
-  columns.push_back({"warnings", std::to_string(row.warnings)});
-  columns.push_back({"reason", csv_quoted(row.reason)});
-  return columns;
+std::vector<Column<SweepRow>> columns(bool with_friction) {
+  using Row = SweepRow;
+  std::vector<Column<Row>> list{{"status", "", "how it ended", &Row::status},
+                                {"exit_status", "-", "of `ehl run`", &Row::exit_status},
+                                {"method", "", "the way to the solution, in words", &Row::method},
+                                {"attempts", "-", "ways that were tried", &Row::attempts},
+                                {"M", "-", "Moes load number", &Row::M},
+                                {"L", "-", "Moes material number", &Row::L},
+                                {"p_h", "Pa", "Hertz pressure", &Row::p_h},
+                                {"nx", "-", "cells along x", &Row::nx},
+                                {"ny", "-", "cells along y", &Row::ny},
+                                {"Hc", "-", "film at (0,0)", &Row::Hc},
+                                {"Hm", "-", "smallest film of all nodes", &Row::Hm},
+                                {"P_max", "-", "highest pressure of all nodes", &Row::P_max},
+                                {"error_Hc", "-", "estimated relative discretization error", &Row::error_Hc},
+                                {"error_Hm", "-", "estimated relative discretization error", &Row::error_Hm},
+                                {"residual", "-", "relative residual of the Reynolds equation", &Row::residual},
+                                {"load_error", "-", "relative error of the load", &Row::load_error},
+                                {"cycle_factor", "-", "residual left by a cycle", &Row::cycle_factor},
+                                {"cycles", "-", "on the finest grid", &Row::cycles},
+                                {"work_units", "-", "on the finest grid", &Row::work_units},
+                                {"seconds", "s", "the whole case, one thread", &Row::seconds},
+                                {"peak_memory", "bytes", "of the process", &Row::peak_memory},
+                                {"path", "", "the way to the solution, as a code", &Row::path}};
+  for (std::size_t k = 0; with_friction && k < std::size(friction_names); ++k)
+    list.push_back({friction_names[k], "-", "over the load", [k](auto& row) -> auto& { return row.friction[k];
 }
+}  // namespace
+);
+list.push_back({"warnings", "-", "how many", &Row::warnings});
+list.push_back({"reason", "", "why there is no solution", &Row::reason});
+return list;
+}  // namespace ehl::program
 
 SweepRow row_of_case(const Case& input) {
   SweepRow row;
@@ -93,26 +95,19 @@ SweepRow solve_case(const std::string& path, const std::string& deck_text, const
 
 // With its warnings among the others.
 void take_friction(const friction::Friction& found, SweepRow& row) {
-  row.mu = found.sliding;
-  row.mu_rolling = found.rolling;
-  row.mu_1 = found.on_1;
-  row.mu_2 = found.on_2;
+  for (const results::Quantity& one : friction_quantities(found))
+    for (std::size_t k = 0; k < std::size(friction_names); ++k)
+      if (one.name == friction_names[k]) row.friction[k] = results::number(one.value);
   row.warnings += static_cast<int>(friction::warnings(found).size());
 }
 
 }  // namespace
 
-std::string sweep_columns(bool with_friction) {
-  std::vector<std::string> names;
-  for (const Column& column : columns_of({.with_friction = with_friction})) names.push_back(column.name);
-  return deck::joined(names, ",");
-}
+std::string sweep_columns(bool with_friction) { return csv_names(columns(with_friction)); }
 
-std::string sweep_text(const SweepRow& row) {
-  std::vector<std::string> texts;
-  for (const Column& column : columns_of(row)) texts.push_back(column.text);
-  return deck::joined(texts, ",");
-}
+std::string sweep_units() { return csv_units(columns(false)); }
+
+std::string sweep_text(const SweepRow& row) { return csv_row(columns(row.with_friction), row); }
 
 SweepRow row_of_solution(const Case& input, const steady::Solution& solution) {
   if (solution.levels.empty() || solution.H.nodes_x() == 0) return not_converged_row(input, solution.failed_check);
@@ -132,7 +127,8 @@ SweepRow row_of_solution(const Case& input, const steady::Solution& solution) {
     row.error_Hc = finest.error_Hc;
     row.error_Hm = finest.error_Hm;
   }
-  row.method = solution.method;
+  if (!solution.method.empty()) row.method = solution.method;
+  row.path = path_code(solution);
   row.attempts = static_cast<int>(solution.attempts.size());
   row.nx = finest.nx;
   row.ny = finest.ny;
@@ -149,7 +145,7 @@ SweepRow row_of_solution(const Case& input, const steady::Solution& solution) {
 SweepRow sweep_case(const std::string& path, const std::string& deck_text, const std::vector<std::string>& overrides) {
   const double began = core::now();
   SweepRow row = solve_case(path, deck_text, overrides);
-  row.seconds = core::now() - began;
+  row.seconds = std::stod(fmt::format("{:.4g}", core::now() - began));
   row.peak_memory = peak_memory();
   return row;
 }

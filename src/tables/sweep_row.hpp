@@ -1,5 +1,6 @@
 #pragma once
 // One case of a sweep: what is computed for it, and its row in the table.
+#include <array>
 #include <limits>
 #include <string>
 #include <vector>
@@ -14,7 +15,8 @@ struct SweepRow {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   std::string status{};  ///< converged, not-converged, refused (the deck is wrong for this case), failed (the program)
   int exit_status = 0;   ///< what `ehl run` would end with
-  std::string method{};  ///< the path that led to what is shown
+  std::string method = "none";  ///< the way that led to what is shown, in words
+  std::string path = "none";    ///< and as a code for scripts (report/outcome.hpp)
   int attempts = 0;
   double M = unknown;
   double L = unknown;
@@ -34,16 +36,15 @@ struct SweepRow {
   double seconds = unknown;
   double peak_memory = unknown;  ///< [bytes]
   bool with_friction = false;    ///< the case asks for it; these are columns only then
-  double mu = unknown;           ///< of sliding
-  double mu_rolling = unknown;
-  double mu_1 = unknown;  ///< force on surface 1 over the load
-  double mu_2 = unknown;
+  std::array<double, 4> friction{unknown, unknown, unknown, unknown};  ///< mu, mu_rolling, mu_1, mu_2
   int warnings = 0;
   std::string reason{};
 };
 
-/// Names of the columns after the varied keys, between commas. in: whether the cases may ask for friction.
+/// Names of the columns after the varied keys, between commas, and their units as a comment. in: whether the cases may
+/// ask for friction.
 std::string sweep_columns(bool with_friction);
+std::string sweep_units();
 
 /// The row as text between commas, in the order of sweep_columns(); words without commas, the reason in quotes.
 std::string sweep_text(const SweepRow& row);

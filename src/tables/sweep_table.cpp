@@ -46,14 +46,14 @@ std::string whole_header(const SweepHeader& header, const std::vector<std::strin
       "# status: converged, not-converged (then the films, P_max and errors are NaN), refused (wrong deck for this "
       "case), "
       "failed (the program)\n"
-      "# units: p_h [Pa], seconds [s], peak_memory [bytes]; H = h R/a^2, P = p/p_h, errors and residual relative\n"
+      "# H = h R/a^2, P = p/p_h, errors and residual relative\n"
       "# nx, ny: cells; cycles, work_units, cycle_factor: on the finest grid; seconds: the whole case, one thread; "
-      "exit_status: of `ehl run`\n";
+      "exit_status: of `ehl run`; path: the method as a code\n";
   if (header.with_friction)
     text +=
         "# mu: sliding friction over the load, mu_rolling: rolling friction over it; mu_1, mu_2: forces of the film on "
         "surfaces 1 and 2 along +x over it\n";
-  return text + column_line(header) + "\n";
+  return text + sweep_units() + "\n" + column_line(header) + "\n";
 }
 
 std::string load(int descriptor, const std::string& path) {

@@ -1,21 +1,19 @@
 #include "tables/time_study.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <functional>
-#include <optional>
 #include <span>
 
 #include "commands/exit_status.hpp"
 #include "commands/machine.hpp"
-#include "commands/signals.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
-#include "report/progress.hpp"
-#include "report/text_format.hpp"
 #include "results/atomic_file.hpp"
-#include "tables/sweep_children.hpp"
+#include "tables/children.hpp"
 #include "tables/time_study_report.hpp"
 
 namespace ehl::program {
@@ -32,12 +30,6 @@ constexpr int most_steps = 100000000;
 constexpr double least_rtol = 1e-7;
 constexpr double most_rtol = 1e-1;
 
-// A run and how often it was timed already; the first one of each looks at the film and is not timed.
-struct Task {
-  TimeWay way{};
-  int samples = 0;
-};
-
 std::vector<double> tolerances(const Arguments& arguments) {
   const std::string text = arguments.value("rtol", "1e-2,1e-3,1e-4,1e-5,1e-6");
   const std::string said = "command line: --rtol " + text + ": ";
@@ -48,7 +40,7 @@ std::vector<double> tolerances(const Arguments& arguments) {
         read.status == deck::ReadNumber::Status::number && read.value >= least_rtol && read.value <= most_rtol;
     if (!good)
       throw core::InputError(said + deck::quoted(word) +
-                             formatted(" must be a number from %g to %g", least_rtol, most_rtol));
+                             fmt::format(" must be a number from {:g} to {:g}", least_rtol, most_rtol));
     if (std::ranges::find(list, read.value) != list.end()) throw core::InputError(said + word + " is given twice");
     list.push_back(read.value);
   }
@@ -57,34 +49,21 @@ std::vector<double> tolerances(const Arguments& arguments) {
   return list;
 }
 
-std::string name_of(const Task& task) {
-  return formatted("rtol %g, steps of at most %.3g%s", task.way.rtol, task.way.longest_step,
-                   task.samples > 0 ? "" : ", timed");
+std::string name_of(const TimeWay& way) {
+  return fmt::format("rtol {:g}, steps of at most {:.3g}", way.rtol, way.longest_step);
 }
 
-std::vector<TimeStudyPoint> run_tasks(const Case& input, const std::vector<Task>& tasks, int at_once, bool quiet) {
-  Progress progress(quiet);
-  std::size_t done = 0;
-  std::vector<TimeStudyPoint> points(tasks.size());
-  std::vector<std::size_t> order;
-  for (std::size_t k = 0; k < tasks.size(); ++k) order.push_back(k);
-  ChildrenCalls calls;
-  calls.stop = stop_requested;
-  calls.task = [&](std::size_t k) { return text_of(measure_in_time(input, tasks[k].way, tasks[k].samples)); };
-  calls.ended = [&](const ChildEnd& end) {
-    TimeStudyPoint& point = points[end.task];
-    if (end.complete) {
-      point = time_study_point(end.text);
-    } else {
-      point.way = tasks[end.task].way;
-      point.status = "failed";
-      point.reason = end.reason;
-    }
-    progress.count(++done, tasks.size(), name_of(tasks[end.task]) + "  " + point.status);
-  };
-  const bool finished = run_in_children(order, at_once, calls);
-  if (!finished) throw core::Interrupted();
-  return points;
+// in: whether the film is looked at; then the time says nothing.
+std::vector<TimeStudyPoint> run_ways(const Case& input, const std::vector<TimeWay>& ways, bool look, int at_once,
+                                     bool quiet) {
+  std::vector<TimeStudyPoint> planned(ways.size());
+  for (std::size_t k = 0; k < ways.size(); ++k) planned[k].way = ways[k];
+  const RowCalls<TimeStudyPoint> calls{
+      .compute = [&](const TimeStudyPoint& point) { return measure_in_time(input, point.way, look ? samples : 0); },
+      .write = text_of,
+      .read = time_study_point,
+      .name = [&](const TimeStudyPoint& point) { return name_of(point.way) + (look ? "" : ", timed"); }};
+  return computed_rows(std::move(planned), at_once, quiet, calls);
 }
 
 TimeReference find_reference(Case input, double rtol, double longest_step, bool quiet) {
@@ -93,9 +72,9 @@ TimeReference find_reference(Case input, double rtol, double longest_step, bool 
   const TimeWay way{tighter * rtol, shorter * longest_step};
   const TimeWay coarser{coarser_rtol * way.rtol, coarser_step * way.longest_step};
   if (!quiet) std::fprintf(stderr, "ehl: the reference, and the run that tells how well it is known\n");
-  std::vector<TimeStudyPoint> runs = run_tasks(input, {{coarser, samples}, {way, samples}}, 1, quiet);
+  std::vector<TimeStudyPoint> runs = run_ways(input, {coarser, way}, true, 1, quiet);
   for (const TimeStudyPoint& run : runs)
-    if (!is_complete(run)) throw core::SolverError("the reference, " + name_of({run.way, samples}) + ": " + run.reason);
+    if (!is_complete(run)) throw core::SolverError("the reference, " + name_of(run.way) + ": " + run.reason);
   TimeReference reference{std::move(runs[1]), std::move(runs[0]), {}, input.transient->parameters.probes};
   reference.errors = errors_in_time(reference.run, reference.coarser);
   return reference;
@@ -104,21 +83,18 @@ TimeReference find_reference(Case input, double rtol, double longest_step, bool 
 // The repetitions of a run are far apart, so that a disturbance does not meet all of them.
 std::vector<TimeStudyPoint> measured(const Case& input, const std::vector<double>& rtols, double longest_step,
                                      const StudyHeader& header, bool quiet) {
-  std::vector<Task> tasks;
-  for (int repetition = 0; repetition <= header.repeats; ++repetition)
-    for (const double rtol : rtols) tasks.push_back({{rtol, longest_step}, repetition == 0 ? samples : 0});
+  std::vector<TimeWay> once, again;
+  for (const double rtol : rtols) once.push_back({rtol, longest_step});
+  for (int repetition = 0; repetition < header.repeats; ++repetition)
+    again.insert(again.end(), once.begin(), once.end());
   if (!quiet)
     std::fprintf(stderr, "ehl: %zu tolerances, each once for its film and %d times for its time\n", rtols.size(),
                  header.repeats);
-  const std::vector<TimeStudyPoint> runs = run_tasks(input, tasks, header.jobs, quiet);
-  std::vector<TimeStudyPoint> points;
-  for (std::size_t k = 0; k < rtols.size(); ++k) {
-    TimeStudyPoint point = runs[k];
-    point.seconds = point.seconds_most = TimeStudyPoint::unknown;  // those with the looking
-    for (std::size_t again = k + rtols.size(); again < runs.size(); again += rtols.size())
-      add_repetition(runs[again], point);
-    points.push_back(std::move(point));
-  }
+  std::vector<TimeStudyPoint> points = run_ways(input, once, true, header.jobs, quiet);
+  for (TimeStudyPoint& point : points)
+    point.seconds = point.seconds_most = TimeStudyPoint::unknown;  // with the looking
+  const std::vector<TimeStudyPoint> timed = run_ways(input, again, false, header.jobs, quiet);
+  for (std::size_t k = 0; k < timed.size(); ++k) add_repetition(timed[k], points[k % points.size()]);
   return points;
 }
 

@@ -1,5 +1,6 @@
 #include "tables/time_study_point.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -8,57 +9,50 @@
 #include "core/errors.hpp"
 #include "core/norms.hpp"
 #include "deck/text.hpp"
-#include "report/text_format.hpp"
 #include "steady/solve.hpp"
-#include "steady/state_of_level.hpp"
+#include "judgement/measures.hpp"
 #include "tables/csv.hpp"
 
 namespace ehl::program {
 namespace {
 
-constexpr std::size_t columns_before_errors = 13;
 /// Of times.
 constexpr double rounding = 1e-9;
 
-double number_in(const std::string& cell) {
-  if (cell == "NaN") return TimeStudyPoint::unknown;
-  const deck::ReadNumber read = deck::read_number(cell);
-  if (read.status != deck::ReadNumber::Status::number)
-    throw core::FileError("this is no number of a study: " + cell.substr(0, 40));
-  return read.value;
+// in: how many quantities have errors; a child that comes back knows none.
+std::vector<Column<TimeStudyPoint>> columns(const std::vector<std::string>& quantities) {
+  using Point = TimeStudyPoint;
+  std::vector<Column<Point>> list{
+      {"rtol", "-", "tolerance of the time integration", [](auto& point) -> auto& {return point.way.rtol;
 }
-
-std::vector<double> numbers_in(const std::string& line) {
-  std::vector<double> numbers;
-  for (const std::string& word : deck::split_words(line)) numbers.push_back(number_in(word));
-  return numbers;
+}  // namespace
+, {"longest_step", "a/u_m", "that is allowed", [](auto& point) -> auto& {return point.way.longest_step;
+}  // namespace ehl::program
 }
-
-std::string numbers_text(const std::vector<double>& numbers) {
-  std::vector<std::string> texts;
-  for (const double value : numbers) texts.push_back(csv_number(value));
-  return deck::joined(texts, ",");
+, {"time", "a/u_m", "reached", &Point::T}, {"steps", "-", "of time", &Point::steps},
+    {"cycles", "-", "of all steps", &Point::cycles},
+    {"cycles_per_step", "-", "mean", [](const Point& point) { return cycles_per_step(point); }},
+    {"rejected", "-", "attempts that failed the error test", &Point::rejected},
+    {"not_solved", "-", "attempts that the cycles did not solve", &Point::not_solved},
+    {"jumps", "-", "of load or speed", &Point::jumps},
+    {"seconds", "s", "of the run in time; the least of the repetitions", &Point::seconds},
+    {"seconds_most", "s", "the most of them", &Point::seconds_most},
+    {"peak_memory", "bytes", "of the process", &Point::peak_memory}, {
+  "status", "", "how it ended", &Point::status
 }
-
-std::vector<double> counts_of(const TimeStudyPoint& point) {
-  return {point.way.rtol,
-          point.way.longest_step,
-          point.T,
-          static_cast<double>(point.steps),
-          static_cast<double>(point.cycles),
-          static_cast<double>(point.cycles) / point.steps,
-          static_cast<double>(point.rejected),
-          static_cast<double>(point.not_solved),
-          static_cast<double>(point.jumps),
-          point.seconds,
-          point.seconds_most,
-          point.peak_memory};
+}
+;
+for (std::size_t k = 0; k < quantities.size(); ++k)
+  list.push_back({"error_" + quantities[k], "-", "largest over the run",
+                  [k](const Point& point) { return k < point.errors.size() ? point.errors[k] : Point::unknown; }});
+list.push_back({"reason", "", "why it is not complete", &Point::reason});
+return list;
 }
 
 TimeSample sample_of(const Case& input, const transient::Frame& frame) {
   const core::Grid& grid = input.scene.grid;
   TimeSample sample{frame.T, {}};
-  sample.values = {steady::value_at(grid, frame.H, 0.0, 0.0), core::minimum(frame.H).value,
+  sample.values = {judgement::value_at(grid, frame.H, 0.0, 0.0), core::minimum(frame.H).value,
                    core::maximum(frame.P).value};
   for (const transient::Probed& probed :
        transient::probed_at(grid, frame.P, frame.H, input.transient->parameters.probes))
@@ -84,27 +78,28 @@ void take(const transient::MarchReport& report, TimeStudyPoint& point) {
 
 std::vector<std::string> time_study_quantities(std::size_t probes) {
   std::vector<std::string> names{"Hc", "Hm", "P_max"};
-  for (std::size_t k = 1; k <= probes; ++k) names.push_back(formatted("P_%zu", k));
+  for (std::size_t k = 1; k <= probes; ++k) names.push_back("P_" + std::to_string(k));
   return names;
 }
 
-std::string time_study_columns(std::size_t probes) {
-  std::string text =
-      "rtol,longest_step,time,steps,cycles,cycles_per_step,rejected,not_solved,jumps,seconds,seconds_most,peak_memory,"
-      "status";
-  for (const std::string& name : time_study_quantities(probes)) text += ",error_" + name;
-  return text + ",reason";
-}
+double cycles_per_step(const TimeStudyPoint& point) { return static_cast<double>(point.cycles) / point.steps; }
+
+std::string time_study_columns(std::size_t probes) { return csv_names(columns(time_study_quantities(probes))); }
+
+std::string time_study_units() { return csv_units(columns({})); }
 
 std::string time_study_row(const TimeStudyPoint& point) {
-  return numbers_text(counts_of(point)) + "," + csv_word(point.status) + "," + numbers_text(point.errors) + "," +
-         csv_quoted(point.reason);
+  constexpr std::size_t without_probes = 3;
+  const std::size_t errors = std::max(point.errors.size(), without_probes);
+  return csv_row(columns(time_study_quantities(errors - without_probes)), point);
 }
 
 std::string text_of(const TimeStudyPoint& point) {
-  std::string text = numbers_text(counts_of(point)) + "," + csv_word(point.status) + "," + csv_quoted(point.reason);
-  for (const TimeSample& sample : point.samples)
-    text += "\n" + csv_number(sample.T) + "," + numbers_text(sample.values);
+  std::string text = csv_row(columns({}), point);
+  for (const TimeSample& sample : point.samples) {
+    text += "\n" + csv_cell(sample.T);
+    for (const double value : sample.values) text += "," + csv_cell(value);
+  }
   return text;
 }
 
@@ -112,27 +107,15 @@ TimeStudyPoint time_study_point(const std::string& text) {
   std::istringstream lines(text);
   std::string line;
   std::getline(lines, line);
-  const std::vector<std::string> cells = csv_cells(line, columns_before_errors + 1);
-  if (cells.size() != columns_before_errors + 1)
-    throw core::FileError("this is no point of a study: " + line.substr(0, 120));
-  const auto whole = [&](std::size_t k) { return static_cast<int>(number_in(cells[k])); };
-  TimeStudyPoint point;
-  point.way = {number_in(cells[0]), number_in(cells[1])};
-  point.T = number_in(cells[2]);
-  point.steps = whole(3);
-  point.cycles = whole(4);
-  point.rejected = whole(6);
-  point.not_solved = whole(7);
-  point.jumps = whole(8);
-  point.seconds = number_in(cells[9]);
-  point.seconds_most = number_in(cells[10]);
-  point.peak_memory = number_in(cells[11]);
-  point.status = cells[12];
-  point.reason = cells[13];
+  TimeStudyPoint point = csv_read(columns({}), line);
   while (std::getline(lines, line)) {
-    const std::vector<double> numbers = numbers_in(line);
-    if (numbers.empty()) throw core::FileError("a sample of a study is empty");
-    point.samples.push_back({numbers.front(), {numbers.begin() + 1, numbers.end()}});
+    TimeSample sample;
+    for (const std::string& word : deck::split_words(line))
+      sample.values.push_back(std::get<double>(csv_value(word, 0.0)));
+    if (sample.values.empty()) throw core::FileError("a sample of a study is empty");
+    sample.T = sample.values.front();
+    sample.values.erase(sample.values.begin());
+    point.samples.push_back(std::move(sample));
   }
   return point;
 }
@@ -161,12 +144,6 @@ TimeStudyPoint measure_in_time(Case input, const TimeWay& way, int samples) {
   }
   point.peak_memory = peak_memory();
   return point;
-}
-
-void add_repetition(const TimeStudyPoint& again, TimeStudyPoint& point) {
-  point.seconds = std::fmin(point.seconds, again.seconds);
-  point.seconds_most = std::fmax(point.seconds_most, again.seconds_most);
-  point.peak_memory = std::fmax(point.peak_memory, again.peak_memory);
 }
 
 bool is_complete(const TimeStudyPoint& point) { return point.status == "complete"; }

@@ -1,10 +1,9 @@
 #pragma once
 // A run in time with one tolerance, measured: what it costs and what it gives at the times of comparison.
-#include <limits>
 #include <string>
 #include <vector>
 
-#include "case/scene.hpp"
+#include "tables/study_point.hpp"
 
 namespace ehl::program {
 
@@ -20,18 +19,15 @@ struct TimeSample {
   std::vector<double> values{};
 };
 
-/// NaN: not known.
-struct TimeStudyPoint {
+/// NaN: not known. The seconds are those of the run in time without its steady start.
+struct TimeStudyPoint : Cost {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   TimeWay way{};
   /// complete; not-complete (it ended before, or the steady start was not found); failed (the program).
   std::string status{};
   double T = unknown;  ///< reached
   int steps = 0, cycles = 0, rejected = 0, not_solved = 0, jumps = 0;
-  double seconds = unknown;       ///< of the run in time without its steady start; the least of the repetitions
-  double seconds_most = unknown;  ///< the most
-  double peak_memory = unknown;   ///< [bytes]
-  std::vector<double> errors{};   ///< of the quantities of a sample, against the reference, largest over the run
+  std::vector<double> errors{};  ///< of the quantities of a sample, against the reference, largest over the run
   std::vector<TimeSample> samples{};
   std::string reason{};
 };
@@ -39,8 +35,10 @@ struct TimeStudyPoint {
 /// "Hc", "Hm", "P_max", "P_1", ...
 std::vector<std::string> time_study_quantities(std::size_t probes);
 
-/// Names of the columns of the table, between commas, and a point as such a row. in: number of probes.
+/// Names of the columns of the table, between commas, their units as a comment, and a point as a row. in: number of
+/// probes.
 std::string time_study_columns(std::size_t probes);
+std::string time_study_units();
 std::string time_study_row(const TimeStudyPoint& point);
 
 /// A point with its samples, for the way from one process to another, and back. errors: core::FileError: no such text.
@@ -52,8 +50,7 @@ TimeStudyPoint time_study_point(const std::string& text);
 /// errors: core::Interrupted. What does not come to its end is a status.
 TimeStudyPoint measure_in_time(Case input, const TimeWay& way, int samples);
 
-/// One more repetition of the same way, timed.
-void add_repetition(const TimeStudyPoint& again, TimeStudyPoint& point);
+double cycles_per_step(const TimeStudyPoint& point);
 
 bool is_complete(const TimeStudyPoint& point);
 

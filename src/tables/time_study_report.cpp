@@ -1,9 +1,11 @@
 #include "tables/time_study_report.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
-#include "case/transient_probes.hpp"
+#include "case/transient_input.hpp"
 #include "report/text_format.hpp"
 #include "tables/csv.hpp"
 
@@ -14,36 +16,36 @@ constexpr std::size_t relative_at_every_time = 3;  // Hc, Hm, P_max
 
 // "1.4e-03", or the error of the reference below which nothing can be told.
 std::string error_text(double error, double known_to) {
-  return error < known_to ? "< " + known("%.1e", known_to) : known("%.1e", error);
+  return error < known_to ? "< " + known("{:.1e}", known_to) : known("{:.1e}", error);
 }
 
 std::string steps_below(const TimeWay& way) {
-  return formatted("rtol %g, steps of at most %.3g", way.rtol, way.longest_step);
+  return fmt::format("rtol {:g}, steps of at most {:.3g}", way.rtol, way.longest_step);
 }
 
 std::string known_text(const TimeReference& reference) {
   const std::vector<std::string> names = time_study_quantities(reference.probes.size());
   std::string text;
   for (std::size_t k = 0; k < names.size(); ++k)
-    text += (k > 0 ? ", " : "") + names[k] + " " + known("%.1e", reference.errors[k]);
+    text += (k > 0 ? ", " : "") + names[k] + " " + known("{:.1e}", reference.errors[k]);
   return text;
 }
 
 std::string column_line(std::size_t probes) {
   std::string text = "    rtol   steps  cycles/step  rejected  not solved   seconds";
   for (const std::string& name : time_study_quantities(probes))
-    text += formatted("  %12s", formatted("error(%s)", name.c_str()).c_str());
+    text += fmt::format("  {:>12}", fmt::format("error({})", name));
   return text + "\n";
 }
 
 // What is not complete has a mark instead of errors.
 std::string point_line(const TimeStudyPoint& point, const TimeReference& reference) {
-  std::string text = formatted("%8g  %6d  %11s  %8d  %10d  %8s", point.way.rtol, point.steps,
-                               known("%.2f", static_cast<double>(point.cycles) / point.steps).c_str(), point.rejected,
-                               point.not_solved, known("%.2f", point.seconds).c_str());
+  std::string text = fmt::format("{:8g}  {:6}  {:>11}  {:8}  {:10}  {:>8}", point.way.rtol, point.steps,
+                                 known("{:.2f}", cycles_per_step(point)), point.rejected, point.not_solved,
+                                 known("{:.2f}", point.seconds));
   if (!is_complete(point)) return text + "  NOT COMPLETE: " + point.reason + "\n";
   for (std::size_t k = 0; k < point.errors.size(); ++k)
-    text += formatted("  %12s", error_text(point.errors[k], reference.errors[k]).c_str());
+    text += fmt::format("  {:>12}", error_text(point.errors[k], reference.errors[k]));
   return text + "\n";
 }
 
@@ -75,24 +77,19 @@ std::vector<double> errors_in_time(const TimeStudyPoint& reference, const TimeSt
 std::string time_study_csv(const StudyHeader& header, const TimeReference& reference,
                            const std::vector<TimeStudyPoint>& points) {
   const std::vector<std::string> names = time_study_quantities(reference.probes.size());
-  std::string text = std::string(time_study_mark) + "\n# program: " + header.program + "\n# deck: " + header.deck +
-                     "\n" + deck_text_line(header.deck_text) + "\n# title: " + header.title + "\n";
-  for (const std::string& set : header.set) text += "# set: " + set + "\n";
-  text += "# machine: " + header.machine + "\n# date: " + header.date + "\n# times: " + times_text(header) + "\n";
+  std::string text = time_study_mark + origin_lines(header, times_text(header));
   text += "# reference: " + steps_below(reference.run.way) + "; its error is its difference from " +
           steps_below(reference.coarser.way) + "\n# reference steps: " + std::to_string(reference.run.steps) + "\n";
   for (std::size_t k = 0; k < names.size(); ++k)
-    text += "# reference error " + names[k] + ": " + csv_number(reference.errors[k]) + "\n";
+    text += "# reference error " + names[k] + ": " + csv_cell(reference.errors[k]) + "\n";
   for (std::size_t k = 0; k < reference.probes.size(); ++k)
     text += "# probe " + std::to_string(k + 1) + ": " + name_of_probe("P", reference.probes[k]) + "\n";
   text +=
       "# compared at: " + std::to_string(reference.run.samples.size()) +
       " equidistant times, by the dense output of the integration\n"
       "# errors: largest over the run; Hc, Hm, P_max relative at every time, P_1, ... relative to the largest P there\n"
-      "# status: complete, not-complete (errors are not given), failed (the program)\n"
-      "# units: time and longest_step [a/u_m], seconds [s] (least and most of the repetitions), peak_memory "
-      "[bytes]\n" +
-      time_study_columns(reference.probes.size()) + "\n";
+      "# status: complete, not-complete (errors are not given), failed (the program)\n" +
+      time_study_units() + "\n" + time_study_columns(reference.probes.size()) + "\n";
   for (const TimeStudyPoint& point : points) text += time_study_row(point) + "\n";
   return text;
 }
@@ -101,14 +98,14 @@ std::string time_study_report(const StudyHeader& header, const TimeReference& re
                               const std::vector<TimeStudyPoint>& points) {
   const TimeStudyPoint& run = reference.run;
   std::string text = "case         " + header.title + "\n";
-  text += "reference    " + steps_below(run.way) + formatted(": %d steps to time %g a/u_m\n", run.steps, run.T);
+  text += "reference    " + steps_below(run.way) + fmt::format(": {} steps to time {:g} a/u_m\n", run.steps, run.T);
   text += "             known to " + known_text(reference) + "\n             (its difference from " +
           steps_below(reference.coarser.way) + ")\n";
-  text +=
-      formatted("compared     at %zu equidistant times, by the dense output of the integration; largest over the run\n",
-                run.samples.size());
+  text += fmt::format(
+      "compared     at {} equidistant times, by the dense output of the integration; largest over the run\n",
+      run.samples.size());
   for (std::size_t k = 0; k < reference.probes.size(); ++k)
-    text += formatted("P_%zu          ", k + 1) + name_of_probe("P", reference.probes[k]) +
+    text += fmt::format("P_{}          ", k + 1) + name_of_probe("P", reference.probes[k]) +
             ", relative to the largest there\n";
   text += "times        " + times_text(header) + "\n\n" + column_line(reference.probes.size());
   for (const TimeStudyPoint& point : points) text += point_line(point, reference);

@@ -1,5 +1,5 @@
 // What a line system costs by elimination and by decimation, and its share of a relaxation sweep: the tables of
-// modules/line_solvers/README.md.
+// line_solvers.csv, line_solvers_in_sweep.csv.
 #include <algorithm>
 #include <cstdio>
 #include <vector>

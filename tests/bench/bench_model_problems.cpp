@@ -1,5 +1,5 @@
 // The paper's ladder of model problems as tables: what the local Fourier analysis promises, what the cycles do. The
-// tables of modules/fmg/README.md.
+// tables smoothing_analysis.csv and model_problem_*.csv.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -8,7 +8,7 @@
 #include "convergence/circular_scene.hpp"
 #include "core/norms.hpp"
 #include "fmg/full_multigrid.hpp"
-#include "steady/newton.hpp"
+#include "newton/solve.hpp"
 #include "steady/state_of_level.hpp"
 
 using namespace ehl;
@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(newton_from_hertz_gives_the_reference_digits) {
     const std::size_t l = hierarchy.levels.size() - 1;
     const double film = contact::H_from_moes_units(contact::nijenbanning_venner_moes(scene.M, scene.L), scene.M);
     fmg::start_from_hertz(hierarchy, l, -1.0 + film, 0);
-    const steady::NewtonResult result = steady::solve_by_newton(hierarchy, l);
+    const newton::Result result = newton::solve(hierarchy, l);
     const steady::StateOfLevel state = steady::state_of_level(hierarchy, l);
     BOOST_TEST_MESSAGE(test::name_of(contact)
                        << ": Hc off by " << relative(state.Hc, contact.Hc) << ", Hm by "

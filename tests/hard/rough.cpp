@@ -21,7 +21,7 @@ steady::Scene rough_scene(const Rough& contact, Shape shape, double films, int n
   steady::Scene scene = hard::scene(contact.load, n);
   scene.threads = 1;
   const Feature feature{.shape = shape, .height = films * contact.film, .width = 0.5, .front = false};
-  scene.surface = [feature](const core::Grid& grid, core::Field& S) {
+  scene.surface = [feature](const core::Patch& grid, core::Field& S) {
     S.fill(0.0);
     surface::add_cell_average(feature, grid, S);
   };

@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(the_result_holds_friction_where_asked) {
   const support::Ended ended = scene.ehl("run f.ini --json --quiet");
   BOOST_REQUIRE_MESSAGE(ended.status == 0, ended.err);
   BOOST_TEST(support::is_json(ended.out), ended.out);
-  for (const char* part : {"\"friction\": {\"mu\": 0.02", "{\"name\": \"shear\", \"seconds\": null"})
+  for (const char* part : {"\"friction\":{\"mu\":0.02", "{\"name\":\"shear\",\"seconds\":null"})
     BOOST_TEST(contains(ended.out, part), part << " is missing in\n" << ended.out);
   const ResultFile file(scene.folder / "f.h5");
   const double mu = file.numbers("/summary/mu").values[0], rolling = file.numbers("/summary/mu_rolling").values[0];

@@ -53,13 +53,13 @@ std::vector<Door> doors() {
       {"SUNDIALS",
        {"sundials/", "kinsol/", "ida/", "idas/", "cvode/", "arkode/", "nvector/", "sunlinsol/", "sunnonlinsol/",
         "sunmatrix/"},
-       {"steady", "transient"},
-       {"modules/steady/kinsol.cpp", "modules/transient/ida.cpp"}},
+       {"newton", "transient"},
+       {"modules/newton/gmres.cpp", "modules/transient/ida.cpp"}},
       {"FFTW", {"fftw3"}, {"mlmi"}},
       {"Eigen",
        {"Eigen/", "unsupported/Eigen/"},
-       {"mlmi", "steady"},
-       {"modules/mlmi/fourier_transform_eigen.cpp", "modules/steady/newton_preconditioner.cpp"}},
+       {"mlmi", "newton"},
+       {"modules/mlmi/fourier_transform_eigen.cpp", "modules/newton/preconditioner.cpp"}},
   };
 }
 

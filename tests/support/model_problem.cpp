@@ -41,7 +41,7 @@ fmg::Hierarchy make_error_hierarchy(const ModelProblem& problem) {
                                .density = rheology::Incompressible{},
                                .transport = problem.wedge,
                                .load = std::nullopt,
-                               .cavitation = false,
+                               .cavitation = reynolds::Cavitation::none,
                                .given_epsilon = problem.epsilon};
   const fmg::Parameters parameters{
       .cycle = problem.cycle, .post = 1, .coarsest_cells = problem.coarsest, .relaxation = problem.relaxation};

@@ -61,7 +61,7 @@ struct Friction {
   double seconds = 0.0;
 };
 
-/// The friction of a film. in: P and H on a grid that is not mirrored; H > 0 where something is sheared.
+/// The friction of a film. in: P and H on all of a domain; H > 0 where something is sheared.
 /// The integral of tau_m by the trapezoidal rule, that of H dP/dX as sum of H (mean of the two nodes) times the
 /// differences of P. order: 2, with P and H of order 2; with Cavitated::none 1 in the part beside the edge.
 /// cost: one viscosity per node.

@@ -1,11 +1,14 @@
 #pragma once
 #include <vector>
 
-#include "deck/key.hpp"
+#include "deck/deck.hpp"
+#include "effects/friction/friction.hpp"
 
 namespace ehl::friction {
 
 /// The deck keys of this effect: section [friction].
 std::vector<deck::Key> keys();
+/// What [friction] says; stress and slope follow from the contact.
+Parameters read(deck::Deck& deck);
 
 }  // namespace ehl::friction

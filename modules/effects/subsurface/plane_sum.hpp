@@ -26,7 +26,7 @@ struct Body {
 /// cost: six kernels and six sums per plane, each a transform of four times the nodes: O(N ln N).
 class PlaneSum {
  public:
-  /// in: P on the nodes of the grid, which is not mirrored. The transform of P is made here.
+  /// in: P on the nodes of the grid. The transform of P is made here.
   PlaneSum(const core::Grid& grid, const core::Field& P, const Body& body);
 
   /// The buffers of one caller.

@@ -152,8 +152,8 @@ std::vector<double> depths_of(const Parameters& parameters) {
   return depths;
 }
 
-core::Grid stress_grid(const core::Grid& contact, const Parameters& parameters) {
-  core::Grid grid = core::whole(contact);
+core::Grid stress_grid(const core::Patch& contact, const Parameters& parameters) {
+  core::Grid grid = contact.domain;
   while (grid.nx > parameters.most_cells && grid.nx % 2 == 0 && grid.ny % 2 == 0) grid = core::coarsened(grid);
   return grid;
 }

@@ -61,7 +61,7 @@ std::vector<double> depths_of(const Parameters& parameters);
 
 /// The grid of the stresses: the contact's, halved until it has at most parameters.most_cells cells along x, as long as
 /// both numbers of cells are even.
-core::Grid stress_grid(const core::Grid& contact, const Parameters& parameters);
+core::Grid stress_grid(const core::Patch& contact, const Parameters& parameters);
 
 /// Bytes that stress_below() takes, nearly.
 double expected_bytes(const core::Grid& contact, const Parameters& parameters, int threads);
@@ -71,7 +71,7 @@ double expected_seconds(const core::Grid& contact, const Parameters& parameters)
 /// Told after every plane how many are done, by one thread at a time. Returns false when the user asked to stop.
 using Observer = std::function<bool(int planes_done)>;
 
-/// The stresses below P. in: P on the nodes of a grid that is not mirrored; threads >= 1.
+/// The stresses below P. in: P on the nodes of all of a domain; threads >= 1.
 /// A coarser stress grid takes P by full weighting, which keeps the load. Each cell carries its node's pressure.
 /// order: 2 in the mesh size for z > 0 (patch.hpp, README.md); cost: 12 transforms of four times the nodes per plane.
 /// Same bits for any number of threads. errors: core::Interrupted.

@@ -54,14 +54,15 @@ class Sweep {
   }
 
   bool is_distributive(int i, int j) const {
-    return !(problem_.cavitation && beside_cavitation(i, j)) && !single_by_epsilon(i, j);
+    return !(reynolds::ruptures(problem_.cavitation) && beside_cavitation(i, j)) && !single_by_epsilon(i, j);
   }
 
   bool single_by_epsilon(int i, int j) const {
     const Around e = around(i, j);
     const double most = std::max({e.west, e.east, e.south, e.north});
     const double least = std::min({e.west, e.east, e.south, e.north});
-    return most * std::sqrt(most / least) > parameters_.crossover * problem_.transport.strength(grid_.hx());
+    return most * std::sqrt(most / least) >
+           parameters_.crossover * reynolds::relative_strength(problem_.transport, grid_.hx());
   }
 
   /// U dg/dX + c g at i for g given at i, i-1, i-2.
@@ -127,7 +128,7 @@ class Sweep {
     for (int i = 1; i <= points; ++i) distributive[static_cast<std::size_t>(i)] = is_distributive(i, j);
     for (int i = 1; i <= points; ++i) {
       const double r = residual(i, j);
-      if (problem_.cavitation && result_.P(i, j) <= 0.0 && r >= 0.0) {
+      if (reynolds::ruptures(problem_.cavitation) && result_.P(i, j) <= 0.0 && r >= 0.0) {
         A(i - 1, i - 1) = 1.0;
         held.push_back(i);
         continue;
@@ -143,7 +144,8 @@ class Sweep {
     for (int i = 1; i <= points; ++i) {
       const bool distributes = distributive[static_cast<std::size_t>(i)];
       delta_(i, j) = weight(i, j, distributes) * x(i - 1);
-      if (distributes && problem_.cavitation && problem_.transport.squeeze > 0.0 && delta_(i, j) < -result_.P(i, j)) {
+      if (distributes && reynolds::ruptures(problem_.cavitation) && problem_.transport.squeeze > 0.0 &&
+          delta_(i, j) < -result_.P(i, j)) {
         delta_(i, j) = -result_.P(i, j);  // no more than there is
         ++result_.withheld;
       }
@@ -158,7 +160,7 @@ class Sweep {
         double P =
             result_.P(i, j) + delta_(i, j) -
             (distributed_(i - 1, j) + distributed_(i + 1, j) + distributed_(i, j - 1) + distributed_(i, j + 1)) / 4.0;
-        if (problem_.cavitation && P < 0.0) {
+        if (reynolds::ruptures(problem_.cavitation) && P < 0.0) {
           P = 0.0;
           ++result_.clipped;
         }

@@ -21,7 +21,8 @@ namespace {
 // The elastic film's part of the coupling, as coarse_problem.hpp states it.
 constexpr double elastic_coupling = 0.5;
 
-fmg::Hierarchy two_levels(const Grid& fine, bool cavitation = true) {
+fmg::Hierarchy two_levels(const Grid& fine,
+                          reynolds::Cavitation cavitation = reynolds::Cavitation::nonnegative_pressure) {
   fmg::Problem problem = circular_contact(20, 10, Wedge::upstream2);
   problem.cavitation = cavitation;
   fmg::Parameters parameters;
@@ -199,7 +200,7 @@ BOOST_AUTO_TEST_CASE(the_film_is_equation_6) {
 BOOST_AUTO_TEST_CASE(the_coarse_problem_starts_with_what_is_left_of_the_fine_one) {
   // Full approximation: at the restricted state the coarse film is the fine one, and the coarse residuals of all three
   // equations are the restricted fine ones. Without cavitation no residual is left out.
-  fmg::Hierarchy hierarchy = two_levels(fine_grid, false);
+  fmg::Hierarchy hierarchy = two_levels(fine_grid, reynolds::Cavitation::none);
   fmg::Level& fine = hierarchy.levels[1];
   fmg::Level& coarse = hierarchy.levels[0];
   Random random(5);

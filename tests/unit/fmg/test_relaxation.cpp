@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(one_sweep_is_the_sweep_written_point_by_point) {
 BOOST_AUTO_TEST_CASE(one_sweep_without_cavitation_lets_pressures_be_negative) {
   Counts counts;
   fmg::Problem problem = circular_contact(20, 10, Wedge::upstream2);
-  problem.cavitation = false;
+  problem.cavitation = reynolds::Cavitation::none;
   // Roelands' law has no value far below zero.
   problem.viscosity = ehl::rheology::Isoviscous{};
   problem.density = ehl::rheology::Incompressible{};

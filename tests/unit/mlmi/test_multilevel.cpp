@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(a_patch_as_large_as_the_grid_makes_it_exact_for_any_pressur
 }
 
 BOOST_AUTO_TEST_CASE(order_and_patch_buy_accuracy) {
-  // The numbers of modules/mlmi/README.md at n = 64, with room for another processor's rounding.
+  // Measured at n = 64, with room for another processor's rounding.
   const Grid grid{64, 64, -4.5, 1.5, -3.0, 3.0};
   const Field P = ehl::tests::sampled(grid, ehl::tests::contact_pressure);
   const Field truth = deformation(grid, P, {.method = Method::direct});
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(order_and_patch_buy_accuracy) {
         grid, P, {.order = row.order, .patch_along = row.along, .patch_across = row.across, .coarsenings = 2});
     const double error = relative_error(w, truth);
     BOOST_TEST_MESSAGE("order " << row.order << ", patch " << row.along << " x " << row.across << ": error " << error
-                                << " (README: " << row.measured << ", tolerance 20 % above)");
+                                << " (measured: " << row.measured << ", tolerance 20 % above)");
     BOOST_TEST(error < 1.2 * row.measured);
   }
 }

@@ -10,7 +10,7 @@
 #include "case/catalogue.hpp"
 #include "core/errors.hpp"
 #include "support/temporary_folder.hpp"
-#include "tables/sweep_children.hpp"
+#include "tables/children.hpp"
 #include "tables/sweep_range.hpp"
 #include "tables/sweep_row.hpp"
 #include "tables/sweep_table.hpp"

@@ -50,7 +50,8 @@ BOOST_AUTO_TEST_CASE(residual_of_the_half) {
       BOOST_TEST(error < rounding);
       for (int i = 0; i <= grid.nx; ++i)
         for (int k = 1; k <= 2; ++k) BOOST_TEST(r_half(i, half.ny + k) == r_half(i, half.ny - k));
-      for (const bool cavitation : {true, false}) {
+      for (const reynolds::Cavitation cavitation :
+           {reynolds::Cavitation::nonnegative_pressure, reynolds::Cavitation::none}) {
         const auto all = reynolds::residual_norms(grid, both.whole.state(), wedge, cavitation, r);
         const auto one = reynolds::residual_norms(half, both.half.state(), wedge, cavitation, r_half);
         BOOST_TEST(std::abs(one.root_mean_square / all.root_mean_square - 1.0) < rounding);
@@ -66,7 +67,8 @@ BOOST_AUTO_TEST_CASE(residual_of_the_half) {
 BOOST_AUTO_TEST_CASE(flow_balance_of_the_half) {
   Random random(4);
   for (const Grid& grid : grids)
-    for (const bool cavitation : {true, false})
+    for (const reynolds::Cavitation cavitation :
+         {reynolds::Cavitation::nonnegative_pressure, reynolds::Cavitation::none})
       for (const double reach : {std::numeric_limits<double>::infinity(), 1.5, 0.8}) {
         const BothStates both(grid, random);
         const auto all = reynolds::flow_balance(grid, both.whole.state(), Wedge::upstream2, cavitation, reach);

@@ -117,12 +117,13 @@ BOOST_AUTO_TEST_CASE(norms_count_only_what_violates_complementarity) {
   r(0, 4) = 100.0;  // the boundary is no equation
   const double points = (grid.nx - 1) * (grid.ny - 1);
 
-  const auto norms = reynolds::residual_norms(grid, fields.state(), Wedge::upstream1, true, r);
+  const auto norms =
+      reynolds::residual_norms(grid, fields.state(), Wedge::upstream1, reynolds::Cavitation::nonnegative_pressure, r);
   BOOST_TEST(std::abs(norms.root_mean_square - std::sqrt((4.0 + 1.0 + 2.25) / points)) < 1e-15);
   BOOST_TEST(norms.largest == 2.0);
   BOOST_TEST((norms.i == 6 && norms.j == 5));
   // Without cavitation all count.
-  const auto all = reynolds::residual_norms(grid, fields.state(), Wedge::upstream1, false, r);
+  const auto all = reynolds::residual_norms(grid, fields.state(), Wedge::upstream1, reynolds::Cavitation::none, r);
   BOOST_TEST(std::abs(all.root_mean_square - std::sqrt((49.0 + 4.0 + 1.0 + 2.25) / points)) < 1e-15);
   BOOST_TEST(all.largest == 7.0);
 
@@ -143,7 +144,8 @@ BOOST_AUTO_TEST_CASE(what_is_not_a_number_shows_in_the_norms) {
     fields.P(7, 4) = cavitated ? 0.0 : 0.5;
     Field r = random_field(grid, random, -1.0, 1.0);
     r(7, 4) = not_a_number;
-    const auto norms = reynolds::residual_norms(grid, fields.state(), Wedge::upstream2, true, r);
+    const auto norms =
+        reynolds::residual_norms(grid, fields.state(), Wedge::upstream2, reynolds::Cavitation::nonnegative_pressure, r);
     BOOST_TEST(std::isnan(norms.root_mean_square));
     BOOST_TEST(std::isnan(norms.largest));
     BOOST_TEST((norms.i == 7 && norms.j == 4), "found at " << norms.i << ", " << norms.j);

@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "core/norms.hpp"
+#include "newton/equations.hpp"
 #include "steady/continuation.hpp"
-#include "steady/newton_equations.hpp"
 #include "steady/solve.hpp"
 #include "support/random.hpp"
 #include "support/roelands_scene.hpp"
-#include "unit/steady/newton_scene.hpp"
+#include "unit/newton/newton_scene.hpp"
 
 using namespace ehl;
 using rheology::ShearThinning;
@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(jacobian_products_are_the_slope_of_the_residual) {
       fmg::Hierarchy hierarchy = tests::newton_hierarchy(50, 10, grid, 1, reynolds::Wedge::upstream2, thinning);
       const std::size_t l = hierarchy.levels.size() - 1;
       fmg::start_from_hertz(hierarchy, l, -0.6, 0);
-      steady::NewtonEquations equations(hierarchy, l);
+      newton::Equations equations(hierarchy, l);
       std::vector<double> u(equations.size()), v(u.size()), product(u.size()), ahead(u.size()), behind(u.size());
       equations.unknowns(u);
       for (double& x : u) x = x > 0.0 ? x + random.between(0.1, 0.2) : -0.05;
@@ -138,7 +138,7 @@ BOOST_AUTO_TEST_CASE(newton_on_the_half_and_on_the_whole) {
   BOOST_TEST((P < 1e-10 && H < 1e-10));
   BOOST_REQUIRE(!half.newton.empty());
   int most = 0;
-  for (const steady::NewtonStep& step : half.newton) most = std::max(most, step.linear_iterations);
+  for (const newton::Step& step : half.newton) most = std::max(most, step.linear_iterations);
   BOOST_TEST_MESSAGE(half.newton.size() << " Newton steps to " << half.newton.back().residual << ", at most " << most
                                         << " inner iterations (allowed 4, 1e-11 and 30)");
   BOOST_TEST((half.newton.size() <= 4u && half.newton.back().residual < 1e-11 && most <= 30));

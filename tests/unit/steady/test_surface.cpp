@@ -25,7 +25,7 @@ steady::Scene contact_scene(double M, double L, const core::Grid& grid) {
 
 template <class Function>
 auto surface_of(Function gap) {
-  return [gap](const core::Grid& grid, core::Field& S) {
+  return [gap](const core::Patch& grid, core::Field& S) {
     for (int i = 0; i <= grid.nx; ++i)
       for (int j = 0; j <= grid.ny; ++j) S(i, j) = gap(grid.X(i), grid.Y(j));
   };

@@ -1,0 +1,77 @@
+// The keys of [motion].
+#include <cmath>
+
+#include "contact/keys.hpp"
+#include "deck/text.hpp"
+
+namespace ehl::contact {
+
+std::vector<deck::Key> motion_keys() {
+  constexpr deck::Range speed{-1e6, 1e6};
+  return {
+      {.name = "angle",
+       .default_note = "0, along radius_x",
+       .unit = "degrees",
+       .range = {-90.0, 90.0},
+       .meaning = "From the direction of radius_x to that of the entrainment, of an elliptic contact; 90: along "
+                  "radius_y. Not 0 or 90: the whole domain is computed. x stays the direction of entrainment.",
+       .example = "45"},
+      {.name = "u1",
+       .unit = "m/s",
+       .range = speed,
+       .meaning = "Surface speed of body 1 (u1 and u2, or u_m and srr). The oil enters at the side of negative x.",
+       .example = "0.09"},
+      {.name = "u2", .unit = "m/s", .range = speed, .meaning = "Surface speed of body 2.", .example = "0.09"},
+      {.name = "u_m",
+       .unit = "m/s",
+       .range = {0.0, 1e6, true, false},
+       .remedy = "without entrainment there is no film",
+       .meaning = "Entrainment speed (u1 + u2)/2, instead of u1 and u2.",
+       .example = "0.09"},
+      {.name = "srr",
+       .default_note = "0",
+       .range = {-1e6, 1e6},
+       .meaning = "Slide-roll ratio (u1 - u2)/u_m. A steady, smooth, isothermal Newtonian film does not depend on it; "
+                  "[shear] and [friction] do, with contacts in M and L or W, U and G too.",
+       .example = "0.1"},
+  };
+}
+
+namespace {
+
+void check_motion(const deck::Part& motion, Language language, bool slides) {
+  if (language != Language::si) {
+    const std::string why = "has no influence: a dimensionless contact contains the speed already; remove it";
+    motion.refuse({"u1", "u2", "u_m"}, why);
+    if (!slides) motion.refuse({"srr"}, why);
+    return;
+  }
+  if (motion.given("u_m")) {
+    motion.refuse({"u1", "u2"}, "u_m is given as well: keep either u1 and u2, or u_m and srr");
+    return;
+  }
+  motion.refuse({"srr"}, "has no influence without u_m: give u_m instead of u1 and u2, or remove it");
+  if (motion.given_of({"u1", "u2"}).empty()) {
+    motion.complain("u_m", "is missing: give the entrainment speed, or u1 and u2");
+    return;
+  }
+  motion.demand({"u1", "u2"}, "u1 and u2 belong together (or give u_m)");
+  const double sum = motion.number("u1") + motion.number("u2");
+  if (!(sum > 0.0) && !std::isnan(sum))
+    motion.complain("u2",
+                    "u1 + u2 = " + deck::shortest(sum) + " m/s: it must be > 0, for the oil enters at negative x");
+}
+
+}  // namespace
+
+void read_motion(const deck::Part& motion, bool slides, Input& input) {
+  if (input.language != Language::none) check_motion(motion, input.language, slides);
+  const double u_m = motion.number("u_m"), srr = motion.number("srr");
+  if (motion.given("srr")) input.srr = srr;
+  const bool mean = motion.given("u_m");
+  input.u1 = mean ? u_m * (1.0 + 0.5 * input.srr) : motion.number("u1");
+  input.u2 = mean ? u_m * (1.0 - 0.5 * input.srr) : motion.number("u2");
+  input.u_s = mean ? 2.0 * u_m : input.u1 + input.u2;
+}
+
+}  // namespace ehl::contact

@@ -1,0 +1,76 @@
+#include "film/model.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace ehl::film {
+namespace {
+
+void apply_effects(const Model& model, const Station& station, std::span<double> fluidity) {
+  for (const FluidityEffect& effect : model.effects) effect(station, fluidity);
+}
+
+// eps = rho_bar H^3 phi/lambda with d ln phi = -theta d ln eta_bar + (theta - 1) dH/H; theta = 1 without thinning.
+void epsilon_slopes(const Station& station, const Coefficients<const double>& at, std::span<const double> eps,
+                    const std::vector<double>& theta, const std::vector<double>& log_viscosity_slope,
+                    std::span<double> eps_P, std::span<double> eps_H) {
+  for (std::size_t k = 0; k < eps.size(); ++k) {
+    const double H = station.H[k];
+    eps_P[k] = eps[k] * (at.drho_bar[k] / at.rho_bar[k] - theta[k] * log_viscosity_slope[k]);
+    eps_H[k] = H > 0.0 ? (2.0 + theta[k]) * eps[k] / H : 0.0;
+  }
+}
+
+}  // namespace
+
+Buffers make_buffers(const Model& model, int nodes) {
+  const auto size = static_cast<std::size_t>(nodes);
+  Buffers buffers{.fluidity = std::vector<double>(size)};
+  if (anisotropic(model)) buffers.along = buffers.across = buffers.fluidity;
+  return buffers;
+}
+
+void coefficients(const Model& model, const Station& station, Buffers& buffers, const Coefficients<double>& out) {
+  if (model.given_epsilon) {
+    const core::Patch& grid = station.grid;
+    for (int j = 0; j <= grid.ny; ++j)
+      out.eps[static_cast<std::size_t>(j)] = model.given_epsilon(grid.X(station.i), grid.Y(j));
+    std::ranges::fill(out.rho_bar, 1.0);
+    return;
+  }
+  rheology::film_properties(model.viscosity, model.density, station.P, buffers.fluidity, out.rho_bar);
+  rheology::density_slope(model.density, station.P, out.drho_bar);
+  apply_effects(model, station, buffers.fluidity);
+  if (!anisotropic(model)) {
+    epsilon(station.H, out.rho_bar, buffers.fluidity, model.lambda, out.eps);
+    return;
+  }
+  rheology::film_fluidity(*model.thinning, station.H, buffers.fluidity, buffers.along, buffers.across);
+  epsilon(station.H, out.rho_bar, buffers.along, model.lambda, out.eps);
+  epsilon(station.H, out.rho_bar, buffers.across, model.lambda, out.eps_across);
+}
+
+void slopes(const Model& model, const Station& station, const Coefficients<const double>& at, Buffers& buffers,
+            const Slopes& out) {
+  buffers.slope.resize(station.P.size());
+  buffers.along.assign(station.P.size(), 1.0);
+  rheology::log_viscosity_slope(model.viscosity, station.P, buffers.slope);
+  if (anisotropic(model)) {
+    rheology::fluidity(model.viscosity, station.P, buffers.fluidity);
+    apply_effects(model, station, buffers.fluidity);
+    rheology::film_fluidity_slopes(*model.thinning, station.H, buffers.fluidity, buffers.along, buffers.across);
+    epsilon_slopes(station, at, at.eps_across, buffers.across, buffers.slope, out.eps_across_P, out.eps_across_H);
+  }
+  epsilon_slopes(station, at, at.eps, buffers.along, buffers.slope, out.eps_P, out.eps_H);
+}
+
+void epsilon(std::span<const double> H, std::span<const double> rho_bar, std::span<const double> fluidity,
+             double lambda, std::span<double> eps) {
+  const double inverse = 1.0 / lambda;
+  for (std::size_t k = 0; k < eps.size(); ++k) {
+    const double film = H[k] < 0.0 ? 0.0 : H[k];
+    eps[k] = rho_bar[k] * fluidity[k] * (film * film * film) * inverse;
+  }
+}
+
+}  // namespace ehl::film

@@ -1,0 +1,131 @@
+#include "fmg/cycles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/errors.hpp"
+#include "fmg/cycle.hpp"
+
+namespace ehl::fmg {
+namespace {
+
+/// A state this far from any solution will not come back.
+constexpr double hopeless_residual = 1e3;
+/// Cycles that stall: this many since the last change of caution in which the residual does not even halve.
+constexpr int patience = 6;
+constexpr double hardly_less = 0.5;
+/// A cycle that leaves more of the residual than this, and leaves it so high for the second time, is a reason for more
+/// caution; not the first two of a series, which still feel the interpolation, nor beside rounding errors.
+constexpr double poor_factor = 0.75;
+/// A cycle without relaxations after the correction that leaves more than this gets one. Such cycles leave 0.2 to 0.3
+/// where they work, those with one 0.1 to 0.2 for a third more work.
+constexpr double rough_factor = 0.4;
+constexpr int settling_cycles = 2;
+constexpr double rounding_residual = 1e-10;
+constexpr double back_off_steep = 0.8;
+constexpr double least_steep = 0.6;
+constexpr double back_off_all = 0.8;
+constexpr double least_all = 0.5;
+
+/// More caution; false when there is none left to take.
+bool back_off(Caution& caution) {
+  if (caution.steep * back_off_steep >= least_steep)
+    caution.steep *= back_off_steep;
+  else if (caution.all * back_off_all >= least_all)
+    caution.all *= back_off_all;
+  else
+    return false;
+  return true;
+}
+
+}  // namespace
+
+Parameters cautious(const Parameters& parameters, const Caution& caution) {
+  Parameters used = parameters;
+  used.relaxation.weight_distributed *= caution.all;
+  used.relaxation.weight_single *= caution.all;
+  used.relaxation.weight_single_steep *= caution.all * caution.steep;
+  if (caution.relax_after) used.post = std::max(1, used.post.value_or(1));
+  return used;
+}
+
+CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::StoppingCriterion& criterion,
+                        const Caution& caution, const CycleObserver& observe) {
+  CyclesResult result{.caution = caution};
+  Caution& now_cautious = result.caution;
+  Parameters how = cautious(hierarchy.parameters, now_cautious);
+  const State start = state_of(hierarchy, l);
+  judgement::Measures before = measures_of(hierarchy, l);
+  std::vector<double> residuals;  // since the last change of caution
+  const auto more_careful = [&](std::vector<double> so_far) {
+    how = cautious(hierarchy.parameters, now_cautious);
+    residuals = std::move(so_far);
+  };
+  while (result.cycles < criterion.most) {
+    ++result.cycles;
+    std::string diverged;
+    judgement::Measures now;
+    try {
+      fas_cycle(hierarchy, l, how);
+      now = measures_of(hierarchy, l);
+      if (!(now.residual < hopeless_residual) || !std::isfinite(now.Hc)) diverged = "the cycles diverge";
+    } catch (const core::SolverError& error) {
+      diverged = error.what();
+    }
+    if (!diverged.empty()) {
+      hierarchy.levels[l].P = start.P;
+      hierarchy.H00 = start.H00;
+      update_film(hierarchy, hierarchy.levels[l]);
+      result.unmet = diverged;
+      result.end = CyclesEnd::diverged;
+      if (now_cautious.all * back_off_all < least_all) return result;
+      now_cautious.all *= back_off_all;
+      if (how.post == 0) now_cautious.relax_after = true;
+      more_careful({});
+      before = measures_of(hierarchy, l);
+      continue;
+    }
+    const DiscretizationError error = observe(result.cycles, now);
+    result.last = {before, now, error.Hc, error.Hm, result.cycles == 1};
+    const judgement::Verdict verdict = judged(criterion, result.cycles, result.last);
+    result.unmet = verdict.unmet;
+    if (result.unmet.empty() || verdict.no_solution) {
+      result.end = verdict.no_solution ? CyclesEnd::no_solution : CyclesEnd::content;
+      return result;
+    }
+    residuals.push_back(now.residual);
+    if (how.post == 0 && result.cycles > 1 && now.residual > rough_factor * before.residual &&
+        now.residual > rounding_residual) {
+      now_cautious.relax_after = true;
+      more_careful({now.residual});
+    }
+    const std::size_t count = residuals.size();
+    if (count > patience && now.residual > hardly_less * residuals[count - 1 - patience]) {
+      result.end = CyclesEnd::stalled;
+      return result;
+    }
+    if (count > settling_cycles && now.residual > poor_factor * before.residual &&
+        now.residual > poor_factor * residuals[count - 3] && now.residual > rounding_residual && back_off(now_cautious))
+      more_careful({before.residual, now.residual});
+    before = now;
+  }
+  result.end = CyclesEnd::limit;
+  return result;
+}
+
+judgement::Measures measures_of(Hierarchy& hierarchy, std::size_t l) {
+  const core::EnclosingTimer timer(hierarchy.times, core::Part::checks);
+  Level& level = hierarchy.levels[l];
+  update_residual(hierarchy, level);
+  return judgement::measures({.grid = level.grid,
+                              .fields = fields(level),
+                              .r = level.r,
+                              .transport = hierarchy.transport,
+                              .cavitation = hierarchy.problem.cavitation,
+                              .outline = hierarchy.problem.geometry.outline,
+                              .carried = carried_load(level),
+                              .wanted = level.load});
+}
+
+}  // namespace ehl::fmg

@@ -1,0 +1,100 @@
+#include "fmg/record.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/errors.hpp"
+#include "fmg/full_multigrid.hpp"
+#include "judgement/error_estimate.hpp"
+
+namespace ehl::fmg {
+namespace {
+
+judgement::ErrorEstimate error_of(const Hierarchy& hierarchy, const Record& record, double LevelRow::*value) {
+  std::vector<double> values;
+  for (const LevelRow& row : record.levels) values.push_back(row.*value);
+  if (hierarchy.problem.transport.wedge == reynolds::Wedge::upstream2) return judgement::estimate_error(values, 2.0);
+  const core::Grid& domain = hierarchy.levels.back().grid.domain;
+  const LevelRow& last = record.levels.back();
+  const double h = (domain.X_b - domain.X_a) / last.nx;
+  return judgement::estimate_error(values, 1.0, judgement::first_order_floor(h, last.Hm_fitted));
+}
+
+double work_units(const Hierarchy& hierarchy, std::size_t l) {
+  double nodes = 0.0;
+  for (std::size_t k = 0; k <= l; ++k) {
+    const Level& level = hierarchy.levels[k];
+    const core::Grid& grid = level.grid.domain;
+    nodes += static_cast<double>(level.evaluations) * grid.nodes_x() * grid.nodes_y();
+  }
+  const core::Grid& grid = hierarchy.levels[l].grid.domain;
+  return nodes / (static_cast<double>(grid.nodes_x()) * grid.nodes_y());
+}
+
+}  // namespace
+
+void forget_work(Hierarchy& hierarchy) {
+  for (Level& level : hierarchy.levels) level.evaluations = 0;
+}
+
+void enter(const Hierarchy& hierarchy, std::size_t l, int cycle, const judgement::Measures& now, Record& record) {
+  const core::Grid& grid = hierarchy.levels[l].grid.domain;
+  const int number = static_cast<int>(l) + 1;
+  record.history.push_back({number, cycle, now.residual, now.load_error, now.Hc, now.Hm});
+  LevelRow& row = record.levels.back();
+  row.level = number;
+  row.nx = grid.nx;
+  row.ny = grid.ny;
+  row.Hc = now.Hc;
+  row.Hm = now.Hm;
+  row.Hm_fitted = now.Hm_fitted;
+  row.P_max = now.P_max;
+  row.residual = now.residual;
+  row.load_error = now.load_error;
+  row.cycles = cycle;
+  row.work_units = work_units(hierarchy, l);
+  const judgement::ErrorEstimate Hc = error_of(hierarchy, record, &LevelRow::Hc);
+  row.error_Hc = Hc.relative_error;
+  row.order_Hc = Hc.order;
+  row.error_Hm = error_of(hierarchy, record, &LevelRow::Hm_fitted).relative_error +
+                 std::abs(row.Hm - row.Hm_fitted) / std::abs(row.Hm);
+}
+
+void report(const Run& run, std::size_t l, int cycle, int planned, const judgement::Measures& now, double load_ratio) {
+  if (!run.progress) return;
+  // A cycle on the next level costs about four times as much. The checks may ask for more cycles than planned: the
+  // last part of the bar is theirs.
+  constexpr double share_of_planned = 0.9;
+  double whole = 0.0;
+  double done = 0.0;
+  for (std::size_t k = run.plan.first; k <= run.finest(); ++k) {
+    const double cost = std::exp2(2.0 * static_cast<double>(k - run.plan.first));
+    whole += cost;
+    if (k < l) done += cost;
+    const double extra = 1.0 - std::exp2(static_cast<double>(planned - cycle));
+    const double cycles_done =
+        cycle <= planned ? share_of_planned * cycle / planned : share_of_planned + (1.0 - share_of_planned) * extra;
+    if (k == l) done += cost * cycles_done;
+  }
+  const core::Grid& grid = run.hierarchy.levels[l].grid.domain;
+  const Progress progress{.level = static_cast<int>(l) + 1,
+                          .levels = static_cast<int>(run.finest()) + 1,
+                          .cycle = cycle,
+                          .cycles = planned,
+                          .nx = grid.nx,
+                          .ny = grid.ny,
+                          .residual = now.residual,
+                          .Hc = now.Hc,
+                          .fraction = done / whole,
+                          .load_ratio = load_ratio};
+  if (!run.progress(progress)) throw core::Interrupted();
+}
+
+std::string name_of_level(const Hierarchy& hierarchy, std::size_t l) {
+  const core::Grid& grid = hierarchy.levels[l].grid.domain;
+  return "level " + std::to_string(l + 1) + " (" + std::to_string(grid.nx) + " x " + std::to_string(grid.ny) +
+         " cells)";
+}
+
+}  // namespace ehl::fmg

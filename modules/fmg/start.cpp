@@ -1,0 +1,155 @@
+#include "fmg/start.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fmg/cycle.hpp"
+#include "fmg/relaxation.hpp"
+#include "transfer/transfer.hpp"
+
+namespace ehl::fmg {
+namespace {
+
+/// Relaxations between two corrections of H00 on a grid that is relaxed alone: long enough for the pressure to answer.
+constexpr int sweeps_per_balance = 4;
+
+void pose_original_problem(const Problem& problem, Level& level) {
+  level.f.fill(0.0);
+  if (problem.surface)
+    problem.surface(level.grid, level.F);
+  else
+    level.F.fill(0.0);
+  level.H_restricted.fill(0.0);
+  level.H_floor = 0.0;
+  level.load = problem.load.value_or(0.0);
+}
+
+// Mean of S, weighted with the pressure.
+double mean_surface(const Level& level) {
+  double sum = 0.0;
+  double weights = 0.0;
+  for (int i = 1; i < level.grid.nx; ++i)
+    for (int j = 1; j <= level.grid.last_line(); ++j) {
+      const double weight = level.grid.lines(j) * level.P(i, j);
+      sum += weight * level.F(i, j);
+      weights += weight;
+    }
+  return weights > 0.0 ? sum / weights : 0.0;
+}
+
+/// Beside the contact the far field is no guess any more.
+constexpr double a_little = 0.02;
+
+/// The far field of rigid bodies, P = -(c_X X + c_Y Y)/H^2: with the undeformed gap H = x A x, div(H^3 grad P) =
+/// lambda dH/dX gives (A + 2 tr(A)) c = lambda A e_X.
+class FarField {
+ public:
+  FarField(const core::QuadraticForm& gap, double lambda) : gap_(gap) {
+    const double b = 0.5 * gap.XY;
+    const double trace = gap.XX + gap.YY;
+    const double XX = gap.XX + 2.0 * trace;
+    const double YY = gap.YY + 2.0 * trace;
+    const double scale = lambda / (XX * YY - b * b);
+    c_X_ = scale * (YY * gap.XX - b * b);
+    c_Y_ = scale * (XX * b - b * gap.XX);
+  }
+  double P(double X, double Y) const {
+    const double H = gap_.at(X, Y);
+    return -(c_X_ * X + c_Y_ * Y) / (H * H);
+  }
+
+ private:
+  core::QuadraticForm gap_;
+  double c_X_, c_Y_;
+};
+
+/// 1 in the middle of the domain, falling to zero on its boundary, where the pressure is zero.
+double taper(const core::Grid& domain, double X, double Y) {
+  const double x = X / (X < 0.0 ? domain.X_a : domain.X_b);
+  const double y = Y / (Y < 0.0 ? domain.Y_a : domain.Y_b);
+  return (1.0 - x * x) * (1.0 - y * y);
+}
+
+// Where the film ruptures beside an ellipse is far from the contact and along no line of constant X, and an edge of the
+// pressure goes forward by one cell in a relaxation, but back by as many as it takes: it begins too far downstream,
+// with the pressure of the far field everywhere and its sign turned where that is negative.
+void begin_outside(const Problem& problem, Level& level) {
+  const FarField far(problem.geometry.gap, problem.film.lambda);
+  const core::Grid& domain = level.grid.domain;
+  for (int i = 1; i < level.grid.nx; ++i)
+    for (int j = 1; j <= level.grid.last_line(); ++j) {
+      const double X = level.grid.X(i);
+      const double Y = level.grid.Y(j);
+      if (problem.geometry.outline.at(X, Y) >= 1.0)
+        level.P(i, j) = std::min(std::abs(far.P(X, Y)), a_little) * taper(domain, X, Y);
+    }
+}
+
+bool round(const core::QuadraticForm& gap) { return gap.XY == 0.0 && gap.XX == gap.YY; }
+
+}  // namespace
+
+void start_from_hertz(Hierarchy& hierarchy, std::size_t l, double H00, int sweeps, const Parameters& how) {
+  Level& level = hierarchy.levels[l];
+  pose_original_problem(hierarchy.problem, level);
+  const auto& [XX, XY, YY] = hierarchy.problem.geometry.outline;
+  for (int i = 1; i < level.grid.nx; ++i)
+    for (int j = 1; j <= level.grid.last_line(); ++j) {
+      const double X = level.grid.X(i);
+      const double Y = level.grid.Y(j);
+      const double inside = 1.0 - XX * X * X - (XY * X + YY * Y) * Y;
+      level.P(i, j) = inside > 0.0 ? std::sqrt(inside) : 0.0;
+    }
+  if (!round(hierarchy.problem.geometry.gap)) begin_outside(hierarchy.problem, level);
+  core::fill_ghosts(level.grid, level.P);
+  hierarchy.H00 = hierarchy.problem.surface ? H00 - mean_surface(level) : H00;
+  update_film(hierarchy, level);
+  for (int sweep = 1; sweep <= sweeps; ++sweep) {
+    if (sweep % sweeps_per_balance == 0)
+      relax_with_force_balance(hierarchy, level, 1, how);
+    else
+      relax(hierarchy, level, how.relaxation);
+  }
+}
+
+void start_from_state(Hierarchy& hierarchy, std::size_t l, const State& start) {
+  Level& level = hierarchy.levels[l];
+  pose_original_problem(hierarchy.problem, level);
+  core::copy(start.P, level.P);
+  core::fill_ghosts(level.grid, level.P);
+  hierarchy.H00 = start.H00;
+  update_film(hierarchy, level);
+}
+
+void start_from_coarser(Hierarchy& hierarchy, std::size_t l) {
+  Level& level = hierarchy.levels[l];
+  pose_original_problem(hierarchy.problem, level);
+  {
+    const core::ScopedTimer timer(hierarchy.times, core::Part::transfer);
+    transfer::prolong_bicubic(hierarchy.levels[l - 1].grid, hierarchy.levels[l - 1].P, level.P);
+    for (int i = 0; i <= level.grid.nx; ++i)
+      for (int j = 0; j <= level.grid.ny; ++j) {
+        const bool boundary = i == 0 || j == 0 || i == level.grid.nx || j > level.grid.last_line();
+        level.P(i, j) = boundary ? 0.0 : reynolds::projected(hierarchy.problem.cavitation, level.P(i, j));
+      }
+    core::fill_ghosts(level.grid, level.P);
+  }
+  update_film(hierarchy, level);
+}
+
+void start_from_two_coarser(Hierarchy& hierarchy, std::size_t l, const State& two_below, double order) {
+  const double weight = std::exp2(-order);
+  Level& below = hierarchy.levels[l - 1];
+  core::Field coarser(below.grid);
+  transfer::prolong_bicubic(hierarchy.levels[l - 2].grid, two_below.P, coarser);
+  // No pressure where the finer solution has none: the cavitated region is the finer one's.
+  for (int i = 1; i < below.grid.nx; ++i)
+    for (int j = 1; j <= below.grid.last_line(); ++j) {
+      double& P = below.P(i, j);
+      if (P > 0.0) P = std::max(0.0, P + weight * (P - coarser(i, j)));
+    }
+  hierarchy.H00 += weight * (hierarchy.H00 - two_below.H00);
+  start_from_coarser(hierarchy, l);
+}
+
+}  // namespace ehl::fmg

@@ -1,0 +1,57 @@
+#include "judgement/error_estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ehl::judgement {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double safety_of_two = 1.5;
+constexpr double safety = 1.25;
+/// Error of the first-order wedge over h/Hm^(2/3).
+constexpr double first_order_share = 0.35;
+/// Error of the second-order wedge over h^2/Hm^(4/3), at most; for one grid alone.
+constexpr double second_order_share = 0.85;
+
+}  // namespace
+
+ErrorEstimate estimate_error(std::span<const double> values, double scheme_order, double least) {
+  const std::size_t n = values.size();
+  if (n < 2) return {nan, nan};
+  const double last_change = values[n - 1] - values[n - 2];
+  double observed = nan;
+  if (n > 2) observed = std::log2((values[n - 2] - values[n - 3]) / last_change);
+  double order = scheme_order;
+  const double lowest_order = 0.5 * scheme_order;
+  if (n > 2) order = std::isfinite(observed) ? std::clamp(observed, lowest_order, scheme_order) : lowest_order;
+  const double factor = n > 2 ? safety : safety_of_two;
+  // Changes that fall much faster than the scheme's are about to change their sign.
+  const double change =
+      n > 2 ? std::max(std::abs(last_change), std::abs(values[n - 2] - values[n - 3]) / std::exp2(scheme_order + 1.0))
+            : std::abs(last_change);
+  const double error = factor * std::abs(change / (std::exp2(order) - 1.0) / values[n - 1]);
+  return {std::max(error, least), observed};
+}
+
+double first_order_floor(double h, double Hm) {
+  return Hm > 0.0 ? first_order_share * h / std::pow(Hm, 2.0 / 3.0) : std::numeric_limits<double>::infinity();
+}
+
+double error_of_one_grid(double h, double Hm, double scheme_order) {
+  if (!(Hm > 0.0)) return std::numeric_limits<double>::infinity();
+  const double step = h / std::pow(Hm, 2.0 / 3.0);
+  return scheme_order > 1.0 ? second_order_share * step * step : first_order_share * step * std::max(1.0, step);
+}
+
+Extrapolation extrapolate(std::span<const double> values, double scheme_order, double unsure) {
+  const std::size_t n = values.size();
+  if (n < 3) return {};
+  const double share = 1.0 / (std::exp2(scheme_order) - 1.0);
+  const double correction = share * (values[n - 1] - values[n - 2]);
+  const double value = values[n - 1] + correction;
+  const double before = values[n - 2] + share * (values[n - 2] - values[n - 3]);
+  return {value, std::max(std::abs(value - before), unsure * std::abs(correction)) / std::abs(value)};
+}
+
+}  // namespace ehl::judgement

@@ -1,0 +1,128 @@
+#include "judgement/stopping.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace ehl::judgement {
+namespace {
+
+/// Foretold algebraic error allowed in Hc and Hm, as a share of the estimated discretization error: a tenth is
+/// promised, and both numbers are estimates.
+constexpr double algebraic_share = 0.05;
+/// A larger discretization error than this is no licence to stop earlier: its estimate is too uncertain.
+constexpr double largest_licence = 0.05;
+/// Largest relative residual and load error of a solution at the level of the discretization error.
+constexpr double loose_residual = 4e-3;
+constexpr double loose_load_error = 1e-4;
+/// Mass that may appear or vanish around the contact: a share of the discretization error of Hc, and what is always
+/// allowed; relative to the flow through the contact.
+constexpr double flow_share = 0.25;
+constexpr double least_flow_licence = 1e-4;
+/// Largest residual, relative to the wedge term, of a cavitated node whose equation wants pressure.
+constexpr double largest_dry_violation = 2e-2;
+/// Relative residual asked for where the discretization error is unknown.
+constexpr double default_tolerance = 1e-6;
+/// No cycle is trusted to reduce the error by more, or by less, than this; Hm follows the residual with delay.
+constexpr double best_factor = 0.25;
+constexpr double worst_factor = 0.9;
+/// The start of a level may by chance be closer to the solution than what its first cycle leaves.
+constexpr double best_factor_at_first = 0.5;
+/// Relative rounding noise of Hc and Hm.
+constexpr double rounding = 1e-11;
+/// The first grid has cycled enough when the last cycle changed Hc and Hm by less than this, a few hundredths of what
+/// such a grid is wrong by, at least after this many cycles.
+constexpr double settled_change = 1e-3;
+constexpr int fewest_first_cycles = 3;
+/// A state with this relative residual solves the equations, whatever else is wrong with it.
+constexpr double solved_residual = 1e-5;
+
+std::string text(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.2e", value);
+  return buffer;
+}
+
+// What no state may have, whatever else is asked.
+std::string impossible(const Measures& now) {
+  if (!(now.Hm > 0.0))
+    return "the film is negative at its thinnest, H = " + text(now.Hm) +
+           ": the mesh is too coarse for this contact; use more cells";
+  if (!(now.least_P >= 0.0)) return "the pressure is negative at its lowest, P = " + text(now.least_P);
+  return {};
+}
+
+std::string unmet_residual(const Measures& now, double residual, double load_error) {
+  if (!(now.residual <= residual))
+    return "relative residual " + text(now.residual) + " is above " + text(residual) +
+           "; more max_cycles or a finer grid may help";
+  if (!(now.load_error <= load_error))
+    return "load error " + text(now.load_error) + " is above " + text(load_error) + "; more max_cycles may help";
+  return {};
+}
+
+std::string unmet_balance(const Measures& now, double error_Hc) {
+  if (!(now.dry_violation <= largest_dry_violation))
+    return "a cavitated node wants pressure: its residual is " + text(now.dry_violation) +
+           " of the wedge term, above " + text(largest_dry_violation) + "; more max_cycles may help";
+  const double licence = std::isfinite(error_Hc) ? std::min(error_Hc, largest_licence) : largest_licence;
+  const double allowed = std::max(flow_share * licence, least_flow_licence);
+  if (!(std::abs(now.flow_imbalance) <= allowed))
+    return "mass is not conserved around the contact: " + text(now.flow_imbalance) +
+           " of the flow through it appears or is lost, allowed is " + text(allowed) +
+           "; more max_cycles or a finer grid may help";
+  return {};
+}
+
+std::string unmet_share(const char* name, double left, double discretization_error) {
+  if (left <= std::max(algebraic_share * std::min(discretization_error, largest_licence), rounding)) return {};
+  return std::string(name) + " still has an algebraic error of about " + text(left) +
+         ", too much beside its discretization error " + text(discretization_error) + "; more max_cycles may help";
+}
+
+bool settled(int cycle, const Measures& before, const Measures& now) {
+  const auto change = [](double was, double is) { return std::abs((is - was) / is); };
+  return cycle >= fewest_first_cycles && now.Hm > 0.0 && change(before.Hc, now.Hc) < settled_change &&
+         change(before.Hm, now.Hm) < settled_change;
+}
+
+}  // namespace
+
+double foretold_error(const LastCycle& cycle, double Measures::*value) {
+  const double best = cycle.first ? best_factor_at_first : best_factor;
+  const double factor = std::clamp(cycle.after.residual / cycle.before.residual, best, worst_factor);
+  const double after = cycle.after.*value;
+  return std::abs((after - cycle.before.*value) / after) * factor / (1.0 - factor);
+}
+
+std::string unmet_film(const LastCycle& cycle) {
+  std::string unmet = impossible(cycle.after);
+  if (unmet.empty()) unmet = unmet_share("Hc", foretold_error(cycle, &Measures::Hc), cycle.error_Hc);
+  if (unmet.empty()) unmet = unmet_share("Hm", foretold_error(cycle, &Measures::Hm), cycle.error_Hm);
+  return unmet;
+}
+
+std::string unmet_check(const LastCycle& cycle, double tolerance) {
+  const Measures& now = cycle.after;
+  if (std::string unmet = impossible(now); !unmet.empty()) return unmet;
+  const bool by_tolerance = std::isfinite(tolerance) || !std::isfinite(cycle.error_Hc);
+  const double asked = std::isfinite(tolerance) ? tolerance : default_tolerance;
+  std::string unmet =
+      by_tolerance ? unmet_residual(now, asked, asked) : unmet_residual(now, loose_residual, loose_load_error);
+  if (unmet.empty()) unmet = unmet_balance(now, cycle.error_Hc);
+  if (by_tolerance) return unmet;
+  return unmet.empty() ? unmet_film(cycle) : unmet;
+}
+
+Verdict judged(const StoppingCriterion& criterion, int cycle, const LastCycle& last) {
+  const Measures& now = last.after;
+  if (criterion.aim == Aim::residual) return {unmet_residual(now, criterion.tolerance, criterion.tolerance)};
+  if (criterion.aim == Aim::first_start && settled(cycle, last.before, now)) return {};
+  if (std::isnan(criterion.tolerance) && cycle < criterion.planned)
+    return {"cycles that were planned are still to come"};
+  const bool only_a_start = criterion.aim != Aim::solution && std::isfinite(last.error_Hc);
+  return {only_a_start ? unmet_film(last) : unmet_check(last, criterion.tolerance),
+          now.residual < solved_residual && !(now.Hm > 0.0)};
+}
+
+}  // namespace ehl::judgement

@@ -1,0 +1,144 @@
+#include "newton/equations.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "reynolds/flux.hpp"
+
+namespace ehl::newton {
+
+Equations::Equations(fmg::Hierarchy& hierarchy, std::size_t l)
+    : hierarchy_(hierarchy),
+      level_(hierarchy.levels[l]),
+      nodes_(static_cast<std::size_t>(level_.grid.nx - 1) * static_cast<std::size_t>(level_.grid.last_line())),
+      threads_(hierarchy.threads_on(level_.grid)),
+      scale_(nodes_, 1.0),
+      wet_(nodes_, 0),
+      along_{core::Field(level_.grid), core::Field(level_.grid), core::Field(level_.grid)},
+      dq_dP_(level_.grid),
+      local_{core::Field(level_.grid), core::Field(level_.grid), core::Field()},
+      dP_(level_.grid),
+      dH_(level_.grid) {
+  if (!anisotropic()) return;
+  across_ = along_;
+  local_.eps_across = core::Field(level_.grid);
+}
+
+void Equations::make_scale() {
+  const core::Patch& grid = level_.grid;
+  const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
+  const core::Field& eps = level_.eps;
+  const core::Field& eps_across = fmg::eps_across(level_);
+  for (int i = 1; i < grid.nx; ++i) {
+    const double c0 = reynolds::transport_weights(transport(), i, grid.hx())[0];
+    for (int j = 1; j <= grid.last_line(); ++j) {
+      const auto e = reynolds::faces_at(eps, eps_across, i, j, half);
+      const double dq = level_.rho_bar(i, j) * level_.film_terms.K[0];
+      scale_[index(i, j)] = 1.0 / (e.west + e.east + e.south + e.north + c0 * dq);
+    }
+  }
+}
+
+void Equations::unknowns(std::span<double> u) {
+  fmg::update_residual(hierarchy_, level_);
+  make_scale();
+  for (int i = 1; i < grid().nx; ++i)
+    for (int j = 1; j <= grid().last_line(); ++j) {
+      const std::size_t k = index(i, j);
+      const double P = level_.P(i, j);
+      u[k] = P > 0.0 ? P : std::min(0.0, -scale_[k] * level_.r(i, j));
+    }
+  u[nodes_] = hierarchy_.H00;
+}
+
+void Equations::set_state(std::span<const double> u) {
+  for (int i = 1; i < grid().nx; ++i)
+    for (int j = 1; j <= grid().last_line(); ++j) level_.P(i, j) = std::max(u[index(i, j)], 0.0);
+  core::fill_ghosts(grid(), level_.P);
+  hierarchy_.H00 = u[nodes_];
+  fmg::update_film(hierarchy_, level_);
+}
+
+void Equations::residual(std::span<const double> u, std::span<double> F) {
+  set_state(u);
+  fmg::update_residual(hierarchy_, level_);
+  for (int i = 1; i < grid().nx; ++i)
+    for (int j = 1; j <= grid().last_line(); ++j) {
+      const std::size_t k = index(i, j);
+      F[k] = scale_[k] * level_.r(i, j) + std::min(u[k], 0.0);
+    }
+  F[nodes_] = (fmg::carried_load(level_) - level_.load) / level_.load;
+}
+
+void Equations::linearize(std::span<const double> u) {
+  const double self = level_.film_terms.K[0];
+  const film::Model& model = hierarchy_.problem.film;
+  film::Buffers buffers = film::make_buffers(model, grid().nodes_y());
+  const auto none = std::span<double>{};
+  for (int i = 0; i <= grid().nx; ++i) {
+    const auto known = [i](const core::Field& field) {
+      return field.nodes_x() > 0 ? field.station(i) : std::span<const double>{};
+    };
+    const film::Station station{grid(), i, known(level_.P), known(level_.H)};
+    film::slopes(model, station,
+                 {known(level_.eps), known(level_.eps_across), known(level_.rho_bar), known(level_.drho_bar)}, buffers,
+                 {along_.dP.station(i), along_.dH.station(i), anisotropic() ? across_.dP.station(i) : none,
+                  anisotropic() ? across_.dH.station(i) : none});
+    for (int j = 0; j <= grid().ny; ++j) {
+      local_.eps(i, j) = along_.dP(i, j) + self * along_.dH(i, j);
+      if (anisotropic()) local_.eps_across(i, j) = across_.dP(i, j) + self * across_.dH(i, j);
+      dq_dP_(i, j) = level_.drho_bar(i, j) * level_.H(i, j);
+      local_.q(i, j) = dq_dP_(i, j) + self * level_.rho_bar(i, j);
+    }
+  }
+  for (std::size_t k = 0; k < nodes_; ++k) wet_[k] = u[k] > 0.0 ? 1 : 0;
+}
+
+void Equations::jacobian(std::span<const double> v, std::span<double> Jv) {
+  const core::Patch& grid = level_.grid;
+  for (int i = 1; i < grid.nx; ++i)
+    for (int j = 1; j <= grid.last_line(); ++j) dP_(i, j) = wet_[index(i, j)] ? v[index(i, j)] : 0.0;
+  core::fill_ghosts(grid, dP_);
+  {
+    const core::ScopedTimer timer(hierarchy_.times, core::Part::deformation);
+    level_.deformation.evaluate(dP_, dH_);
+  }
+  ++level_.evaluations;
+  const double dH00 = v[nodes_];
+  core::Field& dq = dH_;  // d (rho_bar H) takes the place of dH once d eps has used it
+  double dload = 0.0;
+  for (int i = 0; i <= grid.nx; ++i)
+    for (int j = 0; j <= grid.ny; ++j) {
+      const double dP = dP_(i, j);
+      const double dH = dH_(i, j) + dH00;
+      along_.change(i, j) = along_.dP(i, j) * dP + along_.dH(i, j) * dH;
+      if (anisotropic()) across_.change(i, j) = across_.dP(i, j) * dP + across_.dH(i, j) * dH;
+      dq(i, j) = dq_dP_(i, j) * dP + level_.rho_bar(i, j) * dH;
+      dload += grid.lines(j) * dP;
+    }
+  core::fill_ghosts(grid, along_.change);
+  if (anisotropic()) core::fill_ghosts(grid, across_.change);
+  const core::Field& deps = along_.change;
+  const core::Field& deps_across = anisotropic() ? across_.change : along_.change;
+  const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
+  const core::Field& P = level_.P;
+  const core::Field& eps = level_.eps;
+  const core::Field& eps_across = fmg::eps_across(level_);
+#pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
+  for (int i = 1; i < grid.nx; ++i) {
+    const auto [c0, c1, c2] = reynolds::transport_weights(transport(), i, grid.hx());
+    const int upstream = std::max(i - 2, 0);
+    for (int j = 1; j <= grid.last_line(); ++j) {
+      const std::size_t k = index(i, j);
+      const auto e = reynolds::faces_at(eps, eps_across, i, j, half);
+      const auto de = reynolds::faces_at(deps, deps_across, i, j, half);
+      const double dr = c0 * dq(i, j) + c1 * dq(i - 1, j) + c2 * dq(upstream, j) -
+                        reynolds::poiseuille(e, dP_(i - 1, j), dP_(i + 1, j), dP_(i, j - 1), dP_(i, j + 1), dP_(i, j)) -
+                        reynolds::poiseuille(de, P(i - 1, j), P(i + 1, j), P(i, j - 1), P(i, j + 1), P(i, j));
+      Jv[k] = scale_[k] * dr + (wet_[k] ? 0.0 : v[k]);
+    }
+  }
+  Jv[nodes_] = grid.hx() * grid.hy() * dload / level_.load;
+}
+
+}  // namespace ehl::newton

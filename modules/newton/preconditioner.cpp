@@ -1,0 +1,171 @@
+#include "newton/preconditioner.hpp"
+
+#include <Eigen/SparseCore>
+#include <Eigen/SparseLU>
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "reynolds/flux.hpp"
+
+namespace ehl::newton {
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double>;
+using Vector = Eigen::VectorXd;
+
+/// A part [i_first, i_last] x [j_first, j_last] of the grid.
+struct Box {
+  int i_first, i_last, j_first, j_last;
+  int width() const { return i_last - i_first + 1; }
+  int height() const { return j_last - j_first + 1; }
+};
+
+// Small enough to be dense.
+constexpr int leaf = 3;
+
+/// Nested dissection of the rectangular grid: first one half, then the other, last the separator. A separator across X
+/// must be as thick as the wedge reaches upstream, one across Y one node.
+void dissect(const Box& box, int reach, const Equations& equations, std::vector<std::pair<int, int>>& order) {
+  if (box.width() <= 0 || box.height() <= 0) return;
+  const auto take = [&](const Box& part) {
+    for (int i = part.i_first; i <= part.i_last; ++i)
+      for (int j = part.j_first; j <= part.j_last; ++j)
+        if (equations.wet(equations.index(i, j))) order.emplace_back(i, j);
+  };
+  if (box.width() <= leaf + reach && box.height() <= leaf) return take(box);
+  const bool across_x = box.width() > leaf + reach && (box.height() <= leaf || reach * box.height() < box.width());
+  Box low = box, high = box, separator = box;
+  if (across_x) {
+    separator.i_first = box.i_first + (box.width() - reach) / 2;
+    separator.i_last = separator.i_first + reach - 1;
+    low.i_last = separator.i_first - 1;
+    high.i_first = separator.i_last + 1;
+  } else {
+    separator.j_first = separator.j_last = box.j_first + box.height() / 2;
+    low.j_last = separator.j_first - 1;
+    high.j_first = separator.j_last + 1;
+  }
+  dissect(low, reach, equations, order);
+  dissect(high, reach, equations, order);
+  take(separator);
+}
+
+}  // namespace
+
+struct Preconditioner::Implementation {
+  const Equations& equations;
+  std::vector<std::pair<int, int>> order;  // wet nodes in the order of elimination
+  std::vector<int> place;                  // of a node in it; -1: cavitated
+  Matrix matrix;
+  Eigen::SparseLU<Matrix, Eigen::NaturalOrdering<int>> lu;
+  Vector border;    // J~^-1 of the column of H00, without the load row
+  Vector load_row;  // d F_last / d P at each node
+  double schur = 0.0;
+  Vector rhs, solution;
+
+  explicit Implementation(const Equations& e) : equations(e) {}
+  Eigen::Index size() const { return static_cast<Eigen::Index>(order.size()); }
+  /// Place in u and F of the k-th node of the order.
+  std::size_t node(Eigen::Index k) const {
+    const auto [i, j] = order[static_cast<std::size_t>(k)];
+    return equations.index(i, j);
+  }
+  void make_order();
+  void assemble(Vector& column_of_H00);
+};
+
+void Preconditioner::Implementation::make_order() {
+  const core::Patch& grid = equations.grid();
+  order.clear();
+  const int reach = equations.transport().wedge == reynolds::Wedge::upstream2 ? 2 : 1;
+  dissect({1, grid.nx - 1, 1, grid.last_line()}, reach, equations, order);
+  place.assign(equations.size() - 1, -1);
+  for (Eigen::Index k = 0; k < size(); ++k) place[node(k)] = static_cast<int>(k);
+}
+
+void Preconditioner::Implementation::assemble(Vector& column_of_H00) {
+  const core::Patch& grid = equations.grid();
+  const fmg::Level& level = equations.level();
+  const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
+  const core::Field& deps = equations.local().eps;
+  const core::Field& deps_across = equations.local_eps_across();
+  const core::Field& dq = equations.local().q;
+  const core::Field& deps_dH = equations.deps_dH();
+  const core::Field& deps_dH_across = equations.deps_dH_across();
+  const core::Field& P = level.P;
+  const core::Field& eps = level.eps;
+  const core::Field& eps_across = fmg::eps_across(level);
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(6 * order.size());
+  for (std::size_t row = 0; row < order.size(); ++row) {
+    const auto [i, j] = order[row];
+    const double s = equations.scale(equations.index(i, j));
+    const auto [c0, c1, c2] = reynolds::transport_weights(equations.transport(), i, grid.hx());
+    const auto e = reynolds::faces_at(eps, eps_across, i, j, half);
+    const double centre = P(i, j);
+    const double west = half.X * (P(i - 1, j) - centre);
+    const double east = half.X * (P(i + 1, j) - centre);
+    const double south = half.Y * (P(i, j - 1) - centre);
+    const double north = half.Y * (P(i, j + 1) - centre);
+    const auto enter = [&](int ci, int line, double value) {
+      const int cj = grid.holder(line);
+      if (ci < 1 || ci >= grid.nx || cj < 1 || cj > grid.last_line()) return;
+      const int column = place[equations.index(ci, cj)];
+      if (column >= 0) entries.emplace_back(static_cast<int>(row), column, s * value);
+    };
+    // With one epsilon the last term is zero, and changes no bit.
+    enter(i, j,
+          c0 * dq(i, j) + e.west + e.east + e.south + e.north - (west + east + south + north) * deps(i, j) -
+              (south + north) * (deps_across(i, j) - deps(i, j)));
+    enter(i - 1, j, c1 * dq(i - 1, j) - e.west - west * deps(i - 1, j));
+    enter(i + 1, j, -e.east - east * deps(i + 1, j));
+    enter(i, j - 1, -e.south - south * deps_across(i, j - 1));
+    enter(i, j + 1, -e.north - north * deps_across(i, j + 1));
+    if (c2 != 0.0) enter(i - 2, j, c2 * dq(i - 2, j));
+    const double here = deps_dH(i, j);
+    const double here_across = deps_dH_across(i, j);
+    column_of_H00[static_cast<Eigen::Index>(row)] =
+        s * (c0 * level.rho_bar(i, j) + c1 * level.rho_bar(i - 1, j) + c2 * level.rho_bar(std::max(i - 2, 0), j) -
+             west * (deps_dH(i - 1, j) + here) - east * (deps_dH(i + 1, j) + here) -
+             south * (deps_dH_across(i, j - 1) + here_across) - north * (deps_dH_across(i, j + 1) + here_across));
+  }
+  matrix.resize(size(), size());
+  matrix.setFromTriplets(entries.begin(), entries.end());
+}
+
+Preconditioner::Preconditioner(const Equations& equations)
+    : implementation_(std::make_unique<Implementation>(equations)) {}
+Preconditioner::~Preconditioner() = default;
+
+bool Preconditioner::factor() {
+  Implementation& own = *implementation_;
+  own.make_order();
+  if (own.order.empty()) return false;
+  Vector column(own.size());
+  own.assemble(column);
+  own.lu.setPivotThreshold(1e-3);
+  own.lu.analyzePattern(own.matrix);
+  own.lu.factorize(own.matrix);
+  if (own.lu.info() != Eigen::Success) return false;
+  own.border = own.lu.solve(column);
+  const core::Patch& grid = own.equations.grid();
+  own.load_row.resize(own.size());
+  std::ranges::transform(own.order, own.load_row.begin(), [&](const auto& node) {
+    return grid.hx() * grid.hy() * grid.lines(node.second) / own.equations.level().load;
+  });
+  own.schur = own.load_row.dot(own.border);
+  own.rhs.resize(own.size());
+  return own.border.allFinite() && own.schur != 0.0;
+}
+
+void Preconditioner::solve(std::span<double> v) {
+  Implementation& own = *implementation_;
+  for (Eigen::Index k = 0; k < own.size(); ++k) own.rhs[k] = v[own.node(k)];
+  own.solution = own.lu.solve(own.rhs);
+  const double dH00 = (own.load_row.dot(own.solution) - v.back()) / own.schur;
+  for (Eigen::Index k = 0; k < own.size(); ++k) v[own.node(k)] = own.solution[k] - dH00 * own.border[k];
+  v.back() = dH00;
+}
+
+}  // namespace ehl::newton

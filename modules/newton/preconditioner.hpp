@@ -1,0 +1,27 @@
+#pragma once
+// The preconditioner of Newton's linear systems: a sparse LU of the Jacobian without the far reach of the elastic
+// deformation.
+#include <memory>
+#include <span>
+
+#include "newton/equations.hpp"
+
+namespace ehl::newton {
+
+/// Solves J~ x = v, where J~ is the Jacobian with K cut to its self term K_00, bordered by H00 and the load row.
+class Preconditioner {
+ public:
+  explicit Preconditioner(const Equations& equations);
+  ~Preconditioner();
+
+  /// Factors J~ at the equations' point of linearization. false: singular.
+  bool factor();
+  /// v <- J~^-1 v.
+  void solve(std::span<double> v);
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace ehl::newton

@@ -1,0 +1,181 @@
+#include "newton/solve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "core/errors.hpp"
+#include "core/norms.hpp"
+#include "core/timer.hpp"
+#include "newton/equations.hpp"
+#include "newton/gmres.hpp"
+#include "newton/preconditioner.hpp"
+
+namespace ehl::newton {
+namespace {
+
+/// A step this small, in units of p_h, is on its way in: solve its system accurately, and keep the factors.
+constexpr double small_change = 0.02;
+constexpr double loose = 1e-2;
+constexpr double tight = 1e-5;
+constexpr double last_bit = 0.03;
+/// Old factors are used until they cost this many times the iterations that they took when they were new.
+constexpr int worn_out = 2;
+/// Longest change of H00 in one step: an absolute part, and a share of the film at the centre.
+constexpr double longest_shift = 0.1;
+constexpr double longest_shift_share = 0.3;
+/// Give up when the best state met is this many steps old; near the solution, this many.
+constexpr int patience = 20;
+constexpr int patience_at_the_end = 5;
+constexpr double near = 1e-6;
+
+/// By what a state is judged.
+struct State {
+  double residual = 0.0;    ///< of the complementarity problem, relative
+  double load_error = 0.0;  ///< relative
+  double Hc = 0.0;          ///< H at the node next to (0, 0)
+  double Hm = 0.0;          ///< minimum of H over the nodes
+};
+
+State judge(fmg::Hierarchy& hierarchy, fmg::Level& level) {
+  const core::EnclosingTimer timer(hierarchy.times, core::Part::checks);
+  fmg::update_residual(hierarchy, level);
+  const core::Patch& grid = level.grid;
+  const reynolds::ResidualNorms norms =
+      reynolds::residual_norms(grid, fmg::fields(level), hierarchy.transport, hierarchy.problem.cavitation, level.r);
+  return {.residual = norms.relative(),
+          .load_error = std::abs(fmg::carried_load(level) - level.load) / level.load,
+          .Hc = level.H(static_cast<int>(std::lround(-grid.domain.X_a / grid.hx())),
+                        static_cast<int>(std::lround(-grid.domain.Y_a / grid.hy()))),
+          .Hm = core::minimum(level.H).value};
+}
+
+class NewtonIteration {
+ public:
+  NewtonIteration(fmg::Hierarchy& hierarchy, std::size_t l, const Parameters& parameters)
+      : hierarchy_(hierarchy),
+        level_(hierarchy.levels[l]),
+        parameters_(parameters),
+        equations_(hierarchy, l),
+        preconditioner_(equations_),
+        u_(equations_.size()),
+        minus_F_(u_.size()),
+        d_(u_.size()) {}
+
+  Result run(const Progress& progress) {
+    fmg::update_film(hierarchy_, level_);
+    State state = judge(hierarchy_, level_);
+    equations_.unknowns(u_);
+    remember(state);
+    if (core::max_abs(level_.P) == 0.0) return fail("no node carries pressure at the start");
+    while (!good(state)) {
+      const int taken = static_cast<int>(result_.steps.size());
+      if (!std::isfinite(state.residual)) return fail("the residual is not finite");
+      if (taken - best_step_ >= (best_measure_ < near ? patience_at_the_end : patience))
+        return fail(fmt::format("no progress in the last {} steps", taken - best_step_));
+      if (taken >= parameters_.max_steps) return fail(fmt::format("after {} steps", taken));
+      const std::string trouble = step(state);
+      if (!trouble.empty()) return fail(trouble);
+      state = judge(hierarchy_, level_);
+      result_.steps.push_back({state.residual, iterations_});
+      remember(state);
+      if (progress && !progress(result_.steps.back())) throw core::Interrupted();
+    }
+    result_.equations_met = true;
+    if (!(state.Hm > 0.0))
+      return fail(
+          fmt::format("the discrete film of this grid is not positive (minimum {:.2g}): use more cells", state.Hm));
+    result_.converged = true;
+    return std::move(result_);
+  }
+
+ private:
+  bool good(const State& state) const {
+    return state.residual <= parameters_.tolerance && state.load_error <= parameters_.tolerance;
+  }
+
+  /// One Newton step from the state given, shortened where it changes P or H00 too much. out: what went wrong.
+  std::string step(const State& state) {
+    equations_.unknowns(u_);
+    equations_.residual(u_, minus_F_);
+    for (double& value : minus_F_) value = -value;
+    equations_.linearize(u_);
+    GmresResult solved;
+    if (keep_factors_) solved = gmres(system_, minus_F_, linear_tolerance(state), d_);
+    if (!solved.reduced) {  // no factors yet, or they are too old
+      if (!preconditioner_.factor()) return "the preconditioner is singular";
+      solved = gmres(system_, minus_F_, keep_factors_ ? loose : linear_tolerance(state), d_);
+      if (!solved.reduced) return "the linear solver does not converge";
+      iterations_when_fresh_ = solved.iterations;
+    }
+    take_step(longest_shift + longest_shift_share * std::abs(state.Hc));
+    iterations_ = solved.iterations;
+    keep_factors_ = last_change_ < small_change && iterations_ <= worn_out * iterations_when_fresh_;
+    return "";
+  }
+
+  /// No tighter than what the step needs to end it all.
+  double linear_tolerance(const State& state) const {
+    if (!(last_change_ < small_change)) return loose;
+    return std::clamp(last_bit * parameters_.tolerance / state.residual, tight, loose);
+  }
+
+  void take_step(double most_shift) {
+    double change = 0.0;
+    for (std::size_t k = 0; k + 1 < u_.size(); ++k)
+      change = std::max(change, std::abs(std::max(u_[k] + d_[k], 0.0) - std::max(u_[k], 0.0)));
+    const double shift = std::abs(d_.back());
+    double share = 1.0;
+    if (change > parameters_.longest_change) share = parameters_.longest_change / change;
+    if (shift * share > most_shift) share = most_shift / shift;
+    for (std::size_t k = 0; k < u_.size(); ++k) u_[k] += share * d_[k];
+    equations_.set_state(u_);
+    last_change_ = share < 1.0 ? std::numeric_limits<double>::infinity() : change;
+  }
+
+  void remember(const State& state) {
+    const double measure = std::max(state.residual, state.load_error);
+    if (!best_.empty() && !(measure < best_measure_)) return;
+    best_ = u_;
+    best_measure_ = measure;
+    best_step_ = static_cast<int>(result_.steps.size());
+  }
+
+  Result fail(const std::string& reason) {
+    equations_.set_state(best_);
+    const State state = judge(hierarchy_, level_);
+    result_.reason = fmt::format("Newton's method: {}; relative residual {:.2g}, load error {:.2g} (asked {:.2g})",
+                                 reason, state.residual, state.load_error, parameters_.tolerance);
+    return std::move(result_);
+  }
+
+  fmg::Hierarchy& hierarchy_;
+  fmg::Level& level_;
+  const Parameters& parameters_;
+  Equations equations_;
+  Preconditioner preconditioner_;
+  std::vector<double> u_, minus_F_, d_, best_;
+  const LinearSystem system_{[this](auto v, auto Jv) { equations_.jacobian(v, Jv); },
+                             [this](auto v) { preconditioner_.solve(v); }};
+  Result result_;
+  bool keep_factors_ = false;
+  int iterations_ = 0;
+  int iterations_when_fresh_ = 0;
+  double last_change_ = std::numeric_limits<double>::infinity();
+  double best_measure_ = std::numeric_limits<double>::infinity();
+  int best_step_ = 0;
+};
+
+}  // namespace
+
+Result solve(fmg::Hierarchy& hierarchy, std::size_t l, const Parameters& parameters, const Progress& progress) {
+  const fmg::Problem& problem = hierarchy.problem;
+  if (!problem.load || !reynolds::ruptures(problem.cavitation) || problem.film.given_epsilon)
+    throw core::InputError("Newton's method needs the whole problem: a load to carry, cavitation, epsilon of the film");
+  return NewtonIteration(hierarchy, l, parameters).run(progress);
+}
+
+}  // namespace ehl::newton

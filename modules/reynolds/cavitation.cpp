@@ -1,0 +1,50 @@
+#include "reynolds/cavitation.hpp"
+
+namespace ehl::reynolds {
+
+void drop_beside_dry(Cavitation model, const core::Patch& grid, const core::Field& P, int threads, core::Field& r) {
+  if (!ruptures(model)) return;
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
+  for (int i = 1; i < grid.nx; ++i) {
+    const double* here = P.at_x(i);
+    // The boundary's zero is no cavitation: beside it the row itself is looked at twice.
+    const double* west = i > 1 ? P.at_x(i - 1) : here;
+    const double* east = i < grid.nx - 1 ? P.at_x(i + 1) : here;
+    double* out = r.at_x(i);
+    const auto dry_row = [&](int j) { return west[j] <= 0.0 || here[j] <= 0.0 || east[j] <= 0.0; };
+    bool south = dry_row(1);
+    bool own = south;
+    const int last = grid.last_line();
+    for (int j = 1; j <= last; ++j) {
+      const bool north = j < last ? dry_row(j + 1) : own;  // likewise
+      if (south || own || north) out[j] = 0.0;
+      south = own;
+      own = north;
+    }
+    core::fill_ghosts(grid, out);
+  }
+}
+
+void restrict_pressure(Cavitation model, const core::Field& fine, const core::Patch& grid, core::Field& coarse) {
+  for (int I = 0; I <= grid.nx; ++I) {
+    double* to = coarse.at_x(I);
+    const double* own = fine.at_x(2 * I);
+    for (int J = 0; J <= grid.ny; ++J) to[J] = own[2 * J];
+    if (I == 0 || I == grid.nx) continue;
+    const double* rows[] = {fine.at_x(2 * I - 1), own, fine.at_x(2 * I + 1)};
+    for (int J = 1; J <= grid.last_line(); ++J) {
+      const int j = 2 * J;
+      double weighted = 0.0;
+      bool any_dry = false;
+      for (int a = 0; a < 3; ++a) {
+        const double* row = rows[a];
+        any_dry = any_dry || dry(model, row[j - 1]) || dry(model, row[j]) || dry(model, row[j + 1]);
+        weighted += (a == 1 ? 2.0 : 1.0) * (row[j - 1] + 2.0 * row[j] + row[j + 1]);
+      }
+      if (!any_dry) to[J] = weighted / 16.0;
+    }
+    core::fill_ghosts(grid, to);
+  }
+}
+
+}  // namespace ehl::reynolds

@@ -1,0 +1,48 @@
+#pragma once
+// The cavitation model: which pressures are allowed, and what that means for a point, its residual and its transfers.
+// Everybody else asks these functions; for a double or for a batch of lines at once.
+#include "core/field.hpp"
+#include "core/grid.hpp"
+
+namespace ehl::reynolds {
+
+enum class Cavitation {
+  none,                 ///< any pressure: the linear model problems
+  nonnegative_pressure  ///< P >= 0, L(P) <= f, P (L(P) - f) = 0
+};
+
+/// True where a free boundary is part of the problem.
+inline bool ruptures(Cavitation model) { return model == Cavitation::nonnegative_pressure; }
+
+/// The nearest pressure that is allowed.
+template <class Number>
+Number projected(Cavitation model, Number P) {
+  return ruptures(model) ? (P < 0.0 ? Number{} : P) : P;
+}
+
+/// True where a point carries no pressure: it is dry.
+template <class Number>
+auto dry(Cavitation model, Number P) {
+  return ruptures(model) ? P <= 0.0 : decltype(P <= 0.0){};
+}
+
+/// True where a dry point stays so: its equation, r = f - L(P) >= 0, asks for P < 0.
+template <class Number>
+auto stays_dry(Cavitation model, Number P, Number r) {
+  return ruptures(model) ? (P <= 0.0) & (r >= 0.0) : decltype(P <= 0.0){};
+}
+
+/// How far a dry point of a fine grid is from carrying pressure, 0 where it is wet or wants to be. The coarse point
+/// must be as far away: with no slack it would be on the edge, and the coarse correction would rise there and never
+/// fall.
+inline double slack(Cavitation model, double P, double r) { return dry(model, P) && r > 0.0 ? r : 0.0; }
+
+/// Sets a residual or a correction to zero where a point is dry or has a dry one among its eight neighbours: the edge
+/// of the cavitated region is left to the relaxation of its own grid. in: ghost lines of P; out: of r.
+void drop_beside_dry(Cavitation model, const core::Patch& grid, const core::Field& P, int threads, core::Field& r);
+
+/// The pressure on the grid of every second node: full weighting where all nine fine points carry pressure, injection
+/// otherwise. in: the coarse grid, `fine` with ghost lines; out: with ghost lines.
+void restrict_pressure(Cavitation model, const core::Field& fine, const core::Patch& grid, core::Field& coarse);
+
+}  // namespace ehl::reynolds

@@ -1,0 +1,23 @@
+#pragma once
+// A file of measured viscosity and density.
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace ehl::rheology {
+
+/// Columns of the table; a column that was not asked for may be missing.
+struct FluidTable {
+  std::vector<double> p{};    ///< [Pa], rising from 0
+  std::vector<double> eta{};  ///< [Pa s], > 0, rising
+  std::vector<double> rho{};  ///< [kg/m^3], > 0, rising
+};
+
+/// The table, or what is wrong with it: "oil.csv:12: ...".
+using ReadTable = std::variant<FluidTable, std::string>;
+
+/// Rows of a CSV file: p, eta and where wanted rho, between commas, semicolons or blanks; # begins a comment, the first
+/// line may name the columns. errors: core::FileError where the file cannot be read at all.
+ReadTable read_fluid_table(const std::string& path, bool with_rho);
+
+}  // namespace ehl::rheology

@@ -1,0 +1,193 @@
+// Domain and grid: their keys, what the deck says of them, and what is chosen for the contact where it is silent.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "deck/text.hpp"
+#include "steady/domain_error.hpp"
+#include "steady/keys.hpp"
+#include "steady/resolution.hpp"
+
+namespace ehl::steady {
+
+std::vector<deck::Key> grid_keys() {
+  const std::string remedy = "the domain must contain the contact, a circle of radius 1";
+  return deck::together(
+      {deck::in_section("domain", {{.name = "x_inlet",
+                                    .default_note = "so far upstream that the film loses less than about 0.6 %",
+                                    .range = {-1000.0, -1.0, false, true},
+                                    .remedy = remedy,
+                                    .meaning = "Inlet boundary in Hertz radii. Light loads need a longer inlet.",
+                                    .example = "-4.5"},
+                                   {.name = "x_outlet",
+                                    .default_note = "1.5, or 3 for light loads",
+                                    .range = {1.0, 1000.0, true, false},
+                                    .remedy = remedy,
+                                    .meaning = "Outlet boundary in Hertz radii.",
+                                    .source = "Venner and ten Napel 1992: -4.5 to 1.5",
+                                    .example = "1.5"},
+                                   {.name = "y_half",
+                                    .default_note = "half the length of the domain",
+                                    .range = {1.0, 1000.0, true, false},
+                                    .remedy = remedy,
+                                    .meaning = "Half width of the domain in Hertz radii.",
+                                    .source = "Venner and ten Napel 1992: -3 to 3",
+                                    .example = "3"}}),
+       deck::in_section(
+           "grid",
+           {{.name = "cells",
+             .type = deck::Type::integer,
+             .default_note = "256, 512 or 1024, the first that resolves the film",
+             .range = {16, 1048576},
+             .remedy = "cells along x of the finest grid, e.g. 256",
+             .meaning = "Cells of the finest grid along x, the coarsest grid's times a power of two; along y they "
+                        "follow from the domain, as nearly square as possible.",
+             .example = "256"},
+            {.name = "coarsest",
+             .type = deck::Type::integer,
+             .default_note = "chosen for the case",
+             .range = {4, 4096},
+             .meaning = "Cells of the coarsest grid along x.",
+             .example = "32"},
+            {.name = "accuracy",
+             .default_note = "none: the grid is given or chosen",
+             .range = {1e-6, 0.5},
+             .remedy = "a relative error, e.g. 0.01",
+             .meaning = "Relative error of Hc and Hm to reach, instead of cells: the run refines the grid, up to "
+                        "8192 cells, and extends the domain where x_inlet and y_half are left open, until the "
+                        "estimated error is below it. A domain that is given is kept and its error told, not counted.",
+             .source = "modules/steady/README.md",
+             .example = "0.01"}})});
+}
+
+namespace {
+
+// The multigrid halves a grid as long as this many cells along x are left.
+constexpr int smallest_coarsest = 32;
+
+constexpr int fewest_chosen_cells = 256;
+constexpr int most_chosen_cells = 1024;
+constexpr double most_nodes_of_ellipse = 5.0 * most_chosen_cells * most_chosen_cells;
+
+void choose_domain(const deck::Part& domain, const contact::Groups& groups) {
+  domain.fill("x_outlet", chosen_outlet(groups.M, groups.L, groups.shape), "behind the cavitation boundary");
+  const double x_outlet = domain.number("x_outlet");
+  domain.fill("x_inlet", chosen_inlet(groups.M, groups.L, x_outlet, groups.shape),
+              "cuts off less than about 1 % of the film where 200 radii are enough for that");
+  domain.fill("y_half", chosen_half_width(domain.number("x_inlet"), x_outlet, groups.shape),
+              contact::circular(groups.shape) ? "as wide as long" : "as wide a gap at the sides as along x");
+}
+
+// The level that resolves the film, for a deck that leaves it to the program.
+void choose_cells(const deck::Part& grid, const deck::Part& domain, const contact::Groups& groups,
+                  reynolds::Wedge wedge) {
+  if (grid.given("cells")) return;
+  const double length = domain.number("x_outlet") - domain.number("x_inlet");
+  if (std::isnan(length)) return;
+  int fewest = std::max(grid.integer("coarsest", fewest_chosen_cells), 1);
+  // A contact that is slender, or aslant, needs more along X to be seen as well.
+  const double least = fewest_chosen_cells * slenderness(groups.M, groups.L, groups.shape);
+  while (fewest < fewest_chosen_cells || 2 * fewest <= least) fewest *= 2;
+  int most = fewest * (most_chosen_cells / fewest_chosen_cells);
+  if (!contact::circular(groups.shape)) {
+    const double most_along = std::sqrt(most_nodes_of_ellipse * length / (2.0 * domain.number("y_half")));
+    for (most = fewest; 2 * most <= most_along;) most *= 2;
+  }
+  const int cells = resolving_cells(resolving_step(groups.M, groups.L, wedge, groups.shape), length, fewest, most);
+  grid.choose("cells", cells, cells < most ? "resolves the film" : "the most that is chosen unasked");
+}
+
+// How often the cells are halved, -1 when that does not lead to a coarse enough grid.
+int halvings(int cells, int coarsest) {
+  int count = 0;
+  const auto goes_on = [&] { return coarsest > 0 ? cells > coarsest : cells / 2 >= smallest_coarsest; };
+  for (; cells % 2 == 0 && goes_on(); ++count) cells /= 2;
+  const bool coarse_enough = coarsest > 0 ? cells == coarsest : cells < 2 * smallest_coarsest;
+  return coarse_enough ? count : -1;
+}
+
+// The largest number of cells, not above `most` where that is possible, that surely can be halved down far enough.
+double good_cells(double most, int coarsest) {
+  double cells = coarsest > 0 ? coarsest : 16.0;
+  while (2.0 * cells <= most) cells *= 2.0;
+  return cells;
+}
+
+}  // namespace
+
+AccuracyTarget read_accuracy(deck::Deck& deck, double most_nodes) {
+  const deck::Part grid{deck, "grid"};
+  AccuracyTarget target{.error = grid.number("accuracy")};
+  if (!grid.given("accuracy")) return target;
+  if (grid.given("cells"))
+    grid.complain("accuracy", "and cells are both given: keep one of them; accuracy finds the cells itself");
+  // What the deck leaves open of the domain may grow.
+  target.domain_is_free = deck::Part{deck, "domain"}.given_of({"x_inlet", "y_half"}).empty();
+  target.most_nodes = most_nodes;
+  return target;
+}
+
+void choose_grid(deck::Deck& deck, const contact::Groups& groups, reynolds::Wedge wedge) {
+  const deck::Part domain{deck, "domain"};
+  choose_domain(domain, groups);
+  choose_cells({deck, "grid"}, domain, groups, wedge);
+}
+
+GridInput read_grid(deck::Deck& deck, bool contact_known) {
+  const deck::Part part{deck, "grid"}, domain{deck, "domain"};
+  const int cells = part.integer("cells", 0), coarsest = part.integer("coarsest", 0);
+  GridInput input{.coarsest = coarsest};
+  core::Grid& grid = input.finest;
+  grid.nx = cells;
+  grid.X_a = domain.number("x_inlet");
+  grid.X_b = domain.number("x_outlet");
+  grid.Y_b = domain.number("y_half");
+  grid.Y_a = -grid.Y_b;
+  if (cells == 0 || std::isnan(grid.X_b - grid.X_a) || std::isnan(grid.Y_b)) return input;  // complained about already
+  const int levels = halvings(cells, coarsest);
+  if (levels < 0) {
+    const std::string of = coarsest > 0 ? "a multiple of the coarsest grid's " + std::to_string(coarsest) + " cells"
+                                        : "a multiple of a coarsest grid of 32 to 63 cells";
+    const double below = good_cells(cells, coarsest);
+    part.complain("cells", "must be " + of + " by a power of two, e.g. " + deck::shortest(below) + " or " +
+                               deck::shortest(2.0 * below));
+    return input;
+  }
+  // Even on the coarsest grid, so that the line y = 0 is a line of every grid.
+  const double along_y = cells * (grid.Y_b - grid.Y_a) / (grid.X_b - grid.X_a);
+  const double pairs = std::max(1.0, std::round(std::ldexp(along_y, -levels - 1)));
+  const double ny = std::ldexp(pairs, levels + 1);
+  if (ny > 1 << 21)
+    domain.complain("y_half", "means " + deck::shortest(ny) + " cells along y: take a narrower domain");
+  else
+    grid.ny = static_cast<int>(ny);
+  constexpr double coarsest_step = 0.5;
+  // The domain that was chosen for a contact with an error in it tells nothing.
+  const bool meant = contact_known || domain.given("x_inlet");
+  if (meant && grid.hx() > coarsest_step) {
+    const double fewest = (grid.X_b - grid.X_a) / coarsest_step;
+    const double below = good_cells(fewest, coarsest);
+    part.complain("cells",
+                  fmt::format("too coarse for {:.4g} <= x <= {:.4g}: a cell is {:.3g} Hertz radii wide and must "
+                              "be at most {:g}: take e.g. {} cells, or a shorter domain",
+                              grid.X_a, grid.X_b, grid.hx(), coarsest_step,
+                              deck::shortest(below < fewest ? 2.0 * below : below)));
+  }
+  return input;
+}
+
+void check_domain(deck::Deck& deck, const Scene& scene) {
+  constexpr double too_much = 0.5;
+  const deck::Part domain{deck, "domain"};
+  if (domain.given("x_inlet")) return;
+  const double error = rough_domain_error(scene);
+  if (error > too_much)
+    domain.complain(
+        "x_inlet",
+        fmt::format("is open, and the longest that is chosen, {:.4g}, cuts off about {:.0f} % of the film: "
+                    "so light a load is carried far from the contact. Give x_inlet, as far as the oil reaches",
+                    scene.grid.X_a, 100.0 * error));
+}
+
+}  // namespace ehl::steady

@@ -1,0 +1,193 @@
+// What varies in time: the keys of [transient] that are schedules, and the whole of [body].
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "deck/file.hpp"
+#include "deck/text.hpp"
+#include "transient/keys.hpp"
+
+namespace ehl::transient {
+
+using deck::Key;
+using deck::Type;
+
+std::vector<Key> drive_keys() {
+  return {
+      {.name = "load",
+       .type = Type::text,
+       .default_note = "constant",
+       .meaning = "Load over that of [contact], at times: 'time:value ...', linear between them; the same time twice "
+                  "is a jump. Or a file .csv with two columns, where the program runs or beside the deck.",
+       .example = "1:1 1.1:1.3"},
+      {.name = "load_wave",
+       .type = Type::text,
+       .default_note = "none",
+       .meaning = "'amplitude period [start]': multiplies the load by 1 + amplitude sin(2 pi (t - start)/period).",
+       .example = "0.3 2"},
+      {.name = "u1",
+       .type = Type::text,
+       .default_note = "constant: from [motion], else 1",
+       .meaning = "Speed of surface 1 over the entrainment speed u_m of [motion] (of M, L where there is none), "
+                  "written like load. The film is carried by (u1 + u2)/2, which must not be negative.",
+       .example = "1:1 2:0 3:0 4:1"},
+      {.name = "u1_wave",
+       .type = Type::text,
+       .default_note = "none",
+       .meaning = "Like load_wave, of u1.",
+       .example = "0.5 4"},
+      {.name = "u2",
+       .type = Type::text,
+       .default_note = "constant: from [motion], else 1",
+       .meaning = "Speed of surface 2, like u1.",
+       .example = "1:1 2:0 3:0 4:1"},
+      {.name = "u2_wave",
+       .type = Type::text,
+       .default_note = "none",
+       .meaning = "Like load_wave, of u2.",
+       .example = "0.5 4"},
+  };
+}
+
+std::vector<Key> body_keys() {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr deck::Range positive{0.0, infinity, true, true};
+  const auto key = [&](const char* name, const char* note, const deck::Range& range, const char* meaning,
+                       const char* example) -> Key {
+    return {.name = name, .default_note = note, .range = range, .meaning = meaning, .example = example};
+  };
+  const Key mass =
+      key("mass", "none: the load is imposed", positive,
+          "Mass of the body that moves, in F R/u_m^2: with it H00 follows mass H00'' + damping H00' = load "
+          "that the film carries - load that acts, both over that of [contact], and the load that acts may "
+          "be zero.",
+          "2");
+  const Key damping = key("damping", "0", {0.0, infinity}, "Damping of the body, in F R/(a u_m).", "0.1");
+  const Key gap = key("gap", "none: starts from the steady film", positive,
+                      "H00 at time 0, in a^2/R: the bodies start apart, without pressure.", "2");
+  const Key velocity =
+      key("velocity", "0", {-infinity, infinity}, "H00' at time 0, in a u_m/R; negative: the bodies approach.", "-1");
+  return {mass, in_SI(mass, "_kg", "kg", "0.1"), damping,  in_SI(damping, "_Nspm", "N s/m", "100"),
+          gap,  in_SI(gap, "_m", "m", "1e-6"),   velocity, in_SI(velocity, "_mps", "m/s", "-0.1")};
+}
+
+namespace {
+
+// NaN where a cell is no number.
+std::vector<double> numbers_in(const std::vector<std::string>& cells) {
+  std::vector<double> numbers;
+  for (const std::string& cell : cells) numbers.push_back(deck::read_number(cell).value);
+  return numbers;
+}
+
+bool all_finite(const std::vector<double>& numbers) {
+  return std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); });
+}
+
+std::vector<Schedule::Point> points_of_file(const deck::Part& part, const std::string& key) {
+  const std::string path = deck::found_beside(part.deck, part.section, key);
+  std::vector<Schedule::Point> points;
+  for (const deck::Row& row : deck::rows_of(path, " ([transient] " + key + ")")) {
+    const std::vector<double> numbers = numbers_in(row.cells);
+    if (numbers.size() != 2 || !all_finite(numbers)) {
+      part.complain(key, row.place + ": must be two numbers, time and value");
+      return {};
+    }
+    points.push_back({numbers[0], numbers[1]});
+  }
+  if (points.empty()) part.complain(key, path + " has no rows");
+  return points;
+}
+
+std::vector<Schedule::Point> points_of_words(const deck::Part& part, const std::string& key, const std::string& text) {
+  std::vector<Schedule::Point> points;
+  for (const std::string& word : deck::split_words(text)) {
+    const std::size_t colon = std::min(word.find(':'), word.size());
+    const double T = deck::read_number(word.substr(0, colon)).value;
+    const double value = colon < word.size() ? deck::read_number(word.substr(colon + 1)).value : Scales::unset;
+    if (!std::isfinite(T + value)) {
+      part.complain(key, "'" + word + "' is not time:value, as in 1:1 1.1:1.3");
+      return {};
+    }
+    points.push_back({T, value});
+  }
+  return points;
+}
+
+// A schedule in a/u_m. in: key; unit of time; value where the deck says nothing.
+Schedule schedule_of(const deck::Part& part, const std::string& key, double unit, double otherwise) {
+  Schedule schedule;
+  if (otherwise != 1.0) schedule.points = {{0.0, otherwise}};
+  const std::string text = part.word(key);
+  if (!text.empty())
+    schedule.points = text.ends_with(".csv") ? points_of_file(part, key) : points_of_words(part, key, text);
+  for (std::size_t k = 0; k < schedule.points.size(); ++k) {
+    if (schedule.points[k].T < 0.0) part.complain(key, "a time is negative");
+    if (k > 0 && schedule.points[k].T < schedule.points[k - 1].T) part.complain(key, "the times must not fall");
+    if (k > 1 && schedule.points[k].T == schedule.points[k - 2].T)
+      part.complain(key, "the same time stands three times: a jump needs two");
+  }
+  for (Schedule::Point& point : schedule.points) point.T /= unit;
+  const std::string wave_key = key + "_wave";
+  const std::vector<double> wave = numbers_in(deck::split_words(part.word(wave_key)));
+  if (!part.given(wave_key)) return schedule;
+  const bool right = (wave.size() == 2 || wave.size() == 3) && all_finite(wave);
+  if (!right)
+    part.complain(wave_key, "must be 'amplitude period' or 'amplitude period start'");
+  else if (!(wave[1] > 0.0) || (wave.size() == 3 && wave[2] < 0.0))
+    part.complain(wave_key, "the period must be positive and the start not negative");
+  else
+    schedule.wave = Schedule::Wave{wave[0], wave[1] / unit, wave.size() == 3 ? wave[2] / unit : 0.0};
+  return schedule;
+}
+
+}  // namespace
+
+void read_drive(const deck::Part& transient, double unit, const Scales& scales, Conditions& conditions) {
+  conditions.load = schedule_of(transient, "load", unit, 1.0);
+  conditions.u1 = schedule_of(transient, "u1", unit, scales.u1);
+  conditions.u2 = schedule_of(transient, "u2", unit, scales.u2);
+}
+
+void check_drive(const deck::Part& part, const Conditions& conditions, double end) {
+  const std::optional<Body>& body = conditions.body;
+  if (body && least(conditions.load, end) < 0.0)
+    part.complain(part.given("load_wave") ? "load_wave" : "load", "the load must not be negative");
+  if (body && !body->gap && !(value(conditions.load, 0.0) > 0.0))
+    part.complain("load", "must be positive at time 0, from whose steady film the body starts; or give a gap");
+  if (!body && !(least(conditions.load, end) > 0.0))
+    part.complain(part.given("load_wave") ? "load_wave" : "load",
+                  "the load must stay positive until the end: the bodies would part");
+  constexpr int samples = 4000;
+  std::vector<double> times = stops_of(conditions, end);
+  for (int k = 0; k <= samples; ++k) times.push_back(end * k / samples);
+  const char* key = part.given("u1") || part.given("u1_wave") ? "u1" : "u2";
+  for (const double T : times)
+    if (drive_at(conditions, T).speed < 0.0) {
+      part.complain(key, "(u1 + u2)/2 turns negative at " + deck::shortest(T) +
+                             " a/u_m: the oil would enter at the other side, which this version does not solve");
+      return;
+    }
+  const bool from_steady = !body || !body->gap;
+  if (from_steady && drive_at(conditions, 0.0).speed <= 0.0)
+    part.complain(key, "(u1 + u2)/2 must be positive at time 0: there is no steady film to start from");
+}
+
+std::optional<Body> read_body(deck::Deck& deck, const Scales& scales) {
+  const double length = scales.radius, load = scales.load, u_m = scales.a / scales.time;
+  const auto quantity = [&](const char* name, const char* suffix, double unit) {
+    return deck::number_in(deck, "body", name, {suffix, unit, scales.in_SI});
+  };
+  Body body;
+  body.mass = quantity("mass", "_kg", load * length / (u_m * u_m));
+  if (std::isnan(body.mass)) return std::nullopt;
+  const double damping = quantity("damping", "_Nspm", load * length / (scales.a * u_m));
+  if (std::isfinite(damping)) body.damping = damping;
+  const double gap = quantity("gap", "_m", scales.height);
+  if (std::isfinite(gap)) body.gap = gap;
+  const double velocity = quantity("velocity", "_mps", scales.height / scales.time);
+  if (std::isfinite(velocity)) body.velocity = velocity;
+  return body;
+}
+
+}  // namespace ehl::transient
