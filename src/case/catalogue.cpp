@@ -34,10 +34,7 @@ deck::Catalogue catalogue() {
   all.keys = deck::together({case_keys(), steady::grid_keys(), steady::path_keys(), contact::keys(), rheology::keys(),
                              reynolds::keys(), mlmi::keys(), fmg::keys(), dry::keys()});
   for (const Effect& effect : effects()) {
-    for (deck::Section section : effect.sections) {
-      section.effect = effect.name;
-      all.sections.insert(all.sections.end() - 1, section);  // before [output]
-    }
+    all.sections.insert(all.sections.end() - 1, effect.sections.begin(), effect.sections.end());  // before [output]
     if (!effect.keys) continue;
     all.keys = deck::together({all.keys, effect.keys()});
   }

@@ -13,7 +13,6 @@ Effect body_effect() {
           .sections = {{.name = "body",
                         .meaning = "The body's equation of motion in place of an imposed load. Only with [transient].",
                         .called_by = {"mass", "mass_kg"}}},
-          .callers = {{"body", "mass"}, {"body", "mass_kg"}},
           .on = [](const Case& input) { return input.transient && input.transient->conditions.body; },
           .what =
               [](const Case& input) {

@@ -89,10 +89,7 @@ friction::Friction friction_of(const Case& input, const steady::Solution& soluti
 Effect friction_effect() {
   return {.name = "friction",
           .meaning = "Friction on both surfaces, from the steady pressure and film.",
-          .sections = {{.name = "friction",
-                        .meaning = "Friction on both surfaces, from the steady pressure and film.",
-                        .called_by = {"cavitated"}}},
-          .callers = {{"friction", "cavitated"}},
+          .sections = {{.name = "friction", .called_by = {"cavitated"}}},
           .costly = {"friction", "fields"},
           .keys = friction::keys,
           .read = [](Case& input) { input.friction = friction_input(input.deck, input.physics); },

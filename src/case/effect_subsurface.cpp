@@ -37,10 +37,7 @@ void compute(const Case& input, RunSettings& settings, Computed& computed) {
 Effect subsurface_effect() {
   return {.name = "subsurface",
           .meaning = "The stresses below the contact, from the steady pressure.",
-          .sections = {{.name = "subsurface",
-                        .meaning = "The stresses below the contact, from the steady pressure.",
-                        .called_by = {"depth"}}},
-          .callers = {{"subsurface", "depth"}},
+          .sections = {{.name = "subsurface", .called_by = {"depth"}}},
           .costly = {"subsurface", "planes"},
           .keys = subsurface::keys,
           .read = read,

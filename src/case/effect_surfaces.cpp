@@ -86,7 +86,6 @@ Effect surfaces_effect() {
                                "in it.",
                     .called_by = {"shape"}},
                    {.name = "surface2", .meaning = "What surface 2 carries, likewise.", .called_by = {"shape"}}},
-      .callers = {{"surface1", "shape"}, {"surface2", "shape"}},
       .keys = surface::keys,
       .on = [](const Case& input) { return !carried(input.surfaces).empty(); },
       .what = what,

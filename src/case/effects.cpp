@@ -14,20 +14,29 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// What no version has yet; an entry goes without a word as soon as an effect of the list has its section.
+/// What no version has yet.
 struct ToCome {
-  const char* section;
-  const char* without;  ///< what the basic model has in its place; empty: an addition
+  std::string section;
+  std::string without;  ///< what the basic model has in its place
 };
-constexpr ToCome to_come[] = {{"thermal", "isothermal"}, {"starvation", "fully flooded"}};
 
-bool has_section(const Effect& effect, const std::string& name) {
-  return std::ranges::any_of(effect.sections, [&](const deck::Section& section) { return section.name == name; });
+// An entry goes without a word as soon as an effect of the list has its section.
+std::vector<ToCome> to_come() {
+  std::vector<ToCome> entries{{"thermal", "isothermal"}, {"starvation", "fully flooded"}};
+  for (const Effect& effect : effects())
+    for (const deck::Section& section : effect.sections)
+      std::erase_if(entries, [&](const ToCome& entry) { return entry.section == section.name; });
+  return entries;
 }
 
-bool to_come_still(const ToCome& entry) {
-  const std::vector<Effect> all = effects();
-  return std::ranges::none_of(all, [&](const Effect& effect) { return has_section(effect, entry.section); });
+std::vector<Effect> completed(std::vector<Effect> all) {
+  for (Effect& effect : all)
+    for (deck::Section& section : effect.sections) {
+      section.effect = effect.name;
+      if (section.meaning.empty()) section.meaning = effect.meaning;
+      for (const std::string& key : section.called_by) effect.callers.push_back({section.name, key});
+    }
+  return all;
 }
 
 double own_seconds(const Effect& effect, const Computed& computed) {
@@ -71,9 +80,11 @@ std::string assignment(const Case& input, const KeyName& key, bool with_place) {
 
 }  // namespace
 
-std::vector<Effect> effects() {
-  return {elliptic_effect(), transient_effect(),  body_effect(),    surfaces_effect(),
-          shear_effect(),    subsurface_effect(), friction_effect()};
+const std::vector<Effect>& effects() {
+  static const std::vector<Effect> all =
+      completed({elliptic_effect(), transient_effect(), body_effect(), surfaces_effect(), shear_effect(),
+                 subsurface_effect(), friction_effect()});
+  return all;
 }
 
 void read_effects(Case& input) {
@@ -91,21 +102,18 @@ std::vector<std::string> basic_model(const Case& input) {
   std::vector<std::string> words;
   for (const Effect& effect : effects())
     if (!effect.without.empty() && !effect.on(input)) words.push_back(effect.without);
-  for (const ToCome& entry : to_come)
-    if (entry.without[0] != '\0' && to_come_still(entry)) words.emplace_back(entry.without);
+  for (const ToCome& entry : to_come()) words.push_back(entry.without);
   return words;
 }
 
 std::vector<deck::Unavailable> effects_to_come() {
   std::vector<deck::Unavailable> list;
   std::vector<std::string> model;
-  for (const ToCome& entry : to_come)
-    if (entry.without[0] != '\0' && to_come_still(entry)) model.emplace_back(entry.without);
-  for (const ToCome& entry : to_come)
-    if (to_come_still(entry))
-      list.push_back({entry.section, "",
-                      "not available in this version: remove it (this version solves contacts that are " +
-                          deck::joined(model, ", ") + ")"});
+  for (const ToCome& entry : to_come()) model.push_back(entry.without);
+  for (const ToCome& entry : to_come())
+    list.push_back({entry.section, "",
+                    "not available in this version: remove it (this version solves contacts that are " +
+                        deck::joined(model, ", ") + ")"});
   return list;
 }
 

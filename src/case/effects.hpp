@@ -63,7 +63,7 @@ struct Effect {
   Stage stage = Stage::after_solution;
   std::string without{};                                  ///< what the basic model has in its place: "steady"
   std::vector<deck::Section> sections{};                  ///< of the deck, that belong to nothing else
-  std::vector<KeyName> callers{};                         ///< keys of the deck that call for it; one is enough
+  std::vector<KeyName> callers{};                         ///< keys that call for it; effects() adds those of sections
   KeyName costly{};                                       ///< key that governs its memory; none: a caller
   std::vector<deck::Key> (*keys)() = nullptr;             ///< not set: they stand among those of another module
   void (*read)(Case& input) = nullptr;                    ///< from the deck; complains there; the scene is made before
@@ -82,8 +82,8 @@ struct Effect {
   std::string upon{};                                     ///< the effect that the example needs besides
 };
 
-/// The list, in the order in which they are computed and spoken of.
-std::vector<Effect> effects();
+/// The list, in the order in which they are computed and spoken of. A section without a meaning has its effect's.
+const std::vector<Effect>& effects();
 
 /// Those that the case calls for.
 std::vector<Effect> effects_of(const Case& input);

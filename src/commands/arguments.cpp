@@ -28,11 +28,6 @@ std::vector<std::string> names(const std::vector<Record>& records) {
   return all;
 }
 
-// ": did you mean --set?"
-std::string suggestion(const std::string& near, const std::string& dashes = "") {
-  return near.empty() ? "" : ": did you mean " + dashes + near + "?";
-}
-
 po::options_description described(const Command& command) {
   po::options_description all("options");
   for (const Option& option : command.options)
@@ -77,6 +72,8 @@ po::parsed_options parsed(const Command& command, const std::vector<std::string>
   const Option* option = find(command.options, name);
   if (error.kind() == po::invalid_syntax::extra_parameter) refuse("--" + name + " takes no value");
   refuse("--" + name + ": the value is missing" + (option == nullptr ? "" : ": " + option->argument));
+} catch (const po::error& error) {
+  refuse(error.what());  // "-=x"
 }
 
 }  // namespace
@@ -91,9 +88,14 @@ std::vector<std::string> Arguments::values(const std::string& name) const {
   return found == options.end() ? std::vector<std::string>{} : found->second;
 }
 
+std::string suggestion(const std::string& name, const std::vector<std::string>& candidates, const std::string& before) {
+  const std::string near = deck::nearest(name, candidates);
+  return near.empty() ? "." : ": did you mean " + before + near + "?";
+}
+
 const Command& find_command(const std::vector<Command>& commands, const std::string& name) {
   if (const Command* command = find(commands, name)) return *command;
-  refuse("unknown command '" + name + "'" + suggestion(deck::nearest(name, names(commands))) + " Commands are " +
+  refuse("unknown command '" + name + "'" + suggestion(name, names(commands)) + " Commands are " +
          deck::joined(names(commands), ", ") + " (`ehl help`)");
 }
 
@@ -114,8 +116,8 @@ Arguments parse_arguments(std::vector<std::string> words, const std::vector<Comm
     const std::string name = bare_name(one.unregistered ? one.original_tokens[0] : one.string_key);
     const Option* option = find(command.options, name);
     if (option == nullptr)
-      refuse("`ehl " + command.name + "` has no option --" + name +
-             suggestion(deck::nearest(name, names(command.options)), "--") + " (`ehl help " + command.name + "`)");
+      refuse("`ehl " + command.name + "` has no option --" + name + suggestion(name, names(command.options), "--") +
+             " See `ehl help " + command.name + "`");
     if (given.has(name) && !option->repeated) refuse("--" + name + " is given twice");
     given.options[name].push_back(one.value.empty() ? "" : one.value[0]);
   }

@@ -34,6 +34,11 @@ struct Command {
   int (*function)(const Arguments& arguments) = nullptr;  ///< gives the exit status
 };
 
+/// ": did you mean plot?", or the end of the sentence where no candidate is near. in: what stands before the name,
+/// "--".
+std::string suggestion(const std::string& name, const std::vector<std::string>& candidates,
+                       const std::string& before = "");
+
 /// The command of this name. errors: core::InputError, with the nearest name.
 const Command& find_command(const std::vector<Command>& commands, const std::string& name);
 

@@ -27,10 +27,8 @@ std::string full_name(const results::ResultFile& file, const std::string& name) 
     if (file.kind(home) == Kind::group)
       for (const std::string& found : file.names(home)) known.push_back(found);
   }
-  const std::string near = deck::nearest(name, known);
-  throw core::InputError("command line: " + file.path() + " has no dataset " + name +
-                         (near.empty() ? "." : ": did you mean " + near + "?") + " It has " +
-                         deck::joined(known, ", "));
+  throw core::InputError("command line: " + file.path() + " has no dataset " + name + suggestion(name, known) +
+                         " It has " + deck::joined(known, ", "));
 }
 
 struct FieldOnGrid {

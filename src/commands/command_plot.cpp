@@ -66,51 +66,45 @@ std::vector<Figure> figures(const files::path& folder) {
   for (const files::directory_entry& entry : files::directory_iterator(folder)) {
     if (entry.path().extension() != ".gp") continue;
     std::ifstream script(entry.path());
-    std::string first;
-    std::string second;
-    std::string third;
-    std::getline(script, first);
-    std::getline(script, second);
-    std::getline(script, third);
-    const std::string mark = "# figure:";
-    const std::string needs = "# needs:";
+    std::string first, second, third;
+    std::getline(std::getline(std::getline(script, first), second), third);
+    const std::string mark = "# figure:", needs = "# needs:";
     if (!first.starts_with(mark)) continue;
     Figure figure{entry.path().stem(), deck::trimmed(first.substr(mark.size())), entry.path(), {}, third == "# movie"};
     if (second.starts_with(needs)) figure.needs = deck::split_words(second.substr(needs.size()));
     found.push_back(figure);
   }
-  std::sort(found.begin(), found.end(), [](const Figure& a, const Figure& b) { return a.name < b.name; });
+  std::ranges::sort(found, {}, &Figure::name);
   if (found.empty()) throw core::FileError(folder.string() + ": no script in it draws a figure");
   return found;
 }
 
-std::vector<Figure> selected(const std::vector<Figure>& all, const std::vector<std::string>& names,
-                             const Source& source) {
-  std::vector<Figure> chosen;
-  for (const std::string& name : names) {
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Figure& figure) { return figure.name == name; });
-    if (found != all.end()) {
-      if (kind_of(*found) != source.kind)
-        throw core::InputError("command line: --figure " + name + " draws " + told(kind_of(*found)));
-      for (const std::string& need : found->needs)
-        if (!source.has(need))
-          throw core::InputError("command line: --figure " + name + ": this file has no " + need + ", which it draws");
-      chosen.push_back(*found);
-      continue;
-    }
+// The figure of this name, which must be one that draws this file.
+Figure named(const std::vector<Figure>& all, const std::string& name, const Source& source) {
+  const std::string said = "command line: --figure " + name;
+  const auto found = std::ranges::find(all, name, &Figure::name);
+  if (found == all.end()) {
     std::vector<std::string> known;
     std::string list;
     for (const Figure& figure : all) {
       known.push_back(figure.name);
       list += "\n  " + figure.name + ": " + figure.title;
     }
-    const std::string near = deck::nearest(name, known);
-    throw core::InputError("command line: --figure " + name + ": there is no such figure" +
-                           (near.empty() ? "." : ": did you mean " + near + "?") + " Figures are" + list);
+    throw core::InputError(said + ": there is no such figure" + suggestion(name, known) + " Figures are" + list);
   }
+  if (kind_of(*found) != source.kind) throw core::InputError(said + " draws " + told(kind_of(*found)));
+  for (const std::string& need : found->needs)
+    if (!source.has(need)) throw core::InputError(said + ": this file has no " + need + ", which it draws");
+  return *found;
+}
+
+std::vector<Figure> selected(const std::vector<Figure>& all, const std::vector<std::string>& names,
+                             const Source& source) {
+  std::vector<Figure> chosen;
+  for (const std::string& name : names) chosen.push_back(named(all, name, source));
   if (!names.empty()) return chosen;
   for (const Figure& figure : all)
-    if (!figure.movie && std::all_of(figure.needs.begin(), figure.needs.end(), source.has)) chosen.push_back(figure);
+    if (!figure.movie && std::ranges::all_of(figure.needs, source.has)) chosen.push_back(figure);
   return chosen;
 }
 

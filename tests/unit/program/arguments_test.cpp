@@ -69,6 +69,7 @@ BOOST_AUTO_TEST_CASE(more_slips) {
   BOOST_TEST(contains(refusal({"run", "d", "--quiet=3"}), "--quiet takes no value"));
   BOOST_TEST(contains(refusal({"run", "d", "--output="}), "--output: the value is missing: FILE.h5"));
   BOOST_TEST(contains(refusal({"run", "--json", "d", "e"}), "'e' is one too many"));
+  for (const char* odd : {"-=x", "--=x", "---", "-=", "--="}) BOOST_TEST(refusal({"run", "d", odd}) != "(none)", odd);
 }
 
 BOOST_AUTO_TEST_CASE(values_are_taken_as_they_are) {
