@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/norms.hpp"
-#include "steady/state_of_level.hpp"
+#include "judgement/measures.hpp"
 #include "unit/transient/marching.hpp"
 
 using namespace ehl;
@@ -32,7 +32,7 @@ History history(const steady::Scene& scene, const steady::Solution& start, const
   History all;
   const MarchParameters parameters{.end = 1.5, .rtol = rtol, .longest_step = longest_step, .output_interval = 0.015};
   const Observer observer{.frame = [&](Frame&& frame) {
-    all.Hc.push_back(steady::value_at(scene.grid, frame.H, 0.0, 0.0));
+    all.Hc.push_back(judgement::value_at(scene.grid, frame.H, 0.0, 0.0));
     all.Hm.push_back(core::minimum(frame.H).value);
     all.P.push_back(probed_at(scene.grid, frame.P, frame.H, {{0.7, 0.1}})[0].P);
   }};
