@@ -46,6 +46,7 @@ struct Door {
 std::vector<Door> doors() {
   return {
       {"Boost.Program_options", {"boost/program_options"}, {"deck"}},
+      {"nlohmann-json", {"nlohmann/"}, {"src"}},
       {"HDF5", {"hdf5", "H5"}, {"results"}},
       {"SUNDIALS",
        {"sundials/", "kinsol/", "ida/", "idas/", "cvode/", "arkode/", "nvector/", "sunlinsol/", "sunnonlinsol/",
