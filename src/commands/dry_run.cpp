@@ -115,9 +115,9 @@ std::string summary(const Case& input, const DryResult& result) {
   text += fmt::format("load         error {:.1e}; gap in contact and overlap outside at most {:.1e} a^2/R\n",
                       solution.load_error, last.error);
   text += "method       dry, conjugate gradients; deformation " + solution.deformation +
-          fmt::format("; {} thread{}\n", input.scene.threads, input.scene.threads == 1 ? "" : "s");
+          fmt::format("; {}\n", threads_text(input.scene.threads));
   text += fmt::format("time         {:.3f} s\n", solution.seconds);
-  for (const std::string& warning : result.warnings) text += "warning: " + warning + "\n";
+  text += warning_lines(result.warnings);
   for (const Effect& effect : effects_of(input))
     if (effect.summary) text += effect.summary(input, result.computed);
   return text + effect_times(input, result.computed) + "memory       " +

@@ -180,11 +180,9 @@ std::string summary(const Case& input, const steady::Solution& solution, const O
   text += formula_lines(outcome.formulas, physics.groups, h_scale);
   text += path(solution);
   text += verified(solution.verification);
-  text += fmt::format("method       wedge {}; deformation {}; {} thread{}\ntime         {:.3f} s\n",
-                      name(input.scene.wedge), solution.deformation, input.scene.threads,
-                      input.scene.threads == 1 ? "" : "s", solution.seconds);
-  for (const std::string& warning : outcome.warnings) text += "warning: " + warning + "\n";
-  return text;
+  text += fmt::format("method       wedge {}; deformation {}; {}\ntime         {:.3f} s\n", name(input.scene.wedge),
+                      solution.deformation, threads_text(input.scene.threads), solution.seconds);
+  return text + warning_lines(outcome.warnings);
 }
 
 std::string profile_table(const core::PartTimes& times, double seconds) {
@@ -216,8 +214,8 @@ std::string derived(const Case& input) {
                       name(scene.deformation.method));
   text += effect_lines(input) + surface_report(input.surfaces, physics, scene.grid);
   const Needs needs = expected_needs(input);
-  return text + fmt::format("needs        about {} and {} with {} thread{}\n", memory(needs.bytes),
-                            about_seconds(needs.seconds), scene.threads, scene.threads == 1 ? "" : "s");
+  return text + fmt::format("needs        about {} and {} with {}\n", memory(needs.bytes), about_seconds(needs.seconds),
+                            threads_text(scene.threads));
 }
 
 }  // namespace ehl::program
