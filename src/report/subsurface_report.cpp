@@ -62,8 +62,6 @@ std::vector<results::Quantity> quantities(const StressField& field) {
 
 }  // namespace
 
-}
-
 std::string subsurface_plan(const Parameters& parameters, const core::Grid& contact) {
   return nodes(subsurface::stress_grid(contact, parameters), static_cast<std::size_t>(parameters.planes)) +
          fmt::format("{:.4g} a; ", parameters.depth) + body(parameters);

@@ -85,7 +85,7 @@ results::Loose loose_of(const transient::Checkpoint& checkpoint) {
 }  // namespace
 
 void add_transient(const Case& input, const TransientResult& result, results::Content& content) {
-  const TransientInput& march = *input.transient;
+  const transient::Input& march = *input.transient;
   content.tables.push_back(table_of("transient", "every accepted step of time; ended " + how_it_ended(result.report),
                                     step_columns(march.conditions.body.has_value(), march.parameters.probes),
                                     result.rows));
