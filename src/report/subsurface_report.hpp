@@ -9,7 +9,6 @@
 
 namespace ehl::program {
 
-
 /// Where and for which body, in words.
 std::string subsurface_plan(const subsurface::Parameters& parameters, const core::Grid& contact);
 
