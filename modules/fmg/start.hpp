@@ -11,6 +11,9 @@ namespace ehl::fmg {
 /// the like of an ellipse, H00 as given less the mean of S under that pressure, which lifts the bodies apart; then
 /// `sweeps` relaxations with the force balance (eq. 26) after every fourth. errors: core::SolverError.
 void start_from_hertz(Hierarchy& hierarchy, std::size_t l, double H00, int sweeps, const Parameters& how);
+inline void start_from_hertz(Hierarchy& hierarchy, std::size_t l, double H00, int sweeps) {
+  start_from_hertz(hierarchy, l, H00, sweeps, hierarchy.parameters);
+}
 
 /// Makes levels[l] the level being solved, from a state given. in: P of the level's shape.
 void start_from_state(Hierarchy& hierarchy, std::size_t l, const State& start);

@@ -133,7 +133,7 @@ Solution climb_by_newton(const Scene& scene, const Start& start, const ProgressC
     if (solved)
       fmg::start_from_coarser(run.hierarchy, l);
     else if (run.hierarchy.levels[l].grid.nx <= finest_from_hertz)
-      fmg::start_from_hertz(run.hierarchy, l, first_H00(scene), 0, run.hierarchy.parameters);
+      fmg::start_from_hertz(run.hierarchy, l, first_H00(scene), 0);
     else
       throw core::SolverError("Newton's method solved no grid coarse enough to begin on; " + last_reason);
     const bool last_level = l == run.finest();

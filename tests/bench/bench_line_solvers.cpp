@@ -132,9 +132,9 @@ void print_sweeps() {
       fmg::Hierarchy hierarchy = contact(n, parameters);
       hierarchy.H00 = solution.H00;
       for (const fmg::LineSolver solver : {fmg::LineSolver::elimination, fmg::LineSolver::decimation}) {
-        hierarchy.parameters.relaxation.line_solver = solver;
+        parameters.relaxation.line_solver = solver;
         for (fmg::Level& level : hierarchy.levels)
-          level.thread_work.assign(1, fmg::make_thread_work(level.grid, hierarchy.parameters.relaxation));
+          level.thread_work.assign(1, fmg::make_thread_work(level.grid, hierarchy.problem.film, parameters.relaxation));
         const bool eliminates = solver == fmg::LineSolver::elimination;
         const SweepCost cost = sweep_cost(hierarchy, solution.levels.back().P);
         const double band = eliminates ? alone.elimination : alone.decimation;

@@ -46,7 +46,7 @@ double distance(const core::Grid& grid, const core::Field& P, const core::Field&
 }
 
 core::Field dry_pressure(const core::Grid& grid) {
-  const core::Grid half = core::lower_half(grid);
+  const ehl::core::Patch half = core::lower_half(grid);
   const dry::Solution solution = dry::solve({half, dry::smooth_gap(half), load, {}, {}, 1});
   BOOST_TEST_REQUIRE(solution.converged);
   return solution.P;

@@ -26,11 +26,9 @@ BOOST_AUTO_TEST_CASE(newton_from_hertz_gives_the_reference_digits) {
   for (const reference::CircularContact& contact : reference::circular_contacts) {
     if (contact.n > 128) continue;
     const steady::Scene scene = test::scene_of(contact);
-    const fmg::Problem problem{.lambda = scene.lambda,
-                               .viscosity = scene.viscosity,
-                               .density = scene.density,
-                               .transport = scene.wedge,
-                               .given_epsilon = {}};
+    const fmg::Problem problem{
+        .film = {.lambda = scene.lambda, .viscosity = scene.viscosity, .density = scene.density},
+        .transport = scene.wedge};
     mlmi::Parameters deformation;
     deformation.method = mlmi::Method::fft;
     fmg::Hierarchy hierarchy = fmg::make_hierarchy(problem, {}, deformation, scene.grid, 1);

@@ -7,11 +7,10 @@
 
 namespace ehl::tests {
 
-/// The lower half of a symmetric field, with image lines.
+/// The lower half of a symmetric field, with ghost lines.
 inline core::Field half_of(const core::Grid& whole, const core::Field& field) {
-  const core::Grid half_grid = core::lower_half(whole);
-  core::Field half(half_grid);
-  core::copy_lower_half(field, half);
+  const core::Patch half_grid = core::lower_half(whole);
+  core::Field half = core::on_patch(half_grid, field);
   core::fill_ghosts(half_grid, half);
   return half;
 }
@@ -30,9 +29,7 @@ inline SymmetricField symmetric_field(const core::Grid& whole, Random& random, d
 
 /// Largest difference between a field on the whole domain and one on its lower half.
 inline double difference_of_half(const core::Grid& whole, const core::Field& field, const core::Field& half) {
-  core::Field other(whole);
-  core::copy_whole(core::lower_half(whole), half, other);
-  return core::max_abs_difference(field, other);
+  return core::max_abs_difference(field, core::on_domain(core::lower_half(whole), half));
 }
 
 }  // namespace ehl::tests

@@ -37,12 +37,12 @@ ModelProblem papers_epsilon(int cells, reynolds::Wedge wedge, fmg::Cycle cycle) 
 }
 
 fmg::Hierarchy make_error_hierarchy(const ModelProblem& problem) {
-  const fmg::Problem equations{.viscosity = rheology::Isoviscous{},
-                               .density = rheology::Incompressible{},
+  const fmg::Problem equations{.film = {.viscosity = rheology::Isoviscous{},
+                                        .density = rheology::Incompressible{},
+                                        .given_epsilon = problem.epsilon},
                                .transport = problem.wedge,
                                .load = std::nullopt,
-                               .cavitation = reynolds::Cavitation::none,
-                               .given_epsilon = problem.epsilon};
+                               .cavitation = reynolds::Cavitation::none};
   const fmg::Parameters parameters{
       .cycle = problem.cycle, .post = 1, .coarsest_cells = problem.coarsest, .relaxation = problem.relaxation};
   fmg::Hierarchy hierarchy =

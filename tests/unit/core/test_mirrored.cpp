@@ -31,7 +31,7 @@ BOOST_AUTO_TEST_CASE(image_lines_stand_behind_the_axis) {
   for (const Grid& grid : grids) {
     const SymmetricField f = symmetric_field(grid, random, -1.0, 1.0);
     for (int i = 0; i <= grid.nx; ++i)
-      for (int j = 0; j <= grid.ny / 2 + most_images; ++j) BOOST_TEST(f.half(i, j) == f.whole(i, j));
+      for (int j = 0; j <= grid.ny / 2 + ghost_lines; ++j) BOOST_TEST(f.half(i, j) == f.whole(i, j));
     BOOST_TEST(difference_of_half(grid, f.whole, f.half) == 0.0);
     Field untouched = f.whole;
     make_images(grid, untouched);

@@ -41,7 +41,7 @@ Errors against_hertz(int cells, mlmi::Method method) {
 
 // G = smooth + A cos(2 pi X/wavelength).
 dry::Problem wavy(int cells, double amplitude, double wavelength) {
-  const core::Grid grid = core::lower_half(square(cells, 1.25));
+  const ehl::core::Patch grid = core::lower_half(square(cells, 1.25));
   dry::Problem problem = smooth(grid);
   for (int i = 0; i < grid.nodes_x(); ++i)
     for (int j = 0; j < grid.nodes_y(); ++j)

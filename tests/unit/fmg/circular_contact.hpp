@@ -14,9 +14,9 @@ inline fmg::Problem circular_contact(double M, double L, reynolds::Wedge wedge) 
   constexpr double alpha = 1.7e-8;
   const double p_h = contact::hertz_pressure(groups, alpha);
   fmg::Problem problem;
-  problem.lambda = groups.lambda;
-  problem.viscosity = rheology::make_roelands(alpha, rheology::roelands_p0, 0.6, p_h);
-  problem.density = rheology::make_dowson_higginson(p_h);
+  problem.film.lambda = groups.lambda;
+  problem.film.viscosity = rheology::make_roelands(alpha, rheology::roelands_p0, 0.6, p_h);
+  problem.film.density = rheology::make_dowson_higginson(p_h);
   problem.transport = wedge;
   return problem;
 }

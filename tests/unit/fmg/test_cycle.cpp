@@ -95,8 +95,9 @@ BOOST_AUTO_TEST_CASE(a_solution_is_a_fixed_point_of_relaxation_and_cycles) {
     }
     // The relaxation's parameters change the way, not the solution.
     back_to_the_solution();
-    hierarchy.parameters.relaxation.crossover = 1e-3;
-    fmg::relax(hierarchy, level);
+    fmg::RelaxationParameters single;
+    single.crossover = 1e-3;
+    fmg::relax(hierarchy, level, single);
     stays("a relaxation of single lines nearly everywhere", hierarchy, P, H, H00);
   }
 }

@@ -98,8 +98,8 @@ BOOST_AUTO_TEST_CASE(one_sweep_without_cavitation_lets_pressures_be_negative) {
   fmg::Problem problem = circular_contact(20, 10, Wedge::upstream2);
   problem.cavitation = reynolds::Cavitation::none;
   // Roelands' law has no value far below zero.
-  problem.viscosity = ehl::rheology::Isoviscous{};
-  problem.density = ehl::rheology::Incompressible{};
+  problem.film.viscosity = ehl::rheology::Isoviscous{};
+  problem.film.density = ehl::rheology::Incompressible{};
   fmg::Hierarchy hierarchy = one_level(problem, {}, grids[0]);
   compare_with_plain_sweep(problem, {}, grids[0], counts);
   BOOST_TEST((counts.held == 0 && counts.clipped == 0));
@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(one_sweep_without_cavitation_lets_pressures_be_negative) {
   // A model problem: epsilon given, all of one kind.
   for (const double eps : {1e-3, 10.0}) {
     counts = {};
-    problem.given_epsilon = [eps](double, double) { return eps; };
+    problem.film.given_epsilon = [eps](double, double) { return eps; };
     compare_with_plain_sweep(problem, {}, grids[2], counts);
     BOOST_TEST((eps < 1.0 ? counts.single : counts.distributive) == 0);
   }
@@ -128,9 +128,9 @@ BOOST_AUTO_TEST_CASE(elimination_and_decimation_agree_on_the_systems_of_the_rela
       const Field eliminated = level.P;
       level.P = start;
       fmg::update_film(hierarchy, level);
-      hierarchy.parameters.relaxation.line_solver = fmg::LineSolver::decimation;
-      level.thread_work = {fmg::make_thread_work(level.grid, hierarchy.parameters.relaxation)};
-      fmg::relax(hierarchy, level);
+      relaxation.line_solver = fmg::LineSolver::decimation;
+      level.thread_work = {fmg::make_thread_work(level.grid, problem.film, relaxation)};
+      fmg::relax(hierarchy, level, relaxation);
       const double difference = ehl::core::max_abs_difference(level.P, eliminated);
       BOOST_TEST_MESSAGE("M = " << M << ", reach " << reach << ": " << difference << " (tolerance 1e-11)");
       BOOST_TEST(difference < 1e-11);

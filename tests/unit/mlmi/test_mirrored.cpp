@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(the_description_and_the_limits_are_those_of_the_whole) {
 
 BOOST_AUTO_TEST_CASE(two_threads_give_the_same_bits_on_the_half) {
   const Grid grid{256, 256, -4.5, 1.5, -3, 3};
-  const Grid half = ehl::core::lower_half(grid);
+  const ehl::core::Patch half = ehl::core::lower_half(grid);
   Random random(9);
   const SymmetricField P = symmetric_field(grid, random, 0.0, 1.0);
   for (const Method method : {Method::mlmi, Method::fft}) {

@@ -15,12 +15,11 @@ inline fmg::Hierarchy newton_hierarchy(double M, double L, const core::Grid& gri
   const contact::Groups groups = contact::from_moes(M, L);
   constexpr double alpha = 2.2e-8;
   const double p_h = groups.alpha_bar / alpha;
-  const fmg::Problem problem{.lambda = groups.lambda,
-                             .viscosity = rheology::make_roelands(alpha, rheology::roelands_p0, 0.68, p_h),
-                             .density = rheology::make_dowson_higginson(p_h),
-                             .transport = wedge,
-                             .given_epsilon = {},
-                             .thinning = thinning};
+  const fmg::Problem problem{.film = {.lambda = groups.lambda,
+                                      .viscosity = rheology::make_roelands(alpha, rheology::roelands_p0, 0.68, p_h),
+                                      .density = rheology::make_dowson_higginson(p_h),
+                                      .thinning = thinning},
+                             .transport = wedge};
   mlmi::Parameters deformation;
   deformation.method = mlmi::Method::fft;
   return fmg::make_hierarchy(problem, {}, deformation, grid, threads);

@@ -22,7 +22,6 @@
 #include "unit/newton/newton_scene.hpp"
 
 using namespace ehl;
-using steady::state_of_level;
 using judgement::Measures;
 using namespace ehl::tests;
 
@@ -127,10 +126,10 @@ BOOST_AUTO_TEST_CASE(from_hertz_to_the_solution_of_the_cycles) {
   fmg::Hierarchy cycles = newton_hierarchy(200, 10, grid, 1);
   const std::size_t l = cycles.levels.size() - 1;
   fmg::start_from_hertz(cycles, l, first_H00(200, 10), 20);
-  StateOfLevel state = state_of_level(cycles, l);
+  Measures state = fmg::measures_of(cycles, l);
   for (int cycle = 1; cycle <= 40 && !(state.residual < 1e-12 && state.load_error < 1e-12); ++cycle) {
     fmg::fas_cycle(cycles, l);
-    state = state_of_level(cycles, l);
+    state = fmg::measures_of(cycles, l);
   }
   BOOST_REQUIRE(state.residual < 1e-11);
 

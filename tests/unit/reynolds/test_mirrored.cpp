@@ -40,7 +40,7 @@ BOOST_AUTO_TEST_CASE(residual_of_the_half) {
   for (const Grid& grid : grids)
     for (const Wedge wedge : {Wedge::upstream1, Wedge::upstream2}) {
       const BothStates both(grid, random);
-      const Grid half = ehl::core::lower_half(grid);
+      const ehl::core::Patch half = ehl::core::lower_half(grid);
       Field r(grid);
       Field r_half(half);
       reynolds::residual(grid, both.whole.state(), wedge, 1, r);

@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(epsilon_is_equation_5_and_never_negative) {
   // eta_bar of 1, of 1e9, and one so large that 1/eta_bar has underflowed.
   const std::vector<double> fluidity{1.0, 1.0, 1.0, 1e-9, 1.0, 0.0, 1.0};
   std::vector<double> eps(H.size(), not_a_number);
-  reynolds::epsilon(H, rho_bar, fluidity, lambda, eps);
+  ehl::film::epsilon(H, rho_bar, fluidity, lambda, eps);
   for (const std::size_t k : {0u, 1u, 2u, 5u}) BOOST_TEST((eps[k] == 0.0 && !std::signbit(eps[k])));
   double error = 0.0;
   for (const std::size_t k : {3u, 4u, 6u})
@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(epsilon_is_equation_5_and_never_negative) {
   BOOST_TEST(error < 1e-15);
 
   std::vector<double> one(1);
-  reynolds::epsilon(std::vector{not_a_number}, std::vector{1.0}, std::vector{1.0}, lambda, one);
+  ehl::film::epsilon(std::vector{not_a_number}, std::vector{1.0}, std::vector{1.0}, lambda, one);
   BOOST_TEST(std::isnan(one[0]), "a film that is not a number must show");
 }
 

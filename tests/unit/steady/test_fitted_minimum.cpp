@@ -10,6 +10,7 @@
 
 using namespace ehl;
 using namespace ehl::steady;
+using namespace ehl::judgement;
 using boost::test_tools::tolerance;
 
 namespace {

@@ -11,6 +11,7 @@
 
 using namespace ehl;
 using namespace ehl::steady;
+using namespace ehl::judgement;
 
 namespace {
 

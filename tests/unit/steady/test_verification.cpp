@@ -14,6 +14,7 @@
 
 using namespace ehl;
 using namespace ehl::steady;
+using namespace ehl::judgement;
 
 namespace {
 
@@ -37,23 +38,21 @@ Scene scene_of(reynolds::Wedge wedge) {
 }
 
 // A pressure and H00 judged anew: film, coefficients and residual of a hierarchy that no cycle has touched.
-StateOfLevel judged(const Scene& scene, const core::Field& P, double H00) {
-  const fmg::Problem problem{.lambda = scene.lambda,
-                             .viscosity = scene.viscosity,
-                             .density = scene.density,
-                             .transport = scene.wedge,
-                             .given_epsilon = {}};
+Measures judged_anew(const Scene& scene, const core::Field& P, double H00) {
+  const fmg::Problem problem{
+      .film = {.lambda = scene.lambda, .viscosity = scene.viscosity, .density = scene.density},
+      .transport = scene.wedge};
   fmg::Hierarchy hierarchy = fmg::make_hierarchy(problem, scene.multigrid, scene.deformation, scene.grid, 1);
   fmg::Level& level = hierarchy.finest();
   core::copy(P, level.P);
   hierarchy.H00 = H00;
   level.load = 2.0 * core::pi / 3.0;
   fmg::update_film(hierarchy, level);
-  return state_of_level(hierarchy, hierarchy.levels.size() - 1);
+  return fmg::measures_of(hierarchy, hierarchy.levels.size() - 1);
 }
 
 // The state as the last of two cycles that changed nothing any more.
-std::string unmet(const StateOfLevel& state) {
+std::string unmet(const Measures& state) {
   const std::string text = unmet_check({state, state, 0.02, 0.02}, unknown);
   BOOST_TEST_MESSAGE(text);
   return text;
@@ -81,7 +80,7 @@ BOOST_AUTO_TEST_CASE(mass_is_conserved_where_the_equation_is_solved) {
     BOOST_TEST(checked.Hm == solution.levels.back().Hm);
     BOOST_TEST(checked.residual == solution.levels.back().residual);
     // The film that the flow is made of is the film of this pressure.
-    const StateOfLevel anew = judged(scene, solution.P, solution.H00);
+    const Measures anew = judged_anew(scene, solution.P, solution.H00);
     BOOST_TEST(std::abs(anew.flow_through / checked.flow_through - 1.0) < 1e-11);
     BOOST_TEST(std::abs(anew.flow_imbalance) < 1e-10);
   }
@@ -94,12 +93,12 @@ BOOST_AUTO_TEST_CASE(a_wrong_pressure_that_keeps_the_load_loses_mass) {
   core::Field P(scene.grid);
   for (int i = 2; i < scene.grid.nx; ++i)
     for (int j = 1; j < scene.grid.ny; ++j) P(i, j) = solution.P(i - 1, j);
-  const StateOfLevel state = judged(scene, P, solution.H00);
+  const Measures state = judged_anew(scene, P, solution.H00);
   BOOST_TEST_MESSAGE("load error " << state.load_error << ", residual " << state.residual << ", mass flow error "
                                    << state.flow_imbalance << " (allowed 5e-3)");
   BOOST_TEST(state.load_error < 1e-3);
   BOOST_TEST(std::abs(state.flow_imbalance) > 5e-3);
-  StateOfLevel quiet = state;  // as if the average residual and the load told nothing
+  Measures quiet = state;  // as if the average residual and the load told nothing
   quiet.residual = 1e-3;
   quiet.load_error = 0.0;
   quiet.dry_violation = 0.0;
@@ -110,7 +109,7 @@ BOOST_AUTO_TEST_CASE(complementarity_is_checked_on_both_sides) {
   const Scene scene = scene_of(reynolds::Wedge::upstream2);
   const Solution solution = solve(scene);
   const core::Grid& grid = scene.grid;
-  const StateOfLevel good = judged(scene, solution.P, solution.H00);
+  const Measures good = judged_anew(scene, solution.P, solution.H00);
   BOOST_TEST(unmet(good).empty());
 
   // A hole of no pressure where the contact carries most: the equation there wants pressure.
@@ -118,11 +117,11 @@ BOOST_AUTO_TEST_CASE(complementarity_is_checked_on_both_sides) {
   hole = solution.P;
   const int i = static_cast<int>(std::lround(-grid.X_a / grid.hx()));
   hole(i, grid.ny / 2) = 0.0;
-  const StateOfLevel dry = judged(scene, hole, solution.H00);
+  const Measures dry = judged_anew(scene, hole, solution.H00);
   BOOST_TEST_MESSAGE("dry violation " << dry.dry_violation << " at a solution " << good.dry_violation);
   BOOST_TEST(good.dry_violation < 1e-10);
   BOOST_TEST(dry.dry_violation > 0.1);
-  StateOfLevel seen = good;
+  Measures seen = good;
   seen.dry_violation = dry.dry_violation;
   BOOST_TEST(contains(unmet(seen), "wants pressure"));
 
@@ -130,7 +129,7 @@ BOOST_AUTO_TEST_CASE(complementarity_is_checked_on_both_sides) {
   core::Field suction;
   suction = solution.P;
   suction(grid.nx - 4, grid.ny / 2) = -1e-6;
-  const StateOfLevel negative = judged(scene, suction, solution.H00);
+  const Measures negative = judged_anew(scene, suction, solution.H00);
   BOOST_TEST(negative.least_P == -1e-6);
   seen = good;
   seen.least_P = negative.least_P;

@@ -200,7 +200,7 @@ BOOST_AUTO_TEST_CASE(the_lower_half_of_a_symmetric_domain_is_treated_as_the_whol
   using ehl::tests::symmetric_field;
   const Grid fine{24, 32, -3, 1.5, -2, 2};
   const Grid coarse = coarsened(fine);
-  const Grid half_fine = ehl::core::lower_half(fine);
+  const ehl::core::Patch half_fine = ehl::core::lower_half(fine);
   const Grid half_coarse = coarsened(half_fine);
   Random random(5);
   const auto down = symmetric_field(fine, random, -1.0, 1.0);
