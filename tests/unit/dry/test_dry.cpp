@@ -18,7 +18,7 @@ constexpr double load = 2.0 * pi / 3.0;
 
 core::Grid square(int cells, double half = 1.5) { return {cells, cells, -half, half, -half, half}; }
 
-dry::Problem smooth(const core::Grid& grid, mlmi::Method method = mlmi::Method::fft) {
+dry::Problem smooth(const core::Patch& grid, mlmi::Method method = mlmi::Method::fft) {
   return {grid, dry::smooth_gap(grid), load, {.method = method}, {}, 1};
 }
 
@@ -41,7 +41,7 @@ Errors against_hertz(int cells, mlmi::Method method) {
 
 // G = smooth + A cos(2 pi X/wavelength).
 dry::Problem wavy(int cells, double amplitude, double wavelength) {
-  const core::Grid grid = core::lower_half(square(cells, 1.25));
+  const core::Patch grid = core::lower_half(square(cells, 1.25));
   dry::Problem problem = smooth(grid);
   for (int i = 0; i < grid.nodes_x(); ++i)
     for (int j = 0; j < grid.nodes_y(); ++j)
