@@ -89,7 +89,8 @@ Oil read(deck::Deck& deck) {
   oil.eta0 = lubricant.number("eta0");
   oil.alpha = lubricant.number("alpha");
   oil.p0 = lubricant.number("p0");
-  if (oil.viscosity == "roelands" && std::isfinite(oil.alpha)) oil.z = read_z(lubricant, oil);
+  // Of numbers that were refused, z would be one more complaint.
+  if (oil.viscosity == "roelands" && std::isfinite(oil.alpha) && deck.errors.empty()) oil.z = read_z(lubricant, oil);
   return oil;
 }
 

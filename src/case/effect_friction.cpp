@@ -44,8 +44,7 @@ std::string summary(const Case& input, const Computed& computed) {
   if (std::isfinite(input.physics.p_h)) text += ", " + pressure(f.largest_stress * input.physics.p_h);
   if (std::isfinite(f.parameters.limit)) text += formatted(", limited on %.0f %% of the load", 100.0 * f.limited_share);
   text += "; isothermal, " + oil(input) + "\n";
-  for (const std::string& warning : friction::warnings(f)) text += "warning: " + warning + "\n";
-  return text;
+  return text + warning_lines(friction::warnings(f));
 }
 
 Json json(const Computed& computed) {

@@ -1,5 +1,7 @@
 #include "case/map_file.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <filesystem>
 #include <vector>
@@ -44,8 +46,7 @@ bool has_a_number(const std::vector<std::string>& cells) {
 
 std::string too_few(int nx, int ny) {
   if (nx >= fewest_points && ny >= fewest_points) return {};
-  return std::to_string(nx) + " x " + std::to_string(ny) + " points are too few: at least " +
-         std::to_string(fewest_points) + " x " + std::to_string(fewest_points);
+  return fmt::format("{} x {} points are too few: at least {} x {}", nx, ny, fewest_points, fewest_points);
 }
 
 ReadHeights read_csv(const std::string& path) {
@@ -56,7 +57,7 @@ ReadHeights read_csv(const std::string& path) {
   int blank = 0;  // line of the first blank one behind the heights
   for (std::string line; std::getline(file, line);) {
     ++number;
-    const std::string where = path + ":" + std::to_string(number) + ": ";
+    const std::string where = fmt::format("{}:{}: ", path, number);
     const bool comment = line.find('#') != std::string::npos;
     line = deck::trimmed(line.substr(0, line.find('#')));
     if (line.empty()) {
@@ -71,11 +72,10 @@ ReadHeights read_csv(const std::string& path) {
     heading_allowed = false;
     if (blank > 0) return path + ":" + std::to_string(blank) + ": a line without heights between others: a gap";
     if (heights.ny > 0 && static_cast<int>(cells.size()) != heights.nx)
-      return where + std::to_string(cells.size()) + " heights in this line and " + std::to_string(heights.nx) +
-             " in those before";
+      return fmt::format("{}{} heights in this line and {} in those before", where, cells.size(), heights.nx);
     for (std::size_t k = 0; k < cells.size(); ++k) {
       if (const std::string wrong = what_is_wrong(cells[k]); !wrong.empty())
-        return where + "height number " + std::to_string(k + 1) + " " + wrong + ": a map must have no gaps";
+        return fmt::format("{}height number {} {}: a map must have no gaps", where, k + 1, wrong);
       heights.values.push_back(deck::read_number(cells[k]).value);
     }
     heights.nx = static_cast<int>(cells.size());
@@ -90,8 +90,8 @@ ReadHeights read_hdf5(const std::string& path, const std::string& dataset) {
   const std::string where = path + ": " + dataset + ": ";
   for (std::size_t n = 0; n < array.values.size(); ++n)
     if (!std::isfinite(array.values[n]))
-      return where + "row " + std::to_string(n / array.dims[1] + 1) + ", column " +
-             std::to_string(n % array.dims[1] + 1) + " is no finite number: a map must have no gaps";
+      return fmt::format("{}row {}, column {} is no finite number: a map must have no gaps", where,
+                         n / array.dims[1] + 1, n % array.dims[1] + 1);
   Heights heights{static_cast<int>(array.dims[1]), static_cast<int>(array.dims[0]), std::move(array.values)};
   if (const std::string few = too_few(heights.nx, heights.ny); !few.empty()) return where + few;
   return heights;

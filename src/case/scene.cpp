@@ -1,6 +1,7 @@
 #include "case/scene.hpp"
 
-#include <cmath>
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "case/catalogue.hpp"
@@ -33,8 +34,8 @@ void check_coarsenings(deck::Deck& deck, const steady::Scene& scene) {
   const int most = mlmi::most_coarsenings(scene.grid);
   if (scene.deformation.coarsenings > most)
     complain(deck, "deformation", "coarsenings",
-             "must be <= " + std::to_string(most) + " on a grid of " + std::to_string(scene.grid.nx) + " x " +
-                 std::to_string(scene.grid.ny) + " cells: every direction that is coarsened keeps 8 cells");
+             fmt::format("must be <= {} on a grid of {} x {} cells: every direction that is coarsened keeps 8 cells",
+                         most, scene.grid.nx, scene.grid.ny));
 }
 
 // What the case and its result are called, and which fields are kept. in: path of the deck.

@@ -55,14 +55,11 @@ int sweep(const Arguments& arguments) {
   ChildrenCalls calls;
   calls.stop = stop_requested;
   calls.task = [&](std::size_t index) {
-    SweepRow row = sweep_case(deck, header.deck_text, overrides_of(index));
-    row.with_friction = header.with_friction;
-    return sweep_text(row);
+    return csv_row(sweep_case(deck, header.deck_text, overrides_of(index), header.with_friction));
   };
   calls.ended = [&](const ChildEnd& end) {
-    SweepRow failure = row_of_failure(end.status, end.reason);
-    failure.with_friction = header.with_friction;
-    const std::string row = end.complete ? end.text : sweep_text(failure);
+    const SweepRow failure = row_without_solution(sweep_row(header.with_friction), "failed", end.status, end.reason);
+    const std::string row = end.complete ? end.text : csv_row(failure);
     table.append(end.task, row);
     progress.count(
         ++done, missing.size(),

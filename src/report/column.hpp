@@ -23,7 +23,7 @@ struct Column {
   std::function<Value(const Row&)> get{};
   std::function<void(Row&, const Value&)> set{};  ///< for rows that are read back; empty where it follows from others
 
-  /// at: a member of the row, or a function of the row that gives the value or a reference to it.
+  /// at: a member of the row, or a function of the row that gives the value or a reference to it (decltype(auto)).
   template <class At>
   Column(std::string name_, std::string unit_, std::string meaning_, At at)
       : name(std::move(name_)), unit(std::move(unit_)), meaning(std::move(meaning_)) {
@@ -35,6 +35,20 @@ struct Column {
       set = [at](Row& row, const Value& value) { std::invoke(at, row) = std::get<Plain>(value); };
   }
 };
+
+/// A member of a member: part(&StudyPoint::way, &StudyCase::cells).
+template <class Row, class Whole, class Part>
+auto part(Whole Row::*whole, Part Whole::*member) {
+  return [whole, member](auto& row) -> decltype(auto) { return ((row.*whole).*member); };
+}
+
+/// The values of one row.
+template <class Row>
+std::vector<results::Quantity> quantities_of(const std::vector<Column<Row>>& columns, const Row& row) {
+  std::vector<results::Quantity> list;
+  for (const Column<Row>& column : columns) list.push_back({column.name, column.get(row), column.unit, column.meaning});
+  return list;
+}
 
 /// A table of the result file.
 template <class Row>

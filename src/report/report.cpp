@@ -22,8 +22,8 @@ std::string nodes(int nx, int ny) { return fmt::format("{} x {}", nx + 1, ny + 1
 std::string formula_lines(const std::vector<Formula>& formulas, const contact::Groups& groups, double h_scale) {
   std::string text = "formulas                                 Hc        Hm  Hc (Moes)  Hm (Moes)\n";
   for (const Formula& formula : formulas) {
-    text += fmt::format("  {:<33}", formula.name);
-    text += fmt::format("{:>8}  {:>8}  {:>9}  {:>9}", known("{:.4g}", formula.Hc), known("{:.4g}", formula.Hm),
+    text += fmt::format("  {:<33}{:>8}  {:>8}  {:>9}  {:>9}", formula.name, known("{:.4g}", formula.Hc),
+                        known("{:.4g}", formula.Hm),
                         known("{:.3f}", contact::H_to_moes_units(formula.Hc, groups.M, groups.shape)),
                         known("{:.3f}", contact::H_to_moes_units(formula.Hm, groups.M, groups.shape)));
     if (std::isfinite(h_scale))
@@ -50,15 +50,12 @@ std::string si_lines(const SiInput& si) {
   return text;
 }
 
-std::string ellipse_line(const contact::Ellipse& shape) {
-  return fmt::format("ellipse      R_x/R_y = {:.6g}, kappa = b/a = {:.6g}, entrainment at {:g} degrees to R_x\n",
-                     shape.radius_ratio, shape.kappa, shape.angle);
-}
-
 std::string group_lines(const Physics& physics) {
   const contact::Groups& g = physics.groups;
   std::string text = fmt::format("Moes         M = {:.6g}, L = {:.6g}\n", g.M, g.L);
-  if (!contact::circular(g.shape)) text += ellipse_line(g.shape);
+  if (!contact::circular(g.shape))
+    text += fmt::format("ellipse      R_x/R_y = {:.6g}, kappa = b/a = {:.6g}, entrainment at {:g} degrees to R_x\n",
+                        g.shape.radius_ratio, g.shape.kappa, g.shape.angle);
   if (std::isfinite(g.U)) text += fmt::format("Hamrock-D.   W = {:.6g}, U = {:.6g}, G = {:.6g}\n", g.W, g.U, g.G);
   text += fmt::format("Venner       lambda = {:.6g}, alpha_bar = {:.6g}\n", g.lambda, g.alpha_bar);
   if (!physics.si && std::isfinite(physics.p_h)) text += "Hertz        p_h = " + pressure(physics.p_h) + "\n";
@@ -109,26 +106,22 @@ std::string path(const steady::Solution& solution) {
   text += "\n";
   for (const steady::Attempt& attempt : solution.attempts)
     if (!attempt.reason.empty())
-      text += "             tried before, " + fmt::format("{:.2f} s: ", attempt.seconds) + attempt.method + ": " +
-              attempt.reason + "\n";
+      text +=
+          fmt::format("             tried before, {:.2f} s: {}: {}\n", attempt.seconds, attempt.method, attempt.reason);
   return text;
 }
 
 std::string verified(const steady::Verification& checked) {
   const auto number = [](double value) { return known("{:.1e}", value); };
-  const auto at = [](double X, double Y) { return fmt::format("({:.3f}, {:.3f}) a", X, Y); };
   if (std::isnan(checked.residual)) return {};
-  return "verified     residual " + number(checked.residual) + ", largest " + number(checked.largest_residual) +
-         " at " + at(checked.largest_residual_X, checked.largest_residual_Y) + "; load error " +
-         number(checked.load_error) + "; mass flow error " + number(std::abs(checked.flow_imbalance)) +
-         "\n             least P " + known("{:.1g}", checked.least_P) + ", dry node that wants pressure " +
-         number(checked.dry_violation) + "; left to the cycles Hc " + number(checked.algebraic_error_Hc) + ", Hm " +
-         number(checked.algebraic_error_Hm) + "\n";
+  return fmt::format(
+      "verified     residual {}, largest {} at ({:.3f}, {:.3f}) a; load error {}; mass flow error {}\n"
+      "             least P {}, dry node that wants pressure {}; left to the cycles Hc {}, Hm {}\n",
+      number(checked.residual), number(checked.largest_residual), checked.largest_residual_X,
+      checked.largest_residual_Y, number(checked.load_error), number(std::abs(checked.flow_imbalance)),
+      known("{:.1g}", checked.least_P), number(checked.dry_violation), number(checked.algebraic_error_Hc),
+      number(checked.algebraic_error_Hm));
 }
-
-}  // namespace
-
-namespace {
 
 // "+- 0.4 %", or nothing where there is no estimate.
 std::string bar(double error) { return std::isfinite(error) ? " +- " + percent(error) : ""; }
@@ -138,17 +131,16 @@ std::string error_lines(const steady::Solution& solution) {
   const steady::ErrorBars& bars = solution.error_bars;
   std::string text;
   if (std::isfinite(bars.Hc_extrapolated.value))
-    text += fmt::format("extrapolated Hc = {:.6f}", bars.Hc_extrapolated.value) + bar(bars.Hc_extrapolated.error) +
-            fmt::format(", Hm = {:.6f}", bars.Hm_extrapolated.value) + bar(bars.Hm_extrapolated.error) +
-            " (mesh size zero, this domain)\n";
+    text += fmt::format("extrapolated Hc = {:.6f}{}, Hm = {:.6f}{} (mesh size zero, this domain)\n",
+                        bars.Hc_extrapolated.value, bar(bars.Hc_extrapolated.error), bars.Hm_extrapolated.value,
+                        bar(bars.Hm_extrapolated.error));
   if (std::isfinite(bars.Hm_fitted_value))
-    text += fmt::format("fitted       Hm = {:.6f}", bars.Hm_fitted_value) + bar(bars.Hm_fitted.total()) +
-            fmt::format(" between the nodes, at ({:.4f}, {:.4f}) a\n", unsigned_zero(bars.Hm_fitted_X),
-                        unsigned_zero(bars.Hm_fitted_Y));
+    text += fmt::format("fitted       Hm = {:.6f}{} between the nodes, at ({:.4f}, {:.4f}) a\n", bars.Hm_fitted_value,
+                        bar(bars.Hm_fitted.total()), unsigned_zero(bars.Hm_fitted_X), unsigned_zero(bars.Hm_fitted_Y));
   if (std::isfinite(bars.Hc.discretization))
-    text += "errors       Hc: mesh " + percent(bars.Hc.discretization) + ", cycles " + percent(bars.Hc.algebraic) +
-            "; Hm: mesh " + percent(bars.Hm.discretization) + ", cycles " + percent(bars.Hm.algebraic) +
-            "; domain about " + percent(bars.domain) + " beside them\n";
+    text += fmt::format("errors       Hc: mesh {}, cycles {}; Hm: mesh {}, cycles {}; domain about {} beside them\n",
+                        percent(bars.Hc.discretization), percent(bars.Hc.algebraic), percent(bars.Hm.discretization),
+                        percent(bars.Hm.algebraic), percent(bars.domain));
   const steady::AccuracyReport& accuracy = solution.accuracy;
   if (std::isfinite(accuracy.asked))
     text += "accuracy     " + percent(accuracy.asked) + " asked for Hc and Hm: " +
@@ -188,11 +180,9 @@ std::string summary(const Case& input, const steady::Solution& solution, const O
   text += formula_lines(outcome.formulas, physics.groups, h_scale);
   text += path(solution);
   text += verified(solution.verification);
-  text += "method       wedge " + std::string(name(input.scene.wedge)) + "; deformation " + solution.deformation +
-          "; " + fmt::format("{} thread{}\n", input.scene.threads, input.scene.threads == 1 ? "" : "s");
-  text += fmt::format("time         {:.3f} s\n", solution.seconds);
-  for (const std::string& warning : outcome.warnings) text += "warning: " + warning + "\n";
-  return text;
+  text += fmt::format("method       wedge {}; deformation {}; {}\ntime         {:.3f} s\n", name(input.scene.wedge),
+                      solution.deformation, threads_text(input.scene.threads), solution.seconds);
+  return text + warning_lines(outcome.warnings);
 }
 
 std::string profile_table(const core::PartTimes& times, double seconds) {
@@ -219,15 +209,13 @@ std::string derived(const Case& input) {
                         physics.si ? physics.si->hertz.h_scale : std::nan(""));
   text += fmt::format("domain       [{:g}, {:g}] x [{:g}, {:g}] Hertz radii\n", scene.grid.X_a, scene.grid.X_b,
                       scene.grid.Y_a, scene.grid.Y_b);
-  text += "grid         " + nodes(scene.grid.nx, scene.grid.ny) + " nodes, " +
-          fmt::format("hx = {:.4g}, hy = {:.4g}\n", scene.grid.hx(), scene.grid.hy());
-  text +=
-      "method       wedge " + std::string(name(scene.wedge)) + "; deformation " + name(scene.deformation.method) + "\n";
+  text += fmt::format("grid         {} nodes, hx = {:.4g}, hy = {:.4g}\nmethod       wedge {}; deformation {}\n",
+                      nodes(scene.grid.nx, scene.grid.ny), scene.grid.hx(), scene.grid.hy(), name(scene.wedge),
+                      name(scene.deformation.method));
   text += effect_lines(input) + surface_report(input.surfaces, physics, scene.grid);
   const Needs needs = expected_needs(input);
-  text += "needs        about " + memory(needs.bytes) + " and " + about_seconds(needs.seconds) +
-          fmt::format(" with {} thread{}\n", scene.threads, scene.threads == 1 ? "" : "s");
-  return text;
+  return text + fmt::format("needs        about {} and {} with {}\n", memory(needs.bytes), about_seconds(needs.seconds),
+                            threads_text(scene.threads));
 }
 
 }  // namespace ehl::program

@@ -27,6 +27,10 @@ std::vector<Column<newton::Step>> newton_columns() {
           {"linear_iterations", "-", "of the linear solver", &Row::linear_iterations}};
 }
 
+Json parts_of(const steady::ErrorBar& bar) {
+  return {{"discretization", bar.discretization}, {"algebraic", bar.algebraic}, {"total", bar.total()}};
+}
+
 Json accuracy_json(const steady::AccuracyReport& accuracy) {
   if (!(accuracy.asked > 0.0)) return nullptr;
   return {{"asked", accuracy.asked},
@@ -49,6 +53,9 @@ std::string json_report(const Case& input, const Computed& computed, const Outco
   const FilmCoefficients coefficients = film_coefficients(input.physics);
   Json report;
   add(film_quantities(input, solution, outcome), report);
+  report["error_parts"]["Hc"] = parts_of(solution.error_bars.Hc);
+  report["error_parts"]["Hm"] = parts_of(solution.error_bars.Hm);
+  report["error_parts"]["Hm_fitted"] = parts_of(solution.error_bars.Hm_fitted);
   add(scale_quantities(input.physics), report);
   report["alpha_star"] = coefficients.alpha_star;
   report["alpha_film"] = coefficients.alpha_film;

@@ -35,12 +35,6 @@ std::string maximum_line(const char* label, const Maximum& maximum, double p_h, 
                      shown(maximum.X), shown(maximum.Y), maximum.Z, mark);
 }
 
-std::string warning_lines(const StressField& field) {
-  std::string text;
-  for (const std::string& warning : field.warnings) text += "warning: " + warning + "\n";
-  return text;
-}
-
 std::vector<results::Quantity> quantities(const StressField& field) {
   std::vector<results::Quantity> list;
   const auto add_maximum = [&](const std::string& name, const Maximum& maximum) {
@@ -70,7 +64,7 @@ std::string subsurface_plan(const Parameters& parameters, const core::Grid& cont
 std::string subsurface_summary(const StressField& field, double p_h, const std::string& mark) {
   return maximum_line("von Mises   ", field.mises, p_h, mark) + maximum_line("tau_max     ", field.shear, p_h, mark) +
          "subsurface   " + nodes(field.grid, field.depths.size()) + fmt::format("{:.4g} a; ", field.depths.back()) +
-         body(field.parameters) + fmt::format("; {:.3f} s\n", field.seconds) + warning_lines(field);
+         body(field.parameters) + fmt::format("; {:.3f} s\n", field.seconds) + warning_lines(field.warnings);
 }
 
 Json subsurface_json(const StressField& field) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "case/surface_input.hpp"
+#include "core/constants.hpp"
 #include "report/text_format.hpp"
 #include "surface/resample.hpp"
 
@@ -22,25 +23,23 @@ std::string length_text(double X, const Physics& physics) {
 }
 
 std::string text(const surface::Feature& feature, const Physics& physics) {
-  return "height " + height_text(feature.height, physics) + ", width " + length_text(feature.width, physics) +
-         fmt::format(", at ({:.4g}, {:.4g}) a", feature.X, feature.Y) +
-         (feature.angle != 0.0 ? fmt::format(", turned by {:.4g} degrees", feature.angle * 180.0 / 3.14159265358979)
-                               : "");
+  return fmt::format(
+      "height {}, width {}, at ({:.4g}, {:.4g}) a{}", height_text(feature.height, physics),
+      length_text(feature.width, physics), feature.X, feature.Y,
+      feature.angle != 0.0 ? fmt::format(", turned by {:.4g} degrees", feature.angle * 180.0 / core::pi) : "");
 }
 
 std::string text(const surface::HeightMap& map, const MapRecord& record, const Physics& physics,
                  const core::Grid& grid) {
   const surface::Resolution left = surface::resolution(map, grid);
-  std::string text = record.file + fmt::format(", {} x {} points on {:.4g} x {:.4g} a around ({:.4g}, {:.4g}) a",
-                                               map.gap.nx, map.gap.ny, map.length_x(), map.length_y(), map.X, map.Y);
-  text += fmt::format("; levelled (taken away: mean {:.4g}, slopes {:.3g} and {:.3g} per point, in the file's unit), ",
-                      record.plane.mean, record.plane.slope_x, record.plane.slope_y);
-  text += "rms " + height_text(record.rms, physics) +
-          fmt::format(", tapered over {:.3g} of its length at each edge", record.taper);
-  text += "; on this mesh " + percent(left.variance_lost) + " of its variance lost, no wave shorter than " +
-          length_text(left.shortest_wave_X, physics) + " along x, " + length_text(left.shortest_wave_Y, physics) +
-          " along y";
-  return text;
+  return fmt::format(
+      "{}, {} x {} points on {:.4g} x {:.4g} a around ({:.4g}, {:.4g}) a; levelled (taken away: mean {:.4g}, slopes "
+      "{:.3g} and {:.3g} per point, in the file's unit), rms {}, tapered over {:.3g} of its length at each edge; on "
+      "this mesh {} of its variance lost, no wave shorter than {} along x, {} along y",
+      record.file, map.gap.nx, map.gap.ny, map.length_x(), map.length_y(), map.X, map.Y, record.plane.mean,
+      record.plane.slope_x, record.plane.slope_y, height_text(record.rms, physics), record.taper,
+      percent(left.variance_lost), length_text(left.shortest_wave_X, physics),
+      length_text(left.shortest_wave_Y, physics));
 }
 
 }  // namespace
@@ -57,7 +56,7 @@ std::vector<std::string> surface_lines(const SurfaceInput& surfaces, const Physi
 }
 
 std::string surface_report(const SurfaceInput& surfaces, const Physics& physics, const core::Grid& grid) {
-  const std::string next = fmt::format("\n{:>13}", "");
+  const std::string next = "\n" + std::string(13, ' ');
   std::string text;
   for (std::string line : surface_lines(surfaces, physics, grid)) {
     const std::size_t colon = line.find(": ");

@@ -53,4 +53,12 @@ std::string percent(double fraction) {
   return fmt::format("{:.{}f} %", 100.0 * fraction, std::abs(fraction) < 0.001 ? 3 : 2);
 }
 
+std::string threads_text(int threads) { return fmt::format("{} thread{}", threads, threads == 1 ? "" : "s"); }
+
+std::string warning_lines(const std::vector<std::string>& warnings) {
+  std::string text;
+  for (const std::string& warning : warnings) text += "warning: " + warning + "\n";
+  return text;
+}
+
 }  // namespace ehl::program

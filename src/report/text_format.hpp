@@ -1,6 +1,7 @@
 #pragma once
 // Numbers for people.
 #include <string>
+#include <vector>
 
 namespace ehl::program {
 
@@ -20,5 +21,10 @@ std::string memory(double bytes);
 std::string about_seconds(double seconds);
 /// An estimated share: "0.58 %".
 std::string percent(double fraction);
+
+/// "1 thread", "4 threads".
+std::string threads_text(int threads);
+/// "warning: ..." for each, on lines of their own.
+std::string warning_lines(const std::vector<std::string>& warnings);
 
 }  // namespace ehl::program

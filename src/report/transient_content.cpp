@@ -35,17 +35,13 @@ std::vector<Column<StepRow>> step_columns(bool with_body, const std::vector<tran
   columns.push_back({"not_solved", "-", "attempts that the cycles did not solve", &StepRow::not_solved});
   for (std::size_t k = 0; k < probes.size(); ++k) {
     const std::string number = std::to_string(k + 1);
-    columns.push_back({"P_" + number, "p_h", name_of_probe("pressure", probes[k]),
-                       [k](auto& row) -> auto& { return row.probed[k].P;
+    const auto probed = [k](double transient::Probed::*what) {
+      return [k, what](auto& row) -> decltype(auto) { return (row.probed[k].*what); };
+    };
+    columns.push_back({"P_" + number, "p_h", name_of_probe("pressure", probes[k]), probed(&transient::Probed::P)});
+    columns.push_back({"H_" + number, "a^2/R", name_of_probe("film", probes[k]), probed(&transient::Probed::H)});
   }
-});
-    columns.push_back({"H_" + number, "a^2/R", name_of_probe("film", probes[k]),
-                       [k](auto& row) -> auto& { return row.probed[k].H;
-    }  // namespace
-    }  // namespace ehl::program
-);
-}
-return columns;
+  return columns;
 }
 
 // The rows of the file; as many probes as it has.

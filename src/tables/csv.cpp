@@ -48,10 +48,25 @@ Value csv_value(const std::string& cell, const Value& like) {
   throw core::FileError("this is no number: '" + cell.substr(0, 40) + "'");
 }
 
-std::string csv_quoted(const std::string& text) {
-  std::string result(1, '"');
-  result += plain(text, ",");
-  return result + '"';
+std::string csv_names(const std::vector<results::Quantity>& row) {
+  std::string line;
+  for (const results::Quantity& one : row) line += (line.empty() ? "" : ",") + one.name;
+  return line;
+}
+
+std::string csv_row(const std::vector<results::Quantity>& row) {
+  std::string line;
+  for (const results::Quantity& one : row)
+    line += &one == &row.back() ? '"' + plain(std::get<std::string>(one.value), ",") + '"' : csv_cell(one.value) + ",";
+  return line;
+}
+
+std::string csv_units(const std::vector<results::Quantity>& row) {
+  std::string line;
+  for (const results::Quantity& one : row)
+    if (!one.unit.empty() && one.unit != "-")
+      line += fmt::format("{}{} [{}]", line.empty() ? "# units: " : ", ", one.name, one.unit);
+  return line;
 }
 
 std::vector<std::string> csv_cells(const std::string& line, std::size_t columns) {

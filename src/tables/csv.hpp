@@ -12,29 +12,17 @@ namespace ehl::program {
 /// every reader of tables: no comma, no quote, no comment, one line.
 std::string csv_cell(const Value& value);
 
-/// A sentence between quotes, which may hold commas.
-std::string csv_quoted(const std::string& text);
-
 /// The cells of a row, no more than there are columns; a sentence without its quotes.
 std::vector<std::string> csv_cells(const std::string& line, std::size_t columns);
 
 /// What a cell says, as a value of the same kind as `like`. errors: core::FileError.
 Value csv_value(const std::string& cell, const Value& like);
 
-template <class Row>
-std::string csv_names(const std::vector<Column<Row>>& columns) {
-  std::string line;
-  for (const Column<Row>& column : columns) line += (line.empty() ? "" : ",") + column.name;
-  return line;
-}
-
-/// in: columns, of which the last is a sentence.
-template <class Row>
-std::string csv_row(const std::vector<Column<Row>>& columns, const Row& row) {
-  std::string line;
-  for (std::size_t k = 0; k + 1 < columns.size(); ++k) line += csv_cell(columns[k].get(row)) + ",";
-  return line + csv_quoted(std::get<std::string>(columns.back().get(row)));
-}
+/// A row: its names, its values, of which the last is a sentence, and "# units: p_h [Pa], seconds [s]" of what is no
+/// pure number.
+std::string csv_names(const std::vector<results::Quantity>& row);
+std::string csv_row(const std::vector<results::Quantity>& row);
+std::string csv_units(const std::vector<results::Quantity>& row);
 
 /// The row again, without what follows from the rest. errors: core::FileError.
 template <class Row>
@@ -44,16 +32,6 @@ Row csv_read(const std::vector<Column<Row>>& columns, const std::string& line) {
   for (std::size_t k = 0; k < columns.size(); ++k)
     if (columns[k].set) columns[k].set(row, csv_value(k < cells.size() ? cells[k] : "", columns[k].get(row)));
   return row;
-}
-
-/// "# units: p_h [Pa], seconds [s]", of what is no pure number.
-template <class Row>
-std::string csv_units(const std::vector<Column<Row>>& columns) {
-  std::string line;
-  for (const Column<Row>& column : columns)
-    if (!column.unit.empty() && column.unit != "-")
-      line += (line.empty() ? "# units: " : ", ") + column.name + " [" + column.unit + "]";
-  return line;
 }
 
 /// "# deck text: 812 bytes, 6f0d...": enough to notice that a deck is another one.

@@ -14,40 +14,31 @@ namespace {
 
 std::vector<Column<StudyPoint>> columns() {
   using Point = StudyPoint;
-  return {{"cells", "-", "of the finest grid, along x", [](auto& point) -> auto& {return point.way.cells;
-}
-}  // namespace
-, {"wedge", "", "scheme of the wedge term", [](auto& point) -> auto& {return point.way.wedge;
-}  // namespace ehl::program
-}
-, {"evaluator", "", "of the deformation", [](auto& point) -> auto& {return point.way.evaluator;
-}
-}
-, {"cycles", "", "and their shape, or run", [](auto& point) -> auto& {return point.way.cycles;
-}
-}
-, {"status", "", "how it ended", &Point::status}, {"nx", "-", "cells along x", &Point::nx},
-    {"ny", "-", "cells along y", &Point::ny}, {"Hc", "-", "film at (0,0)", &Point::Hc},
-    {"Hm", "-", "smallest film of all nodes", &Point::Hm},
-    {"error_Hc", "-", "relative, to the reference", &Point::error_Hc},
-    {"error_Hm", "-", "relative, to the reference", &Point::error_Hm},
-    {"estimate_Hc", "-", "of its discretization error, by the run itself", &Point::estimate_Hc},
-    {"estimate_Hm", "-", "of its discretization error, by the run itself", &Point::estimate_Hm},
-    {"residual", "-", "relative residual of the Reynolds equation", &Point::residual},
-    {"cycles_by_level", "", "from the first grid to the finest", &Point::cycles_by_level},
-    {"attempts", "-", "ways that were tried", &Point::attempts},
-    {"work_units", "-", "of the whole solution, in units of the finest grid", &Point::work_units},
-    {"seconds", "s", "the least of the repetitions", &Point::seconds},
-    {"seconds_most", "s", "the most of them", &Point::seconds_most},
-    {"peak_memory", "bytes", "of the process", &Point::peak_memory},
-    {"at_reference_Hc", "-", "the error is below that of the reference", &Point::at_reference_Hc},
-    {"at_reference_Hm", "-", "the error is below that of the reference", &Point::at_reference_Hm},
-    {"front_Hc", "-", "nothing cheaper is as accurate", &Point::front_Hc},
-    {"front_Hm", "-", "nothing cheaper is as accurate", &Point::front_Hm}, {
-  "reason", "", "why there is no solution", &Point::reason
-}
-}
-;
+  return {{"cells", "-", "of the finest grid, along x", part(&Point::way, &StudyCase::cells)},
+          {"wedge", "", "scheme of the wedge term", part(&Point::way, &StudyCase::wedge)},
+          {"evaluator", "", "of the deformation", part(&Point::way, &StudyCase::evaluator)},
+          {"cycles", "", "and their shape, or run", part(&Point::way, &StudyCase::cycles)},
+          {"status", "", "how it ended", &Point::status},
+          {"nx", "-", "cells along x", &Point::nx},
+          {"ny", "-", "cells along y", &Point::ny},
+          {"Hc", "-", "film at (0,0)", &Point::Hc},
+          {"Hm", "-", "smallest film of all nodes", &Point::Hm},
+          {"error_Hc", "-", "relative, to the reference", &Point::error_Hc},
+          {"error_Hm", "-", "relative, to the reference", &Point::error_Hm},
+          {"estimate_Hc", "-", "of its discretization error, by the run itself", &Point::estimate_Hc},
+          {"estimate_Hm", "-", "of its discretization error, by the run itself", &Point::estimate_Hm},
+          {"residual", "-", "relative residual of the Reynolds equation", &Point::residual},
+          {"cycles_by_level", "", "from the first grid to the finest", &Point::cycles_by_level},
+          {"attempts", "-", "ways that were tried", &Point::attempts},
+          {"work_units", "-", "of the whole solution, in units of the finest grid", &Point::work_units},
+          {"seconds", "s", "the least of the repetitions", &Point::seconds},
+          {"seconds_most", "s", "the most of them", &Point::seconds_most},
+          {"peak_memory", "bytes", "of the process", &Point::peak_memory},
+          {"at_reference_Hc", "-", "the error is below that of the reference", &Point::at_reference_Hc},
+          {"at_reference_Hm", "-", "the error is below that of the reference", &Point::at_reference_Hm},
+          {"front_Hc", "-", "nothing cheaper is as accurate", &Point::front_Hc},
+          {"front_Hm", "-", "nothing cheaper is as accurate", &Point::front_Hm},
+          {"reason", "", "why there is no solution", &Point::reason}};
 }
 
 // Work of the levels below in units of the finest grid.
@@ -60,11 +51,11 @@ double whole_work(const steady::Solution& solution) {
 
 }  // namespace
 
-std::string study_columns() { return csv_names(columns()); }
+std::string study_columns() { return csv_names(quantities_of(columns(), StudyPoint{})); }
 
-std::string study_units() { return csv_units(columns()); }
+std::string study_units() { return csv_units(quantities_of(columns(), StudyPoint{})); }
 
-std::string study_text(const StudyPoint& point) { return csv_row(columns(), point); }
+std::string study_text(const StudyPoint& point) { return csv_row(quantities_of(columns(), point)); }
 
 StudyPoint study_point(const std::string& row) try {
   return csv_read(columns(), row);

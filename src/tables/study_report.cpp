@@ -136,8 +136,7 @@ constexpr char how_to_read[] =
 }  // namespace
 
 std::string times_of(const StudyHeader& header) {
-  return fmt::format("least of {}, {} thread{} each, ", header.repeats, header.threads,
-                     header.threads == 1 ? "" : "s") +
+  return fmt::format("least of {}, {} each, ", header.repeats, threads_text(header.threads)) +
          (header.jobs == 1 ? "one solution after another"
                            : fmt::format("{} solutions at a time: SHARED, not to be compared", header.jobs));
 }

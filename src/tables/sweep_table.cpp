@@ -5,9 +5,10 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <span>
 #include <sstream>
 
@@ -35,7 +36,7 @@ std::vector<std::string> identity(const SweepHeader& header) {
 std::string column_line(const SweepHeader& header) {
   std::string line;
   for (const Variation& variation : header.variations) line += variation.section + "." + variation.name + ",";
-  return line + sweep_columns(header.with_friction);
+  return line + csv_names(sweep_row(header.with_friction));
 }
 
 std::string whole_header(const SweepHeader& header, const std::vector<std::string>& programs) {
@@ -53,18 +54,7 @@ std::string whole_header(const SweepHeader& header, const std::vector<std::strin
     text +=
         "# mu: sliding friction over the load, mu_rolling: rolling friction over it; mu_1, mu_2: forces of the film on "
         "surfaces 1 and 2 along +x over it\n";
-  return text + sweep_units() + "\n" + column_line(header) + "\n";
-}
-
-std::string load(int descriptor, const std::string& path) {
-  std::string text;
-  std::array<char, 65536> bytes{};
-  for (;;) {
-    const ssize_t count = ::pread(descriptor, bytes.data(), bytes.size(), static_cast<off_t>(text.size()));
-    if (count < 0) throw core::FileError(path + ": cannot be read: " + std::strerror(errno));
-    if (count == 0) return text;
-    text.append(bytes.data(), static_cast<std::size_t>(count));
-  }
+  return text + csv_units(sweep_row(header.with_friction)) + "\n" + column_line(header) + "\n";
 }
 
 const std::string remedy = ": give --overwrite to begin anew, or another --output";
@@ -85,7 +75,9 @@ SweepTable::SweepTable(const std::string& path, const SweepHeader& header, bool 
   try {
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
       throw core::FileError(path + ": another sweep is writing this table");
-    const std::string content = overwrite ? "" : load(descriptor_, path);
+    std::ifstream file(path);
+    const std::string content = overwrite ? "" : std::string(std::istreambuf_iterator<char>(file), {});
+    if (!file) throw core::FileError(path + ": cannot be read: " + std::strerror(errno));
     if (content.empty()) {
       if (::ftruncate(descriptor_, 0) != 0)
         throw core::FileError(path + ": cannot be written: " + std::strerror(errno));

@@ -49,10 +49,6 @@ std::vector<double> tolerances(const Arguments& arguments) {
   return list;
 }
 
-std::string name_of(const TimeWay& way) {
-  return fmt::format("rtol {:g}, steps of at most {:.3g}", way.rtol, way.longest_step);
-}
-
 // in: whether the film is looked at; then the time says nothing.
 std::vector<TimeStudyPoint> run_ways(const Case& input, const std::vector<TimeWay>& ways, bool look, int at_once,
                                      bool quiet) {
@@ -62,7 +58,7 @@ std::vector<TimeStudyPoint> run_ways(const Case& input, const std::vector<TimeWa
       .compute = [&](const TimeStudyPoint& point) { return measure_in_time(input, point.way, look ? samples : 0); },
       .write = text_of,
       .read = time_study_point,
-      .name = [&](const TimeStudyPoint& point) { return name_of(point.way) + (look ? "" : ", timed"); }};
+      .name = [&](const TimeStudyPoint& point) { return name_of_way(point.way) + (look ? "" : ", timed"); }};
   return computed_rows(std::move(planned), at_once, quiet, calls);
 }
 
@@ -74,7 +70,7 @@ TimeReference find_reference(Case input, double rtol, double longest_step, bool 
   if (!quiet) std::fprintf(stderr, "ehl: the reference, and the run that tells how well it is known\n");
   std::vector<TimeStudyPoint> runs = run_ways(input, {coarser, way}, true, 1, quiet);
   for (const TimeStudyPoint& run : runs)
-    if (!is_complete(run)) throw core::SolverError("the reference, " + name_of(run.way) + ": " + run.reason);
+    if (!is_complete(run)) throw core::SolverError("the reference, " + name_of_way(run.way) + ": " + run.reason);
   TimeReference reference{std::move(runs[1]), std::move(runs[0]), {}, input.transient->parameters.probes};
   reference.errors = errors_in_time(reference.run, reference.coarser);
   return reference;

@@ -52,6 +52,9 @@ TimeStudyPoint measure_in_time(Case input, const TimeWay& way, int samples);
 
 double cycles_per_step(const TimeStudyPoint& point);
 
+/// "rtol 0.001, steps of at most 0.05".
+std::string name_of_way(const TimeWay& way);
+
 bool is_complete(const TimeStudyPoint& point);
 
 }  // namespace ehl::program

@@ -19,10 +19,6 @@ std::string error_text(double error, double known_to) {
   return error < known_to ? "< " + known("{:.1e}", known_to) : known("{:.1e}", error);
 }
 
-std::string steps_below(const TimeWay& way) {
-  return fmt::format("rtol {:g}, steps of at most {:.3g}", way.rtol, way.longest_step);
-}
-
 std::string known_text(const TimeReference& reference) {
   const std::vector<std::string> names = time_study_quantities(reference.probes.size());
   std::string text;
@@ -78,8 +74,8 @@ std::string time_study_csv(const StudyHeader& header, const TimeReference& refer
                            const std::vector<TimeStudyPoint>& points) {
   const std::vector<std::string> names = time_study_quantities(reference.probes.size());
   std::string text = time_study_mark + origin_lines(header, times_text(header));
-  text += "# reference: " + steps_below(reference.run.way) + "; its error is its difference from " +
-          steps_below(reference.coarser.way) + "\n# reference steps: " + std::to_string(reference.run.steps) + "\n";
+  text += "# reference: " + name_of_way(reference.run.way) + "; its error is its difference from " +
+          name_of_way(reference.coarser.way) + "\n# reference steps: " + std::to_string(reference.run.steps) + "\n";
   for (std::size_t k = 0; k < names.size(); ++k)
     text += "# reference error " + names[k] + ": " + csv_cell(reference.errors[k]) + "\n";
   for (std::size_t k = 0; k < reference.probes.size(); ++k)
@@ -98,9 +94,9 @@ std::string time_study_report(const StudyHeader& header, const TimeReference& re
                               const std::vector<TimeStudyPoint>& points) {
   const TimeStudyPoint& run = reference.run;
   std::string text = "case         " + header.title + "\n";
-  text += "reference    " + steps_below(run.way) + fmt::format(": {} steps to time {:g} a/u_m\n", run.steps, run.T);
+  text += "reference    " + name_of_way(run.way) + fmt::format(": {} steps to time {:g} a/u_m\n", run.steps, run.T);
   text += "             known to " + known_text(reference) + "\n             (its difference from " +
-          steps_below(reference.coarser.way) + ")\n";
+          name_of_way(reference.coarser.way) + ")\n";
   text += fmt::format(
       "compared     at {} equidistant times, by the dense output of the integration; largest over the run\n",
       run.samples.size());

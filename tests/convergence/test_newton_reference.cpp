@@ -7,9 +7,9 @@
 #include "contact/film_formulas.hpp"
 #include "convergence/circular_scene.hpp"
 #include "core/norms.hpp"
-#include "fmg/full_multigrid.hpp"
+#include "fmg/start.hpp"
 #include "newton/solve.hpp"
-#include "steady/state_of_level.hpp"
+#include "judgement/measures.hpp"
 
 using namespace ehl;
 
@@ -38,7 +38,7 @@ BOOST_AUTO_TEST_CASE(newton_from_hertz_gives_the_reference_digits) {
     const double film = contact::H_from_moes_units(contact::nijenbanning_venner_moes(scene.M, scene.L), scene.M);
     fmg::start_from_hertz(hierarchy, l, -1.0 + film, 0);
     const newton::Result result = newton::solve(hierarchy, l);
-    const steady::StateOfLevel state = steady::state_of_level(hierarchy, l);
+    const judgement::Measures state = fmg::measures_of(hierarchy, l);
     BOOST_TEST_MESSAGE(test::name_of(contact)
                        << ": Hc off by " << relative(state.Hc, contact.Hc) << ", Hm by "
                        << relative(state.Hm, contact.Hm) << ", H00 by " << relative(hierarchy.H00, contact.H00)

@@ -49,6 +49,7 @@ std::vector<Door> doors() {
        {"boost/program_options"},
        {"deck", "src"},
        {"modules/deck/document.cpp", "src/commands/arguments.cpp"}},
+      {"nlohmann-json", {"nlohmann/"}, {"src"}},
       {"HDF5", {"hdf5", "H5"}, {"results"}},
       {"SUNDIALS",
        {"sundials/", "kinsol/", "ida/", "idas/", "cvode/", "arkode/", "nvector/", "sunlinsol/", "sunnonlinsol/",

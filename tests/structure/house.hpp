@@ -44,6 +44,10 @@ std::vector<std::string> effect_offences(const std::vector<Module>& modules, con
 /// Headers of a library outside the modules that are its only doors.
 std::vector<std::string> door_offences(const std::vector<SourceFile>& files);
 
+/// Files of modules/ that form a part of the discrete Reynolds operator outside the file where it stands, one path
+/// each: weights of the wedge, means of epsilon between nodes.
+std::vector<std::string> operator_offences(const std::vector<SourceFile>& files, const std::string& home);
+
 /// True where the word stands alone, not as a part of a longer one.
 bool has_word(const std::string& text, const std::string& word);
 std::string read_text(const std::filesystem::path& path);

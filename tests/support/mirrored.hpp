@@ -12,7 +12,7 @@ inline core::Field half_of(const core::Grid& whole, const core::Field& field) {
   const core::Grid half_grid = core::lower_half(whole);
   core::Field half(half_grid);
   core::copy_lower_half(field, half);
-  core::make_images(half_grid, half);
+  core::fill_ghosts(half_grid, half);
   return half;
 }
 

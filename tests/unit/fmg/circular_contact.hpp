@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "contact/groups.hpp"
-#include "fmg/full_multigrid.hpp"
+#include "fmg/start.hpp"
 #include "support/random.hpp"
 
 namespace ehl::tests {

@@ -18,7 +18,7 @@ namespace {
 
 double relative_residual(fmg::Hierarchy& hierarchy, fmg::Level& level) {
   fmg::update_residual(hierarchy, level);
-  return ehl::reynolds::residual_norms(level.grid, fmg::state(level), hierarchy.problem.transport,
+  return ehl::reynolds::residual_norms(level.grid, fmg::fields(level), hierarchy.problem.transport,
                                        hierarchy.problem.cavitation, level.r)
       .relative();
 }

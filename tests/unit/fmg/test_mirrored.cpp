@@ -97,23 +97,23 @@ BOOST_AUTO_TEST_CASE(a_cycle_of_the_half_is_the_cycle_of_the_whole) {
     parameters.coarsest_cells = 16;
     fmg::Hierarchy whole = hierarchy_on(grid, parameters, Wedge::upstream2);
     fmg::Hierarchy half = hierarchy_on(ehl::core::lower_half(grid), parameters, Wedge::upstream2);
-    fmg::Kept kept[2];
+    fmg::State kept[2];
     const auto both = [&](const char* when, std::size_t l, auto&& action) {
       action(whole, kept[0]);
       action(half, kept[1]);
       compare_levels(when, whole, half, l);
     };
-    both("Hertz", 0, [](fmg::Hierarchy& one, fmg::Kept& keep) {
+    both("Hertz", 0, [](fmg::Hierarchy& one, fmg::State& keep) {
       fmg::start_from_hertz(one, 0, -0.6, 20);
       fmg::fas_cycle(one, 0);
       keep = {one.levels[0].P, one.H00};
     });
-    both("from coarser", 1, [](fmg::Hierarchy& one, fmg::Kept&) { fmg::start_from_coarser(one, 1); });
-    both("cycle", 1, [](fmg::Hierarchy& one, fmg::Kept&) { fmg::fas_cycle(one, 1); });
+    both("from coarser", 1, [](fmg::Hierarchy& one, fmg::State&) { fmg::start_from_coarser(one, 1); });
+    both("cycle", 1, [](fmg::Hierarchy& one, fmg::State&) { fmg::fas_cycle(one, 1); });
     both("from two coarser", 2,
-         [](fmg::Hierarchy& one, fmg::Kept& keep) { fmg::start_from_two_coarser(one, 2, keep, 2.0); });
-    both("cycle", 2, [](fmg::Hierarchy& one, fmg::Kept&) { fmg::fas_cycle(one, 2); });
-    both("cycle that ends with the correction", 2, [](fmg::Hierarchy& one, fmg::Kept&) {
+         [](fmg::Hierarchy& one, fmg::State& keep) { fmg::start_from_two_coarser(one, 2, keep, 2.0); });
+    both("cycle", 2, [](fmg::Hierarchy& one, fmg::State&) { fmg::fas_cycle(one, 2); });
+    both("cycle that ends with the correction", 2, [](fmg::Hierarchy& one, fmg::State&) {
       one.parameters.post = 0;
       fmg::fas_cycle(one, 2);
     });

@@ -4,7 +4,7 @@
 
 #include "contact/film_formulas.hpp"
 #include "contact/groups.hpp"
-#include "fmg/full_multigrid.hpp"
+#include "fmg/start.hpp"
 
 namespace ehl::tests {
 

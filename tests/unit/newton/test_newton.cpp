@@ -17,13 +17,13 @@
 #include "newton/gmres.hpp"
 #include "newton/preconditioner.hpp"
 #include "newton/solve.hpp"
-#include "steady/state_of_level.hpp"
+#include "judgement/measures.hpp"
 #include "support/random.hpp"
 #include "unit/newton/newton_scene.hpp"
 
 using namespace ehl;
 using steady::state_of_level;
-using steady::StateOfLevel;
+using judgement::Measures;
 using namespace ehl::tests;
 
 namespace {

@@ -184,6 +184,21 @@ BOOST_AUTO_TEST_CASE(verification_is_shown_with_its_numbers) {
   BOOST_TEST(value("largest_residual_x") == 0.75);
 }
 
+// The words that modules/steady writes, and the codes that postprocess/ goes by.
+BOOST_AUTO_TEST_CASE(every_way_has_a_code) {
+  const auto code = [](const char* method) {
+    steady::Solution solution;
+    solution.method = method;
+    return program::path_code(solution);
+  };
+  BOOST_TEST(code("") == "none");
+  BOOST_TEST(code("full multigrid") == "full-multigrid");
+  BOOST_TEST(code("full multigrid, start 2") == "full-multigrid-2");
+  BOOST_TEST(code("load continuation") == "load-continuation");
+  BOOST_TEST(code("Newton-Krylov") == "newton");
+  BOOST_TEST(code("Newton-Krylov after the cycles") == "newton-after-cycles");
+}
+
 // P_max is 0.5: 2 GPa with 4 GPa of Hertz.
 BOOST_AUTO_TEST_CASE(warnings_that_need_the_scale_of_pressure) {
   program::Case input = example_case();

@@ -11,6 +11,7 @@
 #include "core/errors.hpp"
 #include "support/temporary_folder.hpp"
 #include "tables/children.hpp"
+#include "tables/csv.hpp"
 #include "tables/sweep_range.hpp"
 #include "tables/sweep_row.hpp"
 #include "tables/sweep_table.hpp"
@@ -39,9 +40,7 @@ program::SweepHeader header_of(const Texts& vary, const std::string& deck_text =
 }
 
 std::string row(const std::string& status) {
-  program::SweepRow filled;
-  filled.status = status;
-  return program::sweep_text(filled);
+  return program::csv_row(program::row_without_solution(program::sweep_row(false), status, 0, ""));
 }
 
 }  // namespace
@@ -141,23 +140,30 @@ BOOST_AUTO_TEST_CASE(rows) {
   solution.attempts = {{"full multigrid", "stalled", 0.1}, {"full multigrid, start 2", "", 0.1}};
   solution.method = "full multigrid, start 2";
   solution.converged = true;
-  const program::SweepRow good = program::row_of_solution(input, solution);
-  BOOST_TEST((good.status == "converged" && good.exit_status == 0 && good.Hc == 0.4 && good.Hm == 0.25));
-  BOOST_TEST((good.method == "full multigrid, start 2" && good.attempts == 2 && good.cycles == 7));
-  BOOST_TEST((good.nx == 4 && good.ny == 2 && good.error_Hm == 0.062 && good.work_units == 11.2));
+  const auto text_in = [](program::SweepRow row, const char* name) {
+    return std::get<std::string>(program::in_row(row, name));
+  };
+  const auto in = [](program::SweepRow row, const char* name) { return results::number(program::in_row(row, name)); };
+  const program::SweepRow good = program::row_of_solution(input, solution, program::sweep_row(false));
+  BOOST_TEST((text_in(good, "status") == "converged" && in(good, "exit_status") == 0 && in(good, "Hc") == 0.4 &&
+              in(good, "Hm") == 0.25));
+  BOOST_TEST(
+      (text_in(good, "method") == "full multigrid, start 2" && in(good, "attempts") == 2 && in(good, "cycles") == 7));
+  BOOST_TEST(
+      (in(good, "nx") == 4 && in(good, "ny") == 2 && in(good, "error_Hm") == 0.062 && in(good, "work_units") == 11.2));
   solution.converged = false;
   solution.failed_check = "the \"residual\",\nlevel #2";
-  const program::SweepRow bad = program::row_of_solution(input, solution);
-  BOOST_TEST((bad.status == "not-converged" && bad.exit_status == 3 && bad.residual == 3e-4));
-  for (const double number : {bad.Hc, bad.Hm, bad.P_max, bad.error_Hc, bad.error_Hm}) BOOST_TEST(std::isnan(number));
+  const program::SweepRow bad = program::row_of_solution(input, solution, program::sweep_row(false));
+  BOOST_TEST((text_in(bad, "status") == "not-converged" && in(bad, "exit_status") == 3 && in(bad, "residual") == 3e-4));
+  for (const char* name : {"Hc", "Hm", "P_max", "error_Hc", "error_Hm"}) BOOST_TEST(std::isnan(in(bad, name)));
 
-  const std::string text = program::sweep_text(bad);
+  const std::string text = program::csv_row(bad);
   BOOST_TEST(
       text.starts_with("not-converged,3,full multigrid; start 2,2,20,10,NaN,4,2,NaN,NaN,NaN,NaN,NaN,3e-04,2e-06,"),
       text);
   BOOST_TEST(text.ends_with(",\"the 'residual', level  2\""), text);
-  const std::string columns = program::sweep_columns(false);
-  const std::string clean = program::sweep_text(good);
+  const std::string columns = program::csv_names(program::sweep_row(false));
+  const std::string clean = program::csv_row(good);
   BOOST_TEST(std::count(columns.begin(), columns.end(), ',') == std::count(clean.begin(), clean.end(), ','));
 }
 

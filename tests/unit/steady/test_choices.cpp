@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "contact/groups.hpp"
-#include "fmg/full_multigrid.hpp"
+#include "fmg/start.hpp"
 #include "reference/circular_contact.hpp"
 #include "rheology/laws.hpp"
 #include "steady/continuation.hpp"
-#include "steady/cycles.hpp"
+#include "fmg/cycles.hpp"
 #include "steady/domain_error.hpp"
 #include "steady/resolution.hpp"
 
@@ -146,7 +146,7 @@ struct Grids {
 };
 
 steady::Judge residual_below(double tolerance) {
-  return [tolerance](int, const steady::StateOfLevel&, const steady::StateOfLevel& now) -> steady::Verdict {
+  return [tolerance](int, const judgement::Measures&, const judgement::Measures& now) -> steady::Verdict {
     return {now.residual < tolerance ? "" : "residual"};
   };
 }
@@ -161,7 +161,7 @@ BOOST_AUTO_TEST_CASE(end_when_the_judge_is_content) {
   BOOST_TEST((result.end == steady::CyclesEnd::content));
   BOOST_TEST(result.unmet.empty());
   BOOST_TEST(result.cycles < 15);
-  BOOST_TEST(steady::state_of_level(hierarchy, finest).residual < 1e-8);
+  BOOST_TEST(fmg::measures_of(hierarchy, finest).residual < 1e-8);
   // An easy contact asks for none.
   BOOST_TEST(caution.all == 1.0);
   BOOST_TEST(caution.steep == 1.0);
@@ -178,7 +178,7 @@ BOOST_AUTO_TEST_CASE(end_at_the_limit_and_where_nothing_helps) {
       steady::run_cycles(hierarchy, finest, 300, weights, caution, residual_below(0.0));
   BOOST_TEST((stalled.end == steady::CyclesEnd::stalled));
   BOOST_TEST(stalled.cycles < 60);
-  const steady::Judge hopeless = [](int, const steady::StateOfLevel&, const steady::StateOfLevel&) -> steady::Verdict {
+  const steady::Judge hopeless = [](int, const judgement::Measures&, const judgement::Measures&) -> steady::Verdict {
     return {"no such film", true};
   };
   const steady::CyclesResult none = steady::run_cycles(hierarchy, finest, 9, weights, caution, hopeless);

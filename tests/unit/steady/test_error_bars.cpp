@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "steady/error_bars.hpp"
-#include "steady/error_estimate.hpp"
+#include "judgement/error_estimate.hpp"
 #include "steady/scene.hpp"
 #include "steady/solution.hpp"
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/norms.hpp"
-#include "steady/fitted_minimum.hpp"
+#include "judgement/fitted_minimum.hpp"
 
 using namespace ehl;
 using namespace ehl::steady;

@@ -4,9 +4,9 @@
 #include <limits>
 #include <vector>
 
-#include "steady/checks.hpp"
-#include "steady/error_estimate.hpp"
-#include "steady/state_of_level.hpp"
+#include "judgement/stopping.hpp"
+#include "judgement/error_estimate.hpp"
+#include "judgement/measures.hpp"
 #include "steady/warnings.hpp"
 
 using namespace ehl;

@@ -7,10 +7,10 @@
 #include "contact/groups.hpp"
 #include "core/constants.hpp"
 #include "core/norms.hpp"
-#include "steady/checks.hpp"
+#include "judgement/stopping.hpp"
 #include "steady/solve.hpp"
-#include "steady/state_of_level.hpp"
-#include "steady/verification.hpp"
+#include "judgement/measures.hpp"
+#include "judgement/verification.hpp"
 
 using namespace ehl;
 using namespace ehl::steady;
