@@ -11,8 +11,8 @@
 #include "core/errors.hpp"
 #include "core/norms.hpp"
 #include "deck/text.hpp"
-#include "steady/solve.hpp"
 #include "judgement/measures.hpp"
+#include "steady/solve.hpp"
 #include "tables/csv.hpp"
 
 namespace ehl::program {

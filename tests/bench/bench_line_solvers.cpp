@@ -84,7 +84,7 @@ struct SweepCost {
 };
 
 /// Sweeps from the same pressure again and again.
-SweepCost sweep_cost(fmg::Hierarchy& hierarchy, const Field& P) {
+SweepCost sweep_cost(fmg::Hierarchy& hierarchy, const fmg::RelaxationParameters& how, const Field& P) {
   fmg::Level& level = hierarchy.finest();
   SweepCost best;
   const double nodes = static_cast<double>(level.grid.nodes_x()) * level.grid.nodes_y();
@@ -93,7 +93,7 @@ SweepCost sweep_cost(fmg::Hierarchy& hierarchy, const Field& P) {
     fmg::update_film(hierarchy, level);
     hierarchy.times = {};
     const double start = ehl::core::now();
-    fmg::relax(hierarchy, level);
+    fmg::relax(hierarchy, level, how);
     const double seconds = ehl::core::now() - start;
     spent += seconds;
     best.sweep = std::min(best.sweep, 1e9 * seconds / nodes);
@@ -136,7 +136,7 @@ void print_sweeps() {
         for (fmg::Level& level : hierarchy.levels)
           level.thread_work.assign(1, fmg::make_thread_work(level.grid, hierarchy.problem.film, parameters.relaxation));
         const bool eliminates = solver == fmg::LineSolver::elimination;
-        const SweepCost cost = sweep_cost(hierarchy, solution.levels.back().P);
+        const SweepCost cost = sweep_cost(hierarchy, parameters.relaxation, solution.levels.back().P);
         const double band = eliminates ? alone.elimination : alone.decimation;
         std::printf("%5d  %5d  %-12s %7.1f  %15.1f  %18.2f  %17.0f%%\n", n, reach,
                     eliminates ? "elimination" : "decimation", cost.sweep, cost.lines, band, 100.0 * band / cost.sweep);

@@ -15,6 +15,7 @@
 namespace mlmi = ehl::mlmi;
 using ehl::core::Field;
 using ehl::core::Grid;
+using ehl::core::Patch;
 
 namespace {
 // Best of several evaluations, seconds.
@@ -31,14 +32,14 @@ double cost(mlmi::Deformation& evaluator, const Field& P, Field& w) {
 }
 
 // The same on the lower half of the domain, of a pressure that is symmetric in Y.
-double cost_of_half(const Grid& grid, const mlmi::Parameters& parameters, int threads, const Field& P) {
+double cost_of_half(const Patch& grid, const mlmi::Parameters& parameters, int threads, const Field& P) {
   mlmi::Deformation evaluator(ehl::core::lower_half(grid), parameters, threads);
   const Field half = ehl::tests::half_of(grid, P);
   Field w(ehl::core::lower_half(grid));
   return cost(evaluator, half, w);
 }
 
-void report(const Grid& grid, const mlmi::Parameters& parameters, int threads, const Field& P, const Field& truth) {
+void report(const Patch& grid, const mlmi::Parameters& parameters, int threads, const Field& P, const Field& truth) {
   const double start = ehl::core::now();
   mlmi::Deformation evaluator(grid, parameters, threads);
   const double setup = ehl::core::now() - start;
@@ -53,7 +54,7 @@ void report(const Grid& grid, const mlmi::Parameters& parameters, int threads, c
   std::fflush(stdout);
 }
 
-void scan(const Grid& grid, int threads, const Field& P, const Field& truth) {
+void scan(const Patch& grid, int threads, const Field& P, const Field& truth) {
   for (const int coarsenings : {2, 4})
     for (const int order : {4, 6, 8})
       for (const auto& patch : {std::pair{5, 2}, {7, 2}, {7, 3}, {7, 4}, {9, 3}, {9, 4}, {11, 5}})

@@ -38,7 +38,7 @@ core::Field lubricated(double M, double L) {
 }
 
 // Mean of |P - P_dry| in units of the mean pressure.
-double distance(const core::Grid& grid, const core::Field& P, const core::Field& dry) {
+double distance(const core::Patch& grid, const core::Field& P, const core::Field& dry) {
   double sum = 0.0;
   for (int i = 0; i <= cells; ++i)
     for (int j = 0; j <= cells; ++j) sum += std::abs(P(i, j) - dry(i, j));

@@ -35,7 +35,7 @@ struct Film {
   double Hm;
 };
 /// In Moes' units, extrapolated to mesh size zero.
-Film film(const steady::Scene& scene) {
+Film film_of(const steady::Scene& scene) {
   const steady::Solution solution = steady::solve(scene);
   BOOST_TEST(solution.converged, solution.failed_check);
   return {contact::H_to_moes_units(solution.error_bars.Hc_extrapolated.value, scene.M, scene.shape),
@@ -60,11 +60,11 @@ BOOST_AUTO_TEST_CASE(independent_program) {
   for (const Row& row : {Row{100, 4.77, 3.86, 4.960, 3.996}, Row{300, 4.40, 3.49, 4.471, 3.564}}) {
     BOOST_TEST_MESSAGE("M = " << row.M << ", L = 10, R_x/R_y = 0.2:");
     steady::Scene scene = scene_of(row.M, 10, contact::ellipse(0.2), 256);
-    const Film chosen = film(scene);
+    const Film chosen = film_of(scene);
     check("Hc on the chosen domain, on an infinite one", chosen.Hc, row.Hc_infinite, 0.01);
     check("Hm", chosen.Hm, row.Hm_infinite, 0.01);
     scene.grid = {256, 512, -3.0, 1.5, -4.335, 4.335};
-    const Film found = film(scene);
+    const Film found = film_of(scene);
     check("Hc on the short domain", found.Hc, row.Hc, 0.01);
     check("Hm", found.Hm, row.Hm, 0.01);
   }
@@ -101,15 +101,15 @@ BOOST_AUTO_TEST_CASE(exact_discrete_solutions) {
 // point contact is still a little thinner, at 0.2 by 3 %.
 BOOST_AUTO_TEST_CASE(limit_of_a_line) {
   BOOST_TEST_MESSAGE("M = 100, L = 10, R_x/R_y = 0.05:");
-  const Film light = film(scene_of(100, 10, contact::ellipse(0.05), 256));
+  const Film light = film_of(scene_of(100, 10, contact::ellipse(0.05), 256));
   check("Hc", light.Hc, 5.5341, 0.01);
   check("Hm", light.Hm, 4.5939, 0.01);
   BOOST_TEST_MESSAGE("M = 300, L = 10, R_x/R_y = 0.05:");
-  const Film heavy = film(scene_of(300, 10, contact::ellipse(0.05), 256));
+  const Film heavy = film_of(scene_of(300, 10, contact::ellipse(0.05), 256));
   check("Hc", heavy.Hc, 4.9961, 0.01);
   check("Hm", heavy.Hm, 4.2169, 0.01);
   BOOST_TEST_MESSAGE("M = 300, L = 10, R_x/R_y = 0.2:");
-  const double wide = film(scene_of(300, 10, contact::ellipse(0.2), 256)).Hc / 4.5684;
+  const double wide = film_of(scene_of(300, 10, contact::ellipse(0.2), 256)).Hc / 4.5684;
   const double wider = heavy.Hc / 4.9961;
   BOOST_TEST_MESSAGE("  Hc over the line's: " << wide << ", at 0.05 " << wider);
   BOOST_TEST(std::abs(1.0 - wider) < 0.5 * std::abs(1.0 - wide));
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(formula_over_a_map) {
         const contact::Ellipse shape = contact::ellipse(ratio);
         const double formula = contact::nijenbanning_venner_moes(M, L, shape);
         BOOST_TEST_MESSAGE("R_x/R_y = " << ratio << ", M = " << M << ", L = " << L << ":");
-        check("Hc", film(scene_of(M, L, shape, 256)).Hc, formula, 0.15);
+        check("Hc", film_of(scene_of(M, L, shape, 256)).Hc, formula, 0.15);
       }
 }
 

@@ -35,7 +35,7 @@ Marched released(const steady::Scene& scene, const Conditions& conditions, const
 
 /// Sum of eps |grad P|^2 over the domain, eps at half points the mean of the nodes: what the film turns into heat.
 double dissipation(const steady::Scene& scene, const Frame& frame) {
-  const core::Grid& grid = scene.grid;
+  const core::Patch& grid = scene.grid;
   const auto eps = [&](int i, int j) { return std::pow(frame.H(i, j), 3) / scene.lambda; };
   double sum = 0.0;
   const auto between = [&](int i, int j, int k, int l, double step) {

@@ -7,9 +7,10 @@
 #include "contact/film_formulas.hpp"
 #include "convergence/circular_scene.hpp"
 #include "core/norms.hpp"
+#include "fmg/cycles.hpp"
 #include "fmg/start.hpp"
-#include "newton/solve.hpp"
 #include "judgement/measures.hpp"
+#include "newton/solve.hpp"
 
 using namespace ehl;
 
@@ -26,9 +27,8 @@ BOOST_AUTO_TEST_CASE(newton_from_hertz_gives_the_reference_digits) {
   for (const reference::CircularContact& contact : reference::circular_contacts) {
     if (contact.n > 128) continue;
     const steady::Scene scene = test::scene_of(contact);
-    const fmg::Problem problem{
-        .film = {.lambda = scene.lambda, .viscosity = scene.viscosity, .density = scene.density},
-        .transport = scene.wedge};
+    const fmg::Problem problem{.film = {.lambda = scene.lambda, .viscosity = scene.viscosity, .density = scene.density},
+                               .transport = scene.wedge};
     mlmi::Parameters deformation;
     deformation.method = mlmi::Method::fft;
     fmg::Hierarchy hierarchy = fmg::make_hierarchy(problem, {}, deformation, scene.grid, 1);

@@ -21,7 +21,7 @@ class Random {
 };
 
 /// Every node, the boundary included, uniform between low and high.
-inline core::Field random_field(const core::Grid& grid, Random& random, double low, double high) {
+inline core::Field random_field(const core::Patch& grid, Random& random, double low, double high) {
   core::Field field(grid);
   for (int i = 0; i <= grid.nx; ++i)
     for (int j = 0; j <= grid.ny; ++j) field(i, j) = random.between(low, high);

@@ -13,16 +13,16 @@ const Grid grids[] = {{5, 4, -2, 1, -1.5, 1.5}, {8, 14, -3, 1.5, -2, 2}, {12, 16
 
 BOOST_AUTO_TEST_CASE(the_half_and_the_whole_are_each_others_inverse) {
   for (const Grid& grid : grids) {
-    const Grid half = lower_half(grid);
-    BOOST_TEST((whole(half) == grid));
-    BOOST_TEST((whole(grid) == grid));
-    BOOST_TEST(!(half == grid));
+    const Patch half = lower_half(grid);
+    BOOST_TEST((half.domain == grid));
+    BOOST_TEST((Patch(grid).domain == grid));
+    BOOST_TEST(!(half == Patch(grid)));
     BOOST_TEST(half.hy() == grid.hy());
     BOOST_TEST(std::abs(half.Y(half.ny)) < 1e-15);
     BOOST_TEST(half.last_line() == grid.ny / 2);
-    BOOST_TEST(grid.last_line() == grid.ny - 1);
+    BOOST_TEST(Patch(grid).last_line() == grid.ny - 1);
   }
-  const Grid coarse = coarsened(lower_half(grids[2]));
+  const Patch coarse = coarsened(lower_half(grids[2]));
   BOOST_TEST((coarse == lower_half(coarsened(grids[2]))));
 }
 
@@ -34,7 +34,7 @@ BOOST_AUTO_TEST_CASE(image_lines_stand_behind_the_axis) {
       for (int j = 0; j <= grid.ny / 2 + ghost_lines; ++j) BOOST_TEST(f.half(i, j) == f.whole(i, j));
     BOOST_TEST(difference_of_half(grid, f.whole, f.half) == 0.0);
     Field untouched = f.whole;
-    make_images(grid, untouched);
+    fill_ghosts(grid, untouched);
     for (int i = 0; i <= grid.nx; ++i) BOOST_TEST(untouched(i, grid.ny + 1) == 0.0);
   }
 }

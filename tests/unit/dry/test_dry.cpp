@@ -18,7 +18,7 @@ constexpr double load = 2.0 * pi / 3.0;
 
 core::Grid square(int cells, double half = 1.5) { return {cells, cells, -half, half, -half, half}; }
 
-dry::Problem smooth(const core::Grid& grid, mlmi::Method method = mlmi::Method::fft) {
+dry::Problem smooth(const core::Patch& grid, mlmi::Method method = mlmi::Method::fft) {
   return {grid, dry::smooth_gap(grid), load, {.method = method}, {}, 1};
 }
 
@@ -41,7 +41,7 @@ Errors against_hertz(int cells, mlmi::Method method) {
 
 // G = smooth + A cos(2 pi X/wavelength).
 dry::Problem wavy(int cells, double amplitude, double wavelength) {
-  const ehl::core::Patch grid = core::lower_half(square(cells, 1.25));
+  const core::Patch grid = core::lower_half(square(cells, 1.25));
   dry::Problem problem = smooth(grid);
   for (int i = 0; i < grid.nodes_x(); ++i)
     for (int j = 0; j < grid.nodes_y(); ++j)
@@ -50,7 +50,7 @@ dry::Problem wavy(int cells, double amplitude, double wavelength) {
 }
 
 // Amplitude of -cos(2 pi X/wavelength) in P along Y = 0, over the two waves in the middle.
-double amplitude_of(const core::Grid& grid, const core::Field& P, double wavelength) {
+double amplitude_of(const core::Patch& grid, const core::Field& P, double wavelength) {
   const int wave = static_cast<int>(std::lround(wavelength / grid.hx()));
   double sum = 0.0;
   for (int i = grid.nx / 2 - wave; i < grid.nx / 2 + wave; ++i)

@@ -24,7 +24,7 @@ inline fmg::Problem circular_contact(double M, double L, reynolds::Wedge wedge) 
 /// A state as in the middle of a solution, but rough: pressures with noise, a third of the nodes outside the contact
 /// cavitated, right-hand sides of both equations.
 inline void set_rough_state(fmg::Hierarchy& hierarchy, fmg::Level& level, Random& random) {
-  const core::Grid& grid = level.grid;
+  const core::Patch& grid = level.grid;
   for (int i = 1; i < grid.nx; ++i)
     for (int j = 1; j < grid.ny; ++j) {
       const double X = grid.X(i);

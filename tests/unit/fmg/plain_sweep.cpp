@@ -6,11 +6,13 @@
 #include <cstdlib>
 #include <vector>
 
+#include "reynolds/flux.hpp"
+
 namespace ehl::tests {
 namespace {
 
 using core::Field;
-using core::Grid;
+using core::Patch;
 
 /// epsilon/h^2 at the half points around a node.
 struct Around {
@@ -54,7 +56,7 @@ class Sweep {
   }
 
   bool is_distributive(int i, int j) const {
-    return !(reynolds::ruptures(problem_.cavitation) && beside_cavitation(i, j)) && !single_by_epsilon(i, j);
+    return !(ehl::reynolds::ruptures(problem_.cavitation) && beside_cavitation(i, j)) && !single_by_epsilon(i, j);
   }
 
   bool single_by_epsilon(int i, int j) const {
@@ -62,14 +64,14 @@ class Sweep {
     const double most = std::max({e.west, e.east, e.south, e.north});
     const double least = std::min({e.west, e.east, e.south, e.north});
     return most * std::sqrt(most / least) >
-           parameters_.crossover * reynolds::relative_strength(problem_.transport, grid_.hx());
+           parameters_.crossover * ehl::reynolds::relative_strength(problem_.transport, grid_.hx());
   }
 
   /// U dg/dX + c g at i for g given at i, i-1, i-2.
   template <class Function>
   double transported(Function g, int i) const {
-    const reynolds::Transport& transport = problem_.transport;
-    const bool second = transport.wedge == reynolds::Wedge::upstream2 && i >= 2;
+    const ehl::reynolds::Transport& transport = problem_.transport;
+    const bool second = transport.wedge == ehl::reynolds::Wedge::upstream2 && i >= 2;
     const double slope = second ? 1.5 * g(i) - 2.0 * g(i - 1) + 0.5 * g(i - 2) : g(i) - g(i - 1);
     return transport.speed * slope / grid_.hx() + transport.squeeze * g(i);
   }
@@ -128,7 +130,7 @@ class Sweep {
     for (int i = 1; i <= points; ++i) distributive[static_cast<std::size_t>(i)] = is_distributive(i, j);
     for (int i = 1; i <= points; ++i) {
       const double r = residual(i, j);
-      if (reynolds::ruptures(problem_.cavitation) && result_.P(i, j) <= 0.0 && r >= 0.0) {
+      if (ehl::reynolds::ruptures(problem_.cavitation) && result_.P(i, j) <= 0.0 && r >= 0.0) {
         A(i - 1, i - 1) = 1.0;
         held.push_back(i);
         continue;
@@ -144,7 +146,7 @@ class Sweep {
     for (int i = 1; i <= points; ++i) {
       const bool distributes = distributive[static_cast<std::size_t>(i)];
       delta_(i, j) = weight(i, j, distributes) * x(i - 1);
-      if (distributes && reynolds::ruptures(problem_.cavitation) && problem_.transport.squeeze > 0.0 &&
+      if (distributes && ehl::reynolds::ruptures(problem_.cavitation) && problem_.transport.squeeze > 0.0 &&
           delta_(i, j) < -result_.P(i, j)) {
         delta_(i, j) = -result_.P(i, j);  // no more than there is
         ++result_.withheld;
@@ -160,7 +162,7 @@ class Sweep {
         double P =
             result_.P(i, j) + delta_(i, j) -
             (distributed_(i - 1, j) + distributed_(i + 1, j) + distributed_(i, j - 1) + distributed_(i, j + 1)) / 4.0;
-        if (reynolds::ruptures(problem_.cavitation) && P < 0.0) {
+        if (ehl::reynolds::ruptures(problem_.cavitation) && P < 0.0) {
           P = 0.0;
           ++result_.clipped;
         }
@@ -171,7 +173,7 @@ class Sweep {
   const fmg::Problem& problem_;
   const fmg::RelaxationParameters& parameters_;
   const fmg::Level& level_;
-  const Grid& grid_;
+  const Patch& grid_;
   Field delta_;
   Field distributed_;
   PlainSweep result_;

@@ -14,6 +14,7 @@ using namespace ehl::tests;
 namespace fmg = ehl::fmg;
 using ehl::core::Field;
 using ehl::core::Grid;
+using ehl::core::Patch;
 using ehl::reynolds::Wedge;
 
 namespace {
@@ -21,8 +22,8 @@ namespace {
 // The elastic film's part of the coupling, as coarse_problem.hpp states it.
 constexpr double elastic_coupling = 0.5;
 
-fmg::Hierarchy two_levels(const Grid& fine,
-                          reynolds::Cavitation cavitation = reynolds::Cavitation::nonnegative_pressure) {
+fmg::Hierarchy two_levels(const Patch& fine,
+                          ehl::reynolds::Cavitation cavitation = ehl::reynolds::Cavitation::nonnegative_pressure) {
   fmg::Problem problem = circular_contact(20, 10, Wedge::upstream2);
   problem.cavitation = cavitation;
   fmg::Parameters parameters;
@@ -77,7 +78,7 @@ class Scatter {
   Field sums_;
 };
 
-double largest_interior_difference(const Grid& grid, const Field& a, const auto& b) {
+double largest_interior_difference(const Patch& grid, const Field& a, const auto& b) {
   double largest = 0.0;
   for (int i = 1; i < grid.nx; ++i)
     for (int j = 1; j < grid.ny; ++j) {
@@ -92,7 +93,7 @@ double largest_interior_difference(const Grid& grid, const Field& a, const auto&
 BOOST_AUTO_TEST_CASE(residuals_go_down_by_full_weighting_where_epsilon_is_constant) {
   fmg::Hierarchy hierarchy = two_levels(fine_grid);
   fmg::Level& fine = hierarchy.levels[1];
-  const Grid& grid = hierarchy.levels[0].grid;
+  const Patch& grid = hierarchy.levels[0].grid;
   Random random(1);
   fine.r = random_field(fine_grid, random, -1.0, 1.0);
   for (int i = 0; i <= fine_grid.nx; ++i)
@@ -113,7 +114,7 @@ BOOST_AUTO_TEST_CASE(residuals_go_down_by_full_weighting_where_epsilon_is_consta
 BOOST_AUTO_TEST_CASE(residuals_are_shared_by_coupling_and_none_is_lost) {
   fmg::Hierarchy hierarchy = two_levels(fine_grid);
   fmg::Level& fine = hierarchy.levels[1];
-  const Grid& grid = hierarchy.levels[0].grid;
+  const Patch& grid = hierarchy.levels[0].grid;
   Random random(2);
   for (int i = 0; i <= fine_grid.nx; ++i)
     for (int j = 0; j <= fine_grid.ny; ++j) fine.eps(i, j) = std::pow(10.0, random.between(-8.0, 4.0));
@@ -138,7 +139,7 @@ BOOST_AUTO_TEST_CASE(residuals_are_shared_by_coupling_and_none_is_lost) {
 BOOST_AUTO_TEST_CASE(strong_residuals_stay_on_their_side_of_a_jump) {
   fmg::Hierarchy hierarchy = two_levels(fine_grid);
   fmg::Level& fine = hierarchy.levels[1];
-  const Grid& grid = hierarchy.levels[0].grid;
+  const Patch& grid = hierarchy.levels[0].grid;
   const double h2 = fine_grid.hx() * fine_grid.hx();
   const double strong = 1e4;  // epsilon/h^2 for i <= 10, beyond it nothing
   for (int i = 0; i <= fine_grid.nx; ++i)
@@ -200,7 +201,7 @@ BOOST_AUTO_TEST_CASE(the_film_is_equation_6) {
 BOOST_AUTO_TEST_CASE(the_coarse_problem_starts_with_what_is_left_of_the_fine_one) {
   // Full approximation: at the restricted state the coarse film is the fine one, and the coarse residuals of all three
   // equations are the restricted fine ones. Without cavitation no residual is left out.
-  fmg::Hierarchy hierarchy = two_levels(fine_grid, reynolds::Cavitation::none);
+  fmg::Hierarchy hierarchy = two_levels(fine_grid, ehl::reynolds::Cavitation::none);
   fmg::Level& fine = hierarchy.levels[1];
   fmg::Level& coarse = hierarchy.levels[0];
   Random random(5);

@@ -55,8 +55,8 @@ void same_state(const fmg::Level& a, const fmg::Level& b) {
 
 BOOST_AUTO_TEST_CASE(a_solution_is_a_fixed_point_of_relaxation_and_cycles) {
   for (const Wedge wedge : {Wedge::upstream1, Wedge::upstream2}) {
-    fmg::Hierarchy hierarchy = fmg::make_hierarchy(circular_contact(50, 10, wedge), {},
-                                                   {.method = ehl::mlmi::Method::fft}, {64, 64, -4.5, 1.5, -3, 3}, 1);
+    fmg::Hierarchy hierarchy = fmg::make_hierarchy(
+        circular_contact(50, 10, wedge), {}, {.method = ehl::mlmi::Method::fft}, Grid{64, 64, -4.5, 1.5, -3, 3}, 1);
     const std::size_t finest = hierarchy.levels.size() - 1;
     BOOST_REQUIRE(finest > 0);
     fmg::Level& level = hierarchy.finest();
@@ -86,8 +86,9 @@ BOOST_AUTO_TEST_CASE(a_solution_is_a_fixed_point_of_relaxation_and_cycles) {
     stays("a relaxation", hierarchy, P, H, H00);
     for (const fmg::Cycle cycle : {fmg::Cycle::V, fmg::Cycle::W, fmg::Cycle::F}) {
       back_to_the_solution();
-      hierarchy.parameters.cycle = cycle;
-      fmg::fas_cycle(hierarchy, finest);
+      fmg::Parameters how = hierarchy.parameters;
+      how.cycle = cycle;
+      fmg::fas_cycle(hierarchy, finest, how);
       stays(cycle == fmg::Cycle::V   ? "a V cycle"
             : cycle == fmg::Cycle::W ? "a W cycle"
                                      : "an F cycle",

@@ -11,11 +11,12 @@ using namespace ehl::tests;
 namespace fmg = ehl::fmg;
 using ehl::core::Field;
 using ehl::core::Grid;
+using ehl::core::Patch;
 using ehl::reynolds::Wedge;
 
 namespace {
 
-void make_symmetric(const Grid& grid, Field& field) {
+void make_symmetric(const Patch& grid, Field& field) {
   for (int i = 0; i <= grid.nx; ++i)
     for (int j = 0; 2 * j < grid.ny; ++j) field(i, grid.ny - j) = field(i, j);
 }
@@ -29,22 +30,22 @@ void set_both(fmg::Hierarchy& whole, fmg::Hierarchy& half, std::uint64_t seed) {
   make_symmetric(all.grid, all.P);
   make_symmetric(all.grid, all.F);
   make_symmetric(all.grid, all.f);
-  one.P = half_of(all.grid, all.P);
-  one.F = half_of(all.grid, all.F);
-  one.f = half_of(all.grid, all.f);
+  one.P = half_of(all.grid.domain, all.P);
+  one.F = half_of(all.grid.domain, all.F);
+  one.f = half_of(all.grid.domain, all.f);
   half.H00 = whole.H00;
   fmg::update_film(whole, all);
   fmg::update_film(half, one);
 }
 
-fmg::Hierarchy hierarchy_on(const Grid& grid, const fmg::Parameters& parameters, Wedge wedge, int threads = 1) {
+fmg::Hierarchy hierarchy_on(const Patch& grid, const fmg::Parameters& parameters, Wedge wedge, int threads = 1) {
   return fmg::make_hierarchy(circular_contact(20, 10, wedge), parameters, {.method = ehl::mlmi::Method::fft}, grid,
                              threads);
 }
 
 double difference_of_P(const fmg::Hierarchy& whole, const fmg::Hierarchy& half) {
   const fmg::Level& all = whole.levels.back();
-  return difference_of_half(all.grid, all.P, half.levels.back().P);
+  return difference_of_half(all.grid.domain, all.P, half.levels.back().P);
 }
 
 constexpr double tolerance = 1e-11;
@@ -55,8 +56,8 @@ void compare_levels(const char* when, fmg::Hierarchy& whole, fmg::Hierarchy& hal
   fmg::Level& one = half.levels[l];
   fmg::update_residual(whole, all);
   fmg::update_residual(half, one);
-  const double P = difference_of_half(all.grid, all.P, one.P);
-  const double r = difference_of_half(all.grid, all.r, one.r) / ehl::core::max_abs(all.r);
+  const double P = difference_of_half(all.grid.domain, all.P, one.P);
+  const double r = difference_of_half(all.grid.domain, all.r, one.r) / ehl::core::max_abs(all.r);
   BOOST_TEST_MESSAGE(when << ": difference of P " << P << ", of the residual " << r << " (tolerance " << tolerance
                           << " and 1e-9)");
   BOOST_TEST(P < tolerance);

@@ -12,11 +12,12 @@ using namespace ehl::tests;
 namespace fmg = ehl::fmg;
 using ehl::core::Field;
 using ehl::core::Grid;
+using ehl::core::Patch;
 using ehl::reynolds::Wedge;
 
 namespace {
 
-fmg::Hierarchy one_level(const fmg::Problem& problem, const fmg::RelaxationParameters& relaxation, const Grid& grid) {
+fmg::Hierarchy one_level(const fmg::Problem& problem, const fmg::RelaxationParameters& relaxation, const Patch& grid) {
   fmg::Parameters parameters;
   parameters.relaxation = relaxation;
   parameters.coarsest_cells = grid.nx;
@@ -32,7 +33,7 @@ struct Counts {
 constexpr double tolerance = 1e-12;
 
 void compare_with_plain_sweep(const fmg::Problem& problem, const fmg::RelaxationParameters& relaxation,
-                              const Grid& grid, Counts& counts) {
+                              const Patch& grid, Counts& counts) {
   fmg::Hierarchy hierarchy = one_level(problem, relaxation, grid);
   fmg::Level& level = hierarchy.finest();
   Random random(static_cast<std::uint64_t>(100 * grid.nx + grid.ny));
@@ -96,7 +97,7 @@ BOOST_AUTO_TEST_CASE(one_sweep_is_the_sweep_written_point_by_point) {
 BOOST_AUTO_TEST_CASE(one_sweep_without_cavitation_lets_pressures_be_negative) {
   Counts counts;
   fmg::Problem problem = circular_contact(20, 10, Wedge::upstream2);
-  problem.cavitation = reynolds::Cavitation::none;
+  problem.cavitation = ehl::reynolds::Cavitation::none;
   // Roelands' law has no value far below zero.
   problem.film.viscosity = ehl::rheology::Isoviscous{};
   problem.film.density = ehl::rheology::Incompressible{};
@@ -120,7 +121,7 @@ BOOST_AUTO_TEST_CASE(elimination_and_decimation_agree_on_the_systems_of_the_rela
       fmg::RelaxationParameters relaxation;
       relaxation.reach = reach;
       const fmg::Problem problem = circular_contact(M, 10, Wedge::upstream2);
-      fmg::Hierarchy hierarchy = one_level(problem, relaxation, {64, 64, -4.5, 1.5, -3, 3});
+      fmg::Hierarchy hierarchy = one_level(problem, relaxation, Grid{64, 64, -4.5, 1.5, -3, 3});
       fmg::Level& level = hierarchy.finest();
       fmg::start_from_hertz(hierarchy, 0, M > 500.0 ? -0.96 : -0.7, 3);
       const Field start = level.P;

@@ -10,7 +10,7 @@ namespace ehl::tests {
 
 /// f(X, Y) on the nodes of the grid.
 template <class Function>
-core::Field sampled(const core::Grid& grid, Function f) {
+core::Field sampled(const core::Patch& grid, Function f) {
   core::Field field(grid);
   for (int i = 0; i <= grid.nx; ++i)
     for (int j = 0; j <= grid.ny; ++j) field(i, j) = f(grid.X(i), grid.Y(j));
@@ -31,7 +31,7 @@ inline double contact_pressure(double X, double Y) {
 }
 
 /// Numbers without any smoothness, all nodes non-zero, the same on every machine.
-inline core::Field rough(const core::Grid& grid) {
+inline core::Field rough(const core::Patch& grid) {
   core::Field field(grid);
   unsigned state = 12345u;
   for (int i = 0; i <= grid.nx; ++i)
@@ -43,7 +43,7 @@ inline core::Field rough(const core::Grid& grid) {
 }
 
 /// The deformation under P by the method that the parameters name.
-inline core::Field deformation(const core::Grid& grid, const core::Field& P, const mlmi::Parameters& parameters,
+inline core::Field deformation(const core::Patch& grid, const core::Field& P, const mlmi::Parameters& parameters,
                                int threads = 1) {
   core::Field w(grid);
   mlmi::Deformation(grid, parameters, threads).evaluate(P, w);
@@ -51,7 +51,7 @@ inline core::Field deformation(const core::Grid& grid, const core::Field& P, con
 }
 
 /// Largest difference of dw/dX (central differences) over the nodes.
-inline double slope_difference(const core::Grid& grid, const core::Field& a, const core::Field& b) {
+inline double slope_difference(const core::Patch& grid, const core::Field& a, const core::Field& b) {
   double largest = 0.0;
   for (int i = 1; i < grid.nx; ++i)
     for (int j = 0; j <= grid.ny; ++j)

@@ -8,6 +8,7 @@
 using namespace ehl::tests;
 using ehl::core::Field;
 using ehl::core::Grid;
+using ehl::core::Patch;
 using ehl::mlmi::Method;
 using ehl::mlmi::Parameters;
 

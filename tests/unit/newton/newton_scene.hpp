@@ -9,7 +9,7 @@
 namespace ehl::tests {
 
 /// Roelands (z = 0.68, alpha = 2.2e-8 1/Pa) and Dowson-Higginson, film by Fourier transforms: exact.
-inline fmg::Hierarchy newton_hierarchy(double M, double L, const core::Grid& grid, int threads,
+inline fmg::Hierarchy newton_hierarchy(double M, double L, const core::Patch& grid, int threads,
                                        reynolds::Wedge wedge = reynolds::Wedge::upstream2,
                                        std::optional<rheology::ShearThinning> thinning = {}) {
   const contact::Groups groups = contact::from_moes(M, L);

@@ -13,11 +13,12 @@
 #include "core/errors.hpp"
 #include "core/norms.hpp"
 #include "fmg/cycle.hpp"
+#include "fmg/cycles.hpp"
+#include "judgement/measures.hpp"
 #include "newton/equations.hpp"
 #include "newton/gmres.hpp"
 #include "newton/preconditioner.hpp"
 #include "newton/solve.hpp"
-#include "judgement/measures.hpp"
 #include "support/random.hpp"
 #include "unit/newton/newton_scene.hpp"
 
@@ -32,7 +33,7 @@ constexpr core::Grid square(int n) { return {n, n, -2.5, 1.5, -2.0, 2.0}; }
 /// Hertz pressure with noise inside, light pressures and cavitated nodes mixed outside; every number away from zero.
 std::vector<double> mixed_unknowns(const newton::Equations& equations, Random& random) {
   std::vector<double> u(equations.size());
-  const core::Grid& grid = equations.grid();
+  const core::Patch& grid = equations.grid();
   for (int i = 1; i < grid.nx; ++i)
     for (int j = 1; j < grid.ny; ++j) {
       const double X = grid.X(i);
@@ -161,7 +162,7 @@ BOOST_AUTO_TEST_CASE(from_hertz_to_the_solution_of_the_cycles) {
   // The force balance alone can be off.
   alone.levels[l].load *= 1.0 + 1e-6;
   BOOST_TEST(newton::solve(alone, l).converged);
-  BOOST_TEST(state_of_level(alone, l).load_error <= 1e-11);
+  BOOST_TEST(fmg::measures_of(alone, l).load_error <= 1e-11);
 }
 
 BOOST_AUTO_TEST_CASE(failures_are_told) {
@@ -193,7 +194,7 @@ BOOST_AUTO_TEST_CASE(failures_are_told) {
   BOOST_TEST(!result.equations_met);
   BOOST_REQUIRE(result.steps.size() == 3U);
   BOOST_REQUIRE(result.steps[1].residual < result.steps[2].residual);
-  BOOST_TEST(state_of_level(stopped, l).residual == result.steps[1].residual);
+  BOOST_TEST(fmg::measures_of(stopped, l).residual == result.steps[1].residual);
   const core::Field H = stopped.levels[l].H;
   fmg::update_film(stopped, stopped.levels[l]);
   BOOST_TEST(core::max_abs_difference(H, stopped.levels[l].H) == 0.0);
@@ -202,8 +203,10 @@ BOOST_AUTO_TEST_CASE(failures_are_told) {
   BOOST_CHECK_THROW(newton::solve(stopped, l, {}, [&](const newton::Step&) { return ++calls < 2; }), core::Interrupted);
   BOOST_TEST(calls == 2);
   // A problem without force balance is another one.
-  stopped.problem.load.reset();
-  BOOST_CHECK_THROW(newton::solve(stopped, l), core::InputError);
+  fmg::Problem without_load = stopped.problem;
+  without_load.load.reset();
+  fmg::Hierarchy other = fmg::make_hierarchy(without_load, {}, {}, stopped.finest().grid, 1);
+  BOOST_CHECK_THROW(newton::solve(other, l), core::InputError);
 }
 
 BOOST_AUTO_TEST_CASE(same_bits_with_one_and_two_threads) {

@@ -11,6 +11,7 @@ using namespace ehl::tests;
 namespace reynolds = ehl::reynolds;
 using ehl::core::Field;
 using ehl::core::Grid;
+using ehl::core::Patch;
 using reynolds::Wedge;
 
 namespace {

@@ -10,6 +10,7 @@ using namespace ehl::tests;
 namespace reynolds = ehl::reynolds;
 using ehl::core::Field;
 using ehl::core::Grid;
+using ehl::core::Patch;
 using reynolds::Wedge;
 
 namespace {
@@ -19,7 +20,7 @@ namespace {
 constexpr double mu = 0.7, nu = -0.9, alpha = 1.1, beta = 0.6, gamma = -0.8, delta = 0.5;
 constexpr double growth_rho = 0.2;
 
-Fields sampled_fields(const Grid& grid) {
+Fields sampled_fields(const Patch& grid) {
   Fields fields = zero_fields(grid);
   for (int i = 0; i <= grid.nx; ++i)
     for (int j = 0; j <= grid.ny; ++j) {

@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "core/norms.hpp"
+#include "film/model.hpp"
 #include "unit/reynolds/fields.hpp"
 
 using namespace ehl::tests;
 namespace reynolds = ehl::reynolds;
 using ehl::core::Field;
 using ehl::core::Grid;
+using ehl::core::Patch;
 using reynolds::Wedge;
 
 namespace {
@@ -20,7 +22,7 @@ namespace {
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 // f - L(P) at one node, eq. (4) term by term.
-double residual_at(const Grid& grid, const Fields& s, const reynolds::Transport& transport, int i, int j) {
+double residual_at(const Patch& grid, const Fields& s, const reynolds::Transport& transport, int i, int j) {
   const double hx = grid.hx();
   const double hy = grid.hy();
   const double eps_west = 0.5 * (s.eps(i - 1, j) + s.eps(i, j));

@@ -142,9 +142,8 @@ fmg::Hierarchy hierarchy_with(double times_the_weights) {
   for (double* weight : {&parameters.relaxation.weight_distributed, &parameters.relaxation.weight_single,
                          &parameters.relaxation.weight_single_steep})
     *weight *= times_the_weights;
-  return fmg::make_hierarchy(
-      {.film = {.lambda = scene.lambda, .viscosity = scene.viscosity, .density = scene.density}}, parameters,
-      scene.deformation, scene.grid, 1);
+  return fmg::make_hierarchy({.film = {.lambda = scene.lambda, .viscosity = scene.viscosity, .density = scene.density}},
+                             parameters, scene.deformation, scene.grid, 1);
 }
 
 struct Grids {
@@ -188,7 +187,7 @@ BOOST_AUTO_TEST_CASE(end_at_the_limit_and_where_nothing_helps) {
 
 // (1000,10) on 32 x 32 cells: the equations are solved by a film that is negative.
 BOOST_AUTO_TEST_CASE(end_where_the_mesh_has_no_solution) {
-  fmg::Hierarchy coarse = tests::newton_hierarchy(1000, 10, {32, 32, -4.5, 1.5, -3.0, 3.0}, 1);
+  fmg::Hierarchy coarse = tests::newton_hierarchy(1000, 10, core::Grid{32, 32, -4.5, 1.5, -3.0, 3.0}, 1);
   fmg::start_from_hertz(coarse, 0, tests::first_H00(1000, 10), 0);
   BOOST_REQUIRE(newton::solve(coarse, 0).equations_met);
   const fmg::CycleObserver nobody = [](int, const judgement::Measures&) { return fmg::DiscretizationError{}; };

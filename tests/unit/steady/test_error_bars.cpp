@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "steady/error_bars.hpp"
 #include "judgement/error_estimate.hpp"
+#include "steady/error_bars.hpp"
 #include "steady/scene.hpp"
 #include "steady/solution.hpp"
 

@@ -9,7 +9,6 @@
 #include "judgement/fitted_minimum.hpp"
 
 using namespace ehl;
-using namespace ehl::steady;
 using namespace ehl::judgement;
 using boost::test_tools::tolerance;
 

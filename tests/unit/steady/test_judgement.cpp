@@ -4,9 +4,9 @@
 #include <limits>
 #include <vector>
 
-#include "judgement/stopping.hpp"
 #include "judgement/error_estimate.hpp"
 #include "judgement/measures.hpp"
+#include "judgement/stopping.hpp"
 #include "steady/warnings.hpp"
 
 using namespace ehl;

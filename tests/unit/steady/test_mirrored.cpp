@@ -82,7 +82,8 @@ BOOST_AUTO_TEST_CASE(a_minimum_on_the_axis_is_fitted_through_its_images) {
   for (int i = 0; i <= grid.nx; ++i)
     for (int j = 0; j <= grid.ny; ++j) film(i, j) = 1.0 + std::pow(grid.X(i) - 0.03, 2) + 0.3 * std::pow(grid.Y(j), 2);
   const judgement::FittedMinimum all = judgement::fitted_minimum(grid, film, 8, 8);
-  const judgement::FittedMinimum one = judgement::fitted_minimum(core::lower_half(grid), tests::half_of(grid, film), 8, 8);
+  const judgement::FittedMinimum one =
+      judgement::fitted_minimum(core::lower_half(grid), tests::half_of(grid, film), 8, 8);
   BOOST_TEST_MESSAGE("fitted at X = " << one.X << ", Y = " << one.Y << ", value - 1 = " << one.value - 1.0);
   BOOST_TEST(std::abs(one.X - 0.03) < 1e-12);
   BOOST_TEST(std::abs(one.value - 1.0) < 1e-12);

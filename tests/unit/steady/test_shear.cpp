@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(jacobian_products_are_the_slope_of_the_residual) {
   tests::Random random(5);
   // And on a mirrored grid, whose images it must know.
   constexpr core::Grid whole{32, 24, -3.0, 1.5, -2.0, 2.0};
-  for (const core::Grid& grid : {whole, core::lower_half(whole)})
+  for (const core::Patch& grid : {core::Patch(whole), core::lower_half(whole)})
     for (const ShearThinning& thinning : thinnings) {
       fmg::Hierarchy hierarchy = tests::newton_hierarchy(50, 10, grid, 1, reynolds::Wedge::upstream2, thinning);
       const std::size_t l = hierarchy.levels.size() - 1;

@@ -7,10 +7,11 @@
 #include "contact/groups.hpp"
 #include "core/constants.hpp"
 #include "core/norms.hpp"
-#include "judgement/stopping.hpp"
-#include "steady/solve.hpp"
+#include "fmg/cycles.hpp"
 #include "judgement/measures.hpp"
+#include "judgement/stopping.hpp"
 #include "judgement/verification.hpp"
+#include "steady/solve.hpp"
 
 using namespace ehl;
 using namespace ehl::steady;
@@ -39,9 +40,8 @@ Scene scene_of(reynolds::Wedge wedge) {
 
 // A pressure and H00 judged anew: film, coefficients and residual of a hierarchy that no cycle has touched.
 Measures judged_anew(const Scene& scene, const core::Field& P, double H00) {
-  const fmg::Problem problem{
-      .film = {.lambda = scene.lambda, .viscosity = scene.viscosity, .density = scene.density},
-      .transport = scene.wedge};
+  const fmg::Problem problem{.film = {.lambda = scene.lambda, .viscosity = scene.viscosity, .density = scene.density},
+                             .transport = scene.wedge};
   fmg::Hierarchy hierarchy = fmg::make_hierarchy(problem, scene.multigrid, scene.deformation, scene.grid, 1);
   fmg::Level& level = hierarchy.finest();
   core::copy(P, level.P);

@@ -271,7 +271,7 @@ BOOST_AUTO_TEST_CASE(a_coarser_grid_keeps_the_load_and_nearly_the_maximum) {
   BOOST_TEST_MESSAGE("with every second node half: " << alternating);
   BOOST_TEST(std::abs(alternating / field.mises.value - 1.0) < 1e-4);
   // Odd numbers of cells end the halving.
-  BOOST_TEST(stress_grid({96, 50, -1.0, 1.0, -0.5, 0.5}, {.most_cells = 10}).nx == 48);
+  BOOST_TEST(stress_grid(core::Grid{96, 50, -1.0, 1.0, -0.5, 0.5}, {.most_cells = 10}).nx == 48);
   // Half of a mirrored domain is none of a plane.
   BOOST_TEST(stress_grid(core::lower_half(grid), parameters).ny == 64);
 }

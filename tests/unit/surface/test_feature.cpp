@@ -38,7 +38,7 @@ void compare(const std::string& what, const Feature& feature, const std::vector<
   BOOST_TEST(worst <= rounding);
 }
 
-core::Field gap_field(const Feature& feature, const core::Grid& grid, double distance) {
+core::Field gap_field(const Feature& feature, const core::Patch& grid, double distance) {
   core::Field S(grid);
   add_gap(feature, grid, distance, S);
   return S;

@@ -25,7 +25,7 @@ HeightMap map_of(int nx, int ny, double dx, double dy, double X, double Y, Funct
   return map;
 }
 
-core::Field on_mesh(const HeightMap& map, const core::Grid& grid, double distance = 0.0) {
+core::Field on_mesh(const HeightMap& map, const core::Patch& grid, double distance = 0.0) {
   core::Field S(grid);
   add_average(map, grid, distance, S);
   return S;

@@ -11,6 +11,7 @@
 using ehl::core::coarsened;
 using ehl::core::Field;
 using ehl::core::Grid;
+using ehl::core::Patch;
 using ehl::tests::Random;
 namespace transfer = ehl::transfer;
 
@@ -20,7 +21,7 @@ namespace {
 const Grid fine_grid{26, 16, -1.5, 1.0, -0.5, 1.5};
 
 template <class Function>
-Field sampled(const Grid& grid, Function f) {
+Field sampled(const Patch& grid, Function f) {
   Field field(grid);
   for (int i = 0; i <= grid.nx; ++i)
     for (int j = 0; j <= grid.ny; ++j) field(i, j) = f(grid.X(i), grid.Y(j));
@@ -47,13 +48,13 @@ struct Polynomial {
 double smooth(double X, double Y) { return std::sin(2.0 * X + 0.3) * std::cos(1.5 * Y - 0.2); }
 
 template <class Prolong, class Function>
-double prolongation_error(const Grid& grid, Prolong prolong, Function f) {
+double prolongation_error(const Patch& grid, Prolong prolong, Function f) {
   Field fine(grid);
   prolong(coarsened(grid), sampled(coarsened(grid), f), fine);
   return ehl::core::max_abs_difference(fine, sampled(grid, f));
 }
 
-const auto bilinear = [](const Grid&, const Field& coarse, Field& fine) {
+const auto bilinear = [](const Patch&, const Field& coarse, Field& fine) {
   transfer::prolong_bilinear(coarse, fine, 1);
 };
 const auto bicubic = transfer::prolong_bicubic;
@@ -201,7 +202,7 @@ BOOST_AUTO_TEST_CASE(the_lower_half_of_a_symmetric_domain_is_treated_as_the_whol
   const Grid fine{24, 32, -3, 1.5, -2, 2};
   const Grid coarse = coarsened(fine);
   const ehl::core::Patch half_fine = ehl::core::lower_half(fine);
-  const Grid half_coarse = coarsened(half_fine);
+  const Patch half_coarse = coarsened(half_fine);
   Random random(5);
   const auto down = symmetric_field(fine, random, -1.0, 1.0);
   const auto up = symmetric_field(coarse, random, -1.0, 1.0);

@@ -35,18 +35,12 @@ BOOST_AUTO_TEST_CASE(the_drive_is_load_and_mean_speed) {
   BOOST_TEST(drive_at(conditions, 0.5).speed == 0.5 * (1.5 + 1.0));
   BOOST_TEST(drive_at(conditions, 1.5).speed == 0.5 * (0.5 + 3.0));
   BOOST_TEST((drive_at({}, 3.0).load == 1.0 && drive_at({}, 3.0).speed == 1.0));
-  std::optional<Drive> crossing;
-  const Course course = course_of(conditions, crossing);
-  BOOST_TEST(course.drive(0.5).load == 1.0);
-  crossing = Drive{1.1, 0.7};
-  BOOST_TEST((course.drive(0.5).load == 1.1 && course.drive(0.5).speed == 0.7));
-  BOOST_TEST(!course_of({}, crossing).surface);
+  BOOST_TEST(!course_of({}).surface);
 }
 
 BOOST_AUTO_TEST_CASE(every_surface_moves_with_its_own_speed) {
   const Conditions conditions = sliding();
-  const std::optional<Drive> nothing;
-  const Course course = course_of(conditions, nothing);
+  const Course course = course_of(conditions);
   const core::Grid grid{32, 16, -2.5, 1.5, -1, 1};
   core::Field S(grid);
   S.fill(7.0);  // written, not added to
@@ -122,8 +116,7 @@ BOOST_AUTO_TEST_CASE(a_measured_map_is_carried_like_a_feature) {
   conditions.on_1 = map;
   BOOST_TEST(symmetric(conditions));
   BOOST_TEST(longest_step(conditions, 100.0) == 0.05 / 2.0);
-  const std::optional<Drive> none;
-  const Course course = course_of(conditions, none);
+  const Course course = course_of(conditions);
   // The point at the middle has moved to -1 + (1 + 2)/2 = 0.5 after T = 1, a node of a fine mesh.
   const core::Grid grid{400, 8, -2.0, 2.0, -0.04, 0.04};
   core::Field S(grid);
