@@ -34,7 +34,7 @@ void Equations::make_scale() {
     for (int j = 1; j <= grid.last_line(); ++j) {
       const auto e = reynolds::faces_at(eps, eps_across, i, j, half);
       const double dq = level_.rho_bar(i, j) * level_.film_terms.K[0];
-      scale_[index(i, j)] = 1.0 / (e.west + e.east + e.south + e.north + c0 * dq);
+      scale_[index(i, j)] = 1.0 / (reynolds::total(e) + c0 * dq);
     }
   }
 }
@@ -126,15 +126,14 @@ void Equations::jacobian(std::span<const double> v, std::span<double> Jv) {
   const core::Field& eps_across = fmg::eps_across(level_);
 #pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
   for (int i = 1; i < grid.nx; ++i) {
-    const auto [c0, c1, c2] = reynolds::transport_weights(transport(), i, grid.hx());
+    const auto c = reynolds::transport_weights(transport(), i, grid.hx());
     const int upstream = std::max(i - 2, 0);
     for (int j = 1; j <= grid.last_line(); ++j) {
       const std::size_t k = index(i, j);
       const auto e = reynolds::faces_at(eps, eps_across, i, j, half);
       const auto de = reynolds::faces_at(deps, deps_across, i, j, half);
-      const double dr = c0 * dq(i, j) + c1 * dq(i - 1, j) + c2 * dq(upstream, j) -
-                        reynolds::poiseuille(e, dP_(i - 1, j), dP_(i + 1, j), dP_(i, j - 1), dP_(i, j + 1), dP_(i, j)) -
-                        reynolds::poiseuille(de, P(i - 1, j), P(i + 1, j), P(i, j - 1), P(i, j + 1), P(i, j));
+      const double dr = reynolds::transported(c, dq(i, j), dq(i - 1, j), dq(upstream, j)) -
+                        reynolds::poiseuille_at(e, dP_, i, j) - reynolds::poiseuille_at(de, P, i, j);
       Jv[k] = scale_[k] * dr + (wet_[k] ? 0.0 : v[k]);
     }
   }

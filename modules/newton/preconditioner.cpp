@@ -88,47 +88,34 @@ void Preconditioner::Implementation::assemble(Vector& column_of_H00) {
   const core::Patch& grid = equations.grid();
   const fmg::Level& level = equations.level();
   const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
-  const core::Field& deps = equations.local().eps;
-  const core::Field& deps_across = equations.local_eps_across();
   const core::Field& dq = equations.local().q;
-  const core::Field& deps_dH = equations.deps_dH();
-  const core::Field& deps_dH_across = equations.deps_dH_across();
-  const core::Field& P = level.P;
-  const core::Field& eps = level.eps;
-  const core::Field& eps_across = fmg::eps_across(level);
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(6 * order.size());
   for (std::size_t row = 0; row < order.size(); ++row) {
     const auto [i, j] = order[row];
     const double s = equations.scale(equations.index(i, j));
-    const auto [c0, c1, c2] = reynolds::transport_weights(equations.transport(), i, grid.hx());
-    const auto e = reynolds::faces_at(eps, eps_across, i, j, half);
-    const double centre = P(i, j);
-    const double west = half.X * (P(i - 1, j) - centre);
-    const double east = half.X * (P(i + 1, j) - centre);
-    const double south = half.Y * (P(i, j - 1) - centre);
-    const double north = half.Y * (P(i, j + 1) - centre);
+    const int upstream = std::max(i - 2, 0);
+    const auto c = reynolds::transport_weights(equations.transport(), i, grid.hx());
+    const auto e = reynolds::faces_at(level.eps, fmg::eps_across(level), i, j, half);
+    const auto held = reynolds::pressure_row(c, e, dq(i, j), dq(i - 1, j), dq(upstream, j));
+    const auto dr =
+        reynolds::pressure_row(held, level.P, equations.local().eps, equations.local_eps_across(), i, j, half);
     const auto enter = [&](int ci, int line, double value) {
       const int cj = grid.holder(line);
       if (ci < 1 || ci >= grid.nx || cj < 1 || cj > grid.last_line()) return;
       const int column = place[equations.index(ci, cj)];
       if (column >= 0) entries.emplace_back(static_cast<int>(row), column, s * value);
     };
-    // With one epsilon the last term is zero, and changes no bit.
-    enter(i, j,
-          c0 * dq(i, j) + e.west + e.east + e.south + e.north - (west + east + south + north) * deps(i, j) -
-              (south + north) * (deps_across(i, j) - deps(i, j)));
-    enter(i - 1, j, c1 * dq(i - 1, j) - e.west - west * deps(i - 1, j));
-    enter(i + 1, j, -e.east - east * deps(i + 1, j));
-    enter(i, j - 1, -e.south - south * deps_across(i, j - 1));
-    enter(i, j + 1, -e.north - north * deps_across(i, j + 1));
-    if (c2 != 0.0) enter(i - 2, j, c2 * dq(i - 2, j));
-    const double here = deps_dH(i, j);
-    const double here_across = deps_dH_across(i, j);
+    enter(i, j, dr.own);
+    enter(i - 1, j, dr.west);
+    enter(i + 1, j, dr.east);
+    enter(i, j - 1, dr.south);
+    enter(i, j + 1, dr.north);
+    if (c[2] != 0.0) enter(i - 2, j, dr.far_west);
+    const auto de_dH00 = reynolds::faces_at(equations.deps_dH(), equations.deps_dH_across(), i, j, half);
     column_of_H00[static_cast<Eigen::Index>(row)] =
-        s * (c0 * level.rho_bar(i, j) + c1 * level.rho_bar(i - 1, j) + c2 * level.rho_bar(std::max(i - 2, 0), j) -
-             west * (deps_dH(i - 1, j) + here) - east * (deps_dH(i + 1, j) + here) -
-             south * (deps_dH_across(i, j - 1) + here_across) - north * (deps_dH_across(i, j + 1) + here_across));
+        s * (reynolds::transported(c, level.rho_bar(i, j), level.rho_bar(i - 1, j), level.rho_bar(upstream, j)) -
+             reynolds::poiseuille_at(de_dH00, level.P, i, j));
   }
   matrix.resize(size(), size());
   matrix.setFromTriplets(entries.begin(), entries.end());

@@ -100,4 +100,24 @@ PressureRow<Number> pressure_row(const std::array<double, 3>& c, const Faces<Num
           .north = -e.north};
 }
 
+/// The same with epsilon following the pressures. in: P around node (i, j); d eps/dP along X and along Y.
+template <class Field>
+PressureRow<double> pressure_row(const PressureRow<double>& held, const Field& P, const Field& slope,
+                                 const Field& slope_across, int i, int j, const HalfInverseSquares& half) {
+  const Faces<double> steps{half.X * (P(i - 1, j) - P(i, j)), half.X * (P(i + 1, j) - P(i, j)),
+                            half.Y * (P(i, j - 1) - P(i, j)), half.Y * (P(i, j + 1) - P(i, j))};
+  return {.far_west = held.far_west,
+          .west = held.west - steps.west * slope(i - 1, j),
+          .own = held.own - (steps.west + steps.east) * slope(i, j) - (steps.south + steps.north) * slope_across(i, j),
+          .east = held.east - steps.east * slope(i + 1, j),
+          .south = held.south - steps.south * slope_across(i, j - 1),
+          .north = held.north - steps.north * slope_across(i, j + 1)};
+}
+
+/// poiseuille() of a field's values around node (i, j).
+template <class Field>
+double poiseuille_at(const Faces<double>& e, const Field& P, int i, int j) {
+  return poiseuille(e, P(i - 1, j), P(i + 1, j), P(i, j - 1), P(i, j + 1), P(i, j));
+}
+
 }  // namespace ehl::reynolds

@@ -1,5 +1,7 @@
 #include "steady/continuation.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -111,7 +113,7 @@ Solved solve_first_load(const Scene& scene, const Start& start, const ProgressCa
 
 std::string name_of_load(const Scene& scene, double ln_M) {
   const double M = std::exp(ln_M);
-  return "M = " + std::to_string(M) + " (" + std::to_string(100.0 * M / scene.M) + " % of the load)";
+  return fmt::format("M = {:.4g} ({:.3g} % of the load)", M, 100.0 * M / scene.M);
 }
 
 // From load to load up to that of the scene, each on grids of its own. in: the scene on the grid of the continuation,

@@ -58,7 +58,7 @@ BOOST_AUTO_TEST_CASE(jacobian_products_are_the_slope_of_the_residual) {
   Random random(5);
   for (const reynolds::Wedge wedge : {reynolds::Wedge::upstream1, reynolds::Wedge::upstream2}) {
     // hx != hy: every factor in its place.
-    fmg::Hierarchy hierarchy = newton_hierarchy(50, 10, {32, 24, -3.0, 1.5, -2.0, 2.0}, 1, wedge);
+    fmg::Hierarchy hierarchy = newton_hierarchy(50, 10, core::Grid{32, 24, -3.0, 1.5, -2.0, 2.0}, 1, wedge);
     const std::size_t l = hierarchy.levels.size() - 1;
     fmg::start_from_hertz(hierarchy, l, -0.6, 0);
     newton::Equations equations(hierarchy, l);
@@ -186,7 +186,7 @@ BOOST_AUTO_TEST_CASE(failures_are_told) {
   fmg::start_from_hertz(dry, 0, dry.H00, 0);
   tells(newton::solve(dry, 0), "not finite");
   // Stopped early, after a step that made things worse: the best state met, with the film that belongs to it.
-  fmg::Hierarchy stopped = newton_hierarchy(20, 10, {64, 64, -4.5, 1.5, -3.0, 3.0}, 1);
+  fmg::Hierarchy stopped = newton_hierarchy(20, 10, core::Grid{64, 64, -4.5, 1.5, -3.0, 3.0}, 1);
   const std::size_t l = stopped.levels.size() - 1;
   fmg::start_from_hertz(stopped, l, first_H00(20, 10), 0);
   const newton::Result result = newton::solve(stopped, l, {.max_steps = 3});
