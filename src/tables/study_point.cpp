@@ -12,7 +12,17 @@
 namespace ehl::program {
 namespace {
 
-std::vector<Column<StudyPoint>> columns() {
+// Work of the levels below in units of the finest grid.
+double whole_work(const steady::Solution& solution) {
+  const auto nodes = [](const steady::LevelRow& row) { return (row.nx + 1.0) * (row.ny + 1.0); };
+  double work = 0.0;
+  for (const steady::LevelRow& row : solution.levels) work += row.work_units * nodes(row);
+  return work / nodes(solution.levels.back());
+}
+
+}  // namespace
+
+std::vector<Column<StudyPoint>> study_columns() {
   using Point = StudyPoint;
   return {{"cells", "-", "of the finest grid, along x", part(&Point::way, &StudyCase::cells)},
           {"wedge", "", "scheme of the wedge term", part(&Point::way, &StudyCase::wedge)},
@@ -41,33 +51,14 @@ std::vector<Column<StudyPoint>> columns() {
           {"reason", "", "why there is no solution", &Point::reason}};
 }
 
-// Work of the levels below in units of the finest grid.
-double whole_work(const steady::Solution& solution) {
-  const auto nodes = [](const steady::LevelRow& row) { return (row.nx + 1.0) * (row.ny + 1.0); };
-  double work = 0.0;
-  for (const steady::LevelRow& row : solution.levels) work += row.work_units * nodes(row);
-  return work / nodes(solution.levels.back());
-}
+std::string text_of(const StudyPoint& point) { return csv_text(study_columns(), point); }
 
-}  // namespace
-
-std::string study_columns() { return csv_names(quantities_of(columns(), StudyPoint{})); }
-
-std::string study_units() { return csv_units(quantities_of(columns(), StudyPoint{})); }
-
-std::string study_text(const StudyPoint& point) { return csv_row(quantities_of(columns(), point)); }
-
-StudyPoint study_point(const std::string& row) try {
-  return csv_read(columns(), row);
-} catch (const core::FileError& error) {
-  throw core::FileError("this line is no row of a study: " + row.substr(0, 120) + ": " + error.what());
-}
+StudyPoint study_point(const std::string& text) { return csv_read(study_columns(), text); }
 
 StudyPoint point_of_solution(const StudyCase& way, const steady::Solution& solution, double seconds) {
   StudyPoint point;
   point.way = way;
-  point.seconds = seconds;
-  point.seconds_most = seconds;
+  point.seconds = point.seconds_most = seconds;
   point.status = "not-converged";
   point.reason = solution.failed_check;
   point.attempts = static_cast<int>(solution.attempts.size());

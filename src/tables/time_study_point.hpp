@@ -35,11 +35,8 @@ struct TimeStudyPoint : Cost {
 /// "Hc", "Hm", "P_max", "P_1", ...
 std::vector<std::string> time_study_quantities(std::size_t probes);
 
-/// Names of the columns of the table, between commas, their units as a comment, and a point as a row. in: number of
-/// probes.
-std::string time_study_columns(std::size_t probes);
-std::string time_study_units();
-std::string time_study_row(const TimeStudyPoint& point);
+/// The columns of the table. in: names of the quantities that have errors.
+std::vector<Column<TimeStudyPoint>> time_study_columns(const std::vector<std::string>& quantities);
 
 /// A point with its samples, for the way from one process to another, and back. errors: core::FileError: no such text.
 std::string text_of(const TimeStudyPoint& point);
