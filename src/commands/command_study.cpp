@@ -93,12 +93,9 @@ Case reference_case(const Grids& grids, int cells) {
 // Each way on its grid, measured once.
 std::vector<StudyPoint> measured_once(const std::vector<StudyCase>& ways, int at_once, bool quiet,
                                       const std::function<Case(int cells)>& on_grid) {
-  const RowCalls<StudyPoint> calls{
-      .compute = [&](const StudyPoint& point) { return measure(on_grid(point.way.cells), point.way); },
-      .write = text_of,
-      .read = study_point,
-      .name = [](const StudyPoint& p) { return std::to_string(p.way.cells) + " cells, " + name_of_way(p.way); }};
-  return computed_rows(ways, at_once, quiet, calls);
+  return computed_rows<StudyPoint, StudyCase>(
+      ways, at_once, quiet, [&](const StudyCase& way) { return measure(on_grid(way.cells), way); },
+      [](const StudyCase& way) { return std::to_string(way.cells) + " cells, " + name_of_way(way); });
 }
 
 Reference find_reference(const Grids& grids, const std::vector<int>& cells, bool quiet) {

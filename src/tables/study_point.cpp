@@ -5,7 +5,6 @@
 #include "commands/machine.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
-#include "deck/text.hpp"
 #include "steady/solve.hpp"
 #include "tables/csv.hpp"
 
@@ -18,6 +17,27 @@ double whole_work(const steady::Solution& solution) {
   double work = 0.0;
   for (const steady::LevelRow& row : solution.levels) work += row.work_units * nodes(row);
   return work / nodes(solution.levels.back());
+}
+
+void take(const steady::Solution& solution, StudyPoint& point) {
+  point.reason = solution.failed_check;
+  point.attempts = static_cast<int>(solution.attempts.size());
+  if (solution.levels.empty()) return;
+  const steady::LevelRow& finest = solution.levels.back();
+  if (solution.converged) point.status = "converged";
+  // Cut off at the planned number of cycles with a film that can be looked at: as wanted, and not converged.
+  else if (point.way.cycles != "run" && solution.end == steady::CyclesEnd::limit && finest.Hm > 0.0)
+    point.status = "stopped";
+  point.nx = finest.nx;
+  point.ny = finest.ny;
+  point.Hc = finest.Hc;
+  point.Hm = finest.Hm;
+  point.estimate_Hc = finest.error_Hc;
+  point.estimate_Hm = finest.error_Hm;
+  point.residual = finest.residual;
+  for (const steady::LevelRow& row : solution.levels)
+    point.cycles_by_level += (point.cycles_by_level.empty() ? "" : ";") + std::to_string(row.cycles);
+  point.work_units = whole_work(solution);
 }
 
 }  // namespace
@@ -53,52 +73,22 @@ std::vector<Column<StudyPoint>> study_columns() {
 
 std::string text_of(const StudyPoint& point) { return csv_text(study_columns(), point); }
 
-StudyPoint study_point(const std::string& text) { return csv_read(study_columns(), text); }
-
-StudyPoint point_of_solution(const StudyCase& way, const steady::Solution& solution, double seconds) {
-  StudyPoint point;
-  point.way = way;
-  point.seconds = point.seconds_most = seconds;
-  point.status = "not-converged";
-  point.reason = solution.failed_check;
-  point.attempts = static_cast<int>(solution.attempts.size());
-  if (solution.levels.empty()) return point;
-  const steady::LevelRow& finest = solution.levels.back();
-  if (solution.converged) point.status = "converged";
-  // Cut off at the planned number of cycles with a film that can be looked at: as wanted, and not converged.
-  else if (way.cycles != "run" && solution.end == steady::CyclesEnd::limit && finest.Hm > 0.0)
-    point.status = "stopped";
-  point.nx = finest.nx;
-  point.ny = finest.ny;
-  point.Hc = finest.Hc;
-  point.Hm = finest.Hm;
-  point.estimate_Hc = finest.error_Hc;
-  point.estimate_Hm = finest.error_Hm;
-  point.residual = finest.residual;
-  std::vector<std::string> cycles;
-  for (const steady::LevelRow& row : solution.levels) cycles.push_back(std::to_string(row.cycles));
-  point.cycles_by_level = deck::joined(cycles, ";");
-  point.work_units = whole_work(solution);
-  return point;
-}
+void read_text(const std::string& text, StudyPoint& point) { point = csv_read(study_columns(), text); }
 
 StudyPoint measure(Case input, const StudyCase& way) {
   use_way(way, input.scene);
-  const double began = core::now();
   StudyPoint point;
+  point.way = way;
+  point.status = "not-converged";
+  point.nx = input.scene.grid.nx;
+  point.ny = input.scene.grid.ny;
+  const double began = core::now();
   try {
-    const steady::Solution solution = steady::solve(input.scene);
-    point = point_of_solution(way, solution, core::now() - began);
+    take(steady::solve(input.scene), point);
   } catch (const core::SolverError& error) {
-    point.way = way;
-    point.status = "not-converged";
     point.reason = error.what();
-    point.seconds = point.seconds_most = core::now() - began;
   }
-  if (point.nx == 0) {
-    point.nx = input.scene.grid.nx;
-    point.ny = input.scene.grid.ny;
-  }
+  point.seconds = point.seconds_most = core::now() - began;
   point.peak_memory = peak_memory();
   return point;
 }

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "report/column.hpp"
-#include "steady/solution.hpp"
 #include "tables/study_plan.hpp"
 
 namespace ehl::program {
@@ -50,13 +49,10 @@ std::vector<Column<StudyPoint>> study_columns();
 
 /// A point as a row of it, and back. errors: core::FileError: no such row.
 std::string text_of(const StudyPoint& point);
-StudyPoint study_point(const std::string& text);
+void read_text(const std::string& text, StudyPoint& point);
 
 /// Solves the case by one way and measures it once. in: the case on this way's grid, as the deck has it.
 /// errors: core::Interrupted, core::InputError (the evaluator does not fit the grid). Not converging is a status.
 StudyPoint measure(Case input, const StudyCase& way);
-
-/// The point of a solution. in: the way, the solution, its wall-clock seconds.
-StudyPoint point_of_solution(const StudyCase& way, const steady::Solution& solution, double seconds);
 
 }  // namespace ehl::program

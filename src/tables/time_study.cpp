@@ -49,12 +49,9 @@ std::vector<double> tolerances(const Arguments& arguments) {
 // in: whether the film is looked at; then the time says nothing.
 std::vector<TimeStudyPoint> run_ways(const Case& input, const std::vector<TimeWay>& ways, bool look, int at_once,
                                      bool quiet) {
-  const RowCalls<TimeStudyPoint> calls{
-      .compute = [&](const TimeStudyPoint& point) { return measure_in_time(input, point.way, look ? samples : 0); },
-      .write = text_of,
-      .read = time_study_point,
-      .name = [&](const TimeStudyPoint& point) { return name_of_way(point.way) + (look ? "" : ", timed"); }};
-  return computed_rows(ways, at_once, quiet, calls);
+  return computed_rows<TimeStudyPoint, TimeWay>(
+      ways, at_once, quiet, [&](const TimeWay& way) { return measure_in_time(input, way, look ? samples : 0); },
+      [&](const TimeWay& way) { return name_of_way(way) + (look ? "" : ", timed"); });
 }
 
 TimeReference find_reference(Case input, double rtol, double longest_step, bool quiet) {

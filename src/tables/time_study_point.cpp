@@ -92,11 +92,11 @@ std::string text_of(const TimeStudyPoint& point) {
   return text;
 }
 
-TimeStudyPoint time_study_point(const std::string& text) {
+void read_text(const std::string& text, TimeStudyPoint& point) {
   std::istringstream lines(text);
   std::string line;
   std::getline(lines, line);
-  TimeStudyPoint point = csv_read(time_study_columns({}), line);
+  point = csv_read(time_study_columns({}), line);
   while (std::getline(lines, line)) {
     TimeSample sample;
     for (const std::string& word : deck::split_words(line))
@@ -106,7 +106,6 @@ TimeStudyPoint time_study_point(const std::string& text) {
     sample.values.erase(sample.values.begin());
     point.samples.push_back(std::move(sample));
   }
-  return point;
 }
 
 TimeStudyPoint measure_in_time(Case input, const TimeWay& way, int samples) {

@@ -40,7 +40,7 @@ std::vector<Column<TimeStudyPoint>> time_study_columns(const std::vector<std::st
 
 /// A point with its samples, for the way from one process to another, and back. errors: core::FileError: no such text.
 std::string text_of(const TimeStudyPoint& point);
-TimeStudyPoint time_study_point(const std::string& text);
+void read_text(const std::string& text, TimeStudyPoint& point);
 
 /// Runs the case once. in: the case, its way; samples, how many equal parts of the end time are looked at (by the dense
 /// output of the integration, so that no step is another for it), 0: none, the run is only timed.
