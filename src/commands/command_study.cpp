@@ -135,7 +135,7 @@ int study(const Arguments& arguments) {
   const int threads = arguments.has("threads") ? requested_threads(arguments) : 1;
   const int jobs = whole_number(arguments, "jobs", 1, 1024);
   const int repeats = whole_number(arguments, "repeat", 3, 100);
-  const std::string path = table_name(arguments.value("output", ""), deck, "_study.csv");
+  const std::string path = table_name(arguments);
   const Grids grids(arguments, threads);
   const Case input = grids.deck();
   const StudyHeader header{this_program(),

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <span>
 
 #include "deck/text.hpp"
@@ -94,13 +93,6 @@ std::string this_program() {
   const Version built = version();
   return "ehl " + built.number + ", commit " + built.commit + (built.dirty ? " with changes" : "") + ", " +
          built.compiler;
-}
-
-std::string table_name(const std::string& given, const std::string& deck, const std::string& end) {
-  const std::string path = given.empty() ? std::filesystem::path(deck).stem().string() + end : given;
-  if (!path.ends_with(".csv"))
-    throw core::InputError("command line: --output " + path + ": the table's name ends with .csv");
-  return path;
 }
 
 }  // namespace ehl::program

@@ -62,7 +62,4 @@ std::string deck_text_line(const std::string& deck_text);
 /// Version, commit and compiler of this program.
 std::string this_program();
 
-/// The table's name: that of the option, else the deck's with this end. errors: core::InputError where it is no .csv.
-std::string table_name(const std::string& given, const std::string& deck, const std::string& end);
-
 }  // namespace ehl::program

@@ -1,9 +1,10 @@
 #include "tables/study_report.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "deck/text.hpp"
 #include "report/text_format.hpp"
@@ -14,59 +15,45 @@ namespace {
 
 std::string nodes_of(const StudyPoint& point) { return fmt::format("{} x {}", point.nx + 1, point.ny + 1); }
 
-std::string cells_of(const Reference& reference) {
-  std::vector<std::string> cells;
-  for (const int one : reference.cells) cells.push_back(std::to_string(one));
-  return deck::joined(cells, ", ");
-}
+std::string cells_of(const Reference& reference) { return fmt::format("{}", fmt::join(reference.cells, ", ")); }
 
 // The error, or the one below which nothing can be told.
 std::string error_text(double error, bool at_reference, const Extrapolated& reference) {
   return at_reference ? "< " + percent(reference.error) : percent(error);
 }
 
-std::string fronts_of(const StudyPoint& point) {
-  return std::string(point.front_Hc ? "Hc" : "") + (point.front_Hc && point.front_Hm ? " " : "") +
-         (point.front_Hm ? "Hm" : "");
-}
-
 std::string point_line(const StudyPoint& point, const Reference& reference) {
   const std::string status = point.status == "converged" ? "" : point.status;
+  const std::string fronts = fmt::format("{} {}", point.front_Hc ? "Hc" : "", point.front_Hm ? "Hm" : "");
   std::string line =
       fmt::format("{:>11}  {:<9}  {:<9}  {:>6}  {:>8}  {:>8}  {:>9}  {:>9}  {:>10}  {:>8}  {:<13}  {}", nodes_of(point),
                   point.way.wedge, point.way.evaluator, point.way.cycles, known("{:.5f}", point.Hc),
                   known("{:.5f}", point.Hm), error_text(point.error_Hc, point.at_reference_Hc, reference.Hc),
                   error_text(point.error_Hm, point.at_reference_Hm, reference.Hm), known("{:.1f}", point.work_units),
-                  known("{:.3f}", point.seconds), status, fronts_of(point));
+                  known("{:.3f}", point.seconds), status, deck::trimmed(fronts));
   return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
 }
 
-std::string column_line() {
-  return "      nodes  wedge      evaluator  cycles        Hc        Hm  error(Hc)  error(Hm)  work units   seconds  "
-         "status         front\n";
-}
+constexpr char column_line[] =
+    "      nodes  wedge      evaluator  cycles        Hc        Hm  error(Hc)  error(Hm)  work units   seconds  "
+    "status         front\n";
 
 std::string front_lines(const std::vector<StudyPoint>& points, const Reference& reference, bool StudyPoint::*on_front,
                         const std::string& name) {
   std::vector<StudyPoint> front;
-  for (const StudyPoint& point : points)
-    if (point.*on_front) front.push_back(point);
-  std::sort(front.begin(), front.end(), [](const StudyPoint& a, const StudyPoint& b) { return a.seconds < b.seconds; });
-  std::string text = "\nPareto front of " + name + ": nothing cheaper is as accurate\n" + column_line();
+  std::ranges::copy_if(points, std::back_inserter(front), on_front);
+  std::ranges::sort(front, {}, &StudyPoint::seconds);
+  std::string text = "\nPareto front of " + name + ": nothing cheaper is as accurate\n" + column_line;
   for (const StudyPoint& point : front) text += point_line(point, reference);
   return text;
 }
 
 std::string accuracy_lines(const std::vector<StudyPoint>& points) {
   std::string text = "\nseconds to an accuracy that holds on all finer grids too\n";
-  struct Wanted {
-    const char* name;
-    double StudyPoint::*error;
-  };
-  for (const Wanted& wanted : {Wanted{"Hc", &StudyPoint::error_Hc}, Wanted{"Hm", &StudyPoint::error_Hm}})
+  for (const auto& [name, error_of] : {std::pair("Hc", &StudyPoint::error_Hc), std::pair("Hm", &StudyPoint::error_Hm)})
     for (const double error : {1e-2, 1e-3, 1e-4}) {
-      const std::size_t found = cheapest(points, wanted.error, error);
-      text += fmt::format("  {} to {:<6}", wanted.name, fmt::format("{:g} %", 100.0 * error));
+      const std::size_t found = cheapest(points, error_of, error);
+      text += fmt::format("  {} to {:<6}", name, fmt::format("{:g} %", 100.0 * error));
       text += found == points.size() ? "  not reached\n"
                                      : fmt::format("  {:.3f} s: {}, ", points[found].seconds, nodes_of(points[found])) +
                                            name_of_way(points[found].way) + "\n";
@@ -177,7 +164,7 @@ std::string study_report(const StudyHeader& header, const Reference& reference, 
                       percent(reference.Hc.error), reference.Hm.value, percent(reference.Hm.error));
   text += fmt::format("             second order, FFT, {} cells, extrapolated; residual {:.0e}\n", cells_of(reference),
                       reference.residual);
-  text += "times        " + times_of(header) + "\n\n" + column_line();
+  text += "times        " + times_of(header) + "\n\n" + column_line;
   for (const StudyPoint& point : points) text += point_line(point, reference);
   text += "(< below the reference's own error; stopped: after the cycles of its way, not converged)\n";
   text += front_lines(points, reference, &StudyPoint::front_Hc, "Hc");
