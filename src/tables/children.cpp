@@ -105,7 +105,8 @@ void take_ended(Children& children, const ChildrenCalls& calls) {
   for (std::size_t k = 0; k < children.working.size();) {
     const Child child = children.working[k];
     int status = 0;
-    if (::waitpid(child.process, &status, WNOHANG) != child.process) {
+    // Where somebody had SIGCHLD ignored, the process leaves no status: then its text alone says how it ended.
+    if (::waitpid(child.process, &status, WNOHANG) == 0) {
       ++k;
       continue;
     }
