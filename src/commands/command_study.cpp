@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <functional>
-#include <span>
 
 #include "commands/commands.hpp"
 #include "commands/exit_status.hpp"
@@ -50,19 +49,16 @@ class Grids {
   int threads_;
 };
 
-StudyPlan plan_of(const Arguments& arguments, const Grids& grids) {
-  StudyPlan plan;
-  const Case deck = grids.deck();
-  plan.cells = arguments.has("levels")
-                   ? levels_between(arguments.value("levels", ""))
-                   : levels_of_deck(deck.scene.grid.nx, [&](int cells) { return grids.legal(cells); });
-  plan.wedges = words_of_list("wedges", arguments.value("wedges", "upstream1,upstream2"), is_study_wedge,
-                              "upstream1 or upstream2");
-  plan.evaluators = words_of_list("evaluators", arguments.value("evaluators", "mlmi4,mlmi6,mlmi8,fft,direct"),
-                                  is_study_evaluator, "mlmi4, mlmi6, mlmi8, fft or direct");
-  plan.cycles = words_of_list("cycles", arguments.value("cycles", "1V,2V,1W,2W,run"), is_study_cycles,
-                              "a number and a shape, e.g. 2W (V, W or F), or run");
-  return plan;
+StudyPlan plan_of(const Arguments& arguments, const Grids& grids, int cells_of_deck) {
+  const auto list = [&](const char* option, const char* otherwise, bool (*allowed)(const std::string&),
+                        const char* told) {
+    return words_of_list(option, arguments.value(option, otherwise), allowed, told);
+  };
+  return {arguments.has("levels") ? levels_between(arguments.value("levels", ""))
+                                  : levels_of_deck(cells_of_deck, [&](int cells) { return grids.legal(cells); }),
+          list("wedges", "upstream1,upstream2", is_study_wedge, "upstream1 or upstream2"),
+          list("evaluators", "mlmi4,mlmi6,mlmi8,fft,direct", is_study_evaluator, "mlmi4, mlmi6, mlmi8, fft or direct"),
+          list("cycles", "1V,2V,1W,2W,run", is_study_cycles, "a number and a shape, e.g. 2W (V, W or F), or run")};
 }
 
 // Coarse to fine: one level finer than the finest studied where that is affordable, and the grids below it.
@@ -97,14 +93,9 @@ Case reference_case(const Grids& grids, int cells) {
 // Each way on its grid, measured once.
 std::vector<StudyPoint> measured_once(const std::vector<StudyCase>& ways, int at_once, bool quiet,
                                       const std::function<Case(int cells)>& on_grid) {
-  std::vector<StudyPoint> planned(ways.size());
-  for (std::size_t k = 0; k < ways.size(); ++k) planned[k].way = ways[k];
-  const RowCalls<StudyPoint> calls{
-      .compute = [&](const StudyPoint& point) { return measure(on_grid(point.way.cells), point.way); },
-      .write = study_text,
-      .read = study_point,
-      .name = [](const StudyPoint& p) { return std::to_string(p.way.cells) + " cells, " + name_of_way(p.way); }};
-  return computed_rows(std::move(planned), at_once, quiet, calls);
+  return computed_rows<StudyPoint, StudyCase>(
+      ways, at_once, quiet, [&](const StudyCase& way) { return measure(on_grid(way.cells), way); },
+      [](const StudyCase& way) { return std::to_string(way.cells) + " cells, " + name_of_way(way); });
 }
 
 Reference find_reference(const Grids& grids, const std::vector<int>& cells, bool quiet) {
@@ -120,15 +111,11 @@ Reference find_reference(const Grids& grids, const std::vector<int>& cells, bool
   return reference;
 }
 
-// The repetitions of a case are far apart, so that a disturbance does not meet all of them.
 std::vector<StudyPoint> measured(const Grids& grids, const std::vector<StudyCase>& ways, const StudyHeader& header,
                                  bool quiet) {
-  std::vector<StudyCase> tasks;
-  for (int repetition = 0; repetition < header.repeats; ++repetition)
-    tasks.insert(tasks.end(), ways.begin(), ways.end());
   if (!quiet) std::fprintf(stderr, "ehl: %zu ways, %d times each\n", ways.size(), header.repeats);
   const std::vector<StudyPoint> all =
-      measured_once(tasks, header.jobs, quiet, [&](int cells) { return grids.on(cells); });
+      measured_once(repeated(ways, header.repeats), header.jobs, quiet, [&](int cells) { return grids.on(cells); });
   std::vector<StudyPoint> points(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(ways.size()));
   for (std::size_t k = ways.size(); k < all.size(); ++k) {
     StudyPoint& kept = points[k % ways.size()];
@@ -143,26 +130,28 @@ std::vector<StudyPoint> measured(const Grids& grids, const std::vector<StudyCase
 }  // namespace
 
 int study(const Arguments& arguments) {
-  StudyHeader header;
-  header.program = this_program();
-  header.deck = arguments.operands[0];
-  header.set = arguments.values("set");
-  header.threads = arguments.has("threads") ? requested_threads(arguments) : 1;
-  header.jobs = whole_number(arguments, "jobs", 1, 1024);
-  header.repeats = whole_number(arguments, "repeat", 3, 100);
-  const std::string path = table_name(arguments.value("output", ""), header.deck, "_study.csv");
+  const std::string& deck = arguments.operands[0];
   const bool quiet = arguments.has("quiet");
-
-  const Grids grids(arguments, header.threads);
+  const int threads = arguments.has("threads") ? requested_threads(arguments) : 1;
+  const int jobs = whole_number(arguments, "jobs", 1, 1024);
+  const int repeats = whole_number(arguments, "repeat", 3, 100);
+  const std::string path = table_name(arguments);
+  const Grids grids(arguments, threads);
   const Case input = grids.deck();
-  header.title = input.title;
-  header.deck_text = deck::load_text(header.deck);
-  header.machine = processor();
-  header.date = utc_date();
+  const StudyHeader header{this_program(),
+                           deck,
+                           deck::load_text(deck),
+                           input.title,
+                           arguments.values("set"),
+                           processor(),
+                           utc_date(),
+                           threads,
+                           jobs,
+                           repeats};
   if (input.transient) return study_in_time(arguments, header, path, input);
   if (arguments.has("rtol"))
     throw core::InputError("command line: --rtol is for runs in time, and the deck has no [transient] end_time");
-  const StudyPlan plan = plan_of(arguments, grids);
+  const StudyPlan plan = plan_of(arguments, grids, input.scene.grid.nx);
   for (const int cells : plan.cells) grids.on(cells);  // complains before the work
   const std::vector<StudyCase> ways = cases_of(plan, [&](int cells) { return grids.nodes(cells); });
   if (ways.empty())
@@ -174,8 +163,7 @@ int study(const Arguments& arguments) {
   const Reference reference = find_reference(grids, finest, quiet);
   std::vector<StudyPoint> points = measured(grids, ways, header, quiet);
   judge(reference, points);
-  const std::string csv = study_csv(header, reference, points);
-  results::write_atomically(path, std::as_bytes(std::span(csv)), arguments.has("overwrite"));
+  write_table(path, study_csv(header, reference, points), arguments.has("overwrite"));
   print(study_report(header, reference, points) + "\ntable        " + path + "\n");
   return std::all_of(points.begin(), points.end(), has_film) ? solved : not_converged;
 }

@@ -44,7 +44,7 @@ int sweep(const Arguments& arguments) {
   };
   header.with_friction = names_friction(deck, overrides_of(0));
   const int at_once = requested_threads(arguments);
-  const std::string path = table_name(arguments.value("output", ""), deck, "_sweep.csv");
+  const std::string path = table_name(arguments);
   SweepTable table(path, header, arguments.has("overwrite"));
 
   const double began = core::now();

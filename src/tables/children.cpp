@@ -1,40 +1,32 @@
 #include "tables/children.hpp"
 
-#include <poll.h>
 #include <signal.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <exception>
 #include <new>
+#include <thread>
 
 #include "core/errors.hpp"
 
 namespace ehl::program {
 namespace {
 
-constexpr int look_up_interval = 200;  // ms between looks at stop()
-constexpr char whole = '\n';           // the last byte of a text that arrived whole
+constexpr auto look_up_interval = std::chrono::milliseconds(5);
+constexpr char whole = '\n';  // the last byte of a text that arrived whole
 
 struct Child {
   std::size_t task = 0;
   pid_t process = -1;
-  int pipe = -1;
-  std::string text{};
+  int text = -1;  // a file in memory that the child writes
 };
-
-int wait_for(pid_t process) {
-  int status = 0;
-  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
-}
 
 /// The children at work; none survives it.
 class Children {
@@ -45,23 +37,15 @@ class Children {
   ~Children() {
     for (const Child& child : working) {
       ::kill(child.process, SIGKILL);
-      ::close(child.pipe);
-      wait_for(child.process);
+      ::close(child.text);
+      while (::waitpid(child.process, nullptr, 0) < 0 && errno == EINTR) {
+      }
     }
   }
   std::vector<Child> working{};
 };
 
-void write_all(int descriptor, const std::string& text) {
-  for (std::size_t done = 0; done < text.size();) {
-    const ssize_t written = ::write(descriptor, text.data() + done, text.size() - done);
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) ::_exit(1);
-    done += static_cast<std::size_t>(written);
-  }
-}
-
-[[noreturn]] void be_child(std::size_t task, int pipe, pid_t parent, const ChildrenCalls& calls) {
+[[noreturn]] void be_child(std::size_t task, int file, pid_t parent, const ChildrenCalls& calls) {
   // The parent decides what Ctrl-C means; a child that is told to end, ends.
   ::signal(SIGINT, SIG_IGN);
   ::signal(SIGTERM, SIG_DFL);
@@ -78,42 +62,33 @@ void write_all(int descriptor, const std::string& text) {
     text = error.what();
     status = 1;
   }
-  write_all(pipe, text);
+  if (::write(file, text.data(), text.size()) != static_cast<ssize_t>(text.size())) ::_exit(1);
   ::_exit(status);  // not exit: buffers and exit functions are the parent's
 }
 
 Child start(std::size_t task, const ChildrenCalls& calls) {
-  std::array<int, 2> ends{};
-  if (::pipe(ends.data()) != 0) throw core::FileError(std::string("no pipe to a child: ") + std::strerror(errno));
+  const int text = ::memfd_create("case", MFD_CLOEXEC);
+  if (text < 0) throw core::FileError(std::string("no file for the text of a case: ") + std::strerror(errno));
   std::fflush(nullptr);
   const pid_t parent = ::getpid();
   const pid_t process = ::fork();
-  if (process < 0) {
-    const int error = errno;
-    ::close(ends[0]);
-    ::close(ends[1]);
-    throw core::FileError(std::string("no process for a case: ") + std::strerror(error));
-  }
-  if (process == 0) {
-    ::close(ends[0]);
-    be_child(task, ends[1], parent, calls);
-  }
-  ::close(ends[1]);
-  return {task, process, ends[0], ""};
+  if (process == 0) be_child(task, text, parent, calls);
+  if (process > 0) return {task, process, text};
+  const int error = errno;
+  ::close(text);
+  throw core::FileError(std::string("no process for a case: ") + std::strerror(error));
 }
 
-// Reads what there is. Returns false at its end.
-bool read_some(Child& child) {
-  std::array<char, 4096> bytes{};
-  const ssize_t count = ::read(child.pipe, bytes.data(), bytes.size());
-  if (count < 0) return errno == EINTR || errno == EAGAIN;
-  child.text.append(bytes.data(), static_cast<std::size_t>(count));
-  return count > 0;
+std::string text_in(int file) {
+  std::string text(static_cast<std::size_t>(::lseek(file, 0, SEEK_END)), '\0');
+  if (::pread(file, text.data(), text.size(), 0) != static_cast<ssize_t>(text.size())) return "";
+  return text;
 }
 
-ChildEnd end_of(const Child& child) {
-  ::close(child.pipe);
-  ChildEnd end{child.task, false, child.text, wait_for(child.process), ""};
+ChildEnd end_of(const Child& child, int status) {
+  ChildEnd end{child.task, false, text_in(child.text), WEXITSTATUS(status), ""};
+  ::close(child.text);
+  if (WIFSIGNALED(status)) end.status = 128 + WTERMSIG(status);
   end.complete = end.status == 0 && end.text.ends_with(whole);
   if (end.complete) {
     end.text.pop_back();
@@ -126,18 +101,17 @@ ChildEnd end_of(const Child& child) {
   return end;
 }
 
-void listen(Children& children, const ChildrenCalls& calls) {
-  std::vector<pollfd> pipes;
-  for (const Child& child : children.working) pipes.push_back({child.pipe, POLLIN, 0});
-  if (::poll(pipes.data(), pipes.size(), look_up_interval) <= 0) return;
-  for (const pollfd& ready : pipes) {
-    if (ready.revents == 0) continue;
-    const auto child = std::find_if(children.working.begin(), children.working.end(),
-                                    [&](const Child& one) { return one.pipe == ready.fd; });
-    if (read_some(*child)) continue;
-    const Child ended = *child;
-    children.working.erase(child);
-    calls.ended(end_of(ended));
+void take_ended(Children& children, const ChildrenCalls& calls) {
+  for (std::size_t k = 0; k < children.working.size();) {
+    const Child child = children.working[k];
+    int status = 0;
+    // Where somebody had SIGCHLD ignored, the process leaves no status: then its text alone says how it ended.
+    if (::waitpid(child.process, &status, WNOHANG) == 0) {
+      ++k;
+      continue;
+    }
+    children.working.erase(children.working.begin() + static_cast<std::ptrdiff_t>(k));
+    calls.ended(end_of(child, status));
   }
 }
 
@@ -150,7 +124,8 @@ bool run_in_children(const std::vector<std::size_t>& tasks, int at_once, const C
     if (calls.stop()) return false;
     while (next < tasks.size() && children.working.size() < static_cast<std::size_t>(at_once))
       children.working.push_back(start(tasks[next++], calls));
-    listen(children, calls);
+    std::this_thread::sleep_for(look_up_interval);
+    take_ended(children, calls);
   }
   return true;
 }

@@ -30,39 +30,34 @@ struct ChildrenCalls {
 /// Runs the tasks, `at_once` at a time, each in a forked process with memory of its own. Ctrl-C reaches the parent
 /// only; when it stops, children that still work are killed and their tasks do not count as ended. A child outlives its
 /// parent by nothing. in: task numbers; at_once >= 1. No other thread may be running. out: false when it was stopped.
-/// errors: core::FileError when the system gives no process or pipe.
+/// errors: core::FileError when the system gives no process.
 bool run_in_children(const std::vector<std::size_t>& tasks, int at_once, const ChildrenCalls& calls);
 
-/// How the rows of a table are computed in children. A row has a status and a reason.
-template <class Row>
-struct RowCalls {
-  std::function<Row(const Row& planned)> compute{};       ///< in the child
-  std::string (*write)(const Row&) = nullptr;             ///< for the way from the child,
-  Row (*read)(const std::string&) = nullptr;              ///< and back
-  std::function<std::string(const Row& planned)> name{};  ///< of the task, for people
-};
-
-/// The rows, computed. One whose process died is as planned, with the status "failed" and the reason.
-/// in: rows as planned; how many at a time. errors: core::Interrupted; those above.
-template <class Row>
-std::vector<Row> computed_rows(std::vector<Row> rows, int at_once, bool quiet, const RowCalls<Row>& how) {
+/// A row for each way, computed in children. A row has its way, a status and a reason, and comes back as the text that
+/// text_of(row) makes and read_text(text, row) reads. One whose process died has the status "failed" and the reason.
+/// in: ways; how many at a time; name: of a way, for people. errors: core::Interrupted; those above.
+template <class Row, class Way>
+std::vector<Row> computed_rows(const std::vector<Way>& ways, int at_once, bool quiet,
+                               const std::function<Row(const Way&)>& compute,
+                               const std::function<std::string(const Way&)>& name) {
+  std::vector<Row> rows(ways.size());
+  for (std::size_t k = 0; k < ways.size(); ++k) rows[k].way = ways[k];
   std::vector<std::size_t> tasks(rows.size());
   std::iota(tasks.begin(), tasks.end(), std::size_t{0});
   Progress progress(quiet);
   std::size_t done = 0;
   ChildrenCalls calls;
   calls.stop = stop_requested;
-  calls.task = [&](std::size_t k) { return how.write(how.compute(rows[k])); };
+  calls.task = [&](std::size_t k) { return text_of(compute(ways[k])); };
   calls.ended = [&](const ChildEnd& end) {
     Row& row = rows[end.task];
-    const std::string name = how.name(row);
     if (end.complete) {
-      row = how.read(end.text);
+      read_text(end.text, row);
     } else {
       row.status = "failed";
       row.reason = end.reason;
     }
-    progress.count(++done, rows.size(), name + "  " + row.status);
+    progress.count(++done, rows.size(), name(ways[end.task]) + "  " + row.status);
   };
   const bool finished = run_in_children(tasks, at_once, calls);
   progress.clear();

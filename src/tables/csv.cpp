@@ -4,11 +4,11 @@
 
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
+#include <span>
 
-#include "core/errors.hpp"
 #include "deck/text.hpp"
 #include "report/version.hpp"
+#include "results/atomic_file.hpp"
 
 namespace ehl::program {
 namespace {
@@ -72,16 +72,17 @@ std::string csv_units(const std::vector<results::Quantity>& row) {
 std::vector<std::string> csv_cells(const std::string& line, std::size_t columns) {
   std::vector<std::string> cells;
   std::size_t begin = 0;
-  while (cells.size() + 1 < columns) {
-    const std::size_t comma = line.find(',', begin);
-    if (comma == std::string::npos) break;
+  for (std::size_t comma = 0; cells.size() + 1 < columns && (comma = line.find(',', begin)) != std::string::npos;
+       begin = comma + 1)
     cells.push_back(line.substr(begin, comma - begin));
-    begin = comma + 1;
-  }
-  std::string last = line.substr(begin);
-  if (last.size() >= 2 && last.front() == '"' && last.back() == '"') last = last.substr(1, last.size() - 2);
-  cells.push_back(last);
+  const std::string last = line.substr(begin);
+  const bool sentence = last.size() >= 2 && last.front() == '"' && last.back() == '"';
+  cells.push_back(sentence ? last.substr(1, last.size() - 2) : last);
   return cells;
+}
+
+void write_table(const std::string& path, const std::string& text, bool overwrite) {
+  results::write_atomically(path, std::as_bytes(std::span(text)), overwrite);
 }
 
 std::string deck_text_line(const std::string& deck_text) {
@@ -92,13 +93,6 @@ std::string this_program() {
   const Version built = version();
   return "ehl " + built.number + ", commit " + built.commit + (built.dirty ? " with changes" : "") + ", " +
          built.compiler;
-}
-
-std::string table_name(const std::string& given, const std::string& deck, const std::string& end) {
-  const std::string path = given.empty() ? std::filesystem::path(deck).stem().string() + end : given;
-  if (!path.ends_with(".csv"))
-    throw core::InputError("command line: --output " + path + ": the table's name ends with .csv");
-  return path;
 }
 
 }  // namespace ehl::program

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/errors.hpp"
 #include "report/column.hpp"
 
 namespace ehl::program {
@@ -24,23 +25,41 @@ std::string csv_names(const std::vector<results::Quantity>& row);
 std::string csv_row(const std::vector<results::Quantity>& row);
 std::string csv_units(const std::vector<results::Quantity>& row);
 
+/// A row as text.
+template <class Row>
+std::string csv_text(const std::vector<Column<Row>>& columns, const Row& row) {
+  return csv_row(quantities_of(columns, row));
+}
+
 /// The row again, without what follows from the rest. errors: core::FileError.
 template <class Row>
-Row csv_read(const std::vector<Column<Row>>& columns, const std::string& line) {
+Row csv_read(const std::vector<Column<Row>>& columns, const std::string& line) try {
   Row row;
   const std::vector<std::string> cells = csv_cells(line, columns.size());
   for (std::size_t k = 0; k < columns.size(); ++k)
     if (columns[k].set) columns[k].set(row, csv_value(k < cells.size() ? cells[k] : "", columns[k].get(row)));
   return row;
+} catch (const core::FileError& error) {
+  throw core::FileError("this line is no row of a study: " + line.substr(0, 120) + ": " + error.what());
 }
+
+/// A whole table: comments, the units and the names of the columns, the rows.
+template <class Row>
+std::string csv_table(const std::string& comments, const std::vector<Column<Row>>& columns,
+                      const std::vector<Row>& rows) {
+  const std::vector<results::Quantity> names = quantities_of(columns, Row{});
+  std::string text = comments + csv_units(names) + "\n" + csv_names(names) + "\n";
+  for (const Row& row : rows) text += csv_text(columns, row) + "\n";
+  return text;
+}
+
+/// A whole table as a file. errors: core::FileError.
+void write_table(const std::string& path, const std::string& text, bool overwrite);
 
 /// "# deck text: 812 bytes, 6f0d...": enough to notice that a deck is another one.
 std::string deck_text_line(const std::string& deck_text);
 
 /// Version, commit and compiler of this program.
 std::string this_program();
-
-/// The table's name: that of the option, else the deck's with this end. errors: core::InputError where it is no .csv.
-std::string table_name(const std::string& given, const std::string& deck, const std::string& end);
 
 }  // namespace ehl::program

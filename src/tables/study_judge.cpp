@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 namespace ehl::program {
 namespace {
@@ -11,25 +11,17 @@ double relative_error(double value, const Extrapolated& reference) { return std:
 
 void mark_front(double StudyPoint::*error, double known_to, bool StudyPoint::*front, std::vector<StudyPoint>& points) {
   const auto counted = [&](const StudyPoint& point) { return std::max(point.*error, known_to); };
-  std::vector<std::size_t> order;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    points[k].*front = false;
-    if (has_film(points[k]) && std::isfinite(points[k].*error) && std::isfinite(points[k].seconds)) order.push_back(k);
+  std::vector<StudyPoint*> order;
+  for (StudyPoint& point : points) {
+    point.*front = false;
+    if (has_film(point) && std::isfinite(point.*error) && std::isfinite(point.seconds)) order.push_back(&point);
   }
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    if (points[a].seconds != points[b].seconds) return points[a].seconds < points[b].seconds;
-    return counted(points[a]) < counted(points[b]);
-  });
+  std::ranges::sort(order, {}, [&](const StudyPoint* point) { return std::pair(point->seconds, counted(*point)); });
   double least = std::numeric_limits<double>::infinity();
-  for (const std::size_t k : order) {
-    if (!(counted(points[k]) < least)) continue;
-    least = counted(points[k]);
-    points[k].*front = true;
+  for (StudyPoint* point : order) {
+    point->*front = counted(*point) < least;
+    least = std::min(least, counted(*point));
   }
-}
-
-bool same_way(const StudyCase& a, const StudyCase& b) {
-  return a.wedge == b.wedge && a.evaluator == b.evaluator && a.cycles == b.cycles;
 }
 
 }  // namespace
@@ -50,8 +42,7 @@ Reference reference_of(std::span<const StudyPoint> solutions) {
   // A finest grid that did not converge is no reason to do without: the grids below it serve.
   if (first == solutions.size() && first > 1) return reference_of(solutions.first(first - 1));
   Reference reference;
-  std::vector<double> Hc;
-  std::vector<double> Hm;
+  std::vector<double> Hc, Hm;
   for (const StudyPoint& point : solutions.subspan(first)) {
     reference.cells.push_back(point.nx);
     Hc.push_back(point.Hc);
@@ -81,7 +72,8 @@ std::size_t cheapest(const std::vector<StudyPoint>& points, double StudyPoint::*
   std::size_t best = points.size();
   for (std::size_t k = 0; k < points.size(); ++k) {
     const bool lasting = std::all_of(points.begin(), points.end(), [&](const StudyPoint& finer) {
-      return finer.way.cells < points[k].way.cells || !same_way(finer.way, points[k].way) || good(finer);
+      return finer.way.cells < points[k].way.cells || name_of_way(finer.way) != name_of_way(points[k].way) ||
+             good(finer);
     });
     if (good(points[k]) && lasting && (best == points.size() || points[k].seconds < points[best].seconds)) best = k;
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
+#include <set>
 
 #include "core/errors.hpp"
 #include "deck/document.hpp"
@@ -12,8 +14,6 @@ namespace {
 
 constexpr int fewest_cells = 64;
 constexpr int most_cells = 1 << 20;
-
-const std::string evaluator_names[] = {"mlmi4", "mlmi6", "mlmi8", "fft", "direct"};
 
 int cells_in(const std::string& text, const std::string& whole) {
   const deck::ReadNumber read = deck::read_number(text);
@@ -53,28 +53,19 @@ std::vector<std::string> words_of_list(const std::string& option, const std::str
   const std::string said = "command line: --" + option + " " + text + ": ";
   const std::vector<std::string> words = deck::split_words(text);
   if (words.empty()) throw core::InputError(said + "the list is empty: " + told);
-  for (std::size_t k = 0; k < words.size(); ++k) {
-    if (!allowed(words[k])) throw core::InputError(said + "'" + words[k] + "' must be " + told);
-    if (std::find(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(k), words[k]) !=
-        words.begin() + static_cast<std::ptrdiff_t>(k))
-      throw core::InputError(said + words[k] + " is given twice");
+  std::set<std::string> seen;
+  for (const std::string& word : words) {
+    if (!allowed(word)) throw core::InputError(said + deck::quoted(word) + " must be " + told);
+    if (!seen.insert(word).second) throw core::InputError(said + word + " is given twice");
   }
   return words;
 }
 
 bool is_study_wedge(const std::string& word) { return word == "upstream1" || word == "upstream2"; }
 
-bool is_study_evaluator(const std::string& word) {
-  return std::find(std::begin(evaluator_names), std::end(evaluator_names), word) != std::end(evaluator_names);
-}
+bool is_study_evaluator(const std::string& word) { return std::regex_match(word, std::regex("mlmi[468]|fft|direct")); }
 
-bool is_study_cycles(const std::string& word) {
-  if (word == "run") return true;
-  if (word.size() < 2 || word.size() > 3 || word[0] == '0') return false;
-  const std::string number = word.substr(0, word.size() - 1);
-  const char shape = word.back();
-  return number.find_first_not_of("0123456789") == std::string::npos && (shape == 'V' || shape == 'W' || shape == 'F');
-}
+bool is_study_cycles(const std::string& word) { return std::regex_match(word, std::regex("run|[1-9][0-9]?[VWF]")); }
 
 std::vector<StudyCase> cases_of(const StudyPlan& plan, const std::function<double(int)>& nodes) {
   std::vector<StudyCase> cases;
@@ -109,8 +100,7 @@ void use_way(const StudyCase& way, steady::Scene& scene) {
   const char shape = way.cycles.back();
   scene.multigrid.cycle = shape == 'V' ? fmg::Cycle::V : shape == 'F' ? fmg::Cycle::F : fmg::Cycle::W;
   if (!scene.multigrid.post) scene.multigrid.post = 1;
-  scene.multigrid.cycles = std::stoi(way.cycles);
-  scene.multigrid.max_cycles = scene.multigrid.cycles;
+  scene.multigrid.cycles = scene.multigrid.max_cycles = std::stoi(way.cycles);
   scene.multigrid.extra_cycles = 0;
 }
 

@@ -16,6 +16,7 @@ struct StudyCase {
   std::string wedge{};
   std::string evaluator{};
   std::string cycles{};
+  bool operator==(const StudyCase&) const = default;
 };
 
 /// The lists that are combined.
@@ -57,6 +58,15 @@ Case case_on_grid(const std::string& path, const std::vector<std::string>& overr
 /// The same case by another way. For a fixed number of cycles the limit of cycles is that number, so that the solution
 /// ends unconverged where the checks would ask for more; everything else is the deck's.
 void use_way(const StudyCase& way, steady::Scene& scene);
+
+/// The tasks, the whole list as often as each is repeated: the repetitions of one are far apart, so that a disturbance
+/// does not meet all of them.
+template <class Way>
+std::vector<Way> repeated(const std::vector<Way>& ways, int times) {
+  std::vector<Way> all;
+  for (; times > 0; --times) all.insert(all.end(), ways.begin(), ways.end());
+  return all;
+}
 
 /// "upstream2, mlmi8, 2W".
 std::string name_of_way(const StudyCase& way);

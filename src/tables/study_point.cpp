@@ -5,14 +5,44 @@
 #include "commands/machine.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
-#include "deck/text.hpp"
 #include "steady/solve.hpp"
 #include "tables/csv.hpp"
 
 namespace ehl::program {
 namespace {
 
-std::vector<Column<StudyPoint>> columns() {
+// Work of the levels below in units of the finest grid.
+double whole_work(const steady::Solution& solution) {
+  const auto nodes = [](const steady::LevelRow& row) { return (row.nx + 1.0) * (row.ny + 1.0); };
+  double work = 0.0;
+  for (const steady::LevelRow& row : solution.levels) work += row.work_units * nodes(row);
+  return work / nodes(solution.levels.back());
+}
+
+void take(const steady::Solution& solution, StudyPoint& point) {
+  point.reason = solution.failed_check;
+  point.attempts = static_cast<int>(solution.attempts.size());
+  if (solution.levels.empty()) return;
+  const steady::LevelRow& finest = solution.levels.back();
+  if (solution.converged) point.status = "converged";
+  // Cut off at the planned number of cycles with a film that can be looked at: as wanted, and not converged.
+  else if (point.way.cycles != "run" && solution.end == steady::CyclesEnd::limit && finest.Hm > 0.0)
+    point.status = "stopped";
+  point.nx = finest.nx;
+  point.ny = finest.ny;
+  point.Hc = finest.Hc;
+  point.Hm = finest.Hm;
+  point.estimate_Hc = finest.error_Hc;
+  point.estimate_Hm = finest.error_Hm;
+  point.residual = finest.residual;
+  for (const steady::LevelRow& row : solution.levels)
+    point.cycles_by_level += (point.cycles_by_level.empty() ? "" : ";") + std::to_string(row.cycles);
+  point.work_units = whole_work(solution);
+}
+
+}  // namespace
+
+std::vector<Column<StudyPoint>> study_columns() {
   using Point = StudyPoint;
   return {{"cells", "-", "of the finest grid, along x", part(&Point::way, &StudyCase::cells)},
           {"wedge", "", "scheme of the wedge term", part(&Point::way, &StudyCase::wedge)},
@@ -41,73 +71,24 @@ std::vector<Column<StudyPoint>> columns() {
           {"reason", "", "why there is no solution", &Point::reason}};
 }
 
-// Work of the levels below in units of the finest grid.
-double whole_work(const steady::Solution& solution) {
-  const auto nodes = [](const steady::LevelRow& row) { return (row.nx + 1.0) * (row.ny + 1.0); };
-  double work = 0.0;
-  for (const steady::LevelRow& row : solution.levels) work += row.work_units * nodes(row);
-  return work / nodes(solution.levels.back());
-}
+std::string text_of(const StudyPoint& point) { return csv_text(study_columns(), point); }
 
-}  // namespace
-
-std::string study_columns() { return csv_names(quantities_of(columns(), StudyPoint{})); }
-
-std::string study_units() { return csv_units(quantities_of(columns(), StudyPoint{})); }
-
-std::string study_text(const StudyPoint& point) { return csv_row(quantities_of(columns(), point)); }
-
-StudyPoint study_point(const std::string& row) try {
-  return csv_read(columns(), row);
-} catch (const core::FileError& error) {
-  throw core::FileError("this line is no row of a study: " + row.substr(0, 120) + ": " + error.what());
-}
-
-StudyPoint point_of_solution(const StudyCase& way, const steady::Solution& solution, double seconds) {
-  StudyPoint point;
-  point.way = way;
-  point.seconds = seconds;
-  point.seconds_most = seconds;
-  point.status = "not-converged";
-  point.reason = solution.failed_check;
-  point.attempts = static_cast<int>(solution.attempts.size());
-  if (solution.levels.empty()) return point;
-  const steady::LevelRow& finest = solution.levels.back();
-  if (solution.converged) point.status = "converged";
-  // Cut off at the planned number of cycles with a film that can be looked at: as wanted, and not converged.
-  else if (way.cycles != "run" && solution.end == steady::CyclesEnd::limit && finest.Hm > 0.0)
-    point.status = "stopped";
-  point.nx = finest.nx;
-  point.ny = finest.ny;
-  point.Hc = finest.Hc;
-  point.Hm = finest.Hm;
-  point.estimate_Hc = finest.error_Hc;
-  point.estimate_Hm = finest.error_Hm;
-  point.residual = finest.residual;
-  std::vector<std::string> cycles;
-  for (const steady::LevelRow& row : solution.levels) cycles.push_back(std::to_string(row.cycles));
-  point.cycles_by_level = deck::joined(cycles, ";");
-  point.work_units = whole_work(solution);
-  return point;
-}
+void read_text(const std::string& text, StudyPoint& point) { point = csv_read(study_columns(), text); }
 
 StudyPoint measure(Case input, const StudyCase& way) {
   use_way(way, input.scene);
-  const double began = core::now();
   StudyPoint point;
+  point.way = way;
+  point.status = "not-converged";
+  point.nx = input.scene.grid.nx;
+  point.ny = input.scene.grid.ny;
+  const double began = core::now();
   try {
-    const steady::Solution solution = steady::solve(input.scene);
-    point = point_of_solution(way, solution, core::now() - began);
+    take(steady::solve(input.scene), point);
   } catch (const core::SolverError& error) {
-    point.way = way;
-    point.status = "not-converged";
     point.reason = error.what();
-    point.seconds = point.seconds_most = core::now() - began;
   }
-  if (point.nx == 0) {
-    point.nx = input.scene.grid.nx;
-    point.ny = input.scene.grid.ny;
-  }
+  point.seconds = point.seconds_most = core::now() - began;
   point.peak_memory = peak_memory();
   return point;
 }

@@ -3,7 +3,7 @@
 #include <limits>
 #include <string>
 
-#include "steady/solution.hpp"
+#include "report/column.hpp"
 #include "tables/study_plan.hpp"
 
 namespace ehl::program {
@@ -44,19 +44,15 @@ struct StudyPoint : Cost {
   std::string reason{};
 };
 
-/// Names of the columns, between commas, their units as a comment, and a point as a row.
-std::string study_columns();
-std::string study_units();
-std::string study_text(const StudyPoint& point);
+/// The columns of the table.
+std::vector<Column<StudyPoint>> study_columns();
 
-/// The point of a row. errors: core::FileError: no such row.
-StudyPoint study_point(const std::string& row);
+/// A point as a row of it, and back. errors: core::FileError: no such row.
+std::string text_of(const StudyPoint& point);
+void read_text(const std::string& text, StudyPoint& point);
 
 /// Solves the case by one way and measures it once. in: the case on this way's grid, as the deck has it.
 /// errors: core::Interrupted, core::InputError (the evaluator does not fit the grid). Not converging is a status.
 StudyPoint measure(Case input, const StudyCase& way);
-
-/// The point of a solution. in: the way, the solution, its wall-clock seconds.
-StudyPoint point_of_solution(const StudyCase& way, const steady::Solution& solution, double seconds);
 
 }  // namespace ehl::program

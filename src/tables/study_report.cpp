@@ -1,9 +1,10 @@
 #include "tables/study_report.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "deck/text.hpp"
 #include "report/text_format.hpp"
@@ -14,59 +15,45 @@ namespace {
 
 std::string nodes_of(const StudyPoint& point) { return fmt::format("{} x {}", point.nx + 1, point.ny + 1); }
 
-std::string cells_of(const Reference& reference) {
-  std::vector<std::string> cells;
-  for (const int one : reference.cells) cells.push_back(std::to_string(one));
-  return deck::joined(cells, ", ");
-}
+std::string cells_of(const Reference& reference) { return fmt::format("{}", fmt::join(reference.cells, ", ")); }
 
 // The error, or the one below which nothing can be told.
 std::string error_text(double error, bool at_reference, const Extrapolated& reference) {
   return at_reference ? "< " + percent(reference.error) : percent(error);
 }
 
-std::string fronts_of(const StudyPoint& point) {
-  return std::string(point.front_Hc ? "Hc" : "") + (point.front_Hc && point.front_Hm ? " " : "") +
-         (point.front_Hm ? "Hm" : "");
-}
-
 std::string point_line(const StudyPoint& point, const Reference& reference) {
   const std::string status = point.status == "converged" ? "" : point.status;
+  const std::string fronts = fmt::format("{} {}", point.front_Hc ? "Hc" : "", point.front_Hm ? "Hm" : "");
   std::string line =
       fmt::format("{:>11}  {:<9}  {:<9}  {:>6}  {:>8}  {:>8}  {:>9}  {:>9}  {:>10}  {:>8}  {:<13}  {}", nodes_of(point),
                   point.way.wedge, point.way.evaluator, point.way.cycles, known("{:.5f}", point.Hc),
                   known("{:.5f}", point.Hm), error_text(point.error_Hc, point.at_reference_Hc, reference.Hc),
                   error_text(point.error_Hm, point.at_reference_Hm, reference.Hm), known("{:.1f}", point.work_units),
-                  known("{:.3f}", point.seconds), status, fronts_of(point));
+                  known("{:.3f}", point.seconds), status, deck::trimmed(fronts));
   return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
 }
 
-std::string column_line() {
-  return "      nodes  wedge      evaluator  cycles        Hc        Hm  error(Hc)  error(Hm)  work units   seconds  "
-         "status         front\n";
-}
+constexpr char column_line[] =
+    "      nodes  wedge      evaluator  cycles        Hc        Hm  error(Hc)  error(Hm)  work units   seconds  "
+    "status         front\n";
 
 std::string front_lines(const std::vector<StudyPoint>& points, const Reference& reference, bool StudyPoint::*on_front,
                         const std::string& name) {
   std::vector<StudyPoint> front;
-  for (const StudyPoint& point : points)
-    if (point.*on_front) front.push_back(point);
-  std::sort(front.begin(), front.end(), [](const StudyPoint& a, const StudyPoint& b) { return a.seconds < b.seconds; });
-  std::string text = "\nPareto front of " + name + ": nothing cheaper is as accurate\n" + column_line();
+  std::ranges::copy_if(points, std::back_inserter(front), on_front);
+  std::ranges::sort(front, {}, &StudyPoint::seconds);
+  std::string text = "\nPareto front of " + name + ": nothing cheaper is as accurate\n" + column_line;
   for (const StudyPoint& point : front) text += point_line(point, reference);
   return text;
 }
 
 std::string accuracy_lines(const std::vector<StudyPoint>& points) {
   std::string text = "\nseconds to an accuracy that holds on all finer grids too\n";
-  struct Wanted {
-    const char* name;
-    double StudyPoint::*error;
-  };
-  for (const Wanted& wanted : {Wanted{"Hc", &StudyPoint::error_Hc}, Wanted{"Hm", &StudyPoint::error_Hm}})
+  for (const auto& [name, error_of] : {std::pair("Hc", &StudyPoint::error_Hc), std::pair("Hm", &StudyPoint::error_Hm)})
     for (const double error : {1e-2, 1e-3, 1e-4}) {
-      const std::size_t found = cheapest(points, wanted.error, error);
-      text += fmt::format("  {} to {:<6}", wanted.name, fmt::format("{:g} %", 100.0 * error));
+      const std::size_t found = cheapest(points, error_of, error);
+      text += fmt::format("  {} to {:<6}", name, fmt::format("{:g} %", 100.0 * error));
       text += found == points.size() ? "  not reached\n"
                                      : fmt::format("  {:.3f} s: {}, ", points[found].seconds, nodes_of(points[found])) +
                                            name_of_way(points[found].way) + "\n";
@@ -74,46 +61,64 @@ std::string accuracy_lines(const std::vector<StudyPoint>& points) {
   return text;
 }
 
-std::vector<std::string> distinct(const std::vector<StudyPoint>& points, std::string StudyCase::*part) {
-  std::vector<std::string> found;
+// The different values of a part of the ways, as they come.
+template <class Part>
+std::vector<Part> distinct(const std::vector<StudyPoint>& points, Part StudyCase::*part) {
+  std::vector<Part> found;
   for (const StudyPoint& point : points)
-    if (std::find(found.begin(), found.end(), point.way.*part) == found.end()) found.push_back(point.way.*part);
+    if (std::ranges::find(found, point.way.*part) == found.end()) found.push_back(point.way.*part);
   return found;
 }
 
 // The program's own choice where it is among them.
 std::string one_of(const std::vector<std::string>& words, const std::string& preferred) {
-  return std::find(words.begin(), words.end(), preferred) != words.end() ? preferred : words.front();
+  return std::ranges::find(words, preferred) != words.end() ? preferred : words.front();
 }
 
-std::vector<int> levels_of(const std::vector<StudyPoint>& points) {
-  std::vector<int> cells;
-  for (const StudyPoint& point : points)
-    if (cells.empty() || cells.back() != point.way.cells) cells.push_back(point.way.cells);
-  return cells;
-}
-
-const StudyPoint* find(const std::vector<StudyPoint>& points, const StudyCase& way) {
-  const auto found = std::find_if(points.begin(), points.end(), [&](const StudyPoint& point) {
-    return point.way.cells == way.cells && name_of_way(point.way) == name_of_way(way);
-  });
-  return found == points.end() ? nullptr : &*found;
+// A line per level. in: the way; the part of it that differs from cell to cell; a cell, also of an unknown point.
+std::string by_level(const std::vector<StudyPoint>& points, StudyCase way, std::string StudyCase::*varied,
+                     std::string (*cell)(const StudyPoint&)) {
+  std::string text;
+  for (const int cells : distinct(points, &StudyCase::cells)) {
+    way.cells = cells;
+    std::string nodes = "-", line;
+    for (const std::string& word : distinct(points, varied)) {
+      way.*varied = word;
+      const auto found = std::ranges::find(points, way, &StudyPoint::way);
+      if (found != points.end()) nodes = nodes_of(*found);
+      line += cell(found != points.end() ? *found : StudyPoint{});
+    }
+    text += fmt::format("{:>11}", nodes) + line + "\n";
+  }
+  return text;
 }
 
 // What a film without convergence must carry.
-std::string mark(const StudyPoint& point) { return point.status == "converged" ? " " : "*"; }
+std::string film_cells(const StudyPoint& point) {
+  const char* mark = point.status.empty() || point.status == "converged" ? " " : "*";
+  return fmt::format("  {:>12}  {:>12}", known("{:.5f}", point.Hm) + mark, known("{:.5f}", point.Hc) + mark);
+}
 
-std::string line_of_films(const std::vector<StudyPoint>& points, StudyCase way) {
-  std::string nodes = "-";
-  std::string line;
-  for (const std::string& wedge : distinct(points, &StudyCase::wedge)) {
-    way.wedge = wedge;
-    const StudyPoint* point = find(points, way);
-    if (point != nullptr) nodes = nodes_of(*point);
-    for (const double value : {point ? point->Hm : StudyPoint::unknown, point ? point->Hc : StudyPoint::unknown})
-      line += fmt::format("  {:>12}", (known("{:.5f}", value) + (point ? mark(*point) : " ")));
-  }
-  return fmt::format("{:>11}", nodes) + line + "\n";
+// The paper's Table 1, by the most cycles of the lists and the default evaluator.
+std::string film_by_level(const std::vector<StudyPoint>& points) {
+  const StudyCase way{0, "", one_of(distinct(points, &StudyCase::evaluator), "mlmi8"),
+                      one_of(distinct(points, &StudyCase::cycles), "2W")};
+  std::string text = "\nTable 1: the film by level, " + way.evaluator + ", " + way.cycles +
+                     " (* not converged: what these cycles leave)\n      nodes";
+  for (const std::string& wedge : distinct(points, &StudyCase::wedge))
+    text += fmt::format("  {:>12}  {:>12}", "Hm " + wedge, "Hc " + wedge);
+  return text + "\n" + by_level(points, way, &StudyCase::wedge, film_cells);
+}
+
+// The paper's Table 2, for the first wedge and the default evaluator.
+std::string seconds_by_level(const std::vector<StudyPoint>& points) {
+  const StudyCase way{0, points.front().way.wedge, one_of(distinct(points, &StudyCase::evaluator), "mlmi8"), ""};
+  std::string text =
+      "\nTable 2: seconds by level and cycles per level, " + way.wedge + ", " + way.evaluator + "\n      nodes";
+  for (const std::string& cycles : distinct(points, &StudyCase::cycles)) text += fmt::format("  {:>8}", cycles);
+  return text + "\n" + by_level(points, way, &StudyCase::cycles, [](const StudyPoint& point) {
+           return fmt::format("  {:>8}", known("{:.3f}", point.seconds));
+         });
 }
 
 std::string reference_lines(const Reference& reference) {
@@ -149,48 +154,8 @@ std::string origin_lines(const StudyHeader& header, const std::string& times) {
 }
 
 std::string study_csv(const StudyHeader& header, const Reference& reference, const std::vector<StudyPoint>& points) {
-  std::string text = study_mark + origin_lines(header, times_of(header)) + reference_lines(reference) + how_to_read +
-                     study_units() + "\n" + study_columns() + "\n";
-  for (const StudyPoint& point : points) text += study_text(point) + "\n";
-  return text;
-}
-
-std::string film_by_level(const std::vector<StudyPoint>& points) {
-  const std::vector<std::string> cycles = distinct(points, &StudyCase::cycles);
-  StudyCase way{0, "", one_of(distinct(points, &StudyCase::evaluator), "mlmi8"), one_of(cycles, "2W")};
-  std::string text = "\nTable 1: the film by level, " + way.evaluator + ", " + way.cycles +
-                     " (* not converged: what these cycles leave)\n      nodes";
-  for (const std::string& wedge : distinct(points, &StudyCase::wedge))
-    text += fmt::format("  {:>12}  {:>12}", ("Hm " + wedge), ("Hc " + wedge));
-  text += "\n";
-  for (const int cells : levels_of(points)) {
-    way.cells = cells;
-    text += line_of_films(points, way);
-  }
-  return text;
-}
-
-std::string seconds_by_level(const std::vector<StudyPoint>& points) {
-  StudyCase way{0, distinct(points, &StudyCase::wedge).front(),
-                one_of(distinct(points, &StudyCase::evaluator), "mlmi8"), ""};
-  std::string text =
-      "\nTable 2: seconds by level and cycles per level, " + way.wedge + ", " + way.evaluator + "\n      nodes";
-  const std::vector<std::string> all = distinct(points, &StudyCase::cycles);
-  for (const std::string& cycles : all) text += fmt::format("  {:>8}", cycles);
-  text += "\n";
-  for (const int cells : levels_of(points)) {
-    std::string nodes = "-";
-    std::string line;
-    way.cells = cells;
-    for (const std::string& cycles : all) {
-      way.cycles = cycles;
-      const StudyPoint* point = find(points, way);
-      if (point != nullptr) nodes = nodes_of(*point);
-      line += fmt::format("  {:>8}", known("{:.3f}", point ? point->seconds : StudyPoint::unknown));
-    }
-    text += fmt::format("{:>11}", nodes) + line + "\n";
-  }
-  return text;
+  return csv_table(study_mark + origin_lines(header, times_of(header)) + reference_lines(reference) + how_to_read,
+                   study_columns(), points);
 }
 
 std::string study_report(const StudyHeader& header, const Reference& reference, const std::vector<StudyPoint>& points) {
@@ -199,7 +164,7 @@ std::string study_report(const StudyHeader& header, const Reference& reference, 
                       percent(reference.Hc.error), reference.Hm.value, percent(reference.Hm.error));
   text += fmt::format("             second order, FFT, {} cells, extrapolated; residual {:.0e}\n", cells_of(reference),
                       reference.residual);
-  text += "times        " + times_of(header) + "\n\n" + column_line();
+  text += "times        " + times_of(header) + "\n\n" + column_line;
   for (const StudyPoint& point : points) text += point_line(point, reference);
   text += "(< below the reference's own error; stopped: after the cycles of its way, not converged)\n";
   text += front_lines(points, reference, &StudyPoint::front_Hc, "Hc");

@@ -37,10 +37,4 @@ std::string study_csv(const StudyHeader& header, const Reference& reference, con
 /// of Venner and ten Napel (1992).
 std::string study_report(const StudyHeader& header, const Reference& reference, const std::vector<StudyPoint>& points);
 
-/// The film by level for each wedge, by the most cycles of the lists and the default evaluator (the paper's Table 1).
-std::string film_by_level(const std::vector<StudyPoint>& points);
-
-/// Seconds by level and cycles, for the first wedge and the default evaluator (the paper's Table 2).
-std::string seconds_by_level(const std::vector<StudyPoint>& points);
-
 }  // namespace ehl::program

@@ -29,34 +29,30 @@ std::vector<std::string> parts_between(const std::string& text, char separator) 
   return parts;
 }
 
-double finite_number(const std::string& text, const std::string& said) {
-  const deck::ReadNumber read = deck::read_number(text);
-  if (read.status != deck::ReadNumber::Status::number)
-    throw core::InputError(said + "'" + text + "' is no number: a range is a:b:n or a:b:n:log");
-  return read.value;
-}
-
 // in: "a:b:n" or "a:b:n:log".
 std::vector<std::string> values_of_range(const std::string& text, const std::string& said) {
   const std::vector<std::string> parts = parts_between(text, ':');
-  if (parts.size() < 3 || parts.size() > 4)
-    throw core::InputError(said + "'" + text + "': a range is a:b:n or a:b:n:log");
-  const double a = finite_number(parts[0], said);
-  const double b = finite_number(parts[1], said);
-  const double n = finite_number(parts[2], said);
+  const auto refuse_if = [&](bool wrong, const std::string& why) {
+    if (wrong) throw core::InputError(said + why);
+  };
+  refuse_if(parts.size() < 3 || parts.size() > 4, "'" + text + "': a range is a:b:n or a:b:n:log");
+  const auto number = [&](const std::string& part) {
+    const deck::ReadNumber read = deck::read_number(part);
+    refuse_if(read.status != deck::ReadNumber::Status::number,
+              "'" + part + "' is no number: a range is a:b:n or a:b:n:log");
+    return read.value;
+  };
+  const double a = number(parts[0]), b = number(parts[1]), n = number(parts[2]);
   const bool logarithmic = parts.size() == 4;
-  if (logarithmic && parts[3] != "log")
-    throw core::InputError(said + "'" + parts[3] + "' in '" + text + "': only log may follow a:b:n");
-  if (n != std::floor(n) || n < 2.0 || n > static_cast<double>(most_cases))
-    throw core::InputError(said + "n = " + parts[2] + " in '" + text + "': must be a whole number >= 2 and <= 1000000");
-  if (logarithmic && (a <= 0.0 || b <= 0.0))
-    throw core::InputError(said + "'" + text + "': both ends of a logarithmic range must be > 0");
-  if (a == b) throw core::InputError(said + "'" + text + "': the ends of a range must differ");
+  refuse_if(logarithmic && parts[3] != "log", "'" + parts.back() + "' in '" + text + "': only log may follow a:b:n");
+  refuse_if(n != std::floor(n) || n < 2.0 || n > static_cast<double>(most_cases),
+            "n = " + parts[2] + " in '" + text + "': must be a whole number >= 2 and <= 1000000");
+  refuse_if(logarithmic && (a <= 0.0 || b <= 0.0), "'" + text + "': both ends of a logarithmic range must be > 0");
+  refuse_if(a == b, "'" + text + "': the ends of a range must differ");
 
-  const auto count = static_cast<int>(n);
   std::vector<std::string> values{parts[0]};
-  for (int k = 1; k + 1 < count; ++k) {
-    const double t = static_cast<double>(k) / (count - 1);
+  for (double k = 1.0; k + 1.0 < n; ++k) {
+    const double t = k / (n - 1.0);
     // Twelve digits: 20 and not 19.999999999999996.
     values.push_back(fmt::format("{:.12g}", logarithmic ? a * std::pow(b / a, t) : a + (b - a) * t));
   }

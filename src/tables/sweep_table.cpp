@@ -9,7 +9,6 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
-#include <span>
 #include <sstream>
 
 #include "core/errors.hpp"
@@ -140,23 +139,16 @@ void SweepTable::check_identity(const std::vector<std::string>& found) const {
 }
 
 void SweepTable::take_row(const std::string& line, const std::map<std::string, std::size_t>& cases) {
-  const auto commas = [](const std::string& text) { return std::count(text.begin(), text.end(), ','); };
-  std::size_t after_keys = 0;
-  for (std::size_t k = 0; k < header_.variations.size() && after_keys <= line.size(); ++k)
-    after_keys = std::min(line.find(',', after_keys), line.size()) + 1;
-  const auto found = cases.find(line.substr(0, after_keys));
+  std::vector<std::string> cells = csv_cells(line, header_.variations.size() + 1);
+  const std::string row = cells.back();
+  cells.pop_back();
+  const auto found = cases.find(start_of_row(cells));
   // The reason is the last column, and the only one that may hold commas.
-  if (found != cases.end() && line.ends_with('"') && commas(line) >= commas(column_line(header_))) {
-    rows_[found->second] = line;
-    return;
-  }
-  throw core::FileError(path_ + ": this line is no row of the sweep: " + line.substr(0, 120) +
-                        ": remove it, give --overwrite to begin anew, or another --output");
-}
-
-std::string SweepTable::status_of(std::size_t index) const {
-  const std::size_t begin = start_of_row(values_of_case(header_.variations, index)).size();
-  return rows_[index].empty() ? "" : rows_[index].substr(begin, rows_[index].find(',', begin) - begin);
+  const auto commas = [](const std::string& text) { return std::count(text.begin(), text.end(), ','); };
+  if (found == cases.end() || !row.ends_with('"') || commas(line) < commas(column_line(header_)))
+    throw core::FileError(path_ + ": this line is no row of the sweep: " + line.substr(0, 120) +
+                          ": remove it, give --overwrite to begin anew, or another --output");
+  rows_[found->second] = row;
 }
 
 void SweepTable::write(const std::string& text) const {
@@ -166,29 +158,32 @@ void SweepTable::write(const std::string& text) const {
   throw core::FileError(path_ + ": cannot be written: " + (written < 0 ? std::strerror(errno) : "no room is left"));
 }
 
+std::string SweepTable::line_of(std::size_t index) const {
+  return start_of_row(values_of_case(header_.variations, index)) + rows_[index] + "\n";
+}
+
 void SweepTable::append(std::size_t index, const std::string& text) {
-  rows_[index] = start_of_row(values_of_case(header_.variations, index)) + text;
-  write(rows_[index] + "\n");
+  rows_[index] = text;
+  write(line_of(index));
 }
 
 void SweepTable::finish() const {
   std::string text = whole_header(header_, programs_);
-  for (const std::string& row : rows_)
-    if (!row.empty()) text += row + "\n";
-  results::write_atomically(path_, std::as_bytes(std::span(text)), true);
+  for (std::size_t index = 0; index < rows_.size(); ++index)
+    if (!rows_[index].empty()) text += line_of(index);
+  write_table(path_, text, true);
 }
 
 std::vector<std::size_t> SweepTable::missing() const {
   std::vector<std::size_t> cases;
   for (std::size_t index = 0; index < rows_.size(); ++index)
-    if (rows_[index].empty() || status_of(index) == "failed") cases.push_back(index);
+    if (rows_[index].empty() || rows_[index].starts_with("failed,")) cases.push_back(index);
   return cases;
 }
 
 std::size_t SweepTable::count(const std::string& status) const {
-  std::size_t found = 0;
-  for (std::size_t index = 0; index < rows_.size(); ++index) found += status_of(index) == status ? 1 : 0;
-  return found;
+  return static_cast<std::size_t>(
+      std::ranges::count_if(rows_, [&](const std::string& row) { return row.starts_with(status + ","); }));
 }
 
 }  // namespace ehl::program

@@ -52,12 +52,12 @@ class SweepTable {
   void read(const std::string& content);
   void check_identity(const std::vector<std::string>& found) const;
   void take_row(const std::string& line, const std::map<std::string, std::size_t>& cases);
-  std::string status_of(std::size_t index) const;
+  std::string line_of(std::size_t index) const;
   void write(const std::string& text) const;
 
   std::string path_;
   SweepHeader header_;
-  std::vector<std::string> rows_;      ///< one per case, whole lines; empty where there is none yet
+  std::vector<std::string> rows_;      ///< one per case, after the varied keys; empty where there is none yet
   std::vector<std::string> programs_;  ///< the lines of all programs that worked on it
   int descriptor_ = -1;
 };

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
-#include <span>
 
 #include "commands/exit_status.hpp"
 #include "commands/machine.hpp"
@@ -14,6 +13,7 @@
 #include "deck/text.hpp"
 #include "results/atomic_file.hpp"
 #include "tables/children.hpp"
+#include "tables/csv.hpp"
 #include "tables/time_study_report.hpp"
 
 namespace ehl::program {
@@ -32,34 +32,26 @@ constexpr double most_rtol = 1e-1;
 
 std::vector<double> tolerances(const Arguments& arguments) {
   const std::string text = arguments.value("rtol", "1e-2,1e-3,1e-4,1e-5,1e-6");
-  const std::string said = "command line: --rtol " + text + ": ";
-  std::vector<double> list;
-  for (const std::string& word : deck::split_words(text)) {
+  const auto allowed = [](const std::string& word) {
     const deck::ReadNumber read = deck::read_number(word);
-    const bool good =
-        read.status == deck::ReadNumber::Status::number && read.value >= least_rtol && read.value <= most_rtol;
-    if (!good)
-      throw core::InputError(said + deck::quoted(word) +
-                             fmt::format(" must be a number from {:g} to {:g}", least_rtol, most_rtol));
-    if (std::ranges::find(list, read.value) != list.end()) throw core::InputError(said + word + " is given twice");
-    list.push_back(read.value);
-  }
-  if (list.empty()) throw core::InputError(said + "the list is empty");
+    return read.status == deck::ReadNumber::Status::number && read.value >= least_rtol && read.value <= most_rtol;
+  };
+  std::vector<double> list;
+  for (const std::string& word :
+       words_of_list("rtol", text, allowed, fmt::format("a number from {:g} to {:g}", least_rtol, most_rtol)))
+    list.push_back(deck::read_number(word).value);
   std::ranges::sort(list, std::greater<>());
+  if (const auto twice = std::ranges::adjacent_find(list); twice != list.end())
+    throw core::InputError(fmt::format("command line: --rtol {}: {:g} is given twice", text, *twice));
   return list;
 }
 
 // in: whether the film is looked at; then the time says nothing.
 std::vector<TimeStudyPoint> run_ways(const Case& input, const std::vector<TimeWay>& ways, bool look, int at_once,
                                      bool quiet) {
-  std::vector<TimeStudyPoint> planned(ways.size());
-  for (std::size_t k = 0; k < ways.size(); ++k) planned[k].way = ways[k];
-  const RowCalls<TimeStudyPoint> calls{
-      .compute = [&](const TimeStudyPoint& point) { return measure_in_time(input, point.way, look ? samples : 0); },
-      .write = text_of,
-      .read = time_study_point,
-      .name = [&](const TimeStudyPoint& point) { return name_of_way(point.way) + (look ? "" : ", timed"); }};
-  return computed_rows(std::move(planned), at_once, quiet, calls);
+  return computed_rows<TimeStudyPoint, TimeWay>(
+      ways, at_once, quiet, [&](const TimeWay& way) { return measure_in_time(input, way, look ? samples : 0); },
+      [&](const TimeWay& way) { return name_of_way(way) + (look ? "" : ", timed"); });
 }
 
 TimeReference find_reference(Case input, double rtol, double longest_step, bool quiet) {
@@ -76,20 +68,17 @@ TimeReference find_reference(Case input, double rtol, double longest_step, bool 
   return reference;
 }
 
-// The repetitions of a run are far apart, so that a disturbance does not meet all of them.
 std::vector<TimeStudyPoint> measured(const Case& input, const std::vector<double>& rtols, double longest_step,
                                      const StudyHeader& header, bool quiet) {
-  std::vector<TimeWay> once, again;
-  for (const double rtol : rtols) once.push_back({rtol, longest_step});
-  for (int repetition = 0; repetition < header.repeats; ++repetition)
-    again.insert(again.end(), once.begin(), once.end());
+  std::vector<TimeWay> ways;
+  for (const double rtol : rtols) ways.push_back({rtol, longest_step});
   if (!quiet)
     std::fprintf(stderr, "ehl: %zu tolerances, each once for its film and %d times for its time\n", rtols.size(),
                  header.repeats);
-  std::vector<TimeStudyPoint> points = run_ways(input, once, true, header.jobs, quiet);
+  std::vector<TimeStudyPoint> points = run_ways(input, ways, true, header.jobs, quiet);
   for (TimeStudyPoint& point : points)
     point.seconds = point.seconds_most = TimeStudyPoint::unknown;  // with the looking
-  const std::vector<TimeStudyPoint> timed = run_ways(input, again, false, header.jobs, quiet);
+  const std::vector<TimeStudyPoint> timed = run_ways(input, repeated(ways, header.repeats), false, header.jobs, quiet);
   for (std::size_t k = 0; k < timed.size(); ++k) add_repetition(timed[k], points[k % points.size()]);
   return points;
 }
@@ -111,8 +100,7 @@ int study_in_time(const Arguments& arguments, const StudyHeader& header, const s
   const TimeReference reference = find_reference(input, rtols.back(), longest_step, quiet);
   std::vector<TimeStudyPoint> points = measured(input, rtols, longest_step, header, quiet);
   for (TimeStudyPoint& point : points) point.errors = errors_in_time(reference.run, point);
-  const std::string csv = time_study_csv(header, reference, points);
-  results::write_atomically(path, std::as_bytes(std::span(csv)), arguments.has("overwrite"));
+  write_table(path, time_study_csv(header, reference, points), arguments.has("overwrite"));
   print(time_study_report(header, reference, points) + "table        " + path + "\n");
   return std::ranges::all_of(points, is_complete) ? solved : not_converged;
 }

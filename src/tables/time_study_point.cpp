@@ -21,30 +21,6 @@ namespace {
 /// Of times.
 constexpr double rounding = 1e-9;
 
-// in: how many quantities have errors; a child that comes back knows none.
-std::vector<Column<TimeStudyPoint>> columns(const std::vector<std::string>& quantities) {
-  using Point = TimeStudyPoint;
-  std::vector<Column<Point>> list{
-      {"rtol", "-", "tolerance of the time integration", part(&Point::way, &TimeWay::rtol)},
-      {"longest_step", "a/u_m", "that is allowed", part(&Point::way, &TimeWay::longest_step)},
-      {"time", "a/u_m", "reached", &Point::T},
-      {"steps", "-", "of time", &Point::steps},
-      {"cycles", "-", "of all steps", &Point::cycles},
-      {"cycles_per_step", "-", "mean", cycles_per_step},
-      {"rejected", "-", "attempts that failed the error test", &Point::rejected},
-      {"not_solved", "-", "attempts that the cycles did not solve", &Point::not_solved},
-      {"jumps", "-", "of load or speed", &Point::jumps},
-      {"seconds", "s", "of the run in time; the least of the repetitions", &Point::seconds},
-      {"seconds_most", "s", "the most of them", &Point::seconds_most},
-      {"peak_memory", "bytes", "of the process", &Point::peak_memory},
-      {"status", "", "how it ended", &Point::status}};
-  for (std::size_t k = 0; k < quantities.size(); ++k)
-    list.push_back({"error_" + quantities[k], "-", "largest over the run",
-                    [k](const Point& point) { return k < point.errors.size() ? point.errors[k] : Point::unknown; }});
-  list.push_back({"reason", "", "why it is not complete", &Point::reason});
-  return list;
-}
-
 TimeSample sample_of(const Case& input, const transient::Frame& frame) {
   const core::Grid& grid = input.scene.grid;
   TimeSample sample{frame.T, {}};
@@ -84,20 +60,31 @@ std::string name_of_way(const TimeWay& way) {
 
 double cycles_per_step(const TimeStudyPoint& point) { return static_cast<double>(point.cycles) / point.steps; }
 
-std::string time_study_columns(std::size_t probes) {
-  return csv_names(quantities_of(columns(time_study_quantities(probes)), TimeStudyPoint{}));
-}
-
-std::string time_study_units() { return csv_units(quantities_of(columns({}), TimeStudyPoint{})); }
-
-std::string time_study_row(const TimeStudyPoint& point) {
-  constexpr std::size_t without_probes = 3;
-  const std::size_t errors = std::max(point.errors.size(), without_probes);
-  return csv_row(quantities_of(columns(time_study_quantities(errors - without_probes)), point));
+std::vector<Column<TimeStudyPoint>> time_study_columns(const std::vector<std::string>& quantities) {
+  using Point = TimeStudyPoint;
+  std::vector<Column<Point>> list{
+      {"rtol", "-", "tolerance of the time integration", part(&Point::way, &TimeWay::rtol)},
+      {"longest_step", "a/u_m", "that is allowed", part(&Point::way, &TimeWay::longest_step)},
+      {"time", "a/u_m", "reached", &Point::T},
+      {"steps", "-", "of time", &Point::steps},
+      {"cycles", "-", "of all steps", &Point::cycles},
+      {"cycles_per_step", "-", "mean", cycles_per_step},
+      {"rejected", "-", "attempts that failed the error test", &Point::rejected},
+      {"not_solved", "-", "attempts that the cycles did not solve", &Point::not_solved},
+      {"jumps", "-", "of load or speed", &Point::jumps},
+      {"seconds", "s", "of the run in time; the least of the repetitions", &Point::seconds},
+      {"seconds_most", "s", "the most of them", &Point::seconds_most},
+      {"peak_memory", "bytes", "of the process", &Point::peak_memory},
+      {"status", "", "how it ended", &Point::status}};
+  for (std::size_t k = 0; k < quantities.size(); ++k)
+    list.push_back({"error_" + quantities[k], "-", "largest over the run",
+                    [k](const Point& point) { return k < point.errors.size() ? point.errors[k] : Point::unknown; }});
+  list.push_back({"reason", "", "why it is not complete", &Point::reason});
+  return list;
 }
 
 std::string text_of(const TimeStudyPoint& point) {
-  std::string text = csv_row(quantities_of(columns({}), point));
+  std::string text = csv_text(time_study_columns({}), point);
   for (const TimeSample& sample : point.samples) {
     text += "\n" + csv_cell(sample.T);
     for (const double value : sample.values) text += "," + csv_cell(value);
@@ -105,11 +92,11 @@ std::string text_of(const TimeStudyPoint& point) {
   return text;
 }
 
-TimeStudyPoint time_study_point(const std::string& text) {
+void read_text(const std::string& text, TimeStudyPoint& point) {
   std::istringstream lines(text);
   std::string line;
   std::getline(lines, line);
-  TimeStudyPoint point = csv_read(columns({}), line);
+  point = csv_read(time_study_columns({}), line);
   while (std::getline(lines, line)) {
     TimeSample sample;
     for (const std::string& word : deck::split_words(line))
@@ -119,7 +106,6 @@ TimeStudyPoint time_study_point(const std::string& text) {
     sample.values.erase(sample.values.begin());
     point.samples.push_back(std::move(sample));
   }
-  return point;
 }
 
 TimeStudyPoint measure_in_time(Case input, const TimeWay& way, int samples) {

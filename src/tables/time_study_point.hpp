@@ -35,15 +35,12 @@ struct TimeStudyPoint : Cost {
 /// "Hc", "Hm", "P_max", "P_1", ...
 std::vector<std::string> time_study_quantities(std::size_t probes);
 
-/// Names of the columns of the table, between commas, their units as a comment, and a point as a row. in: number of
-/// probes.
-std::string time_study_columns(std::size_t probes);
-std::string time_study_units();
-std::string time_study_row(const TimeStudyPoint& point);
+/// The columns of the table. in: names of the quantities that have errors.
+std::vector<Column<TimeStudyPoint>> time_study_columns(const std::vector<std::string>& quantities);
 
 /// A point with its samples, for the way from one process to another, and back. errors: core::FileError: no such text.
 std::string text_of(const TimeStudyPoint& point);
-TimeStudyPoint time_study_point(const std::string& text);
+void read_text(const std::string& text, TimeStudyPoint& point);
 
 /// Runs the case once. in: the case, its way; samples, how many equal parts of the end time are looked at (by the dense
 /// output of the integration, so that no step is another for it), 0: none, the run is only timed.

@@ -84,10 +84,8 @@ std::string time_study_csv(const StudyHeader& header, const TimeReference& refer
       "# compared at: " + std::to_string(reference.run.samples.size()) +
       " equidistant times, by the dense output of the integration\n"
       "# errors: largest over the run; Hc, Hm, P_max relative at every time, P_1, ... relative to the largest P there\n"
-      "# status: complete, not-complete (errors are not given), failed (the program)\n" +
-      time_study_units() + "\n" + time_study_columns(reference.probes.size()) + "\n";
-  for (const TimeStudyPoint& point : points) text += time_study_row(point) + "\n";
-  return text;
+      "# status: complete, not-complete (errors are not given), failed (the program)\n";
+  return csv_table(text, time_study_columns(names), points);
 }
 
 std::string time_study_report(const StudyHeader& header, const TimeReference& reference,

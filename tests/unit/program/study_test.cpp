@@ -33,6 +33,12 @@ program::StudyPoint point(int cells, double seconds, double Hc, const std::strin
   return made;
 }
 
+program::StudyPoint from_text(const std::string& text) {
+  program::StudyPoint point;
+  program::read_text(text, point);
+  return point;
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(study)
@@ -146,17 +152,17 @@ BOOST_AUTO_TEST_CASE(a_row_reads_back) {
   made.attempts = 2;
   made.front_Hm = true;
   made.reason = "the residual, 1e-3, is above";
-  const program::StudyPoint read = program::study_point(program::study_text(made));
+  const program::StudyPoint read = from_text(program::text_of(made));
   BOOST_TEST((read.way.cells == 128 && read.way.wedge == "upstream2" && read.way.evaluator == "mlmi8"));
   BOOST_TEST((read.way.cycles == "2W" && read.status == "stopped" && read.cycles_by_level == "6;2"));
   BOOST_TEST((read.Hc == 1.0 / 3.0 && read.Hm == 0.25 && read.seconds == 0.1 && std::isnan(read.estimate_Hc) &&
               read.attempts == 2));
   BOOST_TEST((read.front_Hm && !read.front_Hc && read.reason == made.reason && read.nx == 128));
-  BOOST_TEST(program::study_text(read) == program::study_text(made));
-  BOOST_TEST(contains(refusal([] { program::study_point("64,upstream2"); }), "no row of a study"));
-  std::string damaged = program::study_text(made);
+  BOOST_TEST(program::text_of(read) == program::text_of(made));
+  BOOST_TEST(contains(refusal([] { from_text("64,upstream2"); }), "no row of a study"));
+  std::string damaged = program::text_of(made);
   damaged.replace(0, 3, "x28");
-  BOOST_TEST(contains(refusal([&] { program::study_point(damaged); }), "no row of a study"));
+  BOOST_TEST(contains(refusal([&] { from_text(damaged); }), "no row of a study"));
 }
 
 BOOST_AUTO_TEST_CASE(levels) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/errors.hpp"
+#include "tables/csv.hpp"
 #include "tables/time_study_report.hpp"
 
 using namespace ehl;
@@ -36,6 +37,12 @@ program::TimeReference reference() {
   return all;
 }
 
+program::TimeStudyPoint from_text(const std::string& text) {
+  program::TimeStudyPoint point;
+  program::read_text(text, point);
+  return point;
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(time_study)
@@ -63,7 +70,7 @@ BOOST_AUTO_TEST_CASE(no_error_without_a_complete_run) {
     for (const double error : program::errors_in_time(made(1.0), point)) BOOST_TEST(std::isnan(error));
     for (const double error : program::errors_in_time(point, made(1.0))) BOOST_TEST(std::isnan(error));
     point.errors = program::errors_in_time(made(1.0), point);
-    const std::string row = program::time_study_row(point);
+    const std::string row = program::csv_text(program::time_study_columns({"Hc", "Hm", "P_max", "P_1"}), point);
     BOOST_TEST(contains(row, std::string(status) + ",NaN,NaN,NaN,NaN,\"no, more than 7 steps\""), row);
     const std::string text = program::time_study_report({}, reference(), {point});
     BOOST_TEST(contains(text, "NOT COMPLETE: no, more than 7 steps"), text);
@@ -80,16 +87,16 @@ BOOST_AUTO_TEST_CASE(no_error_without_a_complete_run) {
 BOOST_AUTO_TEST_CASE(a_point_comes_back_from_its_text) {
   program::TimeStudyPoint point = made(1.0 / 3.0);
   point.reason = "a, b";
-  const program::TimeStudyPoint back = program::time_study_point(program::text_of(point));
+  const program::TimeStudyPoint back = from_text(program::text_of(point));
   BOOST_TEST((back.way.rtol == 1e-4 && back.way.longest_step == 0.1 && back.T == 1.0 && back.status == "complete"));
   BOOST_TEST((back.steps == 10 && back.cycles == 15 && back.rejected == 2 && back.not_solved == 1 && back.jumps == 3));
   BOOST_TEST((back.seconds == 0.5 && back.seconds_most == 0.75 && back.peak_memory == 1e6 && back.reason == "a, b"));
   BOOST_REQUIRE(back.samples.size() == 5u);
   for (std::size_t k = 0; k < 5; ++k) BOOST_TEST((back.samples[k].values == point.samples[k].values));
-  const program::TimeStudyPoint empty = program::time_study_point(program::text_of({}));
+  const program::TimeStudyPoint empty = from_text(program::text_of(program::TimeStudyPoint{}));
   BOOST_TEST((std::isnan(empty.seconds) && empty.samples.empty()));
-  BOOST_CHECK_THROW(program::time_study_point("1,2,3"), core::FileError);
-  BOOST_CHECK_THROW(program::time_study_point(program::text_of(point) + "\n1,x"), core::FileError);
+  BOOST_CHECK_THROW(from_text("1,2,3"), core::FileError);
+  BOOST_CHECK_THROW(from_text(program::text_of(point) + "\n1,x"), core::FileError);
 }
 
 BOOST_AUTO_TEST_CASE(the_table_says_what_it_is) {
