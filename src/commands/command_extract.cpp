@@ -3,8 +3,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "base/exit_status.hpp"
 #include "commands/commands.hpp"
-#include "commands/exit_status.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
 #include "results/read.hpp"

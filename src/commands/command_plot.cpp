@@ -12,9 +12,9 @@
 #include <memory>
 #include <sstream>
 
+#include "base/exit_status.hpp"
+#include "base/machine.hpp"
 #include "commands/commands.hpp"
-#include "commands/exit_status.hpp"
-#include "commands/machine.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
 #include "results/read.hpp"

@@ -3,11 +3,11 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/exit_status.hpp"
+#include "base/machine.hpp"
 #include "case/catalogue.hpp"
 #include "case/effects.hpp"
 #include "commands/commands.hpp"
-#include "commands/exit_status.hpp"
-#include "commands/machine.hpp"
 #include "commands/solver.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"

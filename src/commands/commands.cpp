@@ -6,13 +6,13 @@
 #include <cstring>
 #include <filesystem>
 
+#include "base/exit_status.hpp"
+#include "base/machine.hpp"
+#include "base/version.hpp"
 #include "case/catalogue.hpp"
-#include "commands/exit_status.hpp"
-#include "commands/machine.hpp"
 #include "core/errors.hpp"
 #include "core/processor_level.hpp"
 #include "deck/write.hpp"
-#include "report/version.hpp"
 
 namespace ehl::program {
 namespace {

@@ -8,10 +8,10 @@
 #include <optional>
 #include <utility>
 
+#include "base/text_format.hpp"
 #include "contact/film_formulas.hpp"
 #include "contact/yield.hpp"
 #include "core/norms.hpp"
-#include "report/text_format.hpp"
 #include "rheology/range.hpp"
 
 namespace ehl::program {

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "commands/machine.hpp"
+#include "base/machine.hpp"
+#include "base/version.hpp"
 #include "core/processor_level.hpp"
 #include "deck/text.hpp"
 #include "deck/write.hpp"
 #include "report/quantities.hpp"
-#include "report/version.hpp"
 #include "surface/resample.hpp"
 
 namespace ehl::program {
@@ -83,8 +83,9 @@ DerivedFields derived_fields(const Case& input, const steady::Solution& solution
   return derived;
 }
 
-results::Content result_content(const Case& input, const steady::Solution& solution, const Outcome& outcome,
-                                const DerivedFields& derived) {
+results::Content result_content(const Case& input, const Computed& computed) {
+  const steady::Solution& solution = computed.solution;
+  const DerivedFields& derived = computed.derived;
   results::Content content;
   content.title = input.title;
   content.deck = deck::effective_deck(with_grid_of(solution, input.deck));
@@ -100,10 +101,10 @@ results::Content result_content(const Case& input, const steady::Solution& solut
   if (input.scene.surface)
     content.fields.push_back(
         {"S", "a^2/R", "what the surfaces at rest add to the gap, as means over cells", &derived.S});
-  content.summary = film_quantities(input, solution, outcome);
+  content.summary = film_quantities(input, solution, computed.outcome);
   for (Quantity& one : verification_quantities(solution.verification, !contact::circular(input.scene.shape)))
     content.summary.push_back(std::move(one));
-  content.summary.push_back({"warnings", deck::joined(outcome.warnings, "\n"), "", "one a line"});
+  content.summary.push_back({"warnings", deck::joined(computed.outcome.warnings, "\n"), "", "one a line"});
   add_surface_records(input, solution.grid, content);
   content.tables = {table_of("levels", "the full multigrid, level by level: what accuracy cost in time",
                              level_columns(), solution.levels),

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "base/version.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
-#include "report/version.hpp"
 
 namespace ehl::program {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "report/column.hpp"
+#include "base/column.hpp"
 
 namespace ehl::program {
 

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "base/text_format.hpp"
 #include "case/surface_input.hpp"
 #include "core/constants.hpp"
-#include "report/text_format.hpp"
 #include "surface/resample.hpp"
 
 namespace ehl::program {

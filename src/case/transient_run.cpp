@@ -1,4 +1,4 @@
-#include "commands/transient_run.hpp"
+#include "case/transient_run.hpp"
 
 #include <fmt/core.h>
 
@@ -7,12 +7,12 @@
 #include <cstdio>
 #include <functional>
 
+#include "base/json.hpp"
+#include "base/signals.hpp"
+#include "base/text_format.hpp"
 #include "case/transient_input.hpp"
-#include "commands/signals.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
-#include "report/json.hpp"
-#include "report/text_format.hpp"
 
 namespace ehl::program {
 namespace {
