@@ -1,6 +1,5 @@
 #include "results/read.hpp"
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>

@@ -7,7 +7,6 @@
 #include <cstdio>
 
 #include "base/signals.hpp"
-#include "base/text_format.hpp"
 #include "core/timer.hpp"
 
 namespace ehl::program {

@@ -3,7 +3,6 @@
 
 #include <numbers>
 
-#include "base/text_format.hpp"
 #include "case/effects.hpp"
 
 namespace ehl::program {

@@ -1,7 +1,6 @@
 // Bodies of two radii each.
 #include <fmt/core.h>
 
-#include "base/text_format.hpp"
 #include "case/effects.hpp"
 
 namespace ehl::program {

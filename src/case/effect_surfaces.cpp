@@ -1,11 +1,9 @@
 // What the surfaces carry.
 #include <fmt/core.h>
 
-#include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "base/text_format.hpp"
 #include "case/effects.hpp"
 #include "case/surface_input.hpp"
 #include "deck/text.hpp"

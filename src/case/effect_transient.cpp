@@ -1,11 +1,9 @@
 // Contacts in time.
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/json.hpp"
-#include "base/text_format.hpp"
 #include "case/effects.hpp"
 #include "deck/text.hpp"
 #include "transient/keys.hpp"

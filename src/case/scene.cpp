@@ -9,7 +9,6 @@
 #include "case/effects.hpp"
 #include "case/needs.hpp"
 #include "core/errors.hpp"
-#include "deck/text.hpp"
 #include "fmg/keys.hpp"
 #include "mlmi/keys.hpp"
 #include "reynolds/keys.hpp"

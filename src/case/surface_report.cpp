@@ -1,8 +1,6 @@
 // What is told about surfaces that are not smooth.
 #include <fmt/core.h>
 
-#include <cmath>
-
 #include "base/text_format.hpp"
 #include "case/surface_input.hpp"
 #include "core/constants.hpp"

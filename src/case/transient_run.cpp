@@ -4,12 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 
 #include "base/json.hpp"
 #include "base/signals.hpp"
-#include "base/text_format.hpp"
 #include "case/transient_input.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"

@@ -12,8 +12,6 @@
 #include "core/constants.hpp"
 #include "core/norms.hpp"
 #include "core/processor_level.hpp"
-#include "deck/text.hpp"
-#include "deck/write.hpp"
 #include "report/outcome.hpp"
 #include "report/result_content.hpp"
 
@@ -142,10 +140,7 @@ std::string json(const Case& input, const Computed& computed) {
 
 results::Content content(const Case& input, const Computed& computed) {
   const dry::Solution& solution = *computed.dry;
-  results::Content content;
-  content.title = input.title;
-  content.deck = deck::effective_deck(input.deck);
-  content.provenance = provenance(input);
+  results::Content content = content_of(input, computed, quantities(computed));
   if (const std::optional<ElasticContact>& contact = input.dry->contact)
     content.scales = {{"p_h", contact->hertz.p_h, "Pa", "Hertz pressure, the scale of P"},
                       {"a", contact->hertz.a, "m", "Hertz radius, the scale of X and Y"},
@@ -153,14 +148,10 @@ results::Content content(const Case& input, const Computed& computed) {
                       {"load", contact->load, "N", "normal load"},
                       {"R", contact->radius, "m", "reduced radius"},
                       {"E_prime", contact->E_prime, "Pa", "reduced modulus"}};
-  content.grid = solution.grid;
   content.fields = {{"P", "p_h", "pressure p/p_h", &solution.P}, {"gap", "a^2/R", "gap h R/a^2", &solution.H}};
   if (input.scene.surface)
     content.fields.push_back(
         {"S", "a^2/R", "what the surfaces add to the gap, as means over cells", &computed.derived.S});
-  content.summary = quantities(computed);
-  content.summary.push_back({"warnings", deck::joined(computed.outcome.warnings, "\n"), "", "one a line"});
-  add_surface_records(input, solution.grid, content);
   content.tables = {table_of("grids", "the grids, coarse to fine", grid_columns(), solution.rows)};
   return content;
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/text_format.hpp"
 #include "commands/solver.hpp"
 #include "core/errors.hpp"
 #include "report/report.hpp"

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "base/text_format.hpp"
 #include "report/report.hpp"
 #include "rheology/pressure_coefficient.hpp"
 

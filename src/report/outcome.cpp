@@ -8,7 +8,6 @@
 #include <optional>
 #include <utility>
 
-#include "base/text_format.hpp"
 #include "contact/film_formulas.hpp"
 #include "contact/yield.hpp"
 #include "core/norms.hpp"

@@ -11,7 +11,6 @@
 #include "case/needs.hpp"
 #include "contact/film_formulas.hpp"
 #include "core/constants.hpp"
-#include "deck/text.hpp"
 
 namespace ehl::program {
 namespace {
