@@ -3,9 +3,9 @@
 #include <exception>
 #include <new>
 
+#include "base/exit_status.hpp"
+#include "base/signals.hpp"
 #include "commands/commands.hpp"
-#include "commands/exit_status.hpp"
-#include "commands/signals.hpp"
 #include "core/errors.hpp"
 #include "core/process.hpp"
 

@@ -16,7 +16,7 @@ if(GIT_FOUND)
     endif()
   endif()
 endif()
-set(text "#include \"report/version.hpp\"
+set(text "#include \"base/version.hpp\"
 
 namespace ehl::program {
 

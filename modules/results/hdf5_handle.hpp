@@ -3,6 +3,7 @@
 #include <hdf5.h>
 
 #include <string>
+#include <vector>
 
 #include "core/errors.hpp"
 
@@ -72,5 +73,14 @@ Handle open_hdf5(const std::string& path);
 inline void check(herr_t status, const std::string& what) {
   if (status < 0) throw core::FileError(what + ": " + library_reason());
 }
+
+struct Dataset {
+  Handle set;
+  Handle space;
+  Handle type;
+  std::vector<hsize_t> dims;  ///< none: a single value
+};
+/// in: how the message of an error begins. errors: core::FileError.
+Dataset open_dataset(hid_t file, const std::string& name, const std::string& cannot);
 
 }  // namespace ehl::results

@@ -13,15 +13,11 @@ Array read_matrix(const std::string& path, const std::string& dataset) {
   const QuietErrors quiet;
   const Handle file = open_hdf5(path);
   const std::string cannot = path + ": cannot read " + dataset;
-  const Handle set = checked(H5Dopen2(file, dataset.c_str(), H5P_DEFAULT), H5Dclose, cannot);
-  const Handle space = checked(H5Dget_space(set), H5Sclose, cannot);
-  const Handle type = checked(H5Dget_type(set), H5Tclose, cannot);
+  const auto [set, space, type, dims] = open_dataset(file, dataset, cannot);
   const H5T_class_t kind = H5Tget_class(type);
   if (kind != H5T_FLOAT && kind != H5T_INTEGER) throw core::FileError(cannot + ": it holds no numbers");
-  const int rank = H5Sget_simple_extent_ndims(space);
-  if (rank != 2) throw core::FileError(cannot + ": it has " + std::to_string(rank) + " dimensions and must have two");
-  hsize_t dims[2] = {0, 0};
-  H5Sget_simple_extent_dims(space, dims, nullptr);
+  if (dims.size() != 2)
+    throw core::FileError(cannot + ": it has " + std::to_string(dims.size()) + " dimensions and must have two");
   // A damaged header can promise any number; a compressed dataset may hold more than its size on disk tells.
   if (dims[1] > 0 && dims[0] > most_numbers / dims[1])
     throw core::FileError(cannot + ": it has more than 10^8 numbers");

@@ -1,6 +1,5 @@
 #include "results/read.hpp"
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -18,6 +17,17 @@ Handle open_hdf5(const std::string& path) {
   const QuietErrors quiet;
   if (H5Fis_hdf5(path.c_str()) == 0) throw core::FileError(path + ": cannot be read: this is no HDF5 file");
   return checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path + ": cannot be read");
+}
+
+Dataset open_dataset(hid_t file, const std::string& name, const std::string& cannot) {
+  Handle set = checked(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, cannot);
+  Handle space = checked(H5Dget_space(set), H5Sclose, cannot);
+  Handle type = checked(H5Dget_type(set), H5Tclose, cannot);
+  const int rank = H5Sget_simple_extent_ndims(space);
+  if (rank < 0) throw core::FileError(cannot + ": it has no shape");
+  std::vector<hsize_t> dims(static_cast<std::size_t>(rank));
+  if (rank > 0) H5Sget_simple_extent_dims(space, dims.data(), nullptr);
+  return {std::move(set), std::move(space), std::move(type), std::move(dims)};
 }
 
 namespace {
@@ -85,15 +95,10 @@ std::vector<std::string> ResultFile::names(const std::string& group) const {
 Array ResultFile::numbers(const std::string& name) const {
   const QuietErrors quiet;
   const std::string cannot = implementation_->cannot(name);
-  const Handle set = checked(H5Dopen2(implementation_->file, name.c_str(), H5P_DEFAULT), H5Dclose, cannot);
-  const Handle space = checked(H5Dget_space(set), H5Sclose, cannot);
-  const Handle type = checked(H5Dget_type(set), H5Tclose, cannot);
+  const auto [set, space, type, dims] = open_dataset(implementation_->file, name, cannot);
   const H5T_class_t kind = H5Tget_class(type);
   if (kind != H5T_FLOAT && kind != H5T_INTEGER) throw core::FileError(cannot + ": it holds no numbers");
-  const int rank = H5Sget_simple_extent_ndims(space);
-  if (rank < 0 || rank > 2) throw core::FileError(cannot + ": it has " + std::to_string(rank) + " dimensions");
-  std::vector<hsize_t> dims(static_cast<std::size_t>(rank));
-  if (rank > 0) H5Sget_simple_extent_dims(space, dims.data(), nullptr);
+  if (dims.size() > 2) throw core::FileError(cannot + ": it has " + std::to_string(dims.size()) + " dimensions");
   const hssize_t points = H5Sget_simple_extent_npoints(space);
   // A damaged header can promise more numbers than the file holds: do not reserve memory for a promise.
   const hsize_t stored = H5Dget_storage_size(set);
@@ -110,14 +115,8 @@ Array ResultFile::numbers(const std::string& name) const {
 
 std::vector<std::size_t> ResultFile::dims(const std::string& name) const {
   const QuietErrors quiet;
-  const std::string cannot = implementation_->cannot(name);
-  const Handle set = checked(H5Dopen2(implementation_->file, name.c_str(), H5P_DEFAULT), H5Dclose, cannot);
-  const Handle space = checked(H5Dget_space(set), H5Sclose, cannot);
-  const int rank = H5Sget_simple_extent_ndims(space);
-  if (rank < 0) throw core::FileError(cannot + ": it has no shape");
-  std::vector<hsize_t> lengths(static_cast<std::size_t>(rank));
-  if (rank > 0) H5Sget_simple_extent_dims(space, lengths.data(), nullptr);
-  return {lengths.begin(), lengths.end()};
+  const std::vector<hsize_t> dims = open_dataset(implementation_->file, name, implementation_->cannot(name)).dims;
+  return {dims.begin(), dims.end()};
 }
 
 std::string ResultFile::axis(const std::string& field, const std::string& name) const {
@@ -127,9 +126,10 @@ std::string ResultFile::axis(const std::string& field, const std::string& name) 
 }
 
 Array ResultFile::frame(const std::string& name, std::size_t k) const {
-  const std::vector<std::size_t> lengths = dims(name);
   const QuietErrors quiet;
   const std::string cannot = implementation_->cannot(name);
+  const Dataset opened = open_dataset(implementation_->file, name, cannot);
+  const std::vector<hsize_t>& lengths = opened.dims;
   if (lengths.size() != 3 || k >= lengths[0])
     throw core::FileError(cannot + ": it has no field number " + std::to_string(k));
   Array array;
@@ -139,13 +139,11 @@ Array ResultFile::frame(const std::string& name, std::size_t k) const {
   if (x.empty() || y.empty() || lengths[1] != dims(y).at(0) || lengths[2] != dims(x).at(0))
     throw core::FileError(cannot + ": the file is damaged: it does not fit its grid");
   array.values.resize(lengths[1] * lengths[2]);
-  const Handle set = checked(H5Dopen2(implementation_->file, name.c_str(), H5P_DEFAULT), H5Dclose, cannot);
-  const Handle space = checked(H5Dget_space(set), H5Sclose, cannot);
   const hsize_t start[] = {k, 0, 0};
   const hsize_t piece[] = {1, lengths[1], lengths[2]};
-  check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, piece, nullptr), cannot);
+  check(H5Sselect_hyperslab(opened.space, H5S_SELECT_SET, start, nullptr, piece, nullptr), cannot);
   const Handle memory = checked(H5Screate_simple(3, piece, nullptr), H5Sclose, cannot);
-  check(H5Dread(set, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, array.values.data()), cannot);
+  check(H5Dread(opened.set, H5T_NATIVE_DOUBLE, memory, opened.space, H5P_DEFAULT, array.values.data()), cannot);
   array.unit = attribute(name, "unit");
   array.meaning = attribute(name, "meaning");
   return array;
@@ -154,12 +152,11 @@ Array ResultFile::frame(const std::string& name, std::size_t k) const {
 std::string ResultFile::text(const std::string& name) const {
   const QuietErrors quiet;
   const std::string cannot = implementation_->cannot(name);
-  const Handle set = checked(H5Dopen2(implementation_->file, name.c_str(), H5P_DEFAULT), H5Dclose, cannot);
-  const Handle type = checked(H5Dget_type(set), H5Tclose, cannot);
-  const Handle space = checked(H5Dget_space(set), H5Sclose, cannot);
-  if (H5Tget_class(type) != H5T_STRING || H5Sget_simple_extent_npoints(space) != 1)
+  const Dataset opened = open_dataset(implementation_->file, name, cannot);
+  if (H5Tget_class(opened.type) != H5T_STRING || H5Sget_simple_extent_npoints(opened.space) != 1)
     throw core::FileError(cannot + ": it is no text");
-  return read_text(type, [&](void* to) { return H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, to); });
+  return read_text(opened.type,
+                   [&](void* to) { return H5Dread(opened.set, opened.type, H5S_ALL, H5S_ALL, H5P_DEFAULT, to); });
 }
 
 std::string ResultFile::attribute(const std::string& object, const std::string& name) const {

@@ -48,35 +48,33 @@ Handle creation(const Writer& writer) {
   return properties;
 }
 
-Handle dataset(const Writer& writer, const std::string& name, hid_t type, hid_t space) {
-  const Handle properties = creation(writer);
+Handle dataset(const Writer& writer, const std::string& name, hid_t type, hid_t space, hid_t properties) {
   return checked(H5Dcreate2(writer.file, name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose,
                  writer.cannot(name));
 }
 
-Handle group(const Writer& writer, const std::string& name) {
-  return checked(H5Gcreate2(writer.file, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose,
-                 writer.cannot(name));
+Handle group(const Writer& writer, const std::string& name, const std::string& meaning = "") {
+  Handle made = checked(H5Gcreate2(writer.file, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose,
+                        writer.cannot(name));
+  attribute(writer, made, "meaning", meaning);
+  return made;
 }
 
 void text(const Writer& writer, const std::string& name, const std::string& value, const std::string& meaning) {
   const Handle type = text_type(writer, value);
   const Handle space = checked(H5Screate(H5S_SCALAR), H5Sclose, writer.cannot(name));
-  const Handle made = dataset(writer, name, type, space);
+  const Handle made = dataset(writer, name, type, space, creation(writer));
   check(H5Dwrite(made, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, value.c_str()), writer.cannot(name));
   describe(writer, made, "", meaning);
 }
 
-struct Shape {
-  std::vector<hsize_t> dims;  // none: a single number
-};
-
-void numbers(const Writer& writer, const std::string& name, const Shape& shape, const std::vector<double>& values,
-             bool whole, const std::string& unit, const std::string& meaning) {
-  const int rank = static_cast<int>(shape.dims.size());
-  const Handle space = checked(rank == 0 ? H5Screate(H5S_SCALAR) : H5Screate_simple(rank, shape.dims.data(), nullptr),
+// in: lengths; none: a single number.
+void numbers(const Writer& writer, const std::string& name, const std::vector<hsize_t>& dims,
+             const std::vector<double>& values, bool whole, const std::string& unit, const std::string& meaning) {
+  const int rank = static_cast<int>(dims.size());
+  const Handle space = checked(rank == 0 ? H5Screate(H5S_SCALAR) : H5Screate_simple(rank, dims.data(), nullptr),
                                H5Sclose, writer.cannot(name));
-  const Handle made = dataset(writer, name, whole ? H5T_STD_I64LE : H5T_IEEE_F64LE, space);
+  const Handle made = dataset(writer, name, whole ? H5T_STD_I64LE : H5T_IEEE_F64LE, space, creation(writer));
   if (whole) {
     const std::vector<std::int64_t> integers(values.begin(), values.end());
     check(H5Dwrite(made, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, integers.data()), writer.cannot(name));
@@ -93,6 +91,10 @@ void quantity(const Writer& writer, const std::string& name, const Quantity& one
   if (std::isfinite(value)) numbers(writer, name, {}, {value}, whole, one.unit, one.meaning);
 }
 
+void column(const Writer& writer, const std::string& group, const Column& one) {
+  numbers(writer, group + "/" + one.name, {one.values.size()}, one.values, one.whole, one.unit, one.meaning);
+}
+
 // In a group that there is.
 void quantities(const Writer& writer, const std::string& group, const std::vector<Quantity>& list) {
   for (const Quantity& one : list)
@@ -106,7 +108,7 @@ std::vector<double> stations(const core::Grid& nodes) {
 }
 
 void axis(const Writer& writer, const std::string& name, const std::vector<double>& at, const std::string& meaning) {
-  numbers(writer, name, {{at.size()}}, at, false, "a", meaning + ", in Hertz radii");
+  numbers(writer, name, {at.size()}, at, false, "a", meaning + ", in Hertz radii");
 }
 
 void grid(const Writer& writer, const std::string& of, const core::Grid& nodes) {
@@ -131,7 +133,7 @@ std::vector<double> row_by_row(const core::Field& from) {
 void field(const Writer& writer, const std::string& of, const NamedField& entry) {
   const std::vector<double> values = row_by_row(*entry.field);
   const auto rows = static_cast<hsize_t>(entry.field->nodes_y());
-  numbers(writer, of + "/" + entry.name, {{rows, values.size() / rows}}, values, false, entry.unit, entry.meaning);
+  numbers(writer, of + "/" + entry.name, {rows, values.size() / rows}, values, false, entry.unit, entry.meaning);
 }
 
 // One field after the other into (time, y, x), each a compressed piece of its own.
@@ -149,8 +151,7 @@ void series(const Writer& writer, const std::string& group_name, const Series& e
   check(H5Pset_deflate(properties, fast), cannot);
   const Handle space = checked(H5Screate_simple(3, dims, nullptr), H5Sclose, cannot);
   const hid_t type = entry.single ? H5T_IEEE_F32LE : H5T_IEEE_F64LE;
-  const Handle made = checked(H5Dcreate2(writer.file, name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT),
-                              H5Dclose, cannot);
+  const Handle made = dataset(writer, name, type, space, properties);
   const Handle of_piece = checked(H5Screate_simple(3, piece, nullptr), H5Sclose, cannot);
   for (std::size_t k = 0; k < entry.fields.size(); ++k) {
     const hsize_t start[] = {k, 0, 0};
@@ -163,43 +164,35 @@ void series(const Writer& writer, const std::string& group_name, const Series& e
 
 void frames(const Writer& writer, const Frames& entry) {
   if (entry.group.empty()) return;
-  const Handle made = group(writer, entry.group);
-  numbers(writer, entry.group + "/time", {{entry.times.size()}}, entry.times, false, "a/u_m", "times of the fields");
+  group(writer, entry.group);
+  numbers(writer, entry.group + "/time", {entry.times.size()}, entry.times, false, "a/u_m", "times of the fields");
   for (const Series& one : entry.series) series(writer, entry.group, one);
 }
 
 void table(const Writer& writer, const Table& entry) {
-  const Handle made = group(writer, "/" + entry.name);
-  attribute(writer, made, "meaning", entry.meaning);
+  const Handle made = group(writer, "/" + entry.name, entry.meaning);
   std::string order;
-  for (const Column& column : entry.columns) order += (order.empty() ? "" : " ") + column.name;
+  for (const Column& one : entry.columns) order += (order.empty() ? "" : " ") + one.name;
   attribute(writer, made, "columns", order);
-  for (const Column& column : entry.columns)
-    numbers(writer, "/" + entry.name + "/" + column.name, {{column.values.size()}}, column.values, column.whole,
-            column.unit, column.meaning);
+  for (const Column& one : entry.columns) column(writer, "/" + entry.name, one);
 }
 
 void loose(const Writer& writer, const Loose& entry) {
   if (entry.group.empty()) return;
-  const Handle made = group(writer, entry.group);
-  attribute(writer, made, "meaning", entry.meaning);
+  group(writer, entry.group, entry.meaning);
   quantities(writer, entry.group, entry.numbers);
-  for (const Column& one : entry.arrays)
-    numbers(writer, entry.group + "/" + one.name, {{one.values.size()}}, one.values, one.whole, one.unit, one.meaning);
+  for (const Column& one : entry.arrays) column(writer, entry.group, one);
 }
 
 void volume(const Writer& writer, const Volume& entry) {
   if (entry.group.empty()) return;
-  const Handle made = group(writer, entry.group);
-  attribute(writer, made, "meaning", entry.meaning);
-  attribute(writer, made, "warnings", entry.warnings);
+  attribute(writer, group(writer, entry.group, entry.meaning), "warnings", entry.warnings);
   grid(writer, entry.group, entry.grid);
   axis(writer, entry.group + "/z", entry.depths, "depth below the surface");
   for (const Series& one : entry.series) series(writer, entry.group, one);
   quantities(writer, entry.group, entry.numbers);
   const std::string section = entry.group + "/section";
-  const Handle across = group(writer, section);
-  attribute(writer, across, "meaning", entry.section_meaning);
+  group(writer, section, entry.section_meaning);
   axis(writer, section + "/x", stations(entry.grid), "X of the nodes");
   axis(writer, section + "/z", entry.depths, "depth below the surface");
   for (const NamedField& one : entry.section) field(writer, section, one);
@@ -207,8 +200,7 @@ void volume(const Writer& writer, const Volume& entry) {
 
 void effects(const Writer& writer, const std::vector<EffectRow>& list) {
   if (list.empty()) return;
-  const Handle made = group(writer, "/effects");
-  attribute(writer, made, "meaning", "what the deck called for beyond the basic model, and the time that each took");
+  group(writer, "/effects", "what the deck called for beyond the basic model, and the time that each took");
   for (const EffectRow& row : list) {
     const std::string name = "/effects/" + row.name;
     numbers(writer, name, {}, {row.seconds}, false, "s", row.what);
@@ -221,26 +213,16 @@ void everything(const Writer& writer, const Content& content) {
   attribute(writer, writer.file, "format", "ehl result");
   attribute(writer, writer.file, "title", content.title);
   text(writer, "/deck", content.deck, "the deck as it was understood: read again, it gives this case");
-  {
-    const Handle made = group(writer, "/provenance");
-    quantities(writer, "/provenance", content.provenance);
-  }
-  {
-    const Handle made = group(writer, "/scales");
-    quantities(writer, "/scales", content.scales);
-  }
-  {
-    const Handle made = group(writer, "/grid");
-    grid(writer, "/grid", content.grid);
-  }
-  {
-    const Handle made = group(writer, "/fields");
-    for (const NamedField& entry : content.fields) field(writer, "/fields", entry);
-  }
-  {
-    const Handle made = group(writer, "/summary");
-    quantities(writer, "/summary", content.summary);
-  }
+  group(writer, "/provenance");
+  quantities(writer, "/provenance", content.provenance);
+  group(writer, "/scales");
+  quantities(writer, "/scales", content.scales);
+  group(writer, "/grid");
+  grid(writer, "/grid", content.grid);
+  group(writer, "/fields");
+  for (const NamedField& entry : content.fields) field(writer, "/fields", entry);
+  group(writer, "/summary");
+  quantities(writer, "/summary", content.summary);
   for (const Table& entry : content.tables) table(writer, entry);
   frames(writer, content.frames);
   loose(writer, content.checkpoint);

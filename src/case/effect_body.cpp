@@ -1,8 +1,9 @@
 // A body that moves under the load and the film's pressure.
+#include <fmt/core.h>
+
 #include <numbers>
 
 #include "case/effects.hpp"
-#include "report/text_format.hpp"
 
 namespace ehl::program {
 
@@ -17,11 +18,11 @@ Effect body_effect() {
           .what =
               [](const Case& input) {
                 const transient::Body& body = *input.transient->conditions.body;
-                const std::string start = body.gap ? formatted("apart by %.4g", *body.gap) : "upon the steady film";
-                return formatted(
-                    "mass %.4g, damping %.4g, from %s with velocity %.4g; %.4g vibrations per a/u_m upon "
+                const std::string start = body.gap ? fmt::format("apart by {:.4g}", *body.gap) : "upon the steady film";
+                return fmt::format(
+                    "mass {:.4g}, damping {:.4g}, from {} with velocity {:.4g}; {:.4g} vibrations per a/u_m upon "
                     "the dry contact",
-                    body.mass, body.damping, start.c_str(), body.velocity,
+                    body.mass, body.damping, start, body.velocity,
                     transient::natural_frequency(body) / (2.0 * std::numbers::pi));
               },
           .example = {"body.mass=2"},

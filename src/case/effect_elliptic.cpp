@@ -1,6 +1,7 @@
 // Bodies of two radii each.
+#include <fmt/core.h>
+
 #include "case/effects.hpp"
-#include "report/text_format.hpp"
 
 namespace ehl::program {
 
@@ -14,13 +15,13 @@ Effect elliptic_effect() {
           .what =
               [](const Case& input) {
                 const contact::Ellipse& shape = input.scene.shape;
-                return formatted("R_x/R_y = %.4g, b/a = %.4g, entrained at %.4g degrees to R_x", shape.radius_ratio,
-                                 shape.kappa, shape.angle);
+                return fmt::format("R_x/R_y = {:.4g}, b/a = {:.4g}, entrained at {:.4g} degrees to R_x",
+                                   shape.radius_ratio, shape.kappa, shape.angle);
               },
           .asymmetry =
               [](const Case& input) {
                 const bool aslant = contact::gap(input.scene.shape).XY != 0.0;
-                return aslant ? formatted("entrained at %.4g degrees", input.scene.shape.angle) : std::string();
+                return aslant ? fmt::format("entrained at {:.4g} degrees", input.scene.shape.angle) : std::string();
               },
           .example = {"contact.radius_ratio=0.5"}};
 }

@@ -1,12 +1,14 @@
 // Friction on both surfaces.
+#include <fmt/core.h>
+
 #include <cmath>
 
+#include "base/json.hpp"
+#include "base/text_format.hpp"
 #include "case/effects.hpp"
 #include "case/sliding_input.hpp"
 #include "deck/text.hpp"
 #include "effects/friction/keys.hpp"
-#include "report/json.hpp"
-#include "report/text_format.hpp"
 
 namespace ehl::program {
 namespace {
@@ -17,8 +19,9 @@ std::string oil(const Case& input) { return input.scene.thinning ? "shear-thinni
 
 std::string what(const Case& input) {
   const friction::Parameters& parameters = *input.friction;
-  return formatted("isothermal, %s, slide-roll ratio %.4g, ", oil(input).c_str(), input.physics.srr) +
-         (std::isfinite(parameters.limit) ? formatted("limited to %.4g p", parameters.limit) : "no limiting stress") +
+  return fmt::format("isothermal, {}, slide-roll ratio {:.4g}, ", oil(input), input.physics.srr) +
+         (std::isfinite(parameters.limit) ? fmt::format("limited to {:.4g} p", parameters.limit)
+                                          : "no limiting stress") +
          ", cavitated region: " + deck::word(input.deck, "friction", "cavitated");
 }
 
@@ -33,16 +36,18 @@ Needs expense(const Case& input) {
 std::string summary(const Case& input, const Computed& computed) {
   const Friction& f = *computed.friction;
   const auto in_newtons = [&](double mu) {
-    return input.physics.si ? formatted(" (%.3g N)", mu * input.physics.si->contact.load) : "";
+    return input.physics.si ? fmt::format(" ({:.3g} N)", mu * input.physics.si->contact.load) : "";
   };
   const char* mark = computed.solution.converged ? "" : "  (NOT CONVERGED)";
-  std::string text = formatted("friction     mu = %.5g sliding%s, %.3g rolling%s%s\n", f.sliding,
-                               in_newtons(f.sliding).c_str(), f.rolling, in_newtons(f.rolling).c_str(), mark);
-  text += formatted("             on surface 1 %.5g, on surface 2 %.5g of the load along +x; cavitated region %.2g\n",
-                    f.on_1, f.on_2, f.cavitated);
-  text += formatted("             largest shear stress of sliding %.4g p_h", f.largest_stress);
+  std::string text = fmt::format("friction     mu = {:.5g} sliding{}, {:.3g} rolling{}{}\n", f.sliding,
+                                 in_newtons(f.sliding), f.rolling, in_newtons(f.rolling), mark);
+  text += fmt::format(
+      "             on surface 1 {:.5g}, on surface 2 {:.5g} of the load along +x; cavitated region {:.2g}\n", f.on_1,
+      f.on_2, f.cavitated);
+  text += fmt::format("             largest shear stress of sliding {:.4g} p_h", f.largest_stress);
   if (std::isfinite(input.physics.p_h)) text += ", " + pressure(f.largest_stress * input.physics.p_h);
-  if (std::isfinite(f.parameters.limit)) text += formatted(", limited on %.0f %% of the load", 100.0 * f.limited_share);
+  if (std::isfinite(f.parameters.limit))
+    text += fmt::format(", limited on {:.0f} % of the load", 100.0 * f.limited_share);
   text += "; isothermal, " + oil(input) + "\n";
   return text + warning_lines(friction::warnings(f));
 }

@@ -1,7 +1,9 @@
 // Oil that thins where it is sheared.
+#include <fmt/core.h>
+
+#include "base/text_format.hpp"
 #include "case/effects.hpp"
 #include "case/sliding_input.hpp"
-#include "report/text_format.hpp"
 #include "rheology/shear_keys.hpp"
 
 namespace ehl::program {
@@ -11,9 +13,9 @@ std::string what(const Case& input) {
   const bool eyring = std::holds_alternative<rheology::Eyring>(input.scene.thinning->law);
   const double stress = deck::number(input.deck, "shear", eyring ? "tau_0" : "G");
   return (eyring ? "Eyring, tau_0 = " : "Carreau, G = ") + pressure(stress) +
-         (eyring ? "" : formatted(", n = %.4g", std::get<rheology::Carreau>(input.scene.thinning->law).n)) +
-         formatted(", slide-roll ratio %.4g: eta rate is %.3g of that stress at ambient pressure where H = 1",
-                   input.physics.srr, input.scene.thinning->k);
+         (eyring ? "" : fmt::format(", n = {:.4g}", std::get<rheology::Carreau>(input.scene.thinning->law).n)) +
+         fmt::format(", slide-roll ratio {:.4g}: eta rate is {:.3g} of that stress at ambient pressure where H = 1",
+                     input.physics.srr, input.scene.thinning->k);
 }
 
 std::string idle(const Case& input) {

@@ -1,12 +1,12 @@
 // What the surfaces carry.
-#include <cmath>
+#include <fmt/core.h>
+
 #include <limits>
 #include <numbers>
 
 #include "case/effects.hpp"
 #include "case/surface_input.hpp"
 #include "deck/text.hpp"
-#include "report/text_format.hpp"
 #include "steady/resolution.hpp"
 #include "surface/keys.hpp"
 
@@ -18,9 +18,8 @@ namespace {
 std::string over_film(const CarriedSurface& surface, const steady::Scene& scene) {
   const auto* feature = std::get_if<surface::Feature>(&surface.relief);
   const double height = feature ? feature->height : surface.map->rms;
-  return formatted(feature ? ", height %.2g" : ", rms %.2g",
-                   height / steady::expected_central_film(scene.M, scene.L, scene.shape)) +
-         " of the smooth film";
+  return fmt::format(", {} {:.2g} of the smooth film", feature ? "height" : "rms",
+                     height / steady::expected_central_film(scene.M, scene.L, scene.shape));
 }
 
 std::string what(const Case& input) {
@@ -29,7 +28,7 @@ std::string what(const Case& input) {
     std::string text = one->shape + " on " + one->section;
     if (input.transient) {
       const Way way = way_of(*one, *input.transient);
-      text += formatted(" (x = %.4g to %.4g a)", way.from, way.to);
+      text += fmt::format(" (x = {:.4g} to {:.4g} a)", way.from, way.to);
     } else if (!input.dry) {
       text += ", at rest";
     }
@@ -44,8 +43,8 @@ std::string asymmetry_of(const CarriedSurface& one) {
   const auto* feature = std::get_if<surface::Feature>(&one.relief);
   const std::string name = one.shape + " of " + one.section;
   if (!feature) return name;
-  return name + (feature->Y != 0.0 ? formatted(" at y = %.4g", feature->Y)
-                                   : formatted(" at %.4g degrees", feature->angle * 180.0 / std::numbers::pi));
+  return name + (feature->Y != 0.0 ? fmt::format(" at y = {:.4g}", feature->Y)
+                                   : fmt::format(" at {:.4g} degrees", feature->angle * 180.0 / std::numbers::pi));
 }
 
 std::string asymmetry(const Case& input) {

@@ -1,11 +1,11 @@
 // Contacts in time.
-#include <algorithm>
+#include <fmt/core.h>
+
 #include <cmath>
 
+#include "base/json.hpp"
 #include "case/effects.hpp"
 #include "deck/text.hpp"
-#include "report/json.hpp"
-#include "report/text_format.hpp"
 #include "transient/keys.hpp"
 
 namespace ehl::program {
@@ -20,8 +20,8 @@ std::string what(const Case& input) {
   std::vector<std::string> varying;
   for (const char* key : {"load", "load_wave", "u1", "u1_wave", "u2", "u2_wave"})
     if (deck::given(input.deck, "transient", key)) varying.push_back(key);
-  return formatted("in time to %.4g a/u_m, steps of at most %.3g; varying: ", input.transient->parameters.end,
-                   step_of(*input.transient)) +
+  return fmt::format("in time to {:.4g} a/u_m, steps of at most {:.3g}; varying: ", input.transient->parameters.end,
+                     step_of(*input.transient)) +
          (varying.empty() ? "neither load nor speed" : deck::joined(varying, ", "));
 }
 

@@ -1,12 +1,13 @@
 #include "case/effects.hpp"
 
-#include <algorithm>
+#include <fmt/core.h>
+
 #include <cmath>
 #include <limits>
 
+#include "base/json.hpp"
+#include "base/text_format.hpp"
 #include "deck/text.hpp"
-#include "report/json.hpp"
-#include "report/text_format.hpp"
 #include "steady/climb.hpp"
 
 namespace ehl::program {
@@ -164,16 +165,17 @@ std::string effect_lines(const Case& input) {
 std::string effect_times(const Case& input, const Computed& computed) {
   const std::vector<Effect> on = effects_of(input);
   if (on.empty()) return {};
-  std::string text = formatted("%-29s  %8s  %5s\n", "effects", "seconds", "share");
+  std::string text = fmt::format("{:<29}  {:>8}  {:>5}\n", "effects", "seconds", "share");
   std::string rows;
   double basic = computed.seconds;
   for (const Effect& effect : on) {
     const double seconds = own_seconds(effect, computed);
-    rows += formatted("  %-27s  %8s  %5s\n", effect.name.c_str(), known("{:.4f}", seconds).c_str(),
-                      std::isfinite(seconds) ? formatted("%3.0f %%", 100.0 * seconds / computed.seconds).c_str() : "-");
+    rows += fmt::format("  {:<27}  {:>8}  {:>5}\n", effect.name, known("{:.4f}", seconds),
+                        std::isfinite(seconds) ? fmt::format("{:3.0f} %", 100.0 * seconds / computed.seconds) : "-");
     if (std::isfinite(seconds)) basic -= seconds;
   }
-  return text + formatted("  %-27s  %8.4f  %3.0f %%\n", "basic model", basic, 100.0 * basic / computed.seconds) + rows;
+  return text + fmt::format("  {:<27}  {:8.4f}  {:3.0f} %\n", "basic model", basic, 100.0 * basic / computed.seconds) +
+         rows;
 }
 
 void add_effects(const Case& input, const Computed& computed, Json& report) {

@@ -11,28 +11,14 @@
 #include <string>
 #include <vector>
 
+#include "base/progress.hpp"
+#include "case/computed.hpp"
 #include "case/needs.hpp"
 #include "case/scene.hpp"
-#include "commands/transient_run.hpp"
 #include "deck/key.hpp"
-#include "effects/friction/friction.hpp"
-#include "effects/subsurface/stress.hpp"
 #include "results/content.hpp"
-#include "steady/solution.hpp"
 
 namespace ehl::program {
-
-/// What a run has computed: the contact, and what each effect has added to it.
-struct Computed {
-  steady::Solution solution{};  ///< of a dry contact grid, P and whether it converged
-  std::optional<dry::Solution> dry{};
-  Outcome outcome{};
-  DerivedFields derived{};
-  std::optional<TransientResult> in_time{};
-  std::optional<subsurface::StressField> stresses{};
-  std::optional<friction::Friction> friction{};
-  double seconds = 0.0;  ///< of all of it
-};
 
 /// How a run was asked for.
 struct RunSettings {

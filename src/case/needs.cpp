@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "base/machine.hpp"
 #include "case/effects.hpp"
-#include "commands/machine.hpp"
 #include "deck/text.hpp"
 #include "steady/climb.hpp"
 

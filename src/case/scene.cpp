@@ -4,12 +4,11 @@
 
 #include <filesystem>
 
+#include "base/machine.hpp"
 #include "case/catalogue.hpp"
 #include "case/effects.hpp"
 #include "case/needs.hpp"
-#include "commands/machine.hpp"
 #include "core/errors.hpp"
-#include "deck/text.hpp"
 #include "fmg/keys.hpp"
 #include "mlmi/keys.hpp"
 #include "reynolds/keys.hpp"

@@ -13,8 +13,6 @@ namespace {
 
 namespace po = boost::program_options;
 
-[[noreturn]] void refuse(const std::string& message) { throw core::InputError("command line: " + message); }
-
 template <class Record>
 const Record* find(const std::vector<Record>& records, const std::string& name) {
   const auto found = std::ranges::find(records, name, &Record::name);
@@ -77,6 +75,8 @@ po::parsed_options parsed(const Command& command, const std::vector<std::string>
 }
 
 }  // namespace
+
+void refuse(const std::string& message) { throw core::InputError("command line: " + message); }
 
 std::string Arguments::value(const std::string& name, const std::string& otherwise) const {
   const auto found = options.find(name);

@@ -34,6 +34,9 @@ struct Command {
   int (*function)(const Arguments& arguments) = nullptr;  ///< gives the exit status
 };
 
+/// Throws core::InputError: "command line: " and the message.
+[[noreturn]] void refuse(const std::string& message);
+
 /// ": did you mean plot?", or the end of the sentence where no candidate is near. in: what stands before the name,
 /// "--".
 std::string suggestion(const std::string& name, const std::vector<std::string>& candidates,

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "base/exit_status.hpp"
 #include "commands/commands.hpp"
-#include "commands/exit_status.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
 #include "results/read.hpp"
@@ -27,8 +27,7 @@ std::string full_name(const results::ResultFile& file, const std::string& name) 
     if (file.kind(home) == Kind::group)
       for (const std::string& found : file.names(home)) known.push_back(found);
   }
-  throw core::InputError("command line: " + file.path() + " has no dataset " + name + suggestion(name, known) +
-                         " It has " + deck::joined(known, ", "));
+  refuse(file.path() + " has no dataset " + name + suggestion(name, known) + " It has " + deck::joined(known, ", "));
 }
 
 struct FieldOnGrid {
@@ -40,16 +39,12 @@ struct FieldOnGrid {
   double at(std::size_t i, std::size_t j) const { return field.values[j * x.values.size() + i]; }
 };
 
-// A plane has x and y, a section in depth x and z beside it.
-std::string name_of_rows(const results::ResultFile& file, const std::string& name) {
-  const bool in_depth = file.dims(name).size() == 2 && file.axis(name, "z") != "";
-  return in_depth ? "z" : "y";
-}
-
 FieldOnGrid read_field(const results::ResultFile& file, const std::string& name, std::size_t step) {
-  const std::string rows = name_of_rows(file, name);
-  FieldOnGrid read{file.dims(name).size() == 3 ? file.frame(name, step) : file.numbers(name),
-                   file.numbers(file.axis(name, "x")), file.numbers(file.axis(name, rows)), rows};
+  // A plane has x and y, a section in depth x and z beside it.
+  const bool layers = file.dims(name).size() == 3;
+  const std::string rows = !layers && file.axis(name, "z") != "" ? "z" : "y";
+  FieldOnGrid read{layers ? file.frame(name, step) : file.numbers(name), file.numbers(file.axis(name, "x")),
+                   file.numbers(file.axis(name, rows)), rows};
   if (read.field.dims.size() != 2 || read.field.dims[0] != read.y.values.size() ||
       read.field.dims[1] != read.x.values.size() || read.field.values.empty())
     throw core::FileError(file.path() + ": the file is damaged: " + name + " does not fit its grid");
@@ -65,9 +60,9 @@ std::string grid_columns(const FieldOnGrid& f, const std::string& column) {
   std::string text = "# x " + f.rows + " " + column + "\n";
   for (std::size_t j = 0; j < f.y.values.size(); ++j) {
     if (j > 0) text += "\n";  // a blank line ends a scan
+    const std::string y = deck::shortest(f.y.values[j]);
     for (std::size_t i = 0; i < f.x.values.size(); ++i)
-      text +=
-          deck::shortest(f.x.values[i]) + " " + deck::shortest(f.y.values[j]) + " " + column_number(f.at(i, j)) + "\n";
+      text += deck::shortest(f.x.values[i]) + " " + y + " " + column_number(f.at(i, j)) + "\n";
   }
   return text;
 }
@@ -87,28 +82,25 @@ std::string matrix(const FieldOnGrid& f) {
 }
 
 std::size_t nearest_line(const std::vector<double>& lines, double at) {
-  std::size_t best = 0;
-  for (std::size_t k = 1; k < lines.size(); ++k)
-    if (std::abs(lines[k] - at) < std::abs(lines[best] - at)) best = k;
-  return best;
+  const auto nearest = std::ranges::min_element(lines, {}, [at](double line) { return std::abs(line - at); });
+  return static_cast<std::size_t>(nearest - lines.begin());
 }
 
 std::string section(const FieldOnGrid& f, const std::string& column, const Arguments& arguments) {
   const std::string axis = arguments.value("along", "x");
-  if (axis != "x" && axis != f.rows)
-    throw core::InputError("command line: --along " + axis + ": must be x or " + f.rows);
+  if (axis != "x" && axis != f.rows) refuse("--along " + axis + ": must be x or " + f.rows);
   const std::string other = axis == "x" ? f.rows : "x";
   const std::string given = arguments.value("at", other + "=0");
   const std::string number = given.starts_with(other + "=") ? given.substr(2) : given;
   const deck::ReadNumber at = deck::read_number(number);
   if (at.status != deck::ReadNumber::Status::number)
-    throw core::InputError("command line: --at " + given + ": write --at " + other + "=NUMBER, in Hertz radii");
+    refuse("--at " + given + ": write --at " + other + "=NUMBER, in Hertz radii");
   const bool along_x = axis == "x";
   const std::vector<double>& positions = along_x ? f.x.values : f.y.values;
   const std::vector<double>& lines = along_x ? f.y.values : f.x.values;
   if (at.value < std::min(lines.front(), lines.back()) || at.value > std::max(lines.front(), lines.back()))
-    throw core::InputError("command line: --at " + given + ": the domain is [" + deck::shortest(lines.front()) + ", " +
-                           deck::shortest(lines.back()) + "]");
+    refuse("--at " + given + ": the domain is [" + deck::shortest(lines.front()) + ", " + deck::shortest(lines.back()) +
+           "]");
   const std::size_t line = nearest_line(lines, at.value);
   std::string text =
       "# along " + axis + " at " + other + " = " + deck::shortest(lines[line]) + "\n# " + axis + " " + column + "\n";
@@ -121,8 +113,7 @@ std::size_t chosen_step(const Arguments& arguments, std::size_t count) {
   const deck::ReadNumber read = deck::read_number(arguments.value("step", "0"));
   const bool whole = read.status == deck::ReadNumber::Status::number && read.value == std::floor(read.value);
   if (!whole || read.value < 0.0 || read.value >= static_cast<double>(count))
-    throw core::InputError("command line: --step " + arguments.value("step", "") +
-                           ": must be a whole number from 0 to " + std::to_string(count - 1));
+    refuse("--step " + arguments.value("step", "") + ": must be a whole number from 0 to " + std::to_string(count - 1));
   return static_cast<std::size_t>(read.value);
 }
 
@@ -130,9 +121,8 @@ std::size_t chosen_step(const Arguments& arguments, std::size_t count) {
 std::string sections_in_time(const results::ResultFile& file, const std::string& name, const Arguments& arguments,
                              std::size_t count) {
   if (!arguments.has("along") && !arguments.has("at"))
-    throw core::InputError("command line: " + name + " holds " + std::to_string(count) +
-                           " fields: choose one with --step 0 to " + std::to_string(count - 1) +
-                           ", or a section of all with --along x");
+    refuse(name + " holds " + std::to_string(count) + " fields: choose one with --step 0 to " +
+           std::to_string(count - 1) + ", or a section of all with --along x");
   const std::string layer = file.axis(name, "time").empty() ? "z" : "time";
   const std::vector<double> times = file.numbers(file.axis(name, layer)).values;
   if (times.size() != count) throw core::FileError(file.path() + ": the file is damaged: " + name);
@@ -208,12 +198,11 @@ int extract(const Arguments& arguments) {
   const bool is_field = in_time || dims.size() == 2;
   for (const char* option : {"along", "at", "matrix"})
     if (arguments.has(option) && !is_field)
-      throw core::InputError(std::string("command line: --") + option + " applies to fields, and " + name + " is none");
+      refuse(std::string("--") + option + " applies to fields, and " + name + " is none");
   if (arguments.has("matrix") && (arguments.has("along") || arguments.has("at")))
-    throw core::InputError("command line: either --matrix or --along and --at");
+    refuse("either --matrix or --along and --at");
   if (arguments.has("step") && !in_time)
-    throw core::InputError("command line: --step applies to fields of several times or depths, and " + name +
-                           " is none");
+    refuse("--step applies to fields of several times or depths, and " + name + " is none");
   if (in_time && !arguments.has("step")) {
     print(sections_in_time(file, name, arguments, dims[0]));
   } else if (is_field) {

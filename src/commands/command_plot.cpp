@@ -12,9 +12,9 @@
 #include <memory>
 #include <sstream>
 
+#include "base/exit_status.hpp"
+#include "base/machine.hpp"
 #include "commands/commands.hpp"
-#include "commands/exit_status.hpp"
-#include "commands/machine.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
 #include "results/read.hpp"
@@ -81,7 +81,7 @@ std::vector<Figure> figures(const files::path& folder) {
 
 // The figure of this name, which must be one that draws this file.
 Figure named(const std::vector<Figure>& all, const std::string& name, const Source& source) {
-  const std::string said = "command line: --figure " + name;
+  const std::string said = "--figure " + name;
   const auto found = std::ranges::find(all, name, &Figure::name);
   if (found == all.end()) {
     std::vector<std::string> known;
@@ -90,11 +90,11 @@ Figure named(const std::vector<Figure>& all, const std::string& name, const Sour
       known.push_back(figure.name);
       list += "\n  " + figure.name + ": " + figure.title;
     }
-    throw core::InputError(said + ": there is no such figure" + suggestion(name, known) + " Figures are" + list);
+    refuse(said + ": there is no such figure" + suggestion(name, known) + " Figures are" + list);
   }
-  if (kind_of(*found) != source.kind) throw core::InputError(said + " draws " + told(kind_of(*found)));
+  if (kind_of(*found) != source.kind) refuse(said + " draws " + told(kind_of(*found)));
   for (const std::string& need : found->needs)
-    if (!source.has(need)) throw core::InputError(said + ": this file has no " + need + ", which it draws");
+    if (!source.has(need)) refuse(said + ": this file has no " + need + ", which it draws");
   return *found;
 }
 
@@ -192,17 +192,14 @@ Source table_source(const std::string& path) {
 int plot(const Arguments& arguments) {
   const std::string& path = arguments.operands[0];
   const std::string format = arguments.value("format", "png");
-  if (format != "png" && format != "svg" && format != "pdf")
-    throw core::InputError("command line: --format " + format + ": must be png, svg or pdf");
+  if (format != "png" && format != "svg" && format != "pdf") refuse("--format " + format + ": must be png, svg or pdf");
   const Source source = path.ends_with(".csv") ? table_source(path) : result_source(path);
   // The scripts hand the name to a shell between single quotes.
   if (path.find('\'') != std::string::npos)
-    throw core::InputError("command line: " + path +
-                           ": gnuplot's scripts cannot take a file name with a quote: rename it");
+    refuse(path + ": gnuplot's scripts cannot take a file name with a quote: rename it");
 
   const std::vector<Figure> chosen = selected(figures(folder_of_scripts()), arguments.values("figure"), source);
-  if (chosen.empty())
-    throw core::InputError("command line: " + path + ": no figure draws such a table (--figure NAME lists them)");
+  if (chosen.empty()) refuse(path + ": no figure draws such a table (--figure NAME lists them)");
   const std::string settings =
       "file=" + quoted(path) + "; format=" + quoted(format) + "; ehl=" + quoted(program_path()) + source.settings;
   for (const Figure& figure : chosen) {

@@ -3,11 +3,11 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/exit_status.hpp"
+#include "base/machine.hpp"
 #include "case/catalogue.hpp"
 #include "case/effects.hpp"
 #include "commands/commands.hpp"
-#include "commands/exit_status.hpp"
-#include "commands/machine.hpp"
 #include "commands/solver.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
@@ -29,7 +29,7 @@ struct Destination {
 Destination destination(const Arguments& arguments, const Case& input) {
   Destination to{arguments.value("output", input.output), arguments.has("overwrite")};
   if (results::xdmf_name(to.path) == to.path)
-    throw core::InputError("command line: the result cannot be named " + to.path + ": .xmf is its companion; use .h5");
+    refuse("the result cannot be named " + to.path + ": .xmf is its companion; use .h5");
   // P and the gap of a dry contact; single precision for stresses in space.
   std::size_t bytes = results::expected_bytes(input.scene.grid, input.dry ? 2 : input.fields.size());
   if (input.subsurface) {

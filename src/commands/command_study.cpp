@@ -3,9 +3,10 @@
 #include <cstdio>
 #include <functional>
 
+#include "base/exit_status.hpp"
+#include "base/machine.hpp"
 #include "commands/commands.hpp"
-#include "commands/exit_status.hpp"
-#include "commands/machine.hpp"
+#include "commands/time_study.hpp"
 #include "core/errors.hpp"
 #include "deck/document.hpp"
 #include "deck/text.hpp"
@@ -13,7 +14,6 @@
 #include "tables/children.hpp"
 #include "tables/csv.hpp"
 #include "tables/study_report.hpp"
-#include "tables/time_study.hpp"
 
 namespace ehl::program {
 namespace {

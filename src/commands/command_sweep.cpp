@@ -3,15 +3,15 @@
 
 #include <cstdio>
 
+#include "base/exit_status.hpp"
+#include "base/progress.hpp"
+#include "base/signals.hpp"
 #include "case/catalogue.hpp"
 #include "commands/commands.hpp"
-#include "commands/exit_status.hpp"
-#include "commands/signals.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
 #include "deck/document.hpp"
 #include "deck/text.hpp"
-#include "report/progress.hpp"
 #include "tables/children.hpp"
 #include "tables/csv.hpp"
 #include "tables/sweep_row.hpp"

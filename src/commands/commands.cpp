@@ -6,13 +6,13 @@
 #include <cstring>
 #include <filesystem>
 
+#include "base/exit_status.hpp"
+#include "base/machine.hpp"
+#include "base/version.hpp"
 #include "case/catalogue.hpp"
-#include "commands/exit_status.hpp"
-#include "commands/machine.hpp"
 #include "core/errors.hpp"
 #include "core/processor_level.hpp"
 #include "deck/write.hpp"
-#include "report/version.hpp"
 
 namespace ehl::program {
 namespace {
@@ -124,7 +124,7 @@ const std::vector<Command>& commands() {
 int keys(const Arguments& arguments) {
   const std::string selection = arguments.operands.empty() ? "" : arguments.operands[0];
   if (arguments.has("deck") && !selection.empty())
-    throw core::InputError("command line: `ehl keys --deck` writes the whole deck: leave " + selection + " out");
+    refuse("`ehl keys --deck` writes the whole deck: leave " + selection + " out");
   print(arguments.has("deck") ? deck::commented_deck(catalogue()) : deck::list_keys(catalogue(), selection));
   return solved;
 }
@@ -146,8 +146,7 @@ int requested_threads(const Arguments& arguments) { return whole_number(argument
 std::string table_name(const Arguments& arguments) {
   const std::string stem = std::filesystem::path(arguments.operands[0]).stem();
   const std::string path = arguments.value("output", stem + "_" + arguments.command + ".csv");
-  if (!path.ends_with(".csv"))
-    throw core::InputError("command line: --output " + path + ": the table's name ends with .csv");
+  if (!path.ends_with(".csv")) refuse("--output " + path + ": the table's name ends with .csv");
   return path;
 }
 

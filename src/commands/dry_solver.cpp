@@ -1,17 +1,19 @@
 // A contact without lubricant, from the case to what is printed and kept.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
-#include "commands/machine.hpp"
+#include "base/json.hpp"
+#include "base/machine.hpp"
+#include "base/text_format.hpp"
 #include "commands/solver.hpp"
 #include "contact/yield.hpp"
 #include "core/constants.hpp"
 #include "core/norms.hpp"
 #include "core/processor_level.hpp"
-#include "deck/text.hpp"
-#include "deck/write.hpp"
-#include "report/json.hpp"
-#include "report/text_format.hpp"
+#include "report/outcome.hpp"
+#include "report/result_content.hpp"
 
 namespace ehl::program {
 namespace {
@@ -38,8 +40,8 @@ void solve(const Case& input, Progress& progress, Computed& computed) {
   dry::Solution& solution = computed.dry.emplace();
   solution = dry::solve(problem, [&](const dry::Progress& now) {
     return progress.show(fraction(now, problem.parameters.tolerance),
-                         formatted("%d x %d  iteration %d  gap wrong by %.1e", now.grid.nodes_x(), now.grid.nodes_y(),
-                                   now.iteration, now.error));
+                         fmt::format("{} x {}  iteration {}  gap wrong by {:.1e}", now.grid.nodes_x(),
+                                     now.grid.nodes_y(), now.iteration, now.error));
   });
   const core::Location highest = core::maximum(solution.P);
   Outcome& outcome = computed.outcome;
@@ -55,8 +57,8 @@ void solve(const Case& input, Progress& progress, Computed& computed) {
 }
 
 std::string contact_lines(const ElasticContact& contact) {
-  return formatted("contact      F = %.6g N, R = %s, E' = %s\n", contact.load, length(contact.radius).c_str(),
-                   pressure(contact.E_prime).c_str()) +
+  return fmt::format("contact      F = {:.6g} N, R = {}, E' = {}\n", contact.load, length(contact.radius),
+                     pressure(contact.E_prime)) +
          "Hertz        a = " + length(contact.hertz.a) + ", p_h = " + pressure(contact.hertz.p_h) +
          ", a^2/R = " + length(contact.hertz.h_scale) + "\n";
 }
@@ -64,9 +66,9 @@ std::string contact_lines(const ElasticContact& contact) {
 std::string table(const dry::Solution& solution) {
   std::string text = "       nodes     P_max  approach      area  gap error  iterations   seconds\n";
   for (const dry::GridRow& row : solution.rows)
-    text += formatted("%12s  %8.5f  %8.5f  %8.5f  %9.0e  %10d  %8.3f\n",
-                      formatted("%d x %d", row.nx + 1, row.ny + 1).c_str(), row.P_max, -row.H00, row.area, row.error,
-                      row.iterations, row.seconds);
+    text += fmt::format("{:>12}  {:8.5f}  {:8.5f}  {:8.5f}  {:9.0e}  {:10}  {:8.3f}\n",
+                        fmt::format("{} x {}", row.nx + 1, row.ny + 1), row.P_max, -row.H00, row.area, row.error,
+                        row.iterations, row.seconds);
   return text;
 }
 
@@ -78,19 +80,18 @@ std::string summary(const Case& input, const Computed& computed) {
   const dry::GridRow& last = solution.rows.back();
   std::string text = table(solution);
   if (!solution.converged) text += "NOT CONVERGED: " + solution.failed_check + "\n";
-  text += formatted("p_max        P = %.5f%s, at (%.3f, %.3f) a%s\n", P_max.value,
-                    contact ? (", " + pressure(P_max.value * input.physics.p_h)).c_str() : "", P_max.X, P_max.Y, mark);
-  text += formatted("approach     %.5f a^2/R%s (smooth: 1)%s\n", -solution.H00,
-                    contact ? (", " + length(-solution.H00 * contact->hertz.h_scale)).c_str() : "", mark);
-  text += formatted("area         %.5f a^2, %.4f of Hertz' circle%s\n", last.area, last.area / core::pi, mark);
+  text += fmt::format("p_max        P = {:.5f}{}, at ({:.3f}, {:.3f}) a{}\n", P_max.value,
+                      contact ? (", " + pressure(P_max.value * input.physics.p_h)) : "", P_max.X, P_max.Y, mark);
+  text += fmt::format("approach     {:.5f} a^2/R{} (smooth: 1){}\n", -solution.H00,
+                      contact ? (", " + length(-solution.H00 * contact->hertz.h_scale)) : "", mark);
+  text += fmt::format("area         {:.5f} a^2, {:.4f} of Hertz' circle{}\n", last.area, last.area / core::pi, mark);
   if (contact) text += contact_lines(*contact);
-  text += formatted("load         error %.1e; gap in contact and overlap outside at most %.1e a^2/R\n",
-                    solution.load_error, last.error);
-  text += "method       dry, conjugate gradients; deformation " + solution.deformation +
-          formatted("; %d thread%s\n", input.scene.threads, input.scene.threads == 1 ? "" : "s");
-  text += formatted("time         %.3f s\n", solution.seconds);
-  for (const std::string& warning : computed.outcome.warnings) text += "warning: " + warning + "\n";
-  return text;
+  text += fmt::format("load         error {:.1e}; gap in contact and overlap outside at most {:.1e} a^2/R\n",
+                      solution.load_error, last.error);
+  text += "method       dry, conjugate gradients; deformation " + solution.deformation + "; " +
+          threads_text(input.scene.threads) + "\n";
+  text += fmt::format("time         {:.3f} s\n", solution.seconds);
+  return text + warning_lines(computed.outcome.warnings);
 }
 
 std::vector<results::Quantity> quantities(const Computed& computed) {
@@ -139,10 +140,7 @@ std::string json(const Case& input, const Computed& computed) {
 
 results::Content content(const Case& input, const Computed& computed) {
   const dry::Solution& solution = *computed.dry;
-  results::Content content;
-  content.title = input.title;
-  content.deck = deck::effective_deck(input.deck);
-  content.provenance = provenance(input);
+  results::Content content = content_of(input, computed, quantities(computed));
   if (const std::optional<ElasticContact>& contact = input.dry->contact)
     content.scales = {{"p_h", contact->hertz.p_h, "Pa", "Hertz pressure, the scale of P"},
                       {"a", contact->hertz.a, "m", "Hertz radius, the scale of X and Y"},
@@ -150,14 +148,10 @@ results::Content content(const Case& input, const Computed& computed) {
                       {"load", contact->load, "N", "normal load"},
                       {"R", contact->radius, "m", "reduced radius"},
                       {"E_prime", contact->E_prime, "Pa", "reduced modulus"}};
-  content.grid = solution.grid;
   content.fields = {{"P", "p_h", "pressure p/p_h", &solution.P}, {"gap", "a^2/R", "gap h R/a^2", &solution.H}};
   if (input.scene.surface)
     content.fields.push_back(
         {"S", "a^2/R", "what the surfaces add to the gap, as means over cells", &computed.derived.S});
-  content.summary = quantities(computed);
-  content.summary.push_back({"warnings", deck::joined(computed.outcome.warnings, "\n"), "", "one a line"});
-  add_surface_records(input, solution.grid, content);
   content.tables = {table_of("grids", "the grids, coarse to fine", grid_columns(), solution.rows)};
   return content;
 }
@@ -168,12 +162,12 @@ std::string derived_dry(const Case& input) {
   return "case         " + input.title + "\n" +
          (input.dry->contact ? contact_lines(*input.dry->contact)
                              : "contact      in units of Hertz: P in p_h, x in a\n") +
-         formatted("domain       [%g, %g] x [%g, %g] Hertz radii\n", grid.X_a, grid.X_b, grid.Y_a, grid.Y_b) +
-         formatted("grid         %d x %d nodes, hx = %.4g, hy = %.4g\n", grid.nodes_x(), grid.nodes_y(), grid.hx(),
-                   grid.hy()) +
+         fmt::format("domain       [{:g}, {:g}] x [{:g}, {:g}] Hertz radii\n", grid.X_a, grid.X_b, grid.Y_a, grid.Y_b) +
+         fmt::format("grid         {} x {} nodes, hx = {:.4g}, hy = {:.4g}\n", grid.nodes_x(), grid.nodes_y(),
+                     grid.hx(), grid.hy()) +
          "method       dry, conjugate gradients; deformation " + name(input.scene.deformation.method) +
-         formatted("\nkind         dry: no lubricant; conjugate gradients to %.1g a^2/R\n",
-                   input.dry->parameters.tolerance) +
+         fmt::format("\nkind         dry: no lubricant; conjugate gradients to {:.1g} a^2/R\n",
+                     input.dry->parameters.tolerance) +
          effect_lines(input) + surface_report(input.surfaces, input.physics, grid) + "needs        about " +
          memory(needs.bytes) + " and " + about_seconds(needs.seconds) + "\n";
 }

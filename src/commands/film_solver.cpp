@@ -1,12 +1,13 @@
 // The film of a lubricated contact, from the case to what is printed and kept.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
-#include "commands/machine.hpp"
 #include "commands/solver.hpp"
 #include "core/errors.hpp"
 #include "report/report.hpp"
-#include "report/text_format.hpp"
+#include "report/result_content.hpp"
 #include "steady/solve.hpp"
 
 namespace ehl::program {
@@ -14,9 +15,9 @@ namespace {
 
 std::string text_of(const steady::Progress& now) {
   // A continuation solves for other loads first.
-  const std::string load = now.load_ratio == 1.0 ? "" : formatted("  load %.3g %%", 100.0 * now.load_ratio);
-  return formatted("%d x %d%s  cycle %d/%d  residual %.1e  Hc %.4f", now.nx + 1, now.ny + 1, load.c_str(), now.cycle,
-                   std::max(now.cycle, now.cycles), now.residual, now.Hc);
+  const std::string load = now.load_ratio == 1.0 ? "" : fmt::format("  load {:.3g} %", 100.0 * now.load_ratio);
+  return fmt::format("{} x {}{}  cycle {}/{}  residual {:.1e}  Hc {:.4f}", now.nx + 1, now.ny + 1, load, now.cycle,
+                     std::max(now.cycle, now.cycles), now.residual, now.Hc);
 }
 
 void solve(const Case& input, Progress& progress, Computed& computed) {
@@ -37,20 +38,7 @@ void solve(const Case& input, Progress& progress, Computed& computed) {
 }  // namespace
 
 Solver film_solver() {
-  return {
-      .solve = solve,
-      .derived = derived,
-      .summary =
-          [](const Case& input, const Computed& computed) {
-            return continuation_table(input, computed.solution) + level_table(computed.solution) +
-                   summary(input, computed.solution, computed.outcome);
-          },
-      .json = [](const Case& input,
-                 const Computed& computed) { return json_report(input, computed, computed.outcome, peak_memory()); },
-      .content =
-          [](const Case& input, const Computed& computed) {
-            return result_content(input, computed.solution, computed.outcome, computed.derived);
-          }};
+  return {.solve = solve, .derived = derived, .summary = summary, .json = json_report, .content = result_content};
 }
 
 }  // namespace ehl::program

@@ -1,11 +1,10 @@
-#include "report/fluid_report.hpp"
-
+// What is said about the oil.
 #include <fmt/core.h>
 
 #include <cmath>
 #include <limits>
 
-#include "report/text_format.hpp"
+#include "report/report.hpp"
 #include "rheology/pressure_coefficient.hpp"
 
 namespace ehl::program {

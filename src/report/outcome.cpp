@@ -11,7 +11,6 @@
 #include "contact/film_formulas.hpp"
 #include "contact/yield.hpp"
 #include "core/norms.hpp"
-#include "report/text_format.hpp"
 #include "rheology/range.hpp"
 
 namespace ehl::program {

@@ -1,7 +1,5 @@
 #include "report/quantities.hpp"
 
-#include <cmath>
-
 namespace ehl::program {
 namespace {
 

@@ -1,6 +1,6 @@
 #pragma once
 // The numbers of a solved case, each with its name, unit and meaning: what the report as JSON and the result file say.
-#include "report/column.hpp"
+#include "base/column.hpp"
 #include "report/outcome.hpp"
 
 namespace ehl::program {

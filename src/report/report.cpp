@@ -6,13 +6,11 @@
 #include <cmath>
 #include <vector>
 
+#include "base/text_format.hpp"
 #include "case/effects.hpp"
 #include "case/needs.hpp"
 #include "contact/film_formulas.hpp"
 #include "core/constants.hpp"
-#include "deck/text.hpp"
-#include "report/fluid_report.hpp"
-#include "report/text_format.hpp"
 
 namespace ehl::program {
 namespace {
@@ -153,11 +151,13 @@ std::string error_lines(const steady::Solution& solution) {
 
 }  // namespace
 
-std::string summary(const Case& input, const steady::Solution& solution, const Outcome& outcome) {
+std::string summary(const Case& input, const Computed& computed) {
+  const steady::Solution& solution = computed.solution;
+  const Outcome& outcome = computed.outcome;
   const Physics& physics = input.physics;
   const double h_scale = physics.si ? physics.si->hertz.h_scale : std::nan("");
   const std::string mark = solution.converged ? "" : "  (NOT CONVERGED)";
-  std::string text;
+  std::string text = continuation_table(input, solution) + level_table(solution);
   if (!solution.converged) text += "NOT CONVERGED: " + solution.failed_check + "\n";
   // What the domain cuts off changes both alike.
   const double domain = std::abs(solution.error_bars.domain);

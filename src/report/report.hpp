@@ -12,8 +12,8 @@ std::string level_table(const steady::Solution& solution);
 /// One row per load that a load continuation solved for; empty where there was none.
 std::string continuation_table(const Case& input, const steady::Solution& solution);
 
-/// What a person wants to know after the table; says it first when the solution did not converge.
-std::string summary(const Case& input, const steady::Solution& solution, const Outcome& outcome);
+/// The tables, then what a person wants to know; says it first when the solution did not converge.
+std::string summary(const Case& input, const Computed& computed);
 
 /// Where the time went: seconds and share of every part of the cycles.
 std::string profile_table(const core::PartTimes& times, double seconds);
@@ -21,10 +21,23 @@ std::string profile_table(const core::PartTimes& times, double seconds);
 /// Everything that follows from the deck before anything is solved.
 std::string derived(const Case& input);
 
-struct Computed;
+/// "Roelands, z = 0.52; Dowson-Higginson".
+std::string fluid_text(const Physics& physics);
 
-/// One JSON object with the same content, that of the effects included. in: bytes of the whole program.
-std::string json_report(const Case& input, const Computed& computed, const Outcome& outcome, double peak_memory);
+/// alpha* and alpha_film of the viscosity law in SI and in units of the alpha that L is made with.
+struct FilmCoefficients {
+  double alpha_star = 0.0;  ///< [1/Pa]; NaN where the law knows no pressure in SI, or viscosity does not rise
+  double alpha_film = 0.0;  ///< [1/Pa]; likewise
+  double L_star = 0.0;      ///< Moes' L with alpha* for alpha
+  double L_film = 0.0;      ///< with alpha_film
+};
+FilmCoefficients film_coefficients(const Physics& physics);
+
+/// The line of the summary about them; empty where there are none.
+std::string film_coefficients_line(const Physics& physics);
+
+/// One JSON object with the same content, that of the effects included.
+std::string json_report(const Case& input, const Computed& computed);
 
 /// The JSON object for a case that ended without a solution.
 std::string json_failure(const Case& input, const std::string& reason);

@@ -1,7 +1,7 @@
+#include "base/json.hpp"
+#include "base/machine.hpp"
 #include "case/effects.hpp"
 #include "core/processor_level.hpp"
-#include "report/fluid_report.hpp"
-#include "report/json.hpp"
 #include "report/quantities.hpp"
 #include "report/report.hpp"
 
@@ -48,8 +48,9 @@ Json parts_json(const core::PartTimes& times) {
 
 }  // namespace
 
-std::string json_report(const Case& input, const Computed& computed, const Outcome& outcome, double peak_memory) {
+std::string json_report(const Case& input, const Computed& computed) {
   const steady::Solution& solution = computed.solution;
+  const Outcome& outcome = computed.outcome;
   const FilmCoefficients coefficients = film_coefficients(input.physics);
   Json report;
   add(film_quantities(input, solution, outcome), report);
@@ -63,7 +64,7 @@ std::string json_report(const Case& input, const Computed& computed, const Outco
   report["deformation"] = name(input.scene.deformation.method);
   report["threads"] = input.scene.threads;
   report["cpu_level"] = core::processor_level();
-  report["peak_memory_bytes"] = peak_memory;
+  report["peak_memory_bytes"] = peak_memory();
   report["accuracy"] = accuracy_json(solution.accuracy);
   report["levels"] = rows_json(level_columns(), solution.levels);
   add(verification_quantities(solution.verification, false), report["verification"]);

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "commands/machine.hpp"
+#include "base/machine.hpp"
+#include "base/version.hpp"
 #include "core/processor_level.hpp"
 #include "deck/text.hpp"
 #include "deck/write.hpp"
 #include "report/quantities.hpp"
-#include "report/version.hpp"
 #include "surface/resample.hpp"
 
 namespace ehl::program {
@@ -43,8 +43,7 @@ void add_resolution(const Case& input, const core::Grid& grid, std::vector<Quant
   }
 }
 
-}  // namespace
-
+// Program, version, machine and date.
 std::vector<Quantity> provenance(const Case& input) {
   const Version built = version();
   const std::string folder = input.deck.folders.empty() ? "" : input.deck.folders.front();
@@ -60,10 +59,21 @@ std::vector<Quantity> provenance(const Case& input) {
           {"date", utc_date(), "", "UTC date of the run"}};
 }
 
-void add_surface_records(const Case& input, const core::Grid& grid, results::Content& content) {
-  for (const std::string& line : surface_lines(input.surfaces, input.physics, grid))
+}  // namespace
+
+results::Content content_of(const Case& input, const Computed& computed, std::vector<Quantity> numbers) {
+  const steady::Solution& solution = computed.solution;
+  results::Content content;
+  content.title = input.title;
+  content.deck = deck::effective_deck(with_grid_of(solution, input.deck));
+  content.provenance = provenance(input);
+  content.grid = solution.grid;
+  content.summary = std::move(numbers);
+  content.summary.push_back({"warnings", deck::joined(computed.outcome.warnings, "\n"), "", "one a line"});
+  for (const std::string& line : surface_lines(input.surfaces, input.physics, solution.grid))
     content.summary.push_back({line.substr(0, line.find(':')), line.substr(line.find(':') + 2), "", "what it carries"});
-  add_resolution(input, grid, content.summary);
+  add_resolution(input, solution.grid, content.summary);
+  return content;
 }
 
 DerivedFields derived_fields(const Case& input, const steady::Solution& solution) {
@@ -83,14 +93,14 @@ DerivedFields derived_fields(const Case& input, const steady::Solution& solution
   return derived;
 }
 
-results::Content result_content(const Case& input, const steady::Solution& solution, const Outcome& outcome,
-                                const DerivedFields& derived) {
-  results::Content content;
-  content.title = input.title;
-  content.deck = deck::effective_deck(with_grid_of(solution, input.deck));
-  content.provenance = provenance(input);
+results::Content result_content(const Case& input, const Computed& computed) {
+  const steady::Solution& solution = computed.solution;
+  const DerivedFields& derived = computed.derived;
+  std::vector<Quantity> list = film_quantities(input, solution, computed.outcome);
+  for (Quantity& one : verification_quantities(solution.verification, !contact::circular(input.scene.shape)))
+    list.push_back(std::move(one));
+  results::Content content = content_of(input, computed, std::move(list));
   content.scales = scale_quantities(input.physics);
-  content.grid = solution.grid;
   const std::vector<results::NamedField> fields{{"P", "p_h", "pressure p/p_h", &solution.P},
                                                 {"H", "a^2/R", "film thickness h R/a^2", &solution.H},
                                                 {"rho_bar", "rho0", "density rho/rho0", &derived.rho_bar},
@@ -100,11 +110,6 @@ results::Content result_content(const Case& input, const steady::Solution& solut
   if (input.scene.surface)
     content.fields.push_back(
         {"S", "a^2/R", "what the surfaces at rest add to the gap, as means over cells", &derived.S});
-  content.summary = film_quantities(input, solution, outcome);
-  for (Quantity& one : verification_quantities(solution.verification, !contact::circular(input.scene.shape)))
-    content.summary.push_back(std::move(one));
-  content.summary.push_back({"warnings", deck::joined(outcome.warnings, "\n"), "", "one a line"});
-  add_surface_records(input, solution.grid, content);
   content.tables = {table_of("levels", "the full multigrid, level by level: what accuracy cost in time",
                              level_columns(), solution.levels),
                     table_of("history", "every cycle on every level", cycle_columns(), solution.history)};

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "commands/signals.hpp"
+#include "base/progress.hpp"
+#include "base/signals.hpp"
 #include "core/errors.hpp"
-#include "report/progress.hpp"
 
 namespace ehl::program {
 

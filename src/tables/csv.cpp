@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <span>
 
+#include "base/version.hpp"
 #include "deck/text.hpp"
-#include "report/version.hpp"
 #include "results/atomic_file.hpp"
 
 namespace ehl::program {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "base/column.hpp"
 #include "core/errors.hpp"
-#include "report/column.hpp"
 
 namespace ehl::program {
 

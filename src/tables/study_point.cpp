@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "commands/machine.hpp"
+#include "base/machine.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
 #include "steady/solve.hpp"

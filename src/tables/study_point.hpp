@@ -3,7 +3,7 @@
 #include <limits>
 #include <string>
 
-#include "report/column.hpp"
+#include "base/column.hpp"
 #include "tables/study_plan.hpp"
 
 namespace ehl::program {

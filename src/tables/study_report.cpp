@@ -6,8 +6,8 @@
 #include <iterator>
 #include <utility>
 
+#include "base/text_format.hpp"
 #include "deck/text.hpp"
-#include "report/text_format.hpp"
 #include "tables/csv.hpp"
 
 namespace ehl::program {

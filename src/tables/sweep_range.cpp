@@ -6,10 +6,10 @@
 #include <cmath>
 #include <set>
 
+#include "base/text_format.hpp"
 #include "core/errors.hpp"
 #include "deck/deck.hpp"
 #include "deck/text.hpp"
-#include "report/text_format.hpp"
 
 namespace ehl::program {
 namespace {

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <optional>
 
+#include "base/exit_status.hpp"
+#include "base/machine.hpp"
 #include "case/catalogue.hpp"
 #include "case/effects.hpp"
-#include "commands/exit_status.hpp"
-#include "commands/machine.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
 #include "deck/document.hpp"

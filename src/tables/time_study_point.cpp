@@ -6,8 +6,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "commands/machine.hpp"
-#include "commands/transient_run.hpp"
+#include "base/machine.hpp"
+#include "case/transient_run.hpp"
 #include "core/errors.hpp"
 #include "core/norms.hpp"
 #include "deck/text.hpp"

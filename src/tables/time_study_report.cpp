@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text_format.hpp"
 #include "case/transient_input.hpp"
-#include "report/text_format.hpp"
 #include "tables/csv.hpp"
 
 namespace ehl::program {

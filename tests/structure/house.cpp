@@ -194,6 +194,22 @@ std::vector<std::string> include_offences(const std::vector<Module>& modules, co
   return offences;
 }
 
+std::vector<std::string> wing_offences(const std::vector<SourceFile>& files) {
+  const std::vector<std::string> wings = {"base", "case", "report", "tables", "commands"};  // from below
+  const auto height = [&](const std::string& path) {
+    return std::ranges::find(wings, path.substr(0, path.find('/'))) - wings.begin();
+  };
+  std::vector<std::string> offences;
+  for (const SourceFile& file : files) {
+    const std::string inside = file.path.lexically_relative("src").generic_string();
+    for (const Include& include : read_includes(file.text))
+      if (std::ranges::find(wings, module_of(include.path)) != wings.end() && height(include.path) > height(inside))
+        offences.push_back(file.path.string() + ":" + std::to_string(include.line) + " includes " + include.path +
+                           ", a wing above it");
+  }
+  return offences;
+}
+
 std::vector<std::string> door_offences(const std::vector<SourceFile>& files) {
   std::vector<std::string> offences;
   for (const SourceFile& file : files) {

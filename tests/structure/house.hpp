@@ -41,6 +41,8 @@ std::vector<std::string> order_offences(const std::vector<Module>& modules);
 std::vector<std::string> include_offences(const std::vector<Module>& modules, const std::vector<SourceFile>& files);
 /// Effects that a module below them includes or depends on, and modules declared behind an effect.
 std::vector<std::string> effect_offences(const std::vector<Module>& modules, const std::vector<SourceFile>& files);
+/// Includes of a file in src/<wing>/ that point up: the wings are main.cpp, commands, tables, report, case, base.
+std::vector<std::string> wing_offences(const std::vector<SourceFile>& files);
 /// Headers of a library outside the modules that are its only doors.
 std::vector<std::string> door_offences(const std::vector<SourceFile>& files);
 

@@ -167,6 +167,16 @@ BOOST_AUTO_TEST_CASE(pages_stay_short) {
   report(offences);
 }
 
+BOOST_AUTO_TEST_CASE(the_wings_of_the_program_point_one_way) {
+  const SourceFile upward{"src/case/a.cpp", "src", "#include \"base/json.hpp\"\n#include \"report/report.hpp\"\n"};
+  const SourceFile entrance{"src/main.cpp", "src", "#include \"commands/commands.hpp\"\n"};
+  BOOST_TEST(wing_offences({upward, entrance}).size() == 1);
+  const std::vector<SourceFile> files = read_sources(root, "src");
+  for (const SourceFile& file : files)
+    BOOST_TEST((file.path == "src/main.cpp" || file.path.parent_path().parent_path() == "src"), file.path);
+  report(wing_offences(files));
+}
+
 BOOST_AUTO_TEST_CASE(headers_are_guarded_and_in_their_namespace) {
   std::vector<std::string> offences;
   for (const SourceFile& file : read_sources(root, "modules")) {

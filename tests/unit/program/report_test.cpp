@@ -4,10 +4,11 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "base/json.hpp"
+#include "base/text_format.hpp"
 #include "case/effects.hpp"
-#include "report/json.hpp"
+#include "report/outcome.hpp"
 #include "report/result_content.hpp"
-#include "report/text_format.hpp"
 #include "support/json.hpp"
 
 using namespace ehl;
@@ -76,6 +77,12 @@ steady::Solution example_solution(bool converged) {
   return solution;
 }
 
+program::Computed computed_of(const program::Case& input, const steady::Solution& solution) {
+  return {.solution = solution,
+          .outcome = program::outcome_of(input, solution),
+          .derived = program::derived_fields(input, solution)};
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(report)
@@ -103,8 +110,7 @@ BOOST_AUTO_TEST_CASE(table_has_a_row_per_level_and_no_nan) {
 BOOST_AUTO_TEST_CASE(a_number_that_did_not_converge_carries_the_mark) {
   const program::Case input = example_case();
   const auto text = [&](bool converged) {
-    const steady::Solution solution = example_solution(converged);
-    return program::summary(input, solution, program::outcome_of(input, solution));
+    return program::summary(input, computed_of(input, example_solution(converged)));
   };
   BOOST_TEST(contains(text(false), "NOT CONVERGED: level 2: residual 0.3"));
   BOOST_TEST(contains(text(false), "(NOT CONVERGED)\n"));
@@ -114,9 +120,7 @@ BOOST_AUTO_TEST_CASE(a_number_that_did_not_converge_carries_the_mark) {
 
 BOOST_AUTO_TEST_CASE(json_has_what_was_promised) {
   const program::Case input = example_case();
-  const steady::Solution solution = example_solution(false);
-  const std::string text =
-      program::json_report(input, {.solution = solution}, program::outcome_of(input, solution), 1e6);
+  const std::string text = program::json_report(input, computed_of(input, example_solution(false)));
   BOOST_TEST(support::is_json(text), text);
   for (const char* name : {"converged",
                            "Hc",
@@ -165,16 +169,13 @@ BOOST_AUTO_TEST_CASE(json_has_what_was_promised) {
 
 BOOST_AUTO_TEST_CASE(verification_is_shown_with_its_numbers) {
   const program::Case input = example_case();
-  const steady::Solution solution = example_solution(true);
-  const program::Outcome outcome = program::outcome_of(input, solution);
-  const std::string text = program::summary(input, solution, outcome);
+  const program::Computed computed = computed_of(input, example_solution(true));
+  const std::string text = program::summary(input, computed);
   for (const char* part : {"residual 3.0e-04, largest 1.2e-02 at (0.750, -0.250) a", "mass flow error 6.7e-04",
                            "dry node that wants pressure 4.5e-03", "Hm 8.9e-05"})
     BOOST_TEST(contains(text, part), part << " is missing in\n" << text);
-  BOOST_TEST(
-      contains(program::json_report(input, {.solution = solution}, outcome, 1e6), "\"flow_imbalance\":-0.00067"));
-  const results::Content content =
-      program::result_content(input, solution, outcome, program::derived_fields(input, solution));
+  BOOST_TEST(contains(program::json_report(input, computed), "\"flow_imbalance\":-0.00067"));
+  const results::Content content = program::result_content(input, computed);
   const auto value = [&](const std::string& name) {
     for (const results::Quantity& quantity : content.summary)
       if (quantity.name == name) return results::number(quantity.value);
@@ -231,11 +232,9 @@ BOOST_AUTO_TEST_CASE(json_texts) {
 // ln eta_bar = alpha_bar P for Barus: 3 x 0.5 at the node of the pressure.
 BOOST_AUTO_TEST_CASE(result_content_keeps_what_the_deck_wants) {
   const program::Case input = example_case();
-  const steady::Solution solution = example_solution(true);
-  const program::DerivedFields derived = program::derived_fields(input, solution);
-  BOOST_TEST(derived.ln_eta_bar(2, 1) == 1.5, boost::test_tools::tolerance(1e-14));
-  const results::Content content =
-      program::result_content(input, solution, program::outcome_of(input, solution), derived);
+  const program::Computed computed = computed_of(input, example_solution(true));
+  BOOST_TEST(computed.derived.ln_eta_bar(2, 1) == 1.5, boost::test_tools::tolerance(1e-14));
+  const results::Content content = program::result_content(input, computed);
   BOOST_TEST(content.fields.size() == 3u);
   BOOST_TEST(content.tables.size() == 2u);
   BOOST_TEST(content.tables[0].columns[3].values[1] == 0.4);

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "case/scene.hpp"
-#include "report/progress.hpp"
-#include "report/result_content.hpp"
+#include "results/content.hpp"
 #include "results/read.hpp"
 #include "transient/march.hpp"
 

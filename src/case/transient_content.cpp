@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/column.hpp"
 #include "case/transient_input.hpp"
-#include "commands/transient_run.hpp"
+#include "case/transient_run.hpp"
 #include "core/errors.hpp"
-#include "report/column.hpp"
 
 namespace ehl::program {
 namespace {

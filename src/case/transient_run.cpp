@@ -1,18 +1,16 @@
-#include "commands/transient_run.hpp"
+#include "case/transient_run.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 
+#include "base/json.hpp"
+#include "base/signals.hpp"
 #include "case/transient_input.hpp"
-#include "commands/signals.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
-#include "report/json.hpp"
-#include "report/text_format.hpp"
 
 namespace ehl::program {
 namespace {

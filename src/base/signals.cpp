@@ -1,4 +1,4 @@
-#include "commands/signals.hpp"
+#include "base/signals.hpp"
 
 #include <signal.h>
 

@@ -1,4 +1,4 @@
-#include "commands/machine.hpp"
+#include "base/machine.hpp"
 
 #include <sched.h>
 #include <sys/resource.h>

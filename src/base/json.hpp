@@ -2,7 +2,7 @@
 // Records as JSON.
 #include <nlohmann/json.hpp>
 
-#include "report/column.hpp"
+#include "base/column.hpp"
 
 namespace ehl::program {
 

@@ -1,11 +1,9 @@
 // What is told about surfaces that are not smooth.
 #include <fmt/core.h>
 
-#include <cmath>
-
+#include "base/text_format.hpp"
 #include "case/surface_input.hpp"
 #include "core/constants.hpp"
-#include "report/text_format.hpp"
 #include "surface/resample.hpp"
 
 namespace ehl::program {

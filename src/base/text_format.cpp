@@ -1,25 +1,10 @@
-#include "report/text_format.hpp"
+#include "base/text_format.hpp"
 
 #include <fmt/core.h>
 
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 
 namespace ehl::program {
-
-std::string formatted(const char* format, ...) {
-  std::va_list arguments;
-  va_start(arguments, format);
-  std::va_list again;
-  va_copy(again, arguments);
-  const int length = std::vsnprintf(nullptr, 0, format, arguments);
-  va_end(arguments);
-  std::string text(static_cast<std::size_t>(length < 0 ? 0 : length), '\0');
-  std::vsnprintf(text.data(), text.size() + 1, format, again);
-  va_end(again);
-  return text;
-}
 
 std::string known(const char* format, double value) {
   return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "-";

@@ -1,13 +1,13 @@
-#include "report/progress.hpp"
+#include "base/progress.hpp"
 
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 
-#include "commands/signals.hpp"
+#include "base/signals.hpp"
 #include "core/timer.hpp"
-#include "report/text_format.hpp"
 
 namespace ehl::program {
 namespace {
@@ -39,7 +39,7 @@ bool Progress::show(double fraction, const std::string& text, bool at_once) {
   const double now = core::now();
   if (quiet_ || !(at_once || now - last_time_ > (terminal_ ? bar_interval : line_interval))) return true;
   last_time_ = now;
-  const std::string line = formatted("%3.0f %%  ", 100.0 * std::clamp(fraction, 0.0, 1.0)) + text;
+  const std::string line = fmt::format("{:3.0f} %  ", 100.0 * std::clamp(fraction, 0.0, 1.0)) + text;
   if (terminal_)
     draw(fraction, line);
   else

@@ -1,4 +1,4 @@
-#include "tables/time_study.hpp"
+#include "commands/time_study.hpp"
 
 #include <fmt/core.h>
 
@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <functional>
 
-#include "commands/exit_status.hpp"
-#include "commands/machine.hpp"
+#include "base/exit_status.hpp"
+#include "base/machine.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
 #include "results/atomic_file.hpp"

@@ -5,9 +5,6 @@
 
 namespace ehl::program {
 
-/// printf in one call. in: format and its arguments.
-[[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
-
 /// The number as `format`, "{:.4g}", prints it; "-" where it is not known.
 std::string known(const char* format, double value);
 

@@ -1,0 +1,62 @@
+#pragma once
+// What a run has computed.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "case/transient_run.hpp"
+#include "dry/solve.hpp"
+#include "effects/friction/friction.hpp"
+#include "effects/subsurface/stress.hpp"
+#include "steady/solution.hpp"
+
+namespace ehl::program {
+
+/// A value of a field and where it is, in Hertz radii.
+struct Place {
+  double value = 0.0;
+  double X = 0.0;
+  double Y = 0.0;
+};
+
+/// Central and minimum film by a published formula, as H = h R/a^2; NaN: the formula does not say.
+struct Formula {
+  std::string name{};
+  double Hc = 0.0;
+  double Hm = 0.0;
+};
+
+/// NaN: not known in this case (nanometres of a dimensionless contact).
+struct Outcome {
+  double Hc = 0.0;
+  Place Hm{};
+  Place P_max{};
+  double Hc_moes = 0.0;
+  double Hm_moes = 0.0;
+  double hc = 0.0;  ///< [m]
+  double hm = 0.0;  ///< [m]
+  std::vector<Formula> formulas{};
+  std::string regime{};
+  std::vector<std::string> warnings{};
+};
+
+/// Fields that are computed from the solution for the result only.
+struct DerivedFields {
+  core::Field rho_bar{};
+  core::Field ln_eta_bar{};
+  core::Field S{};  ///< of surfaces at rest
+};
+
+/// The contact, and what each effect has added to it.
+struct Computed {
+  steady::Solution solution{};  ///< of a dry contact grid, P and whether it converged
+  std::optional<dry::Solution> dry{};
+  Outcome outcome{};
+  DerivedFields derived{};
+  std::optional<TransientResult> in_time{};
+  std::optional<subsurface::StressField> stresses{};
+  std::optional<friction::Friction> friction{};
+  double seconds = 0.0;  ///< of all of it
+};
+
+}  // namespace ehl::program
