@@ -9,6 +9,7 @@
 #include "report/result_content.hpp"
 #include "report/text_format.hpp"
 #include "support/json.hpp"
+#include "support/text.hpp"
 
 using namespace ehl;
 
@@ -16,7 +17,7 @@ namespace {
 
 const double unknown = std::nan("");
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using support::contains;
 
 // M = 2/3, so that H in Moes' units is H itself: (3M/2)^(2/3) = 1.
 program::Case example_case() {
