@@ -10,6 +10,7 @@
 
 namespace ehl::core {
 namespace {
+// Both of x86-64 [bytes]; on other processors they cost alignment only.
 constexpr std::size_t cache_line = 64;
 constexpr std::size_t huge_page = std::size_t{1} << 21;
 

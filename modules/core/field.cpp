@@ -4,7 +4,7 @@
 
 namespace ehl::core {
 namespace {
-constexpr int doubles_per_line = 8;
+constexpr int doubles_per_line = 8;  // a cache line, and the widest vector
 
 std::size_t count(int nodes_x, std::ptrdiff_t stride) {
   return static_cast<std::size_t>(nodes_x) * static_cast<std::size_t>(stride);

@@ -32,7 +32,7 @@ std::string joined(const std::vector<std::string>& parts, const std::string& sep
 }
 
 std::string quotable(const std::string& text) {
-  constexpr std::size_t longest = 80;
+  constexpr std::size_t longest = 80;  // bytes: a line of a terminal
   std::size_t kept = text.size();
   if (kept > longest) {
     kept = longest;

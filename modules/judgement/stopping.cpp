@@ -1,8 +1,9 @@
 #include "judgement/stopping.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace ehl::judgement {
 namespace {
@@ -37,11 +38,7 @@ constexpr int fewest_first_cycles = 3;
 /// A state with this relative residual solves the equations, whatever else is wrong with it.
 constexpr double solved_residual = 1e-5;
 
-std::string text(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.2e", value);
-  return buffer;
-}
+std::string text(double value) { return fmt::format("{:.2e}", value); }
 
 // What no state may have, whatever else is asked.
 std::string impossible(const Measures& now) {

@@ -15,7 +15,9 @@ constexpr int smallest_parallel = 256;
 
 // The smallest number of cells a coarsening may leave: fewer points than the interpolation spans make no sense.
 constexpr int fewest_cells = 8;
+// Ten halvings in each direction, what 8192 cells can take. The deck's key says the same.
 constexpr int coarsening_limit = 20;
+// Far beyond all that was measured, 9 x 4 and its neighbours. The deck's keys say the same.
 constexpr int largest_patch = 64;
 
 bool leaves_enough(const core::Grid& grid, int coarsenings) {

@@ -10,7 +10,7 @@
 namespace ehl::mlmi {
 namespace {
 
-constexpr int block_doubles = 2 * ColumnTransform::columns;
+constexpr int block_doubles = ColumnTransform::doubles;
 
 std::size_t size(std::ptrdiff_t n) { return static_cast<std::size_t>(n); }
 

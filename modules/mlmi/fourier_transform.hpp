@@ -30,7 +30,8 @@ class RealTransform {
 /// another (faster than in place). The input may be destroyed.
 class ColumnTransform {
  public:
-  static constexpr int columns = 8;
+  static constexpr int columns = 8;            ///< two cache lines of a row are gathered and put back whole
+  static constexpr int doubles = 2 * columns;  ///< of a row of them, real and imaginary parts
   explicit ColumnTransform(int length);
   ~ColumnTransform();
   ColumnTransform(ColumnTransform&&) noexcept;

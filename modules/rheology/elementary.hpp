@@ -4,32 +4,18 @@
 //
 // All three stay within 2 units in the last place of the exact value (tests/unit/rheology), return NaN for
 // NaN, and saturate as the scalar functions do: nothing is clipped in silence.
-#include <cstring>
+#include "core/simd.hpp"
 
 namespace ehl::rheology {
 
-// As wide as the processor's registers: these functions keep some twenty values alive, and a type wider than
-// the registers would spill them. The width does not change a result: every value goes its own way.
-#if defined(__AVX512F__)
-inline constexpr int pack_width = 8;
-#elif defined(__AVX__)
-inline constexpr int pack_width = 4;
-#else
-inline constexpr int pack_width = 2;
-#endif
-using Pack [[gnu::vector_size(pack_width * sizeof(double))]] = double;
-/// The 64-bit patterns that encode a pack.
-using PackBits [[gnu::vector_size(sizeof(Pack))]] = unsigned long long;
+using core::broadcast;
+using core::Lanes;
 
-inline Pack load_pack(const double* p) {
-  Pack v;
-  std::memcpy(&v, p, sizeof v);
-  return v;
-}
-inline void store_pack(double* p, Pack v) { std::memcpy(p, &v, sizeof v); }
-inline Pack pack_of(double s) { return Pack{} + s; }
-inline PackBits bits_of(Pack x) { return reinterpret_cast<PackBits>(x); }
-inline Pack value_of(PackBits b) { return reinterpret_cast<Pack>(b); }
+/// The 64-bit patterns that encode the values.
+using Bits [[gnu::vector_size(sizeof(Lanes))]] = unsigned long long;
+
+inline Bits bits_of(Lanes x) { return reinterpret_cast<Bits>(x); }
+inline Lanes value_of(Bits b) { return reinterpret_cast<Lanes>(b); }
 
 namespace elementary_detail {
 
@@ -41,96 +27,96 @@ inline constexpr double inverse_ln2 = 1.4426950408889634;
 inline constexpr double round_to_integer = 0x1.8p52;
 
 /// (e^r - 1 - r)/r^2 for |r| <= ln2/2. source: Chebyshev interpolation in 60 digits; error 0.07 ulp of e^r.
-inline Pack exp_tail(Pack r) {
-  const Pack r2 = r * r;
-  const Pack r4 = r2 * r2;
-  const Pack c01 = 0.5 + r * 0.16666666666666669;
-  const Pack c23 = 0.04166666666662413 + r * 0.008333333333330062;
-  const Pack c45 = 0.0013888888917213717 + r * 0.00019841269863053618;
-  const Pack c67 = 2.4801521295954376e-05 + r * 2.7557268459997064e-06;
-  const Pack c89 = 2.7620088445409746e-07 + r * 2.510038549551032e-08;
+inline Lanes exp_tail(Lanes r) {
+  const Lanes r2 = r * r;
+  const Lanes r4 = r2 * r2;
+  const Lanes c01 = 0.5 + r * 0.16666666666666669;
+  const Lanes c23 = 0.04166666666662413 + r * 0.008333333333330062;
+  const Lanes c45 = 0.0013888888917213717 + r * 0.00019841269863053618;
+  const Lanes c67 = 2.4801521295954376e-05 + r * 2.7557268459997064e-06;
+  const Lanes c89 = 2.7620088445409746e-07 + r * 2.510038549551032e-08;
   return (c01 + r2 * c23) + r4 * ((c45 + r2 * c67) + r4 * c89);
 }
 
 /// [log((1+s)/(1-s)) - 2s]/s in powers of w = s^2 <= 0.0295, without the factor w. source: as above; 0.02 ulp.
-inline Pack log_tail(Pack w) {
-  const Pack w2 = w * w;
-  const Pack c01 = 0.666666666666667 + w * 0.3999999999989889;
-  const Pack c23 = 0.28571428626253836 + w * 0.22222211089379496;
-  const Pack c45 = 0.1818289243253687 + w * 0.15331611722055008;
+inline Lanes log_tail(Lanes w) {
+  const Lanes w2 = w * w;
+  const Lanes c01 = 0.666666666666667 + w * 0.3999999999989889;
+  const Lanes c23 = 0.28571428626253836 + w * 0.22222211089379496;
+  const Lanes c45 = 0.1818289243253687 + w * 0.15331611722055008;
   return (c01 + w2 * c23) + (w2 * w2) * (c45 + w2 * 0.14617807153417325);
 }
 
 /// x = n ln2 + r, |r| <= ln2/2. in: |x| < 1e9. out: n as a double, r.
-inline void split_exponent(Pack x, Pack& n, Pack& r) {
+inline void split_exponent(Lanes x, Lanes& n, Lanes& r) {
   n = (x * inverse_ln2 + round_to_integer) - round_to_integer;
   r = (x - n * ln2_high) - n * ln2_low;
 }
 
 /// 2^n for an integral |n| <= 1022.
-inline Pack power_of_two(Pack n) { return value_of((bits_of(n + round_to_integer) + 1023) << 52); }
+inline Lanes power_of_two(Lanes n) { return value_of((bits_of(n + round_to_integer) + 1023) << 52); }
 
 }  // namespace elementary_detail
 
 /// e^x.
 /// limits: x = 0 gives exactly 1; below -708 the result loses bits gradually, below -745.2 it is 0;
 /// above 709.79 it is infinite. NaN gives NaN.
-inline Pack exp(Pack x) {
+inline Lanes exp(Lanes x) {
   namespace detail = elementary_detail;
   // Beyond these bounds the result is 0 or infinite anyway; the comparison lets NaN pass.
-  x = x < -746.0 ? pack_of(-746.0) : x;
-  x = x > 710.0 ? pack_of(710.0) : x;
-  Pack n, r;
+  x = x < -746.0 ? broadcast(-746.0) : x;
+  x = x > 710.0 ? broadcast(710.0) : x;
+  Lanes n, r;
   detail::split_exponent(x, n, r);
-  const Pack mantissa = 1.0 + (r + r * r * detail::exp_tail(r));
+  const Lanes mantissa = 1.0 + (r + r * r * detail::exp_tail(r));
   // In two steps, because 2^n itself leaves the range of doubles before e^x does.
-  const Pack half = (n * 0.5 + detail::round_to_integer) - detail::round_to_integer;
+  const Lanes half = (n * 0.5 + detail::round_to_integer) - detail::round_to_integer;
   return (mantissa * detail::power_of_two(half)) * detail::power_of_two(n - half);
 }
 
 /// e^x - 1, accurate where x is small.
 /// limits: x = 0 gives exactly 0; below -40 it is -1. NaN gives NaN, above 709.79 it is infinite.
-inline Pack expm1(Pack x) {
+inline Lanes expm1(Lanes x) {
   namespace detail = elementary_detail;
-  x = x < -60.0 ? pack_of(-60.0) : x;
-  x = x > 710.0 ? pack_of(710.0) : x;
-  Pack n, r;
+  x = x < -60.0 ? broadcast(-60.0) : x;
+  x = x > 710.0 ? broadcast(710.0) : x;
+  Lanes n, r;
   detail::split_exponent(x, n, r);
-  const Pack tail = r * r * detail::exp_tail(r);
+  const Lanes tail = r * r * detail::exp_tail(r);
   // Half the power of two at first: 2^1024 is not a double, but (2^1024 - 1)/2 is.
-  const Pack half = detail::power_of_two(n - 1.0);
+  const Lanes half = detail::power_of_two(n - 1.0);
   return 2.0 * ((half - 0.5) + (half * r + half * tail));
 }
 
 /// ln(1 + u), accurate where u is small.
 /// limits: u = 0 gives exactly 0; u = -1 gives -infinity; u < -1 and NaN give NaN; infinity stays.
-inline Pack log1p(Pack u) {
+inline Lanes log1p(Lanes u) {
   namespace detail = elementary_detail;
-  const Pack x = 1.0 + u;
+  const Lanes x = 1.0 + u;
   // What the addition lost (Knuth's two-sum); put back below, where it matters.
-  const Pack part = x - 1.0;
-  const Pack lost = (1.0 - (x - part)) + (u - part);
+  const Lanes part = x - 1.0;
+  const Lanes lost = (1.0 - (x - part)) + (u - part);
 
   // x = 2^e m with m in [sqrt(1/2), sqrt(2)).
   constexpr unsigned long long bits_of_sqrt_half = 0x3fe6a09e667f3bcdULL;
-  const PackBits biased = (bits_of(x) - bits_of_sqrt_half + (1023ULL << 52)) >> 52;
-  const PackBits shift = (biased - 1023) << 52;
-  const Pack m = value_of(bits_of(x) - shift);
-  const Pack inverse_power = value_of((1023ULL << 52) - shift);
+  const Bits biased = (bits_of(x) - bits_of_sqrt_half + (1023ULL << 52)) >> 52;
+  const Bits shift = (biased - 1023) << 52;
+  const Lanes m = value_of(bits_of(x) - shift);
+  const Lanes inverse_power = value_of((1023ULL << 52) - shift);
   // A small non-negative integer placed in the low bits of 2^52 is that integer plus 2^52.
-  const Pack e = value_of(biased | 0x4330000000000000ULL) - (0x1p52 + 1023.0);
+  const Lanes e = value_of(biased | 0x4330000000000000ULL) - (0x1p52 + 1023.0);
 
-  const Pack f = (m - 1.0) + lost * inverse_power;
-  const Pack s = f / (2.0 + f);
-  const Pack w = s * s;
-  const Pack half_square = 0.5 * f * f;
-  const Pack correction = s * (half_square + w * detail::log_tail(w)) + e * detail::ln2_low;
-  Pack result = e * detail::ln2_high - ((half_square - correction) - f);
+  const Lanes f = (m - 1.0) + lost * inverse_power;
+  const Lanes s = f / (2.0 + f);
+  const Lanes w = s * s;
+  const Lanes half_square = 0.5 * f * f;
+  const Lanes correction = s * (half_square + w * detail::log_tail(w)) + e * detail::ln2_low;
+  Lanes result = e * detail::ln2_high - ((half_square - correction) - f);
 
   constexpr double infinity = __builtin_inf();
   result = x == infinity ? x : result;
-  result = x == 0.0 ? pack_of(-infinity) : result;
-  return x >= 0.0 ? result : pack_of(__builtin_nan(""));
+  result = x == 0.0 ? broadcast(-infinity) : result;
+  return x >= 0.0 ? result : broadcast(__builtin_nan(""));
 }
 
 }  // namespace ehl::rheology

@@ -8,7 +8,7 @@
 namespace ehl::rheology {
 namespace {
 
-constexpr std::size_t fewest_rows = 4;
+constexpr std::size_t fewest_rows = 4;  // one more than monotone_curve takes
 
 // Empty where the row may follow those before it.
 std::string what_is_wrong(const FluidTable& table, double p, double eta, double rho, bool with_rho) {

@@ -18,53 +18,53 @@ constexpr double compression = 0.34;
 constexpr std::size_t chunk = 64;
 
 void log_eta(Isoviscous, std::span<const double> P, std::span<double> out) {
-  apply(P, out, [](Pack) { return Pack{}; });
+  apply(P, out, [](Lanes) { return Lanes{}; });
 }
 void log_eta(const Barus& law, std::span<const double> P, std::span<double> out) {
-  apply(P, out, [&](Pack p) { return law.alpha_bar * p; });
+  apply(P, out, [&](Lanes p) { return law.alpha_bar * p; });
 }
 // In two passes: a loop with one elementary function in it overlaps its iterations, a loop with the chain of
 // two or three does not fit into the processor's window and takes half as long again.
 void log_eta(const Roelands& law, std::span<const double> P, std::span<double> out) {
-  apply(P, out, [&](Pack p) {
-    const Pack u = law.p_h_over_p0 * p;
+  apply(P, out, [&](Lanes p) {
+    const Lanes u = law.p_h_over_p0 * p;
     // At the pole the power is 0 and the formula would give a harmless-looking number.
-    return u > -1.0 ? law.z * log1p(u) : pack_of(NAN);
+    return u > -1.0 ? law.z * log1p(u) : broadcast(NAN);
   });
-  apply(out, out, [&](Pack power) { return law.alpha_p0_over_z * expm1(power); });
+  apply(out, out, [&](Lanes power) { return law.alpha_p0_over_z * expm1(power); });
 }
 
 void log_eta_slope(Isoviscous, std::span<const double> P, std::span<double> out) {
-  apply(P, out, [](Pack) { return Pack{}; });
+  apply(P, out, [](Lanes) { return Lanes{}; });
 }
 void log_eta_slope(const Barus& law, std::span<const double> P, std::span<double> out) {
-  apply(P, out, [&](Pack) { return pack_of(law.alpha_bar); });
+  apply(P, out, [&](Lanes) { return broadcast(law.alpha_bar); });
 }
 void log_eta_slope(const Roelands& law, std::span<const double> P, std::span<double> out) {
-  apply(P, out, [&](Pack p) {
-    const Pack u = law.p_h_over_p0 * p;
-    return u > -1.0 ? (law.z - 1.0) * log1p(u) : pack_of(NAN);
+  apply(P, out, [&](Lanes p) {
+    const Lanes u = law.p_h_over_p0 * p;
+    return u > -1.0 ? (law.z - 1.0) * log1p(u) : broadcast(NAN);
   });
   const double factor = law.alpha_p0_over_z * law.z * law.p_h_over_p0;
-  apply(out, out, [&](Pack power) { return factor * exp(power); });
+  apply(out, out, [&](Lanes power) { return factor * exp(power); });
 }
 
 void rho(Incompressible, std::span<const double> P, std::span<double> out) {
-  apply(P, out, [](Pack) { return pack_of(1.0); });
+  apply(P, out, [](Lanes) { return broadcast(1.0); });
 }
 void rho(const DowsonHigginson& law, std::span<const double> P, std::span<double> out) {
-  apply(P, out, [&](Pack p) {
-    const Pack v = law.p_h_over_B * p;
+  apply(P, out, [&](Lanes p) {
+    const Lanes v = law.p_h_over_B * p;
     return (1.0 + (1.0 + compression) * v) / (1.0 + v);
   });
 }
 
 void rho_slope(Incompressible, std::span<const double> P, std::span<double> out) {
-  apply(P, out, [](Pack) { return Pack{}; });
+  apply(P, out, [](Lanes) { return Lanes{}; });
 }
 void rho_slope(const DowsonHigginson& law, std::span<const double> P, std::span<double> out) {
-  apply(P, out, [&](Pack p) {
-    const Pack denominator = 1.0 + law.p_h_over_B * p;
+  apply(P, out, [&](Lanes p) {
+    const Lanes denominator = 1.0 + law.p_h_over_B * p;
     return (compression * law.p_h_over_B) / (denominator * denominator);
   });
 }
@@ -72,17 +72,17 @@ void rho_slope(const DowsonHigginson& law, std::span<const double> P, std::span<
 template <class Law>
 void reciprocal_eta(const Law& law, std::span<const double> P, std::span<double> out) {
   log_eta(law, P, out);
-  apply(out, out, [](Pack exponent) { return exp(-exponent); });
+  apply(out, out, [](Lanes exponent) { return exp(-exponent); });
 }
 void reciprocal_eta(Isoviscous, std::span<const double>, std::span<double> out) { std::ranges::fill(out, 1.0); }
 
 bool all_zero(std::span<const double> P) {
-  PackBits seen{};
-  const std::size_t whole = P.size() / pack_width * pack_width;
+  Bits seen{};
+  const std::size_t whole = P.size() / core::lanes * core::lanes;
   // Shifted by one bit: the sign of a zero does not matter.
-  for (std::size_t k = 0; k < whole; k += pack_width) seen |= bits_of(load_pack(&P[k])) << 1;
+  for (std::size_t k = 0; k < whole; k += core::lanes) seen |= bits_of(core::load(&P[k])) << 1;
   bool zero = true;
-  for (int lane = 0; lane < pack_width; ++lane) zero = zero && seen[lane] == 0;
+  for (int lane = 0; lane < core::lanes; ++lane) zero = zero && seen[lane] == 0;
   for (std::size_t k = whole; k < P.size(); ++k) zero = zero && P[k] == 0.0;
   return zero;
 }

@@ -12,7 +12,7 @@ namespace {
 constexpr double ln_10 = 2.302585092994045684;
 
 // 1 - v of Tait's equation at u = p/K0. Below the end of the logarithm, at u = -1/(1 + K0'), NaN.
-Pack compression(Pack u, double K0_prime) {
+Lanes compression(Lanes u, double K0_prime) {
   const double factor = 1.0 + K0_prime;
   return log1p(factor * u) / factor;
 }
@@ -54,66 +54,66 @@ Yasutomi make_yasutomi(const YasutomiConstants& c, double p_h) {
 // ln eta_bar = B R0 (1 - v)/[(v - R0)(1 - R0)]: accurate where v is near one.
 void log_eta(const Doolittle& law, std::span<const double> P, std::span<double> out) {
   const double factor = law.B * law.R0 / (1.0 - law.R0);
-  apply(P, out, [&](Pack p) {
-    const Pack u = law.p_h_over_K0 * p;
-    const Pack compressed = compression(u, law.K0_prime);
-    const Pack below = factor * compressed / (1.0 - law.R0 - compressed);
+  apply(P, out, [&](Lanes p) {
+    const Lanes u = law.p_h_over_K0 * p;
+    const Lanes compressed = compression(u, law.K0_prime);
+    const Lanes below = factor * compressed / (1.0 - law.R0 - compressed);
     return u > law.u_glass ? law.log_glass + law.slope_glass * (u - law.u_glass) : below;
   });
 }
 
 void log_eta_slope(const Doolittle& law, std::span<const double> P, std::span<double> out) {
-  apply(P, out, [&](Pack p) {
-    const Pack u = law.p_h_over_K0 * p;
-    const Pack below = doolittle_slope(law.B, law.R0, law.K0_prime, u, 1.0 - compression(u, law.K0_prime));
-    return law.p_h_over_K0 * (u > law.u_glass ? pack_of(law.slope_glass) : below);
+  apply(P, out, [&](Lanes p) {
+    const Lanes u = law.p_h_over_K0 * p;
+    const Lanes below = doolittle_slope(law.B, law.R0, law.K0_prime, u, 1.0 - compression(u, law.K0_prime));
+    return law.p_h_over_K0 * (u > law.u_glass ? broadcast(law.slope_glass) : below);
   });
 }
 
 // With y = x0 - x: ln eta_bar = ln(10) C1 C2 y/[(C2 + x0)(C2 + x0 - y)], accurate where y is small.
 void log_eta(const Yasutomi& law, std::span<const double> P, std::span<double> out) {
   const double factor = ln_10 * law.C1 * law.C2 / (law.C2 + law.x0);
-  apply(P, out, [&](Pack P_here) {
-    const Pack p = law.p_h * P_here;
-    const Pack F_less_one = expm1(law.b2 * log1p(law.b1 * p));
-    const Pack rise = law.A1 * log1p(law.A2 * p);  // Tg - Tg0
-    const Pack y = rise + (rise - law.x0) * F_less_one;
-    const Pack below = factor * y / (law.C2 + law.x0 - y);
+  apply(P, out, [&](Lanes P_here) {
+    const Lanes p = law.p_h * P_here;
+    const Lanes F_less_one = expm1(law.b2 * log1p(law.b1 * p));
+    const Lanes rise = law.A1 * log1p(law.A2 * p);  // Tg - Tg0
+    const Lanes y = rise + (rise - law.x0) * F_less_one;
+    const Lanes below = factor * y / (law.C2 + law.x0 - y);
     return p > law.p_glass ? law.log_glass + law.slope_glass * (p - law.p_glass) : below;
   });
 }
 
 void log_eta_slope(const Yasutomi& law, std::span<const double> P, std::span<double> out) {
-  apply(P, out, [&](Pack P_here) {
-    const Pack p = law.p_h * P_here;
-    const Pack F = exp(law.b2 * log1p(law.b1 * p));
-    const Pack above_Tg = law.x0 - law.A1 * log1p(law.A2 * p);  // T - Tg
-    const Pack fall = F * (law.A1 * law.A2 / (1.0 + law.A2 * p) - above_Tg * (law.b1 * law.b2) / (1.0 + law.b1 * p));
-    const Pack denominator = law.C2 + above_Tg * F;
-    const Pack below = (ln_10 * law.C1 * law.C2) * fall / (denominator * denominator);
-    return law.p_h * (p > law.p_glass ? pack_of(law.slope_glass) : below);
+  apply(P, out, [&](Lanes P_here) {
+    const Lanes p = law.p_h * P_here;
+    const Lanes F = exp(law.b2 * log1p(law.b1 * p));
+    const Lanes above_Tg = law.x0 - law.A1 * log1p(law.A2 * p);  // T - Tg
+    const Lanes fall = F * (law.A1 * law.A2 / (1.0 + law.A2 * p) - above_Tg * (law.b1 * law.b2) / (1.0 + law.b1 * p));
+    const Lanes denominator = law.C2 + above_Tg * F;
+    const Lanes below = (ln_10 * law.C1 * law.C2) * fall / (denominator * denominator);
+    return law.p_h * (p > law.p_glass ? broadcast(law.slope_glass) : below);
   });
 }
 
 void rho(const Tait& law, std::span<const double> P, std::span<double> out) {
-  apply(P, out, [&](Pack p) { return 1.0 / (1.0 - compression(law.p_h_over_K0 * p, law.K0_prime)); });
+  apply(P, out, [&](Lanes p) { return 1.0 / (1.0 - compression(law.p_h_over_K0 * p, law.K0_prime)); });
 }
 
 void rho_slope(const Tait& law, std::span<const double> P, std::span<double> out) {
-  apply(P, out, [&](Pack p) {
-    const Pack u = law.p_h_over_K0 * p;
-    const Pack v = 1.0 - compression(u, law.K0_prime);
+  apply(P, out, [&](Lanes p) {
+    const Lanes u = law.p_h_over_K0 * p;
+    const Lanes v = 1.0 - compression(u, law.K0_prime);
     return law.p_h_over_K0 / (v * v * (1.0 + (1.0 + law.K0_prime) * u));
   });
 }
 
 void rho(const Murnaghan& law, std::span<const double> P, std::span<double> out) {
-  apply(P, out, [&](Pack p) { return exp(log1p(law.K0_prime * law.p_h_over_K0 * p) / law.K0_prime); });
+  apply(P, out, [&](Lanes p) { return exp(log1p(law.K0_prime * law.p_h_over_K0 * p) / law.K0_prime); });
 }
 
 void rho_slope(const Murnaghan& law, std::span<const double> P, std::span<double> out) {
-  apply(P, out, [&](Pack p) {
-    const Pack w = law.K0_prime * law.p_h_over_K0 * p;
+  apply(P, out, [&](Lanes p) {
+    const Lanes w = law.K0_prime * law.p_h_over_K0 * p;
     return law.p_h_over_K0 * exp(log1p(w) * (1.0 / law.K0_prime - 1.0));
   });
 }

@@ -8,7 +8,7 @@
 namespace ehl::rheology {
 namespace {
 
-constexpr int most_panels = 20000;
+constexpr int most_panels = 20000;  // a guard: ln eta_bar rises by up to one in a panel, and at 40 the rest is nothing
 
 // A pressure at which ln eta_bar is about one; infinite where there is none.
 double pressure_of_one(const ViscosityLaw& law) {

@@ -15,40 +15,40 @@ constexpr double small_s = 1e-4;
 /// A film that counts as zero: its fluidities stay finite, and H^3 times them is nothing.
 constexpr double least_film = 1e-30;
 
-Pack square_root(Pack x) {
-  Pack root;
-  for (int lane = 0; lane < pack_width; ++lane) root[lane] = std::sqrt(x[lane]);
+Lanes square_root(Lanes x) {
+  Lanes root;
+  for (int lane = 0; lane < core::lanes; ++lane) root[lane] = std::sqrt(x[lane]);
   return root;
 }
 
 struct Two {
-  Pack along, across;
+  Lanes along, across;
 };
 
 // B = H fluidity and m = sqrt(B^2 + k^2), so that s = k/B is never formed: B may be zero.
-Two fluidities(Eyring, double k, Pack B, Pack m) {
+Two fluidities(Eyring, double k, Lanes B, Lanes m) {
   // asinh(k/B) = ln[(k + m)/B], of which 1 is taken out: m - B = k^2/(m + B).
-  const Pack stress = log1p(k * (1.0 + k / (m + B)) / B);
+  const Lanes stress = log1p(k * (1.0 + k / (m + B)) / B);
   return {m, stress > 0.0 ? k / stress : B};
 }
-Two fluidities(const Carreau& law, double k, Pack B, Pack m) {
+Two fluidities(const Carreau& law, double k, Lanes B, Lanes m) {
   // (1 + s^2)^((1-n)/2) B = m (m/B)^-n, and m/B = 1 + k^2/[B (m + B)].
-  const Pack across = m * exp(-law.n * log1p(k * (k / (m + B)) / B));
+  const Lanes across = m * exp(-law.n * log1p(k * (k / (m + B)) / B));
   return {across * ((m / (B * B + law.n * k * k)) * m), across};
 }
 
-Two slopes(Eyring law, double k, Pack B, Pack m) { return {(B / m) * (B / m), fluidities(law, k, B, m).across / m}; }
-Two slopes(const Carreau& law, double k, Pack B, Pack m) {
-  const Pack share = (B / m) * (B / m);
-  const Pack across = law.n + (1.0 - law.n) * share;
+Two slopes(Eyring law, double k, Lanes B, Lanes m) { return {(B / m) * (B / m), fluidities(law, k, B, m).across / m}; }
+Two slopes(const Carreau& law, double k, Lanes B, Lanes m) {
+  const Lanes share = (B / m) * (B / m);
+  const Lanes across = law.n + (1.0 - law.n) * share;
   return {across + 2.0 * share - 2.0 * (B * B / (B * B + law.n * k * k)), across};
 }
 
-// f(B, m) for a pack at a time; the rest goes through padded copies.
+// f(B, m) for a register full at a time; the rest goes through padded copies.
 template <class Function>
-void for_packs(double k, std::span<const double> H, std::span<const double> fluidity, std::span<double> along,
+void for_lanes(double k, std::span<const double> H, std::span<const double> fluidity, std::span<double> along,
                std::span<double> across, Function f) {
-  constexpr std::size_t width = pack_width;
+  constexpr std::size_t width = core::lanes;
   for (std::size_t first = 0; first < H.size(); first += width) {
     const std::size_t count = std::min(width, H.size() - first);
     std::array<double, width> film, oil, x, y;
@@ -56,12 +56,12 @@ void for_packs(double k, std::span<const double> H, std::span<const double> flui
     oil.fill(1.0);
     std::copy_n(&H[first], count, film.data());
     std::copy_n(&fluidity[first], count, oil.data());
-    Pack h = load_pack(film.data());
-    h = h < least_film ? pack_of(least_film) : h;
-    const Pack B = h * load_pack(oil.data());
+    Lanes h = core::load(film.data());
+    h = h < least_film ? broadcast(least_film) : h;
+    const Lanes B = h * core::load(oil.data());
     const Two result = f(h, B, square_root(B * B + k * k));
-    store_pack(x.data(), result.along);
-    store_pack(y.data(), result.across);
+    core::store(x.data(), result.along);
+    core::store(y.data(), result.across);
     std::copy_n(x.data(), count, &along[first]);
     std::copy_n(y.data(), count, &across[first]);
   }
@@ -91,7 +91,7 @@ void film_fluidity(const ShearThinning& thinning, std::span<const double> H, std
   }
   std::visit(
       [&](const auto& law) {
-        for_packs(k, H, fluidity, along, across, [&](Pack h, Pack B, Pack m) {
+        for_lanes(k, H, fluidity, along, across, [&](Lanes h, Lanes B, Lanes m) {
           const Two B_thinned = fluidities(law, k, B, m);
           return Two{B_thinned.along / h, B_thinned.across / h};
         });
@@ -104,7 +104,7 @@ void film_fluidity_slopes(const ShearThinning& thinning, std::span<const double>
   const double k = thinning.k;
   std::visit(
       [&](const auto& law) {
-        for_packs(k, H, fluidity, along, across, [&](Pack, Pack B, Pack m) { return slopes(law, k, B, m); });
+        for_lanes(k, H, fluidity, along, across, [&](Lanes, Lanes B, Lanes m) { return slopes(law, k, B, m); });
       },
       thinning.law);
 }

@@ -10,13 +10,17 @@ namespace ehl::surface {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+/// A step of time moves a feature by this part of its width at most. measured: bump at (50, 10), 129^2: Hc errs by
+/// 3e-4 at rtol 1e-4, by 8e-4 at 1e-3 and 1e-2, where these steps are what holds it. A quarter of a wave has as
+/// many parts as a width.
 constexpr double parts_of_a_width = 4.0;
 constexpr double parts_of_a_wave = 16.0;
 /// Mourier's shape is written in 1.2 times the radius of the cavity.
 constexpr double cavity_stretch = 1.2;
 /// Cosine of the angle of a line along X, but for rounding.
 constexpr double along_X = 1e-12;
-/// Parts of a cell in its quadrature, each with Gauss' two points: at most this wide, in widths.
+/// Parts of a cell in its quadrature, each with Gauss' two points: at most this wide, in widths. Their mean
+/// errs by part^4 f''''/4320: 1e-5 of a feature's height, 9e-5 of a wave's. Enough of them for a cell of 16 widths.
 constexpr double widest_part = 0.25;
 constexpr double widest_part_of_a_wave = 0.125;
 constexpr int most_parts = 64;

@@ -7,8 +7,8 @@
 namespace ehl::transient {
 namespace {
 
-constexpr double longest_of_all = 0.1;
-constexpr double share_of_vibration = 0.05;  // a twentieth of its period
+constexpr double longest_of_all = 0.1;       // the oil crosses the contact in 20 steps at least
+constexpr double share_of_vibration = 0.05;  // a twentieth of its period, as of a wave (schedule.cpp)
 
 }  // namespace
 

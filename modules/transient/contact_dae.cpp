@@ -12,14 +12,15 @@ namespace ehl::transient {
 namespace {
 
 /// Nodes within this many radii (or semi-axes) of the contact's centre make up the norm; those outside count as one
-/// hundredth.
+/// hundredth: a mean over all nodes alike would not see a dimple.
 constexpr double zone_radius = 1.5;
 constexpr double weight_outside = 0.1;
-/// The rate of a first cycle is taken to be no better than this, of later ones than that.
+/// The rate of a first cycle is taken to be no better than this, of later ones than that: measured are 0.10 to 0.29,
+/// at (50, 10) and (200, 10) on 65^2 and 129^2 for c = 10 to 10^8.
 constexpr double best_first_rate = 0.3;
 constexpr double best_rate = 0.1;
 /// Cycles that reduce the change by less than this do not converge, as many of them in a row: while points open and
-/// close, single ones do.
+/// close, single ones do. Given up after one, a load from 1 to 3 within 0.01 does not end on 257^2, at (100, 0).
 constexpr double worst_rate = 0.95;
 constexpr int patience = 3;
 /// Of the squeeze, above which the load is put right behind the last cycle only: what the common factor does to the

@@ -13,40 +13,24 @@ using deck::Key;
 using deck::Type;
 
 std::vector<Key> drive_keys() {
-  return {
-      {.name = "load",
-       .type = Type::text,
-       .default_note = "constant",
-       .meaning = "Load over that of [contact], at times: 'time:value ...', linear between them; the same time twice "
-                  "is a jump. Or a file .csv with two columns, where the program runs or beside the deck.",
-       .example = "1:1 1.1:1.3"},
-      {.name = "load_wave",
-       .type = Type::text,
-       .default_note = "none",
-       .meaning = "'amplitude period [start]': multiplies the load by 1 + amplitude sin(2 pi (t - start)/period).",
-       .example = "0.3 2"},
-      {.name = "u1",
-       .type = Type::text,
-       .default_note = "constant: from [motion], else 1",
-       .meaning = "Speed of surface 1 over the entrainment speed u_m of [motion] (of M, L where there is none), "
-                  "written like load. The film is carried by (u1 + u2)/2, which must not be negative.",
-       .example = "1:1 2:0 3:0 4:1"},
-      {.name = "u1_wave",
-       .type = Type::text,
-       .default_note = "none",
-       .meaning = "Like load_wave, of u1.",
-       .example = "0.5 4"},
-      {.name = "u2",
-       .type = Type::text,
-       .default_note = "constant: from [motion], else 1",
-       .meaning = "Speed of surface 2, like u1.",
-       .example = "1:1 2:0 3:0 4:1"},
-      {.name = "u2_wave",
-       .type = Type::text,
-       .default_note = "none",
-       .meaning = "Like load_wave, of u2.",
-       .example = "0.5 4"},
+  const auto key = [](const char* name, const char* note, const char* meaning, const char* example) -> Key {
+    return {.name = name, .type = Type::text, .default_note = note, .meaning = meaning, .example = example};
   };
+  const char* const of_motion = "constant: from [motion], else 1";
+  return {
+      key("load", "constant",
+          "Load over that of [contact], at times: 'time:value ...', linear between them; the same time twice "
+          "is a jump. Or a file .csv with two columns, where the program runs or beside the deck.",
+          "1:1 1.1:1.3"),
+      key("load_wave", "none",
+          "'amplitude period [start]': multiplies the load by 1 + amplitude sin(2 pi (t - start)/period).", "0.3 2"),
+      key("u1", of_motion,
+          "Speed of surface 1 over the entrainment speed u_m of [motion] (of M, L where there is none), "
+          "written like load. The film is carried by (u1 + u2)/2, which must not be negative.",
+          "1:1 2:0 3:0 4:1"),
+      key("u1_wave", "none", "Like load_wave, of u1.", "0.5 4"),
+      key("u2", of_motion, "Speed of surface 2, like u1.", "1:1 2:0 3:0 4:1"),
+      key("u2_wave", "none", "Like load_wave, of u2.", "0.5 4")};
 }
 
 std::vector<Key> body_keys() {
@@ -158,7 +142,7 @@ void check_drive(const deck::Part& part, const Conditions& conditions, double en
   if (!body && !(least(conditions.load, end) > 0.0))
     part.complain(part.given("load_wave") ? "load_wave" : "load",
                   "the load must stay positive until the end: the bodies would part");
-  constexpr int samples = 4000;
+  constexpr int samples = 4000;  // of the wave between the stops; a dip between two of them is not seen
   std::vector<double> times = stops_of(conditions, end);
   for (int k = 0; k <= samples; ++k) times.push_back(end * k / samples);
   const char* key = part.given("u1") || part.given("u1_wave") ? "u1" : "u2";
@@ -175,18 +159,17 @@ void check_drive(const deck::Part& part, const Conditions& conditions, double en
 
 std::optional<Body> read_body(deck::Deck& deck, const Scales& scales) {
   const double length = scales.radius, load = scales.load, u_m = scales.a / scales.time;
-  const auto quantity = [&](const char* name, const char* suffix, double unit) {
-    return deck::number_in(deck, "body", name, {suffix, unit, scales.in_SI});
-  };
   Body body;
-  body.mass = quantity("mass", "_kg", load * length / (u_m * u_m));
-  if (std::isnan(body.mass)) return std::nullopt;
-  const double damping = quantity("damping", "_Nspm", load * length / (scales.a * u_m));
-  if (std::isfinite(damping)) body.damping = damping;
-  const double gap = quantity("gap", "_m", scales.height);
-  if (std::isfinite(gap)) body.gap = gap;
-  const double velocity = quantity("velocity", "_mps", scales.height / scales.time);
-  if (std::isfinite(velocity)) body.velocity = velocity;
+  // True where the deck gives it.
+  const auto take = [&](const char* name, const char* suffix, double unit, auto& quantity) {
+    const double found = deck::number_in(deck, "body", name, {suffix, unit, scales.in_SI});
+    if (std::isfinite(found)) quantity = found;
+    return std::isfinite(found);
+  };
+  if (!take("mass", "_kg", load * length / (u_m * u_m), body.mass)) return std::nullopt;
+  take("damping", "_Nspm", load * length / (scales.a * u_m), body.damping);
+  take("gap", "_m", scales.height, body.gap);
+  take("velocity", "_mps", scales.height / scales.time, body.velocity);
   return body;
 }
 

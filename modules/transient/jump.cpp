@@ -6,6 +6,7 @@
 namespace ehl::transient {
 namespace {
 
+/// A first try: halved where the cycles do not follow, six times at most.
 constexpr double largest_bit_of_load = 0.02;
 constexpr double largest_bit_of_speed = 0.1;
 constexpr double least_share_of_a_bit = 1.0 / 64.0;

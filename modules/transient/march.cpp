@@ -18,14 +18,14 @@
 namespace ehl::transient {
 namespace {
 
-constexpr double first_step = 1e-3;
+constexpr double first_step = 1e-3;  // at order one; IDA doubles it as its error test allows
 /// The first step at order one behind a checkpoint, over the last one before it.
 constexpr double shorter_behind_a_checkpoint = 0.1;
 /// The step across a jump of load or speed: the pressure follows at once, the film hardly moves. As many in all let
 /// what the jump has stirred up die away, which IDA would follow with steps too short for the cycles.
 constexpr double micro_step = 1e-3;
 constexpr int micro_steps = 4;
-constexpr double rounding_of_time = 1e-14;
+constexpr double rounding_of_time = 1e-14;  // relative; some fifty units in the last place
 
 /// The integration under way.
 class March {

@@ -14,7 +14,7 @@ class Rest {
 
   /// With this row, later than all before it, at rest?
   bool reached(const StepRow& row) {
-    constexpr double window = 1.0;
+    constexpr double window = 1.0;  // the oil crosses half of the contact: what moves must show in it
     if (std::isnan(tolerance_)) return false;
     recent_.push_back(row);
     while (recent_.size() > 1 && recent_[1].T <= row.T - window) recent_.erase(recent_.begin());

@@ -1,7 +1,8 @@
 #include "transient/settle.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <string>
 
@@ -14,8 +15,11 @@
 namespace ehl::transient {
 namespace {
 
+/// Above it no state counts as solved, and no stalling residual as rounding.
 constexpr double hopeless_residual = 1e-5;
+/// Twice what cycles that halve the residual take from one to settled_residual.
 constexpr int most_settling_cycles = 60;
+/// A V(2,1) cycle leaves 0.1 to 0.3 of the error: three leave 3 % of a bit at most, for the next one to begin with.
 constexpr int cycles_per_bit = 3;
 
 // Residual after cycles at T = 0 without squeeze: `most` of them, or fewer where it is as small as rounding allows.
@@ -35,11 +39,8 @@ double cycles_at_rest(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive& d
   return residual;
 }
 
-// in: text with one number in it.
-core::SolverError not_found(const char* text, double value) {
-  char reason[160];
-  std::snprintf(reason, sizeof reason, text, value);
-  return core::SolverError("the steady state at the start of the transient was not found: " + std::string(reason));
+core::SolverError not_found(const std::string& reason) {
+  return core::SolverError("the steady state at the start of the transient was not found: " + reason);
 }
 
 }  // namespace
@@ -52,8 +53,9 @@ void settle(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive& start) {
     residual = cycles_at_rest(hierarchy, dae, drive, k == bits ? most_settling_cycles : cycles_per_bit);
   }
   const double Hm = core::minimum(hierarchy.finest().H).value;
-  if (!(residual < hopeless_residual)) throw not_found("its relative residual is %.1e", residual);
-  if (!(Hm > 0.0)) throw not_found("its film is negative at its thinnest, H = %.3g: the mesh is too coarse for it", Hm);
+  if (!(residual < hopeless_residual)) throw not_found(fmt::format("its relative residual is {:.1e}", residual));
+  if (!(Hm > 0.0))
+    throw not_found(fmt::format("its film is negative at its thinnest, H = {:.3g}: the mesh is too coarse for it", Hm));
   dae.balance_load();
 }
 

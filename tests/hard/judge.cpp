@@ -7,6 +7,7 @@
 
 #include "support/json.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/text.hpp"
 
 namespace hard {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 constexpr double loose_residual = 2e-2;  // what the program itself asks for where the deck names no tolerance
 constexpr double loose_load_error = 1e-3;
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using support::contains;
 
 class Judge {
  public:

@@ -5,6 +5,7 @@
 
 #include "support/json.hpp"
 #include "support/program.hpp"
+#include "support/text.hpp"
 
 namespace {
 
@@ -13,7 +14,7 @@ const std::string small =
     "[case]\ntitle = small\n[contact]\nM = 20\nL = 10\n[lubricant]\nalpha = 2.2e-8\nz = 0.68\n[domain]\nx_inlet = "
     "-4.5\ny_half = 3\n[grid]\ncells = 64\n";
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using support::contains;
 
 struct Scene {
   support::TemporaryFolder folder;

@@ -7,6 +7,7 @@
 #include "support/columns.hpp"
 #include "support/json.hpp"
 #include "support/refused.hpp"
+#include "support/text.hpp"
 
 namespace {
 
@@ -17,7 +18,7 @@ const std::string dimple = "[surface1]\nshape = dimple\nheight = 0.02\nwidth = 0
 // a = 136.7 um, a^2/R = 1.496 um.
 const std::string steel = "[contact]\nload = 15\nradius_x = 0.0125\nE_prime = 110e9\n";
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using support::contains;
 
 std::vector<std::vector<double>> field(const support::TemporaryFolder& folder, const std::string& file,
                                        const std::string& words) {

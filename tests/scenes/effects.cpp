@@ -5,6 +5,7 @@
 #include "results/read.hpp"
 #include "support/json.hpp"
 #include "support/program.hpp"
+#include "support/text.hpp"
 
 using ehl::results::ResultFile;
 
@@ -17,7 +18,7 @@ const std::string in_time =
     "[transient]\nend_time = 0.1\nload = 0.02:1 0.08:1.05\n[surface1]\nshape = ridge\nheight = 0.01\nwidth = 0.5\n"
     "angle = 30\nx = -0.5\n";
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using support::contains;
 
 struct Scene {
   support::TemporaryFolder folder;

@@ -6,6 +6,7 @@
 #include "results/read.hpp"
 #include "support/json.hpp"
 #include "support/program.hpp"
+#include "support/text.hpp"
 
 using ehl::results::ResultFile;
 
@@ -20,7 +21,7 @@ const std::string moes =
     "[contact]\nM = 50\nL = 10\na_over_R = 0.01\n[motion]\nsrr = 0.2\n[lubricant]\nalpha = 2e-8\n[grid]\ncells = 64\n"
     "[domain]\nx_inlet = -4.5\ny_half = 3\n";
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using support::contains;
 
 struct Scene {
   support::TemporaryFolder folder;
@@ -31,30 +32,12 @@ struct Curve {
   std::vector<double> srr{}, mu{}, Hc{};
 };
 
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream text(line);
-  for (std::string cell; std::getline(text, cell, ',');) cells.push_back(cell);
-  return cells;
-}
-
 Curve curve_of(const std::string& table) {
   Curve curve;
-  std::vector<std::string> names;
-  std::istringstream lines(table);
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with('#')) continue;
-    const std::vector<std::string> cells = cells_of(line);
-    if (names.empty()) {
-      names = cells;
-      continue;
-    }
-    const auto number = [&](const std::string& name) {
-      return std::stod(cells.at(static_cast<std::size_t>(std::ranges::find(names, name) - names.begin())));
-    };
-    curve.srr.push_back(number("motion.srr"));
-    curve.mu.push_back(number("mu"));
-    curve.Hc.push_back(number("Hc"));
+  for (const support::NamedRow& row : support::named_rows(table)) {
+    curve.srr.push_back(std::stod(row.at("motion.srr")));
+    curve.mu.push_back(std::stod(row.at("mu")));
+    curve.Hc.push_back(std::stod(row.at("Hc")));
   }
   return curve;
 }

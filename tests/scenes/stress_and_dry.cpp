@@ -5,6 +5,7 @@
 #include "support/columns.hpp"
 #include "support/json.hpp"
 #include "support/refused.hpp"
+#include "support/text.hpp"
 
 namespace {
 
@@ -16,7 +17,7 @@ const std::string oiled =
 const std::string dry = "[case]\nkind = dry\n[grid]\ncells = 64\n";
 const std::string stresses = "[subsurface]\ndepth = 1.5\nplanes = 21\n";
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using support::contains;
 
 double number(const support::TemporaryFolder& folder, const std::string& file, const std::string& name) {
   const support::Ended extracted = support::ehl(folder, "extract " + file + " " + name);

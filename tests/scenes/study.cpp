@@ -1,10 +1,10 @@
 // Studies from end to end: errors fall with the order of the scheme, the table reads back, the picture is drawn.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <map>
 #include <sstream>
 
 #include "support/program.hpp"
+#include "support/text.hpp"
 
 namespace {
 
@@ -12,29 +12,9 @@ const std::string paper =
     "[contact]\nM = 50\nL = 10\n[lubricant]\nalpha = 1.7e-8\nz = 0.6\n[domain]\nx_inlet = -4.5\nx_outlet = 1.5\n"
     "y_half = 3\n[grid]\ncells = 256\n";
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using support::contains;
 
-using Row = std::map<std::string, std::string>;
-
-std::vector<Row> rows_of(const std::string& table) {
-  std::vector<std::string> names;
-  std::vector<Row> rows;
-  std::istringstream lines(table);
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with('#')) continue;
-    std::vector<std::string> cells;
-    std::istringstream text(line);
-    for (std::string cell; std::getline(text, cell, ',');) cells.push_back(cell);
-    if (names.empty()) {
-      names = cells;
-      continue;
-    }
-    Row row;
-    for (std::size_t k = 0; k < cells.size(); ++k) row[names[std::min(k, names.size() - 1)]] += cells[k];
-    rows.push_back(row);
-  }
-  return rows;
-}
+using Row = support::NamedRow;
 
 double said(const std::string& table, const std::string& key) {
   const std::size_t at = table.find("# " + key + ": ");
@@ -71,7 +51,7 @@ BOOST_AUTO_TEST_CASE(errors_fall_with_the_order_of_the_scheme) {
   BOOST_TEST(std::abs(Hm - 0.13324) <= error_Hm * Hm + 6e-5);
   BOOST_TEST((error_Hc < 2e-3 && error_Hm < 1e-2));
 
-  const std::vector<Row> rows = rows_of(table);
+  const std::vector<Row> rows = support::named_rows(table);
   BOOST_REQUIRE(rows.size() == 3u * 2u * 2u * 2u);
   for (const std::string wedge : {"upstream1", "upstream2"}) {
     std::vector<double> errors;
@@ -128,7 +108,7 @@ BOOST_AUTO_TEST_CASE(a_run_in_time_is_studied_by_its_tolerance) {
                            "least of 2", "t_study.csv"})
     BOOST_TEST(contains(ended.out, part), part << " is missing in\n" << ended.out);
   const std::string table = scene.folder.read("t_study.csv");
-  const std::vector<Row> rows = rows_of(table);
+  const std::vector<Row> rows = support::named_rows(table);
   BOOST_REQUIRE(rows.size() == 3u);
   for (const std::string name : {"Hc", "Hm", "P_max", "P_1", "P_2"}) {
     double last = 1.0;
@@ -166,7 +146,7 @@ BOOST_AUTO_TEST_CASE(a_run_in_time_that_does_not_end_has_no_error) {
   const support::Ended ended = scene.ehl(command + " --rtol 1e-2,1e-4");
   BOOST_TEST(ended.status == 3, ended.err);
   BOOST_TEST(contains(ended.out, "NOT COMPLETE: FAILED: more than 130 steps"), ended.out);
-  const std::vector<Row> rows = rows_of(scene.folder.read("t_study.csv"));
+  const std::vector<Row> rows = support::named_rows(scene.folder.read("t_study.csv"));
   BOOST_REQUIRE(rows.size() == 2u);
   BOOST_TEST((rows[0].at("status") == "complete" && rows[1].at("status") == "not-complete"));
   for (const std::string name : {"error_Hc", "error_Hm", "error_P_max"}) {

@@ -7,6 +7,7 @@
 
 #include "support/columns.hpp"
 #include "support/refused.hpp"
+#include "support/text.hpp"
 
 namespace {
 
@@ -60,7 +61,7 @@ void write_hdf5(const std::string& path, int nx, int ny, double bad = 0.0) {
   H5Fclose(file);
 }
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using support::contains;
 
 }  // namespace
 

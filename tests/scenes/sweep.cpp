@@ -1,11 +1,11 @@
 // Sweeps from end to end: the table, what ends one case, what ends them all, and how a sweep goes on.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
-#include <map>
 #include <sstream>
 
 #include "support/json.hpp"
 #include "support/program.hpp"
+#include "support/text.hpp"
 
 namespace {
 
@@ -14,35 +14,9 @@ const std::string small =
     "[contact]\nM = 20\nL = 10\n[lubricant]\nalpha = 2.2e-8\nz = 0.68\n[domain]\nx_inlet = -4.5\ny_half = 3\n"
     "[grid]\ncells = 64\n";
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using support::contains;
 
-using Row = std::map<std::string, std::string>;
-
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream text(line);
-  for (std::string cell; std::getline(text, cell, ',');) cells.push_back(cell);
-  return cells;
-}
-
-// The rows by the names of their columns; the reason, the last one, may hold commas.
-std::vector<Row> rows_of(const std::string& table) {
-  std::vector<std::string> names;
-  std::vector<Row> rows;
-  std::istringstream lines(table);
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with('#')) continue;
-    const std::vector<std::string> cells = cells_of(line);
-    if (names.empty()) {
-      names = cells;
-      continue;
-    }
-    Row row;
-    for (std::size_t k = 0; k < cells.size(); ++k) row[names[std::min(k, names.size() - 1)]] += cells[k];
-    rows.push_back(row);
-  }
-  return rows;
-}
+using Row = support::NamedRow;
 
 // What must not depend on when and how often the sweep was stopped.
 std::vector<Row> lasting(std::vector<Row> rows) {
@@ -57,7 +31,9 @@ struct Scene {
   support::TemporaryFolder folder;
   Scene() { folder.write("d.ini", small); }
   support::Ended ehl(const std::string& arguments) const { return support::ehl(folder, arguments); }
-  std::vector<Row> table(const std::string& name = "d_sweep.csv") const { return rows_of(folder.read(name)); }
+  std::vector<Row> table(const std::string& name = "d_sweep.csv") const {
+    return support::named_rows(folder.read(name));
+  }
 };
 
 // Starts a sweep, waits until its table has `rows` lines that end a row, and sends a signal to it alone.

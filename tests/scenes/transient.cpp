@@ -6,6 +6,7 @@
 
 #include "support/columns.hpp"
 #include "support/refused.hpp"
+#include "support/text.hpp"
 
 namespace {
 
@@ -17,7 +18,7 @@ const std::string steel =
     "[contact]\nload = 15\nradius_x = 0.0125\nE_prime = 110e9\n[motion]\nu1 = 0.045\nu2 = 0.135\n"
     "[lubricant]\neta0 = 0.25\nalpha = 22e-9\n";
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using support::contains;
 
 }  // namespace
 

@@ -1,8 +1,9 @@
 #include "effects/friction/friction.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/timer.hpp"
 
@@ -95,14 +96,11 @@ Friction friction_of(const Film& film, const Parameters& parameters) {
 
 std::vector<std::string> warnings(const Friction& friction) {
   if (friction.unlikely_share < worth_a_warning || friction.parameters.limit <= largest_limit) return {};
-  char text[320];
-  std::snprintf(text, sizeof text,
-                "friction: on %.0f %% of the load the shear stress is above %.2f p, which no lubricant carries: %s",
-                100.0 * friction.unlikely_share, largest_limit,
-                friction.thinned
-                    ? "check the shear law, or give [friction] limit"
-                    : "a Newtonian oil does not describe this friction: give [shear] law, or [friction] limit");
-  return {text};
+  return {fmt::format(
+      "friction: on {:.0f} % of the load the shear stress is above {:.2f} p, which no lubricant carries: {}",
+      100.0 * friction.unlikely_share, largest_limit,
+      friction.thinned ? "check the shear law, or give [friction] limit"
+                       : "a Newtonian oil does not describe this friction: give [shear] law, or [friction] limit")};
 }
 
 }  // namespace ehl::friction

@@ -10,7 +10,7 @@
 namespace ehl::subsurface {
 namespace {
 
-constexpr int block_doubles = 2 * mlmi::ColumnTransform::columns;
+constexpr int block_doubles = mlmi::ColumnTransform::doubles;
 
 std::size_t size(std::ptrdiff_t n) { return static_cast<std::size_t>(n); }
 

@@ -124,7 +124,8 @@ std::vector<Quantity> computed(const Parameters& parameters) {
   return list;
 }
 
-// Within so many cells of the surface the pressure is felt cell by cell.
+// Within so many cells of the surface the pressure is felt cell by cell: below a spike at (50, 10) the largest shear
+// stress there was 0.333, 0.374, 0.513 p_h on 129, 257, 513 nodes.
 constexpr double felt = 2.0;
 
 void warn(StressField& field) {
@@ -168,7 +169,7 @@ double expected_bytes(const core::Grid& contact, const Parameters& parameters, i
 
 double expected_seconds(const core::Grid& contact, const Parameters& parameters) {
   const core::Grid grid = stress_grid(contact, parameters);
-  constexpr double seconds_per_node_and_plane = 1.2e-6;
+  constexpr double seconds_per_node_and_plane = 1.2e-6;  // one thread, 64 to 512 cells: 0.9e-6 to 1.3e-6
   return seconds_per_node_and_plane * parameters.planes * static_cast<double>(grid.nodes_x()) * grid.nodes_y();
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/errors.hpp"
 #include "small_catalogue.hpp"
+#include "support/text.hpp"
 
 using namespace ehl;
 namespace files = std::filesystem;
@@ -23,12 +24,7 @@ struct Folder {
 };
 
 std::string refusal(const std::string& path) {
-  try {
-    deck::load_text(path);
-  } catch (const core::InputError& error) {
-    return error.what();
-  }
-  return "(none)";
+  return support::refusal<core::InputError>([&] { deck::load_text(path); });
 }
 
 }  // namespace

@@ -4,11 +4,12 @@
 
 #include "core/errors.hpp"
 #include "small_catalogue.hpp"
+#include "support/text.hpp"
 
 using namespace ehl;
 
 namespace {
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using support::contains;
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(writing)

@@ -6,6 +6,7 @@
 #include "commands/commands.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
+#include "support/text.hpp"
 
 using namespace ehl;
 using program::Arguments;
@@ -15,15 +16,10 @@ namespace {
 Arguments parse(const std::vector<std::string>& words) { return program::parse_arguments(words, program::commands()); }
 
 std::string refusal(const std::vector<std::string>& words) {
-  try {
-    parse(words);
-  } catch (const core::InputError& error) {
-    return error.what();
-  }
-  return "(none)";
+  return support::refusal<core::InputError>([&] { parse(words); });
 }
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using support::contains;
 
 }  // namespace
 

@@ -12,6 +12,7 @@
 #include "deck/text.hpp"
 #include "support/json.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/text.hpp"
 
 using namespace ehl;
 using boost::test_tools::tolerance;
@@ -36,7 +37,7 @@ std::string complaints(const std::string& text, const std::vector<std::string>& 
   return "";
 }
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using support::contains;
 
 std::vector<std::string> names_of(const std::vector<program::Effect>& effects) {
   std::vector<std::string> names;

@@ -10,6 +10,7 @@
 #include "report/outcome.hpp"
 #include "report/result_content.hpp"
 #include "support/json.hpp"
+#include "support/text.hpp"
 
 using namespace ehl;
 
@@ -17,7 +18,7 @@ namespace {
 
 const double unknown = std::nan("");
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using support::contains;
 
 // M = 2/3, so that H in Moes' units is H itself: (3M/2)^(2/3) = 1.
 program::Case example_case() {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/errors.hpp"
+#include "support/text.hpp"
 #include "tables/study_report.hpp"
 
 using namespace ehl;
@@ -10,17 +11,8 @@ using Texts = std::vector<std::string>;
 
 namespace {
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-template <class Call>
-std::string refusal(const Call& call) {
-  try {
-    call();
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "(none)";
-}
+using support::contains;
+using support::refusal;
 
 program::StudyPoint point(int cells, double seconds, double Hc, const std::string& status = "converged") {
   program::StudyPoint made;

@@ -10,6 +10,7 @@
 #include "case/catalogue.hpp"
 #include "core/errors.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/text.hpp"
 #include "tables/children.hpp"
 #include "tables/csv.hpp"
 #include "tables/sweep_range.hpp"
@@ -21,19 +22,10 @@ using Texts = std::vector<std::string>;
 
 namespace {
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using support::contains;
+using support::refusal;
 
 Texts values(const std::string& text) { return program::parse_variation(text, program::catalogue()).values; }
-
-template <class Call>
-std::string refusal(const Call& call) {
-  try {
-    call();
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "(none)";
-}
 
 program::SweepHeader header_of(const Texts& vary, const std::string& deck_text = "[contact]\n") {
   return {"ehl 1, commit x", "d.ini", deck_text, {}, program::parse_variations(vary, {}, program::catalogue())};

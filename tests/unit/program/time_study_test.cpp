@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/errors.hpp"
+#include "support/text.hpp"
 #include "tables/csv.hpp"
 #include "tables/time_study_report.hpp"
 
@@ -10,7 +11,7 @@ using namespace ehl;
 
 namespace {
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using support::contains;
 
 /// Hc = 2 + T, Hm = 1, P_max = 4 - T, P at a probe = T (1 - T), at T = 0, 0.25, ... 1; all times a factor.
 program::TimeStudyPoint made(double factor, double rtol = 1e-4) {

@@ -6,6 +6,7 @@
 #include "core/errors.hpp"
 #include "results/atomic_file.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/text.hpp"
 
 using namespace ehl;
 
@@ -15,17 +16,8 @@ void write(const std::string& path, const std::string& text, bool overwrite) {
   results::write_atomically(path, std::as_bytes(std::span(text)), overwrite);
 }
 
-template <class Action>
-std::string refusal(Action action) {
-  try {
-    action();
-  } catch (const core::FileError& error) {
-    return error.what();
-  }
-  return "(none)";
-}
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using support::contains;
+using support::refusal;
 
 }  // namespace
 
@@ -35,7 +27,7 @@ BOOST_AUTO_TEST_CASE(writes_and_replaces_only_on_request) {
   const support::TemporaryFolder folder;
   write(folder / "f", "old", false);
   BOOST_TEST(folder.read("f") == "old");
-  BOOST_TEST(contains(refusal([&] { write(folder / "f", "new", false); }), "not overwritten"));
+  BOOST_TEST(contains(refusal<core::FileError>([&] { write(folder / "f", "new", false); }), "not overwritten"));
   BOOST_TEST(folder.read("f") == "old");
   write(folder / "f", "new", true);
   BOOST_TEST(folder.read("f") == "new");
@@ -52,7 +44,7 @@ BOOST_AUTO_TEST_CASE(a_write_that_fails_leaves_the_old_file_and_no_half_one) {
   rlimit small = before;
   small.rlim_cur = 1000;
   setrlimit(RLIMIT_FSIZE, &small);
-  const std::string reason = refusal([&] { write(folder / "f", std::string(5000, 'x'), true); });
+  const std::string reason = refusal<core::FileError>([&] { write(folder / "f", std::string(5000, 'x'), true); });
   setrlimit(RLIMIT_FSIZE, &before);
   BOOST_TEST(contains(reason, "cannot be written: File too large"), reason);
   BOOST_TEST(folder.read("f") == "old");
@@ -63,7 +55,7 @@ BOOST_AUTO_TEST_CASE(outputs_refused_before_the_work) {
   const support::TemporaryFolder folder;
   const std::string existing = folder.write("there.h5", "x");
   const auto reason = [](const std::string& path, bool overwrite = false, std::size_t bytes = 10) {
-    return refusal([&] { results::check_writable(path, overwrite, bytes); });
+    return refusal<core::FileError>([&] { results::check_writable(path, overwrite, bytes); });
   };
   BOOST_TEST(contains(reason(existing), "--overwrite"));
   BOOST_TEST(reason(existing, true) == "(none)");

@@ -8,6 +8,7 @@
 #include "results/read.hpp"
 #include "results/write.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/text.hpp"
 
 using namespace ehl;
 
@@ -40,12 +41,7 @@ struct Example {
 };
 
 std::string refusal(const std::string& path) {
-  try {
-    results::ResultFile file(path);
-  } catch (const core::FileError& error) {
-    return error.what();
-  }
-  return "(none)";
+  return support::refusal<core::FileError>([&] { results::ResultFile file(path); });
 }
 
 }  // namespace

@@ -8,12 +8,13 @@
 #include "rheology/elementary.hpp"
 
 using namespace ehl::rheology;
+namespace core = ehl::core;
 
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double one(const std::function<Pack(Pack)>& f, double x) { return f(pack_of(x))[0]; }
+double one(const std::function<Lanes(Lanes)>& f, double x) { return f(broadcast(x))[0]; }
 
 // Distance in units of the last place a double has at that size (subnormal numbers included).
 double error_in_ulp(double computed, long double exact) {
@@ -28,7 +29,7 @@ struct Worst {
   double at = 0.0;
 };
 
-Worst worst_error(const std::vector<double>& points, const std::function<Pack(Pack)>& f,
+Worst worst_error(const std::vector<double>& points, const std::function<Lanes(Lanes)>& f,
                   const std::function<long double(long double)>& exact) {
   Worst worst;
   for (const double x : points) {
@@ -60,7 +61,7 @@ void report(const char* what, const Worst& worst) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(exponential_within_two_ulp) {
-  const auto f = [](Pack x) { return exp(x); };
+  const auto f = [](Lanes x) { return exp(x); };
   const auto exact = [](long double x) { return std::exp(x); };
   report("exp on [-708, 709.7]", worst_error(spread(-708.0, 709.7, 300000), f, exact));
   report("exp on [-1, 1]", worst_error(spread(-1.0, 1.0, 100000), f, exact));
@@ -69,7 +70,7 @@ BOOST_AUTO_TEST_CASE(exponential_within_two_ulp) {
 }
 
 BOOST_AUTO_TEST_CASE(expm1_within_two_ulp) {
-  const auto f = [](Pack x) { return expm1(x); };
+  const auto f = [](Lanes x) { return expm1(x); };
   const auto exact = [](long double x) { return std::expm1(x); };
   report("expm1 on [-70, 709.7]", worst_error(spread(-70.0, 709.7, 200000), f, exact));
   report("expm1 on [-2, 2]", worst_error(spread(-2.0, 2.0, 200000), f, exact));
@@ -77,7 +78,7 @@ BOOST_AUTO_TEST_CASE(expm1_within_two_ulp) {
 }
 
 BOOST_AUTO_TEST_CASE(log1p_within_two_ulp) {
-  const auto f = [](Pack x) { return log1p(x); };
+  const auto f = [](Lanes x) { return log1p(x); };
   const auto exact = [](long double x) { return std::log1p(x); };
   report("log1p on (-1, 30]", worst_error(spread(-0.999999, 30.0, 300000), f, exact));
   report("log1p on [-0.5, 1]", worst_error(spread(-0.5, 1.0, 200000), f, exact));
@@ -85,9 +86,9 @@ BOOST_AUTO_TEST_CASE(log1p_within_two_ulp) {
 }
 
 BOOST_AUTO_TEST_CASE(special_values) {
-  const auto e = [](Pack x) { return exp(x); };
-  const auto e1 = [](Pack x) { return expm1(x); };
-  const auto l1 = [](Pack x) { return log1p(x); };
+  const auto e = [](Lanes x) { return exp(x); };
+  const auto e1 = [](Lanes x) { return expm1(x); };
+  const auto l1 = [](Lanes x) { return log1p(x); };
   const double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
   BOOST_TEST(one(e, 0.0) == 1.0);
@@ -115,14 +116,14 @@ BOOST_AUTO_TEST_CASE(special_values) {
 }
 
 BOOST_AUTO_TEST_CASE(lanes_do_not_mix) {
-  const std::function<Pack(Pack)> functions[] = {[](Pack x) { return exp(x); }, [](Pack x) { return expm1(x); },
-                                                 [](Pack x) { return log1p(x); }};
+  const std::function<Lanes(Lanes)> functions[] = {[](Lanes x) { return exp(x); }, [](Lanes x) { return expm1(x); },
+                                                   [](Lanes x) { return log1p(x); }};
   for (const auto& f : functions) {
-    Pack x{};
-    for (int k = 0; k < pack_width; ++k) x[k] = 0.37 * std::pow(7.0, k);
-    x[pack_width - 1] = std::numeric_limits<double>::quiet_NaN();
-    const Pack y = f(x);
-    for (int k = 0; k + 1 < pack_width; ++k) BOOST_TEST(y[k] == one(f, x[k]));
-    BOOST_TEST(std::isnan(y[pack_width - 1]));
+    Lanes x{};
+    for (int k = 0; k < core::lanes; ++k) x[k] = 0.37 * std::pow(7.0, k);
+    x[core::lanes - 1] = std::numeric_limits<double>::quiet_NaN();
+    const Lanes y = f(x);
+    for (int k = 0; k + 1 < core::lanes; ++k) BOOST_TEST(y[k] == one(f, x[k]));
+    BOOST_TEST(std::isnan(y[core::lanes - 1]));
   }
 }

@@ -12,6 +12,7 @@
 #include "judgement/stopping.hpp"
 #include "judgement/verification.hpp"
 #include "steady/solve.hpp"
+#include "support/text.hpp"
 
 using namespace ehl;
 using namespace ehl::steady;
@@ -58,7 +59,7 @@ std::string unmet(const Measures& state) {
   return text;
 }
 
-bool contains(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+using support::contains;
 
 }  // namespace
 
