@@ -53,13 +53,13 @@ Parameters cautious(const Parameters& parameters, const Caution& caution) {
 CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::StoppingCriterion& criterion,
                         const Caution& caution, const CycleObserver& observe) {
   CyclesResult result{.caution = caution};
-  Caution& now_cautious = result.caution;
-  Parameters how = cautious(hierarchy.parameters, now_cautious);
+  Caution& needed = result.caution;
+  Parameters how = cautious(hierarchy.parameters, needed);
   const State start = state_of(hierarchy, l);
   judgement::Measures before = measures_of(hierarchy, l);
   std::vector<double> residuals;  // since the last change of caution
   const auto more_careful = [&](std::vector<double> so_far) {
-    how = cautious(hierarchy.parameters, now_cautious);
+    how = cautious(hierarchy.parameters, needed);
     residuals = std::move(so_far);
   };
   while (result.cycles < criterion.most) {
@@ -79,9 +79,9 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
       update_film(hierarchy, hierarchy.levels[l]);
       result.unmet = diverged;
       result.end = CyclesEnd::diverged;
-      if (now_cautious.all * back_off_all < least_all) return result;
-      now_cautious.all *= back_off_all;
-      if (how.post == 0) now_cautious.relax_after = true;
+      if (needed.all * back_off_all < least_all) return result;
+      needed.all *= back_off_all;
+      if (how.post == 0) needed.relax_after = true;
       more_careful({});
       before = measures_of(hierarchy, l);
       continue;
@@ -97,7 +97,7 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
     residuals.push_back(now.residual);
     if (how.post == 0 && result.cycles > 1 && now.residual > rough_factor * before.residual &&
         now.residual > rounding_residual) {
-      now_cautious.relax_after = true;
+      needed.relax_after = true;
       more_careful({now.residual});
     }
     const std::size_t count = residuals.size();
@@ -106,7 +106,7 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
       return result;
     }
     if (count > settling_cycles && now.residual > poor_factor * before.residual &&
-        now.residual > poor_factor * residuals[count - 3] && now.residual > rounding_residual && back_off(now_cautious))
+        now.residual > poor_factor * residuals[count - 3] && now.residual > rounding_residual && back_off(needed))
       more_careful({before.residual, now.residual});
     before = now;
   }
