@@ -39,6 +39,17 @@ bool back_off(Caution& caution) {
   return true;
 }
 
+// One cycle and the state behind it. out: how it diverged; empty where it did not.
+std::string cycle(Hierarchy& hierarchy, std::size_t l, const Parameters& how, judgement::Measures& now) {
+  try {
+    fas_cycle(hierarchy, l, how);
+    now = measures_of(hierarchy, l);
+  } catch (const core::SolverError& error) {
+    return error.what();
+  }
+  return now.residual < hopeless_residual && std::isfinite(now.Hc) ? "" : "the cycles diverge";
+}
+
 }  // namespace
 
 Parameters cautious(const Parameters& parameters, const Caution& caution) {
@@ -64,16 +75,8 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
   };
   while (result.cycles < criterion.most) {
     ++result.cycles;
-    std::string diverged;
     judgement::Measures now;
-    try {
-      fas_cycle(hierarchy, l, how);
-      now = measures_of(hierarchy, l);
-      if (!(now.residual < hopeless_residual) || !std::isfinite(now.Hc)) diverged = "the cycles diverge";
-    } catch (const core::SolverError& error) {
-      diverged = error.what();
-    }
-    if (!diverged.empty()) {
+    if (const std::string diverged = cycle(hierarchy, l, how, now); !diverged.empty()) {
       hierarchy.levels[l].P = start.P;
       hierarchy.H00 = start.H00;
       update_film(hierarchy, hierarchy.levels[l]);
