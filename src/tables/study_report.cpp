@@ -34,7 +34,7 @@ std::string point_line(const StudyPoint& point, const Reference& reference) {
   return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
 }
 
-constexpr char column_line[] =
+constexpr char columns_of_points[] =
     "      nodes  wedge      evaluator  cycles        Hc        Hm  error(Hc)  error(Hm)  work units   seconds  "
     "status         front\n";
 
@@ -43,7 +43,7 @@ std::string front_lines(const std::vector<StudyPoint>& points, const Reference& 
   std::vector<StudyPoint> front;
   std::ranges::copy_if(points, std::back_inserter(front), on_front);
   std::ranges::sort(front, {}, &StudyPoint::seconds);
-  std::string text = "\nPareto front of " + name + ": nothing cheaper is as accurate\n" + column_line;
+  std::string text = "\nPareto front of " + name + ": nothing cheaper is as accurate\n" + columns_of_points;
   for (const StudyPoint& point : front) text += point_line(point, reference);
   return text;
 }
@@ -164,7 +164,7 @@ std::string study_report(const StudyHeader& header, const Reference& reference, 
                       percent(reference.Hc.error), reference.Hm.value, percent(reference.Hm.error));
   text += fmt::format("             second order, FFT, {} cells, extrapolated; residual {:.0e}\n", cells_of(reference),
                       reference.residual);
-  text += "times        " + times_of(header) + "\n\n" + column_line;
+  text += "times        " + times_of(header) + "\n\n" + columns_of_points;
   for (const StudyPoint& point : points) text += point_line(point, reference);
   text += "(< below the reference's own error; stopped: after the cycles of its way, not converged)\n";
   text += front_lines(points, reference, &StudyPoint::front_Hc, "Hc");

@@ -32,7 +32,7 @@ std::vector<std::string> identity(const SweepHeader& header) {
   return lines;
 }
 
-std::string column_line(const SweepHeader& header) {
+std::string names_of_columns(const SweepHeader& header) {
   std::string line;
   for (const Variation& variation : header.variations) line += variation.section + "." + variation.name + ",";
   return line + csv_names(sweep_row(header.with_friction));
@@ -53,7 +53,7 @@ std::string whole_header(const SweepHeader& header, const std::vector<std::strin
     text +=
         "# mu: sliding friction over the load, mu_rolling: rolling friction over it; mu_1, mu_2: forces of the film on "
         "surfaces 1 and 2 along +x over it\n";
-  return text + csv_units(sweep_row(header.with_friction)) + "\n" + column_line(header) + "\n";
+  return text + csv_units(sweep_row(header.with_friction)) + "\n" + names_of_columns(header) + "\n";
 }
 
 const std::string remedy = ": give --overwrite to begin anew, or another --output";
@@ -114,7 +114,7 @@ void SweepTable::read(const std::string& content) {
     }
     has_columns = true;
     check_identity(found);
-    if (line != column_line(header_))
+    if (line != names_of_columns(header_))
       throw core::FileError(path_ + ": has other columns than this version writes" + remedy);
   }
   if (!has_columns) throw core::FileError(path_ + ": exists already and is only the head of a table" + remedy);
@@ -145,7 +145,7 @@ void SweepTable::take_row(const std::string& line, const std::map<std::string, s
   const auto found = cases.find(start_of_row(cells));
   // The reason is the last column, and the only one that may hold commas.
   const auto commas = [](const std::string& text) { return std::count(text.begin(), text.end(), ','); };
-  if (found == cases.end() || !row.ends_with('"') || commas(line) < commas(column_line(header_)))
+  if (found == cases.end() || !row.ends_with('"') || commas(line) < commas(names_of_columns(header_)))
     throw core::FileError(path_ + ": this line is no row of the sweep: " + line.substr(0, 120) +
                           ": remove it, give --overwrite to begin anew, or another --output");
   rows_[found->second] = row;

@@ -27,7 +27,7 @@ std::string known_text(const TimeReference& reference) {
   return text;
 }
 
-std::string column_line(std::size_t probes) {
+std::string columns_of_tolerances(std::size_t probes) {
   std::string text = "    rtol   steps  cycles/step  rejected  not solved   seconds";
   for (const std::string& name : time_study_quantities(probes))
     text += fmt::format("  {:>12}", fmt::format("error({})", name));
@@ -101,7 +101,7 @@ std::string time_study_report(const StudyHeader& header, const TimeReference& re
   for (std::size_t k = 0; k < reference.probes.size(); ++k)
     text += fmt::format("P_{}          ", k + 1) + name_of_probe("P", reference.probes[k]) +
             ", relative to the largest there\n";
-  text += "times        " + times_text(header) + "\n\n" + column_line(reference.probes.size());
+  text += "times        " + times_text(header) + "\n\n" + columns_of_tolerances(reference.probes.size());
   for (const TimeStudyPoint& point : points) text += point_line(point, reference);
   return text + "(< below the reference's own error)\n";
 }
