@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/errors.hpp"
-#include "core/timer.hpp"
 #include "fmg/start.hpp"
 
 namespace ehl::fmg {
@@ -34,17 +33,6 @@ double mean_factor(const std::vector<double>& residuals) {
   if (residuals.size() < 2) return std::numeric_limits<double>::quiet_NaN();
   return std::pow(residuals.back() / residuals.front(), 1.0 / static_cast<double>(residuals.size() - 1));
 }
-
-/// Adds the seconds of its life to the last row of the record, and counts work units anew.
-class RowTimer {
- public:
-  explicit RowTimer(Run& run) : run_(run), began_(core::now()) { forget_work(run.hierarchy); }
-  void stop() { run_.record.levels.back().seconds = core::now() - began_; }
-
- private:
-  Run& run_;
-  double began_;
-};
 
 void solve_first_level(Run& run) {
   RowTimer timer(run);

@@ -1,5 +1,6 @@
 #pragma once
 // The full multigrid: from a first solution on a coarse grid to the finest.
+#include "core/timer.hpp"
 #include "fmg/cycles.hpp"
 #include "fmg/hierarchy.hpp"
 #include "fmg/record.hpp"
@@ -27,11 +28,22 @@ struct Run {
   std::size_t finest() const { return hierarchy.levels.size() - 1; }
 };
 
-/// The first grid from the Hertz pressure; every finer one from the one below it, until its stopping criterion is met:
-///   first grid   until its film has settled, or as below
-///   others       parameters.cycles at least, and up to extra_cycles more where Hc or Hm are not exact enough for a
-///   start the finest   until all checks are met, or the tolerance, with max_cycles at most
-/// errors: core::SolverError where the cycles diverge; core::Interrupted.
+/// Times a row of the record, and counts work units anew.
+class RowTimer {
+ public:
+  explicit RowTimer(Run& run) : run_(run), began_(core::now()) { forget_work(run.hierarchy); }
+  /// Enters the seconds since its birth in the last row.
+  void stop() { run_.record.levels.back().seconds = core::now() - began_; }
+
+ private:
+  Run& run_;
+  double began_;
+};
+
+/// The first grid from the Hertz pressure, every finer one from the one below it; cycles on each until its stopping
+/// criterion is met. The first grid: until its film has settled. The finest: until all checks are met, or the
+/// tolerance, with max_cycles at most. The others: parameters.cycles, and up to extra_cycles more where Hc or Hm ask
+/// for them. errors: core::SolverError where the cycles diverge; core::Interrupted.
 void full_multigrid(Run& run);
 /// The levels above `from`, whose solution is there.
 void ascend(Run& run, std::size_t from);

@@ -1,5 +1,7 @@
 #include "reynolds/cavitation.hpp"
 
+#include "transfer/transfer.hpp"
+
 namespace ehl::reynolds {
 
 void drop_beside_dry(Cavitation model, const core::Patch& grid, const core::Field& P, int threads, core::Field& r) {
@@ -26,22 +28,16 @@ void drop_beside_dry(Cavitation model, const core::Patch& grid, const core::Fiel
 }
 
 void restrict_pressure(Cavitation model, const core::Field& fine, const core::Patch& grid, core::Field& coarse) {
-  for (int I = 0; I <= grid.nx; ++I) {
+  transfer::restrict_injection(fine, coarse);
+  for (int I = 1; I < grid.nx; ++I) {
+    const double* rows[] = {fine.at_x(2 * I - 1), fine.at_x(2 * I), fine.at_x(2 * I + 1)};
     double* to = coarse.at_x(I);
-    const double* own = fine.at_x(2 * I);
-    for (int J = 0; J <= grid.ny; ++J) to[J] = own[2 * J];
-    if (I == 0 || I == grid.nx) continue;
-    const double* rows[] = {fine.at_x(2 * I - 1), own, fine.at_x(2 * I + 1)};
     for (int J = 1; J <= grid.last_line(); ++J) {
       const int j = 2 * J;
-      double weighted = 0.0;
       bool any_dry = false;
-      for (int a = 0; a < 3; ++a) {
-        const double* row = rows[a];
+      for (const double* row : rows)
         any_dry = any_dry || dry(model, row[j - 1]) || dry(model, row[j]) || dry(model, row[j + 1]);
-        weighted += (a == 1 ? 2.0 : 1.0) * (row[j - 1] + 2.0 * row[j] + row[j + 1]);
-      }
-      if (!any_dry) to[J] = weighted / 16.0;
+      if (!any_dry) to[J] = transfer::mean_of_nine(rows[0], rows[1], rows[2], j);
     }
     core::fill_ghosts(grid, to);
   }

@@ -69,9 +69,8 @@ void solve_levels_below(fmg::Run& run) {
   }
   const double H00 = run.hierarchy.H00;
   for (std::size_t k = injected.size(); k > 0; --k) {
-    const double began = core::now();
+    fmg::RowTimer timer(run);
     const std::size_t l = finest - k;
-    fmg::forget_work(run.hierarchy);
     fmg::start_from_state(run.hierarchy, l, {injected[k - 1], H00});
     if (!solve_level_by_newton(run, l, tolerance_on_the_way).converged) {
       run.record.levels.clear();
@@ -79,7 +78,7 @@ void solve_levels_below(fmg::Run& run) {
     }
     run.record.levels.emplace_back();
     fmg::enter(run.hierarchy, l, 0, fmg::measures_of(run.hierarchy, l), run.record);
-    run.record.levels.back().seconds = core::now() - began;
+    timer.stop();
   }
 }
 
@@ -128,8 +127,7 @@ Solution climb_by_newton(const Scene& scene, const Start& start, const ProgressC
   std::string last_reason;
   std::vector<newton::Step> steps;
   for (std::size_t l = run.plan.first; l <= run.finest(); ++l) {
-    const double began = core::now();
-    fmg::forget_work(run.hierarchy);
+    fmg::RowTimer timer(run);
     if (solved)
       fmg::start_from_coarser(run.hierarchy, l);
     else if (run.hierarchy.levels[l].grid.nx <= finest_from_hertz)
@@ -150,7 +148,7 @@ Solution climb_by_newton(const Scene& scene, const Start& start, const ProgressC
       run.record.converged = run.record.converged && result.converged;
       if (!result.converged) run.record.failed_check = last_reason;
     }
-    run.record.levels.back().seconds = core::now() - began;
+    timer.stop();
   }
   Solution solution = solution_of(std::move(run));
   solution.newton = std::move(steps);

@@ -19,11 +19,7 @@ void restrict_full_weighting(const core::Patch& grid, const core::Field& fine, c
     const double* here = fine.at_x(2 * I);
     const double* east = fine.at_x(2 * I + 1);
     double* to = coarse.at_x(I);
-    for (int J = 1; J <= grid.last_line(); ++J) {
-      const int j = 2 * J;
-      const auto across = [j](const double* row) { return row[j - 1] + 2.0 * row[j] + row[j + 1]; };
-      to[J] = (across(west) + 2.0 * across(here) + across(east)) / 16.0;
-    }
+    for (int J = 1; J <= grid.last_line(); ++J) to[J] = mean_of_nine(west, here, east, 2 * J);
   }
 }
 

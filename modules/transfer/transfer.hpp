@@ -7,6 +7,12 @@ namespace ehl::transfer {
 /// coarse(I,J) = fine(2I,2J), boundary included.
 void restrict_injection(const core::Field& fine, core::Field& coarse);
 
+/// Weighted mean of the nine points around entry j of `here`, weights (1 2 1)(1 2 1)/16. in: three rows side by side.
+inline double mean_of_nine(const double* west, const double* here, const double* east, int j) {
+  const auto across = [j](const double* row) { return row[j - 1] + 2.0 * row[j] + row[j + 1]; };
+  return (across(west) + 2.0 * across(here) + across(east)) / 16.0;
+}
+
 /// coarse(I,J) = weighted mean of the nine fine points around (2I,2J), weights (1 2 1)(1 2 1)/16;
 /// injection on the boundary. in: the patch of `coarse`; `fine` with ghost lines.
 void restrict_full_weighting(const core::Patch& grid, const core::Field& fine, core::Field& coarse);

@@ -8,11 +8,11 @@
 
 #include "base/exit_status.hpp"
 #include "base/machine.hpp"
-#include "base/version.hpp"
 #include "case/catalogue.hpp"
 #include "core/errors.hpp"
 #include "core/processor_level.hpp"
 #include "deck/write.hpp"
+#include "tables/csv.hpp"
 
 namespace ehl::program {
 namespace {
@@ -135,9 +135,7 @@ int help(const Arguments& arguments) {
 }
 
 int version(const Arguments&) {
-  const Version built = version();
-  print("ehl " + built.number + ", commit " + built.commit + (built.dirty ? " with changes" : "") + ", " +
-        built.compiler + ", for " + core::processor_level() + "\n");
+  print(this_program() + ", for " + core::processor_level() + "\n");
   return solved;
 }
 
