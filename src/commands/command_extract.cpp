@@ -5,9 +5,9 @@
 
 #include "base/exit_status.hpp"
 #include "commands/commands.hpp"
+#include "commands/extract_source.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
-#include "results/read.hpp"
 
 namespace ehl::program {
 namespace {
@@ -17,17 +17,18 @@ using Kind = results::ResultFile::Kind;
 std::string column_number(double value) { return std::isnan(value) ? "nan" : deck::shortest(value); }
 
 // "P" -> /fields/P, "levels" -> /levels, "Hc" -> /summary/Hc, a path as it is.
-std::string full_name(const results::ResultFile& file, const std::string& name) {
-  if (name.starts_with("/") && file.kind(name) != Kind::missing) return name;
+std::string full_name(const ExtractSource& source, const std::string& name) {
+  if (name.starts_with("/") && source.file.kind(name) != Kind::missing) return name;
   const std::vector<std::string> homes{"/",      "/fields/",    "/summary/",          "/scales/",    "/provenance/",
                                        "/grid/", "/transient/", "/transient/frames/", "/subsurface/"};
   std::vector<std::string> known;
   for (const std::string& home : homes) {
-    if (file.kind(home + name) != Kind::missing) return home + name;
-    if (file.kind(home) == Kind::group)
-      for (const std::string& found : file.names(home)) known.push_back(found);
+    if (source.file.kind(home + name) != Kind::missing) return home + name;
+    if (source.file.kind(home) == Kind::group)
+      for (const std::string& found : source.file.names(home)) known.push_back(found);
   }
-  refuse(file.path() + " has no dataset " + name + suggestion(name, known) + " It has " + deck::joined(known, ", "));
+  refuse(source.file.path() + " has no dataset " + name + suggestion(name, known) + " It has " +
+         deck::joined(known, ", "));
 }
 
 struct FieldOnGrid {
@@ -36,24 +37,26 @@ struct FieldOnGrid {
   results::Array y;          // or z, of a section in depth
   std::string rows = {"y"};  // its name
 
+  std::string places() const { return x.unit == "a" ? "Hertz radii a" : x.unit; }
+
   double at(std::size_t i, std::size_t j) const { return field.values[j * x.values.size() + i]; }
 };
 
-FieldOnGrid read_field(const results::ResultFile& file, const std::string& name, std::size_t step) {
+FieldOnGrid read_field(const ExtractSource& source, const std::string& name, std::size_t step) {
   // A plane has x and y, a section in depth x and z beside it.
-  const bool layers = file.dims(name).size() == 3;
-  const std::string rows = !layers && file.axis(name, "z") != "" ? "z" : "y";
-  FieldOnGrid read{layers ? file.frame(name, step) : file.numbers(name), file.numbers(file.axis(name, "x")),
-                   file.numbers(file.axis(name, rows)), rows};
+  const bool layers = source.file.dims(name).size() == 3;
+  const std::string rows = !layers && source.file.axis(name, "z") != "" ? "z" : "y";
+  FieldOnGrid read{layers ? source.frame(name, step) : source.numbers(name),
+                   source.numbers(source.file.axis(name, "x")), source.numbers(source.file.axis(name, rows)), rows};
   if (read.field.dims.size() != 2 || read.field.dims[0] != read.y.values.size() ||
       read.field.dims[1] != read.x.values.size() || read.field.values.empty())
-    throw core::FileError(file.path() + ": the file is damaged: " + name + " does not fit its grid");
+    throw core::FileError(source.file.path() + ": the file is damaged: " + name + " does not fit its grid");
   return read;
 }
 
-std::string header(const results::ResultFile& file, const std::string& name, const FieldOnGrid& f) {
-  return "# " + file.path() + ": " + file.attribute("/", "title") + "\n# " + name + " [" + f.field.unit +
-         "]: " + f.field.meaning + "; x, " + f.rows + " in Hertz radii a\n";
+std::string header(const ExtractSource& source, const std::string& name, const FieldOnGrid& f) {
+  return "# " + source.file.path() + ": " + source.file.attribute("/", "title") + "\n# " + name + " [" + f.field.unit +
+         "]: " + f.field.meaning + "; x, " + f.rows + " in " + f.places() + "\n";
 }
 
 std::string grid_columns(const FieldOnGrid& f, const std::string& column) {
@@ -94,7 +97,7 @@ std::string section(const FieldOnGrid& f, const std::string& column, const Argum
   const std::string number = given.starts_with(other + "=") ? given.substr(2) : given;
   const deck::ReadNumber at = deck::read_number(number);
   if (at.status != deck::ReadNumber::Status::number)
-    refuse("--at " + given + ": write --at " + other + "=NUMBER, in Hertz radii");
+    refuse("--at " + given + ": write --at " + other + "=NUMBER, in " + f.places());
   const bool along_x = axis == "x";
   const std::vector<double>& positions = along_x ? f.x.values : f.y.values;
   const std::vector<double>& lines = along_x ? f.y.values : f.x.values;
@@ -102,8 +105,8 @@ std::string section(const FieldOnGrid& f, const std::string& column, const Argum
     refuse("--at " + given + ": the domain is [" + deck::shortest(lines.front()) + ", " + deck::shortest(lines.back()) +
            "]");
   const std::size_t line = nearest_line(lines, at.value);
-  std::string text =
-      "# along " + axis + " at " + other + " = " + deck::shortest(lines[line]) + "\n# " + axis + " " + column + "\n";
+  std::string text = "# along " + axis + " at " + other + " = " + deck::shortest(lines[line]) +
+                     (f.x.unit == "a" ? "" : " " + f.x.unit) + "\n# " + axis + " " + column + "\n";
   for (std::size_t k = 0; k < positions.size(); ++k)
     text += deck::shortest(positions[k]) + " " + column_number(along_x ? f.at(k, line) : f.at(line, k)) + "\n";
   return text;
@@ -118,44 +121,46 @@ std::size_t chosen_step(const Arguments& arguments, std::size_t count) {
 }
 
 // A section at every time or depth: a block of lines "time position value" each, with a blank line between them.
-std::string sections_in_time(const results::ResultFile& file, const std::string& name, const Arguments& arguments,
+std::string sections_in_time(const ExtractSource& source, const std::string& name, const Arguments& arguments,
                              std::size_t count) {
   if (!arguments.has("along") && !arguments.has("at"))
     refuse(name + " holds " + std::to_string(count) + " fields: choose one with --step 0 to " +
            std::to_string(count - 1) + ", or a section of all with --along x");
-  const std::string layer = file.axis(name, "time").empty() ? "z" : "time";
-  const std::vector<double> times = file.numbers(file.axis(name, layer)).values;
-  if (times.size() != count) throw core::FileError(file.path() + ": the file is damaged: " + name);
+  const std::string layer = source.file.axis(name, "time").empty() ? "z" : "time";
+  const results::Array times = source.numbers(source.file.axis(name, layer));
+  if (times.values.size() != count) throw core::FileError(source.file.path() + ": the file is damaged: " + name);
   std::string text;
   for (std::size_t k = 0; k < count; ++k) {
-    const FieldOnGrid field = read_field(file, name, k);
+    const FieldOnGrid field = read_field(source, name, k);
     std::istringstream lines(section(field, name.substr(name.rfind('/') + 1), arguments));
     if (k > 0) text += "\n";
+    const std::string units =
+        source.si ? "# units: " + times.unit + " " + field.x.unit + " " + field.field.unit + "\n" : "";
     for (std::string line; std::getline(lines, line);) {
       if (!line.starts_with("#"))
-        text += deck::shortest(times[k]) + " " + line + "\n";
+        text += deck::shortest(times.values[k]) + " " + line + "\n";
       else if (k == 0)
-        text += line.starts_with("# along") ? line + "\n" : "# " + layer + " " + line.substr(2) + "\n";
+        text += line.starts_with("# along") ? units + line + "\n" : "# " + layer + " " + line.substr(2) + "\n";
     }
   }
   return text;
 }
 
 // A group of columns (levels, history); the last line of the header names them.
-std::string table(const results::ResultFile& file, const std::string& name) {
-  std::istringstream order(file.attribute(name, "columns"));
+std::string table(const ExtractSource& source, const std::string& name) {
+  std::istringstream order(source.file.attribute(name, "columns"));
   std::vector<results::Array> columns;
   std::string names = "#";
   std::string units = "# units:";
   for (std::string column; order >> column;) {
-    columns.push_back(file.numbers(name + "/" + column));
+    columns.push_back(source.numbers(name + "/" + column));
     names += " " + column;
     units += " " + columns.back().unit;
   }
-  std::string text = "# " + file.attribute(name, "meaning") + "\n" + units + "\n" + names + "\n";
+  std::string text = "# " + source.file.attribute(name, "meaning") + "\n" + units + "\n" + names + "\n";
   const std::size_t rows = columns.empty() ? 0 : columns[0].values.size();
   for (const results::Array& column : columns)
-    if (column.values.size() != rows) throw core::FileError(file.path() + ": the file is damaged: " + name);
+    if (column.values.size() != rows) throw core::FileError(source.file.path() + ": the file is damaged: " + name);
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t k = 0; k < columns.size(); ++k)
       text.append(k == 0 ? "" : " ").append(column_number(columns[k].values[row]));
@@ -165,24 +170,25 @@ std::string table(const results::ResultFile& file, const std::string& name) {
 }
 
 // A group of single values: one a line.
-std::string list(const results::ResultFile& file, const std::string& name) {
+std::string list(const ExtractSource& source, const std::string& name) {
   std::string text = "# name value unit meaning\n";
-  for (const std::string& entry : file.names(name)) {
+  for (const std::string& entry : source.file.names(name)) {
     const std::string whole = (name == "/" ? "" : name) + "/" + entry;
-    const Kind kind = file.kind(whole);
-    if (kind == Kind::text) text += entry + " \"" + file.text(whole) + "\"\n";
+    const Kind kind = source.file.kind(whole);
+    if (kind == Kind::text) text += entry + " \"" + source.file.text(whole) + "\"\n";
     if (kind == Kind::numbers) {
-      const std::string value = file.dims(whole).empty() ? column_number(file.numbers(whole).values[0]) : "(array)";
-      text += entry + " " + value + " \"" + file.attribute(whole, "unit") + "\" \"" + file.attribute(whole, "meaning") +
-              "\"\n";
+      const bool single = source.file.dims(whole).empty();
+      const results::Array found = single ? source.numbers(whole) : source.described(whole);
+      const std::string value = single ? column_number(found.values[0]) : "(array)";
+      text += entry + " " + value + " \"" + found.unit + "\" \"" + found.meaning + "\"\n";
     }
     if (kind == Kind::group) text += entry + " (group)\n";
   }
   return text;
 }
 
-std::string columns(const results::ResultFile& file, const std::string& name) {
-  const results::Array array = file.numbers(name);
+std::string columns(const ExtractSource& source, const std::string& name) {
+  const results::Array array = source.numbers(name);
   std::string text = "# " + name + " [" + array.unit + "]: " + array.meaning + "\n";
   for (const double value : array.values) text += column_number(value) + "\n";
   return text;
@@ -191,9 +197,10 @@ std::string columns(const results::ResultFile& file, const std::string& name) {
 }  // namespace
 
 int extract(const Arguments& arguments) {
-  const results::ResultFile file(arguments.operands[0]);
-  const std::string name = full_name(file, arguments.operands[1]);
-  const std::vector<std::size_t> dims = file.kind(name) == Kind::numbers ? file.dims(name) : std::vector<std::size_t>{};
+  const ExtractSource source = open_source(arguments);
+  const std::string name = full_name(source, arguments.operands[1]);
+  const std::vector<std::size_t> dims =
+      source.file.kind(name) == Kind::numbers ? source.file.dims(name) : std::vector<std::size_t>{};
   const bool in_time = dims.size() == 3;
   const bool is_field = in_time || dims.size() == 2;
   for (const char* option : {"along", "at", "matrix"})
@@ -204,20 +211,20 @@ int extract(const Arguments& arguments) {
   if (arguments.has("step") && !in_time)
     refuse("--step applies to fields of several times or depths, and " + name + " is none");
   if (in_time && !arguments.has("step")) {
-    print(sections_in_time(file, name, arguments, dims[0]));
+    print(sections_in_time(source, name, arguments, dims[0]));
   } else if (is_field) {
-    const FieldOnGrid field = read_field(file, name, in_time ? chosen_step(arguments, dims[0]) : 0);
+    const FieldOnGrid field = read_field(source, name, in_time ? chosen_step(arguments, dims[0]) : 0);
     const std::string column = name.substr(name.rfind('/') + 1);
     const bool is_section = arguments.has("along") || arguments.has("at");
-    print(header(file, name, field) + (is_section                ? section(field, column, arguments)
-                                       : arguments.has("matrix") ? matrix(field)
-                                                                 : grid_columns(field, column)));
-  } else if (file.kind(name) == Kind::text) {
-    print(file.text(name) + "\n");
-  } else if (file.kind(name) == Kind::group) {
-    print(file.attribute(name, "columns").empty() ? list(file, name) : table(file, name));
+    print(header(source, name, field) + (is_section                ? section(field, column, arguments)
+                                         : arguments.has("matrix") ? matrix(field)
+                                                                   : grid_columns(field, column)));
+  } else if (source.file.kind(name) == Kind::text) {
+    print(source.file.text(name) + "\n");
+  } else if (source.file.kind(name) == Kind::group) {
+    print(source.file.attribute(name, "columns").empty() ? list(source, name) : table(source, name));
   } else {
-    print(columns(file, name));
+    print(columns(source, name));
   }
   return solved;
 }

@@ -82,6 +82,7 @@ const Command extract_command{
     {{"along", "x|y", "only the section of a field along this axis"},
      {"at", "y=0|x=0", "where the section lies: the nearest grid line is taken (default 0)"},
      {"step", "K", "number K, from 0, of fields at several times or depths; without it a section of all"},
+     {"si", "", "of a deck in SI: places in um, films in nm, pressures in GPa, times in ms, --at likewise"},
      {"matrix", "", "a field as a matrix with its axes, for gnuplot's `matrix nonuniform`"}},
     extract};
 
