@@ -15,6 +15,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr deck::Range positive{0.0, infinity, true, true};
+// Of machined surfaces; above it the number was meant in another unit [m].
+constexpr deck::Range roughness{0.0, 1e-4, true, false};
 
 std::vector<deck::Key> dimensionless_keys() {
   return {
@@ -83,6 +85,19 @@ std::vector<deck::Key> si_keys() {
        .range = positive,
        .meaning = "Reduced modulus E' = 2/[(1 - nu1^2)/E1 + (1 - nu2^2)/E2], instead of E1, nu1, E2, nu2.",
        .example = "110e9"},
+      {.name = "Sq1",
+       .unit = "m",
+       .range = roughness,
+       .remedy = "10 nm are 10e-9",
+       .meaning =
+           "Roughness of surface 1, the root mean square of its heights (Sq, or Rq of a profile): for the lambda "
+           "ratio in the report. The film is computed for smooth surfaces.",
+       .example = "10e-9"},
+      {.name = "Sq2",
+       .unit = "m",
+       .range = roughness,
+       .meaning = "Roughness of surface 2, likewise.",
+       .example = "5e-9"},
   };
 }
 
@@ -193,11 +208,15 @@ Input read(deck::Deck& deck, bool slides) {
               .W = number("W"),
               .U = number("U"),
               .G = number("G"),
-              .a_over_R = number("a_over_R")};
+              .a_over_R = number("a_over_R"),
+              .Sq1 = number("Sq1"),
+              .Sq2 = number("Sq2")};
   if (input.language == Language::moes) contact.demand(names_in_moes, "M and L belong together");
   if (input.language == Language::hamrock_dowson) contact.demand(names_in_hamrock_dowson, "W, U and G belong together");
   if (input.language == Language::si) input.bodies = read_bodies(contact);
   if (input.language != Language::none) {
+    if (input.language != Language::si)
+      contact.refuse({"Sq1", "Sq2"}, "is in metres and needs a contact in SI: remove it");
     if (input.language != Language::moes || !slides)
       contact.refuse({"a_over_R"}, "has no influence but with M and L, and [shear] or [friction]: remove it");
   }

@@ -26,6 +26,7 @@ struct Input {
   double M = silent, L = silent;
   double W = silent, U = silent, G = silent;
   double a_over_R = silent;
+  double Sq1 = silent, Sq2 = silent;  ///< roughness [m]
   Bodies bodies{};
   Ellipse shape{};
   double u1 = silent, u2 = silent;  ///< [m/s]

@@ -60,6 +60,12 @@ double rms(const Heights& heights) {
   return std::sqrt(sum / static_cast<double>(heights.values.size()));
 }
 
+double mean_height(const Heights& heights) {
+  double sum = 0.0;
+  for (const double height : heights.values) sum += std::abs(height);
+  return sum / static_cast<double>(heights.values.size());
+}
+
 bool symmetric(const HeightMap& map) {
   if (map.Y != 0.0) return false;
   double largest = 0.0, apart = 0.0;

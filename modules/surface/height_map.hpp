@@ -35,8 +35,10 @@ Plane level(Heights& heights);
 /// in: 0 <= share <= 0.5; 0: nothing is done.
 void taper(Heights& heights, double share);
 
-/// Root of the mean square.
+/// Root of the mean square, Sq of heights without mean.
 double rms(const Heights& heights);
+/// Mean of the absolute heights, Sa.
+double mean_height(const Heights& heights);
 
 /// A map as it is carried: lengths in Hertz radii, what the gap gains in a^2/R (the other sign of the height of the
 /// surface). Outside of the points it is zero.

@@ -22,8 +22,17 @@ struct Place {
 /// Central and minimum film by a published formula, as H = h R/a^2; NaN: the formula does not say.
 struct Formula {
   std::string name{};
+  std::string code{};  ///< in names of columns: nvm, hd, chittenden
   double Hc = 0.0;
   double Hm = 0.0;
+};
+
+/// The film beside the roughness of the surfaces, in a^2/R.
+struct Roughness {
+  double Sq = 0.0;     ///< root mean square of the heights of both surfaces together, sqrt(Sq1^2 + Sq2^2)
+  double Hm = 0.0;     ///< smallest film of smooth surfaces; NaN where nothing tells it
+  std::string from{};  ///< that film: empty where this solution is one of smooth surfaces, else the formula
+  double lambda_ratio() const { return Hm / Sq; }
 };
 
 /// NaN: not known in this case (nanometres of a dimensionless contact).
@@ -36,6 +45,7 @@ struct Outcome {
   double hc = 0.0;  ///< [m]
   double hm = 0.0;  ///< [m]
   std::vector<Formula> formulas{};
+  std::optional<Roughness> roughness{};  ///< nothing: none is stated or measured
   std::string regime{};
   std::vector<std::string> warnings{};
 };

@@ -22,20 +22,21 @@ struct Meaningless {
   std::vector<std::string> keys;  // none: all of them
 };
 
-const std::vector<Meaningless> of_a_film = {{"contact", {"M", "L", "W", "U", "G", "radius_y", "radius_ratio"}},
-                                            {"motion", {}},
-                                            {"lubricant", {}},
-                                            {"discretization", {}},
-                                            {"multigrid", {}},
-                                            {"continuation", {}},
-                                            {"transient", {}},
-                                            {"body", {}},
-                                            {"shear", {}},
-                                            {"friction", {}},
-                                            {"surface1", {"at_rest"}},
-                                            {"surface2", {"at_rest"}},
-                                            {"grid", {"accuracy"}},
-                                            {"output", {"fields", "checkpoint"}}};
+const std::vector<Meaningless> of_a_film = {
+    {"contact", {"M", "L", "W", "U", "G", "radius_y", "radius_ratio", "Sq1", "Sq2"}},
+    {"motion", {}},
+    {"lubricant", {}},
+    {"discretization", {}},
+    {"multigrid", {}},
+    {"continuation", {}},
+    {"transient", {}},
+    {"body", {}},
+    {"shear", {}},
+    {"friction", {}},
+    {"surface1", {"at_rest"}},
+    {"surface2", {"at_rest"}},
+    {"grid", {"accuracy"}},
+    {"output", {"fields", "checkpoint"}}};
 
 bool speaks_of_film(const deck::Key& key) {
   return std::ranges::any_of(of_a_film, [&](const Meaningless& entry) {
@@ -50,7 +51,7 @@ void refuse_film(deck::Deck& deck) {
     if (!speaks_of_film(key)) continue;
     if (given(deck, key.section, key.name)) {
       const bool radii = key.name.starts_with("radius");
-      const bool scales = key.section == "contact";
+      const bool scales = key.section == "contact" && !key.name.starts_with("Sq");
       complain(deck, key.section, key.name,
                radii ? "a dry contact is circular in this version: remove it"
                : scales

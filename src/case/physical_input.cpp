@@ -72,6 +72,8 @@ SiInput si_input(const contact::Input& input, const rheology::Oil& oil) {
   si.hertz = contact::hertz(si.contact.load, si.contact.radius, si.contact.E_prime, input.shape);
   si.u1 = input.u1;
   si.u2 = input.u2;
+  si.Sq1 = input.Sq1;
+  si.Sq2 = input.Sq2;
   return si;
 }
 

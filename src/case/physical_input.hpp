@@ -19,6 +19,8 @@ struct SiInput {
   contact::Hertz hertz{};
   double u1 = 0.0;  ///< [m/s]
   double u2 = 0.0;
+  double Sq1 = std::numeric_limits<double>::quiet_NaN();  ///< roughness that the deck states [m]; NaN: none
+  double Sq2 = std::numeric_limits<double>::quiet_NaN();
 };
 
 struct Physics {

@@ -52,6 +52,8 @@ CarriedSurface feature_of(const deck::Part& part, const surface::Input& input, c
 std::optional<CarriedSurface> map_of(const deck::Part& part, const surface::Input& input, const core::Grid& grid,
                                      bool timed) {
   if (input.map->file.empty()) return std::nullopt;
+  if (const std::string key = "Sq" + part.section.substr(7); given(part.deck, "contact", key))
+    deck::complain(part.deck, "contact", key, "the map of " + part.section + " has a roughness of its own: remove it");
   ReadHeights read = read_heights(deck::found_beside(part.deck, part.section, "file"), input.map->dataset);
   if (const auto* wrong = std::get_if<std::string>(&read)) part.complain("file", *wrong);
   if (!part.deck.errors.empty()) return std::nullopt;
@@ -66,6 +68,7 @@ std::optional<CarriedSurface> map_of(const deck::Part& part, const surface::Inpu
   }
   for (double& z : map.gap.values) z *= -input.map->unit;
   record.rms = input.map->unit * left;
+  record.mean = surface::mean_height(map.gap);
   surface::taper(map.gap, record.taper);
   map.X = place_of(part, input.X, grid, 0.5 * map.length_x(), timed);
   map.Y = input.Y;

@@ -15,7 +15,8 @@ namespace ehl::program {
 struct MapRecord {
   std::string file{};
   surface::Plane plane{};  ///< that was taken away, in units of the file
-  double rms = 0.0;        ///< of what is left before the taper, in a^2/R
+  double rms = 0.0;        ///< Sq of what is left before the taper, in a^2/R
+  double mean = 0.0;       ///< Sa of it: mean of the absolute heights
   double taper = 0.0;
 };
 

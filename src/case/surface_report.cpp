@@ -32,11 +32,12 @@ std::string text(const surface::HeightMap& map, const MapRecord& record, const P
   const surface::Resolution left = surface::resolution(map, grid);
   return fmt::format(
       "{}, {} x {} points on {:.4g} x {:.4g} a around ({:.4g}, {:.4g}) a; levelled (taken away: mean {:.4g}, slopes "
-      "{:.3g} and {:.3g} per point, in the file's unit), rms {}, tapered over {:.3g} of its length at each edge; on "
+      "{:.3g} and {:.3g} per point, in the file's unit), Sq {}, Sa {}, tapered over {:.3g} of its length at each edge; "
+      "on "
       "this mesh {} of its variance lost, no wave shorter than {} along x, {} along y",
       record.file, map.gap.nx, map.gap.ny, map.length_x(), map.length_y(), map.X, map.Y, record.plane.mean,
-      record.plane.slope_x, record.plane.slope_y, height_text(record.rms, physics), record.taper,
-      percent(left.variance_lost), length_text(left.shortest_wave_X, physics),
+      record.plane.slope_x, record.plane.slope_y, height_text(record.rms, physics), height_text(record.mean, physics),
+      record.taper, percent(left.variance_lost), length_text(left.shortest_wave_X, physics),
       length_text(left.shortest_wave_Y, physics));
 }
 

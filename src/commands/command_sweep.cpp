@@ -42,7 +42,7 @@ int sweep(const Arguments& arguments) {
     for (const std::string& varied : overrides_of_case(header.variations, index)) overrides.push_back(varied);
     return overrides;
   };
-  header.with_friction = names_friction(deck, overrides_of(0));
+  header.kind = kind_of_sweep(deck, overrides_of(0));
   const int at_once = requested_threads(arguments);
   const std::string path = table_name(arguments);
   SweepTable table(path, header, arguments.has("overwrite"));
@@ -55,10 +55,10 @@ int sweep(const Arguments& arguments) {
   ChildrenCalls calls;
   calls.stop = stop_requested;
   calls.task = [&](std::size_t index) {
-    return csv_row(sweep_case(deck, header.deck_text, overrides_of(index), header.with_friction));
+    return csv_row(sweep_case(deck, header.deck_text, overrides_of(index), header.kind));
   };
   calls.ended = [&](const ChildEnd& end) {
-    const SweepRow failure = row_without_solution(sweep_row(header.with_friction), "failed", end.status, end.reason);
+    const SweepRow failure = row_without_solution(sweep_row(header.kind), "failed", end.status, end.reason);
     const std::string row = end.complete ? end.text : csv_row(failure);
     table.append(end.task, row);
     progress.count(

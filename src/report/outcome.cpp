@@ -11,6 +11,7 @@
 #include "contact/film_formulas.hpp"
 #include "contact/yield.hpp"
 #include "core/norms.hpp"
+#include "report/roughness.hpp"
 #include "rheology/range.hpp"
 
 namespace ehl::program {
@@ -80,7 +81,7 @@ std::vector<Formula> film_formulas(const contact::Groups& groups) {
   const double M = groups.M;
   std::vector<Formula> formulas;
   if (fitted)
-    formulas.push_back({"Nijenbanning, Venner, Moes 1994",
+    formulas.push_back({"Nijenbanning, Venner, Moes 1994", "nvm",
                         contact::H_from_moes_units(contact::nijenbanning_venner_moes(M, groups.L, shape), M, shape),
                         unknown});
   if (!(groups.L > 0.0)) return formulas;
@@ -89,14 +90,14 @@ std::vector<Formula> film_formulas(const contact::Groups& groups) {
   constexpr double typical_U = 1e-11;
   const bool assumed = std::isnan(groups.U);
   const contact::Groups full = assumed ? contact::from_moes(M, groups.L, typical_U, shape) : groups;
-  const auto add = [&](const std::string& name, const contact::FilmThickness& film) {
-    formulas.push_back({assumed ? name + " (U = 1e-11)" : name,
+  const auto add = [&](const std::string& name, const char* code, const contact::FilmThickness& film) {
+    formulas.push_back({assumed ? name + " (U = 1e-11)" : name, code,
                         contact::H_from_thickness_over_radius(film.central, full.W, shape),
                         contact::H_from_thickness_over_radius(film.minimum, full.W, shape)});
   };
-  if (fitted) add("Hamrock, Dowson 1977", contact::hamrock_dowson(full));
+  if (fitted) add("Hamrock, Dowson 1977", "hd", contact::hamrock_dowson(full));
   if (!contact::circular(shape) && contact::near_chittenden(shape))
-    add("Chittenden et al. 1985", contact::chittenden(full));
+    add("Chittenden et al. 1985", "chittenden", contact::chittenden(full));
   return formulas;
 }
 
@@ -123,6 +124,9 @@ Outcome outcome_of(const Case& input, const steady::Solution& solution) {
   outcome.regime = contact::regime_text(groups.M, groups.L, groups.shape);
   outcome.warnings = warnings_of(input.physics, solution, outcome.P_max.value);
   for (std::string& warning : surface_warnings(input.surfaces, solution.grid)) outcome.warnings.push_back(warning);
+  outcome.roughness = roughness_of(input, outcome.formulas, outcome.Hm.value);
+  if (std::optional<std::string> warning = roughness_warning(input, outcome.roughness))
+    outcome.warnings.push_back(*warning);
   warn_of_late(input, outcome.warnings);
   warn_of_coarse(input, outcome.warnings);
   return outcome;

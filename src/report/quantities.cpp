@@ -12,7 +12,7 @@ constexpr const char* not_in_file = "";
 std::vector<Quantity> film_quantities(const Case& input, const steady::Solution& solution, const Outcome& outcome) {
   const steady::ErrorBars& bars = solution.error_bars;
   const steady::LevelRow last = solution.levels.empty() ? steady::LevelRow{} : solution.levels.back();
-  return {
+  std::vector<Quantity> list{
       {"converged", solution.converged, "-", "1: all checks passed, 0: not"},
       {"failed_check", solution.failed_check, "", "empty when converged"},
       {not_in_file, input.title, "", "of the case", "title"},
@@ -53,6 +53,13 @@ std::vector<Quantity> film_quantities(const Case& input, const steady::Solution&
       {"regime", outcome.regime, "", "regime of lubrication"},
       {"deformation", solution.deformation, "", "how the elastic deformation was evaluated", not_in_json},
   };
+  if (const std::optional<Roughness>& rough = outcome.roughness) {
+    list.push_back({"Sq", rough->Sq, "a^2/R", "roughness of both surfaces together"});
+    if (input.physics.si)
+      list.push_back({not_in_file, rough->Sq * input.physics.si->hertz.h_scale, "m", "the same", "Sq_m"});
+    list.push_back({"lambda_ratio", rough->lambda_ratio(), "-", "smallest film of smooth surfaces over Sq"});
+  }
+  return list;
 }
 
 std::vector<Quantity> verification_quantities(const steady::Verification& checked, bool elliptic) {
@@ -103,7 +110,7 @@ std::vector<Quantity> scale_quantities(const Physics& physics) {
   append({{"a", physics.si->hertz.a, "m", "Hertz radius, the scale of X and Y", "a_m"},
           {"h", physics.si->hertz.h_scale, "m", "a^2/R, the scale of H", not_in_json},
           {"load", c.load, "N", "normal load", not_in_json},
-          {"R", c.radius, "m", "reduced radius", not_in_json},
+          {"R", c.radius, "m", "reduced radius", "R_m"},
           {"E_prime", c.E_prime, "Pa", "reduced modulus", not_in_json},
           {"u1", physics.si->u1, "m/s", "speed of surface 1", not_in_json},
           {"u2", physics.si->u2, "m/s", "speed of surface 2", not_in_json},

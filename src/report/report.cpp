@@ -11,6 +11,7 @@
 #include "case/needs.hpp"
 #include "contact/film_formulas.hpp"
 #include "core/constants.hpp"
+#include "report/roughness.hpp"
 
 namespace ehl::program {
 namespace {
@@ -177,7 +178,7 @@ std::string summary(const Case& input, const Computed& computed) {
   if (spike) text += "             it still grows from grid to grid as at a spike, and belongs to this mesh\n";
   text += error_lines(solution);
   text += group_lines(physics);
-  text += formula_lines(outcome.formulas, physics.groups, h_scale);
+  text += formula_lines(outcome.formulas, physics.groups, h_scale) + roughness_line(input, outcome.roughness);
   text += path(solution);
   text += verified(solution.verification);
   text += fmt::format("method       wedge {}; deformation {}; {}\ntime         {:.3f} s\n", name(input.scene.wedge),
@@ -205,8 +206,9 @@ std::string derived(const Case& input) {
   std::string text = "case         " + input.title + "\n";
   if (physics.si) text += si_lines(*physics.si);
   text += group_lines(physics);
-  text += formula_lines(film_formulas(physics.groups), physics.groups,
-                        physics.si ? physics.si->hertz.h_scale : std::nan(""));
+  const std::vector<Formula> formulas = film_formulas(physics.groups);
+  text += formula_lines(formulas, physics.groups, physics.si ? physics.si->hertz.h_scale : std::nan("")) +
+          roughness_line(input, roughness_of(input, formulas, std::nan("")));
   text += fmt::format("domain       [{:g}, {:g}] x [{:g}, {:g}] Hertz radii\n", scene.grid.X_a, scene.grid.X_b,
                       scene.grid.Y_a, scene.grid.Y_b);
   text += fmt::format("grid         {} nodes, hx = {:.4g}, hy = {:.4g}\nmethod       wedge {}; deformation {}\n",

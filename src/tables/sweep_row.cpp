@@ -16,6 +16,7 @@
 #include "deck/text.hpp"
 #include "report/quantities.hpp"
 #include "steady/solve.hpp"
+#include "tables/si_columns.hpp"
 
 namespace ehl::program {
 namespace {
@@ -27,8 +28,29 @@ void take(const std::vector<Quantity>& quantities, SweepRow& row) {
       column->value = one.value;
 }
 
+// in: the film, if there is one.
+void take_si(const Case& input, SiRow si, SweepRow& row) {
+  if (!input.physics.si) return;
+  si.physics = input.physics;
+  si.formulas = film_formulas(input.physics.groups);
+  take(quantities_of(si_columns(true, true), si), row);
+}
+
+void take_film(const Case& input, const steady::Solution& solution, const Outcome& outcome, SweepRow& row) {
+  const steady::ErrorBars& bars = solution.error_bars;
+  take_si(input,
+          {.roughness = outcome.roughness,
+           .hc = outcome.hc,
+           .hm = outcome.hm,
+           .p_max = outcome.P_max.value * input.physics.p_h,
+           .error_hc = bars.Hc.total(),
+           .error_hm = bars.Hm.total()},
+          row);
+}
+
 void take_case(const Case& input, SweepRow& row) {
   take(scale_quantities(input.physics), row);
+  take_si(input, {}, row);
   in_row(row, "nx") = input.scene.grid.nx;
   in_row(row, "ny") = input.scene.grid.ny;
 }
@@ -52,31 +74,32 @@ SweepRow solve_case(const std::string& path, const std::string& deck_text, const
 
 }  // namespace
 
-SweepRow sweep_row(bool with_friction) {
+SweepRow sweep_row(const SweepKind& kind) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  SweepRow row{{"status", "failed"},
-               {"exit_status", 0},
-               {"method", "none"},
-               {"attempts", 0},
-               {"M", unknown},
-               {"L", unknown},
-               {"p_h", unknown, "Pa"},
-               {"nx", 0},
-               {"ny", 0},
-               {"Hc", unknown},
-               {"Hm", unknown},
-               {"P_max", unknown},
-               {"error_Hc", unknown},
-               {"error_Hm", unknown},
-               {"residual", unknown},
-               {"load_error", unknown},
-               {"cycle_factor", unknown},
-               {"cycles", 0},
-               {"work_units", unknown},
-               {"seconds", unknown, "s"},
-               {"peak_memory", unknown, "bytes"},
-               {"path", "none"}};
-  if (with_friction)
+  SweepRow row{{"status", "failed"}, {"exit_status", 0}, {"method", "none"}, {"attempts", 0}};
+  if (kind.si)
+    for (const Column<SiRow>& column : si_columns(kind.elliptic, kind.rough))
+      row.push_back({column.name, unknown, column.unit});
+  const SweepRow plain{{"M", unknown},
+                       {"L", unknown},
+                       {"p_h", unknown, "Pa"},
+                       {"nx", 0},
+                       {"ny", 0},
+                       {"Hc", unknown},
+                       {"Hm", unknown},
+                       {"P_max", unknown},
+                       {"error_Hc", unknown},
+                       {"error_Hm", unknown},
+                       {"residual", unknown},
+                       {"load_error", unknown},
+                       {"cycle_factor", unknown},
+                       {"cycles", 0},
+                       {"work_units", unknown},
+                       {"seconds", unknown, "s"},
+                       {"peak_memory", unknown, "bytes"},
+                       {"path", "none"}};
+  row.insert(row.end(), plain.begin(), plain.end());
+  if (kind.friction)
     for (const char* name : {"mu", "mu_rolling", "mu_1", "mu_2"}) row.push_back({name, unknown});
   row.push_back({"warnings", 0});
   row.push_back({"reason", ""});
@@ -107,6 +130,7 @@ SweepRow row_of_solution(const Case& input, const steady::Solution& solution, Sw
   auto warnings = outcome.warnings.size();
   if (solution.converged && finite) {
     in_row(row, "status") = "converged";
+    take_film(input, solution, outcome, row);
     if (input.friction) {
       const friction::Friction found = friction_of(input, solution);
       take(friction_quantities(found), row);
@@ -123,16 +147,22 @@ SweepRow row_of_solution(const Case& input, const steady::Solution& solution, Sw
 }
 
 SweepRow sweep_case(const std::string& path, const std::string& deck_text, const std::vector<std::string>& overrides,
-                    bool with_friction) {
+                    const SweepKind& kind) {
   const double began = core::now();
-  SweepRow row = solve_case(path, deck_text, overrides, sweep_row(with_friction));
+  SweepRow row = solve_case(path, deck_text, overrides, sweep_row(kind));
   in_row(row, "seconds") = std::stod(fmt::format("{:.4g}", core::now() - began));
   in_row(row, "peak_memory") = peak_memory();
   return row;
 }
 
-bool names_friction(const std::string& path, const std::vector<std::string>& overrides) {
-  return deck::given(deck::read(path, overrides, catalogue()), "friction", "cavitated");
+SweepKind kind_of_sweep(const std::string& path, const std::vector<std::string>& overrides) {
+  const deck::Deck deck = deck::read(path, overrides, catalogue());
+  const auto names = [&](const char* section, const char* key) { return deck::given(deck, section, key); };
+  const auto has_map = [&](const char* section) { return deck::word(deck, section, "shape") == "map"; };
+  return {.friction = names("friction", "cavitated"),
+          .si = names("contact", "load"),
+          .elliptic = names("contact", "radius_y") || names("contact", "radius_ratio"),
+          .rough = names("contact", "Sq1") || names("contact", "Sq2") || has_map("surface1") || has_map("surface2")};
 }
 
 }  // namespace ehl::program

@@ -14,21 +14,28 @@ namespace ehl::program {
 /// errors are known only of a solution that converged. The last is the reason.
 using SweepRow = std::vector<results::Quantity>;
 
-/// The row of a case of which nothing is known: its names and units are those of the table. in: whether cases may ask
-/// for friction; then there are columns for it.
-SweepRow sweep_row(bool with_friction);
+/// What the cases of a sweep have that not every case has: columns for it.
+struct SweepKind {
+  bool friction = false;
+  bool si = false;        ///< nm, GPa and formulas beside them
+  bool elliptic = false;  ///< looked at in SI only
+  bool rough = false;     ///< likewise
+};
+
+/// That of a deck with these overrides.
+SweepKind kind_of_sweep(const std::string& path, const std::vector<std::string>& overrides);
+
+/// The row of a case of which nothing is known: its names and units are those of the table.
+SweepRow sweep_row(const SweepKind& kind);
 
 /// The value of a column. limits: there is one of this name.
 results::Value& in_row(SweepRow& row, const std::string& name);
 
-/// Solves one case with one thread. in: path of the deck, the text it must still have, overrides; with_friction, as
-/// above. errors: none of the case's own: they are rows. core::Interrupted, std::bad_alloc and what nobody foresaw pass
+/// Solves one case with one thread. in: path of the deck, the text it must still have, overrides; the kind of the
+/// sweep. errors: none of the case's own: they are rows. core::Interrupted, std::bad_alloc and what nobody foresaw pass
 /// through.
 SweepRow sweep_case(const std::string& path, const std::string& deck_text, const std::vector<std::string>& overrides,
-                    bool with_friction);
-
-/// Whether a deck with these overrides names friction. in: as above.
-bool names_friction(const std::string& path, const std::vector<std::string>& overrides);
+                    const SweepKind& kind);
 
 /// The row of a solved case, converged or not. in: what the solver was given and gave back; an empty row.
 SweepRow row_of_solution(const Case& input, const steady::Solution& solution, SweepRow row);

@@ -15,7 +15,6 @@
 #include "deck/text.hpp"
 #include "results/atomic_file.hpp"
 #include "tables/csv.hpp"
-#include "tables/sweep_row.hpp"
 
 namespace ehl::program {
 namespace {
@@ -35,7 +34,7 @@ std::vector<std::string> identity(const SweepHeader& header) {
 std::string names_of_columns(const SweepHeader& header) {
   std::string line;
   for (const Variation& variation : header.variations) line += variation.section + "." + variation.name + ",";
-  return line + csv_names(sweep_row(header.with_friction));
+  return line + csv_names(sweep_row(header.kind));
 }
 
 std::string whole_header(const SweepHeader& header, const std::vector<std::string>& programs) {
@@ -49,11 +48,20 @@ std::string whole_header(const SweepHeader& header, const std::vector<std::strin
       "# H = h R/a^2, P = p/p_h, errors and residual relative\n"
       "# nx, ny: cells; cycles, work_units, cycle_factor: on the finest grid; seconds: the whole case, one thread; "
       "exit_status: of `ehl run`; path: the method as a code\n";
-  if (header.with_friction)
+  if (header.kind.si) {
+    text +=
+        "# h_c_error, h_m_error: error bars, mesh and cycles; nvm: Nijenbanning, Venner, Moes 1994; hd: Hamrock, "
+        "Dowson "
+        "1977; deviation: formula over the film computed less 1\n";
+    if (header.kind.elliptic) text += "# chittenden: Chittenden et al. 1985\n";
+    if (header.kind.rough)
+      text += "# lambda_ratio: smallest film of smooth surfaces over Sq, the roughness of both together\n";
+  }
+  if (header.kind.friction)
     text +=
         "# mu: sliding friction over the load, mu_rolling: rolling friction over it; mu_1, mu_2: forces of the film on "
         "surfaces 1 and 2 along +x over it\n";
-  return text + csv_units(sweep_row(header.with_friction)) + "\n" + names_of_columns(header) + "\n";
+  return text + csv_units(sweep_row(header.kind)) + "\n" + names_of_columns(header) + "\n";
 }
 
 const std::string remedy = ": give --overwrite to begin anew, or another --output";

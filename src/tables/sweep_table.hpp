@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tables/sweep_range.hpp"
+#include "tables/sweep_row.hpp"
 
 namespace ehl::program {
 
@@ -18,7 +19,7 @@ struct SweepHeader {
   std::string deck_text{};  ///< what it says
   std::vector<std::string> set{};
   std::vector<Variation> variations{};
-  bool with_friction = false;  ///< columns for it
+  SweepKind kind{};  ///< columns that not every sweep has
 };
 
 /// The header as lines of a file, each of which begins with #, but for the last, which names the columns.

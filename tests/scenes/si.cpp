@@ -94,4 +94,91 @@ BOOST_AUTO_TEST_CASE(extract_in_SI_needs_SI) {
   BOOST_TEST(refused.says({"--si", "d.h5", "not given in SI"}), refused.err);
 }
 
+// The formula of Hamrock and Dowson for a circle, h/R, written out.
+double hamrock_dowson(double u, bool central) {
+  const double U = 0.08 * u / (E_prime * radius), G = 2e-8 * E_prime, W = load / (E_prime * radius * radius);
+  return central ? 2.69 * std::pow(U, 0.67) * std::pow(G, 0.53) * std::pow(W, -0.067) * (1.0 - 0.61 * std::exp(-0.73))
+                 : 3.63 * std::pow(U, 0.68) * std::pow(G, 0.49) * std::pow(W, -0.073) * (1.0 - std::exp(-0.68));
+}
+
+BOOST_AUTO_TEST_CASE(sweep_in_SI) {
+  const Scene scene;
+  const support::Ended ended = scene.ehl(
+      "sweep s.ini --set grid.cells=128 --set contact.Sq1=30e-9 --set contact.Sq2=40e-9 --vary motion.u_m=0.2,0.5 "
+      "--output t.csv");
+  BOOST_REQUIRE_MESSAGE(ended.status == 0, ended.err);
+  const auto rows = support::named_rows(scene.folder.read("t.csv"));
+  BOOST_REQUIRE(rows.size() == 2u);
+  constexpr double rounding = 1e-10;  // in per cent: of a few products
+  for (const support::NamedRow& row : rows) {
+    const auto in = [&](const char* name) { return std::stod(row.at(name)); };
+    const double u = in("motion.u_m");
+    BOOST_TEST(in("a_um") == 1e6 * a, boost::test_tools::tolerance(rounding));
+    BOOST_TEST(in("p_h_GPa") == 1e-9 * p_h, boost::test_tools::tolerance(rounding));
+    BOOST_TEST(in("E_prime_GPa") == 120.0, boost::test_tools::tolerance(rounding));
+    BOOST_TEST(in("eta0_mPa_s") == 80.0, boost::test_tools::tolerance(rounding));
+    BOOST_TEST(in("u_m") == u, boost::test_tools::tolerance(rounding));
+    BOOST_TEST(in("h_c_nm") == 1e9 * h_scale * in("Hc"), boost::test_tools::tolerance(rounding));
+    BOOST_TEST(in("h_m_nm") == 1e9 * h_scale * in("Hm"), boost::test_tools::tolerance(rounding));
+    BOOST_TEST(in("p_max_GPa") == 1e-9 * p_h * in("P_max"), boost::test_tools::tolerance(rounding));
+    BOOST_TEST(in("hd_h_c_nm") == 1e9 * radius * hamrock_dowson(u, true), boost::test_tools::tolerance(rounding));
+    BOOST_TEST(in("hd_h_m_nm") == 1e9 * radius * hamrock_dowson(u, false), boost::test_tools::tolerance(rounding));
+    BOOST_TEST(in("hd_h_c_deviation") == in("hd_h_c_nm") / in("h_c_nm") - 1.0, boost::test_tools::tolerance(1e-8));
+    BOOST_TEST(in("lambda_ratio") == in("h_m_nm") / 50.0, boost::test_tools::tolerance(rounding));  // 3, 4 and 5
+    // The bar holds the mesh and the cycles, the older column the mesh alone.
+    BOOST_TEST(in("h_c_error_nm") >= in("error_Hc") * in("h_c_nm"));
+    BOOST_TEST(in("h_c_error_nm") < 1.1 * in("error_Hc") * in("h_c_nm"));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_sweep_without_units_has_none) {
+  const Scene scene;
+  BOOST_REQUIRE(scene.ehl("sweep d.ini --vary contact.L=5,10 --output t.csv").status == 0);
+  BOOST_TEST(contains(scene.folder.read("t.csv"),
+                      "\ncontact.L,status,exit_status,method,attempts,M,L,p_h,nx,ny,Hc,Hm,P_max,error_Hc,error_Hm,"
+                      "residual,load_error,cycle_factor,cycles,work_units,seconds,peak_memory,path,warnings,reason\n"));
+}
+
+BOOST_AUTO_TEST_CASE(roughness) {
+  const Scene scene;
+  const std::string rough = " --set contact.Sq1=30e-9 --set contact.Sq2=40e-9";
+  const support::Ended ended = scene.ehl("run s.ini --json --quiet" + rough);
+  BOOST_REQUIRE_MESSAGE(ended.status == 0, ended.err);
+  const auto json = support::parsed(ended.out);
+  const double ratio = support::number_at(json, "/hm_m") / 50e-9;
+  BOOST_TEST(support::number_at(json, "/lambda_ratio") == ratio, boost::test_tools::tolerance(1e-10));
+  BOOST_TEST(support::number_at(json, "/Sq_m") == 50e-9, boost::test_tools::tolerance(1e-10));
+  BOOST_TEST_REQUIRE((ratio > 2.0 && ratio < 3.0));
+  BOOST_TEST(contains(json["warnings"].dump(), "is below 3"), json["warnings"].dump());
+  const support::Ended smoother = scene.ehl("run s.ini --overwrite --quiet --set contact.Sq1=30e-9");
+  BOOST_TEST(contains(smoother.out, "Sq = 30.0 nm"), smoother.out);
+  BOOST_TEST(!contains(smoother.out, "is below 3"), smoother.out);
+  BOOST_TEST(!contains(scene.ehl("run s.ini --overwrite --quiet").out, "lambda ratio"));
+  const support::Ended dimensionless = scene.ehl("check d.ini --set contact.Sq1=30e-9");
+  BOOST_TEST(dimensionless.status == 2);
+  BOOST_TEST(dimensionless.says({"Sq1", "SI"}), dimensionless.err);
+}
+
+BOOST_AUTO_TEST_CASE(roughness_of_a_map) {
+  const Scene scene;
+  std::string map;
+  for (int l = 0; l < 40; ++l)
+    for (int k = 0; k < 40; ++k)
+      map += std::string(k > 0 ? "," : "") + (k % 8 == 3 || k % 8 == 4 ? "30" : "-10") + (k == 39 ? "\n" : "");
+  scene.folder.write("map.csv", map);
+  const std::string still =
+      "s.ini --set motion.srr=2 --set surface2.shape=map --set surface2.file=map.csv --set "
+      "surface2.unit_m=1e-9 --set surface2.dx_m=6e-6";
+  const support::Ended ended = scene.ehl("check " + still);
+  BOOST_REQUIRE_MESSAGE(ended.status == 0, ended.err);
+  // Two lines in eight 30 nm high, the others 10 nm deep: Sq = sqrt((900 + 3 x 100)/4) = 17.3 nm, Sa = 15 nm.
+  BOOST_TEST(contains(ended.out, "(17.3 nm), Sa"), ended.out);
+  BOOST_TEST(contains(ended.out, "(15.0 nm), tapered"), ended.out);
+  BOOST_TEST(contains(ended.out, "by Hamrock, Dowson 1977 for smooth surfaces"), ended.out);
+  const support::Ended twice = scene.ehl("check " + still + " --set contact.Sq2=1e-8");
+  BOOST_TEST(twice.status == 2);
+  BOOST_TEST(twice.says({"Sq2", "the map of surface2"}), twice.err);
+  BOOST_TEST(scene.ehl("check " + still + " --set contact.Sq1=1e-8").status == 0);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

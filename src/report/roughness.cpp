@@ -1,0 +1,65 @@
+#include "report/roughness.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/text_format.hpp"
+
+namespace ehl::program {
+namespace {
+
+/// Lambda ratio from which on the heights of the surfaces hardly meet. source: Tallian (1967), who counted contacts.
+constexpr double full_film = 3.0;
+
+std::string height(const Case& input, double H) {
+  if (input.physics.si) return length(H * input.physics.si->hertz.h_scale);
+  return fmt::format("{:.4g} a^2/R", H);
+}
+
+std::string film(const Case& input, const Roughness& rough) {
+  return "h_m " + height(input, rough.Hm) + (rough.from.empty() ? "" : " by " + rough.from + " for smooth surfaces");
+}
+
+// In a^2/R; 0: smooth, or not known.
+double stated(double Sq, const SiInput& si) { return std::isnan(Sq) ? 0.0 : Sq / si.hertz.h_scale; }
+
+}  // namespace
+
+std::optional<Roughness> roughness_of(const Case& input, const std::vector<Formula>& formulas, double Hm) {
+  Roughness rough{.Hm = std::numeric_limits<double>::quiet_NaN()};
+  if (input.physics.si)
+    rough.Sq =
+        std::hypot(stated(input.physics.si->Sq1, *input.physics.si), stated(input.physics.si->Sq2, *input.physics.si));
+  const std::vector<const CarriedSurface*> shapes = carried(input.surfaces);
+  for (const CarriedSurface* one : shapes)
+    if (one->map) rough.Sq = std::hypot(rough.Sq, one->map->rms);
+  if (!(rough.Sq > 0.0)) return std::nullopt;
+  if (shapes.empty() && std::isfinite(Hm)) {
+    rough.Hm = Hm;
+  } else if (const auto known = std::ranges::find_if(formulas, [](const Formula& f) { return std::isfinite(f.Hm); });
+             known != formulas.end()) {
+    rough.Hm = known->Hm;
+    rough.from = known->name;
+  }
+  return rough;
+}
+
+std::string roughness_line(const Case& input, const std::optional<Roughness>& roughness) {
+  if (!roughness) return {};
+  const std::string text = "roughness    Sq = " + height(input, roughness->Sq) + " of both surfaces together";
+  if (std::isnan(roughness->Hm)) return text + "; no formula tells the smallest film of smooth surfaces\n";
+  return text + fmt::format("; lambda ratio {:.3g}: {} over it\n", roughness->lambda_ratio(), film(input, *roughness));
+}
+
+std::optional<std::string> roughness_warning(const Case& input, const std::optional<Roughness>& roughness) {
+  if (!roughness || !(roughness->lambda_ratio() < full_film)) return std::nullopt;
+  return fmt::format(
+      "lambda ratio {:.2g} is below {:g}: {} does not keep surfaces of roughness Sq = {} apart; mixed lubrication is "
+      "likely",
+      roughness->lambda_ratio(), full_film, film(input, *roughness), height(input, roughness->Sq));
+}
+
+}  // namespace ehl::program
