@@ -110,6 +110,30 @@ int edit_distance(const std::string& a, const std::string& b) {
   return d[rows - 1][columns - 1];
 }
 
+namespace {
+
+// Letters and digits alone, in lower case: what is left of "VG 68" and of mineral-vg68 where only the core is known.
+std::string core_of(const std::string& text) {
+  std::string core;
+  for (const char c : text)
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0) core += lower(c);
+  return core;
+}
+
+// The shortest candidate that has the name in it; empty where none has, or the name is too short to mean one.
+std::string containing(const std::string& name, const std::vector<std::string>& candidates) {
+  constexpr std::size_t telling = 3;  // "vg6", "pao"; two letters stand in every other word
+  const std::string core = core_of(name);
+  std::string best;
+  if (core.size() < telling) return best;
+  for (const std::string& candidate : candidates)
+    if (core_of(candidate).find(core) != std::string::npos && (best.empty() || candidate.size() < best.size()))
+      best = candidate;
+  return best;
+}
+
+}  // namespace
+
 std::string nearest(const std::string& name, const std::vector<std::string>& candidates) {
   if (name.size() > 64) return "";  // no typing slip: and the distance of a megabyte of text would take for ever
   std::string best;
@@ -124,7 +148,7 @@ std::string nearest(const std::string& name, const std::vector<std::string>& can
   const int letters = static_cast<int>(std::max(name.size(), best.size()));
   // A short name is nothing like another one as soon as half of it differs.
   const bool near = best_distance <= std::max(2, letters / 3) && 2 * best_distance <= letters;
-  return near ? best : "";
+  return near ? best : containing(name, candidates);
 }
 
 }  // namespace ehl::deck

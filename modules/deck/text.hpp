@@ -40,8 +40,8 @@ ReadNumber read_number(const std::string& text);
 /// ignored (optimal string alignment). cost: |a| |b|.
 int edit_distance(const std::string& a, const std::string& b);
 
-/// The candidate nearest to `name`, empty when none is near (more than a third of its letters wrong, and more than
-/// two).
+/// The candidate nearest to `name`; where none is near (more than a third of its letters wrong, and more than two), the
+/// shortest one that contains its letters and digits, at least three: "VG 68" finds mineral-vg68. Empty otherwise.
 std::string nearest(const std::string& name, const std::vector<std::string>& candidates);
 
 }  // namespace ehl::deck

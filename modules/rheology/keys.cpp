@@ -21,20 +21,21 @@ std::vector<deck::Key> law_keys() {
        .unit = "Pa s",
        .range = {0.0, 1e6, true, false},
        .meaning = "Viscosity at ambient pressure; required with loads and speeds in SI and by doolittle. "
-                  "yasutomi and table bring their own.",
+                  "yasutomi, table and kv40 with kv100 bring their own.",
        .example = "0.25"},
       {.name = "alpha",
        .unit = "1/Pa",
        .range = {1e-12, 1e-6},
        .remedy = "mineral oils have 1e-8 to 3e-8",
-       .meaning = "Pressure coefficient of the viscosity. Required for roelands, and for barus in SI; in "
+       .meaning = "Pressure coefficient of the viscosity, Roelands' slope at ambient pressure; or alpha_star. "
+                  "Required for roelands, and for barus in SI; in "
                   "dimensionless cases it gives the Hertz pressure p_h = alpha_bar/alpha. doolittle, yasutomi and "
                   "table bring their own, alpha* = 1/int eta0/eta dp.",
        .source = "1.7e-8: Venner and ten Napel 1992",
        .example = "1.7e-8",
        .example_is_active = true},
       {.name = "z",
-       .default_note = "alpha p0/(ln eta0 + 9.67) when eta0 is given, else 0.68",
+       .default_note = "alpha p0/(ln eta0 + 9.67) when eta0 is given, else 0.68; with alpha_star what gives it",
        .range = {0.05, 1.5},
        .remedy = "mineral oils have 0.5 to 0.7",
        .meaning = "Roelands' exponent.",
@@ -61,11 +62,11 @@ std::vector<deck::Key> law_keys() {
 double read_z(const deck::Part& lubricant, const Oil& oil) {
   if (lubricant.given("z")) return lubricant.number("z");
   if (std::isnan(oil.eta0)) {
-    lubricant.choose("z", 0.68, "a mineral oil; eta0 would tell it");
-    return 0.68;
+    lubricant.choose("z", usual_z, "a mineral oil; eta0 would tell it");
+    return usual_z;
   }
   // alpha p0/z = ln eta0 + 9.67 (Roelands): all oils meet at one point of the (p, ln eta) plane.
-  const double z = oil.alpha * oil.p0 / (std::log(oil.eta0) + 9.67);
+  const double z = oil.alpha * oil.p0 / roelands_log_ratio(oil.eta0);
   const deck::Key& key = *deck::find_key(lubricant.deck.catalogue, "lubricant", "z");
   if (!key.range.contains(z))
     lubricant.complain("eta0", fmt::format("with alpha and p0 it means z = alpha p0/(ln eta0 + 9.67) = {:.4g}, which "
@@ -77,20 +78,29 @@ double read_z(const deck::Part& lubricant, const Oil& oil) {
 
 }  // namespace
 
-std::vector<deck::Key> keys() { return deck::in_section("lubricant", deck::together({law_keys(), liquid_keys()})); }
+std::vector<deck::Key> keys() {
+  return deck::in_section("lubricant", deck::together({law_keys(), {fluid_key()}, data_sheet_keys(), liquid_keys()}));
+}
 
 Oil read(deck::Deck& deck) {
   const deck::Part lubricant{deck, "lubricant"};
   Oil oil;
-  oil.by_name = lubricant.given("fluid");
-  oil.liquid = read_liquid(deck);
+  choose_fluid(lubricant);
+  oil.ambient = read_ambient(lubricant);
+  oil.liquid = read_liquid(lubricant);
   oil.viscosity = lubricant.word("viscosity");
   oil.density = lubricant.word("density");
   oil.eta0 = lubricant.number("eta0");
-  oil.alpha = lubricant.number("alpha");
+  oil.alpha = oil.roelands_alpha = lubricant.number("alpha");
   oil.p0 = lubricant.number("p0");
+  const bool by_name = lubricant.given("fluid");
+  const bool own_eta0 = oil.viscosity == "yasutomi" || oil.viscosity == "table";
+  oil.brings_eta0 = by_name || own_eta0 || oil.ambient;
+  oil.brings_alpha = by_name || own_eta0 || oil.viscosity == "doolittle";
+  read_alpha_star(lubricant, oil);
   // Of numbers that were refused, z would be one more complaint.
-  if (oil.viscosity == "roelands" && std::isfinite(oil.alpha) && deck.errors.empty()) oil.z = read_z(lubricant, oil);
+  if (oil.viscosity == "roelands" && std::isfinite(oil.alpha) && std::isnan(oil.z) && deck.errors.empty())
+    oil.z = read_z(lubricant, oil);
   return oil;
 }
 

@@ -102,8 +102,10 @@ Barus make_barus(double alpha, double p_h) { return {alpha * p_h}; }
 
 Roelands make_roelands(double alpha, double p0, double z, double p_h) { return {alpha * p0 / z, p_h / p0, z}; }
 
+double roelands_log_ratio(double eta0) { return std::log(eta0) + 9.67; }
+
 double roelands_z(double alpha, double p0, double eta0) {
-  const double log_ratio = std::log(eta0) + 9.67;
+  const double log_ratio = roelands_log_ratio(eta0);
   if (!(log_ratio > 0.0)) {
     throw core::InputError("lubricant.eta0 = " + std::to_string(eta0) +
                            " Pa s: Roelands' law needs more than 6.3e-5 Pa s, or z given");

@@ -24,6 +24,8 @@ using ViscosityLaw = std::variant<Isoviscous, Barus, Roelands, Doolittle, Yasuto
 
 /// Roelands' reference pressure [Pa].
 inline constexpr double roelands_p0 = 1.96e8;
+/// Roelands' exponent of a mineral oil whose viscosity is not known.
+inline constexpr double usual_z = 0.68;
 /// The pressure in Dowson and Higginson's density law [Pa].
 inline constexpr double dowson_higginson_B = 5.9e8;
 
@@ -45,6 +47,8 @@ Roelands make_roelands(double alpha, double p0, double z, double p_h);
 /// errors: InputError below that. source: Roelands (1966), where all oils share
 /// one pole at -p0 and 6.3e-5 Pa s.
 double roelands_z(double alpha, double p0, double eta0);
+/// ln(eta0) + 9.67: ln of a viscosity [Pa s] over that pole's.
+double roelands_log_ratio(double eta0);
 /// Dowson and Higginson's law for P = p/p_h. in: p_h [Pa] > 0.
 DowsonHigginson make_dowson_higginson(double p_h);
 

@@ -1,11 +1,9 @@
-// The keys of [lubricant] that belong to single laws, and the fluids by name.
-#include <algorithm>
+// The keys of [lubricant] that belong to single laws.
 #include <cmath>
 
 #include "deck/file.hpp"
 #include "deck/text.hpp"
 #include "rheology/fluid_table.hpp"
-#include "rheology/fluids.hpp"
 #include "rheology/keys.hpp"
 #include "rheology/pressure_coefficient.hpp"
 
@@ -19,72 +17,11 @@ Key constant(const char* name, const char* unit, deck::Range range, const char* 
   return {.name = name, .unit = unit, .range = range, .meaning = meaning, .example = example};
 }
 
-Key fluid_key() {
-  Key key{.name = "fluid",
-          .default_note = "none: the keys of [lubricant] say what the oil is",
-          .meaning =
-              "An oil by name: laws of viscosity and density with their constants. A key that it sets may be "
-              "repeated with the same value; another value, or a constant of another law, is refused."};
-  for (const Fluid& fluid : fluids) {
-    key.words.emplace_back(fluid.name);
-    if (!key.source.empty()) key.source += "; ";
-    key.source.append(fluid.name).append(": ").append(fluid.about).append(" (").append(fluid.source).append(")");
-  }
-  key.example = "squalane";
-  return key;
-}
-
 using Names = std::vector<std::string>;
 
 const Names bulk_modulus{"K0", "K0_prime"};
 const Names doolittle{"eta0", "doolittle_B", "doolittle_R0", "K0", "K0_prime"};
 const Names yasutomi{"temperature", "Tg0", "A1", "A2", "b1", "b2", "C1", "C2", "eta_g"};
-
-// The value of a key follows from others. Repeated as it is, as in the deck that a result keeps, it may stand.
-void settle(const deck::Part& lubricant, const std::string& name, const std::string& text, const std::string& why) {
-  constexpr double rounding = 1e-12;
-  const deck::ReadNumber settled = deck::read_number(text);
-  const bool is_number = settled.status == deck::ReadNumber::Status::number;
-  const double said = lubricant.number(name);
-  const bool same =
-      is_number ? std::isnan(said) || std::abs(said / settled.value - 1.0) < rounding : lubricant.word(name) == text;
-  if (lubricant.given(name) && !same)
-    lubricant.complain(name,
-                       "is " + (is_number ? deck::shortest(settled.value) : text) + " already, " + why + ": remove it");
-  if (is_number)
-    lubricant.fill(name, settled.value, why);
-  else
-    lubricant.fill(name, text, why);
-}
-
-void choose_fluid(const deck::Part& lubricant) {
-  const Fluid* fluid = find_fluid(lubricant.word("fluid"));
-  if (!fluid) return;  // none, or an unknown name that was complained about
-  const std::string why = std::string("fluid = ").append(fluid->name);
-  Names set;
-  for (const FluidKey& key : fluid->keys) {
-    if (key.name.empty()) break;
-    set.emplace_back(key.name);
-    settle(lubricant, set.back(), std::string(key.value), why);
-  }
-  if (lubricant.word("viscosity") == "roelands") {
-    const double z = roelands_z(lubricant.number("alpha"), lubricant.number("p0"), lubricant.number("eta0"));
-    settle(lubricant, "z", deck::shortest(z), why);
-    set.emplace_back("z");
-  } else {
-    set.emplace_back("alpha");  // settled by the law, like the rest of what follows
-  }
-  for (const Key& key : lubricant.deck.catalogue.keys)
-    if (key.section == lubricant.section && key.name != "fluid" && std::ranges::find(set, key.name) == set.end())
-      lubricant.refuse({key.name}, "has no influence: " + why + " brings its laws and constants (" +
-                                       deck::joined(set, ", ") + "); remove it, or give the oil without fluid");
-}
-
-void demand(const deck::Part& lubricant, const Names& names, const std::string& law) {
-  for (const std::string& name : names)
-    if (deck::value(lubricant.deck, lubricant.section, name).origin == deck::Origin::absent)
-      lubricant.complain(name, "is missing: " + law + " needs " + deck::joined(names, ", "));
-}
 
 // What the laws need, and what no law uses.
 void check_constants(const deck::Part& lubricant, const std::string& viscosity, const std::string& density) {
@@ -136,8 +73,7 @@ YasutomiConstants read_yasutomi(const deck::Part& lubricant) {
 std::vector<Key> liquid_keys() {
   const deck::Range positive{0.0, 1e12, true, false};
   return deck::together(
-      {{fluid_key(),
-        constant("K0", "Pa", {1e7, 1e12},
+      {{constant("K0", "Pa", {1e7, 1e12},
                  "Bulk modulus at ambient pressure, at the temperature of the contact. Required by density = tait and "
                  "murnaghan and by viscosity = doolittle.",
                  "1.192e9"),
@@ -150,9 +86,7 @@ std::vector<Key> liquid_keys() {
                      "0.6568")}),
        deck::only_with(
            {.name = "viscosity", .words = {"yasutomi"}},
-           {constant("temperature", "C", {-273.15, 1000.0, true, false},
-                     "Temperature of the contact, above the glass transition Tg0. The other laws have none.", "40"),
-            constant("Tg0", "C", {-273.15, 1000.0, true, false}, "Glass transition at ambient pressure.", "-83.2"),
+           {constant("Tg0", "C", {-273.15, 1000.0, true, false}, "Glass transition at ambient pressure.", "-83.2"),
             constant("A1", "K", positive, "Tg = Tg0 + A1 ln(1 + A2 p).", "188.95"),
             constant("A2", "1/Pa", {0.0, 1e-6, true, false}, "Tg = Tg0 + A1 ln(1 + A2 p).", "0.719e-9"),
             constant("b1", "1/Pa", {0.0, 1e-6}, "F = (1 + b1 p)^b2.", "8.2e-9"),
@@ -168,13 +102,11 @@ std::vector<Key> liquid_keys() {
          .example = "oil.csv"}}});
 }
 
-Liquid read_liquid(deck::Deck& deck) {
-  const deck::Part lubricant{deck, "lubricant"};
-  choose_fluid(lubricant);
+Liquid read_liquid(const deck::Part& lubricant) {
   const std::string viscosity = lubricant.word("viscosity"), density = lubricant.word("density");
   check_constants(lubricant, viscosity, density);
   Liquid liquid;
-  if (!deck.errors.empty()) return liquid;
+  if (!lubricant.deck.errors.empty()) return liquid;
 
   constexpr double pascal = 1.0;
   const double K0 = lubricant.number("K0"), K0_prime = lubricant.number("K0_prime");
@@ -191,7 +123,7 @@ Liquid read_liquid(deck::Deck& deck) {
   }
   if (viscosity == "table" || density == "table")
     add_table(lubricant, viscosity == "table", density == "table", liquid);
-  if (liquid.viscosity && deck.errors.empty())
+  if (liquid.viscosity && lubricant.deck.errors.empty())
     settle(lubricant, "alpha", deck::shortest(pressure_coefficients(*liquid.viscosity).alpha_star),
            "alpha* of the law, 1/int eta0/eta dp");
   return liquid;

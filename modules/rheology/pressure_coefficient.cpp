@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace ehl::rheology {
@@ -41,6 +43,18 @@ double integral_of_fluidity(const ViscosityLaw& law, double scale, double end) {
   return sum;
 }
 
+// Where a rising function passes zero, to rounding; NaN where it does not between the two.
+template <class Function>
+double root(Function f, double low, double high) {
+  const double at_low = f(low), at_high = f(high);
+  if (!(at_low <= 0.0 && at_high >= 0.0)) return std::numeric_limits<double>::quiet_NaN();
+  std::uintmax_t steps = 200;  // a guard: about 10 are taken
+  const auto found = boost::math::tools::toms748_solve(
+      f, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(std::numeric_limits<double>::digits - 4),
+      steps);
+  return 0.5 * (found.first + found.second);
+}
+
 }  // namespace
 
 PressureCoefficients pressure_coefficients(const ViscosityLaw& law) {
@@ -50,6 +64,26 @@ PressureCoefficients pressure_coefficients(const ViscosityLaw& law) {
   found.alpha_star = 1.0 / integral_of_fluidity(law, scale, std::numeric_limits<double>::infinity());
   found.alpha_film = -std::expm1(-3.0) / integral_of_fluidity(law, scale, 3.0 / found.alpha_star);
   return found;
+}
+
+double roelands_z_of(double alpha_star, double p0, double eta0) {
+  constexpr double least_z = 0.05, most_z = 1.5;  // the range of lubricant.z
+  constexpr double pascal = 1.0;
+  const double log_ratio = roelands_log_ratio(eta0);
+  if (!(log_ratio > 0.0)) return std::numeric_limits<double>::quiet_NaN();
+  const auto miss = [&](double z) {
+    return pressure_coefficients(make_roelands(z * log_ratio / p0, p0, z, pascal)).alpha_star / alpha_star - 1.0;
+  };
+  return root(miss, least_z, most_z);
+}
+
+double roelands_alpha_of(double alpha_star, double p0, double z) {
+  constexpr double pascal = 1.0;
+  const auto miss = [&](double alpha) {
+    return pressure_coefficients(make_roelands(alpha, p0, z, pascal)).alpha_star / alpha_star - 1.0;
+  };
+  // [(1 + p/p0)^z - 1]/z is more than ln(1 + p/p0), with which alpha* = alpha - 1/p0. The lower end is for z > 1.
+  return root(miss, 1e-4 * alpha_star, alpha_star + 1.0 / p0);
 }
 
 }  // namespace ehl::rheology

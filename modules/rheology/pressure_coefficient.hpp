@@ -14,4 +14,12 @@ struct PressureCoefficients {
 /// 1e-9. limits: Barus gives alpha twice. source: Blok (1963) for alpha*; Bair, Liu and Wang (2006) for alpha_film.
 PressureCoefficients pressure_coefficients(const ViscosityLaw& law);
 
+/// The z with which Roelands' law of an oil, alpha p0/z = ln(eta0) + 9.67, has this alpha*.
+/// in: alpha_star [1/Pa], p0 [Pa], eta0 [Pa s]. out: NaN where no z from 0.05 to 1.5 gives it. error: rounding of
+/// alpha*.
+double roelands_z_of(double alpha_star, double p0, double eta0);
+/// The alpha with which Roelands' law of this z has this alpha*: its slope at ambient pressure, 5 to 25 % more.
+/// in: alpha_star [1/Pa] > 0, p0 [Pa], z > 0.
+double roelands_alpha_of(double alpha_star, double p0, double z);
+
 }  // namespace ehl::rheology

@@ -30,8 +30,10 @@ void check_lubricant(deck::Deck& deck, const contact::Input& contact, const rheo
   const deck::Part lubricant{deck, "lubricant"};
   const bool compressible = oil.density != "incompressible";
   const bool si = contact.language == Language::si;
-  if (si && !oil.by_name && !oil.brings_eta0())
-    lubricant.demand({"eta0"}, "a contact in SI needs the viscosity at ambient pressure [Pa s]");
+  if (si && !oil.brings_eta0)
+    lubricant.demand({"eta0"},
+                     "a contact in SI needs the viscosity at ambient pressure [Pa s], or kv40, kv100, density15 and "
+                     "temperature");
   if (oil.viscosity == "isoviscous") {
     lubricant.refuse({"alpha"}, "has no influence with viscosity = isoviscous: remove it");
     const bool moes = contact.language == Language::moes;
@@ -45,8 +47,8 @@ void check_lubricant(deck::Deck& deck, const contact::Input& contact, const rheo
                                         "contact in SI");
     return;
   }
-  if (!oil.by_name && !oil.brings_alpha() && (si || oil.viscosity == "roelands" || compressible))
-    lubricant.demand({"alpha"}, si ? "[1/Pa], the pressure coefficient of the viscosity"
+  if (!oil.brings_alpha && (si || oil.viscosity == "roelands" || compressible))
+    lubricant.demand({"alpha"}, si ? "[1/Pa], the pressure coefficient of the viscosity, or alpha_star"
                                    : "[1/Pa]: " + oil.viscosity + " with density = " + oil.density +
                                          " needs the Hertz pressure, p_h = alpha_bar/alpha");
 }
@@ -103,7 +105,7 @@ void set_laws(const rheology::Oil& oil, Physics& physics) {
   if (oil.viscosity == "isoviscous") physics.viscosity = rheology::Isoviscous{};
   if (oil.viscosity == "barus") physics.viscosity = rheology::Barus{physics.groups.alpha_bar};
   if (oil.viscosity == "roelands")
-    physics.viscosity = rheology::Roelands{oil.alpha * oil.p0 / oil.z, p_h / oil.p0, oil.z};
+    physics.viscosity = rheology::Roelands{oil.roelands_alpha * oil.p0 / oil.z, p_h / oil.p0, oil.z};
   if (oil.density == "incompressible") physics.density = rheology::Incompressible{};
   if (oil.density == "dowson-higginson") physics.density = rheology::make_dowson_higginson(p_h);
   if (oil.liquid.viscosity) physics.viscosity = rheology::rescaled(*oil.liquid.viscosity, p_h);
@@ -138,6 +140,7 @@ Physics physical_input(deck::Deck& deck) {
     check_pressure(part, physics.language == Language::moes ? "M" : physics.si ? "load" : "W", physics.p_h);
   if (deck.errors.empty()) check_reach(deck, oil, physics.p_h);
   if (deck.errors.empty()) set_laws(oil, physics);
+  physics.ambient = oil.ambient;
   return physics;
 }
 

@@ -7,6 +7,7 @@
 #include "contact/hertz.hpp"
 #include "contact/keys.hpp"
 #include "deck/deck.hpp"
+#include "rheology/keys.hpp"
 #include "rheology/laws.hpp"
 
 namespace ehl::program {
@@ -32,6 +33,7 @@ struct Physics {
   double a_over_R = std::numeric_limits<double>::quiet_NaN();  ///< NaN where only M and L are known
   rheology::ViscosityLaw viscosity{};
   rheology::DensityLaw density{};
+  std::optional<rheology::AmbientOil> ambient{};  ///< an oil by its viscosities at two temperatures
 };
 
 /// Rules between the keys of [contact], [motion] and [lubricant]; what breaks them is added to deck.errors, and then

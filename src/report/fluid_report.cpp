@@ -35,7 +35,10 @@ std::string text(const rheology::TabulatedDensity& law) {
 
 std::string fluid_text(const Physics& physics) {
   const auto said = [](const auto& law) { return text(law); };
-  return std::visit(said, physics.viscosity) + "; " + std::visit(said, physics.density);
+  std::string line = std::visit(said, physics.viscosity) + "; " + std::visit(said, physics.density);
+  if (const auto& oil = physics.ambient)
+    line += fmt::format("; at {:g} C {:.4g} mm^2/s, {:.4g} kg/m^3", oil->T, oil->nu, oil->rho);
+  return line;
 }
 
 FilmCoefficients film_coefficients(const Physics& physics) {

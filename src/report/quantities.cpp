@@ -116,6 +116,9 @@ std::vector<Quantity> scale_quantities(const Physics& physics) {
           {"u2", physics.si->u2, "m/s", "speed of surface 2", not_in_json},
           {"u_s", c.u_s, "m/s", "u1 + u2", not_in_json},
           {"eta0", c.eta0, "Pa s", "viscosity at ambient pressure", not_in_json}});
+  if (physics.ambient)
+    append({{"temperature", physics.ambient->T, "C", "temperature of oil and bodies"},
+            {"rho0", physics.ambient->rho, "kg/m^3", "density of the oil at ambient pressure"}});
   if (elliptic)
     append({{"b", physics.si->hertz.b, "m", "semi-axis along R_y", not_in_json},
             {"R_y", c.radius / c.shape.radius_ratio, "m", "reduced radius across R_x", not_in_json}});

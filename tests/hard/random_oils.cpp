@@ -70,7 +70,11 @@ void replace_oil(Entries& entries, Random& random) {
   const auto add = [&](const char* name, const std::string& value) { entries.push_back({"lubricant", name, value}); };
   const auto oil = pick<std::string>(random, {"fluid", "table", "doolittle", "yasutomi", "roelands"});
   if (oil == "fluid") {
-    add("fluid", pick<std::string>(random, {"mourier", "mineral-vg32", "mineral-vg68", "pao4", "pao10", "squalane"}));
+    const auto name =
+        pick<std::string>(random, {"mourier", "mineral-vg32", "mineral-vg460", "pao4", "pao40", "squalane"});
+    add("fluid", name);
+    const bool graded = name.starts_with("mineral") || name.starts_with("pao");
+    if (graded && random.chance(0.5)) add("temperature", written(random, random.between(-30.0, 190.0)));
     return;
   }
   add("viscosity", oil);

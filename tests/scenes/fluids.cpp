@@ -208,7 +208,7 @@ BOOST_AUTO_TEST_CASE(the_deck_that_a_result_keeps_says_the_same_again) {
 
 BOOST_AUTO_TEST_CASE(decks_of_the_inputs_are_taken) {
   const support::TemporaryFolder folder;
-  for (const char* name : {"squalane", "yasutomi", "table"}) {
+  for (const char* name : {"data_sheet", "squalane", "yasutomi", "table"}) {
     const support::Ended ended =
         support::ehl(folder, std::string("check '") + EHL_INPUTS + "/fluids/" + name + ".ini'");
     BOOST_TEST(ended.status == 0, ended.err);

@@ -44,6 +44,10 @@ BOOST_AUTO_TEST_CASE(nearest_names) {
   BOOST_TEST(nearest("temperature", names) == "");
   BOOST_TEST(nearest("q", names) == "");
   BOOST_TEST(nearest("a", {}) == "");
+  const std::vector<std::string> oils{"mourier", "mineral-vg32", "mineral-vg68", "mineral-vg680", "pao4", "squalane"};
+  for (const char* name : {"vg68", "VG 68", "vg-68"}) BOOST_TEST(nearest(name, oils) == "mineral-vg68");
+  BOOST_TEST(nearest("PAO 4", oils) == "pao4");
+  BOOST_TEST(nearest("68", oils) == "");
 }
 
 BOOST_AUTO_TEST_CASE(numbers) {

@@ -1,0 +1,180 @@
+// What a data sheet says of an oil: kinematic viscosities, density, alpha*; and the temperature of the contact.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "deck/text.hpp"
+#include "rheology/keys.hpp"
+#include "rheology/pressure_coefficient.hpp"
+#include "rheology/temperature.hpp"
+
+namespace ehl::rheology {
+namespace {
+
+using Names = std::vector<std::string>;
+
+const Names of_data_sheet{"kv40", "kv100", "density15"};
+
+bool has(const deck::Part& lubricant, const std::string& name) {
+  return deck::value(lubricant.deck, lubricant.section, name).origin != deck::Origin::absent;
+}
+
+// [Pa s]
+double viscosity_at(const deck::Part& lubricant, double T, AmbientOil& ambient) {
+  const Walther law = make_walther(lubricant.number("kv40"), lubricant.number("kv100"));
+  ambient = {T, kinematic_viscosity(law, T), oil_density(lubricant.number("density15"), T)};
+  constexpr double square_millimetre = 1e-6;  // [m^2]
+  return square_millimetre * ambient.nu * ambient.rho;
+}
+
+void check_oil_temperature(const deck::Part& lubricant, const std::string& name) {
+  const double T = lubricant.number(name);
+  if (T < coldest_oil || T > hottest_oil)
+    lubricant.complain(name, fmt::format("must be from {:g} to {:g} C: kv40 and kv100 tell no more of an oil. Is it in "
+                                         "kelvin or in degrees Fahrenheit?",
+                                         coldest_oil, hottest_oil));
+}
+
+// Why alpha_star or alpha_temperature has no place here; empty where it has.
+std::string why_no_alpha_star(const deck::Part& lubricant, const Oil& oil) {
+  if (lubricant.given("alpha")) return "alpha is given as well: keep one of them";
+  if (oil.viscosity != "barus" && oil.viscosity != "roelands")
+    return "has no influence with viscosity = " + oil.viscosity +
+           (oil.viscosity == "isoviscous" ? ": remove it" : ": the law brings its own alpha*; remove it");
+  return {};
+}
+
+// Roelands' law from alpha* at `T_alpha`, where the viscosity is eta_alpha; z is the same at every temperature.
+void set_roelands(const deck::Part& lubricant, double alpha_star, double eta_alpha, bool same_temperature, Oil& oil) {
+  const deck::Key& key = *deck::find_key(lubricant.deck.catalogue, "lubricant", "z");
+  const double z = roelands_z_of(alpha_star, oil.p0, eta_alpha);
+  if (std::isnan(z)) {
+    lubricant.complain("alpha_star", fmt::format("with eta0 = {:.4g} Pa s no z gives it that is {}: check alpha_star "
+                                                 "[1/Pa] and the viscosity",
+                                                 eta_alpha, deck::allowed(key)));
+    return;
+  }
+  settle(lubricant, "z", deck::shortest(z), "from alpha_star and the viscosity");
+  oil.z = z;
+  oil.roelands_alpha = z * roelands_log_ratio(oil.eta0) / oil.p0;
+  constexpr double pascal = 1.0;
+  if (!same_temperature)
+    oil.alpha = pressure_coefficients(make_roelands(oil.roelands_alpha, oil.p0, z, pascal)).alpha_star;
+}
+
+}  // namespace
+
+std::vector<deck::Key> data_sheet_keys() {
+  return {
+      {.name = "temperature",
+       .default_note = "40 for a fluid by name that has viscosities at 40 and 100 C",
+       .unit = "C",
+       .range = {-273.15, 1000.0, true, false},
+       .meaning = "Temperature of oil and bodies. Required with kv40 and kv100, and by viscosity = yasutomi, above its "
+                  "glass transition Tg0. All other constants hold at the temperature of the contact already.",
+       .example = "40"},
+      {.name = "kv40",
+       .unit = "mm^2/s",
+       .range = {least_kinematic_viscosity, 1e5},
+       .remedy = "as data sheets give it, in mm^2/s = cSt",
+       .meaning =
+           "Kinematic viscosity at 40 C, with kv100, density15 and temperature instead of eta0: viscosity at the "
+           "temperature by ASTM D341 (Walther).",
+       .source = "ASTM D341",
+       .example = "68"},
+      {.name = "kv100",
+       .unit = "mm^2/s",
+       .range = {least_kinematic_viscosity, 1e5},
+       .remedy = "as data sheets give it, in mm^2/s = cSt",
+       .meaning = "Kinematic viscosity at 100 C, below kv40.",
+       .source = "ASTM D341",
+       .example = "8.5"},
+      {.name = "density15",
+       .unit = "kg/m^3",
+       .range = {500.0, 3000.0},
+       .remedy = "oils have 800 to 1000 kg/m^3",
+       .meaning = "Density at 15 C; at the temperature with the expansion of lubricating oils, 0.6278/density15 per "
+                  "kelvin.",
+       .source = "ASTM D1250, table 54D",
+       .example = "880"},
+      {.name = "alpha_star",
+       .unit = "1/Pa",
+       .range = {1e-12, 1e-6},
+       .remedy = "mineral oils have 1e-8 to 3e-8",
+       .meaning =
+           "Pressure coefficient instead of alpha, for barus and roelands: 1/alpha* = int eta0/eta dp. Roelands' "
+           "z (without eta0: the slope) is found so that the law has it; groups and formulas take it as alpha. "
+           "alpha is the law's slope at ambient pressure, 5 to 25 % more.",
+       .source = "Blok 1963; Bair, Liu and Wang 2006",
+       .example = "18e-9"},
+      {.name = "alpha_temperature",
+       .default_note = "temperature",
+       .unit = "C",
+       .range = {-273.15, 1000.0, true, false},
+       .meaning = "Temperature at which the oil has alpha_star, with kv40 and kv100 and viscosity = roelands: z is the "
+                  "same at every temperature.",
+       .source = "Roelands 1966",
+       .example = "40"},
+  };
+}
+
+std::optional<AmbientOil> read_ambient(const deck::Part& lubricant) {
+  const std::string viscosity = lubricant.word("viscosity");
+  bool any = false;
+  for (const std::string& name : of_data_sheet) any = any || has(lubricant, name);
+  if (viscosity == "yasutomi" || viscosity == "table") {
+    lubricant.refuse(of_data_sheet,
+                     "has no influence with viscosity = " + viscosity + ", which brings its own: remove it");
+    any = false;
+  } else if (!any && !lubricant.given("fluid")) {
+    lubricant.refuse({"temperature"},
+                     "has no influence: the constants hold at the temperature of the contact already; "
+                     "remove it, or give kv40, kv100 and density15 instead of eta0");
+  }
+  if (!any) return std::nullopt;
+  demand(lubricant, {"kv40", "kv100", "density15", "temperature"}, "an oil by its viscosities at two temperatures");
+  if (lubricant.number("kv40") <= lubricant.number("kv100"))
+    lubricant.complain("kv100", "must be below kv40: an oil thins when it warms");
+  check_oil_temperature(lubricant, "temperature");
+  if (!lubricant.deck.errors.empty()) return std::nullopt;
+  AmbientOil ambient;
+  const double eta0 = viscosity_at(lubricant, lubricant.number("temperature"), ambient);
+  settle(lubricant, "eta0", deck::shortest(eta0),
+         fmt::format("kv40, kv100 and density15 at {:g} C", lubricant.number("temperature")));
+  return ambient;
+}
+
+void read_alpha_star(const deck::Part& lubricant, Oil& oil) {
+  const Names both{"alpha_star", "alpha_temperature"};
+  if (!has(lubricant, "alpha_star")) {
+    lubricant.refuse({"alpha_temperature"}, "has no influence without alpha_star: remove it");
+    return;
+  }
+  if (const std::string why = why_no_alpha_star(lubricant, oil); !why.empty()) lubricant.refuse(both, why);
+  const bool roelands = oil.viscosity == "roelands";
+  if (!oil.ambient || !roelands)
+    lubricant.refuse({"alpha_temperature"},
+                     "has no influence but with kv40, kv100 and viscosity = roelands: remove it");
+  else if (!has(lubricant, "alpha_temperature"))
+    lubricant.choose("alpha_temperature", oil.ambient->T, "the temperature of the contact");
+  check_oil_temperature(lubricant, "alpha_temperature");
+  const double alpha_star = lubricant.number("alpha_star");
+  if (!lubricant.deck.errors.empty()) return;
+  oil.brings_alpha = true;
+  oil.alpha = alpha_star;
+  if (!roelands) return;
+  if (std::isnan(oil.eta0)) {
+    lubricant.fill("z", usual_z, "a mineral oil; eta0 would tell it");
+    oil.z = lubricant.number("z");
+    oil.roelands_alpha = roelands_alpha_of(alpha_star, oil.p0, oil.z);
+    return;
+  }
+  double eta_alpha = oil.eta0;
+  const double T_alpha = lubricant.number("alpha_temperature");
+  const bool same_temperature = !oil.ambient || T_alpha == oil.ambient->T;
+  AmbientOil there;
+  if (!same_temperature) eta_alpha = viscosity_at(lubricant, T_alpha, there);
+  set_roelands(lubricant, alpha_star, eta_alpha, same_temperature, oil);
+}
+
+}  // namespace ehl::rheology

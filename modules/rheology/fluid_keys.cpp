@@ -1,0 +1,95 @@
+// Fluids by name, and keys that follow from others.
+#include <algorithm>
+#include <cmath>
+
+#include "deck/text.hpp"
+#include "rheology/fluids.hpp"
+#include "rheology/keys.hpp"
+
+namespace ehl::rheology {
+namespace {
+
+using Names = std::vector<std::string>;
+
+// What [lubricant] temperature may be beside a fluid.
+void check_temperature(const deck::Part& lubricant, const Fluid& fluid) {
+  const std::string name(fluid.name);
+  const std::string_view only = value_of(fluid, "temperature");
+  if (!value_of(fluid, "kv40").empty())
+    lubricant.fill("temperature", deck::read_number(std::string(temperature_of_grades)).value,
+                   "where the grade is defined");
+  else if (lubricant.given("temperature") &&
+           lubricant.number("temperature") != deck::read_number(std::string(only)).value)
+    lubricant.complain("temperature", "fluid = " + name + " is known at " +
+                                          (only.empty() ? "one temperature" : std::string(only) + " C") +
+                                          " only: remove it, or give an oil by kv40, kv100, density15 and alpha_star");
+}
+
+}  // namespace
+
+deck::Key fluid_key() {
+  deck::Key key{.name = "fluid",
+                .default_note = "none: the keys of [lubricant] say what the oil is",
+                .meaning =
+                    "An oil by name: laws of viscosity and density with their constants, at `temperature` where it "
+                    "has viscosities at two (40 C if none is given). A key that it sets may be repeated with the same "
+                    "value; another value, or a constant of another law, is refused."};
+  for (const Fluid& fluid : fluids) {
+    key.words.emplace_back(fluid.name);
+    if (fluid.source.empty()) continue;
+    if (!key.source.empty()) key.source += "; ";
+    key.source.append(fluid.name).append(": ").append(fluid.about).append(" (").append(fluid.source).append(")");
+  }
+  key.example = "mineral-vg68";
+  return key;
+}
+
+void settle(const deck::Part& lubricant, const std::string& name, const std::string& text, const std::string& why) {
+  constexpr double rounding = 1e-12;
+  const deck::ReadNumber settled = deck::read_number(text);
+  const bool is_number = settled.status == deck::ReadNumber::Status::number;
+  const double said = lubricant.number(name);
+  const bool same =
+      is_number ? std::isnan(said) || std::abs(said / settled.value - 1.0) < rounding : lubricant.word(name) == text;
+  if (lubricant.given(name) && !same)
+    lubricant.complain(name,
+                       "is " + (is_number ? deck::shortest(settled.value) : text) + " already, " + why + ": remove it");
+  if (is_number)
+    lubricant.fill(name, settled.value, why);
+  else
+    lubricant.fill(name, text, why);
+}
+
+void demand(const deck::Part& lubricant, const Names& names, const std::string& law) {
+  for (const std::string& name : names)
+    if (deck::value(lubricant.deck, lubricant.section, name).origin == deck::Origin::absent)
+      lubricant.complain(name, "is missing: " + law + " needs " + deck::joined(names, ", "));
+}
+
+void choose_fluid(const deck::Part& lubricant) {
+  const Fluid* fluid = find_fluid(lubricant.word("fluid"));
+  if (!fluid) return;  // none, or an unknown name that was complained about
+  const std::string why = std::string("fluid = ").append(fluid->name);
+  check_temperature(lubricant, *fluid);
+  Names set{"temperature"};
+  for (const FluidKey& key : fluid->keys) {
+    if (key.name.empty()) break;
+    if (key.name == "temperature") continue;  // checked, and it need not stand in the deck
+    set.emplace_back(key.name);
+    settle(lubricant, set.back(), std::string(key.value), why);
+  }
+  if (!value_of(*fluid, "alpha").empty()) {
+    const double z = roelands_z(lubricant.number("alpha"), lubricant.number("p0"), lubricant.number("eta0"));
+    settle(lubricant, "z", deck::shortest(z), why);
+  } else if (value_of(*fluid, "alpha_star").empty()) {
+    set.emplace_back("alpha");  // settled by the law, like the rest of what follows
+  }
+  if (!value_of(*fluid, "kv40").empty()) set.emplace_back("eta0");
+  if (lubricant.word("viscosity") == "roelands") set.emplace_back("z");
+  for (const deck::Key& key : lubricant.deck.catalogue.keys)
+    if (key.section == lubricant.section && key.name != "fluid" && std::ranges::find(set, key.name) == set.end())
+      lubricant.refuse({key.name}, "has no influence: " + why + " brings its laws and constants (" +
+                                       deck::joined(set, ", ") + "); remove it, or give the oil without fluid");
+}
+
+}  // namespace ehl::rheology
