@@ -120,17 +120,16 @@ std::vector<deck::Key> data_sheet_keys() {
 
 std::optional<AmbientOil> read_ambient(const deck::Part& lubricant) {
   const std::string viscosity = lubricant.word("viscosity");
-  bool any = false;
-  for (const std::string& name : of_data_sheet) any = any || has(lubricant, name);
-  if (viscosity == "yasutomi" || viscosity == "table") {
+  const bool brings_eta0 = viscosity == "yasutomi" || viscosity == "table";
+  if (brings_eta0)
     lubricant.refuse(of_data_sheet,
                      "has no influence with viscosity = " + viscosity + ", which brings its own: remove it");
-    any = false;
-  } else if (!any && !lubricant.given("fluid")) {
+  bool any = false;
+  for (const std::string& name : of_data_sheet) any = any || (has(lubricant, name) && !brings_eta0);
+  if (!any && !lubricant.given("fluid") && viscosity != "yasutomi")
     lubricant.refuse({"temperature"},
                      "has no influence: the constants hold at the temperature of the contact already; "
                      "remove it, or give kv40, kv100 and density15 instead of eta0");
-  }
   if (!any) return std::nullopt;
   demand(lubricant, {"kv40", "kv100", "density15", "temperature"}, "an oil by its viscosities at two temperatures");
   if (lubricant.number("kv40") <= lubricant.number("kv100"))
