@@ -138,6 +138,11 @@ std::optional<AmbientOil> read_ambient(const deck::Part& lubricant) {
   if (!lubricant.deck.errors.empty()) return std::nullopt;
   AmbientOil ambient;
   const double eta0 = viscosity_at(lubricant, lubricant.number("temperature"), ambient);
+  if (!deck::find_key(lubricant.deck.catalogue, "lubricant", "eta0")->range.contains(eta0)) {
+    lubricant.complain("temperature",
+                       fmt::format("with kv40 and kv100 it means eta0 = {:.3g} Pa s: check them, in mm^2/s", eta0));
+    return std::nullopt;
+  }
   settle(lubricant, "eta0", deck::shortest(eta0),
          fmt::format("kv40, kv100 and density15 at {:g} C", lubricant.number("temperature")));
   return ambient;
@@ -159,7 +164,6 @@ void read_alpha_star(const deck::Part& lubricant, Oil& oil) {
   check_oil_temperature(lubricant, "alpha_temperature");
   const double alpha_star = lubricant.number("alpha_star");
   if (!lubricant.deck.errors.empty()) return;
-  oil.brings_alpha = true;
   oil.alpha = alpha_star;
   if (!roelands) return;
   if (std::isnan(oil.eta0)) {

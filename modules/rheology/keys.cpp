@@ -95,8 +95,9 @@ Oil read(deck::Deck& deck) {
   oil.p0 = lubricant.number("p0");
   const bool by_name = lubricant.given("fluid");
   const bool own_eta0 = oil.viscosity == "yasutomi" || oil.viscosity == "table";
-  oil.brings_eta0 = by_name || own_eta0 || oil.ambient;
-  oil.brings_alpha = by_name || own_eta0 || oil.viscosity == "doolittle";
+  // A half or a wrong one too: it was complained about already.
+  oil.brings_eta0 = by_name || own_eta0 || !lubricant.given_of({"kv40", "kv100", "density15"}).empty();
+  oil.brings_alpha = by_name || own_eta0 || oil.viscosity == "doolittle" || lubricant.given("alpha_star");
   read_alpha_star(lubricant, oil);
   // Of numbers that were refused, z would be one more complaint.
   if (oil.viscosity == "roelands" && std::isfinite(oil.alpha) && std::isnan(oil.z) && deck.errors.empty())
