@@ -12,10 +12,16 @@ namespace {
 
 /// Mesh size of the first grid, in units of contact_size.
 constexpr double largest_first_step = 0.4;
-/// Above this L epsilon differs by more than a factor e from cell to cell in the whole outlet flank: full weights there
-/// oscillate and are lowered sooner or later.
-constexpr double very_piezoviscous_L = 22.0;
+/// A first grid with a step above so many widths of the zones in which the film is made does not see them. Of 42 loads,
+/// M = 1000 to 8000, L = 0 to 25, with both wedges, begun on 64 cells, 5 of the 44 runs with wider steps need a later
+/// start, of the others none.
+constexpr double widest_step = 2.5;
+/// ln eta_bar in the Hertz pressure one film zone inside the edge from which on full weights oscillate where epsilon is
+/// steep, and are lowered sooner or later. Of 36 loads, M = 5 to 5000, L = 23 to 30, those above take up to 60 % fewer
+/// cycles with the weight below, those below it take more.
+constexpr double steep_log_viscosity = 20.0;
 constexpr double caution_where_steep = 0.8;
+
 /// The lower half where the scene is symmetric in Y and halving keeps all the levels, else all of the domain.
 core::Patch patch_to_compute_on(const Scene& scene, const fmg::Parameters& parameters) {
   const core::Grid& grid = scene.grid;
@@ -27,11 +33,26 @@ core::Patch patch_to_compute_on(const Scene& scene, const fmg::Parameters& param
   return halves.size() == all.size() && halves.back().ny >= fewest_cells ? halves.front() : grid;
 }
 
+/// The Hertz pressure at the distance s inside the edge is p_h sqrt(2 s/l), l the semi-axis across it.
+bool steep_edge(const Scene& scene) {
+  const double zone = film_zone(scene.M, scene.L, scene.shape);
+  const double P = std::sqrt(2.0 * zone / contact::extent(scene.shape).shorter);
+  return rheology::log_viscosity_at(scene.viscosity, scene.shape.p_h * std::min(1.0, P)) > steep_log_viscosity;
+}
+
+/// Cells along x of a first grid of so many on a circle's domain a few radii long. On the long ones of light loads it
+/// must still see the contact.
+int first_cells(int cells, const Scene& scene) {
+  const double length = (scene.grid.X_b - scene.grid.X_a) / contact_size(scene.M, scene.L, scene.shape);
+  const double slender = slenderness(scene.M, scene.L, scene.shape);
+  return std::max(static_cast<int>(cells * slender), static_cast<int>(length / largest_first_step * slender));
+}
+
 /// F(2,0) cycles leave the least algebraic error of Hc and Hm for their work, W(2,1) the least residual.
 void choose_cycle(const Scene& scene, fmg::Parameters& parameters) {
   const bool to_tolerance = std::isfinite(scene.multigrid.tolerance);
   if (!parameters.cycle) parameters.cycle = to_tolerance ? fmg::Cycle::W : fmg::Cycle::F;
-  if (!parameters.post) parameters.post = to_tolerance || scene.L > very_piezoviscous_L ? 1 : 0;
+  if (!parameters.post) parameters.post = to_tolerance || steep_edge(scene) ? 1 : 0;
 }
 
 /// Cells along x of the coarsest grid: few enough for its relaxations to solve it, and in a narrow domain, where the
@@ -43,7 +64,7 @@ int coarsest_cells(const Scene& scene, const Start& start) {
   return contact::circular(scene.shape) || length < narrow * width ? start.coarsest : 2 * start.coarsest;
 }
 
-double steep_caution(const Scene& scene) { return scene.L > very_piezoviscous_L ? caution_where_steep : 1.0; }
+double steep_caution(const Scene& scene) { return steep_edge(scene) ? caution_where_steep : 1.0; }
 
 fmg::Parameters parameters_of(const Scene& scene, const Start& start) {
   fmg::Parameters parameters = scene.multigrid;
@@ -63,6 +84,11 @@ fmg::Geometry geometry_of(const contact::Ellipse& shape) {
   return {contact::gap(shape), contact::outline(shape), contact::elastic_factor(shape)};
 }
 
+bool held_by(int cells, const Scene& scene) {
+  const double step = (scene.grid.X_b - scene.grid.X_a) / first_cells(cells, scene);
+  return step <= widest_step * film_zone(scene.M, scene.L, scene.shape);
+}
+
 double first_H00(const Scene& scene) {
   return -scene.shape.approach + expected_central_film(scene.M, scene.L, scene.shape);
 }
@@ -72,15 +98,10 @@ bool on_one_half(const Scene& scene) {
 }
 
 fmg::Run begin_climb(const Scene& scene, const Start& start, const ProgressCallback& progress) {
-  // The numbers of cells of a start are for a domain a few radii long. On the long ones of light loads the first grid
-  // must still see the contact.
-  const double length = (scene.grid.X_b - scene.grid.X_a) / contact_size(scene.M, scene.L, scene.shape);
-  const double slender = slenderness(scene.M, scene.L, scene.shape);
-  const auto cells = [slender](double of_circle) { return static_cast<int>(of_circle * slender); };
-  int first_cells = std::max(cells(start.cells), cells(length / largest_first_step));
+  int fewest_cells = first_cells(start.cells, scene);
   if (start.coarseness > 0.0) {
     const double step = start.coarseness * resolving_step(scene.M, scene.L, scene.wedge, scene.shape);
-    first_cells = std::max(first_cells, static_cast<int>((scene.grid.X_b - scene.grid.X_a) / step));
+    fewest_cells = std::max(fewest_cells, static_cast<int>((scene.grid.X_b - scene.grid.X_a) / step));
   }
   const fmg::Parameters parameters = parameters_of(scene, start);
   const fmg::Problem problem{.film = {.lambda = scene.lambda,
@@ -102,7 +123,7 @@ fmg::Run begin_climb(const Scene& scene, const Start& start, const ProgressCallb
                         .above = {.all = start.caution, .steep = steep}},
                .progress = progress};
   std::size_t& first = run.plan.first;
-  while (first < run.finest() && run.hierarchy.levels[first].grid.nx < first_cells) ++first;
+  while (first < run.finest() && run.hierarchy.levels[first].grid.nx < fewest_cells) ++first;
   return run;
 }
 

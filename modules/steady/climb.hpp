@@ -19,8 +19,8 @@ struct Start {
   double coarseness = 0.0;        ///< the first grid's step, at most, over the one that resolves the film; 0: any
 };
 
-/// From this load on 64 cells do not hold the contact, nor 32 a correction for it.
-inline constexpr double heavy_M = 1500.0;
+/// True where so many cells, for a circular contact, hold the contact: begun on them the cycles find the film.
+bool held_by(int cells, const Scene& scene);
 
 /// The bodies of a scene as the multigrid needs them.
 fmg::Geometry geometry_of(const contact::Ellipse& shape);

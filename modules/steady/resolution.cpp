@@ -47,12 +47,15 @@ double edge_steepness(const contact::Ellipse& shape) {
   return shape.p_h / shape.a / std::sqrt(contact::extent(shape).shorter);
 }
 
+double film_zone(double M, double L, const contact::Ellipse& shape) {
+  return std::pow(expected_least_film(M, L, shape) / edge_steepness(shape), 2.0 / 3.0);
+}
+
 double resolving_step(double M, double L, reynolds::Wedge wedge, const contact::Ellipse& shape) {
   const bool second_order = wedge == reynolds::Wedge::upstream2;
   const double share = second_order ? 0.3 : 0.2;
   const double coarsest = second_order ? 0.4 : 0.2;
-  const double zone = std::pow(expected_least_film(M, L, shape) / edge_steepness(shape), 2.0 / 3.0);
-  return std::min(coarsest * contact::extent(shape).shorter, share * zone);
+  return std::min(coarsest * contact::extent(shape).shorter, share * film_zone(M, L, shape));
 }
 
 int resolving_cells(double step, double length, int fewest, int most) {

@@ -32,12 +32,14 @@ double slenderness(double M, double L, const contact::Ellipse& shape);
 /// where the edge is steepest, at the ends of the shorter axis. out: 1 for a circle.
 double edge_steepness(const contact::Ellipse& shape);
 
-/// Mesh size along X, in Hertz radii, that resolves the film: 0.3 Hm^(2/3) and at most 0.4, Hm the film to expect; for
-/// the first-order wedge 0.2 Hm^(2/3) and 0.2. The gap beside a flattened contact grows as the power 3/2 of the
-/// distance, so that Hm^(2/3) is the width of the zones at inlet and outlet in which the film is made; the error of the
-/// second-order wedge is about 0.4 (hx/Hm^(2/3))^2 in Hm. The gap beside an ellipse, steepest at the ends of its
-/// shorter axis or of a slender one, is taken into account, and 0.4 and 0.2 are of the shorter semi-axis. in: M > 0, L
-/// >= 0.
+/// Width of the zones at inlet and outlet in which the film is made, in Hertz radii: Hm^(2/3), Hm the film to expect,
+/// since the gap beside a flattened contact grows as the power 3/2 of the distance; where the edge is steepest.
+/// in: M > 0, L >= 0.
+double film_zone(double M, double L, const contact::Ellipse& shape = {});
+
+/// Mesh size along X, in Hertz radii, that resolves the film: 0.3 film_zone and at most 0.4 of the shorter semi-axis;
+/// for the first-order wedge 0.2 and 0.2. The error of the second-order wedge is about 0.4 (hx/film_zone)^2 in Hm.
+/// in: M > 0, L >= 0.
 double resolving_step(double M, double L, reynolds::Wedge wedge, const contact::Ellipse& shape = {});
 
 /// Cells along x of at most this mesh size on this length of domain: `fewest`, doubled as often as it takes and as

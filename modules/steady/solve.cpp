@@ -23,7 +23,7 @@ namespace ehl::steady {
 namespace {
 
 /// The first start is fast and right for most contacts. The later ones begin on a grid that holds the contact better,
-/// keep the coarsest grid finer, and are more cautious: for high loads and for L near zero or above 20.
+/// keep the coarsest grid finer, and are more cautious.
 constexpr Start starts[] = {
     {.cells = 64, .sweeps = 20, .cycles = 6, .coarsest = 32, .balances = 10, .caution_at_first = 0.7, .caution = 1.0},
     {.cells = 64, .sweeps = 40, .cycles = 10, .coarsest = 32, .balances = 30, .caution_at_first = 0.5, .caution = 1.0},
@@ -31,6 +31,7 @@ constexpr Start starts[] = {
     {.cells = 128, .sweeps = 40, .cycles = 10, .coarsest = 64, .balances = 30, .caution_at_first = 0.7, .caution = 0.7},
     {.cells = 256, .sweeps = 80, .cycles = 10, .coarsest = 64, .balances = 30, .caution_at_first = 0.5, .caution = 0.7},
 };
+/// The first of them where the grid of the others does not hold the contact.
 constexpr std::size_t start_of_heavy = 2;
 /// For ellipses, where the film beside a slender or oblique heavy contact is too thin for the first grids of those:
 /// begun on a coarser one, the relaxations of the Hertz pressure themselves diverge.
@@ -95,7 +96,7 @@ class Search {
 /// In the order in which they are tried.
 std::vector<Start> starts_of(const Scene& scene) {
   const std::span<const Start> all(starts);
-  const auto usual = all.subspan(circular_load(scene.M, scene.L, scene.shape) > heavy_M ? start_of_heavy : 0);
+  const auto usual = all.subspan(held_by(starts[0].cells, scene) ? 0 : start_of_heavy);
   std::vector<Start> list(usual.begin(), usual.end());
   if (!contact::circular(scene.shape))
     list.insert(list.begin() + 1, std::begin(starts_of_ellipses), std::end(starts_of_ellipses));
