@@ -1,8 +1,11 @@
-# Shared by every figure: what may be given on the command line, the terminal, fonts and sizes.
+# Shared by every figure: what may be given on the command line, units, the page, fonts, colours.
 #
-#   file     result file (required)         output   picture (default: name of the figure in the working folder)
-#   format   png, svg or pdf (default png)   ehl      the program (default build/release/ehl)
-#   title    words above the figure (default: none)
+#   file     result file (required)           output   picture (default: name of the figure in the working folder)
+#   format   png, svg or pdf (default png)    ehl      the program (default build/release/ehl)
+#   title    words above the figure           si       1: axes in um, nm, GPa (the contact is given in SI)
+#   frame    number of a field in time (default the last one); when: the time of it, in words
+#   seconds  1: times in ms, 0 (default): in a/u_m
+#   mm       width of the picture in mm (default: the figure's own); pixels: of a PNG or SVG instead
 if (!exists("file")) exit error "no result: gnuplot -e \"file='result.h5'\" postprocess/FIGURE.gp"
 # Empty where the program could not find its own name (no /proc).
 if (!exists("ehl")) ehl = ""
@@ -10,55 +13,70 @@ if (ehl eq "") ehl = "build/release/ehl"
 if (!exists("format")) format = "png"
 if (!exists("output")) output = figure.".".format
 if (!exists("title")) title = ""
-
-# wide and high are the figure's shape in centimetres.
-if (!exists("wide")) wide = 16.0
-if (!exists("high")) high = 12.0
-if (format eq "png") set terminal pngcairo enhanced font "DejaVu Sans,17" linewidth 2 \
-    size int(85 * wide), int(85 * high) background "white"
-if (format eq "svg") set terminal svg enhanced font "DejaVu Sans,15" linewidth 1.3 \
-    size int(55 * wide), int(55 * high) background "white"
-if (format eq "pdf") set terminal pdfcairo enhanced font "DejaVu Sans,11" linewidth 1.5 \
-    size wide cm, high cm background "white"
+if (!exists("when")) when = ""
+if (!exists("si")) si = 0
+if (!exists("seconds")) seconds = 0
+if (!exists("mm")) mm = 0
+if (!exists("pixels")) pixels = 0
 if (format ne "png" && format ne "svg" && format ne "pdf") exit error "format: png, svg or pdf, not ".format
-set output output
+
+# The page: `wide` is set before this file is loaded, `high` after it, both in mm; then: eval page.
+# Letters have 8 pt, fewer where a figure is made narrower than it was drawn for; lines are in pt. `box` places a panel by
+# its distances from the edges of the page in mm; m(x) are x mm that shrink with the letters.
+if (!exists("wide")) wide = 90.0
+small = mm > 0 && mm < wide ? (mm / wide)**0.5 : 1.0
+stretch = mm > 0 ? mm / wide : 1.0
+wide = wide * stretch
+m(x) = small * x
+dots = pixels > 0 ? pixels / wide * 25.4 : (format eq "svg" ? 96.0 : 300.0)
+sized(mm) = int(mm * dots / 25.4 + 0.5)
+terminal(none) = format eq "png" ? sprintf("pngcairo fontscale %g linewidth %g pointscale %g size %d, %d", small * dots / 96, \
+        dots / 72, 0.5 * dots / 72, sized(wide), sized(high)) : \
+    (format eq "svg" ? sprintf("svg fontscale %g linewidth %g size %d, %d", small * dots / 72, dots / 72, \
+        sized(wide), sized(high)) : \
+    sprintf("pdfcairo fontscale %g linewidth 2 pointscale 0.5 size %g cm, %g cm", 0.75 * small, wide / 10, high / 10))
+page = 'eval "set terminal ".terminal(0)." enhanced font \"DejaVu Sans,8\" background \"white\""; set output output; \
+set label 100 heading at screen 0.5, 1 - m(3.4) / high center noenhanced'
+key_above = 'set key at graph 0.5, graph 1.01 center bottom horizontal samplen 2'
+# The colour bar beside the last panel, whose box ends right of it at 20 mm.
+bar(bottom, top) = sprintf("set colorbox user origin screen %g, %g size screen %g, %g; set cblabel offset 0.6, 0", \
+    1 - m(18) / wide, bottom / high, m(3) / wide, 1 - (bottom + top) / high)
+box(left, right, bottom, top) = sprintf("set lmargin at screen %g; set rmargin at screen %g; \
+set bmargin at screen %g; set tmargin at screen %g", left / wide, 1 - right / wide, bottom / high, 1 - top / high)
+# The heading in lines that fit; top: the mm that it takes.
+gap_before(text, n) = n < 1 ? 0 : (text[n:n] eq " " ? n : gap_before(text, n - 1))
+wrapped(text, n) = strlen(text) <= n ? text : (at = gap_before(text, n), at < 1 ? text : \
+    text[1:at - 1]."\n".wrapped(text[at + 1:*], n))
+lines_of(text, n) = strlen(text) <= n ? 1 : (at = gap_before(text, n), at < 1 ? 1 : 1 + lines_of(text[at + 1:*], n))
+letters = int(wide / m(1.6))
+heading = title.(title ne "" && when ne "" ? ", " : "").when
+top = heading eq "" ? 3.0 : 2.6 + 3.4 * lines_of(heading, letters)
+heading = wrapped(heading, letters)
 
 set encoding utf8
-set title title noenhanced
 # Red and blue that stay apart for colour-blind eyes and in grey.
 red = "#b2182b"
 blue = "#2166ac"
+green = "#1b7837"
 grey = "#666666"
-set style line 100 lc rgb "#cccccc" lw 0.5
-set grid back ls 100
-set border lw 0.8
-set tics nomirror out
+curve_colours = "#2166ac #b2182b #1b7837 #762a83 #e08214 #35978f #8c510a #c51b7d #444444 #80b1d3 #fb8072 #b3de69"
+# One-signed quantities: pale to dark for pressures and stresses, dark (thin) to pale for films.
+pressure_colours = "defined (0 '#ffffff', 0.25 '#fdd49e', 0.5 '#fc8d59', 0.8 '#b30000', 1 '#4d0000')"
+film_colours = "defined (0 '#081d58', 0.25 '#225ea8', 0.5 '#41b6c4', 0.75 '#c7e9b4', 1 '#ffffe5')"
+set border lw 0.5
+set tics nomirror out scale 0.5
+set key samplen 2.5 spacing 1.05
+set style textbox opaque noborder margins 0.3, 0.3
 
-# What gnuplot reads: a field on the grid, its section along X at Y = 0, or a table with its column names.
-field(name) = sprintf("< '%s' extract '%s' %s", ehl, file, name)
-centre_line(name) = sprintf("< '%s' extract '%s' %s --along x --at y=0", ehl, file, name)
-# The last line of the header names the columns; gnuplot wants it without the mark of a comment.
-table(name) = sprintf("< '%s' extract '%s' %s | awk '/^#/ {header = $0; next} \
-!seen {sub(/^# */, \"\", header); print header; seen = 1} {print}'", ehl, file, name)
-
-# One number of the result.
-number(name) = real(system(sprintf("'%s' extract '%s' %s | tail -n 1", ehl, file, name)))
-
-# A vector picture of every node would have tens of megabytes: a step that leaves about `most` nodes each way.
-step_for(nodes, most) = nodes > most ? int(ceil((nodes - 1.0) / (most - 1.0))) : 1
 # 1, 2 or 5 times a power of ten, the nearest below.
-nice(x) = (p = 10.0**floor(log10(x)), x / p >= 5 ? 5 * p : (x / p >= 2 ? 2 * p : p))
-# Pressures from Hertz' pale to the spike's dark, films from dark (thin) to pale.
-pressure_colours = "defined (0 '#f7fbff', 0.35 '#9ecae1', 0.7 '#3182bd', 0.9 '#08519c', 1 '#67001f')"
-film_colours = "defined (0 '#67001f', 0.2 '#d6604d', 0.45 '#fddbc7', 0.6 '#d1e5f0', 1 '#2166ac')"
+nice(x) = x <= 0 ? 1 : (p = 10.0**floor(log10(x)), x / p >= 5 ? 5 * p : (x / p >= 2 ? 2 * p : p))
 
-# An elliptic contact (a circular one has no kappa): how far it reaches along X and Y in a, and its outline along Y = 0.
-optional(name, otherwise) = (found = system(sprintf("'%s' extract '%s' %s 2>/dev/null | tail -n 1", ehl, file, name)), \
-    found eq "" ? otherwise : real(found))
-kappa = optional("kappa", 1)
-turn = optional("angle", 0) * pi / 180
-reach_x = sqrt(cos(turn)**2 + (kappa * sin(turn))**2)
-reach_y = sqrt(sin(turn)**2 + (kappa * cos(turn))**2)
-outline_XX = cos(turn)**2 + (sin(turn) / kappa)**2
-# What stays free around a contact shrinks with its shorter side.
-margin = reach_x < reach_y ? reach_x : reach_y
+# The nearest of them.
+round_step(x) = x / nice(x) > (nice(x) / 10**floor(log10(nice(x)) + 1e-9) == 2 ? 1.6 : 1.45) ? nice(2.5 * x) : nice(x)
+# Between the marks of an axis.
+steps_of(range) = nice(range / 4)
+# Marks at 1, 2 and 5 of every decade; of many decades at 1.
+marks = "%g"
+log_marks(which, low, high) = sprintf('set %stics (1); do for [d = %d:%d] { do for [k in "%s"] { \
+set %stics add (sprintf(marks, k * 10.0**d) k * 10.0**d) } }', which, floor(log10(low)) - 1, ceil(log10(high)) + 1, \
+high < 300 * low ? "1 2 5" : "1", which)

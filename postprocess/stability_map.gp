@@ -4,8 +4,7 @@
 # From a table of 'ehl sweep' that varies contact.M, contact.L and, as it likes, discretization.wedge:
 #   gnuplot -e "table='stability_map.csv'" postprocess/stability_map.gp
 figure = "stability_map"
-wide = 22
-high = 23
+wide = 220.0
 if (exists("table")) file = table
 here = system(sprintf("dirname '%s'", ARG0))
 load here."/common.gp"
@@ -52,8 +51,10 @@ right(k) = words(wedges) == 1 ? 0.9 : left(k) + 0.405
 top(row) = 0.938 - 0.29 * (row - 1)
 bottom(row) = top(row) - 0.236
 
+high = 230 * stretch
+heading = ""
+eval page
 set multiplot title title noenhanced
-set title ""
 unset grid
 unset key
 set tics scale 0 nomirror
@@ -90,7 +91,7 @@ do for [row = 1:3] {
            file using (X_if("converged", wedge)):(Y("contact.L")):(0.5):(0.5) with boxxyerror lc rgb "#eeeeee", \
            file using (known("cycle_factor") ? X_if("converged", wedge) : NaN):(Y("contact.L")):(0.5):(0.5):"cycle_factor" with boxxyerror lc palette, \
            file using (X(wedge)):(Y("contact.L")):(shown("cycle_factor", "%.2f")):(ink("cycle_factor", 0.05, 0.65)) \
-               with labels textcolor rgb variable font ",14"
+               with labels textcolor rgb variable font ",6.5"
     }
     if (row == 2) {
       set palette defined (0 '#f2f0f7', 0.4 '#bcbddc', 0.7 '#807dba', 1 '#3f007d')
@@ -100,7 +101,7 @@ do for [row = 1:3] {
       plot file using (X_if("not-converged", wedge)):(Y("contact.L")):(0.5):(0.5) with boxxyerror lc rgb grey_not_converged, \
            file using (X_if("converged", wedge)):(Y("contact.L")):(0.5):(0.5):"work_units" with boxxyerror lc palette, \
            file using (X(wedge)):(Y("contact.L")):(shown("work_units", "%.0f")) \
-               :(ink("work_units", 0, work_low * (work_high / work_low)**0.6)) with labels textcolor rgb variable font ",14"
+               :(ink("work_units", 0, work_low * (work_high / work_low)**0.6)) with labels textcolor rgb variable font ",6.5"
     }
     if (row == 3) {
       if (k == words(wedges)) {
@@ -118,7 +119,7 @@ do for [row = 1:3] {
       plot file using (X_if("not-converged", wedge)):(Y("contact.L")):(0.5):(0.5) with boxxyerror lc rgb grey_not_converged, \
            file using (X_if("converged", wedge)):(Y("contact.L")):(0.5):(0.5):(colour_of(stringcolumn("path"))) \
                with boxxyerror lc rgb variable, \
-           file using (X(wedge)):(Y("contact.L")):(mark(stringcolumn("nx").star(""))) with labels textcolor rgb "#222222" font ",14"
+           file using (X(wedge)):(Y("contact.L")):(mark(stringcolumn("nx").star(""))) with labels textcolor rgb "#222222" font ",6.5"
     }
   }
 }

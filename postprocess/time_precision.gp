@@ -4,8 +4,7 @@
 # From a table of 'ehl study' of a deck with [transient]:
 #   gnuplot -e "table='bump_study.csv'" postprocess/time_precision.gp
 figure = "time_precision"
-wide = 24
-high = 10.5
+wide = 240.0
 if (exists("table")) file = table
 here = system(sprintf("dirname '%s'", ARG0))
 load here."/common.gp"
@@ -43,10 +42,13 @@ stats file using (complete(0) ? column("seconds") : NaN) nooutput prefix "S"
 stats file using (complete(0) ? column("rtol") : NaN) nooutput prefix "R"
 stats file using (complete(0) ? column("steps") : NaN) nooutput prefix "N"
 
+high = 105 * stretch
+heading = ""
+eval page
 set multiplot title title noenhanced
-set title ""
 set logscale xy
-set format y "10^{%L}"
+set format y "%g"
+eval log_marks("y", lowest, highest)
 set yrange [0.5 * lowest:2.0 * highest]
 unset key
 columns = "seconds rtol steps"
@@ -56,12 +58,8 @@ do for [panel = 1:3] {
   set rmargin at screen 0.065 + 0.32 * (panel - 1) + 0.275
   set tmargin at screen 0.85
   set bmargin at screen 0.29
-  # 1, 2 and 5 in every decade, where a decade is wide.
   set xtics auto
-  if (panel != 2) {
-    set xtics (0)
-    do for [decade = -3:6] {set for [m in "1 2 5"] xtics add (m * 10.0**decade)}
-  }
+  if (panel != 2) { eval log_marks("x", panel == 1 ? S_min : N_min, panel == 1 ? S_max : N_max) }
   if (panel == 1) {set xrange [S_min / 1.4:S_max * 1.4]; set format x "%g"; set xlabel "seconds" offset 0, 0.6}
   if (panel == 2) {set xrange [R_max * 2:R_min / 2]; set format x "10^{%L}"; set xlabel "rtol" offset 0, 0.6}
   if (panel == 3) {set xrange [N_min / 1.4:N_max * 1.4]; set format x "%g"; set xlabel "steps" offset 0, 0.6}
@@ -88,9 +86,9 @@ set xrange [0:1]
 set yrange [0:1]
 set for [k = 1:words(quantities)] label k told(word(quantities, k)) at 0.07 + 0.93 * (k - 1) / words(quantities), 0.85 \
     point pt shape(k) ps 1.2 lc rgb colour(k) offset 1, 0
-set label 20 "dotted: error of the reference, ".said("reference") at 0.06, 0.52 noenhanced font ",14"
-set label 21 "seconds: ".said("times") at 0.06, 0.24 noenhanced font ",14"
-set label 22 said("machine") at screen 0.5, 0.925 center noenhanced font ",13"
+set label 20 "dotted: error of the reference, ".said("reference") at 0.06, 0.52 noenhanced font ",6.5"
+set label 21 "seconds: ".said("times") at 0.06, 0.24 noenhanced font ",6.5"
+set label 22 said("machine") at screen 0.5, 0.925 center noenhanced font ",6"
 if (missing ne "") set label 23 "NOT COMPLETE and not drawn: rtol ".missing at 0.94, 0.24 right tc rgb red
 plot NaN notitle
 unset multiplot

@@ -1,30 +1,43 @@
-# figure: film and pressure along the centre line at six times
+# figure: film and pressure along the line y = 0 at six times
 # needs: /transient/frames/H /transient/frames/P
 figure = "transient_lines"
-high = 15
 here = system(sprintf("dirname '%s'", ARG0))
-load here."/common.gp"
+when = ""
+load here."/result.gp"
+load here."/in_time.gp"
+unset datafile columnheaders
 
-stats sprintf("< '%s' extract '%s' /transient/frames/time", ehl, file) using 1 nooutput prefix "T"
-frames = int(T_records)
 shown = frames < 6 ? frames : 6
 frame(k) = shown > 1 ? int(floor((k * (frames - 1.0)) / (shown - 1) + 0.5)) : 0
-time_of(k) = real(system(sprintf("'%s' extract '%s' /transient/frames/time | grep -v '#' | sed -n %dp", ehl, file, frame(k) + 1)))
-line(name, k) = sprintf("< '%s' extract '%s' /transient/frames/%s --step %d --along x --at y=0", ehl, file, name, frame(k))
-Hc = number("/summary/Hc")
-set palette defined (0 blue, 0.5 "#9b5fa0", 1 red)
+left = -1.75 * reach_x
+right = 1.4 * reach_x
+at_time(name, k) = sprintf("< %s/transient/frames/%s --step %d --along x --at y=0 --sample 1000 --window=%.9g:%.9g", \
+    read, name, frame(k), left, right)
+map = sprintf("< %s/transient/frames/H --along x --at y=0 --sample 100 --window=%.9g:%.9g", read, left, right)
+load here."/film_scale.gp"
+panels = 2
+high = 84 * stretch + m(top + 20)
+top = top + 8  # the key has three rows
+eval page
+set multiplot
+set xtics steps_of(right - left)
+set xrange [left:right]
+set palette defined (0 "#9ecae1", 0.5 "#2166ac", 1 "#1a1a40")
 unset colorbox
-set multiplot layout 2, 1 title title noenhanced
-set title ""
-set lmargin 10
-set rmargin 3
-set xrange [-1.75:1.4]
-set key top right maxrows 3
-set ylabel "H = hR/a^2"
-set yrange [0:3 * Hc]
-plot for [k = 0:shown - 1] line("H", k) using 1:2:(k) with lines lw 1.5 lc palette title sprintf("time %.3g", time_of(k))
-set xlabel "X = x/a"
-set ylabel "P = p/p_h"
+set cbrange [0:shown > 1 ? shown - 1 : 1]
+unset logscale cb
+eval panel(1)
+set format x ""
+set ylabel axis_H offset 1, 0
+if (far_apart) { set logscale y; set yrange [low / 1.5:highest * 1.5] } else { set yrange [0:1.4 * highest] }
+plot for [k = 0:shown - 1] at_time("H", k) using 1:2:(k) with lines lw 1 lc palette \
+    title sprintf("%s%.3g", k == 0 ? axis_T." = " : "", time_of(frame(k)))
+unset logscale y
+eval panel(2)
+unset key
+set format x "%g"
+set xlabel axis_X offset 0, 0.4
+set ylabel axis_P offset 1, 0
 set yrange [0:*]
-plot for [k = 0:shown - 1] line("P", k) using 1:2:(k) with lines lw 1.5 lc palette notitle
+plot for [k = 0:shown - 1] at_time("P", k) using 1:2:(k) with lines lw 1 lc palette
 unset multiplot

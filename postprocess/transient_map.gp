@@ -1,26 +1,28 @@
-# figure: film along the centre line against time
+# figure: film along the line y = 0 against time
 # needs: /transient/frames/H
 figure = "transient_map"
-high = 12
 here = system(sprintf("dirname '%s'", ARG0))
-load here."/common.gp"
+when = ""
+load here."/result.gp"
+load here."/in_time.gp"
+unset datafile columnheaders
 
-map = sprintf("< '%s' extract '%s' /transient/frames/H --along x --at y=0", ehl, file)
-Hc = number("/summary/Hc")
-set lmargin 9
-set rmargin 16
-set xlabel "X = x/a"
-set ylabel "time [a/u_m]"
-set cblabel "H/H_c"
-set xrange [-1.5:1.25]
-set autoscale yfix
-set palette @film_colours
-# The film in the contact, down to its thinnest; the inlet is thicker than any colour tells.
-stats map using (abs($2) <= 1 ? $3 / Hc : NaN) nooutput prefix "H"
-set cbrange [H_min < 0.6 ? 0.1 * floor(10 * H_min) : 0.6:1.6]
-set cbtics 0.2
-unset grid
-set tics out
+left = -1.5 * reach_x
+right = 1.25 * reach_x
+map = sprintf("< %s/transient/frames/H --along x --at y=0 --sample 300 --window=%.9g:%.9g", read, left, right)
+load here."/film_scale.gp"
+high = 75 * stretch + m(top)
+eval page
+eval box(m(14), m(20), m(11), m(top))
+set xrange [left:right]
+set xtics steps_of(right - left)
+set yrange [T(K_min):K_max > K_min ? T(K_max) : T(K_min) + 1]
+set xlabel axis_X.", motion →" offset 0, 0.8
+set ylabel axis_T offset -1, 0
+set cblabel axis_H
+eval bar(m(11), m(top))
+eval "set palette ".film_colours
 set view map
-set pm3d map interpolate 1,1
-splot map using 2:1:($3 / Hc) with pm3d notitle
+# Times may lie at any distance from each other.
+set pm3d map interpolate 1, 4
+splot map using 2:(T($1)):3 with pm3d notitle

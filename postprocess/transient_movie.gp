@@ -7,37 +7,44 @@ here = system(sprintf("dirname '%s'", ARG0))
 gif = exists("output") ? output : figure.".gif"
 format = "png"
 output = "/dev/null"
-load here."/common.gp"
-set output
+when = ""
+load here."/result.gp"
+load here."/in_time.gp"
+load here."/window.gp"
+unset datafile columnheaders
 
-times = sprintf("< '%s' extract '%s' /transient/frames/time", ehl, file)
-stats times using 1 nooutput prefix "T"
-last = int(T_records) - 1
-time_of(k) = system(sprintf("'%s' extract '%s' /transient/frames/time | grep -v '#' | sed -n %dp", ehl, file, k + 1))
-film(k) = sprintf("< '%s' extract '%s' /transient/frames/H --step %d --matrix", ehl, file, k)
-Hc = number("/summary/Hc")
-set size ratio -1
-set xrange [-1.5:1.5]
-set yrange [-1.5:1.5]
-set xlabel "X = x/a"
-set ylabel "Y = y/a"
-set cblabel "H/H_c"
-set cbrange [0.4:1.8]
+map = sprintf("< %s/transient/frames/H --along x --at y=0 --sample 100 --window=%.9g:%.9g", read, left, right)
+load here."/film_scale.gp"
+top = top + 5
+high = high + m(5)
+set xrange [left:right]
+set yrange [bottom:bottom + 2 * far]
+set xtics steps_of(right - left)
+set ytics steps_of(2 * far)
+set xlabel axis_X.", motion →" offset 0, 0.4
+set ylabel axis_Y offset 1, 0
+set cblabel axis_H
 eval "set palette ".film_colours
-unset grid
+eval box(m(13), m(20), m(10), m(top))
+eval bar(m(10), m(top))
+size = pixels > 0 ? pixels : 640
 array named[2] = ["gif", "png"]
 do for [pass = 1:(exists("frames_in") ? 2 : 1)] {
   if (named[pass] eq "gif") {
-    set terminal gif animate delay 8 loop 0 enhanced font "DejaVu Sans,13" size 640, 560 background "#ffffff"
+    set terminal gif animate delay 8 loop 0 enhanced font "DejaVu Sans,8" fontscale size / 340.0 \
+        size size, int(size * high / wide) background "#ffffff"
     set output gif
   }
-  do for [k = 0:last] {
+  do for [k = 0:frames - 1] {
     if (named[pass] eq "png") {
-      set terminal pngcairo enhanced font "DejaVu Sans,13" size 640, 560 background "white"
+      set terminal pngcairo enhanced font "DejaVu Sans,8" fontscale size / 340.0 size size, int(size * high / wide) \
+          background "white"
       set output sprintf("%s/%04d.png", frames_in, k)
     }
-    set title sprintf("%s\ntime %.3g a/u_m", title, real(time_of(k))) noenhanced
-    plot film(k) matrix nonuniform using 1:2:($3 / Hc) with image notitle
+    set label 100 heading at screen 0.5, 1 - m(3.4) / high center noenhanced
+    set label 101 sprintf("%s = %.3g", axis_T, time_of(k)) at graph 0.5, graph 1 offset 0, 0.6 center
+    frame = k
+    plot field("H", 300) matrix nonuniform using 1:2:3 with image notitle
   }
   set output
 }

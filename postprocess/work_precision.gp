@@ -4,8 +4,7 @@
 # From a table of 'ehl study':
 #   gnuplot -e "table='venner1992_M50_L10_study.csv'" postprocess/work_precision.gp
 figure = "work_precision"
-wide = 22
-high = 19
+wide = 220.0
 if (exists("table")) file = table
 here = system(sprintf("dirname '%s'", ARG0))
 load here."/common.gp"
@@ -48,8 +47,10 @@ stats file using (has_film(0) ? cost(2) : NaN) nooutput prefix "W"
 lowest = 0.5 * (C_min < M_min ? C_min : M_min)
 highest = 2.0 * (C_max > M_max ? C_max : M_max)
 
+high = 190 * stretch
+heading = ""
+eval page
 set multiplot title title noenhanced
-set title ""
 set logscale xy
 set format y "%g"
 set yrange [lowest:highest]
@@ -76,6 +77,8 @@ do for [row = 1:2] {
     unset object
     set object 1 rectangle from graph 0, first lowest to graph 1, first percent(least) behind fillstyle solid noborder \
         fillcolor rgb "#ececec"
+    eval log_marks("y", lowest, highest)
+    if (panel == 1) { eval log_marks("x", S_min, S_max) } else { set xtics auto }
     plot for [w in wedges] for [e in evaluators] for [k = 1:words(cycles)] file \
              using (chosen(w, e, word(cycles, k)) ? cost(panel) : NaN):(percent(floor_of(column(error), least))) \
              with points pt shape(w, k) ps 1.3 lw 0.6 lc rgb colour(e), \
@@ -109,6 +112,6 @@ set label 21 "cycles" at 0.02, 0.48
 set label 22 "open: upstream1, filled: upstream2" at 0.64, 0.75
 set label 23 "line and rings: nothing cheaper is as accurate" at 0.64, 0.48
 set label 24 "grey: below the error of the reference, ".said("reference cells")." cells extrapolated" at 0.02, 0.2
-set label 25 "seconds: ".said("times")."; ".said("machine") at screen 0.5, 0.962 center noenhanced font ",13"
+set label 25 "seconds: ".said("times")."; ".said("machine") at screen 0.5, 0.962 center noenhanced font ",6"
 plot NaN notitle
 unset multiplot

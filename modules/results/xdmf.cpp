@@ -1,5 +1,6 @@
+#include <fmt/core.h>
+
 #include <filesystem>
-#include <sstream>
 
 #include "results/write.hpp"
 
@@ -20,6 +21,75 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
+// Texts that grids of one result share.
+struct Texts {
+  std::string file{};  // name of the HDF5 file
+  std::string x{};     // lengths
+  std::string y{};
+};
+
+std::string number_type(bool single) {
+  return std::string("NumberType=\"Float\" Precision=\"") + (single ? "4" : "8") + "\"";
+}
+
+std::string item(const Texts& texts, const std::string& dimensions, const std::string& dataset, bool single = false) {
+  return "<DataItem Dimensions=\"" + dimensions + "\" " + number_type(single) + " Format=\"HDF\">" + texts.file + ":" +
+         escaped(dataset) + "</DataItem>";
+}
+
+std::string attribute(const std::string& name, const std::string& data) {
+  return "   <Attribute Name=\"" + escaped(name) + "\" AttributeType=\"Scalar\" Center=\"Node\">\n    " + data +
+         "\n   </Attribute>\n";
+}
+
+std::string mesh(const Texts& texts) {
+  return "   <Topology TopologyType=\"2DRectMesh\" Dimensions=\"" + texts.y + " " + texts.x +
+         "\"/>\n   <Geometry GeometryType=\"VXVY\">\n    " + item(texts, texts.x, "/grid/x") + "\n    " +
+         item(texts, texts.y, "/grid/y") + "\n   </Geometry>\n";
+}
+
+std::string grid_of_fields(const Texts& texts, const Content& content) {
+  std::string text = "  <Grid Name=\"" + escaped(content.title) + "\" GridType=\"Uniform\">\n" + mesh(texts);
+  for (const NamedField& field : content.fields)
+    text += attribute(field.name, item(texts, texts.y + " " + texts.x, "/fields/" + field.name));
+  return text + "  </Grid>\n";
+}
+
+// One grid for each time, whose fields are planes of one dataset. VTK reads no slab of more dimensions than the grid.
+std::string grids_in_time(const Texts& texts, const Content& content) {
+  const Frames& frames = content.frames;
+  const std::string plane = texts.y + " " + texts.x;
+  const std::string all = std::to_string(frames.times.size()) + " " + plane;
+  std::string text =
+      "  <Grid Name=\"" + escaped(content.title) + "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
+  for (std::size_t k = 0; k < frames.times.size(); ++k) {
+    const std::string number = std::to_string(k);
+    text += "  <Grid Name=\"" + number + "\" GridType=\"Uniform\">\n   <Time Value=\"" +
+            fmt::format("{}", frames.times[k]) + "\"/>\n" + mesh(texts);
+    for (const Series& series : frames.series)
+      text += attribute(series.name,
+                        "<DataItem ItemType=\"HyperSlab\" " + number_type(series.single) + " Dimensions=\"" + plane +
+                            "\">\n     <DataItem Dimensions=\"3 3\" NumberType=\"Int\" Format=\"XML\">" + number +
+                            " 0 0 1 1 1 1 " + plane + "</DataItem>\n     " +
+                            item(texts, all, frames.group + "/" + series.name, series.single) + "\n    </DataItem>");
+    text += "  </Grid>\n";
+  }
+  return text + "  </Grid>\n";
+}
+
+std::string grid_in_space(const Texts& texts, const Volume& volume) {
+  const std::string x = std::to_string(volume.grid.nodes_x()), y = std::to_string(volume.grid.nodes_y());
+  const std::string z = std::to_string(volume.depths.size()), all = z + " " + y + " " + x;
+  std::string text = "  <Grid Name=\"" + escaped(volume.meaning) +
+                     "\" GridType=\"Uniform\">\n   <Topology TopologyType=\"3DRectMesh\" Dimensions=\"" + all +
+                     "\"/>\n   <Geometry GeometryType=\"VXVYVZ\">\n    " + item(texts, x, volume.group + "/x") +
+                     "\n    " + item(texts, y, volume.group + "/y") + "\n    " + item(texts, z, volume.group + "/z") +
+                     "\n   </Geometry>\n";
+  for (const Series& series : volume.series)
+    text += attribute(series.name, item(texts, all, volume.group + "/" + series.name, series.single));
+  return text + "  </Grid>\n";
+}
+
 }  // namespace
 
 std::string xdmf_name(const std::string& path) {
@@ -28,40 +98,11 @@ std::string xdmf_name(const std::string& path) {
 }
 
 std::string xdmf(const std::string& path, const Content& content) {
-  const std::string file = escaped(std::filesystem::path(path).filename());
-  const std::string x = std::to_string(content.grid.nodes_x());
-  const std::string y = std::to_string(content.grid.nodes_y());
-  const auto item = [&](const std::string& dimensions, const std::string& dataset, bool single = false) {
-    return "<DataItem Dimensions=\"" + dimensions + "\" NumberType=\"Float\" Precision=\"" + (single ? "4" : "8") +
-           "\" Format=\"HDF\">" + file + ":" + escaped(dataset) + "</DataItem>";
-  };
-  std::ostringstream text;
-  text << "<?xml version=\"1.0\" ?>\n<!DOCTYPE Xdmf SYSTEM \"Xdmf.dtd\" []>\n<Xdmf Version=\"2.0\">\n <Domain>\n"
-       << "  <Grid Name=\"" << escaped(content.title) << "\" GridType=\"Uniform\">\n"
-       << "   <Topology TopologyType=\"2DRectMesh\" Dimensions=\"" << y << " " << x << "\"/>\n"
-       << "   <Geometry GeometryType=\"VXVY\">\n    " << item(x, "/grid/x") << "\n    " << item(y, "/grid/y")
-       << "\n   </Geometry>\n";
-  for (const NamedField& field : content.fields)
-    text << "   <Attribute Name=\"" << escaped(field.name) << "\" AttributeType=\"Scalar\" Center=\"Node\">\n    "
-         << item(y + " " + x, "/fields/" + field.name) << "\n   </Attribute>\n";
-  text << "  </Grid>\n";
-  if (!content.volume.group.empty()) {
-    const Volume& volume = content.volume;
-    const std::string along_x = std::to_string(volume.grid.nodes_x()), along_y = std::to_string(volume.grid.nodes_y());
-    const std::string along_z = std::to_string(volume.depths.size());
-    const std::string all = along_z + " " + along_y + " " + along_x;
-    text << "  <Grid Name=\"" << escaped(volume.meaning) << "\" GridType=\"Uniform\">\n"
-         << "   <Topology TopologyType=\"3DRectMesh\" Dimensions=\"" << all << "\"/>\n"
-         << "   <Geometry GeometryType=\"VXVYVZ\">\n    " << item(along_x, volume.group + "/x") << "\n    "
-         << item(along_y, volume.group + "/y") << "\n    " << item(along_z, volume.group + "/z")
-         << "\n   </Geometry>\n";
-    for (const Series& series : volume.series)
-      text << "   <Attribute Name=\"" << escaped(series.name) << "\" AttributeType=\"Scalar\" Center=\"Node\">\n    "
-           << item(all, volume.group + "/" + series.name, series.single) << "\n   </Attribute>\n";
-    text << "  </Grid>\n";
-  }
-  text << " </Domain>\n</Xdmf>\n";
-  return text.str();
+  const Texts texts{escaped(std::filesystem::path(path).filename()), std::to_string(content.grid.nodes_x()),
+                    std::to_string(content.grid.nodes_y())};
+  return "<?xml version=\"1.0\" ?>\n<!DOCTYPE Xdmf SYSTEM \"Xdmf.dtd\" []>\n<Xdmf Version=\"2.0\">\n <Domain>\n" +
+         (content.frames.series.empty() ? grid_of_fields(texts, content) : grids_in_time(texts, content)) +
+         (content.volume.group.empty() ? "" : grid_in_space(texts, content.volume)) + " </Domain>\n</Xdmf>\n";
 }
 
 }  // namespace ehl::results

@@ -5,7 +5,7 @@
 
 #include "base/exit_status.hpp"
 #include "commands/commands.hpp"
-#include "commands/extract_source.hpp"
+#include "commands/field_on_grid.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
 
@@ -29,29 +29,6 @@ std::string full_name(const ExtractSource& source, const std::string& name) {
   }
   refuse(source.file.path() + " has no dataset " + name + suggestion(name, known) + " It has " +
          deck::joined(known, ", "));
-}
-
-struct FieldOnGrid {
-  results::Array field;
-  results::Array x;
-  results::Array y;          // or z, of a section in depth
-  std::string rows = {"y"};  // its name
-
-  std::string places() const { return x.unit == "a" ? "Hertz radii a" : x.unit; }
-
-  double at(std::size_t i, std::size_t j) const { return field.values[j * x.values.size() + i]; }
-};
-
-FieldOnGrid read_field(const ExtractSource& source, const std::string& name, std::size_t step) {
-  // A plane has x and y, a section in depth x and z beside it.
-  const bool layers = source.file.dims(name).size() == 3;
-  const std::string rows = !layers && source.file.axis(name, "z") != "" ? "z" : "y";
-  FieldOnGrid read{layers ? source.frame(name, step) : source.numbers(name),
-                   source.numbers(source.file.axis(name, "x")), source.numbers(source.file.axis(name, rows)), rows};
-  if (read.field.dims.size() != 2 || read.field.dims[0] != read.y.values.size() ||
-      read.field.dims[1] != read.x.values.size() || read.field.values.empty())
-    throw core::FileError(source.file.path() + ": the file is damaged: " + name + " does not fit its grid");
-  return read;
 }
 
 std::string header(const ExtractSource& source, const std::string& name, const FieldOnGrid& f) {
@@ -90,33 +67,26 @@ std::size_t nearest_line(const std::vector<double>& lines, double at) {
 }
 
 std::string section(const FieldOnGrid& f, const std::string& column, const Arguments& arguments) {
-  const std::string axis = arguments.value("along", "x");
-  if (axis != "x" && axis != f.rows) refuse("--along " + axis + ": must be x or " + f.rows);
-  const std::string other = axis == "x" ? f.rows : "x";
-  const std::string given = arguments.value("at", other + "=0");
-  const std::string number = given.starts_with(other + "=") ? given.substr(2) : given;
-  const deck::ReadNumber at = deck::read_number(number);
-  if (at.status != deck::ReadNumber::Status::number)
-    refuse("--at " + given + ": write --at " + other + "=NUMBER, in " + f.places());
-  const bool along_x = axis == "x";
-  const std::vector<double>& positions = along_x ? f.x.values : f.y.values;
-  const std::vector<double>& lines = along_x ? f.y.values : f.x.values;
-  if (at.value < std::min(lines.front(), lines.back()) || at.value > std::max(lines.front(), lines.back()))
-    refuse("--at " + given + ": the domain is [" + deck::shortest(lines.front()) + ", " + deck::shortest(lines.back()) +
-           "]");
-  const std::size_t line = nearest_line(lines, at.value);
+  const Section wanted = wanted_section(f, arguments);
+  const std::string axis = wanted.along_x ? "x" : f.rows;
+  const std::string other = wanted.along_x ? f.rows : "x";
+  const std::vector<double>& positions = wanted.along_x ? f.x.values : f.y.values;
+  const std::vector<double>& lines = wanted.along_x ? f.y.values : f.x.values;
+  const std::size_t line = nearest_line(lines, wanted.at);
   std::string text = "# along " + axis + " at " + other + " = " + deck::shortest(lines[line]) +
                      (f.x.unit == "a" ? "" : " " + f.x.unit) + "\n# " + axis + " " + column + "\n";
   for (std::size_t k = 0; k < positions.size(); ++k)
-    text += deck::shortest(positions[k]) + " " + column_number(along_x ? f.at(k, line) : f.at(line, k)) + "\n";
+    text += deck::shortest(positions[k]) + " " + column_number(wanted.along_x ? f.at(k, line) : f.at(line, k)) + "\n";
   return text;
 }
 
 std::size_t chosen_step(const Arguments& arguments, std::size_t count) {
+  if (arguments.value("step", "") == "last") return count - 1;
   const deck::ReadNumber read = deck::read_number(arguments.value("step", "0"));
   const bool whole = read.status == deck::ReadNumber::Status::number && read.value == std::floor(read.value);
   if (!whole || read.value < 0.0 || read.value >= static_cast<double>(count))
-    refuse("--step " + arguments.value("step", "") + ": must be a whole number from 0 to " + std::to_string(count - 1));
+    refuse("--step " + arguments.value("step", "") + ": must be last or a whole number from 0 to " +
+           std::to_string(count - 1));
   return static_cast<std::size_t>(read.value);
 }
 
@@ -131,7 +101,7 @@ std::string sections_in_time(const ExtractSource& source, const std::string& nam
   if (times.values.size() != count) throw core::FileError(source.file.path() + ": the file is damaged: " + name);
   std::string text;
   for (std::size_t k = 0; k < count; ++k) {
-    const FieldOnGrid field = read_field(source, name, k);
+    const FieldOnGrid field = sampled(read_field(source, name, k), arguments);
     std::istringstream lines(section(field, name.substr(name.rfind('/') + 1), arguments));
     if (k > 0) text += "\n";
     const std::string units =
@@ -203,7 +173,7 @@ int extract(const Arguments& arguments) {
       source.file.kind(name) == Kind::numbers ? source.file.dims(name) : std::vector<std::size_t>{};
   const bool in_time = dims.size() == 3;
   const bool is_field = in_time || dims.size() == 2;
-  for (const char* option : {"along", "at", "matrix"})
+  for (const char* option : {"along", "at", "matrix", "sample", "window"})
     if (arguments.has(option) && !is_field)
       refuse(std::string("--") + option + " applies to fields, and " + name + " is none");
   if (arguments.has("matrix") && (arguments.has("along") || arguments.has("at")))
@@ -213,7 +183,8 @@ int extract(const Arguments& arguments) {
   if (in_time && !arguments.has("step")) {
     print(sections_in_time(source, name, arguments, dims[0]));
   } else if (is_field) {
-    const FieldOnGrid field = read_field(source, name, in_time ? chosen_step(arguments, dims[0]) : 0);
+    const FieldOnGrid field =
+        sampled(read_field(source, name, in_time ? chosen_step(arguments, dims[0]) : 0), arguments);
     const std::string column = name.substr(name.rfind('/') + 1);
     const bool is_section = arguments.has("along") || arguments.has("at");
     print(header(source, name, field) + (is_section                ? section(field, column, arguments)

@@ -1,20 +1,23 @@
 // ehl plot: the gnuplot scripts of postprocess/, fed with a result or with the table of a sweep or a study.
+#include <fmt/core.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <memory>
-#include <sstream>
 
 #include "base/exit_status.hpp"
 #include "base/machine.hpp"
 #include "commands/commands.hpp"
+#include "commands/curves.hpp"
+#include "commands/pictures.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
 #include "results/read.hpp"
@@ -29,84 +32,8 @@ namespace {
 
 namespace files = std::filesystem;
 
-struct Figure {
-  std::string name;
-  std::string title;
-  std::string script;
-  std::vector<std::string> needs;  // datasets without which there is nothing to draw; or what it draws instead,
-                                   // "sweep", "study" or "time_study", and columns without which there is nothing
-  bool movie = false;              // a GIF whatever the format, and only when asked for
-};
-
-// The kind of file that a figure draws: sweep, study, time_study or result.
-std::string kind_of(const Figure& figure) {
-  const std::string need = figure.needs.empty() ? "" : figure.needs[0];
-  return need == "sweep" || need == "study" || need == "time_study" ? need : "result";
-}
-
-std::string told(const std::string& kind) {
-  if (kind == "result") return "a result, FILE.h5";
-  return "the table of a " + (kind == "time_study" ? "study of a run in time" : kind) + ", FILE.csv";
-}
-
-// What there is to draw: what scripts are told about it, and whether it has what a figure needs.
-struct Source {
-  std::string settings;
-  std::string kind;
-  std::function<bool(const std::string&)> has;
-};
-
-// A script is a figure when its first line says "# figure: title"; "# needs: name..." may follow, and "# movie".
-std::vector<Figure> figures(const files::path& folder) {
-  std::error_code error;
-  if (!files::is_directory(folder, error))
-    throw core::FileError(folder.string() +
-                          ": there is no such folder: set EHL_POSTPROCESS to the folder of the scripts");
-  std::vector<Figure> found;
-  for (const files::directory_entry& entry : files::directory_iterator(folder)) {
-    if (entry.path().extension() != ".gp") continue;
-    std::ifstream script(entry.path());
-    std::string first, second, third;
-    std::getline(std::getline(std::getline(script, first), second), third);
-    const std::string mark = "# figure:", needs = "# needs:";
-    if (!first.starts_with(mark)) continue;
-    Figure figure{entry.path().stem(), deck::trimmed(first.substr(mark.size())), entry.path(), {}, third == "# movie"};
-    if (second.starts_with(needs)) figure.needs = deck::split_words(second.substr(needs.size()));
-    found.push_back(figure);
-  }
-  std::ranges::sort(found, {}, &Figure::name);
-  if (found.empty()) throw core::FileError(folder.string() + ": no script in it draws a figure");
-  return found;
-}
-
-// The figure of this name, which must be one that draws this file.
-Figure named(const std::vector<Figure>& all, const std::string& name, const Source& source) {
-  const std::string said = "--figure " + name;
-  const auto found = std::ranges::find(all, name, &Figure::name);
-  if (found == all.end()) {
-    std::vector<std::string> known;
-    std::string list;
-    for (const Figure& figure : all) {
-      known.push_back(figure.name);
-      list += "\n  " + figure.name + ": " + figure.title;
-    }
-    refuse(said + ": there is no such figure" + suggestion(name, known) + " Figures are" + list);
-  }
-  if (kind_of(*found) != source.kind) refuse(said + " draws " + told(kind_of(*found)));
-  for (const std::string& need : found->needs)
-    if (!source.has(need)) refuse(said + ": this file has no " + need + ", which it draws");
-  return *found;
-}
-
-std::vector<Figure> selected(const std::vector<Figure>& all, const std::vector<std::string>& names,
-                             const Source& source) {
-  std::vector<Figure> chosen;
-  for (const std::string& name : names) chosen.push_back(named(all, name, source));
-  if (!names.empty()) return chosen;
-  for (const Figure& figure : all)
-    if (!figure.movie && std::ranges::all_of(figure.needs, source.has)) chosen.push_back(figure);
-  return chosen;
-}
+// Whether the times of a deck are in seconds.
+bool counts_in_seconds(const std::string& deck) { return deck.find("\ntime_unit = seconds") != std::string::npos; }
 
 // A text between single quotes, in which gnuplot writes a quote as two.
 std::string quoted(const std::string& text) {
@@ -146,31 +73,48 @@ void run_gnuplot(const std::vector<std::string>& words, const std::string& figur
     throw core::FileError("gnuplot failed on figure " + figure + "; its message is above");
 }
 
-std::string picture_name(const std::string& result, const std::string& figure, const std::string& format) {
-  const files::path path(result);
-  return (path.parent_path() / (path.stem().string() + "_" + figure + "." + format)).string();
+// The field in time that --time asks for, else the last one: which, and its time in words.
+std::vector<Setting> chosen_frame(const results::ResultFile& result, const Arguments& arguments) {
+  const bool in_time = result.kind("/transient/frames/time") == results::ResultFile::Kind::numbers;
+  if (!in_time && arguments.has("time")) refuse("--time: " + result.path() + " holds no run in time");
+  if (!in_time) return {};
+  const std::vector<double> times = result.numbers("/transient/frames/time").values;
+  if (times.empty()) throw core::FileError(result.path() + ": the file is damaged: no field in time");
+  const bool seconds = counts_in_seconds(result.text("/deck"));
+  const double unit = seconds ? result.numbers("/scales/time").values.at(0) : 1.0;
+  std::size_t frame = times.size() - 1;
+  if (arguments.has("time")) {
+    const std::string given = arguments.value("time", "");
+    const deck::ReadNumber read = deck::read_number(given);
+    const double first = times.front() * unit, last = times.back() * unit;
+    if (read.status != deck::ReadNumber::Status::number || read.value < first || read.value > last)
+      refuse("--time " + given + ": must be a number from " + deck::shortest(first) + " to " + deck::shortest(last) +
+             (seconds ? " s" : " a/u_m"));
+    const auto distance = [&](double time) { return std::abs(time * unit - read.value); };
+    frame = static_cast<std::size_t>(std::ranges::min_element(times, {}, distance) - times.begin());
+  }
+  const double shown = times[frame] * unit;
+  return {{"frame", std::to_string(frame), false},
+          {"seconds", seconds ? "1" : "0", false},
+          {"when", seconds ? fmt::format("t = {:.4g} ms", 1e3 * shown) : fmt::format("t = {:.4g} a/u_m", shown)}};
 }
 
-std::string folder_of_scripts() {
-  const char* own = std::getenv("EHL_POSTPROCESS");
-  if (own != nullptr) return own;
-  // An installed program has its scripts beside it; one that was only built takes them from the source.
-  const files::path installed = files::path(program_path()).parent_path() / EHL_POSTPROCESS_INSTALLED;
-  std::error_code error;
-  return files::is_directory(installed, error) ? installed.lexically_normal().string() : EHL_POSTPROCESS_FOLDER;
-}
-
-Source result_source(const std::string& path) {
+FigureSource result_source(const std::string& path, const Arguments& arguments) {
   const auto result = std::make_shared<results::ResultFile>(path);
   const auto has = [result](const std::string& need) {
     return result->kind(need) != results::ResultFile::Kind::missing;
   };
-  std::string settings = "; title=" + quoted(result->attribute("/", "title"));
-  if (has("/scales/h")) settings += "; film_nm=" + deck::shortest(1e9 * result->numbers("/scales/h").values[0]);
+  const std::string own = result->attribute("/", "title");
+  std::vector<Setting> settings = chosen_frame(*result, arguments);
+  settings.push_back({"title", own == "untitled" ? "" : own});
+  if (has("/scales/a")) settings.push_back({"si", "1", false});
   return {settings, "result", has};
 }
 
-Source table_source(const std::string& path) {
+bool names_axes(const Arguments& arguments) { return arguments.has("x") || arguments.has("y") || arguments.has("by"); }
+
+FigureSource table_source(const std::string& path, const Arguments& arguments) {
+  if (arguments.has("time")) refuse("--time chooses a field of a run in time, and a table has none");
   std::ifstream file(path);
   std::string first;
   if (!std::getline(file, first)) throw core::FileError(path + ": cannot be read, or is empty");
@@ -179,36 +123,94 @@ Source table_source(const std::string& path) {
                            : first.starts_with(time_study_mark) ? "time_study"
                                                                 : "";
   if (kind.empty()) throw core::FileError(path + ": this is no table of `ehl sweep` or `ehl study`");
-  std::string columns = first;
-  while (columns.starts_with('#') && std::getline(file, columns)) {
+  if (kind != "sweep") return {{}, kind, [kind](const std::string& need) { return need == kind; }};
+  const auto table = std::make_shared<SweepData>(read_sweep(path));
+  const bool chosen = names_axes(arguments);
+  const auto has = [table, chosen](const std::string& need) {
+    return need == "sweep" || (need == curves_need ? chosen || makes_curves(*table) : table->has(need));
+  };
+  return {{}, kind, has, table};
+}
+
+// The rows of a sweep as a figure wants them, in a file that gnuplot reads and that is gone with this process.
+class ArrangedRows {
+ public:
+  ArrangedRows() : descriptor_(::memfd_create("rows", 0)) {
+    if (descriptor_ < 0) throw core::FileError(std::string("no memory for a picture: ") + std::strerror(errno));
   }
-  return {"", kind, [kind, columns](const std::string& need) {
-            return need == kind || ("," + columns + ",").find("," + need + ",") != std::string::npos;
-          }};
+  ~ArrangedRows() { ::close(descriptor_); }
+  ArrangedRows(const ArrangedRows&) = delete;
+  ArrangedRows& operator=(const ArrangedRows&) = delete;
+
+  /// Replaces what it held. out: its name for gnuplot.
+  std::string hold(const std::string& text) const {
+    const bool done = ::ftruncate(descriptor_, 0) == 0 &&
+                      ::pwrite(descriptor_, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
+    if (!done) throw core::FileError(std::string("no memory for a picture: ") + std::strerror(errno));
+    return "/proc/self/fd/" + std::to_string(descriptor_);
+  }
+
+ private:
+  int descriptor_;
+};
+
+// What a figure of a sweep wants: --x, --y and --by of `curves`; friction and film against the slide-roll ratio.
+CurvesWanted curves_for(const Figure& figure, const SweepData& table, const Arguments& arguments) {
+  if (figure.name == "curves") return chosen_curves(table, arguments);
+  CurvesWanted wanted{
+      "motion.srr", {"mu", table.has("h_c_nm") ? "h_c_nm" : "Hc"}, {}, arguments.value("axes", "linear")};
+  for (const std::string& key : table.varied)
+    if (key != wanted.x) wanted.by.push_back(key);
+  return wanted;
+}
+
+std::string gnuplot_text(const std::vector<Setting>& settings) {
+  std::string text;
+  for (const Setting& one : settings)
+    text += (text.empty() ? "" : "; ") + one.name + "=" + (one.is_text ? quoted(one.value) : one.value);
+  return text;
+}
+
+std::vector<std::string> wanted_figures(const Arguments& arguments, bool is_sweep) {
+  std::vector<std::string> names = arguments.values("figure");
+  if (!names_axes(arguments)) return names;
+  if (!is_sweep) refuse("--x, --y and --by take the table of a sweep");
+  if (names.empty()) names = {"curves"};
+  if (names != std::vector<std::string>{"curves"}) refuse("--x, --y and --by go with --figure curves");
+  return names;
 }
 
 }  // namespace
 
 int plot(const Arguments& arguments) {
   const std::string& path = arguments.operands[0];
-  const std::string format = arguments.value("format", "png");
-  if (format != "png" && format != "svg" && format != "pdf") refuse("--format " + format + ": must be png, svg or pdf");
-  const Source source = path.ends_with(".csv") ? table_source(path) : result_source(path);
+  const FigureSource source = path.ends_with(".csv") ? table_source(path, arguments) : result_source(path, arguments);
   // The scripts hand the name to a shell between single quotes.
   if (path.find('\'') != std::string::npos)
     refuse(path + ": gnuplot's scripts cannot take a file name with a quote: rename it");
 
-  const std::vector<Figure> chosen = selected(figures(folder_of_scripts()), arguments.values("figure"), source);
-  if (chosen.empty()) refuse(path + ": no figure draws such a table (--figure NAME lists them)");
-  const std::string settings =
-      "file=" + quoted(path) + "; format=" + quoted(format) + "; ehl=" + quoted(program_path()) + source.settings;
-  for (const Figure& figure : chosen) {
-    const std::string picture = picture_name(path, figure.name, figure.movie ? "gif" : format);
-    run_gnuplot({"gnuplot", "-e", settings + "; output=" + quoted(picture), figure.script}, figure.name);
+  const std::vector<Figure> chosen =
+      selected_figures(figures_in(folder_of_scripts()), wanted_figures(arguments, source.table != nullptr), source);
+  if (chosen.empty()) refuse(path + ": no figure draws such a table (`ehl help plot` lists them)");
+  const Pictures pictures = pictures_of(arguments, chosen);
+  std::vector<Setting> settings{{"file", path}, {"ehl", program_path()}, {"format", pictures.format}};
+  settings.insert(settings.end(), source.settings.begin(), source.settings.end());
+  settings.insert(settings.end(), pictures.settings.begin(), pictures.settings.end());
+  if (arguments.has("title")) settings.push_back({"title", arguments.value("title", "")});
+  const ArrangedRows rows;
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    std::vector<Setting> own = settings;
+    own.push_back({"output", pictures.names[k]});
+    if (chosen[k].of_curves) {
+      const Curves curves = curves_of(*source.table, curves_for(chosen[k], *source.table, arguments));
+      own.insert(own.end(), curves.settings.begin(), curves.settings.end());
+      own.push_back({"data", rows.hold(curves.data)});
+    }
+    run_gnuplot({"gnuplot", "-e", gnuplot_text(own), chosen[k].script}, chosen[k].name);
     std::error_code error;
-    if (files::file_size(picture, error) == 0 || error)
-      throw core::FileError(picture + ": gnuplot could not write the picture");
-    print(picture + "\n");
+    if (files::file_size(pictures.names[k], error) == 0 || error)
+      throw core::FileError(pictures.names[k] + ": gnuplot could not write the picture");
+    print(pictures.names[k] + "\n");
   }
   return solved;
 }

@@ -9,6 +9,7 @@
 #include "base/exit_status.hpp"
 #include "base/machine.hpp"
 #include "case/catalogue.hpp"
+#include "commands/figures.hpp"
 #include "core/errors.hpp"
 #include "core/processor_level.hpp"
 #include "deck/write.hpp"
@@ -81,7 +82,9 @@ const Command extract_command{
     "prints a dataset of a result as columns: P, H, levels, history, summary, scales, deck, or a path in the file",
     {{"along", "x|y", "only the section of a field along this axis"},
      {"at", "y=0|x=0", "where the section lies: the nearest grid line is taken (default 0)"},
-     {"step", "K", "number K, from 0, of fields at several times or depths; without it a section of all"},
+     {"step", "K|last", "number K, from 0, of fields at several times or depths; without it a section of all"},
+     {"sample", "N", "a field or a section between its nodes: N points along x (a section: along it), cubic"},
+     {"window", "x0:x1[,y0:y1]", "the part of the domain that --sample takes (a section: one range)"},
      {"si", "", "of a deck in SI: places in um, films in nm, pressures in GPa, times in ms, --at likewise"},
      {"matrix", "", "a field as a matrix with its axes, for gnuplot's `matrix nonuniform`"}},
     extract};
@@ -90,7 +93,20 @@ const Command plot_command{
     "plot",
     "FILE.h5|FILE.csv",
     "draws the figures of postprocess/ from a result or the table of a sweep or a study, beside it",
-    {{"figure", "NAME", "only this figure", true}, {"format", "png|svg|pdf", "format of the pictures (default png)"}},
+    {{"figure", "NAME", "only this figure; they are listed below (default: all that fit and are not on demand)", true},
+     {"x", "KEY", "of a sweep: the column along x (default: the swept key with most values)"},
+     {"y", "QUANTITY", "of a sweep: a column against it, with error bars and formulas (default: the films)", true},
+     {"by", "KEY", "of a sweep: one curve for each value of this column (default: the other swept keys)", true},
+     {"axes", "log|linear", "of a sweep's curves (default: log where the values span a factor of 4)"},
+     {"time", "T", "of a run in time the field nearest to T, in the unit of the deck's times (default: the last one)"},
+     {"format", "png|svg|pdf", "format of the pictures (default: png, or what --output says)"},
+     {"width", "W",
+      "85mm, 1200px, or a column of a journal (Elsevier's): single (90 mm), onehalf (140 mm), double (190 mm); letters "
+      "have 8 pt. Default: the figure's own, single mostly; png has 300 dots per inch"},
+     {"title", "TEXT", "words above the figure, none where empty (default: the title of the deck)"},
+     {"output", "NAME",
+      "the picture, fig3.pdf; of several figures what their names begin with, fig3_centre_lines.pdf; a folder, figs/, "
+      "takes names of our own (default: FILE_FIGURE.png beside the file)"}},
     plot};
 
 }  // namespace
@@ -131,7 +147,8 @@ int keys(const Arguments& arguments) {
 }
 
 int help(const Arguments& arguments) {
-  print(help_text(commands(), arguments.operands.empty() ? "" : arguments.operands[0]));
+  const std::string name = arguments.operands.empty() ? "" : arguments.operands[0];
+  print(help_text(commands(), name) + (name == "plot" ? list_of_figures(figures_in(folder_of_scripts())) : ""));
   return solved;
 }
 

@@ -1,0 +1,48 @@
+# Shared by roughness and dry_roughness: two panels along y = 0 above a map.
+map = high - m(top)
+panel = 33 * stretch
+high = map + 2 * panel + m(top + 8)
+eval page
+stats line("P", left, right) using 2 nooutput prefix "P"
+stats line("S", left, right) using (abs($1) < reach_x ? $2 : NaN) nooutput prefix "S"
+stats line(name, left, right) using (abs($1) < 0.9 * reach_x ? $2 : NaN) nooutput prefix "H"
+shown = name eq "H" ? "H" : "P"
+stats field(shown, 300) matrix nonuniform using 3 nooutput prefix "F"
+wet = name eq "H" ? centre(name) : 0
+shape(s) = wet + s - S_min
+set multiplot
+set xrange [left:right]
+set samples 2001
+
+eval box(m(13), m(20), map + panel + m(4), m(top + 4))
+unset label 1
+set format x ""
+set ylabel axis_P offset 1, 0
+set ytics steps_of(P_max)
+set xtics steps_of(right - left)
+set yrange [0:1.1 * (P_max > p_h ? P_max : p_h)]
+eval key_above
+plot Hertz(x) with lines lw 0.8 dt (6, 4) lc rgb grey title "Hertz", \
+     line("P", left, right) using 1:2 with lines lw 1 lc rgb red title "pressure"
+
+unset label 100
+eval box(m(13), m(20), map, m(top + 8) + panel)
+set format x "%g"
+set ylabel axis_H
+set ytics steps_of(H_max > wet + S_max - S_min ? H_max : wet + S_max - S_min)
+set yrange [0:1.15 * (H_max > wet + S_max - S_min ? H_max : wet + S_max - S_min)]
+plot line(name, left, right) using 1:2 with lines lw 1 lc rgb blue title name eq "H" ? "film" : "gap", \
+     line("S", left, right) using 1:(shape($2)) with lines lw 0.8 dt (1, 2) lc rgb grey title "undeformed"
+
+unset key
+eval box(m(13), m(20), m(10), high - map + m(6))
+eval bar(m(10), high - map + m(6))
+set yrange [bottom:bottom + 2 * far]
+set xlabel axis_X.", motion →" offset 0, 0.4
+set ylabel axis_Y
+set ytics steps_of(2 * far)
+eval "set palette ".(name eq "H" ? film_colours : pressure_colours)
+if (name eq "H") { set cbrange [F_min:F_max < 2 * wet ? F_max : 2 * wet] } else { set cbrange [0:F_max] }
+set cblabel name eq "H" ? axis_H : axis_P
+plot field(shown, 500) matrix nonuniform using 1:2:3 with image
+unset multiplot

@@ -1,0 +1,247 @@
+#include "commands/curves.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "deck/text.hpp"
+
+namespace ehl::program {
+namespace {
+
+constexpr std::size_t most_curves = 12;  // as many as there are colours that the eye keeps apart
+
+// Published formulas, by how their columns begin.
+struct PublishedFormula {
+  const char* code;
+  const char* name;
+};
+constexpr PublishedFormula published[] = {{"hd", "Hamrock, Dowson 1977"},
+                                          {"nvm", "Nijenbanning, Venner, Moes 1994"},
+                                          {"chittenden", "Chittenden et al. 1985"}};
+
+std::string formula_column(const PublishedFormula& formula, const std::string& y) {
+  return std::string(formula.code) + "_" + y;
+}
+
+// Letters that gnuplot would take for commands of its own.
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text)
+    result += (std::string("_^{}@&~\\").find(c) == std::string::npos ? "" : "\\") + std::string(1, c);
+  return result;
+}
+
+// Words of the field for columns, in gnuplot's letters.
+std::string words_for(const std::string& column) {
+  static const std::map<std::string, std::string> known{{"motion.u_m", "entrainment speed u_m"},
+                                                        {"contact.load", "load F"},
+                                                        {"motion.srr", "slide-roll ratio"},
+                                                        {"lubricant.eta0", "viscosity η_0"},
+                                                        {"lubricant.temperature", "temperature"},
+                                                        {"contact.radius_x", "R_x"},
+                                                        {"shear.tau_0", "τ_0"},
+                                                        {"h_c_nm", "central film h_c"},
+                                                        {"h_m_nm", "smallest film h_m"},
+                                                        {"Hc", "central film H_c"},
+                                                        {"Hm", "smallest film H_m"},
+                                                        {"mu", "friction coefficient μ"},
+                                                        {"lambda_ratio", "lambda ratio h_m/S_q"}};
+  if (const auto found = known.find(column); found != known.end()) return found->second;
+  return escaped(column.substr(column.find('.') + 1));
+}
+
+std::string with_unit(const SweepData& table, const std::string& column) {
+  const auto unit = table.units.find(column);
+  return words_for(column) + (unit == table.units.end() ? "" : " [" + unit->second + "]");
+}
+
+// Of an axis that several quantities share.
+std::string words_of_all(const SweepData& table, const std::vector<std::string>& columns) {
+  if (columns == std::vector<std::string>{"h_c_nm", "h_m_nm"}) return "film thickness h [nm]";
+  if (columns == std::vector<std::string>{"Hc", "Hm"}) return "film thickness H = hR/a^2";
+  std::vector<std::string> words;
+  for (const std::string& column : columns) words.push_back(with_unit(table, column));
+  return deck::joined(words, ", ");
+}
+
+// "2 MPa" for 2e6 Pa.
+std::string with_prefix(double number, const std::string& unit) {
+  struct Prefix {
+    const char* of;
+    double least;
+    double factor;
+    const char* unit;
+  };
+  constexpr Prefix prefixes[] = {{"Pa", 1e9, 1e-9, "GPa"},   {"Pa", 1e6, 1e-6, "MPa"},    {"m", 1.0, 1.0, "m"},
+                                 {"m", 1e-3, 1e3, "mm"},     {"m", 1e-6, 1e6, "µm"},      {"m", 0.0, 1e9, "nm"},
+                                 {"Pa s", 1.0, 1.0, "Pa s"}, {"Pa s", 0.0, 1e3, "mPa s"}, {"1/Pa", 0.0, 1e9, "1/GPa"}};
+  for (const Prefix& prefix : prefixes)
+    if (unit == prefix.of && std::abs(number) >= prefix.least)
+      return fmt::format("{:.4g} {}", number * prefix.factor, prefix.unit);
+  return fmt::format("{:.4g}{}{}", number, unit.empty() ? "" : " ", unit);
+}
+
+// "load F = 20 N, pao4": what tells a curve apart.
+std::string name_of_curve(const SweepData& table, const std::vector<std::string>& by, std::size_t row) {
+  std::vector<std::string> parts;
+  for (const std::string& column : by) {
+    const double number = table.number(row, column);
+    const auto unit = table.units.find(column);
+    parts.push_back(std::isfinite(number)
+                        ? words_for(column) + " = " + with_prefix(number, unit == table.units.end() ? "" : unit->second)
+                        : escaped(table.cell(row, column)));
+  }
+  return deck::joined(parts, ", ");
+}
+
+void check_column(const SweepData& table, const std::string& option, const std::string& column, bool numbers) {
+  const std::string said = "--" + option + " " + column;
+  if (!table.has(column))
+    refuse(said + ": the table has no such column" + suggestion(column, table.columns) + " It has " +
+           deck::joined(table.columns, ", "));
+  if (numbers && !table.is_numeric(column)) refuse(said + ": this column has words, and an axis takes numbers");
+}
+
+// The varied key with most values; empty where none has three numbers.
+std::string longest_key(const SweepData& table) {
+  std::string longest;
+  std::size_t most = 2;
+  for (const std::string& key : table.varied)
+    if (const std::size_t count = table.words(key).size(); count > most && table.is_numeric(key)) {
+      most = count;
+      longest = key;
+    }
+  return longest;
+}
+
+std::vector<std::string> films(const SweepData& table) {
+  if (table.has("h_c_nm")) return {"h_c_nm", "h_m_nm"};
+  return table.has("Hc") ? std::vector<std::string>{"Hc", "Hm"} : std::vector<std::string>{};
+}
+
+// Rows of each curve, in the order of the table.
+std::vector<std::vector<std::size_t>> curves_by(const SweepData& table, const std::vector<std::string>& by) {
+  std::vector<std::vector<std::size_t>> curves;
+  std::map<std::string, std::size_t> known;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    std::string words;
+    for (const std::string& column : by) words += table.cell(row, column) + ",";
+    const auto [curve, is_new] = known.try_emplace(words, curves.size());
+    if (is_new) curves.emplace_back();
+    curves[curve->second].push_back(row);
+  }
+  return curves;
+}
+
+CurvesWanted defaults(const SweepData& table, std::string x) {
+  CurvesWanted chosen{std::move(x), films(table), {}, ""};
+  for (const std::string& key : table.varied)
+    if (key != chosen.x && table.words(key).size() > 1) chosen.by.push_back(key);
+  // Both films of many curves are more than a picture holds.
+  if (curves_by(table, chosen.by).size() > 3 && chosen.y.size() > 1) chosen.y.pop_back();
+  return chosen;
+}
+
+// The error bar of a quantity in its unit, 0 where the table has none.
+double error_bar(const SweepData& table, std::size_t row, const std::string& y) {
+  const std::string absolute = y.ends_with("_nm") ? y.substr(0, y.size() - 3) + "_error_nm" : "";
+  if (table.has(absolute)) return table.number(row, absolute);
+  const std::string relative = "error_" + y;
+  return table.has(relative) ? table.number(row, relative) * table.number(row, y) : 0.0;
+}
+
+std::string block(const SweepData& table, std::vector<std::size_t> rows, const std::string& x, const std::string& y) {
+  std::ranges::stable_sort(rows, {}, [&](std::size_t row) { return table.number(row, x); });
+  std::string text;
+  for (const std::size_t row : rows) {
+    if (table.cell(row, "status") != "converged") continue;
+    text += fmt::format("{:.9g} {:.9g} {:.9g}", table.number(row, x), table.number(row, y), error_bar(table, row, y));
+    for (const PublishedFormula& formula : published) {
+      const std::string column = formula_column(formula, y);
+      text += " " + (table.has(column) ? fmt::format("{:.9g}", table.number(row, column)) : std::string("nan"));
+    }
+    text += "\n";
+  }
+  return text.empty() ? "nan nan nan nan nan nan\n" : text;
+}
+
+bool any(const SweepData& table, const std::vector<std::string>& y, const PublishedFormula& formula) {
+  return std::ranges::any_of(y, [&](const std::string& name) { return table.has(formula_column(formula, name)); });
+}
+
+// The roughness where it is the same for all rows; else 0.
+double one_roughness(const SweepData& table) {
+  if (!table.has("Sq_nm") || table.words("Sq_nm").size() != 1) return 0.0;
+  const double Sq = table.number(0, "Sq_nm");
+  return std::isfinite(Sq) ? Sq : 0.0;
+}
+
+}  // namespace
+
+bool makes_curves(const SweepData& table) {
+  const std::string x = longest_key(table);
+  // Over sliding the film hardly changes, and stands below the friction.
+  const bool traction = x == "motion.srr" && table.has("mu");
+  return !x.empty() && !traction && !films(table).empty() &&
+         curves_by(table, defaults(table, x).by).size() <= most_curves;
+}
+
+CurvesWanted chosen_curves(const SweepData& table, const Arguments& arguments) {
+  const std::string x = arguments.value("x", longest_key(table));
+  if (x.empty()) refuse(table.path + ": no swept key has three numbers: choose the axes with --x and --y");
+  check_column(table, "x", x, true);
+  CurvesWanted wanted = defaults(table, x);
+  wanted.axes = arguments.value("axes", "");
+  if (!wanted.axes.empty() && wanted.axes != "log" && wanted.axes != "linear")
+    refuse("--axes " + wanted.axes + ": must be log or linear");
+  if (arguments.has("y")) wanted.y = arguments.values("y");
+  if (arguments.has("by")) wanted.by = arguments.values("by");
+  for (const std::string& y : wanted.y) check_column(table, "y", y, true);
+  for (const std::string& by : wanted.by) check_column(table, "by", by, false);
+  const std::size_t curves = curves_by(table, wanted.by).size();
+  if (curves * wanted.y.size() > most_curves * (wanted.y.size() > 1 ? 2 : 1))
+    refuse(fmt::format("{}: {} curves are more than a picture holds ({}): vary fewer values, or choose them with --by",
+                       table.path, curves, most_curves));
+  return wanted;
+}
+
+Curves curves_of(const SweepData& table, const CurvesWanted& wanted) {
+  Curves made;
+  const std::vector<std::vector<std::size_t>> curves = curves_by(table, wanted.by);
+  for (std::size_t q = 0; q < wanted.y.size(); ++q)
+    for (const std::vector<std::size_t>& rows : curves) made.data += block(table, rows, wanted.x, wanted.y[q]) + "\n\n";
+  const auto number = [&](const std::string& name, double value) {
+    made.settings.push_back({name, fmt::format("{:.9g}", value), false});
+  };
+  const auto text = [&](const std::string& name, const std::string& value) {
+    made.settings.push_back({name, value, true});
+  };
+  number("curves", static_cast<double>(curves.size()));
+  number("quantities", static_cast<double>(wanted.y.size()));
+  for (std::size_t k = 0; k < curves.size(); ++k)
+    text(fmt::format("curve_{}", k + 1), name_of_curve(table, wanted.by, curves[k][0]));
+  for (std::size_t q = 0; q < wanted.y.size(); ++q) text(fmt::format("quantity_{}", q + 1), words_for(wanted.y[q]));
+  for (std::size_t q = 0; q < wanted.y.size(); ++q) text(fmt::format("axis_{}", q + 1), with_unit(table, wanted.y[q]));
+  for (std::size_t f = 0; f < std::size(published); ++f)
+    text(fmt::format("formula_{}", f + 1), any(table, wanted.y, published[f]) ? published[f].name : "");
+  text("x_words", with_unit(table, wanted.x));
+  text("y_words", words_of_all(table, wanted.y));
+  number("roughness", std::ranges::all_of(wanted.y, [](const auto& y) { return y == "h_c_nm" || y == "h_m_nm"; })
+                          ? one_roughness(table)
+                          : 0.0);
+  if (made.data.find_first_of("0123456789") == std::string::npos)
+    refuse(table.path + ": no case of it has a converged solution: there is nothing to draw");
+  const auto lost = std::ranges::count_if(table.rows, [&](const auto& row) {
+    return row[static_cast<std::size_t>(std::ranges::find(table.columns, "status") - table.columns.begin())] !=
+           "converged";
+  });
+  text("axes", wanted.axes);
+  number("lost", static_cast<double>(lost));
+  number("rows_of_table", static_cast<double>(table.rows.size()));
+  return made;
+}
+
+}  // namespace ehl::program

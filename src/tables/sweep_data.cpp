@@ -1,0 +1,81 @@
+#include "tables/sweep_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "case/catalogue.hpp"
+#include "core/errors.hpp"
+#include "deck/text.hpp"
+#include "tables/csv.hpp"
+#include "tables/sweep_table.hpp"
+
+namespace ehl::program {
+namespace {
+
+// "# units: h_c_nm [nm], seconds [s]".
+std::map<std::string, std::string> units_of(const std::string& line) {
+  std::map<std::string, std::string> units;
+  for (std::size_t begin = 0, open = 0; (open = line.find(" [", begin)) != std::string::npos;) {
+    const std::size_t close = std::min(line.find(']', open), line.size());
+    units[deck::trimmed(line.substr(begin, open - begin))] = line.substr(open + 2, close - open - 2);
+    begin = std::min(line.find_first_not_of("], ", close), line.size());
+  }
+  return units;
+}
+
+}  // namespace
+
+bool SweepData::has(const std::string& column) const { return std::ranges::find(columns, column) != columns.end(); }
+
+const std::string& SweepData::cell(std::size_t row, const std::string& column) const {
+  return rows[row][static_cast<std::size_t>(std::ranges::find(columns, column) - columns.begin())];
+}
+
+double SweepData::number(std::size_t row, const std::string& column) const {
+  const deck::ReadNumber read = deck::read_number(cell(row, column));
+  return read.status == deck::ReadNumber::Status::number ? read.value : std::nan("");
+}
+
+std::vector<std::string> SweepData::words(const std::string& column) const {
+  std::vector<std::string> found;
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    if (std::ranges::find(found, cell(row, column)) == found.end()) found.push_back(cell(row, column));
+  return found;
+}
+
+bool SweepData::is_numeric(const std::string& column) const {
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    if (!std::isfinite(number(row, column)) && cell(row, column) != "NaN") return false;
+  return !rows.empty();
+}
+
+SweepData read_sweep(const std::string& path) {
+  std::ifstream file(path);
+  std::string line;
+  if (!std::getline(file, line) || !line.starts_with(sweep_mark))
+    throw core::FileError(path + ": this is no table of `ehl sweep`");
+  SweepData data{.path = path};
+  const std::string units = "# units: ";
+  while (std::getline(file, line) && line.starts_with('#'))
+    if (line.starts_with(units)) data.units = units_of(line.substr(units.size()));
+  data.columns = csv_cells(line, line.size() + 2);
+  const auto status = std::ranges::find(data.columns, "status");
+  if (status == data.columns.end()) throw core::FileError(path + ": the table is damaged: it has no column status");
+  data.varied.assign(data.columns.begin(), status);
+  const deck::Catalogue keys = catalogue();
+  for (const std::string& name : data.varied) {
+    const std::size_t dot = name.find('.');
+    const deck::Key* key = deck::find_key(keys, name.substr(0, dot), name.substr(std::min(dot, name.size() - 1) + 1));
+    if (key != nullptr && !key->unit.empty()) data.units[name] = key->unit;
+  }
+  while (std::getline(file, line)) {
+    data.rows.push_back(csv_cells(line, data.columns.size()));
+    if (data.rows.back().size() != data.columns.size())
+      throw core::FileError(path + ": the table is damaged: a row has " + std::to_string(data.rows.back().size()) +
+                            " cells instead of " + std::to_string(data.columns.size()));
+  }
+  return data;
+}
+
+}  // namespace ehl::program

@@ -1,0 +1,29 @@
+#pragma once
+// The table of a sweep, read back by people's names: for figures.
+#include <map>
+#include <string>
+#include <vector>
+
+namespace ehl::program {
+
+struct SweepData {
+  std::string path{};
+  std::vector<std::string> varied{};             ///< keys that the sweep varied, "motion.u_m", the slowest first
+  std::vector<std::string> columns{};            ///< those and the quantities
+  std::vector<std::vector<std::string>> rows{};  ///< cells
+  std::map<std::string, std::string> units{};    ///< of the columns that have one
+
+  bool has(const std::string& column) const;
+  const std::string& cell(std::size_t row, const std::string& column) const;
+  /// NaN where the cell is no number.
+  double number(std::size_t row, const std::string& column) const;
+  /// The different words of a column, in the order in which they come.
+  std::vector<std::string> words(const std::string& column) const;
+  /// True where every word of a column is a number.
+  bool is_numeric(const std::string& column) const;
+};
+
+/// errors: core::FileError: unreadable, no table of a sweep, a damaged row.
+SweepData read_sweep(const std::string& path);
+
+}  // namespace ehl::program

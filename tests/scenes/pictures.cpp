@@ -1,0 +1,189 @@
+// `ehl plot` as people use it: every picture without a word from gnuplot, in SI, at a time, in a journal's size.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <sstream>
+
+#include "support/program.hpp"
+#include "support/text.hpp"
+
+namespace {
+
+using support::contains;
+
+const std::string steel =
+    "[case]\ntitle = steel 'ball' on glass\n[contact]\nload = 20\nradius_x = 0.010\nE_prime = 1.2e11\n[motion]\nu_m = "
+    "0.5\n"
+    "[lubricant]\neta0 = 0.08\nalpha = 2e-8\n[domain]\nx_inlet = -4\ny_half = 3\n[grid]\ncells = 64\n";
+// The load doubles: the film of the last field is another one than that of the start.
+const std::string in_time =
+    " --set transient.end_time=1.2e-3 --set transient.time_unit=seconds "
+    "--set transient.output_interval=4e-4 --set 'transient.load=0:1 5e-4:2'";
+
+struct Scene {
+  support::TemporaryFolder folder;
+  Scene() { folder.write("s.ini", steel); }
+  support::Ended ehl(const std::string& arguments) const { return support::ehl(folder, arguments); }
+
+  // Draws, with no word from gnuplot.
+  std::string drawn(const std::string& arguments) const {
+    const support::Ended ended = ehl("plot " + arguments);
+    BOOST_TEST(ended.status == 0, arguments);
+    BOOST_TEST(ended.err.empty(), arguments << " says\n" << ended.err);
+    return ended.out;
+  }
+  // The film in nm at the centre, at a time of the run.
+  double centre_nm(const std::string& step) const {
+    std::istringstream lines(ehl("extract s.h5 /transient/frames/H --si --along x --at y=0 --step " + step).out);
+    double nearest = 1e9, film = 0.0;
+    for (std::string line; std::getline(lines, line);) {
+      std::istringstream numbers(line);
+      double x = 0.0, h = 0.0;
+      if (numbers >> x >> h && std::abs(x) < nearest) {
+        nearest = std::abs(x);
+        film = h;
+      }
+    }
+    return film;
+  }
+};
+
+// "h_c = 259 nm" of an interferogram: gnuplot writes subscripts as texts of their own.
+double film_said(const std::string& svg) {
+  const std::size_t nm = svg.find(" nm");
+  BOOST_REQUIRE(nm != std::string::npos);
+  return std::stod(svg.substr(svg.rfind("= ", nm) + 2));
+}
+
+// In points of 1/72 inch.
+double width_of_pdf(const std::string& pdf) {
+  std::istringstream box(pdf.substr(pdf.find("/MediaBox [") + 11));
+  double x0 = 0.0, y0 = 0.0, x1 = 0.0;
+  box >> x0 >> y0 >> x1;
+  return x1 - x0;
+}
+
+int width_of_png(const std::string& png) {
+  int width = 0;
+  for (std::size_t k = 16; k < 20; ++k) width = 256 * width + static_cast<unsigned char>(png.at(k));
+  return width;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(pictures)
+
+BOOST_AUTO_TEST_CASE(every_figure_of_every_kind_of_result_is_drawn_in_its_units) {
+  const Scene scene;
+  scene.folder.write("d.ini", "[case]\nkind = dry\n[subsurface]\ndepth = 2\n[grid]\ncells = 64\n");
+  scene.folder.write("m.ini",
+                     "[contact]\nM = 20\nL = 10\nradius_ratio = 0.5\n[motion]\nangle = 30\n[lubricant]\nalpha = "
+                     "2.2e-8\n[grid]\ncells = 64\n");
+  BOOST_REQUIRE(scene.ehl("run d.ini").status == 0);
+  BOOST_REQUIRE(scene.ehl("run m.ini").status == 0);
+  BOOST_REQUIRE(scene
+                    .ehl("run s.ini --output w.h5 --set motion.srr=2 --set surface2.shape=waviness --set "
+                         "surface2.height_m=5e-8 --set surface2.width_m=6e-5")
+                    .status == 0);
+  BOOST_TEST(contains(scene.drawn("d.h5 --format svg"), "d_subsurface_stress.svg"));
+  BOOST_TEST(contains(scene.drawn("m.h5 --format svg"), "m_interferogram.svg"));
+  scene.drawn("w.h5 --format svg --figure roughness --figure film_contours --figure centre_lines");
+  const std::string own = scene.folder.read("m_film_contours.svg"), si = scene.folder.read("w_film_contours.svg");
+  BOOST_TEST(contains(own, "X = x/a"));
+  BOOST_TEST(contains(si, "x [µm]"));
+  BOOST_TEST(contains(si, "h [nm]"));
+  BOOST_TEST(contains(scene.folder.read("w_centre_lines.svg"), "p [GPa]"));
+  // What only those want who look after the solver is drawn when it is asked for.
+  BOOST_TEST(scene.folder.read("m_level_ladder.svg").empty());
+  BOOST_TEST(contains(scene.drawn("m.h5 --figure level_ladder --figure time_against_nodes"), "m_level_ladder.png"));
+}
+
+BOOST_AUTO_TEST_CASE(a_run_in_time_shows_its_last_field_or_the_one_asked_for) {
+  const Scene scene;
+  BOOST_REQUIRE(scene.ehl("run s.ini" + in_time).status == 0);
+  BOOST_TEST(contains(scene.drawn("s.h5 --format svg"), "s_transient_map.svg"));
+  const double start = scene.centre_nm("0"), second = scene.centre_nm("1"), last = scene.centre_nm("last");
+  BOOST_TEST_MESSAGE("film at the centre " << start << ", " << second << ", at the end " << last << " nm");
+  BOOST_REQUIRE(std::abs(start - last) > 5.0);
+  const std::string svg = scene.folder.read("s_interferogram.svg");
+  BOOST_TEST(contains(svg, "t = 1.2 ms"));
+  BOOST_TEST(std::abs(film_said(svg) - last) <= 0.51);  // said in whole nm
+  scene.drawn("s.h5 --figure interferogram --time 3.5e-4 --output then.svg");
+  const std::string then = scene.folder.read("then.svg");
+  BOOST_TEST(contains(then, "t = 0.4 ms"));
+  BOOST_TEST(std::abs(film_said(then) - second) <= 0.51);
+  scene.drawn("s.h5 --figure transient_steps");
+  BOOST_TEST(scene.ehl("plot s.h5 --figure transient_movie").status == 0);
+  BOOST_TEST(scene.folder.read("s_transient_movie.gif").starts_with("GIF89a"));
+}
+
+BOOST_AUTO_TEST_CASE(pictures_have_the_size_and_the_name_asked_for) {
+  const Scene scene;
+  BOOST_REQUIRE(scene.ehl("run s.ini").status == 0);
+  scene.drawn("s.h5 --figure film_contours --width 85mm --output fig3.pdf --title ''");
+  const double width = width_of_pdf(scene.folder.read("fig3.pdf"));
+  BOOST_TEST_MESSAGE("85 mm are " << width << " pt (240.9, whole points are enough)");
+  BOOST_TEST(std::abs(width - 85.0 / 25.4 * 72.0) <= 1.0);
+  scene.drawn("s.h5 --figure film_contours --width 1200px --output wide.png");
+  BOOST_TEST(width_of_png(scene.folder.read("wide.png")) == 1200);
+  scene.drawn("s.h5 --figure film_contours --width single --output own.png");
+  BOOST_TEST(std::abs(width_of_png(scene.folder.read("own.png")) - 90.0 / 25.4 * 300.0) <= 1.0);
+  BOOST_TEST(scene.drawn("s.h5 --figure film_contours --figure centre_lines --output f") ==
+             "f_film_contours.png\nf_centre_lines.png\n");
+  const struct {
+    const char* arguments;
+    const char* part;
+  } lines[] = {{"--width 85cm", "write 85mm"},
+               {"--width 5mm", "from 40 to 600 mm"},
+               {"--width 800px --format pdf", "no pixels"},
+               {"--format gif", "png, svg or pdf"},
+               {"--figure film_contours --output a.eps", ".png, .svg or .pdf"},
+               {"--figure film_contours --output a.pdf --format png", "ends with .png"},
+               {"--time 0", "no run in time"},
+               {"--x motion.u_m", "the table of a sweep"}};
+  for (const auto& line : lines) {
+    const support::Ended ended = scene.ehl(std::string("plot s.h5 ") + line.arguments);
+    BOOST_TEST(ended.status == 2, line.arguments);
+    BOOST_TEST(ended.says({line.part}), line.arguments << " says\n" << ended.err);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_movie_is_a_gif_and_times_lie_in_the_run) {
+  const Scene scene;
+  BOOST_REQUIRE(scene.ehl("run s.ini --set transient.end_time=0.02").status == 0);
+  const support::Ended movie = scene.ehl("plot s.h5 --figure transient_movie --format pdf");
+  BOOST_TEST(movie.status == 2);
+  BOOST_TEST(movie.says({"transient_movie", "animated GIF"}), movie.err);
+  const support::Ended late = scene.ehl("plot s.h5 --time 3");
+  BOOST_TEST(late.status == 2);
+  BOOST_TEST(late.says({"--time 3", "from 0 to 0.02 a/u_m"}), late.err);
+}
+
+BOOST_AUTO_TEST_CASE(help_lists_the_figures) {
+  const Scene scene;
+  const std::string help = scene.ehl("plot --help").out;
+  for (const char* part :
+       {"--width W", "single (90 mm)", "film_contours: film thickness", "needs /fields/H",
+        "transient_movie (GIF, on demand)", "figures of the table of a sweep", "needs motion.srr, mu"})
+    BOOST_TEST(contains(help, part), part);
+}
+
+BOOST_AUTO_TEST_CASE(film_against_speed_is_one_picture_of_one_sweep) {
+  const Scene scene;
+  BOOST_REQUIRE(
+      scene.ehl("sweep s.ini --vary motion.u_m=0.2,0.5,1 --vary contact.load=20,40 --set contact.Sq1=20e-9").status ==
+      0);
+  BOOST_TEST(scene.drawn("s_sweep.csv --format svg") == "s_sweep_curves.svg\n");
+  const std::string svg = scene.folder.read("s_sweep_curves.svg");
+  for (const char* part : {"film thickness h [nm]", "Hamrock, Dowson 1977", "= 40 N"})
+    BOOST_TEST(contains(svg, part), part);
+  scene.drawn("s_sweep.csv --x contact.load --y lambda_ratio --by motion.u_m --axes linear");
+  // Friction: linear axes and per cent.
+  BOOST_REQUIRE(scene
+                    .ehl("sweep s.ini --vary motion.srr=0.01,0.1,0.5 --set shear.law=eyring --set shear.tau_0=5e6 "
+                         "--set friction.cavitated=striated --output mtm.csv")
+                    .status == 0);
+  BOOST_TEST(scene.drawn("mtm.csv --format svg") == "mtm_traction_curve.svg\n");
+  BOOST_TEST(contains(scene.folder.read("mtm_traction_curve.svg"), "[%]"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
