@@ -136,6 +136,7 @@ Input read(deck::Deck& deck, const Scales& scales, const Conditions& carried, co
   const bool seconds = transient.word("time_unit") == "seconds";
   if (seconds && std::isnan(scales.time))
     transient.complain("time_unit", "seconds need a contact and a motion in SI: use contact");
+  input.in_seconds = seconds;
   const double unit = seconds && std::isfinite(scales.time) ? scales.time : 1.0;
   const auto time = [&](const char* key) { return transient.number(key) / unit; };
   read_drive(transient, unit, scales, input.conditions);

@@ -26,6 +26,7 @@ struct Input {
   MarchParameters parameters{};
   double seconds_between_checkpoints = 60.0;  ///< of the clock on the wall
   double second = 0.0;                        ///< in a/u_m; NaN where the contact is not in SI
+  bool in_seconds = false;                    ///< the deck's own unit of time; else a/u_m
 };
 
 /// The keys of [transient], those of [output] for a run in time, and those of [body].

@@ -1,5 +1,9 @@
 #include "base/si_units.hpp"
 
+#include <fmt/core.h>
+
+#include <cmath>
+
 namespace ehl::program {
 
 SiUnit si_unit(const std::string& unit, const SiScales& scales) {
@@ -12,6 +16,17 @@ SiUnit si_unit(const std::string& unit, const SiScales& scales) {
   if (unit == "a u_m/R") return {"um/s", 1e6 * scales.h / scales.time};
   if (unit == "rho0 u_m a^3/R") return {"rho0 mm^3/s", 1e9 * scales.a * scales.h * u_m};
   return {unit, 1.0};
+}
+
+std::string film_text(double H, const SiScales& scales) {
+  const double nm = 1e9 * scales.h * H;
+  return std::isfinite(nm) ? fmt::format("{:.2f} nm", nm) : "-";
+}
+
+std::string place_text(double X, double Y, const SiScales& scales) {
+  // Without the sign of a zero.
+  const auto um = [&](double x) { return std::abs(x * scales.a) < 0.05e-6 ? 0.0 : 1e6 * scales.a * x; };
+  return fmt::format("({:.1f}, {:.1f}) um", um(X), um(Y));
 }
 
 }  // namespace ehl::program

@@ -22,4 +22,8 @@ struct SiUnit {
 /// file, "a^2/R". out: a unit of no scale of the contact as it is; a factor of NaN where the scale is not known.
 SiUnit si_unit(const std::string& unit, const SiScales& scales);
 
+/// A film, a place: "258.55 nm", "(42.0, -112.1) um". in: H, X and Y.
+std::string film_text(double H, const SiScales& scales);
+std::string place_text(double X, double Y, const SiScales& scales);
+
 }  // namespace ehl::program

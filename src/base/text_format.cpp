@@ -23,6 +23,11 @@ std::string pressure(double pascal) {
   return std::abs(pascal) < 1e9 ? fmt::format("{:.4g} MPa", pascal * 1e-6) : fmt::format("{:.4g} GPa", pascal * 1e-9);
 }
 
+std::string pressure_in_GPa(double pascal) {
+  constexpr double soft = 0.01e9;  // rubber and plastics; steel and glass are at some tenths of a gigapascal
+  return std::abs(pascal) < soft ? pressure(pascal) : fmt::format("{:.4g} GPa", pascal * 1e-9);
+}
+
 std::string memory(double bytes) {
   return bytes < 1e9 ? fmt::format("{:.0f} MB", bytes * 1e-6) : fmt::format("{:.1f} GB", bytes * 1e-9);
 }

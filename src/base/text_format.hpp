@@ -10,8 +10,10 @@ std::string known(const char* format, double value);
 
 /// A length in the unit that leaves it readable: "212.4 nm", "136.5 um".
 std::string length(double metres);
-/// A pressure: "0.385 GPa", "12.3 MPa".
+/// A pressure: "1.385 GPa", "12.3 MPa".
 std::string pressure(double pascal);
+/// A pressure of a contact in SI: "0.385 GPa", in MPa only where the contact is that soft.
+std::string pressure_in_GPa(double pascal);
 /// Memory: "12 MB".
 std::string memory(double bytes);
 /// A time that is foreseen, to one digit: "0.04 s", "20 s".

@@ -44,8 +44,11 @@ std::string summary(const Case& input, const Computed& computed) {
   text += fmt::format(
       "             on surface 1 {:.5g}, on surface 2 {:.5g} of the load along +x; cavitated region {:.2g}\n", f.on_1,
       f.on_2, f.cavitated);
-  text += fmt::format("             largest shear stress of sliding {:.4g} p_h", f.largest_stress);
-  if (std::isfinite(input.physics.p_h)) text += ", " + pressure(f.largest_stress * input.physics.p_h);
+  const std::string own = fmt::format("{:.4g} p_h", f.largest_stress);
+  const std::string absolute =
+      std::isfinite(input.physics.p_h) ? pressure(f.largest_stress * input.physics.p_h) : std::string();
+  text += "             largest shear stress of sliding ";
+  text += input.physics.si ? absolute + " (" + own + ")" : own + (absolute.empty() ? "" : ", " + absolute);
   if (std::isfinite(f.parameters.limit))
     text += fmt::format(", limited on {:.0f} % of the load", 100.0 * f.limited_share);
   text += "; isothermal, " + oil(input) + "\n";

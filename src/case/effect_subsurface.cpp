@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <optional>
 
 #include "base/json.hpp"
 #include "base/text_format.hpp"
@@ -27,10 +28,16 @@ std::string body(const Parameters& parameters) {
 // Without the signs of zeros that rounding leaves.
 double shown(double place) { return std::abs(place) < 5e-5 ? 0.0 : place; }
 
-std::string maximum_line(const char* label, const Maximum& maximum, double p_h, const char* mark) {
-  const std::string absolute = std::isfinite(p_h) ? ", " + pressure(maximum.value * p_h) : "";
-  return fmt::format("{} {:.5f} p_h{}, at ({:.3f}, {:.3f}) a, depth {:.4f} a{}\n", label, maximum.value, absolute,
-                     shown(maximum.X), shown(maximum.Y), maximum.Z, mark);
+std::string maximum_line(const char* label, const Maximum& maximum, const Physics& physics, const char* mark) {
+  const std::string own = fmt::format("{:.5f} p_h", maximum.value);
+  const std::string place =
+      fmt::format("at ({:.3f}, {:.3f}) a, depth {:.4f} a{}\n", shown(maximum.X), shown(maximum.Y), maximum.Z, mark);
+  const std::optional<SiScales> si = si_scales(physics);
+  if (!si)
+    return label + (" " + own) + (std::isfinite(physics.p_h) ? ", " + pressure(maximum.value * physics.p_h) : "") +
+           ", " + place;
+  return label + (" " + pressure_in_GPa(maximum.value * si->p_h)) + ", at " + place_text(maximum.X, maximum.Y, *si) +
+         fmt::format(", depth {:.2f} um; ", 1e6 * si->a * maximum.Z) + own + ", " + place;
 }
 
 std::vector<results::Quantity> quantities(const StressField& field) {
@@ -84,10 +91,10 @@ std::string what(const Case& input) {
 
 std::string summary(const Case& input, const Computed& computed) {
   const StressField& field = *computed.stresses;
-  const double p_h = input.physics.p_h;
   const char* mark = computed.solution.converged ? "" : "  (NOT CONVERGED)";
-  return maximum_line("von Mises   ", field.mises, p_h, mark) + maximum_line("tau_max     ", field.shear, p_h, mark) +
-         "subsurface   " + nodes(field.grid, field.depths.size()) + fmt::format("{:.4g} a; ", field.depths.back()) +
+  return maximum_line("von Mises   ", field.mises, input.physics, mark) +
+         maximum_line("tau_max     ", field.shear, input.physics, mark) + "subsurface   " +
+         nodes(field.grid, field.depths.size()) + fmt::format("{:.4g} a; ", field.depths.back()) +
          body(field.parameters) + fmt::format("; {:.3f} s\n", field.seconds) + warning_lines(field.warnings);
 }
 

@@ -114,6 +114,13 @@ void set_laws(const rheology::Oil& oil, Physics& physics) {
 
 }  // namespace
 
+std::optional<SiScales> si_scales(const Physics& physics) {
+  if (!physics.si) return std::nullopt;
+  const contact::Hertz& hertz = physics.si->hertz;
+  const double u_s = physics.si->contact.u_s;
+  return SiScales{hertz.a, hertz.h_scale, hertz.p_h, u_s > 0.0 ? 2.0 * hertz.a / u_s : std::nan("")};
+}
+
 Physics physical_input(deck::Deck& deck) {
   const deck::Part part{deck, "contact"};
   const bool slides = deck::called_for(deck, "shear") || deck::called_for(deck, "friction");

@@ -3,6 +3,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/si_units.hpp"
 #include "contact/groups.hpp"
 #include "contact/hertz.hpp"
 #include "contact/keys.hpp"
@@ -35,6 +36,9 @@ struct Physics {
   rheology::DensityLaw density{};
   std::optional<rheology::AmbientOil> ambient{};  ///< an oil by its viscosities at two temperatures
 };
+
+/// What to read the dimensionless numbers of the case with; nothing where the contact is not in SI.
+std::optional<SiScales> si_scales(const Physics& physics);
 
 /// Rules between the keys of [contact], [motion] and [lubricant]; what breaks them is added to deck.errors, and then
 /// nothing else in the result but the language has a meaning. Choices (Roelands' z, radius_y) are recorded in the deck.

@@ -18,9 +18,17 @@ namespace {
 using transient::MarchEnd;
 using transient::StepRow;
 
-std::string text_of(const StepRow& row, double end) {
-  return fmt::format("time {:.4g} of {:.4g} a/u_m  step {:.1e}  order {}  Hc {:.4f}  Hm {:.4f}", row.T, end, row.length,
-                     row.order, row.Hc, row.Hm);
+// Times as the deck gives them: in ms where it speaks of seconds.
+SiUnit time_unit(const Case& input) {
+  const std::optional<SiScales> si = si_scales(input.physics);
+  return si && input.transient->in_seconds ? si_unit("a/u_m", *si) : SiUnit{"a/u_m", 1.0};
+}
+
+std::string text_of(const Case& input, const StepRow& row) {
+  const SiUnit time = time_unit(input);
+  return fmt::format("time {:.4g} of {:.4g} {}  step {:.1e}  order {}  Hc {:.4f}  Hm {:.4f}", row.T * time.factor,
+                     input.transient->parameters.end * time.factor, time.name, row.length * time.factor, row.order,
+                     row.Hc, row.Hm);
 }
 
 // The counts of all rows, those before a checkpoint included.
@@ -38,22 +46,57 @@ void total(TransientResult& result) {
   }
 }
 
-// in: value, of a row.
+// A number of the rows: what it is called alone and in SI, and its unit there.
+struct Told {
+  std::string own{};
+  std::string in_SI{};
+  SiUnit unit{};
+};
+
+// From the least to the most of it. in: value, of a row.
 template <class Value>
-std::string range_line(const std::string& name, const std::vector<StepRow>& rows, Value value) {
+std::string range_line(const Case& input, const Told& told, const std::vector<StepRow>& rows, Value value) {
   const StepRow& low = *std::ranges::min_element(rows, {}, value);
   const StepRow& high = *std::ranges::max_element(rows, {}, value);
-  return fmt::format("  {:<10} {:.5f} to {:.5f}, at times {:.4g} and {:.4g}; at the end {:.5f}\n", name,
-                     std::invoke(value, low), std::invoke(value, high), low.T, high.T, std::invoke(value, rows.back()));
+  const double least = std::invoke(value, low), most = std::invoke(value, high), last = std::invoke(value, rows.back());
+  const SiUnit time = time_unit(input);
+  if (!input.physics.si)
+    return fmt::format("  {:<10} {:.5f} to {:.5f}, at times {:.4g} and {:.4g}; at the end {:.5f}\n", told.own, least,
+                       most, low.T, high.T, last);
+  const double factor = told.unit.factor;
+  return fmt::format(
+      "  {:<10} {:.5g} to {:.5g} {}, at times {:.4g} and {:.4g} {}; at the end {:.5g} {}; {} {:.5f} to {:.5f}\n",
+      told.in_SI, factor * least, factor * most, told.unit.name, time.factor * low.T, time.factor * high.T, time.name,
+      factor * last, told.unit.name, told.own, least, most);
 }
 
-std::string probe_lines(const Case& input, const std::vector<StepRow>& rows) {
-  std::string text;
+std::string range_lines(const Case& input, const std::vector<StepRow>& rows) {
+  const SiScales scales = si_scales(input.physics).value_or(SiScales{});
+  const SiUnit nm = si_unit("a^2/R", scales), GPa = si_unit("p_h", scales);
+  const auto line = [&](const Told& told, auto value) { return range_line(input, told, rows, value); };
+  std::string text = line({"Hc", "h_c", nm}, &StepRow::Hc) + line({"Hm", "h_m", nm}, &StepRow::Hm) +
+                     line({"P_max", "p_max", GPa}, &StepRow::P_max);
+  if (input.transient->conditions.body) {
+    const double load = input.physics.si ? input.physics.si->contact.load : 1.0;
+    text += line({"velocity", "velocity", si_unit("a u_m/R", scales)}, &StepRow::velocity) +
+            line({"carried", "carried", {"N", load}}, &StepRow::carried);
+  }
   const std::vector<transient::Place>& places = input.transient->parameters.probes;
-  for (std::size_t k = 0; k < places.size(); ++k)
-    text += range_line(name_of_probe("P", places[k]), rows, [k](const StepRow& row) { return row.probed[k].P; }) +
-            range_line(name_of_probe("H", places[k]), rows, [k](const StepRow& row) { return row.probed[k].H; });
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const std::string P = name_of_probe("P", places[k]), H = name_of_probe("H", places[k]);
+    text += line({P, P, GPa}, [k](const StepRow& row) { return row.probed[k].P; }) +
+            line({H, H, nm}, [k](const StepRow& row) { return row.probed[k].H; });
+  }
   return text;
+}
+
+// "time 0 to 0.5 a/u_m (0.1345 ms)", the deck's own unit first.
+std::string time_text(const Case& input, double T) {
+  const std::optional<SiScales> si = si_scales(input.physics);
+  const std::string own = fmt::format("{:.6g} a/u_m", T);
+  if (!si) return "time 0 to " + own;
+  const std::string ms = fmt::format("{:.4g} ms", 1e3 * si->time * T);
+  return "time 0 to " + (input.transient->in_seconds ? ms + " (" + own + ")" : own + " (" + ms + ")");
 }
 
 }  // namespace
@@ -83,7 +126,7 @@ TransientResult run_transient(const Case& input, const steady::Solution& start, 
       .row =
           [&](const StepRow& row) {
             result.rows.push_back(row);
-            return progress.show(row.T / march.parameters.end, text_of(row, march.parameters.end));
+            return progress.show(row.T / march.parameters.end, text_of(input, row));
           },
       .frame = [&](transient::Frame&& frame) { result.frames.push_back(std::move(frame)); },
       .wants_checkpoint = [&] { return core::now() - saved > march.seconds_between_checkpoints; },
@@ -107,15 +150,8 @@ bool completed(const TransientResult& result) {
 
 std::string transient_summary(const Case& input, const TransientResult& result) {
   const transient::MarchReport& report = result.report;
-  std::string text = fmt::format("transient    time 0 to {:.6g} a/u_m", report.T);
-  if (std::isfinite(input.transient->second)) text += fmt::format(" ({:.4g} s)", report.T / input.transient->second);
-  text += ", ended " + how_it_ended(report) + "\n";
-  text += range_line("Hc", result.rows, &StepRow::Hc) + range_line("Hm", result.rows, &StepRow::Hm) +
-          range_line("P_max", result.rows, &StepRow::P_max);
-  if (input.transient->conditions.body)
-    text +=
-        range_line("velocity", result.rows, &StepRow::velocity) + range_line("carried", result.rows, &StepRow::carried);
-  text += probe_lines(input, result.rows);
+  std::string text = "transient    " + time_text(input, report.T) + ", ended " + how_it_ended(report) + "\n";
+  text += range_lines(input, result.rows);
   const int attempts = report.steps + report.rejected + report.not_solved;
   text += fmt::format(
       "  steps      {}, {:.2f} cycles each; {} of {} attempts rejected for their error, {} not solved; {} jumps; "

@@ -12,6 +12,7 @@
 #include "core/constants.hpp"
 #include "core/norms.hpp"
 #include "core/processor_level.hpp"
+#include "report/contact_lines.hpp"
 #include "report/outcome.hpp"
 #include "report/result_content.hpp"
 
@@ -58,33 +59,43 @@ void solve(const Case& input, Progress& progress, Computed& computed) {
 
 std::string contact_lines(const ElasticContact& contact) {
   return fmt::format("contact      F = {:.6g} N, R = {}, E' = {}\n", contact.load, length(contact.radius),
-                     pressure(contact.E_prime)) +
-         "Hertz        a = " + length(contact.hertz.a) + ", p_h = " + pressure(contact.hertz.p_h) +
+                     pressure_in_GPa(contact.E_prime)) +
+         "Hertz        a = " + length(contact.hertz.a) + ", p_h = " + pressure_in_GPa(contact.hertz.p_h) +
          ", a^2/R = " + length(contact.hertz.h_scale) + "\n";
 }
 
-std::string table(const dry::Solution& solution) {
-  std::string text = "       nodes     P_max  approach      area  gap error  iterations   seconds\n";
+std::string table(const dry::Solution& solution, const std::optional<SiScales>& si) {
+  std::string text = std::string("       nodes  ") + (si ? "p_max [GPa]  approach [nm]  " : "") +
+                     "   P_max  approach      area  gap error  iterations   seconds\n";
   for (const dry::GridRow& row : solution.rows)
-    text += fmt::format("{:>12}  {:8.5f}  {:8.5f}  {:8.5f}  {:9.0e}  {:10}  {:8.3f}\n",
-                        fmt::format("{} x {}", row.nx + 1, row.ny + 1), row.P_max, -row.H00, row.area, row.error,
-                        row.iterations, row.seconds);
+    text +=
+        fmt::format("{:>12}  {}{:8.5f}  {:8.5f}  {:8.5f}  {:9.0e}  {:10}  {:8.3f}\n",
+                    fmt::format("{} x {}", row.nx + 1, row.ny + 1),
+                    si ? fmt::format("{:11.5f}  {:13.2f}  ", 1e-9 * si->p_h * row.P_max, -1e9 * si->h * row.H00) : "",
+                    row.P_max, -row.H00, row.area, row.error, row.iterations, row.seconds);
   return text;
 }
+
+// The number in SI before the one in units of the contact.
+std::string both(const std::string& in_SI, const std::string& own) { return in_SI.empty() ? own : in_SI + "; " + own; }
 
 std::string summary(const Case& input, const Computed& computed) {
   const dry::Solution& solution = *computed.dry;
   const Place& P_max = computed.outcome.P_max;
   const std::optional<ElasticContact>& contact = input.dry->contact;
+  const std::optional<SiScales> si = si_scales(input.physics);
   const char* mark = solution.converged ? "" : "  (NOT CONVERGED)";
   const dry::GridRow& last = solution.rows.back();
-  std::string text = table(solution);
+  std::string text = table(solution, si);
   if (!solution.converged) text += "NOT CONVERGED: " + solution.failed_check + "\n";
-  text += fmt::format("p_max        P = {:.5f}{}, at ({:.3f}, {:.3f}) a{}\n", P_max.value,
-                      contact ? (", " + pressure(P_max.value * input.physics.p_h)) : "", P_max.X, P_max.Y, mark);
-  text += fmt::format("approach     {:.5f} a^2/R{} (smooth: 1){}\n", -solution.H00,
-                      contact ? (", " + length(-solution.H00 * contact->hertz.h_scale)) : "", mark);
-  text += fmt::format("area         {:.5f} a^2, {:.4f} of Hertz' circle{}\n", last.area, last.area / core::pi, mark);
+  text += "p_max        " +
+          both(si ? pressure_in_GPa(P_max.value * si->p_h) + ", at " + place_text(P_max.X, P_max.Y, *si) : "",
+               fmt::format("P = {:.5f}, at ({:.3f}, {:.3f}) a{}\n", P_max.value, P_max.X, P_max.Y, mark));
+  text += "approach     " + both(si ? length(-solution.H00 * si->h) : "",
+                                 fmt::format("{:.5f} a^2/R (smooth: 1){}\n", -solution.H00, mark));
+  text += "area         " +
+          both(si ? fmt::format("{:.5g} um^2", 1e12 * si->a * si->a * last.area) : "",
+               fmt::format("{:.5f} a^2, {:.4f} of Hertz' circle{}\n", last.area, last.area / core::pi, mark));
   if (contact) text += contact_lines(*contact);
   text += fmt::format("load         error {:.1e}; gap in contact and overlap outside at most {:.1e} a^2/R\n",
                       solution.load_error, last.error);
@@ -128,6 +139,11 @@ std::string json(const Case& input, const Computed& computed) {
   report["title"] = input.title;
   report["kind"] = "dry";
   report["p_h_Pa"] = input.physics.p_h;
+  if (const std::optional<ElasticContact>& contact = input.dry->contact) {
+    report["p_max_Pa"] = computed.outcome.P_max.value * input.physics.p_h;
+    report["a_m"] = contact->hertz.a;
+    report["R_m"] = contact->radius;
+  }
   report["deformation"] = name(input.scene.deformation.method);
   report["threads"] = input.scene.threads;
   report["cpu_level"] = core::processor_level();
@@ -162,10 +178,8 @@ std::string derived_dry(const Case& input) {
   return "case         " + input.title + "\n" +
          (input.dry->contact ? contact_lines(*input.dry->contact)
                              : "contact      in units of Hertz: P in p_h, x in a\n") +
-         fmt::format("domain       [{:g}, {:g}] x [{:g}, {:g}] Hertz radii\n", grid.X_a, grid.X_b, grid.Y_a, grid.Y_b) +
-         fmt::format("grid         {} x {} nodes, hx = {:.4g}, hy = {:.4g}\n", grid.nodes_x(), grid.nodes_y(),
-                     grid.hx(), grid.hy()) +
-         "method       dry, conjugate gradients; deformation " + name(input.scene.deformation.method) +
+         domain_lines(grid, si_scales(input.physics)) + "method       dry, conjugate gradients; deformation " +
+         name(input.scene.deformation.method) +
          fmt::format("\nkind         dry: no lubricant; conjugate gradients to {:.1g} a^2/R\n",
                      input.dry->parameters.tolerance) +
          effect_lines(input) + surface_report(input.surfaces, input.physics, grid) + "needs        about " +

@@ -7,7 +7,7 @@
 namespace ehl::program {
 
 /// One row per level: what accuracy cost in time.
-std::string level_table(const steady::Solution& solution);
+std::string level_table(const Case& input, const steady::Solution& solution);
 
 /// One row per load that a load continuation solved for; empty where there was none.
 std::string continuation_table(const Case& input, const steady::Solution& solution);

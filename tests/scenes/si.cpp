@@ -139,6 +139,53 @@ BOOST_AUTO_TEST_CASE(a_sweep_without_units_has_none) {
                       "residual,load_error,cycle_factor,cycles,work_units,seconds,peak_memory,path,warnings,reason\n"));
 }
 
+// The number that follows a word in a text.
+double after(const std::string& text, const std::string& word) {
+  const std::size_t at = text.find(word);
+  BOOST_REQUIRE_MESSAGE(at != std::string::npos, word << " is missing in\n" << text);
+  return std::stod(text.substr(at + word.size()));
+}
+
+BOOST_AUTO_TEST_CASE(report_in_SI) {
+  const Scene scene;
+  const support::Ended ended = scene.ehl("run s.ini --quiet");
+  BOOST_REQUIRE_MESSAGE(ended.status == 0, ended.err);
+  const auto json = support::parsed(scene.ehl("run s.ini --quiet --json --overwrite").out);
+  const auto film = [&](const char* name) { return 1e9 * h_scale * support::number_at(json, name); };
+  constexpr double digits = 0.005;  // half of the last one printed
+  BOOST_TEST(std::abs(after(ended.out, "h_c = ") - film("/Hc")) <= digits);
+  BOOST_TEST(std::abs(after(ended.out, "h_m = ") - film("/Hm")) <= digits);
+  BOOST_TEST(std::abs(after(ended.out, "\np_max        ") - 1e-9 * p_h * support::number_at(json, "/P_max")) <= 5e-5);
+  BOOST_TEST(std::abs(after(ended.out, "um; P = ") - support::number_at(json, "/P_max")) <= 5e-6);
+  BOOST_TEST(std::abs(after(ended.out, "65 x 69 ") - film("/Hc")) <= digits);
+  BOOST_TEST(contains(ended.out, "nodes  h_c [nm]  h_m [nm]        Hc        Hm  error(Hc)"));
+  BOOST_TEST(std::abs(after(ended.out, "p_h = ") - 1e-9 * p_h) <= 5e-5);
+  BOOST_TEST(std::abs(after(ended.out, "Hertz        a = ") - 1e6 * a) <= 0.05);
+  const double formula = 1e9 * radius * hamrock_dowson(u_m, true);
+  std::istringstream line(ended.out.substr(ended.out.find("Hamrock, Dowson 1977") + 20));
+  double printed = 0.0, deviation = 0.0;
+  line >> printed >> deviation;
+  BOOST_TEST(std::abs(printed - formula) <= 0.05);
+  BOOST_TEST(std::abs(deviation - 100.0 * (formula / film("/Hc") - 1.0)) <= 0.05);
+  BOOST_TEST(support::number_at(json, "/R_m") == radius);
+  BOOST_TEST(contains(scene.ehl("check s.ini").out, "a = 135.7 um, p_h = 0.5184 GPa"));
+}
+
+BOOST_AUTO_TEST_CASE(times_in_the_unit_of_the_deck) {
+  const Scene scene;
+  const double ms = 1e3 * a / u_m;
+  const support::Ended own = scene.ehl("run s.ini --quiet --set transient.end_time=0.02");
+  BOOST_REQUIRE_MESSAGE(own.status == 0, own.err);
+  BOOST_TEST(after(own.out, "time 0 to ") == 0.02);
+  BOOST_TEST(std::abs(after(own.out, "0.02 a/u_m (") - 0.02 * ms) <= 5e-7);
+  const support::Ended seconds =
+      scene.ehl("run s.ini --overwrite --set transient.time_unit=seconds --set transient.end_time=5e-6");
+  BOOST_REQUIRE_MESSAGE(seconds.status == 0, seconds.err);
+  BOOST_TEST(contains(seconds.out, "time 0 to 0.005 ms ("), seconds.out);
+  BOOST_TEST(std::abs(after(seconds.out, "0.005 ms (") - 0.005 / ms) <= 5e-7);
+  BOOST_TEST(contains(seconds.out, " ms; at the end "), seconds.out);
+}
+
 BOOST_AUTO_TEST_CASE(roughness) {
   const Scene scene;
   const std::string rough = " --set contact.Sq1=30e-9 --set contact.Sq2=40e-9";

@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(outcome_finds_values_and_places) {
 }
 
 BOOST_AUTO_TEST_CASE(table_has_a_row_per_level_and_no_nan) {
-  const std::string table = program::level_table(example_solution(true));
+  const std::string table = program::level_table(example_case(), example_solution(true));
   for (const char* part : {"error(Hc)", "work units", "5 x 3", "5.80 %", "6.20 %", "3e-04", "11.2", "0.011"})
     BOOST_TEST(contains(table, part), part << " is missing in\n" << table);
   BOOST_TEST(!contains(table, "nan"));

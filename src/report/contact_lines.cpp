@@ -1,0 +1,87 @@
+#include "report/contact_lines.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "base/text_format.hpp"
+#include "contact/film_formulas.hpp"
+#include "report/outcome.hpp"
+#include "report/report.hpp"
+
+namespace ehl::program {
+namespace {
+
+// " +5.7 %" of a formula from the film computed; empty where there is none.
+std::string deviation(double formula, double computed) {
+  const double off = formula / computed - 1.0;
+  return std::isfinite(off) ? fmt::format("{:+.1f} %", 100.0 * off) : "";
+}
+
+std::string in_nm(double H, double computed, const SiScales& scales) {
+  return fmt::format("{:>8} {:>8}", known("{:.4g}", 1e9 * scales.h * H), deviation(H, computed));
+}
+
+}  // namespace
+
+std::string si_lines(const SiInput& si) {
+  const contact::SiContact& c = si.contact;
+  const bool circular = contact::circular(c.shape);
+  const std::string radii = circular
+                                ? "R = " + length(c.radius)
+                                : "R_x = " + length(c.radius) + ", R_y = " + length(c.radius / c.shape.radius_ratio);
+  std::string text = fmt::format("contact      F = {:.6g} N, {}, E' = {}\n", c.load, radii, pressure_in_GPa(c.E_prime));
+  text += fmt::format("motion       u1 = {:.6g} m/s, u2 = {:.6g} m/s: u_m = {:.6g} m/s, slide-roll ratio {:.4g}\n",
+                      si.u1, si.u2, 0.5 * c.u_s, 2.0 * (si.u1 - si.u2) / c.u_s);
+  text += fmt::format("lubricant    eta0 = {:.6g} Pa s, alpha = {:.6g} 1/Pa\n", c.eta0, c.alpha);
+  text += "Hertz        a = " + length(si.hertz.a) + (circular ? "" : ", b = " + length(si.hertz.b)) +
+          ", p_h = " + pressure_in_GPa(si.hertz.p_h) + (circular ? ", a^2/R = " : ", a^2/R_x = ") +
+          length(si.hertz.h_scale) + "\n";
+  return text;
+}
+
+std::string group_lines(const Physics& physics) {
+  const contact::Groups& g = physics.groups;
+  std::string text = fmt::format("Moes         M = {:.6g}, L = {:.6g}\n", g.M, g.L);
+  if (!contact::circular(g.shape))
+    text += fmt::format("ellipse      R_x/R_y = {:.6g}, kappa = b/a = {:.6g}, entrainment at {:g} degrees to R_x\n",
+                        g.shape.radius_ratio, g.shape.kappa, g.shape.angle);
+  if (std::isfinite(g.U)) text += fmt::format("Hamrock-D.   W = {:.6g}, U = {:.6g}, G = {:.6g}\n", g.W, g.U, g.G);
+  text += fmt::format("Venner       lambda = {:.6g}, alpha_bar = {:.6g}\n", g.lambda, g.alpha_bar);
+  if (!physics.si && std::isfinite(physics.p_h)) text += "Hertz        p_h = " + pressure(physics.p_h) + "\n";
+  text += "fluid        " + fluid_text(physics) + "\n" + film_coefficients_line(physics);
+  text += "regime       " + contact::regime_text(g.M, g.L, g.shape) + "\n";
+  return text;
+}
+
+std::string formula_lines(const std::vector<Formula>& formulas, const Physics& physics, double Hc, double Hm) {
+  const contact::Groups& groups = physics.groups;
+  const std::optional<SiScales> si = si_scales(physics);
+  std::string text = std::string("formulas                         ") +
+                     (si ? "h_c [nm]          h_m [nm]                " : "        ") +
+                     "Hc        Hm  Hc (Moes)  Hm (Moes)\n";
+  for (const Formula& formula : formulas) {
+    text += fmt::format("  {:<{}}", formula.name, si ? 31 : 33);
+    if (si) text += in_nm(formula.Hc, Hc, *si) + " " + in_nm(formula.Hm, Hm, *si) + "  ";
+    text += fmt::format("{:>8}  {:>8}  {:>9}  {:>9}\n", known("{:.4g}", formula.Hc), known("{:.4g}", formula.Hm),
+                        known("{:.3f}", contact::H_to_moes_units(formula.Hc, groups.M, groups.shape)),
+                        known("{:.3f}", contact::H_to_moes_units(formula.Hm, groups.M, groups.shape)));
+  }
+  if (const std::string why = formulas_left_out(groups); !why.empty()) text += "  " + why + "\n";
+  return text;
+}
+
+std::string domain_lines(const core::Grid& grid, const std::optional<SiScales>& si) {
+  const auto box = [&](const char* format, double factor) {
+    return fmt::format(fmt::runtime(format), factor * grid.X_a, factor * grid.X_b, factor * grid.Y_a,
+                       factor * grid.Y_b);
+  };
+  const double um = si ? 1e6 * si->a : 0.0;
+  std::string text = "domain       " + (si ? box("[{:.4g}, {:.4g}] x [{:.4g}, {:.4g}] um: ", um) : "") +
+                     box("[{:g}, {:g}] x [{:g}, {:g}] Hertz radii\n", 1.0);
+  text += "grid         " + fmt::format("{} x {} nodes, ", grid.nodes_x(), grid.nodes_y());
+  if (si) text += fmt::format("{:.4g} um by {:.4g} um apart: ", um * grid.hx(), um * grid.hy());
+  return text + fmt::format("hx = {:.4g}, hy = {:.4g}\n", grid.hx(), grid.hy());
+}
+
+}  // namespace ehl::program

@@ -1,0 +1,102 @@
+#include "report/film_lines.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text_format.hpp"
+
+namespace ehl::program {
+namespace {
+
+// What would be printed as -0.0000.
+double unsigned_zero(double x) { return std::abs(x) < 5e-5 ? 0.0 : x; }
+
+// "+- 0.4 %", or nothing where there is no estimate.
+std::string bar(double error) { return std::isfinite(error) ? " +- " + percent(error) : ""; }
+
+}  // namespace
+
+std::string film_lines(const Case& input, const Computed& computed) {
+  const steady::Solution& solution = computed.solution;
+  const Outcome& outcome = computed.outcome;
+  const steady::ErrorBars& bars = solution.error_bars;
+  const std::optional<SiScales> si = si_scales(input.physics);
+  const std::string mark = solution.converged ? "" : "  (NOT CONVERGED)";
+  // What the domain cuts off changes both alike.
+  const double domain = std::abs(bars.domain);
+  const bool governs = domain > std::min(bars.Hc.total(), bars.Hm.total());
+  const auto film = [&](const char* label, const char* symbol, double H, double H_moes, const Place& at, double error) {
+    const std::string errors = bar(error) + (governs ? " (domain " + percent(domain) + ")" : "");
+    const std::string own = fmt::format("H = {:.5f}{}, Moes {:.4f}, at ({:.3f}, {:.3f}) a{}\n", H, si ? "" : errors,
+                                        H_moes, at.X, at.Y, mark);
+    if (!si) return std::string(label) + own;
+    return label + (symbol + (" = " + film_text(H, *si))) + errors + ", at " + place_text(at.X, at.Y, *si) + "; " + own;
+  };
+  std::string text = film("centre       ", "h_c", outcome.Hc, outcome.Hc_moes, {}, bars.Hc.total());
+  text += film("minimum      ", "h_m", outcome.Hm.value, outcome.Hm_moes, outcome.Hm, bars.Hm.total());
+  const Place& at = outcome.P_max;
+  text += "p_max        ";
+  if (si)
+    text += pressure_in_GPa(at.value * si->p_h) + bar(bars.P_max) + ", at " + place_text(at.X, at.Y, *si) +
+            fmt::format("; P = {:.5f}", at.value);
+  else
+    text += fmt::format("P = {:.5f}{}{}", at.value, bar(bars.P_max),
+                        std::isfinite(input.physics.p_h) ? ", " + pressure(at.value * input.physics.p_h) : "");
+  text += fmt::format(", at ({:.3f}, {:.3f}) a{}\n", at.X, at.Y, mark);
+  if (solution.levels.size() > 2 && !bars.P_max_converging)
+    text += "             it still grows from grid to grid as at a spike, and belongs to this mesh\n";
+  return text;
+}
+
+std::string error_lines(const Case& input, const steady::Solution& solution) {
+  const steady::ErrorBars& bars = solution.error_bars;
+  const std::optional<SiScales> si = si_scales(input.physics);
+  std::string text;
+  if (std::isfinite(bars.Hc_extrapolated.value)) {
+    const auto& [Hc, Hm] = std::pair(bars.Hc_extrapolated, bars.Hm_extrapolated);
+    const char* where = " (mesh size zero, this domain)";
+    text += "extrapolated ";
+    text +=
+        si ? "h_c = " + film_text(Hc.value, *si) + bar(Hc.error) + ", h_m = " + film_text(Hm.value, *si) +
+                 bar(Hm.error) + where + fmt::format("; Hc = {:.6f}, Hm = {:.6f}\n", Hc.value, Hm.value)
+           : fmt::format("Hc = {:.6f}{}, Hm = {:.6f}{}{}\n", Hc.value, bar(Hc.error), Hm.value, bar(Hm.error), where);
+  }
+  if (std::isfinite(bars.Hm_fitted_value)) {
+    const double X = unsigned_zero(bars.Hm_fitted_X), Y = unsigned_zero(bars.Hm_fitted_Y);
+    const std::string error = bar(bars.Hm_fitted.total()) + " between the nodes, at ";
+    text += "fitted       ";
+    if (si) text += "h_m = " + film_text(bars.Hm_fitted_value, *si) + error + place_text(X, Y, *si) + "; ";
+    text += fmt::format("Hm = {:.6f}{}({:.4f}, {:.4f}) a\n", bars.Hm_fitted_value, si ? ", at " : error, X, Y);
+  }
+  if (std::isfinite(bars.Hc.discretization))
+    text += fmt::format("errors       Hc: mesh {}, cycles {}; Hm: mesh {}, cycles {}; domain about {} beside them\n",
+                        percent(bars.Hc.discretization), percent(bars.Hc.algebraic), percent(bars.Hm.discretization),
+                        percent(bars.Hm.algebraic), percent(bars.domain));
+  const steady::AccuracyReport& accuracy = solution.accuracy;
+  if (std::isfinite(accuracy.asked))
+    text += "accuracy     " + percent(accuracy.asked) + " asked for Hc and Hm: " +
+            (!accuracy.met               ? "not reached, stopped by " + accuracy.stopped_by
+             : accuracy.by_extrapolation ? "reached by the extrapolated values, not by the plain ones"
+                                         : "reached") +
+            "\n";
+  return text;
+}
+
+std::string verified_lines(const Case& input, const steady::Verification& checked) {
+  const auto number = [](double value) { return known("{:.1e}", value); };
+  if (std::isnan(checked.residual)) return {};
+  const std::optional<SiScales> si = si_scales(input.physics);
+  const std::string where =
+      si ? place_text(checked.largest_residual_X, checked.largest_residual_Y, *si)
+         : fmt::format("({:.3f}, {:.3f}) a", checked.largest_residual_X, checked.largest_residual_Y);
+  return fmt::format(
+      "verified     residual {}, largest {} at {}; load error {}; mass flow error {}\n"
+      "             least P {}, dry node that wants pressure {}; left to the cycles Hc {}, Hm {}\n",
+      number(checked.residual), number(checked.largest_residual), where, number(checked.load_error),
+      number(std::abs(checked.flow_imbalance)), known("{:.1g}", checked.least_P), number(checked.dry_violation),
+      number(checked.algebraic_error_Hc), number(checked.algebraic_error_Hm));
+}
+
+}  // namespace ehl::program
