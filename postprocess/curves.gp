@@ -24,7 +24,7 @@ if (roughness > 0) {
   set ytics nomirror
   set y2tics
   eval axis("y2", y_min / roughness, y_max / roughness)
-  set y2label "λ = h/S_q" offset -0.5, 0
+  set y2label lambda_words offset -0.5, 0
 }
 # Open marks for the second quantity.
 plot for [s = 1:series] for [f = 1:3] data index s - 1 using 1:(column(3 + f)) with lines lw 0.7 dt 1 + f lc rgb (curves > 1 ? colour(s) : grey) notitle, \

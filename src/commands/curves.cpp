@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
+#include "commands/words_of_columns.hpp"
 #include "deck/text.hpp"
 
 namespace ehl::program {
@@ -24,77 +26,6 @@ constexpr PublishedFormula published[] = {{"hd", "Hamrock, Dowson 1977"},
 
 std::string formula_column(const PublishedFormula& formula, const std::string& y) {
   return std::string(formula.code) + "_" + y;
-}
-
-// Letters that gnuplot would take for commands of its own.
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text)
-    result += (std::string("_^{}@&~\\").find(c) == std::string::npos ? "" : "\\") + std::string(1, c);
-  return result;
-}
-
-// Words of the field for columns, in gnuplot's letters.
-std::string words_for(const std::string& column) {
-  static const std::map<std::string, std::string> known{{"motion.u_m", "entrainment speed u_m"},
-                                                        {"contact.load", "load F"},
-                                                        {"motion.srr", "slide-roll ratio"},
-                                                        {"lubricant.eta0", "viscosity η_0"},
-                                                        {"lubricant.temperature", "temperature"},
-                                                        {"contact.radius_x", "R_x"},
-                                                        {"shear.tau_0", "τ_0"},
-                                                        {"h_c_nm", "central film h_c"},
-                                                        {"h_m_nm", "smallest film h_m"},
-                                                        {"Hc", "central film H_c"},
-                                                        {"Hm", "smallest film H_m"},
-                                                        {"mu", "friction coefficient μ"},
-                                                        {"lambda_ratio", "lambda ratio h_m/S_q"}};
-  if (const auto found = known.find(column); found != known.end()) return found->second;
-  return escaped(column.substr(column.find('.') + 1));
-}
-
-std::string with_unit(const SweepData& table, const std::string& column) {
-  const auto unit = table.units.find(column);
-  return words_for(column) + (unit == table.units.end() ? "" : " [" + unit->second + "]");
-}
-
-// Of an axis that several quantities share.
-std::string words_of_all(const SweepData& table, const std::vector<std::string>& columns) {
-  if (columns == std::vector<std::string>{"h_c_nm", "h_m_nm"}) return "film thickness h [nm]";
-  if (columns == std::vector<std::string>{"Hc", "Hm"}) return "film thickness H = hR/a^2";
-  std::vector<std::string> words;
-  for (const std::string& column : columns) words.push_back(with_unit(table, column));
-  return deck::joined(words, ", ");
-}
-
-// "2 MPa" for 2e6 Pa.
-std::string with_prefix(double number, const std::string& unit) {
-  struct Prefix {
-    const char* of;
-    double least;
-    double factor;
-    const char* unit;
-  };
-  constexpr Prefix prefixes[] = {{"Pa", 1e9, 1e-9, "GPa"},   {"Pa", 1e6, 1e-6, "MPa"},    {"m", 1.0, 1.0, "m"},
-                                 {"m", 1e-3, 1e3, "mm"},     {"m", 1e-6, 1e6, "µm"},      {"m", 0.0, 1e9, "nm"},
-                                 {"Pa s", 1.0, 1.0, "Pa s"}, {"Pa s", 0.0, 1e3, "mPa s"}, {"1/Pa", 0.0, 1e9, "1/GPa"}};
-  for (const Prefix& prefix : prefixes)
-    if (unit == prefix.of && std::abs(number) >= prefix.least)
-      return fmt::format("{:.4g} {}", number * prefix.factor, prefix.unit);
-  return fmt::format("{:.4g}{}{}", number, unit.empty() ? "" : " ", unit);
-}
-
-// "load F = 20 N, pao4": what tells a curve apart.
-std::string name_of_curve(const SweepData& table, const std::vector<std::string>& by, std::size_t row) {
-  std::vector<std::string> parts;
-  for (const std::string& column : by) {
-    const double number = table.number(row, column);
-    const auto unit = table.units.find(column);
-    parts.push_back(std::isfinite(number)
-                        ? words_for(column) + " = " + with_prefix(number, unit == table.units.end() ? "" : unit->second)
-                        : escaped(table.cell(row, column)));
-  }
-  return deck::joined(parts, ", ");
 }
 
 void check_column(const SweepData& table, const std::string& option, const std::string& column, bool numbers) {
@@ -172,11 +103,16 @@ bool any(const SweepData& table, const std::vector<std::string>& y, const Publis
   return std::ranges::any_of(y, [&](const std::string& name) { return table.has(formula_column(formula, name)); });
 }
 
-// The roughness where it is the same for all rows; else 0.
+// The roughness where it is the same for all rows, to the rounding of its conversion; else 0.
 double one_roughness(const SweepData& table) {
-  if (!table.has("Sq_nm") || table.words("Sq_nm").size() != 1) return 0.0;
-  const double Sq = table.number(0, "Sq_nm");
-  return std::isfinite(Sq) ? Sq : 0.0;
+  if (!table.has("Sq_nm")) return 0.0;
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  for (std::size_t row = 0; row < table.rows.size(); ++row)
+    if (const double Sq = table.number(row, "Sq_nm"); std::isfinite(Sq)) {
+      least = std::min(least, Sq);
+      most = std::max(most, Sq);
+    }
+  return most > 0.0 && most - least < 1e-9 * most ? most : 0.0;
 }
 
 }  // namespace
@@ -229,6 +165,8 @@ Curves curves_of(const SweepData& table, const CurvesWanted& wanted) {
     text(fmt::format("formula_{}", f + 1), any(table, wanted.y, published[f]) ? published[f].name : "");
   text("x_words", with_unit(table, wanted.x));
   text("y_words", words_of_all(table, wanted.y));
+  const bool both = wanted.y.size() > 1;
+  text("lambda_words", both ? "λ = h/S_q" : wanted.y[0] == "h_m_nm" ? "λ = h_m/S_q" : "λ_c = h_c/S_q");
   number("roughness", std::ranges::all_of(wanted.y, [](const auto& y) { return y == "h_c_nm" || y == "h_m_nm"; })
                           ? one_roughness(table)
                           : 0.0);

@@ -60,7 +60,7 @@ const std::string table = std::string(program::sweep_mark) +
                           "motion.u_m,contact.load,status,h_c_nm,h_c_error_nm,h_m_nm,hd_h_c_nm,Sq_nm,reason\n"
                           "0.2,20,converged,20,0.5,11,21,10,\"\"\n0.1,20,converged,10,0.25,5,12,10,\"\"\n"
                           "0.4,20,not-converged,NaN,NaN,NaN,39,10,\"no, it\"\n"
-                          "0.1,50,converged,8,0.125,4,9,10,\"\"\n";
+                          "0.1,50,converged,8,0.125,4,9,10.000000000000002,\"\"\n";
 
 program::SweepData read(const std::string& text) {
   const support::TemporaryFolder folder;

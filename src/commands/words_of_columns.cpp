@@ -1,0 +1,87 @@
+#include "commands/words_of_columns.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <map>
+
+#include "deck/text.hpp"
+
+namespace ehl::program {
+namespace {
+
+// Letters that gnuplot would take for commands of its own.
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text)
+    result += (std::string("_^{}@&~\\").find(c) == std::string::npos ? "" : "\\") + std::string(1, c);
+  return result;
+}
+
+std::string unit_of(const SweepData& table, const std::string& column) {
+  const auto unit = table.units.find(column);
+  return unit == table.units.end() ? "" : unit->second == "C" ? "°C" : unit->second;
+}
+
+// "2 MPa" for 2e6 Pa.
+std::string with_prefix(double number, const std::string& unit) {
+  struct Prefix {
+    const char* of;
+    double least;
+    double factor;
+    const char* unit;
+  };
+  constexpr Prefix prefixes[] = {{"Pa", 1e9, 1e-9, "GPa"},   {"Pa", 1e6, 1e-6, "MPa"},    {"m", 1.0, 1.0, "m"},
+                                 {"m", 1e-3, 1e3, "mm"},     {"m", 1e-6, 1e6, "µm"},      {"m", 0.0, 1e9, "nm"},
+                                 {"Pa s", 1.0, 1.0, "Pa s"}, {"Pa s", 0.0, 1e3, "mPa s"}, {"1/Pa", 0.0, 1e9, "1/GPa"}};
+  for (const Prefix& prefix : prefixes)
+    if (unit == prefix.of && std::abs(number) >= prefix.least)
+      return fmt::format("{:.4g} {}", number * prefix.factor, prefix.unit);
+  return fmt::format("{:.4g}{}{}", number, unit.empty() ? "" : " ", unit);
+}
+
+}  // namespace
+
+std::string words_for(const std::string& column) {
+  static const std::map<std::string, std::string> known{{"motion.u_m", "entrainment speed u_m"},
+                                                        {"contact.load", "load F"},
+                                                        {"motion.srr", "slide-roll ratio"},
+                                                        {"lubricant.eta0", "viscosity η_0"},
+                                                        {"lubricant.temperature", "temperature"},
+                                                        {"contact.radius_x", "R_x"},
+                                                        {"contact.E_prime", "E'"},
+                                                        {"shear.tau_0", "τ_0"},
+                                                        {"h_c_nm", "central film h_c"},
+                                                        {"h_m_nm", "smallest film h_m"},
+                                                        {"Hc", "central film H_c"},
+                                                        {"Hm", "smallest film H_m"},
+                                                        {"mu", "friction coefficient μ"},
+                                                        {"lambda_ratio", "lambda ratio h_m/S_q"}};
+  if (const auto found = known.find(column); found != known.end()) return found->second;
+  return escaped(column.substr(column.find('.') + 1));
+}
+
+std::string with_unit(const SweepData& table, const std::string& column) {
+  const std::string unit = unit_of(table, column);
+  return words_for(column) + (unit.empty() ? "" : " [" + unit + "]");
+}
+
+std::string words_of_all(const SweepData& table, const std::vector<std::string>& columns) {
+  if (columns == std::vector<std::string>{"h_c_nm", "h_m_nm"}) return "film thickness h [nm]";
+  if (columns == std::vector<std::string>{"Hc", "Hm"}) return "film thickness H = hR/a^2";
+  std::vector<std::string> words;
+  for (const std::string& column : columns) words.push_back(with_unit(table, column));
+  return deck::joined(words, ", ");
+}
+
+std::string name_of_curve(const SweepData& table, const std::vector<std::string>& by, std::size_t row) {
+  std::vector<std::string> parts;
+  for (const std::string& column : by) {
+    const double number = table.number(row, column);
+    parts.push_back(std::isfinite(number) ? words_for(column) + " = " + with_prefix(number, unit_of(table, column))
+                                          : escaped(table.cell(row, column)));
+  }
+  return deck::joined(parts, ", ");
+}
+
+}  // namespace ehl::program
