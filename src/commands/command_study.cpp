@@ -147,7 +147,8 @@ int study(const Arguments& arguments) {
                            utc_date(),
                            threads,
                            jobs,
-                           repeats};
+                           repeats,
+                           si_scales(input.physics)};
   if (input.transient) return study_in_time(arguments, header, path, input);
   if (arguments.has("rtol"))
     throw core::InputError("command line: --rtol is for runs in time, and the deck has no [transient] end_time");

@@ -1,3 +1,5 @@
+#include <optional>
+
 #include "base/json.hpp"
 #include "base/machine.hpp"
 #include "case/effects.hpp"
@@ -8,10 +10,20 @@
 namespace ehl::program {
 namespace {
 
-std::vector<Column<Formula>> formula_columns() {
-  return {{"name", "", "", &Formula::name},
-          {"Hc", "a^2/R", "central film", &Formula::Hc},
-          {"Hm", "a^2/R", "smallest film", &Formula::Hm}};
+// In SI where the contact is; a deviation is that of the formula from the film computed, over that.
+std::vector<Column<Formula>> formula_columns(const Case& input, const Outcome& outcome) {
+  std::vector<Column<Formula>> columns{{"name", "", "", &Formula::name},
+                                       {"Hc", "a^2/R", "central film", &Formula::Hc},
+                                       {"Hm", "a^2/R", "smallest film", &Formula::Hm}};
+  const std::optional<SiScales> si = si_scales(input.physics);
+  if (!si) return columns;
+  const auto add_film = [&](const std::string& name, double Formula::*film, double computed) {
+    columns.push_back({"h" + name + "_m", "m", "the same", [=](const Formula& f) { return si->h * f.*film; }});
+    columns.push_back({"deviation_h" + name, "-", "", [=](const Formula& f) { return f.*film / computed - 1.0; }});
+  };
+  add_film("c", &Formula::Hc, outcome.Hc);
+  add_film("m", &Formula::Hm, outcome.Hm.value);
+  return columns;
 }
 
 std::vector<Column<steady::Attempt>> attempt_columns() {
@@ -72,7 +84,7 @@ std::string json_report(const Case& input, const Computed& computed) {
   report["continuation"] = rows_json(continuation_columns(), solution.continuation);
   report["newton"] = rows_json(newton_columns(), solution.newton);
   report["parts"] = parts_json(solution.times);
-  report["formulas"] = rows_json(formula_columns(), outcome.formulas);
+  report["formulas"] = rows_json(formula_columns(input, outcome), outcome.formulas);
   report["warnings"] = outcome.warnings;
   add_effects(input, computed, report);
   return line_of(report);

@@ -1,5 +1,6 @@
 #include "tables/study_point.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/machine.hpp"
@@ -42,33 +43,41 @@ void take(const steady::Solution& solution, StudyPoint& point) {
 
 }  // namespace
 
-std::vector<Column<StudyPoint>> study_columns() {
+std::vector<Column<StudyPoint>> study_columns(const std::optional<SiScales>& si) {
   using Point = StudyPoint;
-  return {{"cells", "-", "of the finest grid, along x", part(&Point::way, &StudyCase::cells)},
-          {"wedge", "", "scheme of the wedge term", part(&Point::way, &StudyCase::wedge)},
-          {"evaluator", "", "of the deformation", part(&Point::way, &StudyCase::evaluator)},
-          {"cycles", "", "and their shape, or run", part(&Point::way, &StudyCase::cycles)},
-          {"status", "", "how it ended", &Point::status},
-          {"nx", "-", "cells along x", &Point::nx},
-          {"ny", "-", "cells along y", &Point::ny},
-          {"Hc", "-", "film at (0,0)", &Point::Hc},
-          {"Hm", "-", "smallest film of all nodes", &Point::Hm},
-          {"error_Hc", "-", "relative, to the reference", &Point::error_Hc},
-          {"error_Hm", "-", "relative, to the reference", &Point::error_Hm},
-          {"estimate_Hc", "-", "of its discretization error, by the run itself", &Point::estimate_Hc},
-          {"estimate_Hm", "-", "of its discretization error, by the run itself", &Point::estimate_Hm},
-          {"residual", "-", "relative residual of the Reynolds equation", &Point::residual},
-          {"cycles_by_level", "", "from the first grid to the finest", &Point::cycles_by_level},
-          {"attempts", "-", "ways that were tried", &Point::attempts},
-          {"work_units", "-", "of the whole solution, in units of the finest grid", &Point::work_units},
-          {"seconds", "s", "the least of the repetitions", &Point::seconds},
-          {"seconds_most", "s", "the most of them", &Point::seconds_most},
-          {"peak_memory", "bytes", "of the process", &Point::peak_memory},
-          {"at_reference_Hc", "-", "the error is below that of the reference", &Point::at_reference_Hc},
-          {"at_reference_Hm", "-", "the error is below that of the reference", &Point::at_reference_Hm},
-          {"front_Hc", "-", "nothing cheaper is as accurate", &Point::front_Hc},
-          {"front_Hm", "-", "nothing cheaper is as accurate", &Point::front_Hm},
-          {"reason", "", "why there is no solution", &Point::reason}};
+  std::vector<Column<Point>> columns{
+      {"cells", "-", "of the finest grid, along x", part(&Point::way, &StudyCase::cells)},
+      {"wedge", "", "scheme of the wedge term", part(&Point::way, &StudyCase::wedge)},
+      {"evaluator", "", "of the deformation", part(&Point::way, &StudyCase::evaluator)},
+      {"cycles", "", "and their shape, or run", part(&Point::way, &StudyCase::cycles)},
+      {"status", "", "how it ended", &Point::status},
+      {"nx", "-", "cells along x", &Point::nx},
+      {"ny", "-", "cells along y", &Point::ny},
+      {"Hc", "-", "film at (0,0)", &Point::Hc},
+      {"Hm", "-", "smallest film of all nodes", &Point::Hm},
+      {"error_Hc", "-", "relative, to the reference", &Point::error_Hc},
+      {"error_Hm", "-", "relative, to the reference", &Point::error_Hm},
+      {"estimate_Hc", "-", "of its discretization error, by the run itself", &Point::estimate_Hc},
+      {"estimate_Hm", "-", "of its discretization error, by the run itself", &Point::estimate_Hm},
+      {"residual", "-", "relative residual of the Reynolds equation", &Point::residual},
+      {"cycles_by_level", "", "from the first grid to the finest", &Point::cycles_by_level},
+      {"attempts", "-", "ways that were tried", &Point::attempts},
+      {"work_units", "-", "of the whole solution, in units of the finest grid", &Point::work_units},
+      {"seconds", "s", "the least of the repetitions", &Point::seconds},
+      {"seconds_most", "s", "the most of them", &Point::seconds_most},
+      {"peak_memory", "bytes", "of the process", &Point::peak_memory},
+      {"at_reference_Hc", "-", "the error is below that of the reference", &Point::at_reference_Hc},
+      {"at_reference_Hm", "-", "the error is below that of the reference", &Point::at_reference_Hm},
+      {"front_Hc", "-", "nothing cheaper is as accurate", &Point::front_Hc},
+      {"front_Hm", "-", "nothing cheaper is as accurate", &Point::front_Hm},
+      {"reason", "", "why there is no solution", &Point::reason}};
+  if (!si) return columns;
+  const double nm = si_unit("a^2/R", *si).factor;
+  const auto in_nm = [nm](double Point::*film) { return [nm, film](const Point& point) { return nm * point.*film; }; };
+  const auto film = std::ranges::find(columns, "Hc", &Column<Point>::name);
+  columns.insert(film, {{"h_c_nm", "nm", "film at (0,0)", in_nm(&Point::Hc)},
+                        {"h_m_nm", "nm", "smallest film of all nodes", in_nm(&Point::Hm)}});
+  return columns;
 }
 
 std::string text_of(const StudyPoint& point) { return csv_text(study_columns(), point); }

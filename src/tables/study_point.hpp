@@ -1,9 +1,11 @@
 #pragma once
 // One way to solve the case, measured: what it costs and, beside the reference, how wrong it is.
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "base/column.hpp"
+#include "base/si_units.hpp"
 #include "tables/study_plan.hpp"
 
 namespace ehl::program {
@@ -44,8 +46,8 @@ struct StudyPoint : Cost {
   std::string reason{};
 };
 
-/// The columns of the table.
-std::vector<Column<StudyPoint>> study_columns();
+/// The columns of the table; of a contact in SI with the films in nm.
+std::vector<Column<StudyPoint>> study_columns(const std::optional<SiScales>& si = std::nullopt);
 
 /// A point as a row of it, and back. errors: core::FileError: no such row.
 std::string text_of(const StudyPoint& point);

@@ -22,29 +22,37 @@ std::string error_text(double error, bool at_reference, const Extrapolated& refe
   return at_reference ? "< " + percent(reference.error) : percent(error);
 }
 
-std::string point_line(const StudyPoint& point, const Reference& reference) {
+// The films in nm, with the space that follows; nothing without scales.
+std::string in_nm(const StudyPoint& point, const std::optional<SiScales>& si) {
+  if (!si) return {};
+  const double nm = si_unit("a^2/R", *si).factor;
+  return fmt::format("{:>8}  {:>8}  ", known("{:.2f}", nm * point.Hc), known("{:.2f}", nm * point.Hm));
+}
+
+std::string point_line(const StudyPoint& point, const Reference& reference, const std::optional<SiScales>& si) {
   const std::string status = point.status == "converged" ? "" : point.status;
   const std::string fronts = fmt::format("{} {}", point.front_Hc ? "Hc" : "", point.front_Hm ? "Hm" : "");
-  std::string line =
-      fmt::format("{:>11}  {:<9}  {:<9}  {:>6}  {:>8}  {:>8}  {:>9}  {:>9}  {:>10}  {:>8}  {:<13}  {}", nodes_of(point),
-                  point.way.wedge, point.way.evaluator, point.way.cycles, known("{:.5f}", point.Hc),
-                  known("{:.5f}", point.Hm), error_text(point.error_Hc, point.at_reference_Hc, reference.Hc),
-                  error_text(point.error_Hm, point.at_reference_Hm, reference.Hm), known("{:.1f}", point.work_units),
-                  known("{:.3f}", point.seconds), status, deck::trimmed(fronts));
+  std::string line = fmt::format(
+      "{:>11}  {:<9}  {:<9}  {:>6}  {}{:>8}  {:>8}  {:>9}  {:>9}  {:>10}  {:>8}  {:<13}  {}", nodes_of(point),
+      point.way.wedge, point.way.evaluator, point.way.cycles, in_nm(point, si), known("{:.5f}", point.Hc),
+      known("{:.5f}", point.Hm), error_text(point.error_Hc, point.at_reference_Hc, reference.Hc),
+      error_text(point.error_Hm, point.at_reference_Hm, reference.Hm), known("{:.1f}", point.work_units),
+      known("{:.3f}", point.seconds), status, deck::trimmed(fronts));
   return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
 }
 
-constexpr char columns_of_points[] =
-    "      nodes  wedge      evaluator  cycles        Hc        Hm  error(Hc)  error(Hm)  work units   seconds  "
-    "status         front\n";
+std::string columns_of_points(const std::optional<SiScales>& si) {
+  return std::string("      nodes  wedge      evaluator  cycles  ") + (si ? "h_c [nm]  h_m [nm]  " : "") +
+         "      Hc        Hm  error(Hc)  error(Hm)  work units   seconds  status         front\n";
+}
 
 std::string front_lines(const std::vector<StudyPoint>& points, const Reference& reference, bool StudyPoint::*on_front,
-                        const std::string& name) {
+                        const std::string& name, const std::optional<SiScales>& si) {
   std::vector<StudyPoint> front;
   std::ranges::copy_if(points, std::back_inserter(front), on_front);
   std::ranges::sort(front, {}, &StudyPoint::seconds);
-  std::string text = "\nPareto front of " + name + ": nothing cheaper is as accurate\n" + columns_of_points;
-  for (const StudyPoint& point : front) text += point_line(point, reference);
+  std::string text = "\nPareto front of " + name + ": nothing cheaper is as accurate\n" + columns_of_points(si);
+  for (const StudyPoint& point : front) text += point_line(point, reference, si);
   return text;
 }
 
@@ -155,20 +163,24 @@ std::string origin_lines(const StudyHeader& header, const std::string& times) {
 
 std::string study_csv(const StudyHeader& header, const Reference& reference, const std::vector<StudyPoint>& points) {
   return csv_table(study_mark + origin_lines(header, times_of(header)) + reference_lines(reference) + how_to_read,
-                   study_columns(), points);
+                   study_columns(header.si), points);
 }
 
 std::string study_report(const StudyHeader& header, const Reference& reference, const std::vector<StudyPoint>& points) {
   std::string text = "case         " + header.title + "\n";
-  text += fmt::format("reference    Hc = {:.7f} to {}, Hm = {:.7f} to {}\n", reference.Hc.value,
-                      percent(reference.Hc.error), reference.Hm.value, percent(reference.Hm.error));
+  text += "reference    ";
+  if (header.si)
+    text += "h_c = " + film_text(reference.Hc.value, *header.si) +
+            ", h_m = " + film_text(reference.Hm.value, *header.si) + "; ";
+  text += fmt::format("Hc = {:.7f} to {}, Hm = {:.7f} to {}\n", reference.Hc.value, percent(reference.Hc.error),
+                      reference.Hm.value, percent(reference.Hm.error));
   text += fmt::format("             second order, FFT, {} cells, extrapolated; residual {:.0e}\n", cells_of(reference),
                       reference.residual);
-  text += "times        " + times_of(header) + "\n\n" + columns_of_points;
-  for (const StudyPoint& point : points) text += point_line(point, reference);
+  text += "times        " + times_of(header) + "\n\n" + columns_of_points(header.si);
+  for (const StudyPoint& point : points) text += point_line(point, reference, header.si);
   text += "(< below the reference's own error; stopped: after the cycles of its way, not converged)\n";
-  text += front_lines(points, reference, &StudyPoint::front_Hc, "Hc");
-  text += front_lines(points, reference, &StudyPoint::front_Hm, "Hm");
+  text += front_lines(points, reference, &StudyPoint::front_Hc, "Hc", header.si);
+  text += front_lines(points, reference, &StudyPoint::front_Hm, "Hm", header.si);
   return text + accuracy_lines(points) + film_by_level(points) + seconds_by_level(points);
 }
 

@@ -22,6 +22,7 @@ struct StudyHeader {
   int threads = 1;  ///< of each solution
   int jobs = 1;     ///< solutions at a time
   int repeats = 1;
+  std::optional<SiScales> si{};  ///< of a contact in SI
 };
 
 /// "least of 3, 1 thread each, one solution after another".

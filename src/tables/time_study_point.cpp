@@ -60,7 +60,8 @@ std::string name_of_way(const TimeWay& way) {
 
 double cycles_per_step(const TimeStudyPoint& point) { return static_cast<double>(point.cycles) / point.steps; }
 
-std::vector<Column<TimeStudyPoint>> time_study_columns(const std::vector<std::string>& quantities) {
+std::vector<Column<TimeStudyPoint>> time_study_columns(const std::vector<std::string>& quantities,
+                                                       const std::optional<SiScales>& si) {
   using Point = TimeStudyPoint;
   std::vector<Column<Point>> list{
       {"rtol", "-", "tolerance of the time integration", part(&Point::way, &TimeWay::rtol)},
@@ -76,6 +77,12 @@ std::vector<Column<TimeStudyPoint>> time_study_columns(const std::vector<std::st
       {"seconds_most", "s", "the most of them", &Point::seconds_most},
       {"peak_memory", "bytes", "of the process", &Point::peak_memory},
       {"status", "", "how it ended", &Point::status}};
+  if (si) {
+    const double ms = si_unit("a/u_m", *si).factor;
+    list.insert(list.begin() + 1, {{"longest_step_ms", "ms", "that is allowed",
+                                    [ms](const Point& point) { return ms * point.way.longest_step; }},
+                                   {"time_ms", "ms", "reached", [ms](const Point& point) { return ms * point.T; }}});
+  }
   for (std::size_t k = 0; k < quantities.size(); ++k)
     list.push_back({"error_" + quantities[k], "-", "largest over the run",
                     [k](const Point& point) { return k < point.errors.size() ? point.errors[k] : Point::unknown; }});

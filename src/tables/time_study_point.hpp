@@ -35,8 +35,9 @@ struct TimeStudyPoint : Cost {
 /// "Hc", "Hm", "P_max", "P_1", ...
 std::vector<std::string> time_study_quantities(std::size_t probes);
 
-/// The columns of the table. in: names of the quantities that have errors.
-std::vector<Column<TimeStudyPoint>> time_study_columns(const std::vector<std::string>& quantities);
+/// The columns of the table; of a contact in SI with the times in ms. in: names of the quantities that have errors.
+std::vector<Column<TimeStudyPoint>> time_study_columns(const std::vector<std::string>& quantities,
+                                                       const std::optional<SiScales>& si = std::nullopt);
 
 /// A point with its samples, for the way from one process to another, and back. errors: core::FileError: no such text.
 std::string text_of(const TimeStudyPoint& point);

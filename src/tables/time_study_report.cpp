@@ -45,6 +45,11 @@ std::string point_line(const TimeStudyPoint& point, const TimeReference& referen
   return text + "\n";
 }
 
+std::string time_text(double T, const std::optional<SiScales>& si) {
+  const std::string own = fmt::format("{:g} a/u_m", T);
+  return si ? fmt::format("{:.4g} ms (", 1e3 * si->time * T) + own + ")" : own;
+}
+
 std::string times_text(const StudyHeader& header) {
   return times_of(header) + "; the run in time without its steady start";
 }
@@ -85,14 +90,15 @@ std::string time_study_csv(const StudyHeader& header, const TimeReference& refer
       " equidistant times, by the dense output of the integration\n"
       "# errors: largest over the run; Hc, Hm, P_max relative at every time, P_1, ... relative to the largest P there\n"
       "# status: complete, not-complete (errors are not given), failed (the program)\n";
-  return csv_table(text, time_study_columns(names), points);
+  return csv_table(text, time_study_columns(names, header.si), points);
 }
 
 std::string time_study_report(const StudyHeader& header, const TimeReference& reference,
                               const std::vector<TimeStudyPoint>& points) {
   const TimeStudyPoint& run = reference.run;
   std::string text = "case         " + header.title + "\n";
-  text += "reference    " + name_of_way(run.way) + fmt::format(": {} steps to time {:g} a/u_m\n", run.steps, run.T);
+  text += "reference    " + name_of_way(run.way) + fmt::format(": {} steps to time ", run.steps) +
+          time_text(run.T, header.si) + "\n";
   text += "             known to " + known_text(reference) + "\n             (its difference from " +
           name_of_way(reference.coarser.way) + ")\n";
   text += fmt::format(

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <sstream>
+#include <utility>
 
 #include "support/json.hpp"
 #include "support/program.hpp"
@@ -168,6 +169,8 @@ BOOST_AUTO_TEST_CASE(report_in_SI) {
   BOOST_TEST(std::abs(printed - formula) <= 0.05);
   BOOST_TEST(std::abs(deviation - 100.0 * (formula / film("/Hc") - 1.0)) <= 0.05);
   BOOST_TEST(support::number_at(json, "/R_m") == radius);
+  BOOST_TEST(support::number_at(json, "/formulas/1/hc_m") == 1e-9 * formula, boost::test_tools::tolerance(1e-10));
+  BOOST_TEST(std::abs(100.0 * support::number_at(json, "/formulas/1/deviation_hc") - deviation) <= 0.05);
   BOOST_TEST(contains(scene.ehl("check s.ini").out, "a = 135.7 um, p_h = 0.5184 GPa"));
 }
 
@@ -184,6 +187,26 @@ BOOST_AUTO_TEST_CASE(times_in_the_unit_of_the_deck) {
   BOOST_TEST(contains(seconds.out, "time 0 to 0.005 ms ("), seconds.out);
   BOOST_TEST(std::abs(after(seconds.out, "0.005 ms (") - 0.005 / ms) <= 5e-7);
   BOOST_TEST(contains(seconds.out, " ms; at the end "), seconds.out);
+}
+
+BOOST_AUTO_TEST_CASE(studies_in_SI) {
+  const Scene scene;
+  const support::Ended steady = scene.ehl(
+      "study s.ini --levels 64:128 --wedges upstream2 --evaluators mlmi8 --cycles run --repeat 1 --quiet --output "
+      "a.csv");
+  BOOST_REQUIRE_MESSAGE(steady.status == 0, steady.err);
+  const auto rows = support::named_rows(scene.folder.read("a.csv"));
+  BOOST_REQUIRE(rows.size() == 2u);
+  for (const support::NamedRow& row : rows)
+    for (const auto& [si, own] : {std::pair("h_c_nm", "Hc"), {"h_m_nm", "Hm"}})
+      BOOST_TEST(std::stod(row.at(si)) == 1e9 * h_scale * std::stod(row.at(own)), boost::test_tools::tolerance(1e-10));
+  BOOST_TEST(contains(steady.out, "cycles  h_c [nm]  h_m [nm]        Hc"), steady.out);
+  const support::Ended timed =
+      scene.ehl("study s.ini --set transient.end_time=0.02 --rtol 1e-2 --repeat 1 --quiet --output b.csv");
+  BOOST_REQUIRE_MESSAGE(timed.status == 0, timed.err);
+  const auto row = support::named_rows(scene.folder.read("b.csv")).at(0);
+  BOOST_TEST(std::stod(row.at("time_ms")) == 0.02 * 1e3 * a / u_m, boost::test_tools::tolerance(1e-8));
+  BOOST_TEST(std::stod(row.at("time")) == 0.02, boost::test_tools::tolerance(1e-8));
 }
 
 BOOST_AUTO_TEST_CASE(roughness) {
