@@ -43,6 +43,7 @@ bool back_off(Caution& caution) {
 std::string cycle(Hierarchy& hierarchy, std::size_t l, const Parameters& how, judgement::Measures& now) {
   try {
     fas_cycle(hierarchy, l, how);
+    renew_boundary(hierarchy, hierarchy.levels[l]);
     now = measures_of(hierarchy, l);
   } catch (const core::SolverError& error) {
     return error.what();
@@ -80,6 +81,7 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
       hierarchy.levels[l].P = start.P;
       hierarchy.H00 = start.H00;
       update_film(hierarchy, hierarchy.levels[l]);
+      renew_boundary(hierarchy, hierarchy.levels[l]);
       result.unmet = diverged;
       result.end = CyclesEnd::diverged;
       if (needed.all * back_off_all < least_all) return result;

@@ -14,6 +14,7 @@
 #include "fmg/thread_work.hpp"
 #include "line_solvers/line_system.hpp"
 #include "mlmi/deformation.hpp"
+#include "reynolds/far_field.hpp"
 #include "reynolds/residual.hpp"
 
 namespace ehl::fmg {
@@ -35,6 +36,8 @@ struct Problem {
   std::optional<double> load = 2.0 * std::numbers::pi / 3.0;
   reynolds::Cavitation cavitation = reynolds::Cavitation::nonnegative_pressure;
   Geometry geometry{};
+  /// The pressure on the boundary of the domain and the load outside of it; absent: none.
+  std::optional<reynolds::FarField> far_field{};
   /// Writes S(X, Y), what the surfaces add to the gap, in units of a^2/R: on every grid what that grid can hold of it.
   /// Ghost lines are not needed. Empty: smooth surfaces.
   std::function<void(const core::Patch& grid, core::Field& S)> surface{};
@@ -125,6 +128,10 @@ inline double rigid_gap(const Geometry& geometry, const core::Patch& grid, doubl
 void update_film(Hierarchy& hierarchy, Level& level);
 /// The coefficients alone.
 void update_coefficients(Hierarchy& hierarchy, Level& level);
+
+/// The pressure on the boundary and the load that is left for the inside, by the far field at the present H00. The film
+/// follows with its next evaluation. errors: core::SolverError where the far field has no pressure there.
+void renew_boundary(const Hierarchy& hierarchy, Level& level);
 
 /// level.r = f - L(P).
 void update_residual(Hierarchy& hierarchy, Level& level);

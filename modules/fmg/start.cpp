@@ -93,17 +93,24 @@ void start_from_hertz(Hierarchy& hierarchy, std::size_t l, double H00, int sweep
   Level& level = hierarchy.levels[l];
   pose_original_problem(hierarchy.problem, level);
   const auto& [XX, XY, YY] = hierarchy.problem.geometry.outline;
+  const std::optional<reynolds::FarField>& far_field = hierarchy.problem.far_field;
+  // Rigid bodies that do not meet: the far field goes on to the middle.
+  const bool apart = far_field && H00 > 0.0;
   for (int i = 1; i < level.grid.nx; ++i)
     for (int j = 1; j <= level.grid.last_line(); ++j) {
       const double X = level.grid.X(i);
       const double Y = level.grid.Y(j);
       const double inside = 1.0 - XX * X * X - (XY * X + YY * Y) * Y;
-      level.P(i, j) = inside > 0.0 ? std::sqrt(inside) : 0.0;
+      if (apart)
+        level.P(i, j) = far_field->P(X, Y, rigid_gap(hierarchy.problem.geometry, level.grid, H00, i, j));
+      else
+        level.P(i, j) = inside > 0.0 ? std::sqrt(inside) : 0.0;
     }
-  if (!round(hierarchy.problem.geometry.gap)) begin_outside(hierarchy.problem, level);
+  if (!apart && !round(hierarchy.problem.geometry.gap)) begin_outside(hierarchy.problem, level);
   core::fill_ghosts(level.grid, level.P);
   hierarchy.H00 = hierarchy.problem.surface ? H00 - mean_surface(level) : H00;
   update_film(hierarchy, level);
+  renew_boundary(hierarchy, level);
   for (int sweep = 1; sweep <= sweeps; ++sweep) {
     if (sweep % sweeps_per_balance == 0)
       relax_with_force_balance(hierarchy, level, 1, how);
@@ -119,6 +126,7 @@ void start_from_state(Hierarchy& hierarchy, std::size_t l, const State& start) {
   core::fill_ghosts(level.grid, level.P);
   hierarchy.H00 = start.H00;
   update_film(hierarchy, level);
+  renew_boundary(hierarchy, level);
 }
 
 void start_from_coarser(Hierarchy& hierarchy, std::size_t l) {
@@ -135,6 +143,7 @@ void start_from_coarser(Hierarchy& hierarchy, std::size_t l) {
     core::fill_ghosts(level.grid, level.P);
   }
   update_film(hierarchy, level);
+  renew_boundary(hierarchy, level);
 }
 
 void start_from_two_coarser(Hierarchy& hierarchy, std::size_t l, const State& two_below, double order) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "contact/film_formulas.hpp"
 #include "steady/rescue.hpp"
 #include "steady/resolution.hpp"
 
@@ -66,12 +67,32 @@ int coarsest_cells(const Scene& scene, const Start& start) {
 
 double steep_caution(const Scene& scene) { return steep_edge(scene) ? caution_where_steep : 1.0; }
 
+/// -dH/d ln(load) of the central film to expect: twice the film where the contact is nearly rigid, little where it is
+/// elastic.
+double film_slope(const Scene& scene) {
+  constexpr double step = 0.01;
+  const auto film = [&](double M) { return contact::nijenbanning_venner_moes(M, scene.L, scene.shape); };
+  const double power = std::log(film(scene.M * (1.0 - step)) / film(scene.M * (1.0 + step))) / (2.0 * step);
+  return power * expected_central_film(scene.M, scene.L, scene.shape);
+}
+
+std::optional<reynolds::FarField> far_field_of(const Scene& scene) {
+  if (!scene.far_field) return std::nullopt;
+  const fmg::Geometry geometry = geometry_of(scene.shape);
+  return reynolds::FarField({.gap = geometry.gap,
+                             .lambda = scene.lambda,
+                             .deformation = geometry.elastic * contact::load(scene.shape),
+                             .viscosity = scene.viscosity});
+}
+
 fmg::Parameters parameters_of(const Scene& scene, const Start& start) {
   fmg::Parameters parameters = scene.multigrid;
   parameters.coarsest_sweeps = std::max(parameters.coarsest_sweeps, start.balances);
   parameters.least_coarsest_cells = std::max(parameters.least_coarsest_cells, coarsest_cells(scene, start));
-  // The load that a change of H00 brings, 3/2 load/approach of the dry contact, over that of a circle.
-  parameters.load_relaxation *= scene.shape.approach / scene.shape.kappa;
+  // The change of H00 = film - approach that a load brings, over that of a dry circle. Of the film half: without bodies
+  // to lean on the pressure answers later. With no pressure on the boundary a film that thick is not reached.
+  const double film = scene.far_field ? 0.75 * film_slope(scene) : 0.0;
+  parameters.load_relaxation *= (scene.shape.approach + film) / scene.shape.kappa;
   // The coupling by the film, against which that by epsilon is held.
   parameters.relaxation.crossover *= scene.shape.p_h / scene.shape.a;
   choose_cycle(scene, parameters);
@@ -112,6 +133,7 @@ fmg::Run begin_climb(const Scene& scene, const Start& start, const ProgressCallb
                              .transport = scene.wedge,
                              .load = contact::load(scene.shape),
                              .geometry = geometry_of(scene.shape),
+                             .far_field = far_field_of(scene),
                              .surface = scene.surface};
   const double steep = steep_caution(scene);
   fmg::Run run{.hierarchy = fmg::make_hierarchy(problem, parameters, scene.deformation,

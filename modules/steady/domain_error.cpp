@@ -14,6 +14,8 @@ namespace ehl::steady {
 namespace {
 
 constexpr double tolerance = 1e-4;
+/// Of Hc, on a domain that is chosen with the far field in closed form.
+constexpr double error_of_closed_domain = 5e-5;
 /// Cells along x of the scene's own domain in the two coarse solutions, at least.
 constexpr int fewest_cells = 32;
 
@@ -56,14 +58,30 @@ RoughError rough_error(const Scene& scene) {
 
 }  // namespace
 
+double closed_reach(double M, double L, const contact::Ellipse& shape, double error) {
+  const double film = expected_central_film(M, L, shape);
+  const double lambda = contact::from_moes(M, L, shape).lambda;
+  const double elastic = contact::extent(shape).X * std::pow(lambda / (film * error), 0.2);
+  // An elastic film does not rupture far away: the closed form has its lines right.
+  const double rigid_film = std::max(0.0, film - 0.5 * shape.approach);
+  constexpr double size_at_5e_5 = 8.0;
+  const double rigid = size_at_5e_5 * std::sqrt(rigid_film / contact::gap(shape).XX) * std::pow(5e-5 / error, 0.2);
+  return std::max(elastic, rigid);
+}
+
 double rough_domain_error(const Scene& scene) {
+  if (scene.far_field) {
+    const double reach = std::min(-scene.grid.X_a, 1.5 * std::min(-scene.grid.Y_a, scene.grid.Y_b));
+    return std::pow(closed_reach(scene.M, scene.L, scene.shape, 1.0) / reach, 5.0);
+  }
   const RoughError error = rough_error(scene);
   return error.inlet + error.load;
 }
 
-double chosen_outlet(double M, double L, const contact::Ellipse& shape) {
+double chosen_outlet(double M, double L, const contact::Ellipse& shape, bool far_field) {
   constexpr double thick = 1.5;
   const double film = expected_central_film(M, L, shape) / shape.approach;
+  if (far_field && film > thick) return 0.5 * closed_reach(M, L, shape, error_of_closed_domain);
   return (film > thick ? 3.0 : 1.5) * contact::extent(shape).X;
 }
 
@@ -77,7 +95,7 @@ double chosen_half_width(double X_a, double X_b, const contact::Ellipse& shape) 
   return half_length * std::ceil(wanted / half_length * parts - 1e-9) / parts;
 }
 
-double chosen_inlet(double M, double L, double X_b, const contact::Ellipse& shape) {
+double chosen_inlet(double M, double L, double X_b, const contact::Ellipse& shape, bool far_field) {
   constexpr double most_at_inlet = 0.006;
   constexpr double most_of_load = 0.02;
   const double longest = 200.0 * contact::extent(shape).X;
@@ -87,6 +105,7 @@ double chosen_inlet(double M, double L, double X_b, const contact::Ellipse& shap
     const double next = -X_b * m / (parts - m);
     if (X_a < 0.0 && next < -longest) return true;
     X_a = next;
+    if (far_field) return -X_a >= closed_reach(M, L, shape, error_of_closed_domain);
     const RoughError error = rough_error(M, L, shape, X_a, chosen_half_width(X_a, X_b, shape));
     return error.inlet <= most_at_inlet && error.load <= most_of_load;
   };

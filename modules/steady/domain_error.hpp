@@ -14,7 +14,15 @@ namespace ehl::steady {
 ///   solutions for M = 2 to 10 on inlets from 20 to 160.
 /// Of an ellipse the undeformed gap is A X^2 + B Y^2 along the axes of the domain: (1/3) lambda/(A^2 |X_a|^3) and
 ///   P = -lambda X/((3 + 2 B/A) H^2).
+/// With the far field in closed form (scene.far_field) what is left of it: closed_reach below.
 double rough_domain_error(const Scene& scene);
+
+/// With the far field in closed form: how far upstream the domain has to reach for an error of Hc of this size, in
+/// Hertz radii. Of the deformation, which the closed form has as that of a point load: lambda/(Hc |X_a|^5), measured
+/// within a factor of 2 at (20, 10), (100, 10), (1000, 10). Of rupture, whose lines are straight where the film itself
+/// is nothing beside the gap: 0.12 % at four times sqrt(2 Hc) at (2, 0), with the fifth power too.
+/// in: M > 0, L >= 0, 0 < error.
+double closed_reach(double M, double L, const contact::Ellipse& shape, double error);
 
 /// The inlet boundary that a deck without one gets: the shortest that keeps the first part of rough_domain_error below
 /// 0.6 % and the second below 2 %, on a domain half as wide as long, from a ladder on which (0,0) is a node of every
@@ -22,11 +30,13 @@ double rough_domain_error(const Scene& scene);
 /// longer than 200. At M = 50, L = 10 that is the paper's -4.5. in: M > 0, L >= 0, X_b > 0 the outlet boundary.
 /// out: X_a < 0.
 /// Of an ellipse these are multiples of how far it reaches along X.
-double chosen_inlet(double M, double L, double X_b, const contact::Ellipse& shape = {});
+/// With the far field in closed form: closed_reach for 5e-5, so that on half of it the error is below 0.2 %.
+double chosen_inlet(double M, double L, double X_b, const contact::Ellipse& shape = {}, bool far_field = false);
 
 /// The outlet boundary that a deck without one gets: 1.5, and 3 where the film is so thick (Hc > 1.5) that the
-/// lubricant cavitates further downstream. in: M > 0, L >= 0.
-double chosen_outlet(double M, double L, const contact::Ellipse& shape = {});
+/// lubricant cavitates further downstream; with the far field in closed form half of closed_reach there.
+/// in: M > 0, L >= 0.
+double chosen_outlet(double M, double L, const contact::Ellipse& shape = {}, bool far_field = false);
 
 /// Half the width that a deck without one gets: half the length for a circle; else where the undeformed gap is as wide
 /// at the sides as half a length away along X, at least 1.4 times as far as the ellipse reaches, and a multiple of a

@@ -14,26 +14,34 @@ namespace ehl::steady {
 std::vector<deck::Key> grid_keys() {
   const std::string remedy = "the domain must contain the contact, a circle of radius 1";
   return deck::together(
-      {deck::in_section("domain", {{.name = "x_inlet",
-                                    .default_note = "so far upstream that the film loses less than about 0.6 %",
-                                    .range = {-1000.0, -1.0, false, true},
-                                    .remedy = remedy,
-                                    .meaning = "Inlet boundary in Hertz radii. Light loads need a longer inlet.",
-                                    .example = "-4.5"},
-                                   {.name = "x_outlet",
-                                    .default_note = "1.5, or 3 for light loads",
-                                    .range = {1.0, 1000.0, true, false},
-                                    .remedy = remedy,
-                                    .meaning = "Outlet boundary in Hertz radii.",
-                                    .source = "Venner and ten Napel 1992: -4.5 to 1.5",
-                                    .example = "1.5"},
-                                   {.name = "y_half",
-                                    .default_note = "half the length of the domain",
-                                    .range = {1.0, 1000.0, true, false},
-                                    .remedy = remedy,
-                                    .meaning = "Half width of the domain in Hertz radii.",
-                                    .source = "Venner and ten Napel 1992: -3 to 3",
-                                    .example = "3"}}),
+      {deck::in_section(
+           "domain",
+           {{.name = "x_inlet",
+             .default_note = "so far upstream that the film loses less than about 0.6 %",
+             .range = {-1000.0, -1.0, false, true},
+             .remedy = remedy,
+             .meaning = "Inlet boundary in Hertz radii. Light loads need a longer inlet.",
+             .example = "-4.5"},
+            {.name = "x_outlet",
+             .default_note = "1.5, or 3 for light loads",
+             .range = {1.0, 1000.0, true, false},
+             .remedy = remedy,
+             .meaning = "Outlet boundary in Hertz radii.",
+             .source = "Venner and ten Napel 1992: -4.5 to 1.5",
+             .example = "1.5"},
+            {.name = "y_half",
+             .default_note = "half the length of the domain",
+             .range = {1.0, 1000.0, true, false},
+             .remedy = remedy,
+             .meaning = "Half width of the domain in Hertz radii.",
+             .source = "Venner and ten Napel 1992: -3 to 3",
+             .example = "3"},
+            {.name = "far_field",
+             .default_text = "zero",
+             .words = {"zero", "closed"},
+             .meaning = "Pressure on the boundary of the domain and load outside of it: none, as in the paper, "
+                        "or those of nearly rigid bodies in closed form.",
+             .source = "modules/reynolds/README.md"}}),
        deck::in_section(
            "grid",
            {{.name = "cells",
@@ -70,11 +78,15 @@ constexpr int fewest_chosen_cells = 256;
 constexpr int most_chosen_cells = 1024;
 constexpr double most_nodes_of_ellipse = 5.0 * most_chosen_cells * most_chosen_cells;
 
+bool closed(const deck::Part& domain) { return domain.choice("far_field", {false, true}); }
+
 void choose_domain(const deck::Part& domain, const contact::Groups& groups) {
-  domain.fill("x_outlet", chosen_outlet(groups.M, groups.L, groups.shape), "behind the cavitation boundary");
+  const bool far_field = closed(domain);
+  domain.fill("x_outlet", chosen_outlet(groups.M, groups.L, groups.shape, far_field), "behind the cavitation boundary");
   const double x_outlet = domain.number("x_outlet");
-  domain.fill("x_inlet", chosen_inlet(groups.M, groups.L, x_outlet, groups.shape),
-              "cuts off less than about 1 % of the film where 200 radii are enough for that");
+  domain.fill("x_inlet", chosen_inlet(groups.M, groups.L, x_outlet, groups.shape, far_field),
+              far_field ? "closed far field: halved, it moves the film by less than 0.2 %"
+                        : "cuts off less than about 1 % of the film where 200 radii are enough for that");
   domain.fill("y_half", chosen_half_width(domain.number("x_inlet"), x_outlet, groups.shape),
               contact::circular(groups.shape) ? "as wide as long" : "as wide a gap at the sides as along x");
 }
@@ -123,7 +135,8 @@ AccuracyTarget read_accuracy(deck::Deck& deck, double most_nodes) {
   if (grid.given("cells"))
     grid.complain("accuracy", "and cells are both given: keep one of them; accuracy finds the cells itself");
   // What the deck leaves open of the domain may grow.
-  target.domain_is_free = deck::Part{deck, "domain"}.given_of({"x_inlet", "y_half"}).empty();
+  const deck::Part domain{deck, "domain"};
+  target.domain_is_free = domain.given_of({"x_inlet", "y_half"}).empty() && !closed(domain);
   target.most_nodes = most_nodes;
   return target;
 }
@@ -175,6 +188,13 @@ GridInput read_grid(deck::Deck& deck, bool contact_known) {
                               deck::shortest(below < fewest ? 2.0 * below : below)));
   }
   return input;
+}
+
+bool read_far_field(deck::Deck& deck, bool possible) {
+  const deck::Part domain{deck, "domain"};
+  if (closed(domain) && !possible)
+    domain.complain("far_field", "closed is for steady lubricated contacts: leave it out");
+  return closed(domain);
 }
 
 void check_domain(deck::Deck& deck, const Scene& scene) {

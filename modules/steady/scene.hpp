@@ -58,6 +58,8 @@ struct Scene {
   std::optional<rheology::ShearThinning> thinning{};     ///< sliding that thins the oil; absent: Newtonian
   std::vector<film::FluidityEffect> fluidity_effects{};  ///< effects at the stage of the coefficients
   core::Grid grid;  ///< the finest grid; where an accuracy is asked for, the first to be tried
+  /// Pressure on the boundary and load outside of the domain in closed form; else none of them.
+  bool far_field = false;
   reynolds::Wedge wedge = reynolds::Wedge::upstream2;
   mlmi::Parameters deformation;
   fmg::Parameters multigrid;

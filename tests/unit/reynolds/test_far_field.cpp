@@ -1,0 +1,132 @@
+// The far field against the equation that it solves, against the circle's in closed form, and against plain sums.
+#include <boost/math/tools/roots.hpp>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "reynolds/far_field.hpp"
+#include "unit/reynolds/fields.hpp"
+
+using namespace ehl::tests;
+using ehl::core::Grid;
+using ehl::core::QuadraticForm;
+using ehl::reynolds::FarField;
+namespace reynolds = ehl::reynolds;
+namespace rheology = ehl::rheology;
+
+namespace {
+
+constexpr double lambda = 0.7;
+constexpr QuadraticForm circle{0.5, 0.0, 0.5};
+/// R_x/R_y = 3 and 1/4, at an angle.
+constexpr QuadraticForm aslant{0.8, 0.5, 1.1};
+constexpr QuadraticForm slender{0.25, -0.1, 0.07};
+
+FarField isoviscous(const QuadraticForm& gap, double deformation = 0.0) {
+  return FarField({.gap = gap, .lambda = lambda, .deformation = deformation, .viscosity = rheology::Isoviscous{}});
+}
+
+/// Largest residual of the discrete equation over the region from (-7, 1) to (-5, 3), over the wedge's largest term.
+double relative_residual(const QuadraticForm& gap, int cells) {
+  const Grid grid{cells, cells, -7.0, -5.0, 1.0, 3.0};
+  const FarField far = isoviscous(gap);
+  Fields fields = zero_fields(grid);
+  for (int i = 0; i <= cells; ++i)
+    for (int j = 0; j <= cells; ++j) {
+      const double H = gap.at(grid.X(i), grid.Y(j));
+      fields.H(i, j) = H;
+      fields.P(i, j) = far.P(grid.X(i), grid.Y(j), H);
+      fields.rho_bar(i, j) = 1.0;
+      fields.eps(i, j) = H * H * H / lambda;
+    }
+  ehl::core::Field r(grid);
+  reynolds::residual(grid, fields.state(), reynolds::Wedge::upstream2, 1, r);
+  double largest = 0.0;
+  for (int i = 2; i < cells; ++i)
+    for (int j = 1; j < cells; ++j) largest = std::max(largest, std::abs(r(i, j)));
+  return largest / (2.0 * gap.XX * 7.0);
+}
+
+}  // namespace
+
+// f = lambda (0.8 cos phi + c cosh 3 phi) with f = f' = 0 at the rupture: tan phi = -3 tanh 3 phi.
+BOOST_AUTO_TEST_CASE(beside_a_circle_it_is_the_closed_form) {
+  const auto condition = [](double phi) { return std::tan(phi) + 3.0 * std::tanh(3.0 * phi); };
+  const auto [low, high] = boost::math::tools::bisect(condition, 1.6, 3.0, boost::math::tools::eps_tolerance<double>());
+  const double rupture = 0.5 * (low + high);
+  const double c = -0.8 * std::cos(rupture) / std::cosh(3.0 * rupture);
+  const FarField far = isoviscous(circle);
+  const double degrees = 180.0 / std::numbers::pi;
+  BOOST_TEST_MESSAGE("rupture at " << far.rupture_angle() * degrees << " degrees, exactly " << rupture * degrees
+                                   << "; c = " << c);
+  BOOST_TEST(std::abs(far.rupture_angle() - rupture) * degrees < 0.2);  // a direction is 0.09 degrees wide
+  double worst = 0.0;
+  const double r = 5.0;
+  for (double phi = -3.1; phi <= 3.1; phi += 0.1) {
+    const double exact =
+        std::abs(phi) < rupture ? lambda * (0.8 * std::cos(phi) + c * std::cosh(3.0 * phi)) / (r * r * r) : 0.0;
+    const double P = far.P(-r * std::cos(phi), r * std::sin(phi), 0.5 * r * r);
+    worst = std::max(worst, std::abs(P - exact) / (0.8 * lambda / (r * r * r)));
+  }
+  BOOST_TEST_MESSAGE("largest difference from the closed form, of the largest pressure: " << worst);
+  BOOST_TEST(worst < 5e-6);
+}
+
+BOOST_AUTO_TEST_CASE(its_residual_in_the_discrete_operator_falls_with_the_second_order) {
+  for (const QuadraticForm& gap : {circle, aslant, slender}) {
+    const double coarse = relative_residual(gap, 16);
+    const double fine = relative_residual(gap, 32);
+    BOOST_TEST_MESSAGE("relative residual on 16, 32 cells: " << coarse << ", " << fine << ", order "
+                                                             << std::log2(coarse / fine));
+    BOOST_TEST(coarse < 0.02);
+    BOOST_TEST(std::log2(coarse / fine) > 1.8);
+  }
+}
+
+// Sums over square frames outside, each twice as far as the one before, the rest beyond as 1/r; midpoint rule.
+BOOST_AUTO_TEST_CASE(the_load_outside_is_the_sum_of_the_pressure_there) {
+  const Grid domain{32, 32, -3.0, 2.0, -2.5, 2.5};
+  const double H00 = -0.4;
+  for (const QuadraticForm& gap : {circle, aslant}) {
+    const double deformation = 0.42;
+    const FarField far = isoviscous(gap, deformation);
+    const auto P = [&](double X, double Y) { return far.P(X, Y, H00 + gap.at(X, Y) + deformation / std::hypot(X, Y)); };
+    double sum = 0.0;
+    double last_frame = 0.0;
+    constexpr int n = 400;
+    // The frame between the domain times s and times 2 s.
+    for (double s = 1.0; s < 200.0; s *= 2.0) {
+      last_frame = 0.0;
+      const double hx = 2.0 * s * (domain.X_b - domain.X_a) / n;
+      const double hy = 2.0 * s * (domain.Y_b - domain.Y_a) / n;
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+          const double X = 2.0 * s * domain.X_a + (i + 0.5) * hx;
+          const double Y = 2.0 * s * domain.Y_a + (j + 0.5) * hy;
+          const bool inside = X > s * domain.X_a && X < s * domain.X_b && Y > s * domain.Y_a && Y < s * domain.Y_b;
+          if (!inside) last_frame += P(X, Y) * hx * hy;
+        }
+      sum += last_frame;
+    }
+    sum += last_frame;  // as much again, and half of it, and so on: P falls as r^-3
+    const double load = far.load_outside(domain, H00);
+    BOOST_TEST_MESSAGE("load outside " << load << ", summed " << sum);
+    BOOST_TEST(std::abs(load / sum - 1.0) < 1e-3);
+  }
+}
+
+// Of Barus' oil q = (1 - exp(-alpha_bar P))/alpha_bar.
+BOOST_AUTO_TEST_CASE(viscosity_enters_by_the_reduced_pressure) {
+  const double alpha_bar = 12.0;
+  const FarField oil({.gap = circle, .lambda = lambda, .viscosity = rheology::Barus{alpha_bar}});
+  const double X = -2.6;
+  const double Y = 0.7;
+  const double H = 3.0;
+  const double q = isoviscous(circle).P(X, Y, H);
+  const double P = oil.P(X, Y, H);
+  BOOST_TEST_MESSAGE("q = " << q << ", P = " << P);
+  BOOST_TEST(std::abs((1.0 - std::exp(-alpha_bar * P)) / alpha_bar / q - 1.0) < 1e-9);
+  BOOST_TEST(P > 1.1 * q);
+  // No pressure reaches q = 1/alpha_bar.
+  BOOST_TEST(std::isnan(oil.P(-1.5, 0.1, 1.0)));
+}

@@ -1,0 +1,91 @@
+// Contacts on domains with the far field in closed form: what they have in common with the contact without a boundary.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "contact/groups.hpp"
+#include "steady/solve.hpp"
+#include "support/roelands_scene.hpp"
+
+using namespace ehl;
+
+namespace {
+
+steady::Solution solved(const steady::Scene& scene) {
+  steady::Solution solution = steady::solve(scene, {});
+  BOOST_TEST_REQUIRE(solution.converged, solution.failed_check);
+  return solution;
+}
+
+steady::Scene closed_scene(double M, double L, const core::Grid& grid) {
+  steady::Scene scene = tests::roelands_scene(M, L, grid);
+  if (!(L > 0.0)) {
+    scene.viscosity = rheology::Isoviscous{};
+    scene.density = rheology::Incompressible{};
+  }
+  scene.far_field = true;
+  scene.multigrid.tolerance = 1e-8;
+  return scene;
+}
+
+void require_close(double a, double b, double allowed, const char* what) {
+  BOOST_TEST_MESSAGE(what << ": " << a << " and " << b << ", apart by " << std::abs(a / b - 1.0));
+  BOOST_TEST(std::abs(a / b - 1.0) < allowed, what);
+}
+
+}  // namespace
+
+// Domains of half the size with the same mesh size.
+BOOST_AUTO_TEST_CASE(half_of_a_domain_gives_the_same_film) {
+  struct Case {
+    double M, L;
+    core::Grid small, large;
+    double allowed;
+  };
+  const Case cases[] = {
+      {2, 0, {128, 168, -12, 6, -12, 12}, {256, 336, -24, 12, -24, 24}, 2e-3},
+      {5, 5, {64, 84, -4, 2, -4, 4}, {128, 168, -8, 4, -8, 8}, 2e-3},
+      {20, 10, {128, 128, -3, 1.5, -2.25, 2.25}, {256, 256, -6, 3, -4.5, 4.5}, 2.5e-3},
+      {100, 10, {128, 128, -2.5, 1.5, -2, 2}, {256, 256, -5, 3, -4, 4}, 2e-3},
+  };
+  for (const Case& c : cases) {
+    BOOST_TEST_MESSAGE("M = " << c.M << ", L = " << c.L);
+    const steady::Solution small = solved(closed_scene(c.M, c.L, c.small));
+    const steady::Solution large = solved(closed_scene(c.M, c.L, c.large));
+    require_close(small.levels.back().Hc, large.levels.back().Hc, c.allowed, "Hc");
+    require_close(small.levels.back().Hm_fitted, large.levels.back().Hm_fitted, 1.5 * c.allowed, "Hm");
+  }
+}
+
+// An ellipse of R_x/R_y = 0.2 at 45 degrees, where the boundary is a line of every direction of its far field.
+BOOST_AUTO_TEST_CASE(likewise_beside_an_ellipse_aslant) {
+  const contact::Groups groups = contact::from_moes(20, 10, contact::ellipse(0.2, 45.0));
+  const auto scene_on = [&](const core::Grid& grid) {
+    steady::Scene scene = closed_scene(20, 10, grid);
+    scene.lambda = groups.lambda;
+    scene.shape = groups.shape;
+    return scene;
+  };
+  const steady::Solution small = solved(scene_on({192, 192, -6, 3, -4.5, 4.5}));
+  const steady::Solution large = solved(scene_on({384, 384, -12, 6, -9, 9}));
+  require_close(small.levels.back().Hc, large.levels.back().Hc, 2e-3, "Hc");
+}
+
+// With rigid bodies and Reynolds' rupture M^2 H = 35.53 +- 0.01 (Moes' H).
+BOOST_AUTO_TEST_CASE(the_film_of_a_light_load_is_the_rigid_limit) {
+  const steady::Solution solution = solved(closed_scene(1, 0, {256, 336, -40, 20, -40, 40}));
+  const double H = contact::H_to_moes_units(solution.error_bars.Hc_extrapolated.value, 1, {});
+  require_close(H, 35.53, 3e-3, "M^2 Hc and the rigid limit");
+}
+
+// One half of the domain, and two threads, as the whole one with one thread.
+BOOST_AUTO_TEST_CASE(one_half_and_two_threads_do_the_same) {
+  steady::Scene scene = closed_scene(20, 10, {128, 128, -3, 1.5, -2.25, 2.25});
+  const steady::Solution half = solved(scene);
+  scene.threads = 2;
+  const steady::Solution threaded = solved(scene);
+  BOOST_TEST(half.levels.back().Hc == threaded.levels.back().Hc);
+  BOOST_TEST(half.levels.back().Hm == threaded.levels.back().Hm);
+  scene.use_symmetry = false;
+  const steady::Solution whole = solved(scene);
+  require_close(half.levels.back().Hc, whole.levels.back().Hc, 1e-9, "half and whole");
+}
