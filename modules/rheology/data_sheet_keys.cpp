@@ -70,8 +70,10 @@ std::vector<deck::Key> data_sheet_keys() {
        .default_note = "40 for a fluid by name that has viscosities at 40 and 100 C",
        .unit = "C",
        .range = {-273.15, 1000.0, true, false},
-       .meaning = "Temperature of oil and bodies. Required with kv40 and kv100, and by viscosity = yasutomi, above its "
-                  "glass transition Tg0. All other constants hold at the temperature of the contact already.",
+       .meaning =
+           "Temperature of oil and bodies. Required with kv40 and kv100, with K00 and beta_K, and by viscosity = "
+           "yasutomi, above its glass transition Tg0. All other constants hold at the temperature of the contact "
+           "already.",
        .example = "40"},
       {.name = "kv40",
        .unit = "mm^2/s",
@@ -126,10 +128,10 @@ std::optional<AmbientOil> read_ambient(const deck::Part& lubricant) {
                      "has no influence with viscosity = " + viscosity + ", which brings its own: remove it");
   bool any = false;
   for (const std::string& name : of_data_sheet) any = any || (has(lubricant, name) && !brings_eta0);
-  if (!any && !lubricant.given("fluid") && viscosity != "yasutomi")
+  if (!any && !lubricant.given("fluid") && viscosity != "yasutomi" && lubricant.given_of({"K00", "beta_K"}).empty())
     lubricant.refuse({"temperature"},
                      "has no influence: the constants hold at the temperature of the contact already; "
-                     "remove it, or give kv40, kv100 and density15 instead of eta0");
+                     "remove it, or give kv40, kv100 and density15 instead of eta0, K00 and beta_K instead of K0");
   if (!any) return std::nullopt;
   demand(lubricant, {"kv40", "kv100", "density15", "temperature"}, "an oil by its viscosities at two temperatures");
   if (lubricant.number("kv40") <= lubricant.number("kv100"))
@@ -138,13 +140,7 @@ std::optional<AmbientOil> read_ambient(const deck::Part& lubricant) {
   if (!lubricant.deck.errors.empty()) return std::nullopt;
   AmbientOil ambient;
   const double eta0 = viscosity_at(lubricant, lubricant.number("temperature"), ambient);
-  if (!deck::find_key(lubricant.deck.catalogue, "lubricant", "eta0")->range.contains(eta0)) {
-    lubricant.complain("temperature",
-                       fmt::format("with kv40 and kv100 it means eta0 = {:.3g} Pa s: check them, in mm^2/s", eta0));
-    return std::nullopt;
-  }
-  settle(lubricant, "eta0", deck::shortest(eta0),
-         fmt::format("kv40, kv100 and density15 at {:g} C", lubricant.number("temperature")));
+  settle_at_temperature(lubricant, "eta0", eta0, "kv40, kv100 and density15");
   return ambient;
 }
 

@@ -55,7 +55,7 @@ inline constexpr std::array<Fluid, 15> fluids{{
     {"mourier", "oil of Mourier's experiment, at its temperature only",
      "Mourier, Mazuyer, Lubrecht and Donnet, Tribology International 39, 2006", roelands_oil("0.25", "22e-9")},
     grade("mineral-vg32", "32", "5.290", "870", "16.93e-9",
-          "and up to -vg460: paraffinic mineral oils in the middle of the ISO VG, at any temperature",
+          "and the grades up to mineral-vg460, paraffinic mineral oils in the middle of the ISO VG, at any temperature",
           "kv40: ISO 3448; kv100: viscosity index 95 by ASTM D2270; density15: typical data sheet values, no single "
           "source, +-2 %; alpha*: from Gold et al., Journal of Synthetic Lubrication 18, 2001, at 40 C and 0.2 GPa, "
           "9.904e-9 kv40^0.139; an estimate: oils differ by 20 %, and the film by 10 %"),
@@ -66,7 +66,7 @@ inline constexpr std::array<Fluid, 15> fluids{{
     grade("mineral-vg220", "220", "18.75", "893", "22.64e-9"),
     grade("mineral-vg320", "320", "23.95", "897", "23.92e-9"),
     grade("mineral-vg460", "460", "30.34", "902", "25.22e-9"),
-    grade("pao4", "18.4", "4.1", "820", "11.05e-9", "and up to pao40: polyalphaolefins, at any temperature",
+    grade("pao4", "18.4", "4.1", "820", "11.05e-9", "and the grades up to pao40, polyalphaolefins, at any temperature",
           "kv40, kv100, density15: typical data sheet values of the grade, no single source, +-5 %; alpha*: from "
           "Gold et al., as above, 7.382e-9 kv40^0.1335; an estimate: 20 %, and the film 10 %"),
     grade("pao6", "31", "5.8", "827", "11.98e-9"),

@@ -67,6 +67,9 @@ void read_alpha_star(const deck::Part& lubricant, Oil& oil);
 /// The value of a key follows from others: chosen, and a complaint where the deck gives another one. Repeated as it is,
 /// as in the deck that a result keeps, it may stand.
 void settle(const deck::Part& lubricant, const std::string& name, const std::string& text, const std::string& why);
+/// The same for a number that holds at the temperature; a complaint about that where the number is out of its range.
+/// in: what it follows from, for both.
+void settle_at_temperature(const deck::Part& lubricant, const std::string& name, double value, const std::string& from);
 /// Complains about each of the names that has no value at all.
 void demand(const deck::Part& lubricant, const std::vector<std::string>& names, const std::string& law);
 

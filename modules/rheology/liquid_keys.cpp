@@ -6,6 +6,7 @@
 #include "rheology/fluid_table.hpp"
 #include "rheology/keys.hpp"
 #include "rheology/pressure_coefficient.hpp"
+#include "rheology/temperature.hpp"
 
 namespace ehl::rheology {
 namespace {
@@ -19,9 +20,20 @@ Key constant(const char* name, const char* unit, deck::Range range, const char* 
 
 using Names = std::vector<std::string>;
 
-const Names bulk_modulus{"K0", "K0_prime"};
+const Names bulk_modulus{"K0", "K0_prime"}, bulk_modulus_of_T{"K00", "beta_K"};
 const Names doolittle{"eta0", "doolittle_B", "doolittle_R0", "K0", "K0_prime"};
 const Names yasutomi{"temperature", "Tg0", "A1", "A2", "b1", "b2", "C1", "C2", "eta_g"};
+
+// K0 where it is given with its fall with temperature. source: Habchi, Finite Element Modeling of
+// Elastohydrodynamic Lubrication Problems, 2018.
+void read_bulk_modulus(const deck::Part& lubricant) {
+  const double K00 = lubricant.number("K00"), beta_K = lubricant.number("beta_K");
+  if (lubricant.given_of(bulk_modulus_of_T).empty()) return;
+  demand(lubricant, {"K00", "beta_K", "temperature"}, "a bulk modulus at a temperature");
+  if (!lubricant.deck.errors.empty()) return;
+  const double T = lubricant.number("temperature") + zero_celsius;
+  settle_at_temperature(lubricant, "K0", K00 * std::exp(-beta_K * T), "K00 and beta_K");
+}
 
 // What the laws need, and what no law uses.
 void check_constants(const deck::Part& lubricant, const std::string& viscosity, const std::string& density) {
@@ -33,7 +45,8 @@ void check_constants(const deck::Part& lubricant, const std::string& viscosity, 
   if (tabulated) demand(lubricant, {"table"}, viscosity == "table" ? "viscosity = table" : "density = table");
   const std::string laws = "has no influence with viscosity = " + viscosity + " and density = " + density;
   if (!tait && viscosity != "doolittle")
-    lubricant.refuse(bulk_modulus, laws + ": remove it, or set density = tait or murnaghan");
+    for (const Names& names : {bulk_modulus, bulk_modulus_of_T})
+      lubricant.refuse(names, laws + ": remove it, or set density = tait or murnaghan");
   if (!tabulated) lubricant.refuse({"table"}, laws + ": remove it, or set viscosity = table or density = table");
   const double Tg0 = lubricant.number("Tg0");
   if (viscosity == "yasutomi" && lubricant.number("temperature") <= Tg0)
@@ -77,6 +90,10 @@ std::vector<Key> liquid_keys() {
                  "Bulk modulus at ambient pressure, at the temperature of the contact. Required by density = tait and "
                  "murnaghan and by viscosity = doolittle.",
                  "1.192e9"),
+        constant("K00", "Pa", {1e8, 1e14},
+                 "With beta_K and temperature instead of K0: K0 = K00 exp(-beta_K T), T in kelvin.", "8.658e9"),
+        constant("beta_K", "1/K", {1e-5, 0.1}, "How the bulk modulus falls with temperature. Required with K00.",
+                 "6.332e-3"),
         constant("K0_prime", "", {1.0, 50.0}, "Its derivative with pressure. Required with K0.", "11.74")},
        deck::only_with(
            {.name = "viscosity", .words = {"doolittle"}},
@@ -104,7 +121,10 @@ std::vector<Key> liquid_keys() {
 
 Liquid read_liquid(const deck::Part& lubricant) {
   const std::string viscosity = lubricant.word("viscosity"), density = lubricant.word("density");
-  check_constants(lubricant, viscosity, density);
+  const std::size_t complaints = lubricant.deck.errors.size();
+  read_bulk_modulus(lubricant);
+  // Without it, that K0 is missing would be one more complaint.
+  if (lubricant.deck.errors.size() == complaints) check_constants(lubricant, viscosity, density);
   Liquid liquid;
   if (!lubricant.deck.errors.empty()) return liquid;
 

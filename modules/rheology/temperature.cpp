@@ -5,8 +5,6 @@
 namespace ehl::rheology {
 namespace {
 
-constexpr double zero_celsius = 273.15;  // [K]
-
 // What ASTM D341 adds to nu + 0.7: nothing but below 2 mm^2/s.
 double low_viscosity_term(double nu) { return std::exp(-1.47 - 1.84 * nu - 0.51 * nu * nu); }
 

@@ -10,6 +10,8 @@ struct Walther {
   double B;
 };
 
+inline constexpr double zero_celsius = 273.15;  ///< [K]
+
 /// The lowest viscosity that ASTM D341 has been tested with [mm^2/s].
 inline constexpr double least_kinematic_viscosity = 0.21;
 /// Where a lubricating oil is a liquid that two viscosities tell about: below, wax or a glass is near, above, it

@@ -113,6 +113,32 @@ BOOST_AUTO_TEST_CASE(a_sweep_over_temperature_thins_the_film) {
   BOOST_TEST(swept.status == 0, swept.err);
 }
 
+BOOST_AUTO_TEST_CASE(a_bulk_modulus_falls_with_temperature) {
+  const support::TemporaryFolder folder;
+  // Squalane (Bair 2006): K00 = 8.658 GPa, beta_K = 6.332e-3 1/K; at 298 K 1.312 GPa (Liu et al. 2023).
+  const std::string oil = ball + "eta0 = 0.0276\nalpha = 1.9e-8\ndensity = tait\nK0_prime = 11.74\n";
+  run(folder, oil + "K00 = 8.658e9\nbeta_K = 6.332e-3\ntemperature = 25\n");
+  const std::string kept = ResultFile(folder / "d.h5").text("/deck");
+  const double K0 = std::stod(kept.substr(kept.find("\nK0 = ") + 6));
+  BOOST_TEST_MESSAGE("K0 of squalane at 25 C: " << K0 << " Pa, known 1.312e9");
+  BOOST_TEST(near(K0, 1.312e9 * std::exp(-0.15 * 6.332e-3), 1e-4));
+  const std::vector<double> first = pressures(folder);
+  run(folder, kept);
+  BOOST_TEST((first == pressures(folder)));
+  support::check_refused(
+      {{"no beta_K", oil + "K00 = 8.658e9\ntemperature = 25\n", {"[lubricant] beta_K", "is missing"}},
+       {"no temperature", oil + "K00 = 8.658e9\nbeta_K = 6e-3\n", {"[lubricant] temperature", "is missing"}},
+       {"another K0",
+        oil + "K0 = 1e9\nK00 = 8.658e9\nbeta_K = 6.332e-3\ntemperature = 25\n",
+        {"d.ini:14", "already", "K00 and beta_K at 25 C"}},
+       {"softer than a gas",
+        oil + "K00 = 8.658e9\nbeta_K = 0.1\ntemperature = 25\n",
+        {"d.ini:16", "it means K0 = 0.000975 Pa", ">= 1e+07"}},
+       {"without a law",
+        ball + "eta0 = 0.1\nalpha = 1e-8\nK00 = 8.658e9\nbeta_K = 6e-3\ntemperature = 25\n",
+        {"d.ini:12", "has no influence", "density = tait"}}});
+}
+
 BOOST_AUTO_TEST_CASE(slips) {
   const std::string sheet = ball + data_sheet;
   support::check_refused(
