@@ -162,11 +162,34 @@ void series(const Writer& writer, const std::string& group_name, const Series& e
   describe(writer, made, entry.unit, entry.meaning);
 }
 
+// Every field of a series again as (y, x), a view that takes no room: readers of XDMF take planes of a dataset in
+// different orders, and whole datasets alike.
+void planes(const Writer& writer, const std::string& group_name, const Series& entry) {
+  if (entry.fields.empty()) return;
+  const std::string of = group_name + "/" + entry.name, cannot = writer.cannot(of);
+  const hsize_t dims[] = {entry.fields.size(), static_cast<hsize_t>(entry.fields[0]->nodes_y()),
+                          static_cast<hsize_t>(entry.fields[0]->nodes_x())};
+  const hsize_t piece[] = {1, dims[1], dims[2]};
+  const Handle all = checked(H5Screate_simple(3, dims, nullptr), H5Sclose, cannot);
+  const Handle plane = checked(H5Screate_simple(2, dims + 1, nullptr), H5Sclose, cannot);
+  for (hsize_t k = 0; k < dims[0]; ++k) {
+    const hsize_t start[] = {k, 0, 0};
+    check(H5Sselect_hyperslab(all, H5S_SELECT_SET, start, nullptr, piece, nullptr), cannot);
+    const Handle view = creation(writer);
+    check(H5Pset_virtual(view, plane, ".", of.c_str(), all), cannot);
+    const Handle made = dataset(writer, plane_name(group_name, entry.name, k),
+                                entry.single ? H5T_IEEE_F32LE : H5T_IEEE_F64LE, plane, view);
+    describe(writer, made, entry.unit, entry.meaning);
+  }
+}
+
 void frames(const Writer& writer, const Frames& entry) {
   if (entry.group.empty()) return;
   group(writer, entry.group);
   numbers(writer, entry.group + "/time", {entry.times.size()}, entry.times, false, "a/u_m", "times of the fields");
   for (const Series& one : entry.series) series(writer, entry.group, one);
+  group(writer, plane_group(entry.group), "the fields in time, each by itself");
+  for (const Series& one : entry.series) planes(writer, entry.group, one);
 }
 
 void table(const Writer& writer, const Table& entry) {
@@ -238,8 +261,9 @@ std::vector<std::byte> image(const std::string& path, const Content& content) {
   const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, cannot);
   const std::size_t block = std::max<std::size_t>(1 << 16, expected_bytes(content.grid, content.fields.size()) / 8);
   check(H5Pset_fapl_core(access, block, false), cannot);
-  // The format of HDF5 1.8 puts a checksum on all that describes the data, and every reader of today knows it.
-  check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18), cannot);
+  // The format of HDF5 1.8 puts a checksum on all that describes the data, and every reader of today knows it; the
+  // views of fields in time are of 1.10.
+  check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V110), cannot);
   const Handle file = checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, cannot);
   everything({file, path}, content);
   check(H5Fflush(file, H5F_SCOPE_GLOBAL), cannot);

@@ -18,6 +18,10 @@ std::string xdmf_name(const std::string& path);
 /// errors: core::FileError with path and reason.
 void write(const std::string& path, const Content& content, bool overwrite);
 
+/// Names in the file of a field in time by itself: /transient/frames/planes/P_3.
+std::string plane_group(const std::string& frames);
+std::string plane_name(const std::string& frames, const std::string& series, std::size_t k);
+
 /// The XDMF text for a result file. in: path of the HDF5 file, named relative to the XDMF beside it.
 std::string xdmf(const std::string& path, const Content& content);
 

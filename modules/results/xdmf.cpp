@@ -28,13 +28,9 @@ struct Texts {
   std::string y{};
 };
 
-std::string number_type(bool single) {
-  return std::string("NumberType=\"Float\" Precision=\"") + (single ? "4" : "8") + "\"";
-}
-
 std::string item(const Texts& texts, const std::string& dimensions, const std::string& dataset, bool single = false) {
-  return "<DataItem Dimensions=\"" + dimensions + "\" " + number_type(single) + " Format=\"HDF\">" + texts.file + ":" +
-         escaped(dataset) + "</DataItem>";
+  return "<DataItem Dimensions=\"" + dimensions + "\" NumberType=\"Float\" Precision=\"" + (single ? "4" : "8") +
+         "\" Format=\"HDF\">" + texts.file + ":" + escaped(dataset) + "</DataItem>";
 }
 
 std::string attribute(const std::string& name, const std::string& data) {
@@ -55,23 +51,16 @@ std::string grid_of_fields(const Texts& texts, const Content& content) {
   return text + "  </Grid>\n";
 }
 
-// One grid for each time, whose fields are planes of one dataset. VTK reads no slab of more dimensions than the grid.
 std::string grids_in_time(const Texts& texts, const Content& content) {
   const Frames& frames = content.frames;
-  const std::string plane = texts.y + " " + texts.x;
-  const std::string all = std::to_string(frames.times.size()) + " " + plane;
   std::string text =
       "  <Grid Name=\"" + escaped(content.title) + "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
   for (std::size_t k = 0; k < frames.times.size(); ++k) {
-    const std::string number = std::to_string(k);
-    text += "  <Grid Name=\"" + number + "\" GridType=\"Uniform\">\n   <Time Value=\"" +
+    text += "  <Grid Name=\"" + std::to_string(k) + "\" GridType=\"Uniform\">\n   <Time Value=\"" +
             fmt::format("{}", frames.times[k]) + "\"/>\n" + mesh(texts);
     for (const Series& series : frames.series)
       text += attribute(series.name,
-                        "<DataItem ItemType=\"HyperSlab\" " + number_type(series.single) + " Dimensions=\"" + plane +
-                            "\">\n     <DataItem Dimensions=\"3 3\" NumberType=\"Int\" Format=\"XML\">" + number +
-                            " 0 0 1 1 1 1 " + plane + "</DataItem>\n     " +
-                            item(texts, all, frames.group + "/" + series.name, series.single) + "\n    </DataItem>");
+                        item(texts, texts.y + " " + texts.x, plane_name(frames.group, series.name, k), series.single));
     text += "  </Grid>\n";
   }
   return text + "  </Grid>\n";
@@ -91,6 +80,12 @@ std::string grid_in_space(const Texts& texts, const Volume& volume) {
 }
 
 }  // namespace
+
+std::string plane_group(const std::string& frames) { return frames + "/planes"; }
+
+std::string plane_name(const std::string& frames, const std::string& series, std::size_t k) {
+  return plane_group(frames) + "/" + series + "_" + std::to_string(k);
+}
 
 std::string xdmf_name(const std::string& path) {
   std::filesystem::path name(path);

@@ -40,6 +40,15 @@ std::string with_prefix(double number, const std::string& unit) {
   return fmt::format("{:.4g}{}{}", number, unit.empty() ? "" : " ", unit);
 }
 
+// The symbol of a key, for names of curves.
+std::string symbol_of(const std::string& column) {
+  static const std::map<std::string, std::string> known{
+      {"motion.u_m", "u_m"},       {"contact.load", "F"},     {"lubricant.eta0", "η_0"}, {"lubricant.temperature", "T"},
+      {"contact.radius_x", "R_x"}, {"contact.E_prime", "E'"}, {"shear.tau_0", "τ_0"}};
+  const auto found = known.find(column);
+  return found != known.end() ? found->second : escaped(column.substr(column.find('.') + 1));
+}
+
 }  // namespace
 
 std::string words_for(const std::string& column) {
@@ -48,9 +57,6 @@ std::string words_for(const std::string& column) {
                                                         {"motion.srr", "slide-roll ratio"},
                                                         {"lubricant.eta0", "viscosity η_0"},
                                                         {"lubricant.temperature", "temperature"},
-                                                        {"contact.radius_x", "R_x"},
-                                                        {"contact.E_prime", "E'"},
-                                                        {"shear.tau_0", "τ_0"},
                                                         {"h_c_nm", "central film h_c"},
                                                         {"h_m_nm", "smallest film h_m"},
                                                         {"Hc", "central film H_c"},
@@ -58,7 +64,7 @@ std::string words_for(const std::string& column) {
                                                         {"mu", "friction coefficient μ"},
                                                         {"lambda_ratio", "lambda ratio h_m/S_q"}};
   if (const auto found = known.find(column); found != known.end()) return found->second;
-  return escaped(column.substr(column.find('.') + 1));
+  return symbol_of(column);
 }
 
 std::string with_unit(const SweepData& table, const std::string& column) {
@@ -78,7 +84,7 @@ std::string name_of_curve(const SweepData& table, const std::vector<std::string>
   std::vector<std::string> parts;
   for (const std::string& column : by) {
     const double number = table.number(row, column);
-    parts.push_back(std::isfinite(number) ? words_for(column) + " = " + with_prefix(number, unit_of(table, column))
+    parts.push_back(std::isfinite(number) ? symbol_of(column) + " = " + with_prefix(number, unit_of(table, column))
                                           : escaped(table.cell(row, column)));
   }
   return deck::joined(parts, ", ");

@@ -16,7 +16,7 @@ std::string with_unit(const SweepData& table, const std::string& column);
 /// Of an axis that several columns share.
 std::string words_of_all(const SweepData& table, const std::vector<std::string>& columns);
 
-/// "load F = 20 N, pao4": what tells the curve of this row apart.
+/// "F = 20 N, pao4": what tells the curve of this row apart.
 std::string name_of_curve(const SweepData& table, const std::vector<std::string>& by, std::size_t row);
 
 }  // namespace ehl::program

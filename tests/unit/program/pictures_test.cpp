@@ -112,7 +112,7 @@ BOOST_AUTO_TEST_CASE(a_sweep_becomes_curves_in_order_with_bars_and_formulas) {
   BOOST_TEST(curves.data ==
              "0.1 10 0.25 12 nan nan\n0.2 20 0.5 21 nan nan\n\n\n0.1 8 0.125 9 nan nan\n\n\n"
              "0.1 5 0 nan nan nan\n0.2 11 0 nan nan nan\n\n\n0.1 4 0 nan nan nan\n\n\n");
-  BOOST_TEST(setting(curves, "curve_2") == "load F = 50 N");
+  BOOST_TEST(setting(curves, "curve_2") == "F = 50 N");
   BOOST_TEST(setting(curves, "x_words") == "entrainment speed u_m [m/s]");
   BOOST_TEST(setting(curves, "formula_1") == "Hamrock, Dowson 1977");
   BOOST_TEST(setting(curves, "formula_2") == "");
