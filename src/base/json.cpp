@@ -1,11 +1,30 @@
 #include "base/json.hpp"
 
+#include <map>
+#include <utility>
+
 namespace ehl::program {
+
+namespace {
+
+std::string path_of(const results::Quantity& one) { return "/" + (one.json.empty() ? one.name : one.json); }
+
+}  // namespace
 
 void add(const std::vector<results::Quantity>& quantities, Json& object) {
   for (const results::Quantity& one : quantities)
-    if (one.json != results::not_in_json)
-      object[Json::json_pointer("/" + (one.json.empty() ? one.name : one.json))] = json_of(one.value);
+    if (one.json != results::not_in_json) object[Json::json_pointer(path_of(one))] = json_of(one.value);
+}
+
+void add_in_SI(const std::vector<results::Quantity>& quantities, const std::optional<SiScales>& scales, Json& object) {
+  if (!scales) return;
+  const std::map<std::string, std::pair<const char*, double>> units{{"p_h", {"_Pa", scales->p_h}},
+                                                                    {"a^2/R", {"_m", scales->h}},
+                                                                    {"a", {"_m", scales->a}},
+                                                                    {"a/u_m", {"_s", scales->time}}};
+  for (const results::Quantity& one : quantities)
+    if (const auto unit = units.find(one.unit); unit != units.end() && one.json != results::not_in_json)
+      object[Json::json_pointer(path_of(one) + unit->second.first)] = results::number(one.value) * unit->second.second;
 }
 
 std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"; }

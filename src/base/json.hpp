@@ -1,8 +1,10 @@
 #pragma once
 // Records as JSON.
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "base/column.hpp"
+#include "base/si_units.hpp"
 
 namespace ehl::program {
 
@@ -26,6 +28,9 @@ Json rows_json(const std::vector<Column<Row>>& columns, const std::vector<Row>& 
 
 /// Sets a member for each quantity that has one.
 void add(const std::vector<results::Quantity>& quantities, Json& object);
+
+/// The same in SI, "P_max_Pa" beside "P_max", of those that have a scale; nothing where there are no scales.
+void add_in_SI(const std::vector<results::Quantity>& quantities, const std::optional<SiScales>& scales, Json& object);
 
 /// One line; bytes that are no UTF-8 become U+FFFD.
 std::string line_of(const Json& json);

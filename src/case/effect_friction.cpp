@@ -55,10 +55,11 @@ std::string summary(const Case& input, const Computed& computed) {
   return text + warning_lines(friction::warnings(f));
 }
 
-Json json(const Computed& computed) {
+Json json(const Case& input, const Computed& computed) {
   const Friction& f = *computed.friction;
   Json report;
   add(friction_quantities(f), report);
+  add_in_SI(friction_quantities(f), si_scales(input.physics), report);
   report["warnings"] = friction::warnings(f);
   report["seconds"] = f.seconds;
   return report;

@@ -98,10 +98,11 @@ std::string summary(const Case& input, const Computed& computed) {
          body(field.parameters) + fmt::format("; {:.3f} s\n", field.seconds) + warning_lines(field.warnings);
 }
 
-Json json(const Computed& computed) {
+Json json(const Case& input, const Computed& computed) {
   const StressField& field = *computed.stresses;
   Json report;
   add(quantities(field), report);
+  add_in_SI(quantities(field), si_scales(input.physics), report);
   report["depth"] = field.depths.back();
   report["planes"] = field.depths.size();
   report["nx"] = field.grid.nx;

@@ -54,33 +54,35 @@ void compute(const Case& input, RunSettings& settings, Computed& computed) {
 }  // namespace
 
 Effect transient_effect() {
-  return {
-      .name = "transient",
-      .meaning = "What happens in time, from the steady contact at time 0.",
-      .stage = Stage::unknowns,
-      .without = "steady",
-      .sections = {{.name = "transient", .called_by = {"end_time"}}},
-      .costly = {"transient", "output_interval"},
-      .keys = transient::keys,
-      .on = [](const Case& input) { return input.transient.has_value(); },
-      .what = what,
-      .expense = expense,
-      .compute = compute,
-      .summary =
-          [](const Case& input, const Computed& computed) {
-            return computed.in_time ? transient_summary(input, *computed.in_time) : "";
-          },
-      .json = [](const Computed& computed) { return computed.in_time ? transient_json(*computed.in_time) : Json(); },
-      .add_content =
-          [](const Case& input, const Computed& computed, results::Content& content) {
-            if (computed.in_time) add_transient(input, *computed.in_time, content);
-          },
-      .seconds =
-          [](const Computed& computed) {
-            if (!computed.in_time) return 0.0;
-            return computed.in_time->report.seconds - computed.in_time->report.seconds_of_surfaces;
-          },
-      .example = {"transient.end_time=0.5", "transient.load=0.1:1 0.4:1.1"}};
+  return {.name = "transient",
+          .meaning = "What happens in time, from the steady contact at time 0.",
+          .stage = Stage::unknowns,
+          .without = "steady",
+          .sections = {{.name = "transient", .called_by = {"end_time"}}},
+          .costly = {"transient", "output_interval"},
+          .keys = transient::keys,
+          .on = [](const Case& input) { return input.transient.has_value(); },
+          .what = what,
+          .expense = expense,
+          .compute = compute,
+          .summary =
+              [](const Case& input, const Computed& computed) {
+                return computed.in_time ? transient_summary(input, *computed.in_time) : "";
+              },
+          .json =
+              [](const Case& input, const Computed& computed) {
+                return computed.in_time ? transient_json(input, *computed.in_time) : Json();
+              },
+          .add_content =
+              [](const Case& input, const Computed& computed, results::Content& content) {
+                if (computed.in_time) add_transient(input, *computed.in_time, content);
+              },
+          .seconds =
+              [](const Computed& computed) {
+                if (!computed.in_time) return 0.0;
+                return computed.in_time->report.seconds - computed.in_time->report.seconds_of_surfaces;
+              },
+          .example = {"transient.end_time=0.5", "transient.load=0.1:1 0.4:1.1"}};
 }
 
 }  // namespace ehl::program

@@ -183,7 +183,8 @@ void add_effects(const Case& input, const Computed& computed, Json& report) {
   for (const results::EffectRow& row : effect_rows(input, computed))
     rows.push_back({{"name", row.name}, {"seconds", row.seconds}, {"what", row.what}, {"why", row.why}});
   for (const Effect& effect : effects_of(input))
-    if (Json own = effect.json ? effect.json(computed) : Json(); !own.is_null()) report[effect.name] = std::move(own);
+    if (Json own = effect.json ? effect.json(input, computed) : Json(); !own.is_null())
+      report[effect.name] = std::move(own);
 }
 
 std::vector<results::EffectRow> effect_rows(const Case& input, const Computed& computed) {

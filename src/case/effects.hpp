@@ -61,7 +61,7 @@ struct Effect {
   void (*compute)(const Case& input, RunSettings& settings,
                   Computed& computed) = nullptr;  ///< after the steady contact
   std::string (*summary)(const Case& input, const Computed& computed) = nullptr;
-  nlohmann::ordered_json (*json)(const Computed& computed) = nullptr;  ///< the member of its name
+  nlohmann::ordered_json (*json)(const Case& input, const Computed& computed) = nullptr;  ///< the member of its name
   void (*add_content)(const Case& input, const Computed& computed, results::Content& content) = nullptr;
   double (*seconds)(const Computed& computed) = nullptr;  ///< its own, that no other effect counts
   std::vector<std::string> example{};                     ///< "section.key=value" that turn it on in a deck in M and L

@@ -1,6 +1,8 @@
 // What is told about surfaces that are not smooth.
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "base/text_format.hpp"
 #include "case/surface_input.hpp"
 #include "core/constants.hpp"
@@ -12,12 +14,15 @@ namespace {
 /// Share of a map's variance that a mesh may lose without a warning.
 constexpr double worth_a_word = 0.1;
 
-// In a^2/R, and in metres where the contact is in SI.
+// In SI first where the contact is; the other number beside it.
+std::string both(const std::string& own, double metres) {
+  return std::isfinite(metres) ? length(metres) + " (" + own + ")" : own;
+}
 std::string height_text(double H, const Physics& physics) {
-  return fmt::format("{:.4g}", H) + (physics.si ? " (" + length(H * physics.si->hertz.h_scale) + ")" : "");
+  return both(fmt::format("{:.4g}", H), physics.si ? H * physics.si->hertz.h_scale : std::nan(""));
 }
 std::string length_text(double X, const Physics& physics) {
-  return fmt::format("{:.4g} a", X) + (physics.si ? " (" + length(X * physics.si->hertz.a) + ")" : "");
+  return both(fmt::format("{:.4g} a", X), physics.si ? X * physics.si->hertz.a : std::nan(""));
 }
 
 std::string text(const surface::Feature& feature, const Physics& physics) {

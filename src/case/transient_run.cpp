@@ -165,22 +165,27 @@ std::string transient_summary(const Case& input, const TransientResult& result) 
   return text;
 }
 
-Json transient_json(const TransientResult& result) {
+Json transient_json(const Case& input, const TransientResult& result) {
   const transient::MarchReport& report = result.report;
-  return {{"completed", completed(result)},
-          {"ended", how_it_ended(report)},
-          {"end_time", report.T},
-          {"Hc", result.rows.back().Hc},
-          {"Hm", result.rows.back().Hm},
-          {"least_Hm", std::ranges::min(result.rows, {}, &StepRow::Hm).Hm},
-          {"largest_P_max", std::ranges::max(result.rows, {}, &StepRow::P_max).P_max},
-          {"steps", report.steps},
-          {"cycles", report.cycles},
-          {"rejected", report.rejected},
-          {"not_solved", report.not_solved},
-          {"jumps", report.restarts},
-          {"worst_load_error", report.worst_load_error},
-          {"seconds", report.seconds}};
+  const std::vector<results::Quantity> list{
+      {"completed", completed(result), "-"},
+      {"ended", how_it_ended(report), ""},
+      {"end_time", report.T, "a/u_m"},
+      {"Hc", result.rows.back().Hc, "a^2/R"},
+      {"Hm", result.rows.back().Hm, "a^2/R"},
+      {"least_Hm", std::ranges::min(result.rows, {}, &StepRow::Hm).Hm, "a^2/R"},
+      {"largest_P_max", std::ranges::max(result.rows, {}, &StepRow::P_max).P_max, "p_h"},
+      {"steps", report.steps, "-"},
+      {"cycles", report.cycles, "-"},
+      {"rejected", report.rejected, "-"},
+      {"not_solved", report.not_solved, "-"},
+      {"jumps", report.restarts, "-"},
+      {"worst_load_error", report.worst_load_error, "-"},
+      {"seconds", report.seconds, "s"}};
+  Json made;
+  add(list, made);
+  add_in_SI(list, si_scales(input.physics), made);
+  return made;
 }
 
 }  // namespace ehl::program

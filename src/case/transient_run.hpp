@@ -37,7 +37,7 @@ std::string how_it_ended(const transient::MarchReport& report);
 std::string transient_summary(const Case& input, const TransientResult& result);
 
 /// The same as a JSON object.
-nlohmann::ordered_json transient_json(const TransientResult& result);
+nlohmann::ordered_json transient_json(const Case& input, const TransientResult& result);
 
 /// Adds /transient, and /checkpoint where there is one, to the content of a result file; the result must outlive it.
 void add_transient(const Case& input, const TransientResult& result, results::Content& content);

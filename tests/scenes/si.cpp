@@ -187,6 +187,16 @@ BOOST_AUTO_TEST_CASE(times_in_the_unit_of_the_deck) {
   BOOST_TEST(contains(seconds.out, "time 0 to 0.005 ms ("), seconds.out);
   BOOST_TEST(std::abs(after(seconds.out, "0.005 ms (") - 0.005 / ms) <= 5e-7);
   BOOST_TEST(contains(seconds.out, " ms; at the end "), seconds.out);
+  const auto json = support::parsed(
+      scene.ehl("run s.ini --overwrite --quiet --json --set transient.end_time=0.02 --set transient.load=0.02:1.1")
+          .out);
+  BOOST_TEST(support::number_at(json, "/transient/end_time_s") == 0.02 * 1e-3 * ms,
+             boost::test_tools::tolerance(1e-10));
+  BOOST_TEST(support::number_at(json, "/transient/Hc_m") == h_scale * support::number_at(json, "/transient/Hc"),
+             boost::test_tools::tolerance(1e-10));
+  BOOST_TEST(support::number_at(json, "/transient/largest_P_max_Pa") ==
+                 p_h * support::number_at(json, "/transient/largest_P_max"),
+             boost::test_tools::tolerance(1e-10));
 }
 
 BOOST_AUTO_TEST_CASE(studies_in_SI) {
@@ -242,8 +252,8 @@ BOOST_AUTO_TEST_CASE(roughness_of_a_map) {
   const support::Ended ended = scene.ehl("check " + still);
   BOOST_REQUIRE_MESSAGE(ended.status == 0, ended.err);
   // Two lines in eight 30 nm high, the others 10 nm deep: Sq = sqrt((900 + 3 x 100)/4) = 17.3 nm, Sa = 15 nm.
-  BOOST_TEST(contains(ended.out, "(17.3 nm), Sa"), ended.out);
-  BOOST_TEST(contains(ended.out, "(15.0 nm), tapered"), ended.out);
+  BOOST_TEST(contains(ended.out, "Sq 17.3 nm ("), ended.out);
+  BOOST_TEST(contains(ended.out, ", Sa 15.0 nm ("), ended.out);
   BOOST_TEST(contains(ended.out, "by Hamrock, Dowson 1977 for smooth surfaces"), ended.out);
   const support::Ended twice = scene.ehl("check " + still + " --set contact.Sq2=1e-8");
   BOOST_TEST(twice.status == 2);
