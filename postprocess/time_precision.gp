@@ -11,8 +11,8 @@ load here."/common.gp"
 
 said(key) = system(sprintf("sed -n 's/^# %s: //p' '%s' | head -n 1", key, file))
 if (said("reference error Hc") eq "") exit error file.": this is no table of 'ehl study' of a run in time"
-# "Hc Hm P_max P_1 ..."
-quantities = system(sprintf("sed -n 's/^# reference error \\([^:]*\\): .*/\\1/p' '%s' | tr '\\n' ' '", file))
+# "Hc Hm P_max P_1 ...": they reach a shell, so none but names.
+quantities = system(sprintf("sed -n 's/^# reference error \\([A-Za-z0-9_]*\\): .*/\\1/p' '%s' | tr '\\n' ' '", file))
 limit(name) = real(said("reference error ".name))
 told(name) = name eq "Hc" ? "H_c" : (name eq "Hm" ? "H_m" : (name eq "P_max" ? "P_{max}" : said("probe ".name[3:*])))
 missing = system(sprintf("awk -F, '/^#/ {next} !at {for (k = 1; k <= NF; ++k) if ($k == \"status\") at = k; next} \

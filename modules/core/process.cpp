@@ -1,18 +1,36 @@
 #include "core/process.hpp"
 
+#include <fcntl.h>
+#include <sys/prctl.h>
 #include <unistd.h>
 
 #include <cstdlib>
+#include <cstring>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
 
 namespace ehl::core {
 
+namespace {
+
+// A file that is opened while 0, 1 or 2 is free would get that number, and with it what is printed. What reads or
+// writes there still sees an error, but for messages, which go nowhere.
+void occupy_standard_descriptors() {
+  constexpr int modes[] = {O_WRONLY, O_RDONLY, O_WRONLY};
+  for (int number = 0; number < 3; ++number)
+    if (::fcntl(number, F_GETFD) < 0 && ::open("/dev/null", modes[number]) < 0) ::_exit(1);
+}
+
+}  // namespace
+
 void prepare_process(char** words) {
+  occupy_standard_descriptors();
   const bool decided = ::getenv("OMP_WAIT_POLICY") != nullptr || ::getenv("GOMP_SPINCOUNT") != nullptr;
   if (!decided && ::setenv("GOMP_SPINCOUNT", "3000", 1) == 0)
     ::execv("/proc/self/exe", words);  // comes back only where it is impossible; then it is merely slow
+  const char* const slash = ::strrchr(words[0], '/');
+  ::prctl(PR_SET_NAME, slash == nullptr ? words[0] : slash + 1);  // it was started as /proc/self/exe
 #ifdef __GLIBC__
   constexpr int megabyte = 1 << 20;
   ::mallopt(M_MMAP_THRESHOLD, 32 * megabyte);  // the largest that is heard

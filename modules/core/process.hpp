@@ -3,8 +3,9 @@
 
 namespace ehl::core {
 
-/// For main() to call first, with its argument vector. Two wishes that the system's libraries read when a process
-/// begins or never hear otherwise:
+/// For main() to call first, with its argument vector. Standard input, output and error that are closed are occupied,
+/// so that no other file takes their place; the process has the program's name. And two wishes that the system's
+/// libraries read when a process begins or never hear otherwise:
 ///   threads that wait spin for a tenth of a millisecond before they sleep. OpenMP's own spin for milliseconds, which
 ///   on a machine with other work makes two threads many times slower than one; sleeping at once costs as much as a
 ///   loop over a small grid. OpenMP reads it before main(): the program is started once more, in the same process,

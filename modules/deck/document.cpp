@@ -47,13 +47,16 @@ std::string read_line(const std::string& line, const std::string& place, std::st
 }  // namespace
 
 std::string load_text(const std::string& path) {
+  if (has_control_character(path))
+    throw core::InputError(quoted(path) + ": a deck's name must not hold control characters: rename it");
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (status.type() == std::filesystem::file_type::not_found)
     throw core::InputError(path + ": there is no such file: give the path of a deck (`ehl keys --deck` writes one)");
   if (status.type() == std::filesystem::file_type::directory)
     throw core::InputError(path + ": this is a directory: give the path of a deck file inside it");
-
+  if (status.type() == std::filesystem::file_type::fifo || status.type() == std::filesystem::file_type::socket)
+    throw core::InputError(path + ": this is a pipe, and a deck may be read more than once: give the path of a file");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) throw core::InputError(path + ": cannot be read: " + std::strerror(errno));
@@ -96,6 +99,8 @@ Assignment parse_override(const std::string& text) {
   if (equals == std::string::npos || dot == std::string::npos || dot > equals || dot == 0 || dot + 1 == equals)
     throw core::InputError("command line: --set " + quotable(text) +
                            ": write section.key=value, e.g. --set grid.cells=512");
+  if (has_control_character(text))
+    throw core::InputError("command line: --set " + quotable(text) + ": must not hold control characters");
   return {trimmed(text.substr(0, dot)), trimmed(text.substr(dot + 1, equals - dot - 1)),
           trimmed(text.substr(equals + 1)), "command line"};
 }

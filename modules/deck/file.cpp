@@ -1,7 +1,11 @@
 #include "deck/file.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <system_error>
 
@@ -9,9 +13,31 @@
 #include "deck/text.hpp"
 
 namespace ehl::deck {
+namespace {
+
+namespace files = std::filesystem;
+
+constexpr std::uintmax_t largest_table = 100'000'000;         // bytes; a million rows
+constexpr std::uintmax_t largest_named_file = 4'000'000'000;  // bytes; a map of 10^8 heights with all their digits
+
+NamedFile read(const std::string& name, const std::string& path) {
+  std::ifstream file = opened(path, largest_named_file);
+  file.seekg(0);
+  NamedFile found{name, path, 0, hash_of_nothing};
+  std::array<char, 1 << 16> piece{};
+  while (file) {
+    file.read(piece.data(), piece.size());
+    const auto count = static_cast<std::size_t>(file.gcount());
+    found.hash = hash({piece.data(), count}, found.hash);
+    found.bytes += count;
+  }
+  check_read(file, path);
+  return found;
+}
+
+}  // namespace
 
 std::string found_beside(const Deck& deck, const std::string& section, const std::string& key) {
-  namespace files = std::filesystem;
   const std::string file = word(deck, section, key);
   std::error_code error;
   if (files::exists(file, error)) return file;
@@ -26,28 +52,84 @@ std::string found_beside(const Deck& deck, const std::string& section, const std
   throw core::FileError(message);
 }
 
-std::ifstream opened(const std::string& path, const std::string& note) {
+std::vector<NamedFile> named_files(const Deck& deck) {
+  std::vector<NamedFile> found;
+  for (const Key& key : deck.catalogue.keys) {
+    if (!key.names_file || !given(deck, key.section, key.name)) continue;
+    const std::string name = word(deck, key.section, key.name);
+    if (name.ends_with(".csv") || name.ends_with(".h5") || name.ends_with(".hdf5"))
+      found.push_back(read(name, found_beside(deck, key.section, key.name)));
+  }
+  return found;
+}
+
+std::string told(const NamedFile& file) {
+  return fmt::format("{}: {} bytes, {:016x}", file.name, file.bytes, file.hash);
+}
+
+void check_readable(const std::string& path, std::uintmax_t largest, const std::string& note) {
   std::error_code error;
-  std::ifstream file(path);
-  if (!file || std::filesystem::is_directory(path, error)) throw core::FileError(path + ": cannot be read" + note);
+  const auto fail = [&](const std::string& why) {
+    throw core::FileError(path + ": cannot be read" + note + ": " + why);
+  };
+  const files::file_status status = files::status(path, error);
+  if (!files::exists(status)) fail(error ? error.message() : std::strerror(ENOENT));
+  if (files::is_directory(status)) fail("this is a directory");
+  if (!files::is_regular_file(status)) fail("this is no regular file");
+  if (files::file_size(path, error) > largest && !error)
+    fail(fmt::format("it is larger than {:.0f} MB", static_cast<double>(largest) * 1e-6));
+}
+
+std::ifstream opened(const std::string& path, std::uintmax_t largest, const std::string& note) {
+  check_readable(path, largest, note);
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw core::FileError(path + ": cannot be read" + note + ": " + std::strerror(errno));
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  char first[mark.size()] = {};
+  file.read(first, mark.size());
+  if (std::string_view(first, mark.size()) != mark) {
+    file.clear(file.rdstate() & std::ios::badbit);  // the file may be shorter than the mark
+    file.seekg(0);
+  }
   return file;
 }
 
+void check_read(const std::ifstream& file, const std::string& path) {
+  if (file.bad()) throw core::FileError(path + ": cannot be read to its end");
+}
+
+std::vector<std::string> cells_of(const std::string& line) {
+  const char separator = line.find(';') != std::string::npos ? ';' : line.find(',') != std::string::npos ? ',' : ' ';
+  if (separator == ' ') return split_words(line);
+  std::vector<std::string> cells;
+  std::size_t begin = 0;
+  for (std::size_t end = 0; end != std::string::npos; begin = end + 1) {
+    end = line.find(separator, begin);
+    cells.push_back(trimmed(line.substr(begin, end == std::string::npos ? end : end - begin)));
+  }
+  return cells;
+}
+
+bool is_heading(const std::vector<std::string>& cells) {
+  return std::ranges::all_of(
+      cells, [](const std::string& cell) { return read_number(cell).status == ReadNumber::Status::not_a_number; });
+}
+
 std::vector<Row> rows_of(const std::string& path, const std::string& note) {
-  std::ifstream file = opened(path, note);
+  std::ifstream file = opened(path, largest_table, note);
   std::vector<Row> rows;
   int number = 0;
   bool heading_allowed = true;
   for (std::string line; std::getline(file, line);) {
     ++number;
-    line.erase(std::min(line.find('#'), line.size()));
-    std::ranges::replace(line, ';', ',');
-    const std::vector<std::string> cells = split_words(trimmed(line));
-    if (cells.empty()) continue;
-    if (!heading_allowed || std::isfinite(read_number(cells[0]).value))
-      rows.push_back({path + ":" + std::to_string(number), cells});
+    line = trimmed(line.substr(0, line.find('#')));
+    if (line.empty()) continue;
+    const std::vector<std::string> cells = cells_of(line);
+    if (!heading_allowed || !is_heading(cells)) rows.push_back({path + ":" + std::to_string(number), cells});
     heading_allowed = false;
   }
+  check_read(file, path);
   return rows;
 }
 

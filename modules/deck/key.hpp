@@ -44,6 +44,7 @@ struct Key {
   std::string source{};  ///< where the default (or the meaning) comes from
   Condition needs{};
   std::string example{};           ///< what the self-written deck shows where there is no default
+  bool names_file = false;         ///< a value that ends like a table or an HDF5 file is the name of one
   bool example_is_active = false;  ///< the self-written deck uses the example instead of commenting it out
 };
 

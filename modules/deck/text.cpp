@@ -74,6 +74,39 @@ std::string shortest(double value) {
   return std::string(buffer, result.ptr);
 }
 
+std::uint64_t hash(std::string_view text, std::uint64_t before) {
+  for (const char c : text) before = (before ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+  return before;
+}
+
+bool is_utf8(std::string_view text) {
+  constexpr std::uint32_t first_of_length[] = {0, 0, 0x80, 0x800, 0x10000};  // a longer form of a character is none
+  constexpr std::uint32_t last = 0x10FFFF, surrogates = 0xD800, after_surrogates = 0xE000;
+  for (std::size_t at = 0; at < text.size();) {
+    const auto lead = static_cast<unsigned char>(text[at]);
+    const std::size_t length = lead < 0x80         ? 1
+                               : lead >> 5 == 0x6  ? 2
+                               : lead >> 4 == 0xE  ? 3
+                               : lead >> 3 == 0x1E ? 4
+                                                   : 0;
+    if (length == 0 || at + length > text.size()) return false;
+    std::uint32_t code = length == 1 ? lead : lead & (0x7FU >> length);
+    for (std::size_t k = 1; k < length; ++k) {
+      const auto next = static_cast<unsigned char>(text[at + k]);
+      if ((next & 0xC0) != 0x80) return false;
+      code = code << 6 | (next & 0x3FU);
+    }
+    if (length > 1 && code < first_of_length[length]) return false;
+    if (code > last || (code >= surrogates && code < after_surrogates)) return false;
+    at += length;
+  }
+  return true;
+}
+
+bool has_control_character(std::string_view text) {
+  return std::ranges::any_of(text, [](unsigned char c) { return c < ' ' || c == 0x7f; });
+}
+
 ReadNumber read_number(const std::string& text) {
   const std::string number = trimmed(text);
   const std::size_t sign = !number.empty() && (number[0] == '+' || number[0] == '-') ? 1 : 0;

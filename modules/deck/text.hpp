@@ -1,5 +1,6 @@
 #pragma once
 // Small helpers on text: trimming, joining, numbers to and from text, the nearest legal name.
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -23,6 +24,17 @@ std::vector<std::string> split_words(const std::string& text);
 
 /// The shortest text that reads back as the same number.
 std::string shortest(double value);
+
+/// Fowler, Noll and Vo's 64-bit hash (FNV-1a): enough to notice that a text is another one. in: the hash of what stands
+/// before it.
+constexpr std::uint64_t hash_of_nothing = 14695981039346656037ULL;
+std::uint64_t hash(std::string_view text, std::uint64_t before = hash_of_nothing);
+
+/// True where every byte belongs to a character in UTF-8.
+bool is_utf8(std::string_view text);
+
+/// True where a byte is a control character: a line break in a name, a terminal's escape.
+bool has_control_character(std::string_view text);
 
 /// What a piece of text is, read as a number.
 struct ReadNumber {

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <utility>
 
 #include "deck/deck.hpp"
 #include "deck/text.hpp"
@@ -46,43 +48,93 @@ std::string unknown_section(const Catalogue& catalogue, const std::string& name)
   return "unknown section: " + did_you_mean(name, sections) + "Sections are " + joined(sections, ", ");
 }
 
+constexpr std::size_t most_of_a_kind = 20;  // listed; who made more has made one mistake many times
+
+/// Complaints of one kind, of which the first are said and the rest counted.
+class Kind {
+ public:
+  Kind(Deck& deck, std::string what) : deck_(deck), what_(std::move(what)) {}
+  ~Kind() {
+    if (count_ > most_of_a_kind)
+      deck_.errors.push_back(deck_.name + ": " + std::to_string(count_ - most_of_a_kind) + " more " + what_);
+  }
+  Kind(const Kind&) = delete;
+  Kind& operator=(const Kind&) = delete;
+
+  template <class Say>
+  void add(const Say& say) {
+    if (++count_ <= most_of_a_kind) deck_.errors.push_back(say());
+  }
+
+ private:
+  Deck& deck_;
+  std::string what_;
+  std::size_t count_ = 0;
+};
+
 void check_headings(Deck& deck, const Document& document) {
+  Kind unknown{deck, "unknown sections"}, empty{deck, "sections without a key"};
+  std::set<std::string> with_keys;
+  for (const Assignment& given : document.assignments) with_keys.insert(given.section);
   for (const Heading& heading : document.headings) {
-    const std::string where = heading.place + ": " + bracketed(heading.section) + ": ";
+    const auto where = [&] { return heading.place + ": " + bracketed(heading.section) + ": "; };
     const Section* section = find_section(deck.catalogue, heading.section);
     if (section == nullptr) {
-      deck.errors.push_back(where + unknown_section(deck.catalogue, heading.section));
+      unknown.add([&] { return where() + unknown_section(deck.catalogue, heading.section); });
       continue;
     }
-    const auto in_it = [&](const Assignment& a) { return a.section == heading.section; };
-    if (std::any_of(document.assignments.begin(), document.assignments.end(), in_it)) continue;
+    if (with_keys.contains(heading.section)) continue;
     const std::vector<std::string>& callers = section->called_by;
-    deck.errors.push_back(where + "a section without a key has no influence: remove it, or give " +
-                          (callers.empty() ? "one of " + joined(names_in(deck.catalogue, heading.section), ", ")
-                                           : joined(callers, " or ")));
+    empty.add([&] {
+      return where() + "a section without a key has no influence: remove it, or give " +
+             (callers.empty() ? "one of " + joined(names_in(deck.catalogue, heading.section), ", ")
+                              : joined(callers, " or "));
+    });
   }
 }
 
-void refuse_unknown(Deck& deck, const Assignment& given) {
-  if (const Unavailable* unavailable = find_unavailable(deck.catalogue, given.section, given.name)) {
-    deck.errors.push_back(said(given) + unavailable->message);
-    return;
-  }
+// What is said of a key that there is not.
+std::string about_unknown(const Deck& deck, const Assignment& given) {
+  if (const Unavailable* unavailable = find_unavailable(deck.catalogue, given.section, given.name))
+    return said(given) + unavailable->message;
   std::string home;  // the section that does have a key of this name
   for (const Key& key : deck.catalogue.keys)
     if (key.name == given.name) home = key.section;
-  if (given.section.empty()) {
-    deck.errors.push_back(said(given) + "a key before the first [section]" +
-                          (home.empty() ? "" : ": it belongs below [" + home + "]"));
-  } else if (find_section(deck.catalogue, given.section) != nullptr) {
+  if (given.section.empty())
+    return said(given) + "a key before the first [section]" + (home.empty() ? "" : ": it belongs below [" + home + "]");
+  if (find_section(deck.catalogue, given.section) != nullptr) {
     const std::vector<std::string> names = names_in(deck.catalogue, given.section);
     const std::string hint = home.empty() ? did_you_mean(given.name, names) : "it belongs below [" + home + "]. ";
-    deck.errors.push_back(said(given) + "unknown key: " + hint + "Keys of [" + given.section + "] are " +
-                          joined(names, ", "));
-  } else if (given.place == "command line") {
-    deck.errors.push_back(said(given) + unknown_section(deck.catalogue, given.section));
+    return said(given) + "unknown key: " + hint + "Keys of [" + given.section + "] are " + joined(names, ", ");
   }
-  // A key below an unknown heading: the heading has been complained about.
+  return said(given) + unknown_section(deck.catalogue, given.section);
+}
+
+// Every assignment to its key.
+void take(Deck& deck, const std::vector<Assignment>& assignments) {
+  Kind unknown{deck, "unknown keys"}, twice{deck, "keys given twice"};
+  for (const Assignment& given : assignments) {
+    const Key* key = find_key(deck.catalogue, given.section, given.name);
+    if (key == nullptr) {
+      // A key below an unknown heading: the heading has been complained about.
+      const bool heading_is_unknown = find_section(deck.catalogue, given.section) == nullptr &&
+                                      given.place != "command line" && !given.section.empty() &&
+                                      find_unavailable(deck.catalogue, given.section, given.name) == nullptr;
+      if (!heading_is_unknown) unknown.add([&] { return about_unknown(deck, given); });
+      continue;
+    }
+    Value& value = deck.values[static_cast<std::size_t>(key - deck.catalogue.keys.data())];
+    if (value.origin == Origin::given && (value.place == "command line") == (given.place == "command line")) {
+      twice.add([&] {
+        return said(given) + "given twice: the first time at " + value.place + " (= " + quotable(value.text) +
+               "); remove one";
+      });
+      continue;
+    }
+    value.origin = Origin::given;
+    value.text = given.value;
+    value.place = given.place;
+  }
 }
 
 std::string complaint_about_number(const Key& key, const Value& value, double& number) {
@@ -124,6 +176,8 @@ void check_value(Deck& deck, const Key& key, Value& value) {
     complaint = complaint_about_words(key, split_words(value.text));
   } else if (std::any_of(value.text.begin(), value.text.end(), [](unsigned char c) { return c < ' '; })) {
     complaint = "must be text on one line";  // or the deck kept in the result would say something else
+  } else if (!is_utf8(value.text)) {
+    complaint = "must be text in UTF-8: save the deck in that encoding";
   }
   if (complaint.empty()) return;
   complain(deck, key.section, key.name, complaint);
@@ -167,24 +221,8 @@ Deck validate(const Document& document, const std::vector<Assignment>& overrides
   }
 
   check_headings(deck, document);
-  const auto take = [&](const Assignment& given) {
-    const Key* key = find_key(catalogue, given.section, given.name);
-    if (key == nullptr) {
-      refuse_unknown(deck, given);
-      return;
-    }
-    Value& value = deck.values[static_cast<std::size_t>(key - catalogue.keys.data())];
-    if (value.origin == Origin::given && (value.place == "command line") == (given.place == "command line")) {
-      deck.errors.push_back(said(given) + "given twice: the first time at " + value.place +
-                            " (= " + quotable(value.text) + "); remove one");
-      return;
-    }
-    value.origin = Origin::given;
-    value.text = given.value;
-    value.place = given.place;
-  };
-  for (const Assignment& given : document.assignments) take(given);
-  for (const Assignment& given : overrides) take(given);
+  take(deck, document.assignments);
+  take(deck, overrides);
 
   for (std::size_t k = 0; k < catalogue.keys.size(); ++k)
     if (deck.values[k].origin == Origin::given) check_value(deck, catalogue.keys[k], deck.values[k]);

@@ -1,11 +1,15 @@
 #include "results/atomic_file.hpp"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <stdio.h>  // renameat2
+#include <sys/file.h>
 #include <sys/statvfs.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <filesystem>
 
@@ -25,24 +29,78 @@ files::path folder_of(const std::string& path) {
   return folder.empty() ? files::path(".") : folder;
 }
 
+constexpr char beginning[] = ".", ending[] = ".part";
+
 std::string temporary_name(const std::string& path) {
-  const files::path whole(path);
   const std::string name = files::path(path).filename().string();
-  std::string hidden = ".";
-  hidden += name + "." + std::to_string(::getpid()) + ".part";
-  return folder_of(path) / hidden;
+  return folder_of(path) / (beginning + name + "." + std::to_string(::getpid()) + ending);
+}
+
+// The process whose temporary file of this path has this name; -1: it is none.
+pid_t owner(const std::string& path, const std::string& name) {
+  const std::string before = beginning + files::path(path).filename().string() + ".";
+  if (!name.starts_with(before) || !name.ends_with(ending)) return -1;
+  const char* last = name.data() + name.size() - std::strlen(ending);
+  pid_t process = -1;
+  const auto [end, error] = std::from_chars(name.data() + std::min(before.size(), name.size()), last, process);
+  return error == std::errc{} && end == last ? process : -1;
+}
+
+// Removes the temporary files of runs that were killed: their process is gone, and so is its lock.
+void clean(const std::string& path) {
+  std::error_code error;
+  for (const files::directory_entry& entry : files::directory_iterator(folder_of(path), error)) {
+    const pid_t process = owner(path, entry.path().filename().string());
+    const bool gone = process == ::getpid() || (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH);
+    if (!gone || !files::is_regular_file(entry.symlink_status(error))) continue;
+    const int file = ::open(entry.path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (file < 0) continue;
+    if (::flock(file, LOCK_EX | LOCK_NB) == 0) ::unlink(entry.path().c_str());
+    ::close(file);
+  }
+}
+
+// The file that a name stands for: of a symbolic link what it leads to, so that the link stays.
+std::string followed(const std::string& path) {
+  constexpr int most_links = 40;  // as the kernel
+  std::error_code error;
+  files::path target = path;
+  for (int links = 0; files::is_symlink(files::symlink_status(target, error)); ++links) {
+    if (links == most_links) fail(path, "cannot be written", ELOOP);
+    const files::path next = files::read_symlink(target, error);
+    if (error) fail(path, "cannot be written", error.value());
+    target = next.is_absolute() ? next : target.parent_path() / next;
+  }
+  return target;
+}
+
+void refuse_what_is_no_file(const std::string& path, const files::file_status& status) {
+  if (files::is_directory(status)) throw core::FileError(path + ": cannot be written: this is a directory");
+  if (files::exists(status) && !files::is_regular_file(status))
+    throw core::FileError(path + ": cannot be written: this is no regular file");
 }
 
 /// A file under a name of its own that disappears unless it is given the final name.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const std::string& path) : path_(path), name_(temporary_name(path)) {
-    descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  explicit TemporaryFile(const std::string& path)
+      : path_(path), target_(followed(path)), name_(temporary_name(target_)) {
+    // Nobody else's file, and through no link that lies there.
+    const auto open = [this] {
+      return ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    };
+    descriptor_ = open();
+    if (descriptor_ < 0 && errno == EEXIST) {
+      clean(target_);
+      descriptor_ = open();
+    }
     if (descriptor_ < 0) fail(path_, "cannot be written", errno);
+    ::flock(descriptor_, LOCK_EX | LOCK_NB);  // says that it is in use; goes with the process
   }
   ~TemporaryFile() {
-    if (descriptor_ >= 0) ::close(descriptor_);
+    if (descriptor_ < 0) return;
     if (!name_.empty()) ::unlink(name_.c_str());
+    ::close(descriptor_);
   }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -56,44 +114,49 @@ class TemporaryFile {
     }
     // Some file systems discover a full disk only here.
     if (::fsync(descriptor_) != 0 && errno != EINVAL) fail(path_, "cannot be written", errno);
-    const int status = ::close(descriptor_);
-    descriptor_ = -1;
-    if (status != 0) fail(path_, "cannot be written", errno);
   }
 
   void rename(bool overwrite) {
+    std::error_code error;
+    refuse_what_is_no_file(path_, files::symlink_status(target_, error));
     int status = -1;
     if (!overwrite) {
       // The file may have appeared while the case was being solved.
-      status = ::renameat2(AT_FDCWD, name_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE);
+      status = ::renameat2(AT_FDCWD, name_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE);
       if (status != 0 && errno == EEXIST) fail(path_, "appeared in the meantime and is not overwritten", EEXIST);
       const bool unsupported = status != 0 && (errno == EINVAL || errno == ENOSYS);
       if (status != 0 && !unsupported) fail(path_, "cannot be written", errno);
     }
-    if (status != 0 && ::rename(name_.c_str(), path_.c_str()) != 0) fail(path_, "cannot be written", errno);
+    if (status != 0 && ::rename(name_.c_str(), target_.c_str()) != 0) fail(path_, "cannot be written", errno);
     name_.clear();
   }
 
  private:
-  std::string path_;
+  std::string path_;    // as it was given
+  std::string target_;  // what it stands for
   std::string name_;
   int descriptor_ = -1;
 };
 
 }  // namespace
 
-void check_writable(const std::string& path, bool overwrite, std::size_t bytes) {
+void check_writable(const std::string& path, bool overwrite, std::size_t bytes,
+                    const std::vector<std::string>& inputs) {
   if (path.empty()) throw core::FileError("the name of the output file is empty");
   std::error_code error;
-  const files::file_status status = files::status(path, error);
-  if (files::exists(status)) {
-    if (files::is_directory(status)) throw core::FileError(path + ": cannot be written: this is a directory");
-    if (!files::is_regular_file(status)) throw core::FileError(path + ": cannot be written: this is no regular file");
-    if (!overwrite) throw core::FileError(path + ": exists already: give --overwrite or another --output");
-  }
-  const std::string folder = folder_of(path);
+  const std::string target = followed(path);
+  const files::file_status status = files::symlink_status(target, error);
+  refuse_what_is_no_file(path, status);
+  for (const std::string& input : inputs)
+    if (files::exists(status) && files::equivalent(target, input, error))
+      throw core::FileError(path + ": cannot be written: it is read by this run (" + input +
+                            "): give another --output");
+  if (files::exists(status) && !overwrite)
+    throw core::FileError(path + ": exists already: give --overwrite or another --output");
+  const std::string folder = folder_of(target);
   if (!files::is_directory(folder, error))
     throw core::FileError(path + ": cannot be written: there is no folder " + folder);
+  clean(target);
   TemporaryFile probe(path);
 
   struct statvfs disk {};

@@ -1,5 +1,6 @@
 #include "results/read.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -12,9 +13,13 @@ namespace ehl::results {
 Handle open_hdf5(const std::string& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) throw core::FileError(path + ": cannot be read: this is a directory");
+  if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
+    throw core::FileError(path + ": cannot be read: this is no regular file");
   errno = 0;
   if (!std::ifstream(path)) throw core::FileError(path + ": cannot be read: " + std::strerror(errno));
   const QuietErrors quiet;
+  // A file from elsewhere must not make the program read others: no link leads out of it. Unknown from the second time.
+  H5Lunregister(H5L_TYPE_EXTERNAL);
   if (H5Fis_hdf5(path.c_str()) == 0) throw core::FileError(path + ": cannot be read: this is no HDF5 file");
   return checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path + ": cannot be read");
 }
@@ -27,6 +32,9 @@ Dataset open_dataset(hid_t file, const std::string& name, const std::string& can
   if (rank < 0) throw core::FileError(cannot + ": it has no shape");
   std::vector<hsize_t> dims(static_cast<std::size_t>(rank));
   if (rank > 0) H5Sget_simple_extent_dims(space, dims.data(), nullptr);
+  const Handle layout = checked(H5Dget_create_plist(set), H5Pclose, cannot);
+  if (H5Pget_layout(layout) == H5D_VIRTUAL || H5Pget_external_count(layout) > 0)
+    throw core::FileError(cannot + ": its numbers lie in other files, and these are not read");
   return {std::move(set), std::move(space), std::move(type), std::move(dims)};
 }
 
@@ -88,7 +96,9 @@ std::vector<std::string> ResultFile::names(const std::string& group) const {
     static_cast<std::vector<std::string>*>(data)->emplace_back(name);
     return 0;
   };
-  check(H5Literate(opened, H5_INDEX_NAME, H5_ITER_INC, nullptr, keep, &found), implementation_->cannot(group));
+  // In the file's own order: for another one the library follows an index that may be damaged.
+  check(H5Literate(opened, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, keep, &found), implementation_->cannot(group));
+  std::ranges::sort(found);
   return found;
 }
 
@@ -136,7 +146,10 @@ Array ResultFile::frame(const std::string& name, std::size_t k) const {
   array.dims = {lengths[1], lengths[2]};
   // A damaged header can promise more numbers than there is memory for: the grid has told how many there are.
   const std::string x = axis(name, "x"), y = axis(name, "y");
-  if (x.empty() || y.empty() || lengths[1] != dims(y).at(0) || lengths[2] != dims(x).at(0))
+  const auto fits = [&](const std::string& axis, hsize_t length) {
+    return !axis.empty() && dims(axis) == std::vector<std::size_t>{length};
+  };
+  if (!fits(y, lengths[1]) || !fits(x, lengths[2]))
     throw core::FileError(cannot + ": the file is damaged: it does not fit its grid");
   array.values.resize(lengths[1] * lengths[2]);
   const hsize_t start[] = {k, 0, 0};

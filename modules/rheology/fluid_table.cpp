@@ -8,6 +8,7 @@
 namespace ehl::rheology {
 namespace {
 
+constexpr std::size_t most_columns = 3;
 constexpr std::size_t fewest_rows = 4;  // one more than monotone_curve takes
 
 // Empty where the row may follow those before it.
@@ -34,7 +35,8 @@ ReadTable read_fluid_table(const std::string& path, bool with_rho) {
   const std::size_t columns = with_rho ? 3 : 2;
   const std::string wanted = with_rho ? "p [Pa], eta [Pa s], rho [kg/m^3]" : "p [Pa], eta [Pa s]";
   for (const deck::Row& row : deck::rows_of(path)) {
-    if (row.cells.size() < columns)
+    // A density that nobody asks for may stand.
+    if (row.cells.size() < columns || row.cells.size() > most_columns)
       return row.place + ": " + std::to_string(row.cells.size()) + " columns, and " + std::to_string(columns) +
              " are needed: " + wanted;
     double numbers[3] = {};

@@ -116,7 +116,8 @@ std::vector<Key> liquid_keys() {
          .meaning = "A CSV file with columns p [Pa], rising from 0, eta [Pa s], rho [kg/m^3]; for viscosity = table, "
                     "density = table or both. At least 4 rows, eta and rho > 0 and rising, up to more than p_h. Beside "
                     "the deck, or where the program runs.",
-         .example = "oil.csv"}}});
+         .example = "oil.csv",
+         .names_file = true}}});
 }
 
 Liquid read_liquid(const deck::Part& lubricant) {

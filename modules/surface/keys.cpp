@@ -91,7 +91,8 @@ std::vector<Key> map_keys() {
                   "points, none missing. It is looked for where the program runs, then beside the deck. The plane of "
                   "least squares is taken away; onto the mesh they come as means over its cells.",
        .source = "modules/surface/README.md",
-       .example = "heights.csv"},
+       .example = "heights.csv",
+       .names_file = true},
       {.name = "dataset", .type = Type::text, .default_text = "height", .meaning = "The dataset of a .h5."},
       unit,
       in_SI(unit, "_m", "m", "1e-9"),

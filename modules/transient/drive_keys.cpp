@@ -14,7 +14,12 @@ using deck::Type;
 
 std::vector<Key> drive_keys() {
   const auto key = [](const char* name, const char* note, const char* meaning, const char* example) -> Key {
-    return {.name = name, .type = Type::text, .default_note = note, .meaning = meaning, .example = example};
+    return {.name = name,
+            .type = Type::text,
+            .default_note = note,
+            .meaning = meaning,
+            .example = example,
+            .names_file = true};
   };
   const char* const of_motion = "constant: from [motion], else 1";
   return {

@@ -2,8 +2,11 @@
 namespace ehl::program {
 
 /// From now on Ctrl-C and a request to terminate set a flag; a second one ends the program at once. A file that grows
-/// beyond the allowed size is an error of the write, no longer the end of the program.
+/// beyond the allowed size, or a pipe that nobody reads, is an error of the write, no longer the end of the program.
 void install_signal_handlers();
+
+/// Ends the program as a pipe that nobody reads ends any other, without a word.
+void end_by_closed_pipe();
 
 /// True once the user asked to stop.
 bool stop_requested();

@@ -16,19 +16,8 @@ namespace {
 using surface::Heights;
 
 constexpr int fewest_points = 8;
-
-// Between commas or semicolons every cell counts, an empty one too; between blanks there are no empty cells.
-std::vector<std::string> cells_of(const std::string& line) {
-  const char separator = line.find(';') != std::string::npos ? ';' : line.find(',') != std::string::npos ? ',' : ' ';
-  if (separator == ' ') return deck::split_words(line);
-  std::vector<std::string> cells;
-  std::size_t begin = 0;
-  for (std::size_t end = 0; end != std::string::npos; begin = end + 1) {
-    end = line.find(separator, begin);
-    cells.push_back(deck::trimmed(line.substr(begin, end == std::string::npos ? end : end - begin)));
-  }
-  return cells;
-}
+constexpr std::uintmax_t largest_map = 4'000'000'000;  // bytes
+constexpr std::size_t most_heights = 100'000'000;      // as of a map in HDF5
 
 std::string what_is_wrong(const std::string& cell) {
   if (cell.empty()) return "is missing";
@@ -38,19 +27,13 @@ std::string what_is_wrong(const std::string& cell) {
          (read.status == deck::ReadNumber::Status::not_a_number ? " is no number" : " is no finite number");
 }
 
-bool has_a_number(const std::vector<std::string>& cells) {
-  for (const std::string& cell : cells)
-    if (deck::read_number(cell).status != deck::ReadNumber::Status::not_a_number) return true;
-  return false;
-}
-
 std::string too_few(int nx, int ny) {
   if (nx >= fewest_points && ny >= fewest_points) return {};
   return fmt::format("{} x {} points are too few: at least {} x {}", nx, ny, fewest_points, fewest_points);
 }
 
 ReadHeights read_csv(const std::string& path) {
-  std::ifstream file = deck::opened(path);
+  std::ifstream file = deck::opened(path, largest_map);
   Heights heights;
   int number = 0;
   bool heading_allowed = true;
@@ -64,8 +47,8 @@ ReadHeights read_csv(const std::string& path) {
       if (!comment && blank == 0 && heights.ny > 0) blank = number;
       continue;
     }
-    const std::vector<std::string> cells = cells_of(line);
-    if (heading_allowed && !has_a_number(cells)) {
+    const std::vector<std::string> cells = deck::cells_of(line);
+    if (heading_allowed && deck::is_heading(cells)) {
       heading_allowed = false;
       continue;
     }
@@ -80,7 +63,9 @@ ReadHeights read_csv(const std::string& path) {
     }
     heights.nx = static_cast<int>(cells.size());
     ++heights.ny;
+    if (heights.values.size() > most_heights) return where + "more than 10^8 heights";
   }
+  deck::check_read(file, path);
   if (const std::string few = too_few(heights.nx, heights.ny); !few.empty()) return path + ": " + few;
   return heights;
 }

@@ -9,6 +9,7 @@
 #include "case/effects.hpp"
 #include "case/needs.hpp"
 #include "core/errors.hpp"
+#include "deck/text.hpp"
 #include "fmg/keys.hpp"
 #include "mlmi/keys.hpp"
 #include "reynolds/keys.hpp"
@@ -41,7 +42,7 @@ void check_coarsenings(deck::Deck& deck, const steady::Scene& scene) {
 void read_names(const std::string& path, Case& input) {
   const deck::Part title{input.deck, "case"}, output{input.deck, "output"};
   const std::string stem = std::filesystem::path(path).stem();
-  title.fill("title", stem, "name of the deck");
+  title.fill("title", deck::is_utf8(stem) ? stem : "untitled", "name of the deck");
   input.title = title.word("title");
   input.fields = output.words("fields");
   const std::string file = output.word("file");
@@ -127,6 +128,7 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   deck::throw_if_wrong(deck);
 
   read_names(path, result);
+  result.files = deck::named_files(deck);
   return result;
 }
 

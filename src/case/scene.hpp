@@ -6,7 +6,7 @@
 #include "case/dry_case.hpp"
 #include "case/physical_input.hpp"
 #include "case/transient_input.hpp"
-#include "deck/deck.hpp"
+#include "deck/file.hpp"
 #include "effects/friction/friction.hpp"
 #include "effects/subsurface/stress.hpp"
 #include "steady/scene.hpp"
@@ -23,8 +23,9 @@ struct Case {
   std::optional<DryInput> dry{};                ///< without lubricant: then the scene is but a grid
   std::optional<subsurface::Parameters> subsurface{};
   std::optional<friction::Parameters> friction{};
-  std::vector<std::string> fields{};  ///< to keep in the result
-  std::string output{};               ///< result file that the deck names
+  std::vector<std::string> fields{};     ///< to keep in the result
+  std::string output{};                  ///< result file that the deck names
+  std::vector<deck::NamedFile> files{};  ///< that the deck names, and what they held
 };
 
 /// The deck's keys of [case] title and [output], which are the program's own.

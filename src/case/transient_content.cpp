@@ -1,11 +1,13 @@
 // A transient in a result file, and back.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/column.hpp"
 #include "case/transient_input.hpp"
 #include "case/transient_run.hpp"
 #include "core/errors.hpp"
+#include "deck/text.hpp"
 
 namespace ehl::program {
 namespace {
@@ -44,6 +46,26 @@ std::vector<Column<StepRow>> step_columns(bool with_body, const std::vector<tran
   return columns;
 }
 
+/// No pressure, film, time or derivative of a run comes near it: a larger number is none of this program's.
+constexpr double largest_credible = 1e20;
+
+[[noreturn]] void damaged(const std::string& path, const std::string& what) {
+  throw core::FileError(path + ": the file is damaged: " + what);
+}
+
+std::vector<double> credible(const results::ResultFile& file, const std::string& name) {
+  const std::vector<double> values = file.numbers(name).values;
+  for (const double value : values)
+    if (!(std::abs(value) <= largest_credible)) damaged(file.path(), name + " holds " + deck::shortest(value));
+  return values;
+}
+
+int whole(const std::string& path, const std::string& name, double value) {
+  if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max())
+    damaged(path, name + " holds " + deck::shortest(value) + ", which is no count");
+  return static_cast<int>(value);
+}
+
 // The rows of the file; as many probes as it has.
 std::vector<StepRow> read_rows(const results::ResultFile& file) {
   const auto there = [&](const std::string& name) {
@@ -54,11 +76,11 @@ std::vector<StepRow> read_rows(const results::ResultFile& file) {
   std::vector<StepRow> rows(file.numbers("/transient/time").values.size());
   for (StepRow& row : rows) row.probed.resize(probes.size());
   for (const Column<StepRow>& column : step_columns(there("velocity"), probes)) {
-    const std::vector<double> values = file.numbers("/transient/" + column.name).values;
-    if (values.size() != rows.size() || values.empty())
-      throw core::FileError(file.path() + ": the file is damaged: " + column.name);
+    const std::string name = "/transient/" + column.name;
+    const std::vector<double> values = credible(file, name);
+    if (values.size() != rows.size() || values.empty()) damaged(file.path(), name);
     for (std::size_t k = 0; k < values.size(); ++k)
-      column.set(rows[k], column.whole ? Value(static_cast<int>(values[k])) : Value(values[k]));
+      column.set(rows[k], column.whole ? Value(whole(file.path(), name, values[k])) : Value(values[k]));
   }
   return rows;
 }
@@ -108,24 +130,26 @@ TransientResult read_transient(const results::ResultFile& file) {
     throw core::InputError("command line: " + file.path() + " has no checkpoint: " +
                            (file.kind("/transient") == Kind::group ? "its run is complete" : "its case is steady"));
   TransientResult result;
-  const std::string damaged = file.path() + ": the file is damaged: ";
   result.rows = read_rows(file);
   const auto number = [&](const char* name) {
-    const std::vector<double> values = file.numbers(std::string("/checkpoint/") + name).values;
-    if (values.size() != 1 || !std::isfinite(values[0])) throw core::FileError(damaged + name);
+    const std::vector<double> values = credible(file, std::string("/checkpoint/") + name);
+    if (values.size() != 1) damaged(file.path(), name);
     return values[0];
   };
-  const std::vector<double> times = file.numbers("/transient/frames/time").values;
+  const std::vector<double> times = credible(file, "/transient/frames/time");
+  const auto count = [&](const char* name) { return whole(file.path(), name, number(name)); };
   result.checkpoint = transient::Checkpoint{number("time"),
                                             number("step"),
-                                            static_cast<int>(number("frames")),
-                                            static_cast<int>(number("jumps")),
-                                            file.numbers("/checkpoint/y").values,
-                                            file.numbers("/checkpoint/yp").values};
+                                            count("frames"),
+                                            count("jumps"),
+                                            credible(file, "/checkpoint/y"),
+                                            credible(file, "/checkpoint/yp")};
   const auto field = [&](const char* name, std::size_t k) {
     const std::string path = std::string("/transient/frames/") + name;
     if (file.kind(path) != Kind::numbers) return core::Field();
     const results::Array array = file.frame(path, k);
+    if (std::ranges::any_of(array.values, [](double value) { return !(std::abs(value) <= largest_credible); }))
+      damaged(file.path(), path + " holds what is no field");
     core::Grid grid{.nx = static_cast<int>(array.dims[1]) - 1, .ny = static_cast<int>(array.dims[0]) - 1};
     core::Field read(grid);
     for (int j = 0; j <= grid.ny; ++j)
@@ -135,6 +159,25 @@ TransientResult read_transient(const results::ResultFile& file) {
   };
   for (std::size_t k = 0; k < times.size(); ++k) result.frames.push_back({times[k], field("P", k), field("H", k)});
   return result;
+}
+
+void check_fits(const TransientResult& before, const Case& input, const std::string& path) {
+  const transient::Checkpoint& checkpoint = *before.checkpoint;
+  const auto rise = [](const auto& list, auto time) {
+    return std::ranges::adjacent_find(list, std::ranges::greater_equal(), time) == list.end();
+  };
+  if (!rise(before.rows, &StepRow::T) || !rise(before.frames, &transient::Frame::T)) damaged(path, "its times fall");
+  const double end = before.rows.back().T;
+  if (before.rows.front().T != 0.0 || checkpoint.T != end || end > input.transient->parameters.end ||
+      !(checkpoint.step > 0.0) || (!before.frames.empty() && before.frames.back().T > end))
+    damaged(path, "the times of its checkpoint, rows, fields and deck do not agree");
+  if (static_cast<std::size_t>(checkpoint.frames) != before.frames.size() || checkpoint.restarts < 0)
+    damaged(path, "it has not as many fields as its checkpoint says");
+  for (const transient::Frame& frame : before.frames)
+    for (const core::Field* field : {&frame.P, &frame.H})
+      if (field->nodes_x() > 0 &&
+          (field->nodes_x() != input.scene.grid.nodes_x() || field->nodes_y() != input.scene.grid.nodes_y()))
+        damaged(path, "its fields are of another grid than its deck's");
 }
 
 }  // namespace ehl::program

@@ -42,7 +42,11 @@ nlohmann::ordered_json transient_json(const Case& input, const TransientResult& 
 /// Adds /transient, and /checkpoint where there is one, to the content of a result file; the result must outlive it.
 void add_transient(const Case& input, const TransientResult& result, results::Content& content);
 
-/// The same back from a result file. errors: core::InputError where the file has no checkpoint; core::FileError.
+/// The same back from a result file. errors: core::InputError where the file has no checkpoint; core::FileError: a
+/// number that none of this program's can be.
 TransientResult read_transient(const results::ResultFile& file);
+
+/// Whether it can be the beginning of this case's run. in: name of the file. errors: core::FileError.
+void check_fits(const TransientResult& before, const Case& input, const std::string& path);
 
 }  // namespace ehl::program

@@ -1,8 +1,6 @@
 // ehl plot: the gnuplot scripts of postprocess/, fed with a result or with the table of a sweep or a study.
 #include <fmt/core.h>
-#include <spawn.h>
 #include <sys/mman.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -17,15 +15,15 @@
 #include "base/machine.hpp"
 #include "commands/commands.hpp"
 #include "commands/curves.hpp"
+#include "commands/gnuplot.hpp"
 #include "commands/pictures.hpp"
 #include "core/errors.hpp"
+#include "deck/file.hpp"
 #include "deck/text.hpp"
 #include "results/read.hpp"
 #include "tables/study_report.hpp"
 #include "tables/sweep_table.hpp"
 #include "tables/time_study_report.hpp"
-
-extern char** environ;
 
 namespace ehl::program {
 namespace {
@@ -34,44 +32,6 @@ namespace files = std::filesystem;
 
 // Whether the times of a deck are in seconds.
 bool counts_in_seconds(const std::string& deck) { return deck.find("\ntime_unit = seconds") != std::string::npos; }
-
-// A text between single quotes, in which gnuplot writes a quote as two.
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
-  return result + "'";
-}
-
-std::vector<char*> pointers_to(const std::vector<std::string>& words) {
-  std::vector<char*> pointers;
-  for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));  // spawn does not write
-  pointers.push_back(nullptr);
-  return pointers;
-}
-
-// The scripts are in UTF-8, and their numbers have points, whatever the locale.
-std::vector<std::string> environment_of_scripts() {
-  std::vector<std::string> variables;
-  for (char** one = environ; *one != nullptr; ++one)
-    if (const std::string variable = *one; !variable.starts_with("LC_ALL=")) variables.push_back(variable);
-  variables.emplace_back("LC_ALL=C.UTF-8");
-  return variables;
-}
-
-void run_gnuplot(const std::vector<std::string>& words, const std::string& figure) {
-  pid_t child = 0;
-  const int error = ::posix_spawnp(&child, "gnuplot", nullptr, nullptr, pointers_to(words).data(),
-                                   pointers_to(environment_of_scripts()).data());
-  if (error != 0)
-    throw core::FileError(std::string("gnuplot cannot be started: ") + std::strerror(error) +
-                          ": install it (Debian: gnuplot-nox)");
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGINT || WTERMSIG(status) == SIGTERM)) throw core::Interrupted();
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
-    throw core::FileError("gnuplot failed on figure " + figure + "; its message is above");
-}
 
 // The field in time that --time asks for, else the last one: which, and its time in words.
 std::vector<Setting> chosen_frame(const results::ResultFile& result, const Arguments& arguments) {
@@ -115,7 +75,8 @@ bool names_axes(const Arguments& arguments) { return arguments.has("x") || argum
 
 FigureSource table_source(const std::string& path, const Arguments& arguments) {
   if (arguments.has("time")) refuse("--time chooses a field of a run in time, and a table has none");
-  std::ifstream file(path);
+  constexpr std::uintmax_t largest = 1'000'000'000;  // bytes
+  std::ifstream file = deck::opened(path, largest);
   std::string first;
   if (!std::getline(file, first)) throw core::FileError(path + ": cannot be read, or is empty");
   const std::string kind = first.starts_with(sweep_mark)        ? "sweep"
@@ -167,7 +128,7 @@ CurvesWanted curves_for(const Figure& figure, const SweepData& table, const Argu
 std::string gnuplot_text(const std::vector<Setting>& settings) {
   std::string text;
   for (const Setting& one : settings)
-    text += (text.empty() ? "" : "; ") + one.name + "=" + (one.is_text ? quoted(one.value) : one.value);
+    text += (text.empty() ? "" : "; ") + one.name + "=" + (one.is_text ? gnuplot_literal(one.value) : one.value);
   return text;
 }
 
@@ -185,28 +146,27 @@ std::vector<std::string> wanted_figures(const Arguments& arguments, bool is_swee
 int plot(const Arguments& arguments) {
   const std::string& path = arguments.operands[0];
   const FigureSource source = path.ends_with(".csv") ? table_source(path, arguments) : result_source(path, arguments);
-  // The scripts hand the name to a shell between single quotes.
-  if (path.find('\'') != std::string::npos)
-    refuse(path + ": gnuplot's scripts cannot take a file name with a quote: rename it");
-
   const std::vector<Figure> chosen =
       selected_figures(figures_in(folder_of_scripts()), wanted_figures(arguments, source.table != nullptr), source);
   if (chosen.empty()) refuse(path + ": no figure draws such a table (`ehl help plot` lists them)");
   const Pictures pictures = pictures_of(arguments, chosen);
-  std::vector<Setting> settings{{"file", path}, {"ehl", program_path()}, {"format", pictures.format}};
+  PlainNames names;
+  const std::string scripts = names.of(folder_of_scripts(), "scripts");
+  std::vector<Setting> settings{
+      {"file", names.of(path, "data")}, {"ehl", names.of(program_path(), "ehl")}, {"format", pictures.format}};
   settings.insert(settings.end(), source.settings.begin(), source.settings.end());
   settings.insert(settings.end(), pictures.settings.begin(), pictures.settings.end());
   if (arguments.has("title")) settings.push_back({"title", arguments.value("title", "")});
   const ArrangedRows rows;
   for (std::size_t k = 0; k < chosen.size(); ++k) {
     std::vector<Setting> own = settings;
-    own.push_back({"output", pictures.names[k]});
+    own.push_back({"output", no_pipe(pictures.names[k])});
     if (chosen[k].of_curves) {
       const Curves curves = curves_of(*source.table, curves_for(chosen[k], *source.table, arguments));
       own.insert(own.end(), curves.settings.begin(), curves.settings.end());
       own.push_back({"data", rows.hold(curves.data)});
     }
-    run_gnuplot({"gnuplot", "-e", gnuplot_text(own), chosen[k].script}, chosen[k].name);
+    run_gnuplot(gnuplot_text(own), scripts + "/" + files::path(chosen[k].script).filename().string(), chosen[k].name);
     std::error_code error;
     if (files::file_size(pictures.names[k], error) == 0 || error)
       throw core::FileError(pictures.names[k] + ": gnuplot could not write the picture");

@@ -12,6 +12,7 @@
 #include "core/errors.hpp"
 #include "core/timer.hpp"
 #include "deck/document.hpp"
+#include "deck/text.hpp"
 #include "report/report.hpp"
 #include "results/atomic_file.hpp"
 #include "results/read.hpp"
@@ -30,6 +31,11 @@ Destination destination(const Arguments& arguments, const Case& input) {
   Destination to{arguments.value("output", input.output), arguments.has("overwrite")};
   if (results::xdmf_name(to.path) == to.path)
     refuse("the result cannot be named " + to.path + ": .xmf is its companion; use .h5");
+  if (!deck::is_utf8(to.path) || deck::has_control_character(to.path))
+    refuse("the result cannot be named " + deck::quoted(to.path) +
+           ": XDMF, which names it, takes UTF-8 without control characters: give another --output");
+  std::vector<std::string> inputs{arguments.operands[0]};
+  for (const deck::NamedFile& file : input.files) inputs.push_back(file.path);
   // P and the gap of a dry contact; single precision for stresses in space.
   std::size_t bytes = results::expected_bytes(input.scene.grid, input.dry ? 2 : input.fields.size());
   if (input.subsurface) {
@@ -37,8 +43,8 @@ Destination destination(const Arguments& arguments, const Case& input) {
     bytes += results::expected_bytes(grid, input.subsurface->kept.size()) / 2 *
              static_cast<std::size_t>(input.subsurface->planes);
   }
-  results::check_writable(to.path, to.overwrite, bytes);
-  results::check_writable(results::xdmf_name(to.path), to.overwrite, 0);
+  results::check_writable(to.path, to.overwrite, bytes, inputs);
+  results::check_writable(results::xdmf_name(to.path), to.overwrite, 0, inputs);
   return to;
 }
 
@@ -101,15 +107,25 @@ int solve_and_write(const Arguments& arguments, const Case& input, const Destina
     return fail_without_solution(arguments, input, error.what());
   }
   computed.seconds = core::now() - began;
-  print(arguments.has("json") ? solver.json(input, computed)
-                              : printed(input, solver, computed, arguments.has("profile")));
+  // First of all: what is behind standard output may be full, or gone.
   save([&](results::Content& content) {
     for (const Effect& effect : effects_of(input))
       if (effect.add_content) effect.add_content(input, computed, content);
     content.effects = effect_rows(input, computed);
   });
-  if (!arguments.has("json")) print("result       " + to.path + "\n");
+  print(arguments.has("json")
+            ? solver.json(input, computed)
+            : printed(input, solver, computed, arguments.has("profile")) + "result       " + to.path + "\n");
   return status(computed, to.path);
+}
+
+// A run that goes on with another oil or load would be two runs in one file.
+void check_same_files(const results::ResultFile& file, const Case& input) {
+  if (file.kind("/provenance/files") == results::ResultFile::Kind::missing) return;  // none, or an older version's
+  const std::string before = "\n" + file.text("/provenance/files") + "\n";
+  for (const deck::NamedFile& one : input.files)
+    if (before.find("\n" + deck::told(one) + "\n") == std::string::npos)
+      throw core::FileError(one.path + ": has changed since the run began: " + file.path() + " cannot go on with it");
 }
 
 }  // namespace
@@ -129,7 +145,12 @@ int resume(const Arguments& arguments) {
     understood.folders.push_back(file.text("/provenance/deck_folder"));
   understood.folders.push_back(std::filesystem::absolute(path).parent_path().string());
   const Case input = case_of(std::move(understood), path, requested_threads(arguments));
-  results::check_writable(path, true, results::expected_bytes(input.scene.grid, input.fields.size()));
+  if (!input.transient) throw core::FileError(path + ": the file is damaged: its deck is of no run in time");
+  check_fits(before, input, path);
+  check_same_files(file, input);
+  std::vector<std::string> inputs;
+  for (const deck::NamedFile& one : input.files) inputs.push_back(one.path);
+  results::check_writable(path, true, results::expected_bytes(input.scene.grid, input.fields.size()), inputs);
   return solve_and_write(arguments, input, {path, true}, std::move(before));
 }
 

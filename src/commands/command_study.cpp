@@ -148,7 +148,8 @@ int study(const Arguments& arguments) {
                            threads,
                            jobs,
                            repeats,
-                           si_scales(input.physics)};
+                           si_scales(input.physics),
+                           input.files};
   if (input.transient) return study_in_time(arguments, header, path, input);
   if (arguments.has("rtol"))
     throw core::InputError("command line: --rtol is for runs in time, and the deck has no [transient] end_time");
@@ -159,7 +160,7 @@ int study(const Arguments& arguments) {
     throw core::InputError(
         "command line: --evaluators direct: no level is small enough: it is tried up to 20000 nodes");
   const std::vector<int> finest = reference_grids(arguments, grids, plan.cells.back());
-  results::check_writable(path, arguments.has("overwrite"), 0);
+  results::check_writable(path, arguments.has("overwrite"), 0, header.inputs());
 
   const Reference reference = find_reference(grids, finest, quiet);
   std::vector<StudyPoint> points = measured(grids, ways, header, quiet);

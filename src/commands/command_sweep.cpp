@@ -12,6 +12,7 @@
 #include "core/timer.hpp"
 #include "deck/document.hpp"
 #include "deck/text.hpp"
+#include "results/atomic_file.hpp"
 #include "tables/children.hpp"
 #include "tables/csv.hpp"
 #include "tables/sweep_row.hpp"
@@ -42,9 +43,13 @@ int sweep(const Arguments& arguments) {
     for (const std::string& varied : overrides_of_case(header.variations, index)) overrides.push_back(varied);
     return overrides;
   };
+  header.files = files_of_cases(deck, header.set, header.variations);
   header.kind = kind_of_sweep(deck, overrides_of(0));
   const int at_once = requested_threads(arguments);
   const std::string path = table_name(arguments);
+  std::vector<std::string> inputs{deck};
+  for (const deck::NamedFile& file : header.files) inputs.push_back(file.path);
+  results::check_writable(path, true, 0, inputs);
   SweepTable table(path, header, arguments.has("overwrite"));
 
   const double began = core::now();
@@ -54,9 +59,7 @@ int sweep(const Arguments& arguments) {
   std::size_t done = 0;
   ChildrenCalls calls;
   calls.stop = stop_requested;
-  calls.task = [&](std::size_t index) {
-    return csv_row(sweep_case(deck, header.deck_text, overrides_of(index), header.kind));
-  };
+  calls.task = [&](std::size_t index) { return csv_row(sweep_case(header, overrides_of(index))); };
   calls.ended = [&](const ChildEnd& end) {
     const SweepRow failure = row_without_solution(sweep_row(header.kind), "failed", end.status, end.reason);
     const std::string row = end.complete ? end.text : csv_row(failure);

@@ -8,6 +8,7 @@
 
 #include "base/exit_status.hpp"
 #include "base/machine.hpp"
+#include "base/signals.hpp"
 #include "case/catalogue.hpp"
 #include "commands/figures.hpp"
 #include "core/errors.hpp"
@@ -168,8 +169,9 @@ std::string table_name(const Arguments& arguments) {
 
 void print(const std::string& text) {
   errno = 0;
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    throw core::FileError(std::string("standard output: cannot be written: ") + std::strerror(errno));
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return;
+  if (errno == EPIPE) end_by_closed_pipe();
+  throw core::FileError(std::string("standard output: cannot be written: ") + std::strerror(errno));
 }
 
 }  // namespace ehl::program

@@ -47,16 +47,22 @@ void add_resolution(const Case& input, const core::Grid& grid, std::vector<Quant
 std::vector<Quantity> provenance(const Case& input) {
   const Version built = version();
   const std::string folder = input.deck.folders.empty() ? "" : input.deck.folders.front();
-  return {{"program", "ehl", "", "program that wrote the file"},
-          {"version", built.number, "", "its version"},
-          {"commit", built.commit, "", "commit of its source"},
-          {"dirty", built.dirty ? "true" : "false", "", "whether the source had changes that no commit holds"},
-          {"compiler", built.compiler, "", ""},
-          {"host_cpu", processor(), "", "processor of the machine"},
-          {"cpu_level", core::processor_level(), "", "what the numerics in use were compiled for"},
-          {"threads", std::to_string(input.scene.threads), "", "threads used"},
-          {"deck_folder", folder, "", "where the deck lay, and files that it names are looked for"},
-          {"date", utc_date(), "", "UTC date of the run"}};
+  std::vector<std::string> files;
+  for (const deck::NamedFile& file : input.files) files.push_back(deck::told(file));
+  std::vector<Quantity> list{
+      {"program", "ehl", "", "program that wrote the file"},
+      {"version", built.number, "", "its version"},
+      {"commit", built.commit, "", "commit of its source"},
+      {"dirty", built.dirty ? "true" : "false", "", "whether the source had changes that no commit holds"},
+      {"compiler", built.compiler, "", ""},
+      {"host_cpu", processor(), "", "processor of the machine"},
+      {"cpu_level", core::processor_level(), "", "what the numerics in use were compiled for"},
+      {"threads", std::to_string(input.scene.threads), "", "threads used"},
+      {"deck_folder", folder, "", "where the deck lay, and files that it names are looked for"},
+      {"date", utc_date(), "", "UTC date of the run"}};
+  if (!files.empty())
+    list.push_back({"files", deck::joined(files, "\n"), "", "that the deck names: name, size and hash, one a line"});
+  return list;
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <cstdint>
 #include <span>
 
 #include "base/version.hpp"
@@ -21,13 +20,6 @@ std::string plain(std::string text, const std::string& instead_of_comma) {
   for (std::size_t at = text.find(','); at != std::string::npos; at = text.find(',', at + 1))
     text.replace(at, 1, instead_of_comma);
   return deck::trimmed(text);
-}
-
-// Fowler, Noll and Vo's 64-bit hash (FNV-1a).
-std::uint64_t hash(const std::string& text) {
-  std::uint64_t value = 14695981039346656037ULL;
-  for (const char c : text) value = (value ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-  return value;
 }
 
 }  // namespace
@@ -86,8 +78,10 @@ void write_table(const std::string& path, const std::string& text, bool overwrit
 }
 
 std::string deck_text_line(const std::string& deck_text) {
-  return fmt::format("# deck text: {} bytes, {:016x}", deck_text.size(), hash(deck_text));
+  return fmt::format("# deck text: {} bytes, {:016x}", deck_text.size(), deck::hash(deck_text));
 }
+
+std::string file_line(const deck::NamedFile& file) { return "# file: " + deck::told(file); }
 
 std::string this_program() {
   const Version built = version();

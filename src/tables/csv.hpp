@@ -6,6 +6,7 @@
 
 #include "base/column.hpp"
 #include "core/errors.hpp"
+#include "deck/file.hpp"
 
 namespace ehl::program {
 
@@ -58,6 +59,8 @@ void write_table(const std::string& path, const std::string& text, bool overwrit
 
 /// "# deck text: 812 bytes, 6f0d...": enough to notice that a deck is another one.
 std::string deck_text_line(const std::string& deck_text);
+/// "# file: oil.csv: 812 bytes, 6f0d...", the same of a file that a deck names.
+std::string file_line(const deck::NamedFile& file);
 
 /// Version, commit and compiler of this program.
 std::string this_program();

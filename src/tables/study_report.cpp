@@ -157,6 +157,7 @@ std::string times_of(const StudyHeader& header) {
 std::string origin_lines(const StudyHeader& header, const std::string& times) {
   std::string text = fmt::format("\n# program: {}\n# deck: {}\n{}\n# title: {}\n", header.program, header.deck,
                                  deck_text_line(header.deck_text), header.title);
+  for (const deck::NamedFile& file : header.files) text += file_line(file) + "\n";
   for (const std::string& set : header.set) text += "# set: " + set + "\n";
   return text + fmt::format("# machine: {}\n# date: {}\n# times: {}\n", header.machine, header.date, times);
 }

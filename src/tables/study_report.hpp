@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "deck/file.hpp"
 #include "tables/study_judge.hpp"
 
 namespace ehl::program {
@@ -22,7 +23,15 @@ struct StudyHeader {
   int threads = 1;  ///< of each solution
   int jobs = 1;     ///< solutions at a time
   int repeats = 1;
-  std::optional<SiScales> si{};  ///< of a contact in SI
+  std::optional<SiScales> si{};          ///< of a contact in SI
+  std::vector<deck::NamedFile> files{};  ///< that the deck names
+
+  /// What the study reads.
+  std::vector<std::string> inputs() const {
+    std::vector<std::string> paths{deck};
+    for (const deck::NamedFile& file : files) paths.push_back(file.path);
+    return paths;
+  }
 };
 
 /// "least of 3, 1 thread each, one solution after another".

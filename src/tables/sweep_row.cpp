@@ -17,6 +17,7 @@
 #include "report/quantities.hpp"
 #include "steady/solve.hpp"
 #include "tables/si_columns.hpp"
+#include "tables/sweep_table.hpp"
 
 namespace ehl::program {
 namespace {
@@ -55,13 +56,20 @@ void take_case(const Case& input, SweepRow& row) {
   in_row(row, "ny") = input.scene.grid.ny;
 }
 
-SweepRow solve_case(const std::string& path, const std::string& deck_text, const std::vector<std::string>& overrides,
-                    SweepRow row) {
+// in: the files that the sweep knows.
+void check_unchanged(const std::vector<deck::NamedFile>& now, const std::vector<deck::NamedFile>& before) {
+  for (const deck::NamedFile& file : now)
+    if (std::ranges::find(before, deck::told(file), deck::told) == before.end())
+      throw core::InputError(file.path + ": has changed since the sweep began");
+}
+
+SweepRow solve_case(const SweepHeader& sweep, const std::vector<std::string>& overrides, SweepRow row) {
   std::optional<Case> input;
   try {
-    if (deck::load_text(path) != deck_text)
-      throw core::InputError(path + ": the deck has changed since the sweep began");
-    input = read_lubricated_case(path, overrides, 1, "sweep");
+    if (deck::load_text(sweep.deck) != sweep.deck_text)
+      throw core::InputError(sweep.deck + ": the deck has changed since the sweep began");
+    input = read_lubricated_case(sweep.deck, overrides, 1, "sweep");
+    check_unchanged(input->files, sweep.files);
     return row_of_solution(*input, steady::solve(input->scene), row);
   } catch (const core::InputError& error) {
     if (input) take_case(*input, row);
@@ -146,10 +154,9 @@ SweepRow row_of_solution(const Case& input, const steady::Solution& solution, Sw
   return row;
 }
 
-SweepRow sweep_case(const std::string& path, const std::string& deck_text, const std::vector<std::string>& overrides,
-                    const SweepKind& kind) {
+SweepRow sweep_case(const SweepHeader& sweep, const std::vector<std::string>& overrides) {
   const double began = core::now();
-  SweepRow row = solve_case(path, deck_text, overrides, sweep_row(kind));
+  SweepRow row = solve_case(sweep, overrides, sweep_row(sweep.kind));
   in_row(row, "seconds") = std::stod(fmt::format("{:.4g}", core::now() - began));
   in_row(row, "peak_memory") = peak_memory();
   return row;

@@ -9,6 +9,8 @@
 
 namespace ehl::program {
 
+struct SweepHeader;
+
 /// A value for every column. The first is the status: converged, not-converged, refused (the deck is wrong for this
 /// case), failed (the program); then the exit status that `ehl run` would end with. The films, the pressure and their
 /// errors are known only of a solution that converged. The last is the reason.
@@ -31,11 +33,10 @@ SweepRow sweep_row(const SweepKind& kind);
 /// The value of a column. limits: there is one of this name.
 results::Value& in_row(SweepRow& row, const std::string& name);
 
-/// Solves one case with one thread. in: path of the deck, the text it must still have, overrides; the kind of the
-/// sweep. errors: none of the case's own: they are rows. core::Interrupted, std::bad_alloc and what nobody foresaw pass
-/// through.
-SweepRow sweep_case(const std::string& path, const std::string& deck_text, const std::vector<std::string>& overrides,
-                    const SweepKind& kind);
+/// Solves one case with one thread. in: what the sweep is about (sweep_table.hpp): deck and files must still say what
+/// they said; overrides. errors: none of the case's own: they are rows. core::Interrupted, std::bad_alloc and what
+/// nobody foresaw pass through.
+SweepRow sweep_case(const SweepHeader& sweep, const std::vector<std::string>& overrides);
 
 /// The row of a solved case, converged or not. in: what the solver was given and gave back; an empty row.
 SweepRow row_of_solution(const Case& input, const steady::Solution& solution, SweepRow row);

@@ -11,6 +11,7 @@
 #include <iterator>
 #include <sstream>
 
+#include "case/catalogue.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
 #include "results/atomic_file.hpp"
@@ -24,6 +25,7 @@ const std::string program_mark = "# program: ";
 // What makes a sweep this sweep.
 std::vector<std::string> identity(const SweepHeader& header) {
   std::vector<std::string> lines{deck_text_line(header.deck_text)};
+  for (const deck::NamedFile& file : header.files) lines.push_back(file_line(file));
   for (const std::string& set : header.set) lines.push_back("# set: " + set);
   for (const Variation& variation : header.variations)
     lines.push_back("# vary: " + variation.section + "." + variation.name + " = " +
@@ -72,6 +74,23 @@ std::string start_of_row(const std::vector<std::string>& values) {
 
 }  // namespace
 
+std::vector<deck::NamedFile> files_of_cases(const std::string& path, const std::vector<std::string>& set,
+                                            const std::vector<Variation>& variations) {
+  std::map<std::string, deck::NamedFile> by_name;
+  const auto add = [&](std::vector<std::string> overrides) {
+    overrides.insert(overrides.begin(), set.begin(), set.end());
+    for (deck::NamedFile& file : deck::named_files(deck::read(path, overrides, catalogue())))
+      by_name.insert({file.name, std::move(file)});
+  };
+  add(overrides_of_case(variations, 0));
+  for (const Variation& varied : variations)
+    if (deck::find_key(catalogue(), varied.section, varied.name)->names_file)
+      for (const std::string& value : varied.values) add({varied.section + "." + varied.name + "=" + value});
+  std::vector<deck::NamedFile> files;
+  for (auto& [name, file] : by_name) files.push_back(std::move(file));
+  return files;
+}
+
 std::string header_text(const SweepHeader& header) { return whole_header(header, {header.program}); }
 
 SweepTable::SweepTable(const std::string& path, const SweepHeader& header, bool overwrite)
@@ -113,7 +132,7 @@ void SweepTable::read(const std::string& content) {
   if (line != sweep_mark) throw core::FileError(path_ + ": exists already and is no table of a sweep" + remedy);
   while (std::getline(lines, line)) {
     if (line.starts_with(program_mark)) programs_.push_back(line.substr(program_mark.size()));
-    for (const char* mark : {"# deck text: ", "# set: ", "# vary: "})
+    for (const char* mark : {"# deck text: ", "# file: ", "# set: ", "# vary: "})
       if (line.starts_with(mark)) found.push_back(line);
     if (line.starts_with('#')) continue;
     if (has_columns) {

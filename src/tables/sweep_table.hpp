@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "deck/file.hpp"
 #include "tables/sweep_range.hpp"
 #include "tables/sweep_row.hpp"
 
@@ -12,15 +13,22 @@ namespace ehl::program {
 /// How the first line of every table begins.
 constexpr char sweep_mark[] = "# ehl sweep, table 1";
 
-/// What a table is about. The same sweep is the same deck text, the same --set and the same --vary.
+/// What a table is about. The same sweep is the same deck text, the same --set and --vary, and the same in the files
+/// that they name.
 struct SweepHeader {
   std::string program{};    ///< version, commit, compiler
   std::string deck{};       ///< its path, for the reader
   std::string deck_text{};  ///< what it says
   std::vector<std::string> set{};
   std::vector<Variation> variations{};
-  SweepKind kind{};  ///< columns that not every sweep has
+  SweepKind kind{};                      ///< columns that not every sweep has
+  std::vector<deck::NamedFile> files{};  ///< that any of the cases names
 };
+
+/// The files that the cases of a sweep name, sorted by name. in: path of the deck, --set, what varies.
+/// errors: core::FileError where one is missing.
+std::vector<deck::NamedFile> files_of_cases(const std::string& path, const std::vector<std::string>& set,
+                                            const std::vector<Variation>& variations);
 
 /// The header as lines of a file, each of which begins with #, but for the last, which names the columns.
 std::string header_text(const SweepHeader& header);

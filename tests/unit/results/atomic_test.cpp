@@ -1,5 +1,7 @@
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -67,6 +69,39 @@ BOOST_AUTO_TEST_CASE(outputs_refused_before_the_work) {
   BOOST_TEST(contains(reason(folder / "new.h5", false, std::size_t{1} << 60), "the disk has room"));
   BOOST_TEST(contains(reason(""), "empty"));
   BOOST_TEST(folder.entries() == 1);
+}
+
+BOOST_AUTO_TEST_CASE(a_link_stays_and_its_file_is_replaced) {
+  const support::TemporaryFolder folder;
+  write(folder / "f", "old", false);
+  std::filesystem::create_symlink("f", folder / "link");
+  std::filesystem::create_symlink("new", folder / "open");
+  write(folder / "link", "new", true);
+  BOOST_TEST(folder.read("f") == "new");
+  BOOST_TEST(std::filesystem::is_symlink(folder / "link"));
+  write(folder / "open", "made", false);
+  BOOST_TEST(folder.read("new") == "made");
+  std::filesystem::create_symlink("/dev/null", folder / "device");
+  BOOST_TEST(contains(refusal<core::FileError>([&] { write(folder / "device", "x", true); }), "no regular file"));
+  std::filesystem::create_symlink("circle", folder / "circle");
+  BOOST_TEST(contains(refusal<core::FileError>([&] { write(folder / "circle", "x", true); }), "symbolic links"));
+}
+
+// A killed process cannot take its temporary file away; the next one does. What another one writes stays, and what lies
+// in the way is not followed.
+BOOST_AUTO_TEST_CASE(temporary_files_of_killed_runs_go) {
+  const support::TemporaryFolder folder;
+  const pid_t child = ::fork();
+  if (child == 0) ::_exit(0);
+  ::waitpid(child, nullptr, 0);
+  folder.write(".f." + std::to_string(child) + ".part", "half");
+  folder.write(".f.1.part", "of a process that lives");
+  folder.write(".f.x.part", "of nobody");
+  folder.write("precious", "x");
+  std::filesystem::create_symlink("precious", folder / (".f." + std::to_string(::getpid()) + ".part"));
+  BOOST_TEST(contains(refusal<core::FileError>([&] { results::check_writable(folder / "f", false, 0); }), "File exists"));
+  BOOST_TEST(folder.entries() == 4);
+  BOOST_TEST(folder.read("precious") == "x");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
