@@ -38,10 +38,11 @@ constexpr int fewest_first_cycles = 3;
 /// A state with this relative residual solves the equations, whatever else is wrong with it.
 constexpr double solved_residual = 1e-5;
 
-std::string text(double value) { return fmt::format("{:.2e}", value); }
+std::string text(double value) { return std::isfinite(value) ? fmt::format("{:.2e}", value) : "not finite"; }
 
 // What no state may have, whatever else is asked.
 std::string impossible(const Measures& now) {
+  if (!std::isfinite(now.Hm + now.least_P)) return "the cycles diverged: the film or the pressure is not finite";
   if (!(now.Hm > 0.0))
     return "the film is negative at its thinnest, H = " + text(now.Hm) +
            ": the mesh is too coarse for this contact; use more cells";

@@ -77,9 +77,11 @@ Scene on_level(const Scene& scene, const fmg::Hierarchy& hierarchy, std::size_t 
 ContinuationStep solve_step(fmg::Run& run, double M, double load_ratio, fmg::Caution& caution) {
   ContinuationStep step{.M = M, .load_ratio = load_ratio};
   const fmg::CycleObserver observe = [&](int cycle, const judgement::Measures& now) -> fmg::DiscretizationError {
-    step.Hc = now.Hc;
-    step.Hm = now.Hm;
-    step.residual = now.residual;
+    if (std::isfinite(now.Hc + now.Hm + now.residual)) {  // the last that were numbers, where the cycles diverge
+      step.Hc = now.Hc;
+      step.Hm = now.Hm;
+      step.residual = now.residual;
+    }
     fmg::report(run, run.finest(), cycle, most_cycles_of_a_step, now, step.load_ratio);
     return {};
   };

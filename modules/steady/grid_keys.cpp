@@ -12,28 +12,28 @@
 namespace ehl::steady {
 
 std::vector<deck::Key> grid_keys() {
-  const std::string remedy = "the domain must contain the contact, a circle of radius 1";
+  const std::string remedy = "the domain must contain the contact, if a circle one of radius 1";
   return deck::together(
       {deck::in_section(
            "domain",
            {{.name = "x_inlet",
              .default_note = "so far upstream that the film loses less than about 0.6 %",
-             .range = {-1000.0, -1.0, false, true},
+             .range = {-1000.0, 0.0, false, true},
              .remedy = remedy,
-             .meaning = "Inlet boundary in Hertz radii. Light loads need a longer inlet.",
+             .meaning = "Inlet boundary in Hertz radii, beyond the contact. Light loads need a longer inlet.",
              .example = "-4.5"},
             {.name = "x_outlet",
              .default_note = "1.5, or 3 for light loads",
-             .range = {1.0, 1000.0, true, false},
+             .range = {0.0, 1000.0, true, false},
              .remedy = remedy,
-             .meaning = "Outlet boundary in Hertz radii.",
+             .meaning = "Outlet boundary in Hertz radii, beyond the contact.",
              .source = "Venner and ten Napel 1992: -4.5 to 1.5",
              .example = "1.5"},
             {.name = "y_half",
              .default_note = "half the length of the domain",
-             .range = {1.0, 1000.0, true, false},
+             .range = {0.0, 1000.0, true, false},
              .remedy = remedy,
-             .meaning = "Half width of the domain in Hertz radii.",
+             .meaning = "Half width of the domain in Hertz radii, beyond the contact.",
              .source = "Venner and ten Napel 1992: -3 to 3",
              .example = "3"},
             {.name = "far_field",
@@ -145,6 +145,20 @@ void choose_grid(deck::Deck& deck, const contact::Groups& groups, reynolds::Wedg
   const deck::Part domain{deck, "domain"};
   choose_domain(domain, groups);
   choose_cells({deck, "grid"}, domain, groups, wedge);
+}
+
+void check_contains(deck::Deck& deck, const contact::Ellipse& shape) {
+  const deck::Part domain{deck, "domain"};
+  const contact::Extent reach = contact::extent(shape);
+  const auto check = [&](const char* key, double extent) {
+    // Nothing is NaN's size: what was refused is passed over.
+    if (domain.given(key) && std::abs(domain.number(key)) <= extent)
+      domain.complain(key,
+                      fmt::format("the domain must contain the contact, which reaches to {:.4g} Hertz radii", extent));
+  };
+  check("x_inlet", reach.X);
+  check("x_outlet", reach.X);
+  check("y_half", reach.Y);
 }
 
 GridInput read_grid(deck::Deck& deck, bool contact_known) {

@@ -30,7 +30,7 @@ struct Attempt {
 struct ContinuationStep {
   double M = 0.0;
   double load_ratio = 1.0;                               ///< to the load of the scene
-  double Hc = std::numeric_limits<double>::quiet_NaN();  ///< NaN: the cycles of the step diverged
+  double Hc = std::numeric_limits<double>::quiet_NaN();  ///< NaN: its first cycle diverged
   double Hm = std::numeric_limits<double>::quiet_NaN();
   double residual = std::numeric_limits<double>::quiet_NaN();
   int cycles = 0;

@@ -53,6 +53,7 @@ void settle(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive& start) {
     residual = cycles_at_rest(hierarchy, dae, drive, k == bits ? most_settling_cycles : cycles_per_bit);
   }
   const double Hm = core::minimum(hierarchy.finest().H).value;
+  if (!std::isfinite(residual + Hm)) throw not_found("its film or its pressure is not finite");
   if (!(residual < hopeless_residual)) throw not_found(fmt::format("its relative residual is {:.1e}", residual));
   if (!(Hm > 0.0))
     throw not_found(fmt::format("its film is negative at its thinnest, H = {:.3g}: the mesh is too coarse for it", Hm));

@@ -9,6 +9,7 @@
 #include "case/sliding_input.hpp"
 #include "deck/text.hpp"
 #include "effects/friction/keys.hpp"
+#include "steady/climb.hpp"
 
 namespace ehl::program {
 namespace {
@@ -44,6 +45,9 @@ std::string summary(const Case& input, const Computed& computed) {
   text += fmt::format(
       "             on surface 1 {:.5g}, on surface 2 {:.5g} of the load along +x; cavitated region {:.2g}\n", f.on_1,
       f.on_2, f.cavitated);
+  if (std::isfinite(f.side))
+    text += fmt::format("             side force {:.3g} of the load along +y, on each surface{}\n", f.side,
+                        in_newtons(f.side));
   const std::string own = fmt::format("{:.4g} p_h", f.largest_stress);
   const std::string absolute =
       std::isfinite(input.physics.p_h) ? pressure(f.largest_stress * input.physics.p_h) : std::string();
@@ -80,18 +84,24 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
 }  // namespace
 
 std::vector<results::Quantity> friction_quantities(const friction::Friction& f) {
-  return {{"mu", f.sliding, "-", "sliding friction over the load, positive where surface 1 is the faster one"},
-          {"mu_rolling", f.rolling, "-", "rolling friction over the load, the same on both surfaces"},
-          {"mu_1", f.on_1, "-", "force of the film on surface 1 along +x over the load"},
-          {"mu_2", f.on_2, "-", "force of the film on surface 2 along +x over the load"},
-          {"mu_cavitated", f.cavitated, "-", "part of mu from the cavitated region"},
-          {"largest_shear_stress", f.largest_stress, "p_h", "of sliding, in the pressurised film", "largest_stress"},
-          {"limited_share", f.limited_share, "-", "share of the load where the limiting stress acts"}};
+  std::vector<results::Quantity> list{
+      {"mu", f.sliding, "-", "sliding friction over the load, positive where surface 1 is the faster one"},
+      {"mu_rolling", f.rolling, "-", "rolling friction over the load, the same on both surfaces"},
+      {"mu_1", f.on_1, "-", "force of the film on surface 1 along +x over the load"},
+      {"mu_2", f.on_2, "-", "force of the film on surface 2 along +x over the load"},
+      {"mu_cavitated", f.cavitated, "-", "part of mu from the cavitated region"},
+      {"largest_shear_stress", f.largest_stress, "p_h", "of sliding, in the pressurised film", "largest_stress"},
+      {"limited_share", f.limited_share, "-", "share of the load where the limiting stress acts"}};
+  if (std::isfinite(f.side))
+    list.push_back({"mu_side", f.side, "-", "force of the film on each surface along +y over the load"});
+  return list;
 }
 
 friction::Friction friction_of(const Case& input, const steady::Solution& solution) {
+  friction::Parameters parameters = *input.friction;
+  parameters.aslant = !steady::on_one_half(input.scene);
   return friction::friction_of({solution.grid, solution.P, solution.H, input.scene.viscosity, input.scene.thinning},
-                               *input.friction);
+                               parameters);
 }
 
 Effect friction_effect() {

@@ -98,7 +98,9 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   scene.accuracy = steady::read_accuracy(deck, share_of_memory * usable_memory() / bytes_per_node);
   scene.wedge = reynolds::read(deck);
   if (!result.dry) steady::choose_grid(deck, result.physics.groups, scene.wedge);
-  const steady::GridInput grid = steady::read_grid(deck, result.dry || result.physics.groups.M > 0.0);
+  const bool contact_known = result.dry || result.physics.groups.M > 0.0;
+  if (contact_known) steady::check_contains(deck, result.physics.groups.shape);
+  const steady::GridInput grid = steady::read_grid(deck, contact_known);
   scene.grid = grid.finest;
   scene.multigrid.coarsest_cells = grid.coarsest;
   if (result.dry) result.dry->parameters.coarsest_cells = grid.coarsest;

@@ -158,7 +158,7 @@ std::vector<Column<steady::ContinuationStep>> continuation_columns() {
   using Row = steady::ContinuationStep;
   return {{"M", "-", "Moes load number", &Row::M},
           {"load_ratio", "-", "load over that of the case", &Row::load_ratio},
-          {"Hc", "a^2/R", "film at (0,0)", &Row::Hc},
+          {"Hc", "a^2/R", "film at (0,0); NaN where the first cycle diverged", &Row::Hc},
           {"Hm", "a^2/R", "smallest film", &Row::Hm},
           {"residual", "-", "relative residual of the Reynolds equation", &Row::residual},
           {"cycles", "-", "cycles for this load", &Row::cycles},

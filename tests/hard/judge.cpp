@@ -230,12 +230,15 @@ class Judge {
     expect(least == 0.0, "P is nowhere negative: " + std::to_string(least));
   }
 
+  // The deck of the result, on another number of threads: the same digits.
   void repeat_on_other_threads(const Finished& ran) {
-    const Finished again = ehl(solving("again.h5", verdict_.deck.threads == 1 ? "2" : "1"), "run");
+    const std::string threads = verdict_.deck.threads == 1 ? "2" : "1";
+    const Finished again =
+        ehl({"run", "own.ini", "--json", "--quiet", "--threads", threads, "--output", "again.h5"}, "run");
     for (const char* name : {"Hc", "Hm", "P_max", "H00", "residual", "load_error", "least_Hm", "worst_load_error"})
       expect(json_member(again.out, name) == json_member(ran.out, name),
-             std::string("the same ") + name + " on one thread and on two: " + json_member(ran.out, name) + " and " +
-                 json_member(again.out, name));
+             std::string("the same ") + name + " of the deck in the result, on one thread and on two: " +
+                 json_member(ran.out, name) + " and " + json_member(again.out, name));
   }
 
   const Setting& setting_;

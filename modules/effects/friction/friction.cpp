@@ -45,6 +45,17 @@ struct Fluidity {
   std::vector<double> at_rest, along, across;
 };
 
+// Integral of -(h/2) dp/dy, in p_h times cells.
+double side_force(const Film& film, double slope) {
+  const core::Grid& grid = film.grid;
+  double sum = 0.0;
+  for (int i = 0; i <= grid.nx; ++i)
+    for (int j = 0; j < grid.ny; ++j)
+      sum -= (i == 0 || i == grid.nx ? 0.5 : 1.0) * 0.25 * slope * (film.H(i, j) + film.H(i, j + 1)) *
+             (film.P(i, j + 1) - film.P(i, j)) / grid.hy();
+  return sum;
+}
+
 }  // namespace
 
 Friction friction_of(const Film& film, const Parameters& parameters) {
@@ -85,7 +96,8 @@ Friction friction_of(const Film& film, const Parameters& parameters) {
                           (film.P(i + 1, j) - P) / grid.hx();
     }
   }
-  for (double* part : {&result.sliding, &result.rolling, &result.cavitated}) *part /= load;
+  if (parameters.aslant) result.side = side_force(film, parameters.slope);
+  for (double* part : {&result.sliding, &result.rolling, &result.cavitated, &result.side}) *part /= load;
   result.limited_share = limited_load / load;
   result.unlikely_share = unlikely_load / load;
   result.on_1 = -(result.sliding + result.rolling);

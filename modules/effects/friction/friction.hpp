@@ -5,7 +5,8 @@
 // u1; tau_m = eta_y (u1 - u2)/h, eta_y the viscosity across sliding (rheology/shear.hpp). What the film does to the
 // surfaces along +x:
 //   surface 1   -(tau_m + (h/2) dp/dx),   surface 2   tau_m - (h/2) dp/dx.
-// The part of tau_m is sliding friction, that of dp/dx rolling friction.
+// The part of tau_m is sliding friction, that of dp/dx rolling friction. Across the entrainment nothing slides, and the
+// film pulls at both surfaces with -(h/2) dp/dy along +y.
 #include <limits>
 #include <optional>
 #include <string>
@@ -34,6 +35,7 @@ struct Parameters {
   Cavitated cavitated = Cavitated::striated;
   double limit = std::numeric_limits<double>::infinity();  ///< Lambda
   bool keep_tau1 = false, keep_tau2 = false;
+  bool aslant = false;  ///< not symmetric in Y: there is a force along it
 };
 
 /// A solved contact on its whole domain.
@@ -48,22 +50,23 @@ struct Film {
 /// Forces are over the load, the integral of P: friction coefficients.
 struct Friction {
   Parameters parameters;
-  bool thinned = false;         ///< by a shear law
-  double sliding = 0.0;         ///< integral of tau_m; > 0 where surface 1 is the faster one
-  double rolling = 0.0;         ///< integral of (h/2) dp/dx; it holds back both surfaces
-  double on_1 = 0.0;            ///< force on surface 1 along +x: -(sliding + rolling)
-  double on_2 = 0.0;            ///< on surface 2: sliding - rolling
-  double cavitated = 0.0;       ///< part of `sliding` from where P = 0
-  double largest_stress = 0.0;  ///< of |tau_m| where P > 0, in p_h
-  double limited_share = 0.0;   ///< share of the load that stands where the limit acts
-  double unlikely_share = 0.0;  ///< share of the load where |tau_m| > largest_limit P
-  core::Field tau1{}, tau2{};   ///< in p_h; empty where they are not kept
+  bool thinned = false;                                    ///< by a shear law
+  double sliding = 0.0;                                    ///< integral of tau_m; > 0 where surface 1 is the faster one
+  double rolling = 0.0;                                    ///< integral of (h/2) dp/dx; it holds back both surfaces
+  double on_1 = 0.0;                                       ///< force on surface 1 along +x: -(sliding + rolling)
+  double on_2 = 0.0;                                       ///< on surface 2: sliding - rolling
+  double side = std::numeric_limits<double>::quiet_NaN();  ///< force on each surface along +y; NaN where not aslant
+  double cavitated = 0.0;                                  ///< part of `sliding` from where P = 0
+  double largest_stress = 0.0;                             ///< of |tau_m| where P > 0, in p_h
+  double limited_share = 0.0;                              ///< share of the load that stands where the limit acts
+  double unlikely_share = 0.0;                             ///< share of the load where |tau_m| > largest_limit P
+  core::Field tau1{}, tau2{};                              ///< in p_h; empty where they are not kept
   double seconds = 0.0;
 };
 
 /// The friction of a film. in: P and H on all of a domain; H > 0 where something is sheared.
-/// The integral of tau_m by the trapezoidal rule, that of H dP/dX as sum of H (mean of the two nodes) times the
-/// differences of P. order: 2, with P and H of order 2; with Cavitated::none 1 in the part beside the edge.
+/// The integral of tau_m by the trapezoidal rule, those of H dP/dX and H dP/dY as sum of H (mean of the two nodes)
+/// times the differences of P. order: 2, with P and H of order 2; with Cavitated::none 1 in the part beside the edge.
 /// cost: one viscosity per node.
 Friction friction_of(const Film& film, const Parameters& parameters);
 

@@ -1,0 +1,49 @@
+#include "case/plausible.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/text_format.hpp"
+
+namespace ehl::program {
+namespace {
+
+constexpr double thickest_oil = 100.0;    // Pa s; honey has ten
+constexpr double fastest_surface = 200.0;  // m/s; turbine bearings reach it
+constexpr double surface_at_rest = 2.0;    // slide-roll ratio; beyond it one surface moves backwards
+constexpr double thinnest_film = 1e-9;     // m; a molecule of oil
+constexpr double thickest_film = 10e-6;    // m
+
+}  // namespace
+
+std::vector<std::string> hardly_meant(const Case& input) {
+  std::vector<std::string> warnings;
+  const Physics& physics = input.physics;
+  if (std::abs(physics.srr) > surface_at_rest)
+    warnings.push_back(fmt::format("srr = {:.4g} is beyond +-2: surface {} moves backwards, against the entrainment",
+                                   physics.srr, physics.srr > 0.0 ? 2 : 1));
+  if (!physics.si) return warnings;
+  const double eta0 = physics.si->contact.eta0;
+  if (eta0 > thickest_oil)
+    warnings.push_back(fmt::format("eta0 = {:.4g} Pa s is above {:g} Pa s, thicker than an oil: is it in mPa s?", eta0,
+                                   thickest_oil));
+  for (const double u : {physics.si->u1, physics.si->u2})
+    if (std::abs(u) > fastest_surface) {
+      warnings.push_back(
+          fmt::format("a surface moves with {:.4g} m/s, above {:g} m/s: is it in mm/s?", u, fastest_surface));
+      break;
+    }
+  return warnings;
+}
+
+std::vector<std::string> hardly_a_film(double h_c, double h_m) {
+  if (h_m < thinnest_film)
+    return {"the film is " + length(h_m) +
+            " at its thinnest, thinner than a molecule of oil: mixed lubrication is likely, which is not solved"};
+  if (h_c > thickest_film)
+    return {"the film is " + length(h_c) + " at the centre, above 10 um: check the units of speed and viscosity"};
+  return {};
+}
+
+}  // namespace ehl::program
