@@ -35,7 +35,8 @@ struct Deck {
 
 /// Reads a deck and checks every key by itself: known, once, readable, in range, with influence. Rules between keys
 /// belong to those who use them; they add to `errors` by complain(), and throw_if_wrong() ends it.
-/// in: path of the deck, overrides "section.key=value". errors: core::InputError when the file cannot be read at all.
+/// in: path of the deck, overrides "section.key=value", or "-section.key", which takes the key out. errors:
+/// core::InputError when the file cannot be read at all.
 Deck read(const std::string& path, const std::vector<std::string>& overrides, const Catalogue& catalogue);
 
 /// The same for a document already parsed.

@@ -94,6 +94,16 @@ Document parse(const std::string& text, const std::string& name) {
 }
 
 Assignment parse_override(const std::string& text) {
+  if (text.starts_with('-')) {
+    const std::size_t dot = text.find('.');
+    if (dot == std::string::npos || text.find('=') != std::string::npos)
+      throw core::InputError("command line: --unset " + quotable(text.substr(1)) +
+                             ": write section.key, e.g. --unset grid.cells");
+    return {.section = trimmed(text.substr(1, dot - 1)),
+            .name = trimmed(text.substr(dot + 1)),
+            .place = "command line",
+            .removes = true};
+  }
   const std::size_t equals = text.find('=');
   const std::size_t dot = text.find('.');
   if (equals == std::string::npos || dot == std::string::npos || dot > equals || dot == 0 || dot + 1 == equals)

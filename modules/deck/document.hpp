@@ -9,8 +9,9 @@ namespace ehl::deck {
 struct Assignment {
   std::string section{};
   std::string name{};
-  std::string value{};  ///< without comment and surrounding blanks; may be empty
-  std::string place{};  ///< "deck.ini:12" or "command line"
+  std::string value{};   ///< without comment and surrounding blanks; may be empty
+  std::string place{};   ///< "deck.ini:12" or "command line"
+  bool removes = false;  ///< takes the key out of the deck instead
 };
 
 /// One "[section]" line.
@@ -34,7 +35,8 @@ std::string load_text(const std::string& path);
 /// in: text; name of the file for messages. errors: none thrown, all listed in the document.
 Document parse(const std::string& text, const std::string& name);
 
-/// An assignment from the command line, "section.key=value". errors: core::InputError when it has another form.
+/// An assignment from the command line, "section.key=value", or "-section.key", which takes it out. errors:
+/// core::InputError when it has another form.
 Assignment parse_override(const std::string& text);
 
 }  // namespace ehl::deck

@@ -110,6 +110,12 @@ std::string about_unknown(const Deck& deck, const Assignment& given) {
   return said(given) + unknown_section(deck.catalogue, given.section);
 }
 
+Value untouched(const Key& key) {
+  return {.origin = key.default_text.empty() ? Origin::absent : Origin::by_default,
+          .text = key.default_text,
+          .number = read_number(key.default_text).value};
+}
+
 // Every assignment to its key.
 void take(Deck& deck, const std::vector<Assignment>& assignments) {
   Kind unknown{deck, "unknown keys"}, twice{deck, "keys given twice"};
@@ -124,6 +130,13 @@ void take(Deck& deck, const std::vector<Assignment>& assignments) {
       continue;
     }
     Value& value = deck.values[static_cast<std::size_t>(key - deck.catalogue.keys.data())];
+    if (given.removes) {
+      if (value.origin != Origin::given)
+        unknown.add(
+            [&] { return "command line: --unset " + given.section + "." + given.name + ": is not in the deck"; });
+      value = untouched(*key);
+      continue;
+    }
     if (value.origin == Origin::given && (value.place == "command line") == (given.place == "command line")) {
       twice.add([&] {
         return said(given) + "given twice: the first time at " + value.place + " (= " + quotable(value.text) +
@@ -213,12 +226,7 @@ Deck validate(const Document& document, const std::vector<Assignment>& overrides
   deck.catalogue = catalogue;
   deck.headings = document.headings;
   deck.errors = document.errors;
-  for (const Key& key : catalogue.keys) {
-    const bool open = key.default_text.empty();
-    deck.values.push_back({.origin = open ? Origin::absent : Origin::by_default,
-                           .text = key.default_text,
-                           .number = read_number(key.default_text).value});
-  }
+  for (const Key& key : catalogue.keys) deck.values.push_back(untouched(key));
 
   check_headings(deck, document);
   take(deck, document.assignments);

@@ -220,6 +220,7 @@ Solution solve_to_accuracy(const Scene& asked, const SolveOnGrid& solve_on_grid,
   Solution solution = solve_on_grid(scene);
   bool by_extrapolation = false;
   bool mesh_met = false;
+  bool interrupted = false;
   while (solution.converged) {
     mesh_met = plain_error(solution.error_bars) <= allowed;
     if (mesh_met) break;
@@ -235,14 +236,22 @@ Solution solve_to_accuracy(const Scene& asked, const SolveOnGrid& solve_on_grid,
       if (stopped.empty()) stopped = limit;
       break;
     }
+    const core::Grid solved = scene.grid;
     scene.grid = next;
-    solution = on_finer_grid(scene, solution, solve_on_grid, progress);
+    try {
+      solution = on_finer_grid(scene, solution, solve_on_grid, progress);
+    } catch (const core::Interrupted&) {  // what there is so far is a solution too
+      scene.grid = solved;
+      stopped = "an interruption";
+      interrupted = true;
+      break;
+    }
   }
   if (asked.accuracy.domain_is_free && std::isfinite(of_domain)) solution.domain_error_Hc = of_domain;
   solution.error_bars = error_bars_of(scene, solution);
   solution.warnings = warnings_of(scene, solution);
   if (!solution.converged) stopped = solution.failed_check;
-  solution.accuracy = {target, mesh_met && stopped.empty(), by_extrapolation, stopped};
+  solution.accuracy = {target, mesh_met && stopped.empty(), by_extrapolation, stopped, interrupted};
   if (solution.converged && !solution.accuracy.met) {
     solution.converged = false;
     solution.failed_check = "the accuracy " + percent(target) + " was not reached, it was stopped by " + stopped +

@@ -133,7 +133,9 @@ AccuracyTarget read_accuracy(deck::Deck& deck, double most_nodes) {
   AccuracyTarget target{.error = grid.number("accuracy")};
   if (!grid.given("accuracy")) return target;
   if (grid.given("cells"))
-    grid.complain("accuracy", "and cells are both given: keep one of them; accuracy finds the cells itself");
+    grid.complain("accuracy",
+                  "and cells are both given: keep one of them; accuracy finds the cells itself, and "
+                  "--unset grid.cells takes them out of the deck");
   // What the deck leaves open of the domain may grow.
   const deck::Part domain{deck, "domain"};
   target.domain_is_free = domain.given_of({"x_inlet", "y_half"}).empty() && !closed(domain);

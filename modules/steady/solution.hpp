@@ -43,6 +43,7 @@ struct AccuracyReport {
   bool met = false;
   bool by_extrapolation = false;  ///< met by the extrapolated values, not by the plain ones
   std::string stopped_by;         ///< empty when met: what stood in the way
+  bool interrupted = false;       ///< by the user: the solution is of the finest grid that was solved
 };
 
 struct Solution {

@@ -5,7 +5,10 @@
 #include "base/machine.hpp"
 #include "case/effects.hpp"
 #include "deck/text.hpp"
+#include "steady/accuracy.hpp"
 #include "steady/climb.hpp"
+#include "steady/domain_error.hpp"
+#include "steady/resolution.hpp"
 
 namespace ehl::program {
 namespace {
@@ -15,6 +18,29 @@ using deck::given;
 
 constexpr double giga = 1e9;
 
+// Seconds of a coarsest grid that is still a large one: it knows no other help than relaxation, and all ways are tried.
+// Measured at 33 x 12001 nodes.
+double seconds_of_coarsest(const steady::Scene& scene) {
+  constexpr double usual = 1e4;  // nodes; within what the cycles are counted to cost
+  constexpr double sweeps = 2500.0;
+  constexpr double seconds_per_node_and_sweep = 1e-7;
+  const int wanted = scene.multigrid.coarsest_cells > 0 ? scene.multigrid.coarsest_cells
+                                                        : 2 * scene.multigrid.least_coarsest_cells - 1;
+  core::Grid grid = scene.grid;
+  while (grid.nx > wanted && grid.nx % 2 == 0 && grid.ny % 2 == 0) grid = core::coarsened(grid);
+  const double nodes = static_cast<double>(grid.nodes_x()) * grid.nodes_y();
+  return nodes > usual ? nodes * sweeps * seconds_per_node_and_sweep : 0.0;
+}
+
+Needs with_effects(const Case& input, Needs needs) {
+  for (const Effect& effect : effects_of(input)) {
+    const Needs more = effect.expense ? effect.expense(input) : Needs{};
+    needs.bytes += more.bytes;
+    needs.seconds += more.seconds;
+  }
+  return needs;
+}
+
 }  // namespace
 
 Needs basic_needs(const steady::Scene& scene) {
@@ -22,7 +48,7 @@ Needs basic_needs(const steady::Scene& scene) {
   // Measured at 257 x 257 to 2049 x 2049 nodes; the time of one thread of a machine of the 2020s.
   const double doubles_per_node = steady::on_one_half(scene) ? 15.0 : 25.0;
   constexpr double program_itself = 1.5e7;  // bytes
-  constexpr double seconds_per_node_and_cycle = 1e-6;
+  const double seconds_per_node_and_cycle = steady::on_one_half(scene) ? 2e-7 : 4e-7;
   constexpr double more_cycles = 2.0;  // than planned: the checks on the finest grid ask for them
   constexpr double direct_pairs_per_second = 2e9;
   constexpr double evaluations_per_cycle = 8.0;
@@ -32,7 +58,9 @@ Needs basic_needs(const steady::Scene& scene) {
   const double cycles = std::isnan(multigrid.tolerance) ? more_cycles * multigrid.cycles : 10.0;
   Needs needs;
   needs.bytes = nodes * doubles_per_node * sizeof(double) + program_itself;
-  needs.seconds = 0.1 + cycles * nodes * seconds_per_node_and_cycle / std::sqrt(scene.threads);
+  constexpr double seconds_of_coarse_grids = 0.03;
+  needs.seconds = seconds_of_coarse_grids + seconds_of_coarsest(scene) +
+                  cycles * nodes * seconds_per_node_and_cycle / std::sqrt(scene.threads);
   if (scene.polish == steady::Polish::always) {
     needs.bytes += nodes * newton_bytes_per_node;
     needs.seconds += nodes * newton_seconds_per_node;
@@ -42,14 +70,31 @@ Needs basic_needs(const steady::Scene& scene) {
   return needs;
 }
 
-Needs expected_needs(const Case& input) {
-  Needs needs = basic_needs(input.scene);
-  for (const Effect& effect : effects_of(input)) {
-    const Needs more = effect.expense ? effect.expense(input) : Needs{};
-    needs.bytes += more.bytes;
-    needs.seconds += more.seconds;
+core::Grid foretold_grid(const steady::Scene& scene) {
+  core::Grid grid = scene.grid;
+  double allowed = scene.accuracy.error;
+  if (std::isnan(allowed)) return grid;
+  if (scene.accuracy.domain_is_free) {
+    allowed *= 0.5;  // as solve_to_accuracy() shares it
+    const double size = std::sqrt(steady::rough_domain_error(scene) / allowed);
+    if (size > 1.0) grid = steady::on_larger_domain(grid, size);
   }
-  return needs;
+  const double zone = steady::film_zone(scene.M, scene.L, scene.shape);
+  const auto error = [&] {
+    const double h = grid.hx() / zone;
+    return scene.wedge == reynolds::Wedge::upstream1 ? 0.2 * h : 0.4 * h * h;  // resolving_step()
+  };
+  while (error() > allowed && 2 * grid.nx <= scene.accuracy.most_cells) {
+    grid.nx *= 2;
+    grid.ny *= 2;
+  }
+  return grid;
+}
+
+Needs expected_needs(const Case& input) {
+  steady::Scene scene = input.scene;
+  if (!input.dry) scene.grid = foretold_grid(scene);
+  return with_effects(input, basic_needs(scene));
 }
 
 namespace {
@@ -65,7 +110,7 @@ KeyName key_of_memory(const deck::Deck& deck, const Effect& effect) {
 
 void check_memory(Case& input) {
   deck::Deck& deck = input.deck;
-  const double needed = expected_needs(input).bytes;
+  const double needed = with_effects(input, basic_needs(input.scene)).bytes;
   const double available = usable_memory();
   if (needed <= available) return;
   const std::string has = "the machine has " + deck::shortest(std::round(available / giga)) + " GB";

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -22,6 +23,22 @@ void check_pressure(const deck::Part& contact, const char* key, double p_h) {
     contact.complain(key, fmt::format("with the other numbers it means a Hertz pressure of {:.3g} Pa: check the units "
                                       "of all of them",
                                       p_h));
+}
+
+// Beyond, the bodies are no half-spaces; it comes from moduli in MPa.
+constexpr double largest_a_over_R = 1.0 / 3.0;
+
+void check_size(const deck::Part& contact, const Physics& physics) {
+  const contact::Ellipse& shape = physics.groups.shape;
+  const double a_over_R = physics.a_over_R * std::max(1.0, shape.kappa * shape.radius_ratio);  // b over R_y
+  if (!(a_over_R > largest_a_over_R)) return;
+  const char* key = physics.language == Language::moes             ? "a_over_R"
+                    : physics.language == Language::hamrock_dowson ? "W"
+                    : contact.given("E_prime")                     ? "E_prime"
+                                                                   : "E1";
+  contact.complain(key, fmt::format("with the other numbers it means a Hertz radius of {:.3g} times the radius of the "
+                                    "body, and above a third the theory ends: moduli are in Pa, check the units",
+                                    a_over_R));
 }
 
 // What the oil must have, and what has no influence, beside a contact in this language.
@@ -139,6 +156,7 @@ Physics physical_input(deck::Deck& deck) {
   physics.groups = groups_of(contact, physics);
   check_derived(part, physics);
   set_sliding(contact, physics);
+  check_size(part, physics);
   if (physics.si)
     physics.p_h = physics.si->hertz.p_h;
   else if (std::isfinite(oil.alpha) && physics.groups.alpha_bar > 0.0)

@@ -9,7 +9,7 @@
 namespace ehl::program {
 namespace {
 
-constexpr double thickest_oil = 100.0;    // Pa s; honey has ten
+constexpr double thickest_oil = 100.0;     // Pa s; honey has ten
 constexpr double fastest_surface = 200.0;  // m/s; turbine bearings reach it
 constexpr double surface_at_rest = 2.0;    // slide-roll ratio; beyond it one surface moves backwards
 constexpr double thinnest_film = 1e-9;     // m; a molecule of oil
@@ -26,8 +26,8 @@ std::vector<std::string> hardly_meant(const Case& input) {
   if (!physics.si) return warnings;
   const double eta0 = physics.si->contact.eta0;
   if (eta0 > thickest_oil)
-    warnings.push_back(fmt::format("eta0 = {:.4g} Pa s is above {:g} Pa s, thicker than an oil: is it in mPa s?", eta0,
-                                   thickest_oil));
+    warnings.push_back(
+        fmt::format("eta0 = {:.4g} Pa s is above {:g} Pa s, thicker than an oil: is it in mPa s?", eta0, thickest_oil));
   for (const double u : {physics.si->u1, physics.si->u2})
     if (std::abs(u) > fastest_surface) {
       warnings.push_back(

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "core/norms.hpp"
 #include "deck/file.hpp"
 #include "deck/text.hpp"
+#include "steady/resolution.hpp"
 #include "surface/keys.hpp"
 
 namespace ehl::program {
@@ -48,9 +50,33 @@ CarriedSurface feature_of(const deck::Part& part, const surface::Input& input, c
   return {part.section, input.shape, feature, std::nullopt};
 }
 
+// Of a map, a spacing and a unit that are another one's. expected: film of smooth surfaces, in a^2/R; NaN: none.
+void check_meant(const deck::Part& part, const surface::HeightMap& map, const core::Grid& grid, double rms,
+                 double expected) {
+  constexpr double fewest_cells = 8.0, most_domains = 100.0, most_films = 100.0;
+  const double x = map.length_x(), y = map.length_y(), X = grid.X_b - grid.X_a, Y = grid.Y_b - grid.Y_a;
+  const auto complain = [&](const char* key, const std::string& in_SI, const std::string& what) {
+    part.complain(part.given(key) ? key : key + in_SI, what + ": check the unit");
+  };
+  if (grid.ny > 0 && (x < fewest_cells * grid.hx() || y < fewest_cells * grid.hy()))
+    complain("dx", "_m",
+             fmt::format("makes the map {:.3g} x {:.3g} Hertz radii, less than 8 cells of {:.3g} x {:.3g}", x, y,
+                         grid.hx(), grid.hy()));
+  if (x > most_domains * X || y > most_domains * Y)
+    complain("dx", "_m",
+             fmt::format("makes the map {:.3g} x {:.3g} Hertz radii, more than 100 times the domain of "
+                         "{:.3g} x {:.3g}",
+                         x, y, X, Y));
+  if (rms > most_films * expected)
+    complain("unit", "_m",
+             fmt::format("makes the heights Sq = {:.3g} a^2/R, more than 100 times the film that is "
+                         "expected of smooth surfaces, {:.3g}",
+                         rms, expected));
+}
+
 // Nothing where something was complained about.
 std::optional<CarriedSurface> map_of(const deck::Part& part, const surface::Input& input, const core::Grid& grid,
-                                     bool timed) {
+                                     bool timed, double expected) {
   if (input.map->file.empty()) return std::nullopt;
   if (const std::string key = "Sq" + part.section.substr(7); given(part.deck, "contact", key))
     deck::complain(part.deck, "contact", key, "the map of " + part.section + " has a roughness of its own: remove it");
@@ -73,6 +99,7 @@ std::optional<CarriedSurface> map_of(const deck::Part& part, const surface::Inpu
   map.X = place_of(part, input.X, grid, 0.5 * map.length_x(), timed);
   map.Y = input.Y;
   map.step = std::max(map.dx, grid.hx());
+  check_meant(part, map, grid, record.rms, expected);
   return CarriedSurface{part.section, input.shape, std::move(map), std::move(record)};
 }
 
@@ -123,8 +150,11 @@ std::optional<CarriedSurface> carried_by(const deck::Part& part, const Physics& 
   const surface::Input input = surface::read(part.deck, part.section, units);
   if (input.shape.empty()) return std::nullopt;
   if (motion != Motion::dry) check_at_rest(part, physics, timed);
+  const double expected = physics.groups.M > 0.0
+                              ? steady::expected_central_film(physics.groups.M, physics.groups.L, physics.groups.shape)
+                              : std::numeric_limits<double>::quiet_NaN();
   std::optional<CarriedSurface> surface =
-      input.map ? map_of(part, input, grid, timed) : feature_of(part, input, grid, timed);
+      input.map ? map_of(part, input, grid, timed, expected) : feature_of(part, input, grid, timed);
   if (!timed && surface && part.deck.errors.empty()) check_influence(part, surface->relief, grid);
   return surface;
 }

@@ -93,6 +93,13 @@ std::string suggestion(const std::string& name, const std::vector<std::string>& 
   return near.empty() ? "." : ": did you mean " + before + near + "?";
 }
 
+std::vector<std::string> Arguments::overrides() const {
+  std::vector<std::string> all;
+  for (const std::string& key : values("unset")) all.push_back("-" + key);
+  for (const std::string& one : values("set")) all.push_back(one);
+  return all;
+}
+
 const Command& find_command(const std::vector<Command>& commands, const std::string& name) {
   if (const Command* command = find(commands, name)) return *command;
   refuse("unknown command '" + name + "'" + suggestion(name, names(commands)) + " Commands are " +

@@ -17,6 +17,8 @@ struct Arguments {
   std::string value(const std::string& name, const std::string& otherwise) const;
   /// All values of an option that may be repeated.
   std::vector<std::string> values(const std::string& name) const;
+  /// What --unset and --set make of the deck, as deck::read() takes it.
+  std::vector<std::string> overrides() const;
 };
 
 struct Option {

@@ -58,7 +58,7 @@ int status(const Computed& computed, const std::string& path) {
   const std::optional<TransientResult>& in_time = computed.in_time;
   if (!computed.solution.converged) {
     std::fprintf(stderr, "ehl: not converged: %s\n", computed.solution.failed_check.c_str());
-    return not_converged;
+    return computed.solution.accuracy.interrupted ? interrupted : not_converged;
   }
   if (!in_time || completed(*in_time)) return solved;
   if (in_time->report.end == transient::MarchEnd::interrupted) {
@@ -131,7 +131,7 @@ void check_same_files(const results::ResultFile& file, const Case& input) {
 }  // namespace
 
 int run(const Arguments& arguments) {
-  const Case input = read_case(arguments.operands[0], arguments.values("set"), requested_threads(arguments));
+  const Case input = read_case(arguments.operands[0], arguments.overrides(), requested_threads(arguments));
   return solve_and_write(arguments, input, destination(arguments, input), {});
 }
 
@@ -155,7 +155,7 @@ int resume(const Arguments& arguments) {
 }
 
 int check(const Arguments& arguments) {
-  const Case input = read_case(arguments.operands[0], arguments.values("set"), requested_threads(arguments));
+  const Case input = read_case(arguments.operands[0], arguments.overrides(), requested_threads(arguments));
   print(solver_of(input).derived(input));
   return solved;
 }

@@ -28,7 +28,7 @@ constexpr std::size_t grids_of_reference = 3;
 class Grids {
  public:
   Grids(const Arguments& arguments, int threads)
-      : path_(arguments.operands[0]), set_(arguments.values("set")), threads_(threads) {}
+      : path_(arguments.operands[0]), set_(arguments.overrides()), threads_(threads) {}
 
   Case deck() const { return read_lubricated_case(path_, set_, threads_, "study"); }
   Case on(int cells) const { return case_on_grid(path_, set_, cells, threads_); }
@@ -142,7 +142,7 @@ int study(const Arguments& arguments) {
                            deck,
                            deck::load_text(deck),
                            input.title,
-                           arguments.values("set"),
+                           arguments.overrides(),
                            processor(),
                            utc_date(),
                            threads,

@@ -36,8 +36,8 @@ int sweep(const Arguments& arguments) {
   const std::string& deck = arguments.operands[0];
   if (!arguments.has("vary"))
     throw core::InputError("command line: `ehl sweep` needs --vary section.key=LIST, e.g. --vary contact.M=20,50,100");
-  SweepHeader header{this_program(), deck, deck::load_text(deck), arguments.values("set"),
-                     parse_variations(arguments.values("vary"), arguments.values("set"), catalogue())};
+  SweepHeader header{this_program(), deck, deck::load_text(deck), arguments.overrides(),
+                     parse_variations(arguments.values("vary"), arguments.overrides(), catalogue())};
   const auto overrides_of = [&](std::size_t index) {
     std::vector<std::string> overrides = header.set;
     for (const std::string& varied : overrides_of_case(header.variations, index)) overrides.push_back(varied);
@@ -59,7 +59,13 @@ int sweep(const Arguments& arguments) {
   std::size_t done = 0;
   ChildrenCalls calls;
   calls.stop = stop_requested;
-  calls.task = [&](std::size_t index) { return csv_row(sweep_case(header, overrides_of(index))); };
+  calls.task = [&](std::size_t index, const Say& say) { return csv_row(sweep_case(header, overrides_of(index), say)); };
+  calls.waits = [&](const ChildAtWork& child) {
+    progress.show(
+        static_cast<double>(done) / static_cast<double>(missing.size()),
+        fmt::format("{}/{}  {}, {:.0f} s so far: {}", done, missing.size(),
+                    deck::joined(overrides_of_case(header.variations, child.task), " "), child.seconds, child.says));
+  };
   calls.ended = [&](const ChildEnd& end) {
     const SweepRow failure = row_without_solution(sweep_row(header.kind), "failed", end.status, end.reason);
     const std::string row = end.complete ? end.text : csv_row(failure);

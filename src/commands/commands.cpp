@@ -20,6 +20,7 @@ namespace ehl::program {
 namespace {
 
 const Option set{"set", "section.key=value", "overrides or adds a key of the deck", true};
+const Option unset{"unset", "section.key", "takes a key out of the deck, as if it were not there", true};
 const Option threads{"threads", "N", "number of threads (default: the cores this process may use)"};
 const Option profile{"profile", "", "adds where the time went, part by part"};
 const Option as_json{"json", "", "one JSON object on stdout and nothing else"};
@@ -29,6 +30,7 @@ const Command run_command{"run",
                           "DECK",
                           "solves a case: table and summary on stdout, progress on stderr, result in an HDF5 file",
                           {set,
+                           unset,
                            {"output", "FILE.h5", "result file (default: [output] file, else the name of the deck)"},
                            {"overwrite", "", "replace an existing result file"},
                            threads,
@@ -47,6 +49,7 @@ const Command sweep_command{
       "varies slowest",
       true},
      set,
+     unset,
      {"output", "FILE.csv", "the table (default: name of the deck with _sweep.csv)"},
      {"overwrite", "", "begin the table anew"},
      {"threads", "N", "cases at a time, one thread each (default: the cores this process may use)"},
@@ -69,6 +72,7 @@ const Command study_command{
      {"rtol", "LIST",
       "of a deck with [transient] and instead of all the above: the tolerances (default: 1e-2,1e-3,1e-4,1e-5,1e-6)"},
      set,
+     unset,
      {"output", "FILE.csv", "the table (default: name of the deck with _study.csv)"},
      {"overwrite", "", "replace an existing table"},
      {"repeat", "N", "solve everything N times and take the least time (default 3)"},
@@ -118,7 +122,7 @@ const std::vector<Command>& commands() {
       {"check",
        "DECK",
        "validates a deck and prints everything that follows from it; solves nothing",
-       {set, threads},
+       {set, unset, threads},
        check},
       {"resume",
        "FILE.h5",

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "case/plausible.hpp"
 #include "contact/film_formulas.hpp"
 #include "contact/yield.hpp"
 #include "core/norms.hpp"
@@ -127,6 +128,8 @@ Outcome outcome_of(const Case& input, const steady::Solution& solution) {
   outcome.roughness = roughness_of(input, outcome.formulas, outcome.Hm.value);
   if (std::optional<std::string> warning = roughness_warning(input, outcome.roughness))
     outcome.warnings.push_back(*warning);
+  for (std::string& warning : hardly_meant(input)) outcome.warnings.push_back(std::move(warning));
+  for (std::string& warning : hardly_a_film(outcome.hc, outcome.hm)) outcome.warnings.push_back(std::move(warning));
   warn_of_late(input, outcome.warnings);
   warn_of_coarse(input, outcome.warnings);
   return outcome;

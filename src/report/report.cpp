@@ -9,6 +9,7 @@
 #include "base/text_format.hpp"
 #include "case/effects.hpp"
 #include "case/needs.hpp"
+#include "case/plausible.hpp"
 #include "contact/film_formulas.hpp"
 #include "core/constants.hpp"
 #include "report/contact_lines.hpp"
@@ -119,9 +120,18 @@ std::string derived(const Case& input) {
   text +=
       std::string("method       wedge ") + name(scene.wedge) + "; deformation " + name(scene.deformation.method) + "\n";
   text += effect_lines(input) + surface_report(input.surfaces, physics, scene.grid);
+  if (const core::Grid grid = foretold_grid(scene); !std::isnan(scene.accuracy.error))
+    text += fmt::format("accuracy     {:g}: about {} nodes on [{:.4g}, {:.4g}] x [{:.4g}, {:.4g}]\n",
+                        scene.accuracy.error, nodes(grid.nx, grid.ny), grid.X_a, grid.X_b, grid.Y_a, grid.Y_b);
+  std::vector<std::string> warnings = hardly_meant(input);
+  if (physics.si && !formulas.empty())
+    for (std::string& warning :
+         hardly_a_film(formulas[0].Hc * physics.si->hertz.h_scale, formulas[0].Hm * physics.si->hertz.h_scale))
+      warnings.push_back(std::move(warning));
   const Needs needs = expected_needs(input);
-  return text + fmt::format("needs        about {} and {} with {}\n", memory(needs.bytes), about_seconds(needs.seconds),
-                            threads_text(scene.threads));
+  return text + warning_lines(warnings) +
+         fmt::format("needs        about {} and {} with {}\n", memory(needs.bytes), about_seconds(needs.seconds),
+                     threads_text(scene.threads));
 }
 
 }  // namespace ehl::program

@@ -11,10 +11,13 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <memory>
 #include <new>
 #include <thread>
+#include <utility>
 
 #include "core/errors.hpp"
+#include "core/timer.hpp"
 
 namespace ehl::program {
 namespace {
@@ -22,10 +25,37 @@ namespace {
 constexpr auto look_up_interval = std::chrono::milliseconds(5);
 constexpr char whole = '\n';  // the last byte of a text that arrived whole
 
+/// Memory that a child shares with its parent: a sentence, which may be half a new and half an old one.
+class Board {
+ public:
+  Board() : memory_(::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {}
+  ~Board() {
+    if (memory_ != MAP_FAILED) ::munmap(memory_, size);
+  }
+  Board(const Board&) = delete;
+  Board& operator=(const Board&) = delete;
+
+  void write(const std::string& text) {
+    if (memory_ == MAP_FAILED) return;  // then nothing is said
+    std::strncpy(static_cast<char*>(memory_), text.c_str(), size - 1);
+  }
+  std::string read() const {
+    if (memory_ == MAP_FAILED) return {};
+    const char* text = static_cast<const char*>(memory_);
+    return {text, ::strnlen(text, size)};
+  }
+
+ private:
+  static constexpr std::size_t size = 256;
+  void* memory_;
+};
+
 struct Child {
   std::size_t task = 0;
   pid_t process = -1;
   int text = -1;  // a file in memory that the child writes
+  double began = 0.0;
+  std::shared_ptr<Board> board{};
 };
 
 /// The children at work; none survives it.
@@ -45,7 +75,7 @@ class Children {
   std::vector<Child> working{};
 };
 
-[[noreturn]] void be_child(std::size_t task, int file, pid_t parent, const ChildrenCalls& calls) {
+[[noreturn]] void be_child(std::size_t task, int file, pid_t parent, Board& board, const ChildrenCalls& calls) {
   // The parent decides what Ctrl-C means; a child that is told to end, ends.
   ::signal(SIGINT, SIG_IGN);
   ::signal(SIGTERM, SIG_DFL);
@@ -54,7 +84,7 @@ class Children {
   int status = 0;
   std::string text;
   try {
-    text = calls.task(task) + whole;
+    text = calls.task(task, [&board](const std::string& says) { board.write(says); }) + whole;
   } catch (const std::bad_alloc&) {
     text = "out of memory";
     status = 1;
@@ -70,10 +100,11 @@ Child start(std::size_t task, const ChildrenCalls& calls) {
   const int text = ::memfd_create("case", MFD_CLOEXEC);
   if (text < 0) throw core::FileError(std::string("no file for the text of a case: ") + std::strerror(errno));
   std::fflush(nullptr);
+  auto board = std::make_shared<Board>();
   const pid_t parent = ::getpid();
   const pid_t process = ::fork();
-  if (process == 0) be_child(task, text, parent, calls);
-  if (process > 0) return {task, process, text};
+  if (process == 0) be_child(task, text, parent, *board, calls);
+  if (process > 0) return {task, process, text, core::now(), std::move(board)};
   const int error = errno;
   ::close(text);
   throw core::FileError(std::string("no process for a case: ") + std::strerror(error));
@@ -126,6 +157,10 @@ bool run_in_children(const std::vector<std::size_t>& tasks, int at_once, const C
       children.working.push_back(start(tasks[next++], calls));
     std::this_thread::sleep_for(look_up_interval);
     take_ended(children, calls);
+    if (calls.waits && !children.working.empty()) {
+      const Child& oldest = children.working.front();
+      calls.waits({oldest.task, core::now() - oldest.began, oldest.board->read()});
+    }
   }
   return true;
 }

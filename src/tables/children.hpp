@@ -21,10 +21,21 @@ struct ChildEnd {
   std::string reason{};   ///< why it is not complete
 };
 
+/// What a task says of itself while it works; the last counts.
+using Say = std::function<void(const std::string&)>;
+
+/// The child that has been at work longest.
+struct ChildAtWork {
+  std::size_t task = 0;
+  double seconds = 0.0;
+  std::string says{};
+};
+
 struct ChildrenCalls {
-  std::function<std::string(std::size_t)> task{};  ///< in the child; may throw, crash or be killed
-  std::function<void(const ChildEnd&)> ended{};    ///< in the parent, in the order in which tasks end
-  std::function<bool()> stop{};                    ///< in the parent, several times a second: true ends it all
+  std::function<std::string(std::size_t, const Say&)> task{};  ///< in the child; may throw, crash or be killed
+  std::function<void(const ChildAtWork&)> waits{};             ///< in the parent, several times a second; may be empty
+  std::function<void(const ChildEnd&)> ended{};                ///< in the parent, in the order in which tasks end
+  std::function<bool()> stop{};  ///< in the parent, several times a second: true ends it all
 };
 
 /// Runs the tasks, `at_once` at a time, each in a forked process with memory of its own. Ctrl-C reaches the parent
@@ -48,7 +59,11 @@ std::vector<Row> computed_rows(const std::vector<Way>& ways, int at_once, bool q
   std::size_t done = 0;
   ChildrenCalls calls;
   calls.stop = stop_requested;
-  calls.task = [&](std::size_t k) { return text_of(compute(ways[k])); };
+  calls.task = [&](std::size_t k, const Say&) { return text_of(compute(ways[k])); };
+  calls.waits = [&](const ChildAtWork& child) {
+    progress.show(static_cast<double>(done) / static_cast<double>(rows.size()),
+                  name(ways[child.task]) + ", " + std::to_string(static_cast<int>(child.seconds)) + " s so far");
+  };
   calls.ended = [&](const ChildEnd& end) {
     Row& row = rows[end.task];
     if (end.complete) {

@@ -63,14 +63,19 @@ void check_unchanged(const std::vector<deck::NamedFile>& now, const std::vector<
       throw core::InputError(file.path + ": has changed since the sweep began");
 }
 
-SweepRow solve_case(const SweepHeader& sweep, const std::vector<std::string>& overrides, SweepRow row) {
+SweepRow solve_case(const SweepHeader& sweep, const std::vector<std::string>& overrides,
+                    const std::function<void(const std::string&)>& say, SweepRow row) {
   std::optional<Case> input;
   try {
     if (deck::load_text(sweep.deck) != sweep.deck_text)
       throw core::InputError(sweep.deck + ": the deck has changed since the sweep began");
     input = read_lubricated_case(sweep.deck, overrides, 1, "sweep");
     check_unchanged(input->files, sweep.files);
-    return row_of_solution(*input, steady::solve(input->scene), row);
+    const auto show = [&](const steady::Progress& now) {
+      say(fmt::format("{} x {}, residual {:.1e}", now.nx + 1, now.ny + 1, now.residual));
+      return true;
+    };
+    return row_of_solution(*input, steady::solve(input->scene, show), row);
   } catch (const core::InputError& error) {
     if (input) take_case(*input, row);
     return row_without_solution(row, "refused", wrong_input, deck::joined(error.messages(), "; "));
@@ -154,9 +159,10 @@ SweepRow row_of_solution(const Case& input, const steady::Solution& solution, Sw
   return row;
 }
 
-SweepRow sweep_case(const SweepHeader& sweep, const std::vector<std::string>& overrides) {
+SweepRow sweep_case(const SweepHeader& sweep, const std::vector<std::string>& overrides,
+                    const std::function<void(const std::string&)>& say) {
   const double began = core::now();
-  SweepRow row = solve_case(sweep, overrides, sweep_row(sweep.kind));
+  SweepRow row = solve_case(sweep, overrides, say, sweep_row(sweep.kind));
   in_row(row, "seconds") = std::stod(fmt::format("{:.4g}", core::now() - began));
   in_row(row, "peak_memory") = peak_memory();
   return row;

@@ -1,5 +1,6 @@
 #pragma once
 // One case of a sweep: what is computed for it, and its row in the table.
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -34,9 +35,10 @@ SweepRow sweep_row(const SweepKind& kind);
 results::Value& in_row(SweepRow& row, const std::string& name);
 
 /// Solves one case with one thread. in: what the sweep is about (sweep_table.hpp): deck and files must still say what
-/// they said; overrides. errors: none of the case's own: they are rows. core::Interrupted, std::bad_alloc and what
-/// nobody foresaw pass through.
-SweepRow sweep_case(const SweepHeader& sweep, const std::vector<std::string>& overrides);
+/// they said; overrides; where it says how far it has come. errors: none of the case's own: they are rows.
+/// core::Interrupted, std::bad_alloc and what nobody foresaw pass through.
+SweepRow sweep_case(const SweepHeader& sweep, const std::vector<std::string>& overrides,
+                    const std::function<void(const std::string&)>& say);
 
 /// The row of a solved case, converged or not. in: what the solver was given and gave back; an empty row.
 SweepRow row_of_solution(const Case& input, const steady::Solution& solution, SweepRow row);

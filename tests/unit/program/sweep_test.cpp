@@ -213,7 +213,7 @@ BOOST_AUTO_TEST_CASE(children_end_alone) {
   program::ChildrenCalls calls;
   calls.stop = [] { return false; };
   calls.ended = [&](const program::ChildEnd& end) { ends[end.task] = end; };
-  calls.task = [](std::size_t task) -> std::string {
+  calls.task = [](std::size_t task, const program::Say&) -> std::string {
     if (task == 1) throw std::runtime_error("thrown");
     if (task == 2) ::raise(SIGKILL);
     if (task == 3) ::_exit(0);
@@ -230,12 +230,27 @@ BOOST_AUTO_TEST_CASE(children_end_alone) {
   BOOST_TEST((!ends[4].complete && contains(ends[4].reason, "out of memory")));
 }
 
+// What a child says of itself reaches its parent while it works.
+BOOST_AUTO_TEST_CASE(children_say_how_far_they_are) {
+  std::string heard;
+  program::ChildrenCalls calls;
+  calls.stop = [&] { return heard == "task 7 is at half"; };
+  calls.ended = [](const program::ChildEnd&) {};
+  calls.waits = [&](const program::ChildAtWork& child) { heard = child.says; };
+  calls.task = [](std::size_t task, const program::Say& say) -> std::string {
+    say("task " + std::to_string(task) + " is at half");
+    ::pause();
+    return "";
+  };
+  BOOST_TEST(!program::run_in_children({7}, 1, calls));  // ended when it was heard
+}
+
 BOOST_AUTO_TEST_CASE(children_are_stopped) {
   int ended = 0;
   program::ChildrenCalls calls;
   calls.stop = [&] { return ended == 1; };
   calls.ended = [&](const program::ChildEnd&) { ++ended; };
-  calls.task = [](std::size_t task) {
+  calls.task = [](std::size_t task, const program::Say&) {
     while (task > 0) ::pause();
     return std::string("done");
   };
