@@ -51,7 +51,8 @@ bool SweepData::is_numeric(const std::string& column) const {
 }
 
 SweepData read_sweep(const std::string& path) {
-  std::ifstream file(path);
+  constexpr std::uintmax_t largest = 1'000'000'000;  // bytes
+  std::ifstream file = deck::opened(path, largest);
   std::string line;
   if (!std::getline(file, line) || !line.starts_with(sweep_mark))
     throw core::FileError(path + ": this is no table of `ehl sweep`");

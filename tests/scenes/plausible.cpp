@@ -1,0 +1,103 @@
+// Decks that are possible and hardly meant, and what `check` foretells of a run.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "support/columns.hpp"
+#include "support/refused.hpp"
+#include "support/text.hpp"
+
+namespace {
+
+using support::contains;
+
+// A ball of 20 mm on a flat disc.
+std::string ball(const std::string& E_prime, const std::string& u_m, const std::string& eta0,
+                 const std::string& more = "") {
+  return "[contact]\nload = 20\nradius_x = 0.01\nE_prime = " + E_prime + "\n[lubricant]\neta0 = " + eta0 +
+         "\nalpha = 20e-9\n[motion]\nu_m = " + u_m + "\n" + more;
+}
+const std::string moes = "[contact]\nM = 50\nL = 10\n[lubricant]\nalpha = 1.7e-8\nz = 0.6\n";
+
+std::string heights() {
+  std::string text;
+  for (int j = 0; j < 16; ++j)
+    for (int i = 0; i < 16; ++i) text += std::to_string((5 * i + 3 * j * j) % 7) + (i < 15 ? "," : "\n");
+  return text;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(plausible)
+
+BOOST_AUTO_TEST_CASE(units_that_were_mistaken_are_told) {
+  const support::TemporaryFolder folder;
+  const auto says = [&](const std::string& deck, const std::vector<std::string>& parts) {
+    folder.write("d.ini", deck);
+    const support::Ended ended = support::ehl(folder, "check d.ini");
+    BOOST_TEST(ended.status == 0, ended.err);
+    for (const std::string& part : parts)
+      BOOST_TEST(contains(ended.out, part), part << " is missing in\n" << ended.out);
+    return ended.out;
+  };
+  says(ball("123e9", "0.01", "250"), {"warning: eta0 = 250 Pa s is above 100 Pa s", "mPa s?"});
+  says(ball("123e9", "500", "0.001"), {"warning: a surface moves with 500 m/s, above 200 m/s", "mm/s?"});
+  says(ball("123e9", "0.5", "0.08", "srr = 3\n"), {"warning: srr = 3 is beyond +-2: surface 2 moves backwards"});
+  says(ball("123e9", "100", "0.5"), {"at the centre, above 10 um"});
+  says(ball("123e9", "1e-3", "0.005"), {"thinner than a molecule of oil"});
+  BOOST_TEST(!contains(says(ball("123e9", "0.5", "0.08"), {}), "warning"));
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_be_is_refused) {
+  const support::TemporaryFolder folder;
+  folder.write("map.csv", heights());
+  const auto map = [](const char* unit, const char* dx) {
+    return moes + "[surface1]\nshape = map\nfile = map.csv\nat_rest = yes\nunit = " + unit + "\ndx = " + dx + "\n";
+  };
+  support::check_refused(folder, {"moduli in MPa",
+                                  ball("123e3", "0.5", "0.08"),
+                                  {"d.ini:4", "E_prime = 123e3", "Hertz radius of 1.35 times", "moduli are in Pa"}});
+  support::check_refused(folder, {"a map of a few cells", map("0.001", "1e-3"), {"d.ini:12", "dx = 1e-3", "8 cells"}});
+  support::check_refused(
+      folder, {"a map of kilometres", map("0.001", "1e3"), {"d.ini:12", "dx = 1e3", "100 times the domain"}});
+  support::check_refused(folder, {"heights of another unit",
+                                  map("1e3", "0.1"),
+                                  {"d.ini:11", "unit = 1e3", "100 times the film", "check the unit"}});
+}
+
+BOOST_AUTO_TEST_CASE(a_key_can_be_taken_out) {
+  const support::TemporaryFolder folder;
+  folder.write("d.ini", moes + "[grid]\ncells = 64\n");
+  const auto check = [&](const std::string& options) { return support::ehl(folder, "check d.ini " + options); };
+  BOOST_TEST(check("--set grid.accuracy=0.01").says({"cells are both given", "--unset grid.cells"}));
+  BOOST_TEST(contains(check("--unset grid.cells").out, "257 x 257 nodes"));
+  BOOST_TEST(check("--set grid.accuracy=0.01 --unset grid.cells").status == 0);
+  BOOST_TEST(check("--unset grid.coarsest").says({"--unset grid.coarsest: is not in the deck"}));
+  BOOST_TEST(check("--unset grid.cels").says({"did you mean cells?"}));
+  BOOST_TEST(check("--unset cells").says({"write section.key"}));
+}
+
+// The grid that an accuracy leads to, within a level; its solution is told too where the run is stopped before it.
+BOOST_AUTO_TEST_CASE(an_accuracy_is_foretold_and_may_be_interrupted) {
+  const support::TemporaryFolder folder;
+  folder.write("d.ini", moes);
+  for (const char* accuracy : {"0.02", "0.005"}) {
+    const std::string set = std::string("d.ini --set grid.accuracy=") + accuracy;
+    const std::string told = support::ehl(folder, "check " + set).out;
+    const std::string mark = "about ";
+    const double foretold = std::stod(told.substr(told.find(mark, told.find("accuracy  ")) + mark.size()));
+    BOOST_TEST(support::ehl(folder, "run --quiet --overwrite " + set).status == 0);
+    const double cells = support::rows_of(support::ehl(folder, "extract d.h5 /levels/nx").out).back()[0];
+    BOOST_TEST_MESSAGE("accuracy " << accuracy << ": " << foretold << " nodes foretold, " << cells << " cells taken");
+    BOOST_TEST(std::abs(std::log2((foretold - 1.0) / cells)) <= 1.0);
+  }
+  const std::string line = std::string("'") + EHL_PROGRAM +
+                           "' run d.ini --threads 1 --overwrite --set grid.accuracy=1e-4 2>said & p=$!; "
+                           "while ! grep -q '1025 x' said; do sleep 0.05; done; kill -INT $p; wait $p";
+  const support::Ended ended = support::shell(folder, line);
+  BOOST_TEST(ended.status == 130, folder.read("said"));
+  BOOST_TEST(contains(folder.read("said"), "stopped by an interruption"), folder.read("said"));
+  BOOST_TEST(contains(ended.out, "NOT CONVERGED"));
+  BOOST_TEST(contains(support::ehl(folder, "extract d.h5 converged").out, "\n0\n"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
