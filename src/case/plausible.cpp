@@ -38,8 +38,9 @@ std::vector<std::string> hardly_meant(const Case& input) {
 }
 
 std::vector<std::string> hardly_a_film(double h_c, double h_m) {
-  if (h_m < thinnest_film)
-    return {"the film is " + length(h_m) +
+  const double least = std::fmin(h_c, h_m);  // of those that are known
+  if (least < thinnest_film)
+    return {"the film is " + length(least) +
             " at its thinnest, thinner than a molecule of oil: mixed lubrication is likely, which is not solved"};
   if (h_c > thickest_film)
     return {"the film is " + length(h_c) + " at the centre, above 10 um: check the units of speed and viscosity"};

@@ -99,7 +99,8 @@ BOOST_AUTO_TEST_CASE(temporary_files_of_killed_runs_go) {
   folder.write(".f.x.part", "of nobody");
   folder.write("precious", "x");
   std::filesystem::create_symlink("precious", folder / (".f." + std::to_string(::getpid()) + ".part"));
-  BOOST_TEST(contains(refusal<core::FileError>([&] { results::check_writable(folder / "f", false, 0); }), "File exists"));
+  BOOST_TEST(
+      contains(refusal<core::FileError>([&] { results::check_writable(folder / "f", false, 0); }), "File exists"));
   BOOST_TEST(folder.entries() == 4);
   BOOST_TEST(folder.read("precious") == "x");
 }
