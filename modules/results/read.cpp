@@ -24,6 +24,23 @@ Handle open_hdf5(const std::string& path) {
   return checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path + ": cannot be read");
 }
 
+namespace {
+
+// Whether numbers come out of other files; a view of the same file's is none of them.
+bool lies_elsewhere(hid_t layout) {
+  if (H5Pget_external_count(layout) > 0) return true;
+  std::size_t sources = 0;
+  if (H5Pget_layout(layout) != H5D_VIRTUAL) return false;
+  if (H5Pget_virtual_count(layout, &sources) < 0) return true;
+  for (std::size_t k = 0; k < sources; ++k) {
+    char name[2] = {};  // "." is this file
+    if (H5Pget_virtual_filename(layout, k, name, sizeof name) != 1 || name[0] != '.') return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 Dataset open_dataset(hid_t file, const std::string& name, const std::string& cannot) {
   Handle set = checked(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, cannot);
   Handle space = checked(H5Dget_space(set), H5Sclose, cannot);
@@ -33,7 +50,7 @@ Dataset open_dataset(hid_t file, const std::string& name, const std::string& can
   std::vector<hsize_t> dims(static_cast<std::size_t>(rank));
   if (rank > 0) H5Sget_simple_extent_dims(space, dims.data(), nullptr);
   const Handle layout = checked(H5Dget_create_plist(set), H5Pclose, cannot);
-  if (H5Pget_layout(layout) == H5D_VIRTUAL || H5Pget_external_count(layout) > 0)
+  if (lies_elsewhere(layout))
     throw core::FileError(cannot + ": its numbers lie in other files, and these are not read");
   return {std::move(set), std::move(space), std::move(type), std::move(dims)};
 }
