@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(the_same_in_metres_and_from_its_own_deck) {
   // A dimple of 0.02 that is pressed flat takes the pressure out of the middle: the stresses know of it.
   const support::Ended checked = support::ehl(folder, "check metres.ini");
   for (const char* part :
-       {"surfaces: dimple on surface1", "surface1     dimple, height 0.02 (29.9 nm)", "subsurface: "})
+       {"surfaces: dimple on surface1", "surface1     dimple, height 29.9 nm (0.02)", "subsurface: "})
     BOOST_TEST(contains(checked.out, part), checked.out);
   const support::Ended json = support::ehl(folder, "run metres.ini --json --overwrite");
   BOOST_TEST(support::is_json(json.out));
