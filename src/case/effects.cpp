@@ -3,17 +3,17 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <limits>
 
 #include "base/json.hpp"
 #include "base/text_format.hpp"
+#include "core/constants.hpp"
 #include "deck/text.hpp"
 #include "steady/climb.hpp"
 
 namespace ehl::program {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+using core::unknown;
 
 /// What no version has yet.
 struct ToCome {

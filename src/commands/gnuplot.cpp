@@ -22,7 +22,7 @@ namespace {
 
 namespace files = std::filesystem;
 
-constexpr auto look_up_interval = std::chrono::milliseconds(5);
+constexpr auto wake_interval = std::chrono::milliseconds(5);
 constexpr int not_started = 127;  // as a shell says it
 
 [[noreturn]] void be_gnuplot(const std::string& settings, const std::string& script, pid_t parent) {
@@ -78,7 +78,7 @@ void run_gnuplot(const std::string& settings, const std::string& script, const s
   int status = 0;
   while (::waitpid(child, &status, WNOHANG) == 0) {
     if (stop_requested()) ::kill(child, SIGKILL);
-    std::this_thread::sleep_for(look_up_interval);
+    std::this_thread::sleep_for(wake_interval);
   }
   if (stop_requested()) throw core::Interrupted();
   if (WIFEXITED(status) && WEXITSTATUS(status) == not_started)

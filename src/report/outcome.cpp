@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
 #include "case/plausible.hpp"
 #include "contact/film_formulas.hpp"
 #include "contact/yield.hpp"
+#include "core/constants.hpp"
 #include "core/norms.hpp"
 #include "report/roughness.hpp"
 #include "rheology/range.hpp"
@@ -18,7 +18,7 @@
 namespace ehl::program {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+using core::unknown;
 
 Place place(const core::Grid& grid, const core::Location& location) {
   return {location.value, grid.X(location.i), grid.Y(location.j)};

@@ -4,10 +4,12 @@
 #include <string>
 #include <utility>
 
+#include "core/constants.hpp"
+
 namespace ehl::program {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+using core::unknown;
 constexpr double nm = 1e-9, um = 1e-6, GPa = 1e9;
 
 // In metres.
