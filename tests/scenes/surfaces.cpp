@@ -198,7 +198,7 @@ BOOST_AUTO_TEST_CASE(a_map_stands_in_the_contact) {
       support::shell(folder, std::string("mkdir sub && cd sub && '") + EHL_PROGRAM + "' check ../d.ini");
   BOOST_TEST(outside.status == 0, outside.err);
   // Too coarse for the map: said as a warning.
-  const std::string coarse = support::ehl(folder, "run d.ini --quiet --output c.h5 --set surface2.dx_m=1e-6").out;
+  const std::string coarse = support::ehl(folder, "run d.ini --quiet --output c.h5 --set surface2.dx_m=2.5e-6").out;
   BOOST_TEST(contains(coarse, "warning: the mesh loses"), coarse);
 }
 

@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(each_check_can_fail) {
     BOOST_TEST(message.find(word) != std::string::npos);
   };
   fails([](LastCycle& c) { c.after.Hm = -1e-3; }, unknown, "negative");
-  fails([](LastCycle& c) { c.after.Hm = unknown; }, unknown, "negative");
+  fails([](LastCycle& c) { c.after.Hm = unknown; }, unknown, "not finite");
   fails([](LastCycle&) {}, 1e-5, "residual");
   fails([](LastCycle& c) { c.after.residual = unknown; }, 1e-3, "residual");
   fails([](LastCycle& c) { c.after.load_error = 1.0; }, 1e-3, "load");
