@@ -40,11 +40,12 @@ double mean_surface(const Level& level) {
 /// Beside the contact the far field is no guess any more.
 constexpr double a_little = 0.02;
 
-/// The far field of rigid bodies, P = -(c_X X + c_Y Y)/H^2: with the undeformed gap H = x A x, div(H^3 grad P) =
-/// lambda dH/dX gives (A + 2 tr(A)) c = lambda A e_X.
-class FarField {
+/// The far field of rigid bodies before any of it ruptures (reynolds/far_field.hpp has the one that does), P = -(c_X X
+/// + c_Y Y)/H^2: with the undeformed gap H = x A x, div(H^3 grad P) = lambda dH/dX gives (A + 2 tr(A)) c = lambda A
+/// e_X.
+class UnrupturedField {
  public:
-  FarField(const core::QuadraticForm& gap, double lambda) : gap_(gap) {
+  UnrupturedField(const core::QuadraticForm& gap, double lambda) : gap_(gap) {
     const double b = 0.5 * gap.XY;
     const double trace = gap.XX + gap.YY;
     const double XX = gap.XX + 2.0 * trace;
@@ -74,7 +75,7 @@ double taper(const core::Grid& domain, double X, double Y) {
 // pressure goes forward by one cell in a relaxation, but back by as many as it takes: it begins too far downstream,
 // with the pressure of the far field everywhere and its sign turned where that is negative.
 void begin_outside(const Problem& problem, Level& level) {
-  const FarField far(problem.geometry.gap, problem.film.lambda);
+  const UnrupturedField far(problem.geometry.gap, problem.film.lambda);
   const core::Grid& domain = level.grid.domain;
   for (int i = 1; i < level.grid.nx; ++i)
     for (int j = 1; j <= level.grid.last_line(); ++j) {

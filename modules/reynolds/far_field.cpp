@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "core/errors.hpp"
+
 namespace ehl::reynolds {
 namespace {
 
@@ -69,7 +71,7 @@ std::vector<double> angular_solution(const FarFieldOf& of) {
     }
     if (!changed) return f;
   }
-  return solved_where_wet(equation, wet);
+  throw core::SolverError("the far field of this gap: the directions in which it is ruptured do not settle");
 }
 
 }  // namespace
@@ -124,7 +126,7 @@ double FarField::P(double X, double Y, double H) const {
   return f > 0.0 ? pressure(f * r / (H * H)) : 0.0;
 }
 
-// In polar coordinates with u = 1/r: the integrand, P u^-3, is smooth and ends at f g^-2... as u -> 0.
+// In polar coordinates with u = 1/r: the integrand, P u^-3, is smooth and goes to f as u -> 0.
 double FarField::load_outside(const core::Grid& domain, double H00) const {
   using Gauss = boost::math::quadrature::gauss<double, 15>;
   const auto along = [&](double phi) {
@@ -132,9 +134,12 @@ double FarField::load_outside(const core::Grid& domain, double H00) const {
     const double s = std::sin(phi);
     const double to_x = (c > 0.0 ? domain.X_b : domain.X_a) / c;
     const double to_y = (s > 0.0 ? domain.Y_b : domain.Y_a) / s;
-    if (strength(c, s) <= 0.0) return 0.0;
+    const double f = strength(c, s);
+    if (f <= 0.0) return 0.0;
+    const double g = of_.gap.at(c, s);
     const auto outside = [&](double u) {
-      return P(c / u, s / u, H00 + of_.gap.at(c / u, s / u) + of_.deformation * u) / (u * u * u);
+      const double H = H00 + g / (u * u) + of_.deformation * u;
+      return pressure(f / (u * H * H)) / (u * u * u);
     };
     return Gauss::integrate(outside, 0.0, 1.0 / std::min(to_x, to_y));
   };

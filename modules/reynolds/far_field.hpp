@@ -27,6 +27,7 @@ struct FarFieldOf {
 class FarField {
  public:
   FarField() = default;
+  /// errors: core::SolverError where the rupture of the angular solution is not found.
   explicit FarField(const FarFieldOf& of);
 
   /// P at a point outside the contact from the film there. Zero where it is ruptured; NaN where the viscosity rises so

@@ -19,7 +19,7 @@ using deck::given;
 constexpr double giga = 1e9;
 
 // Seconds of a coarsest grid that is still a large one: it knows no other help than relaxation, and all ways are tried.
-// Measured at 33 x 12001 nodes.
+// The sweeps were counted at 33 x 12001 nodes.
 double seconds_of_coarsest(const steady::Scene& scene) {
   constexpr double usual = 1e4;  // nodes; within what the cycles are counted to cost
   constexpr double sweeps = 2500.0;
