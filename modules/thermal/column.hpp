@@ -38,7 +38,7 @@ Nodes make_nodes(int intervals);
 struct ColumnLaws {
   rheology::ThermalViscosity viscosity;
   rheology::ShearThinning thinning{rheology::Eyring{}, 0.0};  ///< k = 0: Newtonian
-  double sliding = 0.0;                                       ///< |u1 - u2|/u_m
+  double sliding = 0.0;                                       ///< (u1 - u2)/u_m
   double Br = 0.0;                                            ///< eta0 u_m^2/(k0 T0)
   /// theta is kept between these two on the way to a solution.
   double theta_least = -0.1, theta_most = 2.5;

@@ -1,0 +1,216 @@
+// What the film carries: velocities across it, flows from node to node, and the heat that goes with them.
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "rheology/elementary.hpp"
+#include "thermal/film_temperature.hpp"
+
+namespace ehl::thermal {
+namespace {
+
+using core::broadcast;
+
+// A film that counts as none: behind it nothing is sheared, and what is divided by it stays finite.
+constexpr double least_film = 1e-6;
+
+// d/dX or d/dY between the neighbours that there are.
+double slope(const core::Patch& patch, const core::Field& P, int i, int j, bool along) {
+  if (along) {
+    const int west = std::max(i - 1, 0), east = std::min(i + 1, patch.nx);
+    return (P(east, j) - P(west, j)) / ((east - west) * patch.hx());
+  }
+  const bool mirror = patch.north == core::Edge::mirror && j == patch.ny;
+  if (mirror) return 0.0;
+  const int south = std::max(j - 1, 0), north = std::min(j + 1, patch.ny);
+  return (P(i, north) - P(i, south)) / ((north - south) * patch.hy());
+}
+
+Lanes positive(Lanes a) { return core::max(a, Lanes{}); }
+
+}  // namespace
+
+void FilmTemperature::load(int i, int j, const std::vector<double>& theta, Columns& at) const {
+  at.P = core::load(P_.at_x(i) + j);
+  at.H = core::load(H_.at_x(i) + j);
+  at.log_eta = core::load(log_eta_.at_x(i) + j);
+  at.fluidity = rheology::exp(-at.log_eta);
+  at.k_bar = core::load(k_bar_.at_x(i) + j);
+  at.heated = at.P > 0.0 ? broadcast(1.0) : Lanes{};
+  at.limit = std::isfinite(setup_.limit) ? (setup_.limit * setup_.stress_of_P) * at.P : broadcast(1e300);
+  at.carries = false;
+  for (int k = 0; k <= nodes_.intervals; ++k)
+    at.theta[static_cast<std::size_t>(k)] = core::load(&theta[index(i, k) + static_cast<std::size_t>(j)]);
+}
+
+void FilmTemperature::take(const core::Field& P, const core::Field& H) {
+  const core::Patch& patch = setup_.patch;
+  const int count = setup_.threads;
+  const auto lines = static_cast<std::size_t>(batches_ * core::lanes);
+#pragma omp parallel for schedule(static) num_threads(count) if (count > 1)
+  for (int i = 0; i <= patch.nx; ++i) {
+    for (int j = 0; j < batches_ * core::lanes; ++j) {
+      const bool inside = j <= patch.ny;
+      P_(i, j) = inside ? P(i, j) : 0.0;
+      H_(i, j) = inside ? std::max(H(i, j), least_film) : 1.0;
+    }
+    const std::span<const double> here{P_.at_x(i), lines};
+    rheology::log_viscosity(setup_.viscosity, here, {log_eta_.at_x(i), lines});
+    rheology::density(setup_.density.at_T0, here, {rho_bar_.at_x(i), lines});
+    rheology::conductivity(setup_.heat, here, {k_bar_.at_x(i), lines});
+  }
+#pragma omp parallel for schedule(static) num_threads(count) if (count > 1)
+  for (int i = 0; i <= patch.nx; ++i) {
+    Worker& worker = workers_[static_cast<std::size_t>(omp_get_thread_num())];
+    for (int j = 0; j <= patch.ny; j += core::lanes) flows(i, j, worker);
+    for (int k = 0; k <= nodes_.intervals; ++k) {
+      double* flow = &flow_y_[index(i, k)];
+      flow[-1] = flow[0];
+      flow[patch.ny + 1] = patch.north == core::Edge::mirror ? -flow[patch.ny - 1] : flow[patch.ny];
+    }
+  }
+  flows_back_ = false;
+  for (int i = 0; i <= patch.nx && setup_.Pe > 0.0; ++i)
+    for (int k = 0; k <= nodes_.intervals; ++k)
+      for (int j = 0; j <= patch.ny; ++j)
+        flows_back_ = flows_back_ || flow_x_[index(i, k) + static_cast<std::size_t>(j)] < 0.0;
+}
+
+// The flow that pressure drives, as a mean velocity -(H^2/lambda) M2 F' P_X, and the velocities across the film that go
+// with it at the viscosities of now: u = u_2 + (u_1 - u_2) int_0^zeta phi/I0 + driven (shape of int_0^zeta s phi).
+void FilmTemperature::flows(int i, int j, Worker& worker) {
+  const core::Patch& patch = setup_.patch;
+  Columns& at = worker.at;
+  load(i, j, theta_, at);
+  at.flow_x = at.flow_y = Lanes{};
+  at.given_1 = at.given_2 = at.self_1 = at.self_2 = Lanes{};
+  evaluate(nodes_, laws_, at);
+  const Lanes mobility = -at.heated * at.H * at.H * at.fluidity * at.M2 / setup_.lambda;
+  Lanes P_X{}, P_Y{};
+  if (setup_.pressure_flow)
+    for (int lane = 0; lane < core::lanes && j + lane <= patch.ny; ++lane) {
+      P_X[lane] = slope(patch, P_, i, j + lane, true);
+      P_Y[lane] = slope(patch, P_, i, j + lane, false);
+    }
+  const Lanes driven_x = mobility * at.mobility_x * P_X, driven_y = mobility * at.mobility_y * P_Y;
+  core::store(driven_x_.at_x(i) + j, driven_x);
+  core::store(driven_y_.at_x(i) + j, driven_y);
+  if (setup_.Pe == 0.0 && setup_.compression == 0.0) return;
+
+  // By the trapezoidal rule, with its own mean, so that the shapes end at the surfaces and carry what they must.
+  const auto n = static_cast<std::size_t>(nodes_.intervals);
+  const double half = 0.5 * nodes_.step;
+  Lanes total{}, moment{};
+  for (std::size_t k = 0; k <= n; ++k) {
+    const double w = k == 0 || k == n ? half : nodes_.step;
+    total += w * at.phi[k];
+    moment += (w * nodes_.zeta[k]) * at.phi[k];
+  }
+  const Lanes z_bar = moment / total;
+  Lanes sum{};
+  Profile &couette = at.D, &shape = at.dD;
+  couette[0] = shape[0] = Lanes{};
+  for (std::size_t k = 1; k <= n; ++k) {
+    couette[k] = couette[k - 1] + half * (at.phi[k - 1] + at.phi[k]) / total;
+    shape[k] =
+        shape[k - 1] + half * ((nodes_.zeta[k - 1] - z_bar) * at.phi[k - 1] + (nodes_.zeta[k] - z_bar) * at.phi[k]);
+    sum += (k == n ? half : nodes_.step) * shape[k];
+  }
+  const Lanes carried = core::load(rho_bar_.at_x(i) + j) * at.H;
+  for (std::size_t k = 0; k <= n; ++k) {
+    const Lanes layer = carried * (k == 0 || k == n ? half : nodes_.step);
+    const std::size_t here = index(i, static_cast<int>(k)) + static_cast<std::size_t>(j);
+    core::store(&flow_x_[here], layer * (u_2_ + (u_1_ - u_2_) * couette[k] + driven_x * shape[k] / sum));
+    core::store(&flow_y_[here], layer * (driven_y * shape[k] / sum));
+  }
+}
+
+// The values at j + 1 of a batch; behind the last line what `mirrored` times the image or `outside` says.
+Lanes FilmTemperature::beside(const std::vector<double>& f, int i, std::size_t k, int j, double mirrored,
+                              double outside) const {
+  const core::Patch& patch = setup_.patch;
+  const double* line = &f[index(i, static_cast<int>(k))];
+  Lanes next = core::load(line + j + 1);
+  if (j + core::lanes <= patch.ny) return next;
+  for (int lane = 0; lane < core::lanes; ++lane)
+    if (j + lane >= patch.ny) next[lane] = patch.north == core::Edge::mirror ? mirrored * line[patch.ny - 1] : outside;
+  return next;
+}
+
+// Upwind finite volumes around the nodes of the columns: what flows in brings the temperature of where it comes from.
+// The flow between two layers follows from continuity; what the columns' own flows lack of it is spread over the film.
+void FilmTemperature::carry(int i, int j, bool downstream, Worker& worker) const {
+  Columns& at = worker.at;
+  at.carries = setup_.Pe > 0.0 || setup_.compression > 0.0;
+  if (!at.carries) return;
+  const core::Patch& patch = setup_.patch;
+  const auto n = static_cast<std::size_t>(nodes_.intervals);
+  Lanes rho_c{};
+  const auto lane_span = [](const Lanes& v) { return std::span(reinterpret_cast<const double*>(&v), core::lanes); };
+  rheology::heat_capacity(setup_.heat, lane_span(at.P), lane_span(at.theta[n / 2]),
+                          {reinterpret_cast<double*>(&rho_c), core::lanes});
+  const Lanes scale = setup_.Pe * at.H * rho_c / core::load(rho_bar_.at_x(i) + j);
+  const double hx = 1.0 / patch.hx(), hy = 1.0 / patch.hy();
+  const int west_i = std::max(i - 1, 0), east_i = std::min(i + 1, patch.nx);
+  const std::vector<double>& from_west = downstream ? theta_ : before_;
+  const std::vector<double>& from_east = downstream ? before_ : theta_;
+  Convection& by = at.convection;
+  Lanes defect{};
+  for (std::size_t k = 0; k <= n; ++k) {
+    const int node = static_cast<int>(k);
+    const auto line = static_cast<std::size_t>(j);
+    const auto flow_at = [&](int station) { return core::load(&flow_x_[index(station, node) + line]); };
+    const Lanes own = flow_at(i);
+    const Lanes west = (0.5 * hx) * (flow_at(west_i) + own), east = (0.5 * hx) * (own + flow_at(east_i));
+    const double* across = &flow_y_[index(i, node) + line];
+    const Lanes beside_own = core::load(across);
+    const Lanes south = (0.5 * hy) * (core::load(across - 1) + beside_own);
+    const Lanes north = (0.5 * hy) * (beside_own + core::load(across + 1));
+    const Lanes oil = broadcast(setup_.theta_oil);
+    const Lanes theta_west = i > 0 ? core::load(&from_west[index(west_i, node) + line]) : oil;
+    const Lanes theta_east = i < patch.nx ? core::load(&from_east[index(east_i, node) + line]) : oil;
+    const Lanes theta_south = core::load(&before_[index(i, node) + line - 1]);
+    const Lanes theta_north = beside(before_, i, k, j, 1.0, setup_.theta_oil);
+    const Lanes in_west = positive(west), in_east = positive(-east), in_south = positive(south),
+                in_north = positive(-north);
+    by.side[k] = scale * (in_west + in_east + in_south + in_north);
+    by.carried[k] =
+        scale * (in_west * theta_west + in_east * theta_east + in_south * theta_south + in_north * theta_north);
+    by.below[k] = east - west + north - south;  // what leaves the layer, for the flow between layers
+    by.compression[k] = Lanes{};
+    defect += by.below[k];
+  }
+  Lanes up{};
+  for (std::size_t k = 0; k <= n; ++k) {
+    const Lanes from_below = up;
+    up += defect * (k == 0 || k == n ? 0.5 * nodes_.step : nodes_.step) - by.below[k];
+    by.below[k] = scale * positive(from_below);
+    by.above[k] = scale * positive(-up);
+  }
+  if (setup_.compression > 0.0) add_compression(i, j, worker);
+}
+
+// compression e T0 H^2 (u P_X + v P_Y), e of the middle of the film.
+void FilmTemperature::add_compression(int i, int j, Worker& worker) const {
+  Columns& at = worker.at;
+  const core::Patch& patch = setup_.patch;
+  const auto n = static_cast<std::size_t>(nodes_.intervals);
+  Lanes P_X{}, P_Y{}, ratio{}, expansion{};
+  for (int lane = 0; lane < core::lanes && j + lane <= patch.ny; ++lane) {
+    P_X[lane] = slope(patch, P_, i, j + lane, true);
+    P_Y[lane] = slope(patch, P_, i, j + lane, false);
+  }
+  const auto in = [](const Lanes& v) { return std::span(reinterpret_cast<const double*>(&v), core::lanes); };
+  const auto out = [](Lanes& v) { return std::span(reinterpret_cast<double*>(&v), core::lanes); };
+  rheology::density_change(setup_.density, in(at.P), in(at.theta[n / 2]), out(ratio), out(expansion));
+  const Lanes scale = setup_.compression * expansion * at.H / core::load(rho_bar_.at_x(i) + j);
+  for (std::size_t k = 0; k <= n; ++k) {
+    const double layer = k == 0 || k == n ? 0.5 * nodes_.step : nodes_.step;
+    const std::size_t here = index(i, static_cast<int>(k)) + static_cast<std::size_t>(j);
+    at.convection.compression[k] =
+        scale / layer * (core::load(&flow_x_[here]) * P_X + core::load(&flow_y_[here]) * P_Y);
+  }
+}
+
+}  // namespace ehl::thermal

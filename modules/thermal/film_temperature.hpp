@@ -1,0 +1,132 @@
+#pragma once
+// The temperature of a lubricated contact: the energy equation of the film with both bodies, at a given pressure and
+// film thickness. It stands at the stage of the coefficients: in P and H, out the three numbers per node that carry the
+// temperature to the Reynolds equation, I0, M2 and C, and beside them friction, temperatures and heat.
+//
+//   Pe rho c H^2 (u theta_X + v theta_Y + across) = (k_bar theta_zeta)_zeta + heat of shear + heat of compression,
+//   theta_i = theta of the body + resistance_i G_i*q_i,  i = 1, 2: its surface (moving_source.hpp).
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "core/field.hpp"
+#include "rheology/thermal_properties.hpp"
+#include "thermal/column.hpp"
+#include "thermal/source_convolution.hpp"
+
+namespace ehl::thermal {
+
+struct Body {
+  double Pe = 0.0;          ///< u a/kappa >= 0
+  double resistance = 0.0;  ///< k0 R/(k a); 0: the surface stays at theta
+  double theta = 0.0;       ///< far from the contact
+};
+
+/// Speeds in u_m, lengths in a; R is R_x.
+struct Setup {
+  core::Patch patch{};
+  int intervals = 16;        ///< across the film
+  double lambda = 1.0;       ///< 12 eta0 u_m R^2/(a^3 p_h)
+  double srr = 0.0;          ///< (u1 - u2)/u_m; both speeds >= 0: -2 <= srr <= 2
+  double stress_of_P = 0.0;  ///< p_h a^2/(eta0 u_m R)
+  rheology::ViscosityLaw viscosity{};
+  rheology::ThermalViscosity thermal_viscosity{};
+  std::optional<rheology::ShearThinning> thinning{};
+  rheology::ThermalDensity density{};
+  rheology::HeatLaw heat{};
+  double Br = 0.0;                                         ///< eta0 u_m^2/(k0 T0)
+  double Pe = 0.0;                                         ///< rho0 c0 u_m a^3/(k0 R^2); 0: the film carries no heat
+  double compression = 0.0;                                ///< p_h u_m a^3/(k0 T0 R^2); 0: none
+  double limit = std::numeric_limits<double>::infinity();  ///< |tau_m| <= limit P, in p_h
+  double theta_oil = 0.0;                                  ///< where oil enters
+  Body body_1{}, body_2{};
+  bool lines = false;         ///< bodies by Carslaw and Jaeger's lines alone
+  bool pressure_flow = true;  ///< what pressure drives heats and carries too
+  double theta_least = -0.1, theta_most = 2.5;
+  int threads = 1;
+};
+
+/// Largest values of the whole film, with their nodes.
+struct Extreme {
+  double theta = -std::numeric_limits<double>::infinity();
+  int i = 0, j = 0;
+};
+
+/// Forces and heat, integrals over the domain by the sum over its nodes.
+struct Balance {
+  double friction = 0.0;  ///< integral of tau_m over that of P: mu, with the sign of srr
+  double heat = 0.0;      ///< made in the film, in k0 T0 R; by shear and compression
+  double into_1 = 0.0, into_2 = 0.0;
+  double carried = 0.0;  ///< by the oil
+  double defect = 0.0;   ///< heat - into_1 - into_2 - carried over heat
+  Extreme film{}, surface_1{}, surface_2{};
+  bool clipped = false;  ///< somewhere theta stood at a bound: no solution
+};
+
+class FilmTemperature {
+ public:
+  /// errors: InputError for a number of intervals that is none, or a surface that moves against the entrainment.
+  explicit FilmTemperature(const Setup& setup);
+
+  /// A new pressure and film: properties, and the flows that convection and heating take from it, with the temperatures
+  /// as they are. in: fields of the patch; H > 0 where P > 0.
+  void take(const core::Field& P, const core::Field& H);
+
+  /// All columns once, downstream, and back where oil flows back; then what the bodies make of the new fluxes.
+  /// out: the largest change of theta. The same bits for any number of threads; nothing is allocated.
+  double sweep();
+
+  /// True where oil flows against the entrainment somewhere, as in an inlet that is wide.
+  bool flows_back() const { return flows_back_; }
+  const core::Field& I0() const { return I0_; }  ///< over the fluidity at T0
+  const core::Field& M2() const { return M2_; }  ///< likewise, with the density over that at T0
+  const core::Field& C() const { return C_; }    ///< factor of rho_bar H in the wedge
+  const core::Field& tau_m() const { return tau_; }
+  const core::Field& q_1() const { return q_1_; }
+  const core::Field& q_2() const { return q_2_; }
+  /// theta of node k of the column (i, j), k = 0..intervals from surface 2.
+  double theta(int i, int j, int k) const { return theta_[index(i, k) + static_cast<std::size_t>(j)]; }
+  Balance balance() const;
+  std::size_t bytes() const;
+
+ private:
+  // One batch of columns, with what convection and C ask of the density.
+  struct Worker {
+    Columns at;
+    Profile ratio, expansion;
+  };
+  // (i, k, j), j fastest, with room for a neighbour at both ends.
+  std::size_t index(int i, int k) const {
+    return (static_cast<std::size_t>(i) * static_cast<std::size_t>(nodes_.intervals + 1) +
+            static_cast<std::size_t>(k)) *
+               stride_ +
+           core::lanes;
+  }
+  void load(int i, int j, const std::vector<double>& theta, Columns& at) const;
+  void flows(int i, int j, Worker& worker);
+  void carry(int i, int j, bool downstream, Worker& worker) const;
+  void add_compression(int i, int j, Worker& worker) const;
+  void surfaces(int i, int j, Columns& at) const;
+  void store(int i, int j, Worker& worker);
+  double solve_batch(int batch, bool downstream, Worker& worker);
+  double sweep_through(bool downstream);
+  Lanes beside(const std::vector<double>& f, int i, std::size_t k, int j, double mirrored, double outside) const;
+
+  Setup setup_;
+  Nodes nodes_;
+  ColumnLaws laws_;
+  double u_1_, u_2_;
+  int batches_;
+  std::size_t stride_;
+  std::vector<double> theta_, before_;   // before_: of the sweep before
+  std::vector<double> flow_x_, flow_y_;  // rho_bar H u times the layer of a node
+  bool flows_back_ = false;
+  core::Field P_, H_, log_eta_, rho_bar_, k_bar_, driven_x_, driven_y_;
+  core::Field I0_, M2_, C_, tau_, q_1_, q_2_, heat_, carried_, clipped_, correction_1_, correction_2_;
+  std::vector<double> line_1_, line_2_;
+  std::optional<SourceConvolution> source_1_, source_2_;
+  std::vector<Worker> workers_;
+  std::vector<double> change_;  // per batch: no reduction depends on the threads
+};
+
+}  // namespace ehl::thermal
