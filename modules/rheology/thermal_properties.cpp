@@ -16,7 +16,7 @@ struct Density {
 };
 
 Density change(const ThermalDensity& law, const Expansion& by, Lanes P, Lanes theta) {
-  const Lanes e = (by.e0 * law.T0) * exp(-by.decay * P);
+  const Lanes e0 = broadcast(by.e0 * law.T0), e = by.decay == 0.0 ? e0 : e0 * exp(-by.decay * P);
   return {exp(-e * theta), e};
 }
 
@@ -50,6 +50,12 @@ void in_registers(std::span<const double> P, std::span<const double> theta, std:
   constexpr std::size_t width = core::lanes;
   for (std::size_t k = 0; k < P.size(); k += width) {
     const std::size_t count = std::min(width, P.size() - k);
+    if (count == width) {
+      const Density result = f(core::load(&P[k]), core::load(&theta[k]));
+      core::store(&out[k], result.ratio);
+      if (!second.empty()) core::store(&second[k], result.expansion);
+      continue;
+    }
     std::array<double, width> p{}, t{}, a{}, b{};
     std::copy_n(&P[k], count, p.data());
     std::copy_n(&theta[k], count, t.data());

@@ -27,11 +27,17 @@ double slope(const core::Patch& patch, const core::Field& P, int i, int j, bool 
   return (P(i, north) - P(i, south)) / ((north - south) * patch.hy());
 }
 
+// v[1], v[2], .., after[0].
+Lanes moved_down(Lanes v, Lanes after) {
+  return __builtin_shuffle(v, after, core::lanes_by([](int k) { return k + 1; }));
+}
+
 Lanes positive(Lanes a) { return core::max(a, Lanes{}); }
 
 }  // namespace
 
-void FilmTemperature::load(int i, int j, const std::vector<double>& theta, Columns& at) const {
+void FilmTemperature::load(int batch, int i, const std::vector<double>& theta, Columns& at) const {
+  const int j = batch * core::lanes;
   at.P = core::load(P_.at_x(i) + j);
   at.H = core::load(H_.at_x(i) + j);
   at.log_eta = core::load(log_eta_.at_x(i) + j);
@@ -41,7 +47,7 @@ void FilmTemperature::load(int i, int j, const std::vector<double>& theta, Colum
   at.limit = std::isfinite(setup_.limit) ? (setup_.limit * setup_.stress_of_P) * at.P : broadcast(1e300);
   at.carries = false;
   for (int k = 0; k <= nodes_.intervals; ++k)
-    at.theta[static_cast<std::size_t>(k)] = core::load(&theta[index(i, k) + static_cast<std::size_t>(j)]);
+    at.theta[static_cast<std::size_t>(k)] = core::load(&theta[index(batch, i, k)]);
 }
 
 void FilmTemperature::take(const core::Field& P, const core::Field& H) {
@@ -62,38 +68,39 @@ void FilmTemperature::take(const core::Field& P, const core::Field& H) {
   }
 #pragma omp parallel for schedule(static) num_threads(count) if (count > 1)
   for (int i = 0; i <= patch.nx; ++i) {
-    Worker& worker = workers_[static_cast<std::size_t>(omp_get_thread_num())];
-    for (int j = 0; j <= patch.ny; j += core::lanes) flows(i, j, worker);
-    for (int k = 0; k <= nodes_.intervals; ++k) {
-      double* flow = &flow_y_[index(i, k)];
-      flow[-1] = flow[0];
-      flow[patch.ny + 1] = patch.north == core::Edge::mirror ? -flow[patch.ny - 1] : flow[patch.ny];
+    for (int j = 0; j <= patch.ny; ++j) {
+      P_X_(i, j) = slope(patch, P_, i, j, true);
+      P_Y_(i, j) = slope(patch, P_, i, j, false);
     }
+    Worker& worker = workers_[static_cast<std::size_t>(omp_get_thread_num())];
+    for (int batch = 0; batch < batches_; ++batch) flows(batch, i, worker);
   }
-  flows_back_ = false;
-  for (int i = 0; i <= patch.nx && setup_.Pe > 0.0; ++i)
-    for (int k = 0; k <= nodes_.intervals; ++k)
-      for (int j = 0; j <= patch.ny; ++j)
-        flows_back_ = flows_back_ || flow_x_[index(i, k) + static_cast<std::size_t>(j)] < 0.0;
+  back_to_ = setup_.Pe > 0.0 ? last_backflow() : -1;
+}
+
+int FilmTemperature::last_backflow() const {
+  int last = -1;
+  const core::Patch& patch = setup_.patch;
+  for (int j = 0; j <= patch.ny; ++j)
+    for (int i = patch.nx; i > last; --i)
+      for (int k = 0; k <= nodes_.intervals; ++k)
+        if (value(flow_x_, i, j, k) < 0.0) last = std::max(last, i);
+  return last;
 }
 
 // The flow that pressure drives, as a mean velocity -(H^2/lambda) M2 F' P_X, and the velocities across the film that go
 // with it at the viscosities of now: u = u_2 + (u_1 - u_2) int_0^zeta phi/I0 + driven (shape of int_0^zeta s phi).
-void FilmTemperature::flows(int i, int j, Worker& worker) {
-  const core::Patch& patch = setup_.patch;
+void FilmTemperature::flows(int batch, int i, Worker& worker) {
+  const int j = batch * core::lanes;
   Columns& at = worker.at;
-  load(i, j, theta_, at);
+  load(batch, i, theta_, at);
   at.flow_x = at.flow_y = Lanes{};
   at.given_1 = at.given_2 = at.self_1 = at.self_2 = Lanes{};
   evaluate(nodes_, laws_, at);
-  const Lanes mobility = -at.heated * at.H * at.H * at.fluidity * at.M2 / setup_.lambda;
-  Lanes P_X{}, P_Y{};
-  if (setup_.pressure_flow)
-    for (int lane = 0; lane < core::lanes && j + lane <= patch.ny; ++lane) {
-      P_X[lane] = slope(patch, P_, i, j + lane, true);
-      P_Y[lane] = slope(patch, P_, i, j + lane, false);
-    }
-  const Lanes driven_x = mobility * at.mobility_x * P_X, driven_y = mobility * at.mobility_y * P_Y;
+  const Lanes driven = setup_.pressure_flow ? -at.heated : Lanes{};
+  const Lanes mobility = driven * at.H * at.H * at.fluidity * at.M2 / setup_.lambda;
+  const Lanes driven_x = mobility * at.mobility_x * core::load(P_X_.at_x(i) + j);
+  const Lanes driven_y = mobility * at.mobility_y * core::load(P_Y_.at_x(i) + j);
   core::store(driven_x_.at_x(i) + j, driven_x);
   core::store(driven_y_.at_x(i) + j, driven_y);
   if (setup_.Pe == 0.0 && setup_.compression == 0.0) return;
@@ -120,27 +127,34 @@ void FilmTemperature::flows(int i, int j, Worker& worker) {
   const Lanes carried = core::load(rho_bar_.at_x(i) + j) * at.H;
   for (std::size_t k = 0; k <= n; ++k) {
     const Lanes layer = carried * (k == 0 || k == n ? half : nodes_.step);
-    const std::size_t here = index(i, static_cast<int>(k)) + static_cast<std::size_t>(j);
+    const std::size_t here = index(batch, i, static_cast<int>(k));
     core::store(&flow_x_[here], layer * (u_2_ + (u_1_ - u_2_) * couette[k] + driven_x * shape[k] / sum));
     core::store(&flow_y_[here], layer * (driven_y * shape[k] / sum));
   }
 }
 
-// The values at j + 1 of a batch; behind the last line what `mirrored` times the image or `outside` says.
-Lanes FilmTemperature::beside(const std::vector<double>& f, int i, std::size_t k, int j, double mirrored,
-                              double outside) const {
+// The values at the lines before those of a batch.
+Lanes FilmTemperature::south(const std::vector<double>& f, int batch, int i, int k, Lanes outside) const {
+  const Lanes own = core::load(&f[index(batch, i, k)]);
+  return core::moved_up(batch > 0 ? broadcast(f[index(batch - 1, i, k) + core::lanes - 1]) : outside, own);
+}
+
+// The values at the lines behind; beyond the last one `mirrored` times the image, or `outside`.
+Lanes FilmTemperature::north(const std::vector<double>& f, int batch, int i, int k, double mirrored,
+                             Lanes outside) const {
   const core::Patch& patch = setup_.patch;
-  const double* line = &f[index(i, static_cast<int>(k))];
-  Lanes next = core::load(line + j + 1);
-  if (j + core::lanes <= patch.ny) return next;
-  for (int lane = 0; lane < core::lanes; ++lane)
-    if (j + lane >= patch.ny) next[lane] = patch.north == core::Edge::mirror ? mirrored * line[patch.ny - 1] : outside;
+  const Lanes own = core::load(&f[index(batch, i, k)]);
+  Lanes next = moved_down(own, batch + 1 < batches_ ? broadcast(f[index(batch + 1, i, k)]) : own);
+  const int last = patch.ny - batch * core::lanes;
+  if (last < core::lanes)
+    next[last] = patch.north == core::Edge::mirror ? mirrored * value(f, i, patch.ny - 1, k) : outside[last];
   return next;
 }
 
 // Upwind finite volumes around the nodes of the columns: what flows in brings the temperature of where it comes from.
 // The flow between two layers follows from continuity; what the columns' own flows lack of it is spread over the film.
-void FilmTemperature::carry(int i, int j, bool downstream, Worker& worker) const {
+void FilmTemperature::carry(int batch, int i, bool downstream, Worker& worker) const {
+  const int j = batch * core::lanes;
   Columns& at = worker.at;
   at.carries = setup_.Pe > 0.0 || setup_.compression > 0.0;
   if (!at.carries) return;
@@ -156,28 +170,25 @@ void FilmTemperature::carry(int i, int j, bool downstream, Worker& worker) const
   const std::vector<double>& from_west = downstream ? theta_ : before_;
   const std::vector<double>& from_east = downstream ? before_ : theta_;
   Convection& by = at.convection;
+  const Lanes oil = broadcast(setup_.theta_oil);
   Lanes defect{};
   for (std::size_t k = 0; k <= n; ++k) {
     const int node = static_cast<int>(k);
-    const auto line = static_cast<std::size_t>(j);
-    const auto flow_at = [&](int station) { return core::load(&flow_x_[index(station, node) + line]); };
-    const Lanes own = flow_at(i);
+    const auto flow_at = [&](int station) { return core::load(&flow_x_[index(batch, station, node)]); };
+    const Lanes own = flow_at(i), own_across = core::load(&flow_y_[index(batch, i, node)]);
     const Lanes west = (0.5 * hx) * (flow_at(west_i) + own), east = (0.5 * hx) * (own + flow_at(east_i));
-    const double* across = &flow_y_[index(i, node) + line];
-    const Lanes beside_own = core::load(across);
-    const Lanes south = (0.5 * hy) * (core::load(across - 1) + beside_own);
-    const Lanes north = (0.5 * hy) * (beside_own + core::load(across + 1));
-    const Lanes oil = broadcast(setup_.theta_oil);
-    const Lanes theta_west = i > 0 ? core::load(&from_west[index(west_i, node) + line]) : oil;
-    const Lanes theta_east = i < patch.nx ? core::load(&from_east[index(east_i, node) + line]) : oil;
-    const Lanes theta_south = core::load(&before_[index(i, node) + line - 1]);
-    const Lanes theta_north = beside(before_, i, k, j, 1.0, setup_.theta_oil);
-    const Lanes in_west = positive(west), in_east = positive(-east), in_south = positive(south),
-                in_north = positive(-north);
+    const Lanes to_south = (0.5 * hy) * (south(flow_y_, batch, i, node, own_across) + own_across);
+    const Lanes to_north = (0.5 * hy) * (own_across + north(flow_y_, batch, i, node, -1.0, own_across));
+    const Lanes theta_west = i > 0 ? core::load(&from_west[index(batch, west_i, node)]) : oil;
+    const Lanes theta_east = i < patch.nx ? core::load(&from_east[index(batch, east_i, node)]) : oil;
+    const Lanes theta_south = south(before_, batch, i, node, oil),
+                theta_north = north(before_, batch, i, node, 1.0, oil);
+    const Lanes in_west = positive(west), in_east = positive(-east), in_south = positive(to_south),
+                in_north = positive(-to_north);
     by.side[k] = scale * (in_west + in_east + in_south + in_north);
     by.carried[k] =
         scale * (in_west * theta_west + in_east * theta_east + in_south * theta_south + in_north * theta_north);
-    by.below[k] = east - west + north - south;  // what leaves the layer, for the flow between layers
+    by.below[k] = east - west + to_north - to_south;  // what leaves the layer, for the flow between layers
     by.compression[k] = Lanes{};
     defect += by.below[k];
   }
@@ -188,26 +199,23 @@ void FilmTemperature::carry(int i, int j, bool downstream, Worker& worker) const
     by.below[k] = scale * positive(from_below);
     by.above[k] = scale * positive(-up);
   }
-  if (setup_.compression > 0.0) add_compression(i, j, worker);
+  if (setup_.compression > 0.0) add_compression(batch, i, worker);
 }
 
 // compression e T0 H^2 (u P_X + v P_Y), e of the middle of the film.
-void FilmTemperature::add_compression(int i, int j, Worker& worker) const {
+void FilmTemperature::add_compression(int batch, int i, Worker& worker) const {
+  const int j = batch * core::lanes;
   Columns& at = worker.at;
-  const core::Patch& patch = setup_.patch;
   const auto n = static_cast<std::size_t>(nodes_.intervals);
-  Lanes P_X{}, P_Y{}, ratio{}, expansion{};
-  for (int lane = 0; lane < core::lanes && j + lane <= patch.ny; ++lane) {
-    P_X[lane] = slope(patch, P_, i, j + lane, true);
-    P_Y[lane] = slope(patch, P_, i, j + lane, false);
-  }
+  const Lanes P_X = core::load(P_X_.at_x(i) + j), P_Y = core::load(P_Y_.at_x(i) + j);
+  Lanes ratio{}, expansion{};
   const auto in = [](const Lanes& v) { return std::span(reinterpret_cast<const double*>(&v), core::lanes); };
   const auto out = [](Lanes& v) { return std::span(reinterpret_cast<double*>(&v), core::lanes); };
   rheology::density_change(setup_.density, in(at.P), in(at.theta[n / 2]), out(ratio), out(expansion));
   const Lanes scale = setup_.compression * expansion * at.H / core::load(rho_bar_.at_x(i) + j);
   for (std::size_t k = 0; k <= n; ++k) {
     const double layer = k == 0 || k == n ? 0.5 * nodes_.step : nodes_.step;
-    const std::size_t here = index(i, static_cast<int>(k)) + static_cast<std::size_t>(j);
+    const std::size_t here = index(batch, i, static_cast<int>(k));
     at.convection.compression[k] =
         scale / layer * (core::load(&flow_x_[here]) * P_X + core::load(&flow_y_[here]) * P_Y);
   }

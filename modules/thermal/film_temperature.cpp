@@ -15,8 +15,9 @@ using core::broadcast;
 // A body slower than this has its history computed as one of this speed, and the difference to its own source, which is
 // lagged. At rest the lines know no end; at Pe = 2 they are as hot as the body at rest, within half.
 constexpr double slowest_line = 2.0;
-// A change of theta within a column, in Newton's last step; what is left is its square.
-constexpr Steps steps_of_column{.most = 20, .tolerance = 1e-6};
+// The change of theta in a column's last step of Newton. What is left of it is its square, 1e-4 of a temperature, and
+// less in every sweep: a film that settles takes one step per sweep.
+constexpr Steps steps_of_column{.most = 20, .tolerance = 1e-3};
 
 std::vector<double> weights_of(const Setup& setup, const Body& body) {
   std::vector<double> weights =
@@ -53,25 +54,24 @@ FilmTemperature::FilmTemperature(const Setup& setup)
       u_1_(1.0 + 0.5 * setup.srr),
       u_2_(1.0 - 0.5 * setup.srr),
       batches_((setup.patch.nodes_y() + core::lanes - 1) / core::lanes),
-      stride_(static_cast<std::size_t>((batches_ + 2) * core::lanes)),
       workers_(static_cast<std::size_t>(setup.threads)),
       change_(static_cast<std::size_t>(batches_)) {
   if (!(u_1_ >= 0.0 && u_2_ >= 0.0 && setup.body_1.Pe >= 0.0 && setup.body_2.Pe >= 0.0))
     throw core::InputError(
         "thermal: both surfaces must move along the entrainment or stand still, -2 <= srr <= 2: one moves against it");
   const core::Patch& patch = setup_.patch;
-  const std::size_t size = index(patch.nx, nodes_.intervals) + stride_;
-  theta_.assign(size, setup.theta_oil);
-  flow_x_.assign(size, 0.0);
-  flow_y_.assign(size, 0.0);
-  for (int i = 0; i <= patch.nx; ++i)
-    for (int k = 0; k <= nodes_.intervals; ++k)
-      for (std::size_t j = 0; j < static_cast<std::size_t>(batches_ * core::lanes); ++j)
-        theta_[index(i, k) + j] =
-            setup.body_2.theta + (setup.body_1.theta - setup.body_2.theta) * nodes_.zeta[static_cast<std::size_t>(k)];
+  const std::size_t size = index(batches_, 0, 0);
+  for (std::vector<double>* values : {&theta_, &flow_x_, &flow_y_}) values->assign(size, 0.0);
+  const double difference = setup.body_1.theta - setup.body_2.theta;
+  for (int j = 0; j < batches_ * core::lanes; ++j)
+    for (int i = 0; i <= patch.nx; ++i)
+      for (int k = 0; k <= nodes_.intervals; ++k)
+        theta_[index(j / core::lanes, i, k) + static_cast<std::size_t>(j % core::lanes)] =
+            setup.body_2.theta + difference * nodes_.zeta[static_cast<std::size_t>(k)];
   before_ = theta_;
-  for (core::Field* field : {&P_, &H_, &log_eta_, &rho_bar_, &k_bar_, &driven_x_, &driven_y_, &I0_, &M2_, &C_, &tau_,
-                             &q_1_, &q_2_, &heat_, &carried_, &clipped_, &correction_1_, &correction_2_})
+  for (core::Field* field :
+       {&P_,  &H_, &log_eta_, &rho_bar_, &k_bar_, &P_X_,  &P_Y_,     &driven_x_, &driven_y_,     &I0_,
+        &M2_, &C_, &tau_,     &q_1_,     &q_2_,   &heat_, &carried_, &clipped_,  &correction_1_, &correction_2_})
     *field = core::Field(patch);
   line_1_ = setup.body_1.resistance > 0.0 ? weights_of(setup, setup.body_1) : std::vector<double>{};
   line_2_ = setup.body_2.resistance > 0.0 ? weights_of(setup, setup.body_2) : std::vector<double>{};
@@ -80,7 +80,8 @@ FilmTemperature::FilmTemperature(const Setup& setup)
 }
 
 // The surfaces of a batch: what flowed into them upstream, and their own share.
-void FilmTemperature::surfaces(int i, int j, Columns& at) const {
+void FilmTemperature::surfaces(int batch, int i, Columns& at) const {
+  const int j = batch * core::lanes;
   const auto surface = [&](const Body& body, const std::vector<double>& line, const core::Field& q,
                            const core::Field& correction, Lanes& given, Lanes& self) {
     given = body.theta + core::load(correction.at_x(i) + j);
@@ -92,8 +93,17 @@ void FilmTemperature::surfaces(int i, int j, Columns& at) const {
   surface(setup_.body_2, line_2_, q_2_, correction_2_, at.given_2, at.self_2);
 }
 
+void FilmTemperature::store(int batch, int i, const Columns& at) {
+  const int j = batch * core::lanes;
+  for (int k = 0; k <= nodes_.intervals; ++k)
+    core::store(&theta_[index(batch, i, k)], at.theta[static_cast<std::size_t>(k)]);
+  core::store(q_1_.at_x(i) + j, at.q_1);
+  core::store(q_2_.at_x(i) + j, at.q_2);
+}
+
 // What the Reynolds side and the report take from a column.
-void FilmTemperature::store(int i, int j, Worker& worker) {
+void FilmTemperature::store_moments(int batch, int i, Worker& worker) {
+  const int j = batch * core::lanes;
   const Columns& at = worker.at;
   const auto count = static_cast<std::size_t>((nodes_.intervals + 1) * core::lanes);
   const auto flat = [&](auto& profile) { return std::span(reinterpret_cast<double*>(profile.data()), count); };
@@ -107,43 +117,44 @@ void FilmTemperature::store(int i, int j, Worker& worker) {
     const Lanes change = nodes_.simpson[k] * (worker.ratio[k] - 1.0);
     mean += change;
     excess += change * (u_2_ + slope * Phi);
-    core::store(&theta_[index(i, static_cast<int>(k)) + static_cast<std::size_t>(j)], at.theta[k]);
   }
   const auto put = [&](core::Field& field, Lanes value) { core::store(field.at_x(i) + j, value); };
   put(I0_, at.I0);
   put(M2_, at.M2 * (1.0 + mean));
   put(C_, u_2_ + (u_1_ - u_2_) * (1.0 - at.z_bar) + excess);
   put(tau_, at.tau_m * at.heated);
-  put(q_1_, at.q_1);
-  put(q_2_, at.q_2);
   put(heat_, at.heat);
   put(carried_, at.carried_off);
   put(clipped_, at.clipped ? broadcast(1.0) : Lanes{});
 }
 
-// A batch of lines from one end of the domain to the other; nothing is asked of other batches but what the sweep before
-// left, so that they may go in any order.
+// A batch of lines from one end of the domain to the other, or back from where oil flows back; nothing is asked of
+// other batches but what the sweep before left, so that they may go in any order.
 double FilmTemperature::solve_batch(int batch, bool downstream, Worker& worker) {
   const core::Patch& patch = setup_.patch;
-  const int j = batch * core::lanes;
   Columns& at = worker.at;
+  const int stations = downstream ? patch.nx : back_to_;
+  const int lines = std::min(core::lanes, patch.nodes_y() - batch * core::lanes);
   double change = 0.0;
-  for (int step = 0; step <= patch.nx; ++step) {
-    const int i = downstream ? step : patch.nx - step;
-    load(i, j, before_, at);
-    at.flow_x = core::load(driven_x_.at_x(i) + j);
-    at.flow_y = core::load(driven_y_.at_x(i) + j);
-    surfaces(i, j, at);
-    carry(i, j, downstream, worker);
+  for (int step = 0; step <= stations; ++step) {
+    const int i = downstream ? step : stations - step;
+    load(batch, i, before_, at);
+    at.flow_x = core::load(driven_x_.at_x(i) + batch * core::lanes);
+    at.flow_y = core::load(driven_y_.at_x(i) + batch * core::lanes);
+    surfaces(batch, i, at);
+    carry(batch, i, downstream, worker);
     solve(nodes_, laws_, at, steps_of_column);
-    store(i, j, worker);
-    for (int k = 0; k <= nodes_.intervals; ++k) {
-      const std::size_t here = index(i, k) + static_cast<std::size_t>(j);
-      for (int lane = 0; lane < core::lanes && j + lane < patch.nodes_y(); ++lane)
-        change = std::max(change, std::abs(theta_[here + static_cast<std::size_t>(lane)] -
-                                           before_[here + static_cast<std::size_t>(lane)]));
-    }
+    store(batch, i, at);
+    if (downstream) store_moments(batch, i, worker);
+    Lanes largest{};
+    for (int k = 0; k <= nodes_.intervals; ++k)
+      largest = core::max(largest,
+                          core::abs(at.theta[static_cast<std::size_t>(k)] - core::load(&before_[index(batch, i, k)])));
+    for (int lane = 0; lane < lines; ++lane) change = std::max(change, largest[lane]);
   }
+  const auto end = static_cast<std::ptrdiff_t>(index(batch + 1, 0, 0));
+  const auto done = static_cast<std::ptrdiff_t>(index(batch, stations + 1, 0));
+  std::copy(before_.begin() + done, before_.begin() + end, theta_.begin() + done);
   return change;
 }
 
@@ -158,8 +169,8 @@ double FilmTemperature::sweep_through(bool downstream) {
 }
 
 double FilmTemperature::sweep() {
-  double change = sweep_through(true);
-  if (flows_back_) change = std::max(change, sweep_through(false));
+  const double back = back_to_ >= 0 ? sweep_through(false) : 0.0;
+  const double change = std::max(back, sweep_through(true));
   if (source_1_) source_1_->apply(q_1_, correction_1_);
   if (source_2_) source_2_->apply(q_2_, correction_2_);
   return change;
@@ -192,7 +203,7 @@ Balance FilmTemperature::balance() const {
 }
 
 std::size_t FilmTemperature::bytes() const {
-  const std::size_t fields = 18 * static_cast<std::size_t>(P_.nodes_x()) * static_cast<std::size_t>(P_.stride());
+  const std::size_t fields = 20 * static_cast<std::size_t>(P_.nodes_x()) * static_cast<std::size_t>(P_.stride());
   return sizeof(double) * (fields + 4 * theta_.size()) + (source_1_ ? source_1_->bytes() : 0) +
          (source_2_ ? source_2_->bytes() : 0) + workers_.size() * sizeof(Worker);
 }

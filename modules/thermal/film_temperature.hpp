@@ -72,12 +72,12 @@ class FilmTemperature {
   /// as they are. in: fields of the patch; H > 0 where P > 0.
   void take(const core::Field& P, const core::Field& H);
 
-  /// All columns once, downstream, and back where oil flows back; then what the bodies make of the new fluxes.
+  /// All columns once: upstream where oil flows back, and downstream; then what the bodies make of the new fluxes.
   /// out: the largest change of theta. The same bits for any number of threads; nothing is allocated.
   double sweep();
 
   /// True where oil flows against the entrainment somewhere, as in an inlet that is wide.
-  bool flows_back() const { return flows_back_; }
+  bool flows_back() const { return back_to_ >= 0; }
   const core::Field& I0() const { return I0_; }  ///< over the fluidity at T0
   const core::Field& M2() const { return M2_; }  ///< likewise, with the density over that at T0
   const core::Field& C() const { return C_; }    ///< factor of rho_bar H in the wedge
@@ -85,7 +85,7 @@ class FilmTemperature {
   const core::Field& q_1() const { return q_1_; }
   const core::Field& q_2() const { return q_2_; }
   /// theta of node k of the column (i, j), k = 0..intervals from surface 2.
-  double theta(int i, int j, int k) const { return theta_[index(i, k) + static_cast<std::size_t>(j)]; }
+  double theta(int i, int j, int k) const { return value(theta_, i, j, k); }
   Balance balance() const;
   std::size_t bytes() const;
 
@@ -95,33 +95,40 @@ class FilmTemperature {
     Columns at;
     Profile ratio, expansion;
   };
-  // (i, k, j), j fastest, with room for a neighbour at both ends.
-  std::size_t index(int i, int k) const {
-    return (static_cast<std::size_t>(i) * static_cast<std::size_t>(nodes_.intervals + 1) +
+  // Where a batch of lines has node k of its columns at station i: a batch is one piece of memory, and its lines stand
+  // side by side.
+  std::size_t index(int batch, int i, int k) const {
+    return ((static_cast<std::size_t>(batch) * static_cast<std::size_t>(setup_.patch.nodes_x()) +
+             static_cast<std::size_t>(i)) *
+                static_cast<std::size_t>(nodes_.intervals + 1) +
             static_cast<std::size_t>(k)) *
-               stride_ +
            core::lanes;
   }
-  void load(int i, int j, const std::vector<double>& theta, Columns& at) const;
-  void flows(int i, int j, Worker& worker);
-  void carry(int i, int j, bool downstream, Worker& worker) const;
-  void add_compression(int i, int j, Worker& worker) const;
-  void surfaces(int i, int j, Columns& at) const;
-  void store(int i, int j, Worker& worker);
+  double value(const std::vector<double>& f, int i, int j, int k) const {
+    return f[index(j / core::lanes, i, k) + static_cast<std::size_t>(j % core::lanes)];
+  }
+  void load(int batch, int i, const std::vector<double>& theta, Columns& at) const;
+  void flows(int batch, int i, Worker& worker);
+  int last_backflow() const;
+  void carry(int batch, int i, bool downstream, Worker& worker) const;
+  void add_compression(int batch, int i, Worker& worker) const;
+  void surfaces(int batch, int i, Columns& at) const;
+  void store(int batch, int i, const Columns& at);
+  void store_moments(int batch, int i, Worker& worker);
   double solve_batch(int batch, bool downstream, Worker& worker);
   double sweep_through(bool downstream);
-  Lanes beside(const std::vector<double>& f, int i, std::size_t k, int j, double mirrored, double outside) const;
+  Lanes south(const std::vector<double>& f, int batch, int i, int k, Lanes outside) const;
+  Lanes north(const std::vector<double>& f, int batch, int i, int k, double mirrored, Lanes outside) const;
 
   Setup setup_;
   Nodes nodes_;
   ColumnLaws laws_;
   double u_1_, u_2_;
   int batches_;
-  std::size_t stride_;
   std::vector<double> theta_, before_;   // before_: of the sweep before
   std::vector<double> flow_x_, flow_y_;  // rho_bar H u times the layer of a node
-  bool flows_back_ = false;
-  core::Field P_, H_, log_eta_, rho_bar_, k_bar_, driven_x_, driven_y_;
+  int back_to_ = -1;                     // last station where oil flows back
+  core::Field P_, H_, log_eta_, rho_bar_, k_bar_, P_X_, P_Y_, driven_x_, driven_y_;
   core::Field I0_, M2_, C_, tau_, q_1_, q_2_, heat_, carried_, clipped_, correction_1_, correction_2_;
   std::vector<double> line_1_, line_2_;
   std::optional<SourceConvolution> source_1_, source_2_;
