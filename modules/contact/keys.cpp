@@ -172,7 +172,7 @@ double read_radius_ratio(const deck::Part& contact, Language language) {
     return ratio;
   }
   const double radius_x = contact.number("radius_x");
-  contact.fill("radius_y", radius_x, "circular contact");
+  contact.follow("radius_y", radius_x, "circular contact");
   const double of_radii = radius_x / contact.number("radius_y");
   const deck::Key& key = *deck::find_key(contact.deck.catalogue, "contact", "radius_ratio");
   if (!std::isnan(of_radii) && !key.range.contains(of_radii))

@@ -111,6 +111,11 @@ void choose(Deck& deck, const std::string& section, const std::string& name, con
             .read = chosen.read};
 }
 
+void mark_following(Deck& deck, const std::string& section, const std::string& name) {
+  Value& value = value_of(deck, section, name);
+  value.follows = value.origin == Origin::chosen;
+}
+
 void complain(Deck& deck, const std::string& section, const std::string& name, const std::string& what) {
   const Value& found = value(deck, section, name);
   const std::string place = found.place.empty() ? deck.name : found.place;

@@ -15,11 +15,12 @@ enum class Origin { absent, by_default, given, chosen };
 
 struct Value {
   Origin origin = Origin::absent;
-  bool valid = true;    ///< false: given, but already complained about
-  std::string text{};   ///< as written
-  double number = 0.0;  ///< numbers and integers; NaN when absent or not valid
-  std::string place{};  ///< where it was given
-  std::string why{};    ///< how it was chosen
+  bool valid = true;     ///< false: given, but already complained about
+  std::string text{};    ///< as written
+  double number = 0.0;   ///< numbers and integers; NaN when absent or not valid
+  std::string place{};   ///< where it was given
+  std::string why{};     ///< how it was chosen
+  bool follows = false;  ///< chosen, and made anew from the deck's other keys whenever it is read
   /// Somebody has asked for the number or the text. Only a test looks: a key that nobody reads must not be declared.
   mutable bool read = false;
 };
@@ -85,6 +86,10 @@ void choose(Deck& deck, const std::string& section, const std::string& name, dou
 void choose(Deck& deck, const std::string& section, const std::string& name, const std::string& text,
             const std::string& why);
 
+/// Marks a value as one that follows from other keys, unless it is given: the effective deck tells it in a remark, so
+/// that the keys it follows from may be changed there.
+void mark_following(Deck& deck, const std::string& section, const std::string& name);
+
 /// Adds the message "deck.ini:12: [grid] cells = 77: <what>".
 void complain(Deck& deck, const std::string& section, const std::string& name, const std::string& what);
 
@@ -115,6 +120,11 @@ struct Part {
   /// choose() where the deck leaves the key open.
   void fill(const std::string& name, const auto& value, const std::string& why) const {
     if (!given(name)) choose(name, value, why);
+  }
+  /// fill() with what follows from other keys.
+  void follow(const std::string& name, const auto& value, const std::string& why) const {
+    fill(name, value, why);
+    mark_following(deck, section, name);
   }
   void complain(const std::string& name, const std::string& what) const { deck::complain(deck, section, name, what); }
 

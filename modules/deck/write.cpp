@@ -137,10 +137,11 @@ std::string effective_deck(const Deck& deck) {
       if (key.section != section.name || value.origin == Origin::absent) continue;
       // A default that cannot act would be refused when read again.
       if (value.origin == Origin::by_default && !has_influence(deck, key)) continue;
-      lines += key.name + " = " + value.text;
+      lines += (value.follows ? "# " : "") + key.name + " = " + value.text;
       std::string note = key.unit;
       if (value.origin == Origin::by_default) note += std::string(note.empty() ? "" : ", ") + "default";
-      if (value.origin == Origin::chosen) note += std::string(note.empty() ? "" : ", ") + "chosen: " + value.why;
+      if (value.origin == Origin::chosen)
+        note += std::string(note.empty() ? "" : ", ") + (value.follows ? "follows: " : "chosen: ") + value.why;
       lines += (note.empty() ? "" : "  # " + note) + "\n";
     }
     if (!lines.empty()) text += (text.empty() ? "[" : "\n[") + section.name + "]\n" + lines;

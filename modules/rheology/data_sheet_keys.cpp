@@ -55,6 +55,7 @@ void set_roelands(const deck::Part& lubricant, double alpha_star, double eta_alp
     return;
   }
   settle(lubricant, "z", deck::shortest(z), "from alpha_star and the viscosity");
+  deck::mark_following(lubricant.deck, lubricant.section, "z");
   oil.z = z;
   oil.roelands_alpha = z * roelands_log_ratio(oil.eta0) / oil.p0;
   constexpr double pascal = 1.0;

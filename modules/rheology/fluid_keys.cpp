@@ -65,12 +65,14 @@ void settle(const deck::Part& lubricant, const std::string& name, const std::str
 void settle_at_temperature(const deck::Part& lubricant, const std::string& name, double value,
                            const std::string& from) {
   const deck::Key& key = *deck::find_key(lubricant.deck.catalogue, lubricant.section, name);
-  if (key.range.contains(value))
+  if (key.range.contains(value)) {
     settle(lubricant, name, deck::shortest(value), fmt::format("{} at {:g} C", from, lubricant.number("temperature")));
-  else
+    deck::mark_following(lubricant.deck, lubricant.section, name);
+  } else {
     lubricant.complain("temperature",
                        fmt::format("with {} it means {} = {:.3g} {}, which must be {}: check all of them", from, name,
                                    value, key.unit, deck::allowed(key)));
+  }
 }
 
 void demand(const deck::Part& lubricant, const Names& names, const std::string& law) {

@@ -72,7 +72,7 @@ double read_z(const deck::Part& lubricant, const Oil& oil) {
     lubricant.complain("eta0", fmt::format("with alpha and p0 it means z = alpha p0/(ln eta0 + 9.67) = {:.4g}, which "
                                            "must be {}: give z, or check eta0 [Pa s] and alpha [1/Pa]",
                                            z, deck::allowed(key)));
-  lubricant.choose("z", z, "from eta0");
+  lubricant.follow("z", z, "from eta0");
   return z;
 }
 

@@ -76,6 +76,24 @@ BOOST_AUTO_TEST_CASE(a_key_can_be_taken_out) {
   BOOST_TEST(check("--unset cells").says({"write section.key"}));
 }
 
+// The fields that a run in time keeps cost memory and time: five doubles and half a microsecond for each node.
+BOOST_AUTO_TEST_CASE(fields_of_a_run_in_time_are_foretold) {
+  const support::TemporaryFolder folder;
+  folder.write("d.ini", moes + "[grid]\ncells = 128\n[transient]\nend_time = 1\nload = 0:1 1:1.1\n");
+  const auto needs = [&](const std::string& interval) {
+    const std::string told = support::ehl(folder, "check d.ini --set transient.output_interval=" + interval).out;
+    const std::size_t at = told.find("about ", told.find("\nneeds ")), and_at = told.find(" and ", at);
+    const double bytes = std::stod(told.substr(at + 6)) * (told.find(" GB", at) < and_at ? 1e9 : 1e6);
+    return std::pair{bytes, std::stod(told.substr(and_at + 5))};
+  };
+  const auto [bytes, seconds] = needs("1e-4");
+  const auto [few_bytes, few_seconds] = needs("0.5");
+  constexpr double nodes_and_fields = 129.0 * 129.0 * 1e4;
+  constexpr double two_digits = 0.05;  // as printed
+  BOOST_TEST(bytes - few_bytes == 5 * 8 * nodes_and_fields, boost::test_tools::tolerance(two_digits));
+  BOOST_TEST(seconds - few_seconds == 5.5e-7 * nodes_and_fields, boost::test_tools::tolerance(two_digits));
+}
+
 // The grid that an accuracy leads to, within a level; its solution is told too where the run is stopped before it.
 BOOST_AUTO_TEST_CASE(an_accuracy_is_foretold_and_may_be_interrupted) {
   const support::TemporaryFolder folder;

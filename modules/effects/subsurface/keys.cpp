@@ -72,8 +72,7 @@ Parameters read(deck::Deck& deck, double nu1) {
   parameters.most_cells = subsurface.integer("cells", parameters.most_cells);
   parameters.friction = subsurface.number("friction");
   const bool known = !std::isnan(nu1);
-  if (!subsurface.given("poisson"))
-    subsurface.choose("poisson", known ? nu1 : parameters.nu, known ? "nu1 of [contact]" : "of steel");
+  subsurface.follow("poisson", known ? nu1 : parameters.nu, known ? "nu1 of [contact]" : "of steel");
   parameters.nu = subsurface.number("poisson");
   const std::vector<std::string> fields = subsurface.words("fields");
   parameters.kept = all_quantities();

@@ -38,6 +38,12 @@ BOOST_AUTO_TEST_CASE(the_effective_deck_gives_the_same_case) {
   BOOST_TEST(deck::word(again, "body", "title") == "x y");
   BOOST_TEST(contains(text, "chosen: from the load"));
   BOOST_TEST(!contains(text, "z ="));  // a Barus fluid has none
+  deck::mark_following(deck, "mesh", "length");
+  deck::mark_following(deck, "body", "load");
+  const std::string following = deck::effective_deck(deck);
+  BOOST_TEST(contains(following, "\n# length = 3.33333333333"), following);
+  BOOST_TEST(contains(following, "  # follows: from the load\n"), following);
+  BOOST_TEST(contains(following, "\nload = 0.1"), following);  // given: it stays
   for (const char* absent : {"[wind]", "angle", "drag"}) BOOST_TEST(!contains(text, absent), text);
   const std::string windy = deck::effective_deck(small::read("[wind]\nspeed = 3\n"));
   BOOST_TEST(contains(windy, "angle = 0  # default"), windy);
