@@ -73,8 +73,8 @@ nice(x) = x <= 0 ? 1 : (p = 10.0**floor(log10(x)), x / p >= 5 ? 5 * p : (x / p >
 
 # The nearest of them.
 round_step(x) = x / nice(x) > (nice(x) / 10**floor(log10(nice(x)) + 1e-9) == 2 ? 1.6 : 1.45) ? nice(2.5 * x) : nice(x)
-# Between the marks of an axis.
-steps_of(range) = nice(range / 4)
+# Between the marks of an axis: three to seven of them.
+steps_of(range) = nice(range / 3.5)
 # Marks at 1, 2 and 5 of every decade; of many decades at 1.
 marks = "%g"
 log_marks(which, low, high) = sprintf('set %stics (1); do for [d = %d:%d] { do for [k in "%s"] { \

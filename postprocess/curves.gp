@@ -28,7 +28,7 @@ if (roughness > 0) {
 }
 # Open marks for the second quantity.
 plot for [s = 1:series] for [f = 1:3] data index s - 1 using 1:(column(3 + f)) with lines lw 0.7 dt 1 + f lc rgb (curves > 1 ? colour(s) : grey) notitle, \
-     for [s = 1:series] data index s - 1 using 1:2:3 with yerrorbars lw 0.8 pt (quantity_of(s) == 1 ? 7 : 6) ps 0.9 lc rgb colour(s) notitle, \
+     for [s = 1:series] data index s - 1 using 1:2:(valid(3) ? $3 : 0) with yerrorbars lw 0.8 pt (quantity_of(s) == 1 ? 7 : 6) ps 0.9 lc rgb colour(s) notitle, \
      for [s = 1:series] data index s - 1 using 1:2 with lines lw 0.9 lc rgb colour(s) notitle, \
      for [k = 1:curves] NaN with lines lw 1.2 lc rgb colour(k) title curves > 1 ? name("curve", k) : "", \
      for [q = 1:quantities] NaN with points pt (q == 1 ? 7 : 6) ps 0.9 lc rgb "black" title quantities > 1 ? name("quantity", q) : "", \

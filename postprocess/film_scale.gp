@@ -4,5 +4,5 @@ stats map using (abs($2) <= 0.9 * reach_x ? $3 : NaN) nooutput prefix "F"
 far_apart = F_max > 15 * F_median || F_median > 8 * F_min
 low = F_min
 highest = far_apart ? F_max : (F_max < 2 * F_median ? F_max : 2 * F_median)
-if (far_apart) { set logscale cb }
+if (far_apart) { set logscale cb; set format cb "10^{%L}" }
 set cbrange [low:highest]

@@ -9,6 +9,10 @@ probes = int(system(sprintf("%s transient | sed '/^#/!d' | tr ' ' '\n' | grep -c
 place(k) = "at (".system(sprintf("%s deck | sed -n 's/^probe = //p' | cut -d, -f%d | xargs | tr ' ' ','", read, k)).") a"
 probe_colour(k) = word("#e69f00 #009e73 #cc79a7 #56b4e9 #8c510a #444444", (k - 1) % 6 + 1)
 set xrange [T(T_min):T_max > T_min ? T(T_max) : T(T_min) + 1]
+# An axis of what may be the same at all times: gnuplot warns of a range without a length.
+alike(low, high) = high - low <= 1e-9 * (abs(low) + abs(high))
+span(low, high) = alike(low, high) ? sprintf("set yrange [%g:%g]", low < 0 ? 2 * low : 0, high > 0 ? 2 * high : 1) : \
+    "set yrange [*:*]"
 # Panel k of `panels` from the top.
-panel(k) = box(m(14), m(4), high - m(top + 4) - k * (high - m(top + 14)) / panels + m(4.5), \
-    m(top + 4) + (k - 1) * (high - m(top + 14)) / panels).(k > 1 ? "; unset label 100; " : "; ").key_above
+share = "(high - m(top + 9.5)) / panels"
+panel(k) = box(m(14), m(4), high - m(top + 4) - k * @share + m(4.5), m(top + 4) + (k - 1) * @share).(k > 1 ? "; unset label 100; " : "; ").key_above

@@ -4,7 +4,6 @@ stats field(name, 500) matrix nonuniform using 3 nooutput prefix "F"
 low = name eq "P" ? 0 : F_min
 # Outside the contact the film grows without end: what is thicker than this is pale.
 highest = name eq "P" || F_max < 1.7 * centre(name) ? F_max : 1.7 * centre(name)
-# Bodies that are apart have no pressure.
 flat_field = !(highest > low)
 if (flat_field) { highest = low + 1; top = top + 4; high = high + m(4) } else { step = round_step((highest - low) / 5); load here."/contours.gp" }
 
@@ -14,15 +13,16 @@ set xrange [left:right]
 set yrange [bottom:bottom + 2 * far]
 set xtics steps_of(right - left)
 set ytics steps_of(2 * far)
-set xlabel axis_X.", motion →" offset 0, 0.4
+set xlabel axis_along offset 0, 0.4
 set ylabel axis_Y offset 1, 0
 set cblabel quantity
 eval "set palette ".colours
 set cbrange [low:highest]
+set cbtics steps_of(highest - low)
 eval bar(m(10), m(top))
 unset key
 if (flat_field) {
-  set label 1 (name eq "P" ? "no pressure" : "the same everywhere") at graph 0.5, graph 1 offset 0, 0.6 center
+  set label 1 "the same everywhere" at graph 0.5, graph 1 offset 0, 0.6 center
   plot field(name, 50) matrix nonuniform using 1:2:3 with image
 } else {
   plot field(name, 500) matrix nonuniform using 1:2:3 with image, \

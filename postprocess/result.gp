@@ -20,6 +20,8 @@ table(name) = "< ".read.name." | awk '/^#/ {header = $0; next} !seen {sub(/^# */
 
 # Units, and what one of the contact's own is in them.
 axis_X = si ? "x [µm]" : "X = x/a"
+dry = found("/fields/H") eq ""
+axis_along = axis_X.(dry ? "" : ", motion →")
 axis_Y = si ? "y [µm]" : "Y = y/a"
 axis_Z = si ? "z [µm]" : "Z = z/a"
 axis_P = si ? "p [GPa]" : "P = p/p_h"

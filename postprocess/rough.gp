@@ -30,19 +30,23 @@ eval box(m(13), m(20), map, m(top + 8) + panel)
 set format x "%g"
 set ylabel axis_H
 set ytics steps_of(H_max > wet + S_max - S_min ? H_max : wet + S_max - S_min)
-set yrange [0:1.15 * (H_max > wet + S_max - S_min ? H_max : wet + S_max - S_min)]
+tallest = 1.15 * (H_max > wet + S_max - S_min ? H_max : wet + S_max - S_min)
+# A gap of zero lies on the axis, and would be hidden by it.
+set yrange [dry ? -0.03 * tallest : 0:tallest]
 plot line(name, left, right) using 1:2 with lines lw 1 lc rgb blue title name eq "H" ? "film" : "gap", \
      line("S", left, right) using 1:(shape($2)) with lines lw 0.8 dt (1, 2) lc rgb grey title "undeformed"
 
 unset key
 eval box(m(13), m(20), m(10), high - map + m(6))
 eval bar(m(10), high - map + m(6))
+bar_top = name eq "H" && F_max > 2 * wet ? 2 * wet : F_max
 set yrange [bottom:bottom + 2 * far]
-set xlabel axis_X.", motion →" offset 0, 0.4
+set xlabel axis_along offset 0, 0.4
 set ylabel axis_Y
 set ytics steps_of(2 * far)
 eval "set palette ".(name eq "H" ? film_colours : pressure_colours)
-if (name eq "H") { set cbrange [F_min:F_max < 2 * wet ? F_max : 2 * wet] } else { set cbrange [0:F_max] }
+set cbrange [name eq "H" ? F_min : 0:bar_top]
+set cbtics steps_of(bar_top - (name eq "H" ? F_min : 0))
 set cblabel name eq "H" ? axis_H : axis_P
 plot field(shown, 500) matrix nonuniform using 1:2:3 with image
 unset multiplot

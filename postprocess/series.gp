@@ -18,7 +18,7 @@ low_of(a, b) = a < b ? a : b
 high_of(a, b) = a > b ? a : b
 stats data using 1 nooutput prefix "A"
 stats data using 2 nooutput prefix "B"
-stats data using ($2 - $3 > 0.2 * $2 ? $2 - $3 : $2) nooutput prefix "L"
+stats data using (valid(3) && $2 - $3 > 0.2 * $2 ? $2 - $3 : $2) nooutput prefix "L"
 x_min = A_min
 x_max = A_max
 y_min = L_min
@@ -33,4 +33,5 @@ if (!exists("axes")) axes = ""
 logarithmic(low, high) = axes eq "linear" || low <= 0 ? 0 : axes eq "log" || high >= 4 * low
 axis(which, low, high) = logarithmic(low, high) ? \
     sprintf("set logscale %s; set %srange [%g:%g]; ", which, which, low / 1.25, high * 1.25).log_marks(which, low, high) : \
-    sprintf("set %srange [%g:%g]", which, low < 0 ? low - 0.05 * (high - low) : 0, high + 0.05 * (high - (low < 0 ? low : 0)))
+    sprintf("set %stics %g; set %srange [%g:%g]", which, steps_of(high - (low < 0 ? low : 0)), which, \
+        low < 0 ? low - 0.05 * (high - low) : 0, high + 0.05 * (high - (low < 0 ? low : 0)))

@@ -4,7 +4,7 @@
 # From a table of 'ehl sweep' that varies contact.M, contact.L and, as it likes, discretization.wedge:
 #   gnuplot -e "table='stability_map.csv'" postprocess/stability_map.gp
 figure = "stability_map"
-wide = 220.0
+wide = 190.0  # a journal's two columns
 if (exists("table")) file = table
 here = system(sprintf("dirname '%s'", ARG0))
 load here."/common.gp"
@@ -51,7 +51,7 @@ right(k) = words(wedges) == 1 ? 0.9 : left(k) + 0.405
 top(row) = 0.938 - 0.29 * (row - 1)
 bottom(row) = top(row) - 0.236
 
-high = 230 * stretch
+high = 199 * stretch
 heading = ""
 eval page
 set multiplot title title noenhanced

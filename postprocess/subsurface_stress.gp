@@ -18,7 +18,7 @@ where_to(axis) = number("/subsurface/largest_sigma_mises_".axis)
 x = where_to("x")
 y = where_to("y")
 z = where_to("z")
-note = sprintf(si ? "largest: %.3f GPa at x = %.0f, y = %.0f, z = %.0f µm" : "largest: %.4f p_h at (%.2f, %.2f, %.2f) a", \
+note = sprintf(si ? "largest %.3f GPa at (%.0f, %.0f, %.0f) µm" : "largest %.4f p_h at (%.2f, %.2f, %.2f) a", \
     number("/subsurface/largest_sigma_mises"), x, abs(y) < 0.005 * a ? 0 : y, z)
 y = abs(y) < 0.05 * a ? 0 : y
 low = 0
@@ -51,10 +51,11 @@ set format x "%g"
 set xlabel axis_X offset 0, 0.4
 set ylabel axis_Z
 set yrange [D_max:0]
-set ytics steps_of(D_max)
+set ytics steps_of(D_max) * (map < m(40) ? 2 : 1)
+set cbtics steps_of(F_max)
 eval "set palette ".pressure_colours
 set cbrange [0:F_max]
-set cblabel si ? "von Mises stress [GPa]" : "σ_{Mises}/p_h"
+set cblabel si ? "σ_{Mises} [GPa]" : "σ_{Mises}/p_h"
 unset key
 plot field(name, 500) matrix nonuniform using 1:2:3 with image, \
      $contours using 1:2 with lines lw 0.4 lc rgb "#333333", \

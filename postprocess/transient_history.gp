@@ -16,7 +16,9 @@ eval panel(1)
 load here."/film_in_time.gp"
 eval panel(2)
 set ylabel axis_P offset 1, 0
-set yrange [0:*]
+set yrange [*:*]
+stats table("transient") using "P_max" nooutput prefix "P"
+if (P_max > 0) { set yrange [0:*] } else { set yrange [0:1] }
 set format x panels == 2 ? "%g" : ""
 if (panels == 2) { set xlabel axis_T offset 0, 0.4 }
 plot table("transient") using (T(column("time"))):"P_max" with lines lw 1 lc rgb red title "maximum", \

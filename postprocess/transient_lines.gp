@@ -22,22 +22,26 @@ eval page
 set multiplot
 set xtics steps_of(right - left)
 set xrange [left:right]
-set palette defined (0 "#9ecae1", 0.5 "#2166ac", 1 "#1a1a40")
+set palette defined (0 "#f89540", 0.25 "#e16462", 0.5 "#b12a90", 0.75 "#6a00a8", 1 "#0d0887")
 unset colorbox
 set cbrange [0:shown > 1 ? shown - 1 : 1]
 unset logscale cb
 eval panel(1)
 set format x ""
 set ylabel axis_H offset 1, 0
-if (far_apart) { set logscale y; set yrange [low / 1.5:highest * 1.5] } else { set yrange [0:1.4 * highest] }
+if (far_apart) { set logscale y; set format y "10^{%L}"; set ylabel axis_H offset 0, 0; set yrange [low / 1.5:highest * 1.5] } else { set yrange [0:1.4 * highest] }
 plot for [k = 0:shown - 1] at_time("H", k) using 1:2:(k) with lines lw 1 lc palette \
     title sprintf("%s%.3g", k == 0 ? axis_T." = " : "", time_of(frame(k)))
 unset logscale y
+set format y "% h"
 eval panel(2)
 unset key
 set format x "%g"
 set xlabel axis_X offset 0, 0.4
 set ylabel axis_P offset 1, 0
-set yrange [0:*]
+tallest = 0
+set yrange [*:*]
+do for [k = 0:shown - 1] { stats at_time("P", k) using 2 nooutput prefix "P"; tallest = P_max > tallest ? P_max : tallest }
+if (tallest > 0) { set yrange [0:*] } else { set yrange [0:1] }
 plot for [k = 0:shown - 1] at_time("P", k) using 1:2:(k) with lines lw 1 lc palette
 unset multiplot

@@ -17,9 +17,11 @@ eval box(m(14), m(20), m(11), m(top))
 set xrange [left:right]
 set xtics steps_of(right - left)
 set yrange [T(K_min):K_max > K_min ? T(K_max) : T(K_min) + 1]
-set xlabel axis_X.", motion →" offset 0, 0.8
-set ylabel axis_T offset -1, 0
+set xtics offset 0, 0.5
+set xlabel axis_along offset 0, 0.8
+set ylabel axis_T offset -0.4, 0
 set cblabel axis_H
+if (!far_apart) { set cbtics steps_of(highest - low) }
 eval bar(m(11), m(top))
 eval "set palette ".film_colours
 set view map

@@ -21,7 +21,7 @@ set xrange [left:right]
 set yrange [bottom:bottom + 2 * far]
 set xtics steps_of(right - left)
 set ytics steps_of(2 * far)
-set xlabel axis_X.", motion →" offset 0, 0.4
+set xlabel axis_along offset 0, 0.4
 set ylabel axis_Y offset 1, 0
 set cblabel axis_H
 eval "set palette ".film_colours

@@ -4,7 +4,7 @@
 # From a table of 'ehl study':
 #   gnuplot -e "table='venner1992_M50_L10_study.csv'" postprocess/work_precision.gp
 figure = "work_precision"
-wide = 220.0
+wide = 190.0  # a journal's two columns
 if (exists("table")) file = table
 here = system(sprintf("dirname '%s'", ARG0))
 load here."/common.gp"
@@ -47,7 +47,7 @@ stats file using (has_film(0) ? cost(2) : NaN) nooutput prefix "W"
 lowest = 0.5 * (C_min < M_min ? C_min : M_min)
 highest = 2.0 * (C_max > M_max ? C_max : M_max)
 
-high = 190 * stretch
+high = 164 * stretch
 heading = ""
 eval page
 set multiplot title title noenhanced
@@ -56,8 +56,8 @@ set format y "%g"
 set yrange [lowest:highest]
 unset key
 left(panel) = panel == 1 ? 0.075 : 0.56
-top(row) = row == 1 ? 0.925 : 0.535
-height = 0.315
+top(row) = row == 1 ? 0.925 : 0.52
+height = 0.31
 
 do for [row = 1:2] {
   name = row == 1 ? "Hc" : "Hm"
@@ -73,7 +73,7 @@ do for [row = 1:2] {
     set format x (panel == 1 ? "%g" : "10^{%L}")
     set title "(".letter.") ".(row == 1 ? "central film" : "minimum film") offset 0, -0.7
     set xlabel (panel == 1 ? "seconds" : "work: evaluated nodes") offset 0, 0.6
-    set ylabel "error of ".(row == 1 ? "H_c" : "H_m")." [%]" offset 0.8, 0
+    set ylabel "error of ".(row == 1 ? "H_c" : "H_m")." [%]" offset 0, 0
     unset object
     set object 1 rectangle from graph 0, first lowest to graph 1, first percent(least) behind fillstyle solid noborder \
         fillcolor rgb "#ececec"

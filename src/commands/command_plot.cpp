@@ -56,16 +56,26 @@ std::vector<Setting> chosen_frame(const results::ResultFile& result, const Argum
   const double shown = times[frame] * unit;
   return {{"frame", std::to_string(frame), false},
           {"seconds", seconds ? "1" : "0", false},
-          {"when", seconds ? fmt::format("t = {:.4g} ms", 1e3 * shown) : fmt::format("t = {:.4g} a/u_m", shown)}};
+          {"when", seconds ? fmt::format("t = {:.4g} ms", 1e3 * shown) : fmt::format("T = {:.4g}", shown)}};
+}
+
+// Whether the bodies press on each other in the field that is shown: they may be apart.
+bool any_pressure(const results::ResultFile& result, const std::vector<Setting>& settings) {
+  const std::string frames = "/transient/frames/P";
+  const auto frame = std::ranges::find(settings, "frame", &Setting::name);
+  if (frame == settings.end() || result.kind(frames) == results::ResultFile::Kind::missing) return true;
+  const results::Array P = result.frame(frames, std::stoul(frame->value));
+  return std::ranges::any_of(P.values, [](double p) { return p > 0.0; });
 }
 
 FigureSource result_source(const std::string& path, const Arguments& arguments) {
   const auto result = std::make_shared<results::ResultFile>(path);
-  const auto has = [result](const std::string& need) {
-    return result->kind(need) != results::ResultFile::Kind::missing;
+  std::vector<Setting> settings = chosen_frame(*result, arguments);
+  const bool pressed = any_pressure(*result, settings);
+  const auto has = [result, pressed](const std::string& need) {
+    return need == pressure_need ? pressed : result->kind(need) != results::ResultFile::Kind::missing;
   };
   const std::string own = result->attribute("/", "title");
-  std::vector<Setting> settings = chosen_frame(*result, arguments);
   settings.push_back({"title", own == "untitled" ? "" : own});
   if (has("/scales/a")) settings.push_back({"si", "1", false});
   return {settings, "result", has};

@@ -23,6 +23,9 @@ struct Figure {
 /// A need of figures of a sweep: a swept key of three numbers or more, and not too many curves over it.
 constexpr char curves_need[] = "curves";
 
+/// A need of figures of a result: a pressure that is not zero everywhere; bodies that are apart have none.
+constexpr char pressure_need[] = "pressure";
+
 /// A variable that a script finds: a text, or a number as text.
 struct Setting {
   std::string name{};

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "support/columns.hpp"
 #include "support/program.hpp"
 #include "support/text.hpp"
 
@@ -114,6 +115,33 @@ BOOST_AUTO_TEST_CASE(a_run_in_time_shows_its_last_field_or_the_one_asked_for) {
   scene.drawn("s.h5 --figure transient_steps");
   BOOST_TEST(scene.ehl("plot s.h5 --figure transient_movie").status == 0);
   BOOST_TEST(scene.folder.read("s_transient_movie.gif").starts_with("GIF89a"));
+}
+
+// Bodies that are apart: no empty page of a pressure, and no label pushed off the page by long numbers.
+BOOST_AUTO_TEST_CASE(bodies_that_are_apart_have_figures_of_their_own) {
+  const Scene scene;
+  BOOST_REQUIRE(
+      scene
+          .ehl("run s.ini --set transient.end_time=0.02 --set transient.load=0:0 --set body.mass_kg=0.03 "
+               "--set body.gap_m=20e-6 --set body.velocity_mps=0.01 --set transient.u1=0:0 --set transient.u2=0:0")
+          .status == 0);
+  const std::string drawn = scene.drawn("s.h5 --format svg");
+  BOOST_TEST(!contains(drawn, "pressure_contours"), drawn);
+  BOOST_TEST(contains(drawn, "s_film_contours.svg"));
+  BOOST_TEST(contains(scene.folder.read("s_interferogram.svg"), "in light of 630 nm"));
+  const support::Ended asked = scene.ehl("plot s.h5 --figure pressure_contours");
+  BOOST_TEST(asked.status == 2);
+  BOOST_TEST(asked.says({"this file has no pressure"}), asked.err);
+}
+
+// A single grid has no estimate of its error: films without bars.
+BOOST_AUTO_TEST_CASE(a_sweep_without_error_bars_is_drawn) {
+  const Scene scene;
+  scene.folder.write("m.ini", "[contact]\nM = 20\nL = 10\n[lubricant]\nalpha = 2e-8\n[grid]\ncells = 64\n");
+  BOOST_REQUIRE(scene.ehl("sweep m.ini --vary contact.M=20,50,100 --output t.csv").status == 0);
+  const auto rows = support::named_rows(scene.folder.read("t.csv"));
+  BOOST_REQUIRE(rows.at(0).at("error_Hc") == "NaN");
+  scene.drawn("t.csv --format svg");
 }
 
 BOOST_AUTO_TEST_CASE(pictures_have_the_size_and_the_name_asked_for) {
