@@ -1,5 +1,6 @@
 #include "fmg/coarse_problem.hpp"
 
+#include "fmg/boundary.hpp"
 #include "reynolds/flux.hpp"
 #include "transfer/transfer.hpp"
 
@@ -93,6 +94,7 @@ void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse) {
     take_slack(problem.cavitation, fine, coarse);
     reynolds::drop_beside_dry(problem.cavitation, fine.grid, fine.P, threads, fine.r);
     coarse.H_floor = coarse_film_floor;
+    coarse.H00_of_boundary = fine.H00_of_boundary;
   }
   // F = injected H - (H00 + geometry + K*P): the coarse film equation then gives the injected film at the restricted P.
   {
@@ -133,6 +135,7 @@ void correct_from_coarse(Hierarchy& hierarchy, Level& coarse, Level& fine) {
       core::fill_ghosts(fine.grid, P);
     }
   }
+  follow_H00(hierarchy, fine);
   update_film(hierarchy, fine);
 }
 

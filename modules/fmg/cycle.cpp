@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fmg/boundary.hpp"
 #include "fmg/coarse_problem.hpp"
 #include "fmg/relaxation.hpp"
 
@@ -45,10 +46,11 @@ void fas_cycle(Hierarchy& hierarchy, std::size_t l, const Parameters& how) {
 void relax_with_force_balance(Hierarchy& hierarchy, Level& level, int sweeps, const Parameters& how) {
   // Where the load itself answers to H00, c is the share of that answer that is left to the pressure.
   const double c = how.load_relaxation;
-  const double share = c / (1.0 + c * hierarchy.load_line.slope);
+  const double share = c / (1.0 + c * (hierarchy.load_line.slope + hierarchy.outside_line.slope));
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     relax_pressure(hierarchy, level, how.relaxation);
     if (hierarchy.problem.load) hierarchy.H00 -= share * (wanted_load(hierarchy, level) - carried_load(level));
+    follow_H00(hierarchy, level);
     update_film(hierarchy, level);
   }
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/errors.hpp"
+#include "fmg/boundary.hpp"
 #include "fmg/cycle.hpp"
 
 namespace ehl::fmg {

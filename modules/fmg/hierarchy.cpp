@@ -10,6 +10,7 @@
 
 #include "core/errors.hpp"
 #include "core/norms.hpp"
+#include "fmg/boundary.hpp"
 #include "kernel/influence.hpp"
 
 namespace ehl::fmg {
@@ -52,7 +53,8 @@ Level make_level(const core::Patch& grid, bool finest, const Problem& problem, c
           .thread_work = std::vector<ThreadWork>(static_cast<std::size_t>(threads), work),
           .deformation = mlmi::Deformation(grid, finest ? deformation : mlmi::fitting(deformation, grid), threads,
                                            problem.geometry.elastic),
-          .film_terms = film_terms(grid, problem.geometry.elastic, parameters.relaxation.reach)};
+          .film_terms = film_terms(grid, problem.geometry.elastic, parameters.relaxation.reach),
+          .boundary = points_of_boundary(problem, grid)};
 }
 
 // One station of the field: epsilon, rho_bar and its slope from P and H.
@@ -104,6 +106,8 @@ Hierarchy make_hierarchy(const Problem& problem, const Parameters& parameters, c
                       .parameters = parameters,
                       .transport = problem.transport,
                       .load_line = {},
+                      .far_motion = {},
+                      .outside_line = {},
                       .levels = {},
                       .threads = threads,
                       .times = {}};
@@ -147,35 +151,6 @@ void update_film(Hierarchy& hierarchy, Level& level) {
 void update_residual(Hierarchy& hierarchy, Level& level) {
   const core::ScopedTimer timer(hierarchy.times, core::Part::residual);
   reynolds::residual(level.grid, fields(level), hierarchy.transport, hierarchy.threads_on(level.grid), level.r);
-}
-
-void renew_boundary(const Hierarchy& hierarchy, Level& level) {
-  if (!hierarchy.problem.far_field) return;
-  const reynolds::FarField& far_field = *hierarchy.problem.far_field;
-  const core::Patch& grid = level.grid;
-  double sum = 0.0;  // each with its share of the cell that lies inside
-  const auto renew = [&](int i, int j, double share) {
-    const double S = hierarchy.problem.surface ? level.F(i, j) : 0.0;
-    level.P(i, j) = far_field.P(grid.X(i), grid.Y(j), level.H(i, j) - S);
-    sum += grid.lines(j) * share * level.P(i, j);
-  };
-  const bool north = grid.north == core::Edge::zero;
-  for (const int i : {0, grid.nx}) {
-    renew(i, 0, 0.25);
-    for (int j = 1; j <= grid.last_line(); ++j) renew(i, j, 0.5);
-    if (north) renew(i, grid.ny, 0.25);
-  }
-  for (int i = 1; i < grid.nx; ++i) {
-    renew(i, 0, 0.5);
-    if (north) renew(i, grid.ny, 0.5);
-  }
-  core::fill_ghosts(grid, level.P);
-  if (!std::isfinite(sum))
-    throw core::SolverError(
-        "on the boundary of the domain the film is too thin for the closed far field: a larger "
-        "domain is needed");
-  const double outside = far_field.load_outside(grid.domain, hierarchy.H00) + grid.hx() * grid.hy() * sum;
-  level.load = hierarchy.problem.load.value_or(0.0) - outside;
 }
 
 double carried_load(const Level& level) {

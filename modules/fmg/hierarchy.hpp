@@ -76,6 +76,9 @@ struct Level {
   std::vector<ThreadWork> thread_work;  ///< made for the parameters' line solver and reach
   mlmi::Deformation deformation;
   line_solvers::FilmTerms film_terms;
+  std::vector<reynolds::FarPoint> boundary;  ///< boundary.hpp
+  double load_outside = 0.0;                 ///< of the domain, and on its boundary; no part of `load`
+  double H00_of_boundary = 0.0;              ///< to which the pressure on the boundary belongs
   double load = 0.0;     ///< right-hand side of the force balance (FAS), at the load line's origin
   double H_floor = 0.0;  ///< share of H_restricted below which epsilon does not follow a falling coarse film
   long evaluations = 0;  ///< of the film, each with a relaxation sweep or a residual
@@ -88,11 +91,22 @@ struct LoadLine {
   double origin = 0.0;
 };
 
+/// How the bodies move as the far field sees it: the velocity with which they come near each other, a line in H00 like
+/// that of an implicit step of time, and the load that deforms them, over the problem's. Steady without anything said.
+struct FarMotion {
+  double approach = 0.0;  ///< -dH00/dT where H00 = origin
+  double slope = 0.0;     ///< of dH00/dT with H00
+  double origin = 0.0;
+  double load = 1.0;
+};
+
 struct Hierarchy {
   const Problem problem;
   const Parameters parameters;
   reynolds::Transport transport;  ///< the problem's, or that of an implicit step in time
   LoadLine load_line;
+  FarMotion far_motion;
+  LoadLine outside_line;  ///< of the load outside, as it is left for the inside
   std::vector<Level> levels;  ///< coarsest first
   double H00 = 0.0;
   int threads = 1;
@@ -129,10 +143,6 @@ void update_film(Hierarchy& hierarchy, Level& level);
 /// The coefficients alone.
 void update_coefficients(Hierarchy& hierarchy, Level& level);
 
-/// The pressure on the boundary and the load that is left for the inside, by the far field at the present H00. The film
-/// follows with its next evaluation. errors: core::SolverError where the far field has no pressure there.
-void renew_boundary(const Hierarchy& hierarchy, Level& level);
-
 /// level.r = f - L(P).
 void update_residual(Hierarchy& hierarchy, Level& level);
 
@@ -144,7 +154,8 @@ inline const core::Field& pressure_on_bodies(const Level& level) { return level.
 double carried_load(const Level& level);
 /// Its right-hand side at the present H00.
 inline double wanted_load(const Hierarchy& hierarchy, const Level& level) {
-  return level.load + hierarchy.load_line.slope * (hierarchy.H00 - hierarchy.load_line.origin);
+  const auto along = [&](const LoadLine& line) { return line.slope * (hierarchy.H00 - line.origin); };
+  return level.load + along(hierarchy.load_line) + along(hierarchy.outside_line);
 }
 
 /// epsilon along Y: chosen here, so that the stencils read two fields and ask nothing.

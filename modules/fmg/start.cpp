@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fmg/boundary.hpp"
 #include "fmg/cycle.hpp"
 #include "fmg/relaxation.hpp"
 #include "transfer/transfer.hpp"
@@ -22,6 +23,7 @@ void pose_original_problem(const Problem& problem, Level& level) {
   level.H_restricted.fill(0.0);
   level.H_floor = 0.0;
   level.load = problem.load.value_or(0.0);
+  level.load_outside = 0.0;
 }
 
 // Mean of S, weighted with the pressure.

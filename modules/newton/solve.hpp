@@ -37,12 +37,12 @@ using Progress = std::function<bool(const Step&)>;
 /// GMRES with exact Jacobian products and one sparse LU (equations, preconditioner, gmres).
 /// in: P of levels[l] and H00, as a finest level has them. out: P, film, coefficients, residual and H00 of the last
 /// state, or on failure of the best one met. Converged only with residual and load error within the tolerance and a
-/// film that is positive everywhere.
+/// film that is positive everywhere; with a far field in closed form, with it as it follows from that film.
 /// limits: a start that carries pressure (Hertz will do) and a grid that holds the contact. From the Hertz pressure the
 /// number of steps grows with the number of cells; from a coarser grid's solution it does not.
 /// order: quadratic once the cavitated nodes are found. cost, memory: README.md.
 /// threads: the same bits for any number. errors: core::InputError when the problem has no load to carry or no
-/// cavitation; core::Interrupted.
+/// cavitation; core::Interrupted; core::SolverError where the far field has no pressure on the boundary.
 Result solve(fmg::Hierarchy& hierarchy, std::size_t l, const Parameters& parameters = {},
              const Progress& progress = {});
 

@@ -1,39 +1,42 @@
 #include "reynolds/far_field.hpp"
 
 #include <algorithm>
-#include <array>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
-#include <limits>
 #include <numbers>
+#include <utility>
 
 #include "core/errors.hpp"
 
 namespace ehl::reynolds {
 namespace {
 
-/// Directions of the angular solution: its error is of second order, 1e-6 of f for a circle, 1e-4 at R_x/R_y = 20.
+/// Directions of the angular solution: its error is of second order, 1e-6 of f for a circle, 1e-4 at R_x/R_y = 20. It is
+/// begun on a few of them: from all directions wet, the lines of rupture move by hardly more than one in a round.
 constexpr int directions = 4096;
+constexpr int first_directions = 64;
 constexpr double step = 2.0 * std::numbers::pi / directions;
 
-/// The angular equation at the directions k = 0..directions, the X axis downstream at both ends, where the film is
-/// ruptured: (g^3 f')' - 9 g^3 f = lambda s, multiplied by -step^2.
+/// The angular equation at the directions k = 0..n, the X axis downstream at both ends, where the film is ruptured:
+/// (g^3 f')' - power g^3 f = -source, multiplied by the step squared.
 struct Angular {
   std::vector<double> beside;  ///< g^3 between k and k+1
   std::vector<double> own;     ///< diagonal
   std::vector<double> right;
 };
-Angular angular_equation(const FarFieldOf& of) {
-  const auto gap = [&](double phi) { return of.gap.at(std::cos(phi), std::sin(phi)); };
-  const auto cubed = [](double x) { return x * x * x; };
+template <class Source>
+Angular angular_equation(const core::QuadraticForm& gap, int n, double power, Source source) {
+  const double width = 2.0 * std::numbers::pi / n;
+  const auto g3 = [&](double k) {
+    const double g = gap.at(std::cos(k * width), std::sin(k * width));
+    return g * g * g;
+  };
   Angular equation;
-  for (int k = 0; k <= directions; ++k) equation.beside.push_back(cubed(gap((k + 0.5) * step)));
-  for (int k = 0; k <= directions; ++k) {
-    const double slope = 2.0 * of.gap.XX * std::cos(k * step) + of.gap.XY * std::sin(k * step);
+  for (int k = 0; k <= n; ++k) equation.beside.push_back(g3(k + 0.5));
+  for (int k = 0; k <= n; ++k) {
     const double before = equation.beside[static_cast<std::size_t>(std::max(k - 1, 0))];
-    equation.own.push_back(before + equation.beside[static_cast<std::size_t>(k)] +
-                           9.0 * step * step * cubed(gap(k * step)));
-    equation.right.push_back(-step * step * of.lambda * slope);
+    equation.own.push_back(before + equation.beside[static_cast<std::size_t>(k)] + power * width * width * g3(k));
+    equation.right.push_back(width * width * source(k * width));
   }
   return equation;
 }
@@ -55,15 +58,13 @@ std::vector<double> solved_where_wet(const Angular& equation, const std::vector<
   return f;
 }
 
-/// Complementarity by active sets: from all directions on, those that pull are taken out and those that press put back,
-/// which ends, as the matrix is one of non-negative type.
-std::vector<double> angular_solution(const FarFieldOf& of) {
-  const Angular equation = angular_equation(of);
-  std::vector<bool> wet(static_cast<std::size_t>(directions) + 1, true);
-  for (int round = 0; round < directions; ++round) {
-    const std::vector<double> f = solved_where_wet(equation, wet);
+/// Complementarity by active sets: those directions that pull are taken out and those that press put back, which ends,
+/// as the matrix is one of non-negative type. in: a guess of the directions that are wet. out: those, and f.
+std::vector<double> solved_with_rupture(const Angular& equation, std::vector<bool>& wet) {
+  for (std::size_t round = 0; round < wet.size(); ++round) {
+    std::vector<double> f = solved_where_wet(equation, wet);
     bool changed = false;
-    for (std::size_t k = 1; k < directions; ++k) {
+    for (std::size_t k = 1; k + 1 < wet.size(); ++k) {
       const double presses = equation.right[k] + equation.beside[k - 1] * f[k - 1] + equation.beside[k] * f[k + 1];
       const bool now = wet[k] ? f[k] > 0.0 : presses > 0.0;
       changed = changed || now != wet[k];
@@ -74,89 +75,124 @@ std::vector<double> angular_solution(const FarFieldOf& of) {
   throw core::SolverError("the far field of this gap: the directions in which it is ruptured do not settle");
 }
 
-}  // namespace
-
-FarField::FarField(const FarFieldOf& of) : of_(of), strength_(angular_solution(of)) {
-  for (int k = 0; k <= directions; ++k) {
-    const double g = of.gap.at(std::cos(k * step), std::sin(k * step));
-    strength_[static_cast<std::size_t>(k)] *= g * g;
-  }
+/// Points and weights of Gauss' rule on (0, 1).
+template <unsigned points>
+std::vector<std::pair<double, double>> gauss_points() {
+  using Rule = boost::math::quadrature::gauss<double, points>;
+  std::vector<std::pair<double, double>> rule;
+  for (std::size_t k = 0; k < Rule::abscissa().size(); ++k)
+    for (const double sign : {-1.0, 1.0})
+      if (sign > 0.0 || Rule::abscissa()[k] > 0.0)
+        rule.emplace_back(0.5 * (1.0 + sign * Rule::abscissa()[k]), 0.5 * Rule::weights()[k]);
+  return rule;
 }
 
-double FarField::strength(double cosine, double sine) const {
+}  // namespace
+
+FarField::FarField(const FarFieldOf& of) : of_(of), pressure_(of.viscosity) {
+  const auto& [XX, XY, YY] = of.gap;
+  const double trace = XX + YY;
+  const double b = 0.5 * XY;
+  const double scale = of.lambda / ((XX + 2.0 * trace) * (YY + 2.0 * trace) - b * b);
+  k_X_ = scale * ((YY + 2.0 * trace) * XX - b * b);
+  k_Y_ = scale * ((XX + 2.0 * trace) * b - b * XX);
+  c_ = of.lambda / (4.0 * trace);
+  const auto diverging = [&](double phi) { return 2.0 * of.gap.XX * std::cos(phi) + of.gap.XY * std::sin(phi); };
+  std::vector<bool> wet(static_cast<std::size_t>(first_directions) + 1, true);
+  for (int n = first_directions;; n *= 4) {
+    wedge_ = solved_with_rupture(
+        angular_equation(of.gap, n, 9.0, [&](double phi) { return -of.lambda * diverging(phi); }), wet);
+    if (n == directions) break;
+    std::vector<bool> finer;
+    for (int k = 0; k <= 4 * n; ++k) finer.push_back(wet[static_cast<std::size_t>((k + 2) / 4)]);
+    wet = finer;
+  }
+  squeeze_ = solved_where_wet(angular_equation(of.gap, directions, 8.0, [&](double) { return of.lambda; }), wet);
+  for (int k = 0; k <= directions; ++k) {
+    const double g = of.gap.at(std::cos(k * step), std::sin(k * step));
+    wedge_[static_cast<std::size_t>(k)] *= g * g;
+    squeeze_[static_cast<std::size_t>(k)] *= g * g;
+  }
+  if (of.domain.X_a < of.domain.X_b) make_stations(of.domain);
+}
+
+FarPoint FarField::toward(double cosine, double sine) const {
   double phi = std::atan2(sine, cosine);
   if (phi < 0.0) phi += 2.0 * std::numbers::pi;
   const double at = phi / step;
   const int k = std::min(static_cast<int>(at), directions - 1);
   const double t = at - k;
   // A cubic through four directions: straight pieces would have kinks that a fine grid sees.
-  const auto value = [&](int offset) {
-    return strength_[static_cast<std::size_t>((k + offset + directions) % directions)];
-  };
-  return -t * (t - 1.0) * (t - 2.0) / 6.0 * value(-1) + (t + 1.0) * (t - 1.0) * (t - 2.0) / 2.0 * value(0) -
-         (t + 1.0) * t * (t - 2.0) / 2.0 * value(1) + (t + 1.0) * t * (t - 1.0) / 6.0 * value(2);
+  const double weights[] = {-t * (t - 1.0) * (t - 2.0) / 6.0, (t + 1.0) * (t - 1.0) * (t - 2.0) / 2.0,
+                            -(t + 1.0) * t * (t - 2.0) / 2.0, (t + 1.0) * t * (t - 1.0) / 6.0};
+  FarPoint point{.unruptured = -(k_X_ * cosine + k_Y_ * sine)};
+  for (int n = 0; n < 4; ++n) {
+    const auto direction = static_cast<std::size_t>((k + n - 1 + directions) % directions);
+    point.wedge += weights[n] * wedge_[direction];
+    point.squeeze += weights[n] * squeeze_[direction];
+  }
+  return point;
+}
+
+FarPoint FarField::at(double X, double Y) const {
+  const double r = std::hypot(X, Y);
+  FarPoint point = toward(X / r, Y / r);
+  point.wedge *= r;
+  point.unruptured *= r;
+  return point;
+}
+
+double FarField::P(const FarPoint& point, double H, const FarState& state) const {
+  double q_H2 = state.speed * point.wedge + state.approach * point.squeeze;
+  if (state.approach > 0.0) q_H2 = std::max(q_H2, state.speed * point.unruptured + state.approach * c_);
+  return q_H2 > 0.0 ? pressure_.P(q_H2 / (H * H)) : 0.0;
 }
 
 double FarField::rupture_angle() const {
   int k = directions / 2;  // the X axis upstream
-  while (k > 0 && strength_[static_cast<std::size_t>(k)] > 0.0) --k;
+  while (k > 0 && wedge_[static_cast<std::size_t>(k)] > 0.0) --k;
   return std::numbers::pi - k * step;
 }
 
-// q = integral of 1/eta_bar from 0 to P; from P = q on, Newton's steps, which stay below the solution's bound as 1/eta
-// falls.
-double FarField::pressure(double reduced) const {
-  constexpr double close = 1e-12;
-  constexpr int most_steps = 30;
-  const auto fluidity = [&](double P) { return std::exp(-rheology::log_viscosity_at(of_.viscosity, P)); };
-  double P = reduced;
-  for (int k = 0; k < most_steps && reduced > 0.0; ++k) {
-    const double q = boost::math::quadrature::gauss<double, 7>::integrate(fluidity, 0.0, P);
-    const double change = (reduced - q) / fluidity(P);
-    P += change;
-    if (std::abs(change) < close * P) return P;
-  }
-  return reduced > 0.0 ? std::numeric_limits<double>::quiet_NaN() : 0.0;
-}
-
-double FarField::P(double X, double Y, double H) const {
-  const double r = std::hypot(X, Y);
-  if (r == 0.0) return 0.0;
-  const double f = strength(X / r, Y / r);
-  return f > 0.0 ? pressure(f * r / (H * H)) : 0.0;
-}
-
-// In polar coordinates with u = 1/r: the integrand, P u^-3, is smooth and goes to f as u -> 0.
-double FarField::load_outside(const core::Grid& domain, double H00) const {
-  using Gauss = boost::math::quadrature::gauss<double, 15>;
-  const auto along = [&](double phi) {
-    const double c = std::cos(phi);
-    const double s = std::sin(phi);
-    const double to_x = (c > 0.0 ? domain.X_b : domain.X_a) / c;
-    const double to_y = (s > 0.0 ? domain.Y_b : domain.Y_a) / s;
-    const double f = strength(c, s);
-    if (f <= 0.0) return 0.0;
-    const double g = of_.gap.at(c, s);
-    const auto outside = [&](double u) {
-      const double H = H00 + g / (u * u) + of_.deformation * u;
-      return pressure(f / (u * H * H)) / (u * u * u);
-    };
-    return Gauss::integrate(outside, 0.0, 1.0 / std::min(to_x, to_y));
-  };
-  // Panels between the corners, where the distance to the boundary has a kink, and the lines of rupture.
+// In polar coordinates with u = 1/r: the integrand, P u^-3, is smooth and goes to f as u -> 0. Panels between the
+// corners, where the distance to the boundary has a kink, the axes and the lines of rupture.
+void FarField::make_stations(const core::Grid& domain) {
   std::vector<double> ends{0.0, 2.0 * std::numbers::pi};
   for (const double X : {domain.X_a, domain.X_b})
     for (const double Y : {domain.Y_a, domain.Y_b}) {
       const double phi = std::atan2(Y, X);
       ends.push_back(phi < 0.0 ? phi + 2.0 * std::numbers::pi : phi);
     }
-  for (std::size_t k = 1; k < strength_.size(); ++k)
-    if ((strength_[k] > 0.0) != (strength_[k - 1] > 0.0)) ends.push_back((static_cast<double>(k) - 0.5) * step);
+  for (std::size_t k = 1; k < wedge_.size(); ++k)
+    if ((wedge_[k] > 0.0) != (wedge_[k - 1] > 0.0)) ends.push_back((static_cast<double>(k) - 0.5) * step);
   for (int k = 1; k < 4; ++k) ends.push_back(k * 0.5 * std::numbers::pi);
   std::ranges::sort(ends);
-  double load = 0.0;
+  const auto around = gauss_points<10>();
+  const auto along = gauss_points<7>();
   for (std::size_t k = 1; k < ends.size(); ++k)
-    if (ends[k] > ends[k - 1]) load += Gauss::integrate(along, ends[k - 1], ends[k]);
+    for (const auto& [part, angle_weight] : around) {
+      const double width = ends[k] - ends[k - 1];
+      const double phi = ends[k - 1] + width * part;
+      const double c = std::cos(phi);
+      const double s = std::sin(phi);
+      const double to_x = (c > 0.0 ? domain.X_b : domain.X_a) / c;
+      const double to_y = (s > 0.0 ? domain.Y_b : domain.Y_a) / s;
+      const double nearest = 1.0 / std::min(to_x, to_y);
+      const FarPoint direction = toward(c, s);
+      for (const auto& [share, weight] : along) {
+        const double u = nearest * share;
+        stations_.push_back({.point = {direction.wedge / u, direction.squeeze, direction.unruptured / u},
+                             .gap = of_.gap.at(c, s) / (u * u),
+                             .deformation = of_.deformation * u,
+                             .weight = width * angle_weight * nearest * weight / (u * u * u)});
+      }
+    }
+}
+
+double FarField::load_outside(const FarState& state) const {
+  double load = 0.0;
+  for (const Station& station : stations_)
+    load += station.weight * P(station.point, state.H00 + station.gap + state.load * station.deformation, state);
   return load;
 }
 

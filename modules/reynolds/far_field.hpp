@@ -4,6 +4,7 @@
 
 #include "core/grid.hpp"
 #include "core/quadratic_form.hpp"
+#include "reynolds/reduced_pressure.hpp"
 #include "rheology/laws.hpp"
 
 namespace ehl::reynolds {
@@ -14,6 +15,22 @@ struct FarFieldOf {
   double lambda = 1.0;               ///< eq. (5)
   double deformation = 0.0;          ///< of the load at r = 1: K*P -> deformation/r far away, 4/(3 pi) of a circle
   rheology::ViscosityLaw viscosity;  ///< the oil's; its compression is left out
+  core::Grid domain{};               ///< holds the origin; for load_outside
+};
+
+/// What of it changes while a contact is solved, or in time.
+struct FarState {
+  double H00 = 0.0;
+  double speed = 1.0;     ///< U >= 0
+  double approach = 0.0;  ///< -dH00/dT
+  double load = 1.0;      ///< that deforms the bodies, over the one of FarFieldOf::deformation
+};
+
+/// What a point outside has of it, q H^2 per unit of U and of -dH00/dT.
+struct FarPoint {
+  double wedge = 0.0;
+  double squeeze = 0.0;    ///< nothing where the wedge alone ruptures
+  double unruptured = 0.0; ///< of the wedge, were there no rupture: less than the true one
 };
 
 /// With H = g(phi) r^2, g of any ellipse and angle, div(H^3 grad q) = lambda dH/dX (q the reduced pressure, dq =
@@ -23,27 +40,41 @@ struct FarFieldOf {
 /// nothing ruptures that solves the equation for any H00 without deformation. What the contact itself does is smaller
 /// by three powers of r. (The deformation's own next term, as r^-6, is of no use: the contact answers by one as r^-6.16
 /// of the opposite sign.)
-/// limits: H > 0 on the boundary and outside; steady.
+/// In time, right-hand side lambda (U dH/dX - V), V = -dH00/dT: to first order in V/(U r) q = r^-3 U f + r^-4 V f_1,
+/// (g^3 f_1')' - 8 g^3 f_1 = -lambda between the lines of rupture, f_1 = 0 on them. Without rupture both are elementary,
+/// q = (-U k.x + V c)/H^2 with (A + 2 tr(A)) k = lambda A e_X, c = lambda/(4 tr(A)) for H = x A x: a solution for any
+/// ratio of the two that is below the true one. While the bodies come near each other q is the larger of both.
+/// limits: H > 0 on the boundary and outside.
 class FarField {
  public:
   FarField() = default;
   /// errors: core::SolverError where the rupture of the angular solution is not found.
   explicit FarField(const FarFieldOf& of);
 
-  /// P at a point outside the contact from the film there. Zero where it is ruptured; NaN where the viscosity rises so
-  /// fast that no pressure has this reduced one: far too near.
-  double P(double X, double Y, double H) const;
-  /// Integral of P over all that lies outside the domain, in units of p_h a^2. limits: the domain holds the origin.
-  double load_outside(const core::Grid& domain, double H00) const;
+  /// Of a point, once; then P there from the film there. Zero where it is ruptured; NaN where the viscosity rises so
+  /// fast that no pressure has this reduced one: far too near. limits: not the origin.
+  FarPoint at(double X, double Y) const;
+  double P(const FarPoint& point, double H, const FarState& state) const;
+  /// Steady.
+  double P(double X, double Y, double H) const { return P(at(X, Y), H, {}); }
+  /// Integral of P over all that lies outside the domain, in units of p_h a^2. cost: some 700 evaluations of P.
+  double load_outside(const FarState& state) const;
   /// Angle of the line behind which the film is ruptured, from the X axis upstream, on the side of positive Y.
   double rupture_angle() const;
 
  private:
-  double strength(double cosine, double sine) const;  // f g^2 at this direction
-  double pressure(double reduced) const;
+  struct Station {  ///< of the quadrature outside
+    FarPoint point;
+    double gap, deformation, weight;
+  };
+  void make_stations(const core::Grid& domain);
+  FarPoint toward(double cosine, double sine) const;  // at r = 1
 
   FarFieldOf of_{};
-  std::vector<double> strength_;  // from the X axis on, against the clock, once around
+  double k_X_ = 0.0, k_Y_ = 0.0, c_ = 0.0;
+  std::vector<double> wedge_, squeeze_;  ///< f g^2 and f_1 g^2 from the X axis on, against the clock, once around
+  ReducedPressure pressure_;
+  std::vector<Station> stations_;
 };
 
 }  // namespace ehl::reynolds

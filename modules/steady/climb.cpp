@@ -82,7 +82,8 @@ std::optional<reynolds::FarField> far_field_of(const Scene& scene) {
   return reynolds::FarField({.gap = geometry.gap,
                              .lambda = scene.lambda,
                              .deformation = geometry.elastic * contact::load(scene.shape),
-                             .viscosity = scene.viscosity});
+                             .viscosity = scene.viscosity,
+                             .domain = scene.grid});
 }
 
 fmg::Parameters parameters_of(const Scene& scene, const Start& start) {

@@ -6,6 +6,7 @@
 
 #include "core/errors.hpp"
 #include "core/norms.hpp"
+#include "fmg/boundary.hpp"
 #include "fmg/cycle.hpp"
 
 namespace ehl::transient {
@@ -80,8 +81,10 @@ void ContactDae::pose(double T, const Drive& drive, double cj) {
   fmg::Level& level = hierarchy_.finest();
   hierarchy_.transport.speed = drive.speed;
   hierarchy_.transport.squeeze = cj;
-  level.load = W_ * drive.load;
+  level.load = W_ * drive.load - level.load_outside;
   hierarchy_.load_line = {};
+  hierarchy_.outside_line = {};
+  hierarchy_.far_motion = {.load = drive.load};
   level.H_floor = 0.0;
   if (course_.surface) course_.surface(level.grid, T, level.F);
 }
@@ -96,7 +99,10 @@ void ContactDae::set_state(double T, const Drive& drive, std::span<const double>
   for_nodes(level.grid, [&](int i, int j, std::size_t k) { level.P(i, j) = std::max(0.0, y[k]); });
   core::fill_ghosts(level.grid, level.P);
   hierarchy_.H00 = y[2 * nodes_];
+  if (course_.body || !yp.empty()) hierarchy_.far_motion.approach = course_.body ? -V_ : -yp[2 * nodes_];
+  hierarchy_.far_motion.load = load_of_far_field(drive);
   fmg::update_film(hierarchy_, level);
+  fmg::renew_load_outside(hierarchy_, level);
 }
 
 void ContactDae::release(const Drive& drive) {
@@ -105,7 +111,9 @@ void ContactDae::release(const Drive& drive) {
   level.P.fill(0.0);
   hierarchy_.H00 = *course_.body->gap;
   V_ = course_.body->velocity;
+  hierarchy_.far_motion = {.approach = -V_, .load = 0.0};
   fmg::update_film(hierarchy_, level);
+  fmg::renew_boundary(hierarchy_, level);
 }
 
 // V = yp_p + cj (H00 - H00_p), and V' likewise from V: the load that is wanted grows linearly with H00.
@@ -125,19 +133,27 @@ void ContactDae::take_velocity(const Stage& stage, const Drive& drive) {
   const double V_at_rest = stage.y_predicted[2 * nodes_ + 1] - stage.yp_predicted[2 * nodes_ + 1] / stage.cj;
   const double V_slope = (carried() - drive.load - body.damping * V_at_rest) / (body.mass + body.damping / stage.cj);
   V_ = V_at_rest + V_slope / stage.cj;
-  hierarchy_.finest().load = W_ * (drive.load + body.mass * V_slope + body.damping * V_);
+  fmg::Level& level = hierarchy_.finest();
+  level.load = W_ * (drive.load + body.mass * V_slope + body.damping * V_) - level.load_outside;
   hierarchy_.load_line = {};
 }
 
-double ContactDae::carried() const { return fmg::carried_load(hierarchy_.levels.back()) / W_; }
+double ContactDae::carried() const {
+  const fmg::Level& level = hierarchy_.levels.back();
+  return (fmg::carried_load(level) + level.load_outside) / W_;
+}
+
+// What deforms the bodies: a moving one is not where the load says.
+double ContactDae::load_of_far_field(const Drive& drive) const { return course_.body ? carried() : drive.load; }
 
 double ContactDae::acceleration(const Drive& drive) const {
   return (carried() - drive.load - course_.body->damping * V_) / course_.body->mass;
 }
 
 LoadBalance ContactDae::load_balance() const {
-  const double carried_now = fmg::carried_load(hierarchy_.levels.back());
-  const double wanted = fmg::wanted_load(hierarchy_, hierarchy_.levels.back());
+  const fmg::Level& level = hierarchy_.levels.back();
+  const double carried_now = fmg::carried_load(level) + level.load_outside;
+  const double wanted = fmg::wanted_load(hierarchy_, level) + level.load_outside;
   return {carried_now / W_, course_.body ? std::abs(carried_now - wanted) / W_ : std::abs(carried_now / wanted - 1.0)};
 }
 
@@ -155,19 +171,21 @@ void ContactDae::balance_load() {
   const int axis = std::clamp(static_cast<int>(std::lround(-grid.domain.Y_a / grid.hy())), 0, grid.ny);
   double share = 0.0;
   double yielding = deformation(centre, axis);
-  if (course_.body) {
-    yielding = std::max(yielding, least_yielding);
+  const double slope = hierarchy_.load_line.slope + hierarchy_.outside_line.slope;
+  if (course_.body || slope > 0.0) {
+    if (course_.body) yielding = std::max(yielding, least_yielding);
     const double carried_now = fmg::carried_load(level);
-    share = (fmg::wanted_load(hierarchy_, level) - carried_now) / (carried_now + hierarchy_.load_line.slope * yielding);
+    share = (fmg::wanted_load(hierarchy_, level) - carried_now) / (carried_now + slope * yielding);
   } else {
     share = level.load / fmg::carried_load(level) - 1.0;
   }
   const double shift = share * yielding;
   for_nodes(grid, [&](int i, int j, std::size_t) { level.H(i, j) += share * deformation(i, j) - shift; });
-  for (int i = 0; i <= grid.nx; ++i)
-    for (double& P : level.P.station(i)) P *= 1.0 + share;
+  for (int i = 1; i < grid.nx; ++i)
+    for (int j = 1; j <= grid.last_line(); ++j) level.P(i, j) *= 1.0 + share;
   core::fill_ghosts(grid, level.P);
   hierarchy_.H00 -= shift;
+  fmg::follow_H00(hierarchy_, level);
   fmg::update_coefficients(hierarchy_, level);
 }
 
@@ -197,6 +215,10 @@ StageResult ContactDae::solve(const Stage& stage, const Drive& drive, std::span<
   fmg::Level& level = hierarchy_.finest();
   set_state(stage.T, drive, stage.y_predicted);
   hierarchy_.transport.squeeze = stage.cj;
+  const double H00 = stage.y_predicted[2 * nodes_];
+  hierarchy_.far_motion = {
+      .approach = -stage.yp_predicted[2 * nodes_], .slope = stage.cj, .origin = H00, .load = load_of_far_field(drive)};
+  fmg::renew_load_outside(hierarchy_, level);
   if (course_.body) move_body(stage);
   for_nodes(level.grid, [&](int i, int j, std::size_t k) {
     level.f(i, j) = stage.yp_predicted[nodes_ + k] - stage.cj * stage.y_predicted[nodes_ + k];
@@ -214,6 +236,7 @@ StageResult ContactDae::solve(const Stage& stage, const Drive& drive, std::span<
     ++result.cycles;
     try {
       fmg::fas_cycle(hierarchy_, finest);
+      fmg::renew_boundary(hierarchy_, level);
     } catch (const core::SolverError&) {
       return result;
     }
@@ -234,6 +257,8 @@ StageResult ContactDae::solve(const Stage& stage, const Drive& drive, std::span<
     least = std::min(least, now);
   }
   if (!(core::minimum(level.H).value > 0.0)) result.solved = false;
+  fmg::renew_load_outside(hierarchy_, level);
+  hierarchy_.outside_line = {};
   if (course_.body) take_velocity(stage, drive);
   state(correction);
   for (std::size_t k = 0; k < correction.size(); ++k) correction[k] -= stage.y_predicted[k];

@@ -8,6 +8,7 @@
 
 #include "core/errors.hpp"
 #include "core/norms.hpp"
+#include "fmg/boundary.hpp"
 #include "fmg/cycle.hpp"
 #include "fmg/cycles.hpp"
 #include "transient/jump.hpp"
@@ -30,6 +31,7 @@ double cycles_at_rest(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive& d
   double residual = std::numeric_limits<double>::infinity();
   for (int k = 0; k < most; ++k) {
     fmg::fas_cycle(hierarchy, l);
+    fmg::renew_boundary(hierarchy, hierarchy.finest());
     const double now = fmg::measures_of(hierarchy, l).residual;
     if (!std::isfinite(now)) return now;
     const bool rounding = now < hopeless_residual && now > 0.9 * residual;

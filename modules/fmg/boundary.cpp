@@ -1,0 +1,108 @@
+#include "fmg/boundary.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/errors.hpp"
+
+namespace ehl::fmg {
+namespace {
+
+// action(i, j, share), the share of the node's cell that lies inside.
+template <class Action>
+void for_boundary(const core::Patch& grid, Action action) {
+  const bool north = grid.north == core::Edge::zero;
+  for (const int i : {0, grid.nx}) {
+    action(i, 0, 0.25);
+    for (int j = 1; j <= grid.last_line(); ++j) action(i, j, 0.5);
+    if (north) action(i, grid.ny, 0.25);
+  }
+  for (int i = 1; i < grid.nx; ++i) {
+    action(i, 0, 0.5);
+    if (north) action(i, grid.ny, 0.5);
+  }
+}
+
+reynolds::FarState far_state(const Hierarchy& hierarchy, double H00) {
+  const FarMotion& motion = hierarchy.far_motion;
+  return {.H00 = H00,
+          .speed = hierarchy.transport.speed,
+          .approach = motion.approach - motion.slope * (H00 - motion.origin),
+          .load = motion.load};
+}
+
+// The film of the bodies without what is on their surfaces.
+double smooth_film(const Level& level, int i, int j) {
+  return level.H(i, j) - (level.F.nodes_x() > 0 ? level.F(i, j) : 0.0);
+}
+
+}  // namespace
+
+std::vector<reynolds::FarPoint> points_of_boundary(const Problem& problem, const core::Patch& grid) {
+  std::vector<reynolds::FarPoint> points;
+  if (problem.far_field)
+    for_boundary(grid, [&](int i, int j, double) { points.push_back(problem.far_field->at(grid.X(i), grid.Y(j))); });
+  return points;
+}
+
+double renew_load_outside(Hierarchy& hierarchy, Level& level) {
+  if (!hierarchy.problem.far_field) return 0.0;
+  const reynolds::FarField& far_field = *hierarchy.problem.far_field;
+  const core::Patch& grid = level.grid;
+  double sum = 0.0;
+  for_boundary(grid, [&](int i, int j, double share) { sum += grid.lines(j) * share * level.P(i, j); });
+  const reynolds::FarState state = far_state(hierarchy, hierarchy.H00);
+  const double beyond = far_field.load_outside(state);
+  const double outside = beyond + grid.hx() * grid.hy() * sum;
+  if (!std::isfinite(outside))
+    throw core::SolverError(
+        "on the boundary of the domain the film is too thin for the closed far field: a larger "
+        "domain is needed");
+  hierarchy.outside_line = {};
+  if (hierarchy.far_motion.slope > 0.0) {
+    constexpr double faster = 1e-4;
+    reynolds::FarState ahead = state;
+    ahead.approach += faster;
+    const double per_speed = (far_field.load_outside(ahead) - beyond) / faster;
+    hierarchy.outside_line = {.slope = hierarchy.far_motion.slope * per_speed, .origin = hierarchy.H00};
+  }
+  const double more = outside - level.load_outside;
+  level.load -= more;
+  level.load_outside = outside;
+  return std::abs(more / hierarchy.problem.load.value_or(1.0));
+}
+
+double renew_boundary(Hierarchy& hierarchy, Level& level) {
+  if (!hierarchy.problem.far_field) return 0.0;
+  const reynolds::FarField& far_field = *hierarchy.problem.far_field;
+  const reynolds::FarState state = far_state(hierarchy, hierarchy.H00);
+  double change = 0.0;
+  auto point = level.boundary.begin();
+  for_boundary(level.grid, [&](int i, int j, double) {
+    const double P = far_field.P(*point++, smooth_film(level, i, j), state);
+    change = std::max(change, std::abs(P - level.P(i, j)));
+    level.P(i, j) = P;
+  });
+  core::fill_ghosts(level.grid, level.P);
+  level.H00_of_boundary = hierarchy.H00;
+  return std::max(change, renew_load_outside(hierarchy, level));
+}
+
+void follow_H00(const Hierarchy& hierarchy, Level& level) {
+  if (!hierarchy.problem.far_field || !(hierarchy.far_motion.slope > 0.0)) return;
+  const reynolds::FarField& far_field = *hierarchy.problem.far_field;
+  const reynolds::FarState before = far_state(hierarchy, level.H00_of_boundary);
+  const reynolds::FarState now = far_state(hierarchy, hierarchy.H00);
+  const bool restricted = level.H_restricted.nodes_x() > 0 && level.H_floor > 0.0;
+  auto point = level.boundary.begin();
+  for_boundary(level.grid, [&](int i, int j, double) {
+    const double H = restricted ? level.H_restricted(i, j) : smooth_film(level, i, j);
+    const double change = far_field.P(*point, H, now) - far_field.P(*point, H, before);
+    level.P(i, j) = std::max(0.0, level.P(i, j) + change);
+    ++point;
+  });
+  core::fill_ghosts(level.grid, level.P);
+  level.H00_of_boundary = hierarchy.H00;
+}
+
+}  // namespace ehl::fmg

@@ -1,0 +1,23 @@
+#pragma once
+// The boundary of the domain: the far field's pressure on it, and its load outside.
+#include "fmg/hierarchy.hpp"
+
+namespace ehl::fmg {
+
+/// The far field at the nodes of the boundary, in the order in which renew_boundary goes; none without a far field.
+std::vector<reynolds::FarPoint> points_of_boundary(const Problem& problem, const core::Patch& grid);
+
+/// The pressure on the boundary and the load that is left for the inside, by the far field at the present H00; nothing
+/// without one. The film follows with its next evaluation. out: the largest change of a pressure, or of the load over
+/// the problem's. errors: core::SolverError where the far field has no pressure there. cost: some 700 evaluations of P
+/// of the far field, and one a node.
+double renew_boundary(Hierarchy& hierarchy, Level& level);
+/// The load alone; the pressure on the boundary stays as it is.
+double renew_load_outside(Hierarchy& hierarchy, Level& level);
+
+/// Within a cycle of an implicit step of time: what a change of H00, which is one of the velocity, does to the pressure
+/// on the boundary. Steady: nothing, renew_boundary behind the cycle is enough. Left to the end of a cycle in time, both
+/// it and the load outside, for which Hierarchy::outside_line stands, would come back multiplied from squeeze = 20 on.
+void follow_H00(const Hierarchy& hierarchy, Level& level);
+
+}  // namespace ehl::fmg
