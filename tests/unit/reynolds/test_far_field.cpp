@@ -26,24 +26,25 @@ FarField isoviscous(const QuadraticForm& gap, double deformation = 0.0) {
   return FarField({.gap = gap, .lambda = lambda, .deformation = deformation, .viscosity = rheology::Isoviscous{}});
 }
 
-/// Largest residual of the discrete equation over the region from (-7, 1) to (-5, 3), over the wedge's largest term.
-double relative_residual(const QuadraticForm& gap, int cells) {
+/// Largest residual of the discrete equation over the region from (-7, 1) to (-5, 3), over the wedge's largest term at
+/// U = 1.
+double relative_residual(const QuadraticForm& gap, int cells, const reynolds::FarState& state = {}) {
   const Grid grid{cells, cells, -7.0, -5.0, 1.0, 3.0};
   const FarField far = isoviscous(gap);
   Fields fields = zero_fields(grid);
   for (int i = 0; i <= cells; ++i)
     for (int j = 0; j <= cells; ++j) {
-      const double H = gap.at(grid.X(i), grid.Y(j));
+      const double H = state.H00 + gap.at(grid.X(i), grid.Y(j));
       fields.H(i, j) = H;
-      fields.P(i, j) = far.P(grid.X(i), grid.Y(j), H);
+      fields.P(i, j) = far.P(far.at(grid.X(i), grid.Y(j)), H, state);
       fields.rho_bar(i, j) = 1.0;
       fields.eps(i, j) = H * H * H / lambda;
     }
   ehl::core::Field r(grid);
-  reynolds::residual(grid, fields.state(), reynolds::Wedge::upstream2, 1, r);
+  reynolds::residual(grid, fields.state(), {reynolds::Wedge::upstream2, state.speed}, 1, r);
   double largest = 0.0;
   for (int i = 2; i < cells; ++i)
-    for (int j = 1; j < cells; ++j) largest = std::max(largest, std::abs(r(i, j)));
+    for (int j = 1; j < cells; ++j) largest = std::max(largest, std::abs(r(i, j) - state.approach));
   return largest / (2.0 * gap.XX * 7.0);
 }
 
@@ -81,6 +82,44 @@ BOOST_AUTO_TEST_CASE(its_residual_in_the_discrete_operator_falls_with_the_second
     BOOST_TEST(coarse < 0.02);
     BOOST_TEST(std::log2(coarse / fine) > 1.8);
   }
+}
+
+// -L(P) = -dH/dT, for slow approach and leaving beside a wedge that ruptures, and for an approach that nothing ruptures,
+// with any H00. Where the far field is made of the wedge's directions, H00 is small beside the gap.
+BOOST_AUTO_TEST_CASE(with_a_squeeze_as_well) {
+  for (const QuadraticForm& gap : {circle, aslant, slender})
+    for (const reynolds::FarState& state :
+         {reynolds::FarState{.speed = 0.7, .approach = 0.2}, reynolds::FarState{.speed = 1.2, .approach = -0.3},
+          reynolds::FarState{.H00 = 2.0, .speed = 0.4, .approach = 20.0}}) {
+      const double coarse = relative_residual(gap, 16, state);
+      const double fine = relative_residual(gap, 32, state);
+      BOOST_TEST_MESSAGE("U = " << state.speed << ", V = " << state.approach << ": relative residual on 16, 32 cells: "
+                                << coarse << ", " << fine << ", order " << std::log2(coarse / fine));
+      BOOST_TEST(fine < 0.02);
+      BOOST_TEST(std::log2(coarse / fine) > 1.8);
+    }
+}
+
+// A circle that comes near, no rolling: P = lambda V/(4 H^2), whose integral over r from r_0 on is
+// lambda V/(4 (H00 + r_0^2/2)).
+BOOST_AUTO_TEST_CASE(pure_squeeze_is_the_elementary_solution) {
+  const FarField far({.gap = circle,
+                      .lambda = lambda,
+                      .viscosity = rheology::Isoviscous{},
+                      .domain = {16, 16, -2.0, 2.0, -2.0, 2.0}});
+  const reynolds::FarState state{.H00 = 1.5, .speed = 0.0, .approach = 3.0};
+  const double H = state.H00 + 0.5 * (4.0 + 1.0);
+  BOOST_TEST(std::abs(far.P(far.at(2.0, -1.0), H, state) / (0.25 * lambda * 3.0 / (H * H)) - 1.0) < 1e-12);
+  // 4 times the integral over the angles within 45 degrees, where the boundary is at r = 2/cos phi.
+  double exact = 0.0;
+  constexpr int n = 2000;
+  for (int k = 0; k < n; ++k) {
+    const double c = std::cos((k + 0.5) / n * std::numbers::pi / 4.0);
+    exact += 8.0 * std::numbers::pi / 4.0 / n * 0.25 * lambda * 3.0 / (state.H00 + 2.0 / (c * c));
+  }
+  BOOST_TEST_MESSAGE("load outside " << far.load_outside(state) << ", exactly " << exact);
+  BOOST_TEST(std::abs(far.load_outside(state) / exact - 1.0) < 1e-6);
+  BOOST_TEST(far.load_outside({.H00 = 1.5, .speed = 0.0, .approach = -3.0}) == 0.0);
 }
 
 // Sums over square frames outside, each twice as far as the one before, the rest beyond as 1/r; midpoint rule.

@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "contact/groups.hpp"
+#include "core/norms.hpp"
+#include "reynolds/far_field.hpp"
 #include "steady/solve.hpp"
 #include "support/roelands_scene.hpp"
 
@@ -88,4 +90,38 @@ BOOST_AUTO_TEST_CASE(one_half_and_two_threads_do_the_same) {
   scene.use_symmetry = false;
   const steady::Solution whole = solved(scene);
   require_close(half.levels.back().Hc, whole.levels.back().Hc, 1e-9, "half and whole");
+}
+
+// What the cycles leave of it, and Newton's method does not: the boundary has the pressure that the closed form gives
+// for the film there, and inside and outside carry the load together.
+BOOST_AUTO_TEST_CASE(newton_returns_a_state_that_closes) {
+  steady::Scene scene = closed_scene(5, 5, {64, 64, -6, 3, -4.5, 4.5});
+  scene.multigrid.tolerance = 1e-4;
+  scene.polish = steady::Polish::always;
+  const steady::Solution solution = solved(scene);
+  BOOST_TEST_REQUIRE(solution.newton.size() > 0U);
+  const contact::Groups groups = contact::from_moes(5, 5);
+  const core::Grid& grid = solution.grid;
+  const reynolds::FarField far({.gap = contact::gap(groups.shape),
+                                .lambda = scene.lambda,
+                                .deformation = contact::elastic_factor(groups.shape) * contact::load(groups.shape),
+                                .viscosity = scene.viscosity,
+                                .domain = grid});
+  double apart = 0.0;
+  double rim = 0.0;
+  for (int i = 0; i <= grid.nx; ++i)
+    for (int j = 0; j <= grid.ny; ++j) {
+      const bool at_x = i == 0 || i == grid.nx;
+      const bool at_y = j == 0 || j == grid.ny;
+      if (!at_x && !at_y) continue;
+      const double P = solution.P(i, j);
+      rim += grid.hx() * grid.hy() * (at_x && at_y ? 0.25 : 0.5) * P;
+      apart = std::max(apart, std::abs(P - far.P(grid.X(i), grid.Y(j), solution.H(i, j))));
+    }
+  const double load = grid.hx() * grid.hy() * core::interior_sum(solution.P) + rim +
+                      far.load_outside({.H00 = solution.H00});
+  BOOST_TEST_MESSAGE("boundary off by " << apart << ", load by " << load / contact::load(groups.shape) - 1.0
+                                        << " (allowed 1e-10); outside " << far.load_outside({.H00 = solution.H00}));
+  BOOST_TEST(apart < 1e-10);
+  BOOST_TEST(std::abs(load / contact::load(groups.shape) - 1.0) < 1e-10);
 }
