@@ -28,7 +28,8 @@ reynolds::FarState far_state(const Hierarchy& hierarchy, double H00) {
   return {.H00 = H00,
           .speed = hierarchy.transport.speed,
           .approach = motion.approach - motion.slope * (H00 - motion.origin),
-          .load = motion.load};
+          .load = motion.load,
+          .load_rate = motion.load_rate};
 }
 
 // The film of the bodies without what is on their surfaces.

@@ -92,12 +92,13 @@ struct LoadLine {
 };
 
 /// How the bodies move as the far field sees it: the velocity with which they come near each other, a line in H00 like
-/// that of an implicit step of time, and the load that deforms them, over the problem's. Steady without anything said.
+/// that of an implicit step of time, and the load that deforms them, over the problem's, with its rate. Steady without anything said.
 struct FarMotion {
   double approach = 0.0;  ///< -dH00/dT where H00 = origin
   double slope = 0.0;     ///< of dH00/dT with H00
   double origin = 0.0;
   double load = 1.0;
+  double load_rate = 0.0;
 };
 
 struct Hierarchy {

@@ -17,6 +17,10 @@ constexpr int directions = 4096;
 constexpr int first_directions = 64;
 constexpr double step = 2.0 * std::numbers::pi / directions;
 
+/// Of a film that falls as 1/r, q = r^-5 f_2, (g^3 f_2')' - 5 g^3 f_2, over one that falls everywhere alike: f_2/f_1 of a
+/// circle without rupture, and about that of others.
+constexpr double yielding = 8.0 / 5.0;
+
 /// The angular equation at the directions k = 0..n, the X axis downstream at both ends, where the film is ruptured:
 /// (g^3 f')' - power g^3 f = -source, multiplied by the step squared.
 struct Angular {
@@ -139,12 +143,20 @@ FarPoint FarField::at(double X, double Y) const {
   FarPoint point = toward(X / r, Y / r);
   point.wedge *= r;
   point.unruptured *= r;
+  point.yielding = yielding * of_.deformation / r;
   return point;
 }
 
+// The solutions without rupture, and what rupture adds to that of the wedge and takes from that of the squeeze. While
+// the bodies come near each other the first is a - b + b^2/a - ..., so that it is never less than nothing.
 double FarField::P(const FarPoint& point, double H, const FarState& state) const {
-  double q_H2 = state.speed * point.wedge + state.approach * point.squeeze;
-  if (state.approach > 0.0) q_H2 = std::max(q_H2, state.speed * point.unruptured + state.approach * c_);
+  const double approach = state.approach - point.yielding * state.load_rate;
+  double q_H2 = state.speed * point.wedge + approach * point.squeeze;
+  if (approach > 0.0) {
+    const double a = state.speed * std::max(point.wedge - point.unruptured, 0.0);
+    const double b = approach * std::max(c_ - point.squeeze, 0.0);
+    q_H2 = state.speed * point.unruptured + approach * c_ + (a > 0.0 ? a * a / (a + b) : 0.0);
+  }
   return q_H2 > 0.0 ? pressure_.P(q_H2 / (H * H)) : 0.0;
 }
 
@@ -181,7 +193,8 @@ void FarField::make_stations(const core::Grid& domain) {
       const FarPoint direction = toward(c, s);
       for (const auto& [share, weight] : along) {
         const double u = nearest * share;
-        stations_.push_back({.point = {direction.wedge / u, direction.squeeze, direction.unruptured / u},
+        stations_.push_back({.point = {direction.wedge / u, direction.squeeze, direction.unruptured / u,
+                                       yielding * of_.deformation * u},
                              .gap = of_.gap.at(c, s) / (u * u),
                              .deformation = of_.deformation * u,
                              .weight = width * angle_weight * nearest * weight / (u * u * u)});

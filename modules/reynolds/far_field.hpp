@@ -24,6 +24,7 @@ struct FarState {
   double speed = 1.0;     ///< U >= 0
   double approach = 0.0;  ///< -dH00/dT
   double load = 1.0;      ///< that deforms the bodies, over the one of FarFieldOf::deformation
+  double load_rate = 0.0; ///< its rate of change
 };
 
 /// What a point outside has of it, q H^2 per unit of U and of -dH00/dT.
@@ -31,6 +32,7 @@ struct FarPoint {
   double wedge = 0.0;
   double squeeze = 0.0;    ///< nothing where the wedge alone ruptures
   double unruptured = 0.0; ///< of the wedge, were there no rupture: less than the true one
+  double yielding = 0.0;   ///< of the film there while the load grows, as a part of an approach
 };
 
 /// With H = g(phi) r^2, g of any ellipse and angle, div(H^3 grad q) = lambda dH/dX (q the reduced pressure, dq =
@@ -43,7 +45,8 @@ struct FarPoint {
 /// In time, right-hand side lambda (U dH/dX - V), V = -dH00/dT: to first order in V/(U r) q = r^-3 U f + r^-4 V f_1,
 /// (g^3 f_1')' - 8 g^3 f_1 = -lambda between the lines of rupture, f_1 = 0 on them. Without rupture both are elementary,
 /// q = (-U k.x + V c)/H^2 with (A + 2 tr(A)) k = lambda A e_X, c = lambda/(4 tr(A)) for H = x A x: a solution for any
-/// ratio of the two that is below the true one. While the bodies come near each other q is the larger of both.
+/// ratio of the two that is below the true one, and what q goes over to where V > 0 is large. While the load grows the
+/// film far away falls by less than H00: V is less by a term in 1/r.
 /// limits: H > 0 on the boundary and outside.
 class FarField {
  public:

@@ -10,7 +10,7 @@ namespace ehl::reynolds {
 namespace {
 
 /// Intervals of the table, P = (k/intervals)^2: finer where pressures far away are.
-constexpr int intervals = 128;
+constexpr int intervals = 320;
 /// Where q rises by a smaller share from knot to knot, P is anything.
 constexpr double hardly = 1e-6;
 

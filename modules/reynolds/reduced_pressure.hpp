@@ -6,7 +6,7 @@
 
 namespace ehl::reynolds {
 
-/// P of q, by cubics through a table with its slopes: 1e-7 at alpha_bar = 20.
+/// P of q, by cubics through a table with its slopes: 1e-9 at alpha_bar = 12.
 class ReducedPressure {
  public:
   ReducedPressure() = default;

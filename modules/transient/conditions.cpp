@@ -13,7 +13,11 @@ constexpr double share_of_vibration = 0.05;  // a twentieth of its period, as of
 }  // namespace
 
 Drive drive_at(const Conditions& conditions, double T) {
-  return {value(conditions.load, T), 0.5 * (value(conditions.u1, T) + value(conditions.u2, T))};
+  constexpr double a_little = 1e-6;
+  const double load = value(conditions.load, T);
+  return {.load = load,
+          .speed = 0.5 * (value(conditions.u1, T) + value(conditions.u2, T)),
+          .load_rate = (load - value(conditions.load, T - a_little)) / a_little};
 }
 
 Course course_of(const Conditions& conditions) {

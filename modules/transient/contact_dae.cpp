@@ -99,8 +99,9 @@ void ContactDae::set_state(double T, const Drive& drive, std::span<const double>
   for_nodes(level.grid, [&](int i, int j, std::size_t k) { level.P(i, j) = std::max(0.0, y[k]); });
   core::fill_ghosts(level.grid, level.P);
   hierarchy_.H00 = y[2 * nodes_];
-  if (course_.body || !yp.empty()) hierarchy_.far_motion.approach = course_.body ? -V_ : -yp[2 * nodes_];
   hierarchy_.far_motion.load = load_of_far_field(drive);
+  if (!yp.empty()) take_motion(drive, yp);
+  if (course_.body) hierarchy_.far_motion.approach = -V_;
   fmg::update_film(hierarchy_, level);
   fmg::renew_load_outside(hierarchy_, level);
 }
@@ -141,6 +142,12 @@ void ContactDae::take_velocity(const Stage& stage, const Drive& drive) {
 double ContactDae::carried() const {
   const fmg::Level& level = hierarchy_.levels.back();
   return (fmg::carried_load(level) + level.load_outside) / W_;
+}
+
+// With a body that moves, what its load's change does to the film far away is left out.
+void ContactDae::take_motion(const Drive& drive, std::span<const double> yp) {
+  hierarchy_.far_motion.approach = -yp[2 * nodes_];
+  hierarchy_.far_motion.load_rate = course_.body ? 0.0 : drive.load_rate;
 }
 
 // What deforms the bodies: a moving one is not where the load says.
@@ -215,9 +222,9 @@ StageResult ContactDae::solve(const Stage& stage, const Drive& drive, std::span<
   fmg::Level& level = hierarchy_.finest();
   set_state(stage.T, drive, stage.y_predicted);
   hierarchy_.transport.squeeze = stage.cj;
-  const double H00 = stage.y_predicted[2 * nodes_];
-  hierarchy_.far_motion = {
-      .approach = -stage.yp_predicted[2 * nodes_], .slope = stage.cj, .origin = H00, .load = load_of_far_field(drive)};
+  take_motion(drive, stage.yp_predicted);
+  hierarchy_.far_motion.slope = stage.cj;
+  hierarchy_.far_motion.origin = hierarchy_.H00;
   fmg::renew_load_outside(hierarchy_, level);
   if (course_.body) move_body(stage);
   for_nodes(level.grid, [&](int i, int j, std::size_t k) {

@@ -15,6 +15,7 @@ namespace ehl::transient {
 struct Drive {
   double load = 1.0;   ///< over the one that the groups are made with
   double speed = 1.0;  ///< U >= 0: entrainment speed over the one that lambda is made with
+  double load_rate = 0.0;  ///< d load/dT before T, for the far field
 };
 
 /// Where the contact is taken in time beside its drive, with T = t u_m/a.
@@ -87,6 +88,7 @@ class ContactDae {
   double change(const Stage& stage, double H00_before);
   double carried() const;
   double load_of_far_field(const Drive& drive) const;
+  void take_motion(const Drive& drive, std::span<const double> yp);
   void move_body(const Stage& stage);
   void take_velocity(const Stage& stage, const Drive& drive);
 

@@ -170,6 +170,7 @@ BOOST_AUTO_TEST_CASE(viscosity_enters_by_the_reduced_pressure) {
   BOOST_TEST_MESSAGE("q = " << q << ", P = " << P);
   BOOST_TEST(std::abs((1.0 - std::exp(-alpha_bar * P)) / alpha_bar / q - 1.0) < 1e-9);
   BOOST_TEST(P > 1.1 * q);
+  BOOST_TEST_MESSAGE("off by " << (1.0 - std::exp(-alpha_bar * P)) / alpha_bar / q - 1.0);
   // No pressure reaches q = 1/alpha_bar.
   BOOST_TEST(std::isnan(oil.P(-1.5, 0.1, 1.0)));
 }
