@@ -99,6 +99,7 @@ void ContactDae::set_state(double T, const Drive& drive, std::span<const double>
   for_nodes(level.grid, [&](int i, int j, std::size_t k) { level.P(i, j) = std::max(0.0, y[k]); });
   core::fill_ghosts(level.grid, level.P);
   hierarchy_.H00 = y[2 * nodes_];
+  level.H00_of_boundary = hierarchy_.H00;
   hierarchy_.far_motion.load = load_of_far_field(drive);
   if (!yp.empty()) take_motion(drive, yp);
   if (course_.body) hierarchy_.far_motion.approach = -V_;
