@@ -16,8 +16,9 @@ double renew_boundary(Hierarchy& hierarchy, Level& level);
 double renew_load_outside(Hierarchy& hierarchy, Level& level);
 
 /// Within a cycle of an implicit step of time: what a change of H00, which is one of the velocity, does to the pressure
-/// on the boundary. Steady: nothing, renew_boundary behind the cycle is enough. Left to the end of a cycle in time, both
-/// it and the load outside, for which Hierarchy::outside_line stands, would come back multiplied from squeeze = 20 on.
+/// on the boundary. Steady: nothing, renew_boundary behind the cycle is enough. Left to the end of a cycle in time,
+/// both it and the load outside, for which Hierarchy::outside_line stands, would come back multiplied from squeeze = 20
+/// on.
 void follow_H00(const Hierarchy& hierarchy, Level& level);
 
 }  // namespace ehl::fmg

@@ -79,7 +79,7 @@ struct Level {
   std::vector<reynolds::FarPoint> boundary;  ///< boundary.hpp
   double load_outside = 0.0;                 ///< of the domain, and on its boundary; no part of `load`
   double H00_of_boundary = 0.0;              ///< to which the pressure on the boundary belongs
-  double load = 0.0;     ///< right-hand side of the force balance (FAS), at the load line's origin
+  double load = 0.0;                         ///< right-hand side of the force balance (FAS), at the load line's origin
   double H_floor = 0.0;  ///< share of H_restricted below which epsilon does not follow a falling coarse film
   long evaluations = 0;  ///< of the film, each with a relaxation sweep or a residual
 };
@@ -92,7 +92,8 @@ struct LoadLine {
 };
 
 /// How the bodies move as the far field sees it: the velocity with which they come near each other, a line in H00 like
-/// that of an implicit step of time, and the load that deforms them, over the problem's, with its rate. Steady without anything said.
+/// that of an implicit step of time, and the load that deforms them, over the problem's, with its rate. Steady without
+/// anything said.
 struct FarMotion {
   double approach = 0.0;  ///< -dH00/dT where H00 = origin
   double slope = 0.0;     ///< of dH00/dT with H00
@@ -107,7 +108,7 @@ struct Hierarchy {
   reynolds::Transport transport;  ///< the problem's, or that of an implicit step in time
   LoadLine load_line;
   FarMotion far_motion;
-  LoadLine outside_line;  ///< of the load outside, as it is left for the inside
+  LoadLine outside_line;      ///< of the load outside, as it is left for the inside
   std::vector<Level> levels;  ///< coarsest first
   double H00 = 0.0;
   int threads = 1;

@@ -11,14 +11,14 @@
 namespace ehl::reynolds {
 namespace {
 
-/// Directions of the angular solution: its error is of second order, 1e-6 of f for a circle, 1e-4 at R_x/R_y = 20. It is
-/// begun on a few of them: from all directions wet, the lines of rupture move by hardly more than one in a round.
+/// Directions of the angular solution: its error is of second order, 1e-6 of f for a circle, 1e-4 at R_x/R_y = 20. It
+/// is begun on a few of them: from all directions wet, the lines of rupture move by hardly more than one in a round.
 constexpr int directions = 4096;
 constexpr int first_directions = 64;
 constexpr double step = 2.0 * std::numbers::pi / directions;
 
-/// Of a film that falls as 1/r, q = r^-5 f_2, (g^3 f_2')' - 5 g^3 f_2, over one that falls everywhere alike: f_2/f_1 of a
-/// circle without rupture, and about that of others.
+/// Of a film that falls as 1/r, q = r^-5 f_2, (g^3 f_2')' - 5 g^3 f_2, over one that falls everywhere alike: f_2/f_1 of
+/// a circle without rupture, and about that of others.
 constexpr double yielding = 8.0 / 5.0;
 
 /// The angular equation at the directions k = 0..n, the X axis downstream at both ends, where the film is ruptured:
@@ -181,8 +181,11 @@ void FarField::make_stations(const core::Grid& domain) {
   std::ranges::sort(ends);
   const auto around = gauss_points<10>();
   const auto along = gauss_points<7>();
+  const bool symmetric = of_.gap.XY == 0.0 && domain.Y_a == -domain.Y_b;
+  const double times = symmetric ? 2.0 : 1.0;
   for (std::size_t k = 1; k < ends.size(); ++k)
     for (const auto& [part, angle_weight] : around) {
+      if (symmetric && ends[k - 1] >= std::numbers::pi * (1.0 - 1e-12)) break;
       const double width = ends[k] - ends[k - 1];
       const double phi = ends[k - 1] + width * part;
       const double c = std::cos(phi);
@@ -197,7 +200,7 @@ void FarField::make_stations(const core::Grid& domain) {
                                        yielding * of_.deformation * u},
                              .gap = of_.gap.at(c, s) / (u * u),
                              .deformation = of_.deformation * u,
-                             .weight = width * angle_weight * nearest * weight / (u * u * u)});
+                             .weight = times * width * angle_weight * nearest * weight / (u * u * u)});
       }
     }
 }

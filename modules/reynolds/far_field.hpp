@@ -21,18 +21,18 @@ struct FarFieldOf {
 /// What of it changes while a contact is solved, or in time.
 struct FarState {
   double H00 = 0.0;
-  double speed = 1.0;     ///< U >= 0
-  double approach = 0.0;  ///< -dH00/dT
-  double load = 1.0;      ///< that deforms the bodies, over the one of FarFieldOf::deformation
-  double load_rate = 0.0; ///< its rate of change
+  double speed = 1.0;      ///< U >= 0
+  double approach = 0.0;   ///< -dH00/dT
+  double load = 1.0;       ///< that deforms the bodies, over the one of FarFieldOf::deformation
+  double load_rate = 0.0;  ///< its rate of change
 };
 
 /// What a point outside has of it, q H^2 per unit of U and of -dH00/dT.
 struct FarPoint {
   double wedge = 0.0;
-  double squeeze = 0.0;    ///< nothing where the wedge alone ruptures
-  double unruptured = 0.0; ///< of the wedge, were there no rupture: less than the true one
-  double yielding = 0.0;   ///< of the film there while the load grows, as a part of an approach
+  double squeeze = 0.0;     ///< nothing where the wedge alone ruptures
+  double unruptured = 0.0;  ///< of the wedge, were there no rupture: less than the true one
+  double yielding = 0.0;    ///< of the film there while the load grows, as a part of an approach
 };
 
 /// With H = g(phi) r^2, g of any ellipse and angle, div(H^3 grad q) = lambda dH/dX (q the reduced pressure, dq =
@@ -43,11 +43,11 @@ struct FarPoint {
 /// by three powers of r. (The deformation's own next term, as r^-6, is of no use: the contact answers by one as r^-6.16
 /// of the opposite sign.)
 /// In time, right-hand side lambda (U dH/dX - V), V = -dH00/dT: to first order in V/(U r) q = r^-3 U f + r^-4 V f_1,
-/// (g^3 f_1')' - 8 g^3 f_1 = -lambda between the lines of rupture, f_1 = 0 on them. Without rupture both are elementary,
-/// q = (-U k.x + V c)/H^2 with (A + 2 tr(A)) k = lambda A e_X, c = lambda/(4 tr(A)) for H = x A x: a solution for any
-/// ratio of the two that is below the true one, and what q goes over to where V > 0 is large. While the load grows the
-/// film far away falls by less than H00: V is less by a term in 1/r.
-/// limits: H > 0 on the boundary and outside.
+/// (g^3 f_1')' - 8 g^3 f_1 = -lambda between the lines of rupture, f_1 = 0 on them. Without rupture both are
+/// elementary, q = (-U k.x + V c)/H^2 with (A + 2 tr(A)) k = lambda A e_X, c = lambda/(4 tr(A)) for H = x A x: a
+/// solution for any ratio of the two that is below the true one, and what q goes over to where V > 0 is large. While
+/// the load grows the film far away falls by less than H00: V is less by a term in 1/r. limits: H > 0 on the boundary
+/// and outside.
 class FarField {
  public:
   FarField() = default;
@@ -60,7 +60,8 @@ class FarField {
   double P(const FarPoint& point, double H, const FarState& state) const;
   /// Steady.
   double P(double X, double Y, double H) const { return P(at(X, Y), H, {}); }
-  /// Integral of P over all that lies outside the domain, in units of p_h a^2. cost: some 700 evaluations of P.
+  /// Integral of P over all that lies outside the domain, in units of p_h a^2. cost: some 700 evaluations of P, half as
+  /// many where Y is even.
   double load_outside(const FarState& state) const;
   /// Angle of the line behind which the film is ruptured, from the X axis upstream, on the side of positive Y.
   double rupture_angle() const;

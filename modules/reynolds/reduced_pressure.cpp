@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 namespace ehl::reynolds {
 namespace {
 
 /// Intervals of the table, P = (k/intervals)^2: finer where pressures far away are.
-constexpr int intervals = 320;
+constexpr int intervals = 400;
 /// Where q rises by a smaller share from knot to knot, P is anything.
 constexpr double hardly = 1e-6;
 
@@ -31,10 +30,12 @@ ReducedPressure::ReducedPressure(const rheology::ViscosityLaw& viscosity) {
 
 double ReducedPressure::P(double q) const {
   if (knots_.empty()) return q;
-  const auto above = std::ranges::upper_bound(knots_, q, {}, &Knot::q);
-  if (above == knots_.end() || above == knots_.begin()) return std::numeric_limits<double>::quiet_NaN();
-  const Knot& a = *std::prev(above);
-  const Knot& b = *above;
+  // P is not below q: that knot is not above the one wanted, and far away it is the one.
+  auto k = static_cast<std::size_t>(intervals * std::sqrt(std::max(q, 0.0)));
+  while (k + 1 < knots_.size() && knots_[k + 1].q <= q) ++k;
+  if (k + 1 >= knots_.size()) return std::numeric_limits<double>::quiet_NaN();
+  const Knot& a = knots_[k];
+  const Knot& b = knots_[k + 1];
   const double step = b.q - a.q;
   const double t = (q - a.q) / step;
   const double s = 1.0 - t;

@@ -13,8 +13,8 @@ namespace ehl::transient {
 
 /// What acts on the contact at one time.
 struct Drive {
-  double load = 1.0;   ///< over the one that the groups are made with
-  double speed = 1.0;  ///< U >= 0: entrainment speed over the one that lambda is made with
+  double load = 1.0;       ///< over the one that the groups are made with
+  double speed = 1.0;      ///< U >= 0: entrainment speed over the one that lambda is made with
   double load_rate = 0.0;  ///< d load/dT before T, for the far field
 };
 
@@ -45,8 +45,8 @@ struct LoadBalance {
 ///   L(P) = (eps P_X)_X + (eps P_Y)_Y - U Q_X - cj Q = Q'_p - cj Q_p,
 /// which the cycles of `fmg` solve from the predicted state on. With a body that moves, y = (P, Q, H00, V):
 ///   H00' = V,   mass V' + damping V = integral P/W - load(T)
-/// in place of the last equation. With a far field in closed form P on the boundary is what it says of H00 and H00', and
-/// the integral has its load outside. In the implicit step V and V' follow from H00: a load that grows with H00.
+/// in place of the last equation. With a far field in closed form P on the boundary is what it says of H00 and H00',
+/// and the integral has its load outside. In the implicit step V and V' follow from H00: a load that grows with H00.
 class ContactDae {
  public:
   /// in: a hierarchy whose finest level holds the state at the start, with the right-hand sides of a coarse level:

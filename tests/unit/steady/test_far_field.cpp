@@ -118,8 +118,8 @@ BOOST_AUTO_TEST_CASE(newton_returns_a_state_that_closes) {
       rim += grid.hx() * grid.hy() * (at_x && at_y ? 0.25 : 0.5) * P;
       apart = std::max(apart, std::abs(P - far.P(grid.X(i), grid.Y(j), solution.H(i, j))));
     }
-  const double load = grid.hx() * grid.hy() * core::interior_sum(solution.P) + rim +
-                      far.load_outside({.H00 = solution.H00});
+  const double load =
+      grid.hx() * grid.hy() * core::interior_sum(solution.P) + rim + far.load_outside({.H00 = solution.H00});
   BOOST_TEST_MESSAGE("boundary off by " << apart << ", load by " << load / contact::load(groups.shape) - 1.0
                                         << " (allowed 1e-10); outside " << far.load_outside({.H00 = solution.H00}));
   BOOST_TEST(apart < 1e-10);
