@@ -208,8 +208,7 @@ GridInput read_grid(deck::Deck& deck, bool contact_known) {
 
 bool read_far_field(deck::Deck& deck, bool possible) {
   const deck::Part domain{deck, "domain"};
-  if (closed(domain) && !possible)
-    domain.complain("far_field", "closed is for lubricated contacts: leave it out");
+  if (closed(domain) && !possible) domain.complain("far_field", "closed is for lubricated contacts: leave it out");
   return closed(domain);
 }
 

@@ -100,9 +100,7 @@ void ContactDae::set_state(double T, const Drive& drive, std::span<const double>
   core::fill_ghosts(level.grid, level.P);
   hierarchy_.H00 = y[2 * nodes_];
   level.H00_of_boundary = hierarchy_.H00;
-  hierarchy_.far_motion.load = load_of_far_field(drive);
-  if (!yp.empty()) take_motion(drive, yp);
-  if (course_.body) hierarchy_.far_motion.approach = -V_;
+  take_motion(drive, course_.body ? -V_ : yp.empty() ? 0.0 : -yp[2 * nodes_]);
   fmg::update_film(hierarchy_, level);
   fmg::renew_load_outside(hierarchy_, level);
 }
@@ -145,14 +143,12 @@ double ContactDae::carried() const {
   return (fmg::carried_load(level) + level.load_outside) / W_;
 }
 
-// With a body that moves, what its load's change does to the film far away is left out.
-void ContactDae::take_motion(const Drive& drive, std::span<const double> yp) {
-  hierarchy_.far_motion.approach = -yp[2 * nodes_];
-  hierarchy_.far_motion.load_rate = course_.body ? 0.0 : drive.load_rate;
+// A body that moves is not where the load says; what its load's change does to the film far away is left out.
+void ContactDae::take_motion(const Drive& drive, double approach) {
+  const bool imposed = !course_.body;
+  hierarchy_.far_motion = {
+      .approach = approach, .load = imposed ? drive.load : carried(), .load_rate = imposed ? drive.load_rate : 0.0};
 }
-
-// What deforms the bodies: a moving one is not where the load says.
-double ContactDae::load_of_far_field(const Drive& drive) const { return course_.body ? carried() : drive.load; }
 
 double ContactDae::acceleration(const Drive& drive) const {
   return (carried() - drive.load - course_.body->damping * V_) / course_.body->mass;
@@ -223,7 +219,7 @@ StageResult ContactDae::solve(const Stage& stage, const Drive& drive, std::span<
   fmg::Level& level = hierarchy_.finest();
   set_state(stage.T, drive, stage.y_predicted);
   hierarchy_.transport.squeeze = stage.cj;
-  take_motion(drive, stage.yp_predicted);
+  take_motion(drive, -stage.yp_predicted[2 * nodes_]);
   hierarchy_.far_motion.slope = stage.cj;
   hierarchy_.far_motion.origin = hierarchy_.H00;
   fmg::renew_load_outside(hierarchy_, level);

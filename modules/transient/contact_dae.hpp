@@ -87,8 +87,7 @@ class ContactDae {
  private:
   double change(const Stage& stage, double H00_before);
   double carried() const;
-  double load_of_far_field(const Drive& drive) const;
-  void take_motion(const Drive& drive, std::span<const double> yp);
+  void take_motion(const Drive& drive, double approach);
   void move_body(const Stage& stage);
   void take_velocity(const Stage& stage, const Drive& drive);
 
