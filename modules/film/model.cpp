@@ -50,6 +50,42 @@ void coefficients(const Model& model, const Station& station, Buffers& buffers, 
   epsilon(station.H, out.rho_bar, buffers.across, model.lambda, out.eps_across);
 }
 
+void oil(const Model& model, const Station& station, Buffers& buffers, const Oil<double>& out) {
+  const bool thins = anisotropic(model);
+  const std::span<double> fluidity = thins ? std::span<double>(buffers.fluidity) : out.fluidity;
+  rheology::film_properties(model.viscosity, model.density, station.P, out.log_viscosity, fluidity, out.rho_bar);
+  rheology::density_slope(model.density, station.P, out.drho_bar);
+  if (!model.effects.empty()) {
+    std::ranges::copy(fluidity, buffers.along.begin());
+    apply_effects(model, station, fluidity);
+    rheology::thin_log_viscosity(buffers.along, fluidity, out.log_viscosity);
+  }
+  if (!thins) return;
+  rheology::film_fluidity(*model.thinning, station.H, fluidity, out.fluidity, out.fluidity_across);
+  std::ranges::copy(out.log_viscosity, out.log_viscosity_across.begin());
+  rheology::thin_log_viscosity(fluidity, out.fluidity, out.log_viscosity);
+  rheology::thin_log_viscosity(fluidity, out.fluidity_across, out.log_viscosity_across);
+}
+
+void oil_slopes(const Model& model, const Station& station, Buffers& buffers, const OilSlopes& out) {
+  buffers.slope.resize(station.P.size());
+  buffers.along.assign(station.P.size(), 1.0);
+  rheology::log_viscosity_slope(model.viscosity, station.P, buffers.slope);
+  const auto write = [&](const std::vector<double>& theta, std::span<double> by_P, std::span<double> by_H) {
+    for (std::size_t k = 0; k < by_P.size(); ++k) {
+      by_P[k] = theta[k] * buffers.slope[k];
+      by_H[k] = station.H[k] > 0.0 ? (1.0 - theta[k]) / station.H[k] : 0.0;
+    }
+  };
+  if (anisotropic(model)) {
+    rheology::fluidity(model.viscosity, station.P, buffers.fluidity);
+    apply_effects(model, station, buffers.fluidity);
+    rheology::film_fluidity_slopes(*model.thinning, station.H, buffers.fluidity, buffers.along, buffers.across);
+    write(buffers.across, out.log_viscosity_across_P, out.log_viscosity_across_H);
+  }
+  write(buffers.along, out.log_viscosity_P, out.log_viscosity_H);
+}
+
 void slopes(const Model& model, const Station& station, const Coefficients<const double>& at, Buffers& buffers,
             const Slopes& out) {
   buffers.slope.resize(station.P.size());

@@ -54,6 +54,24 @@ struct Coefficients {
 };
 void coefficients(const Model& model, const Station& station, Buffers& buffers, const Coefficients<double>& out);
 
+/// Of the nodes of a station, what epsilon at half points is made of (half_points.hpp): 1/eta_bar and ln eta_bar along
+/// X, and along Y where these are others, else empty.
+template <class Number>
+struct Oil {
+  std::span<Number> fluidity, log_viscosity;
+  std::span<Number> fluidity_across, log_viscosity_across;
+  std::span<Number> rho_bar, drho_bar;
+};
+/// limits: not with given_epsilon.
+void oil(const Model& model, const Station& station, Buffers& buffers, const Oil<double>& out);
+
+/// Derivatives of these logarithms, likewise.
+struct OilSlopes {
+  std::span<double> log_viscosity_P, log_viscosity_H;
+  std::span<double> log_viscosity_across_P, log_viscosity_across_H;
+};
+void oil_slopes(const Model& model, const Station& station, Buffers& buffers, const OilSlopes& out);
+
 /// Derivatives of epsilon, P and H as independent variables; the last two where epsilon along Y is another one.
 struct Slopes {
   std::span<double> eps_P, eps_H;

@@ -16,19 +16,16 @@ constexpr double coarse_film_floor = 0.9;
 /// Shares of a residual that go to the four neighbours.
 using Shares = reynolds::Faces<double>;
 
+template <reynolds::Face face>
 class Coupling {
  public:
   Coupling(const Level& level, double elastic)
       : eps_(level.eps), eps_across_(eps_across(level)), elastic_(elastic), half_(level.grid.hx(), level.grid.hy()) {}
 
-  double west(int i, int j) const { return elastic_ + reynolds::conductance(eps_(i - 1, j), eps_(i, j), half_.X); }
-  double east(int i, int j) const { return elastic_ + reynolds::conductance(eps_(i + 1, j), eps_(i, j), half_.X); }
-  double south(int i, int j) const {
-    return elastic_ + reynolds::conductance(eps_across_(i, j - 1), eps_across_(i, j), half_.Y);
-  }
-  double north(int i, int j) const {
-    return elastic_ + reynolds::conductance(eps_across_(i, j + 1), eps_across_(i, j), half_.Y);
-  }
+  double west(int i, int j) const { return along(i - 1, j); }
+  double east(int i, int j) const { return along(i, j); }
+  double south(int i, int j) const { return across(i, j - 1); }
+  double north(int i, int j) const { return across(i, j); }
 
   Shares to_all(int i, int j) const {
     const Shares e{west(i, j), east(i, j), south(i, j), north(i, j)};
@@ -41,6 +38,13 @@ class Coupling {
   double share_north(int i, int j) const { return north(i, j) / (south(i, j) + north(i, j)); }
 
  private:
+  double along(int i, int j) const {
+    return elastic_ + reynolds::conductance(face, eps_(i, j), eps_(i + 1, j), half_.X);
+  }
+  double across(int i, int j) const {
+    return elastic_ + reynolds::conductance(face, eps_across_(i, j), eps_across_(i, j + 1), half_.Y);
+  }
+
   const core::Field& eps_;
   const core::Field& eps_across_;
   double elastic_;
@@ -55,10 +59,9 @@ void take_slack(reynolds::Cavitation cavitation, const Level& fine, Level& coars
       coarse.f(I, J) = 0.0 - reynolds::slack(cavitation, fine.P(2 * I, 2 * J), fine.r(2 * I, 2 * J));
 }
 
-}  // namespace
-
-void restrict_residual(const Level& fine, const reynolds::Transport& transport, int threads, core::Field& coarse) {
-  const Coupling coupling(fine, elastic_coupling * reynolds::relative_strength(transport, fine.grid.hx()));
+template <reynolds::Face face>
+void restrict_by_coupling(const Level& fine, const reynolds::Transport& transport, int threads, core::Field& coarse) {
+  const Coupling<face> coupling(fine, elastic_coupling * reynolds::relative_strength(transport, fine.grid.hx()));
   const core::Field& r = fine.r;
   const core::Patch grid = core::coarsened(fine.grid);
   const int last_J = grid.last_line();
@@ -82,6 +85,15 @@ void restrict_residual(const Level& fine, const reynolds::Transport& transport, 
   }
 }
 
+}  // namespace
+
+void restrict_residual(const Level& fine, const reynolds::Transport& transport, int threads, core::Field& coarse) {
+  if (at_half_points(fine))
+    restrict_by_coupling<reynolds::Face::logmean>(fine, transport, threads, coarse);
+  else
+    restrict_by_coupling<reynolds::Face::mean>(fine, transport, threads, coarse);
+}
+
 void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse) {
   const Problem& problem = hierarchy.problem;
   const int threads = hierarchy.threads_on(fine.grid);
@@ -95,6 +107,7 @@ void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse) {
     reynolds::drop_beside_dry(problem.cavitation, fine.grid, fine.P, threads, fine.r);
     coarse.H_floor = coarse_film_floor;
     coarse.H00_of_boundary = fine.H00_of_boundary;
+    coarse.scheme = coarse_scheme_of(problem);
   }
   // F = injected H - (H00 + geometry + K*P): the coarse film equation then gives the injected film at the restricted P.
   {

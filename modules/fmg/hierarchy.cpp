@@ -1,7 +1,5 @@
 #include "fmg/hierarchy.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,6 +25,11 @@ line_solvers::FilmTerms film_terms(const core::Patch& grid, double elastic, int 
   return terms;
 }
 
+OilFields oil_fields(const core::Patch& grid, bool anisotropic) {
+  const core::Field zero(grid);
+  return anisotropic ? OilFields{zero, zero, zero, zero} : OilFields{zero, zero, {}, {}};
+}
+
 // The number of coarsenings that a user gives is meant for the finest grid: the others take as many as they hold.
 Level make_level(const core::Patch& grid, bool finest, const Problem& problem, const Parameters& parameters,
                  const mlmi::Parameters& deformation, int threads) {
@@ -35,12 +38,16 @@ Level make_level(const core::Patch& grid, bool finest, const Problem& problem, c
   // A colour has every second line, and one batch more for the lines beside its last one.
   const int lines_of_a_colour = grid.ny / 2 + 2 * core::lanes;
   const auto zero_changes = [&] { return core::Field(grid.nodes_x(), lines_of_a_colour); };
-  const ThreadWork work = make_thread_work(grid, problem.film, parameters.relaxation);
+  const bool logmean = problem.face == reynolds::Face::logmean;
+  ThreadWork work = make_thread_work(grid, problem.film, parameters.relaxation);
+  if (logmean) work.answers.resize(work.west.size());
   return {.grid = grid,
           .P = zero(),
           .H = zero(),
+          .scheme = scheme_of(problem),
           .eps = zero(),
-          .eps_across = film::anisotropic(problem.film) ? zero() : core::Field(),
+          .eps_across = film::anisotropic(problem.film) || logmean ? zero() : core::Field(),
+          .oil = logmean ? oil_fields(grid, film::anisotropic(problem.film)) : OilFields{},
           .rho_bar = zero(),
           .drho_bar = zero(),
           .f = only_below_the_finest(),
@@ -57,39 +64,14 @@ Level make_level(const core::Patch& grid, bool finest, const Problem& problem, c
           .boundary = points_of_boundary(problem, grid)};
 }
 
-// One station of the field: epsilon, rho_bar and its slope from P and H.
-void coefficients_of_station(const film::Model& model, Level& level, int i, ThreadWork& work) {
-  auto followed = std::as_const(level.H).station(i);
-  if (level.H_floor != 0.0) {
-    const auto finer = std::as_const(level.H_restricted).station(i);
-    for (std::size_t j = 0; j < followed.size(); ++j)
-      work.followed[j] = std::max(followed[j], level.H_floor * finer[j]);
-    followed = work.followed;
-  }
-  const bool anisotropic = film::anisotropic(model);
-  const film::Station station{level.grid, i, std::as_const(level.P).station(i), followed};
-  film::coefficients(model, station, work.film,
-                     {.eps = level.eps.station(i),
-                      .eps_across = anisotropic ? level.eps_across.station(i) : std::span<double>{},
-                      .rho_bar = level.rho_bar.station(i),
-                      .drho_bar = level.drho_bar.station(i)});
-  core::fill_ghosts(level.grid, level.eps.at_x(i));
-  if (anisotropic) core::fill_ghosts(level.grid, level.eps_across.at_x(i));
-}
-
-template <class Station>
-void for_stations(Hierarchy& hierarchy, Level& level, Station station) {
-  const int threads = hierarchy.threads_on(level.grid);
-  const int last = level.grid.nx;
-#pragma omp parallel num_threads(threads) if (threads > 1)
-  {
-    ThreadWork& work = level.thread_work[static_cast<std::size_t>(omp_get_thread_num())];
-#pragma omp for schedule(static)
-    for (int i = 0; i <= last; ++i) station(i, work);
-  }
-}
-
 }  // namespace
+
+Scheme scheme_of(const Problem& problem) { return {problem.transport.wedge, problem.face}; }
+
+Scheme coarse_scheme_of(const Problem& problem) {
+  const reynolds::Wedge wedge = problem.transport.wedge;
+  return {reynolds::third_order(wedge) ? reynolds::Wedge::upstream2 : wedge, reynolds::Face::mean};
+}
 
 std::vector<core::Patch> grids_below(const core::Patch& finest, const Parameters& parameters) {
   std::vector<core::Patch> grids{finest};
@@ -123,34 +105,10 @@ Hierarchy make_hierarchy(const Problem& problem, const Parameters& parameters, c
   return hierarchy;
 }
 
-void update_coefficients(Hierarchy& hierarchy, Level& level) {
-  const core::ScopedTimer timer(hierarchy.times, core::Part::coefficients);
-  for_stations(hierarchy, level,
-               [&](int i, ThreadWork& work) { coefficients_of_station(hierarchy.problem.film, level, i, work); });
-}
-
-void update_film(Hierarchy& hierarchy, Level& level) {
-  {
-    const core::ScopedTimer timer(hierarchy.times, core::Part::deformation);
-    level.deformation.evaluate(pressure_on_bodies(level), level.H);
-  }
-  ++level.evaluations;
-  const core::ScopedTimer timer(hierarchy.times, core::Part::coefficients);
-  const core::Patch& grid = level.grid;
-  for_stations(hierarchy, level, [&](int i, ThreadWork& work) {
-    double* H = level.H.at_x(i);
-    for (int j = 0; j <= grid.ny; ++j) H[j] += rigid_gap(hierarchy.problem.geometry, grid, hierarchy.H00, i, j);
-    if (level.F.nodes_x() > 0) {
-      const double* F = level.F.at_x(i);
-      for (int j = 0; j <= grid.ny; ++j) H[j] += F[j];
-    }
-    coefficients_of_station(hierarchy.problem.film, level, i, work);
-  });
-}
-
 void update_residual(Hierarchy& hierarchy, Level& level) {
   const core::ScopedTimer timer(hierarchy.times, core::Part::residual);
-  reynolds::residual(level.grid, fields(level), hierarchy.transport, hierarchy.threads_on(level.grid), level.r);
+  reynolds::residual(level.grid, fields(level), transport_on(hierarchy, level), hierarchy.threads_on(level.grid),
+                     level.r);
 }
 
 double carried_load(const Level& level) {

@@ -21,6 +21,21 @@ inline core::LaneMask inside(int j0, const core::Patch& grid) {
   return (j >= 1) & (j <= grid.last_line());
 }
 
+/// What the line systems are made of, into the work space of one thread.
+class LineCoefficients {
+ public:
+  LineCoefficients(ThreadWork& work, const RelaxationParameters& how) : work_(work), how_(how) {}
+
+  /// epsilon/h^2 at the half points, what the viscosity answers, and which points distribute their change.
+  void read(const Hierarchy& hierarchy, const Level& level, int j);
+
+ private:
+  void read_answers(const Level& level, int j);
+
+  ThreadWork& work_;
+  const RelaxationParameters& how_;
+};
+
 /// The line systems of a batch of lines, on the work space of one thread.
 template <int reach, LineSolver solver>
 class LineBatch {
@@ -32,8 +47,7 @@ class LineBatch {
   line_solvers::SmallPivot solve(const Hierarchy& hierarchy, Level& level, int colour, int batch);
 
  private:
-  void read_coefficients(const Hierarchy& hierarchy, const Level& level, int j);
-  template <class Take>
+  template <bool plain, class Take>
   void assemble(const Hierarchy& hierarchy, const Level& level, int j, Take take);
   void keep(Level& level, int batch, int i, core::Lanes delta) const;
 

@@ -14,7 +14,7 @@ namespace {
 judgement::ErrorEstimate error_of(const Hierarchy& hierarchy, const Record& record, double LevelRow::*value) {
   std::vector<double> values;
   for (const LevelRow& row : record.levels) values.push_back(row.*value);
-  if (hierarchy.problem.transport.wedge == reynolds::Wedge::upstream2) return judgement::estimate_error(values, 2.0);
+  if (hierarchy.problem.transport.wedge != reynolds::Wedge::upstream1) return judgement::estimate_error(values, 2.0);
   const core::Grid& domain = hierarchy.levels.back().grid.domain;
   const LevelRow& last = record.levels.back();
   const double h = (domain.X_b - domain.X_a) / last.nx;

@@ -8,6 +8,7 @@
 #include "fmg/parameters.hpp"
 #include "line_solvers/decimation.hpp"
 #include "line_solvers/elimination.hpp"
+#include "reynolds/flux.hpp"
 
 namespace ehl::fmg {
 
@@ -16,7 +17,8 @@ using EliminationFactors = std::vector<typename line_solvers::Elimination<reach>
 
 struct ThreadWork {
   film::Buffers film;
-  /// One value per node of a station: the film that epsilon follows on a coarse grid.
+  /// One value per node of a station and one at each end: the film that epsilon follows on a coarse grid, or that of
+  /// half points.
   std::vector<double> followed;
 
   // For the line systems of a batch:
@@ -25,6 +27,8 @@ struct ThreadWork {
 
   /// epsilon/h^2 at the half point west of point i, i = 1..nx, and south and north of point i.
   std::vector<core::Lanes> west, south, north;
+  /// With Face::logmean what the row of point i has beside that of epsilon held: the viscosity follows the pressure.
+  std::vector<reynolds::PressureRow<core::Lanes>> answers;
   /// 1 where point i distributes its change; zero outside the line.
   std::vector<core::Lanes> distributive;
   /// What single changes around point i squeeze out of its film, per change of its own and density.

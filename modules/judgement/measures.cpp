@@ -67,7 +67,7 @@ Measures measures(const Subject& subject) {
   const reynolds::ResidualNorms norms = reynolds::residual_norms(grid, fields, transport, cavitation, r);
   const Sides sides = sides_of(outline);
   const auto flow = [&](double reach) {
-    return reynolds::flow_balance(subject.grid, subject.fields, subject.transport.wedge, subject.cavitation,
+    return reynolds::flow_balance(subject.grid, subject.fields, subject.transport, subject.cavitation,
                                   {reach * sides.X, reach * sides.Y, sides.Y});
   };
   const reynolds::FlowBalance contact = flow(contact_reach);

@@ -2,7 +2,8 @@
 // The line system of the relaxation: two equations per point, a batch of lines of constant Y side by side in the lanes.
 //
 //   film      h_i - sum_|d|<=reach kappa_{i-d}(d) delta_{i-d} = 0      eqs. (12), (16), (22), (24)
-//   Reynolds  sum_k a_ik delta_k - c_0 h_i - c_1 h_{i-1} - c_2 h_{i-2} = r_i   eqs. (13), (17), (23), (25)
+//   Reynolds  sum_k a_ik delta_k - c_0 h_i - c_1 h_{i-1} - c_2 h_{i-2} - c_3 h_{i+1} = r_i   eqs. (13), (17), (23),
+//   (25)
 //
 // in residual form: h is the change of the film that the line sees, delta the change of the pressure, r the residual.
 // kappa is K for a point that is changed alone and Delta K (eq. 14) for one whose change is distributed.
@@ -25,10 +26,11 @@ struct FilmTerms {
 };
 
 /// The Reynolds equation of one point in every line of the batch.
+template <std::size_t films>
 struct PointEquation {
-  std::array<Lanes, 5> a;  ///< coefficients of delta_{i-2} .. delta_{i+2}
-  std::array<Lanes, 3> c;  ///< coefficients of h_i, h_{i-1}, h_{i-2}
-  Lanes r;                 ///< residual
+  std::array<Lanes, 5> a;      ///< coefficients of delta_{i-2} .. delta_{i+2}
+  std::array<Lanes, films> c;  ///< coefficients of h_i, h_{i-1}, h_{i-2} and, of four, h_{i+1}
+  Lanes r;                     ///< residual
 };
 
 /// One row of the band that is left when the film equation has been used to eliminate every h.
@@ -41,19 +43,22 @@ struct BandRow {
   Lanes rhs;
 };
 
-/// Eliminates h_i, h_{i-1}, h_{i-2} of one point: exact, as the film equation gives every h explicitly.
+/// Eliminates the h of one point: exact, as the film equation gives every h explicitly, but that what delta behind
+/// i + upper does to h_{i+1} is left out.
 /// in: `distributive` points at the entry of point i of an array with one entry per point, 1 where the change is
 /// distributed and 0 where it is single, readable from i - lower to i + upper.
-template <int reach>
-inline BandRow<reach> eliminate_film(const FilmTerms& film, const PointEquation& point, const Lanes* distributive) {
+template <int reach, std::size_t films>
+inline BandRow<reach> eliminate_film(const FilmTerms& film, const PointEquation<films>& point,
+                                     const Lanes* distributive) {
   using Row = BandRow<reach>;
   Row row;
   row.rhs = point.r;
   for (int q = -Row::lower; q <= Row::upper; ++q) {
     Lanes single{};
     Lanes saved{};  // what distributing the change takes away from the influence
-    for (int m = 0; m < 3; ++m) {
-      const int distance = q + m < 0 ? -(q + m) : q + m;
+    for (int m = 0; m < static_cast<int>(films); ++m) {
+      const int column = m == 3 ? q - 1 : q + m;
+      const int distance = column < 0 ? -column : column;
       if (distance > reach) continue;
       const auto d = static_cast<std::size_t>(distance);
       const auto h = static_cast<std::size_t>(m);

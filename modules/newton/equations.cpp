@@ -1,8 +1,10 @@
 #include "newton/equations.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
+#include "film/half_points.hpp"
 #include "reynolds/flux.hpp"
 
 namespace ehl::newton {
@@ -16,10 +18,14 @@ Equations::Equations(fmg::Hierarchy& hierarchy, std::size_t l)
       wet_(nodes_, 0),
       along_{core::Field(level_.grid), core::Field(level_.grid), core::Field(level_.grid)},
       dq_dP_(level_.grid),
-      local_{core::Field(level_.grid), core::Field(level_.grid), core::Field()},
+      local_{core::Field(level_.grid), core::Field(level_.grid), {}, {}, {}},
       dP_(level_.grid),
       dH_(level_.grid) {
-  if (!anisotropic()) return;
+  if (at_half_points()) {
+    along_.dH00 = core::Field(level_.grid);
+    local_.eps_behind = local_.eps_across_behind = core::Field(level_.grid);
+  }
+  if (!two_epsilons()) return;
   across_ = along_;
   local_.eps_across = core::Field(level_.grid);
 }
@@ -32,7 +38,7 @@ void Equations::make_scale() {
   for (int i = 1; i < grid.nx; ++i) {
     const double c0 = reynolds::transport_weights(transport(), i, grid.hx())[0];
     for (int j = 1; j <= grid.last_line(); ++j) {
-      const auto e = reynolds::faces_at(eps, eps_across, i, j, half);
+      const auto e = reynolds::faces_at(face(), eps, eps_across, i, j, half);
       const double dq = level_.rho_bar(i, j) * level_.film_terms.K[0];
       scale_[index(i, j)] = 1.0 / (reynolds::total(e) + c0 * dq);
     }
@@ -80,18 +86,88 @@ void Equations::linearize(std::span<const double> u) {
       return field.nodes_x() > 0 ? field.station(i) : std::span<const double>{};
     };
     const film::Station station{grid(), i, known(level_.P), known(level_.H)};
-    film::slopes(model, station,
-                 {known(level_.eps), known(level_.eps_across), known(level_.rho_bar), known(level_.drho_bar)}, buffers,
-                 {along_.dP.station(i), along_.dH.station(i), anisotropic() ? across_.dP.station(i) : none,
-                  anisotropic() ? across_.dH.station(i) : none});
+    if (at_half_points())
+      film::oil_slopes(model, station, buffers,
+                       {along_.dP.station(i), along_.dH.station(i), anisotropic() ? across_.dP.station(i) : none,
+                        anisotropic() ? across_.dH.station(i) : none});
+    else
+      film::slopes(model, station,
+                   {known(level_.eps), known(level_.eps_across), known(level_.rho_bar), known(level_.drho_bar)},
+                   buffers,
+                   {along_.dP.station(i), along_.dH.station(i), anisotropic() ? across_.dP.station(i) : none,
+                    anisotropic() ? across_.dH.station(i) : none});
     for (int j = 0; j <= grid().ny; ++j) {
-      local_.eps(i, j) = along_.dP(i, j) + self * along_.dH(i, j);
-      if (anisotropic()) local_.eps_across(i, j) = across_.dP(i, j) + self * across_.dH(i, j);
       dq_dP_(i, j) = level_.drho_bar(i, j) * level_.H(i, j);
       local_.q(i, j) = dq_dP_(i, j) + self * level_.rho_bar(i, j);
+      if (at_half_points()) continue;
+      local_.eps(i, j) = along_.dP(i, j) + self * along_.dH(i, j);
+      if (anisotropic()) local_.eps_across(i, j) = across_.dP(i, j) + self * across_.dH(i, j);
     }
   }
+  if (at_half_points()) linearize_half_points();
   for (std::size_t k = 0; k < nodes_; ++k) wet_[k] = u[k] > 0.0 ? 1 : 0;
+}
+
+template <class At>
+double Equations::half_point_change(bool along_x, int i, int j, At at) const {
+  const core::Patch& grid = level_.grid;
+  const fmg::OilFields& oil = level_.oil;
+  const bool thinned = !along_x && anisotropic();
+  const core::Field& fluidity = thinned ? oil.fluidity_across : oil.fluidity;
+  const core::Field& log_viscosity = thinned ? oil.log_viscosity_across : oil.log_viscosity;
+  const Epsilon& slopes = thinned ? across_ : along_;
+  film::AroundHalfPoint<double> here{}, change{};
+  const auto place = [&](int k) { return along_x ? std::pair(i + k, j) : std::pair(i, grid.holder(j + k)); };
+  for (int k = 0; k < 2; ++k) {
+    const auto [ki, kj] = place(k);
+    const auto m = static_cast<std::size_t>(k);
+    const NodeChange node = at(ki, kj);
+    here.rho_bar[m] = level_.rho_bar(ki, kj);
+    here.fluidity[m] = fluidity(ki, kj);
+    here.log_viscosity[m] = log_viscosity(ki, kj);
+    change.rho_bar[m] = level_.drho_bar(ki, kj) * node.dP;
+    change.log_viscosity[m] = slopes.dP(ki, kj) * node.dP + slopes.dH(ki, kj) * node.dH;
+  }
+  const int last = along_x ? grid.nx : grid.domain.ny;
+  const int first = along_x ? i : j;
+  const auto beside = [&](int k) {
+    const auto [ki, kj] = place(k);
+    return std::pair(level_.H(ki, kj), at(ki, kj).dH);
+  };
+  for (int k = -1; k < 3; ++k) {
+    const auto m = static_cast<std::size_t>(k + 1);
+    if (first + k >= 0 && first + k <= last) {
+      std::tie(here.H[m], change.H[m]) = beside(k);
+    } else {
+      const int inward = k < 0 ? 1 : -1;
+      const auto [a, da] = beside(k + inward);
+      const auto [b, db] = beside(k + 2 * inward);
+      const auto [c, dc] = beside(k + 3 * inward);
+      here.H[m] = film::beyond_boundary(a, b, c);
+      change.H[m] = film::beyond_boundary(da, db, dc);
+    }
+  }
+  return film::epsilon_change(here, change, 1.0 / hierarchy_.problem.film.lambda);
+}
+
+void Equations::linearize_half_points() {
+  const core::Patch& grid = level_.grid;
+  const double self = level_.film_terms.K[0];
+  const auto write = [&](bool along_x, int i, int j, core::Field& before, core::Field& behind, core::Field& dH00) {
+    const auto alone = [&](int here_i, int here_j) {
+      return [=, this](int ki, int kj) {
+        return ki == here_i && kj == level_.grid.holder(here_j) ? NodeChange{1.0, self} : NodeChange{};
+      };
+    };
+    before(i, j) = half_point_change(along_x, i, j, alone(i, j));
+    behind(i, j) = half_point_change(along_x, i, j, along_x ? alone(i + 1, j) : alone(i, j + 1));
+    dH00(i, j) = half_point_change(along_x, i, j, [](int, int) { return NodeChange{0.0, 1.0}; });
+  };
+  for (int i = 0; i <= grid.nx; ++i)
+    for (int j = 0; j <= grid.ny; ++j) {
+      if (i < grid.nx) write(true, i, j, local_.eps, local_.eps_behind, along_.dH00);
+      if (j < grid.domain.ny) write(false, i, j, local_.eps_across, local_.eps_across_behind, across_.dH00);
+    }
 }
 
 void Equations::jacobian(std::span<const double> v, std::span<double> Jv) {
@@ -111,29 +187,49 @@ void Equations::jacobian(std::span<const double> v, std::span<double> Jv) {
     for (int j = 0; j <= grid.ny; ++j) {
       const double dP = dP_(i, j);
       const double dH = dH_(i, j) + dH00;
-      along_.change(i, j) = along_.dP(i, j) * dP + along_.dH(i, j) * dH;
-      if (anisotropic()) across_.change(i, j) = across_.dP(i, j) * dP + across_.dH(i, j) * dH;
-      dq(i, j) = dq_dP_(i, j) * dP + level_.rho_bar(i, j) * dH;
+      if (!at_half_points()) {
+        along_.change(i, j) = along_.dP(i, j) * dP + along_.dH(i, j) * dH;
+        if (anisotropic()) across_.change(i, j) = across_.dP(i, j) * dP + across_.dH(i, j) * dH;
+      }
       dload += grid.lines(j) * dP;
     }
+  if (at_half_points()) {
+    const auto at = [&](int i, int j) { return NodeChange{dP_(i, j), dH_(i, j) + dH00}; };
+    for (int i = 0; i <= grid.nx; ++i)
+      for (int j = 0; j <= grid.ny; ++j) {
+        if (i < grid.nx) along_.change(i, j) = half_point_change(true, i, j, at);
+        if (j < grid.domain.ny) across_.change(i, j) = half_point_change(false, i, j, at);
+      }
+  }
+  for (int i = 0; i <= grid.nx; ++i)
+    for (int j = 0; j <= grid.ny; ++j) dq(i, j) = dq_dP_(i, j) * dP_(i, j) + level_.rho_bar(i, j) * (dH_(i, j) + dH00);
   core::fill_ghosts(grid, along_.change);
-  if (anisotropic()) core::fill_ghosts(grid, across_.change);
+  if (anisotropic() && !at_half_points()) core::fill_ghosts(grid, across_.change);
   const core::Field& deps = along_.change;
-  const core::Field& deps_across = anisotropic() ? across_.change : along_.change;
+  const core::Field& deps_across = two_epsilons() ? across_.change : along_.change;
   const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
   const core::Field& P = level_.P;
+  const reynolds::Transport transport = this->transport();
+  const auto q = [this](int i, int j) { return level_.rho_bar(i, j) * level_.H(i, j); };
   const core::Field& eps = level_.eps;
   const core::Field& eps_across = fmg::eps_across(level_);
 #pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
   for (int i = 1; i < grid.nx; ++i) {
-    const auto c = reynolds::transport_weights(transport(), i, grid.hx());
+    const auto c = reynolds::transport_weights(transport, i, grid.hx());
     const int upstream = std::max(i - 2, 0);
     for (int j = 1; j <= grid.last_line(); ++j) {
       const std::size_t k = index(i, j);
-      const auto e = reynolds::faces_at(eps, eps_across, i, j, half);
-      const auto de = reynolds::faces_at(deps, deps_across, i, j, half);
-      const double dr = reynolds::transported(c, dq(i, j), dq(i - 1, j), dq(upstream, j)) -
-                        reynolds::poiseuille_at(e, dP_, i, j) - reynolds::poiseuille_at(de, P, i, j);
+      const auto e = reynolds::faces_at(face(), eps, eps_across, i, j, half);
+      const auto de = reynolds::faces_at(face(), deps, deps_across, i, j, half);
+      const auto w =
+          reynolds::third_order_weights(c, transport, grid.hx(), reynolds::third_order(transport, grid, i, e));
+      double dr = reynolds::transported(w, dq(i, j), dq(i - 1, j), dq(upstream, j), dq(i + 1, j)) -
+                  reynolds::poiseuille_at(e, dP_, i, j) - reynolds::poiseuille_at(de, P, i, j);
+      if (transport.wedge == reynolds::Wedge::upstream3) {
+        const auto dw =
+            reynolds::third_order_weights({}, transport, grid.hx(), reynolds::third_order_change(transport, i, e, de));
+        dr += reynolds::transported(dw, q(i, j), q(i - 1, j), q(upstream, j), q(i + 1, j));
+      }
       Jv[k] = scale_[k] * dr + (wet_[k] ? 0.0 : v[k]);
     }
   }

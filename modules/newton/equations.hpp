@@ -45,28 +45,44 @@ class Equations {
 
   /// What the nodes' own and nearest values do to r, with K cut to its self term: for the preconditioner.
   struct Local {
-    core::Field eps;         ///< d eps/dP
+    core::Field eps;         ///< d eps/dP; at half points by the pressure of the node before
     core::Field q;           ///< d (rho_bar H)/dP
     core::Field eps_across;  ///< of epsilon along Y where it is another one; else empty
+    core::Field eps_behind;  ///< at half points by the pressure of the node behind; else empty
+    core::Field eps_across_behind;
   };
   const Local& local() const { return local_; }
-  const core::Field& local_eps_across() const { return anisotropic() ? local_.eps_across : local_.eps; }
-  /// d eps/dH, along X and along Y.
-  const core::Field& deps_dH() const { return along_.dH; }
-  const core::Field& deps_dH_across() const { return anisotropic() ? across_.dH : along_.dH; }
+  const core::Field& local_eps_across() const { return two_epsilons() ? local_.eps_across : local_.eps; }
+  /// What a change of H everywhere, H00's, changes of epsilon along X and along Y.
+  const core::Field& deps_dH00() const { return at_half_points() ? along_.dH00 : along_.dH; }
+  const core::Field& deps_dH00_across() const {
+    return at_half_points() ? across_.dH00 : anisotropic() ? across_.dH : along_.dH;
+  }
+  reynolds::Face face() const { return level_.scheme.face; }
   bool wet(std::size_t node) const { return wet_[node] != 0; }
   double scale(std::size_t node) const { return scale_[node]; }
-  const reynolds::Transport& transport() const { return hierarchy_.transport; }
+  reynolds::Transport transport() const { return fmg::transport_on(hierarchy_, level_); }
 
  private:
   /// Derivatives of an epsilon at the point of linearization, P and H as independent variables, and its change in
-  /// jacobian().
+  /// jacobian(). At half points those of ln eta_bar of the nodes take the place of those of epsilon.
   struct Epsilon {
     core::Field dP, dH, change;
+    core::Field dH00{};  ///< at half points; else empty
+  };
+  /// What a node's P and H change of what epsilon at half points is made of.
+  struct NodeChange {
+    double dP = 0.0, dH = 0.0;
   };
 
   bool anisotropic() const { return film::anisotropic(hierarchy_.problem.film); }
+  bool at_half_points() const { return fmg::at_half_points(level_); }
+  bool two_epsilons() const { return anisotropic() || at_half_points(); }
   void make_scale();
+  void linearize_half_points();
+  /// d eps at (i + 1/2, j), or at (i, j + 1/2), for changes of the nodes on the line around it. at(i, j): of a node.
+  template <class At>
+  double half_point_change(bool along_x, int i, int j, At at) const;
 
   fmg::Hierarchy& hierarchy_;
   fmg::Level& level_;

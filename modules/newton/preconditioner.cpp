@@ -78,7 +78,7 @@ struct Preconditioner::Implementation {
 void Preconditioner::Implementation::make_order() {
   const core::Patch& grid = equations.grid();
   order.clear();
-  const int reach = equations.transport().wedge == reynolds::Wedge::upstream2 ? 2 : 1;
+  const int reach = equations.transport().wedge == reynolds::Wedge::upstream1 ? 1 : 2;
   dissect({1, grid.nx - 1, 1, grid.last_line()}, reach, equations, order);
   place.assign(equations.size() - 1, -1);
   for (Eigen::Index k = 0; k < size(); ++k) place[node(k)] = static_cast<int>(k);
@@ -95,11 +95,17 @@ void Preconditioner::Implementation::assemble(Vector& column_of_H00) {
     const auto [i, j] = order[row];
     const double s = equations.scale(equations.index(i, j));
     const int upstream = std::max(i - 2, 0);
-    const auto c = reynolds::transport_weights(equations.transport(), i, grid.hx());
-    const auto e = reynolds::faces_at(level.eps, fmg::eps_across(level), i, j, half);
-    const auto held = reynolds::pressure_row(c, e, dq(i, j), dq(i - 1, j), dq(upstream, j));
+    const reynolds::Face face = equations.face();
+    const auto e = reynolds::faces_at(face, level.eps, fmg::eps_across(level), i, j, half);
+    const auto c = reynolds::third_order_weights(reynolds::transport_weights(equations.transport(), i, grid.hx()),
+                                                 equations.transport(), grid.hx(),
+                                                 reynolds::third_order(equations.transport(), grid, i, e));
+    const auto held = reynolds::pressure_row(c, e, dq(i, j), dq(i - 1, j), dq(upstream, j), dq(i + 1, j));
     const auto dr =
-        reynolds::pressure_row(held, level.P, equations.local().eps, equations.local_eps_across(), i, j, half);
+        face == reynolds::Face::mean
+            ? reynolds::pressure_row(held, level.P, equations.local().eps, equations.local_eps_across(), i, j, half)
+            : reynolds::pressure_row(held, level.P, equations.local().eps, equations.local().eps_behind,
+                                     equations.local().eps_across, equations.local().eps_across_behind, i, j, half);
     const auto enter = [&](int ci, int line, double value) {
       const int cj = grid.holder(line);
       if (ci < 1 || ci >= grid.nx || cj < 1 || cj > grid.last_line()) return;
@@ -112,9 +118,10 @@ void Preconditioner::Implementation::assemble(Vector& column_of_H00) {
     enter(i, j - 1, dr.south);
     enter(i, j + 1, dr.north);
     if (c[2] != 0.0) enter(i - 2, j, dr.far_west);
-    const auto de_dH00 = reynolds::faces_at(equations.deps_dH(), equations.deps_dH_across(), i, j, half);
+    const auto de_dH00 = reynolds::faces_at(face, equations.deps_dH00(), equations.deps_dH00_across(), i, j, half);
     column_of_H00[static_cast<Eigen::Index>(row)] =
-        s * (reynolds::transported(c, level.rho_bar(i, j), level.rho_bar(i - 1, j), level.rho_bar(upstream, j)) -
+        s * (reynolds::transported(c, level.rho_bar(i, j), level.rho_bar(i - 1, j), level.rho_bar(upstream, j),
+                                   level.rho_bar(i + 1, j)) -
              reynolds::poiseuille_at(de_dH00, level.P, i, j));
   }
   matrix.resize(size(), size());

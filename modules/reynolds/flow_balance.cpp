@@ -14,25 +14,30 @@ constexpr double rounding = 1e-9;
 /// Fluxes per unit of length through the faces around a node.
 class Fluxes {
  public:
-  Fluxes(const core::Patch& grid, const Fields& state, Wedge wedge)
-      : state_(state), wedge_(wedge), hx_(grid.hx()), hy_(grid.hy()) {}
+  Fluxes(const core::Patch& grid, const Fields& state, const Transport& transport)
+      : grid_(grid), state_(state), transport_(transport), hx_(grid.hx()), hy_(grid.hy()) {}
 
   /// Along X through the face between i and i+1.
   double along_x(int i, int j) const {
-    const double eps = conductance(state_.eps(i, j), state_.eps(i + 1, j), 0.5);
-    const double Q = carried(wedge_, i, [&](int k) { return rho_H(k, j); });
+    const double eps = conductance(state_.face, state_.eps(i, j), state_.eps(i + 1, j), 0.5);
+    double Q = carried(transport_.wedge, i, [&](int k) { return rho_H(k, j); });
+    if (third_order(transport_.wedge) && i > 0) {
+      const double theta = third_order_share(transport_, eps / (hx_ * hx_), grid_.X(i) + 0.5 * hx_);
+      Q += third_order_part(theta, rho_H(i - 1, j), rho_H(i, j), rho_H(i + 1, j));
+    }
     return Q - eps * (state_.P(i + 1, j) - state_.P(i, j)) / hx_;
   }
   /// Along Y through the face between j and j+1.
   double along_y(int i, int j) const {
-    const double eps = conductance(state_.eps_across(i, j), state_.eps_across(i, j + 1), 0.5);
+    const double eps = conductance(state_.face, state_.eps_across(i, j), state_.eps_across(i, j + 1), 0.5);
     return -eps * (state_.P(i, j + 1) - state_.P(i, j)) / hy_;
   }
   double rho_H(int i, int j) const { return state_.rho_bar(i, j) * state_.H(i, j); }
 
  private:
+  const core::Patch& grid_;
   const Fields& state_;
-  Wedge wedge_;
+  const Transport& transport_;
   double hx_, hy_;
 };
 
@@ -63,9 +68,9 @@ bool any_dry(Cavitation cavitation, const double* west, const double* P, const d
 
 }  // namespace
 
-FlowBalance flow_balance(const core::Patch& grid, const Fields& state, Wedge wedge, Cavitation cavitation,
-                         const Reach& reach) {
-  const Fluxes fluxes(grid, state, wedge);
+FlowBalance flow_balance(const core::Patch& grid, const Fields& state, const Transport& transport,
+                         Cavitation cavitation, const Reach& reach) {
+  const Fluxes fluxes(grid, state, transport);
   const double hx = grid.hx();
   const double hy = grid.hy();
   const Range x = range(grid.domain.X_a, hx, grid.nx, reach.X);

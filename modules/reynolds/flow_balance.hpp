@@ -30,12 +30,12 @@ struct Reach {
 /// reach belongs to the region; X, Y > 0, infinity for the whole domain. limits: `through` is taken at the column next
 /// to X = 0 and is 0 without a node in |Y| <= width.
 /// cost: one pass over P within reach, the other fields along the boundary only.
-FlowBalance flow_balance(const core::Patch& grid, const Fields& state, Wedge wedge, Cavitation cavitation,
-                         const Reach& reach);
+FlowBalance flow_balance(const core::Patch& grid, const Fields& state, const Transport& transport,
+                         Cavitation cavitation, const Reach& reach);
 /// |X|, |Y| <= reach of a circular contact.
-inline FlowBalance flow_balance(const core::Patch& grid, const Fields& state, Wedge wedge, Cavitation cavitation,
-                                double reach) {
-  return flow_balance(grid, state, wedge, cavitation, Reach{reach, reach});
+inline FlowBalance flow_balance(const core::Patch& grid, const Fields& state, const Transport& transport,
+                                Cavitation cavitation, double reach) {
+  return flow_balance(grid, state, transport, cavitation, Reach{reach, reach});
 }
 
 }  // namespace ehl::reynolds

@@ -3,25 +3,30 @@
 //   F = U Q - eps dP/dX   along X,   - eps dP/dY   along Y,   Q = rho_bar H,
 // stands here and nowhere else: residual, rows of the relaxation and of Newton's method, weights of the transfers and
 // the balance of mass are made of it.
+#include <algorithm>
 #include <array>
+#include <limits>
 
 #include "reynolds/wedge.hpp"
 
 namespace ehl::reynolds {
 
 /// Q at the face i+1/2, as the wedge carries it there: upstream1 Q_i; upstream2 1.5 Q_i - 0.5 Q_{i-1}, and
-/// (Q_0 + Q_1)/2 at the first face, with which column 1 has upstream1's difference. in: q(k), Q of column k.
+/// (Q_0 + Q_1)/2 at the first face, with which column 1 has upstream1's difference; upstream3 carries that
+/// and third_order_part().
+/// in: q(k), Q of column k.
 template <class Column>
 double carried(Wedge wedge, int i, Column q) {
   if (wedge == Wedge::upstream1) return q(i);
   return i == 0 ? 0.5 * (q(0) + q(1)) : 1.5 * q(i) - 0.5 * q(i - 1);
 }
 
-/// epsilon at a face, times a factor: the arithmetic mean of the nodes' values (below eq. 4).
+/// epsilon at a face, times a factor: the arithmetic mean of the nodes' values (below eq. 4), or what is kept with the
+/// node before it.
 /// in: half_factor, half the factor; with 1/(2 h^2), what couples the two nodes.
 template <class Number>
-Number conductance(Number before, Number behind, double half_factor) {
-  return (before + behind) * half_factor;
+Number conductance(Face face, Number before, Number behind, double half_factor) {
+  return face == Face::mean ? (before + behind) * half_factor : before * (2.0 * half_factor);
 }
 
 /// How strongly a node is coupled through its four faces: epsilon/h^2 there. Along X and along Y with epsilons of
@@ -43,10 +48,11 @@ struct HalfInverseSquares {
 
 /// The faces of node (i, j) of two fields, eps along X and eps_across along Y: the same field where they are one.
 template <class Field>
-Faces<double> faces_at(const Field& eps, const Field& eps_across, int i, int j, const HalfInverseSquares& half) {
-  return {conductance(eps(i - 1, j), eps(i, j), half.X), conductance(eps(i + 1, j), eps(i, j), half.X),
-          conductance(eps_across(i, j - 1), eps_across(i, j), half.Y),
-          conductance(eps_across(i, j + 1), eps_across(i, j), half.Y)};
+Faces<double> faces_at(Face face, const Field& eps, const Field& eps_across, int i, int j,
+                       const HalfInverseSquares& half) {
+  return {conductance(face, eps(i - 1, j), eps(i, j), half.X), conductance(face, eps(i, j), eps(i + 1, j), half.X),
+          conductance(face, eps_across(i, j - 1), eps_across(i, j), half.Y),
+          conductance(face, eps_across(i, j), eps_across(i, j + 1), half.Y)};
 }
 
 /// What flows in through the four faces by pressure: sum of e (P_neighbour - P_centre).
@@ -72,6 +78,63 @@ Number transported(const std::array<double, 3>& c, Number own, Number west, Numb
   return c[0] * own + c[1] * west + c[2] * far_west;
 }
 
+/// The share theta of the third-order flux (2 Q_{i+1} + 5 Q_i - Q_{i-1})/6 at a face. in: e = epsilon/hx^2 and X there.
+template <class Number>
+Number third_order_share(const Transport& transport, Number e, double X) {
+  if (transport.wedge == Wedge::upstream3_inlet) {
+    constexpr double blend = 0.2;  // X from all of it to none
+    const double s = std::clamp(-X / blend, 0.0, 1.0);
+    return Number{} + s * s * (3.0 - 2.0 * s);
+  }
+  const double half_at = transport.speed * transport.third_order_from;
+  const double square = half_at * half_at + std::numeric_limits<double>::min();  // not 0/0 without speed and epsilon
+  return 1.0 - square / (e * e + square);
+}
+/// What it adds to the flux of upstream2. in: Q at i-1, i, i+1.
+template <class Number>
+Number third_order_part(Number theta, Number west, Number own, Number east) {
+  return theta * (1.0 / 3.0) * (east - 2.0 * own + west);
+}
+
+/// theta at the faces west and east of a node; none at the first face, which has no third node, and of other wedges.
+template <class Number>
+struct ThirdOrder {
+  Number west, east;
+};
+template <class Number, class Patch>
+ThirdOrder<Number> third_order(const Transport& transport, const Patch& grid, int i, const Faces<Number>& e) {
+  if (!third_order(transport.wedge)) return ThirdOrder<Number>{Number{}, Number{}};
+  const double half = 0.5 * grid.hx();
+  const Number east = third_order_share(transport, e.east, grid.X(i) + half);
+  return {i > 1 ? third_order_share(transport, e.west, grid.X(i) - half) : Number{}, east};
+}
+/// Its change with e. in: changes de.
+inline ThirdOrder<double> third_order_change(const Transport& transport, int i, const Faces<double>& e,
+                                             const Faces<double>& de) {
+  if (transport.wedge != Wedge::upstream3) return {};
+  const double half_at = transport.speed * transport.third_order_from;
+  const auto change = [&](double at, double by) {
+    const double sum = at * at + half_at * half_at;
+    return sum > 0.0 ? 2.0 * at * half_at * half_at / (sum * sum) * by : 0.0;
+  };
+  return {i > 1 ? change(e.west, de.west) : 0.0, change(e.east, de.east)};
+}
+
+/// Weights of Q at i, i-1, i-2, i+1: those of transport_weights() and what third_order_part() adds.
+template <class Number>
+std::array<Number, 4> third_order_weights(const std::array<double, 3>& c, const Transport& transport, double hx,
+                                          const ThirdOrder<Number>& theta) {
+  const double factor = transport.speed / (3.0 * hx);
+  const Number west = factor * theta.west;
+  const Number east = factor * theta.east;
+  return {c[0] - 2.0 * east - west, c[1] + east + 2.0 * west, c[2] - west, east};
+}
+/// U dQ/dX + c Q. in: the weights, Q at i, i-1, i-2, i+1.
+template <class Number, class Weight>
+Number transported(const std::array<Weight, 4>& c, Number own, Number west, Number far_west, Number east) {
+  return c[0] * own + c[1] * west + c[2] * far_west + c[3] * east;
+}
+
 /// How many times stronger the film's own change acts in a point's equation than in the steady one, on cells hx long.
 /// The squeeze counts several times: its kernel is K itself, whose far part a relaxation of single points leaves out,
 /// where the wedge has differences of K. Measured from c = 10 to 10^4 on 65^2 and 257^2 nodes: with a factor of 1 the
@@ -88,6 +151,12 @@ struct PressureRow {
   Number far_west, west, own, east, south, north;
 };
 
+template <class Number>
+PressureRow<Number> sum(const PressureRow<Number>& a, const PressureRow<Number>& b) {
+  return {a.far_west + b.far_west, a.west + b.west,   a.own + b.own,
+          a.east + b.east,         a.south + b.south, a.north + b.north};
+}
+
 /// The row with epsilon held. in: dQ/dP at i, i-1, i-2.
 template <class Number>
 PressureRow<Number> pressure_row(const std::array<double, 3>& c, const Faces<Number>& e, Number own, Number west,
@@ -96,6 +165,18 @@ PressureRow<Number> pressure_row(const std::array<double, 3>& c, const Faces<Num
           .west = c[1] * west - e.west,
           .own = total(e) + c[0] * own,
           .east = -e.east,
+          .south = -e.south,
+          .north = -e.north};
+}
+
+/// The same of upstream3. in: dQ/dP at i, i-1, i-2, i+1.
+template <class Number, class Weight>
+PressureRow<Number> pressure_row(const std::array<Weight, 4>& c, const Faces<Number>& e, Number own, Number west,
+                                 Number far_west, Number east) {
+  return {.far_west = c[2] * far_west,
+          .west = c[1] * west - e.west,
+          .own = total(e) + c[0] * own,
+          .east = c[3] * east - e.east,
           .south = -e.south,
           .north = -e.north};
 }
@@ -112,6 +193,24 @@ PressureRow<double> pressure_row(const PressureRow<double>& held, const Field& P
           .east = held.east - steps.east * slope(i + 1, j),
           .south = held.south - steps.south * slope_across(i, j - 1),
           .north = held.north - steps.north * slope_across(i, j + 1)};
+}
+
+/// The same where epsilon is kept at half points: its slopes by the pressure of the node before and of the one behind.
+template <class Field>
+PressureRow<double> pressure_row(const PressureRow<double>& held, const Field& P, const Field& before,
+                                 const Field& behind, const Field& before_across, const Field& behind_across, int i,
+                                 int j, const HalfInverseSquares& half) {
+  const double west = 2.0 * half.X * (P(i - 1, j) - P(i, j));
+  const double east = 2.0 * half.X * (P(i + 1, j) - P(i, j));
+  const double south = 2.0 * half.Y * (P(i, j - 1) - P(i, j));
+  const double north = 2.0 * half.Y * (P(i, j + 1) - P(i, j));
+  return {.far_west = held.far_west,
+          .west = held.west - west * before(i - 1, j),
+          .own = held.own - west * behind(i - 1, j) - east * before(i, j) - south * behind_across(i, j - 1) -
+                 north * before_across(i, j),
+          .east = held.east - east * behind(i, j),
+          .south = held.south - south * before_across(i, j - 1),
+          .north = held.north - north * behind_across(i, j)};
 }
 
 /// poiseuille() of a field's values around node (i, j).

@@ -7,14 +7,28 @@ std::vector<deck::Key> keys() {
       "discretization",
       {{.name = "wedge",
         .default_text = "upstream2",
-        .words = {"upstream1", "upstream2"},
-        .meaning = "The discrete wedge term d(rho H)/dX: first order as in the paper, or second order. The second is "
-                   "ten times closer on the same grid.",
-        .source = "Venner and ten Napel 1992, eq. (4), use upstream1"}});
+        .words = {"upstream1", "upstream2", "upstream3", "upstream3_inlet"},
+        .meaning =
+            "The discrete wedge term d(rho H)/dX: first order as in the paper; second order, ten times closer on "
+            "the same grid; third order where the pressure couples the nodes (epsilon/h^2 above 1) and second "
+            "elsewhere; or third order upstream of X = 0 alone.",
+        .source = "Venner and ten Napel 1992, eq. (4), use upstream1"},
+       {.name = "face",
+        .default_text = "mean",
+        .words = {"mean", "logmean"},
+        .meaning =
+            "epsilon half-way between two nodes: the mean of the two; or rho H^3/eta of its own, with H from four "
+            "nodes and the logarithmic mean of 1/eta, several times closer in the rim of the inlet.",
+        .source = "Venner and ten Napel 1992, below eq. (4), use mean"}});
 }
 
 Wedge read(deck::Deck& deck) {
-  return deck::Part{deck, "discretization"}.choice("wedge", {Wedge::upstream1, Wedge::upstream2});
+  return deck::Part{deck, "discretization"}.choice(
+      "wedge", {Wedge::upstream1, Wedge::upstream2, Wedge::upstream3, Wedge::upstream3_inlet});
+}
+
+Face read_face(deck::Deck& deck) {
+  return deck::Part{deck, "discretization"}.choice("face", {Face::mean, Face::logmean});
 }
 
 }  // namespace ehl::reynolds

@@ -9,5 +9,6 @@ namespace ehl::reynolds {
 /// The deck's keys of [discretization].
 std::vector<deck::Key> keys();
 Wedge read(deck::Deck& deck);
+Face read_face(deck::Deck& deck);
 
 }  // namespace ehl::reynolds

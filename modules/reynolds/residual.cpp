@@ -7,9 +7,15 @@
 
 namespace ehl::reynolds {
 
-void residual(const core::Patch& grid, const Fields& state, const Transport& transport, int threads, core::Field& r) {
+namespace {
+
+// plain: epsilon at the nodes and no third-order flux, known when it is compiled.
+template <bool plain>
+void residual_by(const core::Patch& grid, const Fields& state, const Transport& transport, int threads,
+                 core::Field& r) {
   const HalfInverseSquares half(grid.hx(), grid.hy());
   const int last = grid.last_line();
+  const Face face = plain ? Face::mean : state.face;
   std::ranges::fill(r.station(0), 0.0);
   std::ranges::fill(r.station(grid.nx), 0.0);
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
@@ -29,13 +35,21 @@ void residual(const core::Patch& grid, const Fields& state, const Transport& tra
     const double* __restrict rho0 = state.rho_bar.at_x(i);
     const double* __restrict rho1 = state.rho_bar.at_x(i - 1);
     const double* __restrict rho2 = state.rho_bar.at_x(upstream);
+    const double* __restrict H_east = state.H.at_x(i + 1);
+    const double* __restrict rho_east = state.rho_bar.at_x(i + 1);
     double* __restrict out = r.at_x(i);
     for (int j = 1; j <= last; ++j) {
-      const Faces<double> e{conductance(eps_west[j], eps[j], half.X), conductance(eps_east[j], eps[j], half.X),
-                            conductance(eps_across[j - 1], eps_across[j], half.Y),
-                            conductance(eps_across[j + 1], eps_across[j], half.Y)};
-      out[j] = transported(c, rho0[j] * H0[j], rho1[j] * H1[j], rho2[j] * H2[j]) -
-               poiseuille(e, P_west[j], P_east[j], P[j - 1], P[j + 1], P[j]);
+      const Faces<double> e{conductance(face, eps_west[j], eps[j], half.X),
+                            conductance(face, eps[j], eps_east[j], half.X),
+                            conductance(face, eps_across[j - 1], eps_across[j], half.Y),
+                            conductance(face, eps_across[j], eps_across[j + 1], half.Y)};
+      double net;
+      if constexpr (plain)
+        net = transported(c, rho0[j] * H0[j], rho1[j] * H1[j], rho2[j] * H2[j]);
+      else
+        net = transported(third_order_weights(c, transport, grid.hx(), third_order(transport, grid, i, e)),
+                          rho0[j] * H0[j], rho1[j] * H1[j], rho2[j] * H2[j], rho_east[j] * H_east[j]);
+      out[j] = net - poiseuille(e, P_west[j], P_east[j], P[j - 1], P[j + 1], P[j]);
     }
     if (state.f.nodes_x() > 0) {
       const double* __restrict f = state.f.at_x(i);
@@ -45,6 +59,15 @@ void residual(const core::Patch& grid, const Fields& state, const Transport& tra
     out[last + 1] = 0.0;
     core::fill_ghosts(grid, out);
   }
+}
+
+}  // namespace
+
+void residual(const core::Patch& grid, const Fields& state, const Transport& transport, int threads, core::Field& r) {
+  if (state.face == Face::mean && !third_order(transport.wedge))
+    residual_by<true>(grid, state, transport, threads, r);
+  else
+    residual_by<false>(grid, state, transport, threads, r);
 }
 
 ResidualNorms residual_norms(const core::Patch& grid, const Fields& state, const Transport& transport,

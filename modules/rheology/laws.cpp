@@ -1,6 +1,7 @@
 #include "rheology/laws.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -160,27 +161,74 @@ void density_slope(const DensityLaw& law, std::span<const double> P, std::span<d
   std::visit([&](const auto& d) { rho_slope(d, P, drho_bar); }, law);
 }
 
-void film_properties(const ViscosityLaw& viscosity, const DensityLaw& density, std::span<const double> P,
-                     std::span<double> fluidity, std::span<double> rho_bar) {
+namespace {
+
+// fluidity_of(law, p, first, count): of the nodes first .. first + count - 1, their pressures p; none of them: at P =
+// 0.
+template <class Fluidity>
+void properties_in_chunks(const ViscosityLaw& viscosity, const DensityLaw& density, std::span<const double> P,
+                          std::span<double> rho_bar, Fluidity fluidity_of) {
   // The density is visited chunk by chunk: all pairs of laws side by side would be five times the code.
   std::visit(
       [&](const auto& v) {
         for (std::size_t k = 0; k < P.size(); k += chunk) {
           const std::size_t count = std::min(chunk, P.size() - k);
           const auto p = P.subspan(k, count);
-          const auto fluidity_out = fluidity.subspan(k, count);
           const auto rho_out = rho_bar.subspan(k, count);
           // Behind the exit everything is cavitated, a quarter of a usual domain: no exponentials for it.
           if (all_zero(p)) {
-            std::ranges::fill(fluidity_out, 1.0);
+            fluidity_of(v, std::span<const double>{}, k, count);
             std::ranges::fill(rho_out, 1.0);
           } else {
-            reciprocal_eta(v, p, fluidity_out);
+            fluidity_of(v, p, k, count);
             std::visit([&](const auto& d) { rho(d, p, rho_out); }, density);
           }
         }
       },
       viscosity);
+}
+
+}  // namespace
+
+void film_properties(const ViscosityLaw& viscosity, const DensityLaw& density, std::span<const double> P,
+                     std::span<double> fluidity, std::span<double> rho_bar) {
+  properties_in_chunks(viscosity, density, P, rho_bar,
+                       [&](const auto& law, std::span<const double> p, std::size_t first, std::size_t count) {
+                         const auto out = fluidity.subspan(first, count);
+                         if (p.empty())
+                           std::ranges::fill(out, 1.0);
+                         else
+                           reciprocal_eta(law, p, out);
+                       });
+}
+
+void film_properties(const ViscosityLaw& viscosity, const DensityLaw& density, std::span<const double> P,
+                     std::span<double> log_eta_bar, std::span<double> fluidity, std::span<double> rho_bar) {
+  properties_in_chunks(viscosity, density, P, rho_bar,
+                       [&](const auto& law, std::span<const double> p, std::size_t first, std::size_t count) {
+                         const auto exponent = log_eta_bar.subspan(first, count);
+                         const auto out = fluidity.subspan(first, count);
+                         if (p.empty()) {
+                           std::ranges::fill(exponent, 0.0);
+                           std::ranges::fill(out, 1.0);
+                         } else {
+                           log_eta(law, p, exponent);
+                           apply(exponent, out, [](Lanes a) { return exp(-a); });
+                         }
+                       });
+}
+
+void thin_log_viscosity(std::span<const double> oil_fluidity, std::span<const double> fluidity,
+                        std::span<double> log_eta_bar) {
+  for (std::size_t first = 0; first < fluidity.size(); first += chunk) {
+    const std::size_t count = std::min(chunk, fluidity.size() - first);
+    std::array<double, chunk> more{};
+    for (std::size_t k = 0; k < count; ++k)
+      more[k] = oil_fluidity[first + k] > 0.0 ? fluidity[first + k] / oil_fluidity[first + k] - 1.0 : 0.0;
+    const std::span<double> logarithm(more.data(), count);
+    apply(logarithm, logarithm, [](Lanes x) { return log1p(x); });
+    for (std::size_t k = 0; k < count; ++k) log_eta_bar[first + k] -= more[k];
+  }
 }
 
 }  // namespace ehl::rheology

@@ -80,5 +80,11 @@ void density_slope(const DensityLaw& law, std::span<const double> P, std::span<d
 /// fluidity and density in one pass over P: the same bits as the two functions above.
 void film_properties(const ViscosityLaw& viscosity, const DensityLaw& density, std::span<const double> P,
                      std::span<double> fluidity, std::span<double> rho_bar);
+/// ln(eta_bar) as well.
+void film_properties(const ViscosityLaw& viscosity, const DensityLaw& density, std::span<const double> P,
+                     std::span<double> log_eta, std::span<double> fluidity, std::span<double> rho_bar);
+/// ln(eta_bar) of an oil that a film thins: less by ln(fluidity/fluidity of the oil). 0 fluidity: unchanged.
+void thin_log_viscosity(std::span<const double> oil_fluidity, std::span<const double> fluidity,
+                        std::span<double> log_eta);
 
 }  // namespace ehl::rheology

@@ -100,6 +100,12 @@ fmg::Parameters parameters_of(const Scene& scene, const Start& start) {
   return parameters;
 }
 
+reynolds::Transport transport_of(const Scene& scene) {
+  reynolds::Transport transport = scene.wedge;
+  transport.third_order_from *= scene.shape.p_h / scene.shape.a;  // likewise
+  return transport;
+}
+
 }  // namespace
 
 fmg::Geometry geometry_of(const contact::Ellipse& shape) {
@@ -131,7 +137,8 @@ fmg::Run begin_climb(const Scene& scene, const Start& start, const ProgressCallb
                                       .density = scene.density,
                                       .thinning = scene.thinning,
                                       .effects = scene.fluidity_effects},
-                             .transport = scene.wedge,
+                             .transport = transport_of(scene),
+                             .face = scene.face,
                              .load = contact::load(scene.shape),
                              .geometry = geometry_of(scene.shape),
                              .far_field = far_field_of(scene),

@@ -52,7 +52,7 @@ double film_zone(double M, double L, const contact::Ellipse& shape) {
 }
 
 double resolving_step(double M, double L, reynolds::Wedge wedge, const contact::Ellipse& shape) {
-  const bool second_order = wedge == reynolds::Wedge::upstream2;
+  const bool second_order = wedge != reynolds::Wedge::upstream1;
   const double share = second_order ? 0.3 : 0.2;
   const double coarsest = second_order ? 0.4 : 0.2;
   return std::min(coarsest * contact::extent(shape).shorter, share * film_zone(M, L, shape));

@@ -61,6 +61,7 @@ struct Scene {
   /// Pressure on the boundary and load outside of the domain in closed form; else none of them.
   bool far_field = false;
   reynolds::Wedge wedge = reynolds::Wedge::upstream2;
+  reynolds::Face face = reynolds::Face::mean;
   mlmi::Parameters deformation;
   fmg::Parameters multigrid;
   ContinuationParameters continuation;

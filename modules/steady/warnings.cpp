@@ -38,7 +38,7 @@ double largest_along_sides(const Solution& solution) {
 }  // namespace
 
 int cells_that_resolve(int cells, double error, reynolds::Wedge wedge) {
-  const double per_doubling = wedge == reynolds::Wedge::upstream2 ? 4.0 : 2.0;
+  const double per_doubling = wedge != reynolds::Wedge::upstream1 ? 4.0 : 2.0;
   for (error = std::min(error, hardly_an_error); error > unresolved_film; error /= per_doubling) cells *= 2;
   return cells;
 }

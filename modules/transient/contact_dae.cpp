@@ -86,6 +86,7 @@ void ContactDae::pose(double T, const Drive& drive, double cj) {
   hierarchy_.outside_line = {};
   hierarchy_.far_motion = {.load = drive.load};
   level.H_floor = 0.0;
+  level.scheme = fmg::scheme_of(hierarchy_.problem);
   if (course_.surface) course_.surface(level.grid, T, level.F);
 }
 

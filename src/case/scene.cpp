@@ -97,6 +97,7 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   scene.multigrid = fmg::read(deck);
   scene.accuracy = steady::read_accuracy(deck, share_of_memory * usable_memory() / bytes_per_node);
   scene.wedge = reynolds::read(deck);
+  scene.face = reynolds::read_face(deck);
   if (!result.dry) steady::choose_grid(deck, result.physics.groups, scene.wedge);
   const bool contact_known = result.dry || result.physics.groups.M > 0.0;
   if (contact_known) steady::check_contains(deck, result.physics.groups.shape);

@@ -146,7 +146,14 @@ std::string path_code(const steady::Solution& solution) {
   return method.starts_with("Newton") ? "newton" : "full-multigrid";
 }
 
-const char* name(reynolds::Wedge wedge) { return wedge == reynolds::Wedge::upstream1 ? "upstream1" : "upstream2"; }
+const char* name(reynolds::Wedge wedge) {
+  switch (wedge) {
+    case reynolds::Wedge::upstream1: return "upstream1";
+    case reynolds::Wedge::upstream2: return "upstream2";
+    case reynolds::Wedge::upstream3: return "upstream3";
+    default: return "upstream3_inlet";
+  }
+}
 
 const char* name(mlmi::Method method) {
   switch (method) {

@@ -9,7 +9,8 @@
 namespace ehl::tests {
 
 /// Roelands (z = 0.6) and Dowson-Higginson at the Hertz pressure of a mineral oil.
-inline fmg::Problem circular_contact(double M, double L, reynolds::Wedge wedge) {
+inline fmg::Problem circular_contact(double M, double L, reynolds::Wedge wedge,
+                                     reynolds::Face face = reynolds::Face::mean) {
   const contact::Groups groups = contact::from_moes(M, L);
   constexpr double alpha = 1.7e-8;
   const double p_h = contact::hertz_pressure(groups, alpha);
@@ -18,6 +19,7 @@ inline fmg::Problem circular_contact(double M, double L, reynolds::Wedge wedge) 
   problem.film.viscosity = rheology::make_roelands(alpha, rheology::roelands_p0, 0.6, p_h);
   problem.film.density = rheology::make_dowson_higginson(p_h);
   problem.transport = wedge;
+  problem.face = face;
   return problem;
 }
 

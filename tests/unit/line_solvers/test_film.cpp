@@ -16,8 +16,8 @@ constexpr int margin = ehl::line_solvers::max_reach + 2;
 
 struct Line {
   FilmTerms film;
-  std::vector<PointEquation> point;  // 1..points
-  std::vector<Lanes> distributive;   // point i at i + margin
+  std::vector<PointEquation<3>> point;  // 1..points
+  std::vector<Lanes> distributive;      // point i at i + margin
 };
 
 /// share: of the points that distribute their change.
@@ -32,7 +32,7 @@ Line random_line(int reach, double share, Random& random) {
   line.distributive.resize(points + 1 + 2 * margin);
   for (std::size_t i = 1; i <= points; ++i)
     for (int lane = 0; lane < lanes; ++lane) {
-      PointEquation& point = line.point[i];
+      PointEquation<3>& point = line.point[i];
       for (Lanes& a : point.a) a[lane] = random.between(-1.0, 1.0);
       for (Lanes& c : point.c) c[lane] = random.between(-1.0, 1.0);
       point.a[2][lane] = -random.between(8.0, 12.0);
@@ -61,7 +61,7 @@ Eigen::VectorXd solve_both_unknowns(const Line& line, int lane) {
     }
   }
   for (int i = 1; i <= points; ++i) {
-    const PointEquation& point = line.point[static_cast<std::size_t>(i)];
+    const PointEquation<3>& point = line.point[static_cast<std::size_t>(i)];
     for (int k = -2; k <= 2; ++k)
       if (i + k >= 1 && i + k <= points)
         A(at_delta(i), at_delta(i + k)) = point.a[static_cast<std::size_t>(k + 2)][lane];

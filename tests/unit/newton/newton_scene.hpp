@@ -11,7 +11,8 @@ namespace ehl::tests {
 /// Roelands (z = 0.68, alpha = 2.2e-8 1/Pa) and Dowson-Higginson, film by Fourier transforms: exact.
 inline fmg::Hierarchy newton_hierarchy(double M, double L, const core::Patch& grid, int threads,
                                        reynolds::Wedge wedge = reynolds::Wedge::upstream2,
-                                       std::optional<rheology::ShearThinning> thinning = {}) {
+                                       std::optional<rheology::ShearThinning> thinning = {},
+                                       reynolds::Face face = reynolds::Face::mean) {
   const contact::Groups groups = contact::from_moes(M, L);
   constexpr double alpha = 2.2e-8;
   const double p_h = groups.alpha_bar / alpha;
@@ -19,7 +20,8 @@ inline fmg::Hierarchy newton_hierarchy(double M, double L, const core::Patch& gr
                                       .viscosity = rheology::make_roelands(alpha, rheology::roelands_p0, 0.68, p_h),
                                       .density = rheology::make_dowson_higginson(p_h),
                                       .thinning = thinning},
-                             .transport = wedge};
+                             .transport = wedge,
+                             .face = face};
   mlmi::Parameters deformation;
   deformation.method = mlmi::Method::fft;
   return fmg::make_hierarchy(problem, {}, deformation, grid, threads);

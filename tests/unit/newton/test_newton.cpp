@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 #include <stdexcept>
+#include <tuple>
 #include <vector>
 
 #include "core/errors.hpp"
@@ -56,9 +57,18 @@ double largest(const std::vector<double>& v) {
 
 BOOST_AUTO_TEST_CASE(jacobian_products_are_the_slope_of_the_residual) {
   Random random(5);
-  for (const reynolds::Wedge wedge : {reynolds::Wedge::upstream1, reynolds::Wedge::upstream2}) {
+  using reynolds::Face;
+  using reynolds::Wedge;
+  const std::optional<rheology::ShearThinning> newtonian;
+  const std::optional<rheology::ShearThinning> eyring = rheology::ShearThinning{rheology::Eyring{}, 0.02};
+  const std::tuple<Wedge, Face, std::optional<rheology::ShearThinning>> schemes[] = {
+      {Wedge::upstream1, Face::mean, newtonian},    {Wedge::upstream2, Face::mean, newtonian},
+      {Wedge::upstream3, Face::mean, newtonian},    {Wedge::upstream2, Face::logmean, newtonian},
+      {Wedge::upstream3, Face::logmean, newtonian}, {Wedge::upstream3_inlet, Face::logmean, eyring}};
+  for (const auto& [wedge, face, thinning] : schemes) {
     // hx != hy: every factor in its place.
-    fmg::Hierarchy hierarchy = newton_hierarchy(50, 10, core::Grid{32, 24, -3.0, 1.5, -2.0, 2.0}, 1, wedge);
+    fmg::Hierarchy hierarchy =
+        newton_hierarchy(50, 10, core::Grid{32, 24, -3.0, 1.5, -2.0, 2.0}, 1, wedge, thinning, face);
     const std::size_t l = hierarchy.levels.size() - 1;
     fmg::start_from_hertz(hierarchy, l, -0.6, 0);
     newton::Equations equations(hierarchy, l);

@@ -7,7 +7,8 @@ namespace ehl::tests {
 
 struct Fields {
   core::Field P, H, rho_bar, eps, f;
-  reynolds::Fields state() const { return {P, H, rho_bar, eps, f}; }
+  reynolds::Face face = reynolds::Face::mean;
+  reynolds::Fields state() const { return {P, H, rho_bar, eps, f, eps, face}; }
 };
 
 inline Fields zero_fields(const core::Patch& grid) {

@@ -38,7 +38,7 @@ double sum_of_residuals(const Patch& grid, const Fields& fields, Wedge wedge, re
 BOOST_AUTO_TEST_CASE(edge_and_inside_give_the_same_balance) {
   double worst = 0.0;
   for (const Grid& grid : {Grid{48, 48, -3, 3, -3, 3}, Grid{61, 22, -4.5, 1.5, -2, 2}, Grid{20, 70, -2.3, 1.4, -3, 3}})
-    for (const Wedge wedge : {Wedge::upstream1, Wedge::upstream2})
+    for (const Wedge wedge : {Wedge::upstream1, Wedge::upstream2, Wedge::upstream3, Wedge::upstream3_inlet})
       for (const reynolds::Cavitation cavitation :
            {reynolds::Cavitation::nonnegative_pressure, reynolds::Cavitation::none})
         for (const double reach : {everywhere, 1.5, 0.8}) {
@@ -46,6 +46,7 @@ BOOST_AUTO_TEST_CASE(edge_and_inside_give_the_same_balance) {
           Fields fields = random_fields(grid, random);
           for (int i = 0; i <= grid.nx; ++i)
             for (int j = 0; j <= grid.ny; ++j) fields.f(i, j) = 0.0;
+          if (wedge == Wedge::upstream3) fields.face = reynolds::Face::logmean;
           const reynolds::FlowBalance balance = reynolds::flow_balance(grid, fields.state(), wedge, cavitation, reach);
           const double inside = sum_of_residuals(grid, fields, wedge, cavitation, reach);
           const double difference = std::abs(balance.out - balance.in - inside) / (balance.out + balance.in);

@@ -1,0 +1,56 @@
+#include "film/half_points.hpp"
+
+#include <cstddef>
+
+namespace ehl::film {
+
+double epsilon_change(const AroundHalfPoint<double>& at, const AroundHalfPoint<double>& change, double inverse_lambda) {
+  const double H = film_between(at.H);
+  const bool limited = H == 0.25 * (at.H[1] + at.H[2]);
+  const double dH = limited ? 0.25 * (change.H[1] + change.H[2])
+                            : (9.0 * (change.H[1] + change.H[2]) - (change.H[0] + change.H[3])) / 16.0;
+  const double rho = 0.5 * (at.rho_bar[0] + at.rho_bar[1]);
+  const double drho = 0.5 * (change.rho_bar[0] + change.rho_bar[1]);
+  const auto [phi0, phi1] = at.fluidity;
+  const double f = logarithmic_mean(at);
+  const double d = at.log_viscosity[1] - at.log_viscosity[0];
+  // Slopes of f with respect to the two logarithms: (f - phi_0)/d and (phi_1 - f)/d.
+  const bool close = d * d < series_below * series_below;
+  const double f0 = close ? -phi0 * (0.5 - d * (1.0 / 6.0 - d / 24.0)) : (f - phi0) / d;
+  const double f1 = close ? -phi1 * (0.5 + d * (1.0 / 6.0 + d / 24.0)) : (phi1 - f) / d;
+  const double df = f0 * change.log_viscosity[0] + f1 * change.log_viscosity[1];
+  return inverse_lambda * H * H * (drho * H * f + 3.0 * rho * dH * f + rho * H * df);
+}
+
+void epsilon_between_stations(const AroundLines& around, double lambda, std::span<double> eps) {
+  const double inverse = 1.0 / lambda;
+  const auto& [H, rho, phi, a] = around;
+  const double* H0 = H[0].data();
+  const double* H1 = H[1].data();
+  const double* H2 = H[2].data();
+  const double* H3 = H[3].data();
+  const double* rho0 = rho[0].data();
+  const double* rho1 = rho[1].data();
+  const double* phi0 = phi[0].data();
+  const double* phi1 = phi[1].data();
+  const double* a0 = a[0].data();
+  const double* a1 = a[1].data();
+  double* __restrict out = eps.data();
+  const std::size_t count = eps.size();
+  for (std::size_t k = 0; k < count; ++k)
+    out[k] = epsilon_between<double>(
+        {{H0[k], H1[k], H2[k], H3[k]}, {rho0[k], rho1[k]}, {phi0[k], phi1[k]}, {a0[k], a1[k]}}, inverse);
+}
+
+void epsilon_between_nodes(const AlongStation& along, double lambda, std::span<double> eps) {
+  const std::size_t faces = along.rho_bar.size() - 1;
+  const auto from = [faces](std::span<const double> values, std::size_t k) { return values.subspan(k, faces); };
+  const auto two = [&](std::span<const double> values) { return std::array{from(values, 0), from(values, 1)}; };
+  epsilon_between_stations({{from(along.H, 0), from(along.H, 1), from(along.H, 2), from(along.H, 3)},
+                            two(along.rho_bar),
+                            two(along.fluidity),
+                            two(along.log_viscosity)},
+                           lambda, eps.first(faces));
+}
+
+}  // namespace ehl::film

@@ -1,0 +1,91 @@
+#pragma once
+// epsilon half-way between two nodes of a line, made of what the nodes on the line have: not the mean of their
+// epsilons, which is far too large where epsilon falls by factors from cell to cell, as in the rim of the inlet.
+// For a double or a batch of them.
+#include <array>
+#include <span>
+
+namespace ehl::film {
+
+/// Of the nodes on a line around a half point: the two beside it, and for the film the next two beyond them too.
+template <class Number>
+struct AroundHalfPoint {
+  std::array<Number, 4> H;
+  std::array<Number, 2> rho_bar;        ///< of the two in the middle, and so on
+  std::array<Number, 2> fluidity;       ///< 1/eta_bar
+  std::array<Number, 2> log_viscosity;  ///< ln eta_bar
+};
+
+/// Below this difference of ln eta_bar the logarithmic mean is a series; its error then is below 1e-15.
+inline constexpr double series_below = 0.01;
+
+/// (phi_0 - phi_1)/(a_1 - a_0), phi = e^-a: the fluidity that carries the same flow as one that falls exponentially
+/// between the nodes. Barus' oil under a linear pressure has exactly that.
+template <class Number>
+Number logarithmic_mean(const AroundHalfPoint<Number>& at) {
+  const auto [phi0, phi1] = at.fluidity;
+  const Number d = at.log_viscosity[1] - at.log_viscosity[0];
+  const Number d2 = d * d;
+  // tanh(d/2)/(d/2) of the arithmetic mean.
+  const Number series = 0.5 * (phi0 + phi1) * (1.0 - d2 * (1.0 / 12.0 - d2 * (1.0 / 120.0)));
+  const auto close = d2 < series_below * series_below;
+  const Number safe = close ? Number{} + 1.0 : d;
+  return close ? series : (phi0 - phi1) / safe;
+}
+
+/// What the flux eps (P_1 - P_0) answers to the two pressures, over epsilon, when the viscosity follows them and falls
+/// exponentially: phi_0/f and phi_1/f, f the logarithmic mean. Their difference is that of ln eta_bar.
+template <class Number>
+struct Answers {
+  Number before, behind;
+};
+template <class Number>
+Answers<Number> answers(Number phi0, Number phi1, Number a0, Number a1) {
+  const Number d = a1 - a0;
+  const Number fall = phi0 - phi1;
+  const auto close = d * d < series_below * series_below;
+  const auto flat = close | (fall == 0.0);  // both fluidities may be too small for a double
+  const Number limit = close ? 1.0 + d * (0.5 + d * (1.0 / 12.0)) : (d > 0.0 ? d : Number{});
+  const Number before = flat ? limit : d * phi0 / (flat ? Number{} + 1.0 : fall);
+  return {before, before - d};
+}
+
+/// Third-degree interpolation, but at least half the mean of the two beside it; H < 0 counts as 0.
+template <class Number>
+Number film_between(const std::array<Number, 4>& H) {
+  const auto film = [](Number h) { return h < 0.0 ? Number{} : h; };
+  const Number two = film(H[1]) + film(H[2]);
+  const Number four = (9.0 * two - (film(H[0]) + film(H[3]))) * (1.0 / 16.0);
+  const Number least = 0.25 * two;
+  return four < least ? least : four;
+}
+/// H of the node that is missing beyond the boundary, the three nodes before it given from the boundary inwards: with
+/// it film_between() is the mean of the two.
+inline double beyond_boundary(double at, double next, double third) { return at + next - third; }
+
+/// rho_bar H^3/(eta_bar lambda) at the half point.
+template <class Number>
+Number epsilon_between(const AroundHalfPoint<Number>& at, double inverse_lambda) {
+  const Number H = film_between(at.H);
+  return (0.5 * inverse_lambda) * (at.rho_bar[0] + at.rho_bar[1]) * (H * H * H) * logarithmic_mean(at);
+}
+
+/// What changes of the nodes' H, rho_bar and log_viscosity change of it; that of the fluidity follows.
+double epsilon_change(const AroundHalfPoint<double>& at, const AroundHalfPoint<double>& change, double inverse_lambda);
+
+/// Spans of one length, one value per line: H of the four stations around, the rest of the two in the middle.
+struct AroundLines {
+  std::array<std::span<const double>, 4> H;
+  std::array<std::span<const double>, 2> rho_bar, fluidity, log_viscosity;
+};
+/// epsilon half-way between the two stations in the middle.
+void epsilon_between_stations(const AroundLines& around, double lambda, std::span<double> eps);
+
+/// The nodes of one station. H has a value more before the first node and one behind the last.
+struct AlongStation {
+  std::span<const double> H, rho_bar, fluidity, log_viscosity;
+};
+/// epsilon half-way between a node and the next; nothing behind the last.
+void epsilon_between_nodes(const AlongStation& along, double lambda, std::span<double> eps);
+
+}  // namespace ehl::film

@@ -1,0 +1,153 @@
+// The film of a level and the coefficients that are made of it.
+#include <omp.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "film/half_points.hpp"
+#include "fmg/hierarchy.hpp"
+
+namespace ehl::fmg {
+namespace {
+
+// One station of the field: epsilon, rho_bar and its slope from P and H.
+void coefficients_of_station(const film::Model& model, Level& level, int i, ThreadWork& work) {
+  auto followed = std::as_const(level.H).station(i);
+  if (level.H_floor != 0.0) {
+    const auto finer = std::as_const(level.H_restricted).station(i);
+    for (std::size_t j = 0; j < followed.size(); ++j)
+      work.followed[j] = std::max(followed[j], level.H_floor * finer[j]);
+    followed = std::span<const double>(work.followed).first(followed.size());
+  }
+  const bool anisotropic = film::anisotropic(model);
+  const film::Station station{level.grid, i, std::as_const(level.P).station(i), followed};
+  film::coefficients(model, station, work.film,
+                     {.eps = level.eps.station(i),
+                      .eps_across = anisotropic ? level.eps_across.station(i) : std::span<double>{},
+                      .rho_bar = level.rho_bar.station(i),
+                      .drho_bar = level.drho_bar.station(i)});
+  core::fill_ghosts(level.grid, level.eps.at_x(i));
+  if (anisotropic) core::fill_ghosts(level.grid, level.eps_across.at_x(i));
+}
+
+// The same where epsilon is made at half points: what it is made of, at the nodes of one station.
+void oil_of_station(const film::Model& model, Level& level, int i, ThreadWork& work) {
+  core::fill_ghosts(level.grid, level.H.at_x(i));
+  OilFields& oil = level.oil;
+  const auto of = [i](core::Field& field) { return field.nodes_x() > 0 ? field.station(i) : std::span<double>{}; };
+  film::oil(model, {level.grid, i, std::as_const(level.P).station(i), std::as_const(level.H).station(i)}, work.film,
+            {.fluidity = of(oil.fluidity),
+             .log_viscosity = of(oil.log_viscosity),
+             .fluidity_across = of(oil.fluidity_across),
+             .log_viscosity_across = of(oil.log_viscosity_across),
+             .rho_bar = level.rho_bar.station(i),
+             .drho_bar = level.drho_bar.station(i)});
+  for (core::Field* field : {&oil.fluidity, &oil.log_viscosity, &oil.fluidity_across, &oil.log_viscosity_across})
+    if (field->nodes_x() > 0) core::fill_ghosts(level.grid, field->at_x(i));
+}
+
+// H of station k, on the way from station `beside` inwards to `behind` where the boundary has none.
+std::span<const double> film_at(const Level& level, int k, int beside, int behind, ThreadWork& work) {
+  if (k >= 0 && k <= level.grid.nx) return level.H.station(k);
+  const double* at = level.H.at_x(beside);
+  const double* next = level.H.at_x(behind);
+  const double* third = level.H.at_x(2 * behind - beside);
+  const auto nodes = static_cast<std::size_t>(level.grid.nodes_y());
+  for (std::size_t j = 0; j < nodes; ++j) work.followed[j] = film::beyond_boundary(at[j], next[j], third[j]);
+  return std::span<const double>(work.followed).first(nodes);
+}
+
+// epsilon between stations i and i + 1, from the nodes of the four around.
+void epsilon_behind_station(double lambda, Level& level, int i, ThreadWork& work) {
+  const OilFields& oil = level.oil;
+  const auto two = [i](const core::Field& field) { return std::array{field.station(i), field.station(i + 1)}; };
+  film::epsilon_between_stations({{film_at(level, i - 1, i, i + 1, work), std::as_const(level.H).station(i),
+                                   std::as_const(level.H).station(i + 1), film_at(level, i + 2, i + 1, i, work)},
+                                  two(level.rho_bar),
+                                  two(oil.fluidity),
+                                  two(oil.log_viscosity)},
+                                 lambda, level.eps.station(i));
+  core::fill_ghosts(level.grid, level.eps.at_x(i));
+}
+
+// epsilon between the nodes of station i.
+void epsilon_on_station(double lambda, Level& level, int i, ThreadWork& work) {
+  const core::Patch& grid = level.grid;
+  const OilFields& oil = level.oil;
+  const bool thinned = oil.fluidity_across.nodes_x() > 0;
+  const double* H = level.H.at_x(i);
+  const int last = grid.ny;
+  work.followed.front() = film::beyond_boundary(H[0], H[1], H[2]);
+  std::copy_n(H, grid.nodes_y(), work.followed.begin() + 1);
+  work.followed.back() =
+      grid.north == core::Edge::mirror ? H[last + 1] : film::beyond_boundary(H[last], H[last - 1], H[last - 2]);
+  film::epsilon_between_nodes({.H = work.followed,
+                               .rho_bar = std::as_const(level.rho_bar).station(i),
+                               .fluidity = (thinned ? oil.fluidity_across : oil.fluidity).station(i),
+                               .log_viscosity = (thinned ? oil.log_viscosity_across : oil.log_viscosity).station(i)},
+                              lambda, level.eps_across.station(i));
+  if (grid.north != core::Edge::mirror) return;
+  double* eps = level.eps_across.at_x(i);
+  for (int k = 0; k < core::ghost_lines; ++k) eps[last + k] = eps[last - 1 - k];
+}
+
+template <class Station>
+void for_stations(Hierarchy& hierarchy, Level& level, Station station) {
+  const int threads = hierarchy.threads_on(level.grid);
+  const int last = level.grid.nx;
+#pragma omp parallel num_threads(threads) if (threads > 1)
+  {
+    ThreadWork& work = level.thread_work[static_cast<std::size_t>(omp_get_thread_num())];
+#pragma omp for schedule(static)
+    for (int i = 0; i <= last; ++i) station(i, work);
+  }
+}
+
+void nodes_of_station(const film::Model& model, Level& level, int i, ThreadWork& work) {
+  if (at_half_points(level))
+    oil_of_station(model, level, i, work);
+  else
+    coefficients_of_station(model, level, i, work);
+}
+
+// When all nodes have what epsilon between them is made of.
+void make_half_points(Hierarchy& hierarchy, Level& level) {
+  if (!at_half_points(level)) return;
+  const double lambda = hierarchy.problem.film.lambda;
+  for_stations(hierarchy, level, [&](int i, ThreadWork& work) {
+    if (i < level.grid.nx) epsilon_behind_station(lambda, level, i, work);
+    epsilon_on_station(lambda, level, i, work);
+  });
+}
+
+}  // namespace
+
+void update_coefficients(Hierarchy& hierarchy, Level& level) {
+  const core::ScopedTimer timer(hierarchy.times, core::Part::coefficients);
+  for_stations(hierarchy, level,
+               [&](int i, ThreadWork& work) { nodes_of_station(hierarchy.problem.film, level, i, work); });
+  make_half_points(hierarchy, level);
+}
+
+void update_film(Hierarchy& hierarchy, Level& level) {
+  {
+    const core::ScopedTimer timer(hierarchy.times, core::Part::deformation);
+    level.deformation.evaluate(pressure_on_bodies(level), level.H);
+  }
+  ++level.evaluations;
+  const core::ScopedTimer timer(hierarchy.times, core::Part::coefficients);
+  const core::Patch& grid = level.grid;
+  for_stations(hierarchy, level, [&](int i, ThreadWork& work) {
+    double* H = level.H.at_x(i);
+    for (int j = 0; j <= grid.ny; ++j) H[j] += rigid_gap(hierarchy.problem.geometry, grid, hierarchy.H00, i, j);
+    if (level.F.nodes_x() > 0) {
+      const double* F = level.F.at_x(i);
+      for (int j = 0; j <= grid.ny; ++j) H[j] += F[j];
+    }
+    nodes_of_station(hierarchy.problem.film, level, i, work);
+  });
+  make_half_points(hierarchy, level);
+}
+
+}  // namespace ehl::fmg

@@ -1,0 +1,154 @@
+// What the line systems of a batch are made of, and which points change alone.
+#include <algorithm>
+#include <type_traits>
+
+#include "film/half_points.hpp"
+#include "fmg/line_batch.hpp"
+#include "fmg/line_lanes.hpp"
+#include "reynolds/flux.hpp"
+
+namespace ehl::fmg {
+
+using core::LaneMask;
+using core::Lanes;
+
+namespace {
+
+/// Lanes where the point itself or one of its four neighbours is dry.
+LaneMask beside_dry(reynolds::Cavitation cavitation, const core::Field& P, int i, int j) {
+  const Beside here = with_neighbours(P, i, j);
+  const Lanes least = core::min(core::min(own_lines(P, i - 1, j), own_lines(P, i + 1, j)),
+                                core::min(here.own, core::min(here.south, here.north)));
+  return reynolds::dry(cavitation, least);
+}
+
+}  // namespace
+
+ThreadWork make_thread_work(const core::Patch& grid, const film::Model& film, const RelaxationParameters& parameters) {
+  const auto points = static_cast<std::size_t>(grid.nodes_x());
+  ThreadWork work{.film = film::make_buffers(film, grid.nodes_y()),
+                  .followed = std::vector<double>(static_cast<std::size_t>(grid.nodes_y()) + 2),
+                  .west = std::vector<Lanes>(points),
+                  .south = std::vector<Lanes>(points),
+                  .north = std::vector<Lanes>(points),
+                  .answers = {},
+                  .distributive = std::vector<Lanes>(points + 2 * ThreadWork::margin),
+                  .far_squeeze = std::vector<Lanes>(points),
+                  .solver = {}};
+  const auto prepare = [&]<int reach>(std::integral_constant<int, reach>) {
+    if (parameters.line_solver == LineSolver::elimination)
+      work.solver.emplace<EliminationFactors<reach>>(points);
+    else
+      work.solver.emplace<line_solvers::Decimation<reach>>(grid.nx - 1);
+  };
+  switch (parameters.reach) {
+    case 1: prepare(std::integral_constant<int, 1>{}); break;
+    case 2: prepare(std::integral_constant<int, 2>{}); break;
+    default: prepare(std::integral_constant<int, 3>{}); break;
+  }
+  return work;
+}
+
+void LineCoefficients::read_answers(const Level& level, int j) {
+  const OilFields& oil = level.oil;
+  const bool thinned = oil.fluidity_across.nodes_x() > 0;
+  const core::Field& phi_across = thinned ? oil.fluidity_across : oil.fluidity;
+  const core::Field& a_across = thinned ? oil.log_viscosity_across : oil.log_viscosity;
+  // The whole answer along the line, whose points are solved together. Across it a point at the top of a spike answers
+  // so little to its own pressure, and so much to that of its neighbours, that lines diverge with all of it.
+  constexpr double across = 0.3;
+  Lanes phi = own_lines(oil.fluidity, 1, j);
+  Lanes a = own_lines(oil.log_viscosity, 1, j);
+  auto west = film::answers(own_lines(oil.fluidity, 0, j), phi, own_lines(oil.log_viscosity, 0, j), a);
+  for (int i = 1; i < level.grid.nx; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const Lanes phi_east = own_lines(oil.fluidity, i + 1, j);
+    const Lanes a_east = own_lines(oil.log_viscosity, i + 1, j);
+    const auto east = film::answers(phi, phi_east, a, a_east);
+    const Beside phi_here = with_neighbours(phi_across, i, j);
+    const Beside a_here = with_neighbours(a_across, i, j);
+    const auto south = film::answers(phi_here.south, phi_here.own, a_here.south, a_here.own);
+    const auto north = film::answers(phi_here.own, phi_here.north, a_here.own, a_here.north);
+    const Lanes e_south = across * work_.south[k];
+    const Lanes e_north = across * work_.north[k];
+    work_.answers[k] = reynolds::PressureRow<Lanes>{
+        .far_west = Lanes{},
+        .west = work_.west[k] * (1.0 - west.before),
+        .own = work_.west[k] * (west.behind - 1.0) + work_.west[k + 1] * (east.before - 1.0) +
+               e_south * (south.behind - 1.0) + e_north * (north.before - 1.0),
+        .east = work_.west[k + 1] * (1.0 - east.behind),
+        .south = e_south * (1.0 - south.before),
+        .north = e_north * (1.0 - north.behind)};
+    west = east;
+    phi = phi_east;
+    a = a_east;
+  }
+}
+
+void LineCoefficients::read(const Hierarchy& hierarchy, const Level& level, int j) {
+  const core::Patch& grid = level.grid;
+  const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
+  const core::Field& eps_across = fmg::eps_across(level);
+  const auto read = [&](auto face, auto two) {
+    Lanes before = own_lines(level.eps, 0, j);
+    for (int i = 1; i <= grid.nx; ++i) {
+      const Beside across = with_neighbours(eps_across, i, j);
+      const Lanes eps = two ? own_lines(level.eps, i, j) : across.own;
+      const auto k = static_cast<std::size_t>(i);
+      work_.west[k] = reynolds::conductance(face, before, eps, half.X);
+      work_.south[k] = reynolds::conductance(face, across.south, across.own, half.Y);
+      work_.north[k] = reynolds::conductance(face, across.own, across.north, half.Y);
+      before = eps;
+    }
+  };
+  using reynolds::Face;
+  if (at_half_points(level)) {
+    read(std::integral_constant<Face, Face::logmean>{}, std::true_type{});
+    read_answers(level, j);
+  } else if (film::anisotropic(hierarchy.problem.film)) {
+    read(std::integral_constant<Face, Face::mean>{}, std::true_type{});
+  } else {
+    read(std::integral_constant<Face, Face::mean>{}, std::false_type{});
+  }
+  // The crossover is where the coupling by epsilon outweighs that by the film.
+  const double crossover = how_.crossover * reynolds::relative_strength(hierarchy.transport, grid.hx());
+  const double crossover2 = crossover * crossover;
+  const double squeeze = hierarchy.transport.squeeze;
+  const Lanes far_single = core::broadcast(how_.far_squeeze * level.film_terms.K[0] * squeeze);
+  const Lanes far_beside = core::broadcast(how_.far_squeeze_beside * squeeze);
+  const auto choose_for = [&](auto squeezed, auto above_crossover) {
+    for (int i = 1; i < grid.nx; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      const LaneMask by_epsilon = above_crossover(k);
+      LaneMask single = by_epsilon;
+      // Beside the cavitated region too: what is cut off at P = 0 would leave half of a distributed change standing.
+      single |= beside_dry(hierarchy.problem.cavitation, level.P, i, j);
+      if constexpr (squeezed) work_.far_squeeze[k] = by_epsilon ? far_single : single ? far_beside : Lanes{};
+      work_.distributive[k + ThreadWork::margin] = single ? Lanes{} : core::broadcast(1.0);
+    }
+  };
+  const auto choose = [&](auto above_crossover) {
+    if (squeeze > 0.0)
+      choose_for(std::true_type{}, above_crossover);
+    else
+      choose_for(std::false_type{}, above_crossover);
+  };
+  // e_max sqrt(e_max/e_min) > crossover, without root and division; e_min = 0 makes it single unless e_max = 0 too.
+  const auto above = [crossover2](Lanes largest, Lanes smallest) {
+    return largest * largest * largest > crossover2 * smallest;
+  };
+  if (!film::anisotropic(hierarchy.problem.film)) {
+    choose([&](std::size_t k) {
+      return above(core::max(core::max(work_.west[k], work_.west[k + 1]), core::max(work_.south[k], work_.north[k])),
+                   core::min(core::min(work_.west[k], work_.west[k + 1]), core::min(work_.south[k], work_.north[k])));
+    });
+    return;
+  }
+  // That epsilon along X is another one than along Y is no jump: e_max and e_min in each direction by itself.
+  choose([&](std::size_t k) {
+    return above(core::max(work_.west[k], work_.west[k + 1]), core::min(work_.west[k], work_.west[k + 1])) |
+           above(core::max(work_.south[k], work_.north[k]), core::min(work_.south[k], work_.north[k]));
+  });
+}
+
+}  // namespace ehl::fmg

@@ -1,0 +1,24 @@
+#pragma once
+// What a batch of lines j, j+2, .. reads of a field at one station.
+#include "core/field.hpp"
+#include "core/simd.hpp"
+
+namespace ehl::fmg {
+
+/// The values of the lines, and of the lines beside them.
+struct Beside {
+  core::Lanes south, own, north;
+};
+inline core::Lanes own_lines(const core::Field& field, int i, int j) {
+  const double* p = field.at_x(i) + j;
+  return core::evens(core::load(p), core::load(p + core::lanes));
+}
+inline Beside with_neighbours(const core::Field& field, int i, int j) {
+  const double* p = field.at_x(i) + j;
+  const core::Lanes low = core::load(p);
+  const core::Lanes high = core::load(p + core::lanes);
+  return {core::evens(core::load(p - 1), core::load(p + core::lanes - 1)), core::evens(low, high),
+          core::odds(low, high)};
+}
+
+}  // namespace ehl::fmg

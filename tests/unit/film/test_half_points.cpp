@@ -1,0 +1,102 @@
+// epsilon between two nodes: exact where the viscosity falls exponentially, third order in the film, its slopes.
+#include <array>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "film/half_points.hpp"
+#include "support/random.hpp"
+
+using ehl::film::AroundHalfPoint;
+
+namespace {
+
+/// Nodes of a Barus oil at the pressures given.
+AroundHalfPoint<double> barus(double alpha_P0, double alpha_P1, std::array<double, 4> H = {1.0, 1.0, 1.0, 1.0}) {
+  return {H, {1.0, 1.0}, {std::exp(-alpha_P0), std::exp(-alpha_P1)}, {alpha_P0, alpha_P1}};
+}
+
+/// Mean of e^-a over a linear change of a, by Simpson's rule in many steps.
+double mean_fluidity(double a0, double a1) {
+  constexpr int steps = 2000;
+  double sum = 0.0;
+  for (int k = 0; k <= steps; ++k)
+    sum += (k == 0 || k == steps ? 1.0 : k % 2 == 1 ? 4.0 : 2.0) * std::exp(-(a0 + (a1 - a0) * k / steps));
+  return sum / (3.0 * steps);
+}
+
+}  // namespace
+
+// The flow of Barus' oil under any pressure is the difference of the reduced pressure: the mean fluidity over P.
+BOOST_AUTO_TEST_CASE(the_logarithmic_mean_is_the_mean_of_an_exponential_fall) {
+  double worst = 0.0;
+  for (const double a0 : {0.0, 3.0, 12.0})
+    for (const double d : {0.0, 1e-9, 0.005, 0.0099, 0.0101, 0.5, 4.0, -0.005, -2.0}) {
+      const double exact = mean_fluidity(a0, a0 + d);
+      worst = std::max(worst, std::abs(ehl::film::logarithmic_mean(barus(a0, a0 + d)) / exact - 1.0));
+    }
+  BOOST_TEST_MESSAGE("largest error " << worst << " (tolerance 2e-13: rounding of a difference of 0.01)");
+  BOOST_TEST(worst < 2e-13);
+}
+
+BOOST_AUTO_TEST_CASE(a_film_of_third_degree_is_met_and_none_falls_below_half_the_mean) {
+  const auto film = [](double x) { return 2.0 + x * (0.5 + x * (-0.3 + 0.1 * x)); };
+  BOOST_TEST(std::abs(ehl::film::film_between(std::array{film(-1.5), film(-0.5), film(0.5), film(1.5)}) - 2.0) < 1e-14);
+  BOOST_TEST(ehl::film::film_between(std::array{9.0, 0.1, 0.1, 9.0}) == 0.05);
+  BOOST_TEST(ehl::film::film_between(std::array{0.5, -1.0, -1.0, 0.5}) == 0.0);
+  // Beyond a boundary: the mean of the two.
+  const double H = ehl::film::film_between(std::array{ehl::film::beyond_boundary(3.0, 2.0, 1.5), 3.0, 2.0, 1.5});
+  BOOST_TEST(std::abs(H - 2.5) < 1e-15);
+}
+
+// What the flux eps (P_1 - P_0) answers to either pressure, by differences.
+BOOST_AUTO_TEST_CASE(answers_are_the_slopes_of_the_flux_of_barus_oil) {
+  constexpr double step = 1e-5;
+  double worst = 0.0;
+  for (const double a0 : {0.2, 5.0})
+    for (const double d : {-3.0, -0.3, -0.005, 0.005, 0.3, 3.0}) {
+      const auto flux = [](double x, double y) { return ehl::film::logarithmic_mean(barus(x, y)) * (y - x); };
+      const double f = ehl::film::logarithmic_mean(barus(a0, a0 + d));
+      const auto [before, behind] = ehl::film::answers(std::exp(-a0), std::exp(-a0 - d), a0, a0 + d);
+      const double by_first = -(flux(a0 + step, a0 + d) - flux(a0 - step, a0 + d)) / (2.0 * step * f);
+      const double by_second = (flux(a0, a0 + d + step) - flux(a0, a0 + d - step)) / (2.0 * step * f);
+      worst = std::max({worst, std::abs(before - by_first), std::abs(behind - by_second)});
+    }
+  BOOST_TEST_MESSAGE("largest error " << worst << " (tolerance 1e-8: a difference over 1e-5)");
+  BOOST_TEST(worst < 1e-8);
+  const auto nothing = ehl::film::answers(0.0, 0.0, 800.0, 900.0);
+  BOOST_TEST((nothing.before == 100.0 && nothing.behind == 0.0));
+}
+
+BOOST_AUTO_TEST_CASE(the_change_of_epsilon_is_its_slope) {
+  ehl::tests::Random random(3);
+  double worst = 0.0;
+  for (int trial = 0; trial < 200; ++trial) {
+    AroundHalfPoint<double> at{}, change{};
+    const double spread = trial % 2 == 0 ? 0.004 : 3.0;
+    for (double& H : at.H) H = trial % 5 == 0 ? random.between(0.01, 3.0) : random.between(0.8, 1.2);
+    for (double& dH : change.H) dH = random.between(-0.3, 0.3);
+    for (std::size_t k = 0; k < 2; ++k) {
+      at.rho_bar[k] = random.between(1.0, 1.3);
+      at.log_viscosity[k] = random.between(0.0, spread);
+      change.rho_bar[k] = random.between(-0.1, 0.1);
+      change.log_viscosity[k] = random.between(-1.0, 1.0);
+    }
+    const auto moved = [&](double share) {
+      AroundHalfPoint<double> there = at;
+      for (std::size_t k = 0; k < 4; ++k) there.H[k] += share * change.H[k];
+      for (std::size_t k = 0; k < 2; ++k) {
+        there.rho_bar[k] += share * change.rho_bar[k];
+        there.log_viscosity[k] += share * change.log_viscosity[k];
+        there.fluidity[k] = std::exp(-there.log_viscosity[k]);
+      }
+      return there;
+    };
+    constexpr double step = 1e-5;
+    const double slope =
+        (ehl::film::epsilon_between(moved(step), 2.0) - ehl::film::epsilon_between(moved(-step), 2.0)) / (2.0 * step);
+    worst = std::max(worst, std::abs(ehl::film::epsilon_change(moved(0.0), change, 2.0) - slope) /
+                                ehl::film::epsilon_between(moved(0.0), 2.0));
+  }
+  BOOST_TEST_MESSAGE("largest error " << worst << " of epsilon (tolerance 1e-7: a difference over 1e-5)");
+  BOOST_TEST(worst < 1e-7);
+}
