@@ -4,26 +4,36 @@
 
 namespace ehl::film {
 
-double epsilon_change(const AroundHalfPoint<double>& at, const AroundHalfPoint<double>& change, double inverse_lambda) {
+namespace {
+
+// The change of fluidity_between() with the two logarithms.
+double fluidity_change(const AroundHalfPoint<double>& at, const AroundHalfPoint<double>& change, double least) {
+  const auto [phi0, phi1] = at.fluidity;
+  const auto [da0, da1] = change.log_viscosity;
+  const double f = logarithmic_mean(at);
+  if (f < 0.5 * least * (phi0 + phi1)) return -0.5 * least * (phi0 * da0 + phi1 * da1);
+  const double d = at.log_viscosity[1] - at.log_viscosity[0];
+  const bool close = d * d < series_below * series_below;
+  const double f0 = close ? -phi0 * (0.5 - d * (1.0 / 6.0 - d / 24.0)) : (f - phi0) / d;
+  const double f1 = close ? -phi1 * (0.5 + d * (1.0 / 6.0 + d / 24.0)) : (phi1 - f) / d;
+  return f0 * da0 + f1 * da1;
+}
+
+}  // namespace
+
+double epsilon_change(const AroundHalfPoint<double>& at, const AroundHalfPoint<double>& change, const Between& how) {
   const double H = film_between(at.H);
   const bool limited = H == 0.25 * (at.H[1] + at.H[2]);
   const double dH = limited ? 0.25 * (change.H[1] + change.H[2])
                             : (9.0 * (change.H[1] + change.H[2]) - (change.H[0] + change.H[3])) / 16.0;
   const double rho = 0.5 * (at.rho_bar[0] + at.rho_bar[1]);
   const double drho = 0.5 * (change.rho_bar[0] + change.rho_bar[1]);
-  const auto [phi0, phi1] = at.fluidity;
-  const double f = logarithmic_mean(at);
-  const double d = at.log_viscosity[1] - at.log_viscosity[0];
-  // Slopes of f with respect to the two logarithms: (f - phi_0)/d and (phi_1 - f)/d.
-  const bool close = d * d < series_below * series_below;
-  const double f0 = close ? -phi0 * (0.5 - d * (1.0 / 6.0 - d / 24.0)) : (f - phi0) / d;
-  const double f1 = close ? -phi1 * (0.5 + d * (1.0 / 6.0 + d / 24.0)) : (phi1 - f) / d;
-  const double df = f0 * change.log_viscosity[0] + f1 * change.log_viscosity[1];
-  return inverse_lambda * H * H * (drho * H * f + 3.0 * rho * dH * f + rho * H * df);
+  const double f = fluidity_between(at, how.least);
+  const double df = fluidity_change(at, change, how.least);
+  return H * H / how.lambda * (drho * H * f + 3.0 * rho * dH * f + rho * H * df);
 }
 
-void epsilon_between_stations(const AroundLines& around, double lambda, std::span<double> eps) {
-  const double inverse = 1.0 / lambda;
+void epsilon_between_stations(const AroundLines& around, const Between& how, std::span<double> eps) {
   const auto& [H, rho, phi, a] = around;
   const double* H0 = H[0].data();
   const double* H1 = H[1].data();
@@ -39,10 +49,10 @@ void epsilon_between_stations(const AroundLines& around, double lambda, std::spa
   const std::size_t count = eps.size();
   for (std::size_t k = 0; k < count; ++k)
     out[k] = epsilon_between<double>(
-        {{H0[k], H1[k], H2[k], H3[k]}, {rho0[k], rho1[k]}, {phi0[k], phi1[k]}, {a0[k], a1[k]}}, inverse);
+        {{H0[k], H1[k], H2[k], H3[k]}, {rho0[k], rho1[k]}, {phi0[k], phi1[k]}, {a0[k], a1[k]}}, how);
 }
 
-void epsilon_between_nodes(const AlongStation& along, double lambda, std::span<double> eps) {
+void epsilon_between_nodes(const AlongStation& along, const Between& how, std::span<double> eps) {
   const std::size_t faces = along.rho_bar.size() - 1;
   const auto from = [faces](std::span<const double> values, std::size_t k) { return values.subspan(k, faces); };
   const auto two = [&](std::span<const double> values) { return std::array{from(values, 0), from(values, 1)}; };
@@ -50,7 +60,7 @@ void epsilon_between_nodes(const AlongStation& along, double lambda, std::span<d
                             two(along.rho_bar),
                             two(along.fluidity),
                             two(along.log_viscosity)},
-                           lambda, eps.first(faces));
+                           how, eps.first(faces));
 }
 
 }  // namespace ehl::film

@@ -7,6 +7,13 @@
 
 namespace ehl::film {
 
+/// How epsilon there is made. least: share of the mean of the two fluidities that theirs at the half point has at
+/// least; 0: the logarithmic mean, whatever it is.
+struct Between {
+  double lambda;
+  double least = 0.0;
+};
+
 /// Of the nodes on a line around a half point: the two beside it, and for the film the next two beyond them too.
 template <class Number>
 struct AroundHalfPoint {
@@ -34,20 +41,24 @@ Number logarithmic_mean(const AroundHalfPoint<Number>& at) {
 }
 
 /// What the flux eps (P_1 - P_0) answers to the two pressures, over epsilon, when the viscosity follows them and falls
-/// exponentially: phi_0/f and phi_1/f, f the logarithmic mean. Their difference is that of ln eta_bar.
+/// exponentially: phi_0/f and phi_1/f, f the logarithmic mean. Their difference is that of ln eta_bar. 1 and 1, epsilon
+/// held, where f is not the logarithmic mean but its least share of the mean.
 template <class Number>
 struct Answers {
   Number before, behind;
 };
 template <class Number>
-Answers<Number> answers(Number phi0, Number phi1, Number a0, Number a1) {
+Answers<Number> answers(double least, Number phi0, Number phi1, Number a0, Number a1) {
   const Number d = a1 - a0;
   const Number fall = phi0 - phi1;
   const auto close = d * d < series_below * series_below;
   const auto flat = close | (fall == 0.0);  // both fluidities may be too small for a double
   const Number limit = close ? 1.0 + d * (0.5 + d * (1.0 / 12.0)) : (d > 0.0 ? d : Number{});
   const Number before = flat ? limit : d * phi0 / (flat ? Number{} + 1.0 : fall);
-  return {before, before - d};
+  // f = fall/d below least (phi_0 + phi_1)/2, both sides times d^2.
+  const auto held = 2.0 * fall * d < least * (phi0 + phi1) * d * d;
+  const Number one = Number{} + 1.0;
+  return {held ? one : before, held ? one : before - d};
 }
 
 /// Third-degree interpolation, but at least half the mean of the two beside it; H < 0 counts as 0.
@@ -63,15 +74,23 @@ Number film_between(const std::array<Number, 4>& H) {
 /// it film_between() is the mean of the two.
 inline double beyond_boundary(double at, double next, double third) { return at + next - third; }
 
+/// 1/eta_bar at the half point.
+template <class Number>
+Number fluidity_between(const AroundHalfPoint<Number>& at, double least) {
+  const Number f = logarithmic_mean(at);
+  const Number bound = (0.5 * least) * (at.fluidity[0] + at.fluidity[1]);
+  return f < bound ? bound : f;
+}
+
 /// rho_bar H^3/(eta_bar lambda) at the half point.
 template <class Number>
-Number epsilon_between(const AroundHalfPoint<Number>& at, double inverse_lambda) {
+Number epsilon_between(const AroundHalfPoint<Number>& at, const Between& how) {
   const Number H = film_between(at.H);
-  return (0.5 * inverse_lambda) * (at.rho_bar[0] + at.rho_bar[1]) * (H * H * H) * logarithmic_mean(at);
+  return (0.5 / how.lambda) * (at.rho_bar[0] + at.rho_bar[1]) * (H * H * H) * fluidity_between(at, how.least);
 }
 
 /// What changes of the nodes' H, rho_bar and log_viscosity change of it; that of the fluidity follows.
-double epsilon_change(const AroundHalfPoint<double>& at, const AroundHalfPoint<double>& change, double inverse_lambda);
+double epsilon_change(const AroundHalfPoint<double>& at, const AroundHalfPoint<double>& change, const Between& how);
 
 /// Spans of one length, one value per line: H of the four stations around, the rest of the two in the middle.
 struct AroundLines {
@@ -79,13 +98,13 @@ struct AroundLines {
   std::array<std::span<const double>, 2> rho_bar, fluidity, log_viscosity;
 };
 /// epsilon half-way between the two stations in the middle.
-void epsilon_between_stations(const AroundLines& around, double lambda, std::span<double> eps);
+void epsilon_between_stations(const AroundLines& around, const Between& how, std::span<double> eps);
 
 /// The nodes of one station. H has a value more before the first node and one behind the last.
 struct AlongStation {
   std::span<const double> H, rho_bar, fluidity, log_viscosity;
 };
 /// epsilon half-way between a node and the next; nothing behind the last.
-void epsilon_between_nodes(const AlongStation& along, double lambda, std::span<double> eps);
+void epsilon_between_nodes(const AlongStation& along, const Between& how, std::span<double> eps);
 
 }  // namespace ehl::film

@@ -7,6 +7,7 @@
 
 #include "film/half_points.hpp"
 #include "fmg/hierarchy.hpp"
+#include "reynolds/flux.hpp"
 
 namespace ehl::fmg {
 namespace {
@@ -59,7 +60,7 @@ std::span<const double> film_at(const Level& level, int k, int beside, int behin
 }
 
 // epsilon between stations i and i + 1, from the nodes of the four around.
-void epsilon_behind_station(double lambda, Level& level, int i, ThreadWork& work) {
+void epsilon_behind_station(const film::Between& how, Level& level, int i, ThreadWork& work) {
   const OilFields& oil = level.oil;
   const auto two = [i](const core::Field& field) { return std::array{field.station(i), field.station(i + 1)}; };
   film::epsilon_between_stations({{film_at(level, i - 1, i, i + 1, work), std::as_const(level.H).station(i),
@@ -67,12 +68,12 @@ void epsilon_behind_station(double lambda, Level& level, int i, ThreadWork& work
                                   two(level.rho_bar),
                                   two(oil.fluidity),
                                   two(oil.log_viscosity)},
-                                 lambda, level.eps.station(i));
+                                 how, level.eps.station(i));
   core::fill_ghosts(level.grid, level.eps.at_x(i));
 }
 
 // epsilon between the nodes of station i.
-void epsilon_on_station(double lambda, Level& level, int i, ThreadWork& work) {
+void epsilon_on_station(const film::Between& how, Level& level, int i, ThreadWork& work) {
   const core::Patch& grid = level.grid;
   const OilFields& oil = level.oil;
   const bool thinned = oil.fluidity_across.nodes_x() > 0;
@@ -86,7 +87,7 @@ void epsilon_on_station(double lambda, Level& level, int i, ThreadWork& work) {
                                .rho_bar = std::as_const(level.rho_bar).station(i),
                                .fluidity = (thinned ? oil.fluidity_across : oil.fluidity).station(i),
                                .log_viscosity = (thinned ? oil.log_viscosity_across : oil.log_viscosity).station(i)},
-                              lambda, level.eps_across.station(i));
+                              how, level.eps_across.station(i));
   if (grid.north != core::Edge::mirror) return;
   double* eps = level.eps_across.at_x(i);
   for (int k = 0; k < core::ghost_lines; ++k) eps[last + k] = eps[last - 1 - k];
@@ -111,13 +112,49 @@ void nodes_of_station(const film::Model& model, Level& level, int i, ThreadWork&
     coefficients_of_station(model, level, i, work);
 }
 
-// When all nodes have what epsilon between them is made of.
+// epsilon of the nodes of station i, whatever is kept of it.
+std::span<const double> nodes_epsilon(double lambda, const Level& level, int i, std::vector<double>& work) {
+  if (!at_half_points(level)) return level.eps.station(i);
+  const auto nodes = static_cast<std::size_t>(level.grid.nodes_y());
+  const double* H = level.H.at_x(i);
+  const double* rho = level.rho_bar.at_x(i);
+  const double* phi = level.oil.fluidity.at_x(i);
+  const double inverse = 1.0 / lambda;
+  for (std::size_t j = 0; j < nodes; ++j) {
+    const double h = std::max(H[j], 0.0);
+    work[j] = inverse * rho[j] * h * h * h * phi[j];
+  }
+  return std::span<const double>(work).first(nodes);
+}
+
+void third_order_behind_station(const reynolds::Transport& transport, double lambda, Level& level, int i,
+                                ThreadWork& work) {
+  const core::Patch& grid = level.grid;
+  const auto theta = level.third_order.station(i);
+  if (transport.wedge == reynolds::Wedge::upstream3_inlet) {
+    std::ranges::fill(theta, reynolds::third_order_in_inlet(grid.X(i) + 0.5 * grid.hx()));
+  } else {
+    const reynolds::ThirdOrderShare share(transport, grid.hx());
+    const auto before = nodes_epsilon(lambda, level, i, work.followed);
+    const auto behind = nodes_epsilon(lambda, level, i + 1, work.followed_behind);
+    for (std::size_t j = 0; j < theta.size(); ++j) theta[j] = share(before[j], behind[j]);
+  }
+  core::fill_ghosts(grid, level.third_order.at_x(i));
+}
+
+// When all nodes have what is made of them for the faces between.
 void make_half_points(Hierarchy& hierarchy, Level& level) {
-  if (!at_half_points(level)) return;
-  const double lambda = hierarchy.problem.film.lambda;
+  const reynolds::Transport transport = transport_on(hierarchy, level);
+  const bool third_order = reynolds::third_order(transport.wedge);
+  if (!at_half_points(level) && !third_order) return;
+  const film::Between how = between(hierarchy.problem);
+  if (!third_order) level.third_order.fill(0.0);
   for_stations(hierarchy, level, [&](int i, ThreadWork& work) {
-    if (i < level.grid.nx) epsilon_behind_station(lambda, level, i, work);
-    epsilon_on_station(lambda, level, i, work);
+    // The first face has no third node.
+    if (third_order && i > 0 && i < level.grid.nx) third_order_behind_station(transport, how.lambda, level, i, work);
+    if (!at_half_points(level)) return;
+    if (i < level.grid.nx) epsilon_behind_station(how, level, i, work);
+    epsilon_on_station(how, level, i, work);
   });
 }
 

@@ -38,16 +38,17 @@ Level make_level(const core::Patch& grid, bool finest, const Problem& problem, c
   // A colour has every second line, and one batch more for the lines beside its last one.
   const int lines_of_a_colour = grid.ny / 2 + 2 * core::lanes;
   const auto zero_changes = [&] { return core::Field(grid.nodes_x(), lines_of_a_colour); };
-  const bool logmean = problem.face == reynolds::Face::logmean;
+  const bool half_points = problem.face != reynolds::Face::mean;
   ThreadWork work = make_thread_work(grid, problem.film, parameters.relaxation);
-  if (logmean) work.answers.resize(work.west.size());
+  if (half_points) work.answers.resize(work.west.size());
   return {.grid = grid,
           .P = zero(),
           .H = zero(),
           .scheme = scheme_of(problem),
           .eps = zero(),
-          .eps_across = film::anisotropic(problem.film) || logmean ? zero() : core::Field(),
-          .oil = logmean ? oil_fields(grid, film::anisotropic(problem.film)) : OilFields{},
+          .eps_across = film::anisotropic(problem.film) || half_points ? zero() : core::Field(),
+          .oil = half_points ? oil_fields(grid, film::anisotropic(problem.film)) : OilFields{},
+          .third_order = half_points || reynolds::third_order(problem.transport.wedge) ? zero() : core::Field(),
           .rho_bar = zero(),
           .drho_bar = zero(),
           .f = only_below_the_finest(),

@@ -9,6 +9,7 @@
 #include "core/grid.hpp"
 #include "core/quadratic_form.hpp"
 #include "core/timer.hpp"
+#include "film/half_points.hpp"
 #include "film/model.hpp"
 #include "fmg/parameters.hpp"
 #include "fmg/thread_work.hpp"
@@ -57,7 +58,7 @@ struct LineChanges {
   core::Field distributed;  ///< the same where the point distributes its change, else 0
 };
 
-/// What epsilon at half points is made of (film/half_points.hpp), with ghost lines: empty without Face::logmean.
+/// What epsilon at half points is made of (film/half_points.hpp), with ghost lines: empty with Face::mean.
 struct OilFields {
   core::Field fluidity, log_viscosity;                ///< along X; and along Y where those are the same
   core::Field fluidity_across, log_viscosity_across;  ///< along Y, where the oil is thinned by shear; else empty
@@ -79,8 +80,9 @@ struct Level {
   core::Field H;
   Scheme scheme;
   core::Field eps;         ///< along X, kept as scheme.face says; and along Y, where that is the same field
-  core::Field eps_across;  ///< along Y, where it may be another one (thinning, Face::logmean); else empty
+  core::Field eps_across;  ///< along Y, where it may be another one (thinning, half points); else empty
   OilFields oil;
+  core::Field third_order;  ///< theta of the face behind each node (flux.hpp); empty where no wedge and no face asks
   core::Field rho_bar;
   core::Field drho_bar;      ///< d rho_bar/dP
   core::Field f;             ///< right-hand side of the Reynolds equation (FAS); empty on the finest level: zero
@@ -178,7 +180,7 @@ inline double wanted_load(const Hierarchy& hierarchy, const Level& level) {
   return level.load + along(hierarchy.load_line) + along(hierarchy.outside_line);
 }
 
-inline bool at_half_points(const Level& level) { return level.scheme.face == reynolds::Face::logmean; }
+inline bool at_half_points(const Level& level) { return level.scheme.face != reynolds::Face::mean; }
 /// True where epsilon along Y is a field of its own.
 inline bool two_epsilons(const Hierarchy& hierarchy, const Level& level) {
   return at_half_points(level) || film::anisotropic(hierarchy.problem.film);
@@ -189,6 +191,10 @@ inline const core::Field& eps_across(const Level& level) {
   return level.eps_across.nodes_x() > 0 && (held_apart || at_half_points(level)) ? level.eps_across : level.eps;
 }
 
+/// How epsilon at half points is made.
+inline film::Between between(const Problem& problem) {
+  return {problem.film.lambda, reynolds::least_share(problem.face)};
+}
 /// The operator of the problem itself, and that of a level which corrects a finer one.
 Scheme scheme_of(const Problem& problem);
 Scheme coarse_scheme_of(const Problem& problem);
@@ -200,7 +206,7 @@ inline reynolds::Transport transport_on(const Hierarchy& hierarchy, const Level&
 }
 
 inline reynolds::Fields fields(const Level& level) {
-  return {level.P, level.H, level.rho_bar, level.eps, level.f, eps_across(level), level.scheme.face};
+  return {level.P, level.H, level.rho_bar, level.eps, level.f, eps_across(level), level.scheme.face, level.third_order};
 }
 
 }  // namespace ehl::fmg

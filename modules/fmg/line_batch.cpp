@@ -70,8 +70,8 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
       dr = reynolds::pressure_row(c, e, film0.slope_H, film1.slope_H, film2.slope_H);
     } else {
       film_east = film_station(level, i + 1, j);
-      const auto w =
-          reynolds::third_order_weights(c, transport, grid.hx(), reynolds::third_order(transport, grid, i, e));
+      const auto w = reynolds::third_order_weights<Lanes>(
+          c, transport, grid.hx(), {own_lines(level.third_order, i - 1, j), own_lines(level.third_order, i, j)});
       point.c = {w[0] * film0.rho_bar, w[1] * film1.rho_bar, w[2] * film2.rho_bar, w[3] * film_east.rho_bar};
       point.r = reynolds::transported(w, film0.rho_H, film1.rho_H, film2.rho_H, film_east.rho_H) - inflow;
       dr = reynolds::pressure_row(w, e, film0.slope_H, film1.slope_H, film2.slope_H, film_east.slope_H);

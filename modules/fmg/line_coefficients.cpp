@@ -28,6 +28,7 @@ ThreadWork make_thread_work(const core::Patch& grid, const film::Model& film, co
   const auto points = static_cast<std::size_t>(grid.nodes_x());
   ThreadWork work{.film = film::make_buffers(film, grid.nodes_y()),
                   .followed = std::vector<double>(static_cast<std::size_t>(grid.nodes_y()) + 2),
+                  .followed_behind = std::vector<double>(static_cast<std::size_t>(grid.nodes_y())),
                   .west = std::vector<Lanes>(points),
                   .south = std::vector<Lanes>(points),
                   .north = std::vector<Lanes>(points),
@@ -50,6 +51,7 @@ ThreadWork make_thread_work(const core::Patch& grid, const film::Model& film, co
 }
 
 void LineCoefficients::read_answers(const Level& level, int j) {
+  const double least = reynolds::least_share(level.scheme.face);
   const OilFields& oil = level.oil;
   const bool thinned = oil.fluidity_across.nodes_x() > 0;
   const core::Field& phi_across = thinned ? oil.fluidity_across : oil.fluidity;
@@ -59,16 +61,16 @@ void LineCoefficients::read_answers(const Level& level, int j) {
   constexpr double across = 0.3;
   Lanes phi = own_lines(oil.fluidity, 1, j);
   Lanes a = own_lines(oil.log_viscosity, 1, j);
-  auto west = film::answers(own_lines(oil.fluidity, 0, j), phi, own_lines(oil.log_viscosity, 0, j), a);
+  auto west = film::answers(least, own_lines(oil.fluidity, 0, j), phi, own_lines(oil.log_viscosity, 0, j), a);
   for (int i = 1; i < level.grid.nx; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const Lanes phi_east = own_lines(oil.fluidity, i + 1, j);
     const Lanes a_east = own_lines(oil.log_viscosity, i + 1, j);
-    const auto east = film::answers(phi, phi_east, a, a_east);
+    const auto east = film::answers(least, phi, phi_east, a, a_east);
     const Beside phi_here = with_neighbours(phi_across, i, j);
     const Beside a_here = with_neighbours(a_across, i, j);
-    const auto south = film::answers(phi_here.south, phi_here.own, a_here.south, a_here.own);
-    const auto north = film::answers(phi_here.own, phi_here.north, a_here.own, a_here.north);
+    const auto south = film::answers(least, phi_here.south, phi_here.own, a_here.south, a_here.own);
+    const auto north = film::answers(least, phi_here.own, phi_here.north, a_here.own, a_here.north);
     const Lanes e_south = across * work_.south[k];
     const Lanes e_north = across * work_.north[k];
     work_.answers[k] = reynolds::PressureRow<Lanes>{

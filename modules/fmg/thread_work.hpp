@@ -20,6 +20,7 @@ struct ThreadWork {
   /// One value per node of a station and one at each end: the film that epsilon follows on a coarse grid, or that of
   /// half points.
   std::vector<double> followed;
+  std::vector<double> followed_behind;
 
   // For the line systems of a batch:
   /// Entries before and behind the points of a line in `distributive`.
@@ -27,7 +28,8 @@ struct ThreadWork {
 
   /// epsilon/h^2 at the half point west of point i, i = 1..nx, and south and north of point i.
   std::vector<core::Lanes> west, south, north;
-  /// With Face::logmean what the row of point i has beside that of epsilon held: the viscosity follows the pressure.
+  /// With epsilon at half points what the row of point i has beside that of epsilon held: the viscosity follows the
+  /// pressure.
   std::vector<reynolds::PressureRow<core::Lanes>> answers;
   /// 1 where point i distributes its change; zero outside the line.
   std::vector<core::Lanes> distributive;

@@ -25,6 +25,7 @@ Equations::Equations(fmg::Hierarchy& hierarchy, std::size_t l)
     along_.dH00 = core::Field(level_.grid);
     local_.eps_behind = local_.eps_across_behind = core::Field(level_.grid);
   }
+  if (switched()) dtheta_ = core::Field(level_.grid);
   if (!two_epsilons()) return;
   across_ = along_;
   local_.eps_across = core::Field(level_.grid);
@@ -147,7 +148,7 @@ double Equations::half_point_change(bool along_x, int i, int j, At at) const {
       change.H[m] = film::beyond_boundary(da, db, dc);
     }
   }
-  return film::epsilon_change(here, change, 1.0 / hierarchy_.problem.film.lambda);
+  return film::epsilon_change(here, change, fmg::between(hierarchy_.problem));
 }
 
 void Equations::linearize_half_points() {
@@ -167,6 +168,29 @@ void Equations::linearize_half_points() {
     for (int j = 0; j <= grid.ny; ++j) {
       if (i < grid.nx) write(true, i, j, local_.eps, local_.eps_behind, along_.dH00);
       if (j < grid.domain.ny) write(false, i, j, local_.eps_across, local_.eps_across_behind, across_.dH00);
+    }
+}
+
+Equations::NodeEpsilon Equations::node_epsilon(int i, int j, NodeChange node) const {
+  if (!at_half_points()) return {level_.eps(i, j), along_.dP(i, j) * node.dP + along_.dH(i, j) * node.dH};
+  const double H = level_.H(i, j);
+  if (H <= 0.0) return {};
+  const double rho = level_.rho_bar(i, j);
+  const double value = rho * H * H * H * level_.oil.fluidity(i, j) / hierarchy_.problem.film.lambda;
+  const double relative =
+      level_.drho_bar(i, j) / rho * node.dP + 3.0 / H * node.dH - along_.dP(i, j) * node.dP - along_.dH(i, j) * node.dH;
+  return {value, value * relative};
+}
+
+template <class At>
+void Equations::change_third_order(At at) {
+  const core::Patch& grid = level_.grid;
+  const reynolds::ThirdOrderShare share(transport(), grid.hx());
+  for (int i = 1; i < grid.nx; ++i)
+    for (int j = 0; j <= grid.ny; ++j) {
+      const NodeEpsilon before = node_epsilon(i, j, at(i, j));
+      const NodeEpsilon behind = node_epsilon(i + 1, j, at(i + 1, j));
+      dtheta_(i, j) = share.change(before.value, behind.value, before.change, behind.change);
     }
 }
 
@@ -201,6 +225,7 @@ void Equations::jacobian(std::span<const double> v, std::span<double> Jv) {
         if (j < grid.domain.ny) across_.change(i, j) = half_point_change(false, i, j, at);
       }
   }
+  if (switched()) change_third_order([&](int i, int j) { return NodeChange{dP_(i, j), dH_(i, j) + dH00}; });
   for (int i = 0; i <= grid.nx; ++i)
     for (int j = 0; j <= grid.ny; ++j) dq(i, j) = dq_dP_(i, j) * dP_(i, j) + level_.rho_bar(i, j) * (dH_(i, j) + dH00);
   core::fill_ghosts(grid, along_.change);
@@ -221,13 +246,12 @@ void Equations::jacobian(std::span<const double> v, std::span<double> Jv) {
       const std::size_t k = index(i, j);
       const auto e = reynolds::faces_at(face(), eps, eps_across, i, j, half);
       const auto de = reynolds::faces_at(face(), deps, deps_across, i, j, half);
-      const auto w =
-          reynolds::third_order_weights(c, transport, grid.hx(), reynolds::third_order(transport, grid, i, e));
+      const auto w = reynolds::third_order_weights(c, transport, grid.hx(), third_order_around(i, j));
       double dr = reynolds::transported(w, dq(i, j), dq(i - 1, j), dq(upstream, j), dq(i + 1, j)) -
                   reynolds::poiseuille_at(e, dP_, i, j) - reynolds::poiseuille_at(de, P, i, j);
-      if (transport.wedge == reynolds::Wedge::upstream3) {
+      if (switched()) {
         const auto dw =
-            reynolds::third_order_weights({}, transport, grid.hx(), reynolds::third_order_change(transport, i, e, de));
+            reynolds::third_order_weights<double>({}, transport, grid.hx(), {dtheta_(i - 1, j), dtheta_(i, j)});
         dr += reynolds::transported(dw, q(i, j), q(i - 1, j), q(upstream, j), q(i + 1, j));
       }
       Jv[k] = scale_[k] * dr + (wet_[k] ? 0.0 : v[k]);

@@ -6,6 +6,7 @@
 
 #include "core/field.hpp"
 #include "fmg/hierarchy.hpp"
+#include "reynolds/flux.hpp"
 
 namespace ehl::newton {
 
@@ -59,6 +60,12 @@ class Equations {
     return at_half_points() ? across_.dH00 : anisotropic() ? across_.dH : along_.dH;
   }
   reynolds::Face face() const { return level_.scheme.face; }
+  /// theta at the faces west and east of a node.
+  reynolds::ThirdOrder<double> third_order_around(int i, int j) const {
+    const core::Field& theta = level_.third_order;
+    return theta.nodes_x() > 0 ? reynolds::ThirdOrder<double>{theta(i - 1, j), theta(i, j)}
+                               : reynolds::ThirdOrder<double>{};
+  }
   bool wet(std::size_t node) const { return wet_[node] != 0; }
   double scale(std::size_t node) const { return scale_[node]; }
   reynolds::Transport transport() const { return fmg::transport_on(hierarchy_, level_); }
@@ -77,7 +84,16 @@ class Equations {
 
   bool anisotropic() const { return film::anisotropic(hierarchy_.problem.film); }
   bool at_half_points() const { return fmg::at_half_points(level_); }
+  /// True where theta follows epsilon.
+  bool switched() const { return level_.scheme.wedge == reynolds::Wedge::upstream3; }
   bool two_epsilons() const { return anisotropic() || at_half_points(); }
+  struct NodeEpsilon {
+    double value = 0.0, change = 0.0;
+  };
+  NodeEpsilon node_epsilon(int i, int j, NodeChange node) const;
+  /// The change of theta at all faces along X.
+  template <class At>
+  void change_third_order(At at);
   void make_scale();
   void linearize_half_points();
   /// d eps at (i + 1/2, j), or at (i, j + 1/2), for changes of the nodes on the line around it. at(i, j): of a node.
@@ -93,7 +109,7 @@ class Equations {
   Epsilon along_, across_;  // the second one empty where there is one epsilon only
   core::Field dq_dP_;
   Local local_;
-  core::Field dP_, dH_;  // work space of jacobian()
+  core::Field dP_, dH_, dtheta_;  // work space of jacobian()
 };
 
 }  // namespace ehl::newton

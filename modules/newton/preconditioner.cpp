@@ -98,8 +98,7 @@ void Preconditioner::Implementation::assemble(Vector& column_of_H00) {
     const reynolds::Face face = equations.face();
     const auto e = reynolds::faces_at(face, level.eps, fmg::eps_across(level), i, j, half);
     const auto c = reynolds::third_order_weights(reynolds::transport_weights(equations.transport(), i, grid.hx()),
-                                                 equations.transport(), grid.hx(),
-                                                 reynolds::third_order(equations.transport(), grid, i, e));
+                                                 equations.transport(), grid.hx(), equations.third_order_around(i, j));
     const auto held = reynolds::pressure_row(c, e, dq(i, j), dq(i - 1, j), dq(upstream, j), dq(i + 1, j));
     const auto dr =
         face == reynolds::Face::mean

@@ -22,8 +22,7 @@ class Fluxes {
     const double eps = conductance(state_.face, state_.eps(i, j), state_.eps(i + 1, j), 0.5);
     double Q = carried(transport_.wedge, i, [&](int k) { return rho_H(k, j); });
     if (third_order(transport_.wedge) && i > 0) {
-      const double theta = third_order_share(transport_, eps / (hx_ * hx_), grid_.X(i) + 0.5 * hx_);
-      Q += third_order_part(theta, rho_H(i - 1, j), rho_H(i, j), rho_H(i + 1, j));
+      Q += third_order_part(state_.third_order(i, j), rho_H(i - 1, j), rho_H(i, j), rho_H(i + 1, j));
     }
     return Q - eps * (state_.P(i + 1, j) - state_.P(i, j)) / hx_;
   }

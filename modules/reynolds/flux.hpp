@@ -78,17 +78,40 @@ Number transported(const std::array<double, 3>& c, Number own, Number west, Numb
   return c[0] * own + c[1] * west + c[2] * far_west;
 }
 
-/// The share theta of the third-order flux (2 Q_{i+1} + 5 Q_i - Q_{i-1})/6 at a face. in: e = epsilon/hx^2 and X there.
-template <class Number>
-Number third_order_share(const Transport& transport, Number e, double X) {
-  if (transport.wedge == Wedge::upstream3_inlet) {
-    constexpr double blend = 0.2;  // X from all of it to none
-    const double s = std::clamp(-X / blend, 0.0, 1.0);
-    return Number{} + s * s * (3.0 - 2.0 * s);
+/// The share theta of the third-order flux (2 Q_{i+1} + 5 Q_i - Q_{i-1})/6 at a face of upstream3: theta = e^2/(e^2 +
+/// 1) by the harmonic mean e of epsilon/hx^2 of its nodes, in units of what makes it half. Where only one of the nodes
+/// has so much the pressure of the other one, the top of a spike, hardly passes.
+class ThirdOrderShare {
+ public:
+  ThirdOrderShare(const Transport& transport, double hx)
+      : half_at_(transport.speed * transport.third_order_from * hx * hx),
+        square_(half_at_ * half_at_ + std::numeric_limits<double>::min()) {}  // not 0/0 without speed and epsilon
+  double operator()(double before, double behind) const {
+    const double e = mean(before, behind);
+    return 1.0 - square_ / (e * e + square_);
   }
-  const double half_at = transport.speed * transport.third_order_from;
-  const double square = half_at * half_at + std::numeric_limits<double>::min();  // not 0/0 without speed and epsilon
-  return 1.0 - square / (e * e + square);
+  /// Its change with theirs.
+  double change(double before, double behind, double dbefore, double dbehind) const {
+    const double e = mean(before, behind);
+    const double nodes = before + behind;
+    if (nodes <= 0.0) return 0.0;
+    const double de = 2.0 * (behind * behind * dbefore + before * before * dbehind) / (nodes * nodes);
+    const double sum = e * e + square_;
+    return 2.0 * e * square_ / (sum * sum) * de;
+  }
+
+ private:
+  static double mean(double before, double behind) {
+    const double sum = before + behind;
+    return sum > 0.0 ? 2.0 * before * behind / sum : 0.0;
+  }
+  double half_at_, square_;
+};
+/// The same of upstream3_inlet. in: X of the face.
+inline double third_order_in_inlet(double X) {
+  constexpr double blend = 0.2;  // X from all of it to none
+  const double s = std::clamp(-X / blend, 0.0, 1.0);
+  return s * s * (3.0 - 2.0 * s);
 }
 /// What it adds to the flux of upstream2. in: Q at i-1, i, i+1.
 template <class Number>
@@ -96,29 +119,11 @@ Number third_order_part(Number theta, Number west, Number own, Number east) {
   return theta * (1.0 / 3.0) * (east - 2.0 * own + west);
 }
 
-/// theta at the faces west and east of a node; none at the first face, which has no third node, and of other wedges.
+/// theta at the faces west and east of a node.
 template <class Number>
 struct ThirdOrder {
   Number west, east;
 };
-template <class Number, class Patch>
-ThirdOrder<Number> third_order(const Transport& transport, const Patch& grid, int i, const Faces<Number>& e) {
-  if (!third_order(transport.wedge)) return ThirdOrder<Number>{Number{}, Number{}};
-  const double half = 0.5 * grid.hx();
-  const Number east = third_order_share(transport, e.east, grid.X(i) + half);
-  return {i > 1 ? third_order_share(transport, e.west, grid.X(i) - half) : Number{}, east};
-}
-/// Its change with e. in: changes de.
-inline ThirdOrder<double> third_order_change(const Transport& transport, int i, const Faces<double>& e,
-                                             const Faces<double>& de) {
-  if (transport.wedge != Wedge::upstream3) return {};
-  const double half_at = transport.speed * transport.third_order_from;
-  const auto change = [&](double at, double by) {
-    const double sum = at * at + half_at * half_at;
-    return sum > 0.0 ? 2.0 * at * half_at * half_at / (sum * sum) * by : 0.0;
-  };
-  return {i > 1 ? change(e.west, de.west) : 0.0, change(e.east, de.east)};
-}
 
 /// Weights of Q at i, i-1, i-2, i+1: those of transport_weights() and what third_order_part() adds.
 template <class Number>

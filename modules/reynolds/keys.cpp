@@ -15,10 +15,11 @@ std::vector<deck::Key> keys() {
         .source = "Venner and ten Napel 1992, eq. (4), use upstream1"},
        {.name = "face",
         .default_text = "mean",
-        .words = {"mean", "logmean"},
+        .words = {"mean", "logmean", "logmean_bounded"},
         .meaning =
             "epsilon half-way between two nodes: the mean of the two; or rho H^3/eta of its own, with H from four "
-            "nodes and the logarithmic mean of 1/eta, several times closer in the rim of the inlet.",
+            "nodes and the logarithmic mean of 1/eta, several times closer in the rim of the inlet; or that with at "
+            "least 0.4 of the mean of 1/eta, with which steep pressures behind a spike converge faster.",
         .source = "Venner and ten Napel 1992, below eq. (4), use mean"}});
 }
 
@@ -28,7 +29,7 @@ Wedge read(deck::Deck& deck) {
 }
 
 Face read_face(deck::Deck& deck) {
-  return deck::Part{deck, "discretization"}.choice("face", {Face::mean, Face::logmean});
+  return deck::Part{deck, "discretization"}.choice("face", {Face::mean, Face::logmean, Face::logmean_bounded});
 }
 
 }  // namespace ehl::reynolds

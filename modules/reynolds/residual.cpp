@@ -37,6 +37,8 @@ void residual_by(const core::Patch& grid, const Fields& state, const Transport& 
     const double* __restrict rho2 = state.rho_bar.at_x(upstream);
     const double* __restrict H_east = state.H.at_x(i + 1);
     const double* __restrict rho_east = state.rho_bar.at_x(i + 1);
+    const double* __restrict theta_west = plain ? nullptr : state.third_order.at_x(i - 1);
+    const double* __restrict theta_east = plain ? nullptr : state.third_order.at_x(i);
     double* __restrict out = r.at_x(i);
     for (int j = 1; j <= last; ++j) {
       const Faces<double> e{conductance(face, eps_west[j], eps[j], half.X),
@@ -47,7 +49,7 @@ void residual_by(const core::Patch& grid, const Fields& state, const Transport& 
       if constexpr (plain)
         net = transported(c, rho0[j] * H0[j], rho1[j] * H1[j], rho2[j] * H2[j]);
       else
-        net = transported(third_order_weights(c, transport, grid.hx(), third_order(transport, grid, i, e)),
+        net = transported(third_order_weights<double>(c, transport, grid.hx(), {theta_west[j], theta_east[j]}),
                           rho0[j] * H0[j], rho1[j] * H1[j], rho2[j] * H2[j], rho_east[j] * H_east[j]);
       out[j] = net - poiseuille(e, P_west[j], P_east[j], P[j - 1], P[j + 1], P[j]);
     }

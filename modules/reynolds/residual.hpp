@@ -16,6 +16,8 @@ struct Fields {
   const core::Field& f;                 ///< right-hand side; an empty field means zero
   const core::Field& eps_across = eps;  ///< epsilon along Y, where it is another one
   Face face = Face::mean;               ///< how both are kept
+  /// theta (flux.hpp) of the face behind each node along X: of Face::mean without a third-order wedge not read.
+  const core::Field& third_order = eps;
 };
 
 /// r = f - L(P) on the interior nodes, L(P) the left-hand side of eq. (4) with the transport given; 0 on the boundary.

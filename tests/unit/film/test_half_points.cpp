@@ -56,15 +56,28 @@ BOOST_AUTO_TEST_CASE(answers_are_the_slopes_of_the_flux_of_barus_oil) {
     for (const double d : {-3.0, -0.3, -0.005, 0.005, 0.3, 3.0}) {
       const auto flux = [](double x, double y) { return ehl::film::logarithmic_mean(barus(x, y)) * (y - x); };
       const double f = ehl::film::logarithmic_mean(barus(a0, a0 + d));
-      const auto [before, behind] = ehl::film::answers(std::exp(-a0), std::exp(-a0 - d), a0, a0 + d);
+      const auto [before, behind] = ehl::film::answers(0.0, std::exp(-a0), std::exp(-a0 - d), a0, a0 + d);
       const double by_first = -(flux(a0 + step, a0 + d) - flux(a0 - step, a0 + d)) / (2.0 * step * f);
       const double by_second = (flux(a0, a0 + d + step) - flux(a0, a0 + d - step)) / (2.0 * step * f);
       worst = std::max({worst, std::abs(before - by_first), std::abs(behind - by_second)});
     }
   BOOST_TEST_MESSAGE("largest error " << worst << " (tolerance 1e-8: a difference over 1e-5)");
   BOOST_TEST(worst < 1e-8);
-  const auto nothing = ehl::film::answers(0.0, 0.0, 800.0, 900.0);
+  const auto nothing = ehl::film::answers(0.0, 0.0, 0.0, 800.0, 900.0);
   BOOST_TEST((nothing.before == 100.0 && nothing.behind == 0.0));
+}
+
+// tanh(d/2)/(d/2) is the logarithmic mean over the mean: 0.4 at d = 4.92.
+BOOST_AUTO_TEST_CASE(a_bounded_one_is_the_logarithmic_mean_up_to_its_bound_and_holds_epsilon_there) {
+  const auto between = [](double d) { return ehl::film::fluidity_between(barus(1.0, 1.0 + d), 0.4); };
+  BOOST_TEST(between(4.9) == ehl::film::logarithmic_mean(barus(1.0, 5.9)));
+  for (const double d : {-5.0, 5.0, 12.0, 300.0})
+    BOOST_TEST(std::abs(between(d) / (0.2 * (std::exp(-1.0) + std::exp(-1.0 - d))) - 1.0) < 1e-14);
+  for (const double d : {-5.0, 5.0}) {
+    const auto [before, behind] = ehl::film::answers(0.4, std::exp(-6.0), std::exp(-6.0 - d), 6.0, 6.0 + d);
+    BOOST_TEST((before == 1.0 && behind == 1.0));
+  }
+  BOOST_TEST(ehl::film::answers(0.4, std::exp(-1.0), std::exp(-5.9), 1.0, 5.9).before > 4.0);
 }
 
 BOOST_AUTO_TEST_CASE(the_change_of_epsilon_is_its_slope) {
@@ -73,6 +86,8 @@ BOOST_AUTO_TEST_CASE(the_change_of_epsilon_is_its_slope) {
   for (int trial = 0; trial < 200; ++trial) {
     AroundHalfPoint<double> at{}, change{};
     const double spread = trial % 2 == 0 ? 0.004 : 3.0;
+    // A bound far from the logarithmic means of this spread, and one that most of them are below.
+    const ehl::film::Between how{2.0, trial % 3 == 0 ? 0.99 : 0.4};
     for (double& H : at.H) H = trial % 5 == 0 ? random.between(0.01, 3.0) : random.between(0.8, 1.2);
     for (double& dH : change.H) dH = random.between(-0.3, 0.3);
     for (std::size_t k = 0; k < 2; ++k) {
@@ -93,9 +108,9 @@ BOOST_AUTO_TEST_CASE(the_change_of_epsilon_is_its_slope) {
     };
     constexpr double step = 1e-5;
     const double slope =
-        (ehl::film::epsilon_between(moved(step), 2.0) - ehl::film::epsilon_between(moved(-step), 2.0)) / (2.0 * step);
-    worst = std::max(worst, std::abs(ehl::film::epsilon_change(moved(0.0), change, 2.0) - slope) /
-                                ehl::film::epsilon_between(moved(0.0), 2.0));
+        (ehl::film::epsilon_between(moved(step), how) - ehl::film::epsilon_between(moved(-step), how)) / (2.0 * step);
+    worst = std::max(worst, std::abs(ehl::film::epsilon_change(moved(0.0), change, how) - slope) /
+                                ehl::film::epsilon_between(moved(0.0), how));
   }
   BOOST_TEST_MESSAGE("largest error " << worst << " of epsilon (tolerance 1e-7: a difference over 1e-5)");
   BOOST_TEST(worst < 1e-7);

@@ -42,7 +42,7 @@ void set_both(fmg::Hierarchy& whole, fmg::Hierarchy& half, std::uint64_t seed) {
 
 /// upstream3 with epsilon at half points.
 fmg::Hierarchy hierarchy_on(const Patch& grid, const fmg::Parameters& parameters, Wedge wedge, int threads = 1) {
-  const Face face = wedge == Wedge::upstream3 ? Face::logmean : Face::mean;
+  const Face face = wedge == Wedge::upstream3 ? Face::logmean_bounded : Face::mean;
   return fmg::make_hierarchy(circular_contact(20, 10, wedge, face), parameters, {.method = ehl::mlmi::Method::fft},
                              grid, threads);
 }

@@ -62,9 +62,10 @@ BOOST_AUTO_TEST_CASE(jacobian_products_are_the_slope_of_the_residual) {
   const std::optional<rheology::ShearThinning> newtonian;
   const std::optional<rheology::ShearThinning> eyring = rheology::ShearThinning{rheology::Eyring{}, 0.02};
   const std::tuple<Wedge, Face, std::optional<rheology::ShearThinning>> schemes[] = {
-      {Wedge::upstream1, Face::mean, newtonian},    {Wedge::upstream2, Face::mean, newtonian},
-      {Wedge::upstream3, Face::mean, newtonian},    {Wedge::upstream2, Face::logmean, newtonian},
-      {Wedge::upstream3, Face::logmean, newtonian}, {Wedge::upstream3_inlet, Face::logmean, eyring}};
+      {Wedge::upstream1, Face::mean, newtonian},        {Wedge::upstream2, Face::mean, newtonian},
+      {Wedge::upstream3, Face::mean, newtonian},        {Wedge::upstream2, Face::logmean, newtonian},
+      {Wedge::upstream3, Face::logmean, newtonian},     {Wedge::upstream3_inlet, Face::logmean, eyring},
+      {Wedge::upstream3, Face::logmean_bounded, eyring}};
   for (const auto& [wedge, face, thinning] : schemes) {
     // hx != hy: every factor in its place.
     fmg::Hierarchy hierarchy =

@@ -28,6 +28,7 @@ Fields sampled_fields(const Patch& grid) {
       const double Y = grid.Y(j);
       fields.P(i, j) = std::exp(mu * X + nu * Y);
       fields.eps(i, j) = std::exp(alpha * X + beta * Y);
+      fields.third_order(i, j) = i > 0 ? 1.0 : 0.0;
       fields.rho_bar(i, j) = std::exp(growth_rho * X);
       fields.H(i, j) = std::exp((gamma - growth_rho) * X + delta * Y);
     }

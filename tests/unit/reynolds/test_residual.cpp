@@ -8,6 +8,7 @@
 
 #include "core/norms.hpp"
 #include "film/model.hpp"
+#include "reynolds/flux.hpp"
 #include "unit/reynolds/fields.hpp"
 
 using namespace ehl::tests;
@@ -22,15 +23,11 @@ namespace {
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 // Q carried through the face behind node i, and its share of third order.
-double carried_at(const Patch& grid, const Fields& s, const reynolds::Transport& transport, int i, int j, double eps) {
+double carried_at(const Fields& s, const reynolds::Transport& transport, int i, int j) {
   const auto Q = [&](int k) { return s.rho_bar(k, j) * s.H(k, j); };
   if (transport.wedge == Wedge::upstream1) return Q(i);
   if (i == 0) return 0.5 * (Q(0) + Q(1));
-  const double e = eps / (grid.hx() * grid.hx() * transport.speed);
-  const double s_X = std::clamp(-5.0 * (grid.X(i) + 0.5 * grid.hx()), 0.0, 1.0);
-  const double share = transport.wedge == Wedge::upstream2   ? 0.0
-                       : transport.wedge == Wedge::upstream3 ? e * e / (1.0 + e * e)
-                                                             : s_X * s_X * (3.0 - 2.0 * s_X);
+  const double share = reynolds::third_order(transport.wedge) ? s.third_order(i, j) : 0.0;
   return (1.0 - share) * (1.5 * Q(i) - 0.5 * Q(i - 1)) + share * (2.0 * Q(i + 1) + 5.0 * Q(i) - Q(i - 1)) / 6.0;
 }
 
@@ -47,8 +44,7 @@ double residual_at(const Patch& grid, const Fields& s, const reynolds::Transport
       (eps_west * s.P(i - 1, j) - (eps_west + eps_east) * s.P(i, j) + eps_east * s.P(i + 1, j)) / (hx * hx);
   const double along_y =
       (eps_south * s.P(i, j - 1) - (eps_south + eps_north) * s.P(i, j) + eps_north * s.P(i, j + 1)) / (hy * hy);
-  const double d_flow_dX =
-      (carried_at(grid, s, transport, i, j, eps_east) - carried_at(grid, s, transport, i - 1, j, eps_west)) / hx;
+  const double d_flow_dX = (carried_at(s, transport, i, j) - carried_at(s, transport, i - 1, j)) / hx;
   const double flow = s.rho_bar(i, j) * s.H(i, j);
   return s.f(i, j) - (along_x + along_y - transport.speed * d_flow_dX - transport.squeeze * flow);
 }
@@ -63,11 +59,7 @@ BOOST_AUTO_TEST_CASE(residual_is_equation_4) {
           reynolds::Transport(Wedge::upstream3, 0.7, 4.0), reynolds::Transport(Wedge::upstream3_inlet)}) {
       Random random(1);
       Fields fields = random_fields(grid, random);
-      if (reynolds::third_order(transport.wedge)) {  // about as strong as the film couples
-        for (int i = 0; i <= grid.nx; ++i)
-          for (int j = 0; j <= grid.ny; ++j) fields.eps(i, j) *= grid.hx() * grid.hx();
-        fields.face = transport.squeeze > 0.0 ? reynolds::Face::logmean : reynolds::Face::mean;
-      }
+      if (transport.wedge == Wedge::upstream3) fields.face = reynolds::Face::logmean;
       Field r(grid);
       r.fill(not_a_number);
       reynolds::residual(grid, fields.state(), transport, 1, r);
@@ -86,6 +78,28 @@ BOOST_AUTO_TEST_CASE(residual_is_equation_4) {
                                  << " of the largest residual (tolerance 1e-14)");
       BOOST_TEST(error / largest < 1e-14);
     }
+}
+
+// theta = e^2/(1 + e^2), e the harmonic mean of epsilon/hx^2 over U.
+BOOST_AUTO_TEST_CASE(third_order_follows_the_weaker_of_two_nodes) {
+  constexpr double hx = 0.1;
+  const reynolds::ThirdOrderShare share(reynolds::Transport(Wedge::upstream3, 2.0, 0.0), hx);
+  const double half = 2.0 * hx * hx;  // epsilon at which it is a half
+  BOOST_TEST(std::abs(share(half, half) - 0.5) < 1e-15);
+  BOOST_TEST(std::abs(share(1e9 * half, half) - 0.8) < 1e-8);
+  BOOST_TEST(share(1e9 * half, 1e-3 * half) < 4.1e-6);
+  BOOST_TEST(share(half, 0.0) == 0.0);
+  BOOST_TEST(share(0.0, 0.0) == 0.0);
+  double worst = 0.0;
+  for (const double before : {0.01, 0.7, 3.0, 50.0})
+    for (const double behind : {0.0, 0.2, 3.0}) {
+      constexpr double step = 1e-6;
+      const auto at = [&](double t) { return share(half * (before + 0.3 * t), half * (behind + 0.8 * t)); };
+      const double slope = (at(step) - at(behind > 0.0 ? -step : 0.0)) / (behind > 0.0 ? 2.0 * step : step);
+      worst = std::max(worst, std::abs(share.change(half * before, half * behind, 0.3 * half, 0.8 * half) - slope));
+    }
+  BOOST_TEST_MESSAGE("largest error of its change " << worst << " (tolerance 1e-5: a one-sided difference over 1e-6)");
+  BOOST_TEST(worst < 1e-5);
 }
 
 BOOST_AUTO_TEST_CASE(residual_has_the_same_bits_with_two_threads) {
