@@ -1,13 +1,20 @@
 #include "film/model.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace ehl::film {
 namespace {
 
-void apply_effects(const Model& model, const Station& station, std::span<double> fluidity) {
-  for (const FluidityEffect& effect : model.effects) effect(station, fluidity);
+void apply_effects(const Model& model, const Station& station, std::span<double> fluidity, Buffers& buffers) {
+  std::ranges::fill(buffers.mobility, 1.0);
+  std::ranges::fill(buffers.carried, 1.0);
+  for (const CoefficientEffect& effect : model.effects) effect(station, {fluidity, buffers.mobility, buffers.carried});
+}
+
+void multiply(std::span<double> values, const std::vector<double>& by) {
+  for (std::size_t k = 0; k < values.size(); ++k) values[k] *= by[k];
 }
 
 // eps = rho_bar H^3 phi/lambda with d ln phi = -theta d ln eta_bar + (theta - 1) dH/H; theta = 1 without thinning.
@@ -27,6 +34,7 @@ Buffers make_buffers(const Model& model, int nodes) {
   const auto size = static_cast<std::size_t>(nodes);
   Buffers buffers{.fluidity = std::vector<double>(size)};
   if (anisotropic(model)) buffers.along = buffers.across = buffers.fluidity;
+  if (!model.effects.empty()) buffers.along = buffers.mobility = buffers.carried = buffers.fluidity;
   return buffers;
 }
 
@@ -40,14 +48,19 @@ void coefficients(const Model& model, const Station& station, Buffers& buffers, 
   }
   rheology::film_properties(model.viscosity, model.density, station.P, buffers.fluidity, out.rho_bar);
   rheology::density_slope(model.density, station.P, out.drho_bar);
-  apply_effects(model, station, buffers.fluidity);
-  if (!anisotropic(model)) {
+  apply_effects(model, station, buffers.fluidity, buffers);
+  if (anisotropic(model)) {
+    rheology::film_fluidity(*model.thinning, station.H, buffers.fluidity, buffers.along, buffers.across);
+    epsilon(station.H, out.rho_bar, buffers.along, model.lambda, out.eps);
+    epsilon(station.H, out.rho_bar, buffers.across, model.lambda, out.eps_across);
+  } else {
     epsilon(station.H, out.rho_bar, buffers.fluidity, model.lambda, out.eps);
-    return;
   }
-  rheology::film_fluidity(*model.thinning, station.H, buffers.fluidity, buffers.along, buffers.across);
-  epsilon(station.H, out.rho_bar, buffers.along, model.lambda, out.eps);
-  epsilon(station.H, out.rho_bar, buffers.across, model.lambda, out.eps_across);
+  if (model.effects.empty()) return;
+  multiply(out.eps, buffers.mobility);
+  multiply(out.eps_across, buffers.mobility);
+  multiply(out.rho_bar, buffers.carried);
+  multiply(out.drho_bar, buffers.carried);
 }
 
 void oil(const Model& model, const Station& station, Buffers& buffers, const Oil<double>& out) {
@@ -57,14 +70,27 @@ void oil(const Model& model, const Station& station, Buffers& buffers, const Oil
   rheology::density_slope(model.density, station.P, out.drho_bar);
   if (!model.effects.empty()) {
     std::ranges::copy(fluidity, buffers.along.begin());
-    apply_effects(model, station, fluidity);
+    apply_effects(model, station, fluidity, buffers);
     rheology::thin_log_viscosity(buffers.along, fluidity, out.log_viscosity);
   }
-  if (!thins) return;
-  rheology::film_fluidity(*model.thinning, station.H, fluidity, out.fluidity, out.fluidity_across);
-  std::ranges::copy(out.log_viscosity, out.log_viscosity_across.begin());
-  rheology::thin_log_viscosity(fluidity, out.fluidity, out.log_viscosity);
-  rheology::thin_log_viscosity(fluidity, out.fluidity_across, out.log_viscosity_across);
+  if (thins) {
+    rheology::film_fluidity(*model.thinning, station.H, fluidity, out.fluidity, out.fluidity_across);
+    std::ranges::copy(out.log_viscosity, out.log_viscosity_across.begin());
+    rheology::thin_log_viscosity(fluidity, out.fluidity, out.log_viscosity);
+    rheology::thin_log_viscosity(fluidity, out.fluidity_across, out.log_viscosity_across);
+  }
+  if (model.effects.empty()) return;
+  // Half points take the density from Q: what it carries more goes off the fluidity.
+  for (std::size_t k = 0; k < station.P.size(); ++k) {
+    const double factor = buffers.mobility[k] / buffers.carried[k];
+    out.fluidity[k] *= factor;
+    out.log_viscosity[k] -= std::log(factor);
+    if (!thins) continue;
+    out.fluidity_across[k] *= factor;
+    out.log_viscosity_across[k] -= std::log(factor);
+  }
+  multiply(out.rho_bar, buffers.carried);
+  multiply(out.drho_bar, buffers.carried);
 }
 
 void oil_slopes(const Model& model, const Station& station, Buffers& buffers, const OilSlopes& out) {
@@ -79,7 +105,7 @@ void oil_slopes(const Model& model, const Station& station, Buffers& buffers, co
   };
   if (anisotropic(model)) {
     rheology::fluidity(model.viscosity, station.P, buffers.fluidity);
-    apply_effects(model, station, buffers.fluidity);
+    apply_effects(model, station, buffers.fluidity, buffers);
     rheology::film_fluidity_slopes(*model.thinning, station.H, buffers.fluidity, buffers.along, buffers.across);
     write(buffers.across, out.log_viscosity_across_P, out.log_viscosity_across_H);
   }
@@ -93,7 +119,7 @@ void slopes(const Model& model, const Station& station, const Coefficients<const
   rheology::log_viscosity_slope(model.viscosity, station.P, buffers.slope);
   if (anisotropic(model)) {
     rheology::fluidity(model.viscosity, station.P, buffers.fluidity);
-    apply_effects(model, station, buffers.fluidity);
+    apply_effects(model, station, buffers.fluidity, buffers);
     rheology::film_fluidity_slopes(*model.thinning, station.H, buffers.fluidity, buffers.along, buffers.across);
     epsilon_slopes(station, at, at.eps_across, buffers.across, buffers.slope, out.eps_across_P, out.eps_across_H);
   }

@@ -20,8 +20,13 @@ struct Station {
   std::span<const double> H;
 };
 
-/// An effect at the stage of the coefficients: changes the fluidity 1/eta_bar of a station's nodes.
-using FluidityEffect = std::function<void(const Station& station, std::span<double> fluidity)>;
+/// What an effect at the stage of the coefficients changes of a station's nodes.
+struct Factors {
+  std::span<double> fluidity;  ///< 1/eta_bar itself: what shear thins and pressure moves
+  std::span<double> mobility;  ///< of both epsilon: what pressure moves beyond that
+  std::span<double> carried;   ///< of Q: what the surfaces carry
+};
+using CoefficientEffect = std::function<void(const Station& station, const Factors& factors)>;
 
 /// eps = rho_bar H^3/(eta_bar lambda) (eq. 5), Q = rho_bar H.
 struct Model {
@@ -30,7 +35,7 @@ struct Model {
   rheology::DensityLaw density;
   /// Sliding along X that thins the oil: epsilon along X is another one than along Y.
   std::optional<rheology::ShearThinning> thinning{};
-  std::vector<FluidityEffect> effects{};
+  std::vector<CoefficientEffect> effects{};
   /// epsilon(X, Y) instead, with rho_bar = 1: the linear model problems of eqs. (9) and (19).
   std::function<double(double, double)> given_epsilon{};
 };
@@ -40,7 +45,7 @@ inline bool anisotropic(const Model& model) { return model.thinning.has_value();
 
 /// Work space of one thread for stations of this many nodes.
 struct Buffers {
-  std::vector<double> fluidity{}, along{}, across{}, slope{};
+  std::vector<double> fluidity{}, along{}, across{}, slope{}, mobility{}, carried{};
 };
 Buffers make_buffers(const Model& model, int nodes);
 
@@ -49,8 +54,8 @@ template <class Number>
 struct Coefficients {
   std::span<Number> eps;         ///< along X
   std::span<Number> eps_across;  ///< along Y where that is another one; else empty
-  std::span<Number> rho_bar;
-  std::span<Number> drho_bar;  ///< d rho_bar/dP
+  std::span<Number> rho_bar;     ///< Q/H
+  std::span<Number> drho_bar;    ///< d rho_bar/dP
 };
 void coefficients(const Model& model, const Station& station, Buffers& buffers, const Coefficients<double>& out);
 

@@ -136,7 +136,7 @@ fmg::Run begin_climb(const Scene& scene, const Start& start, const ProgressCallb
                                       .viscosity = scene.viscosity,
                                       .density = scene.density,
                                       .thinning = scene.thinning,
-                                      .effects = scene.fluidity_effects},
+                                      .effects = scene.effects},
                              .transport = transport_of(scene),
                              .face = scene.face,
                              .load = contact::load(scene.shape),

@@ -55,8 +55,8 @@ struct Scene {
   /// Writes S(X, Y), what surfaces at rest add to the gap, in a^2/R: the mean over each node's cell. Empty: smooth. One
   /// that is not symmetric in Y forbids use_symmetry.
   std::function<void(const core::Patch& grid, core::Field& S)> surface{};
-  std::optional<rheology::ShearThinning> thinning{};     ///< sliding that thins the oil; absent: Newtonian
-  std::vector<film::FluidityEffect> fluidity_effects{};  ///< effects at the stage of the coefficients
+  std::optional<rheology::ShearThinning> thinning{};  ///< sliding that thins the oil; absent: Newtonian
+  std::vector<film::CoefficientEffect> effects{};     ///< effects at the stage of the coefficients
   core::Grid grid;  ///< the finest grid; where an accuracy is asked for, the first to be tried
   /// Pressure on the boundary and load outside of the domain in closed form; else none of them.
   bool far_field = false;

@@ -40,9 +40,9 @@ struct Setup {
   double limit = std::numeric_limits<double>::infinity();  ///< |tau_m| <= limit P, in p_h
   double theta_oil = 0.0;                                  ///< where oil enters
   Body body_1{}, body_2{};
-  bool lines = false;         ///< bodies by Carslaw and Jaeger's lines alone
-  bool pressure_flow = true;  ///< what pressure drives heats and carries too
-  double theta_least = -0.1, theta_most = 2.5;
+  bool lines = false;                           ///< bodies by Carslaw and Jaeger's lines alone
+  bool pressure_flow = true;                    ///< what pressure drives heats and carries too
+  double theta_least = -0.4, theta_most = 2.5;  ///< an oil that expands behind a spike cools by tens of kelvin
   int threads = 1;
 };
 

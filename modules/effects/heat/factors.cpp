@@ -1,0 +1,93 @@
+#include "effects/heat/factors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ehl::heat {
+namespace {
+
+GridFactors ones(const core::Patch& grid) {
+  GridFactors factors{grid, core::Field(grid), core::Field(grid), core::Field(grid)};
+  for (core::Field* field : {&factors.fluidity, &factors.mobility, &factors.carried}) field->fill(1.0);
+  return factors;
+}
+
+// Full weighting; on the edges of the domain, where it has no neighbours, injection.
+void restrict_weighted(const GridFactors& fine, const core::Field& from, core::Field& to) {
+  const core::Patch& grid = fine.grid;
+  const bool mirror = grid.north == core::Edge::mirror;
+  const auto image = [&](int j) { return j > grid.ny ? 2 * grid.ny - j : j; };
+  for (int i = 0; i < to.nodes_x(); ++i)
+    for (int j = 0; j < to.nodes_y(); ++j) {
+      const int I = 2 * i, J = 2 * j;
+      const bool edge = i == 0 || I == grid.nx || j == 0 || (J == grid.ny && !mirror);
+      const auto line = [&](int n) { return 0.25 * (from(I - 1, n) + 2.0 * from(I, n) + from(I + 1, n)); };
+      to(i, j) = edge ? from(I, J) : 0.25 * (line(J - 1) + 2.0 * line(J) + line(image(J + 1)));
+    }
+}
+
+void inject(const core::Field& from, core::Field& to) {
+  for (int i = 0; i < to.nodes_x(); ++i)
+    for (int j = 0; j < to.nodes_y(); ++j) to(i, j) = from(2 * i, 2 * j);
+}
+
+}  // namespace
+
+Factors::Factors(const std::vector<core::Patch>& grids) : before_(ones(grids.front())) {
+  for (const core::Patch& grid : grids) grids_.push_back(ones(grid));
+}
+
+double Factors::take(const thermal::FilmTemperature& film, double weight) {
+  GridFactors& finest = grids_.front();
+  core::copy(finest.fluidity, before_.fluidity);
+  core::copy(finest.mobility, before_.mobility);
+  core::copy(finest.carried, before_.carried);
+  double largest = 0.0;
+  const auto mean = [weight](double asked, double now) {
+    return weight == 1.0 ? asked : now * std::pow(asked / now, weight);
+  };
+  for (int i = 0; i <= finest.grid.nx; ++i)
+    for (int j = 0; j <= finest.grid.ny; ++j) {
+      double &I0 = finest.fluidity(i, j), &mobility = finest.mobility(i, j), &C = finest.carried(i, j);
+      const double asked = film.M2()(i, j);
+      largest = std::max(largest, std::abs(std::log(asked / (I0 * mobility))));
+      mobility = mean(asked / film.I0()(i, j), mobility);
+      I0 = mean(film.I0()(i, j), I0);
+      // C may pass through zero where a surface stands still: no ratio of it.
+      C += weight * (film.C()(i, j) - C);
+    }
+  restrict_all();
+  return largest;
+}
+
+void Factors::give_back() {
+  core::copy(before_.fluidity, grids_.front().fluidity);
+  core::copy(before_.mobility, grids_.front().mobility);
+  core::copy(before_.carried, grids_.front().carried);
+  restrict_all();
+}
+
+void Factors::restrict_all() {
+  for (std::size_t l = 1; l < grids_.size(); ++l) {
+    restrict_weighted(grids_[l - 1], grids_[l - 1].fluidity, grids_[l].fluidity);
+    restrict_weighted(grids_[l - 1], grids_[l - 1].mobility, grids_[l].mobility);
+    inject(grids_[l - 1].carried, grids_[l].carried);
+  }
+}
+
+film::CoefficientEffect Factors::effect(std::shared_ptr<const Factors> factors) {
+  return [factors = std::move(factors)](const film::Station& station, const film::Factors& at) {
+    const auto here = std::ranges::find(factors->grids_, station.grid, &GridFactors::grid);
+    if (here == factors->grids_.end()) return;  // a grid of another hierarchy, before the film has a temperature
+    const auto multiply = [&](const core::Field& by, std::span<double> values) {
+      const double* value = by.at_x(station.i);
+      for (std::size_t j = 0; j < values.size(); ++j) values[j] *= value[j];
+    };
+    multiply(here->fluidity, at.fluidity);
+    multiply(here->mobility, at.mobility);
+    multiply(here->carried, at.carried);
+  };
+}
+
+}  // namespace ehl::heat

@@ -1,0 +1,41 @@
+#pragma once
+// A steady contact with heat: the film's temperature and the cycles in turn, until neither changes the other.
+#include <string>
+#include <vector>
+
+#include "effects/heat/factors.hpp"
+#include "fmg/full_multigrid.hpp"
+#include "judgement/measures.hpp"
+#include "thermal/film_temperature.hpp"
+
+namespace ehl::heat {
+
+struct Parameters {
+  int most = 40;  ///< passes
+  /// Hc, Hm, mu and the hottest film change by less than this share of the estimated discretization error of Hc.
+  double share = 0.1;
+  double defect = 1e-3;  ///< of the balance of heat
+};
+
+/// After a pass: a sweep of the film's temperature, and a cycle with what it makes of the coefficients.
+struct Pass {
+  double Hc = 0.0, Hm = 0.0, mu = 0.0;
+  double theta = 0.0;   ///< largest of the film
+  double change = 0.0;  ///< largest of these four, relative
+  double weight = 1.0;  ///< with which the factors were taken
+  bool undone = false;  ///< the film did not bear them
+};
+
+struct Result {
+  std::vector<Pass> passes{};
+  std::string unmet{};  ///< why it is no solution; empty where it is one
+  thermal::Balance balance{};
+};
+
+/// From an isothermal solution on the finest grid, whose model has the factors' effect, to the thermal one. A pass that
+/// leaves no film is undone, and the factors are taken by half; likewise with less
+/// weight where the change they ask for does not fall. Rate measured: 0.1 to 0.3 per pass, 4 to 6 passes.
+/// limits: the rescue by Newton's method and load continuation are not tried.
+Result heat_up(fmg::Run& run, thermal::FilmTemperature& film, Factors& factors, const Parameters& parameters);
+
+}  // namespace ehl::heat
