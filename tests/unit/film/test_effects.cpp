@@ -1,0 +1,78 @@
+// An effect at the stage of the coefficients: what it does to the fluidity, to epsilon and to what the wedge carries,
+// at the nodes and half-way between them.
+#include <array>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "film/model.hpp"
+
+using namespace ehl;
+
+namespace {
+
+constexpr double fluidity_factor = 3.0, mobility_factor = 1.7, carried_factor = 0.8;
+constexpr std::size_t nodes = 4;
+
+struct Values {
+  std::vector<double> eps = std::vector<double>(nodes), across = eps, rho = eps, drho = eps;
+  std::vector<double> fluidity = eps, log_viscosity = eps, fluidity_across = eps, log_across = eps, oil_rho = eps,
+                      oil_drho = eps;
+};
+
+Values values_of(bool thins, bool acts) {
+  const core::Patch grid{core::Grid{8, nodes - 1, 0.0, 1.0, 0.0, 1.0}};
+  film::Model model{.lambda = 0.3, .viscosity = rheology::Barus{5.0}, .density = rheology::make_dowson_higginson(1e9)};
+  if (thins) model.thinning = rheology::ShearThinning{rheology::Eyring{}, 0.05};
+  if (acts)
+    model.effects.push_back([](const film::Station&, const film::Factors& factors) {
+      for (double& v : factors.fluidity) v *= fluidity_factor;
+      for (double& v : factors.mobility) v *= mobility_factor;
+      for (double& v : factors.carried) v *= carried_factor;
+    });
+  const std::vector<double> P{0.1, 0.3, 0.6, 0.9}, H{0.2, 0.15, 0.12, 0.1};
+  const film::Station station{grid, 3, P, H};
+  film::Buffers buffers = film::make_buffers(model, nodes);
+  Values v;
+  const auto when = [thins](std::vector<double>& of) { return thins ? std::span<double>(of) : std::span<double>{}; };
+  film::coefficients(model, station, buffers, {v.eps, when(v.across), v.rho, v.drho});
+  film::oil(model, station, buffers,
+            {v.fluidity, v.log_viscosity, when(v.fluidity_across), when(v.log_across), v.oil_rho, v.oil_drho});
+  return v;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(an_effect_changes_fluidity_epsilon_and_flow) {
+  const Values before = values_of(false, false), behind = values_of(false, true);
+  for (std::size_t k = 0; k < nodes; ++k) {
+    BOOST_TEST(std::abs(behind.eps[k] / before.eps[k] - fluidity_factor * mobility_factor) < 1e-14);
+    BOOST_TEST(std::abs(behind.rho[k] / before.rho[k] - carried_factor) < 1e-15);
+    BOOST_TEST(std::abs(behind.drho[k] / before.drho[k] - carried_factor) < 1e-15);
+    // Between the nodes epsilon is rho times fluidity: the same factor.
+    const double between = behind.oil_rho[k] * behind.fluidity[k] / (before.oil_rho[k] * before.fluidity[k]);
+    BOOST_TEST(std::abs(between - fluidity_factor * mobility_factor) < 1e-14);
+    BOOST_TEST(std::abs(std::exp(-behind.log_viscosity[k]) / behind.fluidity[k] - 1) < 1e-13);
+    BOOST_TEST(behind.oil_rho[k] == behind.rho[k]);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_thinned_film_meets_the_changed_fluidity) {
+  // Eyring at three times the fluidity: eps_x = H^3 rho phi sqrt(1 + s^2), s = k/(H phi).
+  const Values before = values_of(true, false), behind = values_of(true, true);
+  const std::array<double, nodes> P{0.1, 0.3, 0.6, 0.9}, H{0.2, 0.15, 0.12, 0.1};
+  for (std::size_t k = 0; k < nodes; ++k) {
+    const double phi = std::exp(-5.0 * P[k]), s = 0.05 / (H[k] * phi), s_behind = s / fluidity_factor;
+    const double along = fluidity_factor * std::sqrt((1 + s_behind * s_behind) / (1 + s * s));
+    BOOST_TEST(std::abs(behind.eps[k] / before.eps[k] - mobility_factor * along) < 1e-12);
+    const double across = fluidity_factor * (s_behind / std::asinh(s_behind)) / (s / std::asinh(s));
+    BOOST_TEST(std::abs(behind.across[k] / before.across[k] - mobility_factor * across) < 1e-12);
+    for (const auto& [fluidity, log_viscosity] : {std::pair{behind.fluidity[k], behind.log_viscosity[k]},
+                                                  std::pair{behind.fluidity_across[k], behind.log_across[k]}})
+      BOOST_TEST(std::abs(std::exp(-log_viscosity) / fluidity - 1) < 1e-12);
+    BOOST_TEST(std::abs(behind.oil_rho[k] * behind.fluidity[k] / (before.oil_rho[k] * before.fluidity[k]) -
+                        mobility_factor * along) < 1e-12);
+  }
+}
