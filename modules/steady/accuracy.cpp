@@ -85,12 +85,9 @@ double gain_of_Hm(const LevelRow& from, const LevelRow& to) {
 
 // Of Hc or Hm, the worse; NaN where a coarse solution fails.
 DomainError domain_error(const Scene& scene, const SolveOnGrid& solve_on_grid) {
-  core::Grid grid = scene.grid;
-  if (grid.nx % 128 == 0 && grid.ny % 2 == 0) grid = core::coarsened(grid);
   std::vector<LevelRow> rows;
-  for (int size = 1; size <= 4; size *= 2, grid = doubled(grid)) {
-    if (size == 4 && grid.nx > most_coarse_cells) break;
-    const Solution solution = solve_on_grid(coarse_scene(scene, grid));
+  for (const Scene& coarse : domain_series(scene)) {
+    const Solution solution = solve_on_grid(coarse);
     if (!solution.converged) return {std::nan(""), 0.0, 0.0};
     rows.push_back(solution.levels.back());
   }
@@ -187,6 +184,17 @@ Solution on_finer_grid(const Scene& finer, const Solution& coarser, const SolveO
 }
 
 }  // namespace
+
+std::vector<Scene> domain_series(const Scene& scene) {
+  core::Grid grid = scene.grid;
+  if (grid.nx % 128 == 0 && grid.ny % 2 == 0) grid = core::coarsened(grid);
+  std::vector<Scene> series;
+  for (int size = 1; size <= 4; size *= 2, grid = doubled(grid)) {
+    if (size == 4 && grid.nx > most_coarse_cells) break;
+    series.push_back(coarse_scene(scene, grid));
+  }
+  return series;
+}
 
 core::Grid on_larger_domain(const core::Grid& grid, double factor) {
   const double wanted = factor * (grid.X_b - grid.X_a) * (1.0 - 1e-12);

@@ -1,6 +1,7 @@
 #pragma once
 // An accuracy instead of a grid: domain and level that bring the estimated error of Hc and Hm below it.
 #include <functional>
+#include <vector>
 
 #include "steady/scene.hpp"
 #include "steady/solution.hpp"
@@ -23,6 +24,9 @@ using SolveOnGrid = std::function<Solution(const Scene&)>;
 /// out: as of solve(), of the last grid; where the target is not met it is marked as not converged, and
 /// AccuracyReport::stopped_by says what stood in the way. The level table has all levels. errors: as of solve().
 Solution solve_to_accuracy(const Scene& scene, const SolveOnGrid& solve_on_grid, const ProgressCallback& progress);
+
+/// What is solved for the error of a domain that is free: coarse scenes on domains of one, two and four times the size.
+std::vector<Scene> domain_series(const Scene& scene);
 
 /// The grid of the same cells or finer, and cells of at most the same size, on a domain that is longer (upstream) and
 /// wider by `factor` at least; (0,0) stays a node. in: a grid whose number of cells can be halved down to 64 or less.

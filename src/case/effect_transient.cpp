@@ -40,6 +40,7 @@ Needs expense(const Case& input) {
   constexpr double doubles_of_history = 30.0;  // IDA's vectors of P and Q
   constexpr double doubles_of_frame = 5.0;     // P, H and their place in the file; measured at 128^2 and 256^2
   constexpr double seconds_per_node_and_step = 2.5e-7;
+  constexpr double seconds_of_coarse_grids = 1.5e-3;     // in each step; measured at 64^2 to 256^2
   constexpr double seconds_per_node_and_frame = 5.5e-7;  // a film, and writing both; measured with a thousand
   constexpr double shorter_steps = 3.0;  // than the longest, where what drives the contact varies; measured 1.3 to 7
   constexpr double more_of_rough = 5.0;  // likewise, and twice the cycles in each; measured with 64 x 64 heights
@@ -55,7 +56,8 @@ Needs expense(const Case& input) {
                                         : 1.0);
   const double frames = std::isnan(march.output_interval) ? 2.0 : march.end / march.output_interval + 2.0;
   return {.bytes = nodes * sizeof(double) * (doubles_of_history + frames * doubles_of_frame),
-          .seconds = nodes * (seconds_per_node_and_step * steps + seconds_per_node_and_frame * frames)};
+          .seconds = steps * (seconds_of_coarse_grids + nodes * seconds_per_node_and_step) +
+                     frames * nodes * seconds_per_node_and_frame};
 }
 
 void compute(const Case& input, RunSettings& settings, Computed& computed) {

@@ -50,7 +50,7 @@ Needs basic_needs(const steady::Scene& scene) {
   constexpr double program_itself = 1.5e7;  // bytes
   const double seconds_per_node_and_cycle = steady::on_one_half(scene) ? 2e-7 : 4e-7;
   constexpr double more_cycles = 2.0;  // than planned: the checks on the finest grid ask for them
-  constexpr double direct_pairs_per_second = 2e9;
+  const double direct_pairs_per_second = steady::on_one_half(scene) ? 8e9 : 2e9;
   constexpr double evaluations_per_cycle = 8.0;
   constexpr double newton_bytes_per_node = 2400.0;  // the sparse factors
   constexpr double newton_seconds_per_node = 4e-5;
@@ -94,7 +94,10 @@ core::Grid foretold_grid(const steady::Scene& scene) {
 Needs expected_needs(const Case& input) {
   steady::Scene scene = input.scene;
   if (!input.dry) scene.grid = foretold_grid(scene);
-  return with_effects(input, basic_needs(scene));
+  Needs needs = with_effects(input, basic_needs(scene));
+  if (!input.dry && !std::isnan(scene.accuracy.error) && scene.accuracy.domain_is_free)
+    for (const steady::Scene& coarse : steady::domain_series(input.scene)) needs.seconds += basic_needs(coarse).seconds;
+  return needs;
 }
 
 namespace {
