@@ -119,6 +119,32 @@ std::vector<std::string> ResultFile::names(const std::string& group) const {
   return found;
 }
 
+namespace {
+
+hsize_t bytes_stored(hid_t set, hid_t layout) {
+  constexpr hsize_t most_of_deflate = 1032;  // what its format can make of a byte
+  return (H5Pget_nfilters(layout) > 0 ? most_of_deflate : 1) * H5Dget_storage_size(set);
+}
+
+// What a dataset can hold by the room that it takes; a view takes none, and shows what its sources hold.
+hsize_t bytes_behind(hid_t file, hid_t set, const std::string& cannot) {
+  const Handle layout = checked(H5Dget_create_plist(set), H5Pclose, cannot);
+  std::size_t sources = 0;
+  if (H5Pget_layout(layout) != H5D_VIRTUAL) return bytes_stored(set, layout);
+  if (H5Pget_virtual_count(layout, &sources) < 0) return 0;
+  hsize_t bytes = 0;
+  for (std::size_t k = 0; k < sources; ++k) {
+    std::string name(4096, '\0');
+    if (H5Pget_virtual_dsetname(layout, k, name.data(), name.size()) <= 0) return 0;
+    const Handle source = checked(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, cannot);
+    const Handle plain = checked(H5Dget_create_plist(source), H5Pclose, cannot);
+    if (H5Pget_layout(plain) != H5D_VIRTUAL) bytes += bytes_stored(source, plain);
+  }
+  return bytes;
+}
+
+}  // namespace
+
 Array ResultFile::numbers(const std::string& name) const {
   const QuietErrors quiet;
   const std::string cannot = implementation_->cannot(name);
@@ -128,7 +154,7 @@ Array ResultFile::numbers(const std::string& name) const {
   if (dims.size() > 2) throw core::FileError(cannot + ": it has " + std::to_string(dims.size()) + " dimensions");
   const hssize_t points = H5Sget_simple_extent_npoints(space);
   // A damaged header can promise more numbers than the file holds: do not reserve memory for a promise.
-  const hsize_t stored = H5Dget_storage_size(set);
+  const hsize_t stored = bytes_behind(implementation_->file, set, cannot);
   if (points < 0 || (points > 0 && stored / H5Tget_size(type) < static_cast<hsize_t>(points)))
     throw core::FileError(cannot + ": the file is damaged: it holds fewer numbers than it says");
   Array array;

@@ -99,6 +99,35 @@ BOOST_AUTO_TEST_CASE(maps_lie_in_their_own_file) {
   refused("in other files");
 }
 
+// A view of what lies in the same file is read: our own files have one of every field in time.
+BOOST_AUTO_TEST_CASE(views_of_their_own_file_are_read) {
+  const support::TemporaryFolder folder;
+  folder.write("d.ini", small + "[surface1]\nshape = map\nfile = map.h5\nunit = 0.001\ndx = 0.1\nat_rest = yes\n");
+  height_file(folder / "map.h5", [&](hid_t file, hid_t space) {
+    make_heights(file, space, H5P_DEFAULT);
+    const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_virtual(properties, space, ".", "height", space);
+    H5Dclose(H5Dcreate2(file, "view", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, properties, H5P_DEFAULT));
+    H5Pclose(properties);
+  });
+  const support::Ended own = support::ehl(folder, "check d.ini"),
+                       view = support::ehl(folder, "check d.ini --set surface1.dataset=view");
+  BOOST_TEST(own.status == 0, own.err);
+  BOOST_TEST(view.status == 0, view.err);
+  const auto heights = [](const std::string& text) { return text.substr(text.find("levelled"), 100); };
+  BOOST_TEST(heights(own.out) == heights(view.out));
+  folder.write("t.ini", small + "[transient]\nend_time = 0.1\noutput_interval = 0.05\nload = 0:1 0.1:1.1\n");
+  BOOST_REQUIRE(support::ehl(folder, "run t.ini --quiet").status == 0);
+  const auto numbers = [&](const std::string& what) {
+    const support::Ended ended = support::ehl(folder, "extract t.h5 /transient/frames/" + what);
+    BOOST_TEST(ended.status == 0, ended.err);
+    return ended.out.substr(ended.out.find("\n", ended.out.rfind("#")) + 1);
+  };
+  const std::string view_1 = numbers("planes/P_1");
+  BOOST_TEST((view_1 == numbers("P --step 1")));
+  BOOST_TEST((view_1 != numbers("P --step 2")));
+}
+
 // A checkpoint that is none of this program's is not gone on with, and the file stays as it is.
 BOOST_AUTO_TEST_CASE(checkpoints_are_looked_at) {
   const support::TemporaryFolder folder;
