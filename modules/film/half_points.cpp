@@ -1,6 +1,9 @@
 #include "film/half_points.hpp"
 
+#include <algorithm>
 #include <cstddef>
+
+#include "core/simd.hpp"
 
 namespace ehl::film {
 
@@ -33,23 +36,37 @@ double epsilon_change(const AroundHalfPoint<double>& at, const AroundHalfPoint<d
   return H * H / how.lambda * (drho * H * f + 3.0 * rho * dH * f + rho * H * df);
 }
 
-void epsilon_between_stations(const AroundLines& around, const Between& how, std::span<double> eps) {
+namespace {
+
+using core::Lanes;
+
+// Some of the faces, their values side by side; `read` gives them.
+template <class Read>
+Lanes epsilon_of(const AroundLines& around, const Between& how, Read read) {
   const auto& [H, rho, phi, a] = around;
-  const double* H0 = H[0].data();
-  const double* H1 = H[1].data();
-  const double* H2 = H[2].data();
-  const double* H3 = H[3].data();
-  const double* rho0 = rho[0].data();
-  const double* rho1 = rho[1].data();
-  const double* phi0 = phi[0].data();
-  const double* phi1 = phi[1].data();
-  const double* a0 = a[0].data();
-  const double* a1 = a[1].data();
-  double* __restrict out = eps.data();
-  const std::size_t count = eps.size();
-  for (std::size_t k = 0; k < count; ++k)
-    out[k] = epsilon_between<double>(
-        {{H0[k], H1[k], H2[k], H3[k]}, {rho0[k], rho1[k]}, {phi0[k], phi1[k]}, {a0[k], a1[k]}}, how);
+  return epsilon_between<Lanes>({{read(H[0]), read(H[1]), read(H[2]), read(H[3])},
+                                 {read(rho[0]), read(rho[1])},
+                                 {read(phi[0]), read(phi[1])},
+                                 {read(a[0]), read(a[1])}},
+                                how);
+}
+
+}  // namespace
+
+void epsilon_between_stations(const AroundLines& around, const Between& how, std::span<double> eps) {
+  constexpr std::size_t width = core::lanes;
+  const std::size_t whole = eps.size() / width * width;
+  for (std::size_t k = 0; k < whole; k += width)
+    core::store(&eps[k],
+                epsilon_of(around, how, [k](std::span<const double> values) { return core::load(&values[k]); }));
+  if (whole == eps.size()) return;
+  std::array<double, width> last{};
+  core::store(last.data(), epsilon_of(around, how, [whole](std::span<const double> values) {
+                std::array<double, width> padded{};
+                std::copy(values.begin() + static_cast<std::ptrdiff_t>(whole), values.end(), padded.begin());
+                return core::load(padded.data());
+              }));
+  for (std::size_t k = whole; k < eps.size(); ++k) eps[k] = last[k - whole];
 }
 
 void epsilon_between_nodes(const AlongStation& along, const Between& how, std::span<double> eps) {

@@ -84,27 +84,25 @@ Number transported(const std::array<double, 3>& c, Number own, Number west, Numb
 class ThirdOrderShare {
  public:
   ThirdOrderShare(const Transport& transport, double hx)
-      : half_at_(transport.speed * transport.third_order_from * hx * hx),
-        square_(half_at_ * half_at_ + std::numeric_limits<double>::min()) {}  // not 0/0 without speed and epsilon
+      : half_at_(transport.speed * transport.third_order_from * hx * hx), square_(half_at_ * half_at_) {}
   double operator()(double before, double behind) const {
-    const double e = mean(before, behind);
-    return 1.0 - square_ / (e * e + square_);
+    // e = 2 p/q, with one division.
+    const double p = before * behind;
+    const double q = before + behind;
+    constexpr double least = std::numeric_limits<double>::min();  // not 0/0
+    return 4.0 * p * p / (4.0 * p * p + square_ * q * q + least);
   }
   /// Its change with theirs.
   double change(double before, double behind, double dbefore, double dbehind) const {
-    const double e = mean(before, behind);
-    const double nodes = before + behind;
-    if (nodes <= 0.0) return 0.0;
-    const double de = 2.0 * (behind * behind * dbefore + before * before * dbehind) / (nodes * nodes);
+    const double q = before + behind;
+    if (q <= 0.0) return 0.0;
+    const double e = 2.0 * before * behind / q;
+    const double de = 2.0 * (behind * behind * dbefore + before * before * dbehind) / (q * q);
     const double sum = e * e + square_;
-    return 2.0 * e * square_ / (sum * sum) * de;
+    return sum > 0.0 ? 2.0 * e * square_ / (sum * sum) * de : 0.0;
   }
 
  private:
-  static double mean(double before, double behind) {
-    const double sum = before + behind;
-    return sum > 0.0 ? 2.0 * before * behind / sum : 0.0;
-  }
   double half_at_, square_;
 };
 /// The same of upstream3_inlet. in: X of the face.
