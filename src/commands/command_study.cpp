@@ -56,7 +56,7 @@ StudyPlan plan_of(const Arguments& arguments, const Grids& grids, int cells_of_d
   };
   return {arguments.has("levels") ? levels_between(arguments.value("levels", ""))
                                   : levels_of_deck(cells_of_deck, [&](int cells) { return grids.legal(cells); }),
-          list("wedges", "upstream1,upstream2", is_study_wedge, "upstream1 or upstream2"),
+          list("wedges", "upstream1,upstream2", is_study_wedge, "upstream1, upstream2 or upstream3"),
           list("evaluators", "mlmi4,mlmi6,mlmi8,fft,direct", is_study_evaluator, "mlmi4, mlmi6, mlmi8, fft or direct"),
           list("cycles", "1V,2V,1W,2W,run", is_study_cycles, "a number and a shape, e.g. 2W (V, W or F), or run")};
 }
@@ -100,7 +100,7 @@ std::vector<StudyPoint> measured_once(const std::vector<StudyCase>& ways, int at
 
 Reference find_reference(const Grids& grids, const std::vector<int>& cells, bool quiet) {
   std::vector<StudyCase> ways;
-  for (const int one : cells) ways.push_back({one, "upstream2", "fft", "run"});
+  for (const int one : cells) ways.push_back({one, "upstream3", "fft", "run"});
   if (!quiet) std::fprintf(stderr, "ehl: the reference, on %zu grids\n", cells.size());
   const std::vector<StudyPoint> solutions =
       measured_once(ways, 1, quiet, [&](int one) { return reference_case(grids, one); });

@@ -155,6 +155,14 @@ const char* name(reynolds::Wedge wedge) {
   }
 }
 
+const char* name(reynolds::Face face) {
+  switch (face) {
+    case reynolds::Face::mean: return "mean";
+    case reynolds::Face::logmean: return "logmean";
+    default: return "logmean_bounded";
+  }
+}
+
 const char* name(mlmi::Method method) {
   switch (method) {
     case mlmi::Method::mlmi: return "mlmi";

@@ -20,6 +20,7 @@ std::string formulas_left_out(const contact::Groups& groups);
 std::string path_code(const steady::Solution& solution);
 
 const char* name(reynolds::Wedge wedge);
+const char* name(reynolds::Face face);
 const char* name(mlmi::Method method);
 
 }  // namespace ehl::program

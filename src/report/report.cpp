@@ -89,8 +89,9 @@ std::string summary(const Case& input, const Computed& computed) {
   text += roughness_line(input, outcome.roughness);
   text += path(solution);
   text += verified_lines(input, solution.verification);
-  text += fmt::format("method       wedge {}; deformation {}; {}\ntime         {:.3f} s\n", name(input.scene.wedge),
-                      solution.deformation, threads_text(input.scene.threads), solution.seconds);
+  text += fmt::format("method       wedge {}, face {}; deformation {}; {}\ntime         {:.3f} s\n",
+                      name(input.scene.wedge), name(input.scene.face), solution.deformation,
+                      threads_text(input.scene.threads), solution.seconds);
   return text + warning_lines(outcome.warnings);
 }
 
@@ -117,8 +118,8 @@ std::string derived(const Case& input) {
   const std::vector<Formula> formulas = film_formulas(physics.groups);
   text += formula_lines(formulas, physics) + roughness_line(input, roughness_of(input, formulas, std::nan("")));
   text += domain_lines(scene.grid, si_scales(physics));
-  text +=
-      std::string("method       wedge ") + name(scene.wedge) + "; deformation " + name(scene.deformation.method) + "\n";
+  text += std::string("method       wedge ") + name(scene.wedge) + ", face " + name(scene.face) + "; deformation " +
+          name(scene.deformation.method) + "\n";
   text += effect_lines(input) + surface_report(input.surfaces, physics, scene.grid);
   if (const core::Grid grid = foretold_grid(scene); !std::isnan(scene.accuracy.error))
     text += fmt::format("accuracy     {:g}: about {} nodes on [{:.4g}, {:.4g}] x [{:.4g}, {:.4g}]\n",

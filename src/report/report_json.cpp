@@ -73,6 +73,7 @@ std::string json_report(const Case& input, const Computed& computed) {
   report["alpha_star"] = coefficients.alpha_star;
   report["alpha_film"] = coefficients.alpha_film;
   report["wedge"] = name(input.scene.wedge);
+  report["face"] = name(input.scene.face);
   report["deformation"] = name(input.scene.deformation.method);
   report["threads"] = input.scene.threads;
   report["cpu_level"] = core::processor_level();

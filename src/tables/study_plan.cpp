@@ -61,7 +61,7 @@ std::vector<std::string> words_of_list(const std::string& option, const std::str
   return words;
 }
 
-bool is_study_wedge(const std::string& word) { return word == "upstream1" || word == "upstream2"; }
+bool is_study_wedge(const std::string& word) { return std::regex_match(word, std::regex("upstream[123]")); }
 
 bool is_study_evaluator(const std::string& word) { return std::regex_match(word, std::regex("mlmi[468]|fft|direct")); }
 
@@ -89,7 +89,10 @@ Case case_on_grid(const std::string& path, const std::vector<std::string>& overr
 }
 
 void use_way(const StudyCase& way, steady::Scene& scene) {
-  scene.wedge = way.wedge == "upstream1" ? reynolds::Wedge::upstream1 : reynolds::Wedge::upstream2;
+  scene.wedge = way.wedge == "upstream1"   ? reynolds::Wedge::upstream1
+                : way.wedge == "upstream2" ? reynolds::Wedge::upstream2
+                                           : reynolds::Wedge::upstream3;
+  scene.face = reynolds::third_order(scene.wedge) ? reynolds::Face::logmean_bounded : reynolds::Face::mean;
   if (way.evaluator == "fft" || way.evaluator == "direct") {
     scene.deformation.method = way.evaluator == "fft" ? mlmi::Method::fft : mlmi::Method::direct;
   } else {

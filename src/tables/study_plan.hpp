@@ -8,7 +8,7 @@
 
 namespace ehl::program {
 
-/// One way to solve the case. wedge: upstream1, upstream2. evaluator: mlmi4, mlmi6, mlmi8 (transfer order), fft,
+/// One way to solve the case. wedge: upstream1, upstream2, and upstream3 with face logmean_bounded. evaluator: mlmi4, mlmi6, mlmi8 (transfer order), fft,
 /// direct. cycles: "2W": two W cycles on every level and no more; "run": as `ehl run` does it, until its checks are
 /// content.
 struct StudyCase {

@@ -1,5 +1,5 @@
 // Are the error bars right? Default runs of the program's solver against the truth of tests/support/coverage.hpp:
-// second-order solutions on 1024 and 2048 cells; what is judged ends at 512. Prints Markdown.
+// solutions with upstream3 on 1024 and 2048 cells; what is judged ends at 512. Prints Markdown.
 //   bench_coverage [quick | coarse | POINT...]
 //   quick: four contacts up to 256 cells, truth from 512 and 1024; coarse: the same with all of them
 //   POINT: numbers of contacts from the list, from 1
@@ -29,7 +29,9 @@ constexpr test::Point points[] = {
     {450, 6, 2.0e-8, 0.64, true},    {620, 17, 1.5e-8, 0.55, true},   {850, 4, 2.0e-8, 0.64, true},
     {1200, 11, 1.5e-8, 0.55, true},  {1600, 18, 2.0e-8, 0.64, true},  {1900, 7, 1.5e-8, 0.55, true},
 };
-constexpr reynolds::Wedge wedges[] = {reynolds::Wedge::upstream1, reynolds::Wedge::upstream2};
+constexpr reynolds::Wedge wedges[] = {reynolds::Wedge::upstream1, reynolds::Wedge::upstream2,
+                                      reynolds::Wedge::upstream3};
+constexpr const char* names[] = {"upstream1", "upstream2", "upstream3, logmean_bounded"};
 /// Of the solutions that tell what further cycles would have changed.
 constexpr double residual_of_converged = 1e-8;
 constexpr double algebraic_share = 0.1;
@@ -72,7 +74,7 @@ struct Truth {
 /// The doubt: how far the pair of grids before would have been off. It takes no part in the truth.
 Truth truth_of(const test::Point& point, const Task& task) {
   const auto row = [&](int n) {
-    return test::solved(test::scene_of(point, reynolds::Wedge::upstream2, n), test::residual_of_truth);
+    return test::solved(test::scene_of(point, reynolds::Wedge::upstream3, n), test::residual_of_truth);
   };
   const steady::LevelRow coarse = row(task.coarse_truth);
   const test::Film film = test::extrapolated(coarse, row(task.fine_truth));
@@ -148,23 +150,25 @@ void print_shares(const Result& result) {
       const Share all = share_of(result, counts);
       const Share held = share_of(result, [&](const Row& row) { return counts(row) && row.point->held_back; });
       std::printf("| %s | %s | %zu of %zu | %.0f | %.1f | %zu of %zu | %.0f | %.1f |\n", name,
-                  wedge == reynolds::Wedge::upstream1 ? "upstream1" : "upstream2", all.within, all.cases, percent(all),
-                  all.median, held.within, held.cases, percent(held), held.median);
+                  names[static_cast<std::size_t>(wedge)], all.within, all.cases, percent(all), all.median, held.within,
+                  held.cases, percent(held), held.median);
     }
 }
 
 void print_levels(const Result& result, const std::vector<int>& cells) {
-  std::puts("\n| cells | Hc within | median | Hm, node within | median |\n|---|---|---|---|---|");
-  for (const int n : cells) {
-    const auto share = [&](const char* name) {
-      return share_of(result, [&](const Row& row) { return row.n == n && row.judged.name == name; });
-    };
-    const Share Hc = share("Hc");
-    const Share Hm = share("Hm, node");
-    if (Hc.cases > 0)
-      std::printf("| %d | %zu of %zu | %.1f | %zu of %zu | %.1f |\n", n, Hc.within, Hc.cases, Hc.median, Hm.within,
-                  Hm.cases, Hm.median);
-  }
+  std::puts("\n| wedge | cells | Hc within | median | Hm, node within | median |\n|---|---|---|---|---|---|");
+  for (const reynolds::Wedge wedge : wedges)
+    for (const int n : cells) {
+      const auto share = [&](const char* name) {
+        return share_of(result,
+                        [&](const Row& row) { return row.n == n && row.wedge == wedge && row.judged.name == name; });
+      };
+      const Share Hc = share("Hc");
+      const Share Hm = share("Hm, node");
+      if (Hc.cases > 0)
+        std::printf("| %s | %d | %zu of %zu | %.1f | %zu of %zu | %.1f |\n", names[static_cast<std::size_t>(wedge)], n,
+                    Hc.within, Hc.cases, Hc.median, Hm.within, Hm.cases, Hm.median);
+    }
 }
 
 void print_misses(const Result& result) {

@@ -192,7 +192,7 @@ BOOST_AUTO_TEST_CASE(wrong_command_lines) {
            {"--levels 64:100", "--levels 64:100"},
            {"--levels 512:64", "power of two"},
            {"--levels 77:154", "cells = 77"},
-           {"--wedges upstream3", "'upstream3' must be upstream1 or upstream2"},
+           {"--wedges upstream4", "'upstream4' must be upstream1, upstream2 or upstream3"},
            {"--evaluators mlmi5", "'mlmi5' must be mlmi4, mlmi6"},
            {"--evaluators fft,fft", "fft is given twice"},
            {"--evaluators direct --levels 256:256", "no level is small enough"},
