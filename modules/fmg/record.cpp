@@ -14,10 +14,16 @@ namespace {
 judgement::ErrorEstimate error_of(const Hierarchy& hierarchy, const Record& record, double LevelRow::*value) {
   std::vector<double> values;
   for (const LevelRow& row : record.levels) values.push_back(row.*value);
-  if (hierarchy.problem.transport.wedge != reynolds::Wedge::upstream1) return judgement::estimate_error(values, 2.0);
   const core::Grid& domain = hierarchy.levels.back().grid.domain;
   const LevelRow& last = record.levels.back();
   const double h = (domain.X_b - domain.X_a) / last.nx;
+  const reynolds::Wedge wedge = hierarchy.problem.transport.wedge;
+  if (reynolds::third_order(wedge)) {
+    const double share =
+        value == &LevelRow::Hc ? judgement::third_order_floor_of_Hc : judgement::third_order_floor_of_Hm;
+    return judgement::estimate_error(values, 2.0, judgement::third_order_floor(h, last.Hm_fitted, share));
+  }
+  if (wedge == reynolds::Wedge::upstream2) return judgement::estimate_error(values, 2.0);
   return judgement::estimate_error(values, 1.0, judgement::first_order_floor(h, last.Hm_fitted));
 }
 

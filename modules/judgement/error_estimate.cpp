@@ -40,6 +40,12 @@ double first_order_floor(double h, double Hm) {
   return Hm > 0.0 ? first_order_share * h / std::pow(Hm, 2.0 / 3.0) : std::numeric_limits<double>::infinity();
 }
 
+double third_order_floor(double h, double Hm, double share) {
+  if (!(Hm > 0.0)) return std::numeric_limits<double>::infinity();
+  const double step = h / std::pow(Hm, 2.0 / 3.0);
+  return share * step * step;
+}
+
 double error_of_one_grid(double h, double Hm, double scheme_order) {
   if (!(Hm > 0.0)) return std::numeric_limits<double>::infinity();
   const double step = h / std::pow(Hm, 2.0 / 3.0);

@@ -81,6 +81,11 @@ ErrorBars error_bars_of(const Scene& scene, const Solution& solution) {
       extrapolated(column(solution, &LevelRow::Hc), order, judgement::unsure_of_Hc, checked.algebraic_error_Hc);
   bars.Hm_extrapolated =
       extrapolated(column(solution, &LevelRow::Hm_fitted), order, judgement::unsure_of_Hm, checked.algebraic_error_Hm);
+  if (reynolds::third_order(scene.wedge) && std::isfinite(bars.Hm_extrapolated.error)) {
+    const double step = (scene.grid.X_b - scene.grid.X_a) / last.nx;
+    const double least = judgement::third_order_floor(step, last.Hm_fitted, judgement::third_order_floor_of_Hm);
+    bars.Hm_extrapolated.error = std::max(least, bars.Hm_extrapolated.error);
+  }
   bars.domain =
       std::isfinite(solution.domain_error_Hc) ? std::abs(solution.domain_error_Hc) : rough_domain_error(scene);
   judge_P_max(column(solution, &LevelRow::P_max), bars);
