@@ -121,8 +121,11 @@ void start_from_hertz(Hierarchy& hierarchy, std::size_t l, double H00, int sweep
       const double X = level.grid.X(i);
       const double Y = level.grid.Y(j);
       const double inside = 1.0 - XX * X * X - (XY * X + YY * Y) * Y;
-      if (apart)
-        level.P(i, j) = far_field->P(X, Y, rigid_gap(hierarchy.problem.geometry, level.grid, H00, i, j));
+      // Where the oil's viscosity rises too fast for the rigid bodies' pressure, that of the dry contact's middle.
+      if (const double P =
+              apart ? far_field->P(X, Y, rigid_gap(hierarchy.problem.geometry, level.grid, H00, i, j)) : 0.0;
+          apart)
+        level.P(i, j) = P < 1.0 ? P : 1.0;
       else
         level.P(i, j) = inside > 0.0 ? std::sqrt(inside) : 0.0;
     }

@@ -14,8 +14,6 @@ namespace ehl::steady {
 namespace {
 
 constexpr double tolerance = 1e-4;
-/// Of Hc, on a domain that is chosen with the far field in closed form.
-constexpr double error_of_closed_domain = 5e-5;
 /// Cells along x of the scene's own domain in the two coarse solutions, at least.
 constexpr int fewest_cells = 32;
 
@@ -78,10 +76,10 @@ double rough_domain_error(const Scene& scene) {
   return error.inlet + error.load;
 }
 
-double chosen_outlet(double M, double L, const contact::Ellipse& shape, bool far_field) {
+double chosen_outlet(double M, double L, const contact::Ellipse& shape, std::optional<double> far_field_error) {
   constexpr double thick = 1.5;
   const double film = expected_central_film(M, L, shape) / shape.approach;
-  if (far_field && film > thick) return 0.5 * closed_reach(M, L, shape, error_of_closed_domain);
+  if (far_field_error && film > thick) return 0.5 * closed_reach(M, L, shape, *far_field_error);
   return (film > thick ? 3.0 : 1.5) * contact::extent(shape).X;
 }
 
@@ -95,7 +93,8 @@ double chosen_half_width(double X_a, double X_b, const contact::Ellipse& shape) 
   return half_length * std::ceil(wanted / half_length * parts - 1e-9) / parts;
 }
 
-double chosen_inlet(double M, double L, double X_b, const contact::Ellipse& shape, bool far_field) {
+double chosen_inlet(double M, double L, double X_b, const contact::Ellipse& shape,
+                    std::optional<double> far_field_error) {
   constexpr double most_at_inlet = 0.006;
   constexpr double most_of_load = 0.02;
   const double longest = 200.0 * contact::extent(shape).X;
@@ -105,7 +104,7 @@ double chosen_inlet(double M, double L, double X_b, const contact::Ellipse& shap
     const double next = -X_b * m / (parts - m);
     if (X_a < 0.0 && next < -longest) return true;
     X_a = next;
-    if (far_field) return -X_a >= closed_reach(M, L, shape, error_of_closed_domain);
+    if (far_field_error) return -X_a >= closed_reach(M, L, shape, *far_field_error);
     const RoughError error = rough_error(M, L, shape, X_a, chosen_half_width(X_a, X_b, shape));
     return error.inlet <= most_at_inlet && error.load <= most_of_load;
   };
@@ -119,7 +118,7 @@ double chosen_inlet(double M, double L, double X_b, const contact::Ellipse& shap
 double estimate_domain_error(const Scene& scene) {
   // Light loads need long domains, too long for coarse grids; and there the rough estimate is the better one.
   const RoughError rough = rough_error(scene);
-  if (rough.load > rough.inlet) return 0.5 * rough.load;
+  if (!scene.far_field && rough.load > rough.inlet) return 0.5 * rough.load;
   Scene coarse = scene;
   const int least = static_cast<int>(fewest_cells * slenderness(scene.M, scene.L, scene.shape));
   while (coarse.grid.nx >= 2 * least && coarse.grid.nx % 2 == 0 && coarse.grid.ny % 2 == 0)
@@ -139,7 +138,7 @@ double estimate_domain_error(const Scene& scene) {
   } catch (const core::SolverError&) {
     // Coarse grids of a domain that ends at the contact may have no solution: the rough estimate is left.
   }
-  return std::isfinite(estimate) ? estimate : rough.inlet + rough.load;
+  return std::isfinite(estimate) ? estimate : rough_domain_error(scene);
 }
 
 }  // namespace ehl::steady

@@ -1,5 +1,7 @@
 #pragma once
 // How much the film would grow if the domain did not cut off the inlet.
+#include <optional>
+
 #include "steady/scene.hpp"
 
 namespace ehl::steady {
@@ -30,13 +32,15 @@ double closed_reach(double M, double L, const contact::Ellipse& shape, double er
 /// longer than 200. At M = 50, L = 10 that is the paper's -4.5. in: M > 0, L >= 0, X_b > 0 the outlet boundary.
 /// out: X_a < 0.
 /// Of an ellipse these are multiples of how far it reaches along X.
-/// With the far field in closed form: closed_reach for 5e-5, so that on half of it the error is below 0.2 %.
-double chosen_inlet(double M, double L, double X_b, const contact::Ellipse& shape = {}, bool far_field = false);
+/// With the far field in closed form: closed_reach for the error given.
+double chosen_inlet(double M, double L, double X_b, const contact::Ellipse& shape = {},
+                    std::optional<double> far_field_error = {});
 
 /// The outlet boundary that a deck without one gets: 1.5, and 3 where the film is so thick (Hc > 1.5) that the
 /// lubricant cavitates further downstream; with the far field in closed form half of closed_reach there.
 /// in: M > 0, L >= 0.
-double chosen_outlet(double M, double L, const contact::Ellipse& shape = {}, bool far_field = false);
+double chosen_outlet(double M, double L, const contact::Ellipse& shape = {},
+                     std::optional<double> far_field_error = {});
 
 /// Half the width that a deck without one gets: half the length for a circle; else where the undeformed gap is as wide
 /// at the sides as half a length away along X, at least 1.4 times as far as the ellipse reaches, and a multiple of a

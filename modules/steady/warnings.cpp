@@ -64,11 +64,11 @@ std::vector<std::string> warnings_of(const Scene& scene, const Solution& solutio
                        solution.polish_failure);
   const double P_max = core::maximum(solution.P).value;
   const double outlet = largest_along_outlet(solution);
-  if (outlet > cut_off_pressure * P_max)
+  if (!scene.far_field && outlet > cut_off_pressure * P_max)
     warnings.push_back("outlet too short: beside it the pressure is still " + percent(outlet / P_max) +
                        " of its maximum; move x_outlet downstream");
   const double sides = largest_along_sides(solution);
-  if (sides > cut_off_pressure * P_max)
+  if (!scene.far_field && sides > cut_off_pressure * P_max)
     warnings.push_back("domain too narrow: beside its sides the pressure is still " + percent(sides / P_max) +
                        " of its maximum; widen y_half");
   return warnings;
