@@ -8,9 +8,9 @@
 
 namespace ehl::program {
 
-/// One way to solve the case. wedge: upstream1, upstream2, and upstream3 with face logmean_bounded. evaluator: mlmi4, mlmi6, mlmi8 (transfer order), fft,
-/// direct. cycles: "2W": two W cycles on every level and no more; "run": as `ehl run` does it, until its checks are
-/// content.
+/// One way to solve the case. wedge: upstream1, upstream2, and upstream3 with face logmean_bounded. evaluator: mlmi4,
+/// mlmi6, mlmi8 (transfer order), fft, direct. cycles: "2W": two W cycles on every level and no more; "run": as `ehl
+/// run` does it, until its checks are content.
 struct StudyCase {
   int cells = 0;  ///< of the finest grid, along x
   std::string wedge{};
