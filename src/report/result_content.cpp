@@ -18,16 +18,16 @@ bool wanted(const Case& input, const std::string& field) {
   return std::find(input.fields.begin(), input.fields.end(), field) != input.fields.end();
 }
 
-// Where an accuracy was asked for, the deck of the result names the grid that it led to instead.
+// Where an accuracy was asked for, the deck of the result tells in remarks the grid that it led to: run again, it goes
+// the same way to the same solution.
 deck::Deck with_grid_of(const steady::Solution& solution, deck::Deck deck) {
   if (std::isnan(solution.accuracy.asked)) return deck;
-  const std::string why = "for the accuracy " + deck::shortest(solution.accuracy.asked) + " that was asked for";
-  for (std::size_t k = 0; k < deck.values.size(); ++k)
-    if (deck.catalogue.keys[k].section == "grid" && deck.catalogue.keys[k].name == "accuracy")
-      deck.values[k] = {.origin = deck::Origin::absent, .number = std::nan("")};
-  deck::choose(deck, "grid", "cells", solution.grid.nx, why);
-  if (!deck::given(deck, "domain", "x_inlet")) deck::choose(deck, "domain", "x_inlet", solution.grid.X_a, why);
-  if (!deck::given(deck, "domain", "y_half")) deck::choose(deck, "domain", "y_half", solution.grid.Y_b, why);
+  const std::string why = "found for the accuracy";
+  deck::Part{deck, "grid"}.follow("cells", solution.grid.nx, why);
+  const deck::Part domain{deck, "domain"};
+  domain.follow("x_inlet", solution.grid.X_a, why);
+  domain.follow("x_outlet", solution.grid.X_b, why);
+  domain.follow("y_half", solution.grid.Y_b, why);
   return deck;
 }
 
