@@ -214,11 +214,7 @@ GridInput read_grid(deck::Deck& deck, bool contact_known) {
   return input;
 }
 
-bool read_far_field(deck::Deck& deck, bool possible) {
-  const deck::Part domain{deck, "domain"};
-  if (!possible && domain.given("far_field")) domain.complain("far_field", "is for lubricated contacts: leave it out");
-  return possible && closed(domain);
-}
+bool read_far_field(deck::Deck& deck) { return closed({deck, "domain"}); }
 
 void check_domain(deck::Deck& deck, const Scene& scene) {
   constexpr double too_much = 0.5;

@@ -35,6 +35,7 @@ const std::vector<Meaningless> of_a_film = {
     {"friction", {}},
     {"surface1", {"at_rest"}},
     {"surface2", {"at_rest"}},
+    {"domain", {"far_field"}},
     {"grid", {"accuracy"}},
     {"output", {"fields", "checkpoint"}}};
 

@@ -49,6 +49,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
       {"a dry film", dry + "[contact]\nM = 50\nL = 10\n", {"d.ini:6", "M = 50", "kind = dry", "d.ini:7", "L = 10"}},
       {"dry oil", dry + "[lubricant]\neta0 = 0.1\n", {"d.ini:6", "eta0", "no influence with [case] kind = dry"}},
       {"dry cycles", dry + "[multigrid]\ncycle = V\n", {"d.ini:6", "cycle = V", "no influence"}},
+      {"dry far field", dry + "[domain]\nfar_field = zero\n", {"d.ini:6", "far_field = zero", "no influence"}},
       {"dry motion", dry + "[motion]\nu_m = 1\n", {"d.ini:6", "u_m = 1", "no influence"}},
       {"dry in time", dry + "[transient]\nend_time = 1\n", {"d.ini:6", "end_time = 1", "no influence"}},
       {"dry fields", dry + "[output]\nfields = P\n", {"d.ini:6", "fields = P", "no influence"}},
