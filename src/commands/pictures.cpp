@@ -65,6 +65,8 @@ std::string picture_name(const Arguments& arguments, const Figure& figure, const
   if (!arguments.has("output")) return (source.parent_path() / own).string();
   const files::path wanted(arguments.value("output", ""));
   std::error_code error;
+  if (const files::path folder = wanted.parent_path(); !folder.empty() && !files::is_directory(folder, error))
+    refuse("--output " + deck::quotable(wanted.string()) + ": there is no folder " + deck::quotable(folder.string()));
   if (!wanted.has_filename() || files::is_directory(wanted, error)) return (wanted / own).string();
   files::path name = wanted;
   if (several) name.replace_filename(wanted.stem().string() + "_" + figure.name);

@@ -15,7 +15,8 @@ struct Pictures {
 };
 
 /// From --format, --width and --output. in: the figures that are drawn. errors: core::InputError: no such format or
-/// size, a movie in another format than GIF, a name that ends otherwise than the format.
+/// size, a movie in another format than GIF, a name that ends otherwise than the format, a
+/// folder that is none.
 Pictures pictures_of(const Arguments& arguments, const std::vector<Figure>& figures);
 
 }  // namespace ehl::program

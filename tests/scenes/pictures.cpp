@@ -165,6 +165,8 @@ BOOST_AUTO_TEST_CASE(pictures_have_the_size_and_the_name_asked_for) {
                {"--width 800px --format pdf", "no pixels"},
                {"--format gif", "png, svg or pdf"},
                {"--figure film_contours --output a.eps", ".png, .svg or .pdf"},
+               {"--figure film_contours --output none/", "there is no folder none"},
+               {"--figure film_contours --output none/a.png", "there is no folder none"},
                {"--figure film_contours --output a.pdf --format png", "ends with .png"},
                {"--time 0", "no run in time"},
                {"--x motion.u_m", "the table of a sweep"}};
