@@ -60,7 +60,7 @@ unset key
 set tics scale 0 nomirror
 set xrange [0.5:words(Ms) + 0.5]
 set yrange [0.5:words(Ls) + 0.5]
-set xtics ("" 0)
+set xtics ("" 0) font ",7"  # four digits side by side do not touch
 do for [k = 1:words(Ms)] { set xtics add (word(Ms, k) k) }
 set style fill solid 1.0 border rgb "white"
 
