@@ -61,7 +61,7 @@ solve() { # program, name, deck, options: result and history as text
   local program=$1 name=$2 deck=$3
   shift 3
   if [ "${1:-}" = --accuracy ]; then
-    sed "/^\(cells\|x_\|y_\|.domain.\|.grid.\)/d" "$inputs/$deck" >"$folder/accuracy.ini"
+    sed "/^\(cells\|x_\|y_\|far_field\|.domain.\|.grid.\)/d" "$inputs/$deck" >"$folder/accuracy.ini"
     set -- --set grid.accuracy=0.01
     deck=$folder/accuracy.ini
   else
