@@ -6,8 +6,9 @@
 #include "core/simd.hpp"
 
 namespace ehl::film {
-
 namespace {
+
+using core::Lanes;
 
 // The change of fluidity_between() with the two logarithms.
 double fluidity_change(const AroundHalfPoint<double>& at, const AroundHalfPoint<double>& change, double least) {
@@ -20,6 +21,17 @@ double fluidity_change(const AroundHalfPoint<double>& at, const AroundHalfPoint<
   const double f0 = close ? -phi0 * (0.5 - d * (1.0 / 6.0 - d / 24.0)) : (f - phi0) / d;
   const double f1 = close ? -phi1 * (0.5 + d * (1.0 / 6.0 + d / 24.0)) : (phi1 - f) / d;
   return f0 * da0 + f1 * da1;
+}
+
+// Some of the faces, their values side by side; `read` gives them.
+template <class Read>
+Lanes epsilon_of(const AroundLines& around, const Between& how, Read read) {
+  const auto& [H, rho, phi, a] = around;
+  return epsilon_between<Lanes>({{read(H[0]), read(H[1]), read(H[2]), read(H[3])},
+                                 {read(rho[0]), read(rho[1])},
+                                 {read(phi[0]), read(phi[1])},
+                                 {read(a[0]), read(a[1])}},
+                                how);
 }
 
 }  // namespace
@@ -35,23 +47,6 @@ double epsilon_change(const AroundHalfPoint<double>& at, const AroundHalfPoint<d
   const double df = fluidity_change(at, change, how.least);
   return H * H / how.lambda * (drho * H * f + 3.0 * rho * dH * f + rho * H * df);
 }
-
-namespace {
-
-using core::Lanes;
-
-// Some of the faces, their values side by side; `read` gives them.
-template <class Read>
-Lanes epsilon_of(const AroundLines& around, const Between& how, Read read) {
-  const auto& [H, rho, phi, a] = around;
-  return epsilon_between<Lanes>({{read(H[0]), read(H[1]), read(H[2]), read(H[3])},
-                                 {read(rho[0]), read(rho[1])},
-                                 {read(phi[0]), read(phi[1])},
-                                 {read(a[0]), read(a[1])}},
-                                how);
-}
-
-}  // namespace
 
 void epsilon_between_stations(const AroundLines& around, const Between& how, std::span<double> eps) {
   constexpr std::size_t width = core::lanes;

@@ -116,15 +116,9 @@ void nodes_of_station(const film::Model& model, Level& level, int i, ThreadWork&
 std::span<const double> nodes_epsilon(double lambda, const Level& level, int i, std::vector<double>& work) {
   if (!at_half_points(level)) return level.eps.station(i);
   const auto nodes = static_cast<std::size_t>(level.grid.nodes_y());
-  const double* H = level.H.at_x(i);
-  const double* rho = level.rho_bar.at_x(i);
-  const double* phi = level.oil.fluidity.at_x(i);
-  const double inverse = 1.0 / lambda;
-  for (std::size_t j = 0; j < nodes; ++j) {
-    const double h = std::max(H[j], 0.0);
-    work[j] = inverse * rho[j] * h * h * h * phi[j];
-  }
-  return std::span<const double>(work).first(nodes);
+  const std::span<double> eps = std::span<double>(work).first(nodes);
+  film::epsilon(level.H.station(i), level.rho_bar.station(i), level.oil.fluidity.station(i), lambda, eps);
+  return eps;
 }
 
 void third_order_behind_station(const reynolds::Transport& transport, double lambda, Level& level, int i,
@@ -148,7 +142,6 @@ void make_half_points(Hierarchy& hierarchy, Level& level) {
   const bool third_order = reynolds::third_order(transport.wedge);
   if (!at_half_points(level) && !third_order) return;
   const film::Between how = between(hierarchy.problem);
-  if (!third_order) level.third_order.fill(0.0);
   for_stations(hierarchy, level, [&](int i, ThreadWork& work) {
     // The first face has no third node.
     if (third_order && i > 0 && i < level.grid.nx) third_order_behind_station(transport, how.lambda, level, i, work);

@@ -16,6 +16,11 @@ constexpr double first_order_share = 0.35;
 /// Error of the second-order wedge over h^2/Hm^(4/3), at most; for one grid alone.
 constexpr double second_order_share = 0.85;
 
+// A mesh size over the width of the zones in which the film is made; infinite for a film that is not positive.
+double step_in_zones(double h, double Hm) {
+  return Hm > 0.0 ? h / std::pow(Hm, 2.0 / 3.0) : std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
 ErrorEstimate estimate_error(std::span<const double> values, double scheme_order, double least) {
@@ -36,19 +41,15 @@ ErrorEstimate estimate_error(std::span<const double> values, double scheme_order
   return {std::max(error, least), observed};
 }
 
-double first_order_floor(double h, double Hm) {
-  return Hm > 0.0 ? first_order_share * h / std::pow(Hm, 2.0 / 3.0) : std::numeric_limits<double>::infinity();
-}
+double first_order_floor(double h, double Hm) { return first_order_share * step_in_zones(h, Hm); }
 
 double third_order_floor(double h, double Hm, double share) {
-  if (!(Hm > 0.0)) return std::numeric_limits<double>::infinity();
-  const double step = h / std::pow(Hm, 2.0 / 3.0);
+  const double step = step_in_zones(h, Hm);
   return share * step * step;
 }
 
 double error_of_one_grid(double h, double Hm, double scheme_order) {
-  if (!(Hm > 0.0)) return std::numeric_limits<double>::infinity();
-  const double step = h / std::pow(Hm, 2.0 / 3.0);
+  const double step = step_in_zones(h, Hm);
   return scheme_order > 1.0 ? second_order_share * step * step : first_order_share * step * std::max(1.0, step);
 }
 

@@ -83,8 +83,10 @@ Number transported(const std::array<double, 3>& c, Number own, Number west, Numb
 /// has so much the pressure of the other one, the top of a spike, hardly passes.
 class ThirdOrderShare {
  public:
-  ThirdOrderShare(const Transport& transport, double hx)
-      : half_at_(transport.speed * transport.third_order_from * hx * hx), square_(half_at_ * half_at_) {}
+  ThirdOrderShare(const Transport& transport, double hx) {
+    const double half_at = transport.speed * transport.third_order_from * hx * hx;
+    square_ = half_at * half_at;
+  }
   double operator()(double before, double behind) const {
     // e = 2 p/q, with one division.
     const double p = before * behind;
@@ -103,7 +105,7 @@ class ThirdOrderShare {
   }
 
  private:
-  double half_at_, square_;
+  double square_ = 0.0;  // of epsilon at which it is a half
 };
 /// The same of upstream3_inlet. in: X of the face.
 inline double third_order_in_inlet(double X) {
