@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "transfer/transfer.hpp"
+
 namespace ehl::heat {
 namespace {
 
@@ -13,23 +15,9 @@ GridFactors ones(const core::Patch& grid) {
   return factors;
 }
 
-// Full weighting; on the edges of the domain, where it has no neighbours, injection.
-void restrict_weighted(const GridFactors& fine, const core::Field& from, core::Field& to) {
-  const core::Patch& grid = fine.grid;
-  const bool mirror = grid.north == core::Edge::mirror;
-  const auto image = [&](int j) { return j > grid.ny ? 2 * grid.ny - j : j; };
-  for (int i = 0; i < to.nodes_x(); ++i)
-    for (int j = 0; j < to.nodes_y(); ++j) {
-      const int I = 2 * i, J = 2 * j;
-      const bool edge = i == 0 || I == grid.nx || j == 0 || (J == grid.ny && !mirror);
-      const auto line = [&](int n) { return 0.25 * (from(I - 1, n) + 2.0 * from(I, n) + from(I + 1, n)); };
-      to(i, j) = edge ? from(I, J) : 0.25 * (line(J - 1) + 2.0 * line(J) + line(image(J + 1)));
-    }
-}
-
-void inject(const core::Field& from, core::Field& to) {
-  for (int i = 0; i < to.nodes_x(); ++i)
-    for (int j = 0; j < to.nodes_y(); ++j) to(i, j) = from(2 * i, 2 * j);
+void restrict_weighted(const core::Patch& fine, const core::Patch& coarse, core::Field& from, core::Field& to) {
+  core::fill_ghosts(fine, from);
+  transfer::restrict_full_weighting(coarse, from, to);
 }
 
 }  // namespace
@@ -70,9 +58,10 @@ void Factors::give_back() {
 
 void Factors::restrict_all() {
   for (std::size_t l = 1; l < grids_.size(); ++l) {
-    restrict_weighted(grids_[l - 1], grids_[l - 1].fluidity, grids_[l].fluidity);
-    restrict_weighted(grids_[l - 1], grids_[l - 1].mobility, grids_[l].mobility);
-    inject(grids_[l - 1].carried, grids_[l].carried);
+    GridFactors &fine = grids_[l - 1], &coarse = grids_[l];
+    restrict_weighted(fine.grid, coarse.grid, fine.fluidity, coarse.fluidity);
+    restrict_weighted(fine.grid, coarse.grid, fine.mobility, coarse.mobility);
+    transfer::restrict_injection(fine.carried, coarse.carried);
   }
 }
 
