@@ -15,12 +15,14 @@ double fluidity_change(const AroundHalfPoint<double>& at, const AroundHalfPoint<
   const auto [phi0, phi1] = at.fluidity;
   const auto [da0, da1] = change.log_viscosity;
   const double f = logarithmic_mean(at);
-  if (f < 0.5 * least * (phi0 + phi1)) return -0.5 * least * (phi0 * da0 + phi1 * da1);
+  const double share = followed(f, 0.5 * least * (phi0 + phi1));
+  const double of_bound = -0.5 * least * (phi0 * da0 + phi1 * da1) * (1.0 - 0.5 * share * (1.0 + share));
+  if (share == 0.0) return of_bound;
   const double d = at.log_viscosity[1] - at.log_viscosity[0];
   const bool close = d * d < series_below * series_below;
   const double f0 = close ? -phi0 * (0.5 - d * (1.0 / 6.0 - d / 24.0)) : (f - phi0) / d;
   const double f1 = close ? -phi1 * (0.5 + d * (1.0 / 6.0 + d / 24.0)) : (phi1 - f) / d;
-  return f0 * da0 + f1 * da1;
+  return share * (f0 * da0 + f1 * da1) + of_bound;
 }
 
 // Some of the faces, their values side by side; `read` gives them.

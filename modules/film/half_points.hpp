@@ -8,7 +8,8 @@
 namespace ehl::film {
 
 /// How epsilon there is made. least: share of the mean of the two fluidities that theirs at the half point has at
-/// least; 0: the logarithmic mean, whatever it is.
+/// least; 0: the logarithmic mean, whatever it is. From half to one and a half of that share a parabola leads over: a
+/// kink there costs steps in time.
 struct Between {
   double lambda;
   double least = 0.0;
@@ -40,9 +41,19 @@ Number logarithmic_mean(const AroundHalfPoint<Number>& at) {
   return close ? series : (phi0 - phi1) / safe;
 }
 
+/// How much of a change of the logarithmic mean f the fluidity follows. in: f; the least that it may be, both >= 0.
+/// out: 0 below half of the least, 1 from one and a half of it on.
+template <class Number>
+Number followed(Number f, Number least) {
+  const Number above = f - 0.5 * least;
+  const auto over = above < least;  // still led over, or held
+  const Number share = (over ? above : Number{} + 1.0) / (over ? least : Number{} + 1.0);
+  return share < 0.0 ? Number{} : share;
+}
+
 /// What the flux eps (P_1 - P_0) answers to the two pressures, over epsilon, when the viscosity follows them and falls
 /// exponentially: phi_0/f and phi_1/f, f the logarithmic mean. Their difference is that of ln eta_bar. 1 and 1, epsilon
-/// held, where f is not the logarithmic mean but its least share of the mean.
+/// held, where the fluidity is the least share of the mean; between them where it leads over.
 template <class Number>
 struct Answers {
   Number before, behind;
@@ -55,10 +66,9 @@ Answers<Number> answers(double least, Number phi0, Number phi1, Number a0, Numbe
   const auto flat = close | (fall == 0.0);  // both fluidities may be too small for a double
   const Number limit = close ? 1.0 + d * (0.5 + d * (1.0 / 12.0)) : (d > 0.0 ? d : Number{});
   const Number before = flat ? limit : d * phi0 / (flat ? Number{} + 1.0 : fall);
-  // f = fall/d below least (phi_0 + phi_1)/2, both sides times d^2.
-  const auto held = 2.0 * fall * d < least * (phi0 + phi1) * d * d;
-  const Number one = Number{} + 1.0;
-  return {held ? one : before, held ? one : before - d};
+  // f = fall/d and the least fluidity, both times d^2.
+  const Number share = followed(fall * d, (0.5 * least) * (phi0 + phi1) * d * d);
+  return {1.0 + share * (before - 1.0), 1.0 + share * (before - d - 1.0)};
 }
 
 /// Third-degree interpolation, but at least half the mean of the two beside it; H < 0 counts as 0.
@@ -79,7 +89,9 @@ template <class Number>
 Number fluidity_between(const AroundHalfPoint<Number>& at, double least) {
   const Number f = logarithmic_mean(at);
   const Number bound = (0.5 * least) * (at.fluidity[0] + at.fluidity[1]);
-  return f < bound ? bound : f;
+  const Number share = followed(f, bound);
+  const Number led = bound * (1.0 + 0.5 * share * share);
+  return f - 0.5 * bound < bound ? led : f;
 }
 
 /// rho_bar H^3/(eta_bar lambda) at the half point.

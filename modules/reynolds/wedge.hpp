@@ -11,7 +11,7 @@ enum class Wedge { upstream1, upstream2, upstream3, upstream3_inlet };
 /// How epsilon gets to the half point between two nodes, and so where it is kept. mean: the arithmetic mean of the
 /// nodes, where it is kept. logmean: made there of what the nodes have (film/half_points.hpp) and kept with the node
 /// before it, epsilon at (i + 1/2, j) and (i, j + 1/2) with node (i, j). logmean_bounded: likewise, but with no less
-/// than a share of the mean fluidity of the two, least_share().
+/// than a share of the mean fluidity of the two, least_share(), to which it goes over smoothly.
 enum class Face { mean, logmean, logmean_bounded };
 /// 0.4 is the logarithmic mean over a change of ln eta by 4.9 from one node to the next: such a flank, behind a spike
 /// at large L, is not resolved, the little that the logarithmic mean lets through no better than the mean, and no

@@ -83,13 +83,14 @@ double chosen_outlet(double M, double L, const contact::Ellipse& shape, std::opt
   return (film > thick ? 3.0 : 1.5) * contact::extent(shape).X;
 }
 
-double chosen_half_width(double X_a, double X_b, const contact::Ellipse& shape) {
+double chosen_half_width(double X_a, double X_b, const contact::Ellipse& shape, bool far_field_closed) {
   const double half_length = 0.5 * (X_b - X_a);
-  if (contact::circular(shape)) return half_length;
+  const double wider = far_field_closed ? 1.25 : 1.0;
+  if (contact::circular(shape)) return wider * half_length;
   constexpr double beside = 1.4;
   constexpr double parts = 16.0;
   const core::QuadraticForm gap = contact::gap(shape);
-  const double wanted = std::max(beside * contact::extent(shape).Y, half_length * std::sqrt(gap.XX / gap.YY));
+  const double wanted = std::max(beside * contact::extent(shape).Y, wider * half_length * std::sqrt(gap.XX / gap.YY));
   return half_length * std::ceil(wanted / half_length * parts - 1e-9) / parts;
 }
 

@@ -31,18 +31,18 @@ std::vector<deck::Key> grid_keys() {
              .source = "Venner and ten Napel 1992: -4.5 to 1.5",
              .example = "1.5"},
             {.name = "y_half",
-             .default_note = "half the length of the domain",
+             .default_note = "half the length of the domain, or a quarter more",
              .range = {0.0, 1000.0, true, false},
              .remedy = remedy,
              .meaning = "Half width of the domain in Hertz radii, beyond the contact.",
              .source = "Venner and ten Napel 1992: -3 to 3",
              .example = "3"},
             {.name = "far_field",
-             .default_text = "zero",
+             .default_text = "closed",
              .words = {"closed", "zero"},
              .meaning = "Pressure on the boundary of the domain and load outside of it: those of nearly rigid bodies "
-                        "in closed form, or none, as in the paper. In time, a load that jumps may not be followed with "
-                        "closed.",
+                        "in closed form, or none, as in the paper. A load that jumps in time, or changes by more than "
+                        "twice its size in a/u_m, needs zero, and gets it where the deck leaves this open.",
              .source = "modules/reynolds/README.md"}}),
        deck::in_section(
            "grid",
@@ -89,14 +89,18 @@ bool closed(const deck::Part& domain) { return domain.choice("far_field", {true,
 
 void choose_domain(const deck::Part& domain, double accuracy, const contact::Groups& groups) {
   std::optional<double> far_field;
-  if (closed(domain)) far_field = std::fmin(error_of_closed_domain, share_of_accuracy * accuracy);  // a NaN is none
+  const bool known = groups.M > 0.0 && groups.L >= 0.0;  // else a domain for a contact with an error in it
+  if (closed(domain) && known)
+    far_field = std::fmin(error_of_closed_domain, share_of_accuracy * accuracy);  // a NaN is none
   domain.fill("x_outlet", chosen_outlet(groups.M, groups.L, groups.shape, far_field), "behind the cavitation boundary");
   const double x_outlet = domain.number("x_outlet");
   domain.fill("x_inlet", chosen_inlet(groups.M, groups.L, x_outlet, groups.shape, far_field),
               far_field ? "closed far field: halved, it moves the film by less than 0.2 %"
                         : "cuts off less than about 1 % of the film where 200 radii are enough for that");
-  domain.fill("y_half", chosen_half_width(domain.number("x_inlet"), x_outlet, groups.shape),
-              contact::circular(groups.shape) ? "as wide as long" : "as wide a gap at the sides as along x");
+  domain.fill("y_half", chosen_half_width(domain.number("x_inlet"), x_outlet, groups.shape, far_field.has_value()),
+              !contact::circular(groups.shape) ? "as wide a gap at the sides as along x"
+              : far_field                      ? "a quarter wider than long"
+                                               : "as wide as long");
 }
 
 // The level that resolves the film, for a deck that leaves it to the program.
@@ -171,7 +175,7 @@ void check_contains(deck::Deck& deck, const contact::Ellipse& shape) {
   check("y_half", reach.Y);
 }
 
-GridInput read_grid(deck::Deck& deck, bool contact_known) {
+GridInput read_grid(deck::Deck& deck, std::optional<double> size) {
   const deck::Part part{deck, "grid"}, domain{deck, "domain"};
   const int cells = part.integer("cells", 0), coarsest = part.integer("coarsest", 0);
   GridInput input{.coarsest = coarsest};
@@ -199,9 +203,9 @@ GridInput read_grid(deck::Deck& deck, bool contact_known) {
     domain.complain("y_half", "means " + deck::shortest(ny) + " cells along y: take a narrower domain");
   else
     grid.ny = static_cast<int>(ny);
-  constexpr double coarsest_step = 0.5;
+  const double coarsest_step = 0.5 * size.value_or(1.0);
   // The domain that was chosen for a contact with an error in it tells nothing.
-  const bool meant = contact_known || domain.given("x_inlet");
+  const bool meant = size || domain.given("x_inlet");
   if (meant && grid.hx() > coarsest_step) {
     const double fewest = (grid.X_b - grid.X_a) / coarsest_step;
     const double below = good_cells(fewest, coarsest);
@@ -214,13 +218,34 @@ GridInput read_grid(deck::Deck& deck, bool contact_known) {
   return input;
 }
 
-bool read_far_field(deck::Deck& deck) { return closed({deck, "domain"}); }
+bool read_far_field(deck::Deck& deck, double steepest_load) {
+  // The oil outside carries such a change by squeeze, with pressures on the boundary at which the bodies are no longer
+  // rigid: at (50, 10) a load that rises by 3 in a/u_m is followed, one by 6 is not.
+  constexpr double too_steep = 2.0;
+  const deck::Part domain{deck, "domain"};
+  if (!(steepest_load > too_steep)) return closed(domain);
+  if (domain.given("far_field") && closed(domain))
+    domain.complain(
+        "far_field",
+        fmt::format("the load of [transient] {}, and this far field follows no more than {:g} times the "
+                    "contact's load within a/u_m: take zero",
+                    std::isinf(steepest_load) ? "jumps" : fmt::format("changes by {:.3g}", steepest_load), too_steep));
+  domain.follow("far_field", std::string("zero"), "the load changes fast in time");
+  return false;
+}
 
 void check_domain(deck::Deck& deck, const Scene& scene) {
   constexpr double too_much = 0.5;
   const deck::Part domain{deck, "domain"};
-  if (domain.given("x_inlet")) return;
   const double error = rough_domain_error(scene);
+  if (scene.far_field && error > 1.0) {
+    domain.complain(domain.given("x_inlet") ? "x_inlet" : "y_half",
+                    fmt::format("so near the far field in closed form means nothing: its pressure there would move "
+                                "the film by about {:.0f} %. Leave the domain open, or take far_field = zero",
+                                100.0 * error));
+    return;
+  }
+  if (domain.given("x_inlet")) return;
   if (error > too_much)
     domain.complain(
         "x_inlet",

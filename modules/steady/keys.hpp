@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "contact/groups.hpp"
@@ -20,13 +21,15 @@ struct GridInput {
   core::Grid finest{};
   int coarsest = 0;
 };
-/// in: contact_known: the contact has no error in it, so that a domain chosen for it has a meaning. Complains about
-/// cells that cannot be halved and about those wider than half a Hertz radius.
+/// in: size: contact_size(), nothing where the contact has an error in it, so that a domain chosen for it has no
+/// meaning. Complains about cells that cannot be halved and about those wider than half the size.
 /// out: ny = 0 where something is missing or wrong.
-GridInput read_grid(deck::Deck& deck, bool contact_known);
-/// [domain] far_field: true for the closed form.
-bool read_far_field(deck::Deck& deck);
-/// Complains where the domain that was chosen cuts off half of the film; the deck itself may ask for a starved one.
+GridInput read_grid(deck::Deck& deck, std::optional<double> size);
+/// [domain] far_field: true for the closed form. in: the steepest slope of the load in time; it does not follow one
+/// above 2 in a/u_m, and complains.
+bool read_far_field(deck::Deck& deck, double steepest_load);
+/// Complains where the domain that was chosen cuts off half of the film, while the deck itself may ask for a starved
+/// one; and about a domain that ends where the far field in closed form means nothing.
 void check_domain(deck::Deck& deck, const Scene& scene);
 
 /// Those of the path to the solution: [multigrid] polish and [continuation].

@@ -31,14 +31,22 @@ double expected_least_film(double M, double L, const contact::Ellipse& shape) {
   return expected_central_film(M, L, shape) * share;
 }
 
+namespace {
+
+// contact_size() along the shorter axis.
+double shorter_size(double M, double L, const contact::Ellipse& shape) {
+  const double sharpest = 0.5 * std::max(1.0, shape.radius_ratio);
+  return std::max(contact::extent(shape).shorter, std::sqrt(expected_central_film(M, L, shape) / sharpest));
+}
+
+}  // namespace
+
 double contact_size(double M, double L, const contact::Ellipse& shape) {
   return std::max(contact::extent(shape).X, std::sqrt(expected_central_film(M, L, shape) / contact::gap(shape).XX));
 }
 
 double slenderness(double M, double L, const contact::Ellipse& shape) {
-  const double sharpest = 0.5 * std::max(1.0, shape.radius_ratio);
-  const double of_film = std::sqrt(expected_central_film(M, L, shape) / sharpest);
-  return contact_size(M, L, shape) / std::max(contact::extent(shape).shorter, of_film);
+  return contact_size(M, L, shape) / shorter_size(M, L, shape);
 }
 
 double edge_steepness(const contact::Ellipse& shape) {
@@ -55,7 +63,7 @@ double resolving_step(double M, double L, reynolds::Wedge wedge, const contact::
   const bool second_order = wedge != reynolds::Wedge::upstream1;
   const double share = second_order ? 0.3 : 0.2;
   const double coarsest = second_order ? 0.4 : 0.2;
-  return std::min(coarsest * contact::extent(shape).shorter, share * film_zone(M, L, shape));
+  return std::min(coarsest * shorter_size(M, L, shape), share * film_zone(M, L, shape));
 }
 
 int resolving_cells(double step, double length, int fewest, int most) {

@@ -37,9 +37,9 @@ double edge_steepness(const contact::Ellipse& shape);
 /// in: M > 0, L >= 0.
 double film_zone(double M, double L, const contact::Ellipse& shape = {});
 
-/// Mesh size along X, in Hertz radii, that resolves the film: 0.3 film_zone and at most 0.4 of the shorter semi-axis;
-/// for the first-order wedge 0.2 and 0.2. The error of the second-order wedge is about 0.4 (hx/film_zone)^2 in Hm.
-/// in: M > 0, L >= 0.
+/// Mesh size along X, in Hertz radii, that resolves the film: 0.3 film_zone and at most 0.4 of contact_size along the
+/// shorter axis; for the first-order wedge 0.2 and 0.2. The error of the second-order wedge is about 0.4
+/// (hx/film_zone)^2 in Hm. in: M > 0, L >= 0.
 double resolving_step(double M, double L, reynolds::Wedge wedge, const contact::Ellipse& shape = {});
 
 /// Cells along x of at most this mesh size on this length of domain: `fewest`, doubled as often as it takes and as

@@ -130,6 +130,23 @@ std::vector<Key> keys() {
                          deck::in_section("body", deck::only_with(in_time, body_keys()))});
 }
 
+namespace {
+
+double unit_of_time(const deck::Part& transient, const Scales& scales) {
+  return transient.word("time_unit") == "seconds" && std::isfinite(scales.time) ? scales.time : 1.0;
+}
+
+}  // namespace
+
+double steepest_load(const deck::Deck& deck, const Scales& scales) {
+  deck::Deck read_ahead = deck;
+  const deck::Part transient{read_ahead, "transient"};
+  const double unit = unit_of_time(transient, scales);
+  Conditions conditions;
+  read_drive(transient, unit, scales, conditions);
+  return steepest(conditions.load, transient.number("end_time") / unit);
+}
+
 Input read(deck::Deck& deck, const Scales& scales, const Conditions& carried, const core::Grid& grid) {
   const deck::Part transient{deck, "transient"}, output{deck, "output"};
   Input input{.conditions = carried, .second = 1.0 / scales.time};
@@ -137,7 +154,7 @@ Input read(deck::Deck& deck, const Scales& scales, const Conditions& carried, co
   if (seconds && std::isnan(scales.time))
     transient.complain("time_unit", "seconds need a contact and a motion in SI: use contact");
   input.in_seconds = seconds;
-  const double unit = seconds && std::isfinite(scales.time) ? scales.time : 1.0;
+  const double unit = unit_of_time(transient, scales);
   const auto time = [&](const char* key) { return transient.number(key) / unit; };
   read_drive(transient, unit, scales, input.conditions);
   input.conditions.body = read_body(deck, scales);

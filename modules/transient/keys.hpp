@@ -35,6 +35,9 @@ std::vector<deck::Key> keys();
 /// names cannot be read.
 Input read(deck::Deck& deck, const Scales& scales, const Conditions& carried, const core::Grid& grid);
 
+/// The steepest slope of such a deck's load, in a/u_m; NaN where it cannot be read, which read() tells.
+double steepest_load(const deck::Deck& deck, const Scales& scales);
+
 /// Those of what varies. in: unit of time, in a/u_m.
 std::vector<deck::Key> drive_keys();
 void read_drive(const deck::Part& transient, double unit, const Scales& scales, Conditions& conditions);

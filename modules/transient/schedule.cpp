@@ -99,6 +99,21 @@ std::vector<double> jumps(const Schedule& schedule, double end) {
   return times;
 }
 
+double steepest(const Schedule& schedule, double end) {
+  if (!jumps(schedule, end).empty()) return std::numeric_limits<double>::infinity();
+  double slope = 0.0, largest = schedule.points.empty() ? 1.0 : 0.0;
+  for (std::size_t k = 0; k < schedule.points.size(); ++k) {
+    const Schedule::Point& b = schedule.points[k];
+    largest = std::max(largest, std::abs(b.value));
+    if (k == 0 || b.T == schedule.points[k - 1].T || schedule.points[k - 1].T >= end) continue;
+    const Schedule::Point& a = schedule.points[k - 1];
+    slope = std::max(slope, std::abs(b.value - a.value) / (b.T - a.T));
+  }
+  if (!schedule.wave || schedule.wave->start >= end) return slope;
+  const double amplitude = std::abs(schedule.wave->amplitude);
+  return slope * (1.0 + amplitude) + largest * amplitude * omega(*schedule.wave);
+}
+
 std::vector<double> corners(const Schedule& schedule, double end) {
   std::vector<double> times;
   for (std::size_t k = 0; k < schedule.points.size(); ++k)

@@ -34,6 +34,9 @@ double least(const Schedule& schedule, double end);
 /// of the larger value, is a jump where it begins.
 std::vector<double> jumps(const Schedule& schedule, double end);
 
+/// Steepest slope that it has from 0 to `end`, or a little more; infinite where it jumps.
+double steepest(const Schedule& schedule, double end);
+
 /// Times in (0, end) at which only the slope jumps, rising.
 std::vector<double> corners(const Schedule& schedule, double end);
 

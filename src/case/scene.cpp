@@ -14,6 +14,7 @@
 #include "mlmi/keys.hpp"
 #include "reynolds/keys.hpp"
 #include "steady/keys.hpp"
+#include "steady/resolution.hpp"
 
 namespace ehl::program {
 namespace {
@@ -96,28 +97,33 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   scene.deformation = mlmi::read(deck);
   scene.multigrid = fmg::read(deck);
   scene.accuracy = steady::read_accuracy(deck, share_of_memory * usable_memory() / bytes_per_node);
-  scene.wedge = reynolds::read(deck);
-  scene.face = reynolds::read_face(deck);
-  if (!result.dry) steady::choose_grid(deck, result.physics.groups, scene.wedge);
-  const bool contact_known = result.dry || result.physics.groups.M > 0.0;
-  if (contact_known) steady::check_contains(deck, result.physics.groups.shape);
-  const steady::GridInput grid = steady::read_grid(deck, contact_known);
+  const contact::Groups& groups = result.physics.groups;
+  if (!result.dry) {
+    scene.wedge = reynolds::read(deck);
+    scene.face = reynolds::read_face(deck);
+    scene.far_field = steady::read_far_field(deck, steepest_load(deck, result.physics));
+    steady::choose_grid(deck, groups, scene.wedge);
+  }
+  const bool contact_known = result.dry || groups.M > 0.0;
+  if (contact_known) steady::check_contains(deck, groups.shape);
+  std::optional<double> size;
+  if (contact_known) size = result.dry ? 1.0 : steady::contact_size(groups.M, groups.L, groups.shape);
+  const steady::GridInput grid = steady::read_grid(deck, size);
   scene.grid = grid.finest;
   scene.multigrid.coarsest_cells = grid.coarsest;
   if (result.dry) result.dry->parameters.coarsest_cells = grid.coarsest;
-  scene.continuation = steady::read_continuation(deck, result.physics.groups.M, newton_of(result.physics));
+  scene.continuation = steady::read_continuation(deck, groups.M, newton_of(result.physics));
   scene.polish = steady::read_polish(deck);
   scene.threads = threads;
-  scene.M = result.physics.groups.M;
-  scene.L = result.physics.groups.L;
-  scene.lambda = result.physics.groups.lambda;
-  scene.shape = result.physics.groups.shape;
+  scene.M = groups.M;
+  scene.L = groups.L;
+  scene.lambda = groups.lambda;
+  scene.shape = groups.shape;
   scene.viscosity = result.physics.viscosity;
   scene.density = result.physics.density;
   const Motion motion = result.dry                             ? Motion::dry
                         : given(deck, "transient", "end_time") ? Motion::in_time
                                                                : Motion::steady;
-  scene.far_field = steady::read_far_field(deck);
   result.surfaces = surface_input(deck, result.physics, scene.grid, motion);
   result.transient = transient_input(deck, result.physics, result.surfaces, scene.grid);
   if (!result.transient) let_stand(result.surfaces, scene);

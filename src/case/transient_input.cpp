@@ -4,28 +4,37 @@
 
 namespace ehl::program {
 
+namespace {
+
+transient::Scales scales_of(const Physics& physics) {
+  if (!physics.si) return {.in_SI = physics.language == Language::si};
+  const contact::SiContact& contact = physics.si->contact;
+  const double u_m = 0.5 * contact.u_s;
+  return {.in_SI = true,
+          .a = physics.si->hertz.a,
+          .height = physics.si->hertz.h_scale,
+          .time = physics.si->hertz.a / u_m,
+          .load = contact.load,
+          .radius = contact.radius,
+          .u1 = physics.si->u1 / u_m,
+          .u2 = physics.si->u2 / u_m};
+}
+
+}  // namespace
+
+double steepest_load(const deck::Deck& deck, const Physics& physics) {
+  return deck::called_for(deck, "transient") ? transient::steepest_load(deck, scales_of(physics)) : 0.0;
+}
+
 std::optional<transient::Input> transient_input(deck::Deck& deck, const Physics& physics, const SurfaceInput& surfaces,
                                                 const core::Grid& grid) {
   if (!deck::called_for(deck, "transient")) return std::nullopt;
   if (deck::given(deck, "grid", "accuracy"))
     deck::complain(deck, "grid", "accuracy", "is for steady contacts: give cells for a transient one");
-  transient::Scales scales{.in_SI = physics.language == Language::si};
-  if (physics.si) {
-    const contact::SiContact& contact = physics.si->contact;
-    const double u_m = 0.5 * contact.u_s;
-    scales = {.in_SI = true,
-              .a = physics.si->hertz.a,
-              .height = physics.si->hertz.h_scale,
-              .time = physics.si->hertz.a / u_m,
-              .load = contact.load,
-              .radius = contact.radius,
-              .u1 = physics.si->u1 / u_m,
-              .u2 = physics.si->u2 / u_m};
-  }
   transient::Conditions carried;
   if (surfaces.on_1) carried.on_1 = surfaces.on_1->relief;
   if (surfaces.on_2) carried.on_2 = surfaces.on_2->relief;
-  return transient::read(deck, scales, carried, grid);
+  return transient::read(deck, scales_of(physics), carried, grid);
 }
 
 Way way_of(const CarriedSurface& surface, const transient::Input& input) {

@@ -16,6 +16,9 @@ namespace ehl::program {
 std::optional<transient::Input> transient_input(deck::Deck& deck, const Physics& physics, const SurfaceInput& surfaces,
                                                 const core::Grid& grid);
 
+/// The steepest slope of the deck's load in time, in a/u_m; 0 where it is steady.
+double steepest_load(const deck::Deck& deck, const Physics& physics);
+
 /// X of the middle of what a surface carries, at time 0 and at the end.
 struct Way {
   double from = 0.0;

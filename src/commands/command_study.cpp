@@ -56,7 +56,7 @@ StudyPlan plan_of(const Arguments& arguments, const Grids& grids, int cells_of_d
   };
   return {arguments.has("levels") ? levels_between(arguments.value("levels", ""))
                                   : levels_of_deck(cells_of_deck, [&](int cells) { return grids.legal(cells); }),
-          list("wedges", "upstream1,upstream2", is_study_wedge, "upstream1, upstream2 or upstream3"),
+          list("wedges", "upstream1,upstream2,upstream3", is_study_wedge, "upstream1, upstream2 or upstream3"),
           list("evaluators", "mlmi4,mlmi6,mlmi8,fft,direct", is_study_evaluator, "mlmi4, mlmi6, mlmi8, fft or direct"),
           list("cycles", "1V,2V,1W,2W,run", is_study_cycles, "a number and a shape, e.g. 2W (V, W or F), or run")};
 }

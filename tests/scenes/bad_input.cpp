@@ -103,7 +103,9 @@ BOOST_AUTO_TEST_CASE(languages_and_groups) {
        moes + oil + "[continuation]\nM_start = 50\n",
        {"d.ini:8", "M_start = 50", "nothing to continue"}},
       {"a load that is carried far away",
-       "[contact]\nM = 0.2\nL = 0\n[lubricant]\nviscosity = isoviscous\ndensity = incompressible\n",
+       "[contact]\nM = 0.2\nL = 0\n[lubricant]\nviscosity = isoviscous\ndensity = incompressible\n[domain]\nfar_field "
+       "= "
+       "zero\n",
        {"[domain] x_inlet", "-189", "% of the film", "Give x_inlet"}},
       {"wrong units",
        "[contact]\nload = 15\nradius_x = 12.5\nE_prime = 110\n[motion]\nu_m = 0.09\n[lubricant]\neta0 = 0.25\nalpha = "

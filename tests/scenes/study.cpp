@@ -9,7 +9,8 @@
 namespace {
 
 const std::string paper =
-    "[contact]\nM = 50\nL = 10\n[lubricant]\nalpha = 1.7e-8\nz = 0.6\n[domain]\nx_inlet = -4.5\nx_outlet = 1.5\n"
+    "[contact]\nM = 50\nL = 10\n[lubricant]\nalpha = 1.7e-8\nz = 0.6\n[domain]\nfar_field = zero\nx_inlet = "
+    "-4.5\nx_outlet = 1.5\n"
     "y_half = 3\n[grid]\ncells = 256\n";
 
 using support::contains;
@@ -52,8 +53,8 @@ BOOST_AUTO_TEST_CASE(errors_fall_with_the_order_of_the_scheme) {
   BOOST_TEST((error_Hc < 2e-3 && error_Hm < 1e-2));
 
   const std::vector<Row> rows = support::named_rows(table);
-  BOOST_REQUIRE(rows.size() == 3u * 2u * 2u * 2u);
-  for (const std::string wedge : {"upstream1", "upstream2"}) {
+  BOOST_REQUIRE(rows.size() == 3u * 3u * 2u * 2u);
+  for (const std::string wedge : {"upstream1", "upstream2", "upstream3"}) {
     std::vector<double> errors;
     for (const Row& row : rows) {
       BOOST_TEST((row.at("status") == "converged" || (row.at("status") == "stopped" && row.at("cycles") == "1W")));
@@ -63,6 +64,11 @@ BOOST_AUTO_TEST_CASE(errors_fall_with_the_order_of_the_scheme) {
         errors.push_back(std::stod(row.at("error_Hc")));
     }
     BOOST_REQUIRE(errors.size() == 3u);
+    if (wedge == "upstream3") {
+      BOOST_TEST_MESSAGE(wedge << ": error " << errors[0] << " on 64 cells, " << errors[2] << " on 256");
+      BOOST_TEST((errors[0] < 5e-3 && errors[2] < 3e-4));
+      continue;
+    }
     // The first-order errors of the exactly converged solutions fall like h^0.6 and h^0.85 on these grids.
     for (std::size_t k = 1; k < 3; ++k) {
       const double order = std::log2(errors[k - 1] / errors[k]);
@@ -85,7 +91,7 @@ BOOST_AUTO_TEST_CASE(a_study_is_drawn_and_kept) {
   const support::Ended drawn = scene.ehl("plot t.csv --format svg");
   BOOST_TEST(drawn.status == 0, drawn.err);
   BOOST_TEST(drawn.err.empty(), drawn.err);
-  BOOST_TEST(contains(scene.folder.read("t_work_precision.svg"), "evaluated nodes"));
+  BOOST_TEST(contains(scene.folder.read("t_work_precision.svg"), "minimum film"));
   const support::Ended other = scene.ehl("plot t.csv --figure stability_map");
   BOOST_TEST(other.status == 2);
   BOOST_TEST(other.says({"draws the table of a sweep"}), other.err);

@@ -13,7 +13,7 @@ namespace {
 using support::rows_of;
 
 const std::string contact = "[contact]\nM = 50\nL = 10\n[lubricant]\nalpha = 1.7e-8\nz = 0.6\n";
-const std::string grid = "[domain]\nx_inlet = -4.5\nx_outlet = 1.5\ny_half = 3\n[grid]\ncells = 64\n";
+const std::string grid = "[domain]\nfar_field = zero\nx_inlet = -4.5\nx_outlet = 1.5\ny_half = 3\n[grid]\ncells = 64\n";
 const std::string steel =
     "[contact]\nload = 15\nradius_x = 0.0125\nE_prime = 110e9\n[motion]\nu1 = 0.045\nu2 = 0.135\n"
     "[lubricant]\neta0 = 0.25\nalpha = 22e-9\n";
@@ -27,7 +27,7 @@ BOOST_AUTO_TEST_SUITE(transient)
 BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
   const std::string timed = "[transient]\nend_time = 1\n";
   const support::Slip slips[] = {
-      {"no end", "[transient]\nrtol = 1e-3\n", {"d.ini:14", "rtol", "end_time"}},
+      {"no end", "[transient]\nrtol = 1e-3\n", {"d.ini:15", "rtol", "end_time"}},
       {"a surface at rest",
        "[surface1]\nshape = dimple\nheight = 0.1\nwidth = 1\n",
        {"surface1", "[transient] end_time"}},
