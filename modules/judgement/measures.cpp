@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "core/norms.hpp"
-#include "judgement/fitted_minimum.hpp"
 #include "reynolds/flow_balance.hpp"
 
 namespace ehl::judgement {
@@ -51,14 +50,20 @@ Interpolation interpolation(double t, int cells) {
 
 }  // namespace
 
-double value_at(const core::Patch& grid, const core::Field& field, double X, double Y) {
+std::vector<NodeWeight> weights_at(const core::Patch& grid, double X, double Y) {
   const Interpolation x = interpolation((X - grid.domain.X_a) / grid.hx(), grid.nx);
   const Interpolation y = interpolation((Y - grid.domain.Y_a) / grid.hy(), grid.domain.ny);
-  double value = 0.0;
+  std::vector<NodeWeight> weights;
   for (int a = 0; a < 4; ++a)
     for (int b = 0; b < 4; ++b)
-      value += x.weights[static_cast<std::size_t>(a)] * y.weights[static_cast<std::size_t>(b)] *
-               field(x.first + a, grid.holder(y.first + b));
+      weights.push_back({x.first + a, grid.holder(y.first + b),
+                         x.weights[static_cast<std::size_t>(a)] * y.weights[static_cast<std::size_t>(b)]});
+  return weights;
+}
+
+double value_at(const core::Patch& grid, const core::Field& field, double X, double Y) {
+  double value = 0.0;
+  for (const auto& [i, j, weight] : weights_at(grid, X, Y)) value += weight * field(i, j);
   return value;
 }
 

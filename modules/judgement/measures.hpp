@@ -1,7 +1,10 @@
 #pragma once
 // The numbers by which a state is judged.
+#include <vector>
+
 #include "core/grid.hpp"
 #include "core/quadratic_form.hpp"
+#include "judgement/fitted_minimum.hpp"
 #include "reynolds/residual.hpp"
 
 namespace ehl::judgement {
@@ -27,6 +30,8 @@ struct Measures {
   double flow_imbalance_whole = 0.0;  ///< the same of all of the pressurised region
 };
 
+/// The nodes' shares in the value at (X, Y), as below.
+std::vector<NodeWeight> weights_at(const core::Patch& grid, double X, double Y);
 /// Value at (X, Y): the node's where there is one within 1e-9 of a cell, else by bicubic interpolation.
 /// limits: (X, Y) inside the domain.
 double value_at(const core::Patch& grid, const core::Field& field, double X, double Y);
