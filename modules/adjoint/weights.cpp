@@ -9,8 +9,7 @@ namespace ehl::adjoint {
 namespace {
 
 /// Nodes that may take part in the equation of a node.
-constexpr std::pair<int, int> offsets[] = {{0, 0},  {-1, 0}, {1, 0},  {-2, 0}, {2, 0},
-                                           {0, -1}, {0, 1},  {0, -2}, {0, 2}};
+constexpr std::pair<int, int> offsets[] = {{0, 0}, {-1, 0}, {1, 0}, {-2, 0}, {2, 0}, {0, -1}, {0, 1}, {0, -2}, {0, 2}};
 /// The nodes of one colour, i + 3 j modulo 11, are changed together: no two of them take part in the same equation.
 constexpr int colours = 11;
 int colour(int i, int j) { return (i + 3 * j) % colours; }
@@ -33,6 +32,14 @@ Adjoint::Adjoint(fmg::Hierarchy& hierarchy, std::size_t l)
       deformed_(level_.grid) {
   std::vector<double> u(equations_.size());
   equations_.unknowns(u);
+  // The kinds of nodes to which the residual pushes them: the edge of cavitation lies a cell off where the state is not
+  // the solution.
+  const core::Patch& grid = level_.grid;
+  for (int i = 1; i < grid.nx; ++i)
+    for (int j = 1; j <= grid.last_line(); ++j) {
+      const std::size_t k = equations_.index(i, j);
+      u[k] = level_.P(i, j) - equations_.scale(k) * level_.r(i, j);
+    }
   equations_.linearize(u);
   probe(true, by_P_);
   probe(false, by_H_);
@@ -114,10 +121,7 @@ void Adjoint::product(std::span<const double> x, std::span<double> y) {
     return on_P_(i, j) + deformed_(i, j) + cell * share * grid.lines(j) * x[last];
   };
   for (int i = 1; i < grid.nx; ++i)
-    for (int j = 1; j <= grid.last_line(); ++j) {
-      const std::size_t k = equations_.index(i, j);
-      y[k] = equations_.wet(k) ? by_P(i, j, 1.0) : x[k];
-    }
+    for (int j = 1; j <= grid.last_line(); ++j) y[equations_.index(i, j)] = by_P(i, j, 1.0);
   for (std::size_t k = 0; k < boundary_.size(); ++k)
     y[last + 1 + k] = beside[k] + by_P(boundary_[k].i, boundary_[k].j, boundary_[k].share);
 }
@@ -134,23 +138,42 @@ std::optional<Weights> Adjoint::weights(const Number& number, double tolerance) 
   }
   deform(on_H_);
   for (int i = 1; i < grid.nx; ++i)
-    for (int j = 1; j <= grid.last_line(); ++j)
-      if (equations_.wet(equations_.index(i, j))) slope[equations_.index(i, j)] = deformed_(i, j);
-  for (std::size_t k = 0; k < boundary_.size(); ++k)
-    slope[last + 1 + k] = deformed_(boundary_[k].i, boundary_[k].j);
-  const newton::LinearSystem system{
-      [this](auto v, auto Av) { product(v, Av); },
-      [this, last](auto v) { preconditioner_.solve_transposed(v.first(last + 1)); }};
-  const newton::GmresResult solved = newton::gmres(system, slope, tolerance, x);
+    for (int j = 1; j <= grid.last_line(); ++j) slope[equations_.index(i, j)] = deformed_(i, j);
+  for (std::size_t k = 0; k < boundary_.size(); ++k) slope[last + 1 + k] = deformed_(boundary_[k].i, boundary_[k].j);
+  std::vector<double> of_wet = slope;
+  for (std::size_t k = 0; k < last; ++k)
+    if (!equations_.wet(k)) of_wet[k] = 0.0;
+  const newton::LinearSystem system{[this, last](auto v, auto Av) {
+                                      product(v, Av);
+                                      for (std::size_t k = 0; k < last; ++k)
+                                        if (!equations_.wet(k)) Av[k] = v[k];
+                                    },
+                                    [this, last](auto v) { preconditioner_.solve_transposed(v.first(last + 1)); }};
+  const newton::GmresResult solved = newton::gmres(system, of_wet, tolerance, x);
   iterations_ = solved.iterations;
   if (!solved.reached) return std::nullopt;
-  Weights weights{core::Field(grid), x[last] / level_.load, {x.begin() + static_cast<std::ptrdiff_t>(last) + 1, x.end()}};
+  std::vector<double> by_P(x.size());
+  product(x, by_P);
+  Weights weights{core::Field(grid),
+                  core::Field(grid),
+                  x[last] / level_.load,
+                  {x.begin() + static_cast<std::ptrdiff_t>(last) + 1, x.end()}};
   for (int i = 1; i < grid.nx; ++i)
     for (int j = 1; j <= grid.last_line(); ++j) {
       const std::size_t k = equations_.index(i, j);
-      if (equations_.wet(k)) weights.residual(i, j) = equations_.scale(k) * x[k];
+      if (equations_.wet(k))
+        weights.residual(i, j) = equations_.scale(k) * x[k];
+      else
+        weights.pressure(i, j) = slope[k] - by_P[k];
     }
   return weights;
+}
+
+double left_over(const Weights& weights, const core::Field& r, const core::Field& P, double load) {
+  double sum = weights.load * load;
+  for (int i = 0; i < r.nodes_x(); ++i)
+    for (int j = 0; j < r.nodes_y(); ++j) sum += weights.residual(i, j) * r(i, j) + weights.pressure(i, j) * P(i, j);
+  return sum;
 }
 
 }  // namespace ehl::adjoint

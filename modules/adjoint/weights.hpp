@@ -19,12 +19,16 @@ using Number = std::vector<judgement::NodeWeight>;
 double value_of(const Number& number, const core::Field& film);
 
 /// To first order, a number of a state less the same of the solution is
-///   sum residual r + load (carried - wanted) + sum boundary (P - P of the far field).
+///   sum residual r + sum pressure P + load (carried - wanted) + sum boundary (P - P of the far field).
+/// Of the patch; a mirrored node counts for both.
 struct Weights {
-  core::Field residual;  ///< of the patch, zero where P = 0 and on the boundary; a mirrored node counts for both
+  core::Field residual;  ///< where P > 0 in the solution, as it is foretold; else zero
+  core::Field pressure;  ///< where P = 0 there; else zero
   double load = 0.0;
   std::vector<double> boundary;  ///< in the order of fmg::nodes_of_boundary; none without a far field
 };
+/// The first three. in: r, P and carried - wanted load of the state.
+double left_over(const Weights& weights, const core::Field& r, const core::Field& P, double load);
 
 /// The transposed slope of a level's equations, complementarity, force balance and far field included: one linear
 /// system gives the weights of one number for all that may be left of the equations.

@@ -39,7 +39,8 @@ std::vector<NodeWeight> weights_of_fitted_minimum(const core::Patch& grid, const
   for (const int side : {-1, 1}) {
     weights.push_back({i + side, j, 0.5 * x * (x + side)});
     weights.push_back({i, grid.holder(j + side), 0.5 * y * (y + side)});
-    for (const int beside : {-1, 1}) weights.push_back({i + side, grid.holder(j + beside), 0.25 * side * beside * x * y});
+    for (const int beside : {-1, 1})
+      weights.push_back({i + side, grid.holder(j + beside), 0.25 * side * beside * x * y});
   }
   return weights;
 }
