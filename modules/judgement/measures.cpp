@@ -48,6 +48,19 @@ Interpolation interpolation(double t, int cells) {
   return result;
 }
 
+/// Spikes stand where the dry contact has less than this share of its largest pressure.
+constexpr double of_rim = 0.8;
+
+double largest_on_rim(const core::Patch& grid, const core::Field& P, const core::QuadraticForm& outline) {
+  double largest = 0.0;
+  for (int i = 0; i <= grid.nx; ++i) {
+    if (grid.X(i) <= 0.0) continue;
+    for (int j = 0; j <= grid.ny; ++j)
+      if (outline.at(grid.X(i), grid.Y(j)) > 1.0 - of_rim * of_rim) largest = std::max(largest, P(i, j));
+  }
+  return largest;
+}
+
 }  // namespace
 
 std::vector<NodeWeight> weights_at(const core::Patch& grid, double X, double Y) {
@@ -88,6 +101,7 @@ Measures measures(const Subject& subject) {
           .Hm_fitted_X = fitted.X,
           .Hm_fitted_Y = fitted.Y,
           .P_max = core::maximum(fields.P).value,
+          .P_rim = largest_on_rim(grid, fields.P, outline),
           .largest_residual = norms.largest / norms.wedge,
           .largest_residual_X = grid.X(norms.i),
           .largest_residual_Y = grid.Y(norms.j),

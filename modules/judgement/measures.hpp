@@ -19,7 +19,8 @@ struct Measures {
   double Hm_fitted = 0.0;  ///< minimum of H between the nodes (fitted_minimum.hpp), and where it is
   double Hm_fitted_X = 0.0;
   double Hm_fitted_Y = 0.0;
-  double P_max = 0.0;             ///< over the nodes
+  double P_max = 0.0;  ///< over the nodes
+  double P_rim = 0.0;  ///< over those downstream where the dry contact has less than 0.8: of a spike, if there is one
   double largest_residual = 0.0;  ///< at one node; relative to the wedge term, like the residual
   double largest_residual_X = 0.0;
   double largest_residual_Y = 0.0;

@@ -60,6 +60,13 @@ std::vector<deck::Key> grid_keys() {
              .range = {4, 4096},
              .meaning = "Cells of the coarsest grid along x.",
              .example = "32"},
+            {.name = "errors",
+             .default_text = "adjoint",
+             .words = {"adjoint", "levels"},
+             .meaning = "How the errors of Hc and Hm are estimated. adjoint: by what the solution leaves of the "
+                        "equations of a coarser grid, term by term, times the weights of Hc and Hm for it, with "
+                        "upstream3; a tenth of the time. levels: from the sequence of grids alone.",
+             .source = "modules/adjoint/README.md"},
             {.name = "accuracy",
              .default_note = "none: the grid is given or chosen",
              .range = {1e-6, 0.5},
@@ -213,6 +220,8 @@ GridInput read_grid(deck::Deck& deck, bool contact_known) {
   }
   return input;
 }
+
+bool read_adjoint_errors(deck::Deck& deck) { return deck::Part{deck, "grid"}.choice("errors", {true, false}); }
 
 bool read_far_field(deck::Deck& deck) { return closed({deck, "domain"}); }
 

@@ -24,6 +24,8 @@ struct GridInput {
 /// cells that cannot be halved and about those wider than half a Hertz radius.
 /// out: ny = 0 where something is missing or wrong.
 GridInput read_grid(deck::Deck& deck, bool contact_known);
+/// [grid] errors: true for those by weights.
+bool read_adjoint_errors(deck::Deck& deck);
 /// [domain] far_field: true for the closed form.
 bool read_far_field(deck::Deck& deck);
 /// Complains where the domain that was chosen cuts off half of the film; the deck itself may ask for a starved one.
