@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "adjoint/errors.hpp"
 #include "adjoint/truncation.hpp"
 #include "adjoint/weights.hpp"
 #include "contact/groups.hpp"
@@ -30,7 +31,7 @@ struct Case {
 };
 
 /// By Fourier transforms: K is symmetric to rounding.
-fmg::Run run_of(const Case& c) {
+fmg::Run run_of(const Case& c, int first_cells) {
   steady::Scene scene = tests::roelands_scene(c.M, c.L, c.grid);
   const contact::Groups groups = contact::from_moes(c.M, c.L, contact::ellipse(c.ratio, c.angle));
   scene.lambda = groups.lambda;
@@ -43,7 +44,7 @@ fmg::Run run_of(const Case& c) {
   scene.face = c.face;
   scene.far_field = c.far_field;
   scene.deformation.method = mlmi::Method::fft;
-  return steady::begin_climb(scene, {.cells = c.grid.nx, .caution_at_first = 0.5}, {});
+  return steady::begin_climb(scene, {.cells = first_cells, .caution_at_first = 0.5}, {});
 }
 
 void solve(fmg::Run& run, std::size_t l) {
@@ -110,7 +111,7 @@ const Case cases[] = {
 // What is left of the Reynolds equation, in patches of the inlet, the contact and its sides, and of the load.
 BOOST_AUTO_TEST_CASE(weights_foretell_what_a_right_hand_side_changes) {
   for (const Case& c : cases) {
-    fmg::Run run = run_of(c);
+    fmg::Run run = run_of(c, c.grid.nx);
     const std::size_t l = run.finest() - 1;
     fmg::Hierarchy& hierarchy = run.hierarchy;
     fmg::Level& level = hierarchy.levels[l];
@@ -168,7 +169,7 @@ BOOST_AUTO_TEST_CASE(weights_foretell_what_a_right_hand_side_changes) {
 // From the solution of one grid what Hc and Hm are on a grid of half as many cells, which is solved too.
 BOOST_AUTO_TEST_CASE(truncation_times_weights_foretells_the_coarser_grid) {
   for (const Case& c : cases) {
-    fmg::Run run = run_of(c);
+    fmg::Run run = run_of(c, c.grid.nx);
     const std::size_t fine = run.finest();
     fmg::Hierarchy& hierarchy = run.hierarchy;
     fmg::Level& level = hierarchy.levels[fine - 1];
@@ -201,5 +202,35 @@ BOOST_AUTO_TEST_CASE(truncation_times_weights_foretells_the_coarser_grid) {
     };
     check("Hc", weights_Hc, &Values::Hc, 1e-4);
     check("Hm", weights_Hm, &Values::Hm, 5e-4);
+  }
+}
+
+// What default cycles leave of Hc and Hm, against the solved equations of the same grid; and nothing of the solution
+// has changed behind it.
+BOOST_AUTO_TEST_CASE(what_the_cycles_leave) {
+  for (const Case& c : cases) {
+    if (!reynolds::third_order(c.wedge)) continue;
+    fmg::Run run = run_of(c, c.grid.nx / 2);
+    fmg::full_multigrid(run);
+    fmg::Hierarchy& hierarchy = run.hierarchy;
+    const Values left = values_of(hierarchy.finest());
+    const core::Field P = hierarchy.finest().P, H = hierarchy.finest().H;
+    const double H00 = hierarchy.H00;
+    const std::optional<adjoint::Errors> errors = adjoint::errors(hierarchy);
+    BOOST_REQUIRE(errors);
+    BOOST_TEST(core::max_abs_difference(P, hierarchy.finest().P) == 0.0);
+    BOOST_TEST(core::max_abs_difference(H, hierarchy.finest().H) == 0.0);
+    BOOST_TEST(H00 == hierarchy.H00);
+    solve(run, run.finest());
+    const Values solved = values_of(hierarchy.finest());
+    const auto check = [&](const char* name, const adjoint::Foretold& foretold, double before, double after,
+                           double by_change) {
+      const double error = 1.0 - after / before;
+      const double bound = by_change + std::abs(foretold.left) + 0.1 * foretold.scattered;
+      BOOST_TEST_MESSAGE(c.name << ": " << name << " " << error << ", bound " << bound);
+      BOOST_TEST(std::abs(error) <= bound);
+    };
+    check("Hc", errors->Hc, left.Hc, solved.Hc, run.record.verification.algebraic_error_Hc);
+    check("Hm", errors->Hm, left.Hm, solved.Hm, run.record.verification.algebraic_error_Hm);
   }
 }
