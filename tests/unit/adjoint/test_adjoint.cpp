@@ -82,7 +82,7 @@ const Case cases[] = {
     {"light, closed",
      2,
      0,
-     {192, 256, -12, 6, -12, 12},
+     {96, 128, -12, 6, -12, 12},
      reynolds::Wedge::upstream3,
      reynolds::Face::logmean_bounded,
      true},

@@ -295,11 +295,6 @@ BOOST_AUTO_TEST_CASE(the_largest_value_near_the_surface_is_that_of_a_node) {
   const core::Grid grid = square(64, 1.5);
   core::Field P = hertz(grid);
   P(44, 33) += 2.0;
-  P(45, 33) += 1.5;
-  const StressField spiked = stress_below(grid, P, {.planes = 41}, 1);
-  BOOST_TEST_MESSAGE("largest tau_max " << spiked.shear.value << " at depth " << spiked.shear.Z);
-  BOOST_TEST(spiked.shear.Z < 2.0 * grid.hx());
-  BOOST_TEST(spiked.shear.value == spiked.shear.on_node);
-  const StressField smooth = stress_below(grid, hertz(grid), {.planes = 41}, 1);
-  BOOST_TEST(smooth.shear.value > smooth.shear.on_node);
+  const Maximum shear = stress_below(grid, P, {}, 1).shear;
+  BOOST_TEST((shear.Z < 2.0 * grid.hx() && shear.value == shear.on_node));
 }
