@@ -11,6 +11,7 @@ const char* name(Part part) {
     case Part::transfer: return "grid transfer";
     case Part::coarsest: return "coarsest grid";
     case Part::checks: return "checks";
+    case Part::errors: return "errors by weights";
     case Part::setup: return "set-up";
     case Part::count: break;
   }

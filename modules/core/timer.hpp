@@ -20,6 +20,7 @@ enum class Part : std::size_t {
   transfer,
   coarsest,
   checks,
+  errors,
   setup,
   count
 };

@@ -46,6 +46,29 @@ std::vector<reynolds::FarPoint> points_of_boundary(const Problem& problem, const
   return points;
 }
 
+std::vector<BoundaryNode> nodes_of_boundary(const core::Patch& grid) {
+  std::vector<BoundaryNode> nodes;
+  for_boundary(grid, [&](int i, int j, double share) { nodes.push_back({i, j, share}); });
+  return nodes;
+}
+
+FarSlopes far_slopes(const Hierarchy& hierarchy, const Level& level) {
+  const reynolds::FarField& far_field = *hierarchy.problem.far_field;
+  constexpr double step = 1e-5;  // of films of order one: twice the digits that a difference loses are left
+  const auto slope = [&](auto value) { return (value(step) - value(-step)) / (2.0 * step); };
+  const auto state = [&](double more) { return far_state(hierarchy, hierarchy.H00 + more); };
+  FarSlopes slopes;
+  auto point = level.boundary.begin();
+  for_boundary(level.grid, [&](int i, int j, double) {
+    const double H = smooth_film(level, i, j);
+    slopes.P_by_H.push_back(slope([&](double d) { return far_field.P(*point, H + d, state(0.0)); }));
+    slopes.P_by_H00.push_back(slope([&](double d) { return far_field.P(*point, H, state(d)); }));
+    ++point;
+  });
+  slopes.load_by_H00 = slope([&](double d) { return far_field.load_outside(state(d)); });
+  return slopes;
+}
+
 double renew_load_outside(Hierarchy& hierarchy, Level& level) {
   if (!hierarchy.problem.far_field) return 0.0;
   const reynolds::FarField& far_field = *hierarchy.problem.far_field;

@@ -15,6 +15,21 @@ double renew_boundary(Hierarchy& hierarchy, Level& level);
 /// The load alone; the pressure on the boundary stays as it is.
 double renew_load_outside(Hierarchy& hierarchy, Level& level);
 
+/// A node of the boundary, in the order of the points, and the share of its cell that lies inside.
+struct BoundaryNode {
+  int i = 0, j = 0;
+  double share = 0.0;
+};
+std::vector<BoundaryNode> nodes_of_boundary(const core::Patch& grid);
+
+/// What changes of the film there and of H00 change of a far field.
+struct FarSlopes {
+  std::vector<double> P_by_H, P_by_H00;  ///< on the boundary
+  double load_by_H00 = 0.0;              ///< of the load beyond it
+};
+/// By differences, at the state of the level. limits: a problem with a far field.
+FarSlopes far_slopes(const Hierarchy& hierarchy, const Level& level);
+
 /// Within a cycle of an implicit step of time: what a change of H00, which is one of the velocity, does to the pressure
 /// on the boundary. Steady: nothing, renew_boundary behind the cycle is enough. Left to the end of a cycle in time,
 /// both it and the load outside, for which Hierarchy::outside_line stands, would come back multiplied from squeeze = 20

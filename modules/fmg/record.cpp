@@ -56,6 +56,7 @@ void enter(const Hierarchy& hierarchy, std::size_t l, int cycle, const judgement
   row.Hm = now.Hm;
   row.Hm_fitted = now.Hm_fitted;
   row.P_max = now.P_max;
+  row.P_rim = now.P_rim;
   row.residual = now.residual;
   row.load_error = now.load_error;
   row.cycles = cycle;

@@ -23,6 +23,7 @@ struct LevelRow {
   double order_Hc = 0.0;    ///< observed order; NaN where unknown
   double Hm_fitted = 0.0;   ///< minimum of H between the nodes (fitted_minimum.hpp)
   double P_max = 0.0;       ///< over the nodes
+  double P_rim = 0.0;       ///< over those on the rim (judgement/measures.hpp)
   double residual = 0.0;    ///< relative residual of the Reynolds equation (root mean square over the wedge's)
   double load_error = 0.0;  ///< |h^2 sum P - load| / load, load 2 pi/3 of a circle
   int cycles = 0;

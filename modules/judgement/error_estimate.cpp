@@ -60,7 +60,9 @@ Extrapolation extrapolate(std::span<const double> values, double scheme_order, d
   const double correction = share * (values[n - 1] - values[n - 2]);
   const double value = values[n - 1] + correction;
   const double before = values[n - 2] + share * (values[n - 2] - values[n - 3]);
-  return {value, std::max(std::abs(value - before), unsure * std::abs(correction)) / std::abs(value)};
+  const double error = std::max(std::abs(value - before), unsure * std::abs(correction)) / std::abs(value);
+  if (!(error < 1.0 && value * values[n - 1] > 0.0)) return {};
+  return {value, error};
 }
 
 }  // namespace ehl::judgement

@@ -51,7 +51,8 @@ inline constexpr double unsure_of_Hc = 0.05;
 inline constexpr double unsure_of_Hm = 0.2;
 
 /// Richardson's v_k + (v_k - v_{k-1})/(2^p - 1), p the scheme's order; its error from what it changed since the
-/// extrapolation one level below, and at least the share `unsure` of what was added. NaN with fewer than three values.
+/// extrapolation one level below, and at least the share `unsure` of what was added. NaN with fewer than three values,
+/// and where that error is as large as the value, or the value of the other sign: the levels then tell none.
 Extrapolation extrapolate(std::span<const double> values, double scheme_order, double unsure);
 
 }  // namespace ehl::judgement

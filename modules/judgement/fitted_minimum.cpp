@@ -29,4 +29,20 @@ FittedMinimum fitted_minimum(const core::Patch& grid, const core::Field& film, i
   return {node.value + 0.5 * (g * x + k * y), node.X + x * grid.hx(), node.Y + y * grid.hy()};
 }
 
+// The paraboloid is level at its minimum: where that is does not matter to first order.
+std::vector<NodeWeight> weights_of_fitted_minimum(const core::Patch& grid, const core::Field& film, int i, int j) {
+  const FittedMinimum fitted = fitted_minimum(grid, film, i, j);
+  const double x = (fitted.X - grid.X(i)) / grid.hx();
+  const double y = (fitted.Y - grid.Y(j)) / grid.hy();
+  std::vector<NodeWeight> weights{{i, j, 1.0 - x * x - y * y}};
+  if (x == 0.0 && y == 0.0) return weights;
+  for (const int side : {-1, 1}) {
+    weights.push_back({i + side, j, 0.5 * x * (x + side)});
+    weights.push_back({i, grid.holder(j + side), 0.5 * y * (y + side)});
+    for (const int beside : {-1, 1})
+      weights.push_back({i + side, grid.holder(j + beside), 0.25 * side * beside * x * y});
+  }
+  return weights;
+}
+
 }  // namespace ehl::judgement

@@ -1,5 +1,7 @@
 #pragma once
 // The smallest film between the nodes.
+#include <vector>
+
 #include "core/field.hpp"
 #include "core/grid.hpp"
 
@@ -19,5 +21,14 @@ struct FittedMinimum {
 /// limits: the node itself where it lies on the boundary, where the paraboloid has no minimum, or where the minimum is
 /// more than 2.5 cells away along x or y.
 FittedMinimum fitted_minimum(const core::Patch& grid, const core::Field& film, int i, int j);
+
+/// A node's share of a number that is made of the film.
+struct NodeWeight {
+  int i = 0, j = 0;
+  double weight = 0.0;
+};
+
+/// By how much a change of the film at the nodes changes the fitted minimum, to first order.
+std::vector<NodeWeight> weights_of_fitted_minimum(const core::Patch& grid, const core::Field& film, int i, int j);
 
 }  // namespace ehl::judgement

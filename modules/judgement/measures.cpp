@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "core/norms.hpp"
-#include "judgement/fitted_minimum.hpp"
 #include "reynolds/flow_balance.hpp"
 
 namespace ehl::judgement {
@@ -49,16 +48,35 @@ Interpolation interpolation(double t, int cells) {
   return result;
 }
 
+/// Spikes stand where the dry contact has less than this share of its largest pressure.
+constexpr double of_rim = 0.8;
+
+double largest_on_rim(const core::Patch& grid, const core::Field& P, const core::QuadraticForm& outline) {
+  double largest = 0.0;
+  for (int i = 0; i <= grid.nx; ++i) {
+    if (grid.X(i) <= 0.0) continue;
+    for (int j = 0; j <= grid.ny; ++j)
+      if (outline.at(grid.X(i), grid.Y(j)) > 1.0 - of_rim * of_rim) largest = std::max(largest, P(i, j));
+  }
+  return largest;
+}
+
 }  // namespace
 
-double value_at(const core::Patch& grid, const core::Field& field, double X, double Y) {
+std::vector<NodeWeight> weights_at(const core::Patch& grid, double X, double Y) {
   const Interpolation x = interpolation((X - grid.domain.X_a) / grid.hx(), grid.nx);
   const Interpolation y = interpolation((Y - grid.domain.Y_a) / grid.hy(), grid.domain.ny);
-  double value = 0.0;
+  std::vector<NodeWeight> weights;
   for (int a = 0; a < 4; ++a)
     for (int b = 0; b < 4; ++b)
-      value += x.weights[static_cast<std::size_t>(a)] * y.weights[static_cast<std::size_t>(b)] *
-               field(x.first + a, grid.holder(y.first + b));
+      weights.push_back({x.first + a, grid.holder(y.first + b),
+                         x.weights[static_cast<std::size_t>(a)] * y.weights[static_cast<std::size_t>(b)]});
+  return weights;
+}
+
+double value_at(const core::Patch& grid, const core::Field& field, double X, double Y) {
+  double value = 0.0;
+  for (const auto& [i, j, weight] : weights_at(grid, X, Y)) value += weight * field(i, j);
   return value;
 }
 
@@ -83,6 +101,7 @@ Measures measures(const Subject& subject) {
           .Hm_fitted_X = fitted.X,
           .Hm_fitted_Y = fitted.Y,
           .P_max = core::maximum(fields.P).value,
+          .P_rim = largest_on_rim(grid, fields.P, outline),
           .largest_residual = norms.largest / norms.wedge,
           .largest_residual_X = grid.X(norms.i),
           .largest_residual_Y = grid.Y(norms.j),

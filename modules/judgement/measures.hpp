@@ -1,7 +1,10 @@
 #pragma once
 // The numbers by which a state is judged.
+#include <vector>
+
 #include "core/grid.hpp"
 #include "core/quadratic_form.hpp"
+#include "judgement/fitted_minimum.hpp"
 #include "reynolds/residual.hpp"
 
 namespace ehl::judgement {
@@ -16,7 +19,8 @@ struct Measures {
   double Hm_fitted = 0.0;  ///< minimum of H between the nodes (fitted_minimum.hpp), and where it is
   double Hm_fitted_X = 0.0;
   double Hm_fitted_Y = 0.0;
-  double P_max = 0.0;             ///< over the nodes
+  double P_max = 0.0;  ///< over the nodes
+  double P_rim = 0.0;  ///< over those downstream where the dry contact has less than 0.8: of a spike, if there is one
   double largest_residual = 0.0;  ///< at one node; relative to the wedge term, like the residual
   double largest_residual_X = 0.0;
   double largest_residual_Y = 0.0;
@@ -27,6 +31,8 @@ struct Measures {
   double flow_imbalance_whole = 0.0;  ///< the same of all of the pressurised region
 };
 
+/// The nodes' shares in the value at (X, Y), as below.
+std::vector<NodeWeight> weights_at(const core::Patch& grid, double X, double Y);
 /// Value at (X, Y): the node's where there is one within 1e-9 of a cell, else by bicubic interpolation.
 /// limits: (X, Y) inside the domain.
 double value_at(const core::Patch& grid, const core::Field& field, double X, double Y);

@@ -194,40 +194,23 @@ void Equations::change_third_order(At at) {
     }
 }
 
-void Equations::jacobian(std::span<const double> v, std::span<double> Jv) {
+void Equations::change_of_residual(const core::Field& dP, core::Field& dH, std::span<double> dr) {
   const core::Patch& grid = level_.grid;
-  for (int i = 1; i < grid.nx; ++i)
-    for (int j = 1; j <= grid.last_line(); ++j) dP_(i, j) = wet_[index(i, j)] ? v[index(i, j)] : 0.0;
-  core::fill_ghosts(grid, dP_);
-  {
-    const core::ScopedTimer timer(hierarchy_.times, core::Part::deformation);
-    level_.deformation.evaluate(dP_, dH_);
-  }
-  ++level_.evaluations;
-  const double dH00 = v[nodes_];
-  core::Field& dq = dH_;  // d (rho_bar H) takes the place of dH once d eps has used it
-  double dload = 0.0;
+  const auto at = [&](int i, int j) { return NodeChange{dP(i, j), dH(i, j)}; };
   for (int i = 0; i <= grid.nx; ++i)
     for (int j = 0; j <= grid.ny; ++j) {
-      const double dP = dP_(i, j);
-      const double dH = dH_(i, j) + dH00;
       if (!at_half_points()) {
-        along_.change(i, j) = along_.dP(i, j) * dP + along_.dH(i, j) * dH;
-        if (anisotropic()) across_.change(i, j) = across_.dP(i, j) * dP + across_.dH(i, j) * dH;
+        along_.change(i, j) = along_.dP(i, j) * dP(i, j) + along_.dH(i, j) * dH(i, j);
+        if (anisotropic()) across_.change(i, j) = across_.dP(i, j) * dP(i, j) + across_.dH(i, j) * dH(i, j);
+        continue;
       }
-      dload += grid.lines(j) * dP;
+      if (i < grid.nx) along_.change(i, j) = half_point_change(true, i, j, at);
+      if (j < grid.domain.ny) across_.change(i, j) = half_point_change(false, i, j, at);
     }
-  if (at_half_points()) {
-    const auto at = [&](int i, int j) { return NodeChange{dP_(i, j), dH_(i, j) + dH00}; };
-    for (int i = 0; i <= grid.nx; ++i)
-      for (int j = 0; j <= grid.ny; ++j) {
-        if (i < grid.nx) along_.change(i, j) = half_point_change(true, i, j, at);
-        if (j < grid.domain.ny) across_.change(i, j) = half_point_change(false, i, j, at);
-      }
-  }
-  if (switched()) change_third_order([&](int i, int j) { return NodeChange{dP_(i, j), dH_(i, j) + dH00}; });
+  if (switched()) change_third_order(at);
+  core::Field& dq = dH;  // d (rho_bar H) takes the place of dH once d eps has used it
   for (int i = 0; i <= grid.nx; ++i)
-    for (int j = 0; j <= grid.ny; ++j) dq(i, j) = dq_dP_(i, j) * dP_(i, j) + level_.rho_bar(i, j) * (dH_(i, j) + dH00);
+    for (int j = 0; j <= grid.ny; ++j) dq(i, j) = dq_dP_(i, j) * dP(i, j) + level_.rho_bar(i, j) * dH(i, j);
   core::fill_ghosts(grid, along_.change);
   if (anisotropic() && !at_half_points()) core::fill_ghosts(grid, across_.change);
   const core::Field& deps = along_.change;
@@ -243,20 +226,40 @@ void Equations::jacobian(std::span<const double> v, std::span<double> Jv) {
     const auto c = reynolds::transport_weights(transport, i, grid.hx());
     const int upstream = std::max(i - 2, 0);
     for (int j = 1; j <= grid.last_line(); ++j) {
-      const std::size_t k = index(i, j);
       const auto e = reynolds::faces_at(face(), eps, eps_across, i, j, half);
       const auto de = reynolds::faces_at(face(), deps, deps_across, i, j, half);
       const auto w = reynolds::third_order_weights(c, transport, grid.hx(), third_order_around(i, j));
-      double dr = reynolds::transported(w, dq(i, j), dq(i - 1, j), dq(upstream, j), dq(i + 1, j)) -
-                  reynolds::poiseuille_at(e, dP_, i, j) - reynolds::poiseuille_at(de, P, i, j);
+      double& change = dr[index(i, j)];
+      change = reynolds::transported(w, dq(i, j), dq(i - 1, j), dq(upstream, j), dq(i + 1, j)) -
+               reynolds::poiseuille_at(e, dP, i, j) - reynolds::poiseuille_at(de, P, i, j);
       if (switched()) {
         const auto dw =
             reynolds::third_order_weights<double>({}, transport, grid.hx(), {dtheta_(i - 1, j), dtheta_(i, j)});
-        dr += reynolds::transported(dw, q(i, j), q(i - 1, j), q(upstream, j), q(i + 1, j));
+        change += reynolds::transported(dw, q(i, j), q(i - 1, j), q(upstream, j), q(i + 1, j));
       }
-      Jv[k] = scale_[k] * dr + (wet_[k] ? 0.0 : v[k]);
     }
   }
+}
+
+void Equations::jacobian(std::span<const double> v, std::span<double> Jv) {
+  const core::Patch& grid = level_.grid;
+  double dload = 0.0;
+  for (int i = 1; i < grid.nx; ++i)
+    for (int j = 1; j <= grid.last_line(); ++j) {
+      dP_(i, j) = wet_[index(i, j)] ? v[index(i, j)] : 0.0;
+      dload += grid.lines(j) * dP_(i, j);
+    }
+  core::fill_ghosts(grid, dP_);
+  {
+    const core::ScopedTimer timer(hierarchy_.times, core::Part::deformation);
+    level_.deformation.evaluate(dP_, dH_);
+  }
+  ++level_.evaluations;
+  const double dH00 = v[nodes_];
+  for (int i = 0; i <= grid.nx; ++i)
+    for (int j = 0; j <= grid.ny; ++j) dH_(i, j) += dH00;
+  change_of_residual(dP_, dH_, Jv);
+  for (std::size_t k = 0; k < nodes_; ++k) Jv[k] = scale_[k] * Jv[k] + (wet_[k] ? 0.0 : v[k]);
   Jv[nodes_] = grid.hx() * grid.hy() * dload / level_.load;
 }
 

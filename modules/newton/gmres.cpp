@@ -84,7 +84,7 @@ GmresResult gmres(const LinearSystem& system, std::span<const double> b, double 
   std::ranges::fill(x, 0.0);
   const int flag = SUNLinSolSolve(own.solver, nullptr, own.x, own.b, tolerance * std::sqrt(N_VDotProd(own.b, own.b)));
   if (calls.error) std::rethrow_exception(calls.error);
-  return {flag == SUNLS_SUCCESS || flag == SUNLS_RES_REDUCED, SUNLinSolNumIters(own.solver)};
+  return {flag == SUNLS_SUCCESS || flag == SUNLS_RES_REDUCED, flag == SUNLS_SUCCESS, SUNLinSolNumIters(own.solver)};
 }
 
 }  // namespace ehl::newton

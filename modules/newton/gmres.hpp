@@ -14,6 +14,7 @@ struct LinearSystem {
 
 struct GmresResult {
   bool reduced = false;  ///< |b - A x| < |b|
+  bool reached = false;  ///< the tolerance
   int iterations = 0;
 };
 

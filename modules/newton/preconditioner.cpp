@@ -161,4 +161,14 @@ void Preconditioner::solve(std::span<double> v) {
   v.back() = dH00;
 }
 
+void Preconditioner::solve_transposed(std::span<double> v) {
+  Implementation& own = *implementation_;
+  for (Eigen::Index k = 0; k < own.size(); ++k) own.rhs[k] = v[own.node(k)];
+  const double load = (own.border.dot(own.rhs) - v.back()) / own.schur;
+  own.rhs -= load * own.load_row;
+  own.solution = own.lu.transpose().solve(own.rhs);
+  for (Eigen::Index k = 0; k < own.size(); ++k) v[own.node(k)] = own.solution[k];
+  v.back() = load;
+}
+
 }  // namespace ehl::newton

@@ -18,6 +18,8 @@ class Preconditioner {
   bool factor();
   /// v <- J~^-1 v.
   void solve(std::span<double> v);
+  /// v <- J~^-T v.
+  void solve_transposed(std::span<double> v);
 
  private:
   struct Implementation;

@@ -44,6 +44,7 @@ Scene coarse_scene(const Scene& scene, const core::Grid& grid) {
   coarse.grid = grid;
   coarse.deformation = mlmi::fitting(coarse.deformation, grid);
   coarse.accuracy = {};
+  coarse.adjoint_errors = false;
   coarse.multigrid.tolerance = tolerance_of_coarse;
   return coarse;
 }

@@ -157,7 +157,7 @@ fmg::Run begin_climb(const Scene& scene, const Start& start, const ProgressCallb
   return run;
 }
 
-Solution solution_of(fmg::Run&& run) {
+Solution solution_of(const Scene& scene, fmg::Run&& run) {
   fmg::Record& record = run.record;
   const fmg::Level& finest = run.hierarchy.finest();
   Solution solution;
@@ -169,16 +169,18 @@ Solution solution_of(fmg::Run&& run) {
   solution.failed_check = record.failed_check;
   solution.levels = std::move(record.levels);
   solution.history = std::move(record.history);
-  solution.times = run.hierarchy.times;
   solution.deformation = finest.deformation.description();
   solution.end = record.end;
   solution.cycle_factor = record.cycle_factor;
   solution.verification = record.verification;
+  if (scene.adjoint_errors && record.converged && reynolds::third_order(scene.wedge) && scene.effects.empty())
+    solution.adjoint = adjoint::errors(run.hierarchy);
+  solution.times = run.hierarchy.times;
   return solution;
 }
 
 Solution end_climb(const Scene& scene, fmg::Run&& run) {
-  if (scene.polish != Polish::always) return solution_of(std::move(run));
+  if (scene.polish != Polish::always) return solution_of(scene, std::move(run));
   return polished(scene, std::move(run));
 }
 

@@ -37,8 +37,8 @@ fmg::Run begin_climb(const Scene& scene, const Start& start, const ProgressCallb
 /// Newton's method behind the cycles where the scene asks for it; then the solution, converged or not.
 /// errors: core::Interrupted.
 Solution end_climb(const Scene& scene, fmg::Run&& run);
-/// The solution, converged or not, that a run holds.
-Solution solution_of(fmg::Run&& run);
+/// The solution, converged or not, that a run holds; with the errors by their weights where the scene asks for them.
+Solution solution_of(const Scene& scene, fmg::Run&& run);
 
 /// All of it, full multigrid in between. errors: core::SolverError where the cycles diverge; and as above.
 Solution climb(const Scene& scene, const Start& start, const ProgressCallback& progress);

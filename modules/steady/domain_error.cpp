@@ -19,7 +19,9 @@ constexpr int fewest_cells = 32;
 
 double central_film(const Scene& scene) {
   const Start start{.cells = scene.grid.nx, .sweeps = 20, .cycles = 2, .coarsest = fewest_cells};
-  const Solution solution = climb(scene, start, {});
+  Scene only_film = scene;
+  only_film.adjoint_errors = false;
+  const Solution solution = climb(only_film, start, {});
   return solution.converged ? solution.levels.back().Hc : std::numeric_limits<double>::quiet_NaN();
 }
 

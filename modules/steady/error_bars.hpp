@@ -35,8 +35,8 @@ struct ErrorBars {
   /// estimate, right within a factor of about 2 (domain_error.hpp). No part of total().
   double domain = ErrorBar::unknown;
   double P_max = ErrorBar::unknown;  ///< relative error estimate of P_max; NaN where it does not converge
-  /// Differences of P_max between the levels fall. At a spike that no grid resolves they grow: P_max then is a number
-  /// of the mesh.
+  /// Differences of P_max between the levels fall, and no spike is about to overtake it. At a spike that no grid
+  /// resolves they grow: P_max then is a number of the mesh.
   bool P_max_converging = false;
 };
 

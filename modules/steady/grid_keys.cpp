@@ -60,6 +60,13 @@ std::vector<deck::Key> grid_keys() {
              .range = {4, 4096},
              .meaning = "Cells of the coarsest grid along x.",
              .example = "32"},
+            {.name = "errors",
+             .default_text = "adjoint",
+             .words = {"adjoint", "levels"},
+             .meaning = "How the errors of Hc and Hm are estimated. adjoint: by what the solution leaves of the "
+                        "equations of a coarser grid, term by term, times the weights of Hc and Hm for it, with "
+                        "upstream3; a tenth of the time. levels: from the sequence of grids alone.",
+             .source = "modules/adjoint/README.md"},
             {.name = "accuracy",
              .default_note = "none: the grid is given or chosen",
              .range = {1e-6, 0.5},
@@ -233,6 +240,8 @@ bool read_far_field(deck::Deck& deck, double steepest_load) {
   domain.follow("far_field", std::string("zero"), "the load changes fast in time");
   return false;
 }
+
+bool read_adjoint_errors(deck::Deck& deck) { return deck::Part{deck, "grid"}.choice("errors", {true, false}); }
 
 void check_domain(deck::Deck& deck, const Scene& scene) {
   constexpr double too_much = 0.5;

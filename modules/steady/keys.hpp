@@ -25,6 +25,8 @@ struct GridInput {
 /// meaning. Complains about cells that cannot be halved and about those wider than half the size.
 /// out: ny = 0 where something is missing or wrong.
 GridInput read_grid(deck::Deck& deck, std::optional<double> size);
+/// [grid] errors: true for those by weights.
+bool read_adjoint_errors(deck::Deck& deck);
 /// [domain] far_field: true for the closed form. in: the steepest slope of the load in time; it does not follow one
 /// above 2 in a/u_m, and complains.
 bool read_far_field(deck::Deck& deck, double steepest_load);

@@ -90,7 +90,7 @@ Solution polished(const Scene& scene, fmg::Run&& run) {
   const newton::Result result = solve_level_by_newton(run, run.finest(), final_tolerance(scene));
   if (result.converged || !was_converged) judge(run);
   run.record.levels.back().seconds += core::now() - began;
-  Solution solution = solution_of(std::move(run));
+  Solution solution = solution_of(scene, std::move(run));
   solution.newton = result.steps;
   if (!result.converged) solution.polish_failure = result.reason;
   return solution;
@@ -116,7 +116,7 @@ Solution rescue_by_newton(const Scene& scene, const Start& start, const Solution
   if (!result.converged) run.record.failed_check = result.reason;
   run.record.converged = run.record.converged && result.converged;
   run.record.levels.back().seconds += core::now() - began;
-  Solution solution = solution_of(std::move(run));
+  Solution solution = solution_of(scene, std::move(run));
   solution.newton = result.steps;
   return solution;
 }
@@ -150,7 +150,7 @@ Solution climb_by_newton(const Scene& scene, const Start& start, const ProgressC
     }
     timer.stop();
   }
-  Solution solution = solution_of(std::move(run));
+  Solution solution = solution_of(scene, std::move(run));
   solution.newton = std::move(steps);
   return solution;
 }

@@ -66,6 +66,9 @@ struct Scene {
   fmg::Parameters multigrid;
   ContinuationParameters continuation;
   Polish polish = Polish::rescue;
+  /// The errors of Hc and Hm by the weights of what is left of the equations, with the third-order wedge; else from the
+  /// levels alone.
+  bool adjoint_errors = true;
   AccuracyTarget accuracy;
   bool use_symmetry = true;  ///< compute on one half of a grid that is symmetric in Y: the same but for rounding
   int threads = 1;

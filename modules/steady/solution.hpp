@@ -1,9 +1,11 @@
 #pragma once
 // What a steady computation gives back.
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "adjoint/errors.hpp"
 #include "core/field.hpp"
 #include "core/grid.hpp"
 #include "core/timer.hpp"
@@ -70,9 +72,10 @@ struct Solution {
   double cycle_factor = std::numeric_limits<double>::quiet_NaN();
   /// Relative growth of Hc on a domain twice as large; NaN where a rough bound said that it does not matter.
   double domain_error_Hc = std::numeric_limits<double>::quiet_NaN();
-  Verification verification;  ///< of the final state
-  ErrorBars error_bars;       ///< of the final state
-  AccuracyReport accuracy;    ///< where an accuracy was asked for
+  Verification verification;               ///< of the final state
+  std::optional<adjoint::Errors> adjoint;  ///< of the final state, where they were asked for and found
+  ErrorBars error_bars;                    ///< of the final state
+  AccuracyReport accuracy;                 ///< where an accuracy was asked for
 };
 
 }  // namespace ehl::steady

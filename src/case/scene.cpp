@@ -124,6 +124,7 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   const Motion motion = result.dry                             ? Motion::dry
                         : given(deck, "transient", "end_time") ? Motion::in_time
                                                                : Motion::steady;
+  scene.adjoint_errors = steady::read_adjoint_errors(deck);
   result.surfaces = surface_input(deck, result.physics, scene.grid, motion);
   result.transient = transient_input(deck, result.physics, result.surfaces, scene.grid);
   if (!result.transient) let_stand(result.surfaces, scene);

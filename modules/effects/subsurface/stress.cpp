@@ -89,11 +89,17 @@ void take_plane(const StressFields& stress, const core::Grid& grid, Quantity qua
     for (int j = 0; j < grid.nodes_y(); ++j) out(i, j) = value_of(quantity, stress_of(stress, i, j));
 }
 
+// Within so many cells of the surface the pressure is felt cell by cell: below a spike at (50, 10) the largest shear
+// stress there was 0.333, 0.374, 0.513 p_h on 129, 257, 513 nodes. Parabolas through such values overshoot.
+constexpr double felt = 2.0;
+double shallow(const core::Grid& grid) { return felt * std::max(grid.hx(), grid.hy()); }
+
 Maximum fitted(const StressField& field, const Best& best, const std::vector<core::Field>& planes) {
   const core::Grid& grid = field.grid;
   const std::size_t k = static_cast<std::size_t>(best.plane);
   const auto at = [&](std::size_t plane, int d_x, int d_y) { return planes[plane](best.i + d_x, best.j + d_y); };
   Maximum maximum{best.value, grid.X(best.i), grid.Y(best.j), field.depths[k], best.value};
+  if (maximum.Z < shallow(grid)) return maximum;
   const auto add = [&](double& position, const Peak& peak) {
     position += peak.shift;
     maximum.value += peak.rise;
@@ -124,17 +130,13 @@ std::vector<Quantity> computed(const Parameters& parameters) {
   return list;
 }
 
-// Within so many cells of the surface the pressure is felt cell by cell: below a spike at (50, 10) the largest shear
-// stress there was 0.333, 0.374, 0.513 p_h on 129, 257, 513 nodes.
-constexpr double felt = 2.0;
-
 void warn(StressField& field) {
-  const double depth = field.depths.back(), shallow = felt * std::max(field.grid.hx(), field.grid.hy());
+  const double depth = field.depths.back();
   for (const auto& [quantity, maximum] : {std::pair{sigma_mises, field.mises}, {tau_max, field.shear}}) {
     const std::string largest = std::string("subsurface: the largest ") + name(quantity);
     if (maximum.Z == depth)
       field.warnings.push_back(largest + " lies on the lowest plane: take a larger [subsurface] depth");
-    else if (maximum.Z < shallow)
+    else if (maximum.Z < shallow(field.grid))
       field.warnings.push_back(largest +
                                " lies within two cells of the surface and may belong to the mesh of the pressure: "
                                "compare with more cells");

@@ -27,7 +27,8 @@ struct Parameters {
   std::vector<Quantity> kept = {sigma_mises, tau_max};
 };
 
-/// The largest value of all nodes and planes, and of a parabola through the neighbours along each axis.
+/// The largest value of all nodes and planes, and of a parabola through the neighbours along each axis; within two
+/// cells of the surface that of the nodes.
 struct Maximum {
   double value = 0.0;  ///< [p_h]
   double X = 0.0;      ///< [a]

@@ -102,6 +102,10 @@ BOOST_AUTO_TEST_CASE(extrapolation_is_as_sure_as_it_is_steady) {
   const Extrapolation two = extrapolate(std::vector{0.5, 0.4}, 2.0, 0.05);
   BOOST_TEST(std::isnan(two.value));
   BOOST_TEST(std::isnan(two.relative_error));
+  // What would be of the other sign, or as unsure as large.
+  BOOST_TEST(std::isnan(extrapolate(std::vector{0.8, 0.7, 0.1}, 2.0, 0.05).value));
+  BOOST_TEST(std::isnan(extrapolate(std::vector{0.1, 0.9, 0.4}, 2.0, 0.05).value));
+  BOOST_TEST(extrapolate(std::vector{0.8, 0.7, 0.5}, 2.0, 0.05).value == 0.5 - 0.2 / 3.0, tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -110,12 +114,13 @@ BOOST_AUTO_TEST_SUITE(bars)
 
 namespace {
 
-LevelRow row(double Hc, double Hm, double Hm_fitted, double P_max) {
+LevelRow row(double Hc, double Hm, double Hm_fitted, double P_max, double P_rim = 0.0) {
   LevelRow result;
   result.Hc = Hc;
   result.Hm = Hm;
   result.Hm_fitted = Hm_fitted;
   result.P_max = P_max;
+  result.P_rim = P_rim;
   result.error_Hc = 0.02;
   result.error_Hm = 0.05;
   return result;
@@ -196,6 +201,42 @@ BOOST_AUTO_TEST_CASE(largest_pressure) {
   BOOST_TEST(bars(1.0, 1.0, 1.0 + 0.9e-5).P_max_converging);
   BOOST_TEST(!bars(1.0, 1.0, 1.0 + 1.1e-5).P_max_converging);
   BOOST_TEST(bars(2.0, 2.0, 2.0 + 1.8e-5).P_max_converging);
+}
+
+// A plateau at rest beside a spike. Settled, it rises by 1.25 times its last change; else by four times that.
+BOOST_AUTO_TEST_CASE(a_spike_that_overtakes_the_plateau) {
+  const auto bars = [](double P_1, double P_2, double P_3) {
+    Solution solution = three_levels(1.02, 1.02, 1.02);
+    solution.levels[0].P_rim = P_1;
+    solution.levels[1].P_rim = P_2;
+    solution.levels[2].P_rim = P_3;
+    return error_bars_of(Scene{}, solution);
+  };
+  BOOST_TEST(bars(0.8, 0.8, 0.8).P_max == 0.0);
+  BOOST_TEST(bars(0.7, 0.73, 0.76).P_max == 0.0);
+  BOOST_TEST(!bars(0.7, 0.78, 0.87).P_max_converging);
+  BOOST_TEST(std::isnan(bars(0.7, 0.78, 0.87).P_max));
+  BOOST_TEST(bars(0.8, 0.96, 1.0).P_max == (1.0 + 1.25 * 0.04) / 1.02 - 1.0, tolerance(1e-10));
+  BOOST_TEST(bars(0.9, 0.91, 0.915).P_max == 0.0);
+}
+
+// Parts 0.03, 0.07, 0.003 of a change of 0.1 that the levels tell too, or as 0.13; 0.002 left, 0.01 of it scattered.
+BOOST_AUTO_TEST_CASE(by_weights) {
+  Solution solution = three_levels(1.0, 1.0, 1.0);
+  const adjoint::Foretold parts{-0.03, -0.07, 0.003, -0.002, 0.01};
+  solution.adjoint = adjoint::Errors{parts, parts, 64, 0.0};
+  LevelRow& below = solution.levels[1];
+  const LevelRow& last = solution.levels[2];
+  below.Hc = last.Hc * 1.097;
+  below.Hm_fitted = last.Hm_fitted * 1.127;
+  const ErrorBars bars = error_bars_of(Scene{}, solution);
+  BOOST_TEST(bars.Hc.discretization == 0.033 / 3.0 + 0.07 / 7.0, tolerance(1e-10));
+  BOOST_TEST(bars.Hc.algebraic == 1e-3 + 0.002 + 0.001, tolerance(1e-10));
+  BOOST_TEST(bars.Hm_fitted.discretization == 1.1 * (0.063 / 3.0 + 0.07 / 7.0), tolerance(1e-10));
+  const double value = last.Hc * (1.0 - 0.097 / 3.0 + 0.07 * (1.0 / 3.0 - 1.0 / 7.0));
+  BOOST_TEST(bars.Hc_extrapolated.value == value, tolerance(1e-10));
+  const double unsure = 0.07 / 14.0 + 0.2 * 0.033 / 3.0 + 4.0 / 3.0 * bars.Hc.algebraic;
+  BOOST_TEST(bars.Hc_extrapolated.error == unsure, tolerance(1e-10));
 }
 
 BOOST_AUTO_TEST_CASE(what_is_not_known) {

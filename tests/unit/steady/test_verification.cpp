@@ -12,6 +12,7 @@
 #include "judgement/stopping.hpp"
 #include "judgement/verification.hpp"
 #include "steady/solve.hpp"
+#include "support/roelands_scene.hpp"
 #include "support/text.hpp"
 
 using namespace ehl;
@@ -149,4 +150,20 @@ BOOST_AUTO_TEST_CASE(verification_says_what_was_checked) {
   BOOST_TEST(checked.Hm_X == 0.3);
   BOOST_TEST(checked.largest_residual == 0.02);
   BOOST_TEST(std::isnan(Verification{}.residual));
+}
+
+// REFERENCE: the same contact on 1024 cells has P_max = 1.273, at its spike.
+BOOST_AUTO_TEST_CASE(a_spike_below_the_plateau_of_a_coarse_grid) {
+  Scene scene = tests::roelands_scene(71, 13, {256, 256, -4.5, 1.5, -3.0, 3.0});
+  const double p_h = contact::from_moes(71, 13).alpha_bar / 1e-8;
+  scene.viscosity = rheology::make_barus(1e-8, p_h);
+  scene.density = rheology::make_dowson_higginson(p_h);
+  scene.wedge = reynolds::Wedge::upstream2;
+  scene.face = reynolds::Face::mean;
+  const Solution solution = solve(scene);
+  BOOST_TEST_REQUIRE(solution.converged);
+  const double P_max = solution.levels.back().P_max;
+  BOOST_TEST_MESSAGE("P_max " << P_max << " +- " << solution.error_bars.P_max);
+  BOOST_TEST(P_max < 1.05);
+  BOOST_TEST(!(P_max * (1.0 + solution.error_bars.P_max) < 1.273));
 }

@@ -289,3 +289,12 @@ BOOST_AUTO_TEST_CASE(a_depth_that_misses_the_maximum_is_told) {
   const StressField field = stress_below(grid, hertz(grid), {.depth = 0.3, .planes = 5}, 1);
   BOOST_TEST(field.warnings.size() == 2);
 }
+
+// Beside the surface stresses follow the pressure cell by cell: no parabola through them.
+BOOST_AUTO_TEST_CASE(the_largest_value_near_the_surface_is_that_of_a_node) {
+  const core::Grid grid = square(64, 1.5);
+  core::Field P = hertz(grid);
+  P(44, 33) += 2.0;
+  const Maximum shear = stress_below(grid, P, {}, 1).shear;
+  BOOST_TEST((shear.Z < 2.0 * grid.hx() && shear.value == shear.on_node));
+}

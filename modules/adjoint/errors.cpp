@@ -1,0 +1,107 @@
+#include "adjoint/errors.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "adjoint/truncation.hpp"
+#include "adjoint/weights.hpp"
+#include "core/norms.hpp"
+#include "core/timer.hpp"
+#include "judgement/measures.hpp"
+#include "transfer/transfer.hpp"
+
+namespace ehl::adjoint {
+namespace {
+
+constexpr double many_nodes = 5000.0;
+/// Of the weights: they are those of a coarse grid.
+constexpr double tolerance = 1e-2;
+
+struct Values {
+  double Hc, Hm;
+};
+Values values_of(const fmg::Level& level) {
+  const core::Location least = core::minimum(level.H);
+  return {judgement::value_at(level.grid, level.H, 0.0, 0.0),
+          judgement::fitted_minimum(level.grid, level.H, least.i, least.j).value};
+}
+
+/// Two grids below the finest, or three; with few grids the coarsest.
+std::size_t level_of_weights(const fmg::Hierarchy& hierarchy) {
+  const std::size_t finest = hierarchy.levels.size() - 1;
+  if (finest < 3) return 0;
+  const core::Patch& grid = hierarchy.levels[finest - 2].grid;
+  return static_cast<double>(grid.nx) * grid.ny > many_nodes ? finest - 3 : finest - 2;
+}
+
+/// Weights of the nodes of a finer grid: those per area, interpolated.
+core::Field on_finer(const fmg::Hierarchy& hierarchy, std::size_t from, std::size_t to, const core::Field& weights) {
+  const auto scaled = [&](std::size_t l, double power, core::Field field) {
+    const core::Patch& grid = hierarchy.levels[l].grid;
+    for (int i = 0; i <= grid.nx; ++i)
+      for (int j = 0; j <= grid.ny; ++j) field(i, j) *= std::pow(grid.hx() * grid.hy() * grid.lines(j), power);
+    return field;
+  };
+  core::Field now = scaled(from, -1.0, weights);
+  for (std::size_t l = from; l < to; ++l) {
+    core::Field next(hierarchy.levels[l + 1].grid);
+    transfer::prolong_bilinear(now, next, 1);
+    now = std::move(next);
+  }
+  return scaled(to, 1.0, std::move(now));
+}
+
+struct Sum {
+  double plain = 0.0, absolute = 0.0;
+};
+Sum sum_over_wet(const core::Patch& grid, const core::Field& P, const core::Field& weights, const core::Field& r) {
+  Sum sum;
+  for (int i = 1; i < grid.nx; ++i)
+    for (int j = 1; j <= grid.last_line(); ++j)
+      if (P(i, j) > 0.0) {
+        sum.plain += weights(i, j) * r(i, j);
+        sum.absolute += std::abs(weights(i, j) * r(i, j));
+      }
+  return sum;
+}
+
+}  // namespace
+
+std::optional<Errors> errors(fmg::Hierarchy& hierarchy) {
+  const double began = core::now();
+  const std::size_t finest = hierarchy.levels.size() - 1;
+  if (finest == 0) return std::nullopt;
+  const core::EnclosingTimer timer(hierarchy.times, core::Part::errors);
+  const std::size_t coarse = level_of_weights(hierarchy);
+  const fmg::Level& fine = hierarchy.levels[finest];
+  const fmg::Level& beside = hierarchy.levels[finest - 1];
+  const fmg::Level& level = hierarchy.levels[coarse];
+  const Values values = values_of(fine);
+  const double load_left = fmg::carried_load(fine) - fine.load;
+  const Truncation parts = truncation(hierarchy, finest - 1, finest);
+  const Values beside_values = values_of(beside);
+  const core::Field beside_P = beside.P;
+  if (coarse != finest - 1) truncation(hierarchy, coarse, finest);
+  Adjoint adjoint(hierarchy, coarse);
+  const auto foretold = [&](const Number& number, double value, double there) -> std::optional<Foretold> {
+    const std::optional<Weights> weights = adjoint.weights(number, tolerance);
+    if (!weights) return std::nullopt;
+    const core::Field on_beside = on_finer(hierarchy, coarse, finest - 1, weights->residual);
+    const core::Field on_fine = on_finer(hierarchy, finest - 1, finest, on_beside);
+    const auto of = [&](const core::Field& r) { return sum_over_wet(beside.grid, beside_P, on_beside, r).plain; };
+    const Sum left = sum_over_wet(fine.grid, fine.P, on_fine, fine.r);
+    return Foretold{.poiseuille = of(parts.poiseuille) / value,
+                    .wedge = of(parts.wedge) / value,
+                    .film = (of(parts.film) + weights->load * parts.load + value - there) / value,
+                    .left = (left.plain + weights->load * load_left) / value,
+                    .scattered = left.absolute / value};
+  };
+  const core::Location least = core::minimum(level.H);
+  const auto Hc = foretold(judgement::weights_at(level.grid, 0.0, 0.0), values.Hc, beside_values.Hc);
+  const auto Hm = foretold(judgement::weights_of_fitted_minimum(level.grid, level.H, least.i, least.j), values.Hm,
+                           beside_values.Hm);
+  if (!Hc || !Hm) return std::nullopt;
+  return Errors{*Hc, *Hm, level.grid.nx, core::now() - began};
+}
+
+}  // namespace ehl::adjoint

@@ -1,0 +1,236 @@
+// The weights of Hc and Hm against contacts that are solved again with something left of their equations.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "adjoint/errors.hpp"
+#include "adjoint/truncation.hpp"
+#include "adjoint/weights.hpp"
+#include "contact/groups.hpp"
+#include "core/norms.hpp"
+#include "fmg/full_multigrid.hpp"
+#include "fmg/start.hpp"
+#include "judgement/measures.hpp"
+#include "newton/solve.hpp"
+#include "steady/climb.hpp"
+#include "support/roelands_scene.hpp"
+
+using namespace ehl;
+
+namespace {
+
+struct Case {
+  std::string name;
+  double M, L;
+  core::Grid grid;
+  reynolds::Wedge wedge;
+  reynolds::Face face;
+  bool far_field;
+  double ratio = 1.0, angle = 0.0;
+};
+
+/// By Fourier transforms: K is symmetric to rounding.
+fmg::Run run_of(const Case& c, int first_cells) {
+  steady::Scene scene = tests::roelands_scene(c.M, c.L, c.grid);
+  const contact::Groups groups = contact::from_moes(c.M, c.L, contact::ellipse(c.ratio, c.angle));
+  scene.lambda = groups.lambda;
+  scene.shape = groups.shape;
+  if (c.L == 0.0) {
+    scene.viscosity = rheology::Isoviscous{};
+    scene.density = rheology::Incompressible{};
+  }
+  scene.wedge = c.wedge;
+  scene.face = c.face;
+  scene.far_field = c.far_field;
+  scene.deformation.method = mlmi::Method::fft;
+  return steady::begin_climb(scene, {.cells = first_cells, .caution_at_first = 0.5}, {});
+}
+
+void solve(fmg::Run& run, std::size_t l) {
+  const newton::Result result = newton::solve(run.hierarchy, l);
+  BOOST_TEST_REQUIRE(result.converged, result.reason);
+}
+
+struct Numbers {
+  adjoint::Number Hc, Hm;
+};
+Numbers numbers_of(const fmg::Level& level) {
+  const core::Location least = core::minimum(level.H);
+  return {judgement::weights_at(level.grid, 0.0, 0.0),
+          judgement::weights_of_fitted_minimum(level.grid, level.H, least.i, least.j)};
+}
+
+struct Values {
+  double Hc, Hm;
+};
+Values values_of(const fmg::Level& level) {
+  const core::Location least = core::minimum(level.H);
+  return {judgement::value_at(level.grid, level.H, 0.0, 0.0),
+          judgement::fitted_minimum(level.grid, level.H, least.i, least.j).value};
+}
+
+const Case cases[] = {
+    {"circle", 20, 10, {128, 128, -3, 1.5, -2.25, 2.25}, reynolds::Wedge::upstream2, reynolds::Face::mean, false},
+    {"circle, closed",
+     20,
+     10,
+     {128, 128, -3, 1.5, -2.25, 2.25},
+     reynolds::Wedge::upstream3,
+     reynolds::Face::logmean_bounded,
+     true},
+    {"light, closed",
+     2,
+     0,
+     {96, 128, -12, 6, -12, 12},
+     reynolds::Wedge::upstream3,
+     reynolds::Face::logmean_bounded,
+     true},
+    {"ellipse",
+     20,
+     10,
+     {128, 128, -6, 3, -4.5, 4.5},
+     reynolds::Wedge::upstream3,
+     reynolds::Face::logmean_bounded,
+     false,
+     0.2,
+     45.0},
+    {"ellipse, closed",
+     20,
+     10,
+     {128, 128, -6, 3, -4.5, 4.5},
+     reynolds::Wedge::upstream2,
+     reynolds::Face::mean,
+     true,
+     0.2,
+     45.0},
+};
+
+}  // namespace
+
+// What is left of the Reynolds equation, in patches of the inlet, the contact and its sides, and of the load.
+BOOST_AUTO_TEST_CASE(weights_foretell_what_a_right_hand_side_changes) {
+  for (const Case& c : cases) {
+    fmg::Run run = run_of(c, c.grid.nx);
+    const std::size_t l = run.finest() - 1;
+    fmg::Hierarchy& hierarchy = run.hierarchy;
+    fmg::Level& level = hierarchy.levels[l];
+    fmg::start_from_hertz(hierarchy, l, run.plan.H00, 40);
+    solve(run, l);
+    const fmg::State solution = fmg::state_of(hierarchy, l);
+    const Numbers numbers = numbers_of(level);
+    adjoint::Adjoint adjoint(hierarchy, l);
+    const auto Hc = adjoint.weights(numbers.Hc, 1e-9);
+    const int iterations = adjoint.iterations();
+    const auto Hm = adjoint.weights(numbers.Hm, 1e-9);
+    BOOST_REQUIRE((Hc && Hm));
+    BOOST_TEST_MESSAGE(c.name << ": " << iterations << " and " << adjoint.iterations() << " iterations");
+    struct Bump {
+      double X, Y, load;
+    };
+    for (const Bump& bump : {Bump{-1.1, 0.1, 0}, Bump{0.2, -0.3, 0}, Bump{0.4, -0.9, 0}, Bump{0, 0, 1}}) {
+      constexpr double size = 2e-5;
+      const auto shape = [&](int i, int j) {
+        if (level.P(i, j) <= 0.0 || bump.load > 0.0) return 0.0;
+        const double dX = level.grid.X(i) - bump.X;
+        const double dY = level.grid.Y(j) - bump.Y;
+        return size * std::exp(-8.0 * (dX * dX + dY * dY));
+      };
+      double foretold_Hc = 0.0, foretold_Hm = 0.0;
+      core::Field f(level.grid);
+      for (int i = 1; i < level.grid.nx; ++i)
+        for (int j = 1; j <= level.grid.last_line(); ++j) {
+          f(i, j) = shape(i, j);
+          foretold_Hc -= Hc->residual(i, j) * f(i, j);
+          foretold_Hm -= Hm->residual(i, j) * f(i, j);
+        }
+      foretold_Hc += Hc->load * size * bump.load;
+      foretold_Hm += Hm->load * size * bump.load;
+      double true_Hc = 0.0, true_Hm = 0.0;
+      for (const double sign : {1.0, -1.0}) {
+        fmg::start_from_state(hierarchy, l, solution);
+        for (int i = 1; i < level.grid.nx; ++i)
+          for (int j = 1; j <= level.grid.last_line(); ++j) level.f(i, j) = sign * f(i, j);
+        level.load += sign * size * bump.load;
+        solve(run, l);
+        const Values values = values_of(level);
+        true_Hc += 0.5 * sign * values.Hc;
+        true_Hm += 0.5 * sign * values.Hm;
+      }
+      fmg::start_from_state(hierarchy, l, solution);
+      BOOST_TEST_MESSAGE("  at (" << bump.X << ", " << bump.Y << "): Hc " << foretold_Hc << " true " << true_Hc
+                                  << ", Hm " << foretold_Hm << " true " << true_Hm);
+      BOOST_TEST(std::abs(foretold_Hc - true_Hc) <= 2e-4 * std::abs(true_Hc));
+      BOOST_TEST(std::abs(foretold_Hm - true_Hm) <= 2e-4 * std::abs(true_Hm));
+    }
+  }
+}
+
+// From the solution of one grid what Hc and Hm are on a grid of half as many cells, which is solved too.
+BOOST_AUTO_TEST_CASE(truncation_times_weights_foretells_the_coarser_grid) {
+  for (const Case& c : cases) {
+    fmg::Run run = run_of(c, c.grid.nx);
+    const std::size_t fine = run.finest();
+    fmg::Hierarchy& hierarchy = run.hierarchy;
+    fmg::Level& level = hierarchy.levels[fine - 1];
+    fmg::full_multigrid(run);
+    solve(run, fine);
+    const Values fine_values = values_of(hierarchy.finest());
+    const adjoint::Truncation parts = adjoint::truncation(hierarchy, fine - 1, fine);
+    const Values injected = values_of(level);
+    const core::Field P = level.P;
+    core::Field r(level.grid);
+    for (int i = 1; i < level.grid.nx; ++i)
+      for (int j = 1; j <= level.grid.last_line(); ++j)
+        r(i, j) = parts.poiseuille(i, j) + parts.wedge(i, j) + parts.film(i, j);
+    const Numbers numbers = numbers_of(level);
+    adjoint::Adjoint adjoint(hierarchy, fine - 1);
+    const auto weights_Hc = adjoint.weights(numbers.Hc, 1e-6);
+    const auto weights_Hm = adjoint.weights(numbers.Hm, 1e-6);
+    solve(run, fine - 1);
+    const Values coarse_values = values_of(level);
+    const auto check = [&](const char* name, const std::optional<adjoint::Weights>& weights, double Values::*value,
+                           double second_order) {
+      BOOST_REQUIRE(weights);
+      const double change = adjoint::left_over(*weights, r, P, parts.load);
+      const double now = fine_values.*value;
+      const double foretold = now - (injected.*value - change);
+      const double changed = now - coarse_values.*value;
+      BOOST_TEST_MESSAGE(c.name << ": " << name << " changes by " << changed / now << ", foretold " << foretold / now);
+      // To first order; what is left is the square of a few percent of the pressure, at a spike beside Hm.
+      BOOST_TEST(std::abs(foretold - changed) <= 0.04 * std::abs(changed) + second_order * now);
+    };
+    check("Hc", weights_Hc, &Values::Hc, 1e-4);
+    check("Hm", weights_Hm, &Values::Hm, 5e-4);
+  }
+}
+
+// What default cycles leave of Hc and Hm, against the solved equations of the same grid; and nothing of the solution
+// has changed behind it.
+BOOST_AUTO_TEST_CASE(what_the_cycles_leave) {
+  for (const Case& c : cases) {
+    if (!reynolds::third_order(c.wedge)) continue;
+    fmg::Run run = run_of(c, c.grid.nx / 2);
+    fmg::full_multigrid(run);
+    fmg::Hierarchy& hierarchy = run.hierarchy;
+    const Values left = values_of(hierarchy.finest());
+    const core::Field P = hierarchy.finest().P, H = hierarchy.finest().H;
+    const double H00 = hierarchy.H00;
+    const std::optional<adjoint::Errors> errors = adjoint::errors(hierarchy);
+    BOOST_REQUIRE(errors);
+    BOOST_TEST(core::max_abs_difference(P, hierarchy.finest().P) == 0.0);
+    BOOST_TEST(core::max_abs_difference(H, hierarchy.finest().H) == 0.0);
+    BOOST_TEST(H00 == hierarchy.H00);
+    solve(run, run.finest());
+    const Values solved = values_of(hierarchy.finest());
+    const auto check = [&](const char* name, const adjoint::Foretold& foretold, double before, double after,
+                           double by_change) {
+      const double error = 1.0 - after / before;
+      const double bound = by_change + std::abs(foretold.left) + 0.1 * foretold.scattered;
+      BOOST_TEST_MESSAGE(c.name << ": " << name << " " << error << ", bound " << bound);
+      BOOST_TEST(std::abs(error) <= bound);
+    };
+    check("Hc", errors->Hc, left.Hc, solved.Hc, run.record.verification.algebraic_error_Hc);
+    check("Hm", errors->Hm, left.Hm, solved.Hm, run.record.verification.algebraic_error_Hm);
+  }
+}
