@@ -67,6 +67,14 @@ struct Frames {
   std::vector<Series> series{};
 };
 
+/// Fields on a section along x and across it.
+struct Section {
+  std::string group{};  ///< "/thermal_section"; empty: none
+  std::string meaning{};
+  Column across{};                   ///< z of the group
+  std::vector<NamedField> fields{};  ///< stations of the grid x across
+};
+
 /// Fields in space: planes of a grid of their own at several depths, and a section across them.
 struct Volume {
   std::string group{};  ///< "/subsurface"; empty: none
@@ -108,6 +116,7 @@ struct Content {
   Frames frames{};
   Loose checkpoint{};
   Volume volume{};
+  Section section{};
   std::vector<EffectRow> effects{};  ///< none: no group
 };
 

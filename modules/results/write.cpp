@@ -207,6 +207,14 @@ void loose(const Writer& writer, const Loose& entry) {
   for (const Column& one : entry.arrays) column(writer, entry.group, one);
 }
 
+void section(const Writer& writer, const core::Grid& along, const Section& entry) {
+  if (entry.group.empty()) return;
+  group(writer, entry.group, entry.meaning);
+  axis(writer, entry.group + "/x", stations(along), "X of the nodes");
+  column(writer, entry.group, entry.across);
+  for (const NamedField& one : entry.fields) field(writer, entry.group, one);
+}
+
 void volume(const Writer& writer, const Volume& entry) {
   if (entry.group.empty()) return;
   attribute(writer, group(writer, entry.group, entry.meaning), "warnings", entry.warnings);
@@ -214,11 +222,8 @@ void volume(const Writer& writer, const Volume& entry) {
   axis(writer, entry.group + "/z", entry.depths, "depth below the surface");
   for (const Series& one : entry.series) series(writer, entry.group, one);
   quantities(writer, entry.group, entry.numbers);
-  const std::string section = entry.group + "/section";
-  group(writer, section, entry.section_meaning);
-  axis(writer, section + "/x", stations(entry.grid), "X of the nodes");
-  axis(writer, section + "/z", entry.depths, "depth below the surface");
-  for (const NamedField& one : entry.section) field(writer, section, one);
+  const Column z{"z", "a", "depth below the surface, in Hertz radii", false, entry.depths};
+  section(writer, entry.grid, {entry.group + "/section", entry.section_meaning, z, entry.section});
 }
 
 void effects(const Writer& writer, const std::vector<EffectRow>& list) {
@@ -250,6 +255,7 @@ void everything(const Writer& writer, const Content& content) {
   frames(writer, content.frames);
   loose(writer, content.checkpoint);
   volume(writer, content.volume);
+  section(writer, content.grid, content.section);
   effects(writer, content.effects);
 }
 

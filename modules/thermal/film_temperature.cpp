@@ -79,6 +79,34 @@ FilmTemperature::FilmTemperature(const Setup& setup)
   source_2_ = rest_of(setup, setup.body_2, line_2_);
 }
 
+void FilmTemperature::start_from(const FilmTemperature& coarse) {
+  const core::Patch& patch = setup_.patch;
+  const auto between = [](int i, int j, auto at) {
+    const int west = i / 2, east = (i + 1) / 2, south = j / 2, north = (j + 1) / 2;
+    return 0.25 * (at(west, south) + at(east, south) + at(west, north) + at(east, north));
+  };
+  for (int i = 0; i <= patch.nx; ++i)
+    for (int j = 0; j <= patch.ny; ++j) {
+      for (int k = 0; k <= nodes_.intervals; ++k)
+        theta_[index(j / core::lanes, i, k) + static_cast<std::size_t>(j % core::lanes)] =
+            between(i, j, [&](int ci, int cj) { return coarse.theta(ci, cj, k); });
+      q_1_(i, j) = between(i, j, [&](int ci, int cj) { return coarse.q_1_(ci, cj); });
+      q_2_(i, j) = between(i, j, [&](int ci, int cj) { return coarse.q_2_(ci, cj); });
+    }
+  before_ = theta_;
+  apply_sources();
+}
+
+void FilmTemperature::apply_sources() {
+  if (source_1_) source_1_->apply(q_1_, correction_1_);
+  if (source_2_) source_2_->apply(q_2_, correction_2_);
+}
+
+double FilmTemperature::velocity(int i, int j, int k) const {
+  const double layer = (k == 0 || k == nodes_.intervals ? 0.5 : 1.0) * nodes_.step;
+  return value(flow_x_, i, j, k) / (rho_bar_(i, j) * H_(i, j) * layer);
+}
+
 // The surfaces of a batch: what flowed into them upstream, and their own share.
 void FilmTemperature::surfaces(int batch, int i, Columns& at) const {
   const int j = batch * core::lanes;
@@ -109,9 +137,12 @@ void FilmTemperature::store_moments(int batch, int i, Worker& worker) {
   const auto flat = [&](auto& profile) { return std::span(reinterpret_cast<double*>(profile.data()), count); };
   rheology::density_change(setup_.density, flat(worker.at.P_of_node), flat(worker.at.theta), flat(worker.ratio),
                            flat(worker.expansion));
-  // C = int rho u_c dzeta, of which int u_c is known exactly; phi by the trapezoidal rule.
-  Lanes mean{}, excess{}, Phi{};
-  const Lanes slope = (u_1_ - u_2_) / at.I0;
+  // C = int rho u_c dzeta, of which int u_c is known exactly; phi by the trapezoidal rule, over its own integral: the
+  // profile ends at both surfaces, whichever of them is called the first.
+  Lanes mean{}, excess{}, Phi{}, total{};
+  for (std::size_t k = 1; k <= static_cast<std::size_t>(nodes_.intervals); ++k)
+    total += (0.5 * nodes_.step) * (at.phi[k - 1] + at.phi[k]);
+  const Lanes slope = (u_1_ - u_2_) / total;
   for (std::size_t k = 0; k <= static_cast<std::size_t>(nodes_.intervals); ++k) {
     if (k > 0) Phi += (0.5 * nodes_.step) * (at.phi[k - 1] + at.phi[k]);
     const Lanes change = nodes_.simpson[k] * (worker.ratio[k] - 1.0);
@@ -171,8 +202,7 @@ double FilmTemperature::sweep_through(bool downstream) {
 double FilmTemperature::sweep() {
   const double back = back_to_ >= 0 ? sweep_through(false) : 0.0;
   const double change = std::max(back, sweep_through(true));
-  if (source_1_) source_1_->apply(q_1_, correction_1_);
-  if (source_2_) source_2_->apply(q_2_, correction_2_);
+  apply_sources();
   return change;
 }
 

@@ -68,6 +68,9 @@ class FilmTemperature {
   /// errors: InputError for a number of intervals that is none, or a surface that moves against the entrainment.
   explicit FilmTemperature(const Setup& setup);
 
+  /// Begins with the temperatures of the grid of every second node, between its nodes by bilinear interpolation.
+  void start_from(const FilmTemperature& coarse);
+
   /// A new pressure and film: properties, and the flows that convection and heating take from it, with the temperatures
   /// as they are. in: fields of the patch; H > 0 where P > 0.
   void take(const core::Field& P, const core::Field& H);
@@ -86,6 +89,8 @@ class FilmTemperature {
   const core::Field& q_2() const { return q_2_; }
   /// theta of node k of the column (i, j), k = 0..intervals from surface 2.
   double theta(int i, int j, int k) const { return value(theta_, i, j, k); }
+  /// Speed along X there, of the last take(), in u_m. limits: not with Pe = 0 and compression = 0.
+  double velocity(int i, int j, int k) const;
   Balance balance() const;
   std::size_t bytes() const;
 
@@ -117,6 +122,7 @@ class FilmTemperature {
   void store_moments(int batch, int i, Worker& worker);
   double solve_batch(int batch, bool downstream, Worker& worker);
   double sweep_through(bool downstream);
+  void apply_sources();
   Lanes south(const std::vector<double>& f, int batch, int i, int k, Lanes outside) const;
   Lanes north(const std::vector<double>& f, int batch, int i, int k, double mirrored, Lanes outside) const;
 

@@ -7,6 +7,7 @@
 #include "case/transient_run.hpp"
 #include "dry/solve.hpp"
 #include "effects/friction/friction.hpp"
+#include "effects/heat/solve.hpp"
 #include "effects/subsurface/stress.hpp"
 #include "steady/solution.hpp"
 
@@ -57,6 +58,14 @@ struct DerivedFields {
   core::Field S{};  ///< of surfaces at rest
 };
 
+/// A contact with heat, beside the one without.
+struct HeatResult {
+  heat::Solution found{};  ///< but for the film, which is the contact's
+  double mu = 0.0;         ///< sliding friction over the load
+  double mu_isothermal = 0.0;
+  double Hc_isothermal = 0.0, Hm_isothermal = 0.0;
+};
+
 /// The contact, and what each effect has added to it.
 struct Computed {
   steady::Solution solution{};  ///< of a dry contact grid, P and whether it converged
@@ -66,6 +75,7 @@ struct Computed {
   std::optional<TransientResult> in_time{};
   std::optional<subsurface::StressField> stresses{};
   std::optional<friction::Friction> friction{};
+  std::optional<HeatResult> heat{};
   double seconds = 0.0;  ///< of all of it
 };
 

@@ -33,6 +33,7 @@ const std::vector<Meaningless> of_a_film = {
     {"body", {}},
     {"shear", {}},
     {"friction", {}},
+    {"thermal", {}},
     {"surface1", {"at_rest"}},
     {"surface2", {"at_rest"}},
     {"domain", {"far_field"}},

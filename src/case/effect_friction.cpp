@@ -18,9 +18,11 @@ using friction::Friction;
 
 std::string oil(const Case& input) { return input.scene.thinning ? "shear-thinning" : "Newtonian"; }
 
+const char* thermal(const Case& input) { return input.heat ? "with heat" : "isothermal"; }
+
 std::string what(const Case& input) {
   const friction::Parameters& parameters = *input.friction;
-  return fmt::format("isothermal, {}, slide-roll ratio {:.4g}, ", oil(input), input.physics.srr) +
+  return fmt::format("{}, {}, slide-roll ratio {:.4g}, ", thermal(input), oil(input), input.physics.srr) +
          (std::isfinite(parameters.limit) ? fmt::format("limited to {:.4g} p", parameters.limit)
                                           : "no limiting stress") +
          ", cavitated region: " + deck::word(input.deck, "friction", "cavitated");
@@ -55,7 +57,7 @@ std::string summary(const Case& input, const Computed& computed) {
   text += input.physics.si ? absolute + " (" + own + ")" : own + (absolute.empty() ? "" : ", " + absolute);
   if (std::isfinite(f.parameters.limit))
     text += fmt::format(", limited on {:.0f} % of the load", 100.0 * f.limited_share);
-  text += "; isothermal, " + oil(input) + "\n";
+  text += std::string("; ") + thermal(input) + ", " + oil(input) + "\n";
   return text + warning_lines(friction::warnings(f));
 }
 
@@ -97,10 +99,13 @@ std::vector<results::Quantity> friction_quantities(const friction::Friction& f) 
   return list;
 }
 
-friction::Friction friction_of(const Case& input, const steady::Solution& solution) {
-  friction::Parameters parameters = *input.friction;
+friction::Friction friction_of(const Case& input, const steady::Solution& solution, const core::Field* I0) {
+  friction::Parameters parameters = input.friction ? *input.friction
+                                                   : friction::Parameters{.stress = stress_of_sliding(input.physics),
+                                                                          .slope = input.physics.a_over_R,
+                                                                          .cavitated = friction::Cavitated::none};
   parameters.aslant = !steady::on_one_half(input.scene);
-  return friction::friction_of({solution.grid, solution.P, solution.H, input.scene.viscosity, input.scene.thinning},
+  return friction::friction_of({solution.grid, solution.P, solution.H, input.scene.viscosity, input.scene.thinning, I0},
                                parameters);
 }
 
@@ -114,8 +119,11 @@ Effect friction_effect() {
           .on = [](const Case& input) { return input.friction.has_value(); },
           .what = what,
           .expense = expense,
-          .compute = [](const Case& input, RunSettings&,
-                        Computed& computed) { computed.friction = friction_of(input, computed.solution); },
+          .compute =
+              [](const Case& input, RunSettings&, Computed& computed) {
+                const core::Field* I0 = computed.heat ? &computed.heat->found.fields.I0 : nullptr;
+                computed.friction = friction_of(input, computed.solution, I0);
+              },
           .summary = summary,
           .json = json,
           .add_content = add_content,

@@ -19,7 +19,8 @@ std::string what(const Case& input) {
 }
 
 std::string idle(const Case& input) {
-  if (input.scene.thinning->k == 0.0)
+  const bool one_of_a_curve = input.friction || input.heat;  // srr = 0 is a point of a traction curve
+  if (input.scene.thinning->k == 0.0 && !one_of_a_curve)
     return "the surfaces do not slide (srr = 0), and the laws thin an oil that sliding shears: remove [shear], or give "
            "[motion] srr, or u1 and u2 that differ";
   const auto* carreau = std::get_if<rheology::Carreau>(&input.scene.thinning->law);

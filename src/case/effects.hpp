@@ -85,9 +85,11 @@ Effect surfaces_effect();
 Effect shear_effect();
 Effect subsurface_effect();
 Effect friction_effect();
+Effect thermal_effect();
 
-/// The friction of a solution of a case that asks for it.
-friction::Friction friction_of(const Case& input, const steady::Solution& solution);
+/// The friction of a solution, as the case asks for it or without the cavitated region. in: mean fluidity of a warm
+/// film over that of the oil (friction::Film), or nullptr.
+friction::Friction friction_of(const Case& input, const steady::Solution& solution, const core::Field* I0);
 /// Its numbers, for the report as JSON, the result file and the tables.
 std::vector<results::Quantity> friction_quantities(const friction::Friction& found);
 

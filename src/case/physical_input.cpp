@@ -140,7 +140,8 @@ std::optional<SiScales> si_scales(const Physics& physics) {
 
 Physics physical_input(deck::Deck& deck) {
   const deck::Part part{deck, "contact"};
-  const bool slides = deck::called_for(deck, "shear") || deck::called_for(deck, "friction");
+  const bool slides =
+      deck::called_for(deck, "shear") || deck::called_for(deck, "friction") || deck::called_for(deck, "thermal");
   const contact::Input contact = contact::read(deck, slides);
   const rheology::Oil oil = rheology::read(deck);
   check_lubricant(deck, contact, oil);

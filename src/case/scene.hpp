@@ -5,6 +5,7 @@
 
 #include "case/dry_case.hpp"
 #include "case/physical_input.hpp"
+#include "case/thermal_input.hpp"
 #include "case/transient_input.hpp"
 #include "deck/file.hpp"
 #include "effects/friction/friction.hpp"
@@ -23,6 +24,7 @@ struct Case {
   std::optional<DryInput> dry{};                ///< without lubricant: then the scene is but a grid
   std::optional<subsurface::Parameters> subsurface{};
   std::optional<friction::Parameters> friction{};
+  std::optional<HeatInput> heat{};
   std::vector<std::string> fields{};     ///< to keep in the result
   std::string output{};                  ///< result file that the deck names
   std::vector<deck::NamedFile> files{};  ///< that the deck names, and what they held

@@ -24,15 +24,14 @@ bool possible(deck::Deck& deck, const Physics& physics, const char* section, con
   return deck.errors.empty();
 }
 
-// eta_0 (u1 - u2) R/(a^2 p_h) = lambda (a/R) srr/12: the stress of the oil at ambient pressure where H = 1, in p_h.
-double stress_of_sliding(const Physics& physics) {
-  return physics.groups.lambda * physics.a_over_R * physics.srr / 12.0;
-}
-
 // A difference of speeds that is but rounding is none.
 double without_rounding(double srr) { return std::abs(srr) < 1e-12 ? 0.0 : srr; }
 
 }  // namespace
+
+double stress_of_sliding(const Physics& physics) {
+  return physics.groups.lambda * physics.a_over_R * physics.srr / 12.0;
+}
 
 void set_sliding(const contact::Input& input, Physics& physics) {
   if (physics.si) {

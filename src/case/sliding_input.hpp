@@ -12,6 +12,9 @@ namespace ehl::program {
 /// physics.srr and a_over_R, from what else it holds.
 void set_sliding(const contact::Input& input, Physics& physics);
 
+/// eta_0 (u1 - u2) R/(a^2 p_h) = lambda (a/R) srr/12: the stress of the oil at ambient pressure where H = 1, in p_h.
+double stress_of_sliding(const Physics& physics);
+
 /// Nothing where the deck has no [shear], or complaints already. Complains in the deck.
 std::optional<rheology::ShearThinning> shear_input(deck::Deck& deck, const Physics& physics);
 

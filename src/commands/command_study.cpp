@@ -30,7 +30,15 @@ class Grids {
   Grids(const Arguments& arguments, int threads)
       : path_(arguments.operands[0]), set_(arguments.overrides()), threads_(threads) {}
 
-  Case deck() const { return read_lubricated_case(path_, set_, threads_, "study"); }
+  Case deck() const {
+    Case input = read_lubricated_case(path_, set_, threads_, "study");
+    if (input.heat)
+      throw core::InputError(path_ +
+                             ": [thermal]: `ehl study` compares isothermal films; the report of `ehl run` has the "
+                             "errors of one with heat; take the section out (--unset), or use `ehl sweep --vary "
+                             "grid.cells=...`");
+    return input;
+  }
   Case on(int cells) const { return case_on_grid(path_, set_, cells, threads_); }
   double nodes(int cells) const {
     const core::Grid grid = on(cells).scene.grid;

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/film_solution.hpp"
 #include "commands/solver.hpp"
 #include "core/errors.hpp"
 #include "report/report.hpp"
 #include "report/result_content.hpp"
-#include "steady/solve.hpp"
 
 namespace ehl::program {
 namespace {
@@ -23,11 +23,13 @@ std::string text_of(const steady::Progress& now) {
 void solve(const Case& input, Progress& progress, Computed& computed) {
   steady::Solution& solution = computed.solution;
   int level = -1;
-  solution = steady::solve(input.scene, [&](const steady::Progress& now) {
+  FilmSolution found = solve_film(input, [&](const steady::Progress& now) {
     const bool new_level = now.level != level;
     level = now.level;
     return progress.show(now.fraction, text_of(now), new_level);
   });
+  solution = std::move(found.film);
+  computed.heat = std::move(found.heat);
   if (solution.levels.empty() || solution.H.nodes_x() == 0) throw core::SolverError(solution.failed_check);
   computed.outcome = outcome_of(input, solution);
   if (!std::isfinite(computed.outcome.Hc + computed.outcome.Hm.value + computed.outcome.P_max.value))

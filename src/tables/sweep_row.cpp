@@ -10,12 +10,12 @@
 #include "base/machine.hpp"
 #include "case/catalogue.hpp"
 #include "case/effects.hpp"
+#include "case/thermal_report.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
 #include "deck/document.hpp"
 #include "deck/text.hpp"
 #include "report/quantities.hpp"
-#include "steady/solve.hpp"
 #include "tables/si_columns.hpp"
 #include "tables/sweep_table.hpp"
 
@@ -75,7 +75,7 @@ SweepRow solve_case(const SweepHeader& sweep, const std::vector<std::string>& ov
       say(fmt::format("{} x {}, residual {:.1e}", now.nx + 1, now.ny + 1, now.residual));
       return true;
     };
-    return row_of_solution(*input, steady::solve(input->scene, show), row);
+    return row_of_solution(*input, solve_film(*input, show), row);
   } catch (const core::InputError& error) {
     if (input) take_case(*input, row);
     return row_without_solution(row, "refused", wrong_input, deck::joined(error.messages(), "; "));
@@ -114,6 +114,13 @@ SweepRow sweep_row(const SweepKind& kind) {
   row.insert(row.end(), plain.begin(), plain.end());
   if (kind.friction)
     for (const char* name : {"mu", "mu_rolling", "mu_1", "mu_2"}) row.push_back({name, unknown});
+  if (kind.thermal) {
+    if (!kind.friction) row.push_back({"mu", unknown});
+    for (const char* name : {"mu_isothermal", "error_mu"}) row.push_back({name, unknown});
+    for (const char* name : {"T_film_max", "T_film_mean", "T1_max", "T2_max"}) row.push_back({name, unknown, "K"});
+    for (const char* name : {"heat_1", "heat_2"}) row.push_back({name, unknown, "W"});
+    for (const char* name : {"heat_imbalance", "film_reduction", "nahme"}) row.push_back({name, unknown});
+  }
   row.push_back({"warnings", 0});
   row.push_back({"reason", ""});
   return row;
@@ -130,7 +137,8 @@ SweepRow row_without_solution(SweepRow row, const std::string& status, int exit_
   return row;
 }
 
-SweepRow row_of_solution(const Case& input, const steady::Solution& solution, SweepRow row) {
+SweepRow row_of_solution(const Case& input, const FilmSolution& found, SweepRow row) {
+  const steady::Solution& solution = found.film;
   take_case(input, row);
   if (solution.levels.empty() || solution.H.nodes_x() == 0)
     return row_without_solution(row, "not-converged", not_converged, solution.failed_check);
@@ -145,9 +153,14 @@ SweepRow row_of_solution(const Case& input, const steady::Solution& solution, Sw
     in_row(row, "status") = "converged";
     take_film(input, solution, outcome, row);
     if (input.friction) {
-      const friction::Friction found = friction_of(input, solution);
-      take(friction_quantities(found), row);
-      warnings += friction::warnings(found).size();
+      const friction::Friction rubbed =
+          friction_of(input, solution, found.heat ? &found.heat->found.fields.I0 : nullptr);
+      take(friction_quantities(rubbed), row);
+      warnings += friction::warnings(rubbed).size();
+    }
+    if (found.heat) {
+      take(thermal_quantities(input, *found.heat), row);
+      warnings += thermal_warnings(input, *found.heat).size();
     }
   } else {
     row = row_without_solution(row, "not-converged", not_converged,
@@ -173,6 +186,7 @@ SweepKind kind_of_sweep(const std::string& path, const std::vector<std::string>&
   const auto names = [&](const char* section, const char* key) { return deck::given(deck, section, key); };
   const auto has_map = [&](const char* section) { return deck::word(deck, section, "shape") == "map"; };
   return {.friction = names("friction", "cavitated"),
+          .thermal = deck::called_for(deck, "thermal"),
           .si = names("contact", "load"),
           .elliptic = names("contact", "radius_y") || names("contact", "radius_ratio"),
           .rough = names("contact", "Sq1") || names("contact", "Sq2") || has_map("surface1") || has_map("surface2")};

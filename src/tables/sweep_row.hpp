@@ -4,9 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "case/scene.hpp"
+#include "case/film_solution.hpp"
 #include "results/content.hpp"
-#include "steady/solution.hpp"
 
 namespace ehl::program {
 
@@ -20,6 +19,7 @@ using SweepRow = std::vector<results::Quantity>;
 /// What the cases of a sweep have that not every case has: columns for it.
 struct SweepKind {
   bool friction = false;
+  bool thermal = false;
   bool si = false;        ///< nm, GPa and formulas beside them
   bool elliptic = false;  ///< looked at in SI only
   bool rough = false;     ///< likewise
@@ -41,7 +41,7 @@ SweepRow sweep_case(const SweepHeader& sweep, const std::vector<std::string>& ov
                     const std::function<void(const std::string&)>& say);
 
 /// The row of a solved case, converged or not. in: what the solver was given and gave back; an empty row.
-SweepRow row_of_solution(const Case& input, const steady::Solution& solution, SweepRow row);
+SweepRow row_of_solution(const Case& input, const FilmSolution& found, SweepRow row);
 
 /// The row of a case without a solution.
 SweepRow row_without_solution(SweepRow row, const std::string& status, int exit_status, const std::string& reason);

@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(what_is_refused) {
            {"plain.ini --set shear.law=eyring", "[shear] tau_0: is missing"},
            {"plain.ini --set shear.law=eyringg --set shear.tau_0=5e6", "did you mean eyring"},
            {"plain.ini --set shear.tau_0=5e6", "has no influence without law"},
-           {"si.ini --set motion.srr=0", "the surfaces do not slide"},
+           {"si.ini --unset friction.cavitated --set motion.srr=0", "the surfaces do not slide"},
            {"si.ini --set friction.limit=0", "[friction] limit = 0: must be"},
            {"si.ini --set friction.limit=-0.1", "lubricants have"},
            {"plain.ini --set friction.limit=0.1", "has no influence without cavitated"},

@@ -37,6 +37,8 @@ struct Fluidity {
   explicit Fluidity(std::size_t nodes) : at_rest(nodes), along(nodes), across(nodes) {}
   void evaluate(const Film& film, int i) {
     rheology::fluidity(film.viscosity, film.P.station(i), at_rest);
+    if (film.I0)
+      for (std::size_t j = 0; j < at_rest.size(); ++j) at_rest[j] *= (*film.I0)(i, static_cast<int>(j));
     if (film.thinning) rheology::film_fluidity(*film.thinning, film.H.station(i), at_rest, along, across);
   }
   double operator()(const Film& film, int j) const {

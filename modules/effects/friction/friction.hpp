@@ -45,6 +45,7 @@ struct Film {
   const core::Field& H;
   const rheology::ViscosityLaw& viscosity;
   const std::optional<rheology::ShearThinning>& thinning;
+  const core::Field* I0 = nullptr;  ///< mean fluidity of a warm film over that of the oil; none: 1
 };
 
 /// Forces are over the load, the integral of P: friction coefficients.

@@ -48,7 +48,8 @@ Found solve(const BaseCase& base, const core::Grid& grid, Change change, double 
   found.Hc_cold = cold.Hc;
   found.Hm_cold = cold.Hm;
   thermal::FilmTemperature film(setup);
-  found.result = heat::heat_up(run, film, *factors, {.share = share});
+  const heat::Parameters parameters{.share = share, .error = run.record.levels.back().error_Hc};
+  found.result = heat::heat_up(run, run.finest(), film, *factors, parameters);
   const heat::Pass& last = found.result.passes.back();
   const thermal::Balance& balance = found.result.balance;
   found.Hc = last.Hc;

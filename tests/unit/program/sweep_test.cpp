@@ -136,7 +136,7 @@ BOOST_AUTO_TEST_CASE(rows) {
     return std::get<std::string>(program::in_row(row, name));
   };
   const auto in = [](program::SweepRow row, const char* name) { return results::number(program::in_row(row, name)); };
-  const program::SweepRow good = program::row_of_solution(input, solution, program::sweep_row({}));
+  const program::SweepRow good = program::row_of_solution(input, {solution}, program::sweep_row({}));
   BOOST_TEST((text_in(good, "status") == "converged" && in(good, "exit_status") == 0 && in(good, "Hc") == 0.4 &&
               in(good, "Hm") == 0.25));
   BOOST_TEST(
@@ -145,7 +145,7 @@ BOOST_AUTO_TEST_CASE(rows) {
       (in(good, "nx") == 4 && in(good, "ny") == 2 && in(good, "error_Hm") == 0.062 && in(good, "work_units") == 11.2));
   solution.converged = false;
   solution.failed_check = "the \"residual\",\nlevel #2";
-  const program::SweepRow bad = program::row_of_solution(input, solution, program::sweep_row({}));
+  const program::SweepRow bad = program::row_of_solution(input, {solution}, program::sweep_row({}));
   BOOST_TEST((text_in(bad, "status") == "not-converged" && in(bad, "exit_status") == 3 && in(bad, "residual") == 3e-4));
   for (const char* name : {"Hc", "Hm", "P_max", "error_Hc", "error_Hm"}) BOOST_TEST(std::isnan(in(bad, name)));
 

@@ -1,0 +1,172 @@
+#include "effects/heat/solve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "core/errors.hpp"
+#include "core/timer.hpp"
+#include "effects/heat/report.hpp"
+#include "fmg/start.hpp"
+#include "judgement/error_estimate.hpp"
+#include "reynolds/wedge.hpp"
+#include "steady/climb.hpp"
+#include "steady/error_bars.hpp"
+#include "steady/warnings.hpp"
+#include "transfer/transfer.hpp"
+
+namespace ehl::heat {
+namespace {
+
+// Grids below the finest one: what an estimate of the errors needs.
+constexpr std::size_t grids_below = 2;
+// On them: a good start for the next one, and an error that is estimated to a few per cent.
+constexpr double residual_below = 1e-3, change_below = 2e-3;
+
+struct Ladder {
+  fmg::Run run;
+  std::shared_ptr<Factors> factors;
+  std::vector<Pass> found{};  // coarse to fine
+  std::vector<Row> rows{};
+  std::optional<thermal::FilmTemperature> film{};
+  Result last{};
+};
+
+Ladder begin(steady::Scene scene, const steady::ProgressCallback& progress) {
+  const auto factors = std::make_shared<Factors>(std::vector<core::Patch>{scene.grid});
+  scene.effects.push_back(Factors::effect(factors));
+  const steady::Start start{.coarsest = steady::held_by(64, scene) ? 32 : 64};
+  fmg::Run run = steady::begin_climb(scene, start, progress);
+  run.caution = run.plan.above;
+  return {.run = std::move(run), .factors = factors};
+}
+
+std::vector<core::Patch> patches_from(const fmg::Run& run, std::size_t l) {
+  std::vector<core::Patch> patches;
+  for (std::size_t k = l + 1; k-- > 0;) patches.push_back(run.hierarchy.levels[k].grid);
+  return patches;
+}
+
+fmg::State injected(const fmg::Run& run, std::size_t l, const steady::Solution& isothermal) {
+  core::Field P = core::on_patch(run.hierarchy.levels.back().grid, isothermal.P);
+  for (std::size_t k = run.finest(); k > l; --k) {
+    core::Field below(run.hierarchy.levels[k - 1].grid);
+    transfer::restrict_injection(P, below);
+    P = std::move(below);
+  }
+  return {std::move(P), isothermal.H00};
+}
+
+// The passes on one grid, from the state that is there.
+void pass_on(Ladder& ladder, std::size_t l, thermal::Setup setup) {
+  fmg::Run& run = ladder.run;
+  fmg::RowTimer timer(run);
+  const double began = core::now();
+  setup.patch = run.hierarchy.levels[l].grid;
+  setup.threads = run.hierarchy.threads_on(setup.patch);
+  thermal::FilmTemperature film(setup);
+  if (ladder.film) film.start_from(*ladder.film);
+  ladder.film = std::move(film);
+  *ladder.factors = Factors(patches_from(run, l));
+  Parameters parameters{.below = ladder.found, .tolerance = run.hierarchy.parameters.tolerance};
+  if (l < run.finest()) {
+    parameters.tolerance = residual_below;
+    parameters.below.clear();
+    parameters.error = change_below / parameters.share;
+  }
+  run.record.levels.emplace_back();
+  ladder.last = heat_up(run, l, *ladder.film, *ladder.factors, parameters);
+  timer.stop();
+  const Pass& pass = ladder.last.passes.back();
+  const thermal::Balance& balance = ladder.last.balance;
+  ladder.found.push_back(pass);
+  ladder.rows.push_back({.nx = setup.patch.nx,
+                         .ny = setup.patch.domain.ny,
+                         .passes = static_cast<int>(ladder.last.passes.size()),
+                         .Hc = pass.Hc,
+                         .Hm = pass.Hm,
+                         .mu = balance.friction,
+                         .film = balance.film.theta,
+                         .surface_1 = balance.surface_1.theta,
+                         .surface_2 = balance.surface_2.theta,
+                         .defect = balance.defect,
+                         .seconds = core::now() - began});
+}
+
+// True where the sequence of grids led to a solution.
+bool climb(Ladder& ladder, const thermal::Setup& setup, const steady::Solution& isothermal) {
+  fmg::Run& run = ladder.run;
+  const std::size_t finest = run.finest();
+  const std::size_t first = std::max(std::min(run.plan.first, finest), finest - std::min(finest, grids_below));
+  fmg::State two_below;
+  try {
+    for (std::size_t l = first; l <= finest; ++l) {
+      if (l == first) {
+        fmg::start_from_state(run.hierarchy, l, injected(run, l, isothermal));
+      } else {
+        fmg::State below = fmg::state_of(run.hierarchy, l - 1);
+        if (two_below.P.nodes_x() > 0)
+          fmg::start_from_two_coarser(run.hierarchy, l, two_below,
+                                      reynolds::order(run.hierarchy.problem.transport.wedge));
+        else
+          fmg::start_from_coarser(run.hierarchy, l);
+        two_below = std::move(below);
+      }
+      pass_on(ladder, l, setup);
+      if (!ladder.last.unmet.empty()) return false;
+    }
+  } catch (const core::SolverError& error) {
+    ladder.last.unmet = error.what();
+    return false;
+  }
+  return true;
+}
+
+// The finest grid alone.
+void climb_once(Ladder& ladder, const thermal::Setup& setup, const steady::Solution& isothermal) {
+  fmg::Run& run = ladder.run;
+  run.record.levels.clear();
+  run.caution = run.plan.above;
+  ladder.found.clear();
+  ladder.rows.clear();
+  ladder.film.reset();
+  *ladder.factors = Factors(patches_from(run, run.finest()));
+  fmg::start_from_state(run.hierarchy, run.finest(), injected(run, run.finest(), isothermal));
+  pass_on(ladder, run.finest(), setup);
+}
+
+void complete(const steady::Scene& scene, const steady::Solution& isothermal, steady::Solution& film) {
+  film.method = isothermal.method + ", then passes with heat";
+  film.attempts = isothermal.attempts;
+  film.continuation = isothermal.continuation;
+  film.domain_error_Hc = isothermal.domain_error_Hc;
+  core::add(isothermal.times, film.times);
+  film.error_bars = steady::error_bars_of(scene, film);
+  film.warnings = steady::warnings_of(scene, film);
+}
+
+}  // namespace
+
+Solution solve(const steady::Scene& scene, const thermal::Setup& setup, const steady::Solution& isothermal,
+               const steady::ProgressCallback& progress) {
+  const double began = core::now();
+  Ladder ladder = begin(scene, progress);
+  if (!climb(ladder, setup, isothermal) && ladder.rows.size() != 1) climb_once(ladder, setup, isothermal);
+  fmg::Record& record = ladder.run.record;
+  record.converged = ladder.last.unmet.empty();
+  record.failed_check = record.converged ? ""
+                                         : fmg::name_of_level(ladder.run.hierarchy, ladder.run.finest()) +
+                                               ", with heat: " + ladder.last.unmet;
+  record.end = record.converged ? fmg::CyclesEnd::content : fmg::CyclesEnd::limit;
+  const fmg::Level& level = ladder.run.hierarchy.finest();
+  Solution result = report(*ladder.film, level.grid, level.P, level.H, setup, ladder.last.balance, ladder.rows);
+  result.film = steady::solution_of(std::move(ladder.run));
+  complete(scene, isothermal, result.film);
+  result.seconds = core::now() - began;
+  result.film.seconds = isothermal.seconds + result.seconds;
+  return result;
+}
+
+}  // namespace ehl::heat

@@ -1,0 +1,209 @@
+#include "rheology/thermal_keys.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "deck/text.hpp"
+#include "rheology/keys.hpp"
+#include "rheology/laws.hpp"
+
+namespace ehl::rheology {
+namespace {
+
+using Names = std::vector<std::string>;
+
+const Names by_slope{"beta"}, by_second{"T_second", "eta_second"}, by_vogel{"vogel_B", "vogel_C"};
+const Names of_volume{"volume_expansion", "modulus_decay", "occupied_expansion"};
+// The usual density of a mineral oil where nothing tells it [kg/m^3].
+constexpr double usual_density = 870.0;
+
+bool has(const deck::Part& part, const std::string& name) {
+  return deck::value(part.deck, part.section, name).origin != deck::Origin::absent;
+}
+
+// A number of each of the names, or NaN.
+std::vector<double> numbers(const deck::Part& part, const Names& names) {
+  std::vector<double> list;
+  for (const std::string& name : names) list.push_back(part.number(name));
+  return list;
+}
+
+// Roelands: all oils meet where T = 138 K; S0 so that ln(eta/eta0) is what the second viscosity says.
+Houpert through_second(const deck::Part& thermal, double T0, double eta0, double T, double eta) {
+  constexpr double pole = 138.0;
+  const double A = roelands_log_ratio(eta0);
+  const double share = 1.0 + std::log(eta / eta0) / A;
+  if (!((T - T0) * (eta - eta0) < 0.0))
+    thermal.complain("eta_second",
+                     "must be below the viscosity at T_oil where T_second is above it, and above where "
+                     "it is below: an oil thins when it warms");
+  else if (!(share > 0.0))
+    thermal.complain("eta_second", "is too far from the viscosity at T_oil for Roelands' law: check both [Pa s]");
+  return {-std::log(share) / std::log((T - pole) / (T0 - pole)), A};
+}
+
+// Of Barus and Roelands, from what the deck gives of it.
+std::optional<AmbientViscosity> ambient_of(const deck::Part& thermal, bool roelands, double T0) {
+  const deck::Part lubricant{thermal.deck, "lubricant"};
+  const double eta0 = lubricant.number("eta0");
+  const std::vector<double> slope = numbers(thermal, by_slope), second = numbers(thermal, by_second),
+                            vogel = numbers(thermal, by_vogel);
+  Names given;
+  for (const Names* names : {&by_slope, &by_second, &by_vogel})
+    for (const std::string& name : *names)
+      if (thermal.given(name)) given.push_back(name);
+  if (has(lubricant, "kv40")) {
+    thermal.refuse(given, "kv40 and kv100 tell the viscosity at every temperature already: remove it");
+    return DataSheet{make_walther(lubricant.number("kv40"), lubricant.number("kv100")), lubricant.number("density15")};
+  }
+  if (given.empty()) {
+    thermal.complain("beta",
+                     "is missing: the viscosity must fall with temperature: give beta, or T_second and "
+                     "eta_second, or vogel_B and vogel_C, or an oil by kv40 and kv100");
+    return std::nullopt;
+  }
+  const Names& used = thermal.given("beta") ? by_slope : thermal.given_of(by_second).empty() ? by_vogel : by_second;
+  for (const std::string& name : given)
+    if (std::ranges::find(used, name) == used.end())
+      thermal.complain(name,
+                       "is one way too many to say how the viscosity falls: keep beta, or T_second with "
+                       "eta_second, or vogel_B with vogel_C");
+  demand(thermal, used, "the viscosity against temperature");
+  if (!thermal.deck.errors.empty()) return std::nullopt;
+  if (&used == &by_slope) {
+    if (roelands) return make_houpert(slope[0], eta0, T0);
+    return Exponential{slope[0]};
+  }
+  if (&used == &by_second) return through_second(thermal, T0, eta0, second[0] + zero_celsius, second[1]);
+  const double C = vogel[1] + zero_celsius;
+  constexpr double least_distance = 5.0;  // [K]: closer the viscosity grows without end
+  if (!(T0 - C >= least_distance))
+    thermal.complain("vogel_C", "must be at least 5 C below T_oil: there Vogel's viscosity has no end");
+  return Vogel{vogel[0], C};
+}
+
+void read_viscosity(const deck::Part& thermal, WarmOil& oil) {
+  const deck::Part lubricant{thermal.deck, "lubricant"};
+  const std::string law = lubricant.word("viscosity");
+  if (law == "isoviscous" || law == "table") {
+    lubricant.complain("viscosity", law +
+                                        " has no temperature in it, and heat acts through a viscosity that falls when "
+                                        "the oil warms: choose another law, or remove [thermal]");
+    return;
+  }
+  const bool simple = law == "barus" || law == "roelands";
+  if (simple)
+    oil.constants.ambient = ambient_of(thermal, law == "roelands", oil.constants.T0);
+  else
+    for (const Names& names : {by_slope, by_second, by_vogel})
+      thermal.refuse(names, "has no influence with viscosity = " + law + ": remove it");
+  if (law != "doolittle") {
+    thermal.refuse(of_volume, "has no influence with viscosity = " + law + ": remove it");
+    return;
+  }
+  const bool known = has(lubricant, "beta_K");
+  if (known) settle(thermal, "modulus_decay", lubricant.word("beta_K"), "[lubricant] beta_K");
+  demand(thermal, of_volume, "viscosity = doolittle in a warm film");
+  oil.constants.volume = {thermal.number("volume_expansion"), thermal.number("modulus_decay")};
+  oil.constants.occupied_expansion = thermal.number("occupied_expansion");
+}
+
+deck::Key number_key(const char* name, const char* unit, deck::Range range, const char* meaning, const char* example) {
+  return {.name = name, .unit = unit, .range = range, .meaning = meaning, .example = example};
+}
+
+std::vector<deck::Key> viscosity_keys() {
+  return {
+      number_key(
+          "beta", "1/K", {1e-4, 0.3},
+          "-d ln(eta)/dT at ambient pressure and T_oil, for barus (exponential) and roelands (S0 of Roelands and "
+          "Houpert). Or T_second and eta_second, or vogel_B and vogel_C; an oil by kv40 and kv100, doolittle and "
+          "yasutomi bring their own.",
+          "0.04"),
+      number_key("T_second", "C", {coldest_oil, hottest_oil}, "Another temperature than T_oil, with eta_second.",
+                 "100"),
+      number_key("eta_second", "Pa s", {0.0, 1e6, true, false}, "Viscosity at ambient pressure and T_second.", "0.007"),
+      number_key("vogel_B", "K", {1.0, 1e4}, "eta = A exp[B/(T - C)].", "900"),
+      number_key("vogel_C", "C", {-273.15, -40.0}, "The same C, in degrees Celsius: Vogel's pole.", "-110"),
+      number_key("volume_expansion", "1/K", {1e-5, 1e-2},
+                 "Of viscosity = doolittle: V0 grows by this share per kelvin.", "8.4e-4"),
+      number_key("modulus_decay", "1/K", {1e-5, 0.1},
+                 "Likewise: K0 falls as exp(-this T); [lubricant] beta_K where that is given.", "6.332e-3"),
+      number_key("occupied_expansion", "1/K", {-1e-2, 1e-2}, "Likewise: R0 grows by this share per kelvin.", "-7.3e-4"),
+  };
+}
+
+std::vector<deck::Key> property_keys() {
+  return {
+      {.name = "k",
+       .default_text = "0.14",
+       .unit = "W/(m K)",
+       .range = {0.01, 10.0},
+       .remedy = "oils have 0.11 to 0.17 W/(m K)",
+       .meaning = "Conductivity of the oil at ambient pressure.",
+       .source = "paraffinic mineral oil: Larsson and Andersson 2000, 0.137"},
+      {.name = "c",
+       .default_text = "2000",
+       .unit = "J/(kg K)",
+       .range = {200.0, 1e4},
+       .remedy = "oils have 1700 to 2400 J/(kg K)",
+       .meaning = "Heat capacity of the oil at ambient pressure.",
+       .source = "the same oil: rho c = 1.71e6 J/(m^3 K)"},
+      {.name = "rho",
+       .default_note = "from density15 where that is given, else 870",
+       .unit = "kg/m^3",
+       .range = {500.0, 3000.0},
+       .remedy = "oils have 800 to 1000 kg/m^3",
+       .meaning = "Density of the oil at ambient pressure and T_oil: for what it carries of heat.",
+       .example = "870"},
+      {.name = "properties",
+       .default_text = "larsson-andersson",
+       .words = {"larsson-andersson", "constant"},
+       .meaning = "k and rho c in the contact: growing with pressure as those of a mineral oil, k 2.1 and rho c 1.3 "
+                  "times as large at 1 GPa; or the same everywhere.",
+       .source = "Larsson and Andersson, Proc. IMechE J 214, 2000"},
+      {.name = "expansion",
+       .default_text = "6.5e-4",
+       .unit = "1/K",
+       .range = {0.0, 5e-3},
+       .meaning = "Thermal expansion of the oil, -d ln(rho)/dT.",
+       .source = "mineral oils, 6.3e-4 to 7.5e-4: ASTM D1250"},
+  };
+}
+
+}  // namespace
+
+std::vector<deck::Key> warm_oil_keys() {
+  const std::vector<deck::Key> first{
+      {.name = "T_oil",
+       .default_note = "[lubricant] temperature, where that is given",
+       .unit = "C",
+       .range = {coldest_oil, hottest_oil},
+       .remedy = "is it in kelvin or in degrees Fahrenheit?",
+       .meaning = "Temperature of the oil that enters the contact; eta0, alpha and the other constants hold there.",
+       .example = "40"}};
+  return deck::in_section("thermal", deck::together({first, viscosity_keys(), property_keys()}));
+}
+
+WarmOil read_warm_oil(deck::Deck& deck) {
+  const deck::Part thermal{deck, "thermal"}, lubricant{deck, "lubricant"};
+  WarmOil oil;
+  if (has(lubricant, "temperature"))
+    settle(thermal, "T_oil", deck::shortest(lubricant.number("temperature")), "[lubricant] temperature");
+  else
+    demand(thermal, {"T_oil"}, "a contact with heat");
+  oil.constants.T0 = thermal.number("T_oil") + zero_celsius;
+  if (has(lubricant, "density15"))
+    thermal.fill("rho", oil_density(lubricant.number("density15"), thermal.number("T_oil")), "density15 at T_oil");
+  thermal.fill("rho", usual_density, "a mineral oil");
+  read_viscosity(thermal, oil);
+  oil.k = thermal.number("k");
+  oil.c = thermal.number("c");
+  oil.rho = thermal.number("rho");
+  oil.expansion = thermal.number("expansion");
+  oil.follows_pressure = thermal.word("properties") == "larsson-andersson";
+  return oil;
+}
+
+}  // namespace ehl::rheology

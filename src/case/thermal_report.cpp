@@ -1,0 +1,160 @@
+#include "case/thermal_report.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text_format.hpp"
+#include "rheology/temperature.hpp"
+#include "thermal/inlet_heating.hpp"
+
+namespace ehl::program {
+namespace {
+
+thermal::InletGroups inlet_groups(const Case& input) {
+  const contact::SiContact& contact = input.physics.si->contact;
+  const double u_m = 0.5 * contact.u_s;
+  return {.L = contact.eta0 * input.heat->beta * u_m * u_m / input.heat->k,
+          .srr = input.physics.srr,
+          .p_h_over_E = input.physics.p_h / contact.E_prime};
+}
+
+double reduction(const HeatResult& heat) { return heat.found.rows.back().Hc / heat.Hc_isothermal; }
+
+void add_place(const std::string& name, const std::string& meaning, const heat::Hottest& at, double T0,
+               std::vector<results::Quantity>& list) {
+  list.push_back({name, T0 * at.theta, "K", meaning + ": highest temperature above T_oil"});
+  list.push_back({name + "_x", at.X, "a", "where it is"});
+  list.push_back({name + "_y", at.Y, "a", "where it is"});
+  list.push_back({"error_" + name, at.error, "-", "estimated relative discretization error of the rise"});
+}
+
+std::string hottest_text(const Case& input, const char* name, const heat::Hottest& at) {
+  const std::string bar = std::isfinite(at.error) ? " +- " + percent(at.error) : "";
+  return fmt::format("{} {:.2f} K{} at {}", name, input.heat->T0 * at.theta, bar,
+                     place_text(at.X, at.Y, *si_scales(input.physics)));
+}
+
+// Peclet's number up to which lines overstate the heat of a surface by more than a tenth.
+constexpr double low_peclet = 10.0;
+// beta tau du h/k over the intervals beyond which 17 nodes err by 1e-3: Nahme's number 1e4 of an exponential law.
+constexpr double most_per_interval = 34.0 / 16.0;
+
+}  // namespace
+
+std::vector<results::Quantity> thermal_quantities(const Case& input, const HeatResult& heat) {
+  const heat::Solution& found = heat.found;
+  const HeatInput& in = *input.heat;
+  const thermal::InletGroups inlet = inlet_groups(input);
+  std::vector<results::Quantity> list{
+      {"mu", heat.mu, "-", "sliding friction over the load, with heat"},
+      {"mu_isothermal", heat.mu_isothermal, "-", "the same of the isothermal contact"},
+      {"error_mu", found.error_mu, "-", "estimated relative discretization error of mu"}};
+  add_place("T_film_max", "film", found.in_film, in.T0, list);
+  add_place("T1_max", "surface 1", found.on_1, in.T0, list);
+  add_place("T2_max", "surface 2", found.on_2, in.T0, list);
+  const std::vector<results::Quantity> rest{
+      {"T_film_mean", in.T0 * found.mean, "K", "middle of the film above T_oil, mean weighted with the pressure"},
+      {"T_inlet", in.T0 * found.inlet, "K", "middle of the film above T_oil at x = -a, y = 0"},
+      {"heat_made", in.watt * found.balance.heat, "W", "in the film, by shear and compression"},
+      {"heat_1", in.watt * found.balance.into_1, "W", "into body 1"},
+      {"heat_2", in.watt * found.balance.into_2, "W", "into body 2"},
+      {"heat_carried", in.watt * found.balance.carried, "W", "out of the domain with the oil"},
+      {"heat_imbalance", found.balance.defect, "-", "heat made less heat led away, over heat made"},
+      {"nahme", found.nahme, "-", "largest beta tau_m |u1 - u2| h/k"},
+      {"peclet_1", in.setup.body_1.Pe, "-", "u1 a over the diffusivity of body 1"},
+      {"peclet_2", in.setup.body_2.Pe, "-", "u2 a over the diffusivity of body 2"},
+      {"Hc_isothermal", heat.Hc_isothermal, "a^2/R", "film at (0,0) of the isothermal contact"},
+      {"Hm_isothermal", heat.Hm_isothermal, "a^2/R", "its smallest film"},
+      {"film_reduction", reduction(heat), "-", "Hc over Hc_isothermal"},
+      {"wilson_sheu", thermal::wilson_sheu(inlet), "-", "the same by Wilson and Sheu 1983"},
+      {"gupta", thermal::gupta(inlet), "-", "the same by Gupta et al. 1992"},
+      {"murch_wilson", input.physics.srr == 0.0 ? thermal::murch_wilson(inlet) : NAN, "-",
+       "the same by Murch and Wilson 1975, pure rolling"}};
+  list.insert(list.end(), rest.begin(), rest.end());
+  return list;
+}
+
+std::vector<Column<heat::Row>> thermal_columns(const HeatInput& input) {
+  using Row = heat::Row;
+  const double T0 = input.T0;
+  const auto kelvin = [T0](double Row::*theta) { return [T0, theta](const Row& row) { return T0 * row.*theta; }; };
+  return {{"nx", "-", "cells along x", &Row::nx},
+          {"ny", "-", "cells along y", &Row::ny},
+          {"passes", "-", "of a sweep of the temperature and a cycle", &Row::passes},
+          {"Hc", "a^2/R", "film at (0,0)", &Row::Hc},
+          {"Hm", "a^2/R", "smallest film of all nodes", &Row::Hm},
+          {"mu", "-", "sliding friction of the pressurised film over the load", &Row::mu},
+          {"T_film_max", "K", "highest temperature of the film above T_oil", kelvin(&Row::film)},
+          {"T1_max", "K", "of surface 1", kelvin(&Row::surface_1)},
+          {"T2_max", "K", "of surface 2", kelvin(&Row::surface_2)},
+          {"heat_imbalance", "-", "heat made less heat led away, over heat made", &Row::defect},
+          {"seconds", "s", "time on the grid", &Row::seconds}};
+}
+
+std::vector<std::string> thermal_warnings(const Case& input, const HeatResult& heat) {
+  const HeatInput& in = *input.heat;
+  const heat::Solution& found = heat.found;
+  std::vector<std::string> list;
+  const double hottest = in.T0 * (1.0 + found.in_film.theta) - rheology::zero_celsius;
+  if (hottest > rheology::hottest_oil)
+    list.push_back(
+        fmt::format("thermal: the film reaches {:.0f} C, and laws of viscosity were made for oils up to {:.0f} "
+                    "C: beyond it oil evaporates and cracks",
+                    hottest, rheology::hottest_oil));
+  if (found.nahme > most_per_interval * in.setup.intervals)
+    list.push_back(
+        fmt::format("thermal: beta tau_m du h/k reaches {:.0f}, which {} nodes across the film do not resolve "
+                    "to 1e-3: give more [thermal] nodes",
+                    found.nahme, in.setup.intervals + 1));
+  const struct {
+    const char* name;
+    const thermal::Body& body;
+  } bodies[] = {{"1", in.setup.body_1}, {"2", in.setup.body_2}};
+  for (const auto& [name, body] : bodies)
+    if (body.Pe == 0.0)
+      list.push_back(
+          fmt::format("thermal: surface {} stands still: the temperature is that after a long time, of a body "
+                      "as large as a half space",
+                      name));
+    else if (in.setup.lines && body.Pe < low_peclet)
+      list.push_back(
+          fmt::format("thermal: surface {} is slow, u a over the diffusivity = {:.2g}: lines overstate its "
+                      "temperature by more than a tenth; give [thermal] solids = full",
+                      name, body.Pe));
+  return list;
+}
+
+std::string thermal_summary(const Case& input, const Computed& computed) {
+  if (!computed.heat) return "thermal      not computed: there is no isothermal film to begin with\n";
+  const HeatResult& heat = *computed.heat;
+  const heat::Solution& found = heat.found;
+  const HeatInput& in = *input.heat;
+  const thermal::InletGroups inlet = inlet_groups(input);
+  const char* mark = computed.solution.converged ? "" : "  (NOT CONVERGED)";
+  std::string text =
+      fmt::format("thermal      mu = {:.5g}{}, isothermal {:.5g}{}\n", heat.mu,
+                  std::isfinite(found.error_mu) && heat.mu != 0.0 ? " +- " + percent(found.error_mu) : "",
+                  heat.mu_isothermal, mark);
+  text += "             above T_oil: " + hottest_text(input, "film", found.in_film) +
+          fmt::format(", mean {:.2f} K, inlet {:.2f} K\n", in.T0 * found.mean, in.T0 * found.inlet);
+  text += "             " + hottest_text(input, "surface 1", found.on_1) + "; " +
+          hottest_text(input, "surface 2", found.on_2) + "\n";
+  text += fmt::format(
+      "             heat {:.4g} W made, {:.4g} W into body 1, {:.4g} W into body 2, {:.3g} W with the oil; "
+      "imbalance {:.0e}\n",
+      in.watt * found.balance.heat, in.watt * found.balance.into_1, in.watt * found.balance.into_2,
+      in.watt * found.balance.carried, std::abs(found.balance.defect));
+  text += fmt::format(
+      "             film {:.3f} of the isothermal one; inlet heating by Wilson, Sheu 1983 {:.3f}, Gupta et "
+      "al. 1992 {:.3f}{}\n",
+      reduction(heat), thermal::wilson_sheu(inlet), thermal::gupta(inlet),
+      input.physics.srr == 0.0 ? fmt::format(", Murch, Wilson 1975 {:.3f}", thermal::murch_wilson(inlet)) : "");
+  text += fmt::format("             Nahme's number {:.3g}; passes per grid", found.nahme);
+  for (const heat::Row& row : found.rows) text += fmt::format(" {}", row.passes);
+  text += "\n";
+  return text + warning_lines(thermal_warnings(input, heat));
+}
+
+}  // namespace ehl::program

@@ -1,0 +1,250 @@
+// Contacts with heat from end to end: a second program's digits, balances, symmetries, limits, files, what is refused.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "results/read.hpp"
+#include "support/json.hpp"
+#include "support/program.hpp"
+#include "support/refused.hpp"
+#include "support/text.hpp"
+
+using ehl::results::ResultFile;
+using support::number_at;
+
+namespace {
+
+const std::string contact = "[contact]\nload = 30\nradius_x = 9.525e-3\nE_prime = 226e9\n";
+const std::string motion = "[motion]\nu_m = 2\nsrr = 1\n";
+const std::string oil = "[lubricant]\neta0 = 0.04\nalpha = 20e-9\n";
+const std::string method =
+    "[domain]\nfar_field = zero\nx_inlet = -4.5\nx_outlet = 1.5\ny_half = 3\n[grid]\ncells = 64\n"
+    "[discretization]\nwedge = upstream2\nface = mean\n[shear]\nlaw = eyring\ntau_0 = 5e6\n";
+const std::string bodies = "solid1 = steel\nsolid2 = steel\n";
+const std::string heat =
+    "[thermal]\nT_oil = 40\nbeta = 0.042\nk = 0.14\nc = 2000\nrho = 860\nproperties = constant\n" + bodies;
+const std::string base = contact + motion + oil + method + heat;
+
+struct Scene {
+  support::TemporaryFolder folder;
+  explicit Scene(const std::string& deck = base) { folder.write("d.ini", deck); }
+  support::Ended ehl(const std::string& arguments) const { return support::ehl(folder, arguments); }
+  // in: what is different from the deck.
+  nlohmann::json run(const std::string& changes) const {
+    const support::Ended ended = ehl("run d.ini --json --quiet --overwrite --output d.h5 " + changes);
+    BOOST_TEST(ended.status == 0, changes << ": " << ended.err);
+    return support::parsed(ended.out);
+  }
+};
+
+void check_close(const std::string& name, double value, double reference, double tolerance) {
+  BOOST_TEST_MESSAGE(name << " " << value << ", expected " << reference << ", " << value / reference - 1
+                          << " off (tolerance " << tolerance << ")");
+  BOOST_TEST(std::abs(value / reference - 1) < tolerance);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(thermal)
+
+// Another program, columns of 16 intervals, bodies by lines, on the same grids.
+BOOST_AUTO_TEST_CASE(ball_on_disc_of_another_program) {
+  const Scene scene;
+  struct Row {
+    const char* srr;
+    const char* cells;
+    double mu, Hc, Hm, film, surface_1, surface_2;
+  };
+  constexpr Row rows[] = {{"0.1", "64", .030812, .21307, .12948, NAN, NAN, NAN},
+                          {"0.1", "128", .030700, .22632, .13821, 4.98, 2.72, 2.83},
+                          {"1", "64", .032500, .19881, .12420, NAN, NAN, NAN},
+                          {"1", "128", .031937, .21209, .13236, 46.9, 20.7, 33.0}};
+  for (const Row& row : rows) {
+    const auto found = scene.run(std::string("--set thermal.solids=lines --set motion.srr=") + row.srr +
+                                 " --set grid.cells=" + row.cells);
+    const std::string name = std::string("srr = ") + row.srr + ", " + row.cells + " cells: ";
+    check_close(name + "mu", number_at(found, "/thermal/mu"), row.mu, 5e-3);
+    check_close(name + "Hc", number_at(found, "/Hc"), row.Hc, 2e-3);
+    check_close(name + "Hm", number_at(found, "/Hm"), row.Hm, 2e-3);
+    if (std::isnan(row.film)) continue;
+    check_close(name + "film", number_at(found, "/thermal/T_film_max"), row.film, 2e-2);
+    check_close(name + "surface 1", number_at(found, "/thermal/T1_max"), row.surface_1, 2e-2);
+    check_close(name + "surface 2", number_at(found, "/thermal/T2_max"), row.surface_2, 2e-2);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(heat_goes_where_it_is_told) {
+  const Scene scene;
+  const auto found = scene.run("--set grid.cells=128");
+  const auto at = [&](const char* name) { return number_at(found, std::string("/thermal/") + name); };
+  // What sliding does by force: mu F du, 2 m/s. Beside it what pressure drives through the inlet: 0.07 W in pure
+  // rolling.
+  check_close("heat of sliding", at("heat_made"), at("mu") * 30 * 2, 0.05);
+  BOOST_TEST(at("heat_made") > at("mu") * 60);
+  BOOST_TEST(std::abs(at("heat_imbalance")) < 1e-3);
+  check_close("heat led away", at("heat_1") + at("heat_2") + at("heat_carried"), at("heat_made"), 1e-3);
+  // The faster surface takes more of it and stays colder.
+  BOOST_TEST(at("heat_1") > at("heat_2"));
+  BOOST_TEST(at("T1_max") < at("T2_max"));
+  // Lines are hotter, up to 12 % at these Peclet numbers, 10 and 30.
+  const auto lines = scene.run("--set grid.cells=128 --set thermal.solids=lines");
+  for (const char* surface : {"/thermal/T1_max", "/thermal/T2_max"}) {
+    const double ratio = number_at(found, surface) / number_at(lines, surface);
+    BOOST_TEST_MESSAGE(surface << " over that of lines: " << ratio);
+    BOOST_TEST((ratio > 0.88 && ratio < 0.98));
+  }
+}
+
+// The isothermal contact beside it is that of the deck without [thermal], to the bit.
+BOOST_AUTO_TEST_CASE(the_isothermal_contact_is_the_same) {
+  const Scene hot, cold(contact + motion + oil + method + "[friction]\ncavitated = none\n");
+  const auto with = hot.run(""), without = cold.run("");
+  BOOST_TEST(number_at(with, "/thermal/Hc_isothermal") == number_at(without, "/Hc"));
+  BOOST_TEST(number_at(with, "/thermal/Hm_isothermal") == number_at(without, "/Hm"));
+  BOOST_TEST(number_at(with, "/thermal/mu_isothermal") == number_at(without, "/friction/mu"));
+}
+
+BOOST_AUTO_TEST_CASE(swapped_bodies_mirror_the_film) {
+  const Scene scene;
+  const auto one = scene.run("--set thermal.solid2=glass --set thermal.T_body1=50");
+  const auto other =
+      scene.run("--set motion.srr=-1 --set thermal.solid1=glass --set thermal.solid2=steel --set thermal.T_body2=50");
+  const auto same = [&](const char* name, const char* mirrored, double sign) {
+    const double off = number_at(one, name) / (sign * number_at(other, mirrored)) - 1;
+    BOOST_TEST_MESSAGE(name << ": " << off << " off (tolerance 1e-10)");
+    BOOST_TEST(std::abs(off) < 1e-10);
+  };
+  same("/thermal/mu", "/thermal/mu", -1);
+  same("/Hc", "/Hc", 1);
+  same("/Hm", "/Hm", 1);
+  same("/thermal/T_film_max", "/thermal/T_film_max", 1);
+  same("/thermal/T1_max", "/thermal/T2_max", 1);
+  same("/thermal/heat_1", "/thermal/heat_2", 1);
+}
+
+BOOST_AUTO_TEST_CASE(limits) {
+  const Scene scene;
+  // Hardly any dependence on temperature, and no expansion: the change is in proportion to it, and goes with it.
+  const std::string bare = "--set thermal.expansion=0 --set thermal.compression=off --set thermal.beta=";
+  const auto loss = [](const nlohmann::json& found) {
+    return 1 - number_at(found, "/thermal/mu") / number_at(found, "/thermal/mu_isothermal");
+  };
+  const double more = loss(scene.run(bare + "4e-4")), less = loss(scene.run(bare + "2e-4"));
+  BOOST_TEST_MESSAGE("loss of friction " << more << " and " << less << ", ratio " << more / less << " (2 +- 0.1)");
+  BOOST_TEST(less > 0);
+  BOOST_TEST(less < 5e-3);
+  BOOST_TEST(std::abs(more / less - 2) < 0.1);
+  // An oil and bodies that lead all heat away.
+  std::string metal = "--set thermal.k=10 --unset thermal.solid1 --unset thermal.solid2";
+  for (const std::string n : {"1", "2"})
+    metal += " --set thermal.k" + n + "=3000 --set thermal.c" + n + "=5000 --set thermal.rho" + n + "=25000";
+  const auto cool = scene.run(metal);
+  BOOST_TEST(number_at(cool, "/thermal/T_film_max") < 2.0);
+  check_close("mu", number_at(cool, "/thermal/mu"), number_at(cool, "/thermal/mu_isothermal"), 0.02);
+}
+
+// A point of a traction curve like every other.
+BOOST_AUTO_TEST_CASE(pure_rolling) {
+  const Scene scene;
+  const auto found = scene.run("--set motion.srr=0");
+  BOOST_TEST(number_at(found, "/thermal/mu") == 0.0);
+  BOOST_TEST(number_at(found, "/thermal/mu_isothermal") == 0.0);
+  check_close("surfaces", number_at(found, "/thermal/T1_max"), number_at(found, "/thermal/T2_max"), 1e-9);
+  // Inlet heating at 10 m/s, Newtonian; another program: 0.861 +- 1 %.
+  const auto fast = scene.run(
+      "--unset shear.law --unset shear.tau_0 --set motion.srr=0 --set motion.u_m=10 --set domain.x_inlet=-7.5 "
+      "--set domain.y_half=4.5 --set grid.cells=96");
+  check_close("film", number_at(fast, "/thermal/film_reduction"), 0.861, 0.015);
+  // The formulas of a line's inlet take away more; L = 0.04 0.042 100/0.14 = 1.2.
+  check_close("Wilson and Sheu", number_at(fast, "/thermal/wilson_sheu"), 1 / (1 + 0.241 * std::pow(1.2, 0.64)), 1e-6);
+  check_close("Murch and Wilson", number_at(fast, "/thermal/murch_wilson"), 0.779, 2e-3);
+}
+
+BOOST_AUTO_TEST_CASE(results_hold_it) {
+  const Scene scene;
+  const auto found = scene.run("--set thermal.fields=T_mid,T_max,T1,T2,section --set grid.cells=128");
+  const ResultFile file(scene.folder / "d.h5");
+  const double most = number_at(found, "/thermal/T_film_max");
+  double largest = 0.0;
+  for (const double T : file.numbers("/fields/T_max").values) largest = std::max(largest, T);
+  BOOST_TEST(largest == most);
+  BOOST_TEST(file.numbers("/thermal_section/T").values.size() == 17u * 129u);
+  // u runs from u2 = 0.5 to u1 = 1.5 u_m.
+  const std::vector<double> u = file.numbers("/thermal_section/u").values;
+  BOOST_TEST(u.front() == 0.5, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(u.back() == 1.5, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(file.numbers("/summary/heat_1").values.at(0) == number_at(found, "/thermal/heat_1"));
+  BOOST_TEST(found["thermal"]["levels"].size() == 2u);
+  // The deck that it keeps is the same contact.
+  scene.folder.write("again.ini", file.text("/deck"));
+  const auto again = support::parsed(scene.ehl("run again.ini --json --quiet --output again.h5").out);
+  BOOST_TEST(number_at(again, "/thermal/mu") == number_at(found, "/thermal/mu"));
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_be_is_refused) {
+  const auto with = [](const std::string& more) { return base + more; };
+  const auto of_oil = [](const std::string& lubricant, const std::string& thermal) {
+    return contact + motion + "[lubricant]\n" + lubricant + method + "[thermal]\n" + thermal;
+  };
+  const std::string warm = "T_oil = 40\nbeta = 0.042\n";
+  const auto thermal = [&](const std::string& keys) { return contact + motion + oil + method + "[thermal]\n" + keys; };
+  support::check_refused({
+      {"in time", with("[transient]\nend_time = 1\n"), {"T_oil", "is for steady contacts"}},
+      {"accuracy", contact + motion + oil + "[grid]\naccuracy = 0.01\n" + heat, {"accuracy", "isothermal"}},
+      {"polish", with("[multigrid]\npolish = always\n"), {"polish"}},
+      {"dry", "[case]\nkind = dry\n" + contact + "[thermal]\nT_oil = 40\n", {"T_oil", "kind = dry"}},
+      {"no speeds", "[contact]\nM = 50\nL = 10\n[lubricant]\nalpha = 2e-8\n" + heat, {"T_oil", "in SI"}},
+      {"against the entrainment", contact + "[motion]\nu_m = 2\nsrr = 3\n" + oil + method + heat, {"srr", "stand"}},
+      {"isoviscous", of_oil("eta0 = 0.04\nviscosity = isoviscous\n", warm + bodies), {"viscosity", "no temperature"}},
+      {"no slope", thermal("T_oil = 40\n" + bodies), {"beta", "T_second and eta_second", "vogel_B"}},
+      {"two ways", thermal(warm + "vogel_B = 900\nvogel_C = -100\n" + bodies), {"vogel_B", "one way too many"}},
+      {"half a way", thermal("T_oil = 40\nT_second = 100\n" + bodies), {"eta_second", "is missing"}},
+      {"thickens", thermal("T_oil = 40\nT_second = 100\neta_second = 0.1\n" + bodies), {"eta_second", "thins when"}},
+      {"Vogel's pole", thermal("T_oil = -39\nvogel_B = 900\nvogel_C = -42\n" + bodies), {"vogel_C", "5 C below"}},
+      {"data sheet", of_oil("fluid = mineral-vg68\n", "beta = 0.04\n" + bodies), {"beta", "kv40"}},
+      {"two temperatures",
+       of_oil("fluid = mineral-vg68\ntemperature = 60\n", "T_oil = 40\n" + bodies),
+       {"T_oil", "60"}},
+      {"kelvin", thermal("T_oil = 313\nbeta = 0.042\n" + bodies), {"T_oil = 313", "kelvin", "Fahrenheit"}},
+      {"body in kelvin", thermal(warm + "T_body1 = 353\n" + bodies), {"T_body1", "kelvin"}},
+      {"no temperature", thermal("beta = 0.042\n" + bodies), {"T_oil", "is missing"}},
+      {"no body", thermal(warm), {"solid1", "solid2", "is missing"}},
+      {"unknown solid", thermal(warm + "solid1 = stel\nsolid2 = steel\n"), {"solid1", "steel", "sapphire"}},
+      {"twice", thermal(warm + bodies + "k1 = 46\n"), {"k1", "solid1 is given"}},
+      {"half a body", thermal(warm + "solid2 = steel\nk1 = 46\n"), {"c1", "rho1", "belong together"}},
+      {"negative", thermal(warm + bodies + "k = -0.14\n"), {"k = -0.14", "W/(m K)"}},
+      {"kilojoules", thermal(warm + bodies + "c = 2\n"), {"c = 2", "J/(kg K)"}},
+      {"grams", thermal(warm + bodies + "rho = 0.86\n"), {"rho", "kg/m^3"}},
+      {"even", thermal(warm + bodies + "nodes = 16\n"), {"nodes", "odd"}},
+      {"word", thermal(warm + bodies + "convection = yes\n"), {"convection", "on, off"}},
+      {"expansion", thermal(warm + bodies + "expansion = 0.65\n"), {"expansion"}},
+      {"volume", thermal(warm + bodies + "occupied_expansion = 1e-4\n"), {"occupied_expansion", "no influence"}},
+      {"section alone", contact + motion + oil + method + "[thermal]\nk = 0.14\n", {"T_oil or solid1"}},
+  });
+  // All at once.
+  support::check_refused(
+      {{"all", thermal("T_oil = 313\nk = -1\nsolid1 = wood\nnodes = 2\n"), {"T_oil", "k = -1", "wood", "nodes"}}});
+  const Scene scene;
+  const support::Ended study = scene.ehl("study d.ini --levels 32:64");
+  BOOST_TEST(study.status == 2);
+  BOOST_TEST(study.says({"[thermal]", "isothermal"}), study.err);
+}
+
+BOOST_AUTO_TEST_CASE(sweep_makes_a_traction_curve) {
+  const Scene scene;
+  const support::Ended ended = scene.ehl("sweep d.ini --vary motion.srr=0,0.1,0.4,1,2 --output curve.csv --threads 2");
+  BOOST_REQUIRE_MESSAGE(ended.status == 0, ended.err);
+  std::vector<double> mu, film;
+  for (const support::NamedRow& row : support::named_rows(scene.folder.read("curve.csv"))) {
+    BOOST_TEST(row.at("status") == "converged", row.at("reason"));
+    mu.push_back(std::stod(row.at("mu")));
+    film.push_back(std::stod(row.at("T_film_max")));
+    BOOST_TEST(std::stod(row.at("mu_isothermal")) >= mu.back());
+  }
+  BOOST_REQUIRE(mu.size() == 5u);
+  BOOST_TEST(mu[0] == 0.0);
+  // The curve rises, has its maximum and falls; the film gets hotter all the way.
+  BOOST_TEST((mu[1] > 0.02 && mu[2] > mu[1] && mu[3] < mu[2] && mu[4] < mu[3]));
+  for (std::size_t k = 1; k < film.size(); ++k) BOOST_TEST(film[k] > film[k - 1]);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
