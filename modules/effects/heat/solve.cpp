@@ -26,6 +26,7 @@ constexpr std::size_t grids_below = 2;
 constexpr double residual_below = 1e-3, change_below = 2e-3;
 
 struct Ladder {
+  steady::Scene scene;  // with the factors' effect
   fmg::Run run;
   std::shared_ptr<Factors> factors;
   std::vector<Pass> found{};  // coarse to fine
@@ -40,7 +41,7 @@ Ladder begin(steady::Scene scene, const steady::ProgressCallback& progress) {
   const steady::Start start{.coarsest = steady::held_by(64, scene) ? 32 : 64};
   fmg::Run run = steady::begin_climb(scene, start, progress);
   run.caution = run.plan.above;
-  return {.run = std::move(run), .factors = factors};
+  return {.scene = std::move(scene), .run = std::move(run), .factors = factors};
 }
 
 std::vector<core::Patch> patches_from(const fmg::Run& run, std::size_t l) {
@@ -162,7 +163,7 @@ Solution solve(const steady::Scene& scene, const thermal::Setup& setup, const st
   record.end = record.converged ? fmg::CyclesEnd::content : fmg::CyclesEnd::limit;
   const fmg::Level& level = ladder.run.hierarchy.finest();
   Solution result = report(*ladder.film, level.grid, level.P, level.H, setup, ladder.last.balance, ladder.rows);
-  result.film = steady::solution_of(std::move(ladder.run));
+  result.film = steady::solution_of(ladder.scene, std::move(ladder.run));
   complete(scene, isothermal, result.film);
   result.seconds = core::now() - began;
   result.film.seconds = isothermal.seconds + result.seconds;
