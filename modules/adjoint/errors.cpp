@@ -51,6 +51,21 @@ core::Field on_finer(const fmg::Hierarchy& hierarchy, std::size_t from, std::siz
   return scaled(to, 1.0, std::move(now));
 }
 
+/// -(poiseuille/3 + wedge/7) per area and value: positive where the number comes out too large.
+core::Field density(const fmg::Hierarchy& hierarchy, const core::Field& weights, const Truncation& parts,
+                    double value) {
+  const std::size_t finest = hierarchy.levels.size() - 1;
+  const core::Patch& grid = hierarchy.levels[finest - 1].grid;
+  core::Field here(grid);
+  for (int i = 1; i < grid.nx; ++i)
+    for (int j = 1; j <= grid.last_line(); ++j)
+      here(i, j) = -weights(i, j) * (parts.poiseuille(i, j) / 3.0 + parts.wedge(i, j) / 7.0) /
+                   (value * grid.hx() * grid.hy() * grid.lines(j));
+  core::Field on_fine(hierarchy.levels[finest].grid);
+  transfer::prolong_bilinear(here, on_fine, 1);
+  return core::on_domain(hierarchy.levels[finest].grid, on_fine);
+}
+
 struct Sum {
   double plain = 0.0, absolute = 0.0;
 };
@@ -67,7 +82,7 @@ Sum sum_over_wet(const core::Patch& grid, const core::Field& P, const core::Fiel
 
 }  // namespace
 
-std::optional<Errors> errors(fmg::Hierarchy& hierarchy) {
+std::optional<Errors> errors(fmg::Hierarchy& hierarchy, bool maps) {
   const double began = core::now();
   const std::size_t finest = hierarchy.levels.size() - 1;
   if (finest == 0) return std::nullopt;
@@ -83,12 +98,16 @@ std::optional<Errors> errors(fmg::Hierarchy& hierarchy) {
   const core::Field beside_P = beside.P;
   if (coarse != finest - 1) truncation(hierarchy, coarse, finest);
   Adjoint adjoint(hierarchy, coarse);
-  const auto foretold = [&](const Number& number, double value, double there) -> std::optional<Foretold> {
+  Errors result;
+  result.cells = level.grid.nx;
+  const auto foretold = [&](const Number& number, double value, double there,
+                            core::Field& map) -> std::optional<Foretold> {
     const std::optional<Weights> weights = adjoint.weights(number, tolerance);
     if (!weights) return std::nullopt;
     const core::Field on_beside = on_finer(hierarchy, coarse, finest - 1, weights->residual);
     const core::Field on_fine = on_finer(hierarchy, finest - 1, finest, on_beside);
     const auto of = [&](const core::Field& r) { return sum_over_wet(beside.grid, beside_P, on_beside, r).plain; };
+    if (maps) map = density(hierarchy, on_beside, parts, value);
     const Sum left = sum_over_wet(fine.grid, fine.P, on_fine, fine.r);
     return Foretold{.poiseuille = of(parts.poiseuille) / value,
                     .wedge = of(parts.wedge) / value,
@@ -97,11 +116,14 @@ std::optional<Errors> errors(fmg::Hierarchy& hierarchy) {
                     .scattered = left.absolute / value};
   };
   const core::Location least = core::minimum(level.H);
-  const auto Hc = foretold(judgement::weights_at(level.grid, 0.0, 0.0), values.Hc, beside_values.Hc);
+  const auto Hc = foretold(judgement::weights_at(level.grid, 0.0, 0.0), values.Hc, beside_values.Hc, result.map_Hc);
   const auto Hm = foretold(judgement::weights_of_fitted_minimum(level.grid, level.H, least.i, least.j), values.Hm,
-                           beside_values.Hm);
+                           beside_values.Hm, result.map_Hm);
   if (!Hc || !Hm) return std::nullopt;
-  return Errors{*Hc, *Hm, level.grid.nx, core::now() - began};
+  result.Hc = *Hc;
+  result.Hm = *Hm;
+  result.seconds = core::now() - began;
+  return result;
 }
 
 }  // namespace ehl::adjoint

@@ -21,6 +21,10 @@ struct Foretold {
 struct Errors {
   Foretold Hc, Hm;  ///< Hm: the fitted minimum
   int cells = 0;    ///< along x of the grid of the weights
+  /// Where the error is made: what the pressure's terms and the wedge at a place do to the number, relative and per
+  /// unit area, by their orders. On the finest grid's domain; empty where no maps are asked for. (The deformation's
+  /// part is one with H00's and has no place.)
+  core::Field map_Hc{}, map_Hm{};
   double seconds = 0.0;
 };
 
@@ -28,6 +32,6 @@ struct Errors {
 /// where that has more than 5000 nodes: there they are larger by a fifth to a half, and cost a tenth of the cycles.
 /// None with a single grid, or where they are not found. out: the finest level and H00 as they were; those below have
 /// other states.
-std::optional<Errors> errors(fmg::Hierarchy& hierarchy);
+std::optional<Errors> errors(fmg::Hierarchy& hierarchy, bool maps = false);
 
 }  // namespace ehl::adjoint

@@ -8,11 +8,16 @@
 namespace ehl::adjoint {
 namespace {
 
-/// Nodes that may take part in the equation of a node.
-constexpr std::pair<int, int> offsets[] = {{0, 0}, {-1, 0}, {1, 0}, {-2, 0}, {2, 0}, {0, -1}, {0, 1}, {0, -2}, {0, 2}};
-/// The nodes of one colour, i + 3 j modulo 11, are changed together: no two of them take part in the same equation.
-constexpr int colours = 11;
-int colour(int i, int j) { return (i + 3 * j) % colours; }
+/// Nodes that may take part in the equation of a node: by their film; by their pressure the first six.
+constexpr std::pair<int, int> offsets[] = {{0, 0}, {-1, 0}, {1, 0}, {-2, 0}, {0, -1}, {0, 1}, {2, 0}, {0, -2}, {0, 2}};
+/// The nodes of one colour, i + 3 j modulo so many, are changed together: no two of them take part in the same
+/// equation.
+struct Colours {
+  int count;
+  std::size_t offsets;
+  int of(int i, int j) const { return (i + 3 * j) % count; }
+};
+constexpr Colours of_film{10, 9}, of_pressure{7, 6};
 
 }  // namespace
 
@@ -54,20 +59,21 @@ void Adjoint::probe(bool pressure, Slope& slope) {
   const core::Patch& grid = level_.grid;
   slope.at.resize(equations_.size() - 1);
   std::vector<double> dr(slope.at.size());
-  for (int chosen = 0; chosen < colours; ++chosen) {
+  const Colours& colours = pressure ? of_pressure : of_film;
+  for (int chosen = 0; chosen < colours.count; ++chosen) {
     core::Field& changed = pressure ? on_P_ : on_H_;
     (pressure ? on_H_ : on_P_).fill(0.0);
     for (int i = 0; i <= grid.nx; ++i)
-      for (int j = 0; j <= grid.ny; ++j) changed(i, j) = colour(i, j) == chosen ? 1.0 : 0.0;
+      for (int j = 0; j <= grid.ny; ++j) changed(i, j) = colours.of(i, j) == chosen ? 1.0 : 0.0;
     core::fill_ghosts(grid, on_P_);
     equations_.change_of_residual(on_P_, on_H_, dr);
     for (int i = 1; i < grid.nx; ++i)
       for (int j = 1; j <= grid.last_line(); ++j)
-        for (std::size_t k = 0; k < reach; ++k) {
+        for (std::size_t k = 0; k < colours.offsets; ++k) {
           const auto [di, dj] = offsets[k];
           const bool there = i + di >= 0 && i + di <= grid.nx && j + dj >= 0 && j + dj <= grid.ny;
           const std::size_t row = equations_.index(i, j);
-          if (there && colour(i + di, j + dj) == chosen) slope.at[row][k] = equations_.scale(row) * dr[row];
+          if (there && colours.of(i + di, j + dj) == chosen) slope.at[row][k] = equations_.scale(row) * dr[row];
         }
   }
 }

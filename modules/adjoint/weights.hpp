@@ -35,7 +35,7 @@ double left_over(const Weights& weights, const core::Field& r, const core::Field
 class Adjoint {
  public:
   /// in: levels[l] as the level being solved (fmg::start_from_state), r made; its state may be some way from the
-  /// solution, the weights are then wrong by as much to first order. cost: 22 evaluations of the equations without the
+  /// solution, the weights are then wrong by as much to first order. cost: 17 evaluations of the equations without the
   /// deformation, and a sparse LU.
   Adjoint(fmg::Hierarchy& hierarchy, std::size_t l);
 

@@ -174,7 +174,7 @@ Solution solution_of(const Scene& scene, fmg::Run&& run) {
   solution.cycle_factor = record.cycle_factor;
   solution.verification = record.verification;
   if (scene.adjoint_errors && record.converged && reynolds::third_order(scene.wedge) && scene.effects.empty())
-    solution.adjoint = adjoint::errors(run.hierarchy);
+    solution.adjoint = adjoint::errors(run.hierarchy, scene.error_maps);
   solution.times = run.hierarchy.times;
   return solution;
 }

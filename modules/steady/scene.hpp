@@ -69,6 +69,7 @@ struct Scene {
   /// The errors of Hc and Hm by the weights of what is left of the equations, with the third-order wedge; else from the
   /// levels alone.
   bool adjoint_errors = true;
+  bool error_maps = false;  ///< and where they are made
   AccuracyTarget accuracy;
   bool use_symmetry = true;  ///< compute on one half of a grid that is symmetric in Y: the same but for rounding
   int threads = 1;

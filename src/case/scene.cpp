@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "base/machine.hpp"
@@ -50,6 +51,15 @@ void read_names(const std::string& path, Case& input) {
   input.output = !file.empty() ? file : (stem.empty() ? "result" : stem) + ".h5";
 }
 
+void read_error_maps(Case& input, bool steady) {
+  steady::Scene& scene = input.scene;
+  scene.error_maps =
+      std::ranges::any_of(input.fields, [](const std::string& one) { return one.starts_with("error_"); });
+  if (scene.error_maps && !(steady && scene.adjoint_errors && reynolds::third_order(scene.wedge)))
+    deck::Part{input.deck, "output"}.complain(
+        "fields", "error_Hc and error_Hm are of steady contacts with wedge = upstream3 and [grid] errors = adjoint");
+}
+
 }  // namespace
 
 std::vector<deck::Key> case_keys() {
@@ -70,8 +80,10 @@ std::vector<deck::Key> case_keys() {
                          {.name = "fields",
                           .type = Type::words,
                           .default_text = "P, H",
-                          .words = {"P", "H", "rho_bar", "ln_eta_bar"},
-                          .meaning = "The fields to keep: pressure, film, density, logarithm of the viscosity."}})});
+                          .words = {"P", "H", "rho_bar", "ln_eta_bar", "error_Hc", "error_Hm"},
+                          .meaning = "The fields to keep: pressure, film, density, logarithm of the viscosity; where "
+                                     "the mesh's errors of Hc and Hm are made, with [grid] errors = adjoint and "
+                                     "upstream3."}})});
 }
 
 Case read_case(const std::string& path, const std::vector<std::string>& overrides, int threads) {
@@ -125,6 +137,8 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
                         : given(deck, "transient", "end_time") ? Motion::in_time
                                                                : Motion::steady;
   scene.adjoint_errors = steady::read_adjoint_errors(deck);
+  read_names(path, result);
+  read_error_maps(result, motion == Motion::steady);
   result.surfaces = surface_input(deck, result.physics, scene.grid, motion);
   result.transient = transient_input(deck, result.physics, result.surfaces, scene.grid);
   if (!result.transient) let_stand(result.surfaces, scene);
@@ -137,7 +151,6 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   if (deck.errors.empty()) refuse_idle(result);
   deck::throw_if_wrong(deck);
 
-  read_names(path, result);
   result.files = deck::named_files(deck);
   return result;
 }

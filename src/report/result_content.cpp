@@ -111,6 +111,11 @@ results::Content result_content(const Case& input, const Computed& computed) {
                                                 {"H", "a^2/R", "film thickness h R/a^2", &solution.H},
                                                 {"rho_bar", "rho0", "density rho/rho0", &derived.rho_bar},
                                                 {"ln_eta_bar", "-", "ln(eta/eta0)", &derived.ln_eta_bar}};
+  if (const auto& errors = solution.adjoint; errors && errors->map_Hc.nodes_x() > 0) {
+    const char* meaning = "where the mesh's relative error of it is made, per area";
+    if (wanted(input, "error_Hc")) content.fields.push_back({"error_Hc", "1/a^2", meaning, &errors->map_Hc});
+    if (wanted(input, "error_Hm")) content.fields.push_back({"error_Hm", "1/a^2", meaning, &errors->map_Hm});
+  }
   for (const results::NamedField& field : fields)
     if (wanted(input, field.name)) content.fields.push_back(field);
   if (input.scene.surface)

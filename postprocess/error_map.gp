@@ -1,0 +1,39 @@
+# figure: where the mesh's errors of Hc and Hm are made: too large in red, too small in blue
+# needs: /fields/error_Hc /fields/error_Hm
+figure = "error_map"
+here = system(sprintf("dirname '%s'", ARG0))
+wide = 180
+load here."/result.gp"
+load here."/window.gp"
+# Two maps side by side. Colours by the square root, each map by its own largest value.
+half = (wide - m(edge)) / 2
+high = (half - m(16)) * 2 * far / (right - left) + m(14 + top)
+stats field("error_Hc", 300) matrix nonuniform using 3 nooutput prefix "C"
+stats field("error_Hm", 300) matrix nonuniform using 3 nooutput prefix "M"
+size(low, high) = -low > high ? -low : high
+of_Hc = size(C_min, C_max)
+of_Hm = size(M_min, M_max)
+shown(value, largest) = largest > 0 ? sgn(value) * (abs(value) / largest)**0.5 : 0
+eval page
+set multiplot
+set xrange [left:right]
+set yrange [bottom:bottom + 2 * far]
+set xtics steps_of(right - left)
+set ytics steps_of(2 * far)
+set xlabel axis_along offset 0, 0.4
+set palette defined (-1 blue, 0 "white", 1 red)
+set cbrange [-1:1]
+set cbtics ("too small" -1, "0" 0, "too large" 1)
+unset key
+unset colorbox
+eval box(m(13), m(edge) + half, m(10), m(top + 4))
+set ylabel axis_Y offset 1, 0
+set label 1 "H_c" at graph 0.5, graph 1 offset 0, 0.6 center
+plot field("error_Hc", 400) matrix nonuniform using 1:2:(shown($3, of_Hc)) with image
+unset label 100
+eval box(half + m(8), m(edge), m(10), m(top + 4))
+unset ylabel
+set label 1 "H_m"
+eval bar(m(10), m(top + 4))
+plot field("error_Hm", 400) matrix nonuniform using 1:2:(shown($3, of_Hm)) with image
+unset multiplot
