@@ -23,7 +23,7 @@ set ytics steps_of(2 * far)
 set xlabel axis_along offset 0, 0.4
 set palette defined (-1 blue, 0 "white", 1 red)
 set cbrange [-1:1]
-set cbtics ("too small" -1, "0" 0, "too large" 1)
+set cbtics ("small" -1, "0" 0, "large" 1)
 unset key
 unset colorbox
 eval box(m(13), m(edge) + half, m(10), m(top + 4))

@@ -52,15 +52,16 @@ core::Field on_finer(const fmg::Hierarchy& hierarchy, std::size_t from, std::siz
 }
 
 /// -(poiseuille/3 + wedge/7) per area and value: positive where the number comes out too large.
-core::Field density(const fmg::Hierarchy& hierarchy, const core::Field& weights, const Truncation& parts,
-                    double value) {
+core::Field density(const fmg::Hierarchy& hierarchy, const core::Field& P, const core::Field& weights,
+                    const Truncation& parts, double value) {
   const std::size_t finest = hierarchy.levels.size() - 1;
   const core::Patch& grid = hierarchy.levels[finest - 1].grid;
   core::Field here(grid);
   for (int i = 1; i < grid.nx; ++i)
     for (int j = 1; j <= grid.last_line(); ++j)
-      here(i, j) = -weights(i, j) * (parts.poiseuille(i, j) / 3.0 + parts.wedge(i, j) / 7.0) /
-                   (value * grid.hx() * grid.hy() * grid.lines(j));
+      if (P(i, j) > 0.0)
+        here(i, j) = -weights(i, j) * (parts.poiseuille(i, j) / 3.0 + parts.wedge(i, j) / 7.0) /
+                     (value * grid.hx() * grid.hy() * grid.lines(j));
   core::Field on_fine(hierarchy.levels[finest].grid);
   transfer::prolong_bilinear(here, on_fine, 1);
   return core::on_domain(hierarchy.levels[finest].grid, on_fine);
@@ -107,7 +108,7 @@ std::optional<Errors> errors(fmg::Hierarchy& hierarchy, bool maps) {
     const core::Field on_beside = on_finer(hierarchy, coarse, finest - 1, weights->residual);
     const core::Field on_fine = on_finer(hierarchy, finest - 1, finest, on_beside);
     const auto of = [&](const core::Field& r) { return sum_over_wet(beside.grid, beside_P, on_beside, r).plain; };
-    if (maps) map = density(hierarchy, on_beside, parts, value);
+    if (maps) map = density(hierarchy, beside_P, on_beside, parts, value);
     const Sum left = sum_over_wet(fine.grid, fine.P, on_fine, fine.r);
     return Foretold{.poiseuille = of(parts.poiseuille) / value,
                     .wedge = of(parts.wedge) / value,

@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(every_figure_of_every_kind_of_result_is_drawn_in_its_units)
   scene.folder.write("d.ini", "[case]\nkind = dry\n[subsurface]\ndepth = 2\n[grid]\ncells = 64\n");
   scene.folder.write("m.ini",
                      "[contact]\nM = 20\nL = 10\nradius_ratio = 0.5\n[motion]\nangle = 30\n[lubricant]\nalpha = "
-                     "2.2e-8\n[grid]\ncells = 64\n");
+                     "2.2e-8\n[grid]\ncells = 64\n[output]\nfields = P, H, error_Hc, error_Hm\n");
   BOOST_REQUIRE(scene.ehl("run d.ini").status == 0);
   BOOST_REQUIRE(scene.ehl("run m.ini").status == 0);
   BOOST_REQUIRE(scene
@@ -86,7 +86,9 @@ BOOST_AUTO_TEST_CASE(every_figure_of_every_kind_of_result_is_drawn_in_its_units)
                          "surface2.height_m=5e-8 --set surface2.width_m=6e-5")
                     .status == 0);
   BOOST_TEST(contains(scene.drawn("d.h5 --format svg"), "d_subsurface_stress.svg"));
-  BOOST_TEST(contains(scene.drawn("m.h5 --format svg"), "m_interferogram.svg"));
+  const std::string drawn = scene.drawn("m.h5 --format svg");
+  BOOST_TEST(contains(drawn, "m_interferogram.svg"));
+  BOOST_TEST(contains(drawn, "m_error_map.svg"));
   scene.drawn("w.h5 --format svg --figure roughness --figure film_contours --figure centre_lines");
   const std::string own = scene.folder.read("m_film_contours.svg"), si = scene.folder.read("w_film_contours.svg");
   BOOST_TEST(contains(own, "X = x/a"));

@@ -224,7 +224,8 @@ BOOST_AUTO_TEST_CASE(a_spike_that_overtakes_the_plateau) {
 BOOST_AUTO_TEST_CASE(by_weights) {
   Solution solution = three_levels(1.0, 1.0, 1.0);
   const adjoint::Foretold parts{-0.03, -0.07, 0.003, -0.002, 0.01};
-  solution.adjoint = adjoint::Errors{parts, parts, 64, 0.0};
+  solution.adjoint.emplace();
+  solution.adjoint->Hc = solution.adjoint->Hm = parts;
   LevelRow& below = solution.levels[1];
   const LevelRow& last = solution.levels[2];
   below.Hc = last.Hc * 1.097;
