@@ -102,6 +102,10 @@ void supply_input(Case& input) {
     return supply.complain(first, "in time is not available in this version: remove it, or [transient] end_time");
   if (std::isfinite(input.scene.accuracy.error))
     return supply.complain(first, "with [grid] accuracy is not available in this version: give [grid] cells");
+  if (deck::called_for(deck, "thermal"))
+    return supply.complain(first, "with [thermal] is not available in this version: remove one of them");
+  if (deck::given(deck, "grid", "errors") && deck::word(deck, "grid", "errors") == "adjoint")
+    deck::complain(deck, "grid", "errors", "adjoint is not available with [supply] in this version: levels");
   const starvation::Scales scales = scales_of(input);
   const starvation::Input given = starvation::read(deck, scales);
   if (!deck.errors.empty()) return;
