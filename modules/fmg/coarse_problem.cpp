@@ -1,7 +1,9 @@
 #include "fmg/coarse_problem.hpp"
 
+#include <algorithm>
+
 #include "fmg/boundary.hpp"
-#include "reynolds/flux.hpp"
+#include "reynolds/content.hpp"
 #include "transfer/transfer.hpp"
 
 namespace ehl::fmg {
@@ -59,6 +61,20 @@ void take_slack(reynolds::Cavitation cavitation, const Level& fine, Level& coars
       coarse.f(I, J) = 0.0 - reynolds::slack(cavitation, fine.P(2 * I, 2 * J), fine.r(2 * I, 2 * J));
 }
 
+// Q is injected where the oil leaves room, as the pressure is there: f then makes of it what the coarse grid's march
+// gives, and how far such a point is from being full is its slack.
+void restrict_content(const Level& fine, Level& coarse) {
+  for (int J = 0; J <= coarse.grid.ny; ++J) {
+    coarse.supply[static_cast<std::size_t>(J)] = fine.supply[static_cast<std::size_t>(2 * J)];
+    for (int I = 0; I <= coarse.grid.nx; ++I) {
+      const double Q = fine.content(2 * I, 2 * J);
+      const double full = coarse.rho_bar(I, J) * coarse.H(I, J);
+      const bool lacks = Q < fine.rho_bar(2 * I, 2 * J) * fine.H(2 * I, 2 * J);
+      coarse.content(I, J) = lacks ? std::min(Q, full) : full;
+    }
+  }
+}
+
 template <reynolds::Face face>
 void restrict_by_coupling(const Level& fine, const reynolds::Transport& transport, int threads, core::Field& coarse) {
   const Coupling<face> coupling(fine, elastic_coupling * reynolds::relative_strength(transport, fine.grid.hx()));
@@ -103,7 +119,10 @@ void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse) {
     reynolds::restrict_pressure(problem.cavitation, fine.P, coarse.grid, coarse.P);
     core::copy(coarse.P, coarse.P_restricted);
     transfer::restrict_injection(fine.H, coarse.H_restricted);
-    take_slack(problem.cavitation, fine, coarse);
+    if (conserves_mass(fine))
+      coarse.f.fill(0.0);
+    else
+      take_slack(problem.cavitation, fine, coarse);
     reynolds::drop_beside_dry(problem.cavitation, fine.grid, fine.P, threads, fine.r);
     coarse.H_floor = coarse_film_floor;
     coarse.H00_of_boundary = fine.H00_of_boundary;
@@ -123,7 +142,13 @@ void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse) {
   core::copy(coarse.H_restricted, coarse.H);
   update_coefficients(hierarchy, coarse);
   // f = L(restricted P) + restricted residual + slack: the residual with f = -slack is -slack - L.
-  update_residual(hierarchy, coarse);
+  if (conserves_mass(fine)) {
+    restrict_content(fine, coarse);
+    reynolds::residual_of_content(grid, fields(coarse), {coarse.content, coarse.supply},
+                                  transport_on(hierarchy, coarse), hierarchy.threads_on(grid), coarse.r);
+  } else {
+    update_residual(hierarchy, coarse);
+  }
   const core::ScopedTimer timer(hierarchy.times, core::Part::transfer);
   restrict_residual(fine, hierarchy.transport, threads, coarse.f);
   for (int i = 1; i < grid.nx; ++i)
@@ -144,7 +169,7 @@ void correct_from_coarse(Hierarchy& hierarchy, Level& coarse, Level& fine) {
     for (int i = 1; i < fine.grid.nx; ++i) {
       double* P = fine.P.at_x(i);
       const double* change = fine.correction.at_x(i);
-      for (int j = 1; j <= fine.grid.last_line(); ++j) P[j] = reynolds::projected(cavitation, P[j] + change[j]);
+      for (int j = 1; j <= fine.grid.last_line(); ++j) P[j] = reynolds::corrected(cavitation, P[j], change[j]);
       core::fill_ghosts(fine.grid, P);
     }
   }

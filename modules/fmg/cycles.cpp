@@ -29,6 +29,18 @@ constexpr double least_steep = 0.6;
 constexpr double back_off_all = 0.8;
 constexpr double least_all = 0.5;
 
+/// A meniscus on its way to its place is no reason for more caution, for so many cycles.
+constexpr int on_its_way = 15;
+
+/// How many nodes are dry, where their oil is an unknown.
+int dry_nodes(const Level& level, reynolds::Cavitation cavitation) {
+  int count = 0;
+  if (!reynolds::conserves(cavitation)) return count;
+  for (int i = 1; i < level.grid.nx; ++i)
+    for (int j = 1; j <= level.grid.last_line(); ++j) count += reynolds::dry(cavitation, level.P(i, j)) ? 1 : 0;
+  return count;
+}
+
 /// More caution; false when there is none left to take.
 bool back_off(Caution& caution) {
   if (caution.steep * back_off_steep >= least_steep)
@@ -75,6 +87,8 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
     how = cautious(hierarchy.parameters, needed);
     residuals = std::move(so_far);
   };
+  const reynolds::Cavitation cavitation = hierarchy.problem.cavitation;
+  int dry = dry_nodes(hierarchy.levels[l], cavitation);
   while (result.cycles < criterion.most) {
     ++result.cycles;
     judgement::Measures now;
@@ -101,18 +115,22 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
       return result;
     }
     residuals.push_back(now.residual);
+    if (const int count = dry_nodes(hierarchy.levels[l], cavitation); count != dry && result.cycles <= on_its_way) {
+      dry = count;
+      residuals = {now.residual};
+    }
     if (how.post == 0 && result.cycles > 1 && now.residual > rough_factor * before.residual &&
         now.residual > rounding_residual) {
       needed.relax_after = true;
       more_careful({now.residual});
     }
-    const std::size_t count = residuals.size();
-    if (count > patience && now.residual > hardly_less * residuals[count - 1 - patience]) {
+    const std::size_t taken = residuals.size();
+    if (taken > patience && now.residual > hardly_less * residuals[taken - 1 - patience]) {
       result.end = CyclesEnd::stalled;
       return result;
     }
-    if (count > settling_cycles && now.residual > poor_factor * before.residual &&
-        now.residual > poor_factor * residuals[count - 3] && now.residual > rounding_residual && back_off(needed))
+    if (taken > settling_cycles && now.residual > poor_factor * before.residual &&
+        now.residual > poor_factor * residuals[taken - 3] && now.residual > rounding_residual && back_off(needed))
       more_careful({before.residual, now.residual});
     before = now;
   }

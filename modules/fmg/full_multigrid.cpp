@@ -34,11 +34,43 @@ double mean_factor(const std::vector<double>& residuals) {
   return std::pow(residuals.back() / residuals.front(), 1.0 / static_cast<double>(residuals.size() - 1));
 }
 
+/// A meniscus begins from a solution without one, and recedes with a supply that is reduced in steps: with steps of a
+/// half, or half as many cycles, thin layers between soft bodies end in a film that swings.
+void reduce_supply(Run& run) {
+  constexpr int cycles_of_a_supply = 8;
+  constexpr double next_supply = 0.7;
+  Hierarchy& hierarchy = run.hierarchy;
+  const std::size_t l = run.plan.first;
+  Level& level = hierarchy.levels[l];
+  const StoppingCriterion criterion{.aim = Aim::first_start, .planned = cycles_of_a_supply, .most = cycles_of_a_supply};
+  const auto cycles = [&] {
+    const CyclesResult result =
+        run_cycles(hierarchy, l, criterion, run.caution, [](int, const Measures&) { return DiscretizationError{}; });
+    run.caution = result.caution;
+  };
+  cycles();
+  run.caution = run.plan.above;  // small weights keep a meniscus from its place
+  const double flooded = measures_of(hierarchy, l).Hc;
+  double least = hierarchy.problem.supply(0.0);
+  for (int j = 0; j <= level.grid.ny; ++j) least = std::min(least, hierarchy.problem.supply(level.grid.Y(j)));
+  constexpr double thin = 0.01;  // of the flooded film: thinner layers go through as they are
+  for (double supply = flooded; supply > std::max(least, thin * flooded); supply *= next_supply) {
+    hierarchy.least_supply = supply;
+    supply_oil(hierarchy, level);
+    cycles();
+  }
+  hierarchy.least_supply = 0.0;
+  supply_oil(hierarchy, level);
+}
+
 void solve_first_level(Run& run) {
   RowTimer timer(run);
   const Plan& plan = run.plan;
   run.caution = plan.at_first;
+  const bool conserves = reynolds::conserves(run.hierarchy.problem.cavitation);
+  if (conserves) run.hierarchy.least_supply = std::numeric_limits<double>::infinity();
   start_from_hertz(run.hierarchy, plan.first, plan.H00, plan.sweeps, cautious(run.hierarchy.parameters, run.caution));
+  if (conserves) reduce_supply(run);
   solve_level(run, plan.first);
   run.caution = plan.above;
   timer.stop();

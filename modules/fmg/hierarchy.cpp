@@ -10,6 +10,7 @@
 #include "core/norms.hpp"
 #include "fmg/boundary.hpp"
 #include "kernel/influence.hpp"
+#include "reynolds/content.hpp"
 
 namespace ehl::fmg {
 namespace {
@@ -39,8 +40,12 @@ Level make_level(const core::Patch& grid, bool finest, const Problem& problem, c
   const int lines_of_a_colour = grid.ny / 2 + 2 * core::lanes;
   const auto zero_changes = [&] { return core::Field(grid.nodes_x(), lines_of_a_colour); };
   const bool half_points = problem.face != reynolds::Face::mean;
+  const auto nodes_y = static_cast<std::size_t>(grid.nodes_y());
   ThreadWork work = make_thread_work(grid, problem.film, parameters.relaxation);
-  if (half_points) work.answers.resize(work.west.size());
+  if (half_points) {
+    work.answers.resize(work.west.size());
+    work.answers_west.resize(work.west.size());
+  }
   return {.grid = grid,
           .P = zero(),
           .H = zero(),
@@ -56,6 +61,8 @@ Level make_level(const core::Patch& grid, bool finest, const Problem& problem, c
           .H_restricted = only_below_the_finest(),
           .P_restricted = only_below_the_finest(),
           .r = zero(),
+          .content = reynolds::conserves(problem.cavitation) ? zero() : core::Field(),
+          .supply = std::vector<double>(reynolds::conserves(problem.cavitation) ? nodes_y : 0),
           .correction = zero(),
           .changes = {zero_changes(), zero_changes()},
           .thread_work = std::vector<ThreadWork>(static_cast<std::size_t>(threads), work),
@@ -106,10 +113,19 @@ Hierarchy make_hierarchy(const Problem& problem, const Parameters& parameters, c
   return hierarchy;
 }
 
+void supply_oil(const Hierarchy& hierarchy, Level& level) {
+  for (std::size_t j = 0; j < level.supply.size(); ++j)
+    level.supply[j] = std::max(hierarchy.least_supply, hierarchy.problem.supply(level.grid.Y(static_cast<int>(j))));
+}
+
 void update_residual(Hierarchy& hierarchy, Level& level) {
   const core::ScopedTimer timer(hierarchy.times, core::Part::residual);
-  reynolds::residual(level.grid, fields(level), transport_on(hierarchy, level), hierarchy.threads_on(level.grid),
-                     level.r);
+  const reynolds::Transport transport = transport_on(hierarchy, level);
+  const int threads = hierarchy.threads_on(level.grid);
+  if (conserves_mass(level))
+    reynolds::residual(level.grid, fields(level), {level.content, level.supply}, transport, threads, level.r);
+  else
+    reynolds::residual(level.grid, fields(level), transport, threads, level.r);
 }
 
 double carried_load(const Level& level) {

@@ -37,6 +37,8 @@ struct Problem {
   /// eq. (7), h^2 sum P = load; absent: H00 is given and stays (the model problems).
   std::optional<double> load = 2.0 * std::numbers::pi / 3.0;
   reynolds::Cavitation cavitation = reynolds::Cavitation::nonnegative_pressure;
+  /// Of the mass conserving model: what the surfaces bring, rho_bar H at most; per Y.
+  std::function<double(double Y)> supply{};
   Geometry geometry{};
   /// The pressure on the boundary of the domain and the load outside of it; absent: none.
   std::optional<reynolds::FarField> far_field{};
@@ -84,14 +86,16 @@ struct Level {
   OilFields oil;
   core::Field third_order;  ///< theta of the face behind each node (flux.hpp); empty where no wedge and no face asks
   core::Field rho_bar;
-  core::Field drho_bar;      ///< d rho_bar/dP
-  core::Field f;             ///< right-hand side of the Reynolds equation (FAS); empty on the finest level: zero
-  core::Field F;             ///< right-hand side of the film equation: S on the level being solved, else of FAS;
-                             ///< empty on the finest level of a smooth contact
-  core::Field H_restricted;  ///< the finer level's film at these nodes; empty on the finest level
-  core::Field P_restricted;  ///< the finer level's pressure as it came down; likewise
-  core::Field r;             ///< residual
-  core::Field correction;    ///< of P, on its way up
+  core::Field drho_bar;        ///< d rho_bar/dP
+  core::Field f;               ///< right-hand side of the Reynolds equation (FAS); empty on the finest level: zero
+  core::Field F;               ///< right-hand side of the film equation: S on the level being solved, else of FAS;
+                               ///< empty on the finest level of a smooth contact
+  core::Field H_restricted;    ///< the finer level's film at these nodes; empty on the finest level
+  core::Field P_restricted;    ///< the finer level's pressure as it came down; likewise
+  core::Field r;               ///< residual
+  core::Field content;         ///< Q of the mass conserving model, as the last residual left it; else empty
+  std::vector<double> supply;  ///< and what comes in, per line
+  core::Field correction;      ///< of P, on its way up
   LineChanges changes;
   std::vector<ThreadWork> thread_work;  ///< made for the parameters' line solver and reach
   mlmi::Deformation deformation;
@@ -131,6 +135,7 @@ struct Hierarchy {
   LoadLine outside_line;      ///< of the load outside, as it is left for the inside
   std::vector<Level> levels;  ///< coarsest first
   double H00 = 0.0;
+  double least_supply = 0.0;  ///< less is not supplied yet: how a solution begins
   int threads = 1;
   core::PartTimes times;
 
@@ -165,7 +170,10 @@ void update_film(Hierarchy& hierarchy, Level& level);
 /// The coefficients alone.
 void update_coefficients(Hierarchy& hierarchy, Level& level);
 
-/// level.r = f - L(P).
+/// Fills level.supply.
+void supply_oil(const Hierarchy& hierarchy, Level& level);
+
+/// level.r = f - L(P), and level.content.
 void update_residual(Hierarchy& hierarchy, Level& level);
 
 /// The pressure that deforms the bodies and carries the load: what the fluid has. (Where the surfaces touch, the sum of
@@ -205,8 +213,12 @@ inline reynolds::Transport transport_on(const Hierarchy& hierarchy, const Level&
   return transport;
 }
 
+inline bool conserves_mass(const Level& level) { return level.content.nodes_x() > 0; }
+
 inline reynolds::Fields fields(const Level& level) {
-  return {level.P, level.H, level.rho_bar, level.eps, level.f, eps_across(level), level.scheme.face, level.third_order};
+  return {level.P,           level.H,           level.rho_bar,
+          level.eps,         level.f,           eps_across(level),
+          level.scheme.face, level.third_order, conserves_mass(level) ? &level.content : nullptr};
 }
 
 }  // namespace ehl::fmg

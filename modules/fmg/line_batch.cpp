@@ -1,9 +1,10 @@
 #include "fmg/line_batch.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "fmg/line_lanes.hpp"
-#include "reynolds/flux.hpp"
+#include "reynolds/content.hpp"
 
 namespace ehl::fmg {
 
@@ -42,8 +43,9 @@ void hold_to_what_is_there(Level& level, int colour, int batch) {
 }  // namespace
 
 template <int reach, LineSolver solver>
-template <bool plain, class Take>
+template <Form form, class Take>
 void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level& level, int j, Take take) {
+  constexpr bool plain = form == Form::plain;
   const core::Patch& grid = level.grid;
   const reynolds::Cavitation cavitation = hierarchy.problem.cavitation;
   const LaneMask outside = ~inside(j, grid);
@@ -54,6 +56,13 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
   FilmStation film1 = film_station(level, 0, j);
   FilmStation film_east = plain ? FilmStation{} : film_station(level, 1, j);
   const reynolds::Transport transport = transport_on(hierarchy, level);
+  std::optional<reynolds::March<Lanes>> march;
+  if constexpr (form == Form::mass_conserving) {
+    Lanes supply{};
+    for (int lane = 0; lane < core::lanes; ++lane)
+      supply[lane] = level.supply[static_cast<std::size_t>(std::min(j + 2 * lane, grid.ny))];
+    march.emplace(transport, grid.hx(), core::min(supply, film1.rho_H), film1.rho_H);
+  }
   for (int i = 1; i < grid.nx; ++i) {
     const Beside P_east = with_neighbours(level.P, i + 1, j);
     const FilmStation film0 = plain ? film_station(level, i, j) : film_east;
@@ -68,6 +77,23 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
       point.c = {c[0] * film0.rho_bar, c[1] * film1.rho_bar, c[2] * film2.rho_bar};
       point.r = reynolds::transported(c, film0.rho_H, film1.rho_H, film2.rho_H) - inflow;
       dr = reynolds::pressure_row(c, e, film0.slope_H, film1.slope_H, film2.slope_H);
+    } else if constexpr (form == Form::mass_conserving) {
+      film_east = film_station(level, i + 1, j);
+      reynolds::ThirdOrder<Lanes> theta{};
+      if (reynolds::third_order(transport.wedge))
+        theta = {own_lines(level.third_order, i - 1, j), own_lines(level.third_order, i, j)};
+      const Lanes f = level.f.nodes_x() > 0 ? own_lines(level.f, i, j) : Lanes{};
+      point.r = march->residual(film0.rho_H, film_east.rho_H, theta, inflow - f);
+      const auto w = march->weights();
+      point.c = {w[0] * film0.rho_bar, w[1] * film1.rho_bar, w[2] * film2.rho_bar, w[3] * film_east.rho_bar};
+      dr = reynolds::pressure_row(w, e, film0.slope_H, film1.slope_H, film2.slope_H, film_east.slope_H);
+      Lanes back = e.west;
+      if (at_half_points(level)) {
+        dr = reynolds::sum(dr, work_.answers[k]);
+        back += work_.answers_west[k];
+      }
+      dr.own -= march->behind_dry() ? back : Lanes{};
+      march->go_on(film0.rho_H, P.own <= 0.0, point.r);
     } else {
       film_east = film_station(level, i + 1, j);
       const auto w = reynolds::third_order_weights<Lanes>(
@@ -77,7 +103,7 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
       dr = reynolds::pressure_row(w, e, film0.slope_H, film1.slope_H, film2.slope_H, film_east.slope_H);
       if (at_half_points(level)) dr = reynolds::sum(dr, work_.answers[k]);
     }
-    if (level.f.nodes_x() > 0) point.r += own_lines(level.f, i, j);
+    if (form != Form::mass_conserving && level.f.nodes_x() > 0) point.r += own_lines(level.f, i, j);
 
     // From the coefficients of the pressure changes to those of the deltas: the pressure change at k is
     // delta_k - (distributed_{k-1} + distributed_{k+1})/4.
@@ -129,10 +155,12 @@ line_solvers::SmallPivot LineBatch<reach, solver>::solve(const Hierarchy& hierar
   const bool cut_off = reynolds::ruptures(hierarchy.problem.cavitation) && hierarchy.transport.squeeze > 0.0;
   LineCoefficients(work_, how_).read(hierarchy, level, j);
   const auto assemble_by_scheme = [&](auto take) {
-    if (at_half_points(level) || reynolds::third_order(level.scheme.wedge))
-      assemble<false>(hierarchy, level, j, take);
+    if (conserves_mass(level))
+      assemble<Form::mass_conserving>(hierarchy, level, j, take);
+    else if (at_half_points(level) || reynolds::third_order(level.scheme.wedge))
+      assemble<Form::general>(hierarchy, level, j, take);
     else
-      assemble<true>(hierarchy, level, j, take);
+      assemble<Form::plain>(hierarchy, level, j, take);
   };
   if constexpr (solver == LineSolver::elimination) {
     line_solvers::Elimination<reach> elimination(std::get<EliminationFactors<reach>>(work_.solver).data());

@@ -21,6 +21,10 @@ inline core::LaneMask inside(int j0, const core::Patch& grid) {
   return (j >= 1) & (j <= grid.last_line());
 }
 
+/// Of the rows: with epsilon at the nodes and a wedge of three weights; with everything; of the cavitation model that
+/// conserves mass.
+enum class Form { plain, general, mass_conserving };
+
 /// What the line systems are made of, into the work space of one thread.
 class LineCoefficients {
  public:
@@ -47,7 +51,7 @@ class LineBatch {
   line_solvers::SmallPivot solve(const Hierarchy& hierarchy, Level& level, int colour, int batch);
 
  private:
-  template <bool plain, class Take>
+  template <Form form, class Take>
   void assemble(const Hierarchy& hierarchy, const Level& level, int j, Take take);
   void keep(Level& level, int batch, int i, core::Lanes delta) const;
 

@@ -33,6 +33,7 @@ ThreadWork make_thread_work(const core::Patch& grid, const film::Model& film, co
                   .south = std::vector<Lanes>(points),
                   .north = std::vector<Lanes>(points),
                   .answers = {},
+                  .answers_west = {},
                   .distributive = std::vector<Lanes>(points + 2 * ThreadWork::margin),
                   .far_squeeze = std::vector<Lanes>(points),
                   .solver = {}};
@@ -81,6 +82,7 @@ void LineCoefficients::read_answers(const Level& level, int j) {
         .east = work_.west[k + 1] * (1.0 - east.behind),
         .south = e_south * (1.0 - south.before),
         .north = e_north * (1.0 - north.behind)};
+    work_.answers_west[k] = work_.west[k] * (west.behind - 1.0);
     west = east;
     phi = phi_east;
     a = a_east;

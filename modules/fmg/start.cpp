@@ -30,7 +30,8 @@ void begin_with_mean(Hierarchy& hierarchy, Level& level, Steps steps) {
   update_coefficients(hierarchy, level);
 }
 
-void pose_original_problem(const Problem& problem, Level& level) {
+void pose_original_problem(const Hierarchy& hierarchy, Level& level) {
+  const Problem& problem = hierarchy.problem;
   level.f.fill(0.0);
   if (problem.surface)
     problem.surface(level.grid, level.F);
@@ -41,6 +42,7 @@ void pose_original_problem(const Problem& problem, Level& level) {
   level.scheme = scheme_of(problem);
   level.load = problem.load.value_or(0.0);
   level.load_outside = 0.0;
+  supply_oil(hierarchy, level);
 }
 
 // Mean of S, weighted with the pressure.
@@ -111,7 +113,7 @@ bool round(const core::QuadraticForm& gap) { return gap.XY == 0.0 && gap.XX == g
 
 void start_from_hertz(Hierarchy& hierarchy, std::size_t l, double H00, int sweeps, const Parameters& how) {
   Level& level = hierarchy.levels[l];
-  pose_original_problem(hierarchy.problem, level);
+  pose_original_problem(hierarchy, level);
   const auto& [XX, XY, YY] = hierarchy.problem.geometry.outline;
   const std::optional<reynolds::FarField>& far_field = hierarchy.problem.far_field;
   // Rigid bodies that do not meet: the far field goes on to the middle.
@@ -152,7 +154,7 @@ void start_from_hertz(Hierarchy& hierarchy, std::size_t l, double H00, int sweep
 
 void start_from_state(Hierarchy& hierarchy, std::size_t l, const State& start) {
   Level& level = hierarchy.levels[l];
-  pose_original_problem(hierarchy.problem, level);
+  pose_original_problem(hierarchy, level);
   core::copy(start.P, level.P);
   core::fill_ghosts(level.grid, level.P);
   hierarchy.H00 = start.H00;
@@ -162,7 +164,7 @@ void start_from_state(Hierarchy& hierarchy, std::size_t l, const State& start) {
 
 void start_from_coarser(Hierarchy& hierarchy, std::size_t l) {
   Level& level = hierarchy.levels[l];
-  pose_original_problem(hierarchy.problem, level);
+  pose_original_problem(hierarchy, level);
   {
     const core::ScopedTimer timer(hierarchy.times, core::Part::transfer);
     transfer::prolong_bicubic(hierarchy.levels[l - 1].grid, hierarchy.levels[l - 1].P, level.P);

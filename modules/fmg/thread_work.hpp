@@ -31,6 +31,8 @@ struct ThreadWork {
   /// With epsilon at half points what the row of point i has beside that of epsilon held: the viscosity follows the
   /// pressure.
   std::vector<reynolds::PressureRow<core::Lanes>> answers;
+  /// What of its own part comes by the face to the west; likewise.
+  std::vector<core::Lanes> answers_west;
   /// 1 where point i distributes its change; zero outside the line.
   std::vector<core::Lanes> distributive;
   /// What single changes around point i squeeze out of its film, per change of its own and density.

@@ -107,6 +107,7 @@ void Equations::linearize(std::span<const double> u) {
   }
   if (at_half_points()) linearize_half_points();
   for (std::size_t k = 0; k < nodes_; ++k) wet_[k] = u[k] > 0.0 ? 1 : 0;
+  if (fmg::conserves_mass(level_)) content_rows_.make(level_, transport());
 }
 
 template <class At>
@@ -221,6 +222,15 @@ void Equations::change_of_residual(const core::Field& dP, core::Field& dH, std::
   const auto q = [this](int i, int j) { return level_.rho_bar(i, j) * level_.H(i, j); };
   const core::Field& eps = level_.eps;
   const core::Field& eps_across = fmg::eps_across(level_);
+  if (fmg::conserves_mass(level_)) {
+    const auto d_inflow = [&](int i, int j) {
+      return reynolds::poiseuille_at(reynolds::faces_at(face(), eps, eps_across, i, j, half), dP, i, j) +
+             reynolds::poiseuille_at(reynolds::faces_at(face(), deps, deps_across, i, j, half), P, i, j);
+    };
+    content_rows_.change(level_, transport.speed / grid.hx(), dq, dtheta_, d_inflow,
+                         [&](int i, int j, double change) { dr[index(i, j)] = change; });
+    return;
+  }
 #pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
   for (int i = 1; i < grid.nx; ++i) {
     const auto c = reynolds::transport_weights(transport, i, grid.hx());

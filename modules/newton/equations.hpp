@@ -6,6 +6,7 @@
 
 #include "core/field.hpp"
 #include "fmg/hierarchy.hpp"
+#include "newton/content_rows.hpp"
 #include "reynolds/flux.hpp"
 
 namespace ehl::newton {
@@ -69,6 +70,8 @@ class Equations {
     return theta.nodes_x() > 0 ? reynolds::ThirdOrder<double>{theta(i - 1, j), theta(i, j)}
                                : reynolds::ThirdOrder<double>{};
   }
+  /// Of a mass conserving model; else nullptr.
+  const ContentRows* content_rows() const { return fmg::conserves_mass(level_) ? &content_rows_ : nullptr; }
   bool wet(std::size_t node) const { return wet_[node] != 0; }
   double scale(std::size_t node) const { return scale_[node]; }
   reynolds::Transport transport() const { return fmg::transport_on(hierarchy_, level_); }
@@ -110,6 +113,7 @@ class Equations {
   std::vector<double> scale_;
   std::vector<char> wet_;
   Epsilon along_, across_;  // the second one empty where there is one epsilon only
+  ContentRows content_rows_;
   core::Field dq_dP_;
   Local local_;
   core::Field dP_, dH_, dtheta_;  // work space of jacobian()

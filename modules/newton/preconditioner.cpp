@@ -94,34 +94,49 @@ void Preconditioner::Implementation::assemble(Vector& column_of_H00) {
   for (std::size_t row = 0; row < order.size(); ++row) {
     const auto [i, j] = order[row];
     const double s = equations.scale(equations.index(i, j));
-    const int upstream = std::max(i - 2, 0);
     const reynolds::Face face = equations.face();
-    const auto e = reynolds::faces_at(face, level.eps, fmg::eps_across(level), i, j, half);
-    const auto c = reynolds::third_order_weights(reynolds::transport_weights(equations.transport(), i, grid.hx()),
-                                                 equations.transport(), grid.hx(), equations.third_order_around(i, j));
-    const auto held = reynolds::pressure_row(c, e, dq(i, j), dq(i - 1, j), dq(upstream, j), dq(i + 1, j));
-    const auto dr =
-        face == reynolds::Face::mean
-            ? reynolds::pressure_row(held, level.P, equations.local().eps, equations.local_eps_across(), i, j, half)
-            : reynolds::pressure_row(held, level.P, equations.local().eps, equations.local().eps_behind,
-                                     equations.local().eps_across, equations.local().eps_across_behind, i, j, half);
+    const ContentRows* content = equations.content_rows();
+    const auto c = content != nullptr ? content->at(i, j).weights
+                                      : reynolds::third_order_weights(
+                                            reynolds::transport_weights(equations.transport(), i, grid.hx()),
+                                            equations.transport(), grid.hx(), equations.third_order_around(i, j));
     const auto enter = [&](int ci, int line, double value) {
       const int cj = grid.holder(line);
       if (ci < 1 || ci >= grid.nx || cj < 1 || cj > grid.last_line()) return;
       const int column = place[equations.index(ci, cj)];
       if (column >= 0) entries.emplace_back(static_cast<int>(row), column, s * value);
     };
-    enter(i, j, dr.own);
-    enter(i - 1, j, dr.west);
-    enter(i + 1, j, dr.east);
-    enter(i, j - 1, dr.south);
-    enter(i, j + 1, dr.north);
-    if (c[2] != 0.0) enter(i - 2, j, dr.far_west);
-    const auto de_dH00 = reynolds::faces_at(face, equations.deps_dH00(), equations.deps_dH00_across(), i, j, half);
-    column_of_H00[static_cast<Eigen::Index>(row)] =
-        s * (reynolds::transported(c, level.rho_bar(i, j), level.rho_bar(i - 1, j), level.rho_bar(upstream, j),
-                                   level.rho_bar(i + 1, j)) -
-             reynolds::poiseuille_at(de_dH00, level.P, i, j));
+    double& of_H00 = column_of_H00[static_cast<Eigen::Index>(row)];
+    of_H00 = 0.0;
+    // The row of a node with these weights; that of a dry one before it, whose content is what flows in, has none.
+    const auto enter_row = [&](int k, const std::array<double, 4>& w) {
+      const int upstream = std::max(k - 2, 0);
+      const auto e = reynolds::faces_at(face, level.eps, fmg::eps_across(level), k, j, half);
+      const auto held = reynolds::pressure_row(w, e, dq(k, j), dq(k - 1, j), dq(upstream, j), dq(k + 1, j));
+      const auto dr =
+          face == reynolds::Face::mean
+              ? reynolds::pressure_row(held, level.P, equations.local().eps, equations.local_eps_across(), k, j, half)
+              : reynolds::pressure_row(held, level.P, equations.local().eps, equations.local().eps_behind,
+                                       equations.local().eps_across, equations.local().eps_across_behind, k, j, half);
+      enter(k, j, dr.own);
+      enter(k - 1, j, dr.west);
+      enter(k + 1, j, dr.east);
+      enter(k, j - 1, dr.south);
+      enter(k, j + 1, dr.north);
+      if (w[2] != 0.0) enter(k - 2, j, dr.far_west);
+      const auto de_dH00 = reynolds::faces_at(face, equations.deps_dH00(), equations.deps_dH00_across(), k, j, half);
+      of_H00 += s * (reynolds::transported(w, level.rho_bar(k, j), level.rho_bar(k - 1, j), level.rho_bar(upstream, j),
+                                           level.rho_bar(k + 1, j)) -
+                     reynolds::poiseuille_at(de_dH00, level.P, k, j));
+    };
+    enter_row(i, c);
+    if (content == nullptr) continue;
+    const double per_step = equations.transport().speed / grid.hx();
+    for (int k = i - 1; k >= 1 && content->at(k + 1, j).behind_dry; --k) {
+      const bool last = k > 1 && !content->at(k, j).behind_dry;
+      const std::array<double, 3> passed = last ? content->at(k - 1, j).behind : std::array<double, 3>{};
+      enter_row(k, {0.0, -per_step * passed[0], -per_step * passed[1], 0.0});
+    }
   }
   matrix.resize(size(), size());
   matrix.setFromTriplets(entries.begin(), entries.end());

@@ -13,6 +13,11 @@ void drop_beside_dry(Cavitation model, const core::Patch& grid, const core::Fiel
     const double* west = i > 1 ? P.at_x(i - 1) : here;
     const double* east = i < grid.nx - 1 ? P.at_x(i + 1) : here;
     double* out = r.at_x(i);
+    if (conserves(model)) {
+      for (int j = 1; j <= grid.last_line(); ++j) out[j] = dry(model, here[j]) ? 0.0 : out[j];
+      core::fill_ghosts(grid, out);
+      continue;
+    }
     const auto dry_row = [&](int j) { return west[j] <= 0.0 || here[j] <= 0.0 || east[j] <= 0.0; };
     bool south = dry_row(1);
     bool own = south;

@@ -7,17 +7,29 @@
 namespace ehl::reynolds {
 
 enum class Cavitation {
-  none,                 ///< any pressure: the linear model problems
-  nonnegative_pressure  ///< P >= 0, L(P) <= f, P (L(P) - f) = 0
+  none,                  ///< any pressure: the linear model problems
+  nonnegative_pressure,  ///< P >= 0, L(P) <= f, P (L(P) - f) = 0
+  mass_conserving        ///< P >= 0, Q <= rho_bar H, P (rho_bar H - Q) = 0 (content.hpp)
 };
 
 /// True where a free boundary is part of the problem.
-inline bool ruptures(Cavitation model) { return model == Cavitation::nonnegative_pressure; }
+inline bool ruptures(Cavitation model) { return model != Cavitation::none; }
+
+/// True where the oil of dry points is an unknown of its own.
+inline bool conserves(Cavitation model) { return model == Cavitation::mass_conserving; }
 
 /// The nearest pressure that is allowed.
 template <class Number>
 Number projected(Cavitation model, Number P) {
   return ruptures(model) ? (P < 0.0 ? Number{} : P) : P;
+}
+
+/// The pressure behind a correction from a coarse grid. Where the oil of dry points is an unknown, the correction dries
+/// no point: the discrete meniscus is not unique, a node or two may be dry or wet, and of its places the one is meant
+/// at which relaxations arrive from a full inlet.
+inline double corrected(Cavitation model, double P, double change) {
+  constexpr double least = 0.1;  // of 0, 0.1 and 0.5: with 0 points beside the meniscus dry and stay so
+  return conserves(model) ? (P + change > least * P ? P + change : least * P) : projected(model, P + change);
 }
 
 /// True where a point carries no pressure: it is dry.
@@ -38,7 +50,9 @@ auto stays_dry(Cavitation model, Number P, Number r) {
 inline double slack(Cavitation model, double P, double r) { return dry(model, P) && r > 0.0 ? r : 0.0; }
 
 /// Sets a residual or a correction to zero where a point is dry or has a dry one among its eight neighbours: the edge
-/// of the cavitated region is left to the relaxation of its own grid. in: ghost lines of P; out: of r.
+/// of the cavitated region is left to the relaxation of its own grid. Where the oil of dry points is an unknown, of dry
+/// points alone: at a meniscus a residual is oil that the pressure in all of the inlet answers to. in: ghost lines of
+/// P; out: of r.
 void drop_beside_dry(Cavitation model, const core::Patch& grid, const core::Field& P, int threads, core::Field& r);
 
 /// The pressure on the grid of every second node: full weighting where all nine fine points carry pressure, injection

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reynolds/flux.hpp"
+#include "reynolds/content.hpp"
 
 namespace ehl::reynolds {
 namespace {
@@ -20,6 +20,12 @@ class Fluxes {
   /// Along X through the face between i and i+1.
   double along_x(int i, int j) const {
     const double eps = conductance(state_.face, state_.eps(i, j), state_.eps(i + 1, j), 0.5);
+    if (state_.content != nullptr) {
+      return carried_content(
+                 transport_.wedge, i, [&](int k) { return (*state_.content)(k, j); },
+                 [&](int k) { return rho_H(k, j); }, third_order(transport_.wedge) ? state_.third_order(i, j) : 0.0) -
+             eps * (state_.P(i + 1, j) - state_.P(i, j)) / hx_;
+    }
     double Q = carried(transport_.wedge, i, [&](int k) { return rho_H(k, j); });
     if (third_order(transport_.wedge) && i > 0) {
       Q += third_order_part(state_.third_order(i, j), rho_H(i - 1, j), rho_H(i, j), rho_H(i + 1, j));

@@ -132,17 +132,20 @@ fmg::Run begin_climb(const Scene& scene, const Start& start, const ProgressCallb
     fewest_cells = std::max(fewest_cells, static_cast<int>((scene.grid.X_b - scene.grid.X_a) / step));
   }
   const fmg::Parameters parameters = parameters_of(scene, start);
-  const fmg::Problem problem{.film = {.lambda = scene.lambda,
-                                      .viscosity = scene.viscosity,
-                                      .density = scene.density,
-                                      .thinning = scene.thinning,
-                                      .effects = scene.effects},
-                             .transport = transport_of(scene),
-                             .face = scene.face,
-                             .load = contact::load(scene.shape),
-                             .geometry = geometry_of(scene.shape),
-                             .far_field = far_field_of(scene),
-                             .surface = scene.surface};
+  const fmg::Problem problem{
+      .film = {.lambda = scene.lambda,
+               .viscosity = scene.viscosity,
+               .density = scene.density,
+               .thinning = scene.thinning,
+               .effects = scene.effects},
+      .transport = transport_of(scene),
+      .face = scene.face,
+      .load = contact::load(scene.shape),
+      .cavitation = scene.supply ? reynolds::Cavitation::mass_conserving : reynolds::Cavitation::nonnegative_pressure,
+      .supply = scene.supply,
+      .geometry = geometry_of(scene.shape),
+      .far_field = far_field_of(scene),
+      .surface = scene.surface};
   const double steep = steep_caution(scene);
   fmg::Run run{.hierarchy = fmg::make_hierarchy(problem, parameters, scene.deformation,
                                                 patch_to_compute_on(scene, parameters), scene.threads),
@@ -165,6 +168,16 @@ Solution solution_of(const Scene& scene, fmg::Run&& run) {
   solution.P = core::on_domain(finest.grid, finest.P);
   solution.H = core::on_domain(finest.grid, finest.H);
   solution.H00 = run.hierarchy.H00;
+  if (fmg::conserves_mass(finest)) {
+    solution.Q = core::on_domain(finest.grid, finest.content);
+    core::Field theta(finest.grid);
+    for (int i = 0; i <= finest.grid.nx; ++i)
+      for (int j = 0; j <= finest.grid.ny; ++j)
+        theta(i, j) = finest.content(i, j) / (finest.rho_bar(i, j) * finest.H(i, j));
+    solution.theta = core::on_domain(finest.grid, theta);
+    solution.oil = reynolds::oil_balance(finest.grid, fmg::fields(finest), finest.content,
+                                         fmg::transport_on(run.hierarchy, finest));
+  }
   solution.converged = record.converged;
   solution.failed_check = record.failed_check;
   solution.levels = std::move(record.levels);
@@ -173,7 +186,8 @@ Solution solution_of(const Scene& scene, fmg::Run&& run) {
   solution.end = record.end;
   solution.cycle_factor = record.cycle_factor;
   solution.verification = record.verification;
-  if (scene.adjoint_errors && record.converged && reynolds::third_order(scene.wedge) && scene.effects.empty())
+  if (scene.adjoint_errors && record.converged && reynolds::third_order(scene.wedge) && scene.effects.empty() &&
+      !scene.supply)
     solution.adjoint = adjoint::errors(run.hierarchy, scene.error_maps);
   solution.times = run.hierarchy.times;
   return solution;

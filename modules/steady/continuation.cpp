@@ -193,6 +193,8 @@ Scene under_load(const Scene& scene, double M) {
   result.viscosity = rheology::rescaled(scene.viscosity, p_h_factor);
   result.density = rheology::rescaled(scene.density, p_h_factor);
   if (scene.thinning) result.thinning = rheology::rescaled(*scene.thinning, p_h_factor);
+  if (scene.supply && p_h_factor != 1.0)  // likewise of the same oil
+    result.supply = [supply = scene.supply, s = p_h_factor](double Y) { return supply(s * Y) / (s * s); };
   result.surface = scaled(scene.surface, p_h_factor);  // a and p_h both grow with the cube root of the load
   return result;
 }

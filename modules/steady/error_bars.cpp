@@ -148,8 +148,9 @@ ErrorBars error_bars_of(const Scene& scene, const Solution& solution) {
     const double least = judgement::third_order_floor(step, last.Hm_fitted, judgement::third_order_floor_of_Hm);
     bars.Hm_extrapolated.error = std::max(least, bars.Hm_extrapolated.error);
   }
-  bars.domain =
-      std::isfinite(solution.domain_error_Hc) ? std::abs(solution.domain_error_Hc) : rough_domain_error(scene);
+  bars.domain = scene.supply                              ? 0.0
+                : std::isfinite(solution.domain_error_Hc) ? std::abs(solution.domain_error_Hc)
+                                                          : rough_domain_error(scene);
   if (solution.adjoint && solution.levels.size() > 1) judge_by_weights(*solution.adjoint, solution.levels, bars);
   judge_P_max(column(solution, &LevelRow::P_max), column(solution, &LevelRow::P_rim), bars);
   return bars;

@@ -57,6 +57,9 @@ struct Scene {
   std::function<void(const core::Patch& grid, core::Field& S)> surface{};
   std::optional<rheology::ShearThinning> thinning{};  ///< sliding that thins the oil; absent: Newtonian
   std::vector<film::CoefficientEffect> effects{};     ///< effects at the stage of the coefficients
+  /// What the surfaces bring of oil, in units of H (or mass over rho0): a mass conserving inlet and cavity. Empty: the
+  /// inlet is full.
+  std::function<double(double Y)> supply{};
   core::Grid grid;  ///< the finest grid; where an accuracy is asked for, the first to be tried
   /// Pressure on the boundary and load outside of the domain in closed form; else none of them.
   bool far_field = false;

@@ -12,7 +12,9 @@
 #include "fmg/record.hpp"
 #include "judgement/verification.hpp"
 #include "newton/solve.hpp"
+#include "reynolds/content.hpp"
 #include "steady/error_bars.hpp"
+#include "steady/starvation.hpp"
 
 namespace ehl::steady {
 
@@ -53,6 +55,10 @@ struct Solution {
   core::Field P;
   core::Field H;
   double H00 = 0.0;
+  core::Field Q;                         ///< where the scene has a supply: the content, oil per area; else empty
+  core::Field theta;                     ///< Q/(rho_bar H)
+  reynolds::OilBalance oil;              ///< likewise
+  std::optional<Starvation> starvation;  ///< where the scene has a supply
   bool converged = false;
   std::string failed_check;      ///< empty when converged: else which level, which check, what to try
   std::vector<LevelRow> levels;  ///< coarse to fine; the last is the result

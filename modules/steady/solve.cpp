@@ -135,7 +135,14 @@ Solution solve_on_grid(const Scene& scene, const ProgressCallback& progress) {
   if (scene.polish != Polish::off && !search.over()) try_newton(scene, progress, search);
   Solution solution = search.result();
   solution.continuation = std::move(steps);
-  if (rough_domain_error(scene) > worth_a_look) solution.domain_error_Hc = estimate_domain_error(scene);
+  // A meniscus inside of the domain ends the inlet.
+  if (!scene.supply && rough_domain_error(scene) > worth_a_look)
+    solution.domain_error_Hc = estimate_domain_error(scene);
+  if (scene.supply) {
+    Scene full = scene;
+    full.supply = {};
+    solution.starvation = starvation_of(scene, solution, solve_on_grid(full, progress));
+  }
   solution.error_bars = error_bars_of(scene, solution);
   solution.warnings = warnings_of(scene, solution);
   solution.seconds = core::now() - began;

@@ -35,6 +35,18 @@ double largest_along_sides(const Solution& solution) {
   return largest;
 }
 
+void warn_of_supply(const Starvation& found, std::vector<std::string>& warnings) {
+  constexpr int close = 3;
+  if (found.filled > 0.0)
+    warnings.push_back("supply beyond what the domain takes: at " + percent(found.filled) +
+                       " of the inlet boundary the gap is full, and oil is left out; move x_inlet upstream");
+  else if (found.cells_to_inlet <= close)
+    warnings.push_back("the meniscus is within " + std::to_string(found.cells_to_inlet) +
+                       " cells of the inlet boundary, which may hold it back; move x_inlet upstream");
+  if (!found.flooded_converged)
+    warnings.push_back("the flooded contact beside it did not converge: the starvation factor is not known well");
+}
+
 }  // namespace
 
 int cells_that_resolve(int cells, double error, reynolds::Wedge wedge) {
@@ -59,6 +71,7 @@ std::vector<std::string> warnings_of(const Scene& scene, const Solution& solutio
     warnings.push_back("inlet starved by the domain: on one twice as long and wide Hc differs by about " +
                        percent(std::abs(solution.domain_error_Hc)) +
                        " (an estimate), and there may be as much beyond; move x_inlet upstream and widen y_half");
+  if (solution.starvation) warn_of_supply(*solution.starvation, warnings);
   if (!solution.polish_failure.empty())
     warnings.push_back("the polish did not reach rounding errors, the cycles' solution stays: " +
                        solution.polish_failure);

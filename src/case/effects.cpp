@@ -23,7 +23,7 @@ struct ToCome {
 
 // An entry goes without a word as soon as an effect of the list has its section.
 std::vector<ToCome> to_come() {
-  std::vector<ToCome> entries{{"starvation", "fully flooded"}};
+  std::vector<ToCome> entries;
   for (const Effect& effect : effects())
     for (const deck::Section& section : effect.sections)
       std::erase_if(entries, [&](const ToCome& entry) { return entry.section == section.name; });
@@ -84,7 +84,7 @@ std::string assignment(const Case& input, const KeyName& key, bool with_place) {
 const std::vector<Effect>& effects() {
   static const std::vector<Effect> all =
       completed({elliptic_effect(), transient_effect(), body_effect(), surfaces_effect(), shear_effect(),
-                 subsurface_effect(), friction_effect(), thermal_effect()});
+                 starvation_effect(), subsurface_effect(), friction_effect(), thermal_effect()});
   return all;
 }
 

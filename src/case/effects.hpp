@@ -83,6 +83,7 @@ Effect transient_effect();
 Effect body_effect();
 Effect surfaces_effect();
 Effect shear_effect();
+Effect starvation_effect();
 Effect subsurface_effect();
 Effect friction_effect();
 Effect thermal_effect();

@@ -9,6 +9,7 @@
 #include "case/catalogue.hpp"
 #include "case/effects.hpp"
 #include "case/needs.hpp"
+#include "case/supply_input.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
 #include "fmg/keys.hpp"
@@ -110,6 +111,7 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   scene.multigrid = fmg::read(deck);
   scene.accuracy = steady::read_accuracy(deck, share_of_memory * usable_memory() / bytes_per_node);
   const contact::Groups& groups = result.physics.groups;
+  settle_boundary_of_supply(deck);
   if (!result.dry) {
     scene.wedge = reynolds::read(deck);
     scene.face = reynolds::read_face(deck);

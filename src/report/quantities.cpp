@@ -53,6 +53,10 @@ std::vector<Quantity> film_quantities(const Case& input, const steady::Solution&
       {"regime", outcome.regime, "", "regime of lubrication"},
       {"deformation", solution.deformation, "", "how the elastic deformation was evaluated", not_in_json},
   };
+  if (const std::optional<steady::Starvation>& found = solution.starvation) {
+    list.push_back({not_in_file, found->factor, "-", "film over that of the flooded contact", "starvation_factor"});
+    list.push_back({not_in_file, found->imbalance, "-", "of oil, relative", "mass_imbalance"});
+  }
   if (const std::optional<Roughness>& rough = outcome.roughness) {
     list.push_back({"Sq", rough->Sq, "a^2/R", "roughness of both surfaces together"});
     if (input.physics.si)

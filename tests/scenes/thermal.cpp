@@ -1,4 +1,5 @@
 // Contacts with heat from end to end: a second program's digits, balances, symmetries, limits, files, what is refused.
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -140,6 +141,21 @@ BOOST_AUTO_TEST_CASE(limits) {
   const auto cool = scene.run(metal);
   BOOST_TEST(number_at(cool, "/thermal/T_film_max") < 2.0);
   check_close("mu", number_at(cool, "/thermal/mu"), number_at(cool, "/thermal/mu_isothermal"), 0.02);
+}
+
+// 2 GPa on few cells: the coarse grids do not bear the temperature, and the finest has it alone, solved or told not to
+// be. What is shown is of the finest grid: its hottest node stands in the field.
+BOOST_AUTO_TEST_CASE(heavy_and_sliding) {
+  const Scene scene;
+  const support::Ended ended = scene.ehl(
+      "run d.ini --json --quiet --output d.h5 --set contact.load=293.7 --set motion.u_m=3 --set grid.cells=128 "
+      "--set motion.srr=2");
+  const auto found = support::parsed(ended.out);
+  BOOST_TEST((ended.status == 0 || ended.status == 3), ended.err);
+  BOOST_TEST(found["converged"].get<bool>() == (ended.status == 0));
+  const std::vector<double> T = ResultFile(scene.folder / "d.h5").numbers("/fields/T_max").values;
+  BOOST_TEST(T.size() == 129u * 129u);
+  BOOST_TEST(*std::max_element(T.begin(), T.end()) == number_at(found, "/thermal/T_film_max"));
 }
 
 // A point of a traction curve like every other.

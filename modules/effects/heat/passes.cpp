@@ -26,6 +26,9 @@ constexpr double least_error = 1e-4, largest_error = 0.05;
 constexpr double least_mu = 1e-6, least_theta = 1e-6;
 // A cycle without relaxations after the correction that leaves more of the residual gets one (fmg/cycles.cpp).
 constexpr double rough_factor = 0.4;
+// Where no share of the temperature leads on: smaller weights of the relaxations, as the isothermal film may have
+// needed.
+constexpr double back_off = 0.8, least_caution = 0.5;
 // Asked for on a single grid, where nothing tells the discretization error, which is a per cent: passes end with 1e-6
 // to 3e-5, because the upwind differences of a temperature that recirculates switch from pass to pass.
 constexpr double single_grid_residual = 1e-4;
@@ -87,7 +90,8 @@ Pass pass_of(const Measures& measures, const thermal::Balance& balance, const Pa
 // What is still wrong after a pass; empty: nothing.
 std::string unmet_of(const Pass& pass, const thermal::Balance& balance, const LastCycle& last,
                      const Parameters& parameters) {
-  if (pass.undone) return "the film does not bear its temperature: smaller steps of load or sliding would lead there";
+  if (pass.undone)
+    return "the film does not bear its temperature: no cycle leads on with it; use more cells, or less sliding";
   if (balance.clipped) return "the temperature stands at its bounds";
   if (pass.change > 1.0)
     return fmt::format("film, friction or temperature still change by {:.1f} times what is allowed in a pass",
@@ -133,10 +137,13 @@ Result heat_up(fmg::Run& run, std::size_t l, thermal::FilmTemperature& film, Fac
     core::copy(kept.P, level.P);
     hierarchy.H00 = kept.H00;
     factors.give_back();
-    run.caution = caution;
     fmg::update_film(hierarchy, level);
     weight *= 0.5;
-    if (weight < least_weight) return result;
+    run.caution = caution;
+    if (weight >= least_weight) continue;
+    run.caution = {.all = back_off * caution.all, .steep = back_off * caution.steep, .relax_after = true};
+    if (run.caution.all < least_caution) return result;
+    weight = 1.0;
   }
   return result;
 }

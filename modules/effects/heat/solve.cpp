@@ -154,7 +154,9 @@ Solution solve(const steady::Scene& scene, const thermal::Setup& setup, const st
                const steady::ProgressCallback& progress) {
   const double began = core::now();
   Ladder ladder = begin(scene, progress);
-  if (!climb(ladder, setup, isothermal) && ladder.rows.size() != 1) climb_once(ladder, setup, isothermal);
+  const bool solved = climb(ladder, setup, isothermal);
+  const bool finest_alone = ladder.rows.size() == 1 && ladder.rows.back().nx == scene.grid.nx;
+  if (!solved && !finest_alone) climb_once(ladder, setup, isothermal);
   fmg::Record& record = ladder.run.record;
   record.converged = ladder.last.unmet.empty();
   record.failed_check = record.converged ? ""

@@ -57,19 +57,20 @@ double largest(const std::vector<double>& v) {
 
 BOOST_AUTO_TEST_CASE(jacobian_products_are_the_slope_of_the_residual) {
   Random random(5);
-  using reynolds::Face;
-  using reynolds::Wedge;
+  using reynolds::Face, reynolds::Wedge;
   const std::optional<rheology::ShearThinning> newtonian;
   const std::optional<rheology::ShearThinning> eyring = rheology::ShearThinning{rheology::Eyring{}, 0.02};
-  const std::tuple<Wedge, Face, std::optional<rheology::ShearThinning>> schemes[] = {
-      {Wedge::upstream1, Face::mean, newtonian},        {Wedge::upstream2, Face::mean, newtonian},
-      {Wedge::upstream3, Face::mean, newtonian},        {Wedge::upstream2, Face::logmean, newtonian},
-      {Wedge::upstream3, Face::logmean, newtonian},     {Wedge::upstream3_inlet, Face::logmean, eyring},
-      {Wedge::upstream3, Face::logmean_bounded, eyring}};
-  for (const auto& [wedge, face, thinning] : schemes) {
+  const std::tuple<Wedge, Face, std::optional<rheology::ShearThinning>, double> schemes[] = {
+      {Wedge::upstream1, Face::mean, newtonian, 0.0},         {Wedge::upstream2, Face::mean, newtonian, 0.0},
+      {Wedge::upstream3, Face::mean, newtonian, 0.0},         {Wedge::upstream2, Face::logmean, newtonian, 0.0},
+      {Wedge::upstream3, Face::logmean, newtonian, 0.0},      {Wedge::upstream3_inlet, Face::logmean, eyring, 0.0},
+      {Wedge::upstream3, Face::logmean_bounded, eyring, 0.0}, {Wedge::upstream1, Face::mean, newtonian, 0.5},
+      {Wedge::upstream2, Face::mean, newtonian, 0.5},         {Wedge::upstream3, Face::mean, newtonian, 0.5},
+      {Wedge::upstream3, Face::logmean_bounded, eyring, 0.5}};
+  for (const auto& [wedge, face, thinning, supply] : schemes) {
     // hx != hy: every factor in its place.
     fmg::Hierarchy hierarchy =
-        newton_hierarchy(50, 10, core::Grid{32, 24, -3.0, 1.5, -2.0, 2.0}, 1, wedge, thinning, face);
+        newton_hierarchy(50, 10, core::Grid{32, 24, -3.0, 1.5, -2.0, 2.0}, 1, wedge, thinning, face, supply);
     const std::size_t l = hierarchy.levels.size() - 1;
     fmg::start_from_hertz(hierarchy, l, -0.6, 0);
     newton::Equations equations(hierarchy, l);

@@ -1,0 +1,33 @@
+#pragma once
+// The keys of [supply].
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "deck/deck.hpp"
+
+namespace ehl::starvation {
+
+/// The scales of a contact in SI; not known: NaN.
+struct Scales {
+  double a = std::numeric_limits<double>::quiet_NaN();       ///< m, of X and Y
+  double height = std::numeric_limits<double>::quiet_NaN();  ///< m, a^2/R, of H
+  double u1 = std::numeric_limits<double>::quiet_NaN();      ///< m/s
+  double u2 = std::numeric_limits<double>::quiet_NaN();      ///< m/s
+  double width = std::numeric_limits<double>::quiet_NaN();   ///< of the domain, in a
+  bool in_SI = false;
+};
+
+/// What the deck says: one of both.
+struct Input {
+  double H_oil = std::numeric_limits<double>::quiet_NaN();  ///< everywhere; NaN: the profile says
+  std::string profile{};                                    ///< the key's value, the name of a file
+};
+
+std::vector<deck::Key> keys();
+/// True when the deck gives a supply.
+bool called_for(const deck::Deck& deck);
+/// Complains where keys do not go together, or need a contact in SI.
+Input read(deck::Deck& deck, const Scales& scales);
+
+}  // namespace ehl::starvation

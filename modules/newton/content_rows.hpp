@@ -1,0 +1,60 @@
+#pragma once
+// Rows of the cavitation model that conserves mass, the content of dry nodes eliminated line by line: what flows behind
+// a dry node is what flows into it, and the next row has that in place of the node's own film.
+#include <array>
+#include <vector>
+
+#include "fmg/hierarchy.hpp"
+#include "reynolds/flux.hpp"
+
+namespace ehl::newton {
+
+/// What the row of a node is made of.
+struct ContentRow {
+  std::array<double, 4> weights;  ///< of rho_bar H at i, i-1, i-2, i+1
+  std::array<double, 3> behind;   ///< of rho_bar H at i, i-1, i+1 in the flux behind it, over U, if it is full
+  reynolds::ThirdOrder<double> theta;
+  bool dry;         ///< the node leaves room
+  bool behind_dry;  ///< the node before it does
+};
+
+/// The rows of a level by the content that its last residual left.
+class ContentRows {
+ public:
+  void make(const fmg::Level& level, const reynolds::Transport& transport);
+  const ContentRow& at(int i, int j) const {
+    return rows_[static_cast<std::size_t>(i) * stride_ + static_cast<std::size_t>(j)];
+  }
+
+  /// dr of all nodes. in: changes of rho_bar H and, with upstream3, of theta, else empty; d_inflow(i, j), that of what
+  /// flows in by pressure. out: take(i, j, dr).
+  template <class Inflow, class Take>
+  void change(const fmg::Level& level, double per_step, const core::Field& dq, const core::Field& dtheta,
+              Inflow d_inflow, Take take) const {
+    const auto q = [&](int i, int j) { return level.rho_bar(i, j) * level.H(i, j); };
+    for (int j = 1; j <= level.grid.last_line(); ++j) {
+      double flux = 0.0;   // change of what flows behind i-1, over U, where that is dry
+      double third = 0.0;  // of its third-order part where it is full
+      for (int i = 1; i < level.grid.nx; ++i) {
+        const ContentRow& row = at(i, j);
+        double third_here = 0.0;
+        if (dtheta.nodes_x() > 0 && row.theta.east > 0.0)
+          third_here = reynolds::third_order_part(dtheta(i, j), q(i - 1, j), q(i, j), q(i + 1, j));
+        const int far = i > 1 ? i - 2 : 0;
+        double dr = reynolds::transported(row.weights, dq(i, j), dq(i - 1, j), dq(far, j), dq(i + 1, j)) +
+                    per_step * (third_here - (row.behind_dry ? flux : third)) - d_inflow(i, j);
+        take(i, j, dr);
+        const double behind =
+            row.behind[0] * dq(i, j) + row.behind[1] * dq(i - 1, j) + row.behind[2] * dq(i + 1, j) + third_here;
+        flux = row.dry ? behind - dr / per_step : 0.0;
+        third = row.dry ? 0.0 : third_here;
+      }
+    }
+  }
+
+ private:
+  std::vector<ContentRow> rows_;
+  std::size_t stride_ = 0;
+};
+
+}  // namespace ehl::newton

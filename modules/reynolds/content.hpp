@@ -1,0 +1,150 @@
+#pragma once
+// The cavitation model that conserves mass: P >= 0, Q <= rho_bar H, P (rho_bar H - Q) = 0, with the content Q, the oil
+// between the surfaces per area. A point with P = 0 and Q < rho_bar H is dry; a full one has Q = rho_bar H.
+//
+//   F_i = Poiseuille_i - U (Fl_{i+1/2} - Fl_{i-1/2})/hx,   Fl_{i+1/2} = Q_i + phi_i/2 (Q_i - Q_{i-1}),
+//   phi_i = 1 where i-1 is full, else 0 (upstream1: always 0);   Fl_{1/2} = (Q_0 + Q_1)/2 where 0 is full, else Q_0
+//
+// upstream3 adds its third-order flux, made of rho_bar H, where i-1 is full. So a row holds nothing that depends on
+// whether its own point is dry: what a point asks for is continuous as it changes its kind. (Of other fluxes, that of
+// upstream2 has no discrete solution at an inlet meniscus in two dimensions, its set of dry points swings for ever; so
+// does phi = 1 only where i and i-1 are full, at the edge of rupture.) Where all points are full this is the equation
+// with rho_bar H.
+#include <array>
+#include <span>
+
+#include "reynolds/flux.hpp"
+#include "reynolds/residual.hpp"
+
+namespace ehl::reynolds {
+
+/// One line of constant Y, or a batch of lines, from the inlet on: the content of a dry point follows from what flows
+/// into it, exactly. For every i = 1, 2, ..: residual(), then go_on().
+template <class Number>
+class March {
+ public:
+  using Mask = decltype(Number{} <= 0.0);
+
+  /// in: Q and rho_bar H of the first column.
+  March(const Transport& transport, double hx, Number Q, Number full)
+      : second_order_(transport.wedge != Wedge::upstream1),
+        third_order_(third_order(transport.wedge)),
+        per_step_(transport.speed / hx),
+        Q_(Q),
+        flux_(Q),
+        full1_(Q >= full),
+        full2_(Q >= full) {}
+
+  /// r = f - L(P) of point i as if it were full; in a dry point r >= 0, and tells how much it lacks.
+  /// in: rho_bar H of i and i+1, theta of the faces west and east of i (flux.hpp; only with a third-order wedge), what
+  /// flows in by pressure, less f.
+  Number residual(Number full, Number east, const ThirdOrder<Number>& theta, Number inflow) {
+    const Number none{};
+    const Number half = none + 0.5;
+    const Number lead = second_order_ ? (full1_ ? half : none) : none;
+    first_ = first_row_ ? lead : none;
+    theta_ = {full1_ & full2_ ? theta.west : none, full1_ ? theta.east : none};
+    flux_ += first_ * (full - Q_);
+    behind_ = full + lead * (full - Q_);
+    if (third_order_) behind_ += third_order_part(theta_.east, Q_, full, east);
+    lead_west_ = lead_;
+    lead_ = lead;
+    return per_step_ * (behind_ - flux_) - inflow;
+  }
+  /// Weights of rho_bar H at i, i-1, i-2, i+1 in that row: 0 of dry points, which do not follow their gap.
+  std::array<Number, 4> weights() const {
+    const Number none{};
+    const Number west = theta_.west * (1.0 / 3.0);
+    const Number east = theta_.east * (1.0 / 3.0);
+    const Number own = 1.0 + lead_ - first_;
+    return {per_step_ * (own - 2.0 * east - west), full1_ ? per_step_ * (east + 2.0 * west - own - lead_west_) : none,
+            full1_ ? per_step_ * (lead_west_ - west) : none, per_step_ * east};
+  }
+  /// Of rho_bar H at i, i-1, i+1 in what flows behind i if it is full, over U.
+  std::array<Number, 3> weights_behind() const {
+    const Number third = theta_.east * (1.0 / 3.0);
+    return {1.0 + lead_ - 2.0 * third, third - lead_, third};
+  }
+  /// theta of both faces, 0 where they carry no third-order flux.
+  const ThirdOrder<Number>& third_order_share() const { return theta_; }
+  /// True where i-1 is dry: what flows back into it from i by pressure comes along with its content.
+  Mask behind_dry() const {
+    const Mask no = Number{} > 0.0;
+    return first_row_ ? no : full1_ == no;
+  }
+
+  /// On to the next point. in: true where P = 0; r of residual().
+  void go_on(Number full, Mask without_pressure, Number r) {
+    const Number lost = without_pressure & (r > 0.0) ? r / (per_step_ * (1.0 + lead_ - first_)) : Number{};
+    pass(full - lost, lost);
+  }
+  /// The same with the content given. out: r with it.
+  Number go_on_with(Number full, Number Q, Number r) {
+    const Number lost = full - Q;
+    const Number held = r - per_step_ * (1.0 + lead_ - first_) * lost;
+    pass(Q, lost);
+    return held;
+  }
+
+  Number Q() const { return Q_; }        ///< of the point last passed
+  Number flux() const { return flux_; }  ///< behind it, over U
+
+ private:
+  void pass(Number Q, Number lost) {
+    Q_ = Q;
+    flux_ = behind_ - (1.0 + lead_) * lost;
+    full2_ = full1_;
+    full1_ = lost <= 0.0;
+    first_row_ = false;
+  }
+
+  bool second_order_, third_order_;
+  bool first_row_ = true;
+  double per_step_;
+  Number Q_, flux_;              // of i-1, and behind it
+  Mask full1_, full2_;           // i-1 and i-2
+  Number behind_{};              // what flows behind i if it is full
+  Number lead_{}, lead_west_{};  // phi/2 of i and i-1
+  Number first_{};               // of the flux through the first face, the share of i = 1
+  ThirdOrder<Number> theta_{};
+};
+
+/// The content of a level, and what comes in.
+struct Content {
+  core::Field& Q;
+  /// What the surfaces bring, per line: in the first column Q is that, or rho_bar H where it is less.
+  std::span<const double> supply;
+};
+
+/// residual() of this model: the content of dry points from what flows into them; r there is what they lack, r >= 0.
+/// out: Q, with ghost lines; on the edges along X what is supplied, as far as the
+/// gap takes it. limits: U > 0,
+/// no squeeze. threads: result independent of their number.
+void residual(const core::Patch& grid, const Fields& state, const Content& content, const Transport& transport,
+              int threads, core::Field& r);
+/// The same with the content held: r = f - L(P, Q).
+void residual_of_content(const core::Patch& grid, const Fields& state, const Content& content,
+                         const Transport& transport, int threads, core::Field& r);
+
+/// Oil through the edges of the domain, in units of rho0 u_m a^3/R: in by the inlet, out by the outlet, aside by both
+/// sides; net of what flows back. Where the equation holds, out + aside = in.
+struct OilBalance {
+  double in = 0.0;
+  double out = 0.0;
+  double aside = 0.0;
+  double imbalance() const { return (out + aside - in) / in; }
+};
+/// in: the content that residual() left.
+OilBalance oil_balance(const core::Patch& grid, const Fields& state, const core::Field& Q, const Transport& transport);
+
+/// What the film carries through the face behind node i of a line, over U, by a content that is there.
+/// in: Q and rho_bar H of column k, theta of the face.
+template <class Column, class Gap>
+double carried_content(Wedge wedge, int i, Column Q, Gap full, double theta) {
+  if (i == 0) return Q(0) >= full(0) ? carried(wedge, 0, Q) : Q(0);
+  if (Q(i - 1) < full(i - 1)) return Q(i);
+  const double third = third_order(wedge) ? third_order_part(theta, Q(i - 1), full(i), full(i + 1)) : 0.0;
+  return carried(wedge, i, Q) + third;
+}
+
+}  // namespace ehl::reynolds

@@ -1,0 +1,66 @@
+#include "steady/starvation.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "judgement/measures.hpp"
+#include "steady/scene.hpp"
+#include "steady/solution.hpp"
+
+namespace ehl::steady {
+namespace {
+
+// Density at every node of a station.
+std::vector<double> density_of(const Scene& scene, const core::Field& P, int i) {
+  std::vector<double> rho(static_cast<std::size_t>(P.nodes_y()));
+  rheology::density(scene.density, P.station(i), rho);
+  return rho;
+}
+
+double carried_at_centre(const Scene& scene, const Solution& solution) {
+  const double P = judgement::value_at(solution.grid, solution.P, 0.0, 0.0);
+  double rho = 1.0;
+  rheology::density(scene.density, {&P, 1}, {&rho, 1});
+  return rho * judgement::value_at(solution.grid, solution.H, 0.0, 0.0);
+}
+
+// The cell of the last dry node before the pressure is filled from behind, as far as its content tells.
+double meniscus_on(const Solution& solution, int j) {
+  const core::Grid& grid = solution.grid;
+  int i = 1;
+  while (i < grid.nx && solution.P(i, j) <= 0.0) ++i;
+  const double layer = solution.Q(0, j);
+  const double full = solution.H(i - 1, j);  // P = 0 there
+  const double share = full > layer ? std::clamp((solution.Q(i - 1, j) - layer) / (full - layer), 0.0, 1.0) : 1.0;
+  return std::max(grid.X_a, grid.X(i) - grid.hx() * (0.5 + share));
+}
+
+}  // namespace
+
+Starvation starvation_of(const Scene& scene, const Solution& starved, const Solution& flooded) {
+  const core::Grid& grid = starved.grid;
+  Starvation result;
+  const double carried = carried_at_centre(scene, flooded);
+  result.supply_ratio = scene.supply(0.0) / carried;
+  result.factor = carried_at_centre(scene, starved) / carried;
+  result.Hc_flooded = flooded.levels.back().Hc;
+  result.Hm_flooded = flooded.levels.back().Hm;
+  result.flooded_converged = flooded.converged;
+  result.meniscus_X = meniscus_on(starved, grid.ny / 2);
+  result.cells_to_inlet = grid.nx;
+  const std::vector<double> at_inlet = density_of(scene, starved.P, 0);
+  int full = 0;
+  for (int j = 0; j <= grid.ny; ++j) {
+    if (starved.Q(0, j) >= at_inlet[static_cast<std::size_t>(j)] * starved.H(0, j)) ++full;
+    for (int i = 1; i < result.cells_to_inlet; ++i)
+      if (starved.P(i, j) > 0.0) result.cells_to_inlet = i;
+  }
+  result.filled = static_cast<double>(full) / grid.nodes_y();
+  result.in = starved.oil.in;
+  result.through = starved.verification.flow_through;
+  result.aside = starved.oil.aside;
+  result.imbalance = starved.oil.imbalance();
+  return result;
+}
+
+}  // namespace ehl::steady

@@ -1,0 +1,126 @@
+#include "case/supply_input.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "deck/file.hpp"
+#include "deck/text.hpp"
+#include "effects/starvation/keys.hpp"
+
+namespace ehl::program {
+namespace {
+
+struct Profile {
+  std::vector<double> Y, H;
+};
+
+// Linear between its points.
+double at(const Profile& profile, double Y) {
+  const auto behind = std::ranges::upper_bound(profile.Y, Y);
+  if (behind == profile.Y.begin()) return profile.H.front();
+  if (behind == profile.Y.end()) return profile.H.back();
+  const auto k = static_cast<std::size_t>(behind - profile.Y.begin());
+  const double share = (Y - profile.Y[k - 1]) / (profile.Y[k] - profile.Y[k - 1]);
+  return profile.H[k - 1] + share * (profile.H[k] - profile.H[k - 1]);
+}
+
+constexpr double rounding = 1e-9;
+
+bool even(const Profile& profile, double half_width) {
+  return std::ranges::all_of(profile.Y, [&](double Y) {
+    return std::abs(Y) > half_width ||
+           std::abs(at(profile, Y) - at(profile, -Y)) <= rounding * std::abs(at(profile, Y));
+  });
+}
+
+// What is wrong with the file; empty where nothing is.
+std::string read_profile(const std::string& path, const starvation::Scales& scales, const core::Grid& grid,
+                         Profile& profile) {
+  const double unit_Y = scales.in_SI ? scales.a : 1.0, unit_H = scales.in_SI ? scales.height : 1.0;
+  for (const deck::Row& row : deck::rows_of(path)) {
+    if (row.cells.size() != 2) return fmt::format("{}: {} columns, wanted are y and h", row.place, row.cells.size());
+    double value[2];
+    for (std::size_t k = 0; k < 2; ++k) {
+      const deck::ReadNumber read = deck::read_number(row.cells[k]);
+      if (read.status != deck::ReadNumber::Status::number)
+        return fmt::format("{}: {} is no finite number", row.place, deck::quoted(row.cells[k]));
+      value[k] = read.value;
+    }
+    if (value[1] < 0.0) return fmt::format("{}: h = {:g} must be >= 0", row.place, value[1]);
+    if (!profile.Y.empty() && value[0] / unit_Y <= profile.Y.back()) return row.place + ": y must grow from row to row";
+    profile.Y.push_back(value[0] / unit_Y);
+    profile.H.push_back(value[1] / unit_H);
+  }
+  if (profile.Y.size() < 2) return path + ": at least two rows are wanted";
+  if (std::ranges::max(profile.H) <= 0.0) return path + ": no oil anywhere: one h at least must be > 0";
+  const double slip = rounding * (grid.Y_b - grid.Y_a);
+  if (profile.Y.front() > grid.Y_a + slip || profile.Y.back() < grid.Y_b - slip)
+    return fmt::format(
+        "{}: from y = {:.4g} to {:.4g} a, narrower than the domain, {:.4g} to {:.4g} a: give more of "
+        "the track, or a smaller y_half",
+        path, profile.Y.front(), profile.Y.back(), grid.Y_a, grid.Y_b);
+  return {};
+}
+
+starvation::Scales scales_of(const Case& input) {
+  const core::Grid& grid = input.scene.grid;
+  starvation::Scales scales;
+  scales.width = grid.Y_b - grid.Y_a;
+  scales.in_SI = input.physics.language == Language::si;
+  if (!input.physics.si) return scales;
+  scales.a = input.physics.si->hertz.a;
+  scales.height = input.physics.si->hertz.h_scale;
+  scales.u1 = input.physics.si->u1;
+  scales.u2 = input.physics.si->u2;
+  return scales;
+}
+
+}  // namespace
+
+void settle_boundary_of_supply(deck::Deck& deck) {
+  if (!starvation::called_for(deck)) return;
+  const deck::Part domain{deck, "domain"};
+  if (domain.given("far_field") && domain.word("far_field") == "closed")
+    domain.complain("far_field",
+                    "closed is the pressure around a flooded contact; behind the meniscus of a [supply] there is no "
+                    "oil: zero, or remove it");
+  domain.follow("far_field", std::string("zero"), "behind a meniscus there is no oil");
+}
+
+void supply_input(Case& input) {
+  deck::Deck& deck = input.deck;
+  if (!starvation::called_for(deck)) return;
+  const deck::Part supply{deck, "supply"};
+  const std::string first =
+      supply.given_of({"H_oil", "layer_m", "layer1_m", "layer2_m", "flow_m3_per_s", "profile"})[0];
+  if (input.dry) return supply.complain(first, "on a dry contact: remove [supply], or [case] kind = dry");
+  if (input.transient)
+    return supply.complain(first, "in time is not available in this version: remove it, or [transient] end_time");
+  if (std::isfinite(input.scene.accuracy.error))
+    return supply.complain(first, "with [grid] accuracy is not available in this version: give [grid] cells");
+  if (deck::called_for(deck, "thermal"))
+    return supply.complain(first, "with [thermal] is not available in this version: remove one of them");
+  if (deck::given(deck, "grid", "errors") && deck::word(deck, "grid", "errors") == "adjoint")
+    deck::complain(deck, "grid", "errors", "adjoint is not available with [supply] in this version: levels");
+  const starvation::Scales scales = scales_of(input);
+  const starvation::Input given = starvation::read(deck, scales);
+  if (!deck.errors.empty()) return;
+  if (given.profile.empty()) {
+    input.scene.supply = [H_oil = given.H_oil](double) { return H_oil; };
+    return;
+  }
+  auto profile = std::make_shared<Profile>();
+  const std::string wrong =
+      read_profile(deck::found_beside(deck, "supply", "profile"), scales, input.scene.grid, *profile);
+  if (!wrong.empty()) return supply.complain("profile", wrong);
+  input.scene.use_symmetry = input.scene.use_symmetry && even(*profile, input.scene.grid.Y_b);
+  input.scene.supply = [profile = std::shared_ptr<const Profile>(std::move(profile))](double Y) {
+    return at(*profile, Y);
+  };
+}
+
+}  // namespace ehl::program

@@ -1,0 +1,156 @@
+// Starved contacts: discrete solutions of another program, the flooded limit, side flow of thin layers, balance of oil.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "contact/ellipse.hpp"
+#include "steady/climb.hpp"
+#include "steady/solve.hpp"
+#include "support/roelands_scene.hpp"
+
+using namespace ehl;
+using reynolds::Face;
+using reynolds::Wedge;
+
+namespace {
+
+constexpr double flooded = std::numeric_limits<double>::infinity();
+
+steady::Scene scene_of(double M, double L, const core::Grid& grid, double H_oil, Wedge wedge = Wedge::upstream2) {
+  steady::Scene scene = tests::roelands_scene(M, L, grid);
+  scene.wedge = wedge;
+  scene.face = Face::mean;
+  scene.deformation.method = mlmi::Method::fft;
+  scene.multigrid.tolerance = 1e-10;
+  if (H_oil > 0.0) scene.supply = [H_oil](double) { return H_oil; };
+  return scene;
+}
+
+double first_wet(const steady::Solution& solution) {
+  int i = 0;
+  while (i < solution.grid.nx && solution.P(i, solution.grid.ny / 2) <= 0.0) ++i;
+  return solution.grid.X(i);
+}
+
+double largest_difference(const core::Field& a, const core::Field& b) {
+  double largest = 0.0;
+  for (int i = 0; i < a.nodes_x(); ++i)
+    for (int j = 0; j < a.nodes_y(); ++j) largest = std::max(largest, std::abs(a(i, j) - b(i, j)));
+  return largest;
+}
+
+}  // namespace
+
+// A semismooth Newton solver elsewhere, residual 1e-11: (50, 10), 64 x 64 cells on [-2.5, 1.5] x [-2, 2].
+BOOST_AUTO_TEST_CASE(discrete_solutions_of_another_program) {
+  const struct {
+    Wedge wedge;
+    double H_oil, Hc, Hm, H00, wet;
+  } exact[] = {{Wedge::upstream2, flooded, 0.21347950, 0.12809353, -0.78718, -2.4375},
+               {Wedge::upstream2, 0.5, 0.20345715, 0.12382326, -0.79923987, -2.0},
+               {Wedge::upstream2, 0.25, 0.16861678, 0.10889509, -0.83400895, -1.4375},
+               {Wedge::upstream1, flooded, 0.23523914, 0.13887487, std::nan(""), -2.4375},
+               {Wedge::upstream1, 0.25, 0.17830679, 0.11458042, -0.82800687, -1.3750}};
+  for (const auto& [wedge, H_oil, Hc, Hm, H00, wet] : exact) {
+    const steady::Solution solution = steady::solve(scene_of(50, 10, {64, 64, -2.5, 1.5, -2.0, 2.0}, H_oil, wedge));
+    const steady::LevelRow& row = solution.levels.back();
+    BOOST_TEST_MESSAGE("H_oil = " << H_oil << ": Hc off by " << row.Hc / Hc - 1.0 << ", Hm by " << row.Hm / Hm - 1.0
+                                  << ", H00 by " << solution.H00 - H00 << " (allowed 1e-6), first wet node "
+                                  << first_wet(solution) << ", " << row.cycles << " cycles, oil "
+                                  << solution.oil.imbalance() << " (allowed 1e-9)");
+    BOOST_TEST(solution.converged);
+    BOOST_TEST(std::abs(row.Hc / Hc - 1.0) <= 1e-6);
+    BOOST_TEST(std::abs(row.Hm / Hm - 1.0) <= 1e-6);
+    if (std::isfinite(H00)) BOOST_TEST(std::abs(solution.H00 - H00) <= (std::isfinite(H_oil) ? 1e-6 : 5e-6));
+    BOOST_TEST(first_wet(solution) == wet);
+    BOOST_TEST(std::abs(solution.oil.imbalance()) <= 1e-9);
+  }
+}
+
+// Where the inlet is full both cavitation models have one solution.
+BOOST_AUTO_TEST_CASE(a_full_inlet_gives_the_solution_of_the_other_model) {
+  struct Case {
+    double M, L, ratio;
+    Wedge wedge;
+    Face face;
+    bool sheared;
+  };
+  const Case cases[] = {{5, 2, 1, Wedge::upstream2, Face::mean, false},
+                        {20, 10, 1, Wedge::upstream2, Face::mean, false},
+                        {20, 10, 1, Wedge::upstream1, Face::mean, false},
+                        {20, 10, 1, Wedge::upstream3, Face::mean, false},
+                        {20, 10, 1, Wedge::upstream3, Face::logmean_bounded, false},
+                        {20, 10, 1, Wedge::upstream2, Face::logmean, true},
+                        {50, 10, 1, Wedge::upstream2, Face::mean, true},
+                        {100, 5, 1, Wedge::upstream2, Face::mean, false},
+                        {100, 5, 1, Wedge::upstream1, Face::mean, false},
+                        {200, 10, 1, Wedge::upstream3, Face::logmean_bounded, false},
+                        {20, 10, 0.5, Wedge::upstream2, Face::mean, false},
+                        {20, 10, 0.5, Wedge::upstream3, Face::logmean_bounded, false}};
+  for (const auto& [M, L, ratio, wedge, face, sheared] : cases) {
+    steady::Scene scene = scene_of(M, L, {64, 48, -4.5, 1.5, -2.25, 2.25}, 0.0, wedge);
+    scene.multigrid.tolerance = 3e-13;
+    if (ratio != 1.0) {
+      scene.shape = contact::ellipse(ratio);
+      const contact::Groups groups = contact::from_moes(M, L, scene.shape);
+      scene.lambda = groups.lambda;
+    }
+    scene.face = face;
+    if (sheared) scene.thinning = rheology::ShearThinning{rheology::Eyring{}, 0.02};
+    scene.polish = steady::Polish::always;
+    const steady::Solution other = steady::solve(scene);
+    scene.supply = [](double) { return flooded; };
+    const steady::Solution full = steady::solve(scene);
+    const double P = largest_difference(other.P, full.P), H = largest_difference(other.H, full.H);
+    BOOST_TEST_MESSAGE("M = " << M << ", L = " << L << ", R_x/R_y = " << ratio << ": P differs by " << P << ", H by "
+                              << H << " (allowed 1e-10: both residuals are 1e-11)");
+    BOOST_TEST(full.converged);
+    BOOST_TEST(P <= 1e-10);
+    BOOST_TEST(H <= 1e-10);
+  }
+}
+
+// Along y = 0 of a thin layer in a Hertz contact of an isoviscous, incompressible oil side flow takes 2 pi/lambda from
+// its Q^-2: half of it up to the centre.
+BOOST_AUTO_TEST_CASE(side_flow_of_thin_layers) {
+  for (const double H_oil : {0.02, 0.01}) {
+    steady::Scene scene = scene_of(20, 0, {96, 96, -3.0, 1.5, -2.25, 2.25}, H_oil);
+    scene.viscosity = rheology::Isoviscous{};
+    scene.density = rheology::Incompressible{};
+    const steady::Solution solution = steady::solve(scene);
+    const double formula = 1.0 / std::sqrt(1.0 + H_oil * H_oil * std::numbers::pi / scene.lambda);
+    const double out = 1.0 / std::sqrt(1.0 + 2.0 * H_oil * H_oil * std::numbers::pi / scene.lambda);
+    const double centre = solution.levels.back().Hc / H_oil;
+    const double behind = solution.Q(solution.grid.nx - 1, solution.grid.ny / 2) / H_oil;
+    BOOST_TEST_MESSAGE("H_oil = " << H_oil << ": 1 - Q_c/H_oil = " << 1.0 - centre << " (formula " << 1.0 - formula
+                                  << "), behind it " << 1.0 - behind << " (" << 1.0 - out << ")");
+    BOOST_TEST(solution.converged);
+    BOOST_TEST(std::abs(centre - formula) <= 0.005 * H_oil);
+    BOOST_TEST(std::abs((1.0 - behind) / (1.0 - out) - 1.0) <= 0.02);
+  }
+}
+
+// Half of the domain and all of it; cycles and Newton's method; Q along X constant behind the contact.
+BOOST_AUTO_TEST_CASE(ways_agree) {
+  steady::Scene scene = scene_of(20, 10, {64, 64, -2.5, 1.5, -2.0, 2.0}, 0.3, Wedge::upstream3);
+  scene.face = Face::logmean_bounded;
+  const steady::Solution half = steady::solve(scene);
+  scene.use_symmetry = false;
+  const steady::Solution whole = steady::solve(scene);
+  scene.polish = steady::Polish::always;
+  const steady::Solution newton = steady::solve(scene);
+  BOOST_TEST_MESSAGE("half and whole: P differs by " << largest_difference(half.P, whole.P) << ", Q by "
+                                                     << largest_difference(half.Q, whole.Q)
+                                                     << "; Newton's method: " << largest_difference(newton.P, whole.P)
+                                                     << " (allowed 1e-8: a residual of 1e-10)");
+  BOOST_TEST(half.converged);
+  BOOST_TEST(newton.polish_failure.empty());
+  BOOST_TEST(largest_difference(half.P, whole.P) <= 1e-8);
+  BOOST_TEST(largest_difference(half.Q, whole.Q) <= 1e-8);
+  BOOST_TEST(largest_difference(newton.P, whole.P) <= 1e-8);
+  BOOST_TEST(std::abs(newton.oil.imbalance()) <= 1e-10);
+  const int n = half.grid.nx;
+  for (int j = 1; j < half.grid.ny; ++j) BOOST_TEST(std::abs(half.Q(n - 1, j) - half.Q(n - 3, j)) <= 1e-9);
+}

@@ -1,0 +1,118 @@
+// [supply] as a user gives it: its units, what the result has of it, what is refused.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "support/program.hpp"
+
+using namespace support;
+
+namespace {
+
+const char* const contact = R"([contact]
+M = 20
+L = 10
+[lubricant]
+alpha = 2.2e-8
+[domain]
+x_inlet = -2.5
+x_outlet = 1.5
+y_half = 2
+far_field = zero
+[discretization]
+wedge = upstream2
+face = mean
+[grid]
+cells = 64
+)";
+
+// 20 mm ball on glass: a = 134.5 um, a^2/R = 1.81 um.
+const char* const in_SI = R"([contact]
+load = 20
+radius_x = 0.010
+E_prime = 123.2e9
+[motion]
+u1 = 0.8
+u2 = 0.2
+[lubricant]
+eta0 = 0.080
+alpha = 20e-9
+[domain]
+x_inlet = -2.5
+x_outlet = 1.5
+y_half = 2
+far_field = zero
+[grid]
+cells = 64
+)";
+
+nlohmann::json solved(const TemporaryFolder& folder, const std::string& deck, const std::string& supply) {
+  folder.write("case.ini", deck + "[supply]\n" + supply);
+  const Ended run = ehl(folder, "run case.ini --json --quiet --overwrite");
+  BOOST_TEST_REQUIRE(run.status == 0, run.err);
+  return nlohmann::json::parse(run.out);
+}
+
+void refused(const TemporaryFolder& folder, const std::string& deck, const std::string& supply, const char* says) {
+  folder.write("case.ini", deck + "[supply]\n" + supply);
+  const Ended run = ehl(folder, "check case.ini");
+  BOOST_TEST(run.status == 2, supply);
+  BOOST_TEST(run.says({"[supply]", says}), supply << ": " << run.err);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_starved_contact_tells_what_is_missing) {
+  const TemporaryFolder folder;
+  const auto report = solved(folder, contact, "H_oil = 0.2\n");
+  BOOST_TEST(report["converged"] == true);
+  const double factor = report["starvation_factor"], imbalance = report["mass_imbalance"];
+  const double r = report["starvation"]["supply_ratio"], meniscus = report["starvation"]["meniscus_X"];
+  BOOST_TEST_MESSAGE("r = " << r << ": factor " << factor << " (0.48 at r = 0.5 and 0.63 at 0.7 elsewhere), meniscus "
+                            << meniscus << ", imbalance " << imbalance);
+  BOOST_TEST((factor > 0.4 && factor < r));
+  BOOST_TEST((meniscus > -1.3 && meniscus < -1.0));
+  BOOST_TEST(std::abs(imbalance) < 1e-3);
+  BOOST_TEST(ehl(folder, "extract case.h5 theta --along x --at y=0").out.find("\n") != std::string::npos);
+}
+
+// Only u1 h1 + u2 h2 counts: R (0.8 h1 + 0.2 h2)/(0.5 a^2).
+BOOST_AUTO_TEST_CASE(one_supply_in_all_its_units) {
+  const TemporaryFolder folder;
+  const double one = solved(folder, in_SI, "layer_m = 160e-9\n")["Hc"];
+  const double faster = solved(folder, in_SI, "layer1_m = 100e-9\nlayer2_m = 0\n")["Hc"];
+  const double slower = solved(folder, in_SI, "layer1_m = 0\nlayer2_m = 400e-9\n")["Hc"];
+  // u_m times the width, 4 a of 134.5 um, times the layer.
+  const nlohmann::json scales = solved(folder, in_SI, "layer_m = 160e-9\n");
+  const double a = scales["a_m"];
+  const std::string flow = std::to_string(0.5 * 4.0 * a * 160e-9 * 1e12) + "e-12";
+  const double flowing = solved(folder, in_SI, "flow_m3_per_s = " + flow + "\n")["Hc"];
+  folder.write("track.csv", "y,h\n-3e-4,160e-9\n3e-4,160e-9\n");
+  const double track = solved(folder, in_SI, "profile = track.csv\n")["Hc"];
+  BOOST_TEST_MESSAGE("Hc " << one << ", " << faster << ", " << slower << ", " << flowing << ", " << track);
+  for (const double other : {faster, slower, track}) BOOST_TEST(std::abs(other / one - 1.0) <= 1e-9);
+  BOOST_TEST(std::abs(flowing / one - 1.0) <= 1e-5);  // six digits of the flow
+}
+
+BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
+  const TemporaryFolder folder;
+  refused(folder, contact, "H_oil = 0\n", "must be a number > 0");
+  refused(folder, contact, "H_oil = -1\n", "must be a number > 0");
+  refused(folder, contact, "layer_m = 1e-7\n", "is in SI and the contact is not");
+  refused(folder, in_SI, "layer1_m = 1e-7\n", "belong together");
+  refused(folder, in_SI, "layer1_m = 0\nlayer2_m = 0\n", "bring no oil");
+  refused(folder, in_SI, "layer_m = 1e-7\nflow_m3_per_s = 1e-10\n", "keep one of them");
+  refused(folder, std::string(contact) + "[transient]\nend_time = 1\n", "H_oil = 0.2\n", "in time");
+  refused(folder, "[case]\nkind = dry\n" + std::string(in_SI), "layer_m = 1e-7\n", "dry contact");
+  folder.write("narrow.csv", "-1,0.2\n1,0.2\n");
+  refused(folder, contact, "profile = narrow.csv\n", "narrower than the domain");
+  folder.write("gap.csv", "-2,0.2\n0,\n2,0.2\n");
+  refused(folder, contact, "profile = gap.csv\n", "gap.csv:2");
+  folder.write("back.csv", "-2,0.2\n-2.5,0.3\n2,0.2\n");
+  refused(folder, contact, "profile = back.csv\n", "y must grow");
+  folder.write("case.ini", std::string(contact) + "[supply]\nH_oil = 0.2\n");
+  const Ended closed = ehl(folder, "check case.ini --set domain.far_field=closed");
+  BOOST_TEST(closed.status == 2);
+  BOOST_TEST(closed.says({"far_field", "meniscus"}));
+}
