@@ -102,8 +102,7 @@ DomainError domain_error(const Scene& scene, const SolveOnGrid& solve_on_grid) {
 
 // The next levels up to the grid of `finer`, from the solution on a coarser one.
 Solution refined(const Scene& finer, const Solution& coarser, const ProgressCallback& progress) {
-  const Start start{.coarsest = held_by(64, finer) ? 32 : 64};
-  fmg::Run run = begin_climb(finer, start, progress);
+  fmg::Run run = begin_climb(finer, {}, progress);
   std::size_t l = 0;
   while (l < run.finest() && run.hierarchy.levels[l].grid.nx < coarser.grid.nx) ++l;
   run.record.levels = coarser.levels;

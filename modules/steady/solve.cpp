@@ -27,6 +27,7 @@ namespace {
 constexpr Start starts[] = {
     {.cells = 64, .sweeps = 20, .cycles = 6, .coarsest = 32, .balances = 10, .caution_at_first = 0.7, .caution = 1.0},
     {.cells = 64, .sweeps = 40, .cycles = 10, .coarsest = 32, .balances = 30, .caution_at_first = 0.5, .caution = 1.0},
+    {.cells = 128, .sweeps = 40, .cycles = 6, .coarsest = 32, .balances = 10, .caution_at_first = 0.7, .caution = 1.0},
     {.cells = 128, .sweeps = 40, .cycles = 6, .coarsest = 64, .balances = 30, .caution_at_first = 0.7, .caution = 1.0},
     {.cells = 128, .sweeps = 40, .cycles = 10, .coarsest = 64, .balances = 30, .caution_at_first = 0.7, .caution = 0.7},
     {.cells = 256, .sweeps = 80, .cycles = 10, .coarsest = 64, .balances = 30, .caution_at_first = 0.5, .caution = 0.7},
@@ -40,7 +41,7 @@ constexpr Start starts_of_ellipses[] = {
     {.cells = 128, .sweeps = 20, .cycles = 12, .caution_at_first = 0.35, .caution = 0.7, .coarseness = 4.5},
 };
 /// The start of ways that do not begin with cycles from the Hertz pressure at full load.
-constexpr const Start& safe_start = starts[2];
+constexpr const Start& safe_start = starts[3];
 
 /// A rough bound on the error of the domain above which two coarse solutions are spent on estimating it.
 constexpr double worth_a_look = 0.01;
