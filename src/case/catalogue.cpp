@@ -38,8 +38,7 @@ deck::Catalogue catalogue() {
     if (!effect.keys) continue;
     all.keys = deck::together({all.keys, effect.keys()});
   }
-  all.unavailable = effects_to_come();
-  all.unavailable.push_back({"surface", "", "there are two: write [surface1] or [surface2]"});
+  all.unavailable = {{"surface", "", "there are two: write [surface1] or [surface2]"}};
   return all;
 }
 

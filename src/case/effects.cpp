@@ -15,21 +15,6 @@ namespace {
 
 using core::unknown;
 
-/// What no version has yet.
-struct ToCome {
-  std::string section;
-  std::string without;  ///< what the basic model has in its place
-};
-
-// An entry goes without a word as soon as an effect of the list has its section.
-std::vector<ToCome> to_come() {
-  std::vector<ToCome> entries;
-  for (const Effect& effect : effects())
-    for (const deck::Section& section : effect.sections)
-      std::erase_if(entries, [&](const ToCome& entry) { return entry.section == section.name; });
-  return entries;
-}
-
 std::vector<Effect> completed(std::vector<Effect> all) {
   for (Effect& effect : all)
     for (deck::Section& section : effect.sections) {
@@ -103,19 +88,7 @@ std::vector<std::string> basic_model(const Case& input) {
   std::vector<std::string> words;
   for (const Effect& effect : effects())
     if (!effect.without.empty() && !effect.on(input)) words.push_back(effect.without);
-  for (const ToCome& entry : to_come()) words.push_back(entry.without);
   return words;
-}
-
-std::vector<deck::Unavailable> effects_to_come() {
-  std::vector<deck::Unavailable> list;
-  std::vector<std::string> model;
-  for (const ToCome& entry : to_come()) model.push_back(entry.without);
-  for (const ToCome& entry : to_come())
-    list.push_back({entry.section, "",
-                    "not available in this version: remove it (this version solves contacts that are " +
-                        deck::joined(model, ", ") + ")"});
-  return list;
 }
 
 std::vector<std::string> called_by(const Case& input, const Effect& effect, bool with_place) {

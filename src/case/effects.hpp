@@ -94,11 +94,8 @@ friction::Friction friction_of(const Case& input, const steady::Solution& soluti
 /// Its numbers, for the report as JSON, the result file and the tables.
 std::vector<results::Quantity> friction_quantities(const friction::Friction& found);
 
-/// "steady, smooth, ..., fully flooded": what the case leaves to the basic model, that of no version yet included.
+/// "steady, smooth, ..., fully flooded": what the case leaves to the basic model.
 std::vector<std::string> basic_model(const Case& input);
-
-/// Sections that people will look for in vain: effects of no version yet.
-std::vector<deck::Unavailable> effects_to_come();
 
 /// The keys of the deck that call for the effect, "[transient] end_time = 8"; with_place: and where they stand.
 std::vector<std::string> called_by(const Case& input, const Effect& effect, bool with_place);

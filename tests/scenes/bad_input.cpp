@@ -32,9 +32,6 @@ BOOST_AUTO_TEST_CASE(names_and_values) {
        {"d.ini:5", "viscosity = rolands", "did you mean roelands?", "isoviscous, barus, roelands"}},
       {"duplicate", moes + "M = 20\n" + oil, {"d.ini:4", "M = 20", "given twice", "d.ini:2"}},
       {"no assignment", moes + oil + "nonsense\n", {"d.ini:7", "nonsense", "= is missing"}},
-      {"later section",
-       moes + oil + "[starvation]\nlayer = 1\n",
-       {"d.ini:7", "[starvation]", "not available in this version"}},
       {"checkpoint of nothing", moes + oil + "[output]\ncheckpoint = 1\n", {"d.ini:8", "checkpoint", "end_time"}},
       {"two grids",
        moes + oil + "[grid]\ncells = 256\naccuracy = 0.01\n",
@@ -140,6 +137,11 @@ BOOST_AUTO_TEST_CASE(grids_and_domains) {
        good + "[domain]\nx_inlet = -100\n[grid]\ncells = 64\n",
        {"d.ini:10", "too coarse for -100 <= x <= 1.5", "1.59 Hertz", "take e.g. 256 cells"}},
       {"a mile wide", good + "[domain]\ny_half = 1000\n[grid]\ncells = 65536\n", {"d.ini"}},
+      {"far field too near",
+       "[contact]\nM = 0.5\nL = 0\nradius_ratio = 0.4\n[lubricant]\nviscosity = isoviscous\ndensity = "
+       "incompressible\n[domain]\nx_inlet = -12\n"
+       "x_outlet = 8\ny_half = 10\n[grid]\ncells = 128\n",
+       {"d.ini:9", "x_inlet = -12", "closed form means nothing", "far_field = zero"}},
       {"odd order", good + "[deformation]\norder = 5\n", {"d.ini:8", "order = 5", "4, 6 or 8"}},
       {"coarsenings",
        good + "[grid]\ncells = 64\n[deformation]\ncoarsenings = 7\n",

@@ -239,8 +239,6 @@ BOOST_AUTO_TEST_CASE(keys_and_check) {
   BOOST_TEST(own.status == 0, own.err);
   BOOST_TEST(contains(own.out, "M = 50, L = 10"));
   BOOST_TEST(contains(own.out, "alpha_bar = 13.42"));
-  const std::string keys = scene.ehl("keys").out;
-  BOOST_TEST(!contains(keys, "[starvation]"));
   // Mourier et al. 2006: the groups that the deck must lead to.
   const std::string mourier =
       support::ehl(scene.folder, std::string("check '") + EHL_INPUTS + "/mourier2006_smooth.ini'").out;

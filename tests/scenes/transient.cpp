@@ -66,6 +66,12 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
   const support::TemporaryFolder folder;
   for (const support::Slip& slip : slips)
     support::check_refused(folder, {slip.name, contact + grid + slip.deck, slip.parts});
+  const std::string jump = timed + "load = 0.5:1 0.5:1.1\n[grid]\ncells = 64\n";
+  support::check_refused(folder, {"a far field that cannot follow a jump",
+                                  contact + jump + "[domain]\nfar_field = closed\n",
+                                  {"far_field = closed", "jumps", "take zero"}});
+  folder.write("d.ini", contact + jump);
+  BOOST_TEST(contains(support::ehl(folder, "check d.ini").out, "[-4.5, 1.5] x [-3, 3]"));  // of zero, chosen for it
   folder.write("d.ini", contact + grid + timed + "load = none.csv\n");
   BOOST_TEST(support::ehl(folder, "run d.ini").status == 4);
   folder.write("d.ini", contact + "[grid]\naccuracy = 0.01\n" + timed);

@@ -5,6 +5,7 @@
 #include "contact/groups.hpp"
 #include "core/norms.hpp"
 #include "reynolds/far_field.hpp"
+#include "steady/domain_error.hpp"
 #include "steady/solve.hpp"
 #include "support/roelands_scene.hpp"
 
@@ -59,6 +60,37 @@ BOOST_AUTO_TEST_CASE(half_of_a_domain_gives_the_same_film) {
 }
 
 // An ellipse of R_x/R_y = 0.2 at 45 degrees, where the boundary is a line of every direction of its far field.
+// The domain that a deck gets which leaves it open, and half of it.
+BOOST_AUTO_TEST_CASE(half_of_the_domain_that_is_chosen_gives_the_same_film) {
+  struct Case {
+    double M, L;
+    int cells;
+  };
+  constexpr double error = 5e-5;  // that of grid_keys.cpp
+  constexpr double allowed = 2e-3;
+  for (const auto& [M, L, cells] :
+       {Case{2, 0, 128}, Case{5, 5, 128}, Case{20, 10, 128}, Case{100, 10, 256}, Case{1000, 10, 512}}) {
+    const double X_b = steady::chosen_outlet(M, L, {}, error), X_a = steady::chosen_inlet(M, L, X_b, {}, error);
+    const double Y = steady::chosen_half_width(X_a, X_b, {}, true);
+    const double h = (X_b - X_a) / cells;
+    // Half of it in cells of the same size, behind the contact as much as must be.
+    int nx = 64;
+    while (0.5 * X_a + nx * h < std::max(1.2, 0.5 * X_b)) nx += 32;
+    const core::Grid all{cells, 5 * cells / 4, X_a, X_b, -Y, Y};
+    const core::Grid half{nx, 5 * cells / 8, 0.5 * X_a, 0.5 * X_a + nx * h, -0.5 * Y, 0.5 * Y};
+    const auto films = [&](const core::Grid& grid) {
+      steady::Scene scene = closed_scene(M, L, grid);
+      scene.wedge = reynolds::Wedge::upstream3;
+      scene.face = reynolds::Face::logmean_bounded;
+      return solved(scene).levels.back();
+    };
+    BOOST_TEST_MESSAGE("M = " << M << ", L = " << L << ", X from " << X_a << " to " << X_b << ", Y to " << Y);
+    const fmg::LevelRow small = films(half), large = films(all);
+    require_close(small.Hc, large.Hc, allowed, "Hc");
+    require_close(small.Hm_fitted, large.Hm_fitted, allowed, "Hm");
+  }
+}
+
 BOOST_AUTO_TEST_CASE(likewise_beside_an_ellipse_aslant) {
   const contact::Groups groups = contact::from_moes(20, 10, contact::ellipse(0.2, 45.0));
   const auto scene_on = [&](const core::Grid& grid) {

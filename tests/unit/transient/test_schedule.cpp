@@ -184,6 +184,17 @@ BOOST_AUTO_TEST_CASE(least_is_below_every_value_and_reached_without_a_wave) {
 }
 
 // A ramp within a time in which the film does not move is a jump where it begins, and its end is no corner.
+BOOST_AUTO_TEST_CASE(the_steepest_slope) {
+  const Schedule ramps{.points = {{1, 1}, {1.5, 2}, {2, 2}, {4, -2}}};
+  BOOST_TEST(steepest({}, 10.0) == 0.0);
+  BOOST_TEST(steepest(ramps, 10.0) == 2.0);
+  BOOST_TEST(steepest(ramps, 1.0) == 0.0);  // before all of them
+  BOOST_TEST(std::isinf(steepest({.points = {{1, 1}, {1, 2}}}, 10.0)));
+  BOOST_TEST(std::isinf(steepest({.points = {{1, 1}, {1.0005, 2}}}, 10.0)));  // as good as a jump
+  const double two_pi = 2.0 * std::numbers::pi;
+  BOOST_TEST(std::abs(steepest({.wave = Schedule::Wave{0.3, 2.0, 0.0}}, 10.0) - 0.15 * two_pi) < 1e-14);
+}
+
 BOOST_AUTO_TEST_CASE(steep_ramps_are_jumps) {
   const Schedule steep{.points = {{0, 1}, {1, 1}, {1.0005, 1.5}, {2, 1.5}, {2.5, 2}}};
   BOOST_TEST(jumps(steep, 10.0) == std::vector<double>{1});
