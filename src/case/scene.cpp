@@ -115,7 +115,7 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   if (!result.dry) {
     scene.wedge = reynolds::read(deck);
     scene.face = reynolds::read_face(deck);
-    scene.far_field = steady::read_far_field(deck, steepest_load(deck, result.physics));
+    scene.far_field = steady::read_far_field(deck, steepest_load(deck, result.physics), deck::called_for(deck, "body"));
     steady::choose_grid(deck, groups, scene.wedge);
   }
   const bool contact_known = result.dry || groups.M > 0.0;

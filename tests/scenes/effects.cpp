@@ -37,7 +37,8 @@ BOOST_AUTO_TEST_CASE(check_says_what_is_on_and_why) {
   const Scene scene;
   const std::string none = scene.ehl("check plain.ini").out;
   BOOST_TEST(
-      contains(none, "effects      none beyond the basic model: circular, steady, smooth, Newtonian, isothermal"),
+      contains(none, "effects      none beyond the basic model: circular, steady, smooth, Newtonian, fully flooded, "
+                     "isothermal"),
       none);
   BOOST_TEST(contains(none, "symmetry     in Y: one half of the domain is computed"), none);
   const std::string two = scene.ehl("check timed.ini").out;
@@ -45,7 +46,7 @@ BOOST_AUTO_TEST_CASE(check_says_what_is_on_and_why) {
        {"effects      transient: in time to 0.1 a/u_m", "varying: load",
         "called for by [transient] end_time = 0.1 (timed.ini:13)", "costs about 1 MB and",
         "surfaces: ridge on surface1 (x = -0.5 to -0.4 a)", "called for by [surface1] shape = ridge (timed.ini:16)",
-        "basic model: circular, Newtonian, isothermal",
+        "basic model: circular, Newtonian, fully flooded, isothermal",
         "none in Y, the whole domain is computed: surfaces: ridge of "
         "surface1 at 30 degrees"})
     BOOST_TEST(contains(two, part), part << " is missing in\n" << two);
