@@ -15,13 +15,13 @@ namespace {
 constexpr int fewest_cells = 64;
 constexpr int most_cells = 1 << 20;
 
-int cells_in(const std::string& text, const std::string& whole) {
+int cells_in(const std::string& text, const std::string& levels) {
   const deck::ReadNumber read = deck::read_number(text);
   const bool good = read.status == deck::ReadNumber::Status::number && read.value >= 16.0 && read.value <= most_cells &&
                     read.value == std::floor(read.value);
   if (!good)
-    throw core::InputError("command line: --levels " + whole + ": write a:b, cells of the coarsest and of the finest " +
-                           "grid studied, e.g. 64:512");
+    throw core::InputError("command line: --levels " + levels +
+                           ": write a:b, cells of the coarsest and of the finest " + "grid studied, e.g. 64:512");
   return static_cast<int>(read.value);
 }
 

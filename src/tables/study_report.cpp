@@ -25,8 +25,8 @@ std::string error_text(double error, bool at_reference, const Extrapolated& refe
 // The films in nm, with the space that follows; nothing without scales.
 std::string in_nm(const StudyPoint& point, const std::optional<SiScales>& si) {
   if (!si) return {};
-  const double nm = si_unit("a^2/R", *si).factor;
-  return fmt::format("{:>8}  {:>8}  ", known("{:.2f}", nm * point.Hc), known("{:.2f}", nm * point.Hm));
+  const double to_nm = si_unit("a^2/R", *si).factor;
+  return fmt::format("{:>8}  {:>8}  ", known("{:.2f}", to_nm * point.Hc), known("{:.2f}", to_nm * point.Hm));
 }
 
 std::string point_line(const StudyPoint& point, const Reference& reference, const std::optional<SiScales>& si) {

@@ -62,9 +62,10 @@ BOOST_AUTO_TEST_CASE(every_deck_is_tested) {
   }
 }
 
-// With the second-order scheme and P = 0 on the boundary: halving the cells divides the change of Hc and Hm by 4. Measured 2.96 to 4.5: the largest errors are
-// not yet asymptotic, and the minimum sits on a node. The estimate at n must cover the change to 2 n, and not by more
-// than ten times (measured 1.2 to 5.6): an estimate that says 100 % of everything would cover too.
+// With the second-order scheme and P = 0 on the boundary: halving the cells divides the change of Hc and Hm by 4.
+// Measured 2.96 to 4.5: the largest errors are not yet asymptotic, and the minimum sits on a node. The estimate at n
+// must cover the change to 2 n, and not by more than ten times (measured 1.2 to 5.6): an estimate that says 100 % of
+// everything would cover too.
 BOOST_AUTO_TEST_CASE(refinement_is_monotone_and_the_error_estimate_covers_it) {
   for (const Refined& one : refined) {
     BOOST_TEST_CONTEXT(one.deck) {
@@ -82,9 +83,9 @@ BOOST_AUTO_TEST_CASE(refinement_is_monotone_and_the_error_estimate_covers_it) {
       std::array<Report, 3> meshes;
       for (int k = 0; k < 3; ++k) {
         const int cells = one.cells << k;
-        meshes[static_cast<std::size_t>(k)] =
-            run_deck(one.deck, {"grid.cells=" + std::to_string(cells), "discretization.wedge=upstream2",
-                                "domain.far_field=zero"});
+        meshes[static_cast<std::size_t>(k)] = run_deck(
+            one.deck,
+            {"grid.cells=" + std::to_string(cells), "discretization.wedge=upstream2", "domain.far_field=zero"});
         require_verified(meshes[static_cast<std::size_t>(k)]);
       }
       BOOST_TEST_MESSAGE(one.deck << ": as it is " << as_it_is.cells() << " cells, Hc " << as_it_is.number("Hc")
