@@ -36,10 +36,10 @@ BOOST_AUTO_TEST_SUITE(effects)
 BOOST_AUTO_TEST_CASE(check_says_what_is_on_and_why) {
   const Scene scene;
   const std::string none = scene.ehl("check plain.ini").out;
-  BOOST_TEST(
-      contains(none, "effects      none beyond the basic model: circular, steady, smooth, Newtonian, fully flooded, "
-                     "isothermal"),
-      none);
+  BOOST_TEST(contains(none,
+                      "effects      none beyond the basic model: circular, steady, smooth, Newtonian, fully flooded, "
+                      "isothermal"),
+             none);
   BOOST_TEST(contains(none, "symmetry     in Y: one half of the domain is computed"), none);
   const std::string two = scene.ehl("check timed.ini").out;
   for (const char* part :
