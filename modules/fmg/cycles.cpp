@@ -19,9 +19,6 @@ constexpr double hardly_less = 0.5;
 /// A cycle that leaves more of the residual than this, and leaves it so high for the second time, is a reason for more
 /// caution; not the first two of a series, which still feel the interpolation, nor beside rounding errors.
 constexpr double poor_factor = 0.75;
-/// A cycle without relaxations after the correction that leaves more than this gets one. Such cycles leave 0.2 to 0.3
-/// where they work, those with one 0.1 to 0.2 for a third more work.
-constexpr double rough_factor = 0.4;
 constexpr int settling_cycles = 2;
 constexpr double rounding_residual = 1e-10;
 constexpr double back_off_steep = 0.8;

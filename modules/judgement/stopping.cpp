@@ -11,8 +11,6 @@ namespace {
 /// Foretold algebraic error allowed in Hc and Hm, as a share of the estimated discretization error: a tenth is
 /// promised, and both numbers are estimates.
 constexpr double algebraic_share = 0.05;
-/// A larger discretization error than this is no licence to stop earlier: its estimate is too uncertain.
-constexpr double largest_licence = 0.05;
 /// Largest relative residual and load error of a solution at the level of the discretization error.
 constexpr double loose_residual = 4e-3;
 constexpr double loose_load_error = 1e-4;

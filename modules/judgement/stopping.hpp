@@ -7,6 +7,9 @@
 
 namespace ehl::judgement {
 
+/// A larger discretization error than this is no licence to stop earlier: its estimate is too uncertain.
+inline constexpr double largest_licence = 0.05;
+
 /// Two states of the finest level, one cycle apart, and what is known of the discretization error there.
 struct LastCycle {
   Measures before;

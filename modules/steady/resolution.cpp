@@ -7,6 +7,16 @@
 #include "contact/groups.hpp"
 
 namespace ehl::steady {
+namespace {
+
+// contact_size() along the shorter axis.
+double shorter_size(double M, double L, const contact::Ellipse& shape) {
+  const double sharpest = 0.5 * std::max(1.0, shape.radius_ratio);
+  return std::max(contact::extent(shape).shorter, std::sqrt(expected_central_film(M, L, shape) / sharpest));
+}
+
+}  // namespace
+
 double expected_central_film(double M, double L, const contact::Ellipse& shape) {
   return contact::H_from_moes_units(contact::nijenbanning_venner_moes(M, L, shape), M, shape);
 }
@@ -30,16 +40,6 @@ double expected_least_film(double M, double L, const contact::Ellipse& shape) {
   const double share = std::min(0.9, slender * at_50 * std::pow(circular_load(M, L, shape) / 50.0, -0.2));
   return expected_central_film(M, L, shape) * share;
 }
-
-namespace {
-
-// contact_size() along the shorter axis.
-double shorter_size(double M, double L, const contact::Ellipse& shape) {
-  const double sharpest = 0.5 * std::max(1.0, shape.radius_ratio);
-  return std::max(contact::extent(shape).shorter, std::sqrt(expected_central_film(M, L, shape) / sharpest));
-}
-
-}  // namespace
 
 double contact_size(double M, double L, const contact::Ellipse& shape) {
   return std::max(contact::extent(shape).X, std::sqrt(expected_central_film(M, L, shape) / contact::gap(shape).XX));

@@ -120,6 +120,10 @@ void check_steps(const deck::Part& transient, const MarchParameters& march, doub
                                  steps, longest, march.most_steps));
 }
 
+double unit_of_time(const deck::Part& transient, const Scales& scales) {
+  return transient.word("time_unit") == "seconds" && std::isfinite(scales.time) ? scales.time : 1.0;
+}
+
 }  // namespace
 
 std::vector<Key> keys() {
@@ -129,14 +133,6 @@ std::vector<Key> keys() {
                          deck::in_section("output", deck::only_with(in_time, output_keys())),
                          deck::in_section("body", deck::only_with(in_time, body_keys()))});
 }
-
-namespace {
-
-double unit_of_time(const deck::Part& transient, const Scales& scales) {
-  return transient.word("time_unit") == "seconds" && std::isfinite(scales.time) ? scales.time : 1.0;
-}
-
-}  // namespace
 
 double steepest_load(const deck::Deck& deck, const Scales& scales) {
   deck::Deck read_ahead = deck;

@@ -20,12 +20,10 @@ constexpr double least_weight = 0.1;
 constexpr double slow = 0.8;
 // Where the discretization error is not known: a single grid.
 constexpr double unknown_error = 1e-2;
-// No estimate is trusted to be less than the first, and none is a licence beyond the second (judgement/stopping.cpp).
-constexpr double least_error = 1e-4, largest_error = 0.05;
+// No estimate is trusted to be less.
+constexpr double least_error = 1e-4;
 // A friction, and a rise in kelvin over T0, below which it counts as none.
 constexpr double least_mu = 1e-6, least_theta = 1e-6;
-// A cycle without relaxations after the correction that leaves more of the residual gets one (fmg/cycles.cpp).
-constexpr double rough_factor = 0.4;
 // Where no share of the temperature leads on: smaller weights of the relaxations, as the isothermal film may have
 // needed.
 constexpr double back_off = 0.8, least_caution = 0.5;
@@ -43,7 +41,7 @@ double over_allowed(const Parameters& parameters, const Pass& now, const Pass& b
   double error =
       parameters.below.empty() ? parameters.error : judgement::estimate_error(sequence, order).relative_error;
   if (std::isnan(error)) error = unknown_error;
-  const double allowed = parameters.share * std::clamp(error, least_error, largest_error);
+  const double allowed = parameters.share * std::clamp(error, least_error, judgement::largest_licence);
   const double size = std::max(std::abs(now.*value), least / allowed);
   return std::abs(now.*value - before.*value) / size / allowed;
 }
@@ -73,7 +71,7 @@ bool cycle(fmg::Run& run, std::size_t l, int number, LastCycle& last) {
   const fmg::LevelRow& row = run.record.levels.back();
   last.error_Hc = row.error_Hc;
   last.error_Hm = row.error_Hm;
-  if (last.after.residual > rough_factor * last.before.residual) run.caution.relax_after = true;
+  if (last.after.residual > fmg::rough_factor * last.before.residual) run.caution.relax_after = true;
   return done;
 }
 
