@@ -136,10 +136,11 @@ BOOST_AUTO_TEST_CASE(bodies_that_are_apart_have_figures_of_their_own) {
   BOOST_TEST(asked.says({"this file has no pressure"}), asked.err);
 }
 
-// A single grid has no estimate of its error: films without bars.
+// A single grid has no sequence of grids that would estimate its error: films without bars.
 BOOST_AUTO_TEST_CASE(a_sweep_without_error_bars_is_drawn) {
   const Scene scene;
-  scene.folder.write("m.ini", "[contact]\nM = 20\nL = 10\n[lubricant]\nalpha = 2e-8\n[grid]\ncells = 64\n");
+  scene.folder.write("m.ini",
+                     "[contact]\nM = 20\nL = 10\n[lubricant]\nalpha = 2e-8\n[grid]\ncells = 64\nerrors = levels\n");
   BOOST_REQUIRE(scene.ehl("sweep m.ini --vary contact.M=20,50,100 --output t.csv").status == 0);
   const auto rows = support::named_rows(scene.folder.read("t.csv"));
   BOOST_REQUIRE(rows.at(0).at("error_Hc") == "NaN");

@@ -122,13 +122,13 @@ BOOST_AUTO_TEST_CASE(rows) {
   finest.ny = 2;
   finest.Hc = 0.4;
   finest.Hm = 0.25;
-  finest.error_Hc = 0.058;
-  finest.error_Hm = 0.062;
   finest.residual = 3e-4;
   finest.load_error = 2e-6;
   finest.cycles = 7;
   finest.work_units = 11.2;
   solution.levels = {finest};
+  solution.error_bars.Hc.discretization = 0.058;
+  solution.error_bars.Hm.discretization = 0.062;
   solution.attempts = {{"full multigrid", "stalled", 0.1}, {"full multigrid, start 2", "", 0.1}};
   solution.method = "full multigrid, start 2";
   solution.converged = true;
