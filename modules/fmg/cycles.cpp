@@ -65,9 +65,8 @@ std::string cycle(Hierarchy& hierarchy, std::size_t l, const Parameters& how, ju
 
 Parameters cautious(const Parameters& parameters, const Caution& caution) {
   Parameters used = parameters;
-  used.relaxation.weight_distributed *= caution.all;
-  used.relaxation.weight_single *= caution.all;
-  used.relaxation.weight_single_steep *= caution.all * caution.steep;
+  used.relaxation = lighter(used.relaxation, caution.all);
+  used.relaxation.weight_single_steep *= caution.steep;
   if (caution.relax_after) used.post = std::max(1, used.post.value_or(1));
   return used;
 }

@@ -23,6 +23,14 @@ struct RelaxationParameters {
   double far_squeeze_beside = 0.2;  ///< H per P, where it does because it is beside the cavitated region
 };
 
+/// The same with this share of every weight.
+inline RelaxationParameters lighter(RelaxationParameters how, double share) {
+  how.weight_distributed *= share;
+  how.weight_single *= share;
+  how.weight_single_steep *= share;
+  return how;
+}
+
 /// How the full multigrid works. The defaults need no tuning.
 struct Parameters {
   std::optional<Cycle> cycle;  ///< absent: W; the steady solver has its own choice (steady/climb.hpp)

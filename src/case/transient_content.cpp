@@ -60,6 +60,14 @@ std::vector<double> credible(const results::ResultFile& file, const std::string&
   return values;
 }
 
+std::string why_no_checkpoint(const results::ResultFile& file) {
+  const std::string why = "command line: " + file.path() + " has no checkpoint: ";
+  if (file.kind("/transient") != results::ResultFile::Kind::group) return why + "its case is steady";
+  return credible(file, "/summary/transient_completed") == std::vector{1.0}
+             ? why + "its run is complete"
+             : why + "its run was stopped before the first step; run its deck again";
+}
+
 int whole(const std::string& path, const std::string& name, double value) {
   if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max())
     damaged(path, name + " holds " + deck::shortest(value) + ", which is no count");
@@ -126,9 +134,7 @@ void add_transient(const Case& input, const TransientResult& result, results::Co
 
 TransientResult read_transient(const results::ResultFile& file) {
   using Kind = results::ResultFile::Kind;
-  if (file.kind("/checkpoint") != Kind::group)
-    throw core::InputError("command line: " + file.path() + " has no checkpoint: " +
-                           (file.kind("/transient") == Kind::group ? "its run is complete" : "its case is steady"));
+  if (file.kind("/checkpoint") != Kind::group) throw core::InputError(why_no_checkpoint(file));
   TransientResult result;
   result.rows = read_rows(file);
   const auto number = [&](const char* name) {

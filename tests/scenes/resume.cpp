@@ -34,6 +34,17 @@ support::Ended stopped(const support::TemporaryFolder& folder, const std::string
   return support::shell(folder, line.str());
 }
 
+// Stopped between two steps, as late as that takes on a busy machine.
+support::Ended stopped_in_time(const support::TemporaryFolder& folder, const std::string& words) {
+  support::Ended ended;
+  for (double seconds = 0.3; seconds < 20.0; seconds *= 1.5) {
+    ended = stopped(folder, words, "INT", seconds);
+    if (!ended.says({"before the first step"}) && !ended.says({"nothing was written"})) break;
+    support::shell(folder, "rm -f *.h5 *.xmf");
+  }
+  return ended;
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(resume)
@@ -49,7 +60,7 @@ BOOST_AUTO_TEST_CASE(goes_on_to_the_same_film) {
   BOOST_TEST(complete.status == 2);
   BOOST_TEST(complete.says({"no checkpoint", "complete"}));
 
-  support::Ended ended = stopped(folder, "run d.ini --quiet --output parts.h5", "INT", 0.35);
+  support::Ended ended = stopped_in_time(folder, "run d.ini --quiet --output parts.h5");
   BOOST_TEST(ended.status == 130);
   BOOST_TEST_REQUIRE(ended.says({"stopped at time", "ehl resume parts.h5"}), ended.err);
   const double first = rows_of(support::ehl(folder, "extract parts.h5 /transient").out).back()[0];
@@ -95,6 +106,19 @@ BOOST_AUTO_TEST_CASE(killed_at_any_moment_leaves_a_file_that_goes_on) {
   BOOST_TEST(support::ehl(folder, "resume d.h5").says({"no checkpoint", "complete"}));
 }
 
+// Stopped while the steady contact it begins from is solved: there is no time to go on from, and the file says so.
+BOOST_AUTO_TEST_CASE(stopped_before_the_first_step) {
+  const support::TemporaryFolder folder;
+  folder.write("d.ini", swinging);
+  support::Ended ended;
+  for (double seconds = 0.02; seconds < 2.0 && !ended.says({"before the first step"}); seconds *= 1.1) {
+    support::shell(folder, "rm -f *.h5 *.xmf");
+    ended = stopped(folder, "run d.ini --quiet", "INT", seconds);
+  }
+  BOOST_TEST_REQUIRE(ended.says({"before the first step"}), ended.err);
+  BOOST_TEST(support::ehl(folder, "resume d.h5").says({"stopped before the first step", "run its deck again"}));
+}
+
 // A load that lies in a file beside the deck, neither of them where the program runs, where the result is.
 BOOST_AUTO_TEST_CASE(finds_the_files_of_the_deck_again) {
   const support::TemporaryFolder folder;
@@ -105,7 +129,7 @@ BOOST_AUTO_TEST_CASE(finds_the_files_of_the_deck_again) {
   BOOST_TEST(missing.status == 4, missing.err);
   BOOST_TEST(missing.says({"decks/d.ini:17: [transient] load = swing.csv", "no such file", "/decks"}), missing.err);
   folder.write("decks/swing.csv", "time, load\n0, 1\n2, 1.1\n");
-  const support::Ended ended = stopped(folder, "run decks/d.ini --quiet", "INT", 0.3);
+  const support::Ended ended = stopped_in_time(folder, "run decks/d.ini --quiet");
   BOOST_TEST_REQUIRE(ended.status == 130, ended.err);
   const support::Ended on = support::ehl(folder, "resume d.h5 --quiet");
   BOOST_TEST(on.status == 0, on.err);
