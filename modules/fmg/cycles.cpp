@@ -74,6 +74,7 @@ Parameters cautious(const Parameters& parameters, const Caution& caution) {
 CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::StoppingCriterion& criterion,
                         const Caution& caution, const CycleObserver& observe) {
   CyclesResult result{.caution = caution};
+  hierarchy.coarsest_weight = 1.0;
   Caution& needed = result.caution;
   Parameters how = cautious(hierarchy.parameters, needed);
   const State start = state_of(hierarchy, l);

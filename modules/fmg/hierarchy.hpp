@@ -135,7 +135,8 @@ struct Hierarchy {
   LoadLine outside_line;      ///< of the load outside, as it is left for the inside
   std::vector<Level> levels;  ///< coarsest first
   double H00 = 0.0;
-  double least_supply = 0.0;  ///< less is not supplied yet: how a solution begins
+  double coarsest_weight = 1.0;  ///< share of the relaxation's weights that the coarsest grid takes, from its visits on
+  double least_supply = 0.0;     ///< less is not supplied yet: how a solution begins
   int threads = 1;
   core::PartTimes times;
 

@@ -236,6 +236,7 @@ StageResult ContactDae::solve(const Stage& stage, const Drive& drive, std::span<
   double least = std::numeric_limits<double>::infinity();
   int in_vain = 0;
   const std::size_t finest = hierarchy_.levels.size() - 1;
+  hierarchy_.coarsest_weight = 1.0;
   while (!result.solved && result.cycles < control_.most_cycles) {
     const double H00_before = hierarchy_.H00;
     ++result.cycles;
