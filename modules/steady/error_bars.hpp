@@ -31,8 +31,9 @@ struct ErrorBars {
   double Hm_fitted_Y = ErrorBar::unknown;
   Extrapolated Hc_extrapolated{};
   Extrapolated Hm_extrapolated{};  ///< from Hm_fitted
-  /// Relative change of Hc for a domain without end: Solution::domain_error_Hc where that is known, else the rough
-  /// estimate, right within a factor of about 2 (domain_error.hpp). No part of total().
+  /// Relative change of Hc or Hm for a domain without end. With the far field in closed form: by the weights of the
+  /// pressure on the boundary (adjoint/errors.hpp). Else of Hc: Solution::domain_error_Hc where that is known, or the
+  /// rough estimate, right within a factor of about 2 (domain_error.hpp). No part of total().
   double domain = ErrorBar::unknown;
   double P_max = ErrorBar::unknown;  ///< relative error estimate of P_max; NaN where it does not converge
   /// Differences of P_max between the levels fall, and no spike is about to overtake it. At a spike that no grid
