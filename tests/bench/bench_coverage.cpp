@@ -175,7 +175,7 @@ int main(int argc, char** argv) {
     std::replace(head.begin(), head.end(), ',', ';');
     std::printf("%s,%s,%s\n", head.c_str(), share(false).c_str(), share(true).c_str());
   }
-  std::puts("\nM,L,R_x/R_y;angle,cells,value,estimate [%],true error [%]");
+  std::puts("\nM,L,R_x/R_y;angle;oil,cells,value,estimate [%],true error [%]");
   for (const Row& row : result.rows)
     if (!row.judged.within()) {
       std::string name(row.judged.name);
