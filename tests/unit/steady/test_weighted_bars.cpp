@@ -37,6 +37,7 @@ BOOST_AUTO_TEST_CASE(by_weights) {
   Scene scene;
   scene.grid = {60, 60, -4.0, 2.0, -3.0, 3.0};
   scene.far_field = true;
+  solution.levels[0].Hc = 0.6;
   const ErrorBars bars = error_bars_of(scene, solution);
   // Hc: the correction is the largest.
   const double correction = -0.097 / 3.0 + 0.07 * (1.0 / 3.0 - 1.0 / 7.0);
@@ -54,6 +55,20 @@ BOOST_AUTO_TEST_CASE(by_weights) {
   // 0.31, 0.28175, 0.25 are far from second order: no worse than the plain value.
   const double plain = bars.Hm_fitted.discretization + 4.0 / 3.0 * bars.Hm_fitted.algebraic;
   BOOST_TEST(bars.Hm_extrapolated.error == plain, tolerance(1e-10));
+}
+
+// Changes of Hc of one sign that fall, or not: the levels alone then tell what is extrapolated, if they can.
+BOOST_AUTO_TEST_CASE(extrapolated_where_the_changes_fall) {
+  for (const double first : {0.5, 0.448, 0.43}) {
+    Solution solution = three_levels();
+    solution.levels[0].Hc = first;
+    const Estimate by_levels = error_bars_of(Scene{}, solution).Hc_extrapolated;
+    solution.adjoint.emplace();
+    solution.adjoint->Hc = {.poiseuille = -0.02, .wedge = -0.01};
+    const ErrorBars bars = error_bars_of(Scene{}, solution);
+    BOOST_TEST((bars.Hc_extrapolated.value == by_levels.value) == (first < 0.455));
+    if (first < 0.455) BOOST_TEST(bars.Hc_extrapolated.error == by_levels.error);
+  }
 }
 
 // The terms cancel, and the levels tell next to nothing: the terms then, as independent ones for Hc.
