@@ -26,5 +26,19 @@ set xtics steps_of(right - left)
 set ytics steps_of(2 * far)
 set xlabel axis_along offset 0, 0.4
 set ylabel axis_Y offset 1, 0
+# Oil ends where it no longer fills the gap.
+starved = found("/fields/theta") ne ""
+if (starved) {
+  set contour base
+  unset surface
+  set cntrparam levels discrete 0.95
+  set table $edge_of_oil
+  splot field("theta", 350) matrix nonuniform using 1:2:3 with lines nosurface
+  unset table
+  unset contour
+  set surface
+}
+if (!starved) { set print $edge_of_oil; print "NaN NaN NaN"; set print }
 plot field("H", 700) matrix nonuniform using 1:2:(shade(film_nm * $3, 630.0)):(shade(film_nm * $3, 540.0)): \
-    (shade(film_nm * $3, 460.0)) with rgbimage notitle
+    (shade(film_nm * $3, 460.0)) with rgbimage notitle, \
+    $edge_of_oil using 1:2 with lines lw 0.8 lc rgb "white" notitle

@@ -15,6 +15,8 @@ struct Foretold {
   double film = 0.0;       ///< the sum of P, and the fit of the minimum, included
   double left = 0.0;       ///< the number less that of the solved equations, by the residual of the last cycle
   double scattered = 0.0;  ///< the same without regard to sign: of a residual that changes its sign from node to node
+  /// What the far field on the boundary may be wrong by, whatever its sign; 0 where it is not closed.
+  double domain = 0.0;
   double change() const { return poiseuille + wedge + film; }
 };
 
@@ -29,7 +31,7 @@ struct Errors {
 };
 
 /// Of the finest grid as it was solved. The weights are those of a grid with four times its mesh size, eight times
-/// where that has more than 5000 nodes: there they are larger by a fifth to a half, and cost a tenth of the cycles.
+/// where that has more than 6000 nodes: there they are larger by a fifth to a half, and cost a tenth of the cycles.
 /// None with a single grid, or where they are not found. out: the finest level and H00 as they were; those below have
 /// other states.
 std::optional<Errors> errors(fmg::Hierarchy& hierarchy, bool maps = false);

@@ -120,13 +120,19 @@ Solution refined(const Scene& finer, const Solution& coarser, const ProgressCall
 
 double worst(double Hc, double Hm) { return std::isnan(Hc + Hm) ? std::nan("") : std::max(Hc, Hm); }
 double plain_error(const ErrorBars& bars) { return worst(bars.Hc.total(), bars.Hm.total()); }
+// Of what is shown first.
+double best_error(const ErrorBars& bars) {
+  const double best = worst(bars.Hc_best.error, bars.Hm_best.error);
+  return std::isnan(best) ? plain_error(bars) : best;
+}
 double extrapolated_error(const ErrorBars& bars) {
   return worst(bars.Hc_extrapolated.error, bars.Hm_extrapolated.error);
 }
 
-// Cells of the level that will do for the plain values, by the scheme's order; the next where the error is unknown.
+// Cells of the level that will do for the values shown first, by the scheme's order; the next where the error is
+// unknown.
 double foretold_cells(const Scene& scene, const Solution& solution, double allowed) {
-  double error = plain_error(solution.error_bars);
+  double error = best_error(solution.error_bars);
   double cells = solution.grid.nx;
   do {
     cells *= 2.0;
@@ -230,8 +236,11 @@ Solution solve_to_accuracy(const Scene& asked, const SolveOnGrid& solve_on_grid,
   bool mesh_met = false;
   bool interrupted = false;
   while (solution.converged) {
-    mesh_met = plain_error(solution.error_bars) <= allowed;
-    if (mesh_met) break;
+    mesh_met = best_error(solution.error_bars) <= allowed;
+    if (mesh_met) {
+      by_extrapolation = !(plain_error(solution.error_bars) <= allowed);
+      break;
+    }
     const double foretold = foretold_cells(scene, solution, allowed);
     const bool reachable = foretold <= scene.accuracy.most_cells &&
                            forbidden(scene, with_cells(scene.grid, static_cast<int>(foretold))).empty();

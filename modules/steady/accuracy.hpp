@@ -18,8 +18,9 @@ using SolveOnGrid = std::function<Solution(const Scene&)>;
 ///   of the size, and what load is missing, which falls with the first; it grows until half of the target is left for
 ///   the mesh, or three tenths where half takes a domain that is too large.
 ///   Mesh: the scheme's order foretells the level; the climb goes there from the last solution. The promise is for the
-///   plain values of the finest grid (node minimum) as far as most_cells and most_nodes allow, and for the values
-///   extrapolated from the levels beyond that: AccuracyReport::by_extrapolation.
+///   values that are shown first (ErrorBars::Hc_best), else for the plain ones of the finest grid (node minimum) as far
+///   as most_cells and most_nodes allow, and for the values extrapolated from the levels beyond that. Where the plain
+///   ones are not as close: AccuracyReport::by_extrapolation.
 /// A domain that the deck fixes is part of the problem: its error is told, and not counted.
 /// out: as of solve(), of the last grid; where the target is not met it is marked as not converged, and
 /// AccuracyReport::stopped_by says what stood in the way. The level table has all levels. errors: as of solve().

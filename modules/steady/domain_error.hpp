@@ -26,6 +26,9 @@ double rough_domain_error(const Scene& scene);
 /// in: M > 0, L >= 0, 0 < error.
 double closed_reach(double M, double L, const contact::Ellipse& shape, double error);
 
+/// Of Hc, on a domain that is chosen with the far field in closed form: on half of it less than 0.2 %.
+inline constexpr double error_of_closed_domain = 5e-5;
+
 /// The inlet boundary that a deck without one gets: the shortest that keeps the first part of rough_domain_error below
 /// 0.6 % and the second below 2 %, on a domain half as wide as long, from a ladder on which (0,0) is a node of every
 /// grid with a multiple of 32 cells, |X_a|/X_b = m/(32 - m), m = 20 .. 31, and of 64 and 128 cells for longer ones; no

@@ -16,10 +16,10 @@ struct ErrorBar {
   double total() const { return discretization + algebraic; }
 };
 
-/// A value with its error, extrapolated from the levels to a mesh of size zero on this domain.
-struct Extrapolated {
+/// A value with its error: relative, the cycles' part included.
+struct Estimate {
   double value = ErrorBar::unknown;
-  double error = ErrorBar::unknown;  ///< relative, the cycles' part included
+  double error = ErrorBar::unknown;
 };
 
 struct ErrorBars {
@@ -29,10 +29,15 @@ struct ErrorBars {
   double Hm_fitted_value = ErrorBar::unknown;  ///< minimum between the nodes (fitted_minimum.hpp), and where it is
   double Hm_fitted_X = ErrorBar::unknown;
   double Hm_fitted_Y = ErrorBar::unknown;
-  Extrapolated Hc_extrapolated{};
-  Extrapolated Hm_extrapolated{};  ///< from Hm_fitted
-  /// Relative change of Hc for a domain without end: Solution::domain_error_Hc where that is known, else the rough
-  /// estimate, right within a factor of about 2 (domain_error.hpp). No part of total().
+  Estimate Hc_extrapolated{};  ///< from the levels to a mesh of size zero on this domain
+  Estimate Hm_extrapolated{};  ///< from Hm_fitted
+  /// Extrapolated or of the finest grid (of Hm the fitted one), whichever has the narrower bar: what is shown first.
+  /// Where the errors are by the weights, whose bars earn it; else unknown.
+  Estimate Hc_best{};
+  Estimate Hm_best{};
+  /// Relative change of Hc or Hm for a domain without end. With the far field in closed form: by the weights of the
+  /// pressure on the boundary (adjoint/errors.hpp). Else of Hc: Solution::domain_error_Hc where that is known, or the
+  /// rough estimate, right within a factor of about 2 (domain_error.hpp). No part of total().
   double domain = ErrorBar::unknown;
   double P_max = ErrorBar::unknown;  ///< relative error estimate of P_max; NaN where it does not converge
   /// Differences of P_max between the levels fall, and no spike is about to overtake it. At a spike that no grid

@@ -88,9 +88,7 @@ constexpr int fewest_chosen_cells = 256;
 constexpr int most_chosen_cells = 1024;
 constexpr double most_nodes_of_ellipse = 5.0 * most_chosen_cells * most_chosen_cells;
 
-/// Of Hc, on a domain that is chosen with the far field in closed form: on half of it less than 0.2 %. Where an
-/// accuracy is asked for, no more than a tenth of it.
-constexpr double error_of_closed_domain = 5e-5;
+/// Where an accuracy is asked for, a closed domain leaves no more of it.
 constexpr double share_of_accuracy = 0.1;
 
 bool closed(const deck::Part& domain) { return domain.choice("far_field", {true, false}); }

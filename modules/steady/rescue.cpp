@@ -121,6 +121,23 @@ Solution rescue_by_newton(const Scene& scene, const Start& start, const Solution
   return solution;
 }
 
+Solution follow_by_newton(const Scene& scene, const Start& start, const Solution& before,
+                          const ProgressCallback& progress) {
+  fmg::Run run = begin_climb(scene, start, progress);
+  fmg::RowTimer timer(run);
+  const std::size_t l = run.finest();
+  fmg::start_from_state(run.hierarchy, l, {core::on_patch(run.hierarchy.finest().grid, before.P), before.H00});
+  run.record.levels.emplace_back();
+  const newton::Result result = solve_level_by_newton(run, l, scene.multigrid.tolerance);
+  judge(run);
+  if (!result.converged) run.record.failed_check = result.reason;
+  run.record.converged = run.record.converged && result.converged;
+  timer.stop();
+  Solution solution = solution_of(scene, std::move(run));
+  solution.newton = result.steps;
+  return solution;
+}
+
 Solution climb_by_newton(const Scene& scene, const Start& start, const ProgressCallback& progress) {
   fmg::Run run = begin_climb(scene, start, progress);
   bool solved = false;

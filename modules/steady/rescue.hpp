@@ -19,6 +19,11 @@ Solution polished(const Scene& scene, fmg::Run&& run);
 Solution rescue_by_newton(const Scene& scene, const Start& start, const Solution& unsolved,
                           const ProgressCallback& progress);
 
+/// The finest grid alone by Newton's method from the state of another solution, down to the scene's tolerance.
+/// errors: core::Interrupted.
+Solution follow_by_newton(const Scene& scene, const Start& start, const Solution& before,
+                          const ProgressCallback& progress);
+
 /// The way up with Newton's method on every grid instead of cycles: from the Hertz pressure on the first grid, and on
 /// those up to 128 cells whose coarser grid was not solved; from the coarser grid's solution else.
 /// errors: core::SolverError where no grid up to 128 cells was solved; core::Interrupted.

@@ -45,6 +45,14 @@ struct AccuracyTarget {
   double most_nodes = std::numeric_limits<double>::infinity();  ///< that the memory holds
 };
 
+/// Contacts one after another on the same track (passes.hpp): what a surface brings to the next one.
+struct Passes {
+  int number = 1;
+  double returning = 1.0;  ///< share of what leaves that comes back
+  double renewed = 0.0;    ///< share of the scene's supply that is brought anew every time
+  double levelled = 0.0;   ///< share of the differences across the track that has levelled out
+};
+
 struct Scene {
   double M = 0.0;       ///< Moes' load parameter: for guesses, and for the loads of a continuation
   double L = 0.0;       ///< Moes' material parameter: likewise
@@ -60,6 +68,7 @@ struct Scene {
   /// What the surfaces bring of oil, in units of H (or mass over rho0): a mass conserving inlet and cavity. Empty: the
   /// inlet is full.
   std::function<double(double Y)> supply{};
+  Passes passes{};  ///< where there is a supply
   core::Grid grid;  ///< the finest grid; where an accuracy is asked for, the first to be tried
   /// Pressure on the boundary and load outside of the domain in closed form; else none of them.
   bool far_field = false;

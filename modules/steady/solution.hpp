@@ -55,10 +55,12 @@ struct Solution {
   core::Field P;
   core::Field H;
   double H00 = 0.0;
-  core::Field Q;                         ///< where the scene has a supply: the content, oil per area; else empty
-  core::Field theta;                     ///< Q/(rho_bar H)
-  reynolds::OilBalance oil;              ///< likewise
-  std::optional<Starvation> starvation;  ///< where the scene has a supply
+  core::Field Q;                            ///< where the scene has a supply: the content, oil per area; else empty
+  core::Field theta;                        ///< Q/(rho_bar H)
+  reynolds::OilBalance oil;                 ///< likewise
+  std::optional<Starvation> starvation;     ///< where the scene has a supply
+  std::vector<Pass> passes;                 ///< where the scene asks for more than one; the rest is of the last
+  std::vector<std::vector<double>> tracks;  ///< what each of them left behind, per line of the domain, in units of H
   bool converged = false;
   std::string failed_check;      ///< empty when converged: else which level, which check, what to try
   std::vector<LevelRow> levels;  ///< coarse to fine; the last is the result

@@ -15,6 +15,7 @@
 #include "steady/climb.hpp"
 #include "steady/continuation.hpp"
 #include "steady/domain_error.hpp"
+#include "steady/passes.hpp"
 #include "steady/rescue.hpp"
 #include "steady/resolution.hpp"
 #include "steady/warnings.hpp"
@@ -125,8 +126,8 @@ void try_newton(const Scene& scene, const ProgressCallback& progress, Search& se
   if (!search.over()) search.try_way("Newton-Krylov", [&] { return climb_by_newton(scene, starts[0], progress); });
 }
 
-Solution solve_on_grid(const Scene& scene, const ProgressCallback& progress) {
-  const double began = core::now();
+// By the first way that leads to one.
+Solution find(const Scene& scene, const ProgressCallback& progress) {
   Search search;
   std::vector<ContinuationStep> steps;
   using Path = ContinuationParameters::Path;
@@ -136,14 +137,30 @@ Solution solve_on_grid(const Scene& scene, const ProgressCallback& progress) {
   if (scene.polish != Polish::off && !search.over()) try_newton(scene, progress, search);
   Solution solution = search.result();
   solution.continuation = std::move(steps);
+  return solution;
+}
+
+// The flooded contact first, then the one with the supply.
+Solution find_starved(const Scene& scene, const ProgressCallback& progress) {
+  const double began = core::now();
+  Scene full = scene;
+  full.supply = {};
+  full.adjoint_errors = false;
+  const Solution flooded = find(full, progress);
+  const double of_flooded = core::now() - began;
+  Solution solution = scene.passes.number > 1 ? solve_passes(scene, carried_at_centre(scene, flooded), find, progress)
+                                              : find(scene, progress);
+  solution.starvation = starvation_of(scene, solution, flooded);
+  solution.starvation->seconds = core::now() - began - of_flooded;
+  return solution;
+}
+
+Solution solve_on_grid(const Scene& scene, const ProgressCallback& progress) {
+  const double began = core::now();
+  Solution solution = scene.supply ? find_starved(scene, progress) : find(scene, progress);
   // A meniscus inside of the domain ends the inlet.
   if (!scene.supply && rough_domain_error(scene) > worth_a_look)
     solution.domain_error_Hc = estimate_domain_error(scene);
-  if (scene.supply) {
-    Scene full = scene;
-    full.supply = {};
-    solution.starvation = starvation_of(scene, solution, solve_on_grid(full, progress));
-  }
   solution.error_bars = error_bars_of(scene, solution);
   solution.warnings = warnings_of(scene, solution);
   solution.seconds = core::now() - began;

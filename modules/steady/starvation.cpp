@@ -17,6 +17,8 @@ std::vector<double> density_of(const Scene& scene, const core::Field& P, int i) 
   return rho;
 }
 
+}  // namespace
+
 double carried_at_centre(const Scene& scene, const Solution& solution) {
   const double P = judgement::value_at(solution.grid, solution.P, 0.0, 0.0);
   double rho = 1.0;
@@ -24,7 +26,6 @@ double carried_at_centre(const Scene& scene, const Solution& solution) {
   return rho * judgement::value_at(solution.grid, solution.H, 0.0, 0.0);
 }
 
-// The cell of the last dry node before the pressure is filled from behind, as far as its content tells.
 double meniscus_on(const Solution& solution, int j) {
   const core::Grid& grid = solution.grid;
   int i = 1;
@@ -35,13 +36,11 @@ double meniscus_on(const Solution& solution, int j) {
   return std::max(grid.X_a, grid.X(i) - grid.hx() * (0.5 + share));
 }
 
-}  // namespace
-
 Starvation starvation_of(const Scene& scene, const Solution& starved, const Solution& flooded) {
   const core::Grid& grid = starved.grid;
   Starvation result;
   const double carried = carried_at_centre(scene, flooded);
-  result.supply_ratio = scene.supply(0.0) / carried;
+  result.supply_ratio = (starved.passes.empty() ? scene.supply(0.0) : starved.passes.back().supply) / carried;
   result.factor = carried_at_centre(scene, starved) / carried;
   result.Hc_flooded = flooded.levels.back().Hc;
   result.Hm_flooded = flooded.levels.back().Hm;

@@ -19,7 +19,29 @@ struct Starvation {
   double filled = 0.0;      ///< share of the inlet boundary where the gap takes no more
   double in = 0.0, through = 0.0, aside = 0.0;
   double imbalance = 0.0;  ///< (out + aside - in)/in
+  double seconds = 0.0;    ///< that the supply takes: all but the flooded contact
 };
+
+/// One contact of several on the same track; the oil on y = 0 in units of H.
+struct Pass {
+  int number = 1;
+  double supply = 0.0;        ///< brought
+  double left = 0.0;          ///< left behind
+  double supply_ratio = 0.0;  ///< over rho_bar H at the centre of the flooded contact
+  double factor = 0.0;        ///< rho_bar H at the centre over that
+  double Hc = 0.0, Hm = 0.0, P_max = 0.0;
+  double meniscus_X = 0.0;
+  double in = 0.0, aside = 0.0, imbalance = 0.0;
+  int steps = 0;  ///< cycles on the finest grid, or Newton steps
+  double residual = 0.0;
+  bool swings = false;  ///< a node at an edge finds no state (passes.cpp)
+};
+
+/// rho_bar H at the centre.
+double carried_at_centre(const Scene& scene, const Solution& solution);
+/// Where the inlet becomes full on line j: the cell of the last dry node before the pressure is filled from behind, as
+/// far as its content tells.
+double meniscus_on(const Solution& solution, int j);
 
 /// in: both solutions of one scene on one grid, with and without its supply.
 Starvation starvation_of(const Scene& scene, const Solution& starved, const Solution& flooded);

@@ -47,6 +47,19 @@ void warn_of_supply(const Starvation& found, std::vector<std::string>& warnings)
     warnings.push_back("the flooded contact beside it did not converge: the starvation factor is not known well");
 }
 
+void warn_of_passes(const std::vector<Pass>& passes, std::vector<std::string>& warnings) {
+  const auto swinging = std::ranges::count_if(passes, &Pass::swings);
+  if (swinging == 0) return;
+  const double residual = std::ranges::max_element(passes, {}, [](const Pass& pass) {
+                            return pass.swings ? pass.residual : 0.0;
+                          })->residual;
+  char largest[16];
+  std::snprintf(largest, sizeof largest, "%.1e", residual);
+  warnings.push_back("in " + std::to_string(swinging) + " of " + std::to_string(passes.size()) +
+                     " passes a node at the edge of the film swings between wet and dry: residual " + largest +
+                     " at most, oil is conserved; another number of cells may settle it");
+}
+
 }  // namespace
 
 int cells_that_resolve(int cells, double error, reynolds::Wedge wedge) {
@@ -72,6 +85,7 @@ std::vector<std::string> warnings_of(const Scene& scene, const Solution& solutio
                        percent(std::abs(solution.domain_error_Hc)) +
                        " (an estimate), and there may be as much beyond; move x_inlet upstream and widen y_half");
   if (solution.starvation) warn_of_supply(*solution.starvation, warnings);
+  warn_of_passes(solution.passes, warnings);
   if (!solution.polish_failure.empty())
     warnings.push_back("the polish did not reach rounding errors, the cycles' solution stays: " +
                        solution.polish_failure);

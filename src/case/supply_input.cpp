@@ -95,8 +95,7 @@ void supply_input(Case& input) {
   deck::Deck& deck = input.deck;
   if (!starvation::called_for(deck)) return;
   const deck::Part supply{deck, "supply"};
-  const std::string first =
-      supply.given_of({"H_oil", "layer_m", "layer1_m", "layer2_m", "flow_m3_per_s", "profile"})[0];
+  const std::string first = supply.given_of(starvation::ways())[0];
   if (input.dry) return supply.complain(first, "on a dry contact: remove [supply], or [case] kind = dry");
   if (input.transient)
     return supply.complain(first, "in time is not available in this version: remove it, or [transient] end_time");
@@ -109,6 +108,7 @@ void supply_input(Case& input) {
   const starvation::Scales scales = scales_of(input);
   const starvation::Input given = starvation::read(deck, scales);
   if (!deck.errors.empty()) return;
+  input.scene.passes = {given.passes, given.returning, given.renewed, given.levelled};
   if (given.profile.empty()) {
     input.scene.supply = [H_oil = given.H_oil](double) { return H_oil; };
     return;

@@ -26,7 +26,11 @@ std::string film_lines(const Case& input, const Computed& computed) {
   const std::string mark = solution.converged ? "" : "  (NOT CONVERGED)";
   // What the domain cuts off changes both alike.
   const double domain = std::abs(bars.domain);
-  const bool governs = domain > std::min(bars.Hc.total(), bars.Hm.total());
+  const bool by_weights = std::isfinite(bars.Hc_best.value);
+  const steady::Estimate Hc = by_weights ? bars.Hc_best : steady::Estimate{outcome.Hc, bars.Hc.total()};
+  const steady::Estimate Hm = by_weights ? bars.Hm_best : steady::Estimate{outcome.Hm.value, bars.Hm.total()};
+  const Place lowest = by_weights ? Place{Hm.value, bars.Hm_fitted_X, bars.Hm_fitted_Y} : outcome.Hm;
+  const bool governs = domain > std::min(Hc.error, Hm.error);
   const auto film = [&](const char* label, const char* symbol, double H, double H_moes, const Place& at, double error) {
     const std::string errors = bar(error) + (governs ? " (domain " + percent(domain) + ")" : "");
     const std::string own = fmt::format("H = {:.5f}{}, Moes {:.4f}, at ({:.3f}, {:.3f}) a{}\n", H, si ? "" : errors,
@@ -34,8 +38,18 @@ std::string film_lines(const Case& input, const Computed& computed) {
     if (!si) return std::string(label) + own;
     return label + (symbol + (" = " + film_text(H, *si))) + errors + ", at " + place_text(at.X, at.Y, *si) + "; " + own;
   };
-  std::string text = film("centre       ", "h_c", outcome.Hc, outcome.Hc_moes, {}, bars.Hc.total());
-  text += film("minimum      ", "h_m", outcome.Hm.value, outcome.Hm_moes, outcome.Hm, bars.Hm.total());
+  // Of the nodes, as the fields have it.
+  const auto beside = [&](const char* symbol, double H, double shown, double error) {
+    if (H == shown) return std::string();
+    const std::string own = fmt::format("H = {:.5f}", H);
+    return "             on this mesh " +
+           (si ? symbol + (" = " + film_text(H, *si)) + bar(error) + "; " + own : own + bar(error)) + "\n";
+  };
+  const double moes = outcome.Hc_moes / outcome.Hc;
+  std::string text = film("centre       ", "h_c", Hc.value, moes * Hc.value, {}, Hc.error);
+  text += beside("h_c", outcome.Hc, Hc.value, bars.Hc.total());
+  text += film("minimum      ", "h_m", Hm.value, moes * Hm.value, lowest, Hm.error);
+  text += beside("h_m", outcome.Hm.value, Hm.value, bars.Hm.total());
   const Place& at = outcome.P_max;
   text += "p_max        ";
   if (si)
@@ -78,7 +92,7 @@ std::string error_lines(const Case& input, const steady::Solution& solution) {
   if (std::isfinite(accuracy.asked))
     text += "accuracy     " + percent(accuracy.asked) + " asked for Hc and Hm: " +
             (!accuracy.met               ? "not reached, stopped by " + accuracy.stopped_by
-             : accuracy.by_extrapolation ? "reached by the extrapolated values, not by the plain ones"
+             : accuracy.by_extrapolation ? "reached by extrapolated or fitted values, not by those of the nodes"
                                          : "reached") +
             "\n";
   return text;

@@ -33,11 +33,16 @@ std::string level_table(const Case& input, const steady::Solution& solution) {
   const std::optional<SiScales> si = si_scales(input.physics);
   std::string text = std::string("level        nodes  ") + (si ? "h_c [nm]  h_m [nm]  " : "") +
                      "      Hc        Hm  error(Hc)  error(Hm)  residual  load err  work units   seconds\n";
-  for (const steady::LevelRow& row : solution.levels)
-    text +=
-        fmt::format("{:5}  {:>11}  {}{:8.5f}  {:8.5f}  {:>9}  {:>9}  {:8.0e}  {:8.0e}  {:10.1f}  {:8.3f}\n", row.level,
-                    nodes(row.nx, row.ny), columns_in_nm(row.Hc, row.Hm, si), row.Hc, row.Hm, percent(row.error_Hc),
-                    percent(row.error_Hm), row.residual, row.load_error, row.work_units, row.seconds);
+  const steady::ErrorBars& bars = solution.error_bars;
+  for (const steady::LevelRow& row : solution.levels) {
+    // The finest grid's are those of its bars; a coarser one has but the grids below it.
+    const bool by_weights = &row == &solution.levels.back() && solution.adjoint;
+    text += fmt::format("{:5}  {:>11}  {}{:8.5f}  {:8.5f}  {:>9}  {:>9}  {:8.0e}  {:8.0e}  {:10.1f}  {:8.3f}\n",
+                        row.level, nodes(row.nx, row.ny), columns_in_nm(row.Hc, row.Hm, si), row.Hc, row.Hm,
+                        percent(by_weights ? bars.Hc.discretization : row.error_Hc),
+                        percent(by_weights ? bars.Hm.discretization : row.error_Hm), row.residual, row.load_error,
+                        row.work_units, row.seconds);
+  }
   const bool has_order = !solution.levels.empty() && std::isfinite(solution.levels.back().order_Hc);
   if (has_order) text += fmt::format("observed order of Hc: {:.2f}\n", solution.levels.back().order_Hc);
   return text;

@@ -10,6 +10,7 @@
 #include "base/machine.hpp"
 #include "case/catalogue.hpp"
 #include "case/effects.hpp"
+#include "case/starvation_report.hpp"
 #include "case/thermal_report.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
@@ -121,6 +122,10 @@ SweepRow sweep_row(const SweepKind& kind) {
     for (const char* name : {"heat_1", "heat_2"}) row.push_back({name, unknown, "W"});
     for (const char* name : {"heat_imbalance", "film_reduction", "nahme"}) row.push_back({name, unknown});
   }
+  if (kind.starved)
+    for (const char* name :
+         {"starvation_factor", "supply_ratio", "Hc_flooded", "meniscus_x", "gamma", "mass_imbalance"})
+      row.push_back({name, unknown});
   row.push_back({"warnings", 0});
   row.push_back({"reason", ""});
   return row;
@@ -158,6 +163,7 @@ SweepRow row_of_solution(const Case& input, const FilmSolution& found, SweepRow 
       take(friction_quantities(rubbed), row);
       warnings += friction::warnings(rubbed).size();
     }
+    if (solution.starvation) take(starvation_quantities(input, solution), row);
     if (found.heat) {
       take(thermal_quantities(input, *found.heat), row);
       warnings += thermal_warnings(input, *found.heat).size();
@@ -187,6 +193,7 @@ SweepKind kind_of_sweep(const std::string& path, const std::vector<std::string>&
   const auto has_map = [&](const char* section) { return deck::word(deck, section, "shape") == "map"; };
   return {.friction = names("friction", "cavitated"),
           .thermal = deck::called_for(deck, "thermal"),
+          .starved = deck::called_for(deck, "supply"),
           .si = names("contact", "load"),
           .elliptic = names("contact", "radius_y") || names("contact", "radius_ratio"),
           .rough = names("contact", "Sq1") || names("contact", "Sq2") || has_map("surface1") || has_map("surface2")};

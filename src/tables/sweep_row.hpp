@@ -20,6 +20,7 @@ using SweepRow = std::vector<results::Quantity>;
 struct SweepKind {
   bool friction = false;
   bool thermal = false;
+  bool starved = false;
   bool si = false;        ///< nm, GPa and formulas beside them
   bool elliptic = false;  ///< looked at in SI only
   bool rough = false;     ///< likewise

@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(a_full_inlet_gives_the_solution_of_the_other_model) {
                         {20, 10, 0.5, Wedge::upstream3, Face::logmean_bounded, false}};
   for (const auto& [M, L, ratio, wedge, face, sheared] : cases) {
     steady::Scene scene = scene_of(M, L, {64, 48, -4.5, 1.5, -2.25, 2.25}, 0.0, wedge);
-    scene.multigrid.tolerance = 3e-13;
+    scene.multigrid.tolerance = 1e-14;  // the cycles end at rounding errors, some of them above it
     if (ratio != 1.0) {
       scene.shape = contact::ellipse(ratio);
       const contact::Groups groups = contact::from_moes(M, L, scene.shape);
@@ -105,10 +105,10 @@ BOOST_AUTO_TEST_CASE(a_full_inlet_gives_the_solution_of_the_other_model) {
     const steady::Solution full = steady::solve(scene);
     const double P = largest_difference(other.P, full.P), H = largest_difference(other.H, full.H);
     BOOST_TEST_MESSAGE("M = " << M << ", L = " << L << ", R_x/R_y = " << ratio << ": P differs by " << P << ", H by "
-                              << H << " (allowed 1e-10: both residuals are 1e-11)");
-    BOOST_TEST(full.converged);
-    BOOST_TEST(P <= 1e-10);
-    BOOST_TEST(H <= 1e-10);
+                              << H << " (allowed 1e-12), residual " << full.levels.back().residual);
+    BOOST_TEST(full.levels.back().residual <= 1e-12);
+    BOOST_TEST(P <= 1e-12);
+    BOOST_TEST(H <= 1e-12);
   }
 }
 

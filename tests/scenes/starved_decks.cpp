@@ -95,6 +95,46 @@ BOOST_AUTO_TEST_CASE(one_supply_in_all_its_units) {
   BOOST_TEST(std::abs(flowing / one - 1.0) <= 1e-5);  // six digits of the flow
 }
 
+// What leaves a contact is brought to the next: the film falls from pass to pass, less where half of the oil is renewed
+// or the track levels out; oil is not lost but by the sides.
+BOOST_AUTO_TEST_CASE(passes_over_one_track) {
+  const TemporaryFolder folder;
+  const std::string supply = "H_oil = 0.3\npasses = 3\n";
+  const auto plain = solved(folder, contact, supply);
+  const auto& track = plain["starvation"]["track"];
+  BOOST_TEST_REQUIRE(track.size() == 3U);
+  for (std::size_t k = 1; k < 3; ++k) {
+    BOOST_TEST(track[k]["factor"].get<double>() < track[k - 1]["factor"].get<double>());
+    BOOST_TEST(std::abs(track[k]["supply_ratio"].get<double>() / track[0]["supply_ratio"].get<double>() -
+                        track[k - 1]["left"].get<double>() / 0.3) <= 1e-9);
+    BOOST_TEST(std::abs(track[k]["oil_in"].get<double>() / track[0]["oil_in"].get<double>() - 1.0) <= 1e-4);
+  }
+  BOOST_TEST(std::abs(track[2]["Hc"].get<double>() - plain["Hc"].get<double>()) <= 1e-12);
+  BOOST_TEST(plain["starvation"]["passes"] == 3);
+  for (const char* table : {"passes", "tracks"})
+    BOOST_TEST(ehl(folder, std::string("extract case.h5 ") + table).out.starts_with("# "), table);
+  const double film = plain["Hc"];
+  const double renewed = solved(folder, contact, supply + "returning = surface1\n")["Hc"];
+  const double level = solved(folder, contact, supply + "pass_time = 1\nreflow_time = 0.1\n")["Hc"];
+  const double first = track[0]["Hc"];
+  BOOST_TEST_MESSAGE("Hc of the third pass " << film << ", half renewed " << renewed << ", levelled out " << level
+                                             << "; of the first " << first);
+  BOOST_TEST((film < renewed && renewed < first));
+  BOOST_TEST(std::abs(level / first - 1.0) <= 1e-3);
+  BOOST_TEST(solved(folder, in_SI,
+                    "layer1_m = 100e-9\nlayer2_m = 0\npasses = 2\nreturning = surface2\n")["converged"] == true);
+}
+
+BOOST_AUTO_TEST_CASE(passes_that_make_no_sense_are_refused) {
+  const TemporaryFolder folder;
+  refused(folder, contact, "H_oil = 0.2\npasses = 0\n", "whole number");
+  refused(folder, contact, "H_oil = 0.2\npasses = 2.5\n", "whole number");
+  refused(folder, contact, "H_oil = 0.2\npass_time = 1\n", "passes");
+  refused(folder, contact, "H_oil = 0.2\npasses = 2\nreflow_time = 1\n", "pass_time");
+  refused(folder, contact, "H_oil = 0.2\npasses = 2\nsplit = 0.4\n", "returning");
+  refused(folder, contact, "H_oil = 0.2\npasses = 2\nreturning = surface1\nsplit = 1.4\n", "split");
+}
+
 BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
   const TemporaryFolder folder;
   refused(folder, contact, "H_oil = 0\n", "must be a number > 0");

@@ -1,9 +1,14 @@
 #include "effects/starvation/keys.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace ehl::starvation {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::infinity();
+/// A thousand passes of 128 cells take minutes.
+constexpr double most_passes = 10000.0;
 
 }  // namespace
 
@@ -44,13 +49,55 @@ std::vector<deck::Key> keys() {
         .meaning = "Layer across the track: a CSV with columns y and h, of both surfaces together, in metres; of a "
                    "contact in M and L in units of X and H. It covers the width of the domain.",
         .example = "track.csv",
-        .names_file = true}});
+        .names_file = true},
+       {.name = "passes",
+        .type = deck::Type::integer,
+        .default_text = "1",
+        .range = {1.0, most_passes},
+        .meaning =
+            "Contacts one after another on the same track: what leaves one is brought to the next. The result is "
+            "the last of them, with a table of all.",
+        .source = "modules/effects/starvation/README.md",
+        .example = "20"},
+       {.name = "returning",
+        .default_text = "both",
+        .words = {"both", "surface1", "surface2"},
+        .meaning =
+            "The surfaces that bring to the next pass what they carried away from the last. The other one brings "
+            "its first layer every time.",
+        .needs = {.name = "passes"},
+        .example = "surface1"},
+       {.name = "split",
+        .default_note = "equal layers on both surfaces: u1/(u1 + u2)",
+        .range = {0.0, 1.0},
+        .meaning = "Share of the oil that leaves the contact on surface 1.",
+        .needs = {.name = "returning", .words = {"surface1", "surface2"}},
+        .example = "0.5"},
+       {.name = "pass_time",
+        .unit = "s",
+        .range = {0.0, none, true, true},
+        .meaning = "From one pass to the next, for the levelling and for films against time.",
+        .needs = {.name = "passes"},
+        .example = "0.05"},
+       {.name = "reflow_time",
+        .default_note = "no oil flows back",
+        .unit = "s",
+        .range = {0.0, none, true, true},
+        .meaning =
+            "In which the differences of the layer across the track level out to 1/e, towards their mean over the "
+            "width of the domain. Surface tension is far too slow for that in bearings.",
+        .source = "modules/effects/starvation/README.md",
+        .needs = {.name = "pass_time"},
+        .example = "10"}});
+}
+
+const std::vector<std::string>& ways() {
+  static const std::vector<std::string> all{"H_oil", "layer_m", "layer1_m", "layer2_m", "flow_m3_per_s", "profile"};
+  return all;
 }
 
 bool called_for(const deck::Deck& deck) {
-  for (const deck::Key& key : keys())
-    if (deck::given(deck, "supply", key.name)) return true;
-  return false;
+  return std::ranges::any_of(ways(), [&](const std::string& name) { return deck::given(deck, "supply", name); });
 }
 
 Input read(deck::Deck& deck, const Scales& scales) {
@@ -71,6 +118,16 @@ Input read(deck::Deck& deck, const Scales& scales) {
   const double layer = supply.number("layer_m"), flow = supply.number("flow_m3_per_s");
   if (supply.given("layer_m")) input.H_oil = layer / scales.height;
   if (supply.given("flow_m3_per_s")) input.H_oil = flow / (u_m * scales.width * scales.a) / scales.height;
+  // What leaves the contact on surface 1, and what of the supply is on it.
+  const double on_1 = scales.in_SI ? scales.u1 / (scales.u1 + scales.u2) : 0.5;
+  const double split = supply.given("split") ? supply.number("split") : on_1;
+  double brought_on_1 = on_1;
+  if (two) brought_on_1 = scales.u1 * layer1 / (scales.u1 * layer1 + scales.u2 * layer2);
+  input.passes = supply.integer("passes", 1);
+  input.returning = supply.choice("returning", {1.0, split, 1.0 - split});
+  input.renewed = supply.choice("returning", {0.0, 1.0 - brought_on_1, brought_on_1});
+  if (supply.given("reflow_time"))
+    input.levelled = 1.0 - std::exp(-supply.number("pass_time") / supply.number("reflow_time"));
   if (two) {
     input.H_oil = (scales.u1 * layer1 + scales.u2 * layer2) / u_m / scales.height;
     if (input.H_oil <= 0.0)

@@ -18,13 +18,19 @@ struct Scales {
   bool in_SI = false;
 };
 
-/// What the deck says: one of both.
+/// What the deck says: one of both; and of repeated passes.
 struct Input {
   double H_oil = std::numeric_limits<double>::quiet_NaN();  ///< everywhere; NaN: the profile says
   std::string profile{};                                    ///< the key's value, the name of a file
+  int passes = 1;
+  double returning = 1.0;  ///< share of what leaves that comes back
+  double renewed = 0.0;    ///< share of the supply that is brought anew every time
+  double levelled = 0.0;   ///< share of the differences across the track that levels out between two
 };
 
 std::vector<deck::Key> keys();
+/// The keys of which one, or both layers, give a supply.
+const std::vector<std::string>& ways();
 /// True when the deck gives a supply.
 bool called_for(const deck::Deck& deck);
 /// Complains where keys do not go together, or need a contact in SI.

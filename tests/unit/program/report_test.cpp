@@ -119,6 +119,29 @@ BOOST_AUTO_TEST_CASE(a_number_that_did_not_converge_carries_the_mark) {
   BOOST_TEST(!contains(text(true), "nan"));
 }
 
+// The value with the narrowest bar first, that of the nodes beside it; without errors by weights the nodes alone.
+BOOST_AUTO_TEST_CASE(the_closest_value_is_first) {
+  const program::Case input = example_case();
+  steady::Solution solution = example_solution(true);
+  BOOST_TEST(!contains(program::summary(input, computed_of(input, solution)), "on this mesh"));
+  steady::ErrorBars& bars = solution.error_bars;
+  bars.Hc = {0.02, 0.01};
+  bars.Hc_best = {0.41, 0.004};
+  bars.Hm = {0.05, 0.01};
+  bars.Hm_best = {0.24, 0.008};
+  bars.Hm_fitted_X = 0.9;
+  bars.Hm_fitted_Y = -0.8;
+  const std::string text = program::summary(input, computed_of(input, solution));
+  for (const char* line : {"centre       H = 0.41000 +- 0.40 %, Moes 0.4100, at (0.000, 0.000) a\n"
+                           "             on this mesh H = 0.40000 +- 3.00 %\n",
+                           "minimum      H = 0.24000 +- 0.80 %, Moes 0.2400, at (0.900, -0.800) a\n"
+                           "             on this mesh H = 0.25000 +- 6.00 %\n"})
+    BOOST_TEST(contains(text, line), line << " is missing in\n" << text);
+  const std::string json = program::json_report(input, computed_of(input, solution));
+  for (const char* part : {"\"Hc\":0.4,", "\"Hc_best\":0.41,", "\"error_Hc_best\":0.004,", "\"Hm_best\":0.24,"})
+    BOOST_TEST(contains(json, part), part << " is missing in\n" << json);
+}
+
 BOOST_AUTO_TEST_CASE(json_has_what_was_promised) {
   const program::Case input = example_case();
   const std::string text = program::json_report(input, computed_of(input, example_solution(false)));

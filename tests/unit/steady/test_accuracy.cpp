@@ -108,6 +108,24 @@ BOOST_AUTO_TEST_CASE(met_by_extrapolation) {
   BOOST_TEST(plain.asked.back().grid.nx == 256);
 }
 
+// Where the errors are by weights, the values that are shown first count.
+BOOST_AUTO_TEST_CASE(met_by_what_is_shown_first) {
+  for (const double share : {0.9, 1.1}) {
+    Made made;
+    const SolveOnGrid solve = [&](const Scene& one) {
+      Solution solution = made(one);
+      const double target = one.accuracy.error;
+      solution.error_bars.Hc_best = {0.4, 0.5 * target};
+      solution.error_bars.Hm_best = {0.3, (made.asked.size() == 1 ? share : 0.5) * target};
+      return solution;
+    };
+    const Solution solution = solve_to_accuracy(scene_for(0.01 * first_error), solve, {});
+    BOOST_TEST(solution.accuracy.met);
+    BOOST_TEST(solution.accuracy.by_extrapolation);
+    BOOST_TEST(made.asked.size() == (share < 1.0 ? 1u : 2u));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(an_unconverged_run_is_not_met) {
   Made at_once;
   at_once.diverges_from = 64;

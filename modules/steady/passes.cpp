@@ -1,0 +1,166 @@
+#include "steady/passes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/errors.hpp"
+#include "core/norms.hpp"
+#include "fmg/start.hpp"
+#include "steady/climb.hpp"
+#include "steady/rescue.hpp"
+
+namespace ehl::steady {
+namespace {
+
+/// Relative residual of a pass between the first and the last: what each leaves behind adds up.
+constexpr double tolerance_between = 1e-8;
+/// For its grids.
+constexpr Start restart{.cells = 64, .coarsest = 32, .balances = 10};
+
+std::vector<double> fresh_layer(const Scene& scene) {
+  std::vector<double> layer;
+  for (int j = 0; j <= scene.grid.ny; ++j) layer.push_back(scene.supply(scene.grid.Y(j)));
+  return layer;
+}
+
+std::vector<double> left_behind(const Solution& solution) {
+  std::vector<double> layer;
+  for (int j = 0; j <= solution.grid.ny; ++j) layer.push_back(solution.Q(solution.grid.nx, j));
+  return layer;
+}
+
+// Linear between the lines of the grid.
+std::function<double(double Y)> supply_of(const core::Grid& grid, std::vector<double> layer) {
+  return [grid, layer = std::make_shared<const std::vector<double>>(std::move(layer))](double Y) {
+    const double at = std::clamp((Y - grid.Y_a) / grid.hy(), 0.0, static_cast<double>(grid.ny));
+    const auto j = std::min(static_cast<std::size_t>(at), static_cast<std::size_t>(grid.ny - 1));
+    const double share = at - static_cast<double>(j);
+    return share == 0.0 ? (*layer)[j] : (1.0 - share) * (*layer)[j] + share * (*layer)[j + 1];
+  };
+}
+
+// Cycles from the state of the pass before.
+Solution cycles_from(const Scene& scene, const Solution& before, const ProgressCallback& progress) {
+  fmg::Run run = begin_climb(scene, restart, progress);
+  const core::Patch& grid = run.hierarchy.finest().grid;
+  fmg::start_from_state(run.hierarchy, run.finest(), {core::on_patch(grid, before.P), before.H00});
+  fmg::solve_level(run, run.finest());
+  return solution_of(scene, std::move(run));
+}
+
+/// A node at an edge may find no state that agrees with both its neighbours', and swings between wet and dry. Its
+/// residual is that of one node, and oil is conserved all the same: up to so much of both the pass counts, and is told.
+constexpr double swinging_residual = 2e-2;
+constexpr double swinging_load_error = 1e-4;
+constexpr double swinging_imbalance = 1e-4;
+
+bool only_swings(const Solution& solution) {
+  const LevelRow& row = solution.levels.back();
+  return row.Hm > 0.0 && row.residual <= swinging_residual && row.load_error <= swinging_load_error &&
+         std::abs(solution.oil.imbalance()) <= swinging_imbalance;
+}
+
+// From the state of the pass before. The set of dry nodes hardly changes: Newton's method takes two to four steps,
+// where cycles of thin layers take 10 to 40. out: converged, or one that only swings; else nothing.
+std::optional<Solution> go_on(const Scene& scene, const Solution& before, const ProgressCallback& progress) {
+  Scene next = scene;
+  next.multigrid.tolerance = std::fmin(tolerance_between, scene.multigrid.tolerance);
+  const double nodes = static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y();
+  std::optional<Solution> swinging;
+  if (scene.polish != Polish::off && nodes <= most_nodes_of_rescue) {
+    Solution solution = follow_by_newton(next, restart, before, progress);
+    if (solution.converged) return solution;
+    if (only_swings(solution)) swinging = std::move(solution);
+  }
+  if (swinging) return swinging;
+  try {
+    Solution solution = cycles_from(next, before, progress);
+    if (solution.converged || only_swings(solution)) return solution;
+  } catch (const core::SolverError&) {
+    // From nothing then.
+  }
+  return {};
+}
+
+Pass row_of(const Scene& scene, const Solution& solution, int number, double carried_flooded) {
+  Pass row;
+  row.number = number;
+  row.supply = scene.supply(0.0);
+  row.supply_ratio = row.supply / carried_flooded;
+  row.factor = carried_at_centre(scene, solution) / carried_flooded;
+  row.Hc = solution.levels.back().Hc;
+  row.Hm = solution.levels.back().Hm;
+  row.P_max = core::maximum(solution.P).value;
+  row.meniscus_X = meniscus_on(solution, solution.grid.ny / 2);
+  row.left = left_behind(solution)[static_cast<std::size_t>(solution.grid.ny / 2)];
+  row.in = solution.oil.in;
+  row.aside = solution.oil.aside;
+  row.imbalance = solution.oil.imbalance();
+  row.steps = solution.newton.empty() ? solution.levels.back().cycles : static_cast<int>(solution.newton.size());
+  row.residual = solution.levels.back().residual;
+  return row;
+}
+
+// Tells progress as a part of the whole.
+ProgressCallback part_of(const ProgressCallback& progress, int pass, int passes) {
+  if (!progress) return progress;
+  return [&progress, pass, passes](const Progress& now) {
+    Progress told = now;
+    told.fraction = (pass - 1 + now.fraction) / passes;
+    return progress(told);
+  };
+}
+
+}  // namespace
+
+std::vector<double> next_layer(const Passes& rule, const std::vector<double>& left, const std::vector<double>& fresh) {
+  std::vector<double> layer(left.size());
+  double sum = 0.0;  // by the trapezoidal rule
+  for (std::size_t j = 0; j < left.size(); ++j) {
+    layer[j] = rule.returning * left[j] + rule.renewed * fresh[j];
+    sum += (j == 0 || j + 1 == left.size() ? 0.5 : 1.0) * layer[j];
+  }
+  const double mean = sum / static_cast<double>(left.size() - 1);
+  for (double& h : layer) h += rule.levelled * (mean - h);
+  return layer;
+}
+
+Solution solve_passes(const Scene& scene, double carried_flooded, const FindSolution& find,
+                      const ProgressCallback& progress) {
+  const int number = scene.passes.number;
+  const std::vector<double> fresh = fresh_layer(scene);
+  Scene now = scene;
+  Solution solution = find(now, part_of(progress, 1, number));
+  std::vector<Pass> rows;
+  std::vector<std::vector<double>> tracks;
+  bool swings = false;
+  for (int pass = 1;; ++pass) {
+    rows.push_back(row_of(now, solution, pass, carried_flooded));
+    rows.back().swings = swings;
+    tracks.push_back(left_behind(solution));
+    if (pass == number || !(solution.converged || swings)) break;
+    now.supply = supply_of(scene.grid, next_layer(scene.passes, tracks.back(), fresh));
+    const ProgressCallback part = part_of(progress, pass + 1, number);
+    std::optional<Solution> next = go_on(now, solution, part);
+    swings = next && !next->converged;
+    if (!next || (pass + 1 == number && !swings))
+      if (Solution found = find(now, part); found.converged || !next) next = std::move(found);
+    solution = std::move(*next);
+  }
+  if (swings) {
+    solution.converged = true;
+    solution.failed_check.clear();
+  }
+  if (const int last = rows.back().number; !solution.converged)
+    solution.failed_check =
+        "pass " + std::to_string(last) + " of " + std::to_string(number) + ": " + solution.failed_check;
+  solution.passes = std::move(rows);
+  solution.tracks = std::move(tracks);
+  return solution;
+}
+
+}  // namespace ehl::steady

@@ -1,0 +1,27 @@
+#pragma once
+// One contact after another on the same track: what leaves one is the supply of the next.
+#include <functional>
+#include <vector>
+
+#include "steady/scene.hpp"
+#include "steady/solution.hpp"
+#include "steady/solve.hpp"
+
+namespace ehl::steady {
+
+/// What the surfaces bring to the next pass: of `left`, what the last one left behind, and `fresh`, the scene's supply,
+/// the shares of scene.passes; then the differences across the track level out by their share. Levelling keeps the oil.
+/// in, out: per line of the domain.
+std::vector<double> next_layer(const Passes& rule, const std::vector<double>& left, const std::vector<double>& fresh);
+
+/// Finds the solution of a scene from nothing.
+using FindSolution = std::function<Solution(const Scene& scene, const ProgressCallback& progress)>;
+
+/// All passes of a scene with a supply. The first and the last are found from nothing, so that the last has its levels
+/// and error bars; those between begin with the state of the one before. Ends with the first that does not converge.
+/// in: carried_flooded, rho_bar H at the centre of the flooded contact.
+/// out: the solution of the last pass, with a row for each.
+Solution solve_passes(const Scene& scene, double carried_flooded, const FindSolution& find,
+                      const ProgressCallback& progress);
+
+}  // namespace ehl::steady

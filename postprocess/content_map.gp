@@ -1,0 +1,11 @@
+# figure: where the gap is full of oil and where it is not: the meniscus and the cavity behind the contact
+# needs: /fields/theta
+figure = "content_map"
+here = system(sprintf("dirname '%s'", ARG0))
+load here."/result.gp"
+
+name = "theta"
+most = 0.999  # a line along the edge of the oil would follow its cells
+quantity = "share of the gap that oil fills"
+colours = film_colours
+load here."/map.gp"

@@ -1,0 +1,176 @@
+#include "case/starvation_report.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <limits>
+
+#include "base/text_format.hpp"
+#include "contact/ellipse.hpp"
+#include "core/constants.hpp"
+#include "deck/text.hpp"
+#include "effects/starvation/formulas.hpp"
+
+namespace ehl::program {
+namespace {
+
+using core::unknown;
+using steady::Pass;
+using steady::Starvation;
+
+constexpr double usual_gamma = 3.0;  // of r = 1 at M = 20 to 200; modules/effects/starvation/README.md
+
+double meniscus_factor(const Case& input, const Starvation& found) {
+  return contact::circular(input.scene.shape) ? starvation::by_meniscus(-found.meniscus_X, found.Hc_flooded) : unknown;
+}
+
+// The formulas of passes are those of a layer that comes back as it left.
+bool all_comes_back(const steady::Passes& rule) {
+  return rule.returning == 1.0 && rule.renewed == 0.0 && rule.levelled == 0.0;
+}
+
+// Q behind n passes on y = 0 by van Zoelen.
+double thin_layer(const Case& input, const steady::Solution& solution, int n) {
+  const steady::Scene& scene = input.scene;
+  if (!all_comes_back(scene.passes)) return unknown;
+  const double lost = starvation::lost_by_pass(scene.shape, scene.lambda, scene.viscosity, scene.density);
+  return 1.0 / std::sqrt(std::pow(solution.passes.front().supply, -2.0) + n * lost);
+}
+
+std::string length_text(const Case& input, double X) {
+  return input.physics.si ? fmt::format("{:.1f} um ({:.3f} a)", 1e6 * X * input.physics.si->hertz.a, X)
+                          : fmt::format("{:.3f} a", X);
+}
+
+// All of a few; of many those that a logarithmic axis shows evenly.
+bool shown(int pass, int passes) {
+  constexpr int few = 12;
+  if (passes <= few || pass == passes || pass <= 3) return true;
+  int step = 1;
+  while (10 * step <= pass) step *= 10;
+  return pass == step || pass == 2 * step || pass == 5 * step;
+}
+
+std::string pass_table(const Case& input, const steady::Solution& solution) {
+  const bool in_SI = input.physics.si.has_value();
+  std::string text =
+      fmt::format("passes            r  factor  {:>9}  {:>9}    p_max  meniscus       left  thin layers  steps\n",
+                  in_SI ? "h_c [nm]" : "Hc", in_SI ? "h_m [nm]" : "Hm");
+  const auto film = [&](double H) {
+    return in_SI ? fmt::format("{:9.2f}", 1e9 * input.physics.si->hertz.h_scale * H) : fmt::format("{:9.5f}", H);
+  };
+  const int passes = static_cast<int>(solution.passes.size());
+  for (const Pass& pass : solution.passes) {
+    if (!shown(pass.number, passes)) continue;
+    const double formula = thin_layer(input, solution, pass.number);
+    text += fmt::format("  {:<11} {:6.4f}  {:6.4f}  {}  {}  {:7.4f}  {:6.3f} a  {}  {:>11}  {:5}{}\n", pass.number,
+                        pass.supply_ratio, pass.factor, film(pass.Hc), film(pass.Hm), pass.P_max, pass.meniscus_X,
+                        film(pass.left), std::isfinite(formula) ? film(formula) : "-", pass.steps,
+                        pass.swings ? "  swings" : "");
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<results::Quantity> starvation_quantities(const Case& input, const steady::Solution& solution) {
+  const Starvation& found = *solution.starvation;
+  const double r = found.supply_ratio;
+  std::vector<results::Quantity> list{
+      {"starvation_factor", found.factor, "-", "rho H at the centre over that of the flooded contact"},
+      {"supply_ratio", r, "-", "r: what is brought on y = 0 over rho H at the centre of the flooded contact"},
+      {"Hc_flooded", found.Hc_flooded, "a^2/R", "film at (0,0) of the flooded contact on the same grid"},
+      {"Hm_flooded", found.Hm_flooded, "a^2/R", "its smallest film"},
+      {"meniscus_x", found.meniscus_X, "a", "where the inlet becomes full on y = 0", "meniscus_X"},
+      {"meniscus_cells", found.cells_to_inlet, "-", "cells from the inlet to the first full node"},
+      {"oil_in", found.in, "rho0 u_m a^3/R", "oil through the inlet boundary"},
+      {"oil_through", found.through, "rho0 u_m a^3/R", "oil through the contact, |y| <= 1 at x = 0"},
+      {"oil_around", found.in - found.aside - found.through, "rho0 u_m a^3/R",
+       "oil that leaves by the outlet and has passed beside the contact"},
+      {"oil_aside", found.aside, "rho0 u_m a^3/R", "oil through the sides of the domain"},
+      {"mass_imbalance", found.imbalance, "-", "(out + aside - in)/in"},
+      {"gamma", starvation::gamma_of(r, found.factor), "-", "of which r/(1 + r^gamma)^(1/gamma) is the factor"},
+      {"factor_by_supply", starvation::by_supply(r, usual_gamma), "-", "r/(1 + r^3)^(1/3)"},
+      {"factor_by_meniscus", meniscus_factor(input, found), "-", "Hamrock and Dowson 1977; of circles"},
+      {"flooded_inlet", starvation::flooded_inlet(found.Hc_flooded), "a", "inlet of a flooded film by the same"}};
+  if (!solution.passes.empty())
+    list.push_back({"passes", solution.passes.back().number, "-", "the last of which this is"});
+  return list;
+}
+
+std::vector<Column<Pass>> pass_columns(const Case& input, const steady::Solution& solution) {
+  const double first = solution.passes.front().supply_ratio;
+  const bool all = all_comes_back(input.scene.passes);
+  const double lost =
+      starvation::lost_by_pass(input.scene.shape, input.scene.lambda, input.scene.viscosity, input.scene.density);
+  const double supply = solution.passes.front().supply;
+  std::vector<Column<Pass>> columns{
+      {"pass", "-", "contacts on the track so far", &Pass::number},
+      {"supply_ratio", "-", "what is brought on y = 0 over rho H at the centre of the flooded contact",
+       &Pass::supply_ratio},
+      {"factor", "-", "rho H at the centre over that of the flooded contact", &Pass::factor},
+      {"Hc", "a^2/R", "film at (0,0)", &Pass::Hc},
+      {"Hm", "a^2/R", "smallest film of all nodes", &Pass::Hm},
+      {"P_max", "p_h", "highest pressure of all nodes", &Pass::P_max},
+      {"meniscus_x", "a", "where the inlet becomes full on y = 0", &Pass::meniscus_X},
+      {"left", "a^2/R", "oil left behind on y = 0", &Pass::left},
+      {"thin_layers", "a^2/R", "the same of thin layers: van Zoelen, Venner, Lugt 2012",
+       [=](const Pass& pass) {
+         return all ? 1.0 / std::sqrt(1.0 / (supply * supply) + pass.number * lost)
+                    : std::numeric_limits<double>::quiet_NaN();
+       }},
+      {"factor_by_passes", "-", "factor by r_n^-3 = r^-3 + n: layers that stay even",
+       [=](const Pass& pass) {
+         return all ? starvation::by_passes(first, usual_gamma, pass.number) : std::numeric_limits<double>::quiet_NaN();
+       }},
+      {"oil_in", "rho0 u_m a^3/R", "oil through the inlet boundary", &Pass::in},
+      {"oil_aside", "rho0 u_m a^3/R", "oil through the sides of the domain", &Pass::aside},
+      {"mass_imbalance", "-", "(out + aside - in)/in", &Pass::imbalance},
+      {"steps", "-", "cycles, or steps of Newton's method", &Pass::steps},
+      {"residual", "-", "relative residual of the Reynolds equation", &Pass::residual},
+      {"swings", "-", "1: a node at the edge of the film finds no state", &Pass::swings}};
+  if (const double between = deck::number(input.deck, "supply", "pass_time"); std::isfinite(between))
+    columns.insert(columns.begin() + 1,
+                   {"time", "s", "at the pass", [between](const Pass& pass) { return (pass.number - 1) * between; }});
+  return columns;
+}
+
+results::Table table_of_tracks(const steady::Solution& solution) {
+  results::Table table{"tracks", "what every pass left behind across the track", {}};
+  table.columns = {{"pass", "-", "contacts on the track so far", true, {}},
+                   {"y", "a", "across the track", false, {}},
+                   {"layer", "a^2/R", "oil of both surfaces together, as mass over rho0", false, {}}};
+  for (std::size_t n = 0; n < solution.tracks.size(); ++n)
+    for (std::size_t j = 0; j < solution.tracks[n].size(); ++j) {
+      table.columns[0].values.push_back(static_cast<double>(n + 1));
+      table.columns[1].values.push_back(solution.grid.Y(static_cast<int>(j)));
+      table.columns[2].values.push_back(solution.tracks[n][j]);
+    }
+  return table;
+}
+
+std::string starvation_summary(const Case& input, const Computed& computed) {
+  const steady::Solution& solution = computed.solution;
+  const Starvation& found = *solution.starvation;
+  const char* mark = solution.converged ? "" : "  (NOT CONVERGED)";
+  std::string text =
+      fmt::format("starvation   factor {:.4f} of the flooded film (Hc = {:.5f}) at a supply of {:.4f} of it{}\n",
+                  found.factor, found.Hc_flooded, found.supply_ratio, mark);
+  text += "             meniscus on y = 0 at x = " + length_text(input, found.meniscus_X) +
+          fmt::format(", {} cells from the inlet boundary where it is nearest\n", found.cells_to_inlet);
+  text += fmt::format(
+      "             oil in {:.5f}: through the contact {:.5f}, beside it {:.5f}, aside {:.2g}; imbalance {:.1e}\n",
+      found.in, found.through, found.in - found.aside - found.through, found.aside, found.imbalance);
+  text += fmt::format("             formulas: {:.4f} by the supply (Chevalier 1998, gamma = {:g}",
+                      starvation::by_supply(found.supply_ratio, usual_gamma), usual_gamma);
+  const double gamma = starvation::gamma_of(found.supply_ratio, found.factor);
+  text += std::isfinite(gamma) ? fmt::format("; here {:.2f})", gamma) : ")";
+  if (contact::circular(input.scene.shape))
+    text +=
+        fmt::format(", {:.4f} by the meniscus (Hamrock, Dowson 1977; flooded from x = {} on)",
+                    meniscus_factor(input, found), length_text(input, -starvation::flooded_inlet(found.Hc_flooded)));
+  text += "\n";
+  return solution.passes.empty() ? text : text + pass_table(input, solution);
+}
+
+}  // namespace ehl::program

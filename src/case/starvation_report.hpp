@@ -1,0 +1,19 @@
+#pragma once
+// The numbers of a contact with a supply, for the report, JSON, the result file and the tables.
+#include <string>
+#include <vector>
+
+#include "base/column.hpp"
+#include "case/computed.hpp"
+#include "case/scene.hpp"
+
+namespace ehl::program {
+
+std::vector<results::Quantity> starvation_quantities(const Case& input, const steady::Solution& solution);
+/// Of the passes over one track, with formulas beside them.
+std::vector<Column<steady::Pass>> pass_columns(const Case& input, const steady::Solution& solution);
+/// What every pass left behind across the track: columns pass, y, layer.
+results::Table table_of_tracks(const steady::Solution& solution);
+std::string starvation_summary(const Case& input, const Computed& computed);
+
+}  // namespace ehl::program
