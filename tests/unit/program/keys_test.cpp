@@ -30,6 +30,10 @@ BOOST_AUTO_TEST_CASE(every_declared_key_is_read) {
           {"surface1.shape=map", "surface1.file=measured_map.csv", "surface1.unit_m=1e-9", "surface1.dx_m=3e-6"}, 1)
           .deck,
       read);
+  add_read(program::read_case(EHL_INPUTS "/starved/bearing_track.ini",
+                              {"supply.returning=surface1", "supply.split=0.5", "supply.reflow_time=10"}, 1)
+               .deck,
+           read);
   for (const deck::Key& key : program::catalogue().keys) {
     const std::string name = key.section + "." + key.name;
     BOOST_TEST(read.contains(name), name << " is declared, and nobody reads it");
