@@ -63,6 +63,8 @@ Level make_level(const core::Patch& grid, bool finest, const Problem& problem, c
           .r = zero(),
           .content = reynolds::conserves(problem.cavitation) ? zero() : core::Field(),
           .supply = std::vector<double>(reynolds::conserves(problem.cavitation) ? nodes_y : 0),
+          .swings = reynolds::conserves(problem.cavitation) ? zero() : core::Field(),
+          .changes_of_kind = reynolds::conserves(problem.cavitation) ? zero() : core::Field(),
           .correction = zero(),
           .changes = {zero_changes(), zero_changes()},
           .thread_work = std::vector<ThreadWork>(static_cast<std::size_t>(threads), work),

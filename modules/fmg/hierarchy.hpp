@@ -86,16 +86,18 @@ struct Level {
   OilFields oil;
   core::Field third_order;  ///< theta of the face behind each node (flux.hpp); empty where no wedge and no face asks
   core::Field rho_bar;
-  core::Field drho_bar;        ///< d rho_bar/dP
-  core::Field f;               ///< right-hand side of the Reynolds equation (FAS); empty on the finest level: zero
-  core::Field F;               ///< right-hand side of the film equation: S on the level being solved, else of FAS;
-                               ///< empty on the finest level of a smooth contact
-  core::Field H_restricted;    ///< the finer level's film at these nodes; empty on the finest level
-  core::Field P_restricted;    ///< the finer level's pressure as it came down; likewise
-  core::Field r;               ///< residual
-  core::Field content;         ///< Q of the mass conserving model, as the last residual left it; else empty
-  std::vector<double> supply;  ///< and what comes in, per line
-  core::Field correction;      ///< of P, on its way up
+  core::Field drho_bar;         ///< d rho_bar/dP
+  core::Field f;                ///< right-hand side of the Reynolds equation (FAS); empty on the finest level: zero
+  core::Field F;                ///< right-hand side of the film equation: S on the level being solved, else of FAS;
+                                ///< empty on the finest level of a smooth contact
+  core::Field H_restricted;     ///< the finer level's film at these nodes; empty on the finest level
+  core::Field P_restricted;     ///< the finer level's pressure as it came down; likewise
+  core::Field r;                ///< residual
+  core::Field content;          ///< Q of the mass conserving model, as the last residual left it; else empty
+  std::vector<double> supply;   ///< and what comes in, per line
+  core::Field swings;           ///< likewise: > 0 at nodes that find no state (swinging.hpp)
+  core::Field changes_of_kind;  ///< swinging.cpp
+  core::Field correction;       ///< of P, on its way up
   LineChanges changes;
   std::vector<ThreadWork> thread_work;  ///< made for the parameters' line solver and reach
   mlmi::Deformation deformation;
@@ -217,9 +219,16 @@ inline reynolds::Transport transport_on(const Hierarchy& hierarchy, const Level&
 inline bool conserves_mass(const Level& level) { return level.content.nodes_x() > 0; }
 
 inline reynolds::Fields fields(const Level& level) {
-  return {level.P,           level.H,           level.rho_bar,
-          level.eps,         level.f,           eps_across(level),
-          level.scheme.face, level.third_order, conserves_mass(level) ? &level.content : nullptr};
+  return {level.P,
+          level.H,
+          level.rho_bar,
+          level.eps,
+          level.f,
+          eps_across(level),
+          level.scheme.face,
+          level.third_order,
+          conserves_mass(level) ? &level.content : nullptr,
+          conserves_mass(level) ? &level.swings : nullptr};
 }
 
 }  // namespace ehl::fmg

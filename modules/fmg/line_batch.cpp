@@ -93,7 +93,7 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
         back += work_.answers_west[k];
       }
       dr.own -= march->behind_dry() ? back : Lanes{};
-      march->go_on(film0.rho_H, P.own <= 0.0, point.r);
+      march->go_on(film0.rho_H, P.own <= 0.0, point.r, own_lines(level.swings, i, j) > 0.0);
     } else {
       film_east = film_station(level, i + 1, j);
       const auto w = reynolds::third_order_weights<Lanes>(

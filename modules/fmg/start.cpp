@@ -6,6 +6,7 @@
 #include "fmg/boundary.hpp"
 #include "fmg/cycle.hpp"
 #include "fmg/relaxation.hpp"
+#include "fmg/swinging.hpp"
 #include "transfer/transfer.hpp"
 
 namespace ehl::fmg {
@@ -42,6 +43,7 @@ void pose_original_problem(const Hierarchy& hierarchy, Level& level) {
   level.scheme = scheme_of(problem);
   level.load = problem.load.value_or(0.0);
   level.load_outside = 0.0;
+  forget_swinging(level);
   supply_oil(hierarchy, level);
 }
 

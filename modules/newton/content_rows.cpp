@@ -22,7 +22,7 @@ void ContentRows::make(const fmg::Level& level, const reynolds::Transport& trans
       rows_[static_cast<std::size_t>(i) * stride_ + static_cast<std::size_t>(j)] = {
           march.weights(), march.weights_behind(), march.third_order_share(), level.content(i, j) < own,
           march.behind_dry()};
-      march.go_on_with(own, level.content(i, j), r);
+      march.go_on_with(own, level.content(i, j), r, level.swings(i, j) > 0.0);
     }
   }
 }

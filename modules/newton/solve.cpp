@@ -11,6 +11,7 @@
 #include "core/norms.hpp"
 #include "core/timer.hpp"
 #include "fmg/boundary.hpp"
+#include "fmg/swinging.hpp"
 #include "newton/equations.hpp"
 #include "newton/gmres.hpp"
 #include "newton/preconditioner.hpp"
@@ -23,6 +24,8 @@ constexpr double small_change = 0.02;
 constexpr double loose = 1e-2;
 constexpr double tight = 1e-5;
 constexpr double last_bit = 0.03;
+/// Behind a state this good nodes at the edge of the film flip by rounding; those that swing leave 1e-4.
+constexpr double of_rounding = 1e-7;
 /// Old factors are used until they cost this many times the iterations that they took when they were new.
 constexpr int worn_out = 2;
 /// Longest change of H00 in one step: an absolute part, and a share of the film at the centre.
@@ -88,6 +91,10 @@ class NewtonIteration {
       if (!trouble.empty()) return fail(trouble);
       state = judge(hierarchy_, level_);
       result_.steps.push_back({state.residual, iterations_});
+      if (best_measure_ > of_rounding && fmg::mark_swinging(level_) > 0) {
+        state = judge(hierarchy_, level_);
+        best_.clear();  // of other equations
+      }
       remember(state);
       if (progress && !progress(result_.steps.back())) throw core::Interrupted();
     }

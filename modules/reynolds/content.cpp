@@ -40,10 +40,11 @@ void march_batch(const core::Patch& grid, const Fields& state, const Content& co
         poiseuille(e, P_west, P_east, core::load(state.P.at_x(i) + j - 1), core::load(state.P.at_x(i) + j + 1), P);
     if (state.f.nodes_x() > 0) inflow -= at(state.f, i);
     Lanes out = march.residual(full, east, {theta_at(i - 1), theta_at(i)}, inflow);
+    const auto swings = (state.swings != nullptr ? at(*state.swings, i) : Lanes{}) > 0.0;
     if constexpr (held)
-      out = march.go_on_with(full, at(content.Q, i), out);
+      out = march.go_on_with(full, at(content.Q, i), out, swings);
     else
-      march.go_on(full, P <= 0.0, out);
+      march.go_on(full, P <= 0.0, out, swings);
     core::store(r.at_x(i) + j, out);
     core::store(content.Q.at_x(i) + j, march.Q());
     P_west = P;
@@ -97,7 +98,7 @@ OilBalance oil_balance(const core::Patch& grid, const Fields& state, const core:
     const double theta = third_order(transport.wedge) ? state.third_order(i, j) : 0.0;
     const double carried = carried_content(
         transport.wedge, i, [&](int k) { return Q(k, j); }, [&](int k) { return state.rho_bar(k, j) * state.H(k, j); },
-        theta);
+        theta, first_order_behind(state, i - 1, j));
     const double eps = conductance(state.face, state.eps(i, j), state.eps(i + 1, j), 0.5);
     return transport.speed * carried - eps * (state.P(i + 1, j) - state.P(i, j)) / hx;
   };

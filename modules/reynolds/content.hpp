@@ -8,7 +8,8 @@
 // upstream3 adds its third-order flux, made of rho_bar H, where i-1 is full. So a row holds nothing that depends on
 // whether its own point is dry: what a point asks for is continuous as it changes its kind. (Of other fluxes, that of
 // upstream2 has no discrete solution at an inlet meniscus in two dimensions, its set of dry points swings for ever; so
-// does phi = 1 only where i and i-1 are full, at the edge of rupture.) Where all points are full this is the equation
+// does phi = 1 only where i and i-1 are full, at the edge of rupture.) Where a node swings all the same, phi behind it
+// is 0 (Fields::swings). Where all points are full this is the equation
 // with rho_bar H.
 #include <array>
 #include <span>
@@ -33,7 +34,8 @@ class March {
         Q_(Q),
         flux_(Q),
         full1_(Q >= full),
-        full2_(Q >= full) {}
+        smooth1_(Q >= full),
+        smooth2_(Q >= full) {}
 
   /// r = f - L(P) of point i as if it were full; in a dry point r >= 0, and tells how much it lacks.
   /// in: rho_bar H of i and i+1, theta of the faces west and east of i (flux.hpp; only with a third-order wedge), what
@@ -41,9 +43,9 @@ class March {
   Number residual(Number full, Number east, const ThirdOrder<Number>& theta, Number inflow) {
     const Number none{};
     const Number half = none + 0.5;
-    const Number lead = second_order_ ? (full1_ ? half : none) : none;
+    const Number lead = second_order_ ? (smooth1_ ? half : none) : none;
     first_ = first_row_ ? lead : none;
-    theta_ = {full1_ & full2_ ? theta.west : none, full1_ ? theta.east : none};
+    theta_ = {full1_ & smooth2_ ? theta.west : none, smooth1_ ? theta.east : none};
     flux_ += first_ * (full - Q_);
     behind_ = full + lead * (full - Q_);
     if (third_order_) behind_ += third_order_part(theta_.east, Q_, full, east);
@@ -73,16 +75,17 @@ class March {
     return first_row_ ? no : full1_ == no;
   }
 
-  /// On to the next point. in: true where P = 0; r of residual().
-  void go_on(Number full, Mask without_pressure, Number r) {
+  /// On to the next point. in: true where P = 0; r of residual(); true where the flux behind the next one is of first
+  /// order though this one is full.
+  void go_on(Number full, Mask without_pressure, Number r, Mask first_order = Mask{}) {
     const Number lost = without_pressure & (r > 0.0) ? r / (per_step_ * (1.0 + lead_ - first_)) : Number{};
-    pass(full - lost, lost);
+    pass(full - lost, lost, first_order);
   }
   /// The same with the content given. out: r with it.
-  Number go_on_with(Number full, Number Q, Number r) {
+  Number go_on_with(Number full, Number Q, Number r, Mask first_order = Mask{}) {
     const Number lost = full - Q;
     const Number held = r - per_step_ * (1.0 + lead_ - first_) * lost;
-    pass(Q, lost);
+    pass(Q, lost, first_order);
     return held;
   }
 
@@ -90,11 +93,12 @@ class March {
   Number flux() const { return flux_; }  ///< behind it, over U
 
  private:
-  void pass(Number Q, Number lost) {
+  void pass(Number Q, Number lost, Mask first_order) {
     Q_ = Q;
     flux_ = behind_ - (1.0 + lead_) * lost;
-    full2_ = full1_;
+    smooth2_ = smooth1_;
     full1_ = lost <= 0.0;
+    smooth1_ = full1_ & (first_order == Mask{});
     first_row_ = false;
   }
 
@@ -102,7 +106,8 @@ class March {
   bool first_row_ = true;
   double per_step_;
   Number Q_, flux_;              // of i-1, and behind it
-  Mask full1_, full2_;           // i-1 and i-2
+  Mask full1_;                   // i-1
+  Mask smooth1_, smooth2_;       // i-1 and i-2: the flux behind the next one is of higher order
   Number behind_{};              // what flows behind i if it is full
   Number lead_{}, lead_west_{};  // phi/2 of i and i-1
   Number first_{};               // of the flux through the first face, the share of i = 1
@@ -137,12 +142,16 @@ struct OilBalance {
 /// in: the content that residual() left.
 OilBalance oil_balance(const core::Patch& grid, const Fields& state, const core::Field& Q, const Transport& transport);
 
+/// True where the flux behind the node next to this one is of first order though this one is full.
+inline bool first_order_behind(const Fields& state, int i, int j) {
+  return i > 0 && state.swings != nullptr && (*state.swings)(i, j) > 0.0;
+}
 /// What the film carries through the face behind node i of a line, over U, by a content that is there.
-/// in: Q and rho_bar H of column k, theta of the face.
+/// in: Q and rho_bar H of column k, theta of the face; true where it is of first order though i-1 is full.
 template <class Column, class Gap>
-double carried_content(Wedge wedge, int i, Column Q, Gap full, double theta) {
+double carried_content(Wedge wedge, int i, Column Q, Gap full, double theta, bool first_order) {
   if (i == 0) return Q(0) >= full(0) ? carried(wedge, 0, Q) : Q(0);
-  if (Q(i - 1) < full(i - 1)) return Q(i);
+  if (first_order || Q(i - 1) < full(i - 1)) return Q(i);
   const double third = third_order(wedge) ? third_order_part(theta, Q(i - 1), full(i), full(i + 1)) : 0.0;
   return carried(wedge, i, Q) + third;
 }

@@ -23,7 +23,8 @@ class Fluxes {
     if (state_.content != nullptr) {
       return carried_content(
                  transport_.wedge, i, [&](int k) { return (*state_.content)(k, j); },
-                 [&](int k) { return rho_H(k, j); }, third_order(transport_.wedge) ? state_.third_order(i, j) : 0.0) -
+                 [&](int k) { return rho_H(k, j); }, third_order(transport_.wedge) ? state_.third_order(i, j) : 0.0,
+                 first_order_behind(state_, i - 1, j)) -
              eps * (state_.P(i + 1, j) - state_.P(i, j)) / hx_;
     }
     double Q = carried(transport_.wedge, i, [&](int k) { return rho_H(k, j); });

@@ -19,6 +19,8 @@ struct Fields {
   /// theta (flux.hpp) of the face behind each node along X: of Face::mean without a third-order wedge not read.
   const core::Field& third_order = eps;
   const core::Field* content = nullptr;  ///< Q, where it is not rho_bar H everywhere (content.hpp)
+  /// Of that model: > 0 at nodes that swing between wet and dry; the flux behind the next one is of first order.
+  const core::Field* swings = nullptr;
 };
 
 /// r = f - L(P) on the interior nodes, L(P) the left-hand side of eq. (4) with the transport given; 0 on the boundary.

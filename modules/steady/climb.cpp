@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "contact/film_formulas.hpp"
+#include "fmg/swinging.hpp"
 #include "steady/rescue.hpp"
 #include "steady/resolution.hpp"
 
@@ -178,6 +179,7 @@ Solution solution_of(const Scene& scene, fmg::Run&& run) {
     solution.oil = reynolds::oil_balance(finest.grid, fmg::fields(finest), finest.content,
                                          fmg::transport_on(run.hierarchy, finest));
   }
+  solution.swinging_nodes = fmg::swinging_nodes(finest);
   solution.converged = record.converged;
   solution.failed_check = record.failed_check;
   solution.levels = std::move(record.levels);

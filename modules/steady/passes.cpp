@@ -101,6 +101,7 @@ Pass row_of(const Scene& scene, const Solution& solution, int number, double car
   row.aside = solution.oil.aside;
   row.imbalance = solution.oil.imbalance();
   row.steps = solution.newton.empty() ? solution.levels.back().cycles : static_cast<int>(solution.newton.size());
+  row.first_order = solution.swinging_nodes;
   row.residual = solution.levels.back().residual;
   return row;
 }

@@ -108,9 +108,11 @@ Solution rescue_by_newton(const Scene& scene, const Start& start, const Solution
   const newton::Result result = solve_level_by_newton(run, l, final_tolerance(scene));
   if (result.converged) {
     const fmg::State solved = fmg::state_of(hierarchy, l);
+    const core::Field swings = hierarchy.finest().swings;
     solve_levels_below(run);
     run.record.levels.push_back(unsolved.levels.back());
     fmg::start_from_state(hierarchy, l, solved);
+    hierarchy.finest().swings = swings;
   }
   judge(run);
   if (!result.converged) run.record.failed_check = result.reason;

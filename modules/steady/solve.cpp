@@ -105,6 +105,15 @@ std::vector<Start> starts_of(const Scene& scene) {
   return list;
 }
 
+// A supply's meniscus may have no state that cycles find; Newton's method does.
+void try_newton_after_cycles(const Scene& scene, const ProgressCallback& progress, Search& search) {
+  const double nodes = static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y();
+  if (scene.polish == Polish::off || (scene.polish == Polish::rescue && nodes > most_nodes_of_rescue)) return;
+  if (search.best())
+    search.try_way("Newton-Krylov after the cycles",
+                   [&] { return rescue_by_newton(scene, starts[0], *search.best(), progress); });
+}
+
 void try_full_multigrid(const Scene& scene, const ProgressCallback& progress, Search& search) {
   const double slender = slenderness(scene.M, scene.L, scene.shape);
   for (const Start& start : starts_of(scene)) {
@@ -113,6 +122,7 @@ void try_full_multigrid(const Scene& scene, const ProgressCallback& progress, Se
     const std::string number = std::to_string(search.attempts() + 1);
     search.try_way(search.attempts() == 0 ? "full multigrid" : "full multigrid, start " + number,
                    [&] { return climb(scene, start, progress); });
+    if (!search.over() && search.attempts() == 1 && scene.supply) try_newton_after_cycles(scene, progress, search);
     if (search.over()) return;
   }
 }
@@ -120,9 +130,7 @@ void try_full_multigrid(const Scene& scene, const ProgressCallback& progress, Se
 void try_newton(const Scene& scene, const ProgressCallback& progress, Search& search) {
   const double nodes = static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y();
   if (scene.polish == Polish::rescue && nodes > most_nodes_of_rescue) return;
-  if (search.best())
-    search.try_way("Newton-Krylov after the cycles",
-                   [&] { return rescue_by_newton(scene, starts[0], *search.best(), progress); });
+  try_newton_after_cycles(scene, progress, search);
   if (!search.over()) search.try_way("Newton-Krylov", [&] { return climb_by_newton(scene, starts[0], progress); });
 }
 

@@ -32,7 +32,8 @@ struct Pass {
   double Hc = 0.0, Hm = 0.0, P_max = 0.0;
   double meniscus_X = 0.0;
   double in = 0.0, aside = 0.0, imbalance = 0.0;
-  int steps = 0;  ///< cycles on the finest grid, or Newton steps
+  int steps = 0;        ///< cycles on the finest grid, or Newton steps
+  int first_order = 0;  ///< nodes behind which the flux is (fmg/swinging.hpp)
   double residual = 0.0;
   bool swings = false;  ///< a node at an edge finds no state (passes.cpp)
 };

@@ -85,6 +85,10 @@ std::vector<std::string> warnings_of(const Scene& scene, const Solution& solutio
                        percent(std::abs(solution.domain_error_Hc)) +
                        " (an estimate), and there may be as much beyond; move x_inlet upstream and widen y_half");
   if (solution.starvation) warn_of_supply(*solution.starvation, warnings);
+  if (solution.swinging_nodes > 0)
+    warnings.push_back("at " + std::to_string(solution.swinging_nodes) +
+                       " nodes at the edge of the film the flux is of first order: with the second they are neither "
+                       "wet nor dry; another number of cells may settle it");
   warn_of_passes(solution.passes, warnings);
   if (!solution.polish_failure.empty())
     warnings.push_back("the polish did not reach rounding errors, the cycles' solution stays: " +

@@ -128,6 +128,7 @@ std::vector<Column<Pass>> pass_columns(const Case& input, const steady::Solution
       {"mass_imbalance", "-", "(out + aside - in)/in", &Pass::imbalance},
       {"steps", "-", "cycles, or steps of Newton's method", &Pass::steps},
       {"residual", "-", "relative residual of the Reynolds equation", &Pass::residual},
+      {"first_order", "-", "nodes at the edge of the film behind which the flux is of first order", &Pass::first_order},
       {"swings", "-", "1: a node at the edge of the film finds no state", &Pass::swings}};
   if (const double between = deck::number(input.deck, "supply", "pass_time"); std::isfinite(between))
     columns.insert(columns.begin() + 1,

@@ -1,0 +1,38 @@
+#include "fmg/swinging.hpp"
+
+#include <cmath>
+
+namespace ehl::fmg {
+
+// `changes` of a node: how often its kind has changed, plus one, negative while it is dry; 0 before it was looked at.
+int mark_swinging(Level& level) {
+  if (!conserves_mass(level)) return 0;
+  int marked = 0;
+  for (int i = 1; i < level.grid.nx; ++i)
+    for (int j = 1; j <= level.grid.last_line(); ++j) {
+      double& changes = level.changes_of_kind(i, j);
+      const bool dry = level.P(i, j) <= 0.0;
+      const double count = std::abs(changes) + (changes == 0.0 || dry != (changes < 0.0) ? 1.0 : 0.0);
+      changes = dry ? -count : count;
+      if (count <= changes_of_swinging || level.swings(i, j) > 0.0) continue;
+      level.swings(i, j) = 1.0;
+      ++marked;
+    }
+  return marked;
+}
+
+void forget_swinging(Level& level) {
+  if (!conserves_mass(level)) return;
+  level.swings.fill(0.0);
+  level.changes_of_kind.fill(0.0);
+}
+
+int swinging_nodes(const Level& level) {
+  double count = 0.0;
+  if (conserves_mass(level))
+    for (int i = 1; i < level.grid.nx; ++i)
+      for (int j = 1; j <= level.grid.last_line(); ++j) count += level.grid.lines(j) * level.swings(i, j);
+  return static_cast<int>(std::lround(count));
+}
+
+}  // namespace ehl::fmg
