@@ -24,8 +24,10 @@ constexpr double small_change = 0.02;
 constexpr double loose = 1e-2;
 constexpr double tight = 1e-5;
 constexpr double last_bit = 0.03;
-/// Behind a state this good nodes at the edge of the film flip by rounding; those that swing leave 1e-4.
+/// Residuals between which nodes at the edge of the film swing, 1e-4 to 2e-2: below they flip by rounding, above they
+/// are on their way.
 constexpr double of_rounding = 1e-7;
+constexpr double on_its_way = 5e-2;
 /// Old factors are used until they cost this many times the iterations that they took when they were new.
 constexpr int worn_out = 2;
 /// Longest change of H00 in one step: an absolute part, and a share of the film at the centre.
@@ -91,7 +93,7 @@ class NewtonIteration {
       if (!trouble.empty()) return fail(trouble);
       state = judge(hierarchy_, level_);
       result_.steps.push_back({state.residual, iterations_});
-      if (best_measure_ > of_rounding && fmg::mark_swinging(level_) > 0) {
+      if (stalls_at_an_edge(taken) && fmg::mark_swinging(level_) > 0) {
         state = judge(hierarchy_, level_);
         best_.clear();  // of other equations
       }
@@ -107,6 +109,9 @@ class NewtonIteration {
   }
 
  private:
+  bool stalls_at_an_edge(int taken) const {
+    return best_measure_ > of_rounding && best_measure_ < on_its_way && taken - best_step_ >= 2;
+  }
   bool good(const State& state) const { return state.measure() <= parameters_.tolerance; }
 
   /// One Newton step from the state given, shortened where it changes P or H00 too much. out: what went wrong.

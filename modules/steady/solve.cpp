@@ -105,6 +105,9 @@ std::vector<Start> starts_of(const Scene& scene) {
   return list;
 }
 
+/// Nodes that swing leave 1e-4 and more; below this it is rounding that keeps cycles from a tolerance.
+constexpr double stalled_residual = 1e-7;
+
 // A supply's meniscus may have no state that cycles find; Newton's method does.
 void try_newton_after_cycles(const Scene& scene, const ProgressCallback& progress, Search& search) {
   const double nodes = static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y();
@@ -122,7 +125,9 @@ void try_full_multigrid(const Scene& scene, const ProgressCallback& progress, Se
     const std::string number = std::to_string(search.attempts() + 1);
     search.try_way(search.attempts() == 0 ? "full multigrid" : "full multigrid, start " + number,
                    [&] { return climb(scene, start, progress); });
-    if (!search.over() && search.attempts() == 1 && scene.supply) try_newton_after_cycles(scene, progress, search);
+    const bool stalls = search.best() && search.best()->levels.back().residual > stalled_residual;
+    if (!search.over() && search.attempts() == 1 && scene.supply && stalls)
+      try_newton_after_cycles(scene, progress, search);
     if (search.over()) return;
   }
 }
