@@ -9,7 +9,7 @@ if (exists("table")) file = table
 here = system(sprintf("dirname '%s'", ARG0))
 load here."/common.gp"
 
-said(key) = system(sprintf("sed -n 's/^# %s//p' '%s'", key, file))
+said(key) = system(sprintf("sed -n 's/^# %s//p' '%s' | paste -s -d , -", key, file))
 varied(key) = system(sprintf("sed -n 's/^# vary: %s = //p' '%s' | tr , ' '", key, file))
 Ms = varied("contact[.]M")
 Ls = varied("contact[.]L")
