@@ -91,30 +91,4 @@ void residual_of_content(const core::Patch& grid, const Fields& state, const Con
   march_all<true>(grid, state, content, transport, threads, r);
 }
 
-OilBalance oil_balance(const core::Patch& grid, const Fields& state, const core::Field& Q, const Transport& transport) {
-  const double hx = grid.hx();
-  const double hy = grid.hy();
-  const auto along = [&](int i, int j) {
-    const double theta = third_order(transport.wedge) ? state.third_order(i, j) : 0.0;
-    const double carried = carried_content(
-        transport.wedge, i, [&](int k) { return Q(k, j); }, [&](int k) { return state.rho_bar(k, j) * state.H(k, j); },
-        theta, first_order_behind(state, i - 1, j));
-    const double eps = conductance(state.face, state.eps(i, j), state.eps(i + 1, j), 0.5);
-    return transport.speed * carried - eps * (state.P(i + 1, j) - state.P(i, j)) / hx;
-  };
-  const auto across = [&](int i, int j) {
-    const double eps = conductance(state.face, state.eps_across(i, j), state.eps_across(i, j + 1), 0.5);
-    return -eps * (state.P(i, j + 1) - state.P(i, j)) / hy;
-  };
-  OilBalance balance;
-  for (int j = 1; j <= grid.last_line(); ++j) {
-    balance.in += grid.lines(j) * hy * along(0, j);
-    balance.out += grid.lines(j) * hy * along(grid.nx - 1, j);
-  }
-  const bool mirrored = grid.north == core::Edge::mirror;
-  for (int i = 1; i < grid.nx; ++i)
-    balance.aside += hx * ((mirrored ? -2.0 : -1.0) * across(i, 0) + (mirrored ? 0.0 : across(i, grid.ny - 1)));
-  return balance;
-}
-
 }  // namespace ehl::reynolds

@@ -9,8 +9,7 @@
 // whether its own point is dry: what a point asks for is continuous as it changes its kind. (Of other fluxes, that of
 // upstream2 has no discrete solution at an inlet meniscus in two dimensions, its set of dry points swings for ever; so
 // does phi = 1 only where i and i-1 are full, at the edge of rupture.) Where a node swings all the same, phi behind it
-// is 0 (Fields::swings). Where all points are full this is the equation
-// with rho_bar H.
+// is 0 (Fields::swings). Where all points are full this is the equation with rho_bar H.
 #include <array>
 #include <span>
 
@@ -122,25 +121,13 @@ struct Content {
 };
 
 /// residual() of this model: the content of dry points from what flows into them; r there is what they lack, r >= 0.
-/// out: Q, with ghost lines; on the edges along X what is supplied, as far as the
-/// gap takes it. limits: U > 0,
-/// no squeeze. threads: result independent of their number.
+/// out: Q, with ghost lines; on the edges along X what is supplied, as far as the gap takes it. limits: U > 0, no
+/// squeeze. threads: result independent of their number.
 void residual(const core::Patch& grid, const Fields& state, const Content& content, const Transport& transport,
               int threads, core::Field& r);
 /// The same with the content held: r = f - L(P, Q).
 void residual_of_content(const core::Patch& grid, const Fields& state, const Content& content,
                          const Transport& transport, int threads, core::Field& r);
-
-/// Oil through the edges of the domain, in units of rho0 u_m a^3/R: in by the inlet, out by the outlet, aside by both
-/// sides; net of what flows back. Where the equation holds, out + aside = in.
-struct OilBalance {
-  double in = 0.0;
-  double out = 0.0;
-  double aside = 0.0;
-  double imbalance() const { return (out + aside - in) / in; }
-};
-/// in: the content that residual() left.
-OilBalance oil_balance(const core::Patch& grid, const Fields& state, const core::Field& Q, const Transport& transport);
 
 /// True where the flux behind the node next to this one is of first order though this one is full.
 inline bool first_order_behind(const Fields& state, int i, int j) {

@@ -20,18 +20,7 @@ class Fluxes {
   /// Along X through the face between i and i+1.
   double along_x(int i, int j) const {
     const double eps = conductance(state_.face, state_.eps(i, j), state_.eps(i + 1, j), 0.5);
-    if (state_.content != nullptr) {
-      return carried_content(
-                 transport_.wedge, i, [&](int k) { return (*state_.content)(k, j); },
-                 [&](int k) { return rho_H(k, j); }, third_order(transport_.wedge) ? state_.third_order(i, j) : 0.0,
-                 first_order_behind(state_, i - 1, j)) -
-             eps * (state_.P(i + 1, j) - state_.P(i, j)) / hx_;
-    }
-    double Q = carried(transport_.wedge, i, [&](int k) { return rho_H(k, j); });
-    if (third_order(transport_.wedge) && i > 0) {
-      Q += third_order_part(state_.third_order(i, j), rho_H(i - 1, j), rho_H(i, j), rho_H(i + 1, j));
-    }
-    return Q - eps * (state_.P(i + 1, j) - state_.P(i, j)) / hx_;
+    return transport_.speed * carried_behind(i, j) - eps * (state_.P(i + 1, j) - state_.P(i, j)) / hx_;
   }
   /// Along Y through the face between j and j+1.
   double along_y(int i, int j) const {
@@ -41,6 +30,19 @@ class Fluxes {
   double rho_H(int i, int j) const { return state_.rho_bar(i, j) * state_.H(i, j); }
 
  private:
+  // What the film carries through the face between i and i+1, over U.
+  double carried_behind(int i, int j) const {
+    const auto full = [&](int k) { return rho_H(k, j); };
+    if (state_.content != nullptr)
+      return carried_content(
+          transport_.wedge, i, [&](int k) { return (*state_.content)(k, j); }, full,
+          third_order(transport_.wedge) ? state_.third_order(i, j) : 0.0, first_order_behind(state_, i - 1, j));
+    double Q = carried(transport_.wedge, i, full);
+    if (third_order(transport_.wedge) && i > 0)
+      Q += third_order_part(state_.third_order(i, j), rho_H(i - 1, j), rho_H(i, j), rho_H(i + 1, j));
+    return Q;
+  }
+
   const core::Patch& grid_;
   const Fields& state_;
   const Transport& transport_;
@@ -108,6 +110,22 @@ FlowBalance flow_balance(const core::Patch& grid, const Fields& state, const Tra
     }
     for (int j = y.first; j <= y.last; ++j) at(j);
   }
+  return balance;
+}
+
+OilBalance oil_balance(const core::Patch& grid, const Fields& state, const Transport& transport) {
+  const Fluxes fluxes(grid, state, transport);
+  const double hx = grid.hx();
+  const double hy = grid.hy();
+  OilBalance balance;
+  for (int j = 1; j <= grid.last_line(); ++j) {
+    balance.in += grid.lines(j) * hy * fluxes.along_x(0, j);
+    balance.out += grid.lines(j) * hy * fluxes.along_x(grid.nx - 1, j);
+  }
+  const bool mirrored = grid.north == core::Edge::mirror;
+  for (int i = 1; i < grid.nx; ++i)
+    balance.aside +=
+        hx * ((mirrored ? -2.0 : -1.0) * fluxes.along_y(i, 0) + (mirrored ? 0.0 : fluxes.along_y(i, grid.ny - 1)));
   return balance;
 }
 

@@ -22,7 +22,7 @@ struct Reach {
   double width = 1.0;
 };
 
-/// Sums the fluxes (rho_bar H - eps dP/dX, -eps dP/dY) over the faces around the nodes within reach and with P > 0;
+/// Sums the fluxes (U rho_bar H - eps dP/dX, -eps dP/dY) over the faces around the nodes within reach and with P > 0;
 /// every interior node stands for a cell hx x hy around it. The fluxes are those of flux.hpp.
 /// Then out - in is the sum of hx hy r over the region, without residual() having been asked: zero where eq. (4) holds,
 /// whatever the shape of the region.
@@ -37,5 +37,16 @@ inline FlowBalance flow_balance(const core::Patch& grid, const Fields& state, co
                                 Cavitation cavitation, double reach) {
   return flow_balance(grid, state, transport, cavitation, Reach{reach, reach});
 }
+
+/// Oil through the edges of the domain, in units of rho0 u_m a^3/R: in by the inlet, out by the outlet, aside by both
+/// sides; net of what flows back. Where the equation holds, out + aside = in.
+struct OilBalance {
+  double in = 0.0;
+  double out = 0.0;
+  double aside = 0.0;
+  double imbalance() const { return (out + aside - in) / in; }
+};
+/// Of the mass conserving model. in: a state with the content that residual() left.
+OilBalance oil_balance(const core::Patch& grid, const Fields& state, const Transport& transport);
 
 }  // namespace ehl::reynolds

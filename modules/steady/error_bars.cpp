@@ -117,8 +117,8 @@ double cycles_error_by_weights(const adjoint::Foretold& parts, double by_change)
   return by_change + std::abs(parts.left) + share_of_scattered * std::abs(parts.scattered);
 }
 
-/// Unsure: the next order of what the terms leave, by the step over
-/// the zones in which the film is made; and a share of what the levels say against the weights. calibrated: as above.
+/// Unsure: the next order of what the terms leave, by the step over the zones in which the film is made; and a share of
+/// what the levels say against the weights. calibrated: as above.
 constexpr double next_order = 1.5, share_of_disagreement_extrapolated = 0.15;
 Estimate Hc_by_weights(const adjoint::Foretold& parts, double value, double seen, double step, double algebraic) {
   const double error = next_order * step * (of_pressure_and_film(parts) + of_wedge_alone(parts)) +

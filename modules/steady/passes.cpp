@@ -70,13 +70,10 @@ std::optional<Solution> go_on(const Scene& scene, const Solution& before, const 
   Scene next = scene;
   next.multigrid.tolerance = std::fmin(tolerance_between, scene.multigrid.tolerance);
   const double nodes = static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y();
-  std::optional<Solution> swinging;
   if (scene.polish != Polish::off && nodes <= most_nodes_of_rescue) {
     Solution solution = follow_by_newton(next, restart, before, progress);
-    if (solution.converged) return solution;
-    if (only_swings(solution)) swinging = std::move(solution);
+    if (solution.converged || only_swings(solution)) return solution;
   }
-  if (swinging) return swinging;
   try {
     Solution solution = cycles_from(next, before, progress);
     if (solution.converged || only_swings(solution)) return solution;

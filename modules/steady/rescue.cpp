@@ -57,6 +57,14 @@ void judge(fmg::Run& run) {
   record.end = unmet.empty() ? CyclesEnd::content : CyclesEnd::stalled;
 }
 
+// The same, of what Newton's method calls converged or not, for this reason.
+void judge(fmg::Run& run, bool newton_converged, const std::string& reason) {
+  judge(run);
+  if (newton_converged) return;
+  run.record.failed_check = reason;
+  run.record.converged = false;
+}
+
 // What the cycles left below a finest grid that they did not solve says nothing about its discretization error: a new
 // table of levels, with the two grids below it solved too.
 void solve_levels_below(fmg::Run& run) {
@@ -114,9 +122,7 @@ Solution rescue_by_newton(const Scene& scene, const Start& start, const Solution
     fmg::start_from_state(hierarchy, l, solved);
     hierarchy.finest().swings = swings;
   }
-  judge(run);
-  if (!result.converged) run.record.failed_check = result.reason;
-  run.record.converged = run.record.converged && result.converged;
+  judge(run, result.converged, result.reason);
   run.record.levels.back().seconds += core::now() - began;
   Solution solution = solution_of(scene, std::move(run));
   solution.newton = result.steps;
@@ -131,9 +137,7 @@ Solution follow_by_newton(const Scene& scene, const Start& start, const Solution
   fmg::start_from_state(run.hierarchy, l, {core::on_patch(run.hierarchy.finest().grid, before.P), before.H00});
   run.record.levels.emplace_back();
   const newton::Result result = solve_level_by_newton(run, l, scene.multigrid.tolerance);
-  judge(run);
-  if (!result.converged) run.record.failed_check = result.reason;
-  run.record.converged = run.record.converged && result.converged;
+  judge(run, result.converged, result.reason);
   timer.stop();
   Solution solution = solution_of(scene, std::move(run));
   solution.newton = result.steps;
@@ -163,9 +167,7 @@ Solution climb_by_newton(const Scene& scene, const Start& start, const ProgressC
     last_reason = fmg::name_of_level(run.hierarchy, l) + ": " + result.reason;
     fmg::enter(run.hierarchy, l, 0, fmg::measures_of(run.hierarchy, l), run.record);
     if (last_level) {
-      judge(run);
-      run.record.converged = run.record.converged && result.converged;
-      if (!result.converged) run.record.failed_check = last_reason;
+      judge(run, result.converged, last_reason);
     }
     timer.stop();
   }

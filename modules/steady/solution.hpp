@@ -12,7 +12,7 @@
 #include "fmg/record.hpp"
 #include "judgement/verification.hpp"
 #include "newton/solve.hpp"
-#include "reynolds/content.hpp"
+#include "reynolds/flow_balance.hpp"
 #include "steady/error_bars.hpp"
 #include "steady/starvation.hpp"
 

@@ -18,8 +18,9 @@ struct Starvation {
   int cells_to_inlet = 0;   ///< from the inlet boundary to the first full node of any line
   double filled = 0.0;      ///< share of the inlet boundary where the gap takes no more
   double in = 0.0, through = 0.0, aside = 0.0;
-  double imbalance = 0.0;  ///< (out + aside - in)/in
-  double seconds = 0.0;    ///< that the supply takes: all but the flooded contact
+  double around() const { return in - aside - through; }  ///< by the outlet, beside the contact
+  double imbalance = 0.0;                                 ///< (out + aside - in)/in
+  double seconds = 0.0;                                   ///< that the supply takes: all but the flooded contact
 };
 
 /// One contact of several on the same track; the oil on y = 0 in units of H.

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <limits>
 
 #include "base/text_format.hpp"
 #include "contact/ellipse.hpp"
@@ -24,18 +23,27 @@ double meniscus_factor(const Case& input, const Starvation& found) {
   return contact::circular(input.scene.shape) ? starvation::by_meniscus(-found.meniscus_X, found.Hc_flooded) : unknown;
 }
 
-// The formulas of passes are those of a layer that comes back as it left.
-bool all_comes_back(const steady::Passes& rule) {
-  return rule.returning == 1.0 && rule.renewed == 0.0 && rule.levelled == 0.0;
-}
+/// What is known of a layer that comes back as it left; else NaN.
+class PassFormulas {
+ public:
+  PassFormulas(const steady::Scene& scene, const Pass& first)
+      : holds_(scene.passes.returning == 1.0 && scene.passes.renewed == 0.0 && scene.passes.levelled == 0.0),
+        first_(first),
+        lost_(starvation::lost_by_pass(scene.shape, scene.lambda, scene.viscosity, scene.density)) {}
 
-// Q behind n passes on y = 0 by van Zoelen.
-double thin_layer(const Case& input, const steady::Solution& solution, int n) {
-  const steady::Scene& scene = input.scene;
-  if (!all_comes_back(scene.passes)) return unknown;
-  const double lost = starvation::lost_by_pass(scene.shape, scene.lambda, scene.viscosity, scene.density);
-  return 1.0 / std::sqrt(std::pow(solution.passes.front().supply, -2.0) + n * lost);
-}
+  /// Q behind a pass on y = 0 by van Zoelen.
+  double thin_layer(const Pass& pass) const {
+    return holds_ ? 1.0 / std::sqrt(1.0 / (first_.supply * first_.supply) + pass.number * lost_) : unknown;
+  }
+  double factor(const Pass& pass) const {
+    return holds_ ? starvation::by_passes(first_.supply_ratio, usual_gamma, pass.number) : unknown;
+  }
+
+ private:
+  bool holds_;
+  Pass first_;
+  double lost_;
+};
 
 std::string length_text(const Case& input, double X) {
   return input.physics.si ? fmt::format("{:.1f} um ({:.3f} a)", 1e6 * X * input.physics.si->hertz.a, X)
@@ -60,9 +68,10 @@ std::string pass_table(const Case& input, const steady::Solution& solution) {
     return in_SI ? fmt::format("{:9.2f}", 1e9 * input.physics.si->hertz.h_scale * H) : fmt::format("{:9.5f}", H);
   };
   const int passes = static_cast<int>(solution.passes.size());
+  const PassFormulas formulas(input.scene, solution.passes.front());
   for (const Pass& pass : solution.passes) {
     if (!shown(pass.number, passes)) continue;
-    const double formula = thin_layer(input, solution, pass.number);
+    const double formula = formulas.thin_layer(pass);
     text += fmt::format("  {:<11} {:6.4f}  {:6.4f}  {}  {}  {:7.4f}  {:6.3f} a  {}  {:>11}  {:5}{}\n", pass.number,
                         pass.supply_ratio, pass.factor, film(pass.Hc), film(pass.Hm), pass.P_max, pass.meniscus_X,
                         film(pass.left), std::isfinite(formula) ? film(formula) : "-", pass.steps,
@@ -85,7 +94,7 @@ std::vector<results::Quantity> starvation_quantities(const Case& input, const st
       {"meniscus_cells", found.cells_to_inlet, "-", "cells from the inlet to the first full node"},
       {"oil_in", found.in, "rho0 u_m a^3/R", "oil through the inlet boundary"},
       {"oil_through", found.through, "rho0 u_m a^3/R", "oil through the contact, |y| <= 1 at x = 0"},
-      {"oil_around", found.in - found.aside - found.through, "rho0 u_m a^3/R",
+      {"oil_around", found.around(), "rho0 u_m a^3/R",
        "oil that leaves by the outlet and has passed beside the contact"},
       {"oil_aside", found.aside, "rho0 u_m a^3/R", "oil through the sides of the domain"},
       {"mass_imbalance", found.imbalance, "-", "(out + aside - in)/in"},
@@ -99,11 +108,7 @@ std::vector<results::Quantity> starvation_quantities(const Case& input, const st
 }
 
 std::vector<Column<Pass>> pass_columns(const Case& input, const steady::Solution& solution) {
-  const double first = solution.passes.front().supply_ratio;
-  const bool all = all_comes_back(input.scene.passes);
-  const double lost =
-      starvation::lost_by_pass(input.scene.shape, input.scene.lambda, input.scene.viscosity, input.scene.density);
-  const double supply = solution.passes.front().supply;
+  const PassFormulas formulas(input.scene, solution.passes.front());
   std::vector<Column<Pass>> columns{
       {"pass", "-", "contacts on the track so far", &Pass::number},
       {"supply_ratio", "-", "what is brought on y = 0 over rho H at the centre of the flooded contact",
@@ -115,14 +120,9 @@ std::vector<Column<Pass>> pass_columns(const Case& input, const steady::Solution
       {"meniscus_x", "a", "where the inlet becomes full on y = 0", &Pass::meniscus_X},
       {"left", "a^2/R", "oil left behind on y = 0", &Pass::left},
       {"thin_layers", "a^2/R", "the same of thin layers: van Zoelen, Venner, Lugt 2012",
-       [=](const Pass& pass) {
-         return all ? 1.0 / std::sqrt(1.0 / (supply * supply) + pass.number * lost)
-                    : std::numeric_limits<double>::quiet_NaN();
-       }},
+       [formulas](const Pass& pass) { return formulas.thin_layer(pass); }},
       {"factor_by_passes", "-", "factor by r_n^-3 = r^-3 + n: layers that stay even",
-       [=](const Pass& pass) {
-         return all ? starvation::by_passes(first, usual_gamma, pass.number) : std::numeric_limits<double>::quiet_NaN();
-       }},
+       [formulas](const Pass& pass) { return formulas.factor(pass); }},
       {"oil_in", "rho0 u_m a^3/R", "oil through the inlet boundary", &Pass::in},
       {"oil_aside", "rho0 u_m a^3/R", "oil through the sides of the domain", &Pass::aside},
       {"mass_imbalance", "-", "(out + aside - in)/in", &Pass::imbalance},
@@ -161,7 +161,7 @@ std::string starvation_summary(const Case& input, const Computed& computed) {
           fmt::format(", {} cells from the inlet boundary where it is nearest\n", found.cells_to_inlet);
   text += fmt::format(
       "             oil in {:.5f}: through the contact {:.5f}, beside it {:.5f}, aside {:.2g}; imbalance {:.1e}\n",
-      found.in, found.through, found.in - found.aside - found.through, found.aside, found.imbalance);
+      found.in, found.through, found.around(), found.aside, found.imbalance);
   text += fmt::format("             formulas: {:.4f} by the supply (Chevalier 1998, gamma = {:g}",
                       starvation::by_supply(found.supply_ratio, usual_gamma), usual_gamma);
   const double gamma = starvation::gamma_of(found.supply_ratio, found.factor);
