@@ -104,6 +104,10 @@ SweepRow sweep_row(const SweepKind& kind) {
                        {"P_max", unknown},
                        {"error_Hc", unknown},
                        {"error_Hm", unknown},
+                       {"Hc_best", unknown},
+                       {"error_Hc_best", unknown},
+                       {"Hm_best", unknown},
+                       {"error_Hm_best", unknown},
                        {"residual", unknown},
                        {"load_error", unknown},
                        {"cycle_factor", unknown},
@@ -171,7 +175,8 @@ SweepRow row_of_solution(const Case& input, const FilmSolution& found, SweepRow 
   } else {
     row = row_without_solution(row, "not-converged", not_converged,
                                finite ? solution.failed_check : "the film or the pressure is not finite");
-    for (const char* name : {"Hc", "Hm", "P_max", "error_Hc", "error_Hm"})
+    for (const char* name :
+         {"Hc", "Hm", "P_max", "error_Hc", "error_Hm", "Hc_best", "error_Hc_best", "Hm_best", "error_Hm_best"})
       in_row(row, name) = std::numeric_limits<double>::quiet_NaN();
   }
   in_row(row, "warnings") = static_cast<int>(warnings);

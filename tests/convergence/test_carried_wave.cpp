@@ -15,7 +15,9 @@ using Complex = std::complex<double>;
 namespace {
 
 constexpr double pi = std::numbers::pi;
-const char* name(Wedge wedge) { return wedge == Wedge::upstream1 ? "upstream1" : "upstream2"; }
+const char* name(Wedge wedge) {
+  return wedge == Wedge::upstream1 ? "upstream1" : wedge == Wedge::upstream2 ? "upstream2" : "upstream3";
+}
 
 /// Where the oil is as good as solid: there Q_T + Q_X = 0.
 constexpr double from = -0.4, to = 0.4;
@@ -24,6 +26,7 @@ constexpr int frames_per_period = 16;
 
 /// What a cell leaves of a wave that enters with a real frequency: Q = e^(-i omega T) kappa^i with
 ///   -i theta + 1 - z = 0 (upstream1),  -i theta + 3/2 - 2 z + z^2/2 = 0 (upstream2),  z = 1/kappa, theta = omega h/U.
+/// upstream3 is upstream2 where the oil is as good as solid (epsilon/h^2 << 1).
 double kept_by_a_cell(Wedge wedge, double theta) {
   const Complex z = wedge == Wedge::upstream1 ? Complex(1.0, -theta) : 2.0 - std::sqrt(Complex(1.0, 2.0 * theta));
   return 1.0 / std::abs(z);
@@ -86,8 +89,10 @@ Kept kept(Wedge wedge, int cells_per_wave) {
 BOOST_AUTO_TEST_CASE(the_film_carries_a_wave_as_the_scheme_says) {
   for (const int cells_per_wave : {20, 30}) {
     const Kept second = kept(Wedge::upstream2, cells_per_wave);
+    const Kept third = kept(Wedge::upstream3, cells_per_wave);
     const Kept first = kept(Wedge::upstream1, cells_per_wave);
     BOOST_TEST(std::abs(second.measured - second.scheme) <= 2e-3);
+    BOOST_TEST(std::abs(third.measured - third.scheme) <= 2e-3);
     BOOST_TEST(std::abs(first.measured - first.scheme) <= 2e-3);
     BOOST_TEST(second.measured >= (cells_per_wave == 20 ? 0.94 : 0.98));
     BOOST_TEST(first.measured <= (cells_per_wave == 20 ? 0.31 : 0.60));

@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(a_row_is_what_a_run_gives) {
   BOOST_TEST((rows[3].at("contact.M") == "50" && rows[3].at("contact.L") == "10"));
   const nlohmann::json json =
       support::parsed(scene.ehl("run d.ini --set contact.M=50 --set contact.L=10 --json --threads 1").out);
-  for (const char* name : {"Hc", "Hm", "P_max", "residual", "load_error", "M", "L"}) {
+  for (const char* name : {"Hc", "Hm", "P_max", "Hc_best", "error_Hm_best", "residual", "load_error", "M", "L"}) {
     const double value = support::number_at(json, std::string("/") + name);
     BOOST_TEST(value == std::stod(rows[3].at(name)), name << " is " << value << " in a run");
   }
@@ -88,7 +88,8 @@ BOOST_AUTO_TEST_CASE(a_case_that_fails_is_a_row) {
   BOOST_TEST(few.status == 3);
   const Row row = scene.table("few.csv")[0];
   BOOST_TEST((row.at("status") == "not-converged" && row.at("exit_status") == "3"));
-  for (const char* name : {"Hc", "Hm", "P_max", "error_Hc", "error_Hm"}) BOOST_TEST(row.at(name) == "NaN", name);
+  for (const char* name : {"Hc", "Hm", "P_max", "error_Hc", "error_Hm", "Hc_best", "error_Hm_best"})
+    BOOST_TEST(row.at(name) == "NaN", name);
   BOOST_TEST(std::stod(row.at("residual")) > 1e-13);
   BOOST_TEST(row.at("reason").size() > 10);
 
