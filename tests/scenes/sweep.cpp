@@ -59,12 +59,22 @@ BOOST_AUTO_TEST_CASE(a_row_is_what_a_run_gives) {
   BOOST_TEST((rows[3].at("contact.M") == "50" && rows[3].at("contact.L") == "10"));
   const nlohmann::json json =
       support::parsed(scene.ehl("run d.ini --set contact.M=50 --set contact.L=10 --json --threads 1").out);
-  for (const char* name : {"Hc", "Hm", "P_max", "Hc_best", "error_Hm_best", "residual", "load_error", "M", "L"}) {
+  for (const char* name : {"Hc", "Hm", "P_max", "residual", "load_error", "M", "L"}) {
     const double value = support::number_at(json, std::string("/") + name);
     BOOST_TEST(value == std::stod(rows[3].at(name)), name << " is " << value << " in a run");
   }
   BOOST_TEST((rows[3].at("nx") == "64" && rows[3].at("status") == "converged" && rows[3].at("exit_status") == "0"));
   BOOST_TEST(scene.ehl("sweep d.ini --vary contact.M=20 --output one.csv --quiet").err.empty());
+
+  // Two grids: the errors by weights tell which value is the best.
+  BOOST_TEST(scene.ehl("sweep d.ini --vary contact.M=20 --set grid.cells=128 --output two.csv --quiet").status == 0);
+  const Row two = scene.table("two.csv")[0];
+  const nlohmann::json finer =
+      support::parsed(scene.ehl("run d.ini --set contact.M=20 --set grid.cells=128 --json").out);
+  for (const char* name : {"Hc_best", "error_Hc_best", "Hm_best", "error_Hm_best"}) {
+    const double value = support::number_at(finer, std::string("/") + name);
+    BOOST_TEST((value > 0.0 && value == std::stod(two.at(name))), name << " is " << value << " in a run");
+  }
 }
 
 // One case is refused, one does not converge, one process is ended (after two seconds of work): each is a row.
