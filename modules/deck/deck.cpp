@@ -38,7 +38,8 @@ const Value& value(const Deck& deck, const std::string& section, const std::stri
 }
 
 bool given(const Deck& deck, const std::string& section, const std::string& name) {
-  return value(deck, section, name).origin == Origin::given;
+  const Value& found = value(deck, section, name);
+  return found.origin == Origin::given || found.computed;
 }
 
 bool called_for(const Deck& deck, const std::string& section) {
@@ -116,10 +117,19 @@ void mark_following(Deck& deck, const std::string& section, const std::string& n
   value.follows = value.origin == Origin::chosen;
 }
 
+void compute(Deck& deck, const std::string& section, const std::string& name, double number, const std::string& why) {
+  choose(deck, section, name, number, why);
+  mark_following(deck, section, name);
+  Value& computed = value_of(deck, section, name);
+  computed.computed = true;
+  computed.valid = !std::isnan(number);
+}
+
 void complain(Deck& deck, const std::string& section, const std::string& name, const std::string& what) {
   const Value& found = value(deck, section, name);
   const std::string place = found.place.empty() ? deck.name : found.place;
-  const std::string assignment = found.origin == Origin::given ? name + " = " + quotable(found.text) : name;
+  const bool told = found.origin == Origin::given || found.computed;
+  const std::string assignment = told ? name + " = " + quotable(found.text) : name;
   deck.errors.push_back(place + ": [" + section + "] " + assignment + ": " + what);
 }
 

@@ -15,12 +15,13 @@ enum class Origin { absent, by_default, given, chosen };
 
 struct Value {
   Origin origin = Origin::absent;
-  bool valid = true;     ///< false: given, but already complained about
-  std::string text{};    ///< as written
-  double number = 0.0;   ///< numbers and integers; NaN when absent or not valid
-  std::string place{};   ///< where it was given
-  std::string why{};     ///< how it was chosen
-  bool follows = false;  ///< chosen, and made anew from the deck's other keys whenever it is read
+  bool valid = true;      ///< false: given, but already complained about
+  std::string text{};     ///< as written
+  double number = 0.0;    ///< numbers and integers; NaN when absent or not valid
+  std::string place{};    ///< where it was given
+  std::string why{};      ///< how it was chosen
+  bool follows = false;   ///< chosen, and made anew from the deck's other keys whenever it is read
+  bool computed = false;  ///< chosen for a key that other keys stand for: as good as given
   /// Somebody has asked for the number or the text. Only a test looks: a key that nobody reads must not be declared.
   mutable bool read = false;
 };
@@ -46,7 +47,7 @@ Deck validate(const Document& document, const std::vector<Assignment>& overrides
 /// The value of a key. errors: std::logic_error for a key that no module declared.
 const Value& value(const Deck& deck, const std::string& section, const std::string& name);
 
-/// True when the deck or the command line gives the key, whether valid or not.
+/// True when the deck or the command line gives the key, whether valid or not, or it is computed from other keys.
 bool given(const Deck& deck, const std::string& section, const std::string& name);
 
 /// True when the section is one of every deck, or the deck gives a key that calls for the section's effect.
@@ -89,6 +90,10 @@ void choose(Deck& deck, const std::string& section, const std::string& name, con
 /// Marks a value as one that follows from other keys, unless it is given: the effective deck tells it in a remark, so
 /// that the keys it follows from may be changed there.
 void mark_following(Deck& deck, const std::string& section, const std::string& name);
+
+/// Records a number that follows from keys that stand for this one: it counts as given. in: NaN where something is
+/// wrong with them, and has been complained about.
+void compute(Deck& deck, const std::string& section, const std::string& name, double number, const std::string& why);
 
 /// Adds the message "deck.ini:12: [grid] cells = 77: <what>".
 void complain(Deck& deck, const std::string& section, const std::string& name, const std::string& what);

@@ -131,12 +131,14 @@ std::string effective_deck(const Deck& deck) {
   std::string text;
   for (const Section& section : deck.catalogue.sections) {
     std::string lines;
+    bool any_active = false;  // a heading with nothing but remarks below it would be refused
     for (std::size_t k = 0; k < deck.catalogue.keys.size(); ++k) {
       const Key& key = deck.catalogue.keys[k];
       const Value& value = deck.values[k];
       if (key.section != section.name || value.origin == Origin::absent) continue;
       // A default that cannot act would be refused when read again.
       if (value.origin == Origin::by_default && !has_influence(deck, key)) continue;
+      any_active = any_active || !value.follows;
       lines += (value.follows ? "# " : "") + key.name + " = " + value.text;
       std::string note = key.unit;
       if (value.origin == Origin::by_default) note += std::string(note.empty() ? "" : ", ") + "default";
@@ -144,7 +146,8 @@ std::string effective_deck(const Deck& deck) {
         note += std::string(note.empty() ? "" : ", ") + (value.follows ? "follows: " : "chosen: ") + value.why;
       lines += (note.empty() ? "" : "  # " + note) + "\n";
     }
-    if (!lines.empty()) text += (text.empty() ? "[" : "\n[") + section.name + "]\n" + lines;
+    if (!lines.empty())
+      text += (text.empty() ? "" : "\n") + std::string(any_active ? "[" : "# [") + section.name + "]\n" + lines;
   }
   return text;
 }

@@ -4,6 +4,7 @@
 #include "contact/keys.hpp"
 #include "dry/keys.hpp"
 #include "fmg/keys.hpp"
+#include "machines/keys.hpp"
 #include "mlmi/keys.hpp"
 #include "reynolds/keys.hpp"
 #include "rheology/keys.hpp"
@@ -14,7 +15,9 @@ namespace ehl::program {
 deck::Catalogue catalogue() {
   deck::Catalogue all;
   all.sections = {
-      {"case", "What this case is called."},
+      {"case", "What this case is called, and of what kind it is."},
+      {"bearing", "A ball or a roller on its race. Only with [case] kind = ball_race or roller_race."},
+      {"gear", "Two spur gears. Only with [case] kind = gear_mesh."},
       {"contact",
        "The contact, in ONE of three languages: M and L (Moes); W, U and G (Hamrock and Dowson); or SI: load, "
        "radius_x and the elastic data."},
@@ -32,7 +35,7 @@ deck::Catalogue catalogue() {
       {"output", "What is kept."},
   };
   all.keys = deck::together({case_keys(), steady::grid_keys(), steady::path_keys(), contact::keys(), rheology::keys(),
-                             reynolds::keys(), mlmi::keys(), fmg::keys(), dry::keys()});
+                             reynolds::keys(), mlmi::keys(), fmg::keys(), dry::keys(), machines::keys()});
   for (const Effect& effect : effects()) {
     all.sections.insert(all.sections.end() - 1, effect.sections.begin(), effect.sections.end());  // before [output]
     if (!effect.keys) continue;

@@ -8,11 +8,13 @@
 #include "base/machine.hpp"
 #include "case/catalogue.hpp"
 #include "case/effects.hpp"
+#include "case/machine_input.hpp"
 #include "case/needs.hpp"
 #include "case/supply_input.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
 #include "fmg/keys.hpp"
+#include "machines/keys.hpp"
 #include "mlmi/keys.hpp"
 #include "reynolds/keys.hpp"
 #include "steady/keys.hpp"
@@ -66,12 +68,21 @@ void read_error_maps(Case& input, bool steady) {
 std::vector<deck::Key> case_keys() {
   using deck::Type;
   return deck::together(
-      {deck::in_section("case", {{.name = "title",
-                                  .type = Type::text,
-                                  .default_text = "untitled",
-                                  .meaning = "Title of the case, on the report and the pictures.",
-                                  .example = "Venner and ten Napel 1992, M = 50, L = 10",
-                                  .example_is_active = true}}),
+      {deck::in_section(
+           "case", {{.name = "title",
+                     .type = Type::text,
+                     .default_text = "untitled",
+                     .meaning = "Title of the case, on the report and the pictures.",
+                     .example = "Venner and ten Napel 1992, M = 50, L = 10",
+                     .example_is_active = true},
+                    {.name = "kind",
+                     .default_text = "lubricated",
+                     .words = {"lubricated", "dry", machines::ball_race, machines::roller_race, machines::gear_mesh},
+                     .meaning = "ball_race, roller_race, gear_mesh: radii, speeds and load of [contact] and "
+                                "[motion] follow from [bearing] or [gear]; E' and the oil are given as ever. dry: "
+                                "the bodies touch without lubricant, Hertz' contact with whatever the surfaces "
+                                "carry. Then [contact] has load, radius_x and the elastic data, or nothing (in "
+                                "units of Hertz), and no key is allowed that speaks of a film."}}),
        deck::in_section("output",
                         {{.name = "file",
                           .type = Type::text,
@@ -105,6 +116,7 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   result.deck = std::move(understood);
   deck::Deck& deck = result.deck;
   result.dry = dry_input(deck);
+  result.machine = machine_input(deck);
   result.physics = result.dry ? dry_physics(*result.dry) : physical_input(deck);
   steady::Scene& scene = result.scene;
   scene.deformation = mlmi::read(deck);

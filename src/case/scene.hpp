@@ -10,6 +10,7 @@
 #include "deck/file.hpp"
 #include "effects/friction/friction.hpp"
 #include "effects/subsurface/stress.hpp"
+#include "machines/number.hpp"
 #include "steady/scene.hpp"
 
 namespace ehl::program {
@@ -22,6 +23,7 @@ struct Case {
   SurfaceInput surfaces{};                      ///< what they carry, in time or at rest
   std::optional<transient::Input> transient{};  ///< nothing: steady
   std::optional<DryInput> dry{};                ///< without lubricant: then the scene is but a grid
+  std::optional<machines::Contact> machine{};   ///< of a bearing or of gears, from which [contact] follows
   std::optional<subsurface::Parameters> subsurface{};
   std::optional<friction::Parameters> friction{};
   std::optional<HeatInput> heat{};

@@ -9,6 +9,8 @@
 
 namespace ehl::program {
 
+/// The bearing or the gears that the contact is of: each number with its formula.
+std::string machine_lines(const machines::Contact& machine);
 /// The contact in SI: load, radii, modulus, motion, oil, Hertz.
 std::string si_lines(const SiInput& si);
 /// The dimensionless groups, the fluid, the regime.

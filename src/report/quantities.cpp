@@ -96,7 +96,16 @@ std::vector<Quantity> verification_quantities(const steady::Verification& checke
   return list;
 }
 
-std::vector<Quantity> scale_quantities(const Physics& physics) {
+std::vector<Quantity> machine_quantities(const machines::Contact& machine) {
+  std::vector<Quantity> list;
+  for (const machines::Number& one : machine.numbers)
+    list.push_back(
+        {machine.section + "_" + one.name, one.value, one.unit, one.formula, machine.section + "/" + one.name});
+  return list;
+}
+
+std::vector<Quantity> scale_quantities(const Case& input) {
+  const Physics& physics = input.physics;
   const contact::Groups& g = physics.groups;
   std::vector<Quantity> list{{"M", g.M, "-", "Moes load number"},
                              {"L", g.L, "-", "Moes material number"},
@@ -108,6 +117,7 @@ std::vector<Quantity> scale_quantities(const Physics& physics) {
                              {"p_h", physics.p_h, "Pa", "Hertz pressure, the scale of P", "p_h_Pa"},
                              {"H_moes", contact::H_to_moes_units(1.0, g.M, g.shape), "-", "film in Moes units over H"}};
   const auto append = [&](const std::vector<Quantity>& more) { list.insert(list.end(), more.begin(), more.end()); };
+  if (input.machine) append(machine_quantities(*input.machine));
   const bool elliptic = !contact::circular(g.shape);
   if (elliptic)
     append({{"radius_ratio", g.shape.radius_ratio, "-", "R_x/R_y"},

@@ -11,8 +11,10 @@ using results::Quantity;
 std::vector<Quantity> film_quantities(const Case& input, const steady::Solution& solution, const Outcome& outcome);
 /// The checks of the final state, beside one another.
 std::vector<Quantity> verification_quantities(const steady::Verification& checked, bool elliptic);
-/// The groups of the contact and, where they are known, its scales in SI.
-std::vector<Quantity> scale_quantities(const Physics& physics);
+/// The groups of the contact and, where they are known, its scales in SI; the numbers of the bearing or the gears.
+std::vector<Quantity> scale_quantities(const Case& input);
+/// Those last, "bearing_gamma", in a report as JSON members of "bearing".
+std::vector<Quantity> machine_quantities(const machines::Contact& machine);
 
 std::vector<Column<steady::LevelRow>> level_columns();
 std::vector<Column<steady::CycleRow>> cycle_columns();

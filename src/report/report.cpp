@@ -89,6 +89,7 @@ std::string summary(const Case& input, const Computed& computed) {
   std::string text = continuation_table(input, solution) + level_table(input, solution);
   if (!solution.converged) text += "NOT CONVERGED: " + solution.failed_check + "\n";
   text += film_lines(input, computed) + error_lines(input, solution);
+  if (input.machine) text += machine_lines(*input.machine);
   if (physics.si) text += si_lines(*physics.si);
   text += group_lines(physics) + formula_lines(outcome.formulas, physics, outcome.Hc, outcome.Hm.value);
   text += roughness_line(input, outcome.roughness);
@@ -118,6 +119,7 @@ std::string derived(const Case& input) {
   const Physics& physics = input.physics;
   const steady::Scene& scene = input.scene;
   std::string text = "case         " + input.title + "\n";
+  if (input.machine) text += machine_lines(*input.machine);
   if (physics.si) text += si_lines(*physics.si);
   text += group_lines(physics);
   const std::vector<Formula> formulas = film_formulas(physics.groups);

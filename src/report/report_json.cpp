@@ -69,7 +69,7 @@ std::string json_report(const Case& input, const Computed& computed) {
   report["error_parts"]["Hc"] = parts_of(solution.error_bars.Hc);
   report["error_parts"]["Hm"] = parts_of(solution.error_bars.Hm);
   report["error_parts"]["Hm_fitted"] = parts_of(solution.error_bars.Hm_fitted);
-  add(scale_quantities(input.physics), report);
+  add(scale_quantities(input), report);
   report["alpha_star"] = coefficients.alpha_star;
   report["alpha_film"] = coefficients.alpha_film;
   report["wedge"] = name(input.scene.wedge);

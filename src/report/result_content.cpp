@@ -106,7 +106,7 @@ results::Content result_content(const Case& input, const Computed& computed) {
   for (Quantity& one : verification_quantities(solution.verification, !contact::circular(input.scene.shape)))
     list.push_back(std::move(one));
   results::Content content = content_of(input, computed, std::move(list));
-  content.scales = scale_quantities(input.physics);
+  content.scales = scale_quantities(input);
   const std::vector<results::NamedField> fields{{"P", "p_h", "pressure p/p_h", &solution.P},
                                                 {"H", "a^2/R", "film thickness h R/a^2", &solution.H},
                                                 {"rho_bar", "rho0", "density rho/rho0", &derived.rho_bar},

@@ -10,6 +10,7 @@
 #include "base/machine.hpp"
 #include "case/catalogue.hpp"
 #include "case/effects.hpp"
+#include "case/machine_input.hpp"
 #include "case/starvation_report.hpp"
 #include "case/thermal_report.hpp"
 #include "core/errors.hpp"
@@ -51,7 +52,7 @@ void take_film(const Case& input, const steady::Solution& solution, const Outcom
 }
 
 void take_case(const Case& input, SweepRow& row) {
-  take(scale_quantities(input.physics), row);
+  take(scale_quantities(input), row);
   take_si(input, {}, row);
   in_row(row, "nx") = input.scene.grid.nx;
   in_row(row, "ny") = input.scene.grid.ny;
@@ -130,6 +131,7 @@ SweepRow sweep_row(const SweepKind& kind) {
     for (const char* name :
          {"starvation_factor", "supply_ratio", "Hc_flooded", "meniscus_x", "gamma", "mass_imbalance"})
       row.push_back({name, unknown});
+  for (const Quantity& one : kind.machine) row.push_back({one.name, unknown, one.unit});
   row.push_back({"warnings", 0});
   row.push_back({"reason", ""});
   return row;
@@ -193,7 +195,8 @@ SweepRow sweep_case(const SweepHeader& sweep, const std::vector<std::string>& ov
 }
 
 SweepKind kind_of_sweep(const std::string& path, const std::vector<std::string>& overrides) {
-  const deck::Deck deck = deck::read(path, overrides, catalogue());
+  deck::Deck deck = deck::read(path, overrides, catalogue());
+  const std::optional<machines::Contact> machine = machine_input(deck);
   const auto names = [&](const char* section, const char* key) { return deck::given(deck, section, key); };
   const auto has_map = [&](const char* section) { return deck::word(deck, section, "shape") == "map"; };
   return {.friction = names("friction", "cavitated"),
@@ -201,7 +204,8 @@ SweepKind kind_of_sweep(const std::string& path, const std::vector<std::string>&
           .starved = deck::called_for(deck, "supply"),
           .si = names("contact", "load"),
           .elliptic = names("contact", "radius_y") || names("contact", "radius_ratio"),
-          .rough = names("contact", "Sq1") || names("contact", "Sq2") || has_map("surface1") || has_map("surface2")};
+          .rough = names("contact", "Sq1") || names("contact", "Sq2") || has_map("surface1") || has_map("surface2"),
+          .machine = machine ? machine_quantities(*machine) : std::vector<Quantity>{}};
 }
 
 }  // namespace ehl::program

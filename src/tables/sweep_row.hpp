@@ -21,9 +21,10 @@ struct SweepKind {
   bool friction = false;
   bool thermal = false;
   bool starved = false;
-  bool si = false;        ///< nm, GPa and formulas beside them
-  bool elliptic = false;  ///< looked at in SI only
-  bool rough = false;     ///< likewise
+  bool si = false;                           ///< nm, GPa and formulas beside them
+  bool elliptic = false;                     ///< looked at in SI only
+  bool rough = false;                        ///< likewise
+  std::vector<results::Quantity> machine{};  ///< the numbers of a bearing or of gears; their values are not looked at
 };
 
 /// That of a deck with these overrides.

@@ -1,0 +1,82 @@
+#include "machines/bearing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/constants.hpp"
+
+namespace ehl::machines {
+namespace {
+
+using core::pi;
+constexpr double degree = pi / 180.0;
+
+// -1 of the inner race, which lies within the circle of the centres; +1 of the outer.
+double side(const Bearing& bearing) { return bearing.race == Race::inner ? -1.0 : 1.0; }
+
+/// Forces of all elements along the load and across it, for a ring that moves by 1 in the direction theta, K = 1.
+struct Force {
+  double along = 0.0;
+  double across = 0.0;
+};
+
+double azimuth_of(const RadialLoad& load, int element) {
+  return load.azimuth * degree + 2.0 * pi * element / load.elements;
+}
+
+double pressed(const RadialLoad& load, int element, double theta) {
+  return std::pow(std::max(0.0, std::cos(azimuth_of(load, element) - theta)), load.exponent);
+}
+
+Force force(const RadialLoad& load, double theta) {
+  Force sum;
+  for (int j = 0; j < load.elements; ++j) {
+    const double Q = pressed(load, j, theta);
+    sum.along += Q * std::cos(azimuth_of(load, j));
+    sum.across += Q * std::sin(azimuth_of(load, j));
+  }
+  return sum;
+}
+
+}  // namespace
+
+double gamma(const Bearing& bearing) {
+  return bearing.diameter * std::cos(bearing.contact_angle * degree) / bearing.pitch_diameter;
+}
+
+double race_radius(const Bearing& bearing) {
+  return 0.5 * (bearing.pitch_diameter / std::cos(bearing.contact_angle * degree) + side(bearing) * bearing.diameter);
+}
+
+double radius_along(const Bearing& bearing) {
+  return 1.0 / (2.0 / bearing.diameter - side(bearing) / race_radius(bearing));
+}
+
+double radius_across(double diameter, double conformity) { return diameter * conformity / (2.0 * conformity - 1.0); }
+
+Turning complete(const Turning& two, double gamma) {
+  Turning all = two;
+  if (std::isnan(all.cage)) all.cage = 0.5 * (all.inner * (1.0 - gamma) + all.outer * (1.0 + gamma));
+  if (std::isnan(all.inner)) all.inner = (2.0 * all.cage - all.outer * (1.0 + gamma)) / (1.0 - gamma);
+  if (std::isnan(all.outer)) all.outer = (2.0 * all.cage - all.inner * (1.0 - gamma)) / (1.0 + gamma);
+  return all;
+}
+
+double rolling_speed(const Bearing& bearing, const Turning& turning) {
+  const double race = bearing.race == Race::inner ? turning.inner : turning.outer;
+  return pi / 60.0 * std::abs(race - turning.cage) * bearing.pitch_diameter * (1.0 + side(bearing) * gamma(bearing));
+}
+
+std::vector<double> element_loads(const RadialLoad& load) {
+  // Of three elements or more one is approached by a ring that moves at right angles to the load, to either side: the
+  // force across changes its sign in between. Halved until the interval is as short as numbers can be.
+  double below = -0.5 * pi, above = 0.5 * pi;
+  for (double middle = 0.0; below < middle && middle < above; middle = 0.5 * (below + above))
+    (force(load, middle).across < 0.0 ? below : above) = middle;
+  const double stiffness = load.load / force(load, below).along;
+  std::vector<double> loads;
+  for (int j = 0; j < load.elements; ++j) loads.push_back(stiffness * pressed(load, j, below));
+  return loads;
+}
+
+}  // namespace ehl::machines

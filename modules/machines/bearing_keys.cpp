@@ -1,0 +1,196 @@
+// [bearing]: its keys, and the numbers that follow from them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/constants.hpp"
+#include "machines/bearing.hpp"
+#include "machines/keys.hpp"
+
+namespace ehl::machines {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr deck::Range positive{0.0, infinity, true, true};
+constexpr deck::Range rpm{-1e6, 1e6};
+
+std::vector<deck::Key> geometry_keys() {
+  const deck::Condition ball{.name = "kind", .words = {ball_race}, .section = "case"};
+  const deck::Condition roller{.name = "kind", .words = {roller_race}, .section = "case"};
+  return {{.name = "diameter",
+           .unit = "m",
+           .range = positive,
+           .meaning = "Diameter D of ball or roller.",
+           .example = "9.525e-3"},
+          {.name = "pitch_diameter",
+           .unit = "m",
+           .range = positive,
+           .meaning = "Diameter d_m of the circle of their centres; half the sum of bore and outside diameter, nearly.",
+           .example = "46e-3"},
+          {.name = "race",
+           .default_text = "inner",
+           .words = {"inner", "outer"},
+           .meaning = "The race whose contact is computed."},
+          {.name = "conformity",
+           .default_text = "0.52",
+           .range = {0.5, 1.0, true, false},
+           .remedy = "the groove is wider than the ball: 0.515 to 0.53 mostly",
+           .meaning = "Groove conformity f, the groove's radius over the diameter of the ball.",
+           .source = "ISO 281: 0.52 at most for the ratings of ball bearings",
+           .needs = ball},
+          {.name = "contact_angle",
+           .default_text = "0",
+           .unit = "degrees",
+           .range = {0.0, 90.0, false, true},
+           .meaning = "Contact angle alpha between the load on the ball and the radial plane, at both races.",
+           .needs = ball},
+          {.name = "length",
+           .unit = "m",
+           .range = positive,
+           .meaning = "Length of a cylindrical roller that touches the race.",
+           .needs = roller,
+           .example = "10e-3"}};
+}
+
+std::vector<deck::Key> load_keys() {
+  const deck::Condition radial{.name = "radial_load"};
+  return {
+      {.name = "load",
+       .unit = "N",
+       .range = positive,
+       .meaning = "Load Q on the ball or roller; or radial_load.",
+       .example = "500"},
+      {.name = "radial_load",
+       .unit = "N",
+       .range = positive,
+       .meaning = "Radial load F_r on the bearing. Its elements carry it in static equilibrium, with rigid rings and "
+                  "no clearance: Q grows with the power 3/2 of the deflection of balls, 10/9 of rollers.",
+       .source = "Stribeck 1901; Palmgren 1959",
+       .example = "1000"},
+      {.name = "elements",
+       .type = deck::Type::integer,
+       .range = {3, 1000},
+       .meaning = "Number Z of balls or rollers.",
+       .needs = radial,
+       .example = "9"},
+      {.name = "azimuth",
+       .default_text = "0",
+       .unit = "degrees",
+       .range = {-180.0, 180.0},
+       .meaning = "Where the ball or roller stands, from the direction of the radial load: 0 carries most.",
+       .needs = radial}};
+}
+
+std::vector<deck::Key> speed_keys() {
+  const auto key = [](const char* name, const char* meaning, const char* example) {
+    return deck::Key{.name = name, .unit = "1/min", .range = rpm, .meaning = meaning, .example = example};
+  };
+  return {
+      key("rpm_inner", "Speed of the inner ring. One ring alone: the other stands still; or two of the three.", "3000"),
+      key("rpm_outer", "Speed of the outer ring, positive in the same sense of rotation.", "0"),
+      key("rpm_cage", "Speed of the cage, which follows from both rings.", "1200")};
+}
+
+Turning read_turning(const deck::Part& bearing) {
+  const std::vector<std::string> given = bearing.given_of({"rpm_inner", "rpm_outer", "rpm_cage"});
+  if (given.empty()) bearing.complain("rpm_inner", "is missing: give the speed of a ring");
+  if (given.size() == 3) bearing.complain("rpm_cage", "follows from rpm_inner and rpm_outer: keep two of the three");
+  if (given == std::vector<std::string>{"rpm_cage"})
+    bearing.complain("rpm_cage",
+                     "leaves open which ring turns: give rpm_inner or rpm_outer as well, 0 where it stands");
+  if (given == std::vector<std::string>{"rpm_inner"}) bearing.follow("rpm_outer", 0.0, "it stands still");
+  if (given == std::vector<std::string>{"rpm_outer"}) bearing.follow("rpm_inner", 0.0, "it stands still");
+  return {bearing.number("rpm_inner"), bearing.number("rpm_outer"), bearing.number("rpm_cage")};
+}
+
+void check_load(const deck::Part& bearing) {
+  const bool load = bearing.given("load"), radial = bearing.given("radial_load");
+  if (load && radial) bearing.complain("radial_load", "load is given as well: keep one of them");
+  if (!load && !radial) bearing.complain("load", "is missing: give it, or radial_load and elements");
+  if (!radial) return;
+  bearing.demand({"elements"}, "how many balls or rollers carry the radial load");
+  if (bearing.number("contact_angle") > 0.0)
+    bearing.complain("radial_load", "with a contact angle there is an axial load too: give load, that on the ball");
+}
+
+void check_space(const deck::Part& bearing, const Bearing& given) {
+  const int elements = bearing.integer("elements", 0);
+  if (!(race_radius(given) > 0.0))
+    bearing.complain("diameter", "leaves no room for a race within the circle of diameter pitch_diameter");
+  else if (elements > 0 && elements * std::asin(given.diameter / given.pitch_diameter) > core::pi)
+    bearing.complain("elements", fmt::format("so many of diameter {:g} m do not fit on a circle of {:g} m",
+                                             given.diameter, given.pitch_diameter));
+}
+
+void add_shape(const deck::Part& bearing, const Bearing& given, bool ball, std::vector<Number>& numbers) {
+  const bool inner = given.race == Race::inner;
+  numbers.push_back({"gamma", gamma(given), "-", "D cos(alpha)/d_m"});
+  numbers.push_back(
+      {"race_radius", race_radius(given), "m",
+       inner ? "(d_m/cos(alpha) - D)/2, in the plane of rolling" : "(d_m/cos(alpha) + D)/2, in the plane of rolling"});
+  numbers.push_back(
+      {"radius_x", radius_along(given), "m",
+       inner ? "1/R_x = 2/D + 1/race_radius, so D (1 - gamma)/2" : "1/R_x = 2/D - 1/race_radius, so D (1 + gamma)/2"});
+  if (!ball) return;
+  const double conformity = bearing.number("conformity");
+  numbers.push_back({"groove_radius", conformity * given.diameter, "m", "f D"});
+  numbers.push_back(
+      {"radius_y", radius_across(given.diameter, conformity), "m", "1/R_y = 2/D - 1/groove_radius, so D f/(2 f - 1)"});
+}
+
+void add_speeds(const Bearing& given, const Turning& turning, std::vector<Number>& numbers) {
+  numbers.push_back({"rpm_inner", turning.inner, "1/min", "speed of the inner ring"});
+  numbers.push_back({"rpm_outer", turning.outer, "1/min", "speed of the outer ring"});
+  numbers.push_back(
+      {"rpm_cage", turning.cage, "1/min", "[rpm_inner (1 - gamma) + rpm_outer (1 + gamma)]/2, rolling without slip"});
+  const double speed = rolling_speed(given, turning);
+  numbers.push_back({"u1", speed, "m/s", "(pi/120) d_m (1 - gamma^2) |rpm_inner - rpm_outer|, past the cage"});
+  numbers.push_back({"u2", speed, "m/s", "u1, rolling without slip"});
+}
+
+// The share of a radial load, or the load itself.
+double add_load(const deck::Part& bearing, bool ball, std::vector<Number>& numbers) {
+  if (!bearing.given("radial_load")) return bearing.number("load");
+  const RadialLoad radial{bearing.number("radial_load"), bearing.integer("elements", 0), bearing.number("azimuth"),
+                          ball ? exponent_of_balls : exponent_of_rollers};
+  const std::vector<double> loads = element_loads(radial);
+  numbers.push_back({"loaded_elements",
+                     static_cast<double>(std::ranges::count_if(loads, [](double Q) { return Q > 0.0; })), "-",
+                     "those that the ring approaches"});
+  numbers.push_back({"load_factor", loads.front() * radial.elements / radial.load, "-",
+                     std::string("Z Q/F_r by sum Q_j cos(psi_j) = F_r, sum Q_j sin(psi_j) = 0, Q_j = K delta_j^") +
+                         (ball ? "(3/2)" : "(10/9)") + ", no clearance (Stribeck)"});
+  if (!(loads.front() > 0.0)) bearing.complain("azimuth", "there the ball or roller carries no load");
+  return loads.front();
+}
+
+}  // namespace
+
+std::vector<deck::Key> bearing_keys() {
+  const deck::Condition bearing{.name = "kind", .words = {ball_race, roller_race}, .section = "case"};
+  return deck::in_section("bearing",
+                          deck::only_with(bearing, deck::together({geometry_keys(), load_keys(), speed_keys()})));
+}
+
+std::vector<Number> read_bearing(const deck::Part& bearing, bool ball) {
+  const Bearing given{bearing.number("diameter"), bearing.number("pitch_diameter"),
+                      ball ? bearing.number("contact_angle") : 0.0, bearing.choice("race", {Race::inner, Race::outer})};
+  const Turning turning = read_turning(bearing);
+  bearing.demand({"diameter", "pitch_diameter"}, "the contact follows from it");
+  if (!ball) bearing.demand({"length"}, "that of the roller, on which its load is spread");
+  check_load(bearing);
+  if (bearing.deck.errors.empty()) check_space(bearing, given);
+  if (!bearing.deck.errors.empty()) return {};
+
+  std::vector<Number> numbers;
+  add_shape(bearing, given, ball, numbers);
+  add_speeds(given, complete(turning, gamma(given)), numbers);
+  if (numbers.back().value == 0.0) bearing.complain("rpm_inner", "and rpm_outer are the same: nothing rolls");
+  const double load = add_load(bearing, ball, numbers);
+  numbers.push_back({"load", load, "N", bearing.given("load") ? "as given" : "load_factor F_r/Z"});
+  if (!ball) numbers.push_back({"load_per_length", load / bearing.number("length"), "N/m", "load/length"});
+  return numbers;
+}
+
+}  // namespace ehl::machines

@@ -1,0 +1,61 @@
+#pragma once
+// The mesh of two external involute spur gears along its path of contact.
+//   m module, z1 and z2 teeth, alpha pressure angle, x1 and x2 profile shift, h_a addendum factor; wheel 1 drives
+// A place on the path is its distance s from T1, where the line of action touches the base circle of wheel 1; at T2 it
+// touches that of wheel 2. Contact begins at A, on the tip of wheel 2, and ends at E, on the tip of wheel 1; between B
+// and D one pair of teeth carries alone; C is the pitch point.
+// source: ISO 21771. Without backlash, and with tips that profile shift shortens so that their clearance stays.
+
+namespace ehl::machines {
+
+struct Gears {
+  double module;  ///< [m]
+  int teeth1;
+  int teeth2;
+  double pressure_angle = 20.0;  ///< [degrees]
+  double shift1 = 0.0;
+  double shift2 = 0.0;
+  double addendum = 1.0;
+};
+
+/// Lengths in m.
+struct PathOfContact {
+  double working_angle;    ///< [degrees], inv(alpha_w) = inv(alpha) + 2 tan(alpha) (x1 + x2)/(z1 + z2)
+  double centre_distance;  ///< m (z1 + z2)/2 cos(alpha)/cos(alpha_w)
+  double base_radius1;     ///< m z1 cos(alpha)/2
+  double base_radius2;
+  double tip_alteration;  ///< k = a_w/m - (z1 + z2)/2 - (x1 + x2) <= 0, a_w the centre distance
+  double tip_radius1;     ///< m (z1/2 + h_a + x1 + k)
+  double tip_radius2;
+  double base_pitch;     ///< pi m cos(alpha)
+  double length_T1T2;    ///< centre_distance sin(alpha_w)
+  double A, B, C, D, E;  ///< distances from T1
+  double contact_ratio;  ///< (E - A)/base_pitch
+};
+
+/// in: m > 0, teeth >= 3, 0 < pressure_angle < 90. out: NaN where there is no such mesh: shifts for which teeth would
+/// have to meet at a negative angle, tips that do not reach their base circle. A < 0 or E > length_T1T2: a tip would
+/// touch the other wheel below its base circle, which is interference.
+PathOfContact path_of_contact(const Gears& gears);
+
+/// How two pairs of teeth share the load.
+///   none    every pair carries all of it, everywhere
+///   linear  teeth of equal stiffness without relief of their tips: from 1/3 at A to 2/3 at B, 1 between B and D, from
+///           2/3 at D to 1/3 at E (AGMA 925-A03; ISO/TS 6336-20). The shares of two pairs sum up to 1.
+enum class Sharing { none, linear };
+
+/// in: s between A and E; contact ratio from 1 to 2. out: share of the pair that touches at s.
+double share(const PathOfContact& path, double s, Sharing sharing);
+
+/// The two teeth where they touch.
+struct Mesh {
+  double rho1;  ///< radius of curvature, s [m]
+  double rho2;  ///< length_T1T2 - s
+  double R;     ///< rho1 rho2/(rho1 + rho2)
+  double u1;    ///< speed of the surface past the contact, omega1 rho1 [m/s]
+  double u2;    ///< omega2 rho2, omega2 = omega1 z1/z2
+};
+/// in: omega1 > 0 [rad/s].
+Mesh mesh_at(const Gears& gears, const PathOfContact& path, double s, double omega1);
+
+}  // namespace ehl::machines

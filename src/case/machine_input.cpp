@@ -1,0 +1,52 @@
+#include "case/machine_input.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "machines/keys.hpp"
+
+namespace ehl::program {
+namespace {
+
+// What the deck says of the bodies, whatever they belong to.
+bool of_the_bodies(const deck::Key& key) {
+  static const std::vector<std::string> names{"E1", "nu1", "E2", "nu2", "E_prime", "Sq1", "Sq2"};
+  return key.section == "contact" && std::ranges::find(names, key.name) != names.end();
+}
+
+// Refused keys are taken for absent: what else could be said of them would only confuse.
+void refuse_contact(deck::Deck& deck, const machines::Contact& machine) {
+  for (std::size_t k = 0; k < deck.values.size(); ++k) {
+    const deck::Key& key = deck.catalogue.keys[k];
+    if ((key.section != "contact" && key.section != "motion") || of_the_bodies(key)) continue;
+    if (deck.values[k].origin != deck::Origin::given) continue;
+    complain(
+        deck, key.section, key.name,
+        "[case] kind = " + deck::word(deck, "case", "kind") + " settles it by [" + machine.section + "]: remove it");
+    deck.values[k] = {};
+  }
+}
+
+}  // namespace
+
+std::optional<machines::Contact> machine_input(deck::Deck& deck) {
+  std::optional<machines::Contact> machine = machines::read(deck);
+  if (!machine) return std::nullopt;
+  refuse_contact(deck, *machine);
+  if (deck::word(deck, "case", "kind") == machines::ball_race)
+    compute(deck, "motion", "angle", 0.0, "the ball rolls along radius_x");
+  else
+    complain(deck, "case", "kind", "is a line contact, which this version does not solve");
+  for (const auto& [section, name] : {std::pair{"contact", "load"},
+                                      {"contact", "radius_x"},
+                                      {"contact", "radius_y"},
+                                      {"motion", "u1"},
+                                      {"motion", "u2"}})
+    if (const auto number = std::ranges::find(machine->numbers, name, &machines::Number::name);
+        number != machine->numbers.end())
+      compute(deck, section, name, number->value, "[" + machine->section + "]: " + number->formula);
+  return machine;
+}
+
+}  // namespace ehl::program

@@ -1,0 +1,134 @@
+// A ball on its race, and what cannot be a bearing or a pair of gears, through the built program.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "support/columns.hpp"
+#include "support/json.hpp"
+#include "support/refused.hpp"
+#include "support/text.hpp"
+
+namespace {
+
+using support::contains;
+
+const std::string rest =
+    "[contact]\nE_prime = 228e9\n[lubricant]\neta0 = 0.0168\nalpha = 1.52e-8\n[grid]\ncells = 64\n"
+    "[discretization]\nwedge = upstream3\nface = logmean\n[domain]\nfar_field = closed\n";
+const std::string shape = "[case]\nkind = ball_race\n[bearing]\ndiameter = 9.525e-3\npitch_diameter = 46e-3\n";
+const std::string ball = shape + "load = 500\nrpm_inner = 3000\n";
+const std::string radial = shape + "rpm_inner = 3000\nradial_load = 1000\n";
+const std::string roller =
+    "[case]\nkind = roller_race\n[bearing]\ndiameter = 10e-3\npitch_diameter = 50e-3\nlength = 10e-3\nload = 500\n"
+    "rpm_inner = 3000\n";
+const std::string gear =
+    "[case]\nkind = gear_mesh\n[gear]\nmodule = 4e-3\nface_width = 20e-3\nrpm1 = 1500\nteeth1 = 24\nteeth2 = 48\n";
+const std::string loaded_gear = gear + "power = 10e3\n";
+
+nlohmann::json run(const support::TemporaryFolder& folder, const std::string& deck) {
+  folder.write("d.ini", deck);
+  const support::Ended ended = support::ehl(folder, "run d.ini --json --overwrite");
+  BOOST_REQUIRE_MESSAGE(ended.status == 0, deck << ended.err);
+  return support::parsed(ended.out);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(machines)
+
+// [bearing] is another way to write [contact] and [motion]: with the numbers by hand of tests/unit/machines there, the
+// run is the same to the last bit of what is printed. And the deck of the result says the same again.
+BOOST_AUTO_TEST_CASE(a_ball_race_is_an_ordinary_contact) {
+  const support::TemporaryFolder folder;
+  const nlohmann::json race = run(folder, ball + rest);
+  BOOST_TEST(std::abs(support::number_at(race, "/bearing/gamma") - 0.2070652173913043) < 1e-15);
+  BOOST_TEST(std::abs(support::number_at(race, "/bearing/rpm_cage") - 1189.4021739130435) < 1e-10);
+  BOOST_TEST(std::abs(support::number_at(race, "/bearing/u1") - 3.4579277706541630) < 1e-14);
+  folder.write("again.ini", support::ehl(folder, "extract d.h5 deck").out);
+  const nlohmann::json again = support::parsed(support::ehl(folder, "run again.ini --json").out);
+  const nlohmann::json plain =
+      run(folder, rest +
+                      "[case]\nkind = lubricated\n[motion]\nu_m = 3.4579277706541630\n[contact]\nload = 500\n"
+                      "radius_x = 3.7763519021739130e-3\nradius_y = 0.123825\n");
+  for (const char* name : {"/Hc", "/Hm", "/p_h_Pa", "/hm_m"}) {
+    BOOST_TEST_MESSAGE(name << " = " << support::number_at(race, name));
+    // The speed and the radius are products of rounded numbers: one unit in the last place of each.
+    BOOST_TEST(std::abs(support::number_at(plain, name) / support::number_at(race, name) - 1.0) < 1e-9, name);
+    BOOST_TEST(support::number_at(again, name) == support::number_at(race, name), name);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_radial_load_is_shared) {
+  const support::TemporaryFolder folder;
+  folder.write("d.ini", radial + "elements = 9\n" + rest);
+  const support::Ended ended = support::ehl(folder, "check d.ini");
+  BOOST_REQUIRE_MESSAGE(ended.status == 0, ended.err);
+  // 1000 N 4.3852080/9 = 487.245 N.
+  for (const char* part : {"F = 487.245 N", "4.38521", "ball on the inner race", "R_x = 3.776 mm", "R_y = 123.8 mm"})
+    BOOST_TEST(contains(ended.out, part), part << " is missing in\n" << ended.out);
+}
+
+// Around the bearing: the ball's share of the load falls from below the load to the end of the loaded half.
+BOOST_AUTO_TEST_CASE(a_sweep_goes_around) {
+  const support::TemporaryFolder folder;
+  folder.write("d.ini", radial + "elements = 9\n" + rest);
+  const support::Ended ended =
+      support::ehl(folder, "sweep d.ini --vary bearing.azimuth=0,60,120 --output around.csv --quiet");
+  BOOST_TEST(ended.status == 3, ended.err);  // one case is refused
+  const std::string table = folder.read("around.csv");
+  for (const char* part : {"bearing_load_factor", "bearing.azimuth", "h_c_nm", "carries no load"})
+    BOOST_TEST(contains(table, part), part << " is missing in\n" << table);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
+  const auto refused = [](const std::string& name, const std::string& deck, std::vector<std::string> parts) {
+    return support::Slip{name, deck + rest, std::move(parts)};
+  };
+  support::check_refused(
+      {refused("no kind", "[bearing]\ndiameter = 1e-3\n", {"d.ini:2", "diameter", "ball_race or roller_race"}),
+       refused("no gears", "[gear]\nmodule = 1e-3\n", {"d.ini:2", "module", "kind = gear_mesh"}),
+       refused("unknown", "[case]\nkind = ball_bearing\n", {"kind = ball_bearing", "ball_race"}),
+       refused("a load twice", ball + "[contact]\nload = 3\n", {"d.ini:9", "load = 3", "kind = ball_race settles it"}),
+       refused("another radius", ball + "[contact]\nradius_ratio = 3\n", {"radius_ratio = 3", "settles it"}),
+       refused("in Moes", ball + "[contact]\nM = 3\n", {"d.ini:9", "M = 3", "settles it by [bearing]"}),
+       refused("another speed", ball + "[motion]\nu_m = 3\n", {"d.ini:9", "u_m = 3", "settles it"}),
+       refused("no diameter", "[case]\nkind = ball_race\n[bearing]\npitch_diameter = 1\n",
+               {"diameter", "is missing", "load: is missing", "rpm_inner: is missing"}),
+       refused("negative", ball + "conformity = -1\n", {"conformity = -1", "> 0.5"}),
+       refused("tight groove", ball + "conformity = 0.5\n", {"conformity = 0.5", "> 0.5"}),
+       refused("steep", ball + "contact_angle = 90\n", {"contact_angle = 90", "< 90"}),
+       refused("no race", ball + "race = middle\n", {"race = middle", "inner, outer"}),
+       refused("a long ball", ball + "length = 1\n", {"length = 1", "no influence", "roller_race"}),
+       refused("two loads", ball + "radial_load = 1\nelements = 9\n", {"radial_load = 1", "load is given as well"}),
+       refused("how many", radial, {"elements", "is missing"}),
+       refused("two balls", radial + "elements = 2\n", {"elements = 2", ">= 3"}),
+       refused("too many", radial + "elements = 16\n", {"elements = 16", "do not fit"}),
+       refused("few of one", ball + "elements = 9\n", {"elements = 9", "no influence without radial_load"}),
+       refused("no place", ball + "azimuth = 9\n", {"azimuth = 9", "no influence without radial_load"}),
+       refused("unloaded", radial + "elements = 9\nazimuth = 120\n", {"azimuth = 120", "carries no load"}),
+       refused("axial", radial + "elements = 9\ncontact_angle = 15\n", {"radial_load", "axial load"}),
+       refused("three speeds", ball + "rpm_outer = 0\nrpm_cage = 1200\n", {"rpm_cage = 1200", "keep two"}),
+       refused("as one", ball + "rpm_outer = 3000\n", {"rpm_inner = 3000", "nothing rolls"}),
+       refused(
+           "a big ball",
+           "[case]\nkind = ball_race\n[bearing]\ndiameter = 50e-3\npitch_diameter = 46e-3\nload = 5\nrpm_inner = 3\n",
+           {"diameter = 50e-3", "no room"}),
+       refused("the cage alone", shape + "load = 5\nrpm_cage = 5\n", {"rpm_cage = 5", "leaves open"}),
+       refused("a line", roller, {"kind = roller_race", "line contact"}),
+       refused("a roller's groove", roller + "conformity = 0.52\n", {"conformity = 0.52", "no influence"}),
+       refused("a roller's angle", roller + "contact_angle = 5\n", {"contact_angle = 5", "no influence"}),
+       refused("mesh", loaded_gear, {"kind = gear_mesh", "line contact"}),
+       refused("no power", gear, {"power", "is missing"}),
+       refused("both", loaded_gear + "torque1 = 5\n", {"torque1 = 5", "power is given as well"}),
+       refused("half a tooth", loaded_gear + "pressure_angle = 0\n", {"pressure_angle = 0", ">= 5"}),
+       refused("off the path", loaded_gear + "position = 1.1\n", {"position = 1.1", "<= 1"}),
+       refused("no rule", loaded_gear + "sharing = half\n", {"sharing = half", "none, linear"}),
+       refused("shifted", loaded_gear + "shift1 = -2\nshift2 = -2\n", {"shift1 = -2", "cannot mesh"}),
+       refused("short", loaded_gear + "addendum = 0.3\n", {"addendum = 0.3", "contact ratio"}),
+       refused("long", loaded_gear + "addendum = 1.25\n", {"sharing", "contact ratio"}),
+       refused("interference",
+               "[case]\nkind = gear_mesh\n[gear]\nmodule = 4e-3\nface_width = 1\nrpm1 = 1\nteeth1 = 8\nteeth2 = 100\n"
+               "power = 1\n",
+               {"teeth1 = 8", "interference"})});
+}
+
+BOOST_AUTO_TEST_SUITE_END()
