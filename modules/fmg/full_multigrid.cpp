@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "core/errors.hpp"
+#include "fmg/oil.hpp"
+#include "fmg/relaxation.hpp"
 #include "fmg/start.hpp"
 
 namespace ehl::fmg {
@@ -113,7 +115,15 @@ void solve_level(Run& run, std::size_t l) {
     residuals.push_back(now.residual);
     return {record.levels.back().error_Hc, record.levels.back().error_Hm};
   };
-  const CyclesResult result = run_cycles(run.hierarchy, l, criterion, run.caution, observe);
+  CyclesResult result = run_cycles(run.hierarchy, l, criterion, run.caution, observe);
+  if (l == run.finest() && result.unmet.empty() && balance_oil(run.hierarchy, run.hierarchy.finest())) {
+    // What that has made rough beside the meniscus.
+    relax(run.hierarchy, run.hierarchy.finest(), cautious(run.hierarchy.parameters, result.caution).relaxation);
+    balance_oil(run.hierarchy, run.hierarchy.finest());
+    result.last.after = measures_of(run.hierarchy, l);
+    record.history.pop_back();
+    enter(run.hierarchy, l, result.cycles, result.last.after, record);
+  }
   run.caution = result.caution;
   record.verification = verification_of(result.last);
   const std::string where = name_of_level(run.hierarchy, l) + ": ";

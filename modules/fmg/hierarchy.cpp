@@ -117,7 +117,8 @@ Hierarchy make_hierarchy(const Problem& problem, const Parameters& parameters, c
 
 void supply_oil(const Hierarchy& hierarchy, Level& level) {
   for (std::size_t j = 0; j < level.supply.size(); ++j)
-    level.supply[j] = std::max(hierarchy.least_supply, hierarchy.problem.supply(level.grid.Y(static_cast<int>(j))));
+    level.supply[j] = std::max(hierarchy.least_supply,
+                               hierarchy.supply_factor * hierarchy.problem.supply(level.grid.Y(static_cast<int>(j))));
 }
 
 void update_residual(Hierarchy& hierarchy, Level& level) {

@@ -139,6 +139,7 @@ struct Hierarchy {
   double H00 = 0.0;
   double coarsest_weight = 1.0;  ///< share of the relaxation's weights that the coarsest grid takes, from its visits on
   double least_supply = 0.0;     ///< less is not supplied yet: how a solution begins
+  double supply_factor = 1.0;    ///< what is supplied now, over the problem's
   int threads = 1;
   core::PartTimes times;
 

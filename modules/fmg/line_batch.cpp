@@ -92,7 +92,7 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
         dr = reynolds::sum(dr, work_.answers[k]);
         back += work_.answers_west[k];
       }
-      dr.own -= march->behind_dry() ? back : Lanes{};
+      dr.own -= march->behind_dry() ? march->part_that_returns() * back : Lanes{};
       march->go_on(film0.rho_H, P.own <= 0.0, point.r, own_lines(level.swings, i, j) > 0.0);
     } else {
       film_east = film_station(level, i + 1, j);

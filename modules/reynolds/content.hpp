@@ -5,11 +5,12 @@
 //   F_i = Poiseuille_i - U (Fl_{i+1/2} - Fl_{i-1/2})/hx,   Fl_{i+1/2} = Q_i + phi_i/2 (Q_i - Q_{i-1}),
 //   phi_i = 1 where i-1 is full, else 0 (upstream1: always 0);   Fl_{1/2} = (Q_0 + Q_1)/2 where 0 is full, else Q_0
 //
-// upstream3 adds its third-order flux, made of rho_bar H, where i-1 is full. So a row holds nothing that depends on
-// whether its own point is dry: what a point asks for is continuous as it changes its kind. (Of other fluxes, that of
-// upstream2 has no discrete solution at an inlet meniscus in two dimensions, its set of dry points swings for ever; so
-// does phi = 1 only where i and i-1 are full, at the edge of rupture.) Where a node swings all the same, phi behind it
-// is 0 (Fields::swings). Where all points are full this is the equation with rho_bar H.
+// In an implicit step of time F_i loses c Q_i as well, and what is known of dQ/dT stands in f: a dry point keeps a part
+// of what flows into it. upstream3 adds its third-order flux, made of rho_bar H, where i-1 is full. So a row holds
+// nothing that depends on whether its own point is dry: what a point asks for is continuous as it changes its kind. (Of
+// other fluxes, that of upstream2 has no discrete solution at an inlet meniscus in two dimensions, its set of dry
+// points swings for ever; so does phi = 1 only where i and i-1 are full, at the edge of rupture.) Where a node swings
+// all the same, phi behind it is 0 (Fields::swings). Where all points are full this is the equation with rho_bar H.
 #include <array>
 #include <span>
 
@@ -30,6 +31,7 @@ class March {
       : second_order_(transport.wedge != Wedge::upstream1),
         third_order_(third_order(transport.wedge)),
         per_step_(transport.speed / hx),
+        squeeze_(transport.squeeze),
         Q_(Q),
         flux_(Q),
         full1_(Q >= full),
@@ -50,7 +52,7 @@ class March {
     if (third_order_) behind_ += third_order_part(theta_.east, Q_, full, east);
     lead_west_ = lead_;
     lead_ = lead;
-    return per_step_ * (behind_ - flux_) - inflow;
+    return per_step_ * (behind_ - flux_) - (inflow - squeeze_ * full);
   }
   /// Weights of rho_bar H at i, i-1, i-2, i+1 in that row: 0 of dry points, which do not follow their gap.
   std::array<Number, 4> weights() const {
@@ -58,7 +60,8 @@ class March {
     const Number west = theta_.west * (1.0 / 3.0);
     const Number east = theta_.east * (1.0 / 3.0);
     const Number own = 1.0 + lead_ - first_;
-    return {per_step_ * (own - 2.0 * east - west), full1_ ? per_step_ * (east + 2.0 * west - own - lead_west_) : none,
+    return {per_step_ * (own - 2.0 * east - west) + squeeze_,
+            full1_ ? per_step_ * (east + 2.0 * west - own - lead_west_) : none,
             full1_ ? per_step_ * (lead_west_ - west) : none, per_step_ * east};
   }
   /// Of rho_bar H at i, i-1, i+1 in what flows behind i if it is full, over U.
@@ -68,22 +71,24 @@ class March {
   }
   /// theta of both faces, 0 where they carry no third-order flux.
   const ThirdOrder<Number>& third_order_share() const { return theta_; }
-  /// True where i-1 is dry: what flows back into it from i by pressure comes along with its content.
+  /// True where i-1 is dry: of what flows back into it from i by pressure a part comes along with its content.
   Mask behind_dry() const {
     const Mask no = Number{} > 0.0;
     return first_row_ ? no : full1_ == no;
   }
+  /// That part: all of it in a steady film.
+  Number part_that_returns() const { return returns_; }
 
   /// On to the next point. in: true where P = 0; r of residual(); true where the flux behind the next one is of first
   /// order though this one is full.
   void go_on(Number full, Mask without_pressure, Number r, Mask first_order = Mask{}) {
-    const Number lost = without_pressure & (r > 0.0) ? r / (per_step_ * (1.0 + lead_ - first_)) : Number{};
+    const Number lost = without_pressure & (r > 0.0) ? r / of_content() : Number{};
     pass(full - lost, lost, first_order);
   }
   /// The same with the content given. out: r with it.
   Number go_on_with(Number full, Number Q, Number r, Mask first_order = Mask{}) {
     const Number lost = full - Q;
-    const Number held = r - per_step_ * (1.0 + lead_ - first_) * lost;
+    const Number held = r - of_content() * lost;
     pass(Q, lost, first_order);
     return held;
   }
@@ -92,7 +97,11 @@ class March {
   Number flux() const { return flux_; }  ///< behind it, over U
 
  private:
+  /// dr_i/dQ_i of a dry point.
+  Number of_content() const { return per_step_ * (1.0 + lead_ - first_) + squeeze_; }
+
   void pass(Number Q, Number lost, Mask first_order) {
+    if (squeeze_ > 0.0) returns_ = per_step_ * (1.0 + lead_ - first_) / of_content();
     Q_ = Q;
     flux_ = behind_ - (1.0 + lead_) * lost;
     smooth2_ = smooth1_;
@@ -103,13 +112,14 @@ class March {
 
   bool second_order_, third_order_;
   bool first_row_ = true;
-  double per_step_;
-  Number Q_, flux_;              // of i-1, and behind it
-  Mask full1_;                   // i-1
-  Mask smooth1_, smooth2_;       // i-1 and i-2: the flux behind the next one is of higher order
-  Number behind_{};              // what flows behind i if it is full
-  Number lead_{}, lead_west_{};  // phi/2 of i and i-1
-  Number first_{};               // of the flux through the first face, the share of i = 1
+  double per_step_, squeeze_;
+  Number Q_, flux_;                  // of i-1, and behind it
+  Mask full1_;                       // i-1
+  Mask smooth1_, smooth2_;           // i-1 and i-2: the flux behind the next one is of higher order
+  Number behind_{};                  // what flows behind i if it is full
+  Number lead_{}, lead_west_{};      // phi/2 of i and i-1
+  Number first_{};                   // of the flux through the first face, the share of i = 1
+  Number returns_ = Number{} + 1.0;  // of what flows back into i-1
   ThirdOrder<Number> theta_{};
 };
 
@@ -121,7 +131,7 @@ struct Content {
 };
 
 /// residual() of this model: the content of dry points from what flows into them; r there is what they lack, r >= 0.
-/// out: Q, with ghost lines; on the edges along X what is supplied, as far as the gap takes it. limits: U > 0, no
+/// out: Q, with ghost lines; on the edges along X what is supplied, as far as the gap takes it. limits: U > 0, or a
 /// squeeze. threads: result independent of their number.
 void residual(const core::Patch& grid, const Fields& state, const Content& content, const Transport& transport,
               int threads, core::Field& r);

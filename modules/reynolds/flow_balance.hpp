@@ -39,12 +39,13 @@ inline FlowBalance flow_balance(const core::Patch& grid, const Fields& state, co
 }
 
 /// Oil through the edges of the domain, in units of rho0 u_m a^3/R: in by the inlet, out by the outlet, aside by both
-/// sides; net of what flows back. Where the equation holds, out + aside = in.
+/// sides; net of what flows back. Where the equation holds, out + aside = in, less what the film stores in time.
 struct OilBalance {
   double in = 0.0;
   double out = 0.0;
   double aside = 0.0;
-  double imbalance() const { return (out + aside - in) / in; }
+  double stored() const { return in - out - aside; }  ///< per time
+  double imbalance() const { return -stored() / in; }
 };
 /// Of the mass conserving model. in: a state with the content that residual() left.
 OilBalance oil_balance(const core::Patch& grid, const Fields& state, const Transport& transport);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "contact/film_formulas.hpp"
+#include "fmg/oil.hpp"
 #include "fmg/swinging.hpp"
 #include "steady/rescue.hpp"
 #include "steady/resolution.hpp"
@@ -176,7 +177,7 @@ Solution solution_of(const Scene& scene, fmg::Run&& run) {
       for (int j = 0; j <= finest.grid.ny; ++j)
         theta(i, j) = finest.content(i, j) / (finest.rho_bar(i, j) * finest.H(i, j));
     solution.theta = core::on_domain(finest.grid, theta);
-    solution.oil = reynolds::oil_balance(finest.grid, fmg::fields(finest), fmg::transport_on(run.hierarchy, finest));
+    solution.oil = fmg::oil_of(run.hierarchy, finest);
   }
   solution.swinging_nodes = fmg::swinging_nodes(finest);
   solution.converged = record.converged;

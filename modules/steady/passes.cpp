@@ -17,7 +17,7 @@ namespace ehl::steady {
 namespace {
 
 /// Relative residual of a pass between the first and the last: what each leaves behind adds up.
-constexpr double tolerance_between = 1e-8;
+constexpr double tolerance_between = 1e-9;
 /// For its grids.
 constexpr Start restart{.cells = 64, .coarsest = 32, .balances = 10};
 

@@ -1,0 +1,129 @@
+#include "fmg/oil.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/norms.hpp"
+#include "judgement/measures.hpp"
+
+namespace ehl::fmg {
+namespace {
+
+/// Of the flow. Rounding leaves 1e-14 on 65^2 and 1e-13 on 513^2.
+constexpr double balanced = 5e-11;
+/// From 1e-5 of the flow the third step ends at rounding.
+constexpr int most_steps = 6;
+/// Pressures of the inlet are below it: a hundredth of the load, and of what deforms the bodies.
+constexpr double of_inlet = 0.03;
+/// A first step along the line, far above rounding; and the most that the inlet's factor may be, that the film may
+/// move, as a share of it. (By the film alone Hc moved by 1e-4 at r = 2, where cycles had left 1e-6 in it.)
+constexpr double first_factor = 1e-6;
+constexpr double largest_factor = 0.01;
+constexpr double longest_way = 1e-3;
+
+bool lacks(const Hierarchy& hierarchy, const Level& level, int i, int j) {
+  return !reynolds::stays_dry(hierarchy.problem.cavitation, level.P(i, j), level.r(i, j));
+}
+
+/// A line of states: P + t dP, H + t dH, H00 + t dH00.
+struct Way {
+  core::Field dP{};  ///< empty: the film alone
+  core::Field dH{};
+  double dH00 = 0.0;
+  double first = 0.0;  ///< a step
+  double longest = 0.0;
+};
+
+// The pressure of the inlet by a factor, at the same load.
+Way by_inlet(Hierarchy& hierarchy, Level& level) {
+  Way way{
+      .dP = core::Field(level.grid), .dH = core::Field(level.grid), .first = first_factor, .longest = largest_factor};
+  for (int i = 1; i < level.grid.nx; ++i)
+    for (int j = 1; j <= level.grid.last_line(); ++j) {
+      const double P = level.P(i, j);
+      const double relative = P / of_inlet;
+      way.dP(i, j) = P / (1.0 + relative * relative);
+    }
+  const double share = core::interior_sum(level.grid, way.dP) / core::interior_sum(level.grid, level.P);
+  for (int i = 1; i < level.grid.nx; ++i)
+    for (int j = 1; j <= level.grid.last_line(); ++j) way.dP(i, j) -= share * level.P(i, j);
+  core::fill_ghosts(level.grid, way.dP);
+  const core::ScopedTimer timer(hierarchy.times, core::Part::deformation);
+  level.deformation.evaluate(way.dP, way.dH);
+  ++level.evaluations;
+  return way;
+}
+
+// What a film that is thicker by 1 lets out and stores, nearly: where the pressure ends, and in every full node.
+double answer_of_film(const Hierarchy& hierarchy, const Level& level) {
+  const core::Patch& grid = level.grid;
+  double lines = 0.0, nodes = 0.0;
+  for (int j = 1; j <= grid.last_line(); ++j) {
+    double full = 0.0;
+    for (int i = 1; i < grid.nx; ++i) full += lacks(hierarchy, level, i, j) ? level.rho_bar(i, j) : 0.0;
+    nodes += grid.lines(j) * full;
+    lines += full > 0.0 ? grid.lines(j) : 0.0;
+  }
+  return grid.hy() * (hierarchy.transport.speed * lines + hierarchy.transport.squeeze * grid.hx() * nodes);
+}
+
+Way by_film(const Hierarchy& hierarchy, const Level& level, double excess) {
+  const double Hc = judgement::value_at(level.grid, level.H, 0.0, 0.0);
+  return {.dH00 = 1.0, .first = -excess / answer_of_film(hierarchy, level), .longest = longest_way * std::abs(Hc)};
+}
+
+void go(Hierarchy& hierarchy, Level& level, const Way& way, double t) {
+  const core::Patch& grid = level.grid;
+  hierarchy.H00 += t * way.dH00;
+  for (int i = 0; i <= grid.nx; ++i) {
+    for (int j = 0; j <= grid.ny; ++j) level.H(i, j) += t * (way.dP.nodes_x() > 0 ? way.dH(i, j) : way.dH00);
+    if (way.dP.nodes_x() == 0) continue;
+    for (int j = 0; j <= grid.ny; ++j) level.P(i, j) += t * way.dP(i, j);
+    core::fill_ghosts(grid, level.P.at_x(i));
+  }
+  update_coefficients(hierarchy, level);
+  update_residual(hierarchy, level);
+}
+
+// True where the way leads to a balance; else all is as it was.
+bool balanced_along(Hierarchy& hierarchy, Level& level, const Way& way, double enough) {
+  double excess = oil_from_nowhere(hierarchy, level);
+  double t = 0.0, step = way.first;
+  for (int k = 0; k < most_steps && std::abs(excess) > enough && std::abs(t + step) <= way.longest; ++k) {
+    go(hierarchy, level, way, step);
+    t += step;
+    const double now = oil_from_nowhere(hierarchy, level);
+    step *= now / (excess - now);
+    excess = now;
+  }
+  if (std::abs(excess) <= enough) return true;
+  go(hierarchy, level, way, -t);
+  return false;
+}
+
+}  // namespace
+
+reynolds::OilBalance oil_of(const Hierarchy& hierarchy, const Level& level) {
+  return reynolds::oil_balance(level.grid, fields(level), transport_on(hierarchy, level));
+}
+
+double oil_from_nowhere(const Hierarchy& hierarchy, const Level& level) {
+  double sum = 0.0;
+  for (int i = 1; i < level.grid.nx; ++i)
+    for (int j = 1; j <= level.grid.last_line(); ++j)
+      sum += lacks(hierarchy, level, i, j) ? level.grid.lines(j) * level.r(i, j) : 0.0;
+  return level.grid.hx() * level.grid.hy() * sum;
+}
+
+bool balance_oil(Hierarchy& hierarchy, Level& level, std::optional<double> flow) {
+  if (!conserves_mass(level)) return false;
+  update_residual(hierarchy, level);
+  const double enough = balanced * flow.value_or(oil_of(hierarchy, level).in);
+  const double excess = oil_from_nowhere(hierarchy, level);
+  if (std::abs(excess) <= enough) return false;
+  const bool steady = !(hierarchy.transport.squeeze > 0.0);
+  if (steady && balanced_along(hierarchy, level, by_inlet(hierarchy, level), enough)) return true;
+  return balanced_along(hierarchy, level, by_film(hierarchy, level, excess), enough);
+}
+
+}  // namespace ehl::fmg
