@@ -43,6 +43,8 @@ struct ErrorBars {
   /// Differences of P_max between the levels fall, and no spike is about to overtake it. At a spike that no grid
   /// resolves they grow: P_max then is a number of the mesh.
   bool P_max_converging = false;
+  /// Or no spike is seen where the oil is as good as solid at the rim: a finer grid may show one.
+  bool spike_unseen = false;
 };
 
 /// in: a solution whose levels, verification and domain_error_Hc are complete.

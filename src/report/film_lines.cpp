@@ -60,7 +60,9 @@ std::string film_lines(const Case& input, const Computed& computed) {
                         std::isfinite(input.physics.p_h) ? ", " + pressure(at.value * input.physics.p_h) : "");
   text += fmt::format(", at ({:.3f}, {:.3f}) a{}\n", at.X, at.Y, mark);
   if (solution.levels.size() > 2 && !bars.P_max_converging)
-    text += "             it still grows from grid to grid as at a spike, and belongs to this mesh\n";
+    text += bars.spike_unseen
+                ? "             a spike that this mesh does not show may be higher\n"
+                : "             it still grows from grid to grid as at a spike, and belongs to this mesh\n";
   return text;
 }
 

@@ -33,7 +33,7 @@ std::vector<Quantity> film_quantities(const Case& input, const steady::Solution&
       {"Hm_fitted", bars.Hm_fitted_value, "a^2/R", "smallest film between the nodes"},
       {"Hm_fitted_x", bars.Hm_fitted_X, "a", "where it is", "Hm_fitted_X"},
       {"Hm_fitted_y", bars.Hm_fitted_Y, "a", "where it is", "Hm_fitted_Y"},
-      {"P_max_converging", bars.P_max_converging, "-", "0: P_max grows with the mesh"},
+      {"P_max_converging", bars.P_max_converging, "-", "0: P_max grows with the mesh, or a spike is not seen yet"},
       {"error_P_max", bars.P_max, "-", "estimated relative error of P_max; NaN where it does not converge"},
       {"error_Hm_fitted", bars.Hm_fitted.total(), "-", "its estimated relative error on this domain"},
       {"domain_error", bars.domain, "-", "estimated relative change of Hc and Hm on a domain without end",

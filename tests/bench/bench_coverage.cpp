@@ -2,7 +2,8 @@
 // to 512 cells against solutions on 512 and 1024 of the same domain (tests/support/coverage.hpp), against the same
 // cells cycled to rounding, and against a domain of twice the size. Prints error_bars.csv, then error_bars_missed.csv.
 //   bench_coverage [listed | random]
-//   listed: 24 contacts, on which the bars were calibrated; random: 30 drawn by a seed that was not looked at then
+//   listed: 24 contacts, on which the bars were calibrated (with 90 drawn by the seeds 20261122, 777001, 777002);
+//   random: 30 drawn by a seed that was not looked at then
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -32,7 +33,7 @@ constexpr test::Point listed[] = {
     {450, 6, 2.0e-8, 0.64, false},   {620, 17, 1.5e-8, 0.55, false},  {850, 4, 2.0e-8, 0.64, false},
     {1200, 11, 1.5e-8, 0.55, false}, {1600, 18, 2.0e-8, 0.64, false}, {1900, 7, 1.5e-8, 0.55, false},
 };
-constexpr std::uint64_t seed = 20261122;
+constexpr std::uint64_t seed = 777003;
 constexpr int count_of_random = 30;
 constexpr int judged_cells[] = {128, 256, 512};
 /// The grid that a deck gets, and one that is coarser by half, are judged; so are finer ones.

@@ -221,6 +221,24 @@ BOOST_AUTO_TEST_CASE(a_spike_that_overtakes_the_plateau) {
   BOOST_TEST(bars(0.9, 0.91, 0.915).P_max == 0.0);
 }
 
+// ln eta_bar = alpha_bar P of Barus' oil, 12.8 or 8 at P = 0.8. A rim that the dry contact has, or a spike on it.
+BOOST_AUTO_TEST_CASE(a_spike_that_is_not_seen) {
+  const auto bars = [](double alpha_bar, double P_rim) {
+    Solution solution = three_levels(1.02, 1.02, 1.02);
+    for (LevelRow& row : solution.levels) row.P_rim = P_rim;
+    Scene scene;
+    scene.viscosity = rheology::make_barus(alpha_bar, 1.0);
+    return error_bars_of(scene, solution);
+  };
+  BOOST_TEST(bars(16.0, 0.82).spike_unseen);
+  BOOST_TEST(!bars(16.0, 0.82).P_max_converging);
+  BOOST_TEST(std::isnan(bars(16.0, 0.82).P_max));
+  for (const auto& [alpha_bar, P_rim] : {std::pair(16.0, 0.85), {10.0, 0.82}}) {
+    BOOST_TEST(!bars(alpha_bar, P_rim).spike_unseen);
+    BOOST_TEST(bars(alpha_bar, P_rim).P_max == 0.0);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(what_is_not_known) {
   Solution none;
   BOOST_TEST(std::isnan(error_bars_of(Scene{}, none).Hc.total()));
