@@ -233,7 +233,7 @@ BOOST_AUTO_TEST_CASE(a_spike_that_is_not_seen) {
   BOOST_TEST(bars(16.0, 0.82).spike_unseen);
   BOOST_TEST(!bars(16.0, 0.82).P_max_converging);
   BOOST_TEST(std::isnan(bars(16.0, 0.82).P_max));
-  for (const auto& [alpha_bar, P_rim] : {std::pair(16.0, 0.85), {10.0, 0.82}}) {
+  for (const auto& [alpha_bar, P_rim] : {std::pair(16.0, 0.88), {10.0, 0.82}}) {
     BOOST_TEST(!bars(alpha_bar, P_rim).spike_unseen);
     BOOST_TEST(bars(alpha_bar, P_rim).P_max == 0.0);
   }
