@@ -69,10 +69,13 @@ double rolling_speed(const Bearing& bearing, const Turning& turning) {
 
 std::vector<double> element_loads(const RadialLoad& load) {
   // Of three elements or more one is approached by a ring that moves at right angles to the load, to either side: the
-  // force across changes its sign in between. Halved until the interval is as short as numbers can be.
+  // force across changes its sign in between.
+  constexpr int halvings = 60;  // pi/2^60 is less than the rounding of an angle
   double below = -0.5 * pi, above = 0.5 * pi;
-  for (double middle = 0.0; below < middle && middle < above; middle = 0.5 * (below + above))
+  for (int k = 0; k < halvings; ++k) {
+    const double middle = 0.5 * (below + above);
     (force(load, middle).across < 0.0 ? below : above) = middle;
+  }
   const double stiffness = load.load / force(load, below).along;
   std::vector<double> loads;
   for (int j = 0; j < load.elements; ++j) loads.push_back(stiffness * pressed(load, j, below));

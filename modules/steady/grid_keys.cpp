@@ -53,7 +53,8 @@ std::vector<deck::Key> grid_keys() {
              .range = {16, 1048576},
              .remedy = "cells along x of the finest grid, e.g. 256",
              .meaning = "Cells of the finest grid along x, the coarsest grid's times a power of two; along y they "
-                        "follow from the domain, as nearly square as possible.",
+                        "follow from the domain, as nearly square as possible, or twice as long where the contact "
+                        "is seven times as wide as long.",
              .example = "256"},
             {.name = "coarsest",
              .type = deck::Type::integer,
@@ -121,7 +122,8 @@ void choose_cells(const deck::Part& grid, const deck::Part& domain, const contac
   while (fewest < fewest_chosen_cells || 2 * fewest <= least) fewest *= 2;
   int most = fewest * (most_chosen_cells / fewest_chosen_cells);
   if (!contact::circular(groups.shape)) {
-    const double most_along = std::sqrt(most_nodes_of_ellipse * length / (2.0 * domain.number("y_half")));
+    const double most_along =
+        std::sqrt(most_nodes_of_ellipse * cell_aspect(groups.shape) * length / (2.0 * domain.number("y_half")));
     for (most = fewest; 2 * most <= most_along;) most *= 2;
   }
   const int cells = resolving_cells(resolving_step(groups.M, groups.L, wedge, groups.shape), length, fewest, most);
@@ -181,7 +183,7 @@ void check_contains(deck::Deck& deck, const contact::Ellipse& shape) {
   check("y_half", reach.Y);
 }
 
-GridInput read_grid(deck::Deck& deck, std::optional<double> size) {
+GridInput read_grid(deck::Deck& deck, std::optional<double> size, double aspect) {
   const deck::Part part{deck, "grid"}, domain{deck, "domain"};
   const int cells = part.integer("cells", 0), coarsest = part.integer("coarsest", 0);
   GridInput input{.coarsest = coarsest};
@@ -202,7 +204,7 @@ GridInput read_grid(deck::Deck& deck, std::optional<double> size) {
     return input;
   }
   // Even on the coarsest grid, so that the line y = 0 is a line of every grid.
-  const double along_y = cells * (grid.Y_b - grid.Y_a) / (grid.X_b - grid.X_a);
+  const double along_y = cells * (grid.Y_b - grid.Y_a) / (grid.X_b - grid.X_a) / aspect;
   const double pairs = std::max(1.0, std::round(std::ldexp(along_y, -levels - 1)));
   const double ny = std::ldexp(pairs, levels + 1);
   if (ny > 1 << 21)

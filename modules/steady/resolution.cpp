@@ -66,6 +66,11 @@ double resolving_step(double M, double L, reynolds::Wedge wedge, const contact::
   return std::min(coarsest * shorter_size(M, L, shape), share * film_zone(M, L, shape));
 }
 
+double cell_aspect(const contact::Ellipse& shape) {
+  const contact::Extent reach = contact::extent(shape);
+  return reach.Y > 7.0 * reach.X ? 2.0 : 1.0;
+}
+
 int resolving_cells(double step, double length, int fewest, int most) {
   int cells = fewest;
   while (2 * cells <= most && length / cells > step) cells *= 2;

@@ -134,7 +134,7 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   if (contact_known) steady::check_contains(deck, groups.shape);
   std::optional<double> size;
   if (contact_known) size = result.dry ? 1.0 : steady::contact_size(groups.M, groups.L, groups.shape);
-  const steady::GridInput grid = steady::read_grid(deck, size);
+  const steady::GridInput grid = steady::read_grid(deck, size, steady::cell_aspect(groups.shape));
   scene.grid = grid.finest;
   scene.multigrid.coarsest_cells = grid.coarsest;
   if (result.dry) result.dry->parameters.coarsest_cells = grid.coarsest;
