@@ -107,6 +107,13 @@ reynolds::OilBalance oil_of(const Hierarchy& hierarchy, const Level& level) {
   return reynolds::oil_balance(level.grid, fields(level), transport_on(hierarchy, level));
 }
 
+core::Field theta_of(const Level& level) {
+  core::Field theta(level.grid);
+  for (int i = 0; i <= level.grid.nx; ++i)
+    for (int j = 0; j <= level.grid.ny; ++j) theta(i, j) = level.content(i, j) / (level.rho_bar(i, j) * level.H(i, j));
+  return theta;
+}
+
 double oil_from_nowhere(const Hierarchy& hierarchy, const Level& level) {
   double sum = 0.0;
   for (int i = 1; i < level.grid.nx; ++i)
@@ -121,7 +128,7 @@ bool balance_oil(Hierarchy& hierarchy, Level& level, std::optional<double> flow)
   const double enough = balanced * flow.value_or(oil_of(hierarchy, level).in);
   const double excess = oil_from_nowhere(hierarchy, level);
   if (std::abs(excess) <= enough) return false;
-  const bool steady = !(hierarchy.transport.squeeze > 0.0);
+  const bool steady = !(hierarchy.transport.squeeze > 0.0) && carried_load(level) > 0.0;
   if (steady && balanced_along(hierarchy, level, by_inlet(hierarchy, level), enough)) return true;
   return balanced_along(hierarchy, level, by_film(hierarchy, level, excess), enough);
 }

@@ -10,6 +10,9 @@ namespace ehl::fmg {
 /// Of the level behind update_residual().
 reynolds::OilBalance oil_of(const Hierarchy& hierarchy, const Level& level);
 
+/// theta = Q/(rho_bar H) of the level behind update_residual().
+core::Field theta_of(const Level& level);
+
 /// What full nodes' rows lack, all together: oil that leaves the domain, or is stored there, and came from nowhere; in
 /// rho0 u_m a^3/R. in: the level behind update_residual().
 double oil_from_nowhere(const Hierarchy& hierarchy, const Level& level);

@@ -172,11 +172,7 @@ Solution solution_of(const Scene& scene, fmg::Run&& run) {
   solution.H00 = run.hierarchy.H00;
   if (fmg::conserves_mass(finest)) {
     solution.Q = core::on_domain(finest.grid, finest.content);
-    core::Field theta(finest.grid);
-    for (int i = 0; i <= finest.grid.nx; ++i)
-      for (int j = 0; j <= finest.grid.ny; ++j)
-        theta(i, j) = finest.content(i, j) / (finest.rho_bar(i, j) * finest.H(i, j));
-    solution.theta = core::on_domain(finest.grid, theta);
+    solution.theta = core::on_domain(finest.grid, fmg::theta_of(finest));
     solution.oil = fmg::oil_of(run.hierarchy, finest);
   }
   solution.swinging_nodes = fmg::swinging_nodes(finest);

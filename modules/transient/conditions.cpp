@@ -10,14 +10,25 @@ namespace {
 constexpr double longest_of_all = 0.1;       // the oil crosses the contact in 20 steps at least
 constexpr double share_of_vibration = 0.05;  // a twentieth of its period, as of a wave (schedule.cpp)
 
+// Over the scene's, at speeds u1 and u2.
+double supply_at(const Supply& supply, double T, double u1, double u2) {
+  const double factor = value(supply.factor, T);
+  const double speed = 0.5 * (u1 + u2);
+  if (!(speed > 0.0)) return factor;  // nothing comes in
+  if (supply.is_flow) return factor / speed;
+  return std::isnan(supply.layer1) ? factor : factor * (u1 * supply.layer1 + u2 * supply.layer2) / speed;
+}
+
 }  // namespace
 
 Drive drive_at(const Conditions& conditions, double T) {
   constexpr double a_little = 1e-6;
   const double load = value(conditions.load, T);
+  const double u1 = value(conditions.u1, T), u2 = value(conditions.u2, T);
   return {.load = load,
-          .speed = 0.5 * (value(conditions.u1, T) + value(conditions.u2, T)),
-          .load_rate = (load - value(conditions.load, T - a_little)) / a_little};
+          .speed = 0.5 * (u1 + u2),
+          .load_rate = (load - value(conditions.load, T - a_little)) / a_little,
+          .supply = supply_at(conditions.supply, T, u1, u2)};
 }
 
 Course course_of(const Conditions& conditions) {
@@ -41,7 +52,7 @@ bool symmetric(const Conditions& conditions) {
 
 std::vector<double> stops_of(const Conditions& conditions, double end) {
   std::vector<double> stops{end};
-  for (const Schedule* schedule : {&conditions.load, &conditions.u1, &conditions.u2})
+  for (const Schedule* schedule : {&conditions.load, &conditions.u1, &conditions.u2, &conditions.supply.factor})
     for (const auto& times : {jumps(*schedule, end), corners(*schedule, end), quarters(*schedule, end)})
       stops.insert(stops.end(), times.begin(), times.end());
   std::ranges::sort(stops);
@@ -51,12 +62,13 @@ std::vector<double> stops_of(const Conditions& conditions, double end) {
 
 bool jumps_at(const Conditions& conditions, double T, double end) {
   const auto jumps_there = [&](const Schedule& schedule) { return std::ranges::count(jumps(schedule, end), T) > 0; };
-  return jumps_there(conditions.load) || jumps_there(conditions.u1) || jumps_there(conditions.u2);
+  return jumps_there(conditions.load) || jumps_there(conditions.u1) || jumps_there(conditions.u2) ||
+         jumps_there(conditions.supply.factor);
 }
 
 double longest_step(const Conditions& conditions, double end) {
   double step = std::min(longest_of_all, 0.01 * end);
-  for (const Schedule* schedule : {&conditions.load, &conditions.u1, &conditions.u2})
+  for (const Schedule* schedule : {&conditions.load, &conditions.u1, &conditions.u2, &conditions.supply.factor})
     step = std::min(step, resolving_step(*schedule));
   if (conditions.body) {
     const Body& body = *conditions.body;

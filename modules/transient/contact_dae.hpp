@@ -16,6 +16,7 @@ struct Drive {
   double load = 1.0;       ///< over the one that the groups are made with
   double speed = 1.0;      ///< U >= 0: entrainment speed over the one that lambda is made with
   double load_rate = 0.0;  ///< d load/dT before T, for the far field
+  double supply = 1.0;     ///< of oil at the inlet, over the problem's
 };
 
 /// Where the contact is taken in time beside its drive, with T = t u_m/a.
@@ -39,6 +40,14 @@ struct LoadBalance {
   double error = 0.0;    ///< of what is carried, over the load that acts; with a body, over W
 };
 
+/// The oil of the domain, where mass is conserved.
+struct OilInTime {
+  double stored = 0.0;                      ///< in rho0 a^4/R
+  double in = 0.0, out = 0.0, aside = 0.0;  ///< through inlet, outlet and sides, in rho0 u_m a^3/R
+  double from_nowhere = 0.0;                ///< in the last step, per time, over the flow into the steady film
+  double lost = 0.0;                        ///< since the start, over what that brings in a/u_m
+};
+
 /// The unknowns y = (P, Q, H00), P and Q = rho_bar H on all nodes of the finest grid, Y fastest:
 ///   (eps P_X)_X + (eps P_Y)_Y - U(T) Q_X - Q' = 0 or P = 0,   Q = rho_bar(P) H(P, H00, S),   integral P = load(T).
 /// With y' = y'_p + cj (y - y_p) of the implicit step this is the steady problem with the additional terms
@@ -47,13 +56,16 @@ struct LoadBalance {
 ///   H00' = V,   mass V' + damping V = integral P/W - load(T)
 /// in place of the last equation. With a far field in closed form P on the boundary is what it says of H00 and H00',
 /// and the integral has its load outside. In the implicit step V and V' follow from H00: a load that grows with H00.
+/// Where mass is conserved Q of a dry point is what flows into it, and the last unknown is the oil of all interior
+/// nodes by what flows in and out, A' = in - out - aside: it must stay what the nodes have.
 class ContactDae {
  public:
   /// in: a hierarchy whose finest level holds the state at the start, with the right-hand sides of a coarse level:
   /// prepare() it. It must outlive this object.
   ContactDae(fmg::Hierarchy& hierarchy, const Course& course, const ErrorControl& control);
 
-  std::size_t size() const { return 2 * nodes_ + (course_.body ? 2 : 1); }
+  std::size_t size() const { return 2 * nodes_ + (course_.body ? 2 : 1) + (conserves_mass() ? 1 : 0); }
+  bool conserves_mass() const { return fmg::conserves_mass(hierarchy_.levels.back()); }
   std::size_t nodes() const { return nodes_; }
 
   /// y of the level's state.
@@ -69,8 +81,14 @@ class ContactDae {
   StageResult solve(const Stage& stage, const Drive& drive, std::span<double> correction);
   void weights(std::span<const double> y, std::span<double> w) const;
 
-  /// Smallest H of all nodes in y.
+  /// Smallest H of all nodes in y; where mass is conserved, of those that carry pressure.
   double least_film(std::span<const double> y);
+
+  /// Where mass is conserved: makes the level's content that of the steady film, and begins to count.
+  void begin_oil();
+  OilInTime oil() const;
+  /// theta = Q/(rho_bar H) of the whole domain, where mass is conserved; else empty.
+  core::Field theta() const;
 
   /// Carries the load exactly: the pressure by a common factor, the film at the centre held by H00.
   void balance_load();
@@ -90,15 +108,24 @@ class ContactDae {
   void take_motion(const Drive& drive, double approach);
   void move_body(const Stage& stage);
   void take_velocity(const Stage& stage, const Drive& drive);
+  double content(int i, int j) const;
+  bool at_edge(std::span<const double> y, int i, int j) const;
+  void set_content(std::span<const double> y);
+  void close_oil();
+  void count_oil(const Stage& stage);
+  double stored_oil() const;
 
   fmg::Hierarchy& hierarchy_;
   const Course& course_;
   ErrorControl control_;
   std::size_t nodes_;
-  double W_;           ///< integral P of the load that the groups are made with
-  double V_ = 0.0;     ///< velocity of the body
-  double zone_ = 0.0;  ///< nodes that make up the norm, of the whole domain
-  double rate_ = 0.3;  ///< of the cycles, as last measured
+  double W_;                   ///< integral P of the load that the groups are made with
+  double V_ = 0.0;             ///< velocity of the body
+  double zone_ = 0.0;          ///< nodes that make up the norm, of the whole domain
+  double rate_ = 0.3;          ///< of the cycles, as last measured
+  double inlet_ = 0.0;         ///< flow through it in the steady film
+  double oil_by_flows_ = 0.0;  ///< as much as at the start, and what has flowed in and out since
+  double from_nowhere_ = 0.0;
   core::Field P_before_, Q_before_;
   std::vector<double> rho_;
 };

@@ -35,7 +35,13 @@ std::vector<Key> drive_keys() {
           "1:1 2:0 3:0 4:1"),
       key("u1_wave", "none", "Like load_wave, of u1.", "0.5 4"),
       key("u2", of_motion, "Speed of surface 2, like u1.", "1:1 2:0 3:0 4:1"),
-      key("u2_wave", "none", "Like load_wave, of u2.", "0.5 4")};
+      key("u2_wave", "none", "Like load_wave, of u2.", "0.5 4"),
+      key("supply", "constant",
+          "What the surfaces bring, over what [supply] says, written like load; 1 at time 0. Layers of each surface "
+          "come "
+          "with its own speed; a flow is a thicker layer where the motion is slower.",
+          "1:1 2:0.3"),
+      key("supply_wave", "none", "Like load_wave, of the supply.", "0.3 2")};
 }
 
 std::vector<Key> body_keys() {
@@ -136,6 +142,7 @@ void read_drive(const deck::Part& transient, double unit, const Scales& scales, 
   conditions.load = schedule_of(transient, "load", unit, 1.0);
   conditions.u1 = schedule_of(transient, "u1", unit, scales.u1);
   conditions.u2 = schedule_of(transient, "u2", unit, scales.u2);
+  conditions.supply.factor = schedule_of(transient, "supply", unit, 1.0);
 }
 
 void check_drive(const deck::Part& part, const Conditions& conditions, double end) {
@@ -157,6 +164,10 @@ void check_drive(const deck::Part& part, const Conditions& conditions, double en
                              " a/u_m: the oil would enter at the other side, which this version does not solve");
       return;
     }
+  if (value(conditions.supply.factor, 0.0) != 1.0)
+    part.complain("supply", "must be 1 at time 0: [supply] says what is brought then");
+  if (least(conditions.supply.factor, end) < 0.0)
+    part.complain(part.given("supply_wave") ? "supply_wave" : "supply", "what [supply] brings must not be negative");
   const bool from_steady = !body || !body->gap;
   if (from_steady && drive_at(conditions, 0.0).speed <= 0.0)
     part.complain(key, "(u1 + u2)/2 must be positive at time 0: there is no steady film to start from");

@@ -40,7 +40,10 @@ int bits_between(const Drive& from, const Drive& to) {
 }
 
 Drive part_of_the_way(const Drive& from, const Drive& to, double share) {
-  return {from.load + share * (to.load - from.load), from.speed + share * (to.speed - from.speed)};
+  const auto between = [share](double a, double b) { return a == b ? a : a + share * (b - a); };
+  return {.load = from.load + share * (to.load - from.load),
+          .speed = from.speed + share * (to.speed - from.speed),
+          .supply = between(from.supply, to.supply)};
 }
 
 bool solve_step_across(ContactDae& dae, const Drive& from, const Drive& to, EulerStep& step) {

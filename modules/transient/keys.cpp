@@ -29,6 +29,14 @@ std::vector<Key> time_keys() {
        .words = {"contact", "seconds"},
        .meaning = "Unit of all times of this section: contact is a/u_m, in which the oil crosses half of the contact; "
                   "seconds need a contact in SI."},
+      {.name = "cavitation",
+       .default_note = "content with a [supply], else pressure",
+       .words = {"pressure", "content"},
+       .meaning =
+           "Behind the contact, and wherever P = 0: pressure, the gap is taken to be full; content, the oil there "
+           "is an unknown that moves with the surfaces, and mass is conserved. A full inlet has no other film "
+           "while it is steady; a load that rises fast presses on what is there.",
+       .source = "modules/transient/README.md"},
       {.name = "rtol",
        .default_text = "1e-4",
        .range = {1e-7, 1e-1},
@@ -155,6 +163,7 @@ Input read(deck::Deck& deck, const Scales& scales, const Conditions& carried, co
   read_drive(transient, unit, scales, input.conditions);
   input.conditions.body = read_body(deck, scales);
   MarchParameters& march = input.parameters;
+  input.conditions.conserves_mass = transient.word("cavitation") == "content";
   march.end = time("end_time");
   march.rtol = transient.number("rtol");
   march.longest_step = time("max_step");

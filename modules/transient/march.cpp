@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/errors.hpp"
 #include "core/norms.hpp"
 #include "core/timer.hpp"
+#include "fmg/oil.hpp"
 #include "fmg/start.hpp"
 #include "judgement/measures.hpp"
 #include "steady/climb.hpp"
@@ -60,7 +62,7 @@ class March {
   std::size_t size() const { return dae_.size(); }
 
   MarchReport run(const Checkpoint* from) {
-    Checkpoint start = from ? *from : begun();
+    Checkpoint start = from ? *from : first_state(hierarchy_, dae_, conditions_);
     report_.T = start.T;
     report_.restarts = start.restarts;
     frames_ = start.frames;
@@ -96,20 +98,6 @@ class March {
 
   // Of errors. A body that flies towards the other will have a film of that order once it is there.
   double film_scale() const { return conditions_.body ? std::min(central_film(), 0.1) : central_film(); }
-
-  // The steady state of T = 0, or the bodies apart.
-  Checkpoint begun() {
-    if (conditions_.body && conditions_.body->gap)
-      dae_.release(drive(0.0));
-    else
-      settle(hierarchy_, dae_, drive(0.0));
-    Checkpoint start;
-    start.y.resize(dae_.size());
-    start.yp.resize(dae_.size(), 0.0);
-    dae_.state(start.y);
-    if (conditions_.body) start.yp.back() = dae_.acceleration(drive(0.0));
-    return start;
-  }
 
   bool reach(Ida& ida, double stop) {
     while (report_.T < stop) {
@@ -221,8 +209,10 @@ class March {
                       .cycles = step.cycles,
                       .rejected = step.rejected,
                       .not_solved = step.not_solved,
+                      .oil = dae_.oil(),
                       .probed = probed_at(level.grid, level.P, level.H, parameters_.probes)};
     report_.worst_load_error = std::max(report_.worst_load_error, row.load_error);
+    report_.worst_oil_error = std::max(report_.worst_oil_error, row.oil.from_nowhere);
     at_rest_ = rest_.reached(row);
     return !observer_.row || observer_.row(row);
   }
@@ -247,7 +237,7 @@ class March {
     last_frame_ = T;
     if (!observer_.frame) return;
     const fmg::Level& level = hierarchy_.finest();
-    observer_.frame({T, core::on_domain(level.grid, level.P), core::on_domain(level.grid, level.H)});
+    observer_.frame({T, core::on_domain(level.grid, level.P), core::on_domain(level.grid, level.H), dae_.theta()});
   }
 
   bool fail(const std::string& reason) {
@@ -284,6 +274,8 @@ MarchReport march(const steady::Scene& scene, const steady::Solution& start, con
   // A V(2,1)-cycle from the predicted state is enough for a step.
   own.multigrid.cycle = scene.multigrid.cycle.value_or(fmg::Cycle::V);
   own.multigrid.post = scene.multigrid.post.value_or(1);
+  if (conditions.conserves_mass && !own.supply)
+    own.supply = [](double) { return std::numeric_limits<double>::infinity(); };
   fmg::Run run = steady::begin_climb(own, steady::Start{.coarsest = 32}, {});
   fmg::Hierarchy& hierarchy = run.hierarchy;
   fmg::start_from_state(hierarchy, run.finest(), {core::on_patch(hierarchy.finest().grid, start.P), start.H00});

@@ -41,6 +41,7 @@ struct StepRow {
   int rejected = 0;    ///< attempts that failed the error test
   int not_solved = 0;  ///< attempts that the cycles did not solve
 
+  OilInTime oil{};
   std::vector<Probed> probed{};  ///< of every probe
 };
 
@@ -48,6 +49,7 @@ struct StepRow {
 struct Frame {
   double T = 0.0;
   core::Field P{}, H{};
+  core::Field theta{};  ///< Q/(rho H), where mass is conserved; else empty
 };
 
 /// All that a march needs to go on from here.
@@ -75,13 +77,15 @@ struct MarchReport {
   std::string reason{};  ///< of a failure
   int steps = 0, cycles = 0, rejected = 0, not_solved = 0, restarts = 0;
   double worst_load_error = 0.0;
-  double longest_step = 0.0;  ///< that was allowed
+  double worst_oil_error = 0.0;  ///< of the rows
+  double longest_step = 0.0;     ///< that was allowed
   double seconds = 0.0;
   double seconds_of_surfaces = 0.0;  ///< of them: the shape of the surfaces
   core::PartTimes times{};
 };
 
-/// Integrates (rho_bar H)_T + U (rho_bar H)_X = div(eps grad P), P >= 0, with the load balance, from the steady
+/// Integrates Q_T + U Q_X = div(eps grad P), P >= 0, Q = rho_bar H or, where mass is conserved, Q <= rho_bar H with Q
+/// an unknown where P = 0 (reynolds/content.hpp), with the load balance, from the steady
 /// solution of the scene under the conditions of T = 0, by IDA's BDF of variable order and step; every implicit step is
 /// solved by multigrid cycles. At a jump of load or speed the integration starts anew behind a very short step.
 /// in: scene, and its solution; conditions with load > 0 and u1 + u2 >= 0 at all times, > 0 at T = 0; from, where

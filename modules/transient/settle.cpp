@@ -62,4 +62,19 @@ void settle(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive& start) {
   dae.balance_load();
 }
 
+Checkpoint first_state(fmg::Hierarchy& hierarchy, ContactDae& dae, const Conditions& conditions) {
+  const Drive drive = drive_at(conditions, 0.0);
+  if (conditions.body && conditions.body->gap)
+    dae.release(drive);
+  else
+    settle(hierarchy, dae, drive);
+  dae.begin_oil();
+  Checkpoint start;
+  start.y.resize(dae.size());
+  start.yp.resize(dae.size(), 0.0);
+  dae.state(start.y);
+  if (conditions.body) start.yp[2 * dae.nodes() + 1] = dae.acceleration(drive);
+  return start;
+}
+
 }  // namespace ehl::transient

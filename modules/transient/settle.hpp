@@ -2,6 +2,7 @@
 // The state at the start of a transient.
 #include "fmg/hierarchy.hpp"
 #include "transient/contact_dae.hpp"
+#include "transient/march.hpp"
 
 namespace ehl::transient {
 
@@ -13,5 +14,8 @@ inline constexpr double settled_residual = 1e-9;
 /// in: start, the drive at T = 0.
 /// errors: core::SolverError where that state is not found.
 void settle(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive& start);
+
+/// y and y' at T = 0: that steady state, or the bodies apart.
+Checkpoint first_state(fmg::Hierarchy& hierarchy, ContactDae& dae, const Conditions& conditions);
 
 }  // namespace ehl::transient

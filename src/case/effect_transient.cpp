@@ -19,11 +19,12 @@ double step_of(const transient::Input& transient) {
 
 std::string what(const Case& input) {
   std::vector<std::string> varying;
-  for (const char* key : {"load", "load_wave", "u1", "u1_wave", "u2", "u2_wave"})
+  for (const char* key : {"load", "load_wave", "u1", "u1_wave", "u2", "u2_wave", "supply", "supply_wave"})
     if (deck::given(input.deck, "transient", key)) varying.push_back(key);
   return fmt::format("in time to {:.4g} a/u_m, steps of at most {:.3g}; varying: ", input.transient->parameters.end,
                      step_of(*input.transient)) +
-         (varying.empty() ? "neither load nor speed" : deck::joined(varying, ", "));
+         (varying.empty() ? "neither load nor speed" : deck::joined(varying, ", ")) +
+         (input.transient->conditions.conserves_mass ? "; mass is conserved where P = 0" : "");
 }
 
 // Whether measured heights come to the contact before the end.
@@ -49,7 +50,8 @@ Needs expense(const Case& input) {
   const transient::MarchParameters& march = input.transient->parameters;
   const transient::Conditions& conditions = input.transient->conditions;
   const auto varies = [](const transient::Schedule& schedule) { return schedule.wave || schedule.points.size() > 1; };
-  const bool driven = conditions.body || varies(conditions.load) || varies(conditions.u1) || varies(conditions.u2);
+  const bool driven = conditions.body || varies(conditions.load) || varies(conditions.u1) || varies(conditions.u2) ||
+                      varies(conditions.supply.factor);
   const double steps = march.end / step_of(*input.transient) *
                        (is_rough(input) ? more_of_rough
                         : driven        ? shorter_steps

@@ -82,23 +82,34 @@ starvation::Scales scales_of(const Case& input) {
 }  // namespace
 
 void settle_boundary_of_supply(deck::Deck& deck) {
-  if (!starvation::called_for(deck)) return;
+  const deck::Part transient{deck, "transient"};
+  if (deck::called_for(deck, "transient"))
+    transient.follow("cavitation", std::string(starvation::called_for(deck) ? "content" : "pressure"),
+                     starvation::called_for(deck) ? "oil is missing" : "the inlet is full");
+  const bool content = transient.word("cavitation") == "content";
+  if (!starvation::called_for(deck) && !content) return;
   const deck::Part domain{deck, "domain"};
   if (domain.given("far_field") && domain.word("far_field") == "closed")
     domain.complain("far_field",
-                    "closed is the pressure around a flooded contact; behind the meniscus of a [supply] there is no "
-                    "oil: zero, or remove it");
-  domain.follow("far_field", std::string("zero"), "behind a meniscus there is no oil");
+                    "closed is the pressure around a flooded contact; where oil is missing there is none: zero, or "
+                    "remove it");
+  domain.follow("far_field", std::string("zero"), "where oil is missing there is no pressure");
 }
 
 void supply_input(Case& input) {
   deck::Deck& deck = input.deck;
-  if (!starvation::called_for(deck)) return;
+  if (!starvation::called_for(deck)) {
+    const deck::Part transient{deck, "transient"};
+    transient.refuse({"supply", "supply_wave"}, "varies a [supply], and there is none");
+    return;
+  }
   const deck::Part supply{deck, "supply"};
   const std::string first = supply.given_of(starvation::ways())[0];
   if (input.dry) return supply.complain(first, "on a dry contact: remove [supply], or [case] kind = dry");
-  if (input.transient)
-    return supply.complain(first, "in time is not available in this version: remove it, or [transient] end_time");
+  if (input.transient && supply.given("passes"))
+    return supply.complain("passes", "are of steady contacts: remove it, or [transient] end_time");
+  if (deck::word(deck, "transient", "cavitation") == "pressure")
+    return supply.complain(first, "needs cavitation = content in [transient]: behind a meniscus the gap is not full");
   if (std::isfinite(input.scene.accuracy.error))
     return supply.complain(first, "with [grid] accuracy is not available in this version: give [grid] cells");
   if (deck::called_for(deck, "thermal"))
@@ -108,6 +119,13 @@ void supply_input(Case& input) {
   const starvation::Scales scales = scales_of(input);
   const starvation::Input given = starvation::read(deck, scales);
   if (!deck.errors.empty()) return;
+  if (input.transient) {
+    transient::Supply& in_time = input.transient->conditions.supply;
+    in_time.layer1 = given.layer1;
+    in_time.layer2 = given.layer2;
+    in_time.is_flow = given.is_flow;
+    input.transient->conditions.conserves_mass = true;
+  }
   input.scene.passes = {given.passes, given.returning, given.renewed, given.levelled};
   if (given.profile.empty()) {
     input.scene.supply = [H_oil = given.H_oil](double) { return H_oil; };

@@ -14,8 +14,14 @@ namespace {
 
 using transient::StepRow;
 
-// Of /transient, in order. in: whether a body moves; the points that are looked at.
-std::vector<Column<StepRow>> step_columns(bool with_body, const std::vector<transient::Place>& probes) {
+/// What rows have beside what all have.
+struct RowKind {
+  bool body = false;  ///< one moves
+  bool oil = false;   ///< mass is conserved
+};
+
+// Of /transient, in order. in: the points that are looked at.
+std::vector<Column<StepRow>> step_columns(const RowKind& kind, const std::vector<transient::Place>& probes) {
   std::vector<Column<StepRow>> columns{{"time", "a/u_m", "time reached", &StepRow::T},
                                        {"Hc", "a^2/R", "film at (0,0)", &StepRow::Hc},
                                        {"Hm", "a^2/R", "smallest film of all nodes", &StepRow::Hm},
@@ -26,9 +32,23 @@ std::vector<Column<StepRow>> step_columns(bool with_body, const std::vector<tran
                                        {"load", "-", "wanted, over that of the contact", &StepRow::load},
                                        {"speed", "-", "entrainment speed (u1 + u2)/2 over u_m", &StepRow::speed},
                                        {"load_error", "-", "relative error of the load", &StepRow::load_error}};
-  if (with_body) {
+  if (kind.body) {
     columns.push_back({"velocity", "a u_m/R", "of the body", &StepRow::velocity});
     columns.push_back({"carried", "-", "load that the film carries, over that of the contact", &StepRow::carried});
+  }
+  if (kind.oil) {
+    const auto of_oil = [](double transient::OilInTime::*what) { return part(&StepRow::oil, what); };
+    columns.push_back({"oil", "rho0 a^4/R", "oil between the bodies", of_oil(&transient::OilInTime::stored)});
+    columns.push_back(
+        {"oil_in", "rho0 u_m a^3/R", "oil through the inlet boundary", of_oil(&transient::OilInTime::in)});
+    columns.push_back(
+        {"oil_out", "rho0 u_m a^3/R", "oil through the outlet boundary", of_oil(&transient::OilInTime::out)});
+    columns.push_back(
+        {"oil_aside", "rho0 u_m a^3/R", "oil through the sides of the domain", of_oil(&transient::OilInTime::aside)});
+    columns.push_back({"oil_from_nowhere", "-", "in the step, per time, over what the inlet brings in the steady film",
+                       of_oil(&transient::OilInTime::from_nowhere)});
+    columns.push_back({"oil_lost", "-", "since the start, over what the inlet brings then in a/u_m",
+                       of_oil(&transient::OilInTime::lost)});
   }
   columns.push_back({"step", "a/u_m", "length of the step; 0 for the start", &StepRow::length});
   columns.push_back({"order", "-", "of the time integration", &StepRow::order});
@@ -83,7 +103,7 @@ std::vector<StepRow> read_rows(const results::ResultFile& file) {
   while (there("P_" + std::to_string(probes.size() + 1))) probes.emplace_back();
   std::vector<StepRow> rows(file.numbers("/transient/time").values.size());
   for (StepRow& row : rows) row.probed.resize(probes.size());
-  for (const Column<StepRow>& column : step_columns(there("velocity"), probes)) {
+  for (const Column<StepRow>& column : step_columns({there("velocity"), there("oil_in")}, probes)) {
     const std::string name = "/transient/" + column.name;
     const std::vector<double> values = credible(file, name);
     if (values.size() != rows.size() || values.empty()) damaged(file.path(), name);
@@ -103,7 +123,9 @@ results::Loose loose_of(const transient::Checkpoint& checkpoint) {
            {"step", checkpoint.step, "a/u_m", "length of the last step"},
            {"frames", checkpoint.frames, "-", "fields kept so far"},
            {"jumps", checkpoint.restarts, "-", "jumps of load or speed so far"}},
-          {array("y", "P and rho_bar H on the grid that is computed on, H00, and the velocity of a body that moves",
+          {array("y",
+                 "P and the oil's content on the grid that is computed on, H00, the velocity of a body that moves, and "
+                 "the oil by what has flowed in and out where mass is conserved",
                  checkpoint.y),
            array("yp", "their derivatives in time", checkpoint.yp)}};
 }
@@ -112,22 +134,25 @@ results::Loose loose_of(const transient::Checkpoint& checkpoint) {
 
 void add_transient(const Case& input, const TransientResult& result, results::Content& content) {
   const transient::Input& march = *input.transient;
-  content.tables.push_back(table_of("transient", "every accepted step of time; ended " + how_it_ended(result.report),
-                                    step_columns(march.conditions.body.has_value(), march.parameters.probes),
-                                    result.rows));
+  content.tables.push_back(table_of(
+      "transient", "every accepted step of time; ended " + how_it_ended(result.report),
+      step_columns({march.conditions.body.has_value(), march.conditions.conserves_mass}, march.parameters.probes),
+      result.rows));
   if (std::isfinite(march.second))
     content.scales.push_back({"time", 1.0 / march.second, "s", "a/u_m, the scale of time"});
   content.frames.group = "/transient/frames";
   for (const transient::Frame& frame : result.frames) content.frames.times.push_back(frame.T);
   const auto series = [&](const char* name, const char* unit, const char* meaning,
                           core::Field transient::Frame::*member) {
-    if (std::ranges::find(input.fields, name) == input.fields.end()) return;
     results::Series made{name, unit, meaning, {}};
     for (const transient::Frame& frame : result.frames) made.fields.push_back(&(frame.*member));
     content.frames.series.push_back(std::move(made));
   };
-  series("P", "p_h", "pressure p/p_h", &transient::Frame::P);
-  series("H", "a^2/R", "film thickness h R/a^2", &transient::Frame::H);
+  const auto kept = [&](const char* name) { return std::ranges::find(input.fields, name) != input.fields.end(); };
+  if (kept("P")) series("P", "p_h", "pressure p/p_h", &transient::Frame::P);
+  if (kept("H")) series("H", "a^2/R", "film thickness h R/a^2", &transient::Frame::H);
+  if (march.conditions.conserves_mass)
+    series("theta", "-", "content: share of the gap that the oil fills, Q/(rho H)", &transient::Frame::theta);
   content.summary.push_back({"transient_completed", completed(result), "-", "1: to its end, 0: not"});
   if (result.checkpoint) content.checkpoint = loose_of(*result.checkpoint);
 }
@@ -163,7 +188,8 @@ TransientResult read_transient(const results::ResultFile& file) {
         read(i, j) = array.values[static_cast<std::size_t>(j) * array.dims[1] + static_cast<std::size_t>(i)];
     return read;
   };
-  for (std::size_t k = 0; k < times.size(); ++k) result.frames.push_back({times[k], field("P", k), field("H", k)});
+  for (std::size_t k = 0; k < times.size(); ++k)
+    result.frames.push_back({times[k], field("P", k), field("H", k), field("theta", k)});
   return result;
 }
 
@@ -180,7 +206,7 @@ void check_fits(const TransientResult& before, const Case& input, const std::str
   if (static_cast<std::size_t>(checkpoint.frames) != before.frames.size() || checkpoint.restarts < 0)
     damaged(path, "it has not as many fields as its checkpoint says");
   for (const transient::Frame& frame : before.frames)
-    for (const core::Field* field : {&frame.P, &frame.H})
+    for (const core::Field* field : {&frame.P, &frame.H, &frame.theta})
       if (field->nodes_x() > 0 &&
           (field->nodes_x() != input.scene.grid.nodes_x() || field->nodes_y() != input.scene.grid.nodes_y()))
         damaged(path, "its fields are of another grid than its deck's");

@@ -37,12 +37,13 @@ void total(TransientResult& result) {
   report.T = result.rows.back().T;
   report.steps = static_cast<int>(result.rows.size()) - 1;
   report.cycles = report.rejected = report.not_solved = 0;
-  report.worst_load_error = 0.0;
+  report.worst_load_error = report.worst_oil_error = 0.0;
   for (const StepRow& row : result.rows) {
     report.cycles += row.cycles;
     report.rejected += row.rejected;
     report.not_solved += row.not_solved;
     report.worst_load_error = std::max(report.worst_load_error, row.load_error);
+    report.worst_oil_error = std::max(report.worst_oil_error, row.oil.from_nowhere);
   }
 }
 
@@ -88,6 +89,15 @@ std::string range_lines(const Case& input, const std::vector<StepRow>& rows) {
             line({H, H, nm}, [k](const StepRow& row) { return row.probed[k].H; });
   }
   return text;
+}
+
+// Where mass is conserved.
+std::string oil_line(const TransientResult& result) {
+  const transient::OilInTime &first = result.rows.front().oil, &last = result.rows.back().oil;
+  return fmt::format(
+      "  oil        {:.5f} to {:.5f} rho0 a^4/R between the bodies; at the end in {:.5f}, out {:.5f}, aside {:.2g} per "
+      "a/u_m; from nowhere {:.1e} of the first inflow in the worst step, {:.1e} since the start\n",
+      first.stored, last.stored, last.in, last.out, last.aside, result.report.worst_oil_error, last.lost);
 }
 
 // "time 0 to 0.5 a/u_m (0.1345 ms)", the deck's own unit first.
@@ -159,6 +169,7 @@ std::string transient_summary(const Case& input, const TransientResult& result) 
       "allowed {:.3g}\n",
       report.steps, static_cast<double>(report.cycles) / std::max(1, report.steps), report.rejected, attempts,
       report.not_solved, report.restarts, report.longest_step);
+  if (input.transient->conditions.conserves_mass) text += oil_line(result);
   text += fmt::format("  load       worst error {:.1e}\n  time       {:.3f} s, {:.2f} ms per step; {} fields kept\n",
                       report.worst_load_error, report.seconds, 1e3 * report.seconds / std::max(1, report.steps),
                       result.frames.size());
@@ -167,7 +178,7 @@ std::string transient_summary(const Case& input, const TransientResult& result) 
 
 Json transient_json(const Case& input, const TransientResult& result) {
   const transient::MarchReport& report = result.report;
-  const std::vector<results::Quantity> list{
+  std::vector<results::Quantity> list{
       {"completed", completed(result), "-"},
       {"ended", how_it_ended(report), ""},
       {"end_time", report.T, "a/u_m"},
@@ -182,6 +193,10 @@ Json transient_json(const Case& input, const TransientResult& result) {
       {"jumps", report.restarts, "-"},
       {"worst_load_error", report.worst_load_error, "-"},
       {"seconds", report.seconds, "s"}};
+  if (input.transient->conditions.conserves_mass) {
+    list.push_back({"worst_oil_error", report.worst_oil_error, "-"});
+    list.push_back({"oil_lost", result.rows.back().oil.lost, "-"});
+  }
   Json made;
   add(list, made);
   add_in_SI(list, si_scales(input.physics), made);

@@ -107,6 +107,7 @@ class Judge {
     expect(json_member(ran.out, "converged") == "true", "solved: converged is true");
     take(faults_in_time(ran.out));
     take(faults_of_friction(ran.out));
+    take(faults_of_starvation(ran.out));
     verdict_.warnings = {json_member(ran.out, "warnings")};
     if (json_member(ran.out, "kind") == "dry") return take(faults_of_dry(ran.out));
     for (const char* name : {"Hc", "Hm", "Hc_moes", "Hm_moes", "P_max", "H00", "residual", "load_error", "lambda"})

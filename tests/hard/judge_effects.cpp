@@ -54,6 +54,21 @@ std::vector<std::string> faults_of_friction(const std::string& json) {
   return faults;
 }
 
+std::vector<std::string> faults_of_starvation(const std::string& json) {
+  std::vector<std::string> faults;
+  const std::string own = json_member(json, "starvation");
+  if (own.empty()) return faults;
+  for (const char* name : {"starvation_factor", "supply_ratio", "oil_in"}) expect_number(faults, own, name);
+  const double factor = number(json_member(own, "starvation_factor"));
+  constexpr double thicker = 1.01;  // than the flooded film, by what both leave
+  expect(faults, factor > 0.0 && factor < thicker, "solved: less oil, less film: factor " + std::to_string(factor));
+  // A pass between the first and the last may swing, and is told; it is not this one.
+  constexpr double balanced = 1e-9;
+  expect(faults, std::abs(number(json_member(own, "mass_imbalance"))) < balanced,
+         "solved: oil is conserved: " + json_member(own, "mass_imbalance"));
+  return faults;
+}
+
 std::vector<std::string> faults_in_time(const std::string& json) {
   std::vector<std::string> faults;
   const std::string own = json_member(json, "transient");
@@ -66,6 +81,10 @@ std::vector<std::string> faults_in_time(const std::string& json) {
   expect(faults, number(json_member(own, "steps")) > 0.0, "solved: steps of time");
   expect(faults, number(json_member(own, "worst_load_error")) < loose_load_in_time,
          "solved: the load holds at all times: " + json_member(own, "worst_load_error"));
+  constexpr double balanced = 1e-9;
+  if (const std::string oil = json_member(own, "worst_oil_error"); !oil.empty())
+    expect(faults, number(oil) < balanced && std::abs(number(json_member(own, "oil_lost"))) < balanced,
+           "solved: oil is conserved at all times: " + oil + ", " + json_member(own, "oil_lost"));
   return faults;
 }
 

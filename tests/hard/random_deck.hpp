@@ -59,6 +59,9 @@ void make_elliptic(std::vector<Entry>& entries, Random random, bool& ordinary);
 /// Now and then an oil by name, by a table or by the laws of a liquid, one that thins, and friction; drawn for itself.
 void vary_oil(std::vector<Entry>& entries, std::vector<File>& files, Random random, bool& ordinary);
 
+/// Now and then a [supply], some with passes, and what varies of it in time; likewise.
+void vary_supply(std::vector<Entry>& entries, Random random, bool& ordinary);
+
 /// Stresses below the contact; few planes, for the time.
 void add_subsurface(std::vector<Entry>& entries, Random& random);
 

@@ -2,6 +2,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 
 #include "support/program.hpp"
@@ -52,6 +53,20 @@ nlohmann::json solved(const TemporaryFolder& folder, const std::string& deck, co
   const Ended run = ehl(folder, "run case.ini --json --quiet --overwrite");
   BOOST_TEST_REQUIRE(run.status == 0, run.err);
   return nlohmann::json::parse(run.out);
+}
+
+// In the last row of a table whose header's last line names the columns.
+double last_of_column(const std::string& table, const std::string& name) {
+  std::istringstream lines(table);
+  std::string header, last;
+  for (std::string line; std::getline(lines, line);) (line[0] == '#' ? header : last) = line;
+  std::istringstream names(header.substr(1)), values(last);
+  double value = std::nan("");
+  for (std::string one; names >> one;) {
+    values >> value;
+    if (one == name) return value;
+  }
+  return std::nan("");
 }
 
 void refused(const TemporaryFolder& folder, const std::string& deck, const std::string& supply, const char* says) {
@@ -135,6 +150,32 @@ BOOST_AUTO_TEST_CASE(passes_that_make_no_sense_are_refused) {
   refused(folder, contact, "H_oil = 0.2\npasses = 2\nreturning = surface1\nsplit = 1.4\n", "split");
 }
 
+// In time: layers that come with the speed of their own surface, oil that is counted, fields of the content.
+BOOST_AUTO_TEST_CASE(supply_in_time) {
+  const TemporaryFolder folder;
+  const std::string slower = std::string(in_SI) +
+                             "[transient]\nend_time = 0.3\noutput_interval = 0.1\nu1 = 0:1.6 0.2:0.8\n"
+                             "u2 = 0:0.4 0.2:0.4\n";
+  folder.write("both.ini", slower + "[supply]\nlayer_m = 200e-9\n");
+  folder.write("first.ini", slower + "[supply]\nlayer1_m = 125e-9\nlayer2_m = 0\n");
+  double in[2] = {};
+  int k = 0;
+  for (const char* deck : {"both", "first"}) {
+    const Ended run = ehl(folder, std::string("run ") + deck + ".ini --json --quiet");
+    BOOST_TEST_REQUIRE(run.status == 0, run.err);
+    const nlohmann::json report = nlohmann::json::parse(run.out)["transient"];
+    BOOST_TEST(report["worst_oil_error"].get<double>() <= 1e-10);
+    BOOST_TEST(std::abs(report["oil_lost"].get<double>()) <= 1e-9);
+    in[k] = last_of_column(ehl(folder, std::string("extract ") + deck + ".h5 transient").out, "oil_in");
+    BOOST_TEST(ehl(folder, std::string("extract ") + deck + ".h5 transient/frames/theta --along x --at y=0").status ==
+               0);
+    ++k;
+  }
+  // u1 from 1.6 to 0.8: both layers bring 1.2/2 of what they did, the first alone 0.8/1.6.
+  BOOST_TEST_MESSAGE("oil in: " << in[1] / in[0] << " (5/6 with equal oil at the start)");
+  BOOST_TEST(std::abs(in[1] / in[0] - 5.0 / 6.0) <= 1e-3);
+}
+
 BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
   const TemporaryFolder folder;
   refused(folder, contact, "H_oil = 0\n", "must be a number > 0");
@@ -143,7 +184,11 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
   refused(folder, in_SI, "layer1_m = 1e-7\n", "belong together");
   refused(folder, in_SI, "layer1_m = 0\nlayer2_m = 0\n", "bring no oil");
   refused(folder, in_SI, "layer_m = 1e-7\nflow_m3_per_s = 1e-10\n", "keep one of them");
-  refused(folder, std::string(contact) + "[transient]\nend_time = 1\n", "H_oil = 0.2\n", "in time");
+  const auto in_time = [](const char* keys) { return std::string(contact) + "[transient]\nend_time = 1\n" + keys; };
+  refused(folder, in_time(""), "H_oil = 0.2\npasses = 2\n", "are of steady contacts");
+  refused(folder, in_time("cavitation = pressure\n"), "H_oil = 0.2\n", "cavitation = content");
+  refused(folder, in_time("supply = 0:0.5 1:1\n"), "H_oil = 0.2\n", "must be 1 at time 0");
+  refused(folder, in_time("supply = 0:1 1:-1\n"), "H_oil = 0.2\n", "must not be negative");
   refused(folder, "[case]\nkind = dry\n" + std::string(in_SI), "layer_m = 1e-7\n", "dry contact");
   folder.write("narrow.csv", "-1,0.2\n1,0.2\n");
   refused(folder, contact, "profile = narrow.csv\n", "narrower than the domain");
@@ -154,5 +199,5 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
   folder.write("case.ini", std::string(contact) + "[supply]\nH_oil = 0.2\n");
   const Ended closed = ehl(folder, "check case.ini --set domain.far_field=closed");
   BOOST_TEST(closed.status == 2);
-  BOOST_TEST(closed.says({"far_field", "meniscus"}));
+  BOOST_TEST(closed.says({"far_field", "oil is missing"}));
 }

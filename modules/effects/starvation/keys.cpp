@@ -132,7 +132,10 @@ Input read(deck::Deck& deck, const Scales& scales) {
     input.H_oil = (scales.u1 * layer1 + scales.u2 * layer2) / u_m / scales.height;
     if (input.H_oil <= 0.0)
       supply.complain("layer1_m", "and layer2_m bring no oil at these speeds: u1 h1 + u2 h2 must be > 0");
+    input.layer1 = layer1 / scales.height / input.H_oil;
+    input.layer2 = layer2 / scales.height / input.H_oil;
   }
+  input.is_flow = supply.given("flow_m3_per_s");
   input.profile = supply.word("profile");
   return input;
 }

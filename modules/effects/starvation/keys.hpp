@@ -22,6 +22,10 @@ struct Scales {
 struct Input {
   double H_oil = std::numeric_limits<double>::quiet_NaN();  ///< everywhere; NaN: the profile says
   std::string profile{};                                    ///< the key's value, the name of a file
+  /// Of each surface, where they are given apart, over H_oil.
+  double layer1 = std::numeric_limits<double>::quiet_NaN();
+  double layer2 = std::numeric_limits<double>::quiet_NaN();
+  bool is_flow = false;
   int passes = 1;
   double returning = 1.0;  ///< share of what leaves that comes back
   double renewed = 0.0;    ///< share of the supply that is brought anew every time

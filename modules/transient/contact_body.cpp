@@ -1,0 +1,44 @@
+// A body that moves upon the film.
+#include "fmg/boundary.hpp"
+#include "transient/contact_dae.hpp"
+
+namespace ehl::transient {
+
+void ContactDae::release(const Drive& drive) {
+  fmg::Level& level = hierarchy_.finest();
+  pose(0.0, drive, 0.0);
+  level.P.fill(0.0);
+  hierarchy_.H00 = *course_.body->gap;
+  V_ = course_.body->velocity;
+  hierarchy_.far_motion = {.approach = -V_, .load = 0.0};
+  fmg::update_film(hierarchy_, level);
+  fmg::renew_boundary(hierarchy_, level);
+}
+
+// V = yp_p + cj (H00 - H00_p), and V' likewise from V: the load that is wanted grows linearly with H00.
+void ContactDae::move_body(const Stage& stage) {
+  const Body& body = *course_.body;
+  const double H00 = stage.y_predicted[2 * nodes_];
+  const double V = stage.yp_predicted[2 * nodes_];
+  const double V_slope = stage.yp_predicted[2 * nodes_ + 1] + stage.cj * (V - stage.y_predicted[2 * nodes_ + 1]);
+  hierarchy_.finest().load += W_ * (body.mass * V_slope + body.damping * V);
+  hierarchy_.load_line = {W_ * stage.cj * (body.mass * stage.cj + body.damping), H00};
+}
+
+// V and V' from the load that the film carries, so that the equation of motion holds to rounding. What the cycles and
+// the rounding of H00, times mass cj^2, have left stands in H00' = V instead.
+void ContactDae::take_velocity(const Stage& stage, const Drive& drive) {
+  const Body& body = *course_.body;
+  const double V_at_rest = stage.y_predicted[2 * nodes_ + 1] - stage.yp_predicted[2 * nodes_ + 1] / stage.cj;
+  const double V_slope = (carried() - drive.load - body.damping * V_at_rest) / (body.mass + body.damping / stage.cj);
+  V_ = V_at_rest + V_slope / stage.cj;
+  fmg::Level& level = hierarchy_.finest();
+  level.load = W_ * (drive.load + body.mass * V_slope + body.damping * V_) - level.load_outside;
+  hierarchy_.load_line = {};
+}
+
+double ContactDae::acceleration(const Drive& drive) const {
+  return (carried() - drive.load - course_.body->damping * V_) / course_.body->mass;
+}
+
+}  // namespace ehl::transient

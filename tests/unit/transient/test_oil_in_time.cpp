@@ -1,0 +1,94 @@
+// Contacts in time where mass is conserved: the oil is counted, and what is known of their end.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "unit/transient/marching.hpp"
+
+using namespace ehl;
+using namespace ehl::tests;
+using namespace ehl::transient;
+using Points = std::vector<Schedule::Point>;
+
+namespace {
+
+steady::Scene starved_scene(double H_oil) {
+  steady::Scene scene = marching_scene(64);
+  scene.far_field = false;
+  scene.supply = [H_oil](double) { return H_oil; };
+  return scene;
+}
+
+/// What must hold at every step.
+void check_oil(const char* what, const Marched& all, double end) {
+  double nowhere = 0.0, lost = 0.0, load = 0.0;
+  for (const StepRow& row : all.rows) {
+    nowhere = std::max(nowhere, row.oil.from_nowhere);
+    lost = std::max(lost, std::abs(row.oil.lost));
+    load = std::max(load, row.load_error);
+  }
+  BOOST_TEST_MESSAGE(what << ": " << all.report.steps << " steps, " << all.report.cycles << " cycles, "
+                          << all.report.rejected << " rejected, " << all.report.not_solved
+                          << " not solved; oil from nowhere " << nowhere << " (allowed 1e-10), since the start " << lost
+                          << " (1e-9), load off by " << load << " (1e-6) " << all.report.reason);
+  BOOST_TEST((all.report.end == MarchEnd::end_time));
+  BOOST_TEST(all.report.T == end);
+  BOOST_TEST(nowhere <= 1e-10);
+  BOOST_TEST(lost <= 1e-9);
+  BOOST_TEST(load <= 1e-6);
+}
+
+double largest_difference(const core::Field& a, const core::Field& b) {
+  double largest = 0.0;
+  for (int i = 0; i < a.nodes_x(); ++i)
+    for (int j = 0; j < a.nodes_y(); ++j) largest = std::max(largest, std::abs(a(i, j) - b(i, j)));
+  return largest;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_steady_supply_stays_steady) {
+  steady::Scene scene = starved_scene(0.25);
+  const Marched all = marched(scene, {}, {.end = 10.0});
+  check_oil("constant", all, 10.0);
+  scene.multigrid.tolerance = 1e-10;
+  const auto Hc_of = [](const StepRow& row) { return row.Hc; };
+  const double moves = largest_difference(all.rows, all.rows.front().Hc, Hc_of);
+  const double off = largest_difference(all.rows, steady::solve(scene).levels.back().Hc, Hc_of);
+  BOOST_TEST_MESSAGE("Hc moves by " << moves << " (allowed 1e-7), off the steady solver's by " << off
+                                    << " (2e-5: a node of the meniscus may be wet or dry)");
+  BOOST_TEST(moves <= 1e-7);
+  BOOST_TEST(off <= 2e-5);
+}
+
+// A supply that falls to 0.6 within a time of 2 ends in the steady film of that supply, and the half of the domain does
+// what all of it does.
+BOOST_AUTO_TEST_CASE(a_supply_that_falls_ends_in_its_steady_film) {
+  steady::Scene scene = starved_scene(0.25);
+  const Conditions falls{.supply = {.factor = {.points = Points{{0, 1}, {2, 0.6}}}}};
+  const Marched half = marched(scene, falls, {.end = 9.0});
+  check_oil("supply to 0.6", half, 9.0);
+  scene.use_symmetry = false;
+  const Marched whole = marched(scene, falls, {.end = 9.0});
+  const double P = largest_difference(half.frames.back().P, whole.frames.back().P);
+  const double theta = largest_difference(half.frames.back().theta, whole.frames.back().theta);
+  steady::Scene end = starved_scene(0.6 * 0.25);
+  end.multigrid.tolerance = 1e-9;
+  const double Hc = half.rows.back().Hc / steady::solve(end).levels.back().Hc - 1.0;
+  BOOST_TEST_MESSAGE("Hc at the end off by " << Hc << " (allowed 2e-4), half and whole: P differs by " << P
+                                             << ", theta by " << theta << " (allowed 5e-5: half of rtol)");
+  BOOST_TEST(std::abs(Hc) <= 2e-4);
+  BOOST_TEST(P <= 5e-5);
+  BOOST_TEST(theta <= 5e-5);
+}
+
+// A load that jumps presses on what is behind the contact; less oil than the gap holds gives way.
+BOOST_AUTO_TEST_CASE(oil_is_conserved_while_load_and_speed_change) {
+  steady::Scene flooded = marching_scene(64);
+  flooded.far_field = false;
+  Conditions jump{.load = {.points = Points{{0.5, 1}, {0.5, 1.5}}}};
+  jump.conserves_mass = true;
+  check_oil("load to 1.5 at once, inlet full", marched(flooded, jump, {.end = 3.0}), 3.0);
+  const Points stop{{0.5, 1}, {1, 0}, {1.5, 0}, {2, 1}};
+  check_oil("stop and start",
+            marched(starved_scene(0.25), {.u1 = {.points = stop}, .u2 = {.points = stop}}, {.end = 4.0}), 4.0);
+}
