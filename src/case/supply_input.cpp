@@ -86,6 +86,8 @@ void settle_boundary_of_supply(deck::Deck& deck) {
   if (deck::called_for(deck, "transient"))
     transient.follow("cavitation", std::string(starvation::called_for(deck) ? "content" : "pressure"),
                      starvation::called_for(deck) ? "oil is missing" : "the inlet is full");
+  if (starvation::called_for(deck))
+    deck::Part{deck, "grid"}.follow("errors", std::string("levels"), "errors by weights are of full inlets");
   const bool content = transient.word("cavitation") == "content";
   if (!starvation::called_for(deck) && !content) return;
   const deck::Part domain{deck, "domain"};
@@ -106,7 +108,7 @@ void supply_input(Case& input) {
   const deck::Part supply{deck, "supply"};
   const std::string first = supply.given_of(starvation::ways())[0];
   if (input.dry) return supply.complain(first, "on a dry contact: remove [supply], or [case] kind = dry");
-  if (input.transient && supply.given("passes"))
+  if (input.transient && supply.integer("passes", 1) > 1)
     return supply.complain("passes", "are of steady contacts: remove it, or [transient] end_time");
   if (deck::word(deck, "transient", "cavitation") == "pressure")
     return supply.complain(first, "needs cavitation = content in [transient]: behind a meniscus the gap is not full");

@@ -171,6 +171,10 @@ BOOST_AUTO_TEST_CASE(supply_in_time) {
                0);
     ++k;
   }
+  // The deck in the result, from which a stopped run goes on.
+  folder.write("again.ini", ehl(folder, "extract both.h5 deck").out);
+  const Ended again = ehl(folder, "check again.ini");
+  BOOST_TEST(again.status == 0, again.err);
   // u1 from 1.6 to 0.8: both layers bring 1.2/2 of what they did, the first alone 0.8/1.6.
   BOOST_TEST_MESSAGE("oil in: " << in[1] / in[0] << " (5/6 with equal oil at the start)");
   BOOST_TEST(std::abs(in[1] / in[0] - 5.0 / 6.0) <= 1e-3);
