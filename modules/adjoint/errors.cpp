@@ -41,7 +41,8 @@ core::Field on_finer(const fmg::Hierarchy& hierarchy, std::size_t from, std::siz
   const auto scaled = [&](std::size_t l, double power, core::Field field) {
     const core::Patch& grid = hierarchy.levels[l].grid;
     for (int i = 0; i <= grid.nx; ++i)
-      for (int j = 0; j <= grid.ny; ++j) field(i, j) *= std::pow(grid.hx() * grid.hy() * grid.lines(j), power);
+      for (int j = 0; j <= grid.ny; ++j)
+        if (grid.lines(j) > 0.0) field(i, j) *= std::pow(grid.hx() * grid.hy() * grid.lines(j), power);
     return field;
   };
   core::Field now = scaled(from, -1.0, weights);
@@ -76,7 +77,8 @@ constexpr double share_of_H00 = 0.125;
 double domain_error(const fmg::Hierarchy& hierarchy, const fmg::Level& level, const Weights& weights) {
   const fmg::Problem& problem = hierarchy.problem;
   if (!problem.far_field) return 0.0;
-  const double round = 0.5 * (problem.geometry.gap.XX + problem.geometry.gap.YY);
+  const bool line = level.grid.domain.line;
+  const double round = line ? problem.geometry.gap.XX : 0.5 * (problem.geometry.gap.XX + problem.geometry.gap.YY);
   const double deformation = problem.geometry.elastic * problem.load.value_or(0.0);
   const std::vector<fmg::BoundaryNode> nodes = fmg::nodes_of_boundary(level.grid);
   double sum = 0.0;

@@ -95,14 +95,15 @@ void Adjoint::scatter(const Slope& slope, std::span<const double> x, core::Field
 // K^T v. Where a node stands for its image too, the sum over the nodes with that weight is what K is symmetric in.
 void Adjoint::deform(core::Field& v) {
   const core::Patch& grid = level_.grid;
+  const bool line = grid.domain.line;
   for (int i = 0; i <= grid.nx; ++i)
-    for (int j = 0; j <= grid.ny; ++j) v(i, j) /= grid.lines(j);
+    for (int j = 0; j <= grid.ny; ++j) v(i, j) /= line ? 1.0 : grid.lines(j);
   {
     const core::ScopedTimer timer(hierarchy_.times, core::Part::deformation);
     level_.deformation.evaluate(v, deformed_);
   }
   for (int i = 0; i <= grid.nx; ++i)
-    for (int j = 0; j <= grid.ny; ++j) deformed_(i, j) *= grid.lines(j);
+    for (int j = 0; j <= grid.ny; ++j) deformed_(i, j) *= line ? 1.0 : grid.lines(j);
 }
 
 // Unknowns: one for the equation of each interior node, that of the load, those of the boundary; likewise the rows: by

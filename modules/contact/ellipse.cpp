@@ -6,6 +6,8 @@
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <numbers>
 
 #include "core/constants.hpp"
 
@@ -78,18 +80,30 @@ Ellipse ellipse(double radius_ratio, double angle) {
   return shape;
 }
 
+Ellipse line_contact() {
+  return {.radius_ratio = 0.0,
+          .angle = 0.0,
+          .kappa = std::numeric_limits<double>::infinity(),
+          .a = 1.0,
+          .p_h = 0.5 * pi,
+          .approach = 0.25 + 0.5 * std::numbers::ln2};
+}
+
 core::QuadraticForm gap(const Ellipse& shape) { return turned(shape, 0.5, 0.5 * shape.radius_ratio); }
 
 core::QuadraticForm outline(const Ellipse& shape) { return turned(shape, 1.0, 1.0 / (shape.kappa * shape.kappa)); }
 
 Extent extent(const Ellipse& shape) {
+  if (line(shape)) return {1.0, shape.kappa, 1.0};
   const auto [c, s] = direction(shape);
   return {std::hypot(c, s * shape.kappa), std::hypot(s, c * shape.kappa), std::min(1.0, shape.kappa)};
 }
 
 double elastic_factor(const Ellipse& shape) { return 2.0 / (pi * pi) * (shape.p_h / shape.a); }
 
-double load(const Ellipse& shape) { return 2.0 * pi / 3.0 * shape.kappa; }
+double relative_load(const Ellipse& shape) { return line(shape) ? 0.75 : shape.kappa; }
+
+double load(const Ellipse& shape) { return 2.0 * pi / 3.0 * relative_load(shape); }
 
 AlongEntrainment along_entrainment(const Ellipse& shape, double M, double L) {
   const core::QuadraticForm H = gap(shape);

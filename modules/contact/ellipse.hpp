@@ -9,9 +9,9 @@ namespace ehl::contact {
 /// R_y. What it says of the dry contact is relative to the circular one of the radius R_x, the same load and bodies.
 /// Without anything said it is that circle.
 struct Ellipse {
-  double radius_ratio = 1.0;  ///< R_x/R_y
+  double radius_ratio = 1.0;  ///< R_x/R_y; 0: a line contact, line_contact()
   double angle = 0.0;         ///< from the direction of R_x to that of the entrainment [degrees]
-  double kappa = 1.0;         ///< b/a
+  double kappa = 1.0;         ///< b/a; infinite for a line
   double a = 1.0;             ///< a over the circle's radius
   double p_h = 1.0;           ///< maximum pressure over the circle's
   double approach = 1.0;      ///< mutual approach of the dry bodies, in a^2/R_x
@@ -26,6 +26,12 @@ struct Ellipse {
 Ellipse ellipse(double radius_ratio, double angle = 0.0);
 
 inline bool circular(const Ellipse& shape) { return shape.radius_ratio == 1.0; }
+
+/// The contact of long parallel cylinders, R_y without end. Its a is the half width, 8 F' R_x/(pi E') = a^2 with the
+/// load per length F', p_h = 2 F'/(pi a), and the deformation -(1/pi) integral of P ln|X - X'| dX': the approach,
+/// 1/4 + ln(2)/2, is that of the logarithm of lengths in a. The ratios to a circle are those of the elastic factors.
+Ellipse line_contact();
+inline bool line(const Ellipse& shape) { return shape.radius_ratio == 0.0; }
 
 /// In the frame of the entrainment, X along it, lengths in a. With x along R_x and y along R_y
 ///   x = X cos(angle) - Y sin(angle),   y = X sin(angle) + Y cos(angle).
@@ -42,9 +48,12 @@ struct Extent {
 };
 Extent extent(const Ellipse& shape);
 
-/// The factor of K*P in the film equation, 2 p_h R_x/(pi E' a): 2/pi^2 for a circle.
+/// The factor of K*P in the film equation, 2 p_h R_x/(pi E' a): 2/pi^2 for a circle; 1/pi for a line, whose kernel is
+/// the logarithm.
 double elastic_factor(const Ellipse& shape);
-/// The load in units of p_h a^2: (2 pi/3) kappa.
+/// The load over that of a circle with the same a and p_h: kappa. Of a line on a length a, 3/4.
+double relative_load(const Ellipse& shape);
+/// The load in units of p_h a^2: (2 pi/3) kappa. Of a line pi/2 p_h a, per length.
 double load(const Ellipse& shape);
 
 /// M and L as they are with R_e, the radius along the entrainment, instead of R_x, and the ratio of that to R_s, the

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace ehl::contact {
@@ -50,8 +51,37 @@ FilmThickness chittenden(const Groups& groups) {
   return {4.31 * common * (1.0 - exp(-1.23 * width)), 3.68 * common * (1.0 - exp(-0.67 * width))};
 }
 
+FilmThickness dowson_higginson(const Groups& groups) {
+  const auto film = [&](double factor, double of_U, double of_G, double of_W) {
+    return factor * pow(groups.U, of_U) * pow(groups.G, of_G) * pow(groups.W, of_W);
+  };
+  return {film(3.06, 0.69, 0.56, -0.10), film(2.65, 0.7, 0.54, -0.13)};
+}
+
+namespace {
+
+Asymptotes asymptotes_of_line(double M, double L) {
+  return {.rigid_isoviscous = 3.0 / M,
+          .rigid_piezoviscous = 1.287 * pow(L, 2.0 / 3.0),
+          .elastic_isoviscous = 2.621 * pow(M, -0.2),
+          .elastic_piezoviscous = 1.311 * pow(M, -0.125) * pow(L, 0.75),
+          .unloaded = std::numeric_limits<double>::infinity()};
+}
+
+double central_film_of_line(double M, double L) {
+  const Asymptotes H = asymptotes_of_line(M, L);
+  const double isoviscous = pow(H.rigid_isoviscous, 7.0 / 3.0) + pow(H.elastic_isoviscous, 7.0 / 3.0);
+  if (L == 0.0) return pow(isoviscous, 3.0 / 7.0);
+  const double s = (7.0 + 8.0 * exp(-2.0 * H.elastic_isoviscous / H.rigid_isoviscous)) / 5.0;
+  const double piezoviscous = pow(H.rigid_piezoviscous, -3.5) + pow(H.elastic_piezoviscous, -3.5);
+  return pow(pow(isoviscous, 3.0 * s / 7.0) + pow(piezoviscous, -2.0 * s / 7.0), 1.0 / s);
+}
+
+}  // namespace
+
 // The sums are written so that a circle gives the digits of the fit: 1.691 is not the double nearest to 1 + 0.691.
 Asymptotes asymptotes(double M, double L, double q) {
+  if (q == 0.0) return asymptotes_of_line(M, L);
   const double elastic = 1.63 + 0.006 * std::log(q) + 0.63 * (pow(q, 4.0 / 7.0) - 1.0);
   Asymptotes H{};
   H.rigid_isoviscous = 145.0 * pow(1.796 + 0.796 * (pow(q, 14.0 / 15.0) - 1.0), -15.0 / 7.0) * pow(M, -2.0) / q;
@@ -102,6 +132,7 @@ Competition compete(const AlongEntrainment& contact) {
 }  // namespace
 
 double nijenbanning_venner_moes(double M, double L, const Ellipse& shape) {
+  if (line(shape)) return central_film_of_line(M, L);
   const AlongEntrainment contact = along_entrainment(shape, M, L);
   return contact.film * central_film(contact);
 }

@@ -55,6 +55,9 @@ struct Asymptotes {
 ///   H_EP = 1.48 (1 + 0.006 ln q + 0.63 q^(4/7))^(-7/20) q^(-1/24) M^(-1/12) L^(3/4)      H_00 = 1.8 q^-1
 /// in: M > 0, L >= 0, both with R_e; q > 0. limits: fitted for q <= 1. source: Nijenbanning, Venner and Moes (1994),
 /// as quoted in the EHL literature.
+/// q = 0, a line, with its own M:
+///   H_RI = 3 M^-1     H_RP = 1.287 L^(2/3)     H_EI = 2.621 M^(-1/5)     H_EP = 1.311 M^(-1/8) L^(3/4)
+/// source: Moes (1992), Optimum similarity analysis, as quoted in the EHL literature. H_RI is the exact 2.45 rounded up.
 Asymptotes asymptotes(double M, double L, double radius_ratio = 1.0);
 
 /// H_M = {[H_RI^(3/2) + (H_EI^-4 + H_00^-4)^(-3/8)]^(2s/3) + (H_RP^-8 + H_EP^-8)^(-s/8)}^(1/s),
@@ -64,6 +67,15 @@ Asymptotes asymptotes(double M, double L, double radius_ratio = 1.0);
 /// source: as above; the way of joining the asymptotes agrees with our own solutions at (20,10), (100,10), (500,10)
 /// to 2, 7 and 14 %.
 double nijenbanning_venner_moes(double M, double L, const Ellipse& shape = {});
+
+/// Of a line contact, with the asymptotes above:
+/// H_M = {(H_RI^(7/3) + H_EI^(7/3))^(3s/7) + (H_RP^(-7/2) + H_EP^(-7/2))^(-2s/7)}^(1/s), s = [7 + 8 exp(-2
+/// H_EI/H_RI)]/5. source: Moes (1992), as quoted in the EHL literature. nijenbanning_venner_moes() gives it for a line.
+
+/// The film of a line contact: h_c/R = 3.06 U^0.69 G^0.56 W^-0.10, h_m/R = 2.65 U^0.7 G^0.54 W^-0.13. in: groups of a
+/// line. limits: hard contacts of steel and mineral oil; meaningless without piezoviscosity (G = 0). source: Dowson and
+/// Higginson (1968) the minimum, Dowson and Toyoda (1979) the centre, as quoted in the EHL literature.
+FilmThickness dowson_higginson(const Groups& groups);
 
 /// The asymptote that governs the central film.
 enum class Regime { rigid_isoviscous, rigid_piezoviscous, elastic_isoviscous, elastic_piezoviscous };

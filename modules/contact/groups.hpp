@@ -13,7 +13,9 @@
 //   Moes                 M = W (2U)^(-3/4)          L = G (2U)^(1/4)
 //   Venner               lambda = 6 eta0 u_s R^2/(a^3 p_h) = (128 pi^3/(3 M^4))^(1/3)
 //                        alpha_bar = alpha p_h = (L/pi)(3M/2)^(1/3)
-// The last two of a circle; lambda over (a/a_c)^3 (p_h/p_c), alpha_bar times p_h/p_c for an ellipse, a_c and p_c those
+//   Line, F' the load per length: W = F'/(E' R), M = W (2U)^(-1/2), L as above; a = R (8W/pi)^(1/2), p_h = E' a/(4R),
+//                        lambda = 3 pi^2/(8 M^2), alpha_bar = L (M/(2 pi))^(1/2)
+// The last two of Venner of a circle; lambda over (a/a_c)^3 (p_h/p_c), alpha_bar times p_h/p_c for an ellipse, a_c and p_c those
 // of the circle (contact/ellipse.hpp).
 // Three groups describe a contact with Barus' viscosity up to one: M and L fix lambda and alpha_bar, and so the
 // dimensionless solution, and with them the ratio of the radii and the angle of an elliptic contact. W, U and G follow
@@ -43,7 +45,7 @@ Groups from_hamrock_dowson(double W, double U, double G, const Ellipse& shape = 
 
 /// A contact in SI units.
 struct SiContact {
-  double load;     ///< F [N] > 0
+  double load;     ///< F [N] > 0; of a line contact per length [N/m]
   double radius;   ///< R_x [m] > 0
   double E_prime;  ///< [Pa] > 0
   double u_s;      ///< u1 + u2 [m/s] > 0
@@ -60,7 +62,10 @@ SiContact to_si(const Groups& groups, double radius, double E_prime, double eta0
 /// p_h = alpha_bar/alpha [Pa]: the Hertz pressure that M and L mean for a lubricant. in: alpha [1/Pa] > 0.
 double hertz_pressure(const Groups& groups, double alpha);
 
-/// H = h R/a^2 from Moes' H_M = (h/R)(2U)^(-1/2): H = H_M (3M/2)^(-2/3) (a_c/a)^2.
+/// a/R of Hertz from W.
+double relative_half_width(double W, const Ellipse& shape);
+
+/// H = h R/a^2 from Moes' H_M = (h/R)(2U)^(-1/2): H = H_M (3M/2)^(-2/3) (a_c/a)^2; of a line H_M pi/(8M).
 double H_from_moes_units(double H_moes, double M, const Ellipse& shape = {});
 /// H_M = H (3M/2)^(2/3) (a/a_c)^2.
 double H_to_moes_units(double H, double M, const Ellipse& shape = {});

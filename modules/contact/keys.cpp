@@ -20,6 +20,12 @@ constexpr deck::Range roughness{0.0, 1e-4, true, false};
 
 std::vector<deck::Key> dimensionless_keys() {
   return {
+      {.name = "kind",
+       .default_text = "point",
+       .words = {"point", "line"},
+       .meaning = "point: a circle or an ellipse. line: bodies that are long and straight across the motion, as gear "
+                  "teeth, cams and rollers; nothing changes along y, and all that is a force is per length. Then M = W "
+                  "(2U)^(-1/2) and W = F'/(E' R_x), with F' the load per length."},
       {.name = "M",
        .range = {0.1, 1e5},
        .remedy = "outside it the contact is rigid or dry for every grid",
@@ -61,6 +67,12 @@ std::vector<deck::Key> si_keys() {
        .remedy = "the load presses the bodies together",
        .meaning = "Normal load F. Third language: load, radius_x and the elastic data in SI, with [motion] and eta0.",
        .example = "15"},
+      {.name = "load_per_length",
+       .unit = "N/m",
+       .range = positive,
+       .remedy = "1 N/mm is 1000 N/m",
+       .meaning = "Normal load per length of a line contact, F' = F/length, instead of load. Only with kind = line.",
+       .example = "2e5"},
       {.name = "radius_x",
        .unit = "m",
        .range = positive,
@@ -119,7 +131,7 @@ using Names = std::vector<std::string>;
 
 const Names names_in_moes{"M", "L"};
 const Names names_in_hamrock_dowson{"W", "U", "G"};
-const Names names_in_si{"load", "radius_x", "radius_y", "E1", "nu1", "E2", "nu2", "E_prime"};
+const Names names_in_si{"load", "load_per_length", "radius_x", "radius_y", "E1", "nu1", "E2", "nu2", "E_prime"};
 const Names four_moduli{"E1", "nu1", "E2", "nu2"};
 
 Language language_of(const deck::Part& contact) {
@@ -135,7 +147,7 @@ Language language_of(const deck::Part& contact) {
   if (spoken.empty())
     contact.complain("M",
                      "the contact is missing: give M and L, or W, U and G, or load, radius_x and E_prime (or E1, "
-                     "nu1, E2, nu2)");
+                     "nu1, E2, nu2); of a line contact load_per_length");
   if (spoken.size() == 1) return spoken[0].language;
   // A stray key is told to go, not the three that it is added to.
   std::ranges::stable_sort(spoken, std::ranges::greater{}, [](const Choice& choice) { return choice.given.size(); });
@@ -146,8 +158,12 @@ Language language_of(const deck::Part& contact) {
   return Language::none;
 }
 
+// Where the load stands.
+std::string load_name(const deck::Part& contact) { return is_line(contact.deck) ? "load_per_length" : "load"; }
+
 Bodies read_bodies(const deck::Part& contact) {
-  contact.demand({"load", "radius_x"}, "a contact in SI needs load, radius_x and the elastic moduli");
+  const std::string load = load_name(contact);
+  contact.demand({load, "radius_x"}, "a contact in SI needs " + load + ", radius_x and the elastic moduli");
   const auto number = [&](const char* name) { return contact.number(name); };
   const Names moduli = contact.given_of(four_moduli);
   if (contact.given("E_prime"))
@@ -156,7 +172,7 @@ Bodies read_bodies(const deck::Part& contact) {
     contact.complain("E_prime", "is missing: give it, or E1, nu1, E2 and nu2");
   else
     contact.demand(four_moduli, "E1, nu1, E2 and nu2 belong together (or give E_prime alone)");
-  return {.load = number("load"),
+  return {.load = number(load.c_str()),
           .radius = number("radius_x"),
           .E_prime = contact.given("E_prime")
                          ? number("E_prime")
@@ -185,6 +201,14 @@ double read_radius_ratio(const deck::Part& contact, Language language) {
 }
 
 Ellipse read_shape(const deck::Part& contact, const deck::Part& motion, Language language) {
+  if (is_line(contact.deck)) {
+    contact.refuse({"load"}, "is that of a point contact: a line contact has load_per_length [N/m]");
+    contact.refuse({"radius_y", "radius_ratio"}, "has no influence on a line contact, which is straight across: remove "
+                                                 "it, or kind = line");
+    motion.refuse({"angle"}, "has no influence on a line contact: remove it");
+    return line_contact();
+  }
+  contact.refuse({"load_per_length"}, "is that of a line contact: give kind = line, or load [N]");
   const double ratio = read_radius_ratio(contact, language);
   if (ratio == 1.0)
     motion.refuse({"angle"}, "has no influence on a circular contact: remove it, or give radius_ratio or radius_y");
@@ -199,6 +223,8 @@ std::vector<deck::Key> keys() {
   return deck::together({deck::in_section("contact", deck::together({dimensionless_keys(), si_keys(), shape_keys()})),
                          deck::in_section("motion", motion_keys())});
 }
+
+bool is_line(deck::Deck& deck) { return deck::Part{deck, "contact"}.choice("kind", {false, true}); }
 
 Input read(deck::Deck& deck, bool slides) {
   const deck::Part contact{deck, "contact"}, motion{deck, "motion"};

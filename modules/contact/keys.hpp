@@ -15,7 +15,7 @@ inline constexpr double silent = std::numeric_limits<double>::quiet_NaN();
 
 /// Elastic bodies that are pressed together.
 struct Bodies {
-  double load = silent;     ///< [N]
+  double load = silent;     ///< [N]; of a line contact [N/m]
   double radius = silent;   ///< R_x [m]
   double E_prime = silent;  ///< [Pa]
 };
@@ -38,6 +38,8 @@ struct Input {
 std::vector<deck::Key> keys();
 /// in: the deck has what depends on sliding. Choices (radius_y, angle) are recorded in the deck.
 Input read(deck::Deck& deck, bool slides);
+/// [contact] kind = line.
+bool is_line(deck::Deck& deck);
 /// Of bodies without lubricant; nothing where the deck gives no contact in SI.
 std::optional<Bodies> read_bodies(deck::Deck& deck);
 

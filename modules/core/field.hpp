@@ -56,9 +56,14 @@ void copy(const Field& from, Field& to);
 
 /// How many ghost lines stand behind a mirror.
 inline constexpr int ghost_lines = 2;
-/// Fills the ghost lines of one station, behind a mirror f_{ny+k} = f_{ny-k}, k = 1, 2. limits: ny >= 2.
+/// Fills the ghost lines of one station, behind a mirror f_{ny+k} = f_{ny-k}, k = 1, 2; of a line contact both lines
+/// beside the one of the unknowns. limits: ny >= 2.
 inline void fill_ghosts(const Patch& patch, double* station) {
-  if (patch.north != Edge::mirror) return;
+  if (patch.north == Edge::zero) return;
+  if (patch.north == Edge::uniform) {
+    station[0] = station[2] = station[1];
+    return;
+  }
   for (int k = 1; k <= ghost_lines; ++k) station[patch.ny + k] = station[patch.ny - k];
 }
 /// The same of all stations.

@@ -11,22 +11,31 @@ struct Grid {
   double X_b = 0.0;  ///< outlet boundary
   double Y_a = 0.0;  ///< lower side boundary
   double Y_b = 0.0;  ///< upper side boundary
+  /// Of a line contact, where nothing changes along Y: three lines, of which the outer two are copies of the middle one,
+  /// and a cell across is the unit of length. limits: as line_grid() makes it.
+  bool line = false;
 
   double hx() const { return (X_b - X_a) / nx; }
   double hy() const { return (Y_b - Y_a) / ny; }
   double X(int i) const { return X_a + i * hx(); }
-  double Y(int j) const { return Y_a + j * hy(); }
+  double Y(int j) const { return line ? 0.0 : Y_a + j * hy(); }
   int nodes_x() const { return nx + 1; }
   int nodes_y() const { return ny + 1; }
 
   friend bool operator==(const Grid&, const Grid&) = default;
 };
 
+/// The lattice of a line contact.
+inline Grid line_grid(int nx, double X_a, double X_b) {
+  return {.nx = nx, .ny = 2, .X_a = X_a, .X_b = X_b, .Y_a = -1.0, .Y_b = 1.0, .line = true};
+}
+
 /// What stands behind an edge of a patch. (A patch that covers a part of its domain will have a third kind: values from
 /// the coarser level.)
 enum class Edge {
-  zero,   ///< the boundary of the domain, where the pressure is zero
-  mirror  ///< the domain goes on as the image of the patch; the edge itself belongs to the unknowns
+  zero,    ///< the boundary of the domain, where the pressure is zero
+  mirror,  ///< the domain goes on as the image of the patch; the edge itself belongs to the unknowns
+  uniform  ///< of a line contact, on both sides: what stands there are copies of the one line of unknowns
 };
 
 /// A rectangle of a lattice: nodes (0..nx, 0..ny) from node (i0, j0) of the domain's lattice on. Its edges are the
@@ -42,7 +51,8 @@ struct Patch {
 
   Patch() = default;
   /// All of the domain.
-  Patch(const Grid& grid) : domain(grid), nx(grid.nx), ny(grid.ny) {}
+  Patch(const Grid& grid)
+      : domain(grid), nx(grid.nx), ny(grid.ny), north(grid.line ? Edge::uniform : Edge::zero) {}
 
   double hx() const { return domain.hx(); }
   double hy() const { return domain.hy(); }
@@ -53,18 +63,23 @@ struct Patch {
   /// The last line of unknowns; the first is 1.
   int last_line() const { return north == Edge::mirror ? ny : ny - 1; }
   /// How many lines of the domain line j stands for.
-  double lines(int j) const { return north == Edge::mirror && j < ny ? 2.0 : 1.0; }
+  double lines(int j) const {
+    if (north == Edge::uniform) return j == 1 ? 1.0 : 0.0;
+    return north == Edge::mirror && j < ny ? 2.0 : 1.0;
+  }
   /// The line that holds the values of line j of the domain: j, or that of which it is the image.
   int holder(int j) const { return north == Edge::mirror && j > ny ? 2 * ny - j : j; }
+  /// The line of the next finer patch that is line J of this one.
+  int finer_line(int J) const { return north == Edge::uniform ? J : 2 * J; }
 
   friend bool operator==(const Patch&, const Patch&) = default;
 };
 
-/// The next coarser lattice: every second node. limits: nx and ny must be even.
+/// The next coarser lattice: every second node; of a line contact along X alone. limits: nx and ny must be even.
 inline Grid coarsened(const Grid& fine) {
   Grid coarse = fine;
   coarse.nx /= 2;
-  coarse.ny /= 2;
+  if (!fine.line) coarse.ny /= 2;
   return coarse;
 }
 /// The same of a patch. limits: i0, j0 too.
@@ -74,7 +89,7 @@ inline Patch coarsened(const Patch& fine) {
   coarse.i0 /= 2;
   coarse.j0 /= 2;
   coarse.nx /= 2;
-  coarse.ny /= 2;
+  if (!fine.domain.line) coarse.ny /= 2;
   return coarse;
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "core/errors.hpp"
+#include "core/norms.hpp"
+#include "reynolds/flow_balance.hpp"
 
 namespace ehl::fmg {
 namespace {
@@ -11,6 +13,10 @@ namespace {
 // action(i, j, share), the share of the node's cell that lies inside.
 template <class Action>
 void for_boundary(const core::Patch& grid, Action action) {
+  if (grid.domain.line) {
+    for (const int i : {0, grid.nx}) action(i, 1, 0.5);
+    return;
+  }
   const bool north = grid.north == core::Edge::zero;
   for (const int i : {0, grid.nx}) {
     action(i, 0, 0.25);
@@ -29,7 +35,15 @@ reynolds::FarState far_state(const Hierarchy& hierarchy, double H00) {
           .speed = hierarchy.transport.speed,
           .approach = motion.approach - motion.slope * (H00 - motion.origin),
           .load = motion.load,
-          .load_rate = motion.load_rate};
+          .load_rate = motion.load_rate,
+          .flow = motion.flow};
+}
+
+// Where the pressure is largest epsilon is least.
+double flow_through_line(const Hierarchy& hierarchy, const Level& level) {
+  const int top = core::maximum(level.P).i;
+  const int i = std::clamp(top, 1, level.grid.nx - 2);
+  return reynolds::flow_along(level.grid, fields(level), transport_on(hierarchy, level), i, 1);
 }
 
 // The film of the bodies without what is on their surfaces.
@@ -99,6 +113,7 @@ double renew_load_outside(Hierarchy& hierarchy, Level& level) {
 double renew_boundary(Hierarchy& hierarchy, Level& level) {
   if (!hierarchy.problem.far_field) return 0.0;
   const reynolds::FarField& far_field = *hierarchy.problem.far_field;
+  if (level.grid.domain.line) hierarchy.far_motion.flow = flow_through_line(hierarchy, level);
   const reynolds::FarState state = far_state(hierarchy, hierarchy.H00);
   double change = 0.0;
   auto point = level.boundary.begin();

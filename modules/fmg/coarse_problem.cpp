@@ -58,18 +58,22 @@ void take_slack(reynolds::Cavitation cavitation, const Level& fine, Level& coars
   coarse.f.fill(0.0);
   for (int I = 1; I < coarse.grid.nx; ++I)
     for (int J = 1; J <= coarse.grid.last_line(); ++J)
-      coarse.f(I, J) = 0.0 - reynolds::slack(cavitation, fine.P(2 * I, 2 * J), fine.r(2 * I, 2 * J));
+      {
+      const int j = coarse.grid.finer_line(J);
+      coarse.f(I, J) = 0.0 - reynolds::slack(cavitation, fine.P(2 * I, j), fine.r(2 * I, j));
+    }
 }
 
 // Q is injected where the oil leaves room, as the pressure is there: f then makes of it what the coarse grid's march
 // gives, and how far such a point is from being full is its slack.
 void restrict_content(const Level& fine, Level& coarse) {
   for (int J = 0; J <= coarse.grid.ny; ++J) {
-    coarse.supply[static_cast<std::size_t>(J)] = fine.supply[static_cast<std::size_t>(2 * J)];
+    const int j = coarse.grid.finer_line(J);
+    coarse.supply[static_cast<std::size_t>(J)] = fine.supply[static_cast<std::size_t>(j)];
     for (int I = 0; I <= coarse.grid.nx; ++I) {
-      const double Q = fine.content(2 * I, 2 * J);
+      const double Q = fine.content(2 * I, j);
       const double full = coarse.rho_bar(I, J) * coarse.H(I, J);
-      const bool lacks = Q < fine.rho_bar(2 * I, 2 * J) * fine.H(2 * I, 2 * J);
+      const bool lacks = Q < fine.rho_bar(2 * I, j) * fine.H(2 * I, j);
       coarse.content(I, J) = lacks ? std::min(Q, full) : full;
     }
   }
@@ -81,6 +85,14 @@ void restrict_by_coupling(const Level& fine, const reynolds::Transport& transpor
   const core::Field& r = fine.r;
   const core::Patch grid = core::coarsened(fine.grid);
   const int last_J = grid.last_line();
+  if (grid.domain.line) {
+    for (int I = 1; I < grid.nx; ++I) {
+      const int i = 2 * I;
+      coarse(I, 1) =
+          0.5 * (r(i, 1) + coupling.share_east(i - 1, 1) * r(i - 1, 1) + coupling.share_west(i + 1, 1) * r(i + 1, 1));
+    }
+    return;
+  }
   // Residual of a point between two coarse columns, with what the centre points of its column give it.
   const auto column_point = [&](int i, int j) {
     return r(i, j) + coupling.to_all(i, j - 1).north * r(i, j - 1) + coupling.to_all(i, j + 1).south * r(i, j + 1);

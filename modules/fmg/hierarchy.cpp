@@ -15,11 +15,18 @@
 namespace ehl::fmg {
 namespace {
 
-line_solvers::FilmTerms film_terms(const core::Patch& grid, double elastic, int reach) {
+line_solvers::FilmTerms film_terms(const core::Patch& grid, double elastic, const RelaxationParameters& how) {
   line_solvers::FilmTerms terms;
+  const int reach = how.reach;
   terms.reach = reach;
   for (int d = 0; d <= reach; ++d) {
     const auto k = static_cast<std::size_t>(d);
+    if (grid.domain.line) {
+      const double zero_at = std::max(how.line_zero, 2.0 * grid.hx());
+      terms.K[k] = elastic * (kernel::line_influence(d, grid.hx()) + grid.hx() * std::log(zero_at));
+      terms.delta_K[k] = elastic * kernel::distributed_line_influence(d, grid.hx());
+      continue;
+    }
     terms.K[k] = elastic * kernel::influence(d, 0, grid.hx(), grid.hy());
     terms.delta_K[k] = elastic * kernel::distributed_influence(d, 0, grid.hx(), grid.hy());
   }
@@ -51,7 +58,7 @@ Level make_level(const core::Patch& grid, bool finest, const Problem& problem, c
           .H = zero(),
           .scheme = scheme_of(problem),
           .eps = zero(),
-          .eps_across = film::anisotropic(problem.film) || half_points ? zero() : core::Field(),
+          .eps_across = film::anisotropic(problem.film) || half_points || grid.domain.line ? zero() : core::Field(),
           .oil = half_points ? oil_fields(grid, film::anisotropic(problem.film)) : OilFields{},
           .third_order = half_points || reynolds::third_order(problem.transport.wedge) ? zero() : core::Field(),
           .rho_bar = zero(),
@@ -70,7 +77,7 @@ Level make_level(const core::Patch& grid, bool finest, const Problem& problem, c
           .thread_work = std::vector<ThreadWork>(static_cast<std::size_t>(threads), work),
           .deformation = mlmi::Deformation(grid, finest ? deformation : mlmi::fitting(deformation, grid), threads,
                                            problem.geometry.elastic),
-          .film_terms = film_terms(grid, problem.geometry.elastic, parameters.relaxation.reach),
+          .film_terms = film_terms(grid, problem.geometry.elastic, parameters.relaxation),
           .boundary = points_of_boundary(problem, grid)};
 }
 

@@ -82,7 +82,7 @@ struct Level {
   core::Field H;
   Scheme scheme;
   core::Field eps;         ///< along X, kept as scheme.face says; and along Y, where that is the same field
-  core::Field eps_across;  ///< along Y, where it may be another one (thinning, half points); else empty
+  core::Field eps_across;  ///< along Y, where it may be another one (thinning, half points); 0 of a line; else empty
   OilFields oil;
   core::Field third_order;  ///< theta of the face behind each node (flux.hpp); empty where no wedge and no face asks
   core::Field rho_bar;
@@ -126,6 +126,7 @@ struct FarMotion {
   double origin = 0.0;
   double load = 1.0;
   double load_rate = 0.0;
+  double flow = 0.0;  ///< through a line contact, renewed with the boundary
 };
 
 struct Hierarchy {
@@ -199,6 +200,7 @@ inline bool two_epsilons(const Hierarchy& hierarchy, const Level& level) {
 }
 /// epsilon along Y: chosen here, so that the stencils read two fields and ask nothing.
 inline const core::Field& eps_across(const Level& level) {
+  if (level.grid.domain.line) return level.eps_across;
   const bool held_apart = level.oil.fluidity.nodes_x() == 0 || level.oil.fluidity_across.nodes_x() > 0;
   return level.eps_across.nodes_x() > 0 && (held_apart || at_half_points(level)) ? level.eps_across : level.eps;
 }

@@ -56,6 +56,7 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
   FilmStation film1 = film_station(level, 0, j);
   FilmStation film_east = plain ? FilmStation{} : film_station(level, 1, j);
   const reynolds::Transport transport = transport_on(hierarchy, level);
+  const double share = distributed_share(grid);
   std::optional<reynolds::March<Lanes>> march;
   if constexpr (form == Form::mass_conserving) {
     Lanes supply{};
@@ -106,18 +107,18 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
     if (form != Form::mass_conserving && level.f.nodes_x() > 0) point.r += own_lines(level.f, i, j);
 
     // From the coefficients of the pressure changes to those of the deltas: the pressure change at k is
-    // delta_k - (distributed_{k-1} + distributed_{k+1})/4.
+    // delta_k - share (distributed_{k-1} + distributed_{k+1}).
     const Lanes* d = distributive + i;
-    point.a[0] = 0.25 * d[-2] * dr.west - dr.far_west;
-    point.a[1] = 0.25 * d[-1] * (dr.far_west + dr.own) - dr.west;
+    point.a[0] = share * d[-2] * dr.west - dr.far_west;
+    point.a[1] = share * d[-1] * (dr.far_west + dr.own) - dr.west;
     point.a[2] =
-        0.25 * d[0] * (dr.west + dr.east + dr.south + dr.north) - dr.own - work_.far_squeeze[k] * film0.rho_bar;
-    point.a[3] = 0.25 * d[1] * dr.own - dr.east;
-    point.a[4] = 0.25 * d[2] * dr.east;
+        share * d[0] * (dr.west + dr.east + dr.south + dr.north) - dr.own - work_.far_squeeze[k] * film0.rho_bar;
+    point.a[3] = share * d[1] * dr.own - dr.east;
+    point.a[4] = share * d[2] * dr.east;
 
     line_solvers::BandRow<reach> row = line_solvers::eliminate_film<reach>(level.film_terms, point, d);
     // delta_{i-3} reaches the density's part at i-2 through its distribution.
-    row.a[line_solvers::BandRow<reach>::lower - 3] += 0.25 * d[-3] * dr.far_west;
+    row.a[line_solvers::BandRow<reach>::lower - 3] += share * d[-3] * dr.far_west;
     LaneMask fixed = outside;
     // Otherwise the solution is no fixed point.
     fixed |= reynolds::stays_dry(cavitation, P.own, point.r);
@@ -134,9 +135,8 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
 template <int reach, LineSolver solver>
 void LineBatch<reach, solver>::keep(Level& level, int batch, int i, Lanes delta) const {
   const auto k = static_cast<std::size_t>(i);
-  const Lanes low = core::min(core::min(work_.west[k], work_.west[k + 1]), core::min(work_.south[k], work_.north[k]));
-  const Lanes high = core::max(core::max(work_.west[k], work_.west[k + 1]), core::max(work_.south[k], work_.north[k]));
-  // Weight of a single change: from `steep` up to the full one as the coefficients of the four half points come within
+  const auto [low, high] = work_.range_of(k, level.grid.domain.line);
+  // Weight of a single change: from `steep` up to the full one as the coefficients of the half points around come within
   // a factor 2 of each other.
   const double steep = how_.weight_single_steep;
   const double range = how_.weight_single - steep;

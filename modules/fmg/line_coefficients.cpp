@@ -109,7 +109,7 @@ void LineCoefficients::read(const Hierarchy& hierarchy, const Level& level, int 
   if (at_half_points(level)) {
     read(std::integral_constant<Face, Face::logmean>{}, std::true_type{});
     read_answers(level, j);
-  } else if (film::anisotropic(hierarchy.problem.film)) {
+  } else if (film::anisotropic(hierarchy.problem.film) || grid.domain.line) {
     read(std::integral_constant<Face, Face::mean>{}, std::true_type{});
   } else {
     read(std::integral_constant<Face, Face::mean>{}, std::false_type{});
@@ -141,10 +141,10 @@ void LineCoefficients::read(const Hierarchy& hierarchy, const Level& level, int 
   const auto above = [crossover2](Lanes largest, Lanes smallest) {
     return largest * largest * largest > crossover2 * smallest;
   };
-  if (!film::anisotropic(hierarchy.problem.film)) {
+  if (!film::anisotropic(hierarchy.problem.film) || grid.domain.line) {
     choose([&](std::size_t k) {
-      return above(core::max(core::max(work_.west[k], work_.west[k + 1]), core::max(work_.south[k], work_.north[k])),
-                   core::min(core::min(work_.west[k], work_.west[k + 1]), core::min(work_.south[k], work_.north[k])));
+      const auto [low, high] = work_.range_of(k, grid.domain.line);
+      return above(high, low);
     });
     return;
   }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/grid.hpp"
+#include "core/simd.hpp"
 #include "film/model.hpp"
 #include "fmg/parameters.hpp"
 #include "line_solvers/decimation.hpp"
@@ -33,6 +34,16 @@ struct ThreadWork {
   std::vector<reynolds::PressureRow<core::Lanes>> answers;
   /// What of its own part comes by the face to the west; likewise.
   std::vector<core::Lanes> answers_west;
+  /// The least and the largest of the half points around point i; of a line contact there are none across.
+  struct Range {
+    core::Lanes low, high;
+  };
+  Range range_of(std::size_t i, bool line) const {
+    const core::Lanes low = core::min(west[i], west[i + 1]);
+    const core::Lanes high = core::max(west[i], west[i + 1]);
+    if (line) return {low, high};
+    return {core::min(low, core::min(south[i], north[i])), core::max(high, core::max(south[i], north[i]))};
+  }
   /// 1 where point i distributes its change; zero outside the line.
   std::vector<core::Lanes> distributive;
   /// What single changes around point i squeeze out of its film, per change of its own and density.

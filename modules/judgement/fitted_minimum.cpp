@@ -25,7 +25,8 @@ std::optional<Near> minimum_of_paraboloid(const core::Patch& grid, const core::F
   const double g = 0.5 * (H(i + 1, j) - H(i - 1, j));
   const double k = 0.5 * (H(i, j + 1) - H(i, j - 1));
   const double a = H(i + 1, j) - 2.0 * H(i, j) + H(i - 1, j);
-  const double c = H(i, j + 1) - 2.0 * H(i, j) + H(i, j - 1);
+  // Of a line contact nothing changes along Y.
+  const double c = grid.domain.line ? 1.0 : H(i, j + 1) - 2.0 * H(i, j) + H(i, j - 1);
   const double b = 0.25 * (H(i + 1, j + 1) - H(i + 1, j - 1) - H(i - 1, j + 1) + H(i - 1, j - 1));
   const double determinant = a * c - b * b;
   if (!(a > 0.0 && determinant > 0.0)) return std::nullopt;
@@ -65,18 +66,21 @@ std::optional<Near> minimum_of_quartic(const core::Patch& grid, const core::Fiel
     at = {at.i + di, at.j + dj, at.x - di, at.y - dj};
     if (std::abs(at.i - begin.i) > reach || std::abs(at.j - begin.j) > reach) return std::nullopt;
     const bool mirrored = grid.north == core::Edge::mirror;
-    if (at.i < 2 || at.j < 2 || at.i + 2 > grid.nx || (mirrored ? at.j : at.j + 2) > grid.ny) return std::nullopt;
+    const bool line = grid.domain.line;
+    if (at.i < 2 || at.i + 2 > grid.nx) return std::nullopt;
+    if (!line && (at.j < 2 || (mirrored ? at.j : at.j + 2) > grid.ny)) return std::nullopt;
     const Along x = along(at.x), y = along(at.y);
     const auto sum = [&](const std::array<double, 5>& by_x, const std::array<double, 5>& by_y) {
       double all = 0.0;
       for (int k = 0; k < 5; ++k)
-        for (int l = 0; l < 5; ++l)
+        for (int l = line ? 2 : 0; l < (line ? 3 : 5); ++l)
           all += by_x[static_cast<std::size_t>(k)] * by_y[static_cast<std::size_t>(l)] *
                  film(at.i + k - 2, grid.holder(at.j + l - 2));
       return all;
     };
-    const double g = sum(x.slope, y.value), k = sum(x.value, y.slope);
-    const double a = sum(x.curvature, y.value), b = sum(x.slope, y.slope), c = sum(x.value, y.curvature);
+    const double g = sum(x.slope, y.value), k = line ? 0.0 : sum(x.value, y.slope);
+    const double a = sum(x.curvature, y.value), b = line ? 0.0 : sum(x.slope, y.slope);
+    const double c = line ? 1.0 : sum(x.value, y.curvature);
     const double determinant = a * c - b * b;
     if (!(a > 0.0 && determinant > 0.0)) return std::nullopt;
     const double dx = std::clamp((b * k - c * g) / determinant, -longest_step, longest_step);
@@ -95,8 +99,8 @@ struct Fit {
 };
 /// in: the smallest node.
 Fit fit(const core::Patch& grid, const core::Field& film, int i, int j) {
-  const Near node{i, j, 0.0, 0.0, film(i, j)};
-  const std::optional<Near> paraboloid = minimum_of_paraboloid(grid, film, i, j);
+  const Near node{i, grid.domain.line ? 1 : j, 0.0, 0.0, film(i, j)};
+  const std::optional<Near> paraboloid = minimum_of_paraboloid(grid, film, node.i, node.j);
   if (!paraboloid) return {node};
   const std::optional<Near> quartic = minimum_of_quartic(grid, film, *paraboloid);
   if (quartic && quartic->value <= node.value) return {*quartic, true};
@@ -117,19 +121,21 @@ std::vector<NodeWeight> weights_of_fitted_minimum(const core::Patch& grid, const
   if (quartic) {
     std::vector<NodeWeight> weights;
     const Along by_x = along(x), by_y = along(y);
+    const std::size_t first = grid.domain.line ? 2 : 0;
     for (std::size_t k = 0; k < 5; ++k)
-      for (std::size_t l = 0; l < 5; ++l)
+      for (std::size_t l = first; l < 5 - first; ++l)
         weights.push_back({at.i + static_cast<int>(k) - 2, grid.holder(at.j + static_cast<int>(l) - 2),
                            by_x.value[k] * by_y.value[l]});
     return weights;
   }
-  std::vector<NodeWeight> weights{{i, j, 1.0 - x * x - y * y}};
+  const int own = at.j;
+  std::vector<NodeWeight> weights{{i, own, 1.0 - x * x - y * y}};
   if (x == 0.0 && y == 0.0) return weights;
   for (const int side : {-1, 1}) {
-    weights.push_back({i + side, j, 0.5 * x * (x + side)});
-    weights.push_back({i, grid.holder(j + side), 0.5 * y * (y + side)});
+    weights.push_back({i + side, own, 0.5 * x * (x + side)});
+    weights.push_back({i, grid.holder(own + side), 0.5 * y * (y + side)});
     for (const int beside : {-1, 1})
-      weights.push_back({i + side, grid.holder(j + beside), 0.25 * side * beside * x * y});
+      weights.push_back({i + side, grid.holder(own + beside), 0.25 * side * beside * x * y});
   }
   return weights;
 }

@@ -16,11 +16,12 @@ namespace {
 /// hundred or a thousand times more flows back and forth.
 constexpr double contact_reach = 1.5;
 
-// Half the sides of the rectangle around an ellipse.
+// Half the sides of the rectangle around an outline.
 struct Sides {
   double X, Y;
 };
 Sides sides_of(const core::QuadraticForm& outline) {
+  if (outline.YY == 0.0) return {1.0 / std::sqrt(outline.XX), 0.5};  // a line contact: of its one line
   const double determinant = outline.XX * outline.YY - 0.25 * outline.XY * outline.XY;
   return {std::sqrt(outline.YY / determinant), std::sqrt(outline.XX / determinant)};
 }
@@ -65,6 +66,11 @@ double largest_on_rim(const core::Patch& grid, const core::Field& P, const core:
 
 std::vector<NodeWeight> weights_at(const core::Patch& grid, double X, double Y) {
   const Interpolation x = interpolation((X - grid.domain.X_a) / grid.hx(), grid.nx);
+  if (grid.domain.line) {
+    std::vector<NodeWeight> along;
+    for (int a = 0; a < 4; ++a) along.push_back({x.first + a, 1, x.weights[static_cast<std::size_t>(a)]});
+    return along;
+  }
   const Interpolation y = interpolation((Y - grid.domain.Y_a) / grid.hy(), grid.domain.ny);
   std::vector<NodeWeight> weights;
   for (int a = 0; a < 4; ++a)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "kernel/cell_quadrature.hpp"
 
@@ -104,6 +105,30 @@ double distributed_influence(int d_x, int d_y, double hx, double hy) {
   const double neighbours = influence(ax + 1, ay, hx, hy) + influence(ax - 1, ay, hx, hy) +
                             influence(ax, ay + 1, hx, hy) + influence(ax, ay - 1, hx, hy);
   return influence(ax, ay, hx, hy) - 0.25 * neighbours;
+}
+
+double line_influence(int d, double hx) {
+  const double own = std::log(hx);
+  const int far = std::abs(d);
+  if (far == 0) return hx * (1.0 + std::numbers::ln2 - own);
+  if (far >= distance_for_6) {
+    double sum = 0.0;
+    using Rule = GaussRule<6>;
+    for (std::size_t k = 0; k < Rule::node.size(); ++k) sum += Rule::weight[k] * std::log(far + Rule::node[k]);
+    return -hx * (sum + own);
+  }
+  const auto antiderivative = [](double x) { return x * std::log(x) - x; };
+  return -hx * (antiderivative(far + 0.5) - antiderivative(far - 0.5) + own);
+}
+
+std::vector<double> line_influence_table(int n, double hx, int every) {
+  std::vector<double> table;
+  for (int d = 0; d <= n; ++d) table.push_back(line_influence(d * every, hx));
+  return table;
+}
+
+double distributed_line_influence(int d, double hx) {
+  return line_influence(d, hx) - 0.5 * (line_influence(d - 1, hx) + line_influence(d + 1, hx));
 }
 
 }  // namespace ehl::kernel

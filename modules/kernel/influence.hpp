@@ -1,5 +1,6 @@
 #pragma once
-// Influence coefficients of the elastic half-space for a pressure that is constant on each cell.
+// Influence coefficients of the elastic half-space for a pressure that is constant on each cell; of the
+// half-plane for a line contact.
 #include <cstddef>
 #include <vector>
 
@@ -37,5 +38,15 @@ InfluenceTable influence_table(int n_x, int n_y, double hx, double hy, int every
 /// limits: relative error < 1e-12 for hx = hy at any distance; for hx != hy relative to hx hy max(hx,hy)^2/r^3, because
 /// there Delta K passes through zero.
 double distributed_influence(int d_x, int d_y, double hx, double hy);
+
+/// Of a line contact, K(d) = -integral of ln|x| over a cell of hx centred at d hx, seen from the origin, lengths in the
+/// units in which hx is given: another unit adds a constant times the load, which H00 takes up. The film equation
+/// multiplies it by 1/pi. Near: the antiderivative x ln|x| - x at both ends; far, beyond 6 cells, Gauss quadrature as
+/// above. limits: absolute error < 1e-15 hx (1 + |ln hx|).
+double line_influence(int d, double hx);
+/// K(d every) for 0 <= d <= n.
+std::vector<double> line_influence_table(int n, double hx, int every = 1);
+/// K less the mean of its two neighbours, the influence of a change that is distributed along the line.
+double distributed_line_influence(int d, double hx);
 
 }  // namespace ehl::kernel

@@ -5,6 +5,7 @@
 
 #include "core/errors.hpp"
 #include "kernel/influence.hpp"
+#include "mlmi/line_sum.hpp"
 #include "mlmi/multilevel_sum.hpp"
 
 namespace ehl::mlmi {
@@ -21,7 +22,7 @@ constexpr int coarsening_limit = 20;
 constexpr int largest_patch = 64;
 
 bool leaves_enough(const core::Grid& grid, int coarsenings) {
-  const int in_x = (coarsenings + 1) / 2, in_y = coarsenings / 2;
+  const int in_y = grid.line ? 0 : coarsenings / 2, in_x = coarsenings - in_y;
   return coarsenings <= coarsening_limit && (in_x == 0 || grid.nx >> in_x >= fewest_cells) &&
          (in_y == 0 || grid.ny >> in_y >= fewest_cells);
 }
@@ -33,7 +34,7 @@ MultilevelChoice default_choice(const core::Grid& grid) {
   MultilevelChoice choice{.order = 8, .patch_along = 9, .patch_across = 4, .coarsenings = 4};
   if (n < 384) choice.patch_across = 3;
   // Here the exact sum costs no more.
-  if (n < 96) choice.coarsenings = 0;
+  if (n < 96 || grid.line) choice.coarsenings = 0;
   choice.coarsenings = std::min(choice.coarsenings, most_coarsenings(grid));
   return choice;
 }
@@ -63,12 +64,12 @@ void check(const core::Grid& grid, const MultilevelChoice& choice) {
   if (!errors.empty()) throw core::InputError(errors);
 }
 
-std::string describe(const MultilevelChoice& choice, const MultilevelSum& sum) {
-  const std::string coarsest = (choice.coarsest_direct ? std::string("direct sum") : std::string("FFT")) + " on " +
-                               std::to_string(sum.coarsest_rows()) + "x" + std::to_string(sum.coarsest_columns());
+std::string describe(const MultilevelChoice& choice, const std::string& coarsest_points, bool line) {
+  const std::string coarsest =
+      (choice.coarsest_direct ? std::string("direct sum") : std::string("FFT")) + " on " + coarsest_points;
   if (choice.coarsenings == 0) return "mlmi, no coarsening, " + coarsest;
-  return "mlmi, order " + std::to_string(choice.order) + ", patch " + std::to_string(choice.patch_along) + "x" +
-         std::to_string(choice.patch_across) + ", " + std::to_string(choice.coarsenings) +
+  return "mlmi, order " + std::to_string(choice.order) + ", patch " + std::to_string(choice.patch_along) +
+         (line ? "" : "x" + std::to_string(choice.patch_across)) + ", " + std::to_string(choice.coarsenings) +
          (choice.coarsenings == 1 ? " coarsening, " : " coarsenings, ") + coarsest;
 }
 
@@ -87,7 +88,8 @@ Parameters fitting(Parameters parameters, const core::Patch& coarser) {
 
 struct Deformation::Implementation {
   std::string description;
-  MultilevelSum sum;
+  std::optional<MultilevelSum> sum;
+  std::optional<LineSum> line_sum;  // of a line contact, instead
   core::Patch grid;
   // For the sums that know no symmetry.
   core::Field whole_P, whole_w;
@@ -102,19 +104,29 @@ Deformation::Deformation(const core::Patch& grid, const Parameters& parameters, 
     choice = chosen(whole, parameters);
     check(whole, choice);
   }
+  implementation_ = std::make_unique<Implementation>();
+  Implementation& own = *implementation_;
+  own.grid = grid;
+  switch (parameters.method) {
+    case Method::mlmi: break;
+    case Method::fft: own.description = std::string("FFT (") + fourier_library() + ")"; break;
+    case Method::direct: own.description = "direct sum"; break;
+  }
   const Axis x{0, grid.nx, 1, grid.hx()};
+  if (whole.line) {
+    own.line_sum.emplace(x, choice, factor);
+    if (parameters.method == Method::mlmi)
+      own.description = describe(choice, std::to_string(own.line_sum->coarsest_points()), true);
+    return;
+  }
   Axis y{0, grid.ny, 1, grid.hy(), grid.north};
   const bool on_whole = y.end == core::Edge::mirror && !holds_mirror(y, choice);
   if (on_whole) y = {0, whole.ny, 1, whole.hy()};
-  implementation_ = std::make_unique<Implementation>(std::string{}, MultilevelSum(x, y, choice, factor, team), grid,
-                                                     on_whole ? core::Field(whole) : core::Field(),
-                                                     on_whole ? core::Field(whole) : core::Field());
-  const MultilevelSum& sum = implementation_->sum;
-  switch (parameters.method) {
-    case Method::mlmi: implementation_->description = describe(choice, sum); break;
-    case Method::fft: implementation_->description = std::string("FFT (") + fourier_library() + ")"; break;
-    case Method::direct: implementation_->description = "direct sum"; break;
-  }
+  own.sum.emplace(x, y, choice, factor, team);
+  if (on_whole) own.whole_P = own.whole_w = core::Field(whole);
+  if (parameters.method == Method::mlmi)
+    own.description = describe(
+        choice, std::to_string(own.sum->coarsest_rows()) + "x" + std::to_string(own.sum->coarsest_columns()), false);
 }
 Deformation::~Deformation() = default;
 Deformation::Deformation(Deformation&&) noexcept = default;
@@ -122,16 +134,23 @@ Deformation& Deformation::operator=(Deformation&&) noexcept = default;
 
 void Deformation::evaluate(const core::Field& P, core::Field& w) {
   Implementation& own = *implementation_;
+  if (own.line_sum) {
+    own.line_sum->apply([&](int i) { return P(i, 1); },
+                        [&](int i, double value) { std::ranges::fill(w.station(i), value); });
+    return;
+  }
   if (own.whole_P.nodes_x() == 0) {
-    own.sum.apply(P.at_x(0), P.stride(), w.at_x(0), w.stride());
+    own.sum->apply(P.at_x(0), P.stride(), w.at_x(0), w.stride());
     return;
   }
   core::copy_to_domain(own.grid, P, own.whole_P);
-  own.sum.apply(own.whole_P.at_x(0), own.whole_P.stride(), own.whole_w.at_x(0), own.whole_w.stride());
+  own.sum->apply(own.whole_P.at_x(0), own.whole_P.stride(), own.whole_w.at_x(0), own.whole_w.stride());
   core::copy_to_patch(own.grid, own.whole_w, w);
 }
 
 std::string Deformation::description() const { return implementation_->description; }
-std::size_t Deformation::bytes() const { return implementation_->sum.bytes(); }
+std::size_t Deformation::bytes() const { 
+  return implementation_->sum ? implementation_->sum->bytes() : implementation_->line_sum->bytes();
+}
 
 }  // namespace ehl::mlmi

@@ -34,7 +34,8 @@ inline constexpr double circular_factor = 2.0 / (core::pi * core::pi);
 /// Evaluates w_ij = factor sum_kl K_ijkl P_kl on one grid; owns the tables, plans and work space.
 /// Not copyable; one evaluator serves one caller at a time. Grids of any size from 1 x 1 cells on, odd numbers too,
 /// hx != hy allowed; behind a mirror the sum goes over the images too, at half the cost, or on the whole where the
-/// numbers of cells do not allow that. Same bits for any number of threads; grids below 256 cells per direction run on
+/// numbers of cells do not allow that. Of a line contact the kernel is the logarithm, all coarsenings go along X, and
+/// all its lines get the sum. Same bits for any number of threads; grids below 256 cells per direction run on
 /// one.
 class Deformation {
  public:

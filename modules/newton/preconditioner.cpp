@@ -1,5 +1,6 @@
 #include "newton/preconditioner.hpp"
 
+#include <Eigen/Dense>
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
 #include <algorithm>
@@ -21,6 +22,8 @@ struct Box {
   int height() const { return j_last - j_first + 1; }
 };
 
+/// Unknowns of a line contact whose Jacobian is made and factored as a whole, in a second.
+constexpr std::size_t most_dense = 600;
 // Small enough to be dense.
 constexpr int leaf = 3;
 
@@ -54,7 +57,7 @@ void dissect(const Box& box, int reach, const Equations& equations, std::vector<
 }  // namespace
 
 struct Preconditioner::Implementation {
-  const Equations& equations;
+  Equations& equations;
   std::vector<std::pair<int, int>> order;  // wet nodes in the order of elimination
   std::vector<int> place;                  // of a node in it; -1: cavitated
   Matrix matrix;
@@ -64,7 +67,11 @@ struct Preconditioner::Implementation {
   double schur = 0.0;
   Vector rhs, solution;
 
-  explicit Implementation(const Equations& e) : equations(e) {}
+  Eigen::PartialPivLU<Eigen::MatrixXd> dense;  // of a line contact
+
+  explicit Implementation(Equations& e) : equations(e) {}
+  bool line() const { return equations.grid().domain.line && equations.size() <= most_dense; }
+  bool factor_dense();
   Eigen::Index size() const { return static_cast<Eigen::Index>(order.size()); }
   /// Place in u and F of the k-th node of the order.
   std::size_t node(Eigen::Index k) const {
@@ -142,12 +149,29 @@ void Preconditioner::Implementation::assemble(Vector& column_of_H00) {
   matrix.setFromTriplets(entries.begin(), entries.end());
 }
 
-Preconditioner::Preconditioner(const Equations& equations)
+// A column for each unknown. A cavitated node's own is that of the identity.
+bool Preconditioner::Implementation::factor_dense() {
+  const auto n = static_cast<Eigen::Index>(equations.size());
+  Eigen::MatrixXd all(n, n);
+  Vector unit = Vector::Zero(n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    unit[k] = 1.0;
+    equations.jacobian(std::span<const double>(unit.data(), equations.size()),
+                       std::span<double>(all.data() + k * n, equations.size()));
+    unit[k] = 0.0;
+  }
+  if (!all.allFinite()) return false;
+  dense.compute(all);
+  return true;
+}
+
+Preconditioner::Preconditioner(Equations& equations)
     : implementation_(std::make_unique<Implementation>(equations)) {}
 Preconditioner::~Preconditioner() = default;
 
 bool Preconditioner::factor() {
   Implementation& own = *implementation_;
+  if (own.line()) return own.factor_dense();
   own.make_order();
   if (own.order.empty()) return false;
   Vector column(own.size());
@@ -169,6 +193,12 @@ bool Preconditioner::factor() {
 
 void Preconditioner::solve(std::span<double> v) {
   Implementation& own = *implementation_;
+  if (own.line()) {
+    Eigen::Map<Vector> all(v.data(), static_cast<Eigen::Index>(v.size()));
+    own.solution = own.dense.solve(all);
+    all = own.solution;
+    return;
+  }
   for (Eigen::Index k = 0; k < own.size(); ++k) own.rhs[k] = v[own.node(k)];
   own.solution = own.lu.solve(own.rhs);
   const double dH00 = (own.load_row.dot(own.solution) - v.back()) / own.schur;
@@ -178,6 +208,12 @@ void Preconditioner::solve(std::span<double> v) {
 
 void Preconditioner::solve_transposed(std::span<double> v) {
   Implementation& own = *implementation_;
+  if (own.line()) {
+    Eigen::Map<Vector> all(v.data(), static_cast<Eigen::Index>(v.size()));
+    own.solution = own.dense.transpose().solve(all);
+    all = own.solution;
+    return;
+  }
   for (Eigen::Index k = 0; k < own.size(); ++k) own.rhs[k] = v[own.node(k)];
   const double load = (own.border.dot(own.rhs) - v.back()) / own.schur;
   own.rhs -= load * own.load_row;

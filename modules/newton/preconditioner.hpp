@@ -8,10 +8,11 @@
 
 namespace ehl::newton {
 
-/// Solves J~ x = v, where J~ is the Jacobian with K cut to its self term K_00, bordered by H00 and the load row.
+/// Solves J~ x = v, where J~ is the Jacobian with K cut to its self term K_00, bordered by H00 and the load row. Of a
+/// line contact of a few hundred nodes it is the Jacobian itself: the logarithm has no near part.
 class Preconditioner {
  public:
-  explicit Preconditioner(const Equations& equations);
+  explicit Preconditioner(Equations& equations);
   ~Preconditioner();
 
   /// Factors J~ at the equations' point of linearization. false: singular.

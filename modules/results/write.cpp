@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "results/atomic_file.hpp"
+#include "results/one_line.hpp"
 #include "results/hdf5_handle.hpp"
 
 namespace ehl::results {
@@ -292,6 +293,7 @@ std::size_t expected_bytes(const core::Grid& nodes, std::size_t fields) {
 }
 
 void write(const std::string& path, const Content& content, bool overwrite) {
+  if (content.grid.line && content.grid.ny > 0) return write(path, OneLine(content).content, overwrite);
   write_atomically(path, image(path, content), overwrite);
   const std::string description = xdmf(path, content);
   write_atomically(xdmf_name(path), std::as_bytes(std::span(description)), overwrite);

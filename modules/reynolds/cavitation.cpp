@@ -38,7 +38,7 @@ void restrict_pressure(Cavitation model, const core::Field& fine, const core::Pa
     const double* rows[] = {fine.at_x(2 * I - 1), fine.at_x(2 * I), fine.at_x(2 * I + 1)};
     double* to = coarse.at_x(I);
     for (int J = 1; J <= grid.last_line(); ++J) {
-      const int j = 2 * J;
+      const int j = grid.finer_line(J);
       bool any_dry = false;
       for (const double* row : rows)
         any_dry = any_dry || dry(model, row[j - 1]) || dry(model, row[j]) || dry(model, row[j + 1]);

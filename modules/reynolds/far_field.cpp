@@ -94,6 +94,7 @@ std::vector<std::pair<double, double>> gauss_points() {
 }  // namespace
 
 FarField::FarField(const FarFieldOf& of) : of_(of), pressure_(of.viscosity) {
+  if (line()) return;
   const auto& [XX, XY, YY] = of.gap;
   const double trace = XX + YY;
   const double b = 0.5 * XY;
@@ -139,6 +140,7 @@ FarPoint FarField::toward(double cosine, double sine) const {
 }
 
 FarPoint FarField::at(double X, double Y) const {
+  if (line()) return {.X = X};
   const double r = std::hypot(X, Y);
   FarPoint point = toward(X / r, Y / r);
   point.wedge *= r;
@@ -150,6 +152,7 @@ FarPoint FarField::at(double X, double Y) const {
 // The solutions without rupture, and what rupture adds to that of the wedge and takes from that of the squeeze. While
 // the bodies come near each other the first is a - b + b^2/a - ..., so that it is never less than nothing.
 double FarField::P(const FarPoint& point, double H, const FarState& state) const {
+  if (line()) return P_of_line(point.X, H, state);
   const double approach = state.approach - point.yielding * state.load_rate;
   double q_H2 = state.speed * point.wedge + approach * point.squeeze;
   if (approach > 0.0) {
@@ -158,6 +161,31 @@ double FarField::P(const FarPoint& point, double H, const FarState& state) const
     q_H2 = state.speed * point.unruptured + approach * c_ + (a > 0.0 ? a * a / (a + b) : 0.0);
   }
   return q_H2 > 0.0 ? pressure_.P(q_H2 / (H * H)) : 0.0;
+}
+
+// With s = X/u upstream of X the integrand is smooth, and goes as u^2 as u -> 0.
+double FarField::P_of_line(double X, double H, const FarState& state) const {
+  if (X >= 0.0) return 0.0;
+  static const auto rule = gauss_points<10>();
+  const double deformation = state.load * of_.deformation;
+  double q = 0.0;
+  for (const auto& [u, weight] : rule) {
+    const double film = H + of_.gap.XX * X * X * (1.0 / (u * u) - 1.0) + deformation * std::log(u);
+    q += weight * (film - state.flow) / (film * film * film * u * u);
+  }
+  q *= -of_.lambda * state.speed * X;
+  return q > 0.0 ? pressure_.P(q) : 0.0;
+}
+
+double FarField::load_outside_of_line(const FarState& state) const {
+  static const auto rule = gauss_points<10>();
+  double load = 0.0;
+  for (const auto& [u, weight] : rule) {
+    const double X = of_.domain.X_a / u;
+    const double H = state.H00 + of_.gap.XX * X * X - state.load * of_.deformation * std::log(-X);
+    load -= weight * P_of_line(X, H, state) * X / u;
+  }
+  return load;
 }
 
 double FarField::rupture_angle() const {
@@ -206,6 +234,7 @@ void FarField::make_stations(const core::Grid& domain) {
 }
 
 double FarField::load_outside(const FarState& state) const {
+  if (line()) return load_outside_of_line(state);
   double load = 0.0;
   for (const Station& station : stations_)
     load += station.weight * P(station.point, state.H00 + station.gap + state.load * station.deformation, state);

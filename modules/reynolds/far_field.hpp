@@ -13,7 +13,8 @@ namespace ehl::reynolds {
 struct FarFieldOf {
   core::QuadraticForm gap;           ///< of the undeformed bodies, g(phi) r^2
   double lambda = 1.0;               ///< eq. (5)
-  double deformation = 0.0;          ///< of the load at r = 1: K*P -> deformation/r far away, 4/(3 pi) of a circle
+  /// Of the load at r = 1: K*P -> deformation/r far away, 4/(3 pi) of a circle; of a line -deformation ln|X|, 1/2.
+  double deformation = 0.0;
   rheology::ViscosityLaw viscosity;  ///< the oil's; its compression is left out
   core::Grid domain{};               ///< holds the origin; for load_outside
 };
@@ -25,6 +26,7 @@ struct FarState {
   double approach = 0.0;   ///< -dH00/dT
   double load = 1.0;       ///< that deforms the bodies, over the one of FarFieldOf::deformation
   double load_rate = 0.0;  ///< its rate of change
+  double flow = 0.0;       ///< of oil through a line contact, rho_bar H where dP/dX = 0
 };
 
 /// What a point outside has of it, q H^2 per unit of U and of -dH00/dT.
@@ -33,6 +35,7 @@ struct FarPoint {
   double squeeze = 0.0;     ///< nothing where the wedge alone ruptures
   double unruptured = 0.0;  ///< of the wedge, were there no rupture: less than the true one
   double yielding = 0.0;    ///< of the film there while the load grows, as a part of an approach
+  double X = 0.0;           ///< its place, of a line contact alone
 };
 
 /// With H = g(phi) r^2, g of any ellipse and angle, div(H^3 grad q) = lambda dH/dX (q the reduced pressure, dq =
@@ -48,6 +51,10 @@ struct FarPoint {
 /// solution for any ratio of the two that is below the true one, and what q goes over to where V > 0 is large. While
 /// the load grows the film far away falls by less than H00: V is less by a term in 1/r. limits: H > 0 on the boundary
 /// and outside.
+///
+/// A line contact, gap.YY = 0, has one flow, which what the contact does does not leave further away: upstream dq/dX =
+/// lambda U (H - flow)/H^3 is integrated from X = -infinity, with H = H00 + g X^2 - deformation ln|X|; downstream the
+/// film is ruptured. Steady alone.
 class FarField {
  public:
   FarField() = default;
@@ -72,6 +79,9 @@ class FarField {
     double gap, deformation, weight;
   };
   void make_stations(const core::Grid& domain);
+  bool line() const { return of_.gap.YY == 0.0; }
+  double P_of_line(double X, double H, const FarState& state) const;
+  double load_outside_of_line(const FarState& state) const;
   FarPoint toward(double cosine, double sine) const;  // at r = 1
 
   FarFieldOf of_{};

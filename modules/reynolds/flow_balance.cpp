@@ -76,6 +76,10 @@ bool any_dry(Cavitation cavitation, const double* west, const double* P, const d
 
 }  // namespace
 
+double flow_along(const core::Patch& grid, const Fields& state, const Transport& transport, int i, int j) {
+  return Fluxes(grid, state, transport).along_x(i, j);
+}
+
 FlowBalance flow_balance(const core::Patch& grid, const Fields& state, const Transport& transport,
                          Cavitation cavitation, const Reach& reach) {
   const Fluxes fluxes(grid, state, transport);

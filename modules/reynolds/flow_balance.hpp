@@ -15,6 +15,9 @@ struct FlowBalance {
   double imbalance() const { return (out - in) / through; }
 };
 
+/// The flow along X through the face between the nodes i and i+1 of line j, U rho_bar H - eps dP/dX.
+double flow_along(const core::Patch& grid, const Fields& state, const Transport& transport, int i, int j);
+
 /// What is looked at: |X| <= X, |Y| <= Y, and the contact's own half width.
 struct Reach {
   double X;

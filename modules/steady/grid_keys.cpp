@@ -87,6 +87,7 @@ constexpr int smallest_coarsest = 32;
 
 constexpr int fewest_chosen_cells = 256;
 constexpr int most_chosen_cells = 1024;
+constexpr int most_cells_of_line = 8192;
 constexpr double most_nodes_of_ellipse = 5.0 * most_chosen_cells * most_chosen_cells;
 
 /// Where an accuracy is asked for, a closed domain leaves no more of it.
@@ -99,11 +100,14 @@ void choose_domain(const deck::Part& domain, double accuracy, const contact::Gro
   const bool known = groups.M > 0.0 && groups.L >= 0.0;  // else a domain for a contact with an error in it
   if (closed(domain) && known)
     far_field = std::fmin(error_of_closed_domain, share_of_accuracy * accuracy);  // a NaN is none
+  if (contact::line(groups.shape))
+    domain.refuse({"y_half"}, "has no influence on a line contact, which has no sides: remove it");
   domain.fill("x_outlet", chosen_outlet(groups.M, groups.L, groups.shape, far_field), "behind the cavitation boundary");
   const double x_outlet = domain.number("x_outlet");
   domain.fill("x_inlet", chosen_inlet(groups.M, groups.L, x_outlet, groups.shape, far_field),
               far_field ? "closed far field: halved, it moves the film by less than 0.2 %"
                         : "cuts off less than about 1 % of the film where 200 radii are enough for that");
+  if (contact::line(groups.shape)) return;
   domain.fill("y_half", chosen_half_width(domain.number("x_inlet"), x_outlet, groups.shape, far_field.has_value()),
               !contact::circular(groups.shape) ? "as wide a gap at the sides as along x"
               : far_field                      ? "a quarter wider than long"
@@ -121,7 +125,9 @@ void choose_cells(const deck::Part& grid, const deck::Part& domain, const contac
   const double least = fewest_chosen_cells * slenderness(groups.M, groups.L, groups.shape);
   while (fewest < fewest_chosen_cells || 2 * fewest <= least) fewest *= 2;
   int most = fewest * (most_chosen_cells / fewest_chosen_cells);
-  if (!contact::circular(groups.shape)) {
+  if (contact::line(groups.shape)) {
+    most = most_cells_of_line;
+  } else if (!contact::circular(groups.shape)) {
     const double most_along =
         std::sqrt(most_nodes_of_ellipse * cell_aspect(groups.shape) * length / (2.0 * domain.number("y_half")));
     for (most = fewest; 2 * most <= most_along;) most *= 2;
@@ -180,10 +186,10 @@ void check_contains(deck::Deck& deck, const contact::Ellipse& shape) {
   };
   check("x_inlet", reach.X);
   check("x_outlet", reach.X);
-  check("y_half", reach.Y);
+  if (!contact::line(shape)) check("y_half", reach.Y);
 }
 
-GridInput read_grid(deck::Deck& deck, std::optional<double> size, double aspect) {
+GridInput read_grid(deck::Deck& deck, std::optional<double> size, double aspect, bool line) {
   const deck::Part part{deck, "grid"}, domain{deck, "domain"};
   const int cells = part.integer("cells", 0), coarsest = part.integer("coarsest", 0);
   GridInput input{.coarsest = coarsest};
@@ -191,8 +197,13 @@ GridInput read_grid(deck::Deck& deck, std::optional<double> size, double aspect)
   grid.nx = cells;
   grid.X_a = domain.number("x_inlet");
   grid.X_b = domain.number("x_outlet");
-  grid.Y_b = domain.number("y_half");
-  grid.Y_a = -grid.Y_b;
+  if (line) {
+    grid = core::line_grid(grid.nx, grid.X_a, grid.X_b);
+    grid.ny = 0;  // nothing wrong so far
+  } else {
+    grid.Y_b = domain.number("y_half");
+    grid.Y_a = -grid.Y_b;
+  }
   if (cells == 0 || std::isnan(grid.X_b - grid.X_a) || std::isnan(grid.Y_b)) return input;  // complained about already
   const int levels = halvings(cells, coarsest);
   if (levels < 0) {
@@ -207,7 +218,9 @@ GridInput read_grid(deck::Deck& deck, std::optional<double> size, double aspect)
   const double along_y = cells * (grid.Y_b - grid.Y_a) / (grid.X_b - grid.X_a) / aspect;
   const double pairs = std::max(1.0, std::round(std::ldexp(along_y, -levels - 1)));
   const double ny = std::ldexp(pairs, levels + 1);
-  if (ny > 1 << 21)
+  if (line)
+    grid.ny = core::line_grid(cells, grid.X_a, grid.X_b).ny;
+  else if (ny > 1 << 21)
     domain.complain("y_half", "means " + deck::shortest(ny) + " cells along y: take a narrower domain");
   else
     grid.ny = static_cast<int>(ny);

@@ -30,6 +30,8 @@ double circular_load(double M, double L, const contact::Ellipse& shape) {
 }
 
 double expected_least_film(double M, double L, const contact::Ellipse& shape) {
+  constexpr double share_of_line = 0.8;
+  if (contact::line(shape)) return share_of_line * expected_central_film(M, L, shape);
   const contact::AlongEntrainment along = contact::along_entrainment(shape, M, L);
   const contact::Asymptotes film = contact::asymptotes(along.M, along.L, along.radius_ratio);
   const double isoviscous = std::pow(film.elastic_isoviscous, 8.0);

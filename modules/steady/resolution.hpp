@@ -16,7 +16,7 @@ double circular_load(double M, double L, const contact::Ellipse& shape);
 
 /// The minimum film H = h R/a^2 to expect, within a factor 1.5: the central film of Nijenbanning, Venner and Moes
 /// times the share of it that our own solutions have at its thinnest, 0.6 (M/50)^(-1/5), half as much again where the
-/// lubricant is isoviscous, and at most 0.9.
+/// lubricant is isoviscous, and at most 0.9. Of a line 0.8 of the central film: 0.79 to 0.89 for M = 2 to 50.
 /// in: M > 0, L >= 0 (contact/groups.hpp).
 double expected_least_film(double M, double L, const contact::Ellipse& shape = {});
 

@@ -1,14 +1,17 @@
 #include "transfer/transfer.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace ehl::transfer {
 
 void restrict_injection(const core::Field& fine, core::Field& coarse) {
+  // Of a line contact both have all lines.
+  const int every = coarse.nodes_y() == fine.nodes_y() ? 1 : 2;
   for (int I = 0; I < coarse.nodes_x(); ++I) {
     const double* from = fine.at_x(2 * I);
     double* to = coarse.at_x(I);
-    for (int J = 0; J < coarse.nodes_y(); ++J) to[J] = from[2 * J];
+    for (int J = 0; J < coarse.nodes_y(); ++J) to[J] = from[every * J];
   }
 }
 
@@ -19,13 +22,19 @@ void restrict_full_weighting(const core::Patch& grid, const core::Field& fine, c
     const double* here = fine.at_x(2 * I);
     const double* east = fine.at_x(2 * I + 1);
     double* to = coarse.at_x(I);
-    for (int J = 1; J <= grid.last_line(); ++J) to[J] = mean_of_nine(west, here, east, 2 * J);
+    for (int J = 1; J <= grid.last_line(); ++J) to[J] = mean_of_nine(west, here, east, grid.finer_line(J));
+    core::fill_ghosts(grid, to);
   }
 }
 
 void prolong_bilinear(const core::Field& coarse, core::Field& fine, int threads) {
   const int columns = fine.nodes_x();
   const int last = coarse.nodes_y() - 1;
+  if (fine.nodes_y() == coarse.nodes_y()) {
+    for (int i = 0; i < columns; ++i)
+      for (int j = 0; j <= last; ++j) fine(i, j) = 0.5 * (coarse(i / 2, j) + coarse((i + 1) / 2, j));
+    return;
+  }
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
   for (int i = 0; i < columns; ++i) {
     const double* west = coarse.at_x(i / 2);
@@ -62,6 +71,10 @@ void prolong_bicubic(const core::Patch& grid, const core::Field& coarse, core::F
     for (int J = 0; J <= last_y; ++J)
       row[static_cast<std::size_t>(J)] =
           i % 2 == 0 ? coarse(i / 2, J) : half_way([&](int I) { return coarse(I, J); }, i / 2, last_x);
+    if (grid.north == core::Edge::uniform) {
+      std::ranges::copy(row, fine.at_x(i));
+      continue;
+    }
     const auto along_y = [&](int J) { return row[static_cast<std::size_t>(J <= last_y ? J : grid.holder(J))]; };
     for (int j = 0; j < fine.nodes_y(); ++j)
       fine(i, j) = j % 2 == 0 ? along_y(j / 2) : half_way(along_y, j / 2, grid.domain.ny);

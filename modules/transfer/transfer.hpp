@@ -1,5 +1,6 @@
 #pragma once
-// Transfer of fields between a grid and the grid of every second node.
+// Transfer of fields between a grid and the grid of every second node. Of a line contact, every second along X: both
+// fields have as many lines, and nothing happens along Y.
 #include "core/field.hpp"
 
 namespace ehl::transfer {

@@ -23,7 +23,7 @@ struct Meaningless {
 };
 
 const std::vector<Meaningless> of_a_film = {
-    {"contact", {"M", "L", "W", "U", "G", "radius_y", "radius_ratio", "Sq1", "Sq2"}},
+    {"contact", {"kind", "load_per_length", "M", "L", "W", "U", "G", "radius_y", "radius_ratio", "Sq1", "Sq2"}},
     {"motion", {}},
     {"lubricant", {}},
     {"discretization", {}},
@@ -52,7 +52,7 @@ void refuse_film(deck::Deck& deck) {
     const deck::Key key = deck.catalogue.keys[k];
     if (!speaks_of_film(key)) continue;
     if (given(deck, key.section, key.name)) {
-      const bool radii = key.name.starts_with("radius");
+      const bool radii = key.name.starts_with("radius") || key.name == "kind";
       const bool scales = key.section == "contact" && !key.name.starts_with("Sq");
       complain(deck, key.section, key.name,
                radii ? "a dry contact is circular in this version: remove it"

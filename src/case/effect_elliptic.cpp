@@ -1,4 +1,4 @@
-// Bodies of two radii each.
+// Bodies of two radii each, and long ones.
 #include <fmt/core.h>
 
 #include "case/effects.hpp"
@@ -7,14 +7,15 @@ namespace ehl::program {
 
 Effect elliptic_effect() {
   return {.name = "elliptic",
-          .meaning = "Bodies whose radii along x and y differ, and the direction of entrainment between them.",
+          .meaning = "Bodies whose radii along x and y differ, and the direction of entrainment between them; long ones too.",
           .stage = Stage::coefficients,
           .without = "circular",
-          .callers = {{"contact", "radius_ratio"}, {"contact", "radius_y"}},
+          .callers = {{"contact", "kind"}, {"contact", "radius_ratio"}, {"contact", "radius_y"}},
           .on = [](const Case& input) { return !contact::circular(input.scene.shape); },
           .what =
               [](const Case& input) {
                 const contact::Ellipse& shape = input.scene.shape;
+                if (contact::line(shape)) return std::string("a line contact: R_y without end, nothing changes along y");
                 return fmt::format("R_x/R_y = {:.4g}, b/a = {:.4g}, entrained at {:.4g} degrees to R_x",
                                    shape.radius_ratio, shape.kappa, shape.angle);
               },

@@ -104,7 +104,7 @@ friction::Friction friction_of(const Case& input, const steady::Solution& soluti
                                                    : friction::Parameters{.stress = stress_of_sliding(input.physics),
                                                                           .slope = input.physics.a_over_R,
                                                                           .cavitated = friction::Cavitated::none};
-  parameters.aslant = !steady::on_one_half(input.scene);
+  parameters.aslant = !input.scene.grid.line && !steady::on_one_half(input.scene);
   return friction::friction_of({solution.grid, solution.P, solution.H, input.scene.viscosity, input.scene.thinning, I0},
                                parameters);
 }

@@ -50,6 +50,7 @@ const char* where(Stage stage) {
 
 // What is computed on, and if it is the whole domain, why.
 std::string symmetry(const Case& input) {
+  if (input.scene.grid.line) return "of a line contact, one line is computed";
   const std::vector<std::string> reasons = asymmetries(input);
   if (!reasons.empty()) return "none in Y, the whole domain is computed: " + deck::joined(reasons, "; ");
   return steady::on_one_half(input.scene) ? "in Y: one half of the domain is computed"

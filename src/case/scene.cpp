@@ -43,6 +43,25 @@ void check_coarsenings(deck::Deck& deck, const steady::Scene& scene) {
                          most, scene.grid.nx, scene.grid.ny));
 }
 
+// What line contacts do not carry yet.
+void refuse_beyond_line(deck::Deck& deck) {
+  for (const char* section : {"transient", "body", "supply", "thermal", "subsurface"})
+    for (const deck::Key& key : deck.catalogue.keys)
+      if (key.section == section && given(deck, key.section, key.name)) {
+        complain(deck, key.section, key.name, "line contacts do not carry this yet: remove the section, or kind = line");
+        break;
+      }
+  for (const char* section : {"surface1", "surface2"}) {
+    const deck::Part surface{deck, section};
+    const std::string shape = surface.word("shape");
+    if (surface.given("shape") && shape != "ridge" && shape != "groove" && shape != "waviness")
+      surface.complain("shape", "changes along y, and a line contact has none: ridge, groove or waviness");
+    if (surface.given("angle") && surface.number("angle") != 0.0)
+      surface.complain("angle", "must be 0 in a line contact, where nothing changes along y");
+    surface.refuse({"y"}, "has no influence on a line contact: remove it");
+  }
+}
+
 // What the case and its result are called, and which fields are kept. in: path of the deck.
 void read_names(const std::string& path, Case& input) {
   const deck::Part title{input.deck, "case"}, output{input.deck, "output"};
@@ -134,7 +153,8 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   if (contact_known) steady::check_contains(deck, groups.shape);
   std::optional<double> size;
   if (contact_known) size = result.dry ? 1.0 : steady::contact_size(groups.M, groups.L, groups.shape);
-  const steady::GridInput grid = steady::read_grid(deck, size, steady::cell_aspect(groups.shape));
+  const steady::GridInput grid =
+      steady::read_grid(deck, size, steady::cell_aspect(groups.shape), contact::line(groups.shape));
   scene.grid = grid.finest;
   scene.multigrid.coarsest_cells = grid.coarsest;
   if (result.dry) result.dry->parameters.coarsest_cells = grid.coarsest;
@@ -157,6 +177,7 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   result.transient = transient_input(deck, result.physics, result.surfaces, scene.grid);
   if (!result.transient) let_stand(result.surfaces, scene);
   read_effects(result);
+  if (scene.grid.line) refuse_beyond_line(deck);
   if (scene.grid.ny > 0) {
     check_coarsenings(deck, scene);
     if (!result.dry && scene.M > 0.0) check_domain(deck, scene);

@@ -40,9 +40,8 @@ void set_sliding(const contact::Input& input, Physics& physics) {
     return;
   }
   physics.srr = without_rounding(input.srr);
-  // Of a circle a^3 = 3 F R/(2 E').
   physics.a_over_R = physics.language == Language::hamrock_dowson
-                         ? std::cbrt(1.5 * physics.groups.W) * physics.groups.shape.a
+                         ? contact::relative_half_width(physics.groups.W, physics.groups.shape)
                          : input.a_over_R;
 }
 

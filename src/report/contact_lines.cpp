@@ -35,15 +35,18 @@ std::string machine_lines(const machines::Contact& machine) {
 std::string si_lines(const SiInput& si) {
   const contact::SiContact& c = si.contact;
   const bool circular = contact::circular(c.shape);
-  const std::string radii = circular
+  const bool line = contact::line(c.shape);
+  const std::string radii = circular || line
                                 ? "R = " + length(c.radius)
                                 : "R_x = " + length(c.radius) + ", R_y = " + length(c.radius / c.shape.radius_ratio);
-  std::string text = fmt::format("contact      F = {:.6g} N, {}, E' = {}\n", c.load, radii, pressure_in_GPa(c.E_prime));
+  std::string text = fmt::format("contact      {} = {:.6g} {}, {}, E' = {}\n", line ? "F/length" : "F", c.load,
+                                 line ? "N/m" : "N", radii, pressure_in_GPa(c.E_prime));
   text += fmt::format("motion       u1 = {:.6g} m/s, u2 = {:.6g} m/s: u_m = {:.6g} m/s, slide-roll ratio {:.4g}\n",
                       si.u1, si.u2, 0.5 * c.u_s, 2.0 * (si.u1 - si.u2) / c.u_s);
   text += fmt::format("lubricant    eta0 = {:.6g} Pa s, alpha = {:.6g} 1/Pa\n", c.eta0, c.alpha);
-  text += "Hertz        a = " + length(si.hertz.a) + (circular ? "" : ", b = " + length(si.hertz.b)) +
-          ", p_h = " + pressure_in_GPa(si.hertz.p_h) + (circular ? ", a^2/R = " : ", a^2/R_x = ") +
+  const std::string b = circular || line ? "" : ", b = " + length(si.hertz.b);
+  text += std::string("Hertz        ") + (line ? "half width a = " : "a = ") + length(si.hertz.a) + b +
+          ", p_h = " + pressure_in_GPa(si.hertz.p_h) + (circular || line ? ", a^2/R = " : ", a^2/R_x = ") +
           length(si.hertz.h_scale) + "\n";
   return text;
 }
@@ -51,7 +54,9 @@ std::string si_lines(const SiInput& si) {
 std::string group_lines(const Physics& physics) {
   const contact::Groups& g = physics.groups;
   std::string text = fmt::format("Moes         M = {:.6g}, L = {:.6g}\n", g.M, g.L);
-  if (!contact::circular(g.shape))
+  if (contact::line(g.shape))
+    text += "line         R_y without end; a is the half width\n";
+  else if (!contact::circular(g.shape))
     text += fmt::format("ellipse      R_x/R_y = {:.6g}, kappa = b/a = {:.6g}, entrainment at {:g} degrees to R_x\n",
                         g.shape.radius_ratio, g.shape.kappa, g.shape.angle);
   if (std::isfinite(g.U)) text += fmt::format("Hamrock-D.   W = {:.6g}, U = {:.6g}, G = {:.6g}\n", g.W, g.U, g.G);
@@ -80,6 +85,12 @@ std::string formula_lines(const std::vector<Formula>& formulas, const Physics& p
 }
 
 std::string domain_lines(const core::Grid& grid, const std::optional<SiScales>& si) {
+  const auto along = [&](double factor) {
+    return fmt::format("[{:.4g}, {:.4g}] ", factor * grid.X_a, factor * grid.X_b);
+  };
+  if (grid.line)
+    return "domain       " + (si ? along(1e6 * si->a) + "um: " : "") + along(1.0) + "half widths\n" +
+           fmt::format("grid         {} nodes, hx = {:.4g}\n", grid.nodes_x(), grid.hx());
   const auto box = [&](const char* format, double factor) {
     return fmt::format(fmt::runtime(format), factor * grid.X_a, factor * grid.X_b, factor * grid.Y_a,
                        factor * grid.Y_b);

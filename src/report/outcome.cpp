@@ -81,7 +81,12 @@ std::vector<Formula> film_formulas(const contact::Groups& groups) {
   const bool fitted = contact::along_smaller_radius(shape);
   const double M = groups.M;
   std::vector<Formula> formulas;
-  if (fitted)
+  const bool line = contact::line(shape);
+  if (line)
+    formulas.push_back({"Moes 1992", "moes",
+                        contact::H_from_moes_units(contact::nijenbanning_venner_moes(M, groups.L, shape), M, shape),
+                        unknown});
+  else if (fitted)
     formulas.push_back({"Nijenbanning, Venner, Moes 1994", "nvm",
                         contact::H_from_moes_units(contact::nijenbanning_venner_moes(M, groups.L, shape), M, shape),
                         unknown});
@@ -96,6 +101,10 @@ std::vector<Formula> film_formulas(const contact::Groups& groups) {
                         contact::H_from_thickness_over_radius(film.central, full.W, shape),
                         contact::H_from_thickness_over_radius(film.minimum, full.W, shape)});
   };
+  if (line) {
+    add("Dowson, Higginson 1968; Toyoda 1979", "dh", contact::dowson_higginson(full));
+    return formulas;
+  }
   if (fitted) add("Hamrock, Dowson 1977", "hd", contact::hamrock_dowson(full));
   if (!contact::circular(shape) && contact::near_chittenden(shape))
     add("Chittenden et al. 1985", "chittenden", contact::chittenden(full));

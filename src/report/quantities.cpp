@@ -118,7 +118,8 @@ std::vector<Quantity> scale_quantities(const Case& input) {
                              {"H_moes", contact::H_to_moes_units(1.0, g.M, g.shape), "-", "film in Moes units over H"}};
   const auto append = [&](const std::vector<Quantity>& more) { list.insert(list.end(), more.begin(), more.end()); };
   if (input.machine) append(machine_quantities(*input.machine));
-  const bool elliptic = !contact::circular(g.shape);
+  const bool line = contact::line(g.shape);
+  const bool elliptic = !contact::circular(g.shape) && !line;
   if (elliptic)
     append({{"radius_ratio", g.shape.radius_ratio, "-", "R_x/R_y"},
             {"angle", g.shape.angle, "degrees", "from the direction of R_x to the entrainment"},
@@ -127,7 +128,7 @@ std::vector<Quantity> scale_quantities(const Case& input) {
   const contact::SiContact& c = physics.si->contact;
   append({{"a", physics.si->hertz.a, "m", "Hertz radius, the scale of X and Y", "a_m"},
           {"h", physics.si->hertz.h_scale, "m", "a^2/R, the scale of H", not_in_json},
-          {"load", c.load, "N", "normal load", not_in_json},
+          {"load", c.load, line ? "N/m" : "N", line ? "normal load per length" : "normal load", not_in_json},
           {"R", c.radius, "m", "reduced radius", "R_m"},
           {"E_prime", c.E_prime, "Pa", "reduced modulus", not_in_json},
           {"u1", physics.si->u1, "m/s", "speed of surface 1", not_in_json},

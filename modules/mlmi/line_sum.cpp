@@ -1,0 +1,145 @@
+#include "mlmi/line_sum.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "kernel/influence.hpp"
+#include "mlmi/fourier_convolution.hpp"
+
+namespace ehl::mlmi {
+namespace {
+
+std::size_t at(int k) { return static_cast<std::size_t>(k); }
+
+// How far outside the patch the dropped part of the correction is added up [points]: it falls like d^-2p.
+constexpr int margin = 12;
+
+// C = K - P K on its patch; the sum of what is dropped is kept, of odd and of even distances, in the middle.
+std::vector<double> correction_of(const Axis& axis, int order, int patch, double factor) {
+  const int p = order / 2;
+  const auto weights = midpoint_weights(order);
+  const auto K = kernel::line_influence_table(patch + margin + 2 * p, axis.h, axis.every);
+  const auto error = [&](int d) {
+    double sum = K[at(std::abs(d))];
+    for (int k = 1; k <= p; ++k)
+      sum -= weights[at(k - 1)] * (K[at(std::abs(d - (2 * k - 1)))] + K[at(std::abs(d + (2 * k - 1)))]);
+    return factor * sum;
+  };
+  std::vector<double> C;
+  for (int d = -patch; d <= patch; ++d) C.push_back(error(d));
+  for (int d = patch + 1; d <= patch + margin; ++d) {
+    const double dropped = error(d);
+    if (d % 2 == 0) {
+      C[at(patch)] += 2.0 * dropped;
+    } else {
+      C[at(patch - 1)] += dropped;
+      C[at(patch + 1)] += dropped;
+    }
+  }
+  return C;
+}
+
+double value_at(const Axis& axis, const std::vector<double>& values, int i) {
+  return i < axis.first || i > axis.last ? 0.0 : values[at(i - axis.first)];
+}
+
+}  // namespace
+
+LineSum::LineSum(const Axis& axis, const MultilevelChoice& choice, double factor)
+    : order_(choice.order), patch_(choice.patch_along) {
+  Axis now = axis;
+  const auto add = [&](std::vector<double> correction) {
+    levels_.push_back({now, std::vector<double>(at(now.points())), std::vector<double>(at(now.points())),
+                       std::move(correction)});
+  };
+  for (int l = 0; l < choice.coarsenings; ++l) {
+    add(correction_of(now, order_, patch_, factor));
+    now = coarsened(now, order_);
+  }
+  add({});
+  const int points = now.points();
+  kernel_ = kernel::line_influence_table(points - 1, now.h, now.every);
+  for (double& K : kernel_) K *= factor;
+  if (choice.coarsest_direct) return;
+  const int length = padded_length(2 * points - 1);
+  transform_.emplace_back(length);
+  real_ = Buffer(at(length));
+  complex_ = Buffer(at(length) + 2);
+  spectrum_ = Buffer(at(length / 2 + 1));
+  for (int d = 0; d < points; ++d) real_[at(d)] = real_[at(d > 0 ? length - d : 0)] = kernel_[at(d)] / length;
+  transform_[0].forward(real_.data(), complex_.data());
+  // The kernel is even: its spectrum is real.
+  for (int k = 0; k <= length / 2; ++k) spectrum_[at(k)] = complex_[at(2 * k)];
+}
+
+void LineSum::anterpolate(const Level& fine, Level& coarse) const {
+  const auto weights = midpoint_weights(order_);
+  for (int J = coarse.axis.first; J <= coarse.axis.last; ++J) {
+    const auto u = [&](int i) { return value_at(fine.axis, fine.u, 2 * J + i); };
+    double sum = u(0);
+    for (int k = 1; k <= order_ / 2; ++k) sum += weights[at(k - 1)] * (u(1 - 2 * k) + u(2 * k - 1));
+    coarse.u[at(J - coarse.axis.first)] = sum;
+  }
+}
+
+void LineSum::interpolate(Level& coarse, Level& fine) const {
+  const auto weights = midpoint_weights(order_);
+  const auto corrected = [&](int i, int from, int step) {
+    double sum = 0.0;
+    for (int d = from; d <= patch_; d += step)
+      sum += fine.correction[at(d + patch_)] * value_at(fine.axis, fine.u, i + d);
+    return sum;
+  };
+  // Even points see the odd distances alone.
+  for (int J = coarse.axis.first; J <= coarse.axis.last; ++J)
+    coarse.w[at(J - coarse.axis.first)] += corrected(2 * J, -patch_ + (patch_ + 1) % 2, 2);
+  for (int i = fine.axis.first; i <= fine.axis.last; ++i) {
+    const int J = (i - (i & 1)) / 2;
+    const auto w = [&](int K) { return coarse.w[at(K - coarse.axis.first)]; };
+    double& sum = fine.w[at(i - fine.axis.first)];
+    if (i == 2 * J) {
+      sum = w(J);
+      continue;
+    }
+    sum = corrected(i, -patch_, 1);
+    for (int k = 1; k <= order_ / 2; ++k) sum += weights[at(k - 1)] * (w(J + 1 - k) + w(J + k));
+  }
+}
+
+void LineSum::sum_directly(Level& level) const {
+  const int points = level.axis.points();
+  for (int i = 0; i < points; ++i) {
+    double sum = 0.0;
+    for (int k = 0; k < points; ++k) sum += kernel_[at(std::abs(i - k))] * level.u[at(k)];
+    level.w[at(i)] = sum;
+  }
+}
+
+void LineSum::sum_by_transform(Level& level) {
+  std::fill_n(real_.data(), real_.size(), 0.0);
+  std::ranges::copy(level.u, real_.data());
+  transform_[0].forward(real_.data(), complex_.data());
+  for (std::size_t k = 0; k < spectrum_.size(); ++k) {
+    complex_[2 * k] *= spectrum_[k];
+    complex_[2 * k + 1] *= spectrum_[k];
+  }
+  transform_[0].inverse(complex_.data(), real_.data());
+  std::copy_n(real_.data(), level.w.size(), level.w.begin());
+}
+
+void LineSum::sum() {
+  for (std::size_t l = 0; l + 1 < levels_.size(); ++l) anterpolate(levels_[l], levels_[l + 1]);
+  if (transform_.empty())
+    sum_directly(levels_.back());
+  else
+    sum_by_transform(levels_.back());
+  for (std::size_t l = levels_.size() - 1; l-- > 0;) interpolate(levels_[l + 1], levels_[l]);
+}
+
+std::size_t LineSum::bytes() const {
+  std::size_t doubles = kernel_.size();
+  for (const Level& level : levels_) doubles += 2 * level.u.size() + level.correction.size();
+  return doubles * sizeof(double) + spectrum_.bytes() + real_.bytes() + complex_.bytes();
+}
+
+}  // namespace ehl::mlmi

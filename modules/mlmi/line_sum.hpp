@@ -1,0 +1,49 @@
+#pragma once
+// The sum w = K*u along one line, K the logarithmic kernel of a line contact: multilevel multi-integration as in two
+// dimensions (semi_coarsening.hpp has the notation), where every coarsening takes every second point.
+#include <cstddef>
+#include <vector>
+
+#include "mlmi/buffer.hpp"
+#include "mlmi/fourier_transform.hpp"
+#include "mlmi/multilevel_sum.hpp"
+
+namespace ehl::mlmi {
+
+/// w_i = factor sum_k K(i-k) u_k. Owns every level. limits: an axis from 0 on; of `choice` no patch_across.
+class LineSum {
+ public:
+  LineSum(const Axis& axis, const MultilevelChoice& choice, double factor);
+
+  /// in: u(i), i = 0..last. out: write(i, w_i).
+  template <class Source, class Write>
+  void apply(Source u, Write write) {
+    Level& finest = levels_.front();
+    for (std::size_t i = 0; i < finest.u.size(); ++i) finest.u[i] = u(static_cast<int>(i));
+    sum();
+    for (std::size_t i = 0; i < finest.w.size(); ++i) write(static_cast<int>(i), finest.w[i]);
+  }
+
+  int coarsest_points() const { return levels_.back().axis.points(); }
+  std::size_t bytes() const;
+
+ private:
+  struct Level {
+    Axis axis;
+    std::vector<double> u, w;
+    std::vector<double> correction;  // C(d), d = -patch..patch, between this level and the next
+  };
+  void sum();
+  void anterpolate(const Level& fine, Level& coarse) const;
+  void interpolate(Level& coarse, Level& fine) const;
+  void sum_directly(Level& level) const;
+  void sum_by_transform(Level& level);
+
+  int order_, patch_;
+  std::vector<Level> levels_;        // the finest first
+  std::vector<double> kernel_;       // factor K(d), d = 0 .. of the coarsest level: of the direct sum
+  std::vector<RealTransform> transform_;  // one, or none
+  Buffer spectrum_, real_, complex_;
+};
+
+}  // namespace ehl::mlmi

