@@ -203,8 +203,9 @@ double read_radius_ratio(const deck::Part& contact, Language language) {
 Ellipse read_shape(const deck::Part& contact, const deck::Part& motion, Language language) {
   if (is_line(contact.deck)) {
     contact.refuse({"load"}, "is that of a point contact: a line contact has load_per_length [N/m]");
-    contact.refuse({"radius_y", "radius_ratio"}, "has no influence on a line contact, which is straight across: remove "
-                                                 "it, or kind = line");
+    contact.refuse({"radius_y", "radius_ratio"},
+                   "has no influence on a line contact, which is straight across: remove "
+                   "it, or kind = line");
     motion.refuse({"angle"}, "has no influence on a line contact: remove it");
     return line_contact();
   }

@@ -57,8 +57,7 @@ class Coupling {
 void take_slack(reynolds::Cavitation cavitation, const Level& fine, Level& coarse) {
   coarse.f.fill(0.0);
   for (int I = 1; I < coarse.grid.nx; ++I)
-    for (int J = 1; J <= coarse.grid.last_line(); ++J)
-      {
+    for (int J = 1; J <= coarse.grid.last_line(); ++J) {
       const int j = coarse.grid.finer_line(J);
       coarse.f(I, J) = 0.0 - reynolds::slack(cavitation, fine.P(2 * I, j), fine.r(2 * I, j));
     }

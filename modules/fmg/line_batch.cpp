@@ -136,8 +136,8 @@ template <int reach, LineSolver solver>
 void LineBatch<reach, solver>::keep(Level& level, int batch, int i, Lanes delta) const {
   const auto k = static_cast<std::size_t>(i);
   const auto [low, high] = work_.range_of(k, level.grid.domain.line);
-  // Weight of a single change: from `steep` up to the full one as the coefficients of the half points around come within
-  // a factor 2 of each other.
+  // Weight of a single change: from `steep` up to the full one as the coefficients of the half points around come
+  // within a factor 2 of each other.
   const double steep = how_.weight_single_steep;
   const double range = how_.weight_single - steep;
   const Lanes smooth = 2.0 * low >= high ? core::broadcast(1.0) : 2.0 * low / high;

@@ -149,7 +149,7 @@ void Deformation::evaluate(const core::Field& P, core::Field& w) {
 }
 
 std::string Deformation::description() const { return implementation_->description; }
-std::size_t Deformation::bytes() const { 
+std::size_t Deformation::bytes() const {
   return implementation_->sum ? implementation_->sum->bytes() : implementation_->line_sum->bytes();
 }
 

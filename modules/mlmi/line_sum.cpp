@@ -49,8 +49,8 @@ LineSum::LineSum(const Axis& axis, const MultilevelChoice& choice, double factor
     : order_(choice.order), patch_(choice.patch_along) {
   Axis now = axis;
   const auto add = [&](std::vector<double> correction) {
-    levels_.push_back({now, std::vector<double>(at(now.points())), std::vector<double>(at(now.points())),
-                       std::move(correction)});
+    levels_.push_back(
+        {now, std::vector<double>(at(now.points())), std::vector<double>(at(now.points())), std::move(correction)});
   };
   for (int l = 0; l < choice.coarsenings; ++l) {
     add(correction_of(now, order_, patch_, factor));

@@ -40,8 +40,8 @@ class LineSum {
   void sum_by_transform(Level& level);
 
   int order_, patch_;
-  std::vector<Level> levels_;        // the finest first
-  std::vector<double> kernel_;       // factor K(d), d = 0 .. of the coarsest level: of the direct sum
+  std::vector<Level> levels_;             // the finest first
+  std::vector<double> kernel_;            // factor K(d), d = 0 .. of the coarsest level: of the direct sum
   std::vector<RealTransform> transform_;  // one, or none
   Buffer spectrum_, real_, complex_;
 };

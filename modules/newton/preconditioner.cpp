@@ -165,8 +165,7 @@ bool Preconditioner::Implementation::factor_dense() {
   return true;
 }
 
-Preconditioner::Preconditioner(Equations& equations)
-    : implementation_(std::make_unique<Implementation>(equations)) {}
+Preconditioner::Preconditioner(Equations& equations) : implementation_(std::make_unique<Implementation>(equations)) {}
 Preconditioner::~Preconditioner() = default;
 
 bool Preconditioner::factor() {

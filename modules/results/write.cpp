@@ -6,8 +6,8 @@
 #include <cstring>
 
 #include "results/atomic_file.hpp"
-#include "results/one_line.hpp"
 #include "results/hdf5_handle.hpp"
+#include "results/one_line.hpp"
 
 namespace ehl::results {
 namespace {

@@ -51,6 +51,7 @@ Scene coarse_scene(const Scene& scene, const core::Grid& grid) {
 
 // Twice as long (upstream) and twice as wide, with the same nodes where both are: the error of the mesh is the same.
 core::Grid doubled(const core::Grid& grid) {
+  if (grid.line) return core::line_grid(2 * grid.nx, grid.X_a - (grid.X_b - grid.X_a), grid.X_b);
   return {2 * grid.nx, 2 * grid.ny, grid.X_a - (grid.X_b - grid.X_a), grid.X_b, 2.0 * grid.Y_a, 2.0 * grid.Y_b};
 }
 
@@ -143,7 +144,7 @@ double foretold_cells(const Scene& scene, const Solution& solution, double allow
 
 core::Grid with_cells(const core::Grid& grid, int nx) {
   core::Grid finer = grid;
-  finer.ny *= nx / grid.nx;
+  if (!grid.line) finer.ny *= nx / grid.nx;
   finer.nx = nx;
   return finer;
 }
@@ -212,8 +213,10 @@ core::Grid on_larger_domain(const core::Grid& grid, double factor) {
   core::Grid larger = grid;
   larger.X_a = -grid.X_b * m / (parts - m);
   const double ratio = length() / (grid.X_b - grid.X_a);
-  larger.Y_a *= ratio;
-  larger.Y_b *= ratio;
+  if (!grid.line) {
+    larger.Y_a *= ratio;
+    larger.Y_b *= ratio;
+  }
   while (larger.hx() > grid.hx() * (1.0 + 1e-12)) larger = with_cells(larger, 2 * larger.nx);
   return larger;
 }

@@ -65,7 +65,8 @@ int coarsest_cells(const Scene& scene, const Start& start) {
   const double length = scene.grid.X_b - scene.grid.X_a;
   const double width = scene.grid.Y_b - scene.grid.Y_a;
   constexpr double narrow = 1.99;
-  return contact::circular(scene.shape) || scene.grid.line || length < narrow * width ? start.coarsest : 2 * start.coarsest;
+  return contact::circular(scene.shape) || scene.grid.line || length < narrow * width ? start.coarsest
+                                                                                      : 2 * start.coarsest;
 }
 
 double steep_caution(const Scene& scene) { return steep_edge(scene) ? caution_where_steep : 1.0; }
@@ -91,8 +92,8 @@ std::optional<reynolds::FarField> far_field_of(const Scene& scene) {
 
 /// Along one line, whose points are solved together, a change may be distributed however strongly they are coupled: of
 /// 1 to 1e8 the cycles leave 0.2 to 0.5 of the residual with 1 to 10, 0.02 to 0.15 with 1e3 and 1e4 (eleven loads
-/// from (5, 0) to (200, 10), 256 and 1024 cells, of which 3 to 5 do not converge with 1e6 and more). Of bodies that stay
-/// nearly rigid, M = 1, cycles with it leave 0.7.
+/// from (5, 0) to (200, 10), 256 and 1024 cells, of which 3 to 5 do not converge with 1e6 and more). Of bodies that
+/// stay nearly rigid, M = 1, cycles with it leave 0.7.
 constexpr double crossover_of_line = 3e3;
 
 fmg::Parameters parameters_of(const Scene& scene, const Start& start) {
@@ -103,8 +104,8 @@ fmg::Parameters parameters_of(const Scene& scene, const Start& start) {
   // to lean on the pressure answers later. With no pressure on the boundary a film that thick is not reached.
   const double film = scene.far_field ? 0.75 * film_slope(scene) : 0.0;
   parameters.load_relaxation *= (scene.shape.approach + film) / contact::relative_load(scene.shape);
-  // Single changes stand in the zones in which the film is made. Of 1, 2, 4 and 8 of their widths, eleven loads from (5,
-  // 0) to (200, 10): with 8 all converge, nine from the first start; with 1 three do not.
+  // Single changes stand in the zones in which the film is made. Of 1, 2, 4 and 8 of their widths, eleven loads from
+  // (5, 0) to (200, 10): with 8 all converge, nine from the first start; with 1 three do not.
   constexpr double film_zones = 8.0;
   parameters.relaxation.line_zero = film_zones * film_zone(scene.M, scene.L, scene.shape);
   // The coupling by the film, against which that by epsilon is held.

@@ -176,7 +176,9 @@ std::function<void(const core::Patch&, core::Field&)> scaled(
   if (!surface || s == 1.0) return surface;
   return [surface = std::move(surface), s](const core::Patch& grid, core::Field& S) {
     core::Patch same = grid;
-    for (double* bound : {&same.domain.X_a, &same.domain.X_b, &same.domain.Y_a, &same.domain.Y_b}) *bound *= s;
+    for (double* bound : {&same.domain.X_a, &same.domain.X_b}) *bound *= s;
+    if (!grid.domain.line)
+      for (double* bound : {&same.domain.Y_a, &same.domain.Y_b}) *bound *= s;
     surface(same, S);
     for (int i = 0; i <= grid.nx; ++i)
       for (double& gap : S.station(i)) gap /= s * s;
@@ -186,7 +188,7 @@ std::function<void(const core::Patch&, core::Field&)> scaled(
 }  // namespace
 
 Scene under_load(const Scene& scene, double M) {
-  const double p_h_factor = std::cbrt(M / scene.M);
+  const double p_h_factor = contact::line(scene.shape) ? std::sqrt(M / scene.M) : std::cbrt(M / scene.M);
   Scene result = scene;
   result.M = M;
   result.lambda = contact::from_moes(M, scene.L, scene.shape).lambda;
@@ -195,7 +197,7 @@ Scene under_load(const Scene& scene, double M) {
   if (scene.thinning) result.thinning = rheology::rescaled(*scene.thinning, p_h_factor);
   if (scene.supply && p_h_factor != 1.0)  // likewise of the same oil
     result.supply = [supply = scene.supply, s = p_h_factor](double Y) { return supply(s * Y) / (s * s); };
-  result.surface = scaled(scene.surface, p_h_factor);  // a and p_h both grow with the cube root of the load
+  result.surface = scaled(scene.surface, p_h_factor);  // a and p_h both grow alike with the load
   return result;
 }
 

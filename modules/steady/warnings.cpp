@@ -30,6 +30,7 @@ double largest_along_outlet(const Solution& solution) {
 
 double largest_along_sides(const Solution& solution) {
   double largest = 0.0;
+  if (solution.grid.line) return largest;
   for (int i = 0; i <= solution.grid.nx; ++i)
     largest = std::max({largest, solution.P(i, 1), solution.P(i, solution.grid.ny - 1)});
   return largest;

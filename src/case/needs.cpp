@@ -86,7 +86,7 @@ core::Grid foretold_grid(const steady::Scene& scene) {
   };
   while (error() > allowed && 2 * grid.nx <= scene.accuracy.most_cells) {
     grid.nx *= 2;
-    grid.ny *= 2;
+    if (!grid.line) grid.ny *= 2;
   }
   return grid;
 }

@@ -48,7 +48,8 @@ void refuse_beyond_line(deck::Deck& deck) {
   for (const char* section : {"transient", "body", "supply", "thermal", "subsurface"})
     for (const deck::Key& key : deck.catalogue.keys)
       if (key.section == section && given(deck, key.section, key.name)) {
-        complain(deck, key.section, key.name, "line contacts do not carry this yet: remove the section, or kind = line");
+        complain(deck, key.section, key.name,
+                 "line contacts do not carry this yet: remove the section, or kind = line");
         break;
       }
   for (const char* section : {"surface1", "surface2"}) {

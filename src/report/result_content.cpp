@@ -27,7 +27,7 @@ deck::Deck with_grid_of(const steady::Solution& solution, deck::Deck deck) {
   const deck::Part domain{deck, "domain"};
   domain.follow("x_inlet", solution.grid.X_a, why);
   domain.follow("x_outlet", solution.grid.X_b, why);
-  domain.follow("y_half", solution.grid.Y_b, why);
+  if (!solution.grid.line) domain.follow("y_half", solution.grid.Y_b, why);
   return deck;
 }
 

@@ -41,6 +41,29 @@ BOOST_AUTO_TEST_CASE(names_and_values) {
   });
 }
 
+BOOST_AUTO_TEST_CASE(line_contacts) {
+  const std::string line = "[contact]\nkind = line\n";
+  const std::string rest = "E_prime = 110e9\n[motion]\nu_m = 0.09\n[lubricant]\neta0 = 0.25\nalpha = 22e-9\n";
+  const std::string bodies = "load_per_length = 1e5\nradius_x = 0.0125\n" + rest;
+  const std::string numbers = line + "M = 20\nL = 5\n" + oil;
+  support::check_refused({
+      {"kind", "[contact]\nkind = lines\nM = 20\nL = 5\n" + oil, {"d.ini:2", "did you mean line?", "point, line"}},
+      {"load of a point", line + "load = 1e3\nradius_x = 0.0125\n" + rest, {"d.ini:3", "load_per_length [N/m]"}},
+      {"load of a line", "[contact]\n" + bodies, {"load_per_length", "give kind = line"}},
+      {"negative", line + "load_per_length = -1\n", {"d.ini:3", "> 0 N/m"}},
+      {"radius_y", line + "radius_y = 0.1\n" + bodies, {"d.ini:3", "radius_y", "no influence on a line"}},
+      {"radius_ratio", line + "radius_ratio = 0.1\nM = 20\nL = 5\n" + oil, {"radius_ratio", "no influence"}},
+      {"angle", numbers + "[motion]\nangle = 10\n", {"[motion] angle", "no influence on a line"}},
+      {"y_half", numbers + "[domain]\ny_half = 2\n", {"[domain] y_half", "no sides"}},
+      {"dry", "[case]\nkind = dry\n" + line, {"[contact] kind", "dry contact is circular"}},
+      {"dimple",
+       numbers + "[surface1]\nshape = dimple\nheight = 0.01\nwidth = 0.5\nat_rest = yes\n",
+       {"dimple", "ridge, groove or waviness"}},
+      {"in time", numbers + "[transient]\nend_time = 1\n", {"[transient] end_time", "line contacts do not carry this"}},
+      {"supply", numbers + "[supply]\nH_oil = 0.1\n", {"[supply] H_oil", "line contacts do not carry this"}},
+  });
+}
+
 BOOST_AUTO_TEST_CASE(languages_and_groups) {
   support::check_refused({
       {"two languages",

@@ -133,3 +133,32 @@ BOOST_AUTO_TEST_CASE(film_formula_tends_to_its_asymptotes) {
   BOOST_TEST(regime_text(1000.0, 10.0) == "elastic piezoviscous, passing into rigid piezoviscous");
   BOOST_TEST(regime_text(1e5, 0.0) == "elastic isoviscous");
 }
+
+// A steel roller, R = 10 mm, 100 N/mm: b = sqrt(8 F' R/(pi E')) and p_h = 2 F'/(pi b) by hand, the groups by their
+// definitions in SI.
+BOOST_AUTO_TEST_CASE(a_line_contact_in_SI_and_in_groups) {
+  const Ellipse shape = line_contact();
+  const double load = 1e5, R = 0.01, E_prime = 2.2637e11, eta0 = 0.02, u_s = 4.0, alpha = 2e-8;
+  const Hertz dry = hertz(load, R, E_prime, shape);
+  check_relative("half width [m]", dry.a, 1.06062e-4, 1e-5);
+  check_relative("p_h [Pa]", dry.p_h, 6.00232e8, 1e-5);
+  const Groups groups = from_si(
+      {.load = load, .radius = R, .E_prime = E_prime, .u_s = u_s, .eta0 = eta0, .alpha = alpha, .shape = shape});
+  check_relative("W", groups.W, load / (E_prime * R), 1e-14);
+  check_relative("M", groups.M, groups.W / std::sqrt(2.0 * groups.U), 1e-14);
+  check_relative("alpha_bar", groups.alpha_bar, alpha * dry.p_h, 1e-12);
+  check_relative("lambda", groups.lambda, 6.0 * eta0 * u_s * R * R / (dry.a * dry.a * dry.a * dry.p_h), 1e-12);
+  check_relative("film in Moes' units", H_to_moes_units(1.0, groups.M, shape),
+                 dry.h_scale / R / std::sqrt(2.0 * groups.U), 1e-12);
+  check_relative("load back", to_si(groups, R, E_prime, eta0).load, load, 1e-12);
+}
+
+// As printed beside solutions of another program: Moes' formula, and its four asymptotes far out.
+BOOST_AUTO_TEST_CASE(moes_formula_of_a_line) {
+  const Ellipse shape = line_contact();
+  check_digits("(2, 0)", nijenbanning_venner_moes(2.0, 0.0, shape), 2.616, 5e-4);
+  check_digits("(20, 5)", nijenbanning_venner_moes(20.0, 5.0, shape), 3.466, 5e-4);
+  check_digits("(50, 10)", nijenbanning_venner_moes(50.0, 10.0, shape), 4.636, 5e-4);
+  check_relative("rigid isoviscous", nijenbanning_venner_moes(1e-3, 0.0, shape), 3e3, 0.01);
+  check_relative("elastic isoviscous", nijenbanning_venner_moes(1e5, 0.0, shape), 0.2621, 0.01);
+}

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <vector>
 
 #include "kernel/influence.hpp"
 
@@ -132,4 +133,24 @@ BOOST_AUTO_TEST_CASE(distributed_influence_approaches_its_limit) {
   const double h = 0.5, r = 3000 * h;
   const double limit = -h * h * h * h / (4.0 * r * r * r);
   BOOST_TEST(std::abs(kernel::distributed_influence(3000, 0, h, h) / limit - 1.0) < 1e-6);
+}
+
+// -(x ln|x| - x) at both ends of the cell.
+BOOST_AUTO_TEST_CASE(the_logarithm_of_a_line_contact) {
+  const double h = 0.03;
+  const auto antiderivative = [](Quad x) { return x * logq(fabsq(x)) - x; };
+  const auto exact_line = [&](int d) {
+    const Quad half = 0.5;
+    return -(antiderivative((d + half) * h) - antiderivative((d - half) * h));
+  };
+  double worst = 0.0;
+  const std::vector<double> table = kernel::line_influence_table(2000, h);
+  for (const int d : {0, 1, 2, 5, 6, 7, 30, 2000}) {
+    worst = std::max(worst, std::abs(static_cast<double>(kernel::line_influence(d, h) - exact_line(d))));
+    BOOST_TEST(kernel::line_influence(-d, h) == table[static_cast<std::size_t>(d)]);
+  }
+  BOOST_TEST_MESSAGE("largest error " << worst << " (tolerance 1e-15)");
+  BOOST_TEST(worst < 1e-15);
+  // The second difference of -ln x is 1/x^2.
+  BOOST_TEST(std::abs(kernel::distributed_line_influence(500, h) / (-0.5 * h / (500.0 * 500.0)) - 1.0) < 1e-5);
 }

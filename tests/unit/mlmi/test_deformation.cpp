@@ -1,6 +1,8 @@
 // The direct sum against the half-space under a Hertz pressure, the Fourier sum against the direct one.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include "core/norms.hpp"
 #include "mlmi/deformation.hpp"
@@ -53,5 +55,40 @@ BOOST_AUTO_TEST_CASE(fourier_is_the_direct_sum) {
     const double error = ehl::core::max_abs_difference(w, truth) / ehl::core::max_abs(truth);
     BOOST_TEST_MESSAGE(grid.nx << " x " << grid.ny << ": FFT - direct " << error << " (tolerance 1e-13)");
     BOOST_TEST(error < 1e-13);
+  }
+}
+
+// -(1/pi) integral of sqrt(1 - s^2) ln|X - s| ds = 1/4 + ln(2)/2 - X^2/2 inside, and of every line alike.
+BOOST_AUTO_TEST_CASE(a_line_contact_deforms_as_hertz_said) {
+  const Grid grid = ehl::core::line_grid(2048, -4.0, 2.0);
+  Field P(grid), w(grid);
+  for (int i = 0; i <= grid.nx; ++i)
+    for (int j = 0; j <= grid.ny; ++j) P(i, j) = hertz(grid.X(i), 0.0);
+  for (const Method method : {Method::mlmi, Method::fft, Method::direct}) {
+    mlmi::Deformation(grid, {.method = method}, 1, 1.0 / ehl::core::pi).evaluate(P, w);
+    double worst = 0.0;
+    for (int i = 0; i <= grid.nx; ++i) {
+      const double X = grid.X(i);
+      if (std::abs(X) < 1.0)
+        worst = std::max(worst, std::abs(w(i, 1) - (0.25 + 0.5 * std::numbers::ln2 - 0.5 * X * X)));
+      BOOST_TEST_REQUIRE((w(i, 0) == w(i, 1) && w(i, 2) == w(i, 1)));
+    }
+    BOOST_TEST_MESSAGE("largest error " << worst << " (tolerance 2e-4)");  // the edge allows order 3/2
+    BOOST_TEST(worst < 2e-4);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(multilevel_sums_along_a_line_are_the_direct_sum) {
+  const Grid grid = ehl::core::line_grid(512, -4.0, 2.0);
+  Field P(grid), truth(grid), w(grid);
+  for (int i = 0; i <= grid.nx; ++i)
+    for (int j = 0; j <= grid.ny; ++j) P(i, j) = hertz(grid.X(i), 0.0) + (i % 3 == 0 ? 0.1 : 0.0);
+  mlmi::Deformation(grid, {.method = Method::direct}, 1, 1.0).evaluate(P, truth);
+  for (const auto& [order, tolerance] : {std::pair{4, 1e-4}, {6, 1e-5}, {8, 2e-6}}) {
+    const mlmi::Parameters parameters{.order = order, .patch_along = 12, .coarsenings = 3};
+    mlmi::Deformation(grid, parameters, 1, 1.0).evaluate(P, w);
+    const double error = ehl::core::max_abs_difference(w, truth) / ehl::core::max_abs(truth);
+    BOOST_TEST_MESSAGE("order " << order << ": " << error << " (tolerance " << tolerance << ")");
+    BOOST_TEST(error < tolerance);
   }
 }

@@ -172,3 +172,19 @@ BOOST_AUTO_TEST_CASE(viscosity_enters_by_the_reduced_pressure) {
   // No pressure reaches q = 1/alpha_bar.
   BOOST_TEST(std::isnan(oil.P(-1.5, 0.1, 1.0)));
 }
+
+// Without deformation q = -(lambda/3) X/H^2 has the flow 4/3 H00 and solves the equation exactly.
+BOOST_AUTO_TEST_CASE(the_line_contact_has_its_exact_solution) {
+  const Grid domain = ehl::core::line_grid(64, -3.0, 1.5);
+  const FarField far({.gap = {0.5, 0.0, 0.0}, .lambda = lambda, .viscosity = rheology::Isoviscous{}, .domain = domain});
+  for (const double H00 : {0.3, 0.0, -0.4}) {
+    const reynolds::FarState state{.H00 = H00, .flow = 4.0 / 3.0 * H00};
+    const auto exact = [&](double X) { return -lambda / 3.0 * X / std::pow(H00 + 0.5 * X * X, 2); };
+    for (const double X : {-2.0, -3.0, -20.0})
+      BOOST_TEST(std::abs(far.P(far.at(X, 0.0), H00 + 0.5 * X * X, state) / exact(X) - 1.0) < 1e-6, "X = " << X);
+    // The integral of X/H^2 is -1/H.
+    const double load = lambda / 3.0 / (H00 + 4.5);
+    BOOST_TEST(std::abs(far.load_outside(state) / load - 1.0) < 1e-6, "load at H00 = " << H00);
+    BOOST_TEST(far.P(far.at(1.5, 0.0), 1.0, state) == 0.0);
+  }
+}
