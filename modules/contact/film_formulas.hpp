@@ -57,7 +57,8 @@ struct Asymptotes {
 /// as quoted in the EHL literature.
 /// q = 0, a line, with its own M:
 ///   H_RI = 3 M^-1     H_RP = 1.287 L^(2/3)     H_EI = 2.621 M^(-1/5)     H_EP = 1.311 M^(-1/8) L^(3/4)
-/// source: Moes (1992), Optimum similarity analysis, as quoted in the EHL literature. H_RI is the exact 2.45 rounded up.
+/// source: Moes (1992), Optimum similarity analysis, as quoted in the EHL literature. H_RI is the exact 2.45 rounded
+/// up.
 Asymptotes asymptotes(double M, double L, double radius_ratio = 1.0);
 
 /// H_M = {[H_RI^(3/2) + (H_EI^-4 + H_00^-4)^(-3/8)]^(2s/3) + (H_RP^-8 + H_EP^-8)^(-s/8)}^(1/s),

@@ -15,11 +15,10 @@
 //                        alpha_bar = alpha p_h = (L/pi)(3M/2)^(1/3)
 //   Line, F' the load per length: W = F'/(E' R), M = W (2U)^(-1/2), L as above; a = R (8W/pi)^(1/2), p_h = E' a/(4R),
 //                        lambda = 3 pi^2/(8 M^2), alpha_bar = L (M/(2 pi))^(1/2)
-// The last two of Venner of a circle; lambda over (a/a_c)^3 (p_h/p_c), alpha_bar times p_h/p_c for an ellipse, a_c and p_c those
-// of the circle (contact/ellipse.hpp).
-// Three groups describe a contact with Barus' viscosity up to one: M and L fix lambda and alpha_bar, and so the
-// dimensionless solution, and with them the ratio of the radii and the angle of an elliptic contact. W, U and G follow
-// when one of them is known as well.
+// The last two of Venner of a circle; lambda over (a/a_c)^3 (p_h/p_c), alpha_bar times p_h/p_c for an ellipse, a_c and
+// p_c those of the circle (contact/ellipse.hpp). Three groups describe a contact with Barus' viscosity up to one: M and
+// L fix lambda and alpha_bar, and so the dimensionless solution, and with them the ratio of the radii and the angle of
+// an elliptic contact. W, U and G follow when one of them is known as well.
 #include "contact/ellipse.hpp"
 
 namespace ehl::contact {

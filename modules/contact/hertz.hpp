@@ -24,8 +24,8 @@ struct Hertz {
 };
 
 /// Circle: a^3 = 3 F R/(2 E'), p_h = 3 F/(2 pi a^2), approach = a^2/R; other shapes by contact/ellipse.hpp.
-/// in: load F [N] > 0, of a line contact per length [N/m], radius R_x (of a circular contact: of the equivalent ball on a plane) [m] > 0, E_prime [Pa] > 0
-/// in the convention of reduced_modulus. source: Hertz (1881).
+/// in: load F [N] > 0, of a line contact per length [N/m], radius R_x (of a circular contact: of the equivalent ball on
+/// a plane) [m] > 0, E_prime [Pa] > 0 in the convention of reduced_modulus. source: Hertz (1881).
 Hertz hertz(double load, double radius, double E_prime, const Ellipse& shape = {});
 
 }  // namespace ehl::contact

@@ -11,8 +11,8 @@ struct Grid {
   double X_b = 0.0;  ///< outlet boundary
   double Y_a = 0.0;  ///< lower side boundary
   double Y_b = 0.0;  ///< upper side boundary
-  /// Of a line contact, where nothing changes along Y: three lines, of which the outer two are copies of the middle one,
-  /// and a cell across is the unit of length. limits: as line_grid() makes it.
+  /// Of a line contact, where nothing changes along Y: three lines, of which the outer two are copies of the middle
+  /// one, and a cell across is the unit of length. limits: as line_grid() makes it.
   bool line = false;
 
   double hx() const { return (X_b - X_a) / nx; }
@@ -51,8 +51,7 @@ struct Patch {
 
   Patch() = default;
   /// All of the domain.
-  Patch(const Grid& grid)
-      : domain(grid), nx(grid.nx), ny(grid.ny), north(grid.line ? Edge::uniform : Edge::zero) {}
+  Patch(const Grid& grid) : domain(grid), nx(grid.nx), ny(grid.ny), north(grid.line ? Edge::uniform : Edge::zero) {}
 
   double hx() const { return domain.hx(); }
   double hy() const { return domain.hy(); }

@@ -11,11 +11,11 @@ enum class LineSolver { elimination, decimation };
 /// found.
 struct RelaxationParameters {
   LineSolver line_solver = LineSolver::elimination;  ///< the faster one as measured (modules/line_solvers/README.md)
-  int reach = 1;           ///< neighbours on each side in the truncated film equation: 1 is the paper's three terms
+  int reach = 1;  ///< neighbours on each side in the truncated film equation: 1 is the paper's three terms
   /// Of a line contact: the distance at which single changes move the film no more. The logarithm leaves open where it
   /// is zero, and the load of a change is taken from somewhere.
   double line_zero = 1.0;
-  double crossover = 1.5;  ///< of epsilon/h^2, above which a point is relaxed by Gauss-Seidel
+  double crossover = 1.5;            ///< of epsilon/h^2, above which a point is relaxed by Gauss-Seidel
   double weight_distributed = 0.9;   ///< under-relaxation of distributed changes
   double weight_single = 1.0;        ///< of single changes where epsilon is smooth
   double weight_single_steep = 0.5;  ///< of single changes where epsilon falls or rises by orders from cell to cell

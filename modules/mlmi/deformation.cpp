@@ -67,10 +67,12 @@ void check(const core::Grid& grid, const MultilevelChoice& choice) {
 std::string describe(const MultilevelChoice& choice, const std::string& coarsest_points, bool line) {
   const std::string coarsest =
       (choice.coarsest_direct ? std::string("direct sum") : std::string("FFT")) + " on " + coarsest_points;
+  std::string across;
+  if (!line) across.append("x").append(std::to_string(choice.patch_across));
   if (choice.coarsenings == 0) return "mlmi, no coarsening, " + coarsest;
-  return "mlmi, order " + std::to_string(choice.order) + ", patch " + std::to_string(choice.patch_along) +
-         (line ? "" : "x" + std::to_string(choice.patch_across)) + ", " + std::to_string(choice.coarsenings) +
-         (choice.coarsenings == 1 ? " coarsening, " : " coarsenings, ") + coarsest;
+  return "mlmi, order " + std::to_string(choice.order) + ", patch " + std::to_string(choice.patch_along) + across +
+         ", " + std::to_string(choice.coarsenings) + (choice.coarsenings == 1 ? " coarsening, " : " coarsenings, ") +
+         coarsest;
 }
 
 }  // namespace

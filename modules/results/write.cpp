@@ -11,7 +11,6 @@
 
 namespace ehl::results {
 namespace {
-
 struct Writer {
   hid_t file;
   std::string path;
@@ -287,9 +286,8 @@ std::vector<std::byte> image(const std::string& path, const Content& content) {
 }  // namespace
 
 std::size_t expected_bytes(const core::Grid& nodes, std::size_t fields) {
-  constexpr std::size_t rest = 100000;  // deck, tables, provenance
-  const std::size_t points = static_cast<std::size_t>(nodes.nodes_x()) * static_cast<std::size_t>(nodes.nodes_y());
-  return rest + fields * points * sizeof(double);
+  const auto points = static_cast<std::size_t>(nodes.nodes_x()) * static_cast<std::size_t>(nodes.nodes_y());
+  return 100000 + fields * points * sizeof(double);  // the first for deck, tables, provenance
 }
 
 void write(const std::string& path, const Content& content, bool overwrite) {

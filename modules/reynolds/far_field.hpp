@@ -11,8 +11,8 @@ namespace ehl::reynolds {
 
 /// What a far field follows from.
 struct FarFieldOf {
-  core::QuadraticForm gap;           ///< of the undeformed bodies, g(phi) r^2
-  double lambda = 1.0;               ///< eq. (5)
+  core::QuadraticForm gap;  ///< of the undeformed bodies, g(phi) r^2
+  double lambda = 1.0;      ///< eq. (5)
   /// Of the load at r = 1: K*P -> deformation/r far away, 4/(3 pi) of a circle; of a line -deformation ln|X|, 1/2.
   double deformation = 0.0;
   rheology::ViscosityLaw viscosity;  ///< the oil's; its compression is left out

@@ -27,7 +27,7 @@ steady::Scene line_scene(double M, double L, Oil oil, int cells, double X_a) {
     scene.viscosity = rheology::make_roelands(2.2e-8, rheology::roelands_p0, 0.68, p_h);
     scene.density = rheology::make_dowson_higginson(p_h);
   }
-  scene.grid = core::line_grid(cells, X_a, 0.5 * -X_a);
+  scene.grid = core::line_grid(cells, X_a, -X_a / 3.0);
   scene.far_field = true;
   scene.wedge = reynolds::Wedge::upstream3;
   scene.face = reynolds::Face::logmean_bounded;
