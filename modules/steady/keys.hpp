@@ -22,8 +22,8 @@ struct GridInput {
   int coarsest = 0;
 };
 /// in: size: contact_size(), nothing where the contact has an error in it, so that a domain chosen for it has no
-/// meaning; aspect: hy/hx to come near; line: of a line contact, one line of nodes. Complains about cells that cannot be
-/// halved and about those wider than half the size. out: ny = 0 where something is missing or wrong.
+/// meaning; aspect: hy/hx to come near; line: of a line contact, one line of nodes. Complains about cells that cannot
+/// be halved and about those wider than half the size. out: ny = 0 where something is missing or wrong.
 GridInput read_grid(deck::Deck& deck, std::optional<double> size, double aspect = 1.0, bool line = false);
 /// [grid] errors: true for those by weights.
 bool read_adjoint_errors(deck::Deck& deck);
