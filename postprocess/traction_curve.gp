@@ -10,7 +10,19 @@ load here."/series.gp"
 stats data index 0:curves - 1 using (abs($1)):(abs($2)) nooutput prefix "M"
 stats data index curves:series - 1 using 2 nooutput prefix "H"
 percent(x) = 100 * abs(x)
-entries = curves > 1 ? curves : 0
+# Measured points, "srr mu standard_error", where ehl plot --measured gives them.
+with_points = exists("measured")
+if (!with_points) { $none << EOD
+NaN NaN NaN
+EOD
+measured = "$none" } else {
+  stats measured using (abs($1)):(abs($2)) nooutput prefix "E"
+  M_min_x = E_min_x < M_min_x ? E_min_x : M_min_x
+  M_max_x = E_max_x > M_max_x ? E_max_x : M_max_x
+  M_min_y = E_min_y < M_min_y ? E_min_y : M_min_y
+  M_max_y = E_max_y > M_max_y ? E_max_y : M_max_y
+}
+entries = (curves > 1 ? curves : 0) + with_points
 rows = entries > 0 ? (longest > 16 ? (entries + 1) / 2 : (entries + 2) / 3) : 0
 below = m(10 + 3.7 * rows)
 panel = 45 * stretch
@@ -25,7 +37,8 @@ eval axis("x", percent(M_min_x), percent(M_max_x))
 set format x ""
 set ylabel "friction coefficient μ" offset 0.5, 0
 plot for [k = 1:curves] data index k - 1 using (percent($1)):(abs($2)) with linespoints pt 7 ps 0.8 lw 0.9 lc rgb colour(k) \
-    title curves > 1 ? name("curve", k) : ""
+    title curves > 1 ? name("curve", k) : "", \
+    (with_points ? measured : "$none") using (percent($1)):(abs($2)):3 with yerrorbars pt 6 ps 1.1 lw 0.9 lc rgb "black" title with_points ? "measured" : ""
 
 unset label 100
 unset key

@@ -10,6 +10,7 @@ const char* name(Part part) {
     case Part::line_solve: return "line relaxation";
     case Part::transfer: return "grid transfer";
     case Part::coarsest: return "coarsest grid";
+    case Part::heat: return "temperature";
     case Part::checks: return "checks";
     case Part::errors: return "errors by weights";
     case Part::setup: return "set-up";

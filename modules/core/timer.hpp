@@ -19,6 +19,7 @@ enum class Part : std::size_t {
   line_solve,
   transfer,
   coarsest,
+  heat,
   checks,
   errors,
   setup,

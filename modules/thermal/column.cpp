@@ -63,6 +63,22 @@ void moments(const Nodes& nodes, Columns& at) {
   at.M2 = 12.0 * (two - at.z_bar * one);
 }
 
+// Moments, stresses, source f and its slope, phi given.
+void sheared(const Nodes& nodes, const ColumnLaws& laws, Columns& at) {
+  const int count = nodes.intervals + 1;
+  moments(nodes, at);
+  shear(laws, at);
+  const Lanes scale = (laws.Br * at.heated) * (at.H * at.H) * at.fluidity;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
+    const Lanes s = nodes.zeta[k] - at.z_bar;
+    at.f[k] = scale * at.phi[k] * (at.a + s * (at.b + s * at.c));
+    at.df[k] = -at.dD[k] * at.f[k];
+    if (!at.carries) continue;
+    at.f[k] += at.convection.compression[k] * (1.0 + at.theta[k]);
+    at.df[k] += at.convection.compression[k];
+  }
+}
+
 }  // namespace
 
 void spread(const Nodes& nodes, Columns& at) {
@@ -77,17 +93,15 @@ void sources(const Nodes& nodes, const ColumnLaws& laws, Columns& at) {
   rheology::log_viscosity_change(laws.viscosity, flat(at.P_of_node, count), flat(at.log_eta_of_node, count),
                                  flat(at.theta, count), flat(at.D, count), flat(at.dD, count));
   for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) at.phi[k] = rheology::exp(-at.D[k]);
-  moments(nodes, at);
-  shear(laws, at);
-  const Lanes scale = (laws.Br * at.heated) * (at.H * at.H) * at.fluidity;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
-    const Lanes s = nodes.zeta[k] - at.z_bar;
-    at.f[k] = scale * at.phi[k] * (at.a + s * (at.b + s * at.c));
-    at.df[k] = -at.dD[k] * at.f[k];
-    if (!at.carries) continue;
-    at.f[k] += at.convection.compression[k] * (1.0 + at.theta[k]);
-    at.df[k] += at.convection.compression[k];
+  sheared(nodes, laws, at);
+}
+
+void follow(const Nodes& nodes, const ColumnLaws& laws, const Profile& change, Columns& at) {
+  for (std::size_t k = 0; k <= static_cast<std::size_t>(nodes.intervals); ++k) {
+    const Lanes d = -at.dD[k] * change[k];
+    at.phi[k] *= 1.0 + d * (1.0 + d * (0.5 + d * (1.0 / 6.0)));
   }
+  sheared(nodes, laws, at);
 }
 
 Lanes carried_into(const Nodes& nodes, const Columns& at, std::size_t k) {

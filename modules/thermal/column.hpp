@@ -60,7 +60,7 @@ struct Columns {
   Lanes H{}, k_bar{};
   Lanes flow_x{}, flow_y{};   ///< mean velocities of the flow that pressure drives
   Lanes limit{};              ///< on tau_m
-  Lanes heated{};             ///< 1; 0 where nothing is sheared
+  Lanes heated{};             ///< share of the width that is sheared
   Lanes given_2{}, self_2{};  ///< surface: theta = given + self q, q the heat into it; self = 0: theta is given
   Lanes given_1{}, self_1{};
   Convection convection{};

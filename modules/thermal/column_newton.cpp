@@ -117,7 +117,8 @@ void newton_step(const Nodes& nodes, Columns& at) {
     at.right[k] -= change[0] * at.by_I0[k] + change[1] * at.by_M2[k] + change[2] * at.by_z[k];
 }
 
-// theta += change, cut where the viscosity would change too much at once. out: which columns are done.
+// theta += change, cut where the viscosity would change too much at once. out: which columns are done; what theta
+// changed by in at.right.
 LaneMask apply_step(const Nodes& nodes, const ColumnLaws& laws, Columns& at, LaneMask done, double tolerance) {
   constexpr double most_change = 2.0;  // of ln eta: half an order of magnitude per step keeps Nahme = 1e4 on its way
   Lanes largest_D{}, largest{};
@@ -131,7 +132,8 @@ LaneMask apply_step(const Nodes& nodes, const ColumnLaws& laws, Columns& at, Lan
     const Lanes changed = at.theta[k] + cut * at.right[k];
     const Lanes kept = core::max(broadcast(laws.theta_least), core::min(broadcast(laws.theta_most), changed));
     clipped |= kept != changed;
-    at.theta[k] = done ? at.theta[k] : kept;
+    at.right[k] = done ? Lanes{} : kept - at.theta[k];
+    at.theta[k] += at.right[k];
   }
   at.clipped = done ? at.clipped : clipped;
   return done | (largest <= tolerance);
@@ -150,7 +152,10 @@ int solve(const Nodes& nodes, const ColumnLaws& laws, Columns& at, const Steps& 
     newton_step(nodes, at);
     done = apply_step(nodes, laws, at, done, steps.tolerance);
   }
-  sources(nodes, laws, at);
+  if (core::all(done))
+    follow(nodes, laws, at.right, at);
+  else
+    sources(nodes, laws, at);
   heat_flow(nodes, at);
   return core::all(done) ? step : steps.most + 1;
 }

@@ -43,7 +43,7 @@ void FilmTemperature::load(int batch, int i, const std::vector<double>& theta, C
   at.log_eta = core::load(log_eta_.at_x(i) + j);
   at.fluidity = rheology::exp(-at.log_eta);
   at.k_bar = core::load(k_bar_.at_x(i) + j);
-  at.heated = at.P > 0.0 ? broadcast(1.0) : Lanes{};
+  at.heated = core::load(filled_.at_x(i) + j);
   at.limit = std::isfinite(setup_.limit) ? (setup_.limit * setup_.stress_of_P) * at.P : broadcast(1e300);
   at.carries = false;
   for (int k = 0; k <= nodes_.intervals; ++k)
@@ -66,6 +66,7 @@ void FilmTemperature::take(const core::Field& P, const core::Field& H) {
     rheology::density(setup_.density.at_T0, here, {rho_bar_.at_x(i), lines});
     rheology::conductivity(setup_.heat, here, {k_bar_.at_x(i), lines});
   }
+  fill();
 #pragma omp parallel for schedule(static) num_threads(count) if (count > 1)
   for (int i = 0; i <= patch.nx; ++i) {
     for (int j = 0; j <= patch.ny; ++j) {
@@ -76,6 +77,21 @@ void FilmTemperature::take(const core::Field& P, const core::Field& H) {
     for (int batch = 0; batch < batches_; ++batch) flows(batch, i, worker);
   }
   back_to_ = setup_.Pe > 0.0 ? last_backflow() : -1;
+}
+
+// Behind the film's end the oil goes on in streaks, as wide as it was thick there: shear heats them. A node at the end
+// that changes between wet and dry changes little of its heat; without the streaks it would cool down, get pressure,
+// warm up, and lose it again, from pass to pass.
+void FilmTemperature::fill() {
+  const core::Patch& patch = setup_.patch;
+  for (int j = 0; j <= patch.ny; ++j) {
+    double end = 0.0;
+    for (int i = 0; i <= patch.nx; ++i) {
+      const bool wet = P_(i, j) > 0.0;
+      if (wet) end = H_(i, j);
+      filled_(i, j) = wet ? 1.0 : std::min(1.0, end / H_(i, j));
+    }
+  }
 }
 
 int FilmTemperature::last_backflow() const {
@@ -97,7 +113,7 @@ void FilmTemperature::flows(int batch, int i, Worker& worker) {
   at.flow_x = at.flow_y = Lanes{};
   at.given_1 = at.given_2 = at.self_1 = at.self_2 = Lanes{};
   evaluate(nodes_, laws_, at);
-  const Lanes driven = setup_.pressure_flow ? -at.heated : Lanes{};
+  const Lanes driven = setup_.pressure_flow ? (at.P > 0.0 ? broadcast(-1.0) : Lanes{}) : Lanes{};
   const Lanes mobility = driven * at.H * at.H * at.fluidity * at.M2 / setup_.lambda;
   const Lanes driven_x = mobility * at.mobility_x * core::load(P_X_.at_x(i) + j);
   const Lanes driven_y = mobility * at.mobility_y * core::load(P_Y_.at_x(i) + j);

@@ -70,8 +70,8 @@ FilmTemperature::FilmTemperature(const Setup& setup)
             setup.body_2.theta + difference * nodes_.zeta[static_cast<std::size_t>(k)];
   before_ = theta_;
   for (core::Field* field :
-       {&P_,  &H_, &log_eta_, &rho_bar_, &k_bar_, &P_X_,  &P_Y_,     &driven_x_, &driven_y_,     &I0_,
-        &M2_, &C_, &tau_,     &q_1_,     &q_2_,   &heat_, &carried_, &clipped_,  &correction_1_, &correction_2_})
+       {&P_, &H_,   &log_eta_, &rho_bar_, &k_bar_, &P_X_,  &P_Y_,     &driven_x_, &driven_y_,     &I0_,          &M2_,
+        &C_, &tau_, &filled_,  &q_1_,     &q_2_,   &heat_, &carried_, &clipped_,  &correction_1_, &correction_2_})
     *field = core::Field(patch);
   line_1_ = setup.body_1.resistance > 0.0 ? weights_of(setup, setup.body_1) : std::vector<double>{};
   line_2_ = setup.body_2.resistance > 0.0 ? weights_of(setup, setup.body_2) : std::vector<double>{};
@@ -79,19 +79,28 @@ FilmTemperature::FilmTemperature(const Setup& setup)
   source_2_ = rest_of(setup, setup.body_2, line_2_);
 }
 
-void FilmTemperature::start_from(const FilmTemperature& coarse) {
+void FilmTemperature::start_from(const FilmTemperature& coarse, const FilmTemperature* coarser) {
   const core::Patch& patch = setup_.patch;
-  const auto between = [](int i, int j, auto at) {
-    const int west = i / 2, east = (i + 1) / 2, south = j / 2, north = (j + 1) / 2;
-    return 0.25 * (at(west, south) + at(east, south) + at(west, north) + at(east, north));
+  const auto between = [](int i, int j, int every, auto at) {
+    const int west = i / every, south = j / every;
+    const double x = static_cast<double>(i % every) / every, y = static_cast<double>(j % every) / every;
+    const int east = west + (x > 0.0), north = south + (y > 0.0);
+    return (1.0 - y) * ((1.0 - x) * at(west, south) + x * at(east, south)) +
+           y * ((1.0 - x) * at(west, north) + x * at(east, north));
+  };
+  const auto start = [&](int i, int j, auto of) {
+    const auto on = [&](const FilmTemperature& film, int every) {
+      return between(i, j, every, [&](int ci, int cj) { return of(film, ci, cj); });
+    };
+    return coarser == nullptr ? on(coarse, 2) : 1.25 * on(coarse, 2) - 0.25 * on(*coarser, 4);
   };
   for (int i = 0; i <= patch.nx; ++i)
     for (int j = 0; j <= patch.ny; ++j) {
       for (int k = 0; k <= nodes_.intervals; ++k)
         theta_[index(j / core::lanes, i, k) + static_cast<std::size_t>(j % core::lanes)] =
-            between(i, j, [&](int ci, int cj) { return coarse.theta(ci, cj, k); });
-      q_1_(i, j) = between(i, j, [&](int ci, int cj) { return coarse.q_1_(ci, cj); });
-      q_2_(i, j) = between(i, j, [&](int ci, int cj) { return coarse.q_2_(ci, cj); });
+            start(i, j, [k](const FilmTemperature& film, int ci, int cj) { return film.theta(ci, cj, k); });
+      q_1_(i, j) = start(i, j, [](const FilmTemperature& film, int ci, int cj) { return film.q_1_(ci, cj); });
+      q_2_(i, j) = start(i, j, [](const FilmTemperature& film, int ci, int cj) { return film.q_2_(ci, cj); });
     }
   before_ = theta_;
   apply_sources();
@@ -153,7 +162,7 @@ void FilmTemperature::store_moments(int batch, int i, Worker& worker) {
   put(I0_, at.I0);
   put(M2_, at.M2 * (1.0 + mean));
   put(C_, u_2_ + (u_1_ - u_2_) * (1.0 - at.z_bar) + excess);
-  put(tau_, at.tau_m * at.heated);
+  put(tau_, at.P > 0.0 ? at.tau_m : Lanes{});
   put(heat_, at.heat);
   put(carried_, at.carried_off);
   put(clipped_, at.clipped ? broadcast(1.0) : Lanes{});
@@ -199,9 +208,9 @@ double FilmTemperature::sweep_through(bool downstream) {
   return *std::ranges::max_element(change_);
 }
 
-double FilmTemperature::sweep() {
-  const double back = back_to_ >= 0 ? sweep_through(false) : 0.0;
-  const double change = std::max(back, sweep_through(true));
+double FilmTemperature::sweep(bool back) {
+  const double upstream = back && back_to_ >= 0 ? sweep_through(false) : 0.0;
+  const double change = std::max(upstream, sweep_through(true));
   apply_sources();
   return change;
 }
@@ -233,7 +242,7 @@ Balance FilmTemperature::balance() const {
 }
 
 std::size_t FilmTemperature::bytes() const {
-  const std::size_t fields = 20 * static_cast<std::size_t>(P_.nodes_x()) * static_cast<std::size_t>(P_.stride());
+  const std::size_t fields = 21 * static_cast<std::size_t>(P_.nodes_x()) * static_cast<std::size_t>(P_.stride());
   return sizeof(double) * (fields + 4 * theta_.size()) + (source_1_ ? source_1_->bytes() : 0) +
          (source_2_ ? source_2_->bytes() : 0) + workers_.size() * sizeof(Worker);
 }

@@ -68,16 +68,17 @@ class FilmTemperature {
   /// errors: InputError for a number of intervals that is none, or a surface that moves against the entrainment.
   explicit FilmTemperature(const Setup& setup);
 
-  /// Begins with the temperatures of the grid of every second node, between its nodes by bilinear interpolation.
-  void start_from(const FilmTemperature& coarse);
+  /// Begins with the temperatures of the grid of every second node, between its nodes by bilinear interpolation; and, a
+  /// grid coarser still given, with a quarter of what changed from that one to the former: the errors are of order 2.
+  void start_from(const FilmTemperature& coarse, const FilmTemperature* coarser = nullptr);
 
   /// A new pressure and film: properties, and the flows that convection and heating take from it, with the temperatures
   /// as they are. in: fields of the patch; H > 0 where P > 0.
   void take(const core::Field& P, const core::Field& H);
 
-  /// All columns once: upstream where oil flows back, and downstream; then what the bodies make of the new fluxes.
-  /// out: the largest change of theta. The same bits for any number of threads; nothing is allocated.
-  double sweep();
+  /// All columns once: upstream where oil flows back and `back` says so, and downstream; then what the bodies make of
+  /// the new fluxes. out: the largest change of theta. The same bits for any number of threads; nothing is allocated.
+  double sweep(bool back = true);
 
   /// True where oil flows against the entrainment somewhere, as in an inlet that is wide.
   bool flows_back() const { return back_to_ >= 0; }
@@ -114,6 +115,7 @@ class FilmTemperature {
   }
   void load(int batch, int i, const std::vector<double>& theta, Columns& at) const;
   void flows(int batch, int i, Worker& worker);
+  void fill();
   int last_backflow() const;
   void carry(int batch, int i, bool downstream, Worker& worker) const;
   void add_compression(int batch, int i, Worker& worker) const;
@@ -134,6 +136,7 @@ class FilmTemperature {
   std::vector<double> theta_, before_;   // before_: of the sweep before
   std::vector<double> flow_x_, flow_y_;  // rho_bar H u times the layer of a node
   int back_to_ = -1;                     // last station where oil flows back
+  core::Field filled_;                   // share of the width that holds oil
   core::Field P_, H_, log_eta_, rho_bar_, k_bar_, P_X_, P_Y_, driven_x_, driven_y_;
   core::Field I0_, M2_, C_, tau_, q_1_, q_2_, heat_, carried_, clipped_, correction_1_, correction_2_;
   std::vector<double> line_1_, line_2_;

@@ -21,6 +21,7 @@
 #include "deck/file.hpp"
 #include "deck/text.hpp"
 #include "results/read.hpp"
+#include "tables/measured.hpp"
 #include "tables/study_report.hpp"
 #include "tables/sweep_table.hpp"
 #include "tables/time_study_report.hpp"
@@ -135,6 +136,14 @@ CurvesWanted curves_for(const Figure& figure, const SweepData& table, const Argu
   return wanted;
 }
 
+// Measured points as rows for gnuplot.
+std::string measured_rows(const std::string& path) {
+  std::string text;
+  for (const MeasuredPoint& point : read_measured(path))
+    text += fmt::format("{:.9g} {:.9g} {:.9g}\n", point.srr, point.mu, point.sigma);
+  return text;
+}
+
 std::string gnuplot_text(const std::vector<Setting>& settings) {
   std::string text;
   for (const Setting& one : settings)
@@ -167,7 +176,12 @@ int plot(const Arguments& arguments) {
   settings.insert(settings.end(), source.settings.begin(), source.settings.end());
   settings.insert(settings.end(), pictures.settings.begin(), pictures.settings.end());
   if (arguments.has("title")) settings.push_back({"title", arguments.value("title", "")});
-  const ArrangedRows rows;
+  const ArrangedRows rows, measured;
+  if (arguments.has("measured")) {
+    if (std::ranges::find(chosen, "traction_curve", &Figure::name) == chosen.end())
+      refuse("--measured: no figure of this file is a traction curve");
+    settings.push_back({"measured", measured.hold(measured_rows(arguments.value("measured", "")))});
+  }
   for (std::size_t k = 0; k < chosen.size(); ++k) {
     std::vector<Setting> own = settings;
     own.push_back({"output", no_pipe(pictures.names[k])});

@@ -81,6 +81,24 @@ const Command study_command{
      quiet},
     study};
 
+const Command fit_command{
+    "fit",
+    "DECK",
+    "constants of an oil from a measured traction curve: the deck's friction at the measured slide-roll ratios, by "
+    "least "
+    "squares, with the standard errors of the constants",
+    {{"measured", "FILE.csv",
+      "rows of slide-roll ratio, friction coefficient and, in all or in none, its standard error"},
+     {"free", "section.key",
+      "a constant to be found, e.g. shear.tau_0, shear.G, shear.n, friction.limit; the deck has its start; three at "
+      "most",
+      true},
+     set,
+     unset,
+     {"threads", "N", "cases at a time, one thread each (default: the cores this process may use)"},
+     quiet},
+    fit};
+
 const Command extract_command{
     "extract",
     "FILE.h5 DATASET",
@@ -103,6 +121,7 @@ const Command plot_command{
      {"y", "QUANTITY", "of a sweep: a column against it, with error bars and formulas (default: the films)", true},
      {"by", "KEY", "of a sweep: one curve for each value of this column (default: the other swept keys)", true},
      {"axes", "log|linear", "of a sweep's curves (default: log where the values span a factor of 4)"},
+     {"measured", "FILE.csv", "of a traction curve: measured points over it, as `ehl fit` reads them"},
      {"time", "T", "of a run in time the field nearest to T, in the unit of the deck's times (default: the last one)"},
      {"format", "png|svg|pdf", "format of the pictures (default: png, or what --output says)"},
      {"width", "W",
@@ -131,6 +150,7 @@ const std::vector<Command>& commands() {
        resume},
       sweep_command,
       study_command,
+      fit_command,
       extract_command,
       plot_command,
       {"keys",

@@ -13,6 +13,7 @@ int check(const Arguments& arguments);
 int resume(const Arguments& arguments);
 int sweep(const Arguments& arguments);
 int study(const Arguments& arguments);
+int fit(const Arguments& arguments);
 int extract(const Arguments& arguments);
 int plot(const Arguments& arguments);
 int keys(const Arguments& arguments);

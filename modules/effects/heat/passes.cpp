@@ -16,24 +16,36 @@ using judgement::Measures;
 
 // Below this weight a pass changes too little to be worth one: 0.3 carried all of a map to 20 m/s, srr = 2, 1.5 GPa.
 constexpr double least_weight = 0.1;
-// The change that the film asks for should fall to this much in a pass; measured 0.1 to 0.5 where nothing is wrong.
-constexpr double slow = 0.8;
+// Taken with a weight w, the change that the film asks for falls by w where the film does not answer. Where it falls
+// by less than half of that the next weight is smaller, else it is larger, up to 1.
+constexpr double half_of_it = 0.5, less = 0.7, more = 1.3;
+// What is left to change is the last change times q/(1 - q), q the factor from change to change: measured 0.1 to 0.5
+// where nothing is wrong, and held between these two.
+constexpr double least_q = 0.25, most_q = 0.9;
 // Where the discretization error is not known: a single grid.
 constexpr double unknown_error = 1e-2;
 // No estimate is trusted to be less.
-constexpr double least_error = 1e-4;
+constexpr double least_error = 5e-4;
 // A friction, and a rise in kelvin over T0, below which it counts as none.
 constexpr double least_mu = 1e-6, least_theta = 1e-6;
 // Where no share of the temperature leads on: smaller weights of the relaxations, as the isothermal film may have
 // needed.
 constexpr double back_off = 0.8, least_caution = 0.5;
-// Asked for on a single grid, where nothing tells the discretization error, which is a per cent: passes end with 1e-6
-// to 3e-5, because the upwind differences of a temperature that recirculates switch from pass to pass.
-constexpr double single_grid_residual = 1e-4;
+// A pass ends with the cycle that leaves less than this of the residual, or with the last of so many.
+constexpr double enough_of_a_pass = 0.5;
+constexpr int most_cycles = 4;
+// Where a temperature takes longer than this many passes it hangs in an inlet that recirculates: oil goes from line to
+// line there, one in a sweep.
+constexpr int quick = 6, sweeps_when_slow = 3;
 constexpr double order = 2.0;  // of mu and temperatures, as of the film
 
-// The change of a number in a pass over what is allowed of it. least: below it the number counts as none.
-double over_allowed(const Parameters& parameters, const Pass& now, const Pass& before, double Pass::*value,
+// The last three passes; `before` and `first` may be the same where there are fewer.
+struct Trail {
+  Pass first, before;
+};
+
+// What is still to change of a number over what is allowed of it. least: below it the number counts as none.
+double over_allowed(const Parameters& parameters, const Pass& now, const Trail& trail, double Pass::*value,
                     double least = 0.0) {
   std::vector<double> sequence;
   for (const Pass& one : parameters.below) sequence.push_back(one.*value);
@@ -43,15 +55,18 @@ double over_allowed(const Parameters& parameters, const Pass& now, const Pass& b
   if (std::isnan(error)) error = unknown_error;
   const double allowed = parameters.share * std::clamp(error, least_error, judgement::largest_licence);
   const double size = std::max(std::abs(now.*value), least / allowed);
-  return std::abs(now.*value - before.*value) / size / allowed;
+  const double change = std::abs(now.*value - trail.before.*value);
+  const double earlier = std::abs(trail.before.*value - trail.first.*value);
+  const double q = earlier > 0.0 && trail.first.Hc > 0.0 ? std::clamp(change / earlier, least_q, most_q) : 0.5;
+  return change * q / (1.0 - q) / size / allowed;
 }
 
-// One cycle with the factors as they are. out: false where it leaves no film.
-bool cycle(fmg::Run& run, std::size_t l, int number, LastCycle& last) {
+// Cycles with the factors as they are: one where it reduces the residual as it should, more where the cycles have to
+// become more careful first. out: false where they leave no film.
+bool cycle(fmg::Run& run, std::size_t l, bool first, LastCycle& last) {
   fmg::Hierarchy& hierarchy = run.hierarchy;
-  // A cycle that diverges is not told of: the state before it is back.
   bool done = false;
-  const fmg::CycleObserver observe = [&](int, const Measures& now) {
+  const fmg::CycleObserver observe = [&](int number, const Measures& now) {
     done = std::isfinite(now.residual) && now.Hm > 0.0;
     if (done) {
       fmg::enter(hierarchy, l, number, now, run.record);
@@ -61,27 +76,28 @@ bool cycle(fmg::Run& run, std::size_t l, int number, LastCycle& last) {
     return fmg::DiscretizationError{};
   };
   fmg::update_film(hierarchy, hierarchy.levels[l]);
-  constexpr double never = 0.0;  // the number of cycles is the criterion
-  const fmg::CyclesResult result =
-      fmg::run_cycles(hierarchy, l, {.aim = judgement::Aim::residual, .planned = 1, .most = 1, .tolerance = never},
-                      run.caution, observe);
+  const double before = fmg::measures_of(hierarchy, l).residual;
+  const fmg::CyclesResult result = fmg::run_cycles(
+      hierarchy, l, {.aim = judgement::Aim::residual, .most = most_cycles, .tolerance = enough_of_a_pass * before},
+      run.caution, observe);
   run.caution = result.caution;
   last = result.last;
-  last.first = number == 1;
+  last.first = first;
   const fmg::LevelRow& row = run.record.levels.back();
-  last.error_Hc = row.error_Hc;
-  last.error_Hm = row.error_Hm;
+  const double one_grid = judgement::error_of_one_grid(hierarchy.levels[l].grid.hx(), last.after.Hm, order);
+  last.error_Hc = std::isnan(row.error_Hc) ? one_grid : row.error_Hc;
+  last.error_Hm = std::isnan(row.error_Hm) ? one_grid : row.error_Hm;
   if (last.after.residual > fmg::rough_factor * last.before.residual) run.caution.relax_after = true;
-  return done;
+  return done && result.end != fmg::CyclesEnd::diverged;
 }
 
-Pass pass_of(const Measures& measures, const thermal::Balance& balance, const Pass& before,
+Pass pass_of(const Measures& measures, const thermal::Balance& balance, const Trail& trail,
              const Parameters& parameters) {
   Pass pass{.Hc = measures.Hc, .Hm = measures.Hm, .mu = balance.friction, .theta = balance.film.theta};
   pass.change =
-      std::max({over_allowed(parameters, pass, before, &Pass::Hc), over_allowed(parameters, pass, before, &Pass::Hm),
-                over_allowed(parameters, pass, before, &Pass::mu, least_mu),
-                over_allowed(parameters, pass, before, &Pass::theta, least_theta)});
+      std::max({over_allowed(parameters, pass, trail, &Pass::Hc), over_allowed(parameters, pass, trail, &Pass::Hm),
+                over_allowed(parameters, pass, trail, &Pass::mu, least_mu),
+                over_allowed(parameters, pass, trail, &Pass::theta, least_theta)});
   return pass;
 }
 
@@ -97,8 +113,20 @@ std::string unmet_of(const Pass& pass, const thermal::Balance& balance, const La
   if (!(std::abs(balance.defect) <= parameters.defect))
     return fmt::format("heat made and heat led away differ by {:.1e} (limit {:.1e})", balance.defect,
                        parameters.defect);
-  const bool open = std::isnan(parameters.tolerance) && std::isnan(last.error_Hc);
-  return judgement::unmet_check(last, open ? single_grid_residual : parameters.tolerance);
+  return judgement::unmet_check(last, parameters.tolerance);
+}
+
+// The temperature of the state, and what it makes of the coefficients. out: the change that it asks of them.
+double renew(fmg::Hierarchy& hierarchy, std::size_t l, int pass, thermal::FilmTemperature& film, Factors& factors,
+             double weight, thermal::Balance& balance) {
+  const core::ScopedTimer timer(hierarchy.times, core::Part::heat);
+  const fmg::Level& level = hierarchy.levels[l];
+  film.take(level.P, level.H);
+  const bool slow = pass > quick;
+  // The inlet's own temperature changes little behind the first pass of a grid: swept upstream in every second one.
+  for (int sweep = 0; sweep < (slow ? sweeps_when_slow : 1); ++sweep) film.sweep(slow || pass % 2 == 1);
+  balance = film.balance();
+  return factors.take(film, weight);
 }
 
 }  // namespace
@@ -108,19 +136,17 @@ Result heat_up(fmg::Run& run, std::size_t l, thermal::FilmTemperature& film, Fac
   fmg::Hierarchy& hierarchy = run.hierarchy;
   fmg::Level& level = hierarchy.levels[l];
   Result result;
-  Pass before;
+  Trail trail;
   LastCycle last;
   double weight = 1.0, asked_before = INFINITY;
   for (int n = 1; n <= parameters.most; ++n) {
     const fmg::State kept = fmg::state_of(hierarchy, l);
     const fmg::Caution caution = run.caution;
-    film.take(level.P, level.H);
-    film.sweep();
-    result.balance = film.balance();
-    const double asked = factors.take(film, weight);
-    if (asked > slow * asked_before) weight = std::max(least_weight, 0.7 * weight);
-    const bool good = std::isfinite(asked) && cycle(run, l, n, last);
-    Pass pass = good ? pass_of(last.after, result.balance, before, parameters) : before;
+    const double asked = renew(hierarchy, l, n, film, factors, weight, result.balance);
+    const bool falls = asked < (1.0 - half_of_it * weight) * asked_before;
+    weight = falls ? std::min(1.0, more * weight) : std::max(least_weight, less * weight);
+    const bool good = std::isfinite(asked) && cycle(run, l, n == 1, last);
+    Pass pass = good ? pass_of(last.after, result.balance, trail, parameters) : trail.before;
     pass.weight = weight;
     pass.undone = !good;
     result.passes.push_back(pass);
@@ -128,7 +154,7 @@ Result heat_up(fmg::Run& run, std::size_t l, thermal::FilmTemperature& film, Fac
     if (good) {
       run.record.verification = judgement::verification_of(last);
       if (n > 1 && result.unmet.empty()) return result;
-      before = pass;
+      trail = {trail.before, pass};
       asked_before = asked;
       continue;
     }

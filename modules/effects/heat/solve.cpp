@@ -31,7 +31,7 @@ struct Ladder {
   std::shared_ptr<Factors> factors;
   std::vector<Pass> found{};  // coarse to fine
   std::vector<Row> rows{};
-  std::optional<thermal::FilmTemperature> film{};
+  std::optional<thermal::FilmTemperature> film{}, below{};
   Result last{};
 };
 
@@ -67,9 +67,10 @@ void pass_on(Ladder& ladder, std::size_t l, thermal::Setup setup) {
   const double began = core::now();
   setup.patch = run.hierarchy.levels[l].grid;
   setup.threads = run.hierarchy.threads_on(setup.patch);
-  thermal::FilmTemperature film(setup);
-  if (ladder.film) film.start_from(*ladder.film);
-  ladder.film = std::move(film);
+  std::optional<thermal::FilmTemperature> coarser = std::move(ladder.below);
+  ladder.below = std::move(ladder.film);
+  ladder.film.emplace(setup);
+  if (ladder.below) ladder.film->start_from(*ladder.below, coarser ? &*coarser : nullptr);
   *ladder.factors = Factors(patches_from(run, l));
   Parameters parameters{.below = ladder.found, .tolerance = run.hierarchy.parameters.tolerance};
   if (l < run.finest()) {
@@ -96,15 +97,20 @@ void pass_on(Ladder& ladder, std::size_t l, thermal::Setup setup) {
                          .seconds = core::now() - began});
 }
 
-// True where the sequence of grids led to a solution.
-bool climb(Ladder& ladder, const thermal::Setup& setup, const steady::Solution& isothermal) {
+// From grid `first` to the finest. out: true where that led to a solution.
+bool climb(Ladder& ladder, std::size_t first, const thermal::Setup& setup, const steady::Solution& isothermal) {
   fmg::Run& run = ladder.run;
-  const std::size_t finest = run.finest();
-  const std::size_t first = std::max(std::min(run.plan.first, finest), finest - std::min(finest, grids_below));
+  run.record.levels.clear();
+  run.caution = run.plan.above;
+  ladder.found.clear();
+  ladder.rows.clear();
+  ladder.film.reset();
+  ladder.below.reset();
   fmg::State two_below;
   try {
-    for (std::size_t l = first; l <= finest; ++l) {
+    for (std::size_t l = first; l <= run.finest(); ++l) {
       if (l == first) {
+        *ladder.factors = Factors(patches_from(run, l));
         fmg::start_from_state(run.hierarchy, l, injected(run, l, isothermal));
       } else {
         fmg::State below = fmg::state_of(run.hierarchy, l - 1);
@@ -125,19 +131,6 @@ bool climb(Ladder& ladder, const thermal::Setup& setup, const steady::Solution& 
   return true;
 }
 
-// The finest grid alone.
-void climb_once(Ladder& ladder, const thermal::Setup& setup, const steady::Solution& isothermal) {
-  fmg::Run& run = ladder.run;
-  run.record.levels.clear();
-  run.caution = run.plan.above;
-  ladder.found.clear();
-  ladder.rows.clear();
-  ladder.film.reset();
-  *ladder.factors = Factors(patches_from(run, run.finest()));
-  fmg::start_from_state(run.hierarchy, run.finest(), injected(run, run.finest(), isothermal));
-  pass_on(ladder, run.finest(), setup);
-}
-
 void complete(const steady::Scene& scene, const steady::Solution& isothermal, steady::Solution& film) {
   film.method = isothermal.method + ", then passes with heat";
   film.attempts = isothermal.attempts;
@@ -154,9 +147,11 @@ Solution solve(const steady::Scene& scene, const thermal::Setup& setup, const st
                const steady::ProgressCallback& progress) {
   const double began = core::now();
   Ladder ladder = begin(scene, progress);
-  const bool solved = climb(ladder, setup, isothermal);
-  const bool finest_alone = ladder.rows.size() == 1 && ladder.rows.back().nx == scene.grid.nx;
-  if (!solved && !finest_alone) climb_once(ladder, setup, isothermal);
+  const std::size_t finest = ladder.run.finest();
+  std::size_t first = std::max(std::min(ladder.run.plan.first, finest), finest - std::min(finest, grids_below));
+  // Where a grid is too coarse for the heat, the next one begins.
+  while (!climb(ladder, first, setup, isothermal) && first < finest)
+    first = std::min(finest, first + std::max<std::size_t>(1, ladder.rows.size()));
   fmg::Record& record = ladder.run.record;
   record.converged = ladder.last.unmet.empty();
   record.failed_check = record.converged ? ""

@@ -1,0 +1,28 @@
+# figure: temperatures along y = 0 above that of the oil: hottest layer and middle of the film, both surfaces; pressure
+# needs: /fields/T_mid /fields/T_max /fields/T1 /fields/T2
+figure = "temperature_lines"
+here = system(sprintf("dirname '%s'", ARG0))
+load here."/result.gp"
+
+left = -2.5 * reach_x
+right = 1.6 * reach_x
+stats line("T_max", left, right) using 2 nooutput prefix "T"
+stats line("P", left, right) using 2 nooutput prefix "P"
+high = 62 * stretch + m(16 + top)
+eval page
+eval box(m(13), m(14), m(16), m(top))
+set key at screen 0.5, screen m(1) / high center bottom horizontal samplen 2.5 maxcols 3 Left reverse
+set xrange [left:right]
+set xtics steps_of(right - left)
+set yrange [0:1.08 * T_max]
+set ytics steps_of(T_max) nomirror
+set y2range [0:1.08 * (P_max > p_h ? P_max : p_h)]
+set y2tics steps_of(P_max)
+set xlabel axis_along offset 0, 0.4
+set ylabel "T − T_{oil} [K]" offset 0.5, 0
+set y2label axis_P offset -0.5, 0
+plot line("T_max", left, right) using 1:2 with lines lw 1.4 lc rgb red title "film, hottest", \
+     line("T_mid", left, right) using 1:2 with lines lw 1 dt (6, 3) lc rgb red title "film, middle", \
+     line("T1", left, right) using 1:2 with lines lw 1 lc rgb blue title "surface 1", \
+     line("T2", left, right) using 1:2 with lines lw 1 lc rgb green title "surface 2", \
+     line("P", left, right) using 1:2 axes x1y2 with lines lw 0.8 lc rgb grey title "pressure"
