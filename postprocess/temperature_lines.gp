@@ -5,13 +5,14 @@ here = system(sprintf("dirname '%s'", ARG0))
 load here."/result.gp"
 
 left = -2.5 * reach_x
-right = 1.6 * reach_x
+stats "< ".read."P --along x" using 1 nooutput prefix "A"
+right = A_max < 1.6 * reach_x ? A_max : 1.6 * reach_x
 stats line("T_max", left, right) using 2 nooutput prefix "T"
 stats line("P", left, right) using 2 nooutput prefix "P"
-high = 62 * stretch + m(16 + top)
+high = 62 * stretch + m(22 + top)
 eval page
-eval box(m(13), m(14), m(16), m(top))
-set key at screen 0.5, screen m(1) / high center bottom horizontal samplen 2.5 maxcols 3 Left reverse
+eval box(m(13), m(14), m(22), m(top))
+set key at screen 0.5, screen m(1) / high center bottom vertical maxrows 3 samplen 2.5 Left reverse
 set xrange [left:right]
 set xtics steps_of(right - left)
 set yrange [0:1.08 * T_max]

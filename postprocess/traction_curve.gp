@@ -12,10 +12,10 @@ stats data index curves:series - 1 using 2 nooutput prefix "H"
 percent(x) = 100 * abs(x)
 # Measured points, "srr mu standard_error", where ehl plot --measured gives them.
 with_points = exists("measured")
-if (!with_points) { $none << EOD
+$none << EOD
 NaN NaN NaN
 EOD
-measured = "$none" } else {
+if (!with_points) { measured = "$none" } else {
   stats measured using (abs($1)):(abs($2)) nooutput prefix "E"
   M_min_x = E_min_x < M_min_x ? E_min_x : M_min_x
   M_max_x = E_max_x > M_max_x ? E_max_x : M_max_x
@@ -38,7 +38,7 @@ set format x ""
 set ylabel "friction coefficient μ" offset 0.5, 0
 plot for [k = 1:curves] data index k - 1 using (percent($1)):(abs($2)) with linespoints pt 7 ps 0.8 lw 0.9 lc rgb colour(k) \
     title curves > 1 ? name("curve", k) : "", \
-    (with_points ? measured : "$none") using (percent($1)):(abs($2)):3 with yerrorbars pt 6 ps 1.1 lw 0.9 lc rgb "black" title with_points ? "measured" : ""
+    measured using (percent($1)):(abs($2)):3 with yerrorbars pt 6 ps 1.1 lw 0.9 lc rgb "black" title with_points ? "measured" : ""
 
 unset label 100
 unset key

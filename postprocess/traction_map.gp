@@ -16,9 +16,9 @@ rows = "< awk -F, '/^#/ {next} !n {for (k = 1; k <= NF; ++k) c[$k] = k; n = 1; n
   awk 'NR > 1 && $1 != u {print \"\"} {u = $1; print}'"
 stats rows using 1:3 nooutput prefix "M"
 stats rows using 2 nooutput prefix "S"
-high = 66 * stretch + m(12 + top)
+high = 66 * stretch + m(15 + top)
 eval page
-eval box(m(14), m(20), m(10), m(top))
+eval box(m(14), m(20), m(13), m(top))
 unset key
 set logscale y
 set xrange [100 * S_min:100 * S_max]
@@ -31,17 +31,12 @@ set cblabel "friction coefficient μ"
 eval "set palette ".pressure_colours
 set cbrange [0:M_max_y]
 set cbtics steps_of(M_max_y)
-eval bar(m(10), m(top))
+eval bar(m(13), m(top))
 step = round_step(M_max_y / 6)
 set contour base
-unset surface
+set cntrlabel onecolor
 set cntrparam levels incremental step, step, M_max_y
-set table $contours
-splot rows using (100 * $2):1:3 with lines nosurface
-unset table
-unset contour
-set surface
 set pm3d map interpolate 8, 8
-splot rows using (100 * $2):1:3 with pm3d, \
-      $contours using 1:2:(0) with lines lw 0.5 lc rgb "#333333", \
-      rows using (100 * $2):1:(0) with points pt 7 ps 0.25 lc rgb "#555555"
+splot rows using (100 * $2):1:3 with pm3d nocontour, \
+      rows using (100 * $2):1:3 with lines nosurface lw 0.5 lc rgb "#333333", \
+      rows using (100 * $2):1:3 with points nocontour pt 7 ps 0.25 lc rgb "#555555"

@@ -27,15 +27,19 @@ constexpr std::size_t most_free = 3;
 
 // What is fitted: the deck, the measured points, the free keys "shear.tau_0".
 struct Task {
-  SweepHeader header;
-  std::vector<MeasuredPoint> points;
-  std::vector<std::string> free;
+  SweepHeader header{};
+  std::vector<MeasuredPoint> points{};
+  std::vector<std::string> free{};
   int at_once = 1;
   bool quiet = false;
 };
 
 std::vector<std::string> overrides_of(const Task& task, const std::vector<double>& parameters, double srr) {
   std::vector<std::string> overrides = task.header.set;
+  // What is fitted may be set for its start.
+  if (!parameters.empty())
+    for (const std::string& key : task.free)
+      std::erase_if(overrides, [&](const std::string& one) { return one.starts_with(key + "="); });
   for (std::size_t a = 0; a < parameters.size(); ++a)
     overrides.push_back(fmt::format("{}={:.12g}", task.free[a], parameters[a]));
   overrides.push_back(fmt::format("motion.srr={:.12g}", srr));
@@ -87,14 +91,15 @@ Task task_of(const Arguments& arguments) {
   const std::string& deck = arguments.operands[0];
   if (!arguments.has("measured") || !arguments.has("free"))
     refuse("`ehl fit` needs --measured FILE.csv and --free section.key, e.g. --free shear.tau_0");
-  Task task{.header = {.program = this_program(),
-                       .deck = deck,
-                       .deck_text = deck::load_text(deck),
-                       .set = arguments.overrides()},
-            .points = read_measured(arguments.value("measured", "")),
-            .free = arguments.values("free"),
-            .at_once = requested_threads(arguments),
-            .quiet = arguments.has("quiet")};
+  Task task;
+  task.points = read_measured(arguments.value("measured", ""));
+  task.header.program = this_program();
+  task.header.deck = deck;
+  task.header.deck_text = deck::load_text(deck);
+  task.header.set = arguments.overrides();
+  task.free = arguments.values("free");
+  task.at_once = requested_threads(arguments);
+  task.quiet = arguments.has("quiet");
   if (task.free.size() > most_free) refuse(fmt::format("--free: {} keys at most", most_free));
   if (task.points.size() <= task.free.size())
     refuse(fmt::format("--measured: {} points do not tell {} constants and how certain they are", task.points.size(),

@@ -245,56 +245,6 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_is_refused) {
   BOOST_TEST(study.says({"[thermal]", "isothermal"}), study.err);
 }
 
-// Points of a map over load, speed and sliding at which passes once swung between two states, lost the film, or waited
-// for an inlet that recirculates.
-BOOST_AUTO_TEST_CASE(far_from_the_base_case) {
-  const Scene scene(contact + motion + oil + "[grid]\ncells = 128\n[shear]\nlaw = eyring\ntau_0 = 5e6\n" +
-                    "[thermal]\n" + "T_oil = 40\nbeta = 0.042\n" + bodies);
-  for (const char* point : {"contact.load=4.59 --set motion.u_m=20 --set motion.srr=2",
-                            "contact.load=293.7 --set motion.u_m=3 --set "
-                            "motion.srr=2",
-                            "contact.load=573.6 --set motion.u_m=8 --set motion.srr=1"}) {
-    const nlohmann::json result = scene.run(std::string("--set ") + point);
-    BOOST_TEST_MESSAGE(point << ": mu " << number_at(result, "/thermal/mu") << ", film "
-                             << number_at(result, "/thermal/T_film_max") << " K");
-    BOOST_TEST(number_at(result, "/thermal/T_film_max") < 400.0);
-    BOOST_TEST(std::abs(number_at(result, "/thermal/heat_imbalance")) < 1e-3);
-  }
-}
-
-// The friction of the program itself as the measured one: the stress that made it comes out.
-BOOST_AUTO_TEST_CASE(a_fit_finds_the_stress_that_made_the_curve) {
-  const Scene scene;
-  BOOST_REQUIRE(scene.ehl("sweep d.ini --vary motion.srr=0.05,0.2,0.5,1 --output made.csv --threads 2").status == 0);
-  std::string measured = "srr,mu\n";
-  for (const support::NamedRow& row : support::named_rows(scene.folder.read("made.csv")))
-    measured += row.at("motion.srr") + "," + row.at("mu") + "\n";
-  scene.folder.write("measured.csv", measured);
-  const support::Ended ended =
-      scene.ehl("fit d.ini --measured measured.csv --free shear.tau_0 --set shear.tau_0=9e6 --threads 2 --quiet");
-  BOOST_TEST(ended.status == 0, ended.err << ended.out);
-  const std::string key = "shear.tau_0  = ";
-  const std::size_t at = ended.out.find(key);
-  BOOST_REQUIRE_MESSAGE(at != std::string::npos, ended.out);
-  BOOST_TEST_MESSAGE(ended.out);
-  check_close("tau_0", std::stod(ended.out.substr(at + key.size())), 5e6, 5e-3);
-  const support::Ended drawn = scene.ehl("plot made.csv --measured measured.csv --format svg");
-  BOOST_TEST(drawn.status == 0, drawn.err);
-  BOOST_TEST(support::contains(scene.folder.read("made_traction_curve.svg"), "measured"));
-
-  for (const auto& [name, text, words] :
-       {std::tuple{"per_cent", "5,0.03\n20,0.04\n", std::vector<std::string>{"per_cent.csv:1", "not in per cent"}},
-        {"one", "0.1,0.03\n", std::vector<std::string>{"1 points do not tell 1 constants"}},
-        {"odd", "0.1,0.03\n0.2,0.03,0.001\n", std::vector<std::string>{"odd.csv:2", "in none"}}}) {
-    scene.folder.write(std::string(name) + ".csv", text);
-    const support::Ended refused =
-        scene.ehl("fit d.ini --measured " + std::string(name) + ".csv --free shear.tau_0 --quiet");
-    BOOST_TEST(refused.status != 0);
-    BOOST_TEST(refused.says(words), refused.err);
-  }
-  BOOST_TEST(scene.ehl("fit d.ini --measured measured.csv --free shear.G --quiet").says({"shear.G", "begin with"}));
-}
-
 BOOST_AUTO_TEST_CASE(sweep_makes_a_traction_curve) {
   const Scene scene;
   const support::Ended ended = scene.ehl("sweep d.ini --vary motion.srr=0,0.1,0.4,1,2 --output curve.csv --threads 2");
