@@ -34,10 +34,14 @@ std::optional<machines::Contact> machine_input(deck::Deck& deck) {
   std::optional<machines::Contact> machine = machines::read(deck);
   if (!machine) return std::nullopt;
   refuse_contact(deck, *machine);
-  if (deck::word(deck, "case", "kind") == machines::ball_race)
+  if (deck::word(deck, "case", "kind") == machines::ball_race) {
     compute(deck, "motion", "angle", 0.0, "the ball rolls along radius_x");
-  else
-    complain(deck, "case", "kind", "is a line contact, which this version does not solve");
+    choose(deck, "contact", "kind", "point", "a ball and its groove");
+    mark_following(deck, "contact", "kind");
+  } else {
+    complain(deck, "case", "kind",
+             "is a line contact: give its load_per_length and radius_x with [contact] kind = line");
+  }
   for (const auto& [section, name] : {std::pair{"contact", "load"},
                                       {"contact", "radius_x"},
                                       {"contact", "radius_y"},
