@@ -29,7 +29,7 @@ Truncation truncation(fmg::Hierarchy& hierarchy, std::size_t coarse, std::size_t
   const auto injected = [&](const core::Field& field) {
     core::Field at(grid);
     for (int i = 0; i <= grid.nx; ++i)
-      for (int j = 0; j <= grid.ny; ++j) at(i, j) = field(i * step, grid.domain.line ? j : j * step);
+      for (int j = 0; j <= grid.ny; ++j) at(i, j) = field(i * step, grid.finer_line(j, step));
     return at;
   };
   fmg::update_residual(hierarchy, finer);
@@ -44,7 +44,7 @@ Truncation truncation(fmg::Hierarchy& hierarchy, std::size_t coarse, std::size_t
   fmg::update_residual(hierarchy, level);
   for (int i = 1; i < grid.nx; ++i)
     for (int j = 1; j <= grid.last_line(); ++j) {
-      const int finer_j = grid.domain.line ? j : j * step;
+      const int finer_j = grid.finer_line(j, step);
       if (level.P(i, j) <= 0.0) {
         parts.poiseuille(i, j) = own_r(i, j);
         continue;

@@ -68,8 +68,8 @@ struct Patch {
   }
   /// The line that holds the values of line j of the domain: j, or that of which it is the image.
   int holder(int j) const { return north == Edge::mirror && j > ny ? 2 * ny - j : j; }
-  /// The line of the next finer patch that is line J of this one.
-  int finer_line(int J) const { return north == Edge::uniform ? J : 2 * J; }
+  /// The line of a finer patch that is line J of this one; finer `times` times.
+  int finer_line(int J, int times = 2) const { return north == Edge::uniform ? J : times * J; }
 
   friend bool operator==(const Patch&, const Patch&) = default;
 };
@@ -81,7 +81,14 @@ inline Grid coarsened(const Grid& fine) {
   if (!fine.line) coarse.ny /= 2;
   return coarse;
 }
-/// The same of a patch. limits: i0, j0 too.
+/// The lattice with `times` as many cells; of a line contact along X alone.
+inline Grid refined(const Grid& coarse, int times = 2) {
+  Grid fine = coarse;
+  fine.nx *= times;
+  if (!coarse.line) fine.ny *= times;
+  return fine;
+}
+/// coarsened() of a patch. limits: i0, j0 too.
 inline Patch coarsened(const Patch& fine) {
   Patch coarse = fine;
   coarse.domain = coarsened(fine.domain);

@@ -141,8 +141,7 @@ double estimate_domain_error(const Scene& scene) {
   coarse.multigrid = {};
   coarse.multigrid.tolerance = tolerance;
   Scene longer = coarse;
-  longer.grid.nx *= 2;
-  if (!longer.grid.line) longer.grid.ny *= 2;
+  longer.grid = core::refined(longer.grid);
   longer.grid.X_a -= scene.grid.X_b - scene.grid.X_a;
   if (!longer.grid.line) longer.grid.Y_a *= 2.0, longer.grid.Y_b *= 2.0;
   double estimate = std::numeric_limits<double>::quiet_NaN();

@@ -84,10 +84,7 @@ core::Grid foretold_grid(const steady::Scene& scene) {
     const double h = grid.hx() / zone;
     return scene.wedge == reynolds::Wedge::upstream1 ? 0.2 * h : 0.4 * h * h;  // resolving_step()
   };
-  while (error() > allowed && 2 * grid.nx <= scene.accuracy.most_cells) {
-    grid.nx *= 2;
-    if (!grid.line) grid.ny *= 2;
-  }
+  while (error() > allowed && 2 * grid.nx <= scene.accuracy.most_cells) grid = core::refined(grid);
   return grid;
 }
 

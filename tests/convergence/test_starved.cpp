@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contact/ellipse.hpp"
+#include "core/norms.hpp"
 #include "steady/climb.hpp"
 #include "steady/solve.hpp"
 #include "support/roelands_scene.hpp"
@@ -32,13 +33,6 @@ double first_wet(const steady::Solution& solution) {
   int i = 0;
   while (i < solution.grid.nx && solution.P(i, solution.grid.ny / 2) <= 0.0) ++i;
   return solution.grid.X(i);
-}
-
-double largest_difference(const core::Field& a, const core::Field& b) {
-  double largest = 0.0;
-  for (int i = 0; i < a.nodes_x(); ++i)
-    for (int j = 0; j < a.nodes_y(); ++j) largest = std::max(largest, std::abs(a(i, j) - b(i, j)));
-  return largest;
 }
 
 }  // namespace
@@ -103,7 +97,7 @@ BOOST_AUTO_TEST_CASE(a_full_inlet_gives_the_solution_of_the_other_model) {
     const steady::Solution other = steady::solve(scene);
     scene.supply = [](double) { return flooded; };
     const steady::Solution full = steady::solve(scene);
-    const double P = largest_difference(other.P, full.P), H = largest_difference(other.H, full.H);
+    const double P = core::max_abs_difference(other.P, full.P), H = core::max_abs_difference(other.H, full.H);
     BOOST_TEST_MESSAGE("M = " << M << ", L = " << L << ", R_x/R_y = " << ratio << ": P differs by " << P << ", H by "
                               << H << " (allowed 1e-12), residual " << full.levels.back().residual);
     BOOST_TEST(full.swinging_nodes == 0);
@@ -142,15 +136,15 @@ BOOST_AUTO_TEST_CASE(ways_agree) {
   const steady::Solution whole = steady::solve(scene);
   scene.polish = steady::Polish::always;
   const steady::Solution newton = steady::solve(scene);
-  BOOST_TEST_MESSAGE("half and whole: P differs by " << largest_difference(half.P, whole.P) << ", Q by "
-                                                     << largest_difference(half.Q, whole.Q)
-                                                     << "; Newton's method: " << largest_difference(newton.P, whole.P)
-                                                     << " (allowed 1e-8: a residual of 1e-10)");
+  BOOST_TEST_MESSAGE("half and whole: P differs by "
+                     << core::max_abs_difference(half.P, whole.P) << ", Q by "
+                     << core::max_abs_difference(half.Q, whole.Q) << "; Newton's method: "
+                     << core::max_abs_difference(newton.P, whole.P) << " (allowed 1e-8: a residual of 1e-10)");
   BOOST_TEST(half.converged);
   BOOST_TEST(newton.polish_failure.empty());
-  BOOST_TEST(largest_difference(half.P, whole.P) <= 1e-8);
-  BOOST_TEST(largest_difference(half.Q, whole.Q) <= 1e-8);
-  BOOST_TEST(largest_difference(newton.P, whole.P) <= 1e-8);
+  BOOST_TEST(core::max_abs_difference(half.P, whole.P) <= 1e-8);
+  BOOST_TEST(core::max_abs_difference(half.Q, whole.Q) <= 1e-8);
+  BOOST_TEST(core::max_abs_difference(newton.P, whole.P) <= 1e-8);
   BOOST_TEST(std::abs(newton.oil.imbalance()) <= 1e-10);
   const int n = half.grid.nx;
   for (int j = 1; j < half.grid.ny; ++j) BOOST_TEST(std::abs(half.Q(n - 1, j) - half.Q(n - 3, j)) <= 1e-9);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "convergence/circular_scene.hpp"
+#include "core/norms.hpp"
 #include "steady/solution.hpp"
 
 namespace hard {
@@ -38,11 +39,8 @@ inline double relative(double value, double reference) { return std::abs(value /
 
 /// The largest of: relative differences of Hc and Hm, difference of H00 and of P at any node.
 inline double difference(const ehl::steady::Solution& a, const ehl::steady::Solution& b) {
-  double largest = std::max({std::abs(a.H00 - b.H00), relative(a.levels.back().Hc, b.levels.back().Hc),
-                             relative(a.levels.back().Hm, b.levels.back().Hm)});
-  for (int i = 0; i < a.grid.nodes_x(); ++i)
-    for (int j = 0; j < a.grid.nodes_y(); ++j) largest = std::max(largest, std::abs(a.P(i, j) - b.P(i, j)));
-  return largest;
+  return std::max({std::abs(a.H00 - b.H00), relative(a.levels.back().Hc, b.levels.back().Hc),
+                   relative(a.levels.back().Hm, b.levels.back().Hm), ehl::core::max_abs_difference(a.P, b.P)});
 }
 
 }  // namespace hard

@@ -2,6 +2,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "core/norms.hpp"
 #include "unit/transient/marching.hpp"
 
 using namespace ehl;
@@ -37,13 +38,6 @@ void check_oil(const char* what, const Marched& all, double end) {
   BOOST_TEST(load <= 1e-6);
 }
 
-double largest_difference(const core::Field& a, const core::Field& b) {
-  double largest = 0.0;
-  for (int i = 0; i < a.nodes_x(); ++i)
-    for (int j = 0; j < a.nodes_y(); ++j) largest = std::max(largest, std::abs(a(i, j) - b(i, j)));
-  return largest;
-}
-
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_steady_supply_stays_steady) {
@@ -69,8 +63,8 @@ BOOST_AUTO_TEST_CASE(a_supply_that_falls_ends_in_its_steady_film) {
   check_oil("supply to 0.6", half, 9.0);
   scene.use_symmetry = false;
   const Marched whole = marched(scene, falls, {.end = 9.0});
-  const double P = largest_difference(half.frames.back().P, whole.frames.back().P);
-  const double theta = largest_difference(half.frames.back().theta, whole.frames.back().theta);
+  const double P = core::max_abs_difference(half.frames.back().P, whole.frames.back().P);
+  const double theta = core::max_abs_difference(half.frames.back().theta, whole.frames.back().theta);
   steady::Scene end = starved_scene(0.6 * 0.25);
   end.multigrid.tolerance = 1e-9;
   const double Hc = half.rows.back().Hc / steady::solve(end).levels.back().Hc - 1.0;
