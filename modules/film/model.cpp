@@ -9,8 +9,10 @@ namespace {
 
 void apply_effects(const Model& model, const Station& station, std::span<double> fluidity, Buffers& buffers) {
   std::ranges::fill(buffers.mobility, 1.0);
+  std::ranges::fill(buffers.mobility_across, 1.0);
   std::ranges::fill(buffers.carried, 1.0);
-  for (const CoefficientEffect& effect : model.effects) effect(station, {fluidity, buffers.mobility, buffers.carried});
+  for (const CoefficientEffect& effect : model.effects)
+    effect(station, {fluidity, buffers.mobility, buffers.mobility_across, buffers.carried});
 }
 
 void multiply(std::span<double> values, const std::vector<double>& by) {
@@ -34,7 +36,8 @@ Buffers make_buffers(const Model& model, int nodes) {
   const auto size = static_cast<std::size_t>(nodes);
   Buffers buffers{.fluidity = std::vector<double>(size)};
   if (anisotropic(model)) buffers.along = buffers.across = buffers.fluidity;
-  if (!model.effects.empty()) buffers.along = buffers.mobility = buffers.carried = buffers.fluidity;
+  if (!model.effects.empty())
+    buffers.along = buffers.mobility = buffers.mobility_across = buffers.carried = buffers.fluidity;
   return buffers;
 }
 
@@ -58,7 +61,7 @@ void coefficients(const Model& model, const Station& station, Buffers& buffers, 
   }
   if (model.effects.empty()) return;
   multiply(out.eps, buffers.mobility);
-  multiply(out.eps_across, buffers.mobility);
+  multiply(out.eps_across, buffers.mobility_across);
   multiply(out.rho_bar, buffers.carried);
   multiply(out.drho_bar, buffers.carried);
 }
@@ -81,14 +84,15 @@ void oil(const Model& model, const Station& station, Buffers& buffers, const Oil
   }
   if (model.effects.empty()) return;
   // Half points take the density from Q: what it carries more goes off the fluidity.
-  for (std::size_t k = 0; k < station.P.size(); ++k) {
-    const double factor = buffers.mobility[k] / buffers.carried[k];
-    out.fluidity[k] *= factor;
-    out.log_viscosity[k] -= std::log(factor);
-    if (!thins) continue;
-    out.fluidity_across[k] *= factor;
-    out.log_viscosity_across[k] -= std::log(factor);
-  }
+  const auto move = [&](const std::vector<double>& mobility, std::span<double> phi, std::span<double> log_eta) {
+    for (std::size_t k = 0; k < phi.size(); ++k) {
+      const double factor = mobility[k] / buffers.carried[k];
+      phi[k] *= factor;
+      log_eta[k] -= std::log(factor);
+    }
+  };
+  move(buffers.mobility, out.fluidity, out.log_viscosity);
+  if (thins) move(buffers.mobility_across, out.fluidity_across, out.log_viscosity_across);
   multiply(out.rho_bar, buffers.carried);
   multiply(out.drho_bar, buffers.carried);
 }

@@ -22,9 +22,10 @@ struct Station {
 
 /// What an effect at the stage of the coefficients changes of a station's nodes.
 struct Factors {
-  std::span<double> fluidity;  ///< 1/eta_bar itself: what shear thins and pressure moves
-  std::span<double> mobility;  ///< of both epsilon: what pressure moves beyond that
-  std::span<double> carried;   ///< of Q: what the surfaces carry
+  std::span<double> fluidity;         ///< 1/eta_bar itself: what shear thins and pressure moves
+  std::span<double> mobility;         ///< of epsilon along X: what pressure moves beyond that
+  std::span<double> mobility_across;  ///< of epsilon along Y, where that is another one
+  std::span<double> carried;          ///< of Q: what the surfaces carry
 };
 using CoefficientEffect = std::function<void(const Station& station, const Factors& factors)>;
 
@@ -45,7 +46,7 @@ inline bool anisotropic(const Model& model) { return model.thinning.has_value();
 
 /// Work space of one thread for stations of this many nodes.
 struct Buffers {
-  std::vector<double> fluidity{}, along{}, across{}, slope{}, mobility{}, carried{};
+  std::vector<double> fluidity{}, along{}, across{}, slope{}, mobility{}, mobility_across{}, carried{};
 };
 Buffers make_buffers(const Model& model, int nodes);
 

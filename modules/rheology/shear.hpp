@@ -10,7 +10,7 @@
 //   along sliding   1/eta_x = F'(tau_m),    across   1/eta_y = F(tau_m)/tau_m,
 // the same at every height, so that the flow is -h^3/(12 eta_i) dp/dx_i as in a Newtonian film.
 // source: Ehret, Dowson and Taylor 1998; Jacod, Venner and Lubrecht 2001, for Eyring; Carreau's by the same steps.
-// limits: no sliding, no thinning: what the pressure's own flow would thin is left out.
+// limits: no sliding, no thinning: what the pressure's own flow thins is in flow_thinning.hpp.
 #include <span>
 #include <variant>
 

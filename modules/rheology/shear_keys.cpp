@@ -30,7 +30,13 @@ std::vector<deck::Key> shear_keys() {
                  .remedy = "squalane has 0.46; 1 is a Newtonian oil",
                  .meaning = "Carreau's exponent: at high rates the stress grows with the rate to the power n.",
                  .needs = {.name = "law", .words = {"carreau"}},
-                 .example = "0.46"}});
+                 .example = "0.46"},
+                {.name = "flow",
+                 .default_text = "off",
+                 .words = {"off", "on"},
+                 .meaning = "The flow that pressure drives thins the oil as well, with the sliding or without (srr = "
+                            "0): passes behind the solution without it. Off: to first order in that flow.",
+                 .needs = {.name = "law", .words = {}}}});
 }
 
 Shear read_shear(deck::Deck& deck) {
@@ -39,8 +45,9 @@ Shear read_shear(deck::Deck& deck) {
   const double tau_0 = shear.number("tau_0"), G = shear.number("G"), n = shear.number("n");
   shear.demand(eyring ? std::vector<std::string>{"tau_0"} : std::vector<std::string>{"G", "n"},
                std::string("law = ") + (eyring ? "eyring" : "carreau") + " needs it");
-  if (eyring) return {Eyring{}, tau_0};
-  return {Carreau{n}, G};
+  const bool flow = shear.word("flow") == "on";
+  if (eyring) return {Eyring{}, tau_0, flow};
+  return {Carreau{n}, G, flow};
 }
 
 }  // namespace ehl::rheology

@@ -10,6 +10,7 @@ namespace ehl::rheology {
 struct Shear {
   ShearLaw law{};
   double stress = 0.0;
+  bool flow = false;  ///< the pressure's own flow thins too
 };
 
 /// The deck keys of [shear].

@@ -29,10 +29,10 @@ void shear(const ColumnLaws& laws, Columns& at) {
   rheology::film_fluidity_slopes(laws.thinning, flat(std::as_const(at.H)), flat(I0), flat(along), flat(across));
   const Lanes x_slope = along - 1.0, y_slope = across - 1.0;  // d ln F'/d ln I0, d ln (F/tau)/d ln I0
   rheology::film_fluidity(laws.thinning, flat(std::as_const(at.H)), flat(I0), flat(along), flat(across));
-  at.mobility_x = along / I0;
-  at.mobility_y = across / I0;
   const Lanes t_N = std::abs(laws.sliding) / (at.H * I0);
-  const Lanes tau = t_N / at.mobility_y;
+  const Lanes tau = at.less_tau * t_N / (across / I0);
+  at.mobility_x = at.more_x * along / I0;
+  at.mobility_y = at.more_y * across / I0;
   const LaneMask limited = tau > at.limit;
   at.tau_m = limited ? at.limit : tau;
   const Lanes tau_slope = limited ? Lanes{} : -1.0 - y_slope;

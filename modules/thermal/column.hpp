@@ -58,9 +58,11 @@ struct Columns {
   Lanes P{}, log_eta{};  ///< pressure; ln eta_bar(P) at T0
   Lanes fluidity{};      ///< exp(-log_eta)
   Lanes H{}, k_bar{};
-  Lanes flow_x{}, flow_y{};   ///< mean velocities of the flow that pressure drives
-  Lanes limit{};              ///< on tau_m
-  Lanes heated{};             ///< share of the width that is sheared
+  Lanes flow_x{}, flow_y{};  ///< mean velocities of the flow that pressure drives
+  Lanes limit{};             ///< on tau_m
+  Lanes heated{};            ///< share of the width that is sheared
+  /// What the pressure's own flow makes of mobility_x, mobility_y and tau_m (rheology/flow_thinning.hpp).
+  Lanes more_x = core::broadcast(1.0), more_y = more_x, less_tau = more_x;
   Lanes given_2{}, self_2{};  ///< surface: theta = given + self q, q the heat into it; self = 0: theta is given
   Lanes given_1{}, self_1{};
   Convection convection{};

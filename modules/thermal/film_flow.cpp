@@ -45,6 +45,9 @@ void FilmTemperature::load(int batch, int i, const std::vector<double>& theta, C
   at.k_bar = core::load(k_bar_.at_x(i) + j);
   at.heated = core::load(filled_.at_x(i) + j);
   at.limit = std::isfinite(setup_.limit) ? (setup_.limit * setup_.stress_of_P) * at.P : broadcast(1e300);
+  at.more_x = core::load(more_x_.at_x(i) + j);
+  at.more_y = core::load(more_y_.at_x(i) + j);
+  at.less_tau = core::load(less_tau_.at_x(i) + j);
   at.carries = false;
   for (int k = 0; k <= nodes_.intervals; ++k)
     at.theta[static_cast<std::size_t>(k)] = core::load(&theta[index(batch, i, k)]);
@@ -119,6 +122,13 @@ void FilmTemperature::flows(int batch, int i, Worker& worker) {
   const Lanes driven_y = mobility * at.mobility_y * core::load(P_Y_.at_x(i) + j);
   core::store(driven_x_.at_x(i) + j, driven_x);
   core::store(driven_y_.at_x(i) + j, driven_y);
+  if (setup_.flow_thinning) {
+    const rheology::FlowThinned by =
+        rheology::thinned_by_flow(*setup_.flow_thinning, at.H * at.I0 * at.fluidity, driven_x, driven_y);
+    core::store(more_x_.at_x(i) + j, by.along);
+    core::store(more_y_.at_x(i) + j, by.across);
+    core::store(less_tau_.at_x(i) + j, by.stress);
+  }
   if (setup_.Pe == 0.0 && setup_.compression == 0.0) return;
 
   // By the trapezoidal rule, with its own mean, so that the shapes end at the surfaces and carry what they must.

@@ -47,6 +47,13 @@ ColumnLaws laws_of(const Setup& setup) {
 
 }  // namespace
 
+Setup cold_setup(const rheology::ViscosityLaw& viscosity, const rheology::DensityLaw& density) {
+  constexpr double any = 1.0;  // temperature: nothing depends on it
+  return {.viscosity = viscosity,
+          .thermal_viscosity = rheology::BarusOfT{any, rheology::Exponential{0.0}},
+          .density = {any, density, rheology::Expansion{0.0}}};
+}
+
 FilmTemperature::FilmTemperature(const Setup& setup)
     : setup_(setup),
       nodes_(make_nodes(setup.intervals)),
@@ -73,6 +80,10 @@ FilmTemperature::FilmTemperature(const Setup& setup)
        {&P_, &H_,   &log_eta_, &rho_bar_, &k_bar_, &P_X_,  &P_Y_,     &driven_x_, &driven_y_,     &I0_,          &M2_,
         &C_, &tau_, &filled_,  &q_1_,     &q_2_,   &heat_, &carried_, &clipped_,  &correction_1_, &correction_2_})
     *field = core::Field(patch);
+  for (core::Field* field : {&more_x_, &more_y_, &less_tau_}) {
+    *field = core::Field(patch);
+    field->fill(1.0);
+  }
   line_1_ = setup.body_1.resistance > 0.0 ? weights_of(setup, setup.body_1) : std::vector<double>{};
   line_2_ = setup.body_2.resistance > 0.0 ? weights_of(setup, setup.body_2) : std::vector<double>{};
   source_1_ = rest_of(setup, setup.body_1, line_1_);
@@ -99,8 +110,10 @@ void FilmTemperature::start_from(const FilmTemperature& coarse, const FilmTemper
       for (int k = 0; k <= nodes_.intervals; ++k)
         theta_[index(j / core::lanes, i, k) + static_cast<std::size_t>(j % core::lanes)] =
             start(i, j, [k](const FilmTemperature& film, int ci, int cj) { return film.theta(ci, cj, k); });
-      q_1_(i, j) = start(i, j, [](const FilmTemperature& film, int ci, int cj) { return film.q_1_(ci, cj); });
-      q_2_(i, j) = start(i, j, [](const FilmTemperature& film, int ci, int cj) { return film.q_2_(ci, cj); });
+      for (const auto field : {&FilmTemperature::q_1_, &FilmTemperature::q_2_, &FilmTemperature::more_x_,
+                               &FilmTemperature::more_y_, &FilmTemperature::less_tau_})
+        (this->*field)(i, j) =
+            start(i, j, [field](const FilmTemperature& film, int ci, int cj) { return (film.*field)(ci, cj); });
     }
   before_ = theta_;
   apply_sources();
@@ -215,34 +228,8 @@ double FilmTemperature::sweep(bool back) {
   return change;
 }
 
-Balance FilmTemperature::balance() const {
-  const core::Patch& patch = setup_.patch;
-  Balance sum;
-  double load = 0.0;
-  const auto compare = [](Extreme& most, double theta, int i, int j) {
-    if (theta > most.theta) most = {theta, i, j};
-  };
-  for (int i = 0; i <= patch.nx; ++i)
-    for (int j = 0; j <= patch.ny; ++j) {
-      const double lines = patch.lines(j), cell = lines * patch.hx() * patch.hy();
-      load += lines * P_(i, j);
-      sum.friction += lines * tau_(i, j);
-      sum.heat += cell * heat_(i, j);
-      sum.into_1 += cell * q_1_(i, j);
-      sum.into_2 += cell * q_2_(i, j);
-      sum.carried += cell * carried_(i, j);
-      sum.clipped = sum.clipped || clipped_(i, j) > 0.0;
-      for (int k = 0; k <= nodes_.intervals; ++k) compare(sum.film, theta(i, j, k), i, j);
-      compare(sum.surface_1, theta(i, j, nodes_.intervals), i, j);
-      compare(sum.surface_2, theta(i, j, 0), i, j);
-    }
-  sum.friction *= (setup_.srr < 0.0 ? -1.0 : 1.0) / (load * setup_.stress_of_P);
-  sum.defect = sum.heat != 0.0 ? (sum.heat - sum.into_1 - sum.into_2 - sum.carried) / sum.heat : 0.0;
-  return sum;
-}
-
 std::size_t FilmTemperature::bytes() const {
-  const std::size_t fields = 21 * static_cast<std::size_t>(P_.nodes_x()) * static_cast<std::size_t>(P_.stride());
+  const std::size_t fields = 24 * static_cast<std::size_t>(P_.nodes_x()) * static_cast<std::size_t>(P_.stride());
   return sizeof(double) * (fields + 4 * theta_.size()) + (source_1_ ? source_1_->bytes() : 0) +
          (source_2_ ? source_2_->bytes() : 0) + workers_.size() * sizeof(Worker);
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/field.hpp"
+#include "rheology/flow_thinning.hpp"
 #include "rheology/thermal_properties.hpp"
 #include "thermal/column.hpp"
 #include "thermal/source_convolution.hpp"
@@ -32,6 +33,7 @@ struct Setup {
   rheology::ViscosityLaw viscosity{};
   rheology::ThermalViscosity thermal_viscosity{};
   std::optional<rheology::ShearThinning> thinning{};
+  std::optional<rheology::FlowThinning> flow_thinning{};  ///< the pressure's own flow thins too
   rheology::ThermalDensity density{};
   rheology::HeatLaw heat{};
   double Br = 0.0;                                         ///< eta0 u_m^2/(k0 T0)
@@ -44,7 +46,12 @@ struct Setup {
   bool pressure_flow = true;                    ///< what pressure drives heats and carries too
   double theta_least = -0.4, theta_most = 2.5;  ///< an oil that expands behind a spike cools by tens of kelvin
   int threads = 1;
+  /// Nothing makes or brings heat: the film stays at T0.
+  bool cold() const { return Br == 0.0 && Pe == 0.0 && compression == 0.0; }
 };
+
+/// A film that stays cold: for what is not heat. in: viscosity and density at T0, and the rest of the setup to come.
+Setup cold_setup(const rheology::ViscosityLaw& viscosity, const rheology::DensityLaw& density);
 
 /// Largest values of the whole film, with their nodes.
 struct Extreme {
@@ -85,6 +92,10 @@ class FilmTemperature {
   const core::Field& I0() const { return I0_; }  ///< over the fluidity at T0
   const core::Field& M2() const { return M2_; }  ///< likewise, with the density over that at T0
   const core::Field& C() const { return C_; }    ///< factor of rho_bar H in the wedge
+  /// What the pressure's own flow makes of both mobilities and of tau_m beyond that (rheology/flow_thinning.hpp).
+  const core::Field& more_x() const { return more_x_; }
+  const core::Field& more_y() const { return more_y_; }
+  const core::Field& less_tau() const { return less_tau_; }
   const core::Field& tau_m() const { return tau_; }
   const core::Field& q_1() const { return q_1_; }
   const core::Field& q_2() const { return q_2_; }
@@ -138,7 +149,8 @@ class FilmTemperature {
   int back_to_ = -1;                     // last station where oil flows back
   core::Field filled_;                   // share of the width that holds oil
   core::Field P_, H_, log_eta_, rho_bar_, k_bar_, P_X_, P_Y_, driven_x_, driven_y_;
-  core::Field I0_, M2_, C_, tau_, q_1_, q_2_, heat_, carried_, clipped_, correction_1_, correction_2_;
+  core::Field I0_, M2_, C_, more_x_, more_y_, less_tau_, tau_, q_1_, q_2_, heat_, carried_, clipped_, correction_1_,
+      correction_2_;
   std::vector<double> line_1_, line_2_;
   std::optional<SourceConvolution> source_1_, source_2_;
   std::vector<Worker> workers_;

@@ -58,13 +58,19 @@ struct DerivedFields {
   core::Field S{};  ///< of surfaces at rest
 };
 
-/// A contact with heat, beside the one without.
+/// A contact with heat, or with an oil that the pressure's own flow thins, beside the one without.
 struct HeatResult {
   heat::Solution found{};  ///< but for the film, which is the contact's
   double mu = 0.0;         ///< sliding friction over the load
   double mu_isothermal = 0.0;
   double Hc_isothermal = 0.0, Hm_isothermal = 0.0;
 };
+
+/// Of the one that there is; nullptr: neither.
+inline const heat::Fields* fields_of_film(const std::optional<HeatResult>& heat,
+                                          const std::optional<HeatResult>& flow) {
+  return heat ? &heat->found.fields : (flow ? &flow->found.fields : nullptr);
+}
 
 /// The contact, and what each effect has added to it.
 struct Computed {
@@ -76,7 +82,8 @@ struct Computed {
   std::optional<subsurface::StressField> stresses{};
   std::optional<friction::Friction> friction{};
   std::optional<HeatResult> heat{};
-  double seconds = 0.0;  ///< of all of it
+  std::optional<HeatResult> flow{};  ///< isothermal, with [shear] flow = on
+  double seconds = 0.0;              ///< of all of it
 };
 
 }  // namespace ehl::program

@@ -99,13 +99,14 @@ std::vector<results::Quantity> friction_quantities(const friction::Friction& f) 
   return list;
 }
 
-friction::Friction friction_of(const Case& input, const steady::Solution& solution, const core::Field* I0) {
+friction::Friction friction_of(const Case& input, const steady::Solution& solution, const heat::Fields* film) {
   friction::Parameters parameters = input.friction ? *input.friction
                                                    : friction::Parameters{.stress = stress_of_sliding(input.physics),
                                                                           .slope = input.physics.a_over_R,
                                                                           .cavitated = friction::Cavitated::none};
   parameters.aslant = !input.scene.grid.line && !steady::on_one_half(input.scene);
-  return friction::friction_of({solution.grid, solution.P, solution.H, input.scene.viscosity, input.scene.thinning, I0},
+  return friction::friction_of({solution.grid, solution.P, solution.H, input.scene.viscosity, input.scene.thinning,
+                                film ? &film->I0 : nullptr, film ? &film->less_tau : nullptr},
                                parameters);
 }
 
@@ -121,8 +122,7 @@ Effect friction_effect() {
           .expense = expense,
           .compute =
               [](const Case& input, RunSettings&, Computed& computed) {
-                const core::Field* I0 = computed.heat ? &computed.heat->found.fields.I0 : nullptr;
-                computed.friction = friction_of(input, computed.solution, I0);
+                computed.friction = friction_of(input, computed.solution, fields_of_film(computed.heat, computed.flow));
               },
           .summary = summary,
           .json = json,

@@ -1,6 +1,9 @@
 // Oil that thins where it is sheared.
 #include <fmt/core.h>
 
+#include <cmath>
+
+#include "base/json.hpp"
 #include "base/text_format.hpp"
 #include "case/effects.hpp"
 #include "case/sliding_input.hpp"
@@ -9,29 +12,63 @@
 namespace ehl::program {
 namespace {
 
+void read(Case& input) {
+  const std::optional<ShearInput> shear = shear_input(input.deck, input.physics);
+  if (!shear) return;
+  input.scene.thinning = shear->sliding;
+  input.flow_thinning = shear->flow;
+}
+
 std::string what(const Case& input) {
   const bool eyring = std::holds_alternative<rheology::Eyring>(input.scene.thinning->law);
   const double stress = deck::number(input.deck, "shear", eyring ? "tau_0" : "G");
   return (eyring ? "Eyring, tau_0 = " : "Carreau, G = ") + pressure(stress) +
          (eyring ? "" : fmt::format(", n = {:.4g}", std::get<rheology::Carreau>(input.scene.thinning->law).n)) +
          fmt::format(", slide-roll ratio {:.4g}: eta rate is {:.3g} of that stress at ambient pressure where H = 1",
-                     input.physics.srr, input.scene.thinning->k);
+                     input.physics.srr, input.scene.thinning->k) +
+         (input.flow_thinning ? "; the pressure's own flow thins too" : "");
 }
 
 std::string idle(const Case& input) {
-  const bool one_of_a_curve = input.friction || input.heat;  // srr = 0 is a point of a traction curve
+  // srr = 0 is a point of a traction curve.
+  const bool one_of_a_curve = input.friction || input.heat || input.flow_thinning;
   if (input.scene.thinning->k == 0.0 && !one_of_a_curve)
     return "the surfaces do not slide (srr = 0), and the laws thin an oil that sliding shears: remove [shear], or give "
-           "[motion] srr, or u1 and u2 that differ";
+           "[motion] srr, or u1 and u2 that differ, or flow = on";
   const auto* carreau = std::get_if<rheology::Carreau>(&input.scene.thinning->law);
   return carreau && carreau->n == 1.0 ? "n = 1 is a Newtonian oil" : "";
 }
 
-// A second epsilon on every level, and the laws' roots and logarithms in every sweep.
+std::vector<results::Quantity> quantities(const HeatResult& flow) {
+  return {{"Hc_without", flow.Hc_isothermal, "a^2/R", "film at (0,0), thinned by the sliding alone"},
+          {"Hm_without", flow.Hm_isothermal, "a^2/R", "smallest film, likewise"},
+          {"mu_without", flow.mu_isothermal, "-", "sliding friction over the load, likewise"},
+          {"mu", flow.mu, "-", "sliding friction over the load"},
+          {"error_mu", flow.found.error_mu, "-", "estimated relative discretization error of mu"}};
+}
+
+std::string summary(const Case&, const Computed& computed) {
+  if (!computed.flow) return "";
+  const HeatResult& flow = *computed.flow;
+  const heat::Row& row = flow.found.rows.back();
+  return fmt::format("shear        thinned by the pressure's flow too: Hc {:+.2g} %, Hm {:+.2g} % in {} passes{}\n",
+                     100.0 * (row.Hc / flow.Hc_isothermal - 1.0), 100.0 * (row.Hm / flow.Hm_isothermal - 1.0),
+                     row.passes, computed.solution.converged ? "" : "  (NOT CONVERGED)");
+}
+
+Json json(const Case&, const Computed& computed) {
+  if (!computed.flow) return nullptr;
+  Json report;
+  add(quantities(*computed.flow), report);
+  report["seconds"] = computed.flow->found.seconds;
+  return report;
+}
+
+// A second epsilon on every level, and the laws' roots and logarithms in every sweep; passes.
 Needs expense(const Case& input) {
   const core::Grid& grid = input.scene.grid;
   constexpr double fields = 4.0 / 3.0;
-  constexpr double share = 0.15;  // of the time of the basic model
+  const double share = input.flow_thinning && !input.heat ? 4.0 : 0.15;  // of the time of the basic model
   return {.bytes = fields * sizeof(double) * grid.nodes_x() * grid.nodes_y(),
           .seconds = share * basic_needs(input.scene).seconds};
 }
@@ -45,13 +82,15 @@ Effect shear_effect() {
           .without = "Newtonian",
           .sections = {{.name = "shear", .called_by = {"law"}}},
           .keys = rheology::shear_keys,
-          .read = [](Case& input) { input.scene.thinning = shear_input(input.deck, input.physics); },
+          .read = read,
           .on = [](const Case& input) { return input.scene.thinning.has_value(); },
           .what = what,
           .idle = idle,
           .expense = expense,
-          // Part of every evaluation of the film: it has no clock of its own.
-          .seconds = nullptr,
+          .summary = summary,
+          .json = json,
+          // Sliding is part of every evaluation of the film: it has no clock of its own.
+          .seconds = [](const Computed& computed) { return computed.flow ? computed.flow->found.seconds : NAN; },
           .example = {"motion.srr=0.5", "contact.a_over_R=0.01", "shear.law=eyring", "shear.tau_0=5e6"}};
 }
 

@@ -18,6 +18,7 @@ namespace {
 void read(Case& input) {
   const double limit = input.friction ? input.friction->limit : std::numeric_limits<double>::infinity();
   input.heat = thermal_input(input.deck, input.physics, input.scene, limit);
+  if (input.heat) input.heat->setup.flow_thinning = input.flow_thinning;
 }
 
 std::string name_of_solid(const Case& input, const char* key) {

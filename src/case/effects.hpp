@@ -88,9 +88,9 @@ Effect subsurface_effect();
 Effect friction_effect();
 Effect thermal_effect();
 
-/// The friction of a solution, as the case asks for it or without the cavitated region. in: mean fluidity of a warm
-/// film over that of the oil (friction::Film), or nullptr.
-friction::Friction friction_of(const Case& input, const steady::Solution& solution, const core::Field* I0);
+/// The friction of a solution, as the case asks for it or without the cavitated region. in: what heat and the flow's
+/// thinning make of the film, or nullptr.
+friction::Friction friction_of(const Case& input, const steady::Solution& solution, const heat::Fields* film);
 /// Its numbers, for the report as JSON, the result file and the tables.
 std::vector<results::Quantity> friction_quantities(const friction::Friction& found);
 

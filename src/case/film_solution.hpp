@@ -11,6 +11,7 @@ namespace ehl::program {
 struct FilmSolution {
   steady::Solution film{};
   std::optional<HeatResult> heat{};
+  std::optional<HeatResult> flow{};  ///< as in Computed
 };
 
 /// errors: core::SolverError where there is nothing that could be shown; core::Interrupted.

@@ -52,6 +52,8 @@ void refuse_beyond_line(deck::Deck& deck) {
                  "line contacts do not carry this yet: remove the section, or kind = line");
         break;
       }
+  if (deck::word(deck, "shear", "flow") == "on")
+    complain(deck, "shear", "flow", "line contacts do not carry this yet: set it off, or remove kind = line");
   for (const char* section : {"surface1", "surface2"}) {
     const deck::Part surface{deck, section};
     const std::string shape = surface.word("shape");

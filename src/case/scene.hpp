@@ -27,9 +27,10 @@ struct Case {
   std::optional<subsurface::Parameters> subsurface{};
   std::optional<friction::Parameters> friction{};
   std::optional<HeatInput> heat{};
-  std::vector<std::string> fields{};     ///< to keep in the result
-  std::string output{};                  ///< result file that the deck names
-  std::vector<deck::NamedFile> files{};  ///< that the deck names, and what they held
+  std::optional<rheology::FlowThinning> flow_thinning{};  ///< [shear] flow = on
+  std::vector<std::string> fields{};                      ///< to keep in the result
+  std::string output{};                                   ///< result file that the deck names
+  std::vector<deck::NamedFile> files{};                   ///< that the deck names, and what they held
 };
 
 /// The deck's keys of [case] title and [output], which are the program's own.

@@ -27,7 +27,20 @@ bool possible(deck::Deck& deck, const Physics& physics, const char* section, con
 // A difference of speeds that is but rounding is none.
 double without_rounding(double srr) { return std::abs(srr) < 1e-12 ? 0.0 : srr; }
 
+// What is not possible with the flow's thinning in this version.
+void check_passes(deck::Deck& deck, const Physics& physics) {
+  const deck::Part shear{deck, "shear"};
+  if (given(deck, "grid", "accuracy"))
+    shear.complain("flow", "with [grid] accuracy is not available in this version: give [grid] cells");
+  if (deck::word(deck, "multigrid", "polish") == "always")
+    shear.complain("flow", "with [multigrid] polish = always is not available in this version: set polish = rescue");
+  if (std::abs(physics.srr) > 2.0)
+    shear.complain("flow", "needs both surfaces to move with the entrainment or to stand, from srr = -2 to 2");
+}
+
 }  // namespace
+
+double stress_of_speed(const Physics& physics) { return physics.groups.lambda * physics.a_over_R / 12.0; }
 
 double stress_of_sliding(const Physics& physics) {
   return physics.groups.lambda * physics.a_over_R * physics.srr / 12.0;
@@ -45,7 +58,7 @@ void set_sliding(const contact::Input& input, Physics& physics) {
                          : input.a_over_R;
 }
 
-std::optional<rheology::ShearThinning> shear_input(deck::Deck& deck, const Physics& physics) {
+std::optional<ShearInput> shear_input(deck::Deck& deck, const Physics& physics) {
   if (!given(deck, "shear", "law") || !possible(deck, physics, "shear", "law")) return std::nullopt;
   const rheology::Shear shear = rheology::read_shear(deck);
   if (deck.errors.empty() && !(physics.p_h > 0.0))
@@ -53,8 +66,12 @@ std::optional<rheology::ShearThinning> shear_input(deck::Deck& deck, const Physi
         deck, "shear", "law",
         "needs the Hertz pressure [Pa], which this contact does not contain: give it in SI, or [lubricant] alpha with "
         "a piezoviscous law");
+  if (shear.flow) check_passes(deck, physics);
   if (!deck.errors.empty()) return std::nullopt;
-  return rheology::ShearThinning{shear.law, std::abs(stress_of_sliding(physics)) * physics.p_h / shear.stress};
+  ShearInput input{.sliding = {shear.law, std::abs(stress_of_sliding(physics)) * physics.p_h / shear.stress}};
+  if (shear.flow)
+    input.flow = {shear.law, stress_of_speed(physics) * physics.p_h / shear.stress, std::abs(physics.srr)};
+  return input;
 }
 
 std::optional<friction::Parameters> friction_input(deck::Deck& deck, const Physics& physics) {

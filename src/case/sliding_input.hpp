@@ -5,6 +5,7 @@
 #include "case/physical_input.hpp"
 #include "deck/deck.hpp"
 #include "effects/friction/friction.hpp"
+#include "rheology/flow_thinning.hpp"
 #include "rheology/shear.hpp"
 
 namespace ehl::program {
@@ -12,11 +13,17 @@ namespace ehl::program {
 /// physics.srr and a_over_R, from what else it holds.
 void set_sliding(const contact::Input& input, Physics& physics);
 
+/// eta_0 u_m R/(a^2 p_h) = lambda (a/R)/12.
+double stress_of_speed(const Physics& physics);
 /// eta_0 (u1 - u2) R/(a^2 p_h) = lambda (a/R) srr/12: the stress of the oil at ambient pressure where H = 1, in p_h.
 double stress_of_sliding(const Physics& physics);
 
 /// Nothing where the deck has no [shear], or complaints already. Complains in the deck.
-std::optional<rheology::ShearThinning> shear_input(deck::Deck& deck, const Physics& physics);
+struct ShearInput {
+  rheology::ShearThinning sliding;
+  std::optional<rheology::FlowThinning> flow{};  ///< nothing: to first order
+};
+std::optional<ShearInput> shear_input(deck::Deck& deck, const Physics& physics);
 
 /// The same for [friction].
 std::optional<friction::Parameters> friction_input(deck::Deck& deck, const Physics& physics);

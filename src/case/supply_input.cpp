@@ -114,6 +114,8 @@ void supply_input(Case& input) {
     return supply.complain(first, "needs cavitation = content in [transient]: behind a meniscus the gap is not full");
   if (std::isfinite(input.scene.accuracy.error))
     return supply.complain(first, "with [grid] accuracy is not available in this version: give [grid] cells");
+  if (input.flow_thinning)
+    return supply.complain(first, "with [shear] flow = on is not available in this version: remove one of them");
   if (deck::called_for(deck, "thermal"))
     return supply.complain(first, "with [thermal] is not available in this version: remove one of them");
   if (deck::given(deck, "grid", "errors") && deck::word(deck, "grid", "errors") == "adjoint")

@@ -32,6 +32,10 @@ class Grids {
 
   Case deck() const {
     Case input = read_lubricated_case(path_, set_, threads_, "study");
+    if (input.flow_thinning)
+      throw core::InputError(path_ +
+                             ": [shear] flow = on: `ehl study` compares films without it; set it off, or use "
+                             "`ehl sweep --vary grid.cells=...`");
     if (input.heat)
       throw core::InputError(path_ +
                              ": [thermal]: `ehl study` compares isothermal films; the report of `ehl run` has the "

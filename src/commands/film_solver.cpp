@@ -30,6 +30,7 @@ void solve(const Case& input, Progress& progress, Computed& computed) {
   });
   solution = std::move(found.film);
   computed.heat = std::move(found.heat);
+  computed.flow = std::move(found.flow);
   if (solution.levels.empty() || solution.H.nodes_x() == 0) throw core::SolverError(solution.failed_check);
   computed.outcome = outcome_of(input, solution);
   if (!std::isfinite(computed.outcome.Hc + computed.outcome.Hm.value + computed.outcome.P_max.value))

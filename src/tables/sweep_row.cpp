@@ -164,8 +164,7 @@ SweepRow row_of_solution(const Case& input, const FilmSolution& found, SweepRow 
     in_row(row, "status") = "converged";
     take_film(input, solution, outcome, row);
     if (input.friction) {
-      const friction::Friction rubbed =
-          friction_of(input, solution, found.heat ? &found.heat->found.fields.I0 : nullptr);
+      const friction::Friction rubbed = friction_of(input, solution, fields_of_film(found.heat, found.flow));
       take(friction_quantities(rubbed), row);
       warnings += friction::warnings(rubbed).size();
     }

@@ -50,6 +50,31 @@ BOOST_AUTO_TEST_CASE(far_from_the_base_case) {
   }
 }
 
+// Pure rolling is a point of a traction curve: the pressure's own flow thins the oil there too, cold or with heat.
+BOOST_AUTO_TEST_CASE(pure_rolling_with_the_flow_s_thinning) {
+  const std::string thin = "--set shear.flow=on --set shear.tau_0=1e6 --set motion.srr=";
+  const std::string cold = " --unset thermal.T_oil --unset thermal.beta --unset thermal.solid1 --unset thermal.solid2";
+  const Scene scene(deck_of("128"));
+  const nlohmann::json rolling = scene.run(thin + "0" + cold), creeping = scene.run(thin + "1e-4" + cold);
+  const double Hc = number_at(rolling, "/Hc"), Hc_without = number_at(rolling, "/shear/Hc_without");
+  BOOST_TEST_MESSAGE("Hc " << Hc << " of " << Hc_without << " (-3.7 % +- .3)");
+  BOOST_TEST(std::abs(Hc / Hc_without - 1 + 0.037) < 0.003);
+  BOOST_TEST(number_at(rolling, "/shear/mu") == 0.0);
+  BOOST_TEST(std::abs(number_at(creeping, "/Hc") / Hc - 1) < 1e-4);
+  BOOST_TEST(number_at(creeping, "/shear/mu") > 0.0);
+  const nlohmann::json warm = scene.run(thin + "0");
+  BOOST_TEST(number_at(warm, "/thermal/mu") == 0.0);
+  BOOST_TEST(number_at(warm, "/Hc") < Hc);  // the inlet is warm as well
+
+  for (const auto& [change, words] : {std::tuple{"--unset grid.cells --set grid.accuracy=0.01", "with [grid] accuracy"},
+                                      {"--set multigrid.polish=always", "set polish = rescue"},
+                                      {"--unset shear.law --unset shear.tau_0", "[shear] flow"}}) {
+    const support::Ended refused = scene.ehl("check d.ini " + thin + "0" + cold + " " + change);
+    BOOST_TEST(refused.status == 2, change);
+    BOOST_TEST(support::contains(refused.err, words), refused.err);
+  }
+}
+
 // The friction of the program itself as the measured one: the stress that made it comes out.
 BOOST_AUTO_TEST_CASE(a_fit_finds_the_stress_that_made_the_curve) {
   const Scene scene(deck_of("64"));

@@ -79,6 +79,7 @@ Friction friction_of(const Film& film, const Parameters& parameters) {
       if (wet) end = H;
       const double share = wet ? 1.0 : filled(parameters.cavitated, H, end);
       double tau = share > 0.0 && parameters.stress != 0.0 ? parameters.stress / (H * fluidity(film, j)) : 0.0;
+      if (wet && film.less_tau) tau *= (*film.less_tau)(i, j);
       if (wet) {
         load += w * P;
         if (std::abs(tau) > largest_limit * P) unlikely_load += w * P;

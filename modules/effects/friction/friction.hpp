@@ -45,7 +45,8 @@ struct Film {
   const core::Field& H;
   const rheology::ViscosityLaw& viscosity;
   const std::optional<rheology::ShearThinning>& thinning;
-  const core::Field* I0 = nullptr;  ///< mean fluidity of a warm film over that of the oil; none: 1
+  const core::Field* I0 = nullptr;        ///< mean fluidity of a warm film over that of the oil; none: 1
+  const core::Field* less_tau = nullptr;  ///< of the sliding stress, where the pressure's own flow thins; none: 1
 };
 
 /// Forces are over the load, the integral of P: friction coefficients.

@@ -9,9 +9,12 @@
 namespace ehl::heat {
 namespace {
 
+constexpr auto all = {&GridFactors::fluidity, &GridFactors::mobility, &GridFactors::mobility_across,
+                      &GridFactors::carried};
+
 GridFactors ones(const core::Patch& grid) {
-  GridFactors factors{grid, core::Field(grid), core::Field(grid), core::Field(grid)};
-  for (core::Field* field : {&factors.fluidity, &factors.mobility, &factors.carried}) field->fill(1.0);
+  GridFactors factors{grid, core::Field(grid), core::Field(grid), core::Field(grid), core::Field(grid)};
+  for (const auto field : all) (factors.*field).fill(1.0);
   return factors;
 }
 
@@ -28,9 +31,7 @@ Factors::Factors(const std::vector<core::Patch>& grids) : before_(ones(grids.fro
 
 double Factors::take(const thermal::FilmTemperature& film, double weight) {
   GridFactors& finest = grids_.front();
-  core::copy(finest.fluidity, before_.fluidity);
-  core::copy(finest.mobility, before_.mobility);
-  core::copy(finest.carried, before_.carried);
+  for (const auto field : all) core::copy(finest.*field, before_.*field);
   double largest = 0.0;
   const auto mean = [weight](double asked, double now) {
     return weight == 1.0 ? asked : now * std::pow(asked / now, weight);
@@ -38,9 +39,11 @@ double Factors::take(const thermal::FilmTemperature& film, double weight) {
   for (int i = 0; i <= finest.grid.nx; ++i)
     for (int j = 0; j <= finest.grid.ny; ++j) {
       double &I0 = finest.fluidity(i, j), &mobility = finest.mobility(i, j), &C = finest.carried(i, j);
-      const double asked = film.M2()(i, j);
+      double& across = finest.mobility_across(i, j);
+      const double M2 = film.M2()(i, j), asked = M2 * film.more_x()(i, j);
       largest = std::max(largest, std::abs(std::log(asked / (I0 * mobility))));
       mobility = mean(asked / film.I0()(i, j), mobility);
+      across = mean(M2 * film.more_y()(i, j) / film.I0()(i, j), across);
       I0 = mean(film.I0()(i, j), I0);
       // C may pass through zero where a surface stands still: no ratio of it.
       C += weight * (film.C()(i, j) - C);
@@ -50,9 +53,7 @@ double Factors::take(const thermal::FilmTemperature& film, double weight) {
 }
 
 void Factors::give_back() {
-  core::copy(before_.fluidity, grids_.front().fluidity);
-  core::copy(before_.mobility, grids_.front().mobility);
-  core::copy(before_.carried, grids_.front().carried);
+  for (const auto field : all) core::copy(before_.*field, grids_.front().*field);
   restrict_all();
 }
 
@@ -61,6 +62,7 @@ void Factors::restrict_all() {
     GridFactors &fine = grids_[l - 1], &coarse = grids_[l];
     restrict_weighted(fine.grid, coarse.grid, fine.fluidity, coarse.fluidity);
     restrict_weighted(fine.grid, coarse.grid, fine.mobility, coarse.mobility);
+    restrict_weighted(fine.grid, coarse.grid, fine.mobility_across, coarse.mobility_across);
     transfer::restrict_injection(fine.carried, coarse.carried);
   }
 }
@@ -75,6 +77,7 @@ film::CoefficientEffect Factors::effect(std::shared_ptr<const Factors> factors) 
     };
     multiply(here->fluidity, at.fluidity);
     multiply(here->mobility, at.mobility);
+    multiply(here->mobility_across, at.mobility_across);
     multiply(here->carried, at.carried);
   };
 }

@@ -1,6 +1,6 @@
 #pragma once
 // What the film's temperature makes of the coefficients, on every grid: I0 on the fluidity, M2/I0 on what pressure
-// moves beyond that, C on what the surfaces carry.
+// moves beyond that, times what its own flow thins; C on what the surfaces carry.
 #include <memory>
 #include <vector>
 
@@ -14,7 +14,7 @@ namespace ehl::heat {
 /// Of one grid; 1 before anything is known.
 struct GridFactors {
   core::Patch grid;
-  core::Field fluidity, mobility, carried;
+  core::Field fluidity, mobility, mobility_across, carried;
 };
 
 /// Of all grids of a hierarchy. They stay as they are while cycles run: a cycle has one operator.

@@ -41,6 +41,7 @@ Fields fields_of(const thermal::FilmTemperature& film, const core::Patch& patch,
   const int n = setup.intervals, line = middle_line(patch);
   const auto layer = [&](int k) { return made(patch, [&, k](int i, int j) { return T0 * film.theta(i, j, k); }); };
   Fields fields{.I0 = core::on_domain(patch, film.I0()),
+                .less_tau = core::on_domain(patch, film.less_tau()),
                 .mid = layer(n / 2),
                 .largest = made(patch,
                                 [&](int i, int j) {

@@ -131,8 +131,10 @@ bool climb(Ladder& ladder, std::size_t first, const thermal::Setup& setup, const
   return true;
 }
 
-void complete(const steady::Scene& scene, const steady::Solution& isothermal, steady::Solution& film) {
-  film.method = isothermal.method + ", then passes with heat";
+void complete(const steady::Scene& scene, const steady::Solution& isothermal, bool film_is_cold,
+              steady::Solution& film) {
+  film.method =
+      isothermal.method + (film_is_cold ? ", then passes with the flow's thinning" : ", then passes with heat");
   film.attempts = isothermal.attempts;
   film.continuation = isothermal.continuation;
   film.domain_error_Hc = isothermal.domain_error_Hc;
@@ -154,14 +156,15 @@ Solution solve(const steady::Scene& scene, const thermal::Setup& setup, const st
     first = std::min(finest, first + std::max<std::size_t>(1, ladder.rows.size()));
   fmg::Record& record = ladder.run.record;
   record.converged = ladder.last.unmet.empty();
-  record.failed_check = record.converged ? ""
-                                         : fmg::name_of_level(ladder.run.hierarchy, ladder.run.finest()) +
-                                               ", with heat: " + ladder.last.unmet;
+  record.failed_check = record.converged
+                            ? ""
+                            : fmg::name_of_level(ladder.run.hierarchy, ladder.run.finest()) +
+                                  (setup.cold() ? ", with the flow's thinning: " : ", with heat: ") + ladder.last.unmet;
   record.end = record.converged ? fmg::CyclesEnd::content : fmg::CyclesEnd::limit;
   const fmg::Level& level = ladder.run.hierarchy.finest();
   Solution result = report(*ladder.film, level.grid, level.P, level.H, setup, ladder.last.balance, ladder.rows);
   result.film = steady::solution_of(ladder.scene, std::move(ladder.run));
-  complete(scene, isothermal, result.film);
+  complete(scene, isothermal, setup.cold(), result.film);
   result.seconds = core::now() - began;
   result.film.seconds = isothermal.seconds + result.seconds;
   return result;

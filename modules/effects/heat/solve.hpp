@@ -26,7 +26,8 @@ struct Row {
 
 /// On the whole domain; temperatures in kelvin above T0.
 struct Fields {
-  core::Field I0;  ///< over the fluidity at T0: the film's friction is that of 1/I0
+  core::Field I0;        ///< over the fluidity at T0: the film's friction is that of 1/I0
+  core::Field less_tau;  ///< of it, where the pressure's own flow thins
   core::Field mid, largest, surface_1, surface_2;
   core::Field section_T, section_u;  ///< stations x nodes across, at Y = 0; u in u_m
 };

@@ -29,7 +29,8 @@ Values values_of(bool thins, bool acts) {
   if (acts)
     model.effects.push_back([](const film::Station&, const film::Factors& factors) {
       for (double& v : factors.fluidity) v *= fluidity_factor;
-      for (double& v : factors.mobility) v *= mobility_factor;
+      for (const std::span<double> mobility : {factors.mobility, factors.mobility_across})
+        for (double& v : mobility) v *= mobility_factor;
       for (double& v : factors.carried) v *= carried_factor;
     });
   const std::vector<double> P{0.1, 0.3, 0.6, 0.9}, H{0.2, 0.15, 0.12, 0.1};

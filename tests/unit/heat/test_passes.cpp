@@ -2,66 +2,14 @@
 // temperatures of a ball on a disc, the film that inlet heating leaves; order of convergence; no heat, no change.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <memory>
 
-#include "effects/heat/passes.hpp"
-#include "steady/climb.hpp"
-#include "unit/thermal/base_case.hpp"
+#include "unit/heat/heated_contact.hpp"
 
 using namespace ehl;
-using support::BaseCase;
+using support::BaseCase, support::Found, support::solve, support::square;
 
 namespace {
 
-steady::Scene scene_of(const BaseCase& base, const thermal::Setup& setup, const core::Grid& grid) {
-  steady::Scene scene;
-  const double W = base.load / (base.E_prime * base.R * base.R), U = base.eta0 * base.u_m / (base.E_prime * base.R);
-  scene.M = W * std::pow(2 * U, -0.75);
-  scene.L = base.alpha * base.E_prime * std::pow(2 * U, 0.25);
-  scene.lambda = setup.lambda;
-  scene.viscosity = setup.viscosity;
-  scene.density = setup.density.at_T0;
-  scene.thinning = setup.thinning;
-  scene.grid = grid;
-  scene.deformation.method = mlmi::Method::fft;
-  return scene;
-}
-
-struct Found {
-  double Hc_cold = 0, Hm_cold = 0, Hc = 0, Hm = 0, mu = 0, film = 0, surface_1 = 0, surface_2 = 0, C_centre = 0;
-  heat::Result result{};
-};
-// change: what is different from the base case's heat.
-template <class Change>
-Found solve(const BaseCase& base, const core::Grid& grid, Change change, double share = 0.1) {
-  const core::Patch half = core::lower_half(grid);
-  thermal::Setup setup = base.setup(half);
-  change(setup);
-  steady::Scene scene = scene_of(base, setup, grid);
-  const auto factors = std::make_shared<heat::Factors>(fmg::grids_below(half, scene.multigrid));
-  scene.effects = {heat::Factors::effect(factors)};
-  fmg::Run run = steady::begin_climb(scene, {}, {});
-  BOOST_REQUIRE((run.hierarchy.finest().grid == half));
-  fmg::full_multigrid(run);
-  Found found;
-  const judgement::Measures cold = fmg::measures_of(run.hierarchy, run.finest());
-  found.Hc_cold = cold.Hc;
-  found.Hm_cold = cold.Hm;
-  thermal::FilmTemperature film(setup);
-  const heat::Parameters parameters{.share = share, .error = run.record.levels.back().error_Hc};
-  found.result = heat::heat_up(run, run.finest(), film, *factors, parameters);
-  const heat::Pass& last = found.result.passes.back();
-  const thermal::Balance& balance = found.result.balance;
-  found.Hc = last.Hc;
-  found.Hm = last.Hm;
-  found.mu = balance.friction;
-  found.film = base.T0 * balance.film.theta;
-  found.surface_1 = base.T0 * balance.surface_1.theta;
-  found.surface_2 = base.T0 * balance.surface_2.theta;
-  found.C_centre = film.C()(half.nx * 3 / 4, half.ny);
-  return found;
-}
-core::Grid square(int n) { return {n, n, -4.5, 1.5, -3.0, 3.0}; }
 void lines(thermal::Setup& setup) { setup.lines = true; }
 void nothing(thermal::Setup&) {}
 
@@ -101,16 +49,16 @@ BOOST_AUTO_TEST_CASE(ball_on_disc_with_lines) {
 }
 
 BOOST_AUTO_TEST_CASE(the_whole_source_cools_the_surfaces) {
-  // 3 to 12 % for Pe of 10 and 30: the sheared streaks behind the film warm the body before them too; mu and film
-  // answer little.
+  // q0 sqrt(1 - r^2) on a circle, integrated in polar coordinates about the hottest point: 0.9674 of the lines at
+  // Pe = 29.8 (3 m/s), 0.9048 at 9.93 (1 m/s). The contact's flux is not quite that; mu and film answer little.
   const Found of_lines = solve(BaseCase{}, square(64), lines), whole = solve(BaseCase{}, square(64), nothing);
-  BOOST_TEST_MESSAGE("surfaces " << whole.surface_1 << ", " << whole.surface_2 << " K, by lines " << of_lines.surface_1
-                                 << ", " << of_lines.surface_2 << "; " << whole.result.passes.size() << " passes");
+  const double ratio_1 = whole.surface_1 / of_lines.surface_1, ratio_2 = whole.surface_2 / of_lines.surface_2;
+  BOOST_TEST_MESSAGE("surfaces " << whole.surface_1 << ", " << whole.surface_2 << " K, over those by lines " << ratio_1
+                                 << " (0.9674 +- 0.01), " << ratio_2 << " (0.9048 +- 0.01); "
+                                 << whole.result.passes.size() << " passes");
   BOOST_TEST(whole.result.unmet.empty());
-  for (const double ratio : {whole.surface_1 / of_lines.surface_1, whole.surface_2 / of_lines.surface_2}) {
-    BOOST_TEST(ratio < 0.975);
-    BOOST_TEST(ratio > 0.88);
-  }
+  BOOST_TEST(std::abs(ratio_1 - 0.9674) < 0.01);
+  BOOST_TEST(std::abs(ratio_2 - 0.9048) < 0.01);
   BOOST_TEST(std::abs(whole.mu / of_lines.mu - 1) < 0.01);
 }
 
