@@ -125,6 +125,13 @@ void compute(Deck& deck, const std::string& section, const std::string& name, do
   computed.valid = !std::isnan(number);
 }
 
+void compute(Deck& deck, const std::string& section, const std::string& name, const char* word,
+             const std::string& why) {
+  choose(deck, section, name, std::string(word), why);
+  mark_following(deck, section, name);
+  value_of(deck, section, name).computed = true;
+}
+
 void complain(Deck& deck, const std::string& section, const std::string& name, const std::string& what) {
   const Value& found = value(deck, section, name);
   const std::string place = found.place.empty() ? deck.name : found.place;

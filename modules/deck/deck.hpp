@@ -94,6 +94,8 @@ void mark_following(Deck& deck, const std::string& section, const std::string& n
 /// Records a number that follows from keys that stand for this one: it counts as given. in: NaN where something is
 /// wrong with them, and has been complained about.
 void compute(Deck& deck, const std::string& section, const std::string& name, double number, const std::string& why);
+/// The same of a word, one of those that the key allows.
+void compute(Deck& deck, const std::string& section, const std::string& name, const char* word, const std::string& why);
 
 /// Adds the message "deck.ini:12: [grid] cells = 77: <what>".
 void complain(Deck& deck, const std::string& section, const std::string& name, const std::string& what);

@@ -127,8 +127,8 @@ std::vector<Number> mesh_numbers(const deck::Part& gear, const Gears& gears, con
   const double omega1 = gear.number("rpm1") * core::pi / 30.0;
   const Mesh mesh = mesh_at(gears, path, s, omega1);
   const bool by_power = gear.given("power");
-  const double given_torque = gear.number("torque1");
-  const double torque = by_power ? gear.number("power") / omega1 : given_torque;
+  const double power = gear.number("power"), given_torque = gear.number("torque1");
+  const double torque = by_power ? power / omega1 : given_torque;
   const double normal_force = torque / path.base_radius1;
   const double of_pair = share(path, s, gear.choice("sharing", {Sharing::none, Sharing::linear}));
   return {

@@ -34,15 +34,14 @@ std::optional<machines::Contact> machine_input(deck::Deck& deck) {
   std::optional<machines::Contact> machine = machines::read(deck);
   if (!machine) return std::nullopt;
   refuse_contact(deck, *machine);
-  if (deck::word(deck, "case", "kind") == machines::ball_race) {
+  const bool ball = deck::word(deck, "case", "kind") == machines::ball_race;
+  if (ball) {
     compute(deck, "motion", "angle", 0.0, "the ball rolls along radius_x");
-    choose(deck, "contact", "kind", "point", "a ball and its groove");
-    mark_following(deck, "contact", "kind");
+    compute(deck, "contact", "kind", "point", "a ball and its groove");
   } else {
-    complain(deck, "case", "kind",
-             "is a line contact: give its load_per_length and radius_x with [contact] kind = line");
+    compute(deck, "contact", "kind", "line", "straight flanks");
   }
-  for (const auto& [section, name] : {std::pair{"contact", "load"},
+  for (const auto& [section, name] : {std::pair{"contact", ball ? "load" : "load_per_length"},
                                       {"contact", "radius_x"},
                                       {"contact", "radius_y"},
                                       {"motion", "u1"},
