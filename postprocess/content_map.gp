@@ -1,5 +1,5 @@
 # figure: where the gap is full of oil and where it is not: the meniscus and the cavity behind the contact
-# needs: /fields/theta
+# needs: /fields/theta map
 figure = "content_map"
 here = system(sprintf("dirname '%s'", ARG0))
 load here."/result.gp"

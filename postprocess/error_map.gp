@@ -1,5 +1,5 @@
 # figure: where the mesh's errors of Hc and Hm are made: too large in red, too small in blue
-# needs: /fields/error_Hc /fields/error_Hm
+# needs: /fields/error_Hc /fields/error_Hm map
 figure = "error_map"
 here = system(sprintf("dirname '%s'", ARG0))
 wide = 180

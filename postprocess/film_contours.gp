@@ -1,5 +1,5 @@
 # figure: film thickness over the contact, with labelled lines of equal film
-# needs: /fields/H
+# needs: /fields/H map
 figure = "film_contours"
 here = system(sprintf("dirname '%s'", ARG0))
 load here."/result.gp"

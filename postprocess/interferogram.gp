@@ -1,5 +1,5 @@
 # figure: the film over the contact as an optical interferogram
-# needs: /fields/H
+# needs: /fields/H map
 figure = "interferogram"
 here = system(sprintf("dirname '%s'", ARG0))
 load here."/result.gp"

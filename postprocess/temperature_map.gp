@@ -1,5 +1,5 @@
 # figure: the temperature of the middle of the film above that of the oil
-# needs: /fields/T_mid
+# needs: /fields/T_mid map
 figure = "temperature_map"
 here = system(sprintf("dirname '%s'", ARG0))
 load here."/result.gp"

@@ -1,5 +1,5 @@
 # figure: film over the contact as time goes on, an animated GIF
-# needs: /transient/frames/H
+# needs: /transient/frames/H map
 # movie
 # With frames_in='FOLDER' every frame is a PNG there, too: 0000.png and on.
 figure = "transient_movie"

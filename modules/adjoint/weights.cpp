@@ -6,21 +6,6 @@
 #include "newton/gmres.hpp"
 
 namespace ehl::adjoint {
-namespace {
-
-/// Nodes that may take part in the equation of a node: by their film; by their pressure the first six.
-constexpr std::pair<int, int> offsets[] = {{0, 0}, {-1, 0}, {1, 0}, {-2, 0}, {0, -1}, {0, 1}, {2, 0}, {0, -2}, {0, 2}};
-/// The nodes of one colour, i + 3 j modulo so many, are changed together: no two of them take part in the same
-/// equation.
-struct Colours {
-  int count;
-  std::size_t offsets;
-  int of(int i, int j) const { return (i + 3 * j) % count; }
-};
-constexpr Colours of_film{10, 9}, of_pressure{7, 6};
-
-}  // namespace
-
 double value_of(const Number& number, const core::Field& film) {
   double value = 0.0;
   for (const auto& [i, j, weight] : number) value += weight * film(i, j);
@@ -46,8 +31,8 @@ Adjoint::Adjoint(fmg::Hierarchy& hierarchy, std::size_t l)
       u[k] = level_.P(i, j) - equations_.scale(k) * level_.r(i, j);
     }
   equations_.linearize(u);
-  probe(true, by_P_);
-  probe(false, by_H_);
+  by_P_ = newton::slopes(equations_, newton::By::pressure);
+  by_H_ = newton::slopes(equations_, newton::By::film);
   if (hierarchy.problem.far_field) {
     boundary_ = fmg::nodes_of_boundary(level_.grid);
     far_ = fmg::far_slopes(hierarchy, level_);
@@ -55,39 +40,16 @@ Adjoint::Adjoint(fmg::Hierarchy& hierarchy, std::size_t l)
   factored_ = preconditioner_.factor();
 }
 
-void Adjoint::probe(bool pressure, Slope& slope) {
-  const core::Patch& grid = level_.grid;
-  slope.at.resize(equations_.size() - 1);
-  std::vector<double> dr(slope.at.size());
-  const Colours& colours = pressure ? of_pressure : of_film;
-  for (int chosen = 0; chosen < colours.count; ++chosen) {
-    core::Field& changed = pressure ? on_P_ : on_H_;
-    (pressure ? on_H_ : on_P_).fill(0.0);
-    for (int i = 0; i <= grid.nx; ++i)
-      for (int j = 0; j <= grid.ny; ++j) changed(i, j) = colours.of(i, j) == chosen ? 1.0 : 0.0;
-    core::fill_ghosts(grid, on_P_);
-    equations_.change_of_residual(on_P_, on_H_, dr);
-    for (int i = 1; i < grid.nx; ++i)
-      for (int j = 1; j <= grid.last_line(); ++j)
-        for (std::size_t k = 0; k < colours.offsets; ++k) {
-          const auto [di, dj] = offsets[k];
-          const bool there = i + di >= 0 && i + di <= grid.nx && j + dj >= 0 && j + dj <= grid.ny;
-          const std::size_t row = equations_.index(i, j);
-          if (there && colours.of(i + di, j + dj) == chosen) slope.at[row][k] = equations_.scale(row) * dr[row];
-        }
-  }
-}
-
-void Adjoint::scatter(const Slope& slope, std::span<const double> x, core::Field& y) const {
+void Adjoint::scatter(const newton::Slopes& slopes, std::span<const double> x, core::Field& y) const {
   const core::Patch& grid = level_.grid;
   y.fill(0.0);
   for (int i = 1; i < grid.nx; ++i)
     for (int j = 1; j <= grid.last_line(); ++j) {
       const std::size_t row = equations_.index(i, j);
       if (!equations_.wet(row)) continue;
-      for (std::size_t k = 0; k < reach; ++k) {
-        const auto [di, dj] = offsets[k];
-        if (slope.at[row][k] != 0.0) y(i + di, j + dj) += slope.at[row][k] * x[row];
+      for (std::size_t k = 0; k < newton::stencil.size(); ++k) {
+        const auto [di, dj] = newton::stencil[k];
+        if (slopes[row][k] != 0.0) y(i + di, j + dj) += slopes[row][k] * x[row];
       }
     }
 }

@@ -11,6 +11,7 @@
 #include "judgement/fitted_minimum.hpp"
 #include "newton/equations.hpp"
 #include "newton/preconditioner.hpp"
+#include "newton/slopes.hpp"
 
 namespace ehl::adjoint {
 
@@ -45,14 +46,7 @@ class Adjoint {
   int iterations() const { return iterations_; }
 
  private:
-  /// dr at a node by what changes at nodes up to two cells away along X or Y.
-  static constexpr std::size_t reach = 9;
-  struct Slope {
-    std::vector<std::array<double, reach>> at;  ///< in order of storage
-  };
-
-  void probe(bool pressure, Slope& slope);
-  void scatter(const Slope& slope, std::span<const double> x, core::Field& y) const;
+  void scatter(const newton::Slopes& slopes, std::span<const double> x, core::Field& y) const;
   void deform(core::Field& v);
   void product(std::span<const double> x, std::span<double> y);
 
@@ -60,7 +54,7 @@ class Adjoint {
   fmg::Level& level_;
   newton::Equations equations_;
   newton::Preconditioner preconditioner_;
-  Slope by_P_, by_H_;
+  newton::Slopes by_P_, by_H_;
   std::vector<fmg::BoundaryNode> boundary_;
   fmg::FarSlopes far_;
   core::Field on_P_, on_H_, deformed_;

@@ -7,6 +7,7 @@
 
 #include "film/half_points.hpp"
 #include "fmg/hierarchy.hpp"
+#include "fmg/line_contact.hpp"
 #include "reynolds/flux.hpp"
 
 namespace ehl::fmg {
@@ -156,6 +157,7 @@ void make_half_points(Hierarchy& hierarchy, Level& level) {
 
 void update_coefficients(Hierarchy& hierarchy, Level& level) {
   const core::ScopedTimer timer(hierarchy.times, core::Part::coefficients);
+  if (along_one_line(hierarchy, level)) return coefficients_along_line(hierarchy, level);
   for_stations(hierarchy, level,
                [&](int i, ThreadWork& work) { nodes_of_station(hierarchy.problem.film, level, i, work); });
   make_half_points(hierarchy, level);
@@ -169,6 +171,7 @@ void update_film(Hierarchy& hierarchy, Level& level) {
   ++level.evaluations;
   const core::ScopedTimer timer(hierarchy.times, core::Part::coefficients);
   const core::Patch& grid = level.grid;
+  const bool one_line = along_one_line(hierarchy, level);
   for_stations(hierarchy, level, [&](int i, ThreadWork& work) {
     double* H = level.H.at_x(i);
     for (int j = 0; j <= grid.ny; ++j) H[j] += rigid_gap(hierarchy.problem.geometry, grid, hierarchy.H00, i, j);
@@ -176,8 +179,9 @@ void update_film(Hierarchy& hierarchy, Level& level) {
       const double* F = level.F.at_x(i);
       for (int j = 0; j <= grid.ny; ++j) H[j] += F[j];
     }
-    nodes_of_station(hierarchy.problem.film, level, i, work);
+    if (!one_line) nodes_of_station(hierarchy.problem.film, level, i, work);
   });
+  if (one_line) return coefficients_along_line(hierarchy, level);
   make_half_points(hierarchy, level);
 }
 

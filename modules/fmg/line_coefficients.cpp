@@ -26,7 +26,8 @@ LaneMask beside_dry(reynolds::Cavitation cavitation, const core::Field& P, int i
 
 ThreadWork make_thread_work(const core::Patch& grid, const film::Model& film, const RelaxationParameters& parameters) {
   const auto points = static_cast<std::size_t>(grid.nodes_x());
-  ThreadWork work{.film = film::make_buffers(film, grid.nodes_y()),
+  ThreadWork work{.film = film::make_buffers(film, grid.domain.line ? grid.nodes_x() : grid.nodes_y()),
+                  .line_nodes = make_line_nodes(grid, film::anisotropic(film)),
                   .followed = std::vector<double>(static_cast<std::size_t>(grid.nodes_y()) + 2),
                   .followed_behind = std::vector<double>(static_cast<std::size_t>(grid.nodes_y())),
                   .west = std::vector<Lanes>(points),

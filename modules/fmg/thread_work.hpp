@@ -16,8 +16,17 @@ namespace ehl::fmg {
 template <int reach>
 using EliminationFactors = std::vector<typename line_solvers::Elimination<reach>::Factors>;
 
+/// The nodes of a line contact side by side (line_contact.cpp); else empty.
+struct LineNodes {
+  std::vector<double> P, H, fluidity, log_viscosity, rho_bar, drho_bar, eps;
+  std::vector<double> H_around;                                   ///< with the film beyond both boundaries
+  std::vector<double> fluidity_across{}, log_viscosity_across{};  ///< of thinned oil, whose laws make them; not used
+};
+LineNodes make_line_nodes(const core::Patch& grid, bool anisotropic);
+
 struct ThreadWork {
   film::Buffers film;
+  LineNodes line_nodes;
   /// One value per node of a station and one at each end: the film that epsilon follows on a coarse grid, or that of
   /// half points.
   std::vector<double> followed;

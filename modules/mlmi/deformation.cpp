@@ -117,6 +117,7 @@ Deformation::Deformation(const core::Patch& grid, const Parameters& parameters, 
   const Axis x{0, grid.nx, 1, grid.hx()};
   if (whole.line) {
     own.line_sum.emplace(x, choice, factor);
+    choice.coarsest_direct = own.line_sum->coarsest_direct();
     if (parameters.method == Method::mlmi)
       own.description = describe(choice, std::to_string(own.line_sum->coarsest_points()), true);
     return;

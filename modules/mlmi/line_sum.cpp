@@ -14,6 +14,9 @@ std::size_t at(int k) { return static_cast<std::size_t>(k); }
 // How far outside the patch the dropped part of the correction is added up [points]: it falls like d^-2p.
 constexpr int margin = 12;
 
+/// Up to so many points the exact sum is made term by term: planning a transform takes as long as a hundred such sums.
+constexpr int most_direct = 257;
+
 // C = K - P K on its patch; the sum of what is dropped is kept, of odd and of even distances, in the middle.
 std::vector<double> correction_of(const Axis& axis, int order, int patch, double factor) {
   const int p = order / 2;
@@ -58,15 +61,19 @@ LineSum::LineSum(const Axis& axis, const MultilevelChoice& choice, double factor
   }
   add({});
   const int points = now.points();
-  kernel_ = kernel::line_influence_table(points - 1, now.h, now.every);
-  for (double& K : kernel_) K *= factor;
-  if (choice.coarsest_direct) return;
-  const int length = padded_length(2 * points - 1);
+  const std::vector<double> K = kernel::line_influence_table(points - 1, now.h, now.every);
+  if (choice.coarsest_direct || points <= most_direct) {
+    for (int d = 1 - points; d < points; ++d) kernel_.push_back(factor * K[at(std::abs(d))]);
+    return;
+  }
+  // One less than elsewhere: the two largest distances, n - 1 and 1 - n, share a place, as K is even. Of a grid of 2^k
+  // cells it is a power of two, which is planned fastest.
+  const int length = padded_length(2 * points - 2);
   transform_.emplace_back(length);
   real_ = Buffer(at(length));
   complex_ = Buffer(at(length) + 2);
   spectrum_ = Buffer(at(length / 2 + 1));
-  for (int d = 0; d < points; ++d) real_[at(d)] = real_[at(d > 0 ? length - d : 0)] = kernel_[at(d)] / length;
+  for (int d = 0; d < points; ++d) real_[at(d)] = real_[at(d > 0 ? length - d : 0)] = factor * K[at(d)] / length;
   transform_[0].forward(real_.data(), complex_.data());
   // The kernel is even: its spectrum is real.
   for (int k = 0; k <= length / 2; ++k) spectrum_[at(k)] = complex_[at(2 * k)];
@@ -107,11 +114,11 @@ void LineSum::interpolate(Level& coarse, Level& fine) const {
 }
 
 void LineSum::sum_directly(Level& level) const {
-  const int points = level.axis.points();
-  for (int i = 0; i < points; ++i) {
-    double sum = 0.0;
-    for (int k = 0; k < points; ++k) sum += kernel_[at(std::abs(i - k))] * level.u[at(k)];
-    level.w[at(i)] = sum;
+  const std::size_t points = level.w.size();
+  std::ranges::fill(level.w, 0.0);
+  for (std::size_t k = 0; k < points; ++k) {
+    const double* K = &kernel_[points - 1 - k];
+    for (std::size_t i = 0; i < points; ++i) level.w[i] += K[i] * level.u[k];
   }
 }
 

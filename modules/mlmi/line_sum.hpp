@@ -24,6 +24,7 @@ class LineSum {
     for (std::size_t i = 0; i < finest.w.size(); ++i) write(static_cast<int>(i), finest.w[i]);
   }
 
+  bool coarsest_direct() const { return transform_.empty(); }
   int coarsest_points() const { return levels_.back().axis.points(); }
   std::size_t bytes() const;
 
@@ -41,7 +42,7 @@ class LineSum {
 
   int order_, patch_;
   std::vector<Level> levels_;             // the finest first
-  std::vector<double> kernel_;            // factor K(d), d = 0 .. of the coarsest level: of the direct sum
+  std::vector<double> kernel_;            // factor K(d), d = 1 - n .. n - 1, of n coarsest points: of the direct sum
   std::vector<RealTransform> transform_;  // one, or none
   Buffer spectrum_, real_, complex_;
 };

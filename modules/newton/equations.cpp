@@ -251,6 +251,12 @@ void Equations::change_of_residual(const core::Field& dP, core::Field& dH, std::
   }
 }
 
+void Equations::deform(const core::Field& p, core::Field& w) {
+  const core::ScopedTimer timer(hierarchy_.times, core::Part::deformation);
+  level_.deformation.evaluate(p, w);
+  ++level_.evaluations;
+}
+
 void Equations::jacobian(std::span<const double> v, std::span<double> Jv) {
   const core::Patch& grid = level_.grid;
   double dload = 0.0;
@@ -260,11 +266,7 @@ void Equations::jacobian(std::span<const double> v, std::span<double> Jv) {
       dload += grid.lines(j) * dP_(i, j);
     }
   core::fill_ghosts(grid, dP_);
-  {
-    const core::ScopedTimer timer(hierarchy_.times, core::Part::deformation);
-    level_.deformation.evaluate(dP_, dH_);
-  }
-  ++level_.evaluations;
+  deform(dP_, dH_);
   const double dH00 = v[nodes_];
   for (int i = 0; i <= grid.nx; ++i)
     for (int j = 0; j <= grid.ny; ++j) dH_(i, j) += dH00;

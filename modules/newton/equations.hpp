@@ -44,6 +44,8 @@ class Equations {
   /// Jv = F'(u) v, exact: epsilon through P and H, the wedge through rho_bar and H, H = K*P + H00 by the level's film
   /// evaluation. At z = 0, where F has two slopes, the cavitated one.
   void jacobian(std::span<const double> v, std::span<double> Jv);
+  /// w = K*p by the level's film evaluation.
+  void deform(const core::Field& p, core::Field& w);
   /// What changes of P and of H at all nodes, each on its own, change of r at the nodes inside. in: dP with ghost
   /// lines; dH, whose values are not kept. out: in order of storage.
   void change_of_residual(const core::Field& dP, core::Field& dH, std::span<double> dr);

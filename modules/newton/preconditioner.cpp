@@ -5,8 +5,10 @@
 #include <Eigen/SparseLU>
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <vector>
 
+#include "newton/slopes.hpp"
 #include "reynolds/flux.hpp"
 
 namespace ehl::newton {
@@ -151,15 +153,32 @@ void Preconditioner::Implementation::assemble(Vector& column_of_H00) {
 
 // A column for each unknown. A cavitated node's own is that of the identity.
 bool Preconditioner::Implementation::factor_dense() {
+  const core::Patch& grid = equations.grid();
+  const Slopes by_P = slopes(equations, By::pressure), by_H = slopes(equations, By::film);
+  // The film of a pressure at the first node: K by distance.
+  core::Field first(grid), K(grid);
+  std::ranges::fill(first.station(0), 1.0);
+  equations.deform(first, K);
   const auto n = static_cast<Eigen::Index>(equations.size());
-  Eigen::MatrixXd all(n, n);
-  Vector unit = Vector::Zero(n);
-  for (Eigen::Index k = 0; k < n; ++k) {
-    unit[k] = 1.0;
-    equations.jacobian(std::span<const double>(unit.data(), equations.size()),
-                       std::span<double>(all.data() + k * n, equations.size()));
-    unit[k] = 0.0;
+  const Eigen::Index load = n - 1;
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(n, n);
+  for (int i = 1; i < grid.nx; ++i) {
+    const Eigen::Index row = i - 1;
+    const auto k = static_cast<std::size_t>(row);
+    for (std::size_t m = 0; m < stencil.size(); ++m) {
+      const auto [di, dj] = stencil[m];
+      const bool inside = i + di >= 1 && i + di < grid.nx;
+      if (inside) all(row, row + di) += by_P[k][m];
+      for (int l = 1; l < grid.nx; ++l) all(row, l - 1) += by_H[k][m] * K(std::abs(i + di - l), 1);
+      all(row, load) += by_H[k][m];
+    }
+    all(load, row) = grid.hx() * grid.hy() / equations.level().load;
   }
+  for (Eigen::Index k = 0; k < load; ++k)
+    if (!equations.wet(static_cast<std::size_t>(k))) {
+      all.col(k).setZero();
+      all(k, k) = 1.0;
+    }
   if (!all.allFinite()) return false;
   dense.compute(all);
   return true;

@@ -86,8 +86,12 @@ class NewtonIteration {
     while (!good(state)) {
       const int taken = static_cast<int>(result_.steps.size());
       if (!std::isfinite(state.residual)) return fail("the residual is not finite");
-      if (taken - best_step_ >= (best_measure_ < near ? patience_at_the_end : patience))
-        return fail(fmt::format("no progress in the last {} steps", taken - best_step_));
+      if (taken - best_step_ >= (best_measure_ < near ? patience_at_the_end : patience)) {
+        if (best_measure_ > parameters_.tolerance_of_rounding)
+          return fail(fmt::format("no progress in the last {} steps", taken - best_step_));
+        state = back_to_best();
+        break;
+      }
       if (taken >= parameters_.max_steps) return fail(fmt::format("after {} steps", taken));
       const std::string trouble = step(state);
       if (!trouble.empty()) return fail(trouble);
@@ -161,9 +165,13 @@ class NewtonIteration {
     best_step_ = static_cast<int>(result_.steps.size());
   }
 
-  Result fail(const std::string& reason) {
+  State back_to_best() {
     equations_.set_state(best_);
-    const State state = judge(hierarchy_, level_);
+    return judge(hierarchy_, level_);
+  }
+
+  Result fail(const std::string& reason) {
+    const State state = back_to_best();
     result_.reason = fmt::format("Newton's method: {}; relative residual {:.2g}, load error {:.2g} (asked {:.2g})",
                                  reason, state.residual, state.load_error, parameters_.tolerance);
     return std::move(result_);

@@ -12,6 +12,8 @@ namespace ehl::newton {
 
 struct Parameters {
   double tolerance = 1e-11;  ///< on the relative residual and on the relative load error
+  /// Of a state that further steps do not better, rounding having the last word: what is taken for converged as well.
+  double tolerance_of_rounding = 1e-11;
   int max_steps = 60;
   double longest_change = 0.3;  ///< of any pressure in one step, in units of p_h
 };

@@ -52,10 +52,12 @@ int first_cells(int cells, const Scene& scene) {
   return std::max(static_cast<int>(cells * slender), static_cast<int>(length / largest_first_step * slender));
 }
 
-/// F(2,0) cycles leave the least algebraic error of Hc and Hm for their work, W(2,1) the least residual.
+/// F(2,0) cycles leave the least algebraic error of Hc and Hm for their work, W(2,1) the least residual. Along a line,
+/// where a coarse grid is half the work of a finer one, V cycles leave as little as F for two thirds of it.
 void choose_cycle(const Scene& scene, fmg::Parameters& parameters) {
   const bool to_tolerance = std::isfinite(scene.multigrid.tolerance);
-  if (!parameters.cycle) parameters.cycle = to_tolerance ? fmg::Cycle::W : fmg::Cycle::F;
+  const fmg::Cycle shortest = scene.grid.line ? fmg::Cycle::V : fmg::Cycle::F;
+  if (!parameters.cycle) parameters.cycle = to_tolerance ? fmg::Cycle::W : shortest;
   if (!parameters.post) parameters.post = to_tolerance || steep_edge(scene) ? 1 : 0;
 }
 

@@ -22,7 +22,9 @@ struct PublishedFormula {
 };
 constexpr PublishedFormula published[] = {{"hd", "Hamrock, Dowson 1977"},
                                           {"nvm", "Nijenbanning, Venner, Moes 1994"},
-                                          {"chittenden", "Chittenden et al. 1985"}};
+                                          {"chittenden", "Chittenden et al. 1985"},
+                                          {"moes", "Moes 1992"},
+                                          {"dh", "Dowson, Higginson 1968; Toyoda 1979"}};
 
 std::string formula_column(const PublishedFormula& formula, const std::string& y) {
   return std::string(formula.code) + "_" + y;

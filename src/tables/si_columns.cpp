@@ -34,9 +34,30 @@ auto of_contact(Get get) {
   return [get](const SiRow& row) { return row.physics.si ? get(*row.physics.si) : unknown; };
 }
 
+void add_formulas(Bodies bodies, std::vector<Column<SiRow>>& columns) {
+  const auto add_both = [&](const char* code, const char* name) {
+    add_formula(code, name, &Formula::Hc, &SiRow::hc, columns);
+    add_formula(code, name, &Formula::Hm, &SiRow::hm, columns);
+  };
+  if (bodies == Bodies::line) {
+    add_formula("moes", "Moes 1992", &Formula::Hc, &SiRow::hc, columns);
+    add_both("dh", "Dowson, Higginson 1968; Toyoda 1979");
+    return;
+  }
+  add_formula("nvm", "Nijenbanning, Venner, Moes 1994", &Formula::Hc, &SiRow::hc, columns);
+  add_both("hd", "Hamrock, Dowson 1977");
+  if (bodies == Bodies::elliptic) add_both("chittenden", "Chittenden et al. 1985");
+}
+
+Column<SiRow> load_column(Bodies bodies) {
+  const auto load = of_contact([](const SiInput& si) { return si.contact.load; });
+  if (bodies == Bodies::line) return {"load_N_per_m", "N/m", "normal load over the length", load};
+  return {"load_N", "N", "normal load", load};
+}
+
 }  // namespace
 
-std::vector<Column<SiRow>> si_columns(bool elliptic, bool rough) {
+std::vector<Column<SiRow>> si_columns(Bodies bodies, bool rough) {
   std::vector<Column<SiRow>> columns{
       {"h_c_nm", "nm", "film at (0,0)", [](const SiRow& row) { return row.hc / nm; }},
       {"h_c_error_nm", "nm", "its error bar, mesh and cycles",
@@ -52,19 +73,14 @@ std::vector<Column<SiRow>> si_columns(bool elliptic, bool rough) {
     columns.push_back({"lambda_ratio", "-", "smallest film of smooth surfaces over it",
                        [](const SiRow& row) { return row.roughness ? row.roughness->lambda_ratio() : unknown; }});
   }
-  add_formula("nvm", "Nijenbanning, Venner, Moes 1994", &Formula::Hc, &SiRow::hc, columns);
-  for (const auto& [code, name] : {std::pair("hd", "Hamrock, Dowson 1977"), {"chittenden", "Chittenden et al. 1985"}}) {
-    if (code == std::string("chittenden") && !elliptic) continue;
-    add_formula(code, name, &Formula::Hc, &SiRow::hc, columns);
-    add_formula(code, name, &Formula::Hm, &SiRow::hm, columns);
-  }
+  add_formulas(bodies, columns);
   columns.insert(
       columns.end(),
       {{"p_h_GPa", "GPa", "Hertz pressure", of_contact([](const SiInput& si) { return si.hertz.p_h / GPa; })},
        {"a_um", "um", "Hertz radius along R_x", of_contact([](const SiInput& si) { return si.hertz.a / um; })},
        {"E_prime_GPa", "GPa", "reduced modulus",
         of_contact([](const SiInput& si) { return si.contact.E_prime / GPa; })},
-       {"load_N", "N", "normal load", of_contact([](const SiInput& si) { return si.contact.load; })},
+       load_column(bodies),
        {"u_m", "m/s", "mean of the surface speeds", of_contact([](const SiInput& si) { return 0.5 * si.contact.u_s; })},
        {"eta0_mPa_s", "mPa s", "viscosity at ambient pressure",
         of_contact([](const SiInput& si) { return 1e3 * si.contact.eta0; })},

@@ -22,7 +22,10 @@ struct SiRow {
   double error_hm = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// in: whether contacts may be elliptic, which adds a formula, and surfaces of a known roughness.
-std::vector<Column<SiRow>> si_columns(bool elliptic, bool rough);
+/// What the contacts of a table are: their formulas and loads have columns.
+enum class Bodies { circular, elliptic, line };
+
+/// in: whether surfaces are of a known roughness.
+std::vector<Column<SiRow>> si_columns(Bodies bodies, bool rough);
 
 }  // namespace ehl::program

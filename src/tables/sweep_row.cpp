@@ -36,7 +36,8 @@ void take_si(const Case& input, SiRow si, SweepRow& row) {
   if (!input.physics.si) return;
   si.physics = input.physics;
   si.formulas = film_formulas(input.physics.groups);
-  take(quantities_of(si_columns(true, true), si), row);
+  const bool line = contact::line(input.physics.groups.shape);
+  take(quantities_of(si_columns(line ? Bodies::line : Bodies::elliptic, true), si), row);
 }
 
 void take_film(const Case& input, const steady::Solution& solution, const Outcome& outcome, SweepRow& row) {
@@ -93,7 +94,7 @@ SweepRow sweep_row(const SweepKind& kind) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   SweepRow row{{"status", "failed"}, {"exit_status", 0}, {"method", "none"}, {"attempts", 0}};
   if (kind.si)
-    for (const Column<SiRow>& column : si_columns(kind.elliptic, kind.rough))
+    for (const Column<SiRow>& column : si_columns(kind.bodies, kind.rough))
       row.push_back({column.name, unknown, column.unit});
   const SweepRow plain{{"M", unknown},
                        {"L", unknown},
@@ -201,8 +202,10 @@ SweepKind kind_of_sweep(const std::string& path, const std::vector<std::string>&
   return {.friction = names("friction", "cavitated"),
           .thermal = deck::called_for(deck, "thermal"),
           .starved = deck::called_for(deck, "supply"),
-          .si = names("contact", "load"),
-          .elliptic = names("contact", "radius_y") || names("contact", "radius_ratio"),
+          .si = names("contact", "load") || names("contact", "load_per_length"),
+          .bodies = deck::word(deck, "contact", "kind") == "line"                      ? Bodies::line
+                    : names("contact", "radius_y") || names("contact", "radius_ratio") ? Bodies::elliptic
+                                                                                       : Bodies::circular,
           .rough = names("contact", "Sq1") || names("contact", "Sq2") || has_map("surface1") || has_map("surface2"),
           .machine = machine ? machine_quantities(*machine) : std::vector<Quantity>{}};
 }

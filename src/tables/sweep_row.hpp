@@ -6,6 +6,7 @@
 
 #include "case/film_solution.hpp"
 #include "results/content.hpp"
+#include "tables/si_columns.hpp"
 
 namespace ehl::program {
 
@@ -22,7 +23,7 @@ struct SweepKind {
   bool thermal = false;
   bool starved = false;
   bool si = false;                           ///< nm, GPa and formulas beside them
-  bool elliptic = false;                     ///< looked at in SI only
+  Bodies bodies = Bodies::circular;          ///< looked at in SI only
   bool rough = false;                        ///< likewise
   std::vector<results::Quantity> machine{};  ///< the numbers of a bearing or of gears; their values are not looked at
 };

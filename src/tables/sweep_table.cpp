@@ -51,11 +51,10 @@ std::string whole_header(const SweepHeader& header, const std::vector<std::strin
       "# nx, ny: cells; cycles, work_units, cycle_factor: on the finest grid; seconds: the whole case, one thread; "
       "exit_status: of `ehl run`; path: the method as a code\n";
   if (header.kind.si) {
-    text +=
-        "# h_c_error, h_m_error: error bars, mesh and cycles; nvm: Nijenbanning, Venner, Moes 1994; hd: Hamrock, "
-        "Dowson "
-        "1977; deviation: formula over the film computed less 1\n";
-    if (header.kind.elliptic) text += "# chittenden: Chittenden et al. 1985\n";
+    text += "# h_c_error, h_m_error: error bars, mesh and cycles; deviation: formula over the film computed less 1; ";
+    text += header.kind.bodies == Bodies::line ? "moes: Moes 1992; dh: Dowson, Higginson 1968, Toyoda 1979\n"
+                                               : "nvm: Nijenbanning, Venner, Moes 1994; hd: Hamrock, Dowson 1977\n";
+    if (header.kind.bodies == Bodies::elliptic) text += "# chittenden: Chittenden et al. 1985\n";
     if (header.kind.rough)
       text += "# lambda_ratio: smallest film of smooth surfaces over Sq, the roughness of both together\n";
   }

@@ -106,6 +106,27 @@ BOOST_AUTO_TEST_CASE(rollers_and_teeth_are_line_contacts) {
     }
 }
 
+// Along the path of contact: films in nm with the formulas of a line contact, and its pictures without a word from
+// gnuplot, which a map of one line would not be.
+BOOST_AUTO_TEST_CASE(teeth_along_their_path) {
+  const support::TemporaryFolder folder;
+  folder.write("d.ini", loaded_gear + rest);
+  BOOST_REQUIRE_EQUAL(support::ehl(folder, "sweep d.ini --vary gear.position=0:1:5 --output path.csv --quiet").status,
+                      0);
+  const std::string table = folder.read("path.csv");
+  for (const char* part : {"h_m_nm", "dh_h_c_nm", "moes_h_c_deviation", "load_N_per_m", "gear_sliding_speed"})
+    BOOST_TEST(contains(table, part), part << " is missing in\n" << table);
+  BOOST_REQUIRE_EQUAL(support::ehl(folder, "run d.ini --output d.h5 --quiet").status, 0);
+  for (const char* file : {"path.csv", "d.h5"}) {
+    const support::Ended drawn = support::ehl(folder, std::string("plot ") + file);
+    BOOST_TEST(drawn.status == 0, file);
+    BOOST_TEST(drawn.err.empty(), file << ": " << drawn.err);
+  }
+  const support::Ended refused = support::ehl(folder, "plot d.h5 --figure film_contours");
+  BOOST_TEST(refused.status == 2);
+  BOOST_TEST(contains(refused.err, "this file has no map"), refused.err);
+}
+
 BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
   const auto refused = [](const std::string& name, const std::string& deck, std::vector<std::string> parts) {
     return support::Slip{name, deck + rest, std::move(parts)};

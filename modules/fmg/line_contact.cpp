@@ -1,0 +1,113 @@
+#include "fmg/line_contact.hpp"
+
+#include <algorithm>
+#include <span>
+
+#include "film/half_points.hpp"
+#include "reynolds/flux.hpp"
+
+namespace ehl::fmg {
+namespace {
+
+std::span<const double> gathered(const core::Field& field, std::vector<double>& along) {
+  for (std::size_t i = 0; i < along.size(); ++i) along[i] = field(static_cast<int>(i), 1);
+  return along;
+}
+
+// What stands beside the one line of unknowns are copies of it.
+void scatter(std::span<const double> along, core::Field& field) {
+  for (std::size_t i = 0; i < along.size(); ++i)
+    std::fill_n(field.at_x(static_cast<int>(i)), field.nodes_y(), along[i]);
+}
+
+// The film that epsilon follows.
+void hold_film(const Level& level, std::vector<double>& H) {
+  if (level.H_floor == 0.0) return;
+  for (std::size_t i = 0; i < H.size(); ++i)
+    H[i] = std::max(H[i], level.H_floor * level.H_restricted(static_cast<int>(i), 1));
+}
+
+void epsilon_behind_nodes(const film::Between& how, LineNodes& nodes, std::span<double> eps) {
+  const std::vector<double>& H = nodes.H;
+  std::vector<double>& H_around = nodes.H_around;
+  const std::size_t faces = H.size() - 1;
+  H_around.front() = film::beyond_boundary(H[0], H[1], H[2]);
+  std::ranges::copy(H, H_around.begin() + 1);
+  H_around.back() = film::beyond_boundary(H[faces], H[faces - 1], H[faces - 2]);
+  const auto from = [faces](const std::vector<double>& values, std::size_t first) {
+    return std::span<const double>(values).subspan(first, faces);
+  };
+  const auto two = [&](const std::vector<double>& values) { return std::array{from(values, 0), from(values, 1)}; };
+  film::epsilon_between_stations({{from(H_around, 0), from(H_around, 1), from(H_around, 2), from(H_around, 3)},
+                                  two(nodes.rho_bar),
+                                  two(nodes.fluidity),
+                                  two(nodes.log_viscosity)},
+                                 how, eps);
+}
+
+void third_order_behind_nodes(const reynolds::Transport& transport, std::span<const double> eps, Level& level) {
+  const double hx = level.grid.hx();
+  const reynolds::ThirdOrderShare share(transport, hx);
+  // The first face has no third node.
+  for (int i = 1; i < level.grid.nx; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const double theta = transport.wedge == reynolds::Wedge::upstream3_inlet
+                             ? reynolds::third_order_in_inlet(level.grid.X(i) + 0.5 * hx)
+                             : share(eps[k], eps[k + 1]);
+    std::fill_n(level.third_order.at_x(i), level.grid.nodes_y(), theta);
+  }
+}
+
+}  // namespace
+
+LineNodes make_line_nodes(const core::Patch& grid, bool anisotropic) {
+  if (!grid.domain.line) return {};
+  const std::vector<double> zero(static_cast<std::size_t>(grid.nodes_x()));
+  LineNodes nodes{zero, zero, zero, zero, zero, zero, zero, std::vector<double>(zero.size() + 2)};
+  if (anisotropic) nodes.fluidity_across = nodes.log_viscosity_across = zero;
+  return nodes;
+}
+
+bool along_one_line(const Hierarchy& hierarchy, const Level& level) {
+  const film::Model& model = hierarchy.problem.film;
+  return level.grid.domain.line && model.effects.empty() && !model.given_epsilon;
+}
+
+void coefficients_along_line(Hierarchy& hierarchy, Level& level) {
+  const film::Model& model = hierarchy.problem.film;
+  ThreadWork& work = level.thread_work.front();
+  LineNodes& nodes = work.line_nodes;
+  const bool half_points = at_half_points(level);
+  const film::Station line{level.grid, 0, gathered(level.P, nodes.P), gathered(level.H, nodes.H)};
+  if (half_points) {
+    film::oil(model, line, work.film,
+              {.fluidity = nodes.fluidity,
+               .log_viscosity = nodes.log_viscosity,
+               .fluidity_across = nodes.fluidity_across,
+               .log_viscosity_across = nodes.log_viscosity_across,
+               .rho_bar = nodes.rho_bar,
+               .drho_bar = nodes.drho_bar});
+    scatter(nodes.fluidity, level.oil.fluidity);
+    scatter(nodes.log_viscosity, level.oil.log_viscosity);
+  } else {
+    hold_film(level, nodes.H);
+    film::coefficients(
+        model, line, work.film,
+        {.eps = nodes.eps, .eps_across = nodes.fluidity_across, .rho_bar = nodes.rho_bar, .drho_bar = nodes.drho_bar});
+    scatter(nodes.eps, level.eps);
+  }
+  scatter(nodes.rho_bar, level.rho_bar);
+  scatter(nodes.drho_bar, level.drho_bar);
+  const reynolds::Transport transport = transport_on(hierarchy, level);
+  const film::Between how = between(hierarchy.problem);
+  if (reynolds::third_order(transport.wedge)) {
+    if (half_points) film::epsilon(nodes.H, nodes.rho_bar, nodes.fluidity, how.lambda, nodes.eps);
+    third_order_behind_nodes(transport, nodes.eps, level);
+  }
+  if (!half_points) return;
+  const std::span<double> faces = std::span<double>(nodes.eps).first(nodes.eps.size() - 1);
+  epsilon_behind_nodes(how, nodes, faces);
+  scatter(faces, level.eps);
+}
+
+}  // namespace ehl::fmg

@@ -1,0 +1,14 @@
+#pragma once
+// The coefficients of a line contact.
+#include "fmg/hierarchy.hpp"
+
+namespace ehl::fmg {
+
+/// True where the nodes of a line contact can be taken side by side: not with effects that are told their station.
+bool along_one_line(const Hierarchy& hierarchy, const Level& level);
+
+/// What coefficients.cpp makes station by station, all along the line at once: the same bits. A station of a line has
+/// one node, and vector registers would stay empty.
+void coefficients_along_line(Hierarchy& hierarchy, Level& level);
+
+}  // namespace ehl::fmg

@@ -1,0 +1,45 @@
+#include "newton/slopes.hpp"
+
+#include <vector>
+
+namespace ehl::newton {
+namespace {
+
+/// The nodes of one colour, i + 3 j modulo so many, are changed together: no two of them take part in the same
+/// equation.
+struct Colours {
+  int count;
+  std::size_t nodes;  ///< of the stencil
+  int of(int i, int j) const { return (i + 3 * j) % count; }
+};
+constexpr Colours of_film{10, stencil.size()}, of_pressure{7, 6};
+
+}  // namespace
+
+Slopes slopes(Equations& equations, By by) {
+  const core::Patch& grid = equations.grid();
+  const std::size_t rows = equations.size() - 1;
+  core::Field dP(grid), dH(grid);
+  Slopes slopes(rows);
+  std::vector<double> dr(rows);
+  const Colours& colours = by == By::pressure ? of_pressure : of_film;
+  for (int chosen = 0; chosen < colours.count; ++chosen) {
+    core::Field& changed = by == By::pressure ? dP : dH;
+    (by == By::pressure ? dH : dP).fill(0.0);
+    for (int i = 0; i <= grid.nx; ++i)
+      for (int j = 0; j <= grid.ny; ++j) changed(i, j) = colours.of(i, j) == chosen ? 1.0 : 0.0;
+    core::fill_ghosts(grid, dP);
+    equations.change_of_residual(dP, dH, dr);
+    for (int i = 1; i < grid.nx; ++i)
+      for (int j = 1; j <= grid.last_line(); ++j)
+        for (std::size_t k = 0; k < colours.nodes; ++k) {
+          const auto [di, dj] = stencil[k];
+          const bool there = i + di >= 0 && i + di <= grid.nx && j + dj >= 0 && j + dj <= grid.ny;
+          const std::size_t row = equations.index(i, j);
+          if (there && colours.of(i + di, j + dj) == chosen) slopes[row][k] = equations.scale(row) * dr[row];
+        }
+  }
+  return slopes;
+}
+
+}  // namespace ehl::newton
