@@ -19,13 +19,14 @@ constexpr double least_weight = 0.1;
 // Taken with a weight w, the change that the film asks for falls by w where the film does not answer. Where it falls
 // by less than half of that the next weight is smaller, else it is larger, up to 1.
 constexpr double half_of_it = 0.5, less = 0.7, more = 1.3;
-// What is left to change is the last change times q/(1 - q), q the factor from change to change: measured 0.1 to 0.5
-// where nothing is wrong, and held between these two.
+// What is left to change is the last change times q/(1 - q), q the factor from pass to pass of what the temperature
+// asks of the coefficients: that of the hottest film alone swings, and told 0.9 where nothing was wrong. Held between
+// these two.
 constexpr double least_q = 0.25, most_q = 0.9;
 // Where the discretization error is not known: a single grid.
 constexpr double unknown_error = 1e-2;
 // No estimate is trusted to be less.
-constexpr double least_error = 5e-4;
+constexpr double least_error = 1e-3;
 // A friction, and a rise in kelvin over T0, below which it counts as none.
 constexpr double least_mu = 1e-6, least_theta = 1e-6;
 // Where no share of the temperature leads on: smaller weights of the relaxations, as the isothermal film may have
@@ -39,9 +40,10 @@ constexpr int most_cycles = 4;
 constexpr int quick = 6, sweeps_when_slow = 3;
 constexpr double order = 2.0;  // of mu and temperatures, as of the film
 
-// The last three passes; `before` and `first` may be the same where there are fewer.
+// The pass before, and the factor q behind it.
 struct Trail {
-  Pass first, before;
+  Pass before;
+  double q = 0.5;
 };
 
 // What is still to change of a number over what is allowed of it. least: below it the number counts as none.
@@ -56,9 +58,7 @@ double over_allowed(const Parameters& parameters, const Pass& now, const Trail& 
   const double allowed = parameters.share * std::clamp(error, least_error, judgement::largest_licence);
   const double size = std::max(std::abs(now.*value), least / allowed);
   const double change = std::abs(now.*value - trail.before.*value);
-  const double earlier = std::abs(trail.before.*value - trail.first.*value);
-  const double q = earlier > 0.0 && trail.first.Hc > 0.0 ? std::clamp(change / earlier, least_q, most_q) : 0.5;
-  return change * q / (1.0 - q) / size / allowed;
+  return change * trail.q / (1.0 - trail.q) / size / allowed;
 }
 
 // Cycles with the factors as they are: one where it reduces the residual as it should, more where the cycles have to
@@ -143,6 +143,7 @@ Result heat_up(fmg::Run& run, std::size_t l, thermal::FilmTemperature& film, Fac
     const fmg::State kept = fmg::state_of(hierarchy, l);
     const fmg::Caution caution = run.caution;
     const double asked = renew(hierarchy, l, n, film, factors, weight, result.balance);
+    if (n > 1) trail.q = std::clamp(asked / asked_before, least_q, most_q);
     const bool falls = asked < (1.0 - half_of_it * weight) * asked_before;
     weight = falls ? std::min(1.0, more * weight) : std::max(least_weight, less * weight);
     const bool good = std::isfinite(asked) && cycle(run, l, n == 1, last);
@@ -154,7 +155,7 @@ Result heat_up(fmg::Run& run, std::size_t l, thermal::FilmTemperature& film, Fac
     if (good) {
       run.record.verification = judgement::verification_of(last);
       if (n > 1 && result.unmet.empty()) return result;
-      trail = {trail.before, pass};
+      trail.before = pass;
       asked_before = asked;
       continue;
     }
