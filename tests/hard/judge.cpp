@@ -108,6 +108,7 @@ class Judge {
     take(faults_in_time(ran.out));
     take(faults_of_friction(ran.out));
     take(faults_of_starvation(ran.out));
+    take(faults_of_heat(ran.out));
     verdict_.warnings = {json_member(ran.out, "warnings")};
     if (json_member(ran.out, "kind") == "dry") return take(faults_of_dry(ran.out));
     for (const char* name : {"Hc", "Hm", "Hc_moes", "Hm_moes", "P_max", "H00", "residual", "load_error", "lambda"})

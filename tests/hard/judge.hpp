@@ -48,6 +48,9 @@ std::vector<std::string> faults_of_friction(const std::string& json);
 /// The same of one with a supply.
 std::vector<std::string> faults_of_starvation(const std::string& json);
 
+/// The same of heat.
+std::vector<std::string> faults_of_heat(const std::string& json);
+
 /// What is wrong with the columns that `ehl extract FILE transient` has printed. in: the steps that the report counts.
 std::vector<std::string> faults_of_rows(const std::string& columns, double steps);
 

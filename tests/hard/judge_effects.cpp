@@ -69,6 +69,23 @@ std::vector<std::string> faults_of_starvation(const std::string& json) {
   return faults;
 }
 
+std::vector<std::string> faults_of_heat(const std::string& json) {
+  std::vector<std::string> faults;
+  const std::string own = json_member(json, "thermal");
+  if (own.empty() || own == "null") return faults;
+  for (const char* name : {"mu", "mu_isothermal", "T_film_max", "T1_max", "T2_max", "heat_1", "heat_2", "heat_made"})
+    expect_number(faults, own, name);
+  constexpr double allowed = 1e-3;  // of the program itself
+  expect(faults, std::abs(number(json_member(own, "heat_imbalance"))) <= allowed,
+         "solved: heat balances: " + json_member(own, "heat_imbalance"));
+  // No surface is hotter than the film beside it.
+  const double film = number(json_member(own, "T_film_max"));
+  for (const char* name : {"T1_max", "T2_max"})
+    expect(faults, number(json_member(own, name)) <= film,
+           std::string("solved: ") + name + " is a temperature of the film");
+  return faults;
+}
+
 std::vector<std::string> faults_in_time(const std::string& json) {
   std::vector<std::string> faults;
   const std::string own = json_member(json, "transient");

@@ -62,6 +62,9 @@ void vary_oil(std::vector<Entry>& entries, std::vector<File>& files, Random rand
 /// Now and then a [supply], some with passes, and what varies of it in time; likewise.
 void vary_supply(std::vector<Entry>& entries, Random random, bool& ordinary);
 
+/// Now and then heat, and the pressure's flow that thins; drawn for itself.
+void add_heat(std::vector<Entry>& entries, Random random, bool& ordinary);
+
 /// Stresses below the contact; few planes, for the time.
 void add_subsurface(std::vector<Entry>& entries, Random& random);
 
