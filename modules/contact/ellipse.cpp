@@ -89,9 +89,20 @@ Ellipse line_contact() {
           .approach = 0.25 + 0.5 * std::numbers::ln2};
 }
 
+Ellipse roller_contact(double length) {
+  Ellipse shape = line_contact();
+  shape.length = length;
+  shape.kappa = 0.5 * length;
+  shape.p_h = 0.25 * pi;
+  shape.approach += 0.5 * std::log(length);
+  return shape;
+}
+
 core::QuadraticForm gap(const Ellipse& shape) { return turned(shape, 0.5, 0.5 * shape.radius_ratio); }
 
-core::QuadraticForm outline(const Ellipse& shape) { return turned(shape, 1.0, 1.0 / (shape.kappa * shape.kappa)); }
+core::QuadraticForm outline(const Ellipse& shape) {
+  return turned(shape, 1.0, line(shape) ? 0.0 : 1.0 / (shape.kappa * shape.kappa));
+}
 
 Extent extent(const Ellipse& shape) {
   if (line(shape)) return {1.0, shape.kappa, 1.0};
@@ -101,7 +112,10 @@ Extent extent(const Ellipse& shape) {
 
 double elastic_factor(const Ellipse& shape) { return 2.0 / (pi * pi) * (shape.p_h / shape.a); }
 
-double relative_load(const Ellipse& shape) { return line(shape) ? 0.75 : shape.kappa; }
+double relative_load(const Ellipse& shape) {
+  if (roller(shape)) return 0.75 * shape.length;
+  return line(shape) ? 0.75 : shape.kappa;
+}
 
 double load(const Ellipse& shape) { return 2.0 * pi / 3.0 * relative_load(shape); }
 

@@ -14,7 +14,7 @@ Hertz hertz(double load, double radius, double E_prime, const Ellipse& shape) {
   if (line(shape)) {
     const double a = std::sqrt(8.0 / core::pi * load * radius / E_prime);
     const double h_scale = a * a / radius;
-    return {a, 2.0 * load / (core::pi * a), shape.approach * h_scale, h_scale, shape.kappa};
+    return {a, 2.0 * load / (core::pi * a), shape.approach * h_scale, h_scale, shape.kappa * a};
   }
   const double a = shape.a * std::cbrt(1.5 * load * radius / E_prime);
   const double b = shape.kappa * a;

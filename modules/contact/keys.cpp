@@ -22,10 +22,11 @@ std::vector<deck::Key> dimensionless_keys() {
   return {
       {.name = "kind",
        .default_text = "point",
-       .words = {"point", "line"},
+       .words = {"point", "line", "roller"},
        .meaning = "point: a circle or an ellipse. line: bodies that are long and straight across the motion, as gear "
-                  "teeth, cams and rollers; nothing changes along y, and all that is a force is per length. Then M = W "
-                  "(2U)^(-1/2) and W = F'/(E' R_x), with F' the load per length."},
+                  "teeth and cams; nothing changes along y, and all that is a force is per length. Then M = W "
+                  "(2U)^(-1/2) and W = F'/(E' R_x), with F' the load per length. roller: a piece of such a contact, "
+                  "length long, with the profile of [roller]; M and W are those of its mean load per length."},
       {.name = "M",
        .range = {0.1, 1e5},
        .remedy = "outside it the contact is rigid or dry for every grid",
@@ -65,7 +66,8 @@ std::vector<deck::Key> si_keys() {
        .unit = "N",
        .range = positive,
        .remedy = "the load presses the bodies together",
-       .meaning = "Normal load F. Third language: load, radius_x and the elastic data in SI, with [motion] and eta0.",
+       .meaning = "Normal load F, of a roller on all of its length. Third language: load, radius_x and the elastic "
+                  "data in SI, with [motion] and eta0.",
        .example = "15"},
       {.name = "load_per_length",
        .unit = "N/m",
@@ -114,7 +116,23 @@ std::vector<deck::Key> si_keys() {
 }
 
 std::vector<deck::Key> shape_keys() {
+  const deck::Condition roller{.name = "kind", .words = {"roller"}};
+  const deck::Key length{.name = "length",
+                         .range = {4.0, 2000.0},
+                         .remedy = "a shorter one is no roller",
+                         .meaning = "Length of a roller in half widths a of the line contact with its mean load per "
+                                    "length. Only with M and L, or W, U and G.",
+                         .needs = roller,
+                         .example = "40"};
   return {
+      length,
+      {.name = "length_m",
+       .unit = "m",
+       .range = positive,
+       .remedy = "8 mm are 0.008",
+       .meaning = "Length of a roller, all of it that its track may touch. Only with a contact in SI.",
+       .needs = roller,
+       .example = "0.008"},
       {.name = "radius_ratio",
        .default_note = "1 (circular contact), or from radius_y",
        .range = {0.005, 20.0},
@@ -179,6 +197,24 @@ Bodies read_bodies(const deck::Part& contact) {
                          : reduced_modulus({number("E1"), number("nu1")}, {number("E2"), number("nu2")})};
 }
 
+// Of a roller, in half widths; NaN where a complaint is on its way. The load of its bodies becomes that per length.
+double read_length(const deck::Part& contact, Input& input) {
+  const bool si = input.language == Language::si;
+  const std::string name = si ? "length_m" : "length";
+  contact.refuse({si ? "length" : "length_m"}, "is for a contact " + std::string(si ? "without units: give length_m"
+                                                                                     : "in SI: give length"));
+  contact.demand({name}, "a roller has a length");
+  if (!si || !contact.deck.errors.empty()) return contact.number(name);
+  input.bodies.load /= contact.number(name);
+  const Hertz line = hertz(input.bodies.load, input.bodies.radius, input.bodies.E_prime, line_contact());
+  const double length = contact.number(name) / line.a;
+  const deck::Key& key = *deck::find_key(contact.deck.catalogue, "contact", "length");
+  if (!key.range.contains(length))
+    contact.complain(name, fmt::format("is {:.4g} half widths of the contact, which must be {}", length,
+                                       deck::allowed(key)));
+  return length;
+}
+
 // R_x/R_y, or NaN where a complaint is on its way. What follows from it is recorded in the deck.
 double read_radius_ratio(const deck::Part& contact, Language language) {
   const double ratio = contact.number("radius_ratio");
@@ -200,16 +236,20 @@ double read_radius_ratio(const deck::Part& contact, Language language) {
   return of_radii;
 }
 
-Ellipse read_shape(const deck::Part& contact, const deck::Part& motion, Language language) {
-  if (is_line(contact.deck)) {
-    contact.refuse({"load"}, "is that of a point contact: a line contact has load_per_length [N/m]");
+Ellipse read_shape(const deck::Part& contact, const deck::Part& motion, Input& input) {
+  const Language language = input.language;
+  const bool line = is_line(contact.deck);
+  if (!line) contact.refuse({"load_per_length"}, "is that of a line contact: give kind = line, or load [N]");
+  if (const std::string kind = contact.word("kind"); kind != "point") {
+    if (line) contact.refuse({"load"}, "is that of a point contact: a line contact has load_per_length [N/m]");
     contact.refuse({"radius_y", "radius_ratio"},
-                   "has no influence on a line contact, which is straight across: remove "
-                   "it, or kind = line");
-    motion.refuse({"angle"}, "has no influence on a line contact: remove it");
-    return line_contact();
+                   line ? "has no influence on a line contact, which is straight across: remove it, or kind = line"
+                        : "has no influence on a roller, whose shape across is the profile of [roller]: remove it");
+    motion.refuse({"angle"}, "has no influence on a " + kind + " contact: remove it");
+    if (line) return line_contact();
+    const double length = read_length(contact, input);
+    return contact.deck.errors.empty() ? roller_contact(length) : line_contact();
   }
-  contact.refuse({"load_per_length"}, "is that of a line contact: give kind = line, or load [N]");
   const double ratio = read_radius_ratio(contact, language);
   if (ratio == 1.0)
     motion.refuse({"angle"}, "has no influence on a circular contact: remove it, or give radius_ratio or radius_y");
@@ -225,7 +265,7 @@ std::vector<deck::Key> keys() {
                          deck::in_section("motion", motion_keys())});
 }
 
-bool is_line(deck::Deck& deck) { return deck::Part{deck, "contact"}.choice("kind", {false, true}); }
+bool is_line(deck::Deck& deck) { return deck::Part{deck, "contact"}.choice("kind", {false, true, false}); }
 
 Input read(deck::Deck& deck, bool slides) {
   const deck::Part contact{deck, "contact"}, motion{deck, "motion"};
@@ -249,7 +289,7 @@ Input read(deck::Deck& deck, bool slides) {
       contact.refuse({"a_over_R"}, "has no influence but with M and L, and [shear] or [friction]: remove it");
   }
   read_motion(motion, slides, input);
-  input.shape = read_shape(contact, motion, input.language);
+  input.shape = read_shape(contact, motion, input);
   return input;
 }
 

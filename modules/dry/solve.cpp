@@ -31,11 +31,11 @@ std::vector<core::Patch> grids_of(const Problem& problem) {
 }
 
 // Hertz' pressure where the ellipse lies on the grid, which the scaling to the load makes right for any other.
-core::Field first_guess(const core::Patch& grid) {
+core::Field first_guess(const core::Patch& grid, const core::QuadraticForm& outline) {
   core::Field P(grid);
   for (int i = 0; i < grid.nodes_x(); ++i)
     for (int j = 0; j < grid.nodes_y(); ++j)
-      P(i, j) = std::sqrt(std::max(0.0, 1.0 - grid.X(i) * grid.X(i) - grid.Y(j) * grid.Y(j)));
+      P(i, j) = std::sqrt(std::max(0.0, 1.0 - outline.at(grid.X(i), grid.Y(j))));
   return P;
 }
 
@@ -78,7 +78,7 @@ Solution solve(const Problem& problem, const Observer& observe) {
     transfer::restrict_injection(gaps[k - 1], gaps[k]);
   }
   Solution solution;
-  core::Field P = first_guess(grids.back()), H;
+  core::Field P = first_guess(grids.back(), problem.outline), H;
   for (std::size_t k = grids.size(); k-- > 0;) {
     const double begun = core::now();
     const core::Patch& grid = grids[k];
@@ -87,7 +87,7 @@ Solution solve(const Problem& problem, const Observer& observe) {
       transfer::prolong_bilinear(P, finer, 1);
       P = std::move(finer);
     }
-    mlmi::Deformation deformation(grid, problem.deformation, problem.threads);
+    mlmi::Deformation deformation(grid, problem.deformation, problem.threads, problem.elastic);
     ConjugateGradients iteration(grid, gaps[k], problem.load, deformation, P);
     int count = 0;
     while (iteration.error() > problem.parameters.tolerance && count < problem.parameters.max_iterations) {

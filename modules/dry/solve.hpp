@@ -10,6 +10,7 @@
 
 #include "core/field.hpp"
 #include "core/grid.hpp"
+#include "core/quadratic_form.hpp"
 #include "mlmi/deformation.hpp"
 
 namespace ehl::dry {
@@ -24,9 +25,11 @@ struct Problem {
   core::Patch grid;  ///< the finest; the lower half where G is even in Y
   core::Field gap;   ///< G on its nodes
   double load = 0.0;
-  mlmi::Parameters deformation;
-  Parameters parameters;
+  mlmi::Parameters deformation{};
+  Parameters parameters{};
   int threads = 1;
+  double elastic = mlmi::circular_factor;      ///< factor of K*P
+  core::QuadraticForm outline{1.0, 0.0, 1.0};  ///< 1 along the edge of a smooth contact: the first guess
 };
 
 /// G = X^2/2 + Y^2/2.

@@ -45,6 +45,8 @@ struct Problem {
   /// Writes S(X, Y), what the surfaces add to the gap, in units of a^2/R: on every grid what that grid can hold of it.
   /// Ghost lines are not needed. Empty: smooth surfaces.
   std::function<void(const core::Patch& grid, core::Field& S)> surface{};
+  /// Writes the pressure of the dry contact, and gives its H00: what to begin with. Empty: that of Hertz.
+  std::function<double(const core::Patch& grid, core::Field& P)> dry{};
 };
 
 /// The unknowns on one level: what a solution is, and all that is kept of one.

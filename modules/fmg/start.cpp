@@ -104,9 +104,22 @@ void begin_outside(const Problem& problem, Level& level) {
     for (int j = 1; j <= level.grid.last_line(); ++j) {
       const double X = level.grid.X(i);
       const double Y = level.grid.Y(j);
-      if (problem.geometry.outline.at(X, Y) >= 1.0)
-        level.P(i, j) = std::min(std::abs(far.P(X, Y)), a_little) * taper(domain, X, Y);
+      const bool outside = problem.geometry.outline.at(X, Y) >= 1.0;
+      if (outside || level.P(i, j) == 0.0) {
+        const double P = outside ? std::min(std::abs(far.P(X, Y)), a_little) : a_little;
+        level.P(i, j) = std::max(level.P(i, j), P * taper(domain, X, Y));
+      }
     }
+}
+
+// The dry contact's pressure, and the oil's beside it. out: H00 of it.
+double begin_dry(const Problem& problem, Level& level) {
+  const double H00 = problem.dry(level.grid, level.P);
+  for (int i = 0; i <= level.grid.nx; ++i)
+    for (int j = 0; j <= level.grid.ny; ++j)
+      if (i == 0 || j == 0 || i == level.grid.nx || j > level.grid.last_line()) level.P(i, j) = 0.0;
+  begin_outside(problem, level);
+  return H00;
 }
 
 bool round(const core::QuadraticForm& gap) { return gap.XY == 0.0 && gap.XX == gap.YY; }
@@ -133,9 +146,12 @@ void start_from_hertz(Hierarchy& hierarchy, std::size_t l, double H00, int sweep
       else
         level.P(i, j) = inside > 0.0 ? std::sqrt(inside) : 0.0;
     }
-  if (!apart && !round(hierarchy.problem.geometry.gap)) begin_outside(hierarchy.problem, level);
+  if (hierarchy.problem.dry)
+    H00 += begin_dry(hierarchy.problem, level);
+  else if (!apart && !round(hierarchy.problem.geometry.gap))
+    begin_outside(hierarchy.problem, level);
   core::fill_ghosts(level.grid, level.P);
-  hierarchy.H00 = hierarchy.problem.surface ? H00 - mean_surface(level) : H00;
+  hierarchy.H00 = hierarchy.problem.surface && !hierarchy.problem.dry ? H00 - mean_surface(level) : H00;
   update_film(hierarchy, level);
   renew_boundary(hierarchy, level);
   const auto relax_alone = [&] {

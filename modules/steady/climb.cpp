@@ -113,7 +113,7 @@ fmg::Parameters parameters_of(const Scene& scene, const Start& start) {
   // The coupling by the film, against which that by epsilon is held.
   parameters.relaxation.crossover *= scene.shape.p_h / scene.shape.a;
   const bool flattened = expected_central_film(scene.M, scene.L, scene.shape) < scene.shape.approach;
-  if (contact::line(scene.shape) && flattened) parameters.relaxation.crossover = crossover_of_line;
+  if (scene.grid.line && flattened) parameters.relaxation.crossover = crossover_of_line;
   choose_cycle(scene, parameters);
   return parameters;
 }
@@ -154,7 +154,7 @@ bool held_by(int cells, const Scene& scene) {
 }
 
 double first_H00(const Scene& scene) {
-  return -scene.shape.approach + expected_central_film(scene.M, scene.L, scene.shape);
+  return (scene.dry ? 0.0 : -scene.shape.approach) + expected_central_film(scene.M, scene.L, scene.shape);
 }
 
 bool on_one_half(const Scene& scene) {
@@ -181,7 +181,8 @@ fmg::Run begin_climb(const Scene& scene, const Start& start, const ProgressCallb
       .supply = scene.supply,
       .geometry = geometry_of(scene.shape),
       .far_field = far_field_of(scene),
-      .surface = scene.surface};
+      .surface = scene.surface,
+      .dry = scene.dry};
   const double steep = steep_caution(scene);
   fmg::Run run{.hierarchy = fmg::make_hierarchy(problem, parameters, scene.deformation,
                                                 patch_to_compute_on(scene, parameters), scene.threads),

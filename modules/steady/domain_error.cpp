@@ -43,7 +43,8 @@ RoughError rough_error(double M, double L, const contact::Ellipse& shape, double
   const double at_inlet = 0.5 * cut_off * std::max(groups.alpha_bar, 10.0);
   // Of a line dP/dX = lambda/H^2, P = (4/3) lambda/|X|^3.
   if (contact::line(shape))
-    return {at_inlet, 0.5 * power * 2.0 / 3.0 * groups.lambda / (length * length) / contact::load(shape)};
+    return {at_inlet,
+            0.5 * power * 2.0 / 3.0 * groups.lambda / (length * length) / contact::load(contact::line_contact())};
   // The far field (4/5) lambda cos(theta)/r^3 integrated from the boundary on: from x = X_a within the angle of the
   // corner, from y = +-y_half beyond it. Of an ellipse with Y in a scale in which the undeformed gap is round.
   const double roundness = gap.YY / gap.XX;
@@ -141,9 +142,9 @@ double estimate_domain_error(const Scene& scene) {
   coarse.multigrid = {};
   coarse.multigrid.tolerance = tolerance;
   Scene longer = coarse;
-  longer.grid = core::refined(longer.grid);
   longer.grid.X_a -= scene.grid.X_b - scene.grid.X_a;
-  if (!longer.grid.line) longer.grid.Y_a *= 2.0, longer.grid.Y_b *= 2.0;
+  longer.grid.nx *= 2;
+  if (!contact::line(scene.shape)) longer.grid.Y_a *= 2.0, longer.grid.Y_b *= 2.0, longer.grid.ny *= 2;
   double estimate = std::numeric_limits<double>::quiet_NaN();
   try {
     estimate = central_film(longer) / central_film(coarse) - 1.0;

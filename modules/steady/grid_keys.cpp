@@ -100,13 +100,16 @@ void choose_domain(const deck::Part& domain, double accuracy, const contact::Gro
   const bool known = groups.M > 0.0 && groups.L >= 0.0;  // else a domain for a contact with an error in it
   if (closed(domain) && known)
     far_field = std::fmin(error_of_closed_domain, share_of_accuracy * accuracy);  // a NaN is none
+  const bool roller = contact::roller(groups.shape);
   if (contact::line(groups.shape))
-    domain.refuse({"y_half"}, "has no influence on a line contact, which has no sides: remove it");
+    domain.refuse({"y_half"}, roller ? "is half of the roller's length, where the gap ends: remove it"
+                                     : "has no influence on a line contact, which has no sides: remove it");
   domain.fill("x_outlet", chosen_outlet(groups.M, groups.L, groups.shape, far_field), "behind the cavitation boundary");
   const double x_outlet = domain.number("x_outlet");
   domain.fill("x_inlet", chosen_inlet(groups.M, groups.L, x_outlet, groups.shape, far_field),
               far_field ? "closed far field: halved, it moves the film by less than 0.2 %"
                         : "cuts off less than about 1 % of the film where 200 radii are enough for that");
+  if (roller) domain.follow("y_half", groups.shape.kappa, "the ends of the roller");
   if (contact::line(groups.shape)) return;
   domain.fill("y_half", chosen_half_width(domain.number("x_inlet"), x_outlet, groups.shape, far_field.has_value()),
               !contact::circular(groups.shape) ? "as wide a gap at the sides as along x"
@@ -125,7 +128,7 @@ void choose_cells(const deck::Part& grid, const deck::Part& domain, const contac
   const double least = fewest_chosen_cells * slenderness(groups.M, groups.L, groups.shape);
   while (fewest < fewest_chosen_cells || 2 * fewest <= least) fewest *= 2;
   int most = fewest * (most_chosen_cells / fewest_chosen_cells);
-  if (contact::line(groups.shape)) {
+  if (contact::line(groups.shape) && !contact::roller(groups.shape)) {
     most = most_cells_of_line;
   } else if (!contact::circular(groups.shape)) {
     const double most_along =

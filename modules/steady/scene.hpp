@@ -63,6 +63,8 @@ struct Scene {
   /// Writes S(X, Y), what surfaces at rest add to the gap, in a^2/R: the mean over each node's cell. Empty: smooth. One
   /// that is not symmetric in Y forbids use_symmetry.
   std::function<void(const core::Patch& grid, core::Field& S)> surface{};
+  /// Writes the pressure of the dry contact and gives its H00, to begin with where Hertz' is far from it. Empty: Hertz.
+  std::function<double(const core::Patch& grid, core::Field& P)> dry{};
   std::optional<rheology::ShearThinning> thinning{};  ///< sliding that thins the oil; absent: Newtonian
   std::vector<film::CoefficientEffect> effects{};     ///< effects at the stage of the coefficients
   /// What the surfaces bring of oil, in units of H (or mass over rho0): a mass conserving inlet and cavity. Empty: the

@@ -12,7 +12,7 @@ Effect elliptic_effect() {
           .stage = Stage::coefficients,
           .without = "circular",
           .callers = {{"contact", "kind"}, {"contact", "radius_ratio"}, {"contact", "radius_y"}},
-          .on = [](const Case& input) { return !contact::circular(input.scene.shape); },
+          .on = [](const Case& input) { return !contact::circular(input.scene.shape) && !input.roller; },
           .what =
               [](const Case& input) {
                 const contact::Ellipse& shape = input.scene.shape;

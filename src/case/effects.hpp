@@ -79,6 +79,7 @@ void read_effects(Case& input);
 
 /// The entries of the list.
 Effect elliptic_effect();
+Effect roller_effect();
 Effect transient_effect();
 Effect body_effect();
 Effect surfaces_effect();

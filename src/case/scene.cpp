@@ -10,6 +10,7 @@
 #include "case/effects.hpp"
 #include "case/machine_input.hpp"
 #include "case/needs.hpp"
+#include "case/roller_input.hpp"
 #include "case/supply_input.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
@@ -43,17 +44,20 @@ void check_coarsenings(deck::Deck& deck, const steady::Scene& scene) {
                          most, scene.grid.nx, scene.grid.ny));
 }
 
-// What line contacts do not carry yet.
-void refuse_beyond_line(deck::Deck& deck) {
-  for (const char* section : {"transient", "body", "supply", "thermal", "subsurface"})
+// What line contacts and rollers do not carry yet.
+void refuse_sections(deck::Deck& deck, std::initializer_list<const char*> sections, const std::string& which) {
+  for (const char* section : sections)
     for (const deck::Key& key : deck.catalogue.keys)
       if (key.section == section && given(deck, key.section, key.name)) {
-        complain(deck, key.section, key.name,
-                 "line contacts do not carry this yet: remove the section, or kind = line");
+        complain(deck, key.section, key.name, which + " do not carry this yet: remove the section, or the kind");
         break;
       }
   if (deck::word(deck, "shear", "flow") == "on")
-    complain(deck, "shear", "flow", "line contacts do not carry this yet: set it off, or remove kind = line");
+    complain(deck, "shear", "flow", which + " do not carry this yet: set it off, or remove the kind");
+}
+
+void refuse_beyond_line(deck::Deck& deck) {
+  refuse_sections(deck, {"transient", "body", "supply", "thermal", "subsurface"}, "line contacts");
   for (const char* section : {"surface1", "surface2"}) {
     const deck::Part surface{deck, section};
     const std::string shape = surface.word("shape");
@@ -146,6 +150,7 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   scene.accuracy = steady::read_accuracy(deck, share_of_memory * usable_memory() / bytes_per_node);
   const contact::Groups& groups = result.physics.groups;
   settle_boundary_of_supply(deck);
+  if (contact::roller(groups.shape)) settle_roller(deck);
   if (!result.dry) {
     scene.wedge = reynolds::read(deck);
     scene.face = reynolds::read_face(deck);
@@ -157,7 +162,7 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   std::optional<double> size;
   if (contact_known) size = result.dry ? 1.0 : steady::contact_size(groups.M, groups.L, groups.shape);
   const steady::GridInput grid =
-      steady::read_grid(deck, size, steady::cell_aspect(groups.shape), contact::line(groups.shape));
+      steady::read_grid(deck, size, steady::cell_aspect(groups.shape), contact::line(groups.shape) && !contact::roller(groups.shape));
   scene.grid = grid.finest;
   scene.multigrid.coarsest_cells = grid.coarsest;
   if (result.dry) result.dry->parameters.coarsest_cells = grid.coarsest;
@@ -180,6 +185,8 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   result.transient = transient_input(deck, result.physics, result.surfaces, scene.grid);
   if (!result.transient) let_stand(result.surfaces, scene);
   read_effects(result);
+  if (contact::roller(groups.shape))
+    refuse_sections(deck, {"transient", "body", "supply", "thermal"}, "rollers");
   if (scene.grid.line) refuse_beyond_line(deck);
   if (scene.grid.ny > 0) {
     check_coarsenings(deck, scene);

@@ -9,6 +9,7 @@
 #include "case/transient_input.hpp"
 #include "deck/file.hpp"
 #include "effects/friction/friction.hpp"
+#include "effects/roller/profile.hpp"
 #include "effects/subsurface/stress.hpp"
 #include "machines/number.hpp"
 #include "steady/scene.hpp"
@@ -27,6 +28,7 @@ struct Case {
   std::optional<subsurface::Parameters> subsurface{};
   std::optional<friction::Parameters> friction{};
   std::optional<HeatInput> heat{};
+  std::optional<roller::Profile> roller{};
   std::optional<rheology::FlowThinning> flow_thinning{};  ///< [shear] flow = on
   std::vector<std::string> fields{};                      ///< to keep in the result
   std::string output{};                                   ///< result file that the deck names

@@ -1,0 +1,167 @@
+#include "effects/roller/keys.hpp"
+
+#include <fmt/format.h>
+
+#include <boost/math/interpolators/makima.hpp>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "deck/file.hpp"
+#include "deck/text.hpp"
+
+namespace ehl::roller {
+namespace {
+
+using deck::Key;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr deck::Range positive{0.0, infinity, true, true};
+
+deck::Condition of(const char* shape) { return {.name = "profile", .words = {shape}}; }
+
+std::vector<Key> shape_keys() {
+  const Key end_length{.name = "end_length",
+                       .range = positive,
+                       .meaning = "Length of each rounded end of a straight roller, in half widths a.",
+                       .needs = of("straight"),
+                       .example = "4"};
+  const Key end_radius{.name = "end_radius",
+                       .range = positive,
+                       .meaning = "Radius of these ends over R_x: they fall as the square of the distance over twice "
+                                  "the radius, from where the straight part ends.",
+                       .needs = of("straight"),
+                       .example = "5"};
+  const Key crown_radius{.name = "crown_radius",
+                         .range = positive,
+                         .meaning = "Radius of a crowned roller along its axis, over R_x.",
+                         .needs = of("crowned"),
+                         .example = "2000"};
+  const Key design_load{.name = "design_load",
+                        .default_note = "the load",
+                        .range = {0.0, 10.0, true, false},
+                        .remedy = "a profile for ten times the load is no longer one of this contact",
+                        .meaning = "The load that a logarithmic profile was made for, over the load of the contact.",
+                        .source = "Lundberg 1939; Johns and Gohar 1981",
+                        .needs = of("logarithmic"),
+                        .example = "1.5"};
+  Key design_load_N = in_SI(design_load, "_N", "N", "3000");
+  design_load_N.range = positive;
+  return {end_length,   in_SI(end_length, "_m", "m", "0.0005"),   end_radius,  in_SI(end_radius, "_m", "m", "0.05"),
+          crown_radius, in_SI(crown_radius, "_m", "m", "10"),     design_load, design_load_N,
+          {.name = "file",
+           .type = deck::Type::text,
+           .meaning = "The profile as a table, y and how far the surface lies below the middle's there, in m; of a "
+                      "contact without units in a and a^2/R. At least four rows, y growing, from the middle or from "
+                      "one end to an end; smooth between them. A table from the middle is mirrored.",
+           .needs = of("table"),
+           .example = "profile.csv",
+           .names_file = true}};
+}
+
+// What is wrong with the file; empty where nothing is.
+std::string read_table(const std::string& path, const Scales& scales, Profile& profile) {
+  const double unit_Y = scales.in_SI ? scales.a : 1.0;
+  const double unit_H = scales.in_SI ? scales.a * scales.a / scales.radius : 1.0;
+  std::vector<double> Y, H;
+  for (const deck::Row& row : deck::rows_of(path)) {
+    if (row.cells.size() != 2)
+      return fmt::format("{}: {} columns, wanted are y and the drop", row.place, row.cells.size());
+    double value[2];
+    for (std::size_t k = 0; k < 2; ++k) {
+      const deck::ReadNumber read = deck::read_number(row.cells[k]);
+      if (read.status != deck::ReadNumber::Status::number)
+        return fmt::format("{}: {} is no finite number", row.place, deck::quoted(row.cells[k]));
+      value[k] = read.value;
+    }
+    if (!Y.empty() && value[0] / unit_Y <= Y.back()) return row.place + ": y must grow from row to row";
+    Y.push_back(value[0] / unit_Y);
+    H.push_back(value[1] / unit_H);
+  }
+  if (Y.size() < 4) return path + ": at least four rows are wanted";
+  const double half = 0.5 * profile.length;
+  constexpr double rounding = 1e-9;
+  const bool mirrored = std::abs(Y.front()) <= rounding * half;
+  if (Y.back() < half * (1.0 - rounding) || (!mirrored && Y.front() > -half * (1.0 - rounding)))
+    return fmt::format("{}: from y = {:.4g} to {:.4g} half widths, and the roller reaches from {:.4g} to {:.4g}: give "
+                       "all of it, or one half from y = 0 on",
+                       path, Y.front(), Y.back(), -half, half);
+  const double first = Y.front(), last = Y.back();
+  const auto curve =
+      std::make_shared<const boost::math::interpolators::makima<std::vector<double>>>(std::move(Y), std::move(H));
+  profile.table = [=](double at) { return (*curve)(std::clamp(mirrored ? std::abs(at) : at, first, last)); };
+  return {};
+}
+
+// A number that the shape cannot do without, in its plain unit.
+double needed(const deck::Part& part, const std::string& name, const deck::PlainUnit& unit) {
+  if (part.given_of({name, name + unit.suffix}).empty())
+    part.complain(name, "is missing: give it, or " + name + unit.suffix + " for a contact in SI");
+  return part.number_in(name, unit);
+}
+
+void read_straight(const deck::Part& part, const Scales& scales, Profile& profile) {
+  profile.end_length = needed(part, "end_length", {"_m", scales.a, scales.in_SI});
+  profile.end_radius = needed(part, "end_radius", {"_m", scales.radius, scales.in_SI});
+  if (profile.end_length > 0.5 * profile.length)
+    part.complain(part.given("end_length") ? "end_length" : "end_length_m",
+                  fmt::format("is {:.4g} half widths, more than half of the roller's {:.4g}", profile.end_length,
+                              profile.length));
+}
+
+}  // namespace
+
+std::vector<Key> keys() {
+  const Key tilt{.name = "tilt",
+                 .default_text = "0",
+                 .range = {-100.0, 100.0},
+                 .meaning = "Misalignment: what the gap gains along y, dH/dY, a/R of an angle. The side y > 0 stands "
+                            "further off.",
+                 .needs = {.name = "profile"},
+                 .example = "0.01"};
+  return deck::in_section(
+      "roller",
+      deck::together({{{.name = "profile",
+                        .words = {"straight", "crowned", "logarithmic", "table"},
+                        .meaning = "The shape of the roller along its axis, beside a straight one. straight: with "
+                                   "rounded ends, end_length and end_radius. crowned: a circle of crown_radius. "
+                                   "logarithmic: by which the dry pressure does not rise at the ends under the "
+                                   "design load. table: from a file. The gap ends with the roller; the bodies "
+                                   "deform as half-spaces, which at a sharp end they are not.",
+                        .source = "modules/effects/roller/README.md",
+                        .needs = {.name = "kind", .words = {"roller"}, .section = "contact"},
+                        .example = "logarithmic"}},
+                      shape_keys(),
+                      {tilt, in_SI(tilt, "_mrad", "mrad", "0.5")}}));
+}
+
+Profile read(deck::Deck& deck, const Scales& scales) {
+  using enum Profile::Shape;
+  const deck::Part part{deck, "roller"};
+  Profile profile;
+  profile.length = scales.length;
+  profile.shape = part.choice("profile", {straight, crowned, logarithmic, table});
+  if (profile.shape == straight) read_straight(part, scales, profile);
+  if (profile.shape == crowned)
+    profile.crown_radius = needed(part, "crown_radius", {"_m", scales.radius, scales.in_SI});
+  if (const double Q = part.number_in("design_load", {"_N", scales.load, scales.in_SI}); !std::isnan(Q)) {
+    profile.design_load = Q;
+    const deck::Key& key = *deck::find_key(deck.catalogue, "roller", "design_load");
+    if (!part.given("design_load") && !key.range.contains(Q))
+      part.complain("design_load_N", fmt::format("is {:.4g} times the load, which must be {}: {}", Q,
+                                                 deck::allowed(key), key.remedy));
+  }
+  if (const double tilt = part.number_in("tilt", {"_mrad", 1e3 * scales.a / scales.radius, scales.in_SI});
+      !std::isnan(tilt))
+    profile.tilt = tilt;
+  if (profile.shape != table || !deck.errors.empty()) return profile;
+  if (!part.given("file"))
+    part.complain("file", "is missing: the table of y and drop");
+  else if (const std::string wrong = read_table(deck::found_beside(deck, "roller", "file"), scales, profile);
+           !wrong.empty())
+    part.complain("file", wrong);
+  return profile;
+}
+
+}  // namespace ehl::roller

@@ -1,0 +1,17 @@
+#pragma once
+// From the deck's [roller] to the gap across the motion.
+#include "case/scene.hpp"
+#include "dry/solve.hpp"
+
+namespace ehl::program {
+
+/// What of a deck with a roller follows, and what is refused beside one, before the grid is made.
+void settle_roller(deck::Deck& deck);
+
+/// The case's profile, which it adds to the gap that its surfaces have. Complains in the case's deck.
+void roller_input(Case& input);
+
+/// The contact without oil of such a scene, on this grid.
+dry::Problem dry_roller(const steady::Scene& scene, const core::Patch& grid);
+
+}  // namespace ehl::program
