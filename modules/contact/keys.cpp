@@ -120,8 +120,9 @@ std::vector<deck::Key> shape_keys() {
   const deck::Key length{.name = "length",
                          .range = {4.0, 2000.0},
                          .remedy = "a shorter one is no roller",
-                         .meaning = "Length of a roller in half widths a of the line contact with its mean load per "
-                                    "length. Only with M and L, or W, U and G.",
+                         .meaning =
+                             "Length of a roller in half widths a of the line contact with its mean load per "
+                             "length. Only with M and L, or W, U and G.",
                          .needs = roller,
                          .example = "40"};
   return {
@@ -201,8 +202,8 @@ Bodies read_bodies(const deck::Part& contact) {
 double read_length(const deck::Part& contact, Input& input) {
   const bool si = input.language == Language::si;
   const std::string name = si ? "length_m" : "length";
-  contact.refuse({si ? "length" : "length_m"}, "is for a contact " + std::string(si ? "without units: give length_m"
-                                                                                     : "in SI: give length"));
+  contact.refuse({si ? "length" : "length_m"},
+                 "is for a contact " + std::string(si ? "without units: give length_m" : "in SI: give length"));
   contact.demand({name}, "a roller has a length");
   if (!si || !contact.deck.errors.empty()) return contact.number(name);
   input.bodies.load /= contact.number(name);
@@ -210,8 +211,8 @@ double read_length(const deck::Part& contact, Input& input) {
   const double length = contact.number(name) / line.a;
   const deck::Key& key = *deck::find_key(contact.deck.catalogue, "contact", "length");
   if (!key.range.contains(length))
-    contact.complain(name, fmt::format("is {:.4g} half widths of the contact, which must be {}", length,
-                                       deck::allowed(key)));
+    contact.complain(name,
+                     fmt::format("is {:.4g} half widths of the contact, which must be {}", length, deck::allowed(key)));
   return length;
 }
 

@@ -100,7 +100,7 @@ std::vector<std::string> warnings_of(const Scene& scene, const Solution& solutio
     warnings.push_back("outlet too short: beside it the pressure is still " + percent(outlet / P_max) +
                        " of its maximum; move x_outlet downstream");
   const double sides = largest_along_sides(solution);
-  if (!scene.far_field && sides > cut_off_pressure * P_max)
+  if (!scene.far_field && !contact::roller(scene.shape) && sides > cut_off_pressure * P_max)
     warnings.push_back("domain too narrow: beside its sides the pressure is still " + percent(sides / P_max) +
                        " of its maximum; widen y_half");
   return warnings;

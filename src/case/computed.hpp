@@ -8,6 +8,7 @@
 #include "dry/solve.hpp"
 #include "effects/friction/friction.hpp"
 #include "effects/heat/solve.hpp"
+#include "effects/roller/distribution.hpp"
 #include "effects/subsurface/stress.hpp"
 #include "steady/solution.hpp"
 
@@ -72,6 +73,17 @@ inline const heat::Fields* fields_of_film(const std::optional<HeatResult>& heat,
   return heat ? &heat->found.fields : (flow ? &flow->found.fields : nullptr);
 }
 
+/// How a roller carries its load; with oil, on the grid of half as many cells, and without oil.
+struct RollerResult {
+  roller::Distribution found{};
+  std::optional<roller::Distribution> coarser{};
+  roller::Distribution dry{};
+  /// Largest von Mises stress below the middle and below the ends, where [subsurface] is on, and on the coarser grid.
+  double mises_middle = 0.0, mises_end = 0.0;
+  double mises_middle_coarser = 0.0, mises_end_coarser = 0.0;
+  double seconds = 0.0;
+};
+
 /// The contact, and what each effect has added to it.
 struct Computed {
   steady::Solution solution{};  ///< of a dry contact grid, P and whether it converged
@@ -82,6 +94,7 @@ struct Computed {
   std::optional<subsurface::StressField> stresses{};
   std::optional<friction::Friction> friction{};
   std::optional<HeatResult> heat{};
+  std::optional<RollerResult> roller{};
   std::optional<HeatResult> flow{};  ///< isothermal, with [shear] flow = on
   double seconds = 0.0;              ///< of all of it
 };

@@ -1,9 +1,20 @@
 // Rollers of finite length.
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "base/json.hpp"
 #include "case/effects.hpp"
 #include "case/roller_input.hpp"
+#include "case/roller_report.hpp"
+#include "core/constants.hpp"
+#include "core/errors.hpp"
+#include "core/timer.hpp"
 #include "effects/roller/keys.hpp"
+#include "effects/roller/scene.hpp"
+#include "steady/climb.hpp"
+#include "steady/solve.hpp"
 
 namespace ehl::program {
 namespace {
@@ -20,6 +31,100 @@ std::string asymmetry(const Case& input) {
   return roller::symmetric(*input.roller) ? "" : "the table of its profile";
 }
 
+// The grid of half as many cells, and the dry contact.
+Needs expense(const Case& input) { return {.seconds = basic_needs(input.scene).seconds}; }
+
+constexpr int fewest_cells = 64;  // of a grid that the multigrid begins on
+
+std::optional<steady::Solution> on_coarser_grid(const Case& input, RunSettings& settings) {
+  steady::Scene scene = input.scene;
+  if (scene.grid.nx < 2 * fewest_cells || scene.grid.nx % 2 != 0 || scene.grid.ny % 4 != 0) return std::nullopt;
+  scene.grid = core::coarsened(scene.grid);
+  scene.deformation = mlmi::fitting(scene.deformation, scene.grid);
+  scene.adjoint_errors = scene.error_maps = false;
+  if (scene.multigrid.coarsest_cells > scene.grid.nx) scene.multigrid.coarsest_cells = 0;
+  try {
+    steady::Solution solution = steady::solve(scene, [&](const steady::Progress& now) {
+      return settings.progress.show(now.fraction, "the roller on half as many cells");
+    });
+    return solution.converged ? std::optional(std::move(solution)) : std::nullopt;
+  } catch (const core::SolverError&) {
+    return std::nullopt;
+  }
+}
+
+roller::Distribution dry_distribution(const steady::Scene& scene) {
+  const core::Patch grid = steady::on_one_half(scene) ? core::lower_half(scene.grid) : core::Patch(scene.grid);
+  dry::Problem problem = roller::dry_problem(scene, grid);
+  problem.parameters.tolerance = 1e-6;  // of films of 0.001 and more
+  const dry::Solution dry = dry::solve(problem);
+  return roller::distribution(dry.grid, dry.P, dry.H);
+}
+
+/// Largest von Mises stress of the nodes in the middle half of the length and near the ends.
+struct Stresses {
+  double middle = core::unknown, end = core::unknown;
+};
+Stresses stresses_of(const subsurface::StressField& field) {
+  const auto mises = std::ranges::find(field.kept, subsurface::sigma_mises, &subsurface::Volume::quantity);
+  if (mises == field.kept.end()) return {};
+  Stresses found{0.0, 0.0};
+  for (const core::Field& plane : mises->planes)
+    for (int i = 0; i <= field.grid.nx; ++i)
+      for (int j = 0; j <= field.grid.ny; ++j) {
+        const double Y = field.grid.Y(j);
+        if (roller::near_end(field.grid, Y)) found.end = std::max(found.end, plane(i, j));
+        if (std::abs(Y) <= 0.5 * field.grid.Y_b) found.middle = std::max(found.middle, plane(i, j));
+      }
+  return found;
+}
+
+Stresses coarser_stresses(const Case& input, const steady::Solution& coarser, const subsurface::StressField& finer) {
+  subsurface::Parameters parameters = *input.subsurface;
+  parameters.most_cells = finer.grid.nx / 2;
+  parameters.kept = {subsurface::sigma_mises};
+  return stresses_of(subsurface::stress_below(coarser.grid, coarser.P, parameters, input.scene.threads));
+}
+
+void compute(const Case& input, RunSettings& settings, Computed& computed) {
+  const double began = core::now();
+  RollerResult result{.found = roller::distribution(computed.solution.grid, computed.solution.P, computed.solution.H)};
+  result.dry = dry_distribution(input.scene);
+  const std::optional<steady::Solution> coarser = on_coarser_grid(input, settings);
+  if (coarser) result.coarser = roller::distribution(coarser->grid, coarser->P, coarser->H);
+  Stresses finer, coarse;
+  if (computed.stresses) {
+    finer = stresses_of(*computed.stresses);
+    if (coarser) coarse = coarser_stresses(input, *coarser, *computed.stresses);
+  }
+  result.mises_middle = finer.middle;
+  result.mises_end = finer.end;
+  result.mises_middle_coarser = coarse.middle;
+  result.mises_end_coarser = coarse.end;
+  result.seconds = core::now() - began;
+  computed.roller = std::move(result);
+}
+
+Json json(const Case& input, const Computed& computed) {
+  Json report;
+  add(roller_quantities(input, *computed.roller), report);
+  add_in_SI(roller_quantities(input, *computed.roller), si_scales(input.physics), report);
+  report["warnings"] = roller_warnings(*computed.roller);
+  report["seconds"] = computed.roller->seconds;
+  return report;
+}
+
+void add_content(const Case& input, const Computed& computed, results::Content& content) {
+  for (results::Quantity& one : roller_quantities(input, *computed.roller)) {
+    one.name = "roller_" + one.name;
+    content.summary.push_back(std::move(one));
+  }
+  content.tables.push_back(
+      table_of("roller", "along the roller, with oil", slice_columns(), computed.roller->found.slices));
+  content.tables.push_back(
+      table_of("roller_dry", "along the roller, without oil", slice_columns(), computed.roller->dry.slices));
+}
+
 }  // namespace
 
 Effect roller_effect() {
@@ -31,7 +136,13 @@ Effect roller_effect() {
           .read = roller_input,
           .on = [](const Case& input) { return input.roller.has_value(); },
           .what = what,
+          .expense = expense,
           .asymmetry = asymmetry,
+          .compute = compute,
+          .summary = roller_summary,
+          .json = json,
+          .add_content = add_content,
+          .seconds = [](const Computed& computed) { return computed.roller->seconds; },
           .example = {"contact.kind=roller", "contact.length=20", "roller.profile=logarithmic"}};
 }
 

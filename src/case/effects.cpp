@@ -69,8 +69,8 @@ std::string assignment(const Case& input, const KeyName& key, bool with_place) {
 
 const std::vector<Effect>& effects() {
   static const std::vector<Effect> all =
-      completed({elliptic_effect(), roller_effect(), transient_effect(), body_effect(), surfaces_effect(), shear_effect(),
-                 starvation_effect(), subsurface_effect(), friction_effect(), thermal_effect()});
+      completed({elliptic_effect(), transient_effect(), body_effect(), surfaces_effect(), shear_effect(),
+                 starvation_effect(), subsurface_effect(), friction_effect(), thermal_effect(), roller_effect()});
   return all;
 }
 

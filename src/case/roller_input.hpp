@@ -1,7 +1,6 @@
 #pragma once
 // From the deck's [roller] to the gap across the motion.
 #include "case/scene.hpp"
-#include "dry/solve.hpp"
 
 namespace ehl::program {
 
@@ -10,8 +9,5 @@ void settle_roller(deck::Deck& deck);
 
 /// The case's profile, which it adds to the gap that its surfaces have. Complains in the case's deck.
 void roller_input(Case& input);
-
-/// The contact without oil of such a scene, on this grid.
-dry::Problem dry_roller(const steady::Scene& scene, const core::Patch& grid);
 
 }  // namespace ehl::program

@@ -161,8 +161,8 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   if (contact_known) steady::check_contains(deck, groups.shape);
   std::optional<double> size;
   if (contact_known) size = result.dry ? 1.0 : steady::contact_size(groups.M, groups.L, groups.shape);
-  const steady::GridInput grid =
-      steady::read_grid(deck, size, steady::cell_aspect(groups.shape), contact::line(groups.shape) && !contact::roller(groups.shape));
+  const steady::GridInput grid = steady::read_grid(deck, size, steady::cell_aspect(groups.shape),
+                                                   contact::line(groups.shape) && !contact::roller(groups.shape));
   scene.grid = grid.finest;
   scene.multigrid.coarsest_cells = grid.coarsest;
   if (result.dry) result.dry->parameters.coarsest_cells = grid.coarsest;
@@ -185,8 +185,7 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   result.transient = transient_input(deck, result.physics, result.surfaces, scene.grid);
   if (!result.transient) let_stand(result.surfaces, scene);
   read_effects(result);
-  if (contact::roller(groups.shape))
-    refuse_sections(deck, {"transient", "body", "supply", "thermal"}, "rollers");
+  if (contact::roller(groups.shape)) refuse_sections(deck, {"transient", "body", "supply", "thermal"}, "rollers");
   if (scene.grid.line) refuse_beyond_line(deck);
   if (scene.grid.ny > 0) {
     check_coarsenings(deck, scene);

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <boost/math/interpolators/makima.hpp>
 #include <algorithm>
+#include <boost/math/interpolators/makima.hpp>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -29,8 +29,9 @@ std::vector<Key> shape_keys() {
                        .example = "4"};
   const Key end_radius{.name = "end_radius",
                        .range = positive,
-                       .meaning = "Radius of these ends over R_x: they fall as the square of the distance over twice "
-                                  "the radius, from where the straight part ends.",
+                       .meaning =
+                           "Radius of these ends over R_x: they fall as the square of the distance over twice "
+                           "the radius, from where the straight part ends.",
                        .needs = of("straight"),
                        .example = "5"};
   const Key crown_radius{.name = "crown_radius",
@@ -48,8 +49,14 @@ std::vector<Key> shape_keys() {
                         .example = "1.5"};
   Key design_load_N = in_SI(design_load, "_N", "N", "3000");
   design_load_N.range = positive;
-  return {end_length,   in_SI(end_length, "_m", "m", "0.0005"),   end_radius,  in_SI(end_radius, "_m", "m", "0.05"),
-          crown_radius, in_SI(crown_radius, "_m", "m", "10"),     design_load, design_load_N,
+  return {end_length,
+          in_SI(end_length, "_m", "m", "0.0005"),
+          end_radius,
+          in_SI(end_radius, "_m", "m", "0.05"),
+          crown_radius,
+          in_SI(crown_radius, "_m", "m", "10"),
+          design_load,
+          design_load_N,
           {.name = "file",
            .type = deck::Type::text,
            .meaning = "The profile as a table, y and how far the surface lies below the middle's there, in m; of a "
@@ -84,9 +91,10 @@ std::string read_table(const std::string& path, const Scales& scales, Profile& p
   constexpr double rounding = 1e-9;
   const bool mirrored = std::abs(Y.front()) <= rounding * half;
   if (Y.back() < half * (1.0 - rounding) || (!mirrored && Y.front() > -half * (1.0 - rounding)))
-    return fmt::format("{}: from y = {:.4g} to {:.4g} half widths, and the roller reaches from {:.4g} to {:.4g}: give "
-                       "all of it, or one half from y = 0 on",
-                       path, Y.front(), Y.back(), -half, half);
+    return fmt::format(
+        "{}: from y = {:.4g} to {:.4g} half widths, and the roller reaches from {:.4g} to {:.4g}: give "
+        "all of it, or one half from y = 0 on",
+        path, Y.front(), Y.back(), -half, half);
   const double first = Y.front(), last = Y.back();
   const auto curve =
       std::make_shared<const boost::math::interpolators::makima<std::vector<double>>>(std::move(Y), std::move(H));
@@ -116,8 +124,9 @@ std::vector<Key> keys() {
   const Key tilt{.name = "tilt",
                  .default_text = "0",
                  .range = {-100.0, 100.0},
-                 .meaning = "Misalignment: what the gap gains along y, dH/dY, a/R of an angle. The side y > 0 stands "
-                            "further off.",
+                 .meaning =
+                     "Misalignment: what the gap gains along y, dH/dY, a/R of an angle. The side y > 0 stands "
+                     "further off.",
                  .needs = {.name = "profile"},
                  .example = "0.01"};
   return deck::in_section(
@@ -149,8 +158,8 @@ Profile read(deck::Deck& deck, const Scales& scales) {
     profile.design_load = Q;
     const deck::Key& key = *deck::find_key(deck.catalogue, "roller", "design_load");
     if (!part.given("design_load") && !key.range.contains(Q))
-      part.complain("design_load_N", fmt::format("is {:.4g} times the load, which must be {}: {}", Q,
-                                                 deck::allowed(key), key.remedy));
+      part.complain("design_load_N",
+                    fmt::format("is {:.4g} times the load, which must be {}: {}", Q, deck::allowed(key), key.remedy));
   }
   if (const double tilt = part.number_in("tilt", {"_mrad", 1e3 * scales.a / scales.radius, scales.in_SI});
       !std::isnan(tilt))

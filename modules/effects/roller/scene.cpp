@@ -1,0 +1,49 @@
+#include "effects/roller/scene.hpp"
+
+#include <utility>
+
+#include "contact/ellipse.hpp"
+#include "fmg/hierarchy.hpp"
+#include "steady/climb.hpp"
+
+namespace ehl::roller {
+namespace {
+
+// Good enough to begin with: a hundredth of a thin film.
+constexpr double tolerance_of_start = 1e-4;
+
+}  // namespace
+
+void lay(const Profile& profile, steady::Scene& scene) {
+  scene.use_symmetry = scene.use_symmetry && symmetric(profile);
+  scene.surface = [profile, carried = std::move(scene.surface)](const core::Patch& grid, core::Field& S) {
+    if (carried)
+      carried(grid, S);
+    else
+      S.fill(0.0);
+    add_gap(profile, grid, S);
+  };
+  scene.dry = [only = scene](const core::Patch& grid, core::Field& P) {
+    dry::Problem problem = dry_problem(only, grid);
+    problem.parameters.tolerance = tolerance_of_start;
+    const dry::Solution solution = dry::solve(problem);
+    core::copy(core::on_patch(grid, solution.P), P);
+    return solution.H00;
+  };
+}
+
+dry::Problem dry_problem(const steady::Scene& scene, const core::Patch& grid) {
+  const fmg::Geometry geometry = steady::geometry_of(scene.shape);
+  dry::Problem problem{.grid = grid,
+                       .gap = core::Field(grid),
+                       .load = contact::load(scene.shape),
+                       .threads = scene.threads,
+                       .elastic = geometry.elastic,
+                       .outline = geometry.outline};
+  scene.surface(grid, problem.gap);
+  for (int i = 0; i <= grid.nx; ++i)
+    for (int j = 0; j <= grid.ny; ++j) problem.gap(i, j) += fmg::rigid_gap(geometry, grid, 0.0, i, j);
+  return problem;
+}
+
+}  // namespace ehl::roller

@@ -1,0 +1,135 @@
+#include "case/roller_report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/text_format.hpp"
+#include "core/constants.hpp"
+
+namespace ehl::program {
+namespace {
+
+using roller::Distribution;
+using roller::End;
+using roller::Slice;
+
+// That with the higher pressure.
+const End& harder(const Distribution& found) { return found.upper.P > found.lower.P ? found.upper : found.lower; }
+double least_at_ends(const Distribution& found) { return std::min(found.lower.H, found.upper.H); }
+
+// Relative error of a value by that on half as many cells, as of first order.
+double bar(double value, double coarser) { return std::abs(value - coarser) / std::abs(value); }
+
+struct Bars {
+  double P_middle = core::unknown, P_end = core::unknown, H_end = core::unknown;
+};
+Bars bars_of(const RollerResult& result) {
+  if (!result.coarser) return {};
+  const Distribution& found = result.found;
+  const Distribution& coarser = *result.coarser;
+  return {bar(found.middle.P_max, coarser.middle.P_max), bar(harder(found).P, harder(coarser).P),
+          bar(least_at_ends(found), least_at_ends(coarser))};
+}
+
+std::string with_bar(double error) { return std::isfinite(error) ? fmt::format(" +- {:.2g} %", 100.0 * error) : ""; }
+
+std::string pressure_text(double P, const Physics& physics) {
+  return std::isfinite(physics.p_h) ? fmt::format("{:.4f} ({})", P, pressure(P * physics.p_h))
+                                    : fmt::format("{:.4f}", P);
+}
+
+std::string film_text(double H, const Physics& physics) {
+  const std::optional<SiScales> si = si_scales(physics);
+  return si ? film_text(H, *si) : fmt::format("{:.5f}", H);
+}
+
+std::string length_text(double Y, const Physics& physics) {
+  const std::optional<SiScales> si = si_scales(physics);
+  return si ? fmt::format("{:.3f} mm", 1e3 * si->a * Y) : fmt::format("{:.3f} a", Y);
+}
+
+double moment_Nm(const Case& input, const Distribution& found) {
+  return input.physics.si ? deck::number(input.deck, "contact", "load") * found.load_centre * input.physics.si->hertz.a
+                          : core::unknown;
+}
+
+}  // namespace
+
+std::vector<Column<Slice>> slice_columns() {
+  return {{"y", "a", "along the roller", &Slice::Y},
+          {"load", "-", "load per length over the mean", &Slice::load},
+          {"P_max", "p_h", "highest pressure of the line", &Slice::P_max},
+          {"H_min", "a^2/R", "least film of the line", &Slice::H_min},
+          {"H_c", "a^2/R", "film at x = 0", &Slice::H_c}};
+}
+
+std::vector<results::Quantity> roller_quantities(const Case& input, const RollerResult& result) {
+  const Distribution& found = result.found;
+  const End& end = harder(found);
+  const Bars bars = bars_of(result);
+  std::vector<results::Quantity> list{
+      {"length", input.roller->length, "a", "of the roller"},
+      {"P_middle", found.middle.P_max, "p_h", "highest pressure on the line y = 0"},
+      {"error_P_middle", bars.P_middle, "-", "its relative error by the grid of half as many cells"},
+      {"P_middle_dry", result.dry.middle.P_max, "p_h", "the same without oil"},
+      {"load_middle", found.middle.load, "-", "load per length there over the mean"},
+      {"P_end", end.P, "p_h", "highest pressure on the outer tenth of the length"},
+      {"P_end_y", end.P_Y, "a", "where it is"},
+      {"error_P_end", bars.P_end, "-", "its relative error, likewise"},
+      {"P_end_dry", harder(result.dry).P, "p_h", "the same without oil"},
+      {"H_end", least_at_ends(found), "a^2/R", "least film on the outer tenth of the length"},
+      {"error_H_end", bars.H_end, "-", "its relative error, likewise"},
+      {"load_centre", found.load_centre, "a", "y of the resultant of the pressure"},
+      {"moment", moment_Nm(input, found), "N m", "of the pressure about the x axis"}};
+  if (!std::isfinite(result.mises_end)) return list;
+  list.push_back({"mises_middle", result.mises_middle, "p_h", "largest von Mises stress below the middle half"});
+  list.push_back({"error_mises_middle", bar(result.mises_middle, result.mises_middle_coarser), "-",
+                  "its relative error by the grid of half as many cells"});
+  list.push_back({"mises_end", result.mises_end, "p_h", "the same below the outer tenth of the length"});
+  list.push_back({"error_mises_end", bar(result.mises_end, result.mises_end_coarser), "-", "its relative error"});
+  return list;
+}
+
+std::vector<std::string> roller_warnings(const RollerResult& result) {
+  std::vector<std::string> warnings;
+  constexpr double bears = 0.1;  // of the pressure in the middle
+  const double at_ends = result.found.P_at_ends / result.found.middle.P_max;
+  if (at_ends > bears)
+    warnings.push_back(
+        fmt::format("the contact reaches the ends of the roller, where the pressure is {:.0f} % of the "
+                    "middle's: the edges cut, and bodies that end there are no half-spaces; let the "
+                    "profile fall further",
+                    100.0 * at_ends));
+  if (!result.coarser)
+    warnings.emplace_back("half as many cells gave no solution: what happens at the ends has no error bar");
+  return warnings;
+}
+
+std::string roller_summary(const Case& input, const Computed& computed) {
+  const RollerResult& result = *computed.roller;
+  const Distribution& found = result.found;
+  const Physics& physics = input.physics;
+  const End& end = harder(found);
+  const Bars bars = bars_of(result);
+  const char* mark = computed.solution.converged ? "" : "  (NOT CONVERGED)";
+  std::string text = fmt::format("roller       middle: p = {}{}, dry {:.4f}; load per length {:.4f} of the mean{}\n",
+                                 pressure_text(found.middle.P_max, physics), with_bar(bars.P_middle),
+                                 result.dry.middle.P_max, found.middle.load, mark);
+  text += fmt::format("             ends: p = {}{} at y = {}, dry {:.4f}; film {}{}\n", pressure_text(end.P, physics),
+                      with_bar(bars.P_end), length_text(end.P_Y, physics), harder(result.dry).P,
+                      film_text(least_at_ends(found), physics), with_bar(bars.H_end));
+  if (!roller::symmetric(*input.roller)) {
+    text += "             resultant of the pressure at y = " + length_text(found.load_centre, physics);
+    if (physics.si) text += fmt::format(", moment {:.4g} N m", moment_Nm(input, found));
+    text += "\n";
+  }
+  if (std::isfinite(result.mises_end))
+    text += fmt::format(
+        "             von Mises below the middle {}{}, below the ends {}{}\n",
+        pressure_text(result.mises_middle, physics), with_bar(bar(result.mises_middle, result.mises_middle_coarser)),
+        pressure_text(result.mises_end, physics), with_bar(bar(result.mises_end, result.mises_end_coarser)));
+  return text + warning_lines(roller_warnings(result));
+}
+
+}  // namespace ehl::program
