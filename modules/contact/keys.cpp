@@ -116,24 +116,7 @@ std::vector<deck::Key> si_keys() {
 }
 
 std::vector<deck::Key> shape_keys() {
-  const deck::Condition roller{.name = "kind", .words = {"roller"}};
-  const deck::Key length{.name = "length",
-                         .range = {4.0, 2000.0},
-                         .remedy = "a shorter one is no roller",
-                         .meaning =
-                             "Length of a roller in half widths a of the line contact with its mean load per "
-                             "length. Only with M and L, or W, U and G.",
-                         .needs = roller,
-                         .example = "40"};
   return {
-      length,
-      {.name = "length_m",
-       .unit = "m",
-       .range = positive,
-       .remedy = "8 mm are 0.008",
-       .meaning = "Length of a roller, all of it that its track may touch. Only with a contact in SI.",
-       .needs = roller,
-       .example = "0.008"},
       {.name = "radius_ratio",
        .default_note = "1 (circular contact), or from radius_y",
        .range = {0.005, 20.0},
@@ -198,24 +181,6 @@ Bodies read_bodies(const deck::Part& contact) {
                          : reduced_modulus({number("E1"), number("nu1")}, {number("E2"), number("nu2")})};
 }
 
-// Of a roller, in half widths; NaN where a complaint is on its way. The load of its bodies becomes that per length.
-double read_length(const deck::Part& contact, Input& input) {
-  const bool si = input.language == Language::si;
-  const std::string name = si ? "length_m" : "length";
-  contact.refuse({si ? "length" : "length_m"},
-                 "is for a contact " + std::string(si ? "without units: give length_m" : "in SI: give length"));
-  contact.demand({name}, "a roller has a length");
-  if (!si || !contact.deck.errors.empty()) return contact.number(name);
-  input.bodies.load /= contact.number(name);
-  const Hertz line = hertz(input.bodies.load, input.bodies.radius, input.bodies.E_prime, line_contact());
-  const double length = contact.number(name) / line.a;
-  const deck::Key& key = *deck::find_key(contact.deck.catalogue, "contact", "length");
-  if (!key.range.contains(length))
-    contact.complain(name,
-                     fmt::format("is {:.4g} half widths of the contact, which must be {}", length, deck::allowed(key)));
-  return length;
-}
-
 // R_x/R_y, or NaN where a complaint is on its way. What follows from it is recorded in the deck.
 double read_radius_ratio(const deck::Part& contact, Language language) {
   const double ratio = contact.number("radius_ratio");
@@ -262,8 +227,9 @@ Ellipse read_shape(const deck::Part& contact, const deck::Part& motion, Input& i
 }  // namespace
 
 std::vector<deck::Key> keys() {
-  return deck::together({deck::in_section("contact", deck::together({dimensionless_keys(), si_keys(), shape_keys()})),
-                         deck::in_section("motion", motion_keys())});
+  return deck::together(
+      {deck::in_section("contact", deck::together({dimensionless_keys(), si_keys(), shape_keys(), length_keys()})),
+       deck::in_section("motion", motion_keys())});
 }
 
 bool is_line(deck::Deck& deck) { return deck::Part{deck, "contact"}.choice("kind", {false, true, false}); }

@@ -47,4 +47,9 @@ std::optional<Bodies> read_bodies(deck::Deck& deck);
 std::vector<deck::Key> motion_keys();
 void read_motion(const deck::Part& motion, bool slides, Input& input);
 
+/// Those of a roller's length. out: the length in half widths, NaN where a complaint is on its way; the load of the
+/// input's bodies becomes that per length.
+std::vector<deck::Key> length_keys();
+double read_length(const deck::Part& contact, Input& input);
+
 }  // namespace ehl::contact

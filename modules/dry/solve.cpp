@@ -34,8 +34,7 @@ std::vector<core::Patch> grids_of(const Problem& problem) {
 core::Field first_guess(const core::Patch& grid, const core::QuadraticForm& outline) {
   core::Field P(grid);
   for (int i = 0; i < grid.nodes_x(); ++i)
-    for (int j = 0; j < grid.nodes_y(); ++j)
-      P(i, j) = std::sqrt(std::max(0.0, 1.0 - outline.at(grid.X(i), grid.Y(j))));
+    for (int j = 0; j < grid.nodes_y(); ++j) P(i, j) = std::sqrt(std::max(0.0, 1.0 - outline.at(grid.X(i), grid.Y(j))));
   return P;
 }
 

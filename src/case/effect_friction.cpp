@@ -39,7 +39,7 @@ Needs expense(const Case& input) {
 std::string summary(const Case& input, const Computed& computed) {
   const Friction& f = *computed.friction;
   const auto in_newtons = [&](double mu) {
-    return input.physics.si ? fmt::format(" ({:.3g} N)", mu * input.physics.si->contact.load) : "";
+    return input.physics.si ? fmt::format(" ({:.3g} N)", mu * whole_load(*input.physics.si)) : "";
   };
   const char* mark = computed.solution.converged ? "" : "  (NOT CONVERGED)";
   std::string text = fmt::format("friction     mu = {:.5g} sliding{}, {:.3g} rolling{}{}\n", f.sliding,

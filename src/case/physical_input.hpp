@@ -25,6 +25,12 @@ struct SiInput {
   double Sq2 = std::numeric_limits<double>::quiet_NaN();
 };
 
+/// The load of all of a contact [N]; of a line contact per length [N/m].
+inline double whole_load(const SiInput& si) {
+  const contact::Ellipse& shape = si.contact.shape;
+  return si.contact.load * (contact::roller(shape) ? shape.length * si.hertz.a : 1.0);
+}
+
 struct Physics {
   Language language = Language::none;
   contact::Groups groups{};

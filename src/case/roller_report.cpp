@@ -50,7 +50,7 @@ std::string length_text(double Y, const Physics& physics) {
 }
 
 double moment_Nm(const Case& input, const Distribution& found) {
-  return input.physics.si ? deck::number(input.deck, "contact", "load") * found.load_centre * input.physics.si->hertz.a
+  return input.physics.si ? whole_load(*input.physics.si) * found.load_centre * input.physics.si->hertz.a
                           : core::unknown;
 }
 

@@ -41,6 +41,8 @@ std::string si_lines(const SiInput& si) {
                                 : "R_x = " + length(c.radius) + ", R_y = " + length(c.radius / c.shape.radius_ratio);
   std::string text = fmt::format("contact      {} = {:.6g} {}, {}, E' = {}\n", line ? "F/length" : "F", c.load,
                                  line ? "N/m" : "N", radii, pressure_in_GPa(c.E_prime));
+  if (contact::roller(c.shape))
+    text += fmt::format("roller       F = {:.6g} N, length {}\n", whole_load(si), length(c.shape.length * si.hertz.a));
   text += fmt::format("motion       u1 = {:.6g} m/s, u2 = {:.6g} m/s: u_m = {:.6g} m/s, slide-roll ratio {:.4g}\n",
                       si.u1, si.u2, 0.5 * c.u_s, 2.0 * (si.u1 - si.u2) / c.u_s);
   text += fmt::format("lubricant    eta0 = {:.6g} Pa s, alpha = {:.6g} 1/Pa\n", c.eta0, c.alpha);
@@ -54,7 +56,10 @@ std::string si_lines(const SiInput& si) {
 std::string group_lines(const Physics& physics) {
   const contact::Groups& g = physics.groups;
   std::string text = fmt::format("Moes         M = {:.6g}, L = {:.6g}\n", g.M, g.L);
-  if (contact::line(g.shape))
+  if (contact::roller(g.shape))
+    text += fmt::format("roller       {:.6g} a long, a the half width of the line contact with its mean load\n",
+                        g.shape.length);
+  else if (contact::line(g.shape))
     text += "line         R_y without end; a is the half width\n";
   else if (!contact::circular(g.shape))
     text += fmt::format("ellipse      R_x/R_y = {:.6g}, kappa = b/a = {:.6g}, entrainment at {:g} degrees to R_x\n",

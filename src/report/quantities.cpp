@@ -124,6 +124,7 @@ std::vector<Quantity> scale_quantities(const Case& input) {
     append({{"radius_ratio", g.shape.radius_ratio, "-", "R_x/R_y"},
             {"angle", g.shape.angle, "degrees", "from the direction of R_x to the entrainment"},
             {"kappa", g.shape.kappa, "-", "b/a, the semi-axes along R_y and R_x"}});
+  if (contact::roller(g.shape)) append({{"kappa", g.shape.kappa, "-", "half of the roller's length over a"}});
   if (!physics.si) return list;
   const contact::SiContact& c = physics.si->contact;
   append({{"a", physics.si->hertz.a, "m", "Hertz radius, the scale of X and Y", "a_m"},

@@ -199,11 +199,12 @@ SweepKind kind_of_sweep(const std::string& path, const std::vector<std::string>&
   const std::optional<machines::Contact> machine = machine_input(deck);
   const auto names = [&](const char* section, const char* key) { return deck::given(deck, section, key); };
   const auto has_map = [&](const char* section) { return deck::word(deck, section, "shape") == "map"; };
+  const std::string kind = deck::word(deck, "contact", "kind");
   return {.friction = names("friction", "cavitated"),
           .thermal = deck::called_for(deck, "thermal"),
           .starved = deck::called_for(deck, "supply"),
           .si = names("contact", "load") || names("contact", "load_per_length"),
-          .bodies = deck::word(deck, "contact", "kind") == "line"                      ? Bodies::line
+          .bodies = kind == "line" || kind == "roller"                                 ? Bodies::line
                     : names("contact", "radius_y") || names("contact", "radius_ratio") ? Bodies::elliptic
                                                                                        : Bodies::circular,
           .rough = names("contact", "Sq1") || names("contact", "Sq2") || has_map("surface1") || has_map("surface2"),

@@ -1,0 +1,47 @@
+// The length of a roller.
+#include <fmt/format.h>
+
+#include "contact/hertz.hpp"
+#include "contact/keys.hpp"
+#include "deck/text.hpp"
+
+namespace ehl::contact {
+
+std::vector<deck::Key> length_keys() {
+  const deck::Condition roller{.name = "kind", .words = {"roller"}};
+  const deck::Key length{.name = "length",
+                         .range = {4.0, 2000.0},
+                         .remedy = "a shorter one is no roller",
+                         .meaning =
+                             "Length of a roller in half widths a of the line contact with its mean load per "
+                             "length. Only with M and L, or W, U and G.",
+                         .needs = roller,
+                         .example = "40"};
+  return {length,
+          {.name = "length_m",
+           .unit = "m",
+           .range = {0.0, std::numeric_limits<double>::infinity(), true, true},
+           .remedy = "8 mm are 0.008",
+           .meaning = "Length of a roller, all of it that its track may touch. Only with a contact in SI.",
+           .needs = roller,
+           .example = "0.008"}};
+}
+
+double read_length(const deck::Part& contact, Input& input) {
+  const bool si = input.language == Language::si;
+  const std::string name = si ? "length_m" : "length";
+  contact.refuse({si ? "length" : "length_m"},
+                 "is for a contact " + std::string(si ? "without units: give length_m" : "in SI: give length"));
+  contact.demand({name}, "a roller has a length");
+  if (!si || !contact.deck.errors.empty()) return contact.number(name);
+  input.bodies.load /= contact.number(name);
+  const Hertz line = hertz(input.bodies.load, input.bodies.radius, input.bodies.E_prime, line_contact());
+  const double length = contact.number(name) / line.a;
+  const deck::Key& key = *deck::find_key(contact.deck.catalogue, "contact", "length");
+  if (!key.range.contains(length))
+    contact.complain(name,
+                     fmt::format("is {:.4g} half widths of the contact, which must be {}", length, deck::allowed(key)));
+  return length;
+}
+
+}  // namespace ehl::contact

@@ -1,0 +1,45 @@
+# figure: load per length, highest pressure and film along a roller, with and without oil
+# needs: /roller /roller_dry
+figure = "roller"
+here = system(sprintf("dirname '%s'", ARG0))
+when = ""
+load here."/result.gp"
+
+set datafile columnheaders
+unset tics
+stats table("roller") using "y" nooutput prefix "Y"
+stats table("roller") using "P_max" nooutput prefix "P"
+stats table("roller_dry") using "P_max" nooutput prefix "D"
+stats table("roller") using "H_c" nooutput prefix "H"
+set tics
+panel = 50 * stretch
+high = 2 * panel + m(top + 49)
+eval page
+set multiplot
+eval box(m(16), m(14), panel + m(24), m(top + 16))
+set xrange [Y_min:Y_max]
+set xtics steps_of(Y_max - Y_min) format ""
+set yrange [0:1.1 * (P_max > D_max ? P_max : D_max)]
+set ylabel axis_P offset 0.5, 0
+set y2range [0:*]
+set y2tics auto
+set ytics nomirror
+set y2label "load per length over the mean"
+eval key_above
+plot table("roller") using "y":"P_max" with lines lw 1.4 lc rgb red title "highest pressure", \
+     table("roller_dry") using "y":"P_max" with lines lw 0.9 dt 2 lc rgb red title "dry", \
+     table("roller") using "y":"load" axes x1y2 with lines lw 1.0 lc rgb grey title "load"
+
+# The gap opens without bound where the profile falls: twice the middle's film is enough to see.
+unset label 100
+unset y2tics
+unset y2label
+eval box(m(16), m(14), m(10), panel + m(top + 37))
+set xtics format "%g"
+set xlabel axis_Y offset 0, 0.4
+set ylabel axis_H offset 0.5, 0
+middle = real(system(sprintf("%s H --along y --at x=0 | sed '/^#/d' | awk '{line[NR] = $2} END {print line[int((NR + 1) / 2)]}'", read)))
+set yrange [0:2 * middle]
+plot table("roller") using "y":"H_c" with lines lw 1.4 lc rgb blue title "film at x = 0", \
+     table("roller") using "y":"H_min" with lines lw 1.0 lc rgb green title "least film"
+unset multiplot

@@ -1,0 +1,141 @@
+// [roller] as a user gives it: what is refused, tables, the same roller in two languages, what the result has of it.
+#include <unistd.h>
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "support/program.hpp"
+#include "support/refused.hpp"
+#include "support/text.hpp"
+
+namespace {
+
+using namespace support;
+
+const std::string oil = "[lubricant]\nalpha = 1.7e-8\nz = 0.6\n";
+const std::string short_grid = "[domain]\nx_inlet = -2.5\nx_outlet = 1.5\n[grid]\ncells = 128\n";
+const std::string numbers = "[contact]\nkind = roller\nM = 20\nL = 5\nlength = 16\n" + oil + short_grid;
+
+nlohmann::json solved(const TemporaryFolder& folder, const std::string& deck, const std::string& options = "") {
+  folder.write("case.ini", deck);
+  const Ended run = ehl(folder, "run case.ini --json --quiet --overwrite " + options);
+  BOOST_REQUIRE_MESSAGE(run.status == 0, run.err);
+  return nlohmann::json::parse(run.out);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(rollers)
+
+BOOST_AUTO_TEST_CASE(bad_input) {
+  const std::string roller = "[contact]\nkind = roller\n", profile = "[roller]\nprofile = logarithmic\n";
+  const std::string numbers = roller + "M = 20\nL = 5\n", whole = numbers + "length = 40\n" + oil;
+  const std::string bodies = "load = 1e3\nradius_x = 0.004\nE_prime = 226e9\n";
+  const std::string rest = "[motion]\nu_m = 2\n[lubricant]\neta0 = 0.02\nalpha = 16e-9\n";
+  const std::string si = roller + bodies + "length_m = 0.008\n" + rest, straight = "[roller]\nprofile = straight\n";
+  support::check_refused({
+      {"no length", numbers + oil + profile, {"[contact] length", "a roller has a length"}},
+      {"no length in SI", roller + bodies + rest + profile, {"[contact] length_m", "a roller has a length"}},
+      {"length in SI", roller + bodies + "length = 40\n" + rest + profile, {"d.ini:6", "give length_m"}},
+      {"length_m without SI", numbers + "length_m = 0.01\n" + oil + profile, {"d.ini:5", "give length"}},
+      {"too short", numbers + "length = 3\n" + oil + profile, {"d.ini:5", "length = 3", ">= 4"}},
+      {"length in mm", roller + bodies + "length_m = 8\n" + rest + profile, {"d.ini:6", "half widths", "<= 2000"}},
+      {"length of a point", "[contact]\nM = 20\nL = 5\nlength = 40\n" + oil, {"d.ini:4", "length", "kind = roller"}},
+      {"load per length", roller + "load_per_length = 1e5\n" + bodies + rest + profile, {"give kind = line"}},
+      {"radius_y", roller + bodies + "radius_y = 1\nlength_m = 0.008\n" + rest + profile, {"d.ini:6", "[roller]"}},
+      {"no profile", whole, {"d.ini:2", "kind = roller", "needs a profile"}},
+      {"profile of a line",
+       "[contact]\nkind = line\nM = 20\nL = 5\n" + oil + profile,
+       {"[roller] profile", "kind = roller"}},
+      {"unknown profile", whole + "[roller]\nprofile = lundberg\n", {"straight, crowned, logarithmic, table"}},
+      {"tilt alone", whole + "[roller]\ntilt = 0.1\n", {"[roller] tilt", "profile"}},
+      {"tilt without SI", whole + profile + "tilt_mrad = 1\n", {"tilt_mrad", "use tilt"}},
+      {"far too much tilt", whole + profile + "tilt = 1000\n", {"tilt = 1000", "100"}},
+      {"straight without ends", whole + straight, {"[roller] end_length", "is missing", "end_radius"}},
+      {"ends too long", whole + straight + "end_length = 21\nend_radius = 5\n", {"more than half", "40"}},
+      {"no radius", whole + straight + "end_length = 2\nend_radius = 0\n", {"end_radius = 0", "> 0"}},
+      {"two radii", si + straight + "end_length = 2\nend_radius = 5\nend_radius_m = 0.1\n", {"both given"}},
+      {"ends of another profile", whole + profile + "end_length = 2\n", {"end_length", "profile = straight"}},
+      {"no crown", whole + "[roller]\nprofile = crowned\n", {"crown_radius", "is missing"}},
+      {"crown of another", whole + profile + "crown_radius = 100\n", {"crown_radius", "profile = crowned"}},
+      {"design load", whole + profile + "design_load = 11\n", {"design_load = 11", "10"}},
+      {"design load in kN", si + profile + "design_load_N = 3e6\n", {"design_load_N", "3000 times the load"}},
+      {"no table", whole + "[roller]\nprofile = table\n", {"[roller] file", "is missing"}},
+      {"closed far field", whole + profile + "[domain]\nfar_field = closed\n", {"far_field = closed", "without ends"}},
+      {"y_half", whole + profile + "[domain]\ny_half = 30\n", {"y_half = 30", "half of the roller's length"}},
+      {"accuracy", whole + profile + "[grid]\naccuracy = 0.01\n", {"accuracy", "not available for rollers"}},
+      {"load path", whole + profile + "[continuation]\npath = load\n", {"path = load", "not available for rollers"}},
+      {"in time", whole + profile + "[transient]\nend_time = 1\n", {"end_time", "rollers do not carry this"}},
+      {"supply", whole + profile + "[supply]\nH_oil = 0.1\n", {"H_oil", "rollers do not carry this"}},
+      {"dry", "[case]\nkind = dry\n" + roller, {"[contact] kind", "dry contact is circular"}},
+  });
+}
+
+// A table of the crown's parabola is the crown; one from the middle on is mirrored.
+BOOST_AUTO_TEST_CASE(a_table_is_the_profile_that_it_lists) {
+  const TemporaryFolder folder;
+  std::string half, whole;
+  for (int k = -40; k <= 40; ++k) {
+    const double y = 0.2 * k;
+    const std::string row = std::to_string(y) + "," + std::to_string(y * y / 30.0) + "\n";
+    whole += row;
+    if (k >= 0) half += row;
+  }
+  folder.write("half.csv", "y,drop\n" + half);
+  folder.write("whole.csv", whole);
+  const nlohmann::json crown = solved(folder, numbers + "[roller]\nprofile = crowned\ncrown_radius = 15\n");
+  for (const char* file : {"half.csv", "whole.csv"}) {
+    const nlohmann::json table = solved(folder, numbers + "[roller]\nprofile = table\nfile = " + file + "\n");
+    for (const char* name : {"P_middle", "P_end", "H_end"}) {
+      const double given = crown["roller"][name], read = table["roller"][name];
+      BOOST_TEST(std::abs(read / given - 1.0) < 2e-3, file << " " << name << ": " << read << ", " << given);
+    }
+    BOOST_TEST(std::abs(table["Hc"].get<double>() / crown["Hc"].get<double>() - 1.0) < 1e-4);
+  }
+  const auto refused = [&](const std::string& rows, const std::string& what) {
+    folder.write("wrong.csv", rows);
+    folder.write("case.ini", numbers + "[roller]\nprofile = table\nfile = wrong.csv\n");
+    const Ended check = ehl(folder, "check case.ini");
+    BOOST_TEST(check.status == 2);
+    BOOST_TEST(contains(check.err, what), check.err);
+  };
+  refused("0,0\n1,0\n2,0.1\n7,0.3\n", "give all of it, or one half from y = 0 on");
+  refused("-4,0\n0,0\n2,0.1\n9,0.3\n", "give all of it");
+  refused("0,0\n4,0.1\n9,0.3\n", "at least four rows");
+  refused("0,0\n4,0.1\n3,0.2\n9,0.3\n", "wrong.csv:3: y must grow");
+  refused("0,0\n4,a\n6,0.2\n9,0.3\n", "no finite number");
+  refused("0,0,1\n4,0,1\n6,0.2,1\n9,0.3,1\n", "3 columns");
+}
+
+// F' = F/length and all that follows from it, by hand: a^2 = 8 F' R/(pi E'), the moment F y.
+BOOST_AUTO_TEST_CASE(a_roller_in_SI) {
+  const TemporaryFolder folder;
+  const std::string bodies =
+      "[contact]\nkind = roller\nload = 240\nlength_m = 1.5e-3\nradius_x = 0.004\nE_prime = 226e9\n[motion]\nu1 = 1.5\n"
+      "u2 = 1.5\n[lubricant]\neta0 = 0.02\nalpha = 16e-9\n";
+  const std::string profile = "[roller]\nprofile = logarithmic\ndesign_load_N = 720\ntilt_mrad = 0.2\n";
+  const nlohmann::json found = solved(folder, bodies + profile + short_grid);
+  const double per_length = 240.0 / 1.5e-3;
+  const double a = std::sqrt(8.0 * per_length * 0.004 / (3.14159265358979 * 226e9));
+  const nlohmann::json& roller = found["roller"];
+  BOOST_TEST(std::abs(found["a_m"].get<double>() / a - 1.0) < 1e-12);
+  BOOST_TEST(std::abs(found["p_h_Pa"].get<double>() / (2.0 * per_length / (3.14159265358979 * a)) - 1.0) < 1e-12);
+  BOOST_TEST(std::abs(roller["length_m"].get<double>() / 1.5e-3 - 1.0) < 1e-12);
+  BOOST_TEST(std::abs(roller["moment"].get<double>() / (240.0 * roller["load_centre_m"].get<double>()) - 1.0) < 1e-12);
+  BOOST_TEST(roller["moment"].get<double>() < 0.0);
+  BOOST_TEST(roller["error_P_end"].get<double>() < 0.02);
+  // The same without units: design load over the load, tilt in a/R.
+  const std::string groups = "[contact]\nkind = roller\nM = " + std::to_string(found["M"].get<double>()) +
+                             "\nL = " + std::to_string(found["L"].get<double>()) +
+                             "\nlength = " + std::to_string(1.5e-3 / a) +
+                             "\n[lubricant]\nalpha = 16e-9\nz = " + std::to_string(found["z"].get<double>()) + "\n";
+  const nlohmann::json plain = solved(folder, groups + "[roller]\nprofile = logarithmic\ndesign_load = 3\ntilt = " +
+                                                  std::to_string(0.2e-3 * 0.004 / a) + "\n" + short_grid);
+  for (const char* name : {"P_middle", "P_end", "load_centre"}) {
+    const double here = roller[name], there = plain["roller"][name];
+    BOOST_TEST(std::abs(here / there - 1.0) < 1e-3, name << ": " << here << ", " << there);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
