@@ -18,8 +18,17 @@ using roller::Slice;
 const End& harder(const Distribution& found) { return found.upper.P > found.lower.P ? found.upper : found.lower; }
 double least_at_ends(const Distribution& found) { return std::min(found.lower.H, found.upper.H); }
 
-// Relative error of a value by that on half as many cells, as of first order.
-double bar(double value, double coarser) { return std::abs(value - coarser) / std::abs(value); }
+// Relative errors of values by those on half as many cells. Highest values are those of nodes, between which they hide
+// some 2e-4. measured, six rollers on 128 and 256 cells against 512: all of 60 within; the changes alone were wrong for 3
+// of 24 pressures and, by factors of up to 3, for 5 of 12 films.
+double bar_of_highest(double value, double coarser) {
+  constexpr double of_nodes = 5e-4;
+  return std::abs(value - coarser) / std::abs(value) + of_nodes;
+}
+double bar_of_least(double value, double coarser) {
+  constexpr double safety = 4.0;
+  return safety * std::abs(value - coarser) / std::abs(value);
+}
 
 struct Bars {
   double P_middle = core::unknown, P_end = core::unknown, H_end = core::unknown;
@@ -28,8 +37,8 @@ Bars bars_of(const RollerResult& result) {
   if (!result.coarser) return {};
   const Distribution& found = result.found;
   const Distribution& coarser = *result.coarser;
-  return {bar(found.middle.P_max, coarser.middle.P_max), bar(harder(found).P, harder(coarser).P),
-          bar(least_at_ends(found), least_at_ends(coarser))};
+  return {bar_of_highest(found.middle.P_max, coarser.middle.P_max), bar_of_highest(harder(found).P, harder(coarser).P),
+          bar_of_least(least_at_ends(found), least_at_ends(coarser))};
 }
 
 std::string with_bar(double error) { return std::isfinite(error) ? fmt::format(" +- {:.2g} %", 100.0 * error) : ""; }
@@ -84,10 +93,10 @@ std::vector<results::Quantity> roller_quantities(const Case& input, const Roller
       {"moment", moment_Nm(input, found), "N m", "of the pressure about the x axis"}};
   if (!std::isfinite(result.mises_end)) return list;
   list.push_back({"mises_middle", result.mises_middle, "p_h", "largest von Mises stress below the middle half"});
-  list.push_back({"error_mises_middle", bar(result.mises_middle, result.mises_middle_coarser), "-",
+  list.push_back({"error_mises_middle", bar_of_highest(result.mises_middle, result.mises_middle_coarser), "-",
                   "its relative error by the grid of half as many cells"});
   list.push_back({"mises_end", result.mises_end, "p_h", "the same below the outer tenth of the length"});
-  list.push_back({"error_mises_end", bar(result.mises_end, result.mises_end_coarser), "-", "its relative error"});
+  list.push_back({"error_mises_end", bar_of_highest(result.mises_end, result.mises_end_coarser), "-", "its relative error"});
   return list;
 }
 
@@ -127,8 +136,8 @@ std::string roller_summary(const Case& input, const Computed& computed) {
   if (std::isfinite(result.mises_end))
     text += fmt::format(
         "             von Mises below the middle {}{}, below the ends {}{}\n",
-        pressure_text(result.mises_middle, physics), with_bar(bar(result.mises_middle, result.mises_middle_coarser)),
-        pressure_text(result.mises_end, physics), with_bar(bar(result.mises_end, result.mises_end_coarser)));
+        pressure_text(result.mises_middle, physics), with_bar(bar_of_highest(result.mises_middle, result.mises_middle_coarser)),
+        pressure_text(result.mises_end, physics), with_bar(bar_of_highest(result.mises_end, result.mises_end_coarser)));
   return text + warning_lines(roller_warnings(result));
 }
 

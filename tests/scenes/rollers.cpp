@@ -91,7 +91,8 @@ BOOST_AUTO_TEST_CASE(a_table_is_the_profile_that_it_lists) {
       const double given = crown["roller"][name], read = table["roller"][name];
       BOOST_TEST(std::abs(read / given - 1.0) < 2e-3, file << " " << name << ": " << read << ", " << given);
     }
-    BOOST_TEST(std::abs(table["Hc"].get<double>() / crown["Hc"].get<double>() - 1.0) < 1e-4);
+    BOOST_TEST(std::abs(table["Hc"].get<double>() / crown["Hc"].get<double>() - 1.0) <
+               2e-3);  // the spline is no parabola
   }
   const auto refused = [&](const std::string& rows, const std::string& what) {
     folder.write("wrong.csv", rows);
@@ -113,7 +114,7 @@ BOOST_AUTO_TEST_CASE(a_roller_in_SI) {
   const TemporaryFolder folder;
   const std::string bodies =
       "[contact]\nkind = roller\nload = 240\nlength_m = 1.5e-3\nradius_x = 0.004\nE_prime = 226e9\n[motion]\nu1 = 1.5\n"
-      "u2 = 1.5\n[lubricant]\neta0 = 0.02\nalpha = 16e-9\n";
+      "u2 = 1.5\n[lubricant]\neta0 = 0.02\nalpha = 16e-9\nz = 0.6\n";
   const std::string profile = "[roller]\nprofile = logarithmic\ndesign_load_N = 720\ntilt_mrad = 0.2\n";
   const nlohmann::json found = solved(folder, bodies + profile + short_grid);
   const double per_length = 240.0 / 1.5e-3;
@@ -128,8 +129,7 @@ BOOST_AUTO_TEST_CASE(a_roller_in_SI) {
   // The same without units: design load over the load, tilt in a/R.
   const std::string groups = "[contact]\nkind = roller\nM = " + std::to_string(found["M"].get<double>()) +
                              "\nL = " + std::to_string(found["L"].get<double>()) +
-                             "\nlength = " + std::to_string(1.5e-3 / a) +
-                             "\n[lubricant]\nalpha = 16e-9\nz = " + std::to_string(found["z"].get<double>()) + "\n";
+                             "\nlength = " + std::to_string(1.5e-3 / a) + "\n[lubricant]\nalpha = 16e-9\nz = 0.6\n";
   const nlohmann::json plain = solved(folder, groups + "[roller]\nprofile = logarithmic\ndesign_load = 3\ntilt = " +
                                                   std::to_string(0.2e-3 * 0.004 / a) + "\n" + short_grid);
   for (const char* name : {"P_middle", "P_end", "load_centre"}) {
