@@ -19,8 +19,8 @@ const End& harder(const Distribution& found) { return found.upper.P > found.lowe
 double least_at_ends(const Distribution& found) { return std::min(found.lower.H, found.upper.H); }
 
 // Relative errors of values by those on half as many cells. Highest values are those of nodes, between which they hide
-// some 2e-4. measured, six rollers on 128 and 256 cells against 512: all of 60 within; the changes alone were wrong for 3
-// of 24 pressures and, by factors of up to 3, for 5 of 12 films.
+// some 2e-4. measured, six rollers on 128 and 256 cells against 512: all of 60 within; the changes alone were wrong for
+// 3 of 24 pressures and, by factors of up to 3, for 5 of 12 films.
 double bar_of_highest(double value, double coarser) {
   constexpr double of_nodes = 5e-4;
   return std::abs(value - coarser) / std::abs(value) + of_nodes;
@@ -96,7 +96,8 @@ std::vector<results::Quantity> roller_quantities(const Case& input, const Roller
   list.push_back({"error_mises_middle", bar_of_highest(result.mises_middle, result.mises_middle_coarser), "-",
                   "its relative error by the grid of half as many cells"});
   list.push_back({"mises_end", result.mises_end, "p_h", "the same below the outer tenth of the length"});
-  list.push_back({"error_mises_end", bar_of_highest(result.mises_end, result.mises_end_coarser), "-", "its relative error"});
+  list.push_back(
+      {"error_mises_end", bar_of_highest(result.mises_end, result.mises_end_coarser), "-", "its relative error"});
   return list;
 }
 
@@ -134,10 +135,11 @@ std::string roller_summary(const Case& input, const Computed& computed) {
     text += "\n";
   }
   if (std::isfinite(result.mises_end))
-    text += fmt::format(
-        "             von Mises below the middle {}{}, below the ends {}{}\n",
-        pressure_text(result.mises_middle, physics), with_bar(bar_of_highest(result.mises_middle, result.mises_middle_coarser)),
-        pressure_text(result.mises_end, physics), with_bar(bar_of_highest(result.mises_end, result.mises_end_coarser)));
+    text += fmt::format("             von Mises below the middle {}{}, below the ends {}{}\n",
+                        pressure_text(result.mises_middle, physics),
+                        with_bar(bar_of_highest(result.mises_middle, result.mises_middle_coarser)),
+                        pressure_text(result.mises_end, physics),
+                        with_bar(bar_of_highest(result.mises_end, result.mises_end_coarser)));
   return text + warning_lines(roller_warnings(result));
 }
 
