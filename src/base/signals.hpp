@@ -1,7 +1,8 @@
 #pragma once
 namespace ehl::program {
 
-/// From now on Ctrl-C and a request to terminate set a flag; a second one ends the program at once. A file that grows
+/// From now on Ctrl-C, a request to terminate and SIGUSR1, by which schedulers tell that time runs out, set a flag; a
+/// second one ends the program at once. A file that grows
 /// beyond the allowed size, or a pipe that nobody reads, is an error of the write, no longer the end of the program.
 void install_signal_handlers();
 

@@ -12,7 +12,9 @@
 
 namespace ehl::program {
 
-deck::Catalogue catalogue() {
+namespace {
+
+deck::Catalogue collected() {
   deck::Catalogue all;
   all.sections = {
       {"case", "What this case is called, and of what kind it is."},
@@ -42,6 +44,13 @@ deck::Catalogue catalogue() {
     all.keys = deck::together({all.keys, effect.keys()});
   }
   all.unavailable = {{"surface", "", "there are two: write [surface1] or [surface2]"}};
+  return all;
+}
+
+}  // namespace
+
+const deck::Catalogue& catalogue() {
+  static const deck::Catalogue all = collected();
   return all;
 }
 

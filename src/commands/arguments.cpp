@@ -50,7 +50,8 @@ void check_operands(const Command& command, const std::vector<std::string>& give
   const std::string said = "`ehl " + command.name + "`: ";
   if (given.size() < static_cast<std::size_t>(least))
     refuse(said + command.operands + " is missing. Usage: " + usage(command));
-  if (given.size() > wanted.size())
+  const bool more = !wanted.empty() && wanted.back().ends_with("...");
+  if (given.size() > wanted.size() && !more)
     refuse(said + "'" + given[wanted.size()] + "' is one too many. Usage: " + usage(command));
 }
 

@@ -30,7 +30,8 @@ struct Option {
 
 struct Command {
   std::string name{};
-  std::string operands{};  ///< one word each, between brackets what may be left out: "DECK", "[COMMAND]"
+  std::string operands{};  ///< one word each, between brackets what may be left out, with dots what may be several:
+                           ///< "DECK", "[COMMAND]", "TABLE..."
   std::string meaning{};
   std::vector<Option> options{};
   int (*function)(const Arguments& arguments) = nullptr;  ///< gives the exit status

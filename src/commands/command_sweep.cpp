@@ -6,7 +6,9 @@
 #include "base/exit_status.hpp"
 #include "base/progress.hpp"
 #include "base/signals.hpp"
+#include "base/text_format.hpp"
 #include "case/catalogue.hpp"
+#include "case/needs.hpp"
 #include "commands/commands.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
@@ -15,6 +17,8 @@
 #include "results/atomic_file.hpp"
 #include "tables/children.hpp"
 #include "tables/csv.hpp"
+#include "tables/shard.hpp"
+#include "tables/sweep_merge.hpp"
 #include "tables/sweep_row.hpp"
 #include "tables/sweep_table.hpp"
 
@@ -30,14 +34,56 @@ std::string summary(const SweepTable& table, std::size_t cases, std::size_t kept
   return text;
 }
 
+// ", 40 s left", by the cases so far.
+std::string time_left(std::size_t done, std::size_t cases, double began) {
+  if (done == 0) return "";
+  const double left = (core::now() - began) * static_cast<double>(cases - done) / static_cast<double>(done);
+  return ", " + about_seconds(left) + " left";
+}
+
+// The shard that the command line or the array of a scheduler asks for.
+Shard wanted_shard(const Arguments& arguments) {
+  if (arguments.has("shard")) return parse_shard(arguments.value("shard", ""));
+  return shard_of_array().value_or(Shard{});
+}
+
+// 0 of a case that will be refused.
+double foreseen_seconds(const std::string& deck, const std::vector<std::string>& overrides) try {
+  return expected_needs(read_lubricated_case(deck, overrides, 1, "sweep")).seconds;
+} catch (const core::InputError&) {
+  return 0.0;
+}
+
+int merge(const Arguments& arguments) {
+  for (const char* option : {"vary", "cases", "shard", "set", "unset", "timing"})
+    if (arguments.has(option)) refuse(std::string("--merge takes tables alone: --") + option + " is in them");
+  if (!arguments.has("output")) refuse("--merge needs --output FILE.csv");
+  const std::string path = table_name(arguments);
+  results::check_writable(path, arguments.has("overwrite"), 0, arguments.operands);
+  const MergedSweep merged = merged_sweep(arguments.operands);
+  write_table(path, merged.text, arguments.has("overwrite"));
+  print(fmt::format("cases        {}: {} converged, {} missing\ntable        {}\n", merged.cases, merged.converged,
+                    merged.missing.size(), path));
+  if (!merged.missing.empty())
+    std::fprintf(stderr, "ehl: %zu cases have no row yet, the first is case %zu: the sweep on %s goes on with them\n",
+                 merged.missing.size(), merged.missing[0], path.c_str());
+  return merged.converged == merged.cases ? solved : not_converged;
+}
+
 }  // namespace
 
 int sweep(const Arguments& arguments) {
+  if (arguments.has("merge")) return merge(arguments);
+  if (arguments.operands.size() > 1) refuse("'" + arguments.operands[1] + "' is one too many: a sweep has one deck");
   const std::string& deck = arguments.operands[0];
-  if (!arguments.has("vary"))
-    throw core::InputError("command line: `ehl sweep` needs --vary section.key=LIST, e.g. --vary contact.M=20,50,100");
-  SweepHeader header{this_program(), deck, deck::load_text(deck), arguments.overrides(),
-                     parse_variations(arguments.values("vary"), arguments.overrides(), catalogue())};
+  if (!arguments.has("vary") && !arguments.has("cases"))
+    throw core::InputError(
+        "command line: `ehl sweep` needs --vary section.key=LIST, e.g. --vary contact.M=20,50,100, or --cases "
+        "FILE.csv");
+  const Shard shard = wanted_shard(arguments);
+  SweepHeader header{
+      this_program(), deck, deck::load_text(deck), arguments.overrides(),
+      parse_variations(arguments.values("vary"), arguments.overrides(), catalogue(), arguments.value("cases", ""))};
   const auto overrides_of = [&](std::size_t index) {
     std::vector<std::string> overrides = header.set;
     for (const std::string& varied : overrides_of_case(header.variations, index)) overrides.push_back(varied);
@@ -45,16 +91,22 @@ int sweep(const Arguments& arguments) {
   };
   header.files = files_of_cases(deck, header.set, header.variations);
   header.kind = kind_of_sweep(deck, overrides_of(0));
+  header.kind.timing = arguments.has("timing");
+  header.shard = shard;
   const int at_once = requested_threads(arguments);
-  const std::string path = table_name(arguments);
+  const std::string path = name_of_shard(table_name(arguments), shard);
   std::vector<std::string> inputs{deck};
   for (const deck::NamedFile& file : header.files) inputs.push_back(file.path);
   results::check_writable(path, true, 0, inputs);
-  SweepTable table(path, header, arguments.has("overwrite"));
+  std::vector<double> seconds(number_of_cases(header.variations), 1.0);
+  if (!shard.whole())
+    for (std::size_t k = 0; k < seconds.size(); ++k) seconds[k] = foreseen_seconds(deck, overrides_of(k));
+  const std::vector<std::size_t> own = cases_of_shard(seconds, shard);
+  SweepTable table(path, header, own, arguments.has("overwrite"));
 
   const double began = core::now();
   const std::vector<std::size_t> missing = table.missing();
-  const std::size_t cases = number_of_cases(header.variations);
+  const std::size_t cases = own.size();
   Progress progress(arguments.has("quiet"));
   std::size_t done = 0;
   ChildrenCalls calls;
@@ -63,7 +115,7 @@ int sweep(const Arguments& arguments) {
   calls.waits = [&](const ChildAtWork& child) {
     progress.show(
         static_cast<double>(done) / static_cast<double>(missing.size()),
-        fmt::format("{}/{}  {}, {:.0f} s so far: {}", done, missing.size(),
+        fmt::format("{}/{}{}  {}, {:.0f} s so far: {}", done, missing.size(), time_left(done, missing.size(), began),
                     deck::joined(overrides_of_case(header.variations, child.task), " "), child.seconds, child.says));
   };
   calls.ended = [&](const ChildEnd& end) {

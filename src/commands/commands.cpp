@@ -41,13 +41,20 @@ const Command run_command{"run",
 
 const Command sweep_command{
     "sweep",
-    "DECK",
+    "DECK|TABLE...",
     "solves many cases of one deck, several at a time: one row per case in a CSV table. The same command again goes on "
-    "where it was stopped",
+    "where it was stopped, and with more values beyond",
     {{"vary", "section.key=LIST",
       "a key and its values: 2,5,10 or a:b:n or a:b:n:log or words; several --vary make all combinations, the first "
-      "varies slowest",
+      "varies slowest; keys that change together: a,b=1:2,3:4",
       true},
+     {"cases", "FILE.csv",
+      "the cases of a table: a line of keys, section.key between commas, a line of values for each"},
+     {"shard", "i/N",
+      "the part i of N alone, of nearly the same seconds, into NAME.iofN.csv (default: of a job of a Slurm array its "
+      "own)"},
+     {"merge", "", "makes one table, --output, of the tables of shards"},
+     {"timing", "", "adds the columns seconds and peak_memory, which are others each time"},
      set,
      unset,
      {"output", "FILE.csv", "the table (default: name of the deck with _sweep.csv)"},

@@ -1,19 +1,19 @@
 #include "tables/children.hpp"
 
+#include <poll.h>
 #include <signal.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <exception>
 #include <memory>
 #include <new>
-#include <thread>
 #include <utility>
 
 #include "core/errors.hpp"
@@ -22,8 +22,9 @@
 namespace ehl::program {
 namespace {
 
-constexpr auto look_up_interval = std::chrono::milliseconds(5);
-constexpr char whole = '\n';  // the last byte of a text that arrived whole
+constexpr int look_up_interval = 100;  // ms: for what a child says, and for a request to stop
+constexpr int look_up_blindly = 5;     // ms: where the system does not tell when a process ends
+constexpr char whole = '\n';           // the last byte of a text that arrived whole
 
 /// Memory that a child shares with its parent: a sentence, which may be half a new and half an old one.
 class Board {
@@ -56,6 +57,7 @@ struct Child {
   int text = -1;  // a file in memory that the child writes
   double began = 0.0;
   std::shared_ptr<Board> board{};
+  int ends = -1;  // readable when the process has ended; -1 where the system has no such thing
 };
 
 /// The children at work; none survives it.
@@ -68,6 +70,7 @@ class Children {
     for (const Child& child : working) {
       ::kill(child.process, SIGKILL);
       ::close(child.text);
+      ::close(child.ends);
       while (::waitpid(child.process, nullptr, 0) < 0 && errno == EINTR) {
       }
     }
@@ -104,7 +107,9 @@ Child start(std::size_t task, const ChildrenCalls& calls) {
   const pid_t parent = ::getpid();
   const pid_t process = ::fork();
   if (process == 0) be_child(task, text, parent, *board, calls);
-  if (process > 0) return {task, process, text, core::now(), std::move(board)};
+  if (process > 0)
+    return {task,        process,          text,
+            core::now(), std::move(board), static_cast<int>(::syscall(SYS_pidfd_open, process, 0))};
   const int error = errno;
   ::close(text);
   throw core::FileError(std::string("no process for a case: ") + std::strerror(error));
@@ -119,6 +124,7 @@ std::string text_in(int file) {
 ChildEnd end_of(const Child& child, int status) {
   ChildEnd end{child.task, false, text_in(child.text), WEXITSTATUS(status), ""};
   ::close(child.text);
+  ::close(child.ends);
   if (WIFSIGNALED(status)) end.status = 128 + WTERMSIG(status);
   end.complete = end.status == 0 && end.text.ends_with(whole);
   if (end.complete) {
@@ -130,6 +136,17 @@ ChildEnd end_of(const Child& child, int status) {
     end.reason = end.text.empty() ? "the process of the case ended without a word" : end.text;
   }
   return end;
+}
+
+// Until one of them has ended, or for some time.
+void wait_for_an_end(const Children& children) {
+  std::vector<pollfd> ends;
+  bool blind = false;
+  for (const Child& child : children.working) {
+    ends.push_back({child.ends, POLLIN, 0});
+    blind = blind || child.ends < 0;
+  }
+  ::poll(ends.data(), ends.size(), blind ? look_up_blindly : look_up_interval);
 }
 
 void take_ended(Children& children, const ChildrenCalls& calls) {
@@ -155,7 +172,7 @@ bool run_in_children(const std::vector<std::size_t>& tasks, int at_once, const C
     if (calls.stop()) return false;
     while (next < tasks.size() && children.working.size() < static_cast<std::size_t>(at_once))
       children.working.push_back(start(tasks[next++], calls));
-    std::this_thread::sleep_for(look_up_interval);
+    wait_for_an_end(children);
     take_ended(children, calls);
     if (calls.waits && !children.working.empty()) {
       const Child& oldest = children.working.front();

@@ -64,6 +64,7 @@ SweepData read_sweep(const std::string& path) {
   const auto status = std::ranges::find(data.columns, "status");
   if (status == data.columns.end()) throw core::FileError(path + ": the table is damaged: it has no column status");
   data.varied.assign(data.columns.begin(), status);
+  std::erase(data.varied, "case");  // of a shard
   const deck::Catalogue keys = catalogue();
   for (const std::string& name : data.varied) {
     const std::size_t dot = name.find('.');

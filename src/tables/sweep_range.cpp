@@ -4,17 +4,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <functional>
 #include <set>
+#include <utility>
 
 #include "base/text_format.hpp"
 #include "core/errors.hpp"
 #include "deck/deck.hpp"
+#include "deck/file.hpp"
 #include "deck/text.hpp"
+#include "tables/csv.hpp"
 
 namespace ehl::program {
 namespace {
 
 constexpr std::size_t most_cases = 1000000;
+const std::string command_line = "command line";
 
 bool is_number(const deck::Key& key) { return key.type == deck::Type::number || key.type == deck::Type::integer; }
 
@@ -69,46 +75,108 @@ std::vector<std::string> complaints(const deck::Assignment& given, const deck::C
   return judged.errors;
 }
 
-void check_values(const Variation& variation, const deck::Catalogue& catalogue, const std::string& said) {
+void check_values(const Variation& variation, const deck::Catalogue& catalogue, const std::string& said,
+                  const std::string& place) {
   std::vector<std::string> errors;
-  std::set<std::string> seen;
-  for (const std::string& value : variation.values) {
-    const deck::Assignment given{variation.section, variation.name, value, "command line"};
-    for (const std::string& complaint : complaints(given, catalogue)) errors.push_back(complaint);
-    if (!seen.insert(value).second) errors.push_back(said + value + " is given twice");
-    if (value.find_first_of("\"#") != std::string::npos)
-      errors.push_back(said + value + ": a value of a sweep may hold neither \" nor #");
+  std::set<std::vector<std::string>> seen;
+  std::set<std::pair<std::string, std::string>> judged;
+  for (const std::vector<std::string>& values : variation.values) {
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      const auto& [section, name] = variation.keys[k];
+      if (!judged.insert({name_of(variation.keys[k]), values[k]}).second) continue;
+      for (const std::string& complaint : complaints({section, name, values[k], place}, catalogue))
+        errors.push_back(complaint);
+      if (values[k].find_first_of("\"#") != std::string::npos)
+        errors.push_back(said + values[k] + ": a value of a sweep may hold neither \" nor #");
+    }
+    if (!seen.insert(values).second) errors.push_back(said + deck::joined(values, ":") + " is given twice");
   }
   if (!errors.empty()) throw core::InputError(errors);
 }
 
+// in: "section.key". given: value and place that the message about an unknown key shows.
+Variation::Key key_of(const std::string& text, const deck::Assignment& given, const std::string& said,
+                      const deck::Catalogue& catalogue) {
+  const std::size_t point = text.find('.');
+  if (point == std::string::npos)
+    throw core::InputError(said + "write section.key=LIST, e.g. contact.M=20,50 or contact.M=2:2000:4:log");
+  Variation::Key key{deck::trimmed(text.substr(0, point)), deck::trimmed(text.substr(point + 1))};
+  if (key.section == "output")
+    throw core::InputError(said + "a sweep writes one table and no results: leave [output] alone");
+  if (deck::find_key(catalogue, key.section, key.name) == nullptr)
+    throw core::InputError(complaints({key.section, key.name, given.value, given.place}, catalogue));
+  return key;
+}
+
+// Values of keys that change together.
+std::vector<std::string> values_together(const std::string& text, std::size_t keys, const std::string& said) {
+  const std::vector<std::string> values = parts_between(text, ':');
+  if (values.size() != keys)
+    throw core::InputError(said +
+                           fmt::format("'{}' has {} values for {} keys: write a,b=1:2,3:4", text, values.size(), keys));
+  return values;
+}
+
 }  // namespace
+
+std::string name_of(const Variation::Key& key) { return key.section + "." + key.name; }
 
 Variation parse_variation(const std::string& text, const deck::Catalogue& catalogue) {
   const std::string said = "command line: --vary " + text + ": ";
   const std::size_t equals = text.find('=');
-  const std::size_t point = text.find('.');
-  if (equals == std::string::npos || point == std::string::npos || point > equals)
+  if (equals == std::string::npos)
     throw core::InputError(said + "write section.key=LIST, e.g. contact.M=20,50 or contact.M=2:2000:4:log");
-  Variation variation{
-      deck::trimmed(text.substr(0, point)), deck::trimmed(text.substr(point + 1, equals - point - 1)), {}};
-  if (variation.section == "output")
-    throw core::InputError(said + "a sweep writes one table and no results: leave [output] alone");
-  const deck::Key* key = deck::find_key(catalogue, variation.section, variation.name);
-  if (key == nullptr)
-    throw core::InputError(
-        complaints({variation.section, variation.name, text.substr(equals + 1), "command line"}, catalogue));
+  Variation variation;
+  for (const std::string& name : parts_between(text.substr(0, equals), ','))
+    variation.keys.push_back(key_of(name, {"", "", text.substr(equals + 1), command_line}, said, catalogue));
+  const Variation::Key& first = variation.keys[0];
+  const bool number = is_number(*deck::find_key(catalogue, first.section, first.name));
   for (const std::string& part : parts_between(text.substr(equals + 1), ',')) {
-    const bool range = is_number(*key) && part.find(':') != std::string::npos;
-    const std::vector<std::string> values = range ? values_of_range(part, said) : std::vector<std::string>{part};
-    variation.values.insert(variation.values.end(), values.begin(), values.end());
+    if (variation.keys.size() > 1) {
+      variation.values.push_back(values_together(part, variation.keys.size(), said));
+    } else if (number && part.find(':') != std::string::npos) {
+      for (const std::string& value : values_of_range(part, said)) variation.values.push_back({value});
+    } else {
+      variation.values.push_back({part});
+    }
   }
-  check_values(variation, catalogue, said);
+  check_values(variation, catalogue, said, command_line);
+  return variation;
+}
+
+Variation read_cases(const std::string& path, const deck::Catalogue& catalogue) {
+  constexpr std::uintmax_t largest = 1'000'000'000;  // bytes
+  std::ifstream file = deck::opened(path, largest);
+  Variation variation;
+  std::string line, text;
+  for (int number = 1; std::getline(file, line); ++number) {
+    text += line + "\n";
+    if (line.ends_with('\r')) line.pop_back();
+    if (deck::trimmed(line).empty() || line.starts_with('#')) continue;
+    const std::string said = fmt::format("{}:{}: ", path, number);
+    const std::vector<std::string> cells = parts_between(line, ',');
+    if (variation.keys.empty()) {
+      for (const std::string& name : cells)
+        variation.keys.push_back(
+            key_of(name, {"", "", "...", fmt::format("{}:{}", path, number)}, said + name + ": ", catalogue));
+      continue;
+    }
+    if (cells.size() != variation.keys.size())
+      throw core::InputError(said + fmt::format("{} values for {} columns", cells.size(), variation.keys.size()));
+    variation.values.push_back(cells);
+  }
+  if (variation.values.empty())
+    throw core::InputError(
+        path + ": has no cases: a line of keys, section.key between commas, and a line of values for each case");
+  check_values(variation, catalogue, path + ": ", path);
+  deck::check_read(file, path);
+  const std::string text_mark = "# deck text: ";
+  variation.file = path + ": " + deck_text_line(text).substr(text_mark.size());
   return variation;
 }
 
 std::vector<Variation> parse_variations(const std::vector<std::string>& texts, const std::vector<std::string>& set,
-                                        const deck::Catalogue& catalogue) {
+                                        const deck::Catalogue& catalogue, const std::string& cases) {
   std::vector<Variation> variations;
   std::vector<std::string> errors;
   std::set<std::string> keys;
@@ -117,18 +185,27 @@ std::vector<Variation> parse_variations(const std::vector<std::string>& texts, c
     const deck::Assignment given = deck::parse_override(text);
     fixed.insert(given.section + "." + given.name);
   }
-  double cases = 1.0;
-  for (const std::string& text : texts) try {
-      variations.push_back(parse_variation(text, catalogue));
-      const std::string key = variations.back().section + "." + variations.back().name;
-      if (!keys.insert(key).second) errors.push_back("command line: --vary " + key + " is given twice");
+  double count = 1.0;
+  const auto take = [&](const Variation& variation) {
+    for (const Variation::Key& one : variation.keys) {
+      const std::string key = name_of(one);
+      if (!keys.insert(key).second) errors.push_back("command line: " + key + " is varied twice");
       if (fixed.contains(key)) errors.push_back("command line: " + key + " is both varied and set: remove one");
-      cases *= static_cast<double>(variations.back().values.size());
+    }
+    count *= static_cast<double>(variation.values.size());
+    variations.push_back(variation);
+  };
+  const auto add = [&](const std::function<Variation()>& read) {
+    try {
+      take(read());
     } catch (const core::InputError& error) {
       errors.insert(errors.end(), error.messages().begin(), error.messages().end());
     }
-  if (cases > static_cast<double>(most_cases))
-    errors.push_back(fmt::format("command line: the --vary make {:.3g} cases: a sweep has at most 1000000", cases));
+  };
+  if (!cases.empty()) add([&] { return read_cases(cases, catalogue); });
+  for (const std::string& text : texts) add([&] { return parse_variation(text, catalogue); });
+  if (count > static_cast<double>(most_cases))
+    errors.push_back(fmt::format("command line: {:.3g} cases: a sweep has at most 1000000", count));
   if (!errors.empty()) throw core::InputError(errors);
   return variations;
 }
@@ -139,11 +216,19 @@ std::size_t number_of_cases(const std::vector<Variation>& variations) {
   return count;
 }
 
+std::vector<std::string> varied_keys(const std::vector<Variation>& variations) {
+  std::vector<std::string> keys;
+  for (const Variation& variation : variations)
+    for (const Variation::Key& key : variation.keys) keys.push_back(name_of(key));
+  return keys;
+}
+
 std::vector<std::string> values_of_case(const std::vector<Variation>& variations, std::size_t index) {
-  std::vector<std::string> values(variations.size());
+  std::vector<std::string> values;
   for (std::size_t k = variations.size(); k-- > 0;) {
-    const std::vector<std::string>& list = variations[k].values;
-    values[k] = list[index % list.size()];
+    const auto& list = variations[k].values;
+    const std::vector<std::string>& own = list[index % list.size()];
+    values.insert(values.begin(), own.begin(), own.end());
     index /= list.size();
   }
   return values;
@@ -151,8 +236,8 @@ std::vector<std::string> values_of_case(const std::vector<Variation>& variations
 
 std::vector<std::string> overrides_of_case(const std::vector<Variation>& variations, std::size_t index) {
   std::vector<std::string> overrides = values_of_case(variations, index);
-  for (std::size_t k = 0; k < variations.size(); ++k)
-    overrides[k] = variations[k].section + "." + variations[k].name + "=" + overrides[k];
+  const std::vector<std::string> keys = varied_keys(variations);
+  for (std::size_t k = 0; k < keys.size(); ++k) overrides[k] = keys[k] + "=" + overrides[k];
   return overrides;
 }
 

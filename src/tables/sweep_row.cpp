@@ -115,10 +115,9 @@ SweepRow sweep_row(const SweepKind& kind) {
                        {"cycle_factor", unknown},
                        {"cycles", 0},
                        {"work_units", unknown},
-                       {"seconds", unknown, "s"},
-                       {"peak_memory", unknown, "bytes"},
                        {"path", "none"}};
   row.insert(row.end(), plain.begin(), plain.end());
+  if (kind.timing) row.insert(row.end(), {{"seconds", unknown, "s"}, {"peak_memory", unknown, "bytes"}});
   if (kind.friction)
     for (const char* name : {"mu", "mu_rolling", "mu_1", "mu_2"}) row.push_back({name, unknown});
   if (kind.thermal) {
@@ -189,6 +188,7 @@ SweepRow sweep_case(const SweepHeader& sweep, const std::vector<std::string>& ov
                     const std::function<void(const std::string&)>& say) {
   const double began = core::now();
   SweepRow row = solve_case(sweep, overrides, say, sweep_row(sweep.kind));
+  if (!sweep.kind.timing) return row;
   in_row(row, "seconds") = std::stod(fmt::format("{:.4g}", core::now() - began));
   in_row(row, "peak_memory") = peak_memory();
   return row;

@@ -1,6 +1,7 @@
 #include "tables/sweep_table.hpp"
 
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <sys/file.h>
 #include <unistd.h>
 
@@ -9,6 +10,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <sstream>
 
 #include "case/catalogue.hpp"
@@ -21,21 +23,36 @@ namespace ehl::program {
 namespace {
 
 const std::string program_mark = "# program: ";
+const std::string vary_mark = "# vary: ";
+const std::string cases_mark = "# cases: ";
 
 // What makes a sweep this sweep.
 std::vector<std::string> identity(const SweepHeader& header) {
   std::vector<std::string> lines{deck_text_line(header.deck_text)};
   for (const deck::NamedFile& file : header.files) lines.push_back(file_line(file));
   for (const std::string& set : header.set) lines.push_back("# set: " + set);
-  for (const Variation& variation : header.variations)
-    lines.push_back("# vary: " + variation.section + "." + variation.name + " = " +
-                    deck::joined(variation.values, ","));
+  return lines;
+}
+
+// Which cases it has.
+std::vector<std::string> cases_of(const SweepHeader& header) {
+  std::vector<std::string> lines;
+  for (const Variation& variation : header.variations) {
+    const std::string keys = deck::joined(varied_keys({variation}), ",");
+    std::vector<std::string> values;
+    for (const std::vector<std::string>& one : variation.values) values.push_back(deck::joined(one, ":"));
+    lines.push_back(variation.file.empty() ? vary_mark + keys + " = " + deck::joined(values, ",")
+                                           : cases_mark + variation.file);
+  }
+  if (!header.shard.whole())
+    lines.push_back(fmt::format("{}{}/{} of {} cases", shard_mark, header.shard.index, header.shard.count,
+                                number_of_cases(header.variations)));
   return lines;
 }
 
 std::string names_of_columns(const SweepHeader& header) {
-  std::string line;
-  for (const Variation& variation : header.variations) line += variation.section + "." + variation.name + ",";
+  std::string line = header.shard.whole() ? "" : case_column;
+  for (const std::string& key : varied_keys(header.variations)) line += key + ",";
   return line + csv_names(sweep_row(header.kind));
 }
 
@@ -43,13 +60,15 @@ std::string whole_header(const SweepHeader& header, const std::vector<std::strin
   std::string text = std::string(sweep_mark) + "\n";
   for (const std::string& program : programs) text += program_mark + program + "\n";
   text += "# deck: " + header.deck + "\n" + deck::joined(identity(header), "\n") + "\n";
+  if (const std::vector<std::string> cases = cases_of(header); !cases.empty()) text += deck::joined(cases, "\n") + "\n";
   text +=
       "# status: converged, not-converged (then the films, P_max and errors are NaN), refused (wrong deck for this "
       "case), "
       "failed (the program)\n"
       "# H = h R/a^2, P = p/p_h, errors and residual relative\n"
-      "# nx, ny: cells; cycles, work_units, cycle_factor: on the finest grid; seconds: the whole case, one thread; "
-      "exit_status: of `ehl run`; path: the method as a code\n";
+      "# nx, ny: cells; cycles, work_units, cycle_factor: on the finest grid; exit_status: of `ehl run`; path: the "
+      "method as a code\n";
+  if (header.kind.timing) text += "# seconds: the whole case, one thread\n";
   if (header.kind.si) {
     text += "# h_c_error, h_m_error: error bars, mesh and cycles; deviation: formula over the film computed less 1; ";
     text += header.kind.bodies == Bodies::line ? "moes: Moes 1992; dh: Dowson, Higginson 1968, Toyoda 1979\n"
@@ -67,8 +86,10 @@ std::string whole_header(const SweepHeader& header, const std::vector<std::strin
 
 const std::string remedy = ": give --overwrite to begin anew, or another --output";
 
-std::string start_of_row(const std::vector<std::string>& values) {
-  return deck::joined(values, ",") + (values.empty() ? "" : ",");
+// A campaign's list of cases may be long.
+std::string shortened(const std::string& text) {
+  constexpr std::size_t most = 160;
+  return text.size() > most ? text.substr(0, most) + "..." : text;
 }
 
 }  // namespace
@@ -83,8 +104,13 @@ std::vector<deck::NamedFile> files_of_cases(const std::string& path, const std::
   };
   add(overrides_of_case(variations, 0));
   for (const Variation& varied : variations)
-    if (deck::find_key(catalogue(), varied.section, varied.name)->names_file)
-      for (const std::string& value : varied.values) add({varied.section + "." + varied.name + "=" + value});
+    for (std::size_t k = 0; k < varied.keys.size(); ++k) {
+      const Variation::Key& key = varied.keys[k];
+      if (!deck::find_key(catalogue(), key.section, key.name)->names_file) continue;
+      std::set<std::string> names;
+      for (const std::vector<std::string>& values : varied.values) names.insert(values[k]);
+      for (const std::string& name : names) add({name_of(key) + "=" + name});
+    }
   std::vector<deck::NamedFile> files;
   for (auto& [name, file] : by_name) files.push_back(std::move(file));
   return files;
@@ -92,14 +118,12 @@ std::vector<deck::NamedFile> files_of_cases(const std::string& path, const std::
 
 std::string header_text(const SweepHeader& header) { return whole_header(header, {header.program}); }
 
-SweepTable::SweepTable(const std::string& path, const SweepHeader& header, bool overwrite)
-    : path_(path), header_(header), rows_(number_of_cases(header.variations)) {
+SweepTable::SweepTable(const std::string& path, const SweepHeader& header, const std::vector<std::size_t>& own,
+                       bool overwrite)
+    : path_(path), header_(header), own_(own), rows_(number_of_cases(header.variations)) {
   results::check_writable(path, true, 0);
-  descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) throw core::FileError(path + ": cannot be written: " + std::strerror(errno));
+  open();
   try {
-    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-      throw core::FileError(path + ": another sweep is writing this table");
     std::ifstream file(path);
     const std::string content = overwrite ? "" : std::string(std::istreambuf_iterator<char>(file), {});
     if (!file) throw core::FileError(path + ": cannot be read: " + std::strerror(errno));
@@ -117,63 +141,86 @@ SweepTable::SweepTable(const std::string& path, const SweepHeader& header, bool 
   }
 }
 
+void SweepTable::open() {
+  descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) throw core::FileError(path_ + ": cannot be written: " + std::strerror(errno));
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  ::close(descriptor_);
+  throw core::FileError(path_ + ": another sweep is writing this table");
+}
+
 SweepTable::~SweepTable() { ::close(descriptor_); }
 
 void SweepTable::read(const std::string& content) {
   std::istringstream lines(content.substr(0, content.rfind('\n') + 1));
-  std::vector<std::string> found;
+  std::vector<std::string> found, found_cases;
   std::map<std::string, std::size_t> cases;
-  for (std::size_t index = 0; index < rows_.size(); ++index)
-    cases[start_of_row(values_of_case(header_.variations, index))] = index;
+  for (const std::size_t index : own_) cases[start_of_row(index)] = index;
   bool has_columns = false;
   std::string line;
   std::getline(lines, line);
   if (line != sweep_mark) throw core::FileError(path_ + ": exists already and is no table of a sweep" + remedy);
   while (std::getline(lines, line)) {
     if (line.starts_with(program_mark)) programs_.push_back(line.substr(program_mark.size()));
-    for (const char* mark : {"# deck text: ", "# file: ", "# set: ", "# vary: "})
+    for (const std::string mark : {"# deck text: ", "# file: ", "# set: "})
       if (line.starts_with(mark)) found.push_back(line);
+    for (const std::string& mark : {vary_mark, cases_mark, std::string(shard_mark)})
+      if (line.starts_with(mark)) found_cases.push_back(line);
     if (line.starts_with('#')) continue;
     if (has_columns) {
       take_row(line, cases);
       continue;
     }
     has_columns = true;
-    check_identity(found);
-    if (line != names_of_columns(header_))
+    check_same(found, identity(header_));
+    // Other columns that vary are other cases; more values of the same columns are more cases.
+    if (line != names_of_columns(header_)) {
+      check_same(found_cases, cases_of(header_));
       throw core::FileError(path_ + ": has other columns than this version writes" + remedy);
+    }
   }
   if (!has_columns) throw core::FileError(path_ + ": exists already and is only the head of a table" + remedy);
+  const bool new_program = std::ranges::find(programs_, header_.program) == programs_.end();
+  if (new_program) programs_.push_back(header_.program);
+  if (found_cases != cases_of(header_)) {
+    if (lost_) check_same(found_cases, cases_of(header_));
+    finish();
+    ::close(descriptor_);
+    open();
+    return;
+  }
+  if (lost_)
+    throw core::FileError(path_ + ": this line is no row of the sweep: " + *lost_ +
+                          ": remove it, give --overwrite to begin anew, or another --output");
   // A killed sweep may leave half a line.
   if (::ftruncate(descriptor_, static_cast<off_t>(content.rfind('\n') + 1)) != 0)
     throw core::FileError(path_ + ": cannot be written: " + std::strerror(errno));
-  if (std::find(programs_.begin(), programs_.end(), header_.program) == programs_.end()) {
-    programs_.push_back(header_.program);
-    write(program_mark + header_.program + "\n");
-  }
+  if (new_program) write(program_mark + header_.program + "\n");
 }
 
-void SweepTable::check_identity(const std::vector<std::string>& found) const {
-  const std::vector<std::string> own = identity(header_);
+void SweepTable::check_same(const std::vector<std::string>& found, const std::vector<std::string>& own) const {
   for (std::size_t k = 0; k < std::max(own.size(), found.size()); ++k) {
-    const std::string here = k < found.size() ? found[k].substr(2) : "nothing";
-    const std::string asked = k < own.size() ? own[k].substr(2) : "nothing";
-    if (here != asked)
+    const std::string here = k < found.size() ? shortened(found[k].substr(2)) : "nothing";
+    const std::string asked = k < own.size() ? shortened(own[k].substr(2)) : "nothing";
+    if (k >= found.size() || k >= own.size() || found[k] != own[k])
       throw core::FileError(path_ + ": is the table of another sweep (it has '" + here + "', this one '" + asked +
                             "')" + remedy);
   }
 }
 
 void SweepTable::take_row(const std::string& line, const std::map<std::string, std::size_t>& cases) {
-  std::vector<std::string> cells = csv_cells(line, header_.variations.size() + 1);
+  const std::string columns = names_of_columns(header_);
+  const std::size_t before = varied_keys(header_.variations).size() + (header_.shard.whole() ? 0 : 1);
+  std::vector<std::string> cells = csv_cells(line, before + 1);
   const std::string row = cells.back();
   cells.pop_back();
-  const auto found = cases.find(start_of_row(cells));
+  const auto found = cases.find(cells.empty() ? "" : deck::joined(cells, ",") + ",");
   // The reason is the last column, and the only one that may hold commas.
   const auto commas = [](const std::string& text) { return std::count(text.begin(), text.end(), ','); };
-  if (found == cases.end() || !row.ends_with('"') || commas(line) < commas(names_of_columns(header_)))
-    throw core::FileError(path_ + ": this line is no row of the sweep: " + line.substr(0, 120) +
-                          ": remove it, give --overwrite to begin anew, or another --output");
+  if (found == cases.end() || !row.ends_with('"') || commas(line) < commas(columns)) {
+    if (!lost_) lost_ = line.substr(0, 120);
+    return;
+  }
   rows_[found->second] = row;
 }
 
@@ -184,9 +231,13 @@ void SweepTable::write(const std::string& text) const {
   throw core::FileError(path_ + ": cannot be written: " + (written < 0 ? std::strerror(errno) : "no room is left"));
 }
 
-std::string SweepTable::line_of(std::size_t index) const {
-  return start_of_row(values_of_case(header_.variations, index)) + rows_[index] + "\n";
+std::string SweepTable::start_of_row(std::size_t index) const {
+  const std::vector<std::string> values = values_of_case(header_.variations, index);
+  return (header_.shard.whole() ? "" : std::to_string(index) + ",") + deck::joined(values, ",") +
+         (values.empty() ? "" : ",");
 }
+
+std::string SweepTable::line_of(std::size_t index) const { return start_of_row(index) + rows_[index] + "\n"; }
 
 void SweepTable::append(std::size_t index, const std::string& text) {
   rows_[index] = text;
@@ -202,7 +253,7 @@ void SweepTable::finish() const {
 
 std::vector<std::size_t> SweepTable::missing() const {
   std::vector<std::size_t> cases;
-  for (std::size_t index = 0; index < rows_.size(); ++index)
+  for (const std::size_t index : own_)
     if (rows_[index].empty() || rows_[index].starts_with("failed,")) cases.push_back(index);
   return cases;
 }

@@ -1,10 +1,12 @@
 #pragma once
 // The table of a sweep: a CSV file that grows by whole rows, and that a sweep cut short goes on with.
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "deck/file.hpp"
+#include "tables/shard.hpp"
 #include "tables/sweep_range.hpp"
 #include "tables/sweep_row.hpp"
 
@@ -12,6 +14,9 @@ namespace ehl::program {
 
 /// How the first line of every table begins.
 constexpr char sweep_mark[] = "# ehl sweep, table 1";
+/// How the line of a table begins that has a part of the cases, and the column of their numbers.
+constexpr char shard_mark[] = "# shard: ";
+constexpr char case_column[] = "case,";
 
 /// What a table is about. The same sweep is the same deck text, the same --set and --vary, and the same in the files
 /// that they name.
@@ -23,6 +28,7 @@ struct SweepHeader {
   std::vector<Variation> variations{};
   SweepKind kind{};                      ///< columns that not every sweep has
   std::vector<deck::NamedFile> files{};  ///< that any of the cases names
+  Shard shard{};                         ///< of a table that has a part of the cases
 };
 
 /// The files that the cases of a sweep name, sorted by name. in: path of the deck, --set, what varies.
@@ -33,13 +39,14 @@ std::vector<deck::NamedFile> files_of_cases(const std::string& path, const std::
 /// The header as lines of a file, each of which begins with #, but for the last, which names the columns.
 std::string header_text(const SweepHeader& header);
 
-/// An open table, locked against a second sweep.
+/// An open table, locked against a second sweep. Rows of a shard begin with the number of their case.
 class SweepTable {
  public:
-  /// Opens or begins the table. in: path; overwrite: begin anew whatever the file holds.
+  /// Opens or begins the table. A table of the same sweep with fewer values goes on with more. in: path; own: the cases
+  /// of the shard; overwrite: begin anew whatever the file holds.
   /// errors: core::FileError: no room for a file there, in use by another sweep, a file of another kind or of another
   /// sweep, a damaged row (a last line without its end is dropped: the sweep was killed while writing it).
-  SweepTable(const std::string& path, const SweepHeader& header, bool overwrite);
+  SweepTable(const std::string& path, const SweepHeader& header, const std::vector<std::size_t>& own, bool overwrite);
   ~SweepTable();
   SweepTable(const SweepTable&) = delete;
   SweepTable& operator=(const SweepTable&) = delete;
@@ -58,16 +65,20 @@ class SweepTable {
   std::size_t count(const std::string& status) const;
 
  private:
+  void open();
   void read(const std::string& content);
-  void check_identity(const std::vector<std::string>& found) const;
+  void check_same(const std::vector<std::string>& found, const std::vector<std::string>& own) const;
   void take_row(const std::string& line, const std::map<std::string, std::size_t>& cases);
+  std::string start_of_row(std::size_t index) const;
   std::string line_of(std::size_t index) const;
   void write(const std::string& text) const;
 
   std::string path_;
   SweepHeader header_;
+  std::vector<std::size_t> own_;
   std::vector<std::string> rows_;      ///< one per case, after the varied keys; empty where there is none yet
   std::vector<std::string> programs_;  ///< the lines of all programs that worked on it
+  std::optional<std::string> lost_;    ///< a line that is the row of none of the cases
   int descriptor_ = -1;
 };
 

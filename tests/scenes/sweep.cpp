@@ -18,15 +18,6 @@ using support::contains;
 
 using Row = support::NamedRow;
 
-// What must not depend on when and how often the sweep was stopped.
-std::vector<Row> lasting(std::vector<Row> rows) {
-  for (Row& row : rows) {
-    row.erase("seconds");
-    row.erase("peak_memory");
-  }
-  return rows;
-}
-
 struct Scene {
   support::TemporaryFolder folder;
   Scene() { folder.write("d.ini", small); }
@@ -37,10 +28,11 @@ struct Scene {
 };
 
 // Starts a sweep, waits until its table has `rows` lines that end a row, and sends a signal to it alone.
-std::string cut_short(const std::string& arguments, int rows, const std::string& signal) {
-  return std::string("'") + EHL_PROGRAM + "' " + arguments +
-         " & pid=$!; for k in $(seq 500); do [ \"$(grep -c '\"$' d_sweep.csv)\" -ge " + std::to_string(rows) +
-         " ] 2>/dev/null && break; sleep 0.02; done; kill -" + signal + " $pid; wait $pid";
+std::string cut_short(const std::string& arguments, int rows, const std::string& signal,
+                      const std::string& table = "d_sweep.csv") {
+  return std::string("'") + EHL_PROGRAM + "' " + arguments + " & pid=$!; for k in $(seq 500); do [ \"$(grep -c '\"$' " +
+         table + ")\" -ge " + std::to_string(rows) + " ] 2>/dev/null && break; sleep 0.02; done; kill -" + signal +
+         " $pid; wait $pid";
 }
 
 }  // namespace
@@ -118,7 +110,7 @@ BOOST_AUTO_TEST_CASE(a_sweep_cut_short_goes_on) {
     std::string signal;
     int status;
   };
-  for (const End& end : {End{"KILL", 137}, End{"TERM", 130}, End{"INT", 130}}) {
+  for (const End& end : {End{"KILL", 137}, End{"TERM", 130}, End{"INT", 130}, End{"USR1", 130}}) {
     const Scene scene;
     const support::Ended cut = support::shell(scene.folder, cut_short(command, 3, end.signal));
     BOOST_TEST(cut.status == end.status, end.signal << ": " << cut.status << "\n" << cut.err);
@@ -131,9 +123,29 @@ BOOST_AUTO_TEST_CASE(a_sweep_cut_short_goes_on) {
     BOOST_TEST(rest.status == 0, rest.err);
     const std::string counts = std::to_string(done) + " kept, " + std::to_string(10 - done) + " computed";
     BOOST_TEST(contains(rest.out, counts), rest.out);
-    BOOST_TEST((lasting(scene.table()) == lasting(whole.table())), scene.folder.read("d_sweep.csv"));
+    BOOST_TEST(scene.folder.read("d_sweep.csv") == whole.folder.read("d_sweep.csv"));
     BOOST_TEST(scene.folder.entries() == 2);  // nothing left behind
   }
+}
+
+// Three jobs, the first killed and begun again, the second by the variables of a Slurm array: the bytes of one run.
+BOOST_AUTO_TEST_CASE(shards_make_one_table) {
+  const Scene scene;
+  const std::string sweep = "sweep d.ini --vary contact.M,contact.L=20:5,30:10 --vary grid.cells=32,64,128 --quiet ";
+  BOOST_REQUIRE(scene.ehl(sweep + "--output one.csv").status == 0);
+  const std::string first = sweep + "--output t.csv --threads 1 --shard 1/3";
+  BOOST_TEST(support::shell(scene.folder, cut_short(first, 1, "KILL", "t.1of3.csv")).status == 137);
+  BOOST_TEST(scene.ehl("sweep --merge t.1of3.csv --output part.csv").status == 3);
+  BOOST_TEST(scene.ehl(first).status == 0);
+  const std::string array = "SLURM_ARRAY_TASK_COUNT=3 SLURM_ARRAY_TASK_MIN=0 SLURM_ARRAY_TASK_ID=1 '";
+  BOOST_TEST(support::shell(scene.folder, array + EHL_PROGRAM + "' " + sweep + "--output t.csv").status == 0);
+  BOOST_TEST(scene.ehl(sweep + "--output t.csv --shard 3/3").status == 0);
+  const support::Ended merged = scene.ehl("sweep --merge t.3of3.csv t.1of3.csv t.2of3.csv --output all.csv");
+  BOOST_TEST(merged.status == 0, merged.err);
+  BOOST_TEST(scene.folder.read("all.csv") == scene.folder.read("one.csv"));
+  // What was merged without all of them goes on as one run.
+  BOOST_TEST(scene.ehl(sweep + "--output part.csv").status == 0);
+  BOOST_TEST(scene.folder.read("part.csv") == scene.folder.read("one.csv"));
 }
 
 BOOST_AUTO_TEST_CASE(a_table_of_another_sweep_is_kept) {
@@ -147,7 +159,7 @@ BOOST_AUTO_TEST_CASE(a_table_of_another_sweep_is_kept) {
     BOOST_TEST(ended.says({"d_sweep.csv", part, "--overwrite"}), ended.err);
     BOOST_TEST(scene.folder.read("d_sweep.csv") == before, other);
   };
-  refused("sweep d.ini --vary contact.M=20,50,100", "vary: contact.M = 20,50,100");
+  refused("sweep d.ini --vary contact.M=20,100", "vary: contact.M = 20,100");
   refused(command + " --set contact.L=5", "set: contact.L=5");
   scene.folder.write("d.ini", small + "# a comment\n");
   refused(command, "deck text");
@@ -172,6 +184,10 @@ BOOST_AUTO_TEST_CASE(wrong_command_lines) {
            {"sweep d.ini --vary contact.M=2 --output t.h5", ".csv"},
            {"sweep d.ini --vary contact.M=2 --threads 0", "--threads 0"},
            {"sweep none.ini --vary contact.M=2", "no such file"},
+           {"sweep d.ini --vary contact.M=2 --shard 3/2", "--shard 3/2"},
+           {"sweep d.ini --cases d.ini", "d.ini:1: [contact]"},
+           {"sweep --merge d.ini", "needs --output"},
+           {"sweep --merge d.ini --vary contact.M=2 --output t.csv", "--vary is in them"},
        }) {
     const support::Ended ended = scene.ehl(line.arguments);
     BOOST_TEST(ended.status == 2, line.arguments << " ends with " << ended.status);

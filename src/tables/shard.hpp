@@ -1,0 +1,31 @@
+#pragma once
+// The part of a sweep that one job of many computes.
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ehl::program {
+
+/// Part `index` of `count`, 1 <= index <= count. The whole is part 1 of 1.
+struct Shard {
+  int index = 1;
+  int count = 1;
+  bool whole() const { return count == 1; }
+};
+
+/// Reads "3/10". errors: core::InputError: another form, an index beyond the count.
+Shard parse_shard(const std::string& text);
+
+/// That of a job of an array under Slurm, SLURM_ARRAY_TASK_ID and its fellows; none elsewhere.
+/// errors: core::InputError where they contradict each other.
+std::optional<Shard> shard_of_array();
+
+/// "t.3of10.csv" for "t.csv"; of the whole the same name.
+std::string name_of_shard(const std::string& path, const Shard& shard);
+
+/// The cases of a shard, ascending: the longest case left goes to the shard that has least to do, so that every job
+/// finds the same parts. in: seconds that each case is foreseen to take.
+std::vector<std::size_t> cases_of_shard(const std::vector<double>& seconds, const Shard& shard);
+
+}  // namespace ehl::program

@@ -1,0 +1,151 @@
+// Sweeps in many jobs: keys that change together, cases of a file, shards, and how they become one table.
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <numeric>
+
+#include "case/catalogue.hpp"
+#include "support/temporary_folder.hpp"
+#include "support/text.hpp"
+#include "tables/csv.hpp"
+#include "tables/shard.hpp"
+#include "tables/sweep_merge.hpp"
+#include "tables/sweep_table.hpp"
+
+using namespace ehl;
+using Texts = std::vector<std::string>;
+
+namespace {
+
+using support::contains;
+using support::refusal;
+
+std::vector<std::size_t> first(std::size_t count) {
+  std::vector<std::size_t> cases(count);
+  std::iota(cases.begin(), cases.end(), std::size_t{0});
+  return cases;
+}
+
+program::SweepHeader header_of(const Texts& vary) {
+  return {"ehl 1, commit x", "d.ini", "[contact]\n", {}, program::parse_variations(vary, {}, program::catalogue())};
+}
+
+std::string row(const std::string& status) {
+  return program::csv_row(program::row_without_solution(program::sweep_row({}), status, 0, ""));
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(campaign)
+
+BOOST_AUTO_TEST_CASE(keys_change_together) {
+  const auto together =
+      program::parse_variations({"contact.M,contact.L=5:1,20:2", "grid.cells=64,128"}, {}, program::catalogue());
+  BOOST_TEST(program::number_of_cases(together) == 4u);
+  BOOST_TEST(program::overrides_of_case(together, 1) == (Texts{"contact.M=5", "contact.L=1", "grid.cells=128"}),
+             boost::test_tools::per_element());
+  BOOST_TEST(program::overrides_of_case(together, 2) == (Texts{"contact.M=20", "contact.L=2", "grid.cells=64"}),
+             boost::test_tools::per_element());
+  const support::TemporaryFolder folder;
+  folder.write("c.csv", "# of a bearing\ncontact.M, contact.L\r\n5,1\r\n20,2\n\n");
+  const auto read = program::parse_variations({"grid.cells=64,128"}, {}, program::catalogue(), folder / "c.csv");
+  for (std::size_t k = 0; k < 4; ++k)
+    BOOST_TEST(program::overrides_of_case(read, k) == program::overrides_of_case(together, k),
+               boost::test_tools::per_element());
+  const auto said = [&](const std::string& text) {
+    folder.write("w.csv", text);
+    return refusal([&] { program::read_cases(folder / "w.csv", program::catalogue()); });
+  };
+  BOOST_TEST(contains(said("contact.M,contact.LL\n5,1\n"), "did you mean L?"));
+  BOOST_TEST(contains(said("contact.M,contact.L\n5,1\n5\n"), "w.csv:3: 1 values for 2 columns"));
+  BOOST_TEST(contains(said("contact.M,contact.L\n5,-1\n"), "L = -1"));
+  BOOST_TEST(contains(said("contact.M,contact.L\n5,1\n5,1\n"), "5:1 is given twice"));
+  BOOST_TEST(contains(said("contact.M\n"), "has no cases"));
+  BOOST_TEST(contains(refusal([] { program::parse_variation("contact.M,contact.L=5:1,20", program::catalogue()); }),
+                      "'20' has 1 values for 2 keys"));
+}
+
+// Every case is in one shard, and all shards have nearly as much to do.
+BOOST_AUTO_TEST_CASE(shards) {
+  std::vector<double> seconds;
+  for (int k = 0; k < 77; ++k) seconds.push_back(0.1 + (k * 37 % 77));
+  std::vector<int> times(seconds.size(), 0);
+  std::vector<double> loads;
+  for (int index = 1; index <= 10; ++index) {
+    const std::vector<std::size_t> own = program::cases_of_shard(seconds, {index, 10});
+    BOOST_TEST(std::ranges::is_sorted(own));
+    loads.push_back(0.0);
+    for (const std::size_t one : own) {
+      ++times[one];
+      loads.back() += seconds[one];
+    }
+  }
+  BOOST_TEST((std::ranges::count(times, 1) == 77));
+  const auto [least, most] = std::ranges::minmax(loads);
+  BOOST_TEST_MESSAGE("loads from " << least << " to " << most);
+  BOOST_TEST(most < 1.02 * least);
+  BOOST_TEST(program::name_of_shard("a/t.csv", {3, 10}) == "a/t.3of10.csv");
+  BOOST_TEST(program::parse_shard("3/10").index == 3);
+  for (const char* wrong : {"0/10", "11/10", "3", "3/", "x/10", "3/10 ", "-1/2"})
+    BOOST_TEST(contains(refusal([&] { program::parse_shard(wrong); }), "write i/N"), wrong);
+}
+
+// Shards filled in any order, one of them twice because a process died, make the bytes of one run; a table goes on with
+// more values.
+BOOST_AUTO_TEST_CASE(shards_become_one_table) {
+  const support::TemporaryFolder folder;
+  const Texts vary{"contact.M=5,20", "contact.L=1,2,3"};
+  const auto fill = [&](program::SweepTable& table, const std::vector<std::size_t>& cases) {
+    for (const std::size_t one : cases) table.append(one, row(one % 2 == 0 ? "converged" : "not-converged"));
+  };
+  {
+    program::SweepTable whole(folder / "one.csv", header_of(vary), first(6), false);
+    fill(whole, first(6));
+    whole.finish();
+  }
+  Texts paths;
+  for (int index = 1; index <= 2; ++index) {
+    program::SweepHeader header = header_of(vary);
+    header.shard = {index, 2};
+    const auto own = program::cases_of_shard({1, 1, 1, 1, 1, 1}, header.shard);
+    paths.push_back(program::name_of_shard(folder / "t.csv", header.shard));
+    program::SweepTable table(paths.back(), header, own, false);
+    BOOST_TEST(table.missing() == own, boost::test_tools::per_element());
+    table.append(own[2], row("failed"));
+    fill(table, {own[2], own[1]});
+    if (index == 1) fill(table, {own[0]});
+  }
+  program::MergedSweep merged = program::merged_sweep({paths[1], paths[0]});
+  BOOST_TEST((merged.missing == std::vector<std::size_t>{1}));
+  folder.write("part.csv", merged.text);
+  {
+    program::SweepTable goes_on(folder / "part.csv", header_of(vary), first(6), false);
+    BOOST_TEST((goes_on.missing() == std::vector<std::size_t>{1}));
+  }
+  {
+    program::SweepHeader header = header_of(vary);
+    header.shard = {2, 2};
+    program::SweepTable table(paths[1], header, {1, 3, 5}, false);
+    fill(table, {1});
+  }
+  merged = program::merged_sweep(paths);
+  BOOST_TEST((merged.missing.empty() && merged.converged == 3u));
+  BOOST_TEST(merged.text == folder.read("one.csv"));
+  const auto refused = [&](const Texts& tables, const std::string& part) {
+    const std::string said = refusal([&] { program::merged_sweep(tables); });
+    BOOST_TEST(contains(said, part), said);
+  };
+  refused({paths[0], folder / "one.csv"}, "is no part of a sweep");
+  folder.write("again.csv", folder.read("t.1of2.csv"));
+  refused({paths[0], folder / "again.csv"}, "case 4 is in");
+  folder.write("other.csv", std::string(folder.read("t.2of2.csv"))
+                                .replace(0, 0, "")
+                                .insert(folder.read("t.2of2.csv").find("# vary"), "# set: grid.cells=64\n"));
+  refused({paths[0], folder / "other.csv"}, "another sweep");
+  folder.write("damaged.csv", folder.read("t.2of2.csv") + "3,5\n");
+  refused({paths[0], folder / "damaged.csv"}, "damaged: 3,5");
+
+  program::SweepTable more(folder / "one.csv", header_of({"contact.M=5,20", "contact.L=1,2,3,4"}), first(8), false);
+  BOOST_TEST((more.missing() == std::vector<std::size_t>{3, 7}));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
