@@ -50,6 +50,22 @@ BOOST_AUTO_TEST_CASE(far_from_the_base_case) {
   }
 }
 
+// The errors that 128 cells tell of friction and surfaces hold against 512.
+BOOST_AUTO_TEST_CASE(bars_of_friction_and_temperatures) {
+  const Scene scene(deck_of("128"));
+  for (const std::string point :
+       {"--set contact.load=36.7 --set motion.u_m=8 --set motion.srr=0.5", "--set motion.u_m=5"}) {
+    const nlohmann::json coarse = scene.run(point), fine = scene.run(point + " --set grid.cells=512");
+    for (const std::string name : {"mu", "T_film_max", "T1_max", "T2_max"}) {
+      const double error = std::abs(number_at(coarse, "/thermal/" + name) / number_at(fine, "/thermal/" + name) - 1);
+      const double bar = number_at(coarse, "/thermal/error_" + name);
+      BOOST_TEST_MESSAGE(point << ": " << name << " " << error << " off, bar " << bar);
+      BOOST_TEST(error <= bar);
+      BOOST_TEST(bar < 0.03);
+    }
+  }
+}
+
 // Pure rolling is a point of a traction curve: the pressure's own flow thins the oil there too, cold or with heat.
 BOOST_AUTO_TEST_CASE(pure_rolling_with_the_flow_s_thinning) {
   const std::string thin = "--set shear.flow=on --set shear.tau_0=1e6 --set motion.srr=";

@@ -11,11 +11,17 @@ namespace ehl::heat {
 namespace {
 
 constexpr double order = 2.0;
+// The sequence's estimates of mu and temperatures are wider by this, and never less than that: of eight contacts on 128
+// and 256 cells (0.5 to 1.5 GPa, 1 to 8 m/s, srr 0.1 to 1.5) 49 of 64 errors against 512 are within what the sequence
+// tells, 59 within these; of mu 15 of 16, 2.6 times too wide in the median. Two of the five are a hottest film at a
+// pressure spike that 256 cells do not show.
+constexpr double wider = 1.5, least_of_mu = 3e-4, least_of_temperature = 1e-3;
 
 double error_of(const std::vector<Row>& rows, double Row::*value) {
   std::vector<double> sequence;
   for (const Row& row : rows) sequence.push_back(row.*value);
-  return judgement::estimate_error(sequence, order).relative_error;
+  const double told = wider * judgement::estimate_error(sequence, order).relative_error;
+  return std::isnan(told) ? told : std::max(told, value == &Row::mu ? least_of_mu : least_of_temperature);
 }
 
 Hottest hottest(const core::Patch& patch, const thermal::Extreme& extreme, double error) {
