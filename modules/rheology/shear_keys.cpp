@@ -35,7 +35,8 @@ std::vector<deck::Key> shear_keys() {
                  .default_text = "off",
                  .words = {"off", "on"},
                  .meaning = "The flow that pressure drives thins the oil as well, with the sliding or without (srr = "
-                            "0): passes behind the solution without it. Off: to first order in that flow.",
+                            "0), and meets the viscosity limit/rate where [friction] limit acts: passes behind the "
+                            "solution without it. Off: to first order in that flow, without the limit.",
                  .needs = {.name = "law", .words = {}}}});
 }
 

@@ -35,6 +35,7 @@ void shear(const ColumnLaws& laws, Columns& at) {
   at.mobility_y = at.more_y * across / I0;
   const LaneMask limited = tau > at.limit;
   at.tau_m = limited ? at.limit : tau;
+  at.unlimited = tau;
   const Lanes tau_slope = limited ? Lanes{} : -1.0 - y_slope;
   // In the direction of sliding: tau_m and t_N are magnitudes.
   const double direction = laws.sliding < 0.0 ? 12.0 : -12.0;

@@ -72,6 +72,7 @@ struct Columns {
   // out
   Lanes I0{}, z_bar{}, M2{};         ///< I0 and M2 over the fluidity at T0
   Lanes tau_m{};                     ///< magnitude
+  Lanes unlimited{};                 ///< what it were without the limit
   Lanes mobility_x{}, mobility_y{};  ///< F', (F/tau)_m
   Lanes q_1{}, q_2{};                ///< into the surfaces, in k0 T0 R/a^2
   Lanes heat{};              ///< H times what is made in the column, in the same unit; q_1 + q_2 without convection

@@ -125,8 +125,13 @@ void FilmTemperature::flows(int batch, int i, Worker& worker) {
   if (setup_.flow_thinning) {
     const rheology::FlowThinned by =
         rheology::thinned_by_flow(*setup_.flow_thinning, at.H * at.I0 * at.fluidity, driven_x, driven_y);
-    core::store(more_x_.at_x(i) + j, by.along);
-    core::store(more_y_.at_x(i) + j, by.across);
+    // Where the limit acts the film flows at the viscosity limit/rate. Below this pressure the limit counts as that of
+    // it: measured ones do not vanish with p.
+    constexpr double least_P = 1e-3;
+    const Lanes limit = (setup_.limit * setup_.stress_of_P) * core::max(at.P, broadcast(least_P));
+    const Lanes over = core::max(broadcast(1.0), at.unlimited / limit);
+    core::store(more_x_.at_x(i) + j, over * by.along);
+    core::store(more_y_.at_x(i) + j, over * by.across);
     core::store(less_tau_.at_x(i) + j, by.stress);
   }
   if (setup_.Pe == 0.0 && setup_.compression == 0.0) return;

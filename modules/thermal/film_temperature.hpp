@@ -33,7 +33,8 @@ struct Setup {
   rheology::ViscosityLaw viscosity{};
   rheology::ThermalViscosity thermal_viscosity{};
   std::optional<rheology::ShearThinning> thinning{};
-  std::optional<rheology::FlowThinning> flow_thinning{};  ///< the pressure's own flow thins too
+  /// The pressure's own flow thins too, and flows at limit/rate where the limit acts.
+  std::optional<rheology::FlowThinning> flow_thinning{};
   rheology::ThermalDensity density{};
   rheology::HeatLaw heat{};
   double Br = 0.0;                                         ///< eta0 u_m^2/(k0 T0)

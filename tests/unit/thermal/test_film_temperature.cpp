@@ -245,3 +245,24 @@ BOOST_AUTO_TEST_CASE(a_surface_that_moves_against_the_entrainment_is_refused) {
   const Grid grid{8, 8, -1.5, 1.5, -1.5, 1.5};
   BOOST_CHECK_THROW(FilmTemperature film(base.setup(grid)), ehl::core::InputError);
 }
+
+BOOST_AUTO_TEST_CASE(a_limiting_stress_acts_on_the_flow) {
+  // Eyring's stress asinh(k)/k of what a Newtonian oil has, cut off at limit P: the flow meets limit/rate.
+  const Grid grid{8, 8, 0.0, 1.0, 0.0, 1.0};
+  constexpr double sliding = 0.5, k_m = 20.0;
+  for (const double limit : {0.01, 1.0}) {
+    Setup setup = cold_setup(ehl::rheology::Barus{0.0}, ehl::rheology::Incompressible{});
+    setup.patch = grid;
+    setup.srr = sliding;
+    setup.stress_of_P = 1.0;
+    setup.limit = limit;
+    setup.thinning = ehl::rheology::ShearThinning{ehl::rheology::Eyring{}, k_m * sliding};
+    setup.flow_thinning = ehl::rheology::FlowThinning{ehl::rheology::Eyring{}, k_m, sliding};
+    FilmTemperature film(setup);
+    film.take(ones(grid), ones(grid));
+    film.sweep();
+    const double law = std::asinh(k_m * sliding) / k_m, over = std::max(1.0, law / limit);
+    for (const Field* more : {&film.more_x(), &film.more_y()}) BOOST_TEST(std::abs((*more)(4, 4) / over - 1) < 1e-6);
+    BOOST_TEST(std::abs(film.tau_m()(4, 4) / std::min(law, limit) - 1) < 1e-6);
+  }
+}
