@@ -73,7 +73,9 @@ FigureSource result_source(const std::string& path, const Arguments& arguments) 
   const auto result = std::make_shared<results::ResultFile>(path);
   std::vector<Setting> settings = chosen_frame(*result, arguments);
   const bool pressed = any_pressure(*result, settings);
-  const bool map = result->dims("/grid/y").at(0) > 1;
+  // A roller's map would be a strip twenty times as long as wide, or more.
+  const bool roller = result->kind("/roller") != results::ResultFile::Kind::missing;
+  const bool map = result->dims("/grid/y").at(0) > 1 && !roller;
   const auto has = [result, pressed, map](const std::string& need) {
     if (need == map_need) return map;
     return need == pressure_need ? pressed : result->kind(need) != results::ResultFile::Kind::missing;

@@ -26,7 +26,7 @@ constexpr char curves_need[] = "curves";
 /// A need of figures of a result: a pressure that is not zero everywhere; bodies that are apart have none.
 constexpr char pressure_need[] = "pressure";
 
-/// Likewise: fields over the contact's plane; a line contact has one line.
+/// Likewise: fields over the contact's plane; a line contact has one line, a roller too many.
 constexpr char map_need[] = "map";
 
 /// A variable that a script finds: a text, or a number as text.

@@ -138,4 +138,19 @@ BOOST_AUTO_TEST_CASE(a_roller_in_SI) {
   }
 }
 
+// The deck of the result runs again to the same film, and all figures that fit are drawn.
+BOOST_AUTO_TEST_CASE(the_result_is_drawn_and_runs_again) {
+  const TemporaryFolder folder;
+  const nlohmann::json first =
+      solved(folder, numbers + "[roller]\nprofile = logarithmic\ndesign_load = 2\n", "--output a.h5");
+  const Ended deck = ehl(folder, "extract a.h5 /deck");
+  const nlohmann::json again = solved(folder, deck.out, "--output b.h5");
+  BOOST_TEST(first["Hc"] == again["Hc"]);
+  BOOST_TEST(first["roller"]["P_end"] == again["roller"]["P_end"]);
+  const Ended plot = ehl(folder, "plot a.h5");
+  BOOST_TEST(plot.status == 0, plot.err);
+  BOOST_TEST(contains(plot.out, "roller"), plot.out);
+  BOOST_TEST(plot.err.empty(), plot.err);
+}
+
 BOOST_AUTO_TEST_SUITE_END()
