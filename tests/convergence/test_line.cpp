@@ -95,6 +95,21 @@ BOOST_AUTO_TEST_CASE(the_film_does_not_depend_on_the_inlet) {
   BOOST_TEST(std::abs(far.Hm / near.Hm - 1.0) < 3e-5);
 }
 
+// Moes' two limits of oil that keeps its viscosity. Rigid: Martin (1916), h/R = 4.8966 eta u/w, is 2.4483/M;
+// elasticity goes out with the square of M. Elastic: H M^(1/5) becomes a constant, Herrebrugh (1968);
+// by M = 1000 it has fallen to 1.983.
+BOOST_AUTO_TEST_CASE(the_limits_of_moes) {
+  const auto smallest = [](double M, double X_a) { return film_of(line_scene(M, 0.0, Oil::isoviscous, 2048, X_a)).Hm; };
+  const double nearly = 0.1 * smallest(0.1, -120.0), less = 0.2 * smallest(0.2, -60.0);
+  const double rigid = nearly - (less - nearly) / 3.0;
+  BOOST_TEST_MESSAGE("rigid: Hm M = " << rigid << ", Martin 2.4483");
+  BOOST_TEST(std::abs(rigid / 2.4483 - 1.0) < 1e-3);
+  const double heavy = std::pow(100.0, 0.2) * smallest(100.0, -4.5);
+  const double heavier = std::pow(200.0, 0.2) * smallest(200.0, -4.5);
+  BOOST_TEST_MESSAGE("elastic: Hm M^(1/5) = " << heavy << ", " << heavier);
+  BOOST_TEST(std::abs(heavier / heavy - 1.0) < 5e-3);
+}
+
 // T = (1/2) integral of H dP/dX, T M^1.5 = 1.45 of Biboulet and Houpert (2010), a fit for M = 0.2 to 800, L = 4 to 16.
 // Beyond the inlet H dP/dX = lambda/H, H = X^2/2.
 BOOST_AUTO_TEST_CASE(the_rolling_force_is_that_of_biboulet_and_houpert) {
