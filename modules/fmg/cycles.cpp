@@ -7,6 +7,7 @@
 #include "core/errors.hpp"
 #include "fmg/boundary.hpp"
 #include "fmg/cycle.hpp"
+#include "fmg/oil.hpp"
 
 namespace ehl::fmg {
 namespace {
@@ -103,9 +104,19 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
       before = measures_of(hierarchy, l);
       continue;
     }
-    const DiscretizationError error = observe(result.cycles, now);
-    result.last = {before, now, error.Hc, error.Hm, result.cycles == 1};
-    const judgement::Verdict verdict = judged(criterion, result.cycles, result.last);
+    const auto look = [&] {
+      const DiscretizationError error = observe(result.cycles, now);
+      result.last = {before, now, error.Hc, error.Hm, result.cycles == 1};
+      return judged(criterion, result.cycles, result.last);
+    };
+    judgement::Verdict verdict = look();
+    if (verdict.unmet.empty() && criterion.aim == judgement::Aim::solution && conserves_mass(hierarchy.levels[l])) {
+      if (close_oil(hierarchy, hierarchy.levels[l], how.relaxation)) {
+        now = measures_of(hierarchy, l);
+        verdict = look();
+      }
+      if (verdict.unmet.empty()) verdict.unmet = judgement::unmet_oil(now);
+    }
     result.unmet = verdict.unmet;
     if (result.unmet.empty() || verdict.no_solution) {
       result.end = verdict.no_solution ? CyclesEnd::no_solution : CyclesEnd::content;

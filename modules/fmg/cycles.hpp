@@ -37,7 +37,8 @@ struct CyclesResult {
   judgement::LastCycle last{};  ///< that was judged
 };
 
-/// FAS cycles on level l, from the state that is there, until the criterion is met.
+/// FAS cycles on level l, from the state that is there, until the criterion is met; with Aim::solution where mass is
+/// conserved, until the oil balances as well.
 /// Backs off: without relaxations after the correction, a residual that falls slowly asks for one; a residual that
 /// rises or hardly falls lowers the weight where epsilon is steep, and then all weights; a state that is no longer
 /// finite, or hopeless, is replaced by the one at the beginning and all weights are lowered; where that does not help

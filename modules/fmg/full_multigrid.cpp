@@ -7,8 +7,6 @@
 #include <vector>
 
 #include "core/errors.hpp"
-#include "fmg/oil.hpp"
-#include "fmg/relaxation.hpp"
 #include "fmg/start.hpp"
 
 namespace ehl::fmg {
@@ -110,20 +108,16 @@ void solve_level(Run& run, std::size_t l) {
   record.levels.emplace_back();
   std::vector<double> residuals;
   const CycleObserver observe = [&](int cycle, const Measures& now) -> DiscretizationError {
+    if (!residuals.empty() && record.history.back().cycle == cycle) {  // anew, its oil closed
+      record.history.pop_back();
+      residuals.pop_back();
+    }
     enter(run.hierarchy, l, cycle, now, record);
     report(run, l, cycle, criterion.planned, now);
     residuals.push_back(now.residual);
     return {record.levels.back().error_Hc, record.levels.back().error_Hm};
   };
-  CyclesResult result = run_cycles(run.hierarchy, l, criterion, run.caution, observe);
-  if (l == run.finest() && result.unmet.empty() && balance_oil(run.hierarchy, run.hierarchy.finest())) {
-    // What that has made rough beside the meniscus.
-    relax(run.hierarchy, run.hierarchy.finest(), cautious(run.hierarchy.parameters, result.caution).relaxation);
-    balance_oil(run.hierarchy, run.hierarchy.finest());
-    result.last.after = measures_of(run.hierarchy, l);
-    record.history.pop_back();
-    enter(run.hierarchy, l, result.cycles, result.last.after, record);
-  }
+  const CyclesResult result = run_cycles(run.hierarchy, l, criterion, run.caution, observe);
   run.caution = result.caution;
   record.verification = verification_of(result.last);
   const std::string where = name_of_level(run.hierarchy, l) + ": ";

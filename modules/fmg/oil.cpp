@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/norms.hpp"
+#include "fmg/relaxation.hpp"
 #include "judgement/measures.hpp"
 
 namespace ehl::fmg {
@@ -11,6 +12,8 @@ namespace {
 
 /// Of the flow. Rounding leaves 1e-14 on 65^2 and 1e-13 on 513^2.
 constexpr double balanced = 5e-11;
+/// Of the content, of which an implicit step of time takes the squeeze: all nodes at once, not each.
+constexpr double rounding = 1e-15;
 /// From 1e-5 of the flow the third step ends at rounding.
 constexpr int most_steps = 6;
 /// Pressures of the inlet are below it: a hundredth of the load, and of what deforms the bodies.
@@ -114,6 +117,10 @@ core::Field theta_of(const Level& level) {
   return theta;
 }
 
+double stored_oil(const Level& level) {
+  return level.grid.hx() * level.grid.hy() * core::interior_sum(level.grid, level.content);
+}
+
 double oil_from_nowhere(const Hierarchy& hierarchy, const Level& level) {
   double sum = 0.0;
   for (int i = 1; i < level.grid.nx; ++i)
@@ -125,12 +132,20 @@ double oil_from_nowhere(const Hierarchy& hierarchy, const Level& level) {
 bool balance_oil(Hierarchy& hierarchy, Level& level, std::optional<double> flow) {
   if (!conserves_mass(level)) return false;
   update_residual(hierarchy, level);
-  const double enough = balanced * flow.value_or(oil_of(hierarchy, level).in);
+  const double enough = balanced * flow.value_or(oil_of(hierarchy, level).in) +
+                        rounding * hierarchy.transport.squeeze * stored_oil(level);
   const double excess = oil_from_nowhere(hierarchy, level);
   if (std::abs(excess) <= enough) return false;
   const bool steady = !(hierarchy.transport.squeeze > 0.0) && carried_load(level) > 0.0;
   if (steady && balanced_along(hierarchy, level, by_inlet(hierarchy, level), enough)) return true;
   return balanced_along(hierarchy, level, by_film(hierarchy, level, excess), enough);
+}
+
+bool close_oil(Hierarchy& hierarchy, Level& level, const RelaxationParameters& relaxation) {
+  if (!balance_oil(hierarchy, level)) return false;
+  relax(hierarchy, level, relaxation);
+  balance_oil(hierarchy, level);
+  return true;
 }
 
 }  // namespace ehl::fmg

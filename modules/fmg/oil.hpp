@@ -10,6 +10,9 @@ namespace ehl::fmg {
 /// Of the level behind update_residual().
 reynolds::OilBalance oil_of(const Hierarchy& hierarchy, const Level& level);
 
+/// In all interior nodes, in rho0 a^4/R.
+double stored_oil(const Level& level);
+
 /// theta = Q/(rho_bar H) of the level behind update_residual().
 core::Field theta_of(const Level& level);
 
@@ -24,5 +27,9 @@ double oil_from_nowhere(const Hierarchy& hierarchy, const Level& level);
 /// time H00 moves, by less than 1e-6. cost: a film and three times its coefficients and residual.
 /// out: true where it was made so; false where it was already, or neither is enough and all stays as it was.
 bool balance_oil(Hierarchy& hierarchy, Level& level, std::optional<double> flow = {});
+
+/// The same for a steady film that is solved in all else, and once more behind a relaxation of what that has made rough
+/// beside the meniscus. out: true where the state moved.
+bool close_oil(Hierarchy& hierarchy, Level& level, const RelaxationParameters& relaxation);
 
 }  // namespace ehl::fmg

@@ -115,7 +115,9 @@ Measures measures(const Subject& subject) {
           .dry_violation = norms.largest_dry / norms.wedge,
           .flow_through = contact.through,
           .flow_imbalance = contact.imbalance(),
-          .flow_imbalance_whole = flow(std::numeric_limits<double>::infinity()).imbalance()};
+          .flow_imbalance_whole = flow(std::numeric_limits<double>::infinity()).imbalance(),
+          .oil_imbalance =
+              reynolds::conserves(cavitation) ? reynolds::oil_balance(grid, fields, transport).imbalance() : 0.0};
 }
 
 }  // namespace ehl::judgement

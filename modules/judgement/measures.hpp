@@ -29,6 +29,7 @@ struct Measures {
   double flow_through = 0.0;    ///< through the contact: integral of rho_bar H over |Y| <= 1 at X = 0
   double flow_imbalance = 0.0;  ///< out of the pressurised region within |X|, |Y| <= 1.5 less in, over flow_through
   double flow_imbalance_whole = 0.0;  ///< the same of all of the pressurised region
+  double oil_imbalance = 0.0;         ///< out of the domain less in, over in, of the mass conserving model
 };
 
 /// The nodes' shares in the value at (X, Y), as below.

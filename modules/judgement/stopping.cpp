@@ -41,8 +41,9 @@ std::string text(double value) { return std::isfinite(value) ? fmt::format("{:.2
 // What no state may have, whatever else is asked.
 std::string impossible(const Measures& now) {
   if (!std::isfinite(now.Hm + now.least_P)) return "the cycles diverged: the film or the pressure is not finite";
-  if (!(now.Hm > 0.0))
-    return "the film is negative at its thinnest, H = " + text(now.Hm) +
+  // At (0, 0) it may be interpolated.
+  if (const double least = std::min(now.Hm, now.Hc); !(least > 0.0))
+    return "the film is negative at its thinnest, H = " + text(least) +
            ": the mesh is too coarse for this contact; use more cells";
   if (!(now.least_P >= 0.0)) return "the pressure is negative at its lowest, P = " + text(now.least_P);
   return {};
@@ -96,6 +97,12 @@ std::string unmet_film(const LastCycle& cycle) {
   if (unmet.empty()) unmet = unmet_share("Hc", foretold_error(cycle, &Measures::Hc), cycle.error_Hc);
   if (unmet.empty()) unmet = unmet_share("Hm", foretold_error(cycle, &Measures::Hm), cycle.error_Hm);
   return unmet;
+}
+
+std::string unmet_oil(const Measures& now) {
+  if (std::abs(now.oil_imbalance) <= largest_oil_imbalance) return {};
+  return "oil is not conserved: " + text(now.oil_imbalance) + " of what comes in appears or is lost, allowed is " +
+         text(largest_oil_imbalance) + "; more max_cycles or a finer grid may help";
 }
 
 std::string unmet_check(const LastCycle& cycle, double tolerance) {

@@ -10,6 +10,9 @@ namespace ehl::judgement {
 /// A larger discretization error than this is no licence to stop earlier: its estimate is too uncertain.
 inline constexpr double largest_licence = 0.05;
 
+/// Of the oil that comes in, where mass is conserved; rounding leaves 1e-13 on 513^2.
+inline constexpr double largest_oil_imbalance = 1e-10;
+
 /// Two states of the finest level, one cycle apart, and what is known of the discretization error there.
 struct LastCycle {
   Measures before;
@@ -34,6 +37,9 @@ double foretold_error(const LastCycle& cycle, double Measures::*value);
 ///   or 1e-4 where that is smaller.
 /// The README of this module says what the limits were measured on.
 std::string unmet_check(const LastCycle& cycle, double tolerance);
+
+/// What is wrong with the oil of a steady film, likewise: it balances to 1e-10.
+std::string unmet_oil(const Measures& now);
 
 /// The same for a level below the finest, whose solution is only a start: positive film, and the algebraic error of Hc
 /// and Hm as above.

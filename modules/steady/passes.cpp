@@ -9,7 +9,9 @@
 
 #include "core/errors.hpp"
 #include "core/norms.hpp"
+#include "fmg/oil.hpp"
 #include "fmg/start.hpp"
+#include "judgement/stopping.hpp"
 #include "steady/climb.hpp"
 #include "steady/rescue.hpp"
 
@@ -49,6 +51,7 @@ Solution cycles_from(const Scene& scene, const Solution& before, const ProgressC
   const core::Patch& grid = run.hierarchy.finest().grid;
   fmg::start_from_state(run.hierarchy, run.finest(), {core::on_patch(grid, before.P), before.H00});
   fmg::solve_level(run, run.finest());
+  if (!run.record.converged) fmg::balance_oil(run.hierarchy, run.hierarchy.finest());
   return solution_of(scene, std::move(run));
 }
 
@@ -56,12 +59,11 @@ Solution cycles_from(const Scene& scene, const Solution& before, const ProgressC
 /// residual is that of one node, and oil is conserved all the same: up to so much of both the pass counts, and is told.
 constexpr double swinging_residual = 2e-2;
 constexpr double swinging_load_error = 1e-4;
-constexpr double swinging_imbalance = 1e-4;
 
 bool only_swings(const Solution& solution) {
   const LevelRow& row = solution.levels.back();
   return row.Hm > 0.0 && row.residual <= swinging_residual && row.load_error <= swinging_load_error &&
-         std::abs(solution.oil.imbalance()) <= swinging_imbalance;
+         std::abs(solution.oil.imbalance()) <= judgement::largest_oil_imbalance;
 }
 
 // From the state of the pass before. The set of dry nodes hardly changes: Newton's method takes two to four steps,

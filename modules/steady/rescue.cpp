@@ -7,6 +7,7 @@
 
 #include "core/errors.hpp"
 #include "core/timer.hpp"
+#include "fmg/oil.hpp"
 #include "fmg/start.hpp"
 #include "judgement/stopping.hpp"
 #include "newton/solve.hpp"
@@ -48,13 +49,16 @@ newton::Result solve_level_by_newton(fmg::Run& run, std::size_t l, double tolera
 void judge(fmg::Run& run) {
   const std::size_t l = run.finest();
   fmg::Record& record = run.record;
-  const judgement::Measures now = fmg::measures_of(run.hierarchy, l);
+  judgement::Measures now = fmg::measures_of(run.hierarchy, l);
+  if (!judgement::unmet_oil(now).empty() && fmg::balance_oil(run.hierarchy, run.hierarchy.finest()))
+    now = fmg::measures_of(run.hierarchy, l);
   fmg::enter(run.hierarchy, l, record.levels.back().cycles, now, record);
   const judgement::LastCycle last{now, now, record.levels.back().error_Hc, record.levels.back().error_Hm};
   record.verification = judgement::verification_of(last);
   const double asked = run.hierarchy.parameters.tolerance;
   const double tolerance = std::isfinite(asked) ? asked : tolerance_on_the_way;
-  const std::string unmet = judgement::unmet_check(last, tolerance);
+  std::string unmet = judgement::unmet_check(last, tolerance);
+  if (unmet.empty()) unmet = judgement::unmet_oil(now);
   record.failed_check = unmet.empty() ? unmet : fmg::name_of_level(run.hierarchy, l) + ": " + unmet;
   record.converged = unmet.empty();
   record.end = unmet.empty() ? CyclesEnd::content : CyclesEnd::stalled;

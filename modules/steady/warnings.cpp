@@ -46,6 +46,10 @@ void warn_of_supply(const Starvation& found, std::vector<std::string>& warnings)
                        " cells of the inlet boundary, which may hold it back; move x_inlet upstream");
   if (!found.flooded_converged)
     warnings.push_back("the flooded contact beside it did not converge: the starvation factor is not known well");
+  constexpr double thicker = 1.01;  // by what both mesh and cycles leave
+  if (found.factor > thicker)
+    warnings.push_back(
+        "the starvation factor is above 1, which no film has: the mesh resolves neither film; use more cells");
 }
 
 void warn_of_passes(const std::vector<Pass>& passes, std::vector<std::string>& warnings) {

@@ -13,6 +13,7 @@ void ContactDae::release(const Drive& drive) {
   hierarchy_.far_motion = {.approach = -V_, .load = 0.0};
   fmg::update_film(hierarchy_, level);
   fmg::renew_boundary(hierarchy_, level);
+  spread_oil();
 }
 
 // V = yp_p + cj (H00 - H00_p), and V' likewise from V: the load that is wanted grows linearly with H00.

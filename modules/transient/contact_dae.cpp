@@ -229,6 +229,8 @@ StageResult ContactDae::solve(const Stage& stage, const Drive& drive, std::span<
       if (conserves_mass()) fmg::update_residual(hierarchy_, level);
       result.solved = change(stage, H00_of_cycle) <= stage.tolerance;
     }
+    // A step whose oil cannot be closed is cycled on, and cut in the end.
+    if (result.solved && conserves_mass()) result.solved = close_oil();
     last = now;
     least = std::min(least, now);
   }

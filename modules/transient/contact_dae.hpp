@@ -44,7 +44,7 @@ struct LoadBalance {
 struct OilInTime {
   double stored = 0.0;                      ///< in rho0 a^4/R
   double in = 0.0, out = 0.0, aside = 0.0;  ///< through inlet, outlet and sides, in rho0 u_m a^3/R
-  double from_nowhere = 0.0;                ///< in the last step, per time, over the flow into the steady film
+  double from_nowhere = 0.0;                ///< in the last step, over what flows into the steady film in a/u_m
   double lost = 0.0;                        ///< since the start, over what that brings in a/u_m
 };
 
@@ -73,8 +73,8 @@ class ContactDae {
   /// The level's P, H00 and all that follows from them at T, from y. yp: for the load that a moving body wants; without
   /// it, the one that acts.
   void set_state(double T, const Drive& drive, std::span<const double> y, std::span<const double> yp = {});
-  /// The body at its gap, without pressure, with its velocity. in: the drive at T = 0; a course with a body that has a
-  /// gap.
+  /// The body at its gap, without pressure, with its velocity; oil that is supplied lies under it. in: the drive at T =
+  /// 0; a course with a body that has a gap.
   void release(const Drive& drive);
 
   /// in: the drive at the stage's time.
@@ -84,7 +84,8 @@ class ContactDae {
   /// Smallest H of all nodes in y; where mass is conserved, of those that carry pressure.
   double least_film(std::span<const double> y);
 
-  /// Where mass is conserved: makes the level's content that of the steady film, and begins to count.
+  /// Where mass is conserved: makes the level's content that of the steady film, where there is one, and begins to
+  /// count.
   void begin_oil();
   OilInTime oil() const;
   /// theta = Q/(rho_bar H) of the whole domain, where mass is conserved; else empty.
@@ -111,9 +112,10 @@ class ContactDae {
   double content(int i, int j) const;
   bool at_edge(std::span<const double> y, int i, int j) const;
   void set_content(std::span<const double> y);
-  void close_oil();
+  bool close_oil();
+  void spread_oil();
+  bool released() const { return course_.body && course_.body->gap; }
   void count_oil(const Stage& stage);
-  double stored_oil() const;
 
   fmg::Hierarchy& hierarchy_;
   const Course& course_;

@@ -41,27 +41,36 @@ void ContactDae::set_content(std::span<const double> y) {
   oil_by_flows_ = y.back();
 }
 
-double ContactDae::stored_oil() const {
-  const core::Patch& grid = hierarchy_.levels.back().grid;
-  return grid.hx() * grid.hy() * core::interior_sum(grid, hierarchy_.levels.back().content);
-}
-
 void ContactDae::begin_oil() {
   if (!conserves_mass()) return;
-  close_oil();
-  oil_by_flows_ = stored_oil();
+  if (!released()) close_oil();
+  oil_by_flows_ = fmg::stored_oil(hierarchy_.levels.back());
 }
 
-// What the cycles have left in the rows of full nodes would add up from step to step.
-void ContactDae::close_oil() {
+// Upon a plate that a body comes to the layer lies as it is supplied.
+void ContactDae::spread_oil() {
+  if (!conserves_mass()) return;
+  fmg::Level& level = hierarchy_.finest();
+  for_nodes(level.grid, [&](int i, int j, std::size_t) {
+    level.content(i, j) = std::min(level.supply[static_cast<std::size_t>(j)], level.rho_bar(i, j) * level.H(i, j));
+  });
+  core::fill_ghosts(level.grid, level.content);
+}
+
+// What the cycles have left in the rows of full nodes would add up from step to step. In an implicit step, whose
+// length is about 1/squeeze, it is an amount.
+bool ContactDae::close_oil() {
   fmg::Level& level = hierarchy_.finest();
   fmg::balance_oil(hierarchy_, level, inlet_);
-  from_nowhere_ = std::abs(fmg::oil_from_nowhere(hierarchy_, level)) / inlet_;
+  const double squeeze = hierarchy_.transport.squeeze;
+  const double excess = std::abs(fmg::oil_from_nowhere(hierarchy_, level));
+  from_nowhere_ = excess / (squeeze > 0.0 ? squeeze : 1.0) / inlet_;
+  constexpr double closed = 1e-10;
+  return from_nowhere_ <= closed;
 }
 
 void ContactDae::count_oil(const Stage& stage) {
   if (!conserves_mass()) return;
-  close_oil();
   const double gain = fmg::oil_of(hierarchy_, hierarchy_.finest()).stored();
   oil_by_flows_ = stage.y_predicted.back() + (gain - stage.yp_predicted.back()) / stage.cj;
 }
@@ -69,7 +78,7 @@ void ContactDae::count_oil(const Stage& stage) {
 OilInTime ContactDae::oil() const {
   if (!conserves_mass()) return {};
   const reynolds::OilBalance flow = fmg::oil_of(hierarchy_, hierarchy_.levels.back());
-  const double stored = stored_oil();
+  const double stored = fmg::stored_oil(hierarchy_.levels.back());
   return {stored, flow.in, flow.out, flow.aside, from_nowhere_, (oil_by_flows_ - stored) / inlet_};
 }
 

@@ -45,7 +45,7 @@ std::vector<Column<StepRow>> step_columns(const RowKind& kind, const std::vector
         {"oil_out", "rho0 u_m a^3/R", "oil through the outlet boundary", of_oil(&transient::OilInTime::out)});
     columns.push_back(
         {"oil_aside", "rho0 u_m a^3/R", "oil through the sides of the domain", of_oil(&transient::OilInTime::aside)});
-    columns.push_back({"oil_from_nowhere", "-", "in the step, per time, over what the inlet brings in the steady film",
+    columns.push_back({"oil_from_nowhere", "-", "in the step, over what the inlet brings in the steady film in a/u_m",
                        of_oil(&transient::OilInTime::from_nowhere)});
     columns.push_back({"oil_lost", "-", "since the start, over what the inlet brings then in a/u_m",
                        of_oil(&transient::OilInTime::lost)});

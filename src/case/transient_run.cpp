@@ -96,7 +96,7 @@ std::string oil_line(const TransientResult& result) {
   const transient::OilInTime &first = result.rows.front().oil, &last = result.rows.back().oil;
   return fmt::format(
       "  oil        {:.5f} to {:.5f} rho0 a^4/R between the bodies; at the end in {:.5f}, out {:.5f}, aside {:.2g} per "
-      "a/u_m; from nowhere {:.1e} of the first inflow in the worst step, {:.1e} since the start\n",
+      "a/u_m; from nowhere {:.1e} of what first flows in in a/u_m in the worst step, {:.1e} since the start\n",
       first.stored, last.stored, last.in, last.out, last.aside, result.report.worst_oil_error, last.lost);
 }
 

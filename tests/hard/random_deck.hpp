@@ -41,8 +41,9 @@ struct RandomDeck {
 };
 
 /// The same deck for the same seed and keys, on every machine. in: the keys that the program has, targets of the
-/// damage. Physical cases: M log-uniform 1 ... 1e4, L 0 ... 30, in three languages, grids up to 129 x 129 nodes.
-RandomDeck random_deck(std::uint64_t seed, const std::vector<KnownKey>& keys);
+/// damage; the share of decks with a [supply]. Physical cases: M log-uniform 1 ... 1e4, L 0 ... 30, in three languages,
+/// grids up to 129 x 129 nodes.
+RandomDeck random_deck(std::uint64_t seed, const std::vector<KnownKey>& keys, double supplies);
 
 /// A case in good faith: what a user may want, common or rare. ordinary: left true while nothing in it can be refused.
 std::vector<Entry> random_case(Random& random, bool& ordinary);
@@ -59,8 +60,8 @@ void make_elliptic(std::vector<Entry>& entries, Random random, bool& ordinary);
 /// Now and then an oil by name, by a table or by the laws of a liquid, one that thins, and friction; drawn for itself.
 void vary_oil(std::vector<Entry>& entries, std::vector<File>& files, Random random, bool& ordinary);
 
-/// Now and then a [supply], some with passes, and what varies of it in time; likewise.
-void vary_supply(std::vector<Entry>& entries, Random random, bool& ordinary);
+/// In a share of decks a [supply], some with passes, and what varies of it in time; likewise.
+void vary_supply(std::vector<Entry>& entries, Random random, double share, bool& ordinary);
 
 /// Now and then heat, and the pressure's flow that thins; drawn for itself.
 void add_heat(std::vector<Entry>& entries, Random random, bool& ordinary);

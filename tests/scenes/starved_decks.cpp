@@ -180,6 +180,25 @@ BOOST_AUTO_TEST_CASE(supply_in_time) {
   BOOST_TEST(std::abs(in[1] / in[0] - 5.0 / 6.0) <= 1e-3);
 }
 
+// The decks: a profile with time as well; oil from nowhere in no step.
+BOOST_AUTO_TEST_CASE(decks_in_time_conserve_oil) {
+  const TemporaryFolder folder;
+  folder.write("track.csv", "y,h\n-3,0.15\n0,0.3\n1,0.2\n3,0.2\n");
+  for (const char* deck : {"impact.ini' --set grid.cells=64", "start_stop.ini' --set transient.end_time=3.5",
+                           "start_stop.ini' --set transient.end_time=1 --set 'transient.supply=0:1 1:0.7' "
+                           "--unset supply.H_oil --set supply.profile=track.csv"}) {
+    const std::string words = std::string("run '") + EHL_INPUTS + "/starved/" + deck;
+    const Ended run = ehl(folder, words + " --json --quiet --overwrite --output r.h5");
+    BOOST_TEST_REQUIRE(run.status == 0, run.err);
+    const nlohmann::json report = nlohmann::json::parse(run.out)["transient"];
+    const double nowhere = report["worst_oil_error"], lost = report["oil_lost"];
+    BOOST_TEST_MESSAGE(deck << ": oil from nowhere " << nowhere << " (allowed 1e-10), since the start " << lost
+                            << " (1e-9), steps " << report["steps"]);
+    BOOST_TEST(nowhere <= 1e-10);
+    BOOST_TEST(std::abs(lost) <= 1e-9);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
   const TemporaryFolder folder;
   refused(folder, contact, "H_oil = 0\n", "must be a number > 0");

@@ -86,3 +86,32 @@ BOOST_AUTO_TEST_CASE(oil_is_conserved_while_load_and_speed_change) {
   check_oil("stop and start",
             marched(starved_scene(0.25), {.u1 = {.points = stop}, .u2 = {.points = stop}}, {.end = 4.0}), 4.0);
 }
+
+// A ball falls on a plate with a layer of oil that is thinner than the gap: no pressure before the ball is at the
+// layer, nothing flows anywhere, and as the layer is thin the impact is the dry one.
+BOOST_AUTO_TEST_CASE(a_ball_falls_on_a_thin_layer) {
+  constexpr double layer = 0.05, gap = 1.0, speed = 2.0;
+  const Points none{{0, 0}};
+  Conditions falls{.load = {.points = none}, .u1 = {.points = none}, .u2 = {.points = none}};
+  falls.body = Body{.mass = 1.0 / (speed * speed), .gap = gap, .velocity = -speed};
+  const Marched all = marched(starved_scene(layer), falls, {.end = 1.6});
+  BOOST_TEST((all.report.end == MarchEnd::end_time));
+  const double oil = all.rows.front().oil.stored;
+  double met = 0.0, nowhere = 0.0, changed = 0.0, carried = 0.0;
+  for (const StepRow& row : all.rows) {
+    if (met == 0.0 && row.P_max > 0.0) met = row.T;
+    nowhere = std::max(nowhere, row.oil.from_nowhere);
+    changed = std::max(changed, std::abs(row.oil.stored / oil - 1.0));
+    carried = std::max(carried, row.carried);
+  }
+  // Of mass V^2/2 = (2/5) W (-H00)^(5/2) of a dry ball, carried = (-H00)^(3/2).
+  const double dry = std::pow(5.0 / 4.0, 0.6);
+  BOOST_TEST_MESSAGE("first pressure at T = " << met << " (" << (gap - layer) / speed << ", a step later), oil " << oil
+                                              << " changes by " << changed << ", from nowhere " << nowhere
+                                              << " (allowed 1e-10), largest load over that of the dry ball "
+                                              << carried / dry << " (0.94 to 1), steps " << all.report.steps);
+  BOOST_TEST((met >= (gap - layer) / speed && met <= (gap - layer) / speed + 0.02));
+  BOOST_TEST(nowhere <= 1e-10);
+  BOOST_TEST(changed <= 1e-10);
+  BOOST_TEST((carried / dry <= 1.0 && carried / dry >= 0.94));
+}
