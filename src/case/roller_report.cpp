@@ -53,7 +53,7 @@ std::string film_text(double H, const Physics& physics) {
   return si ? film_text(H, *si) : fmt::format("{:.5f}", H);
 }
 
-std::string length_text(double Y, const Physics& physics) {
+std::string place_text(double Y, const Physics& physics) {
   const std::optional<SiScales> si = si_scales(physics);
   return si ? fmt::format("{:.3f} mm", 1e3 * si->a * Y) : fmt::format("{:.3f} a", Y);
 }
@@ -127,10 +127,10 @@ std::string roller_summary(const Case& input, const Computed& computed) {
                                  pressure_text(found.middle.P_max, physics), with_bar(bars.P_middle),
                                  result.dry.middle.P_max, found.middle.load, mark);
   text += fmt::format("             ends: p = {}{} at y = {}, dry {:.4f}; film {}{}\n", pressure_text(end.P, physics),
-                      with_bar(bars.P_end), length_text(end.P_Y, physics), harder(result.dry).P,
+                      with_bar(bars.P_end), place_text(end.P_Y, physics), harder(result.dry).P,
                       film_text(least_at_ends(found), physics), with_bar(bars.H_end));
   if (!roller::symmetric(*input.roller)) {
-    text += "             resultant of the pressure at y = " + length_text(found.load_centre, physics);
+    text += "             resultant of the pressure at y = " + place_text(found.load_centre, physics);
     if (physics.si) text += fmt::format(", moment {:.4g} N m", moment_Nm(input, found));
     text += "\n";
   }
