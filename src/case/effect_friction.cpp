@@ -39,7 +39,9 @@ Needs expense(const Case& input) {
 std::string summary(const Case& input, const Computed& computed) {
   const Friction& f = *computed.friction;
   const auto in_newtons = [&](double mu) {
-    return input.physics.si ? fmt::format(" ({:.3g} N)", mu * whole_load(*input.physics.si)) : "";
+    if (!input.physics.si) return std::string();
+    const char* unit = contact::line(input.scene.shape) ? "N/m" : "N";
+    return fmt::format(" ({:.3g} {})", mu * whole_load(*input.physics.si), unit);
   };
   const char* mark = computed.solution.converged ? "" : "  (NOT CONVERGED)";
   std::string text = fmt::format("friction     mu = {:.5g} sliding{}, {:.3g} rolling{}{}\n", f.sliding,

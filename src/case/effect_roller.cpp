@@ -143,7 +143,7 @@ Effect roller_effect() {
           .json = json,
           .add_content = add_content,
           .seconds = [](const Computed& computed) { return computed.roller->seconds; },
-          .example = {"contact.kind=roller", "contact.length=20", "roller.profile=logarithmic"}};
+          .example = {"contact.kind=roller", "contact.length=20", "roller.profile=logarithmic", "-domain.y_half"}};
 }
 
 }  // namespace ehl::program

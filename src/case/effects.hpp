@@ -64,7 +64,7 @@ struct Effect {
   nlohmann::ordered_json (*json)(const Case& input, const Computed& computed) = nullptr;  ///< the member of its name
   void (*add_content)(const Case& input, const Computed& computed, results::Content& content) = nullptr;
   double (*seconds)(const Computed& computed) = nullptr;  ///< its own, that no other effect counts
-  std::vector<std::string> example{};                     ///< "section.key=value" that turn it on in a deck in M and L
+  std::vector<std::string> example{};                     ///< overrides that turn it on in a deck in M and L
   std::string upon{};                                     ///< the effect that the example needs besides
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -20,11 +21,16 @@ struct PublishedFormula {
   const char* code;
   const char* name;
 };
-constexpr PublishedFormula published[] = {{"hd", "Hamrock, Dowson 1977"},
-                                          {"nvm", "Nijenbanning, Venner, Moes 1994"},
-                                          {"chittenden", "Chittenden et al. 1985"},
-                                          {"moes", "Moes 1992"},
-                                          {"dh", "Dowson, Higginson 1968; Toyoda 1979"}};
+using Formulas = std::array<PublishedFormula, 3>;  // as many as the scripts draw
+
+// Those of point contacts, or of line contacts.
+Formulas published_for(const SweepData& table) {
+  if (table.has("moes_h_c_nm"))
+    return {{{"dh", "Dowson, Higginson 1968; Toyoda 1979"}, {"moes", "Moes 1992"}, {"", ""}}};
+  return {{{"hd", "Hamrock, Dowson 1977"},
+           {"nvm", "Nijenbanning, Venner, Moes 1994"},
+           {"chittenden", "Chittenden et al. 1985"}}};
+}
 
 std::string formula_column(const PublishedFormula& formula, const std::string& y) {
   return std::string(formula.code) + "_" + y;
@@ -92,7 +98,7 @@ std::string block(const SweepData& table, std::vector<std::size_t> rows, const s
   for (const std::size_t row : rows) {
     if (table.cell(row, "status") != "converged") continue;
     text += fmt::format("{:.9g} {:.9g} {:.9g}", table.number(row, x), table.number(row, y), error_bar(table, row, y));
-    for (const PublishedFormula& formula : published) {
+    for (const PublishedFormula& formula : published_for(table)) {
       const std::string column = formula_column(formula, y);
       text += " " + (table.has(column) ? fmt::format("{:.9g}", table.number(row, column)) : std::string("nan"));
     }
@@ -163,7 +169,8 @@ Curves curves_of(const SweepData& table, const CurvesWanted& wanted) {
     text(fmt::format("curve_{}", k + 1), name_of_curve(table, wanted.by, curves[k][0]));
   for (std::size_t q = 0; q < wanted.y.size(); ++q) text(fmt::format("quantity_{}", q + 1), words_for(wanted.y[q]));
   for (std::size_t q = 0; q < wanted.y.size(); ++q) text(fmt::format("axis_{}", q + 1), with_unit(table, wanted.y[q]));
-  for (std::size_t f = 0; f < std::size(published); ++f)
+  const Formulas published = published_for(table);
+  for (std::size_t f = 0; f < published.size(); ++f)
     text(fmt::format("formula_{}", f + 1), any(table, wanted.y, published[f]) ? published[f].name : "");
   text("x_words", with_unit(table, wanted.x));
   text("y_words", words_of_all(table, wanted.y));

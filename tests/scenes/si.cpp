@@ -138,7 +138,7 @@ BOOST_AUTO_TEST_CASE(a_sweep_without_units_has_none) {
   BOOST_TEST(contains(scene.folder.read("t.csv"),
                       "\ncontact.L,status,exit_status,method,attempts,M,L,p_h,nx,ny,Hc,Hm,P_max,error_Hc,error_Hm,"
                       "Hc_best,error_Hc_best,Hm_best,error_Hm_best,"
-                      "residual,load_error,cycle_factor,cycles,work_units,seconds,peak_memory,path,warnings,reason\n"));
+                      "residual,load_error,cycle_factor,cycles,work_units,path,warnings,reason\n"));
 }
 
 // The number that follows a word in a text.

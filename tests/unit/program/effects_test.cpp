@@ -86,10 +86,11 @@ BOOST_AUTO_TEST_CASE(every_entry_is_complete) {
     BOOST_TEST(!effect.callers.empty(), effect.name);
     for (const program::KeyName& key : effect.callers)
       BOOST_TEST((deck::find_key(catalogue, key.section, key.name) != nullptr), key.section << "." << key.name);
-    // What is computed from the solution comes after it; what is part of the film is computed with it.
+    // What is computed from the solution comes after it; what is part of the film is computed with it, and what it adds
+    // to the solution tells its time.
     using program::Stage;
     BOOST_TEST((effect.stage != Stage::after_solution || effect.compute), effect.name);
-    BOOST_TEST((effect.stage != Stage::coefficients || !effect.compute), effect.name);
+    BOOST_TEST((effect.stage != Stage::coefficients || !effect.compute || effect.seconds), effect.name);
     if (!effect.costly.name.empty())
       BOOST_TEST((deck::find_key(catalogue, effect.costly.section, effect.costly.name) != nullptr), effect.name);
     for (const deck::Section& section : effect.sections)
