@@ -133,4 +133,16 @@ std::vector<Row> rows_of(const std::string& path, const std::string& note) {
   return rows;
 }
 
+std::string read_numbers(const Row& row, const std::string& wanted, std::span<double> numbers) {
+  if (row.cells.size() != numbers.size())
+    return fmt::format("{}: {} columns, wanted are {}", row.place, row.cells.size(), wanted);
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const ReadNumber read = read_number(row.cells[k]);
+    if (read.status != ReadNumber::Status::number)
+      return fmt::format("{}: {} is no finite number", row.place, quoted(row.cells[k]));
+    numbers[k] = read.value;
+  }
+  return "";
+}
+
 }  // namespace ehl::deck

@@ -2,6 +2,7 @@
 // Files that a deck names.
 #include <cstdint>
 #include <fstream>
+#include <span>
 #include <string>
 
 #include "deck/deck.hpp"
@@ -53,5 +54,9 @@ struct Row {
 /// The rows of a CSV file; # begins a comment; a heading before them is left out.
 /// errors: core::FileError where it cannot be read, or is larger than a table of a law or a schedule can be.
 std::vector<Row> rows_of(const std::string& path, const std::string& note = {});
+
+/// The numbers of a row. in: as many as its cells must be; their names, "y and h", for the message.
+/// out: what is wrong; empty where nothing is.
+std::string read_numbers(const Row& row, const std::string& wanted, std::span<double> numbers);
 
 }  // namespace ehl::deck

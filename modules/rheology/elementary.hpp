@@ -1,9 +1,11 @@
 #pragma once
-// exp, expm1 and log1p on a register full of values. The library's scalar functions keep the compiler from
-// vectorising the loops over a field's nodes, and the viscosity law is called for every node in every sweep.
+// exp, expm1, log1p and the square root on a register full of values. The library's scalar functions keep the compiler
+// from vectorising the loops over a field's nodes, and the viscosity law is called for every node in every sweep.
 //
-// All three stay within 2 units in the last place of the exact value (tests/unit/rheology), return NaN for
+// All stay within 2 units in the last place of the exact value (tests/unit/rheology), return NaN for
 // NaN, and saturate as the scalar functions do: nothing is clipped in silence.
+#include <cmath>
+
 #include "core/simd.hpp"
 
 namespace ehl::rheology {
@@ -117,6 +119,13 @@ inline Lanes log1p(Lanes u) {
   result = x == infinity ? x : result;
   result = x == 0.0 ? broadcast(-infinity) : result;
   return x >= 0.0 ? result : broadcast(__builtin_nan(""));
+}
+
+/// Correctly rounded.
+inline Lanes square_root(Lanes x) {
+  Lanes root;
+  for (int lane = 0; lane < core::lanes; ++lane) root[lane] = std::sqrt(x[lane]);
+  return root;
 }
 
 }  // namespace ehl::rheology

@@ -21,12 +21,6 @@ constexpr std::array<Point, 4> points{{{0.5 * 0.18343464249564980, 0.5 * 0.36268
                                        {0.5 * 0.79666647741362674, 0.5 * 0.22238103445337447},
                                        {0.5 * 0.96028985649753623, 0.5 * 0.10122853629037626}}};
 
-Lanes square_root(Lanes x) {
-  Lanes root;
-  for (int lane = 0; lane < core::lanes; ++lane) root[lane] = std::sqrt(x[lane]);
-  return root;
-}
-
 // Rate over stress, F/tau, and the slope F' at the stress tau > 0; rates in tau_c/eta.
 struct Rate {
   Lanes secant, slope;

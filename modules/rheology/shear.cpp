@@ -15,12 +15,6 @@ constexpr double small_s = 1e-4;
 /// A film that counts as zero: its fluidities stay finite, and H^3 times them is nothing.
 constexpr double least_film = 1e-30;
 
-Lanes square_root(Lanes x) {
-  Lanes root;
-  for (int lane = 0; lane < core::lanes; ++lane) root[lane] = std::sqrt(x[lane]);
-  return root;
-}
-
 struct Two {
   Lanes along, across;
 };

@@ -42,14 +42,8 @@ std::string read_profile(const std::string& path, const starvation::Scales& scal
                          Profile& profile) {
   const double unit_Y = scales.in_SI ? scales.a : 1.0, unit_H = scales.in_SI ? scales.height : 1.0;
   for (const deck::Row& row : deck::rows_of(path)) {
-    if (row.cells.size() != 2) return fmt::format("{}: {} columns, wanted are y and h", row.place, row.cells.size());
     double value[2];
-    for (std::size_t k = 0; k < 2; ++k) {
-      const deck::ReadNumber read = deck::read_number(row.cells[k]);
-      if (read.status != deck::ReadNumber::Status::number)
-        return fmt::format("{}: {} is no finite number", row.place, deck::quoted(row.cells[k]));
-      value[k] = read.value;
-    }
+    if (const std::string wrong = deck::read_numbers(row, "y and h", value); !wrong.empty()) return wrong;
     if (value[1] < 0.0) return fmt::format("{}: h = {:g} must be >= 0", row.place, value[1]);
     if (!profile.Y.empty() && value[0] / unit_Y <= profile.Y.back()) return row.place + ": y must grow from row to row";
     profile.Y.push_back(value[0] / unit_Y);

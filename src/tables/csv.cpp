@@ -77,9 +77,11 @@ void write_table(const std::string& path, const std::string& text, bool overwrit
   results::write_atomically(path, std::as_bytes(std::span(text)), overwrite);
 }
 
-std::string deck_text_line(const std::string& deck_text) {
-  return fmt::format("# deck text: {} bytes, {:016x}", deck_text.size(), deck::hash(deck_text));
+std::string size_and_hash(const std::string& text) {
+  return fmt::format("{} bytes, {:016x}", text.size(), deck::hash(text));
 }
+
+std::string deck_text_line(const std::string& deck_text) { return "# deck text: " + size_and_hash(deck_text); }
 
 std::string file_line(const deck::NamedFile& file) { return "# file: " + deck::told(file); }
 

@@ -57,7 +57,9 @@ std::string csv_table(const std::string& comments, const std::vector<Column<Row>
 /// A whole table as a file. errors: core::FileError.
 void write_table(const std::string& path, const std::string& text, bool overwrite);
 
-/// "# deck text: 812 bytes, 6f0d...": enough to notice that a deck is another one.
+/// "812 bytes, 6f0d...": enough to notice that a text is another one.
+std::string size_and_hash(const std::string& text);
+/// "# deck text: 812 bytes, 6f0d...".
 std::string deck_text_line(const std::string& deck_text);
 /// "# file: oil.csv: 812 bytes, 6f0d...", the same of a file that a deck names.
 std::string file_line(const deck::NamedFile& file);

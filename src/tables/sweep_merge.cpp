@@ -34,9 +34,8 @@ Part read_part(const std::string& path) {
   std::string line;
   if (!std::getline(lines, line) || line != sweep_mark)
     throw core::FileError(path + ": this is no table of `ehl sweep`");
-  const std::string program = "# program: ";
   while (std::getline(lines, line)) {
-    if (line.starts_with(program)) {
+    if (line.starts_with(program_mark)) {
       part.programs.push_back(line);
     } else if (line.starts_with(shard_mark)) {
       part.shard = line.substr(std::string(shard_mark).size());

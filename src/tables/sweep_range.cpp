@@ -170,8 +170,7 @@ Variation read_cases(const std::string& path, const deck::Catalogue& catalogue) 
         path + ": has no cases: a line of keys, section.key between commas, and a line of values for each case");
   check_values(variation, catalogue, path + ": ", path);
   deck::check_read(file, path);
-  const std::string text_mark = "# deck text: ";
-  variation.file = path + ": " + deck_text_line(text).substr(text_mark.size());
+  variation.file = path + ": " + size_and_hash(text);
   return variation;
 }
 

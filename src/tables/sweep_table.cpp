@@ -22,7 +22,6 @@
 namespace ehl::program {
 namespace {
 
-const std::string program_mark = "# program: ";
 const std::string vary_mark = "# vary: ";
 const std::string cases_mark = "# cases: ";
 
@@ -58,7 +57,7 @@ std::string names_of_columns(const SweepHeader& header) {
 
 std::string whole_header(const SweepHeader& header, const std::vector<std::string>& programs) {
   std::string text = std::string(sweep_mark) + "\n";
-  for (const std::string& program : programs) text += program_mark + program + "\n";
+  for (const std::string& program : programs) text += std::string(program_mark) + program + "\n";
   text += "# deck: " + header.deck + "\n" + deck::joined(identity(header), "\n") + "\n";
   if (const std::vector<std::string> cases = cases_of(header); !cases.empty()) text += deck::joined(cases, "\n") + "\n";
   text +=
@@ -156,25 +155,26 @@ void SweepTable::read(const std::string& content) {
   std::vector<std::string> found, found_cases;
   std::map<std::string, std::size_t> cases;
   for (const std::size_t index : own_) cases[start_of_row(index)] = index;
+  const std::string columns = names_of_columns(header_);
   bool has_columns = false;
   std::string line;
   std::getline(lines, line);
   if (line != sweep_mark) throw core::FileError(path_ + ": exists already and is no table of a sweep" + remedy);
   while (std::getline(lines, line)) {
-    if (line.starts_with(program_mark)) programs_.push_back(line.substr(program_mark.size()));
+    if (line.starts_with(program_mark)) programs_.push_back(line.substr(std::strlen(program_mark)));
     for (const std::string mark : {"# deck text: ", "# file: ", "# set: "})
       if (line.starts_with(mark)) found.push_back(line);
     for (const std::string& mark : {vary_mark, cases_mark, std::string(shard_mark)})
       if (line.starts_with(mark)) found_cases.push_back(line);
     if (line.starts_with('#')) continue;
     if (has_columns) {
-      take_row(line, cases);
+      take_row(line, columns, cases);
       continue;
     }
     has_columns = true;
     check_same(found, identity(header_));
     // Other columns that vary are other cases; more values of the same columns are more cases.
-    if (line != names_of_columns(header_)) {
+    if (line != columns) {
       check_same(found_cases, cases_of(header_));
       throw core::FileError(path_ + ": has other columns than this version writes" + remedy);
     }
@@ -195,7 +195,7 @@ void SweepTable::read(const std::string& content) {
   // A killed sweep may leave half a line.
   if (::ftruncate(descriptor_, static_cast<off_t>(content.rfind('\n') + 1)) != 0)
     throw core::FileError(path_ + ": cannot be written: " + std::strerror(errno));
-  if (new_program) write(program_mark + header_.program + "\n");
+  if (new_program) write(std::string(program_mark) + header_.program + "\n");
 }
 
 void SweepTable::check_same(const std::vector<std::string>& found, const std::vector<std::string>& own) const {
@@ -208,8 +208,8 @@ void SweepTable::check_same(const std::vector<std::string>& found, const std::ve
   }
 }
 
-void SweepTable::take_row(const std::string& line, const std::map<std::string, std::size_t>& cases) {
-  const std::string columns = names_of_columns(header_);
+void SweepTable::take_row(const std::string& line, const std::string& columns,
+                          const std::map<std::string, std::size_t>& cases) {
   const std::size_t before = varied_keys(header_.variations).size() + (header_.shard.whole() ? 0 : 1);
   std::vector<std::string> cells = csv_cells(line, before + 1);
   const std::string row = cells.back();

@@ -14,6 +14,8 @@ namespace ehl::program {
 
 /// How the first line of every table begins.
 constexpr char sweep_mark[] = "# ehl sweep, table 1";
+/// How a line begins that names a program that worked on it.
+constexpr char program_mark[] = "# program: ";
 /// How the line of a table begins that has a part of the cases, and the column of their numbers.
 constexpr char shard_mark[] = "# shard: ";
 constexpr char case_column[] = "case,";
@@ -68,7 +70,7 @@ class SweepTable {
   void open();
   void read(const std::string& content);
   void check_same(const std::vector<std::string>& found, const std::vector<std::string>& own) const;
-  void take_row(const std::string& line, const std::map<std::string, std::size_t>& cases);
+  void take_row(const std::string& line, const std::string& columns, const std::map<std::string, std::size_t>& cases);
   std::string start_of_row(std::size_t index) const;
   std::string line_of(std::size_t index) const;
   void write(const std::string& text) const;

@@ -73,15 +73,8 @@ std::string read_table(const std::string& path, const Scales& scales, Profile& p
   const double unit_H = scales.in_SI ? scales.a * scales.a / scales.radius : 1.0;
   std::vector<double> Y, H;
   for (const deck::Row& row : deck::rows_of(path)) {
-    if (row.cells.size() != 2)
-      return fmt::format("{}: {} columns, wanted are y and the drop", row.place, row.cells.size());
     double value[2];
-    for (std::size_t k = 0; k < 2; ++k) {
-      const deck::ReadNumber read = deck::read_number(row.cells[k]);
-      if (read.status != deck::ReadNumber::Status::number)
-        return fmt::format("{}: {} is no finite number", row.place, deck::quoted(row.cells[k]));
-      value[k] = read.value;
-    }
+    if (const std::string wrong = deck::read_numbers(row, "y and the drop", value); !wrong.empty()) return wrong;
     if (!Y.empty() && value[0] / unit_Y <= Y.back()) return row.place + ": y must grow from row to row";
     Y.push_back(value[0] / unit_Y);
     H.push_back(value[1] / unit_H);
