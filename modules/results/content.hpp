@@ -27,7 +27,8 @@ struct Quantity {
   Value value{};
   std::string unit{};  ///< "-" for a pure number
   std::string meaning{};
-  std::string json{};  ///< path in a report as JSON, where it is another one: "verification/least_P"
+  std::string json{};   ///< path in a report as JSON, where it is another one: "verification/least_P"
+  std::string error{};  ///< name of the quantity beside it that is its estimated error
 };
 constexpr char not_in_json[] = "-";
 

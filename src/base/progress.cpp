@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include "base/signals.hpp"
 #include "core/timer.hpp"
@@ -21,6 +22,8 @@ constexpr const char* clear_line = "\r\x1b[K";
 
 Progress::Progress(bool quiet) : quiet_(quiet), terminal_(::isatty(STDERR_FILENO) != 0) {}
 
+Progress::Progress(Listener listener) : listener_(std::move(listener)), quiet_(true), terminal_(false) {}
+
 void Progress::clear() {
   if (drawn_) std::fputs(clear_line, stderr);
   drawn_ = false;
@@ -35,6 +38,7 @@ void Progress::draw(double fraction, const std::string& text) {
 }
 
 bool Progress::show(double fraction, const std::string& text, bool at_once) {
+  if (listener_) return listener_(std::clamp(fraction, 0.0, 1.0), text);
   if (stop_requested()) return false;
   const double now = core::now();
   if (quiet_ || !(at_once || now - last_time_ > (terminal_ ? bar_interval : line_interval))) return true;

@@ -1,6 +1,7 @@
 #pragma once
 // How far a run has come, on stderr.
 #include <cstddef>
+#include <functional>
 #include <string>
 
 namespace ehl::program {
@@ -8,7 +9,12 @@ namespace ehl::program {
 /// On a terminal a bar that is drawn anew; otherwise a line every few seconds.
 class Progress {
  public:
+  /// Hears how far the work is and what goes on. out: false: stop.
+  using Listener = std::function<bool(double fraction, const std::string& text)>;
+
   explicit Progress(bool quiet);
+  /// Says nothing itself.
+  explicit Progress(Listener listener);
   ~Progress() { clear(); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -26,6 +32,7 @@ class Progress {
  private:
   void draw(double fraction, const std::string& text);
 
+  Listener listener_{};
   bool quiet_;
   bool terminal_;
   bool drawn_ = false;

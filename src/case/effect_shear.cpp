@@ -43,7 +43,7 @@ std::vector<results::Quantity> quantities(const HeatResult& flow) {
   return {{"Hc_without", flow.Hc_isothermal, "a^2/R", "film at (0,0), thinned by the sliding alone"},
           {"Hm_without", flow.Hm_isothermal, "a^2/R", "smallest film, likewise"},
           {"mu_without", flow.mu_isothermal, "-", "sliding friction over the load, likewise"},
-          {"mu", flow.mu, "-", "sliding friction over the load"},
+          {"mu", flow.mu, "-", "sliding friction over the load", "", "error_mu"},
           {"error_mu", flow.found.error_mu, "-", "estimated relative discretization error of mu"}};
 }
 

@@ -48,7 +48,7 @@ std::vector<results::Quantity> thermal_quantities(const Case& input, const HeatR
   const HeatInput& in = *input.heat;
   const thermal::InletGroups inlet = inlet_groups(input);
   std::vector<results::Quantity> list{
-      {"mu", heat.mu, "-", "sliding friction over the load, with heat"},
+      {"mu", heat.mu, "-", "sliding friction over the load, with heat", "", "error_mu"},
       {"mu_isothermal", heat.mu_isothermal, "-", "the same of the isothermal contact"},
       {"error_mu", found.error_mu, "-", "estimated relative discretization error of mu"}};
   add_place("T_film_max", "film", found.in_film, in.T0, list);

@@ -4,15 +4,12 @@
 #include <utility>
 
 #include "base/exit_status.hpp"
-#include "base/machine.hpp"
 #include "case/catalogue.hpp"
 #include "case/effects.hpp"
 #include "commands/commands.hpp"
-#include "commands/solver.hpp"
+#include "commands/run_case.hpp"
 #include "core/errors.hpp"
-#include "core/timer.hpp"
 #include "deck/document.hpp"
-#include "deck/text.hpp"
 #include "report/report.hpp"
 #include "results/atomic_file.hpp"
 #include "results/read.hpp"
@@ -29,11 +26,7 @@ struct Destination {
 // Before the work, not after it.
 Destination destination(const Arguments& arguments, const Case& input) {
   Destination to{arguments.value("output", input.output), arguments.has("overwrite")};
-  if (results::xdmf_name(to.path) == to.path)
-    refuse("the result cannot be named " + to.path + ": .xmf is its companion; use .h5");
-  if (!deck::is_utf8(to.path) || deck::has_control_character(to.path))
-    refuse("the result cannot be named " + deck::quoted(to.path) +
-           ": XDMF, which names it, takes UTF-8 without control characters: give another --output");
+  if (const std::string why = unfit_as_result(to.path); !why.empty()) refuse(why);
   std::vector<std::string> inputs{arguments.operands[0]};
   for (const deck::NamedFile& file : input.files) inputs.push_back(file.path);
   // P and the gap of a dry contact; single precision for stresses in space.
@@ -54,69 +47,33 @@ int fail_without_solution(const Arguments& arguments, const Case& input, const s
   return not_converged;
 }
 
-int status(const Computed& computed, const std::string& path) {
-  const std::optional<TransientResult>& in_time = computed.in_time;
-  if (!computed.solution.converged) {
-    std::fprintf(stderr, "ehl: not converged: %s\n", computed.solution.failed_check.c_str());
-    return computed.solution.accuracy.interrupted ? interrupted : not_converged;
-  }
-  if (!in_time || completed(*in_time)) return solved;
-  if (in_time->report.end == transient::MarchEnd::interrupted) {
-    const std::string then = in_time->checkpoint ? "; go on with `ehl resume " + path + "`" : ", before the first step";
-    std::fprintf(stderr, "ehl: stopped at time %g a/u_m%s\n", in_time->report.T, then.c_str());
-    return interrupted;
-  }
-  std::fprintf(stderr, "ehl: not converged: the transient ended at time %g a/u_m: %s\n", in_time->report.T,
-               in_time->report.reason.c_str());
-  return not_converged;
-}
-
-std::string printed(const Case& input, const Solver& solver, const Computed& computed, bool profile) {
-  std::string text = "case         " + input.title + "\n" + solver.summary(input, computed);
-  for (const Effect& effect : effects_of(input))
-    if (effect.summary) text += effect.summary(input, computed);
-  text += effect_times(input, computed);
-  if (profile && computed.in_time)
-    text += profile_table(computed.in_time->report.times, computed.in_time->report.seconds);
-  else if (profile && !input.dry)
-    text += profile_table(computed.solution.times, computed.solution.seconds);
-  return text + "memory       " + std::to_string(static_cast<long>(peak_memory() / 1e6)) + " MB at most\n";
-}
-
-Solver solver_of(const Case& input) { return input.dry ? dry_solver() : film_solver(); }
-
-// Solves the case, the contact first, then what its effects add; says and saves what came out.
+// Solves the case; saves and says what came out.
 int solve_and_write(const Arguments& arguments, const Case& input, const Destination& to, TransientResult before) {
-  const double began = core::now();
-  const Solver solver = solver_of(input);
   Computed computed;
   bool overwrite = to.overwrite;
-  const auto save = [&](const std::function<void(results::Content & content)>& add) {
-    results::Content content = solver.content(input, computed);
-    add(content);
+  const auto write = [&](const results::Content& content) {
     results::write(to.path, content, overwrite);
     overwrite = true;
   };
+  const auto save_so_far = [&](const std::function<void(results::Content & content)>& add) {
+    results::Content content = solver_of(input).content(input, computed);
+    add(content);
+    write(content);
+  };
   try {
     Progress progress(arguments.has("quiet"));
-    RunSettings settings{.progress = progress, .before = std::move(before), .save = save};
-    solver.solve(input, progress, computed);
-    for (const Effect& effect : effects_of(input))
-      if (effect.compute) effect.compute(input, settings, computed);
+    RunSettings settings{.progress = progress, .before = std::move(before), .save = save_so_far};
+    solve_case(input, settings, computed);
   } catch (const core::SolverError& error) {
     return fail_without_solution(arguments, input, error.what());
   }
-  computed.seconds = core::now() - began;
   // First of all: what is behind standard output may be full, or gone.
-  save([&](results::Content& content) {
-    for (const Effect& effect : effects_of(input))
-      if (effect.add_content) effect.add_content(input, computed, content);
-    content.effects = effect_rows(input, computed);
-  });
-  print(arguments.has("json")
-            ? solver.json(input, computed)
-            : printed(input, solver, computed, arguments.has("profile")) + "result       " + to.path + "\n");
-  return status(computed, to.path);
+  write(whole_content(input, computed));
+  print(arguments.has("json") ? solver_of(input).json(input, computed)
+                              : printed(input, computed, arguments.has("profile")) + "result       " + to.path + "\n");
+  const Ending ending = ending_of(computed, "ehl resume " + to.path);
+  if (!ending.message.empty()) std::fprintf(stderr, "ehl: %s\n", ending.message.c_str());
+  return ending.status;
 }
 
 // A run that goes on with another oil or load would be two runs in one file.

@@ -33,7 +33,7 @@ void move_program(const files::path& to, std::size_t highest) {
   files::create_directories(to);
   files::copy(EHL_PROGRAM, to / "ehl");
   for (std::size_t k = 0; k <= highest; ++k) {
-    const files::path library = files::path("lib") / levels()[k].folder / "libehl.so";
+    const files::path library = files::path("lib") / levels()[k].folder / "libehl_solver.so";
     files::create_directories((to / library).parent_path());
     files::copy(from / library, to / library);
   }

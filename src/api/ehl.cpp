@@ -1,0 +1,169 @@
+// The C interface over the same functions as the program's.
+#include "api/ehl.h"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+
+#include "api/held_result.hpp"
+#include "api/keys_json.hpp"
+#include "base/exit_status.hpp"
+#include "base/machine.hpp"
+#include "case/catalogue.hpp"
+#include "core/processor_level.hpp"
+#include "tables/csv.hpp"
+
+struct ehl_result {
+  ehl::program::HeldResult held{};
+};
+
+namespace {
+
+using namespace ehl::program;
+
+// The same numbers in both lists.
+constexpr bool same(int of_interface, int of_program) { return of_interface == of_program; }
+static_assert(same(EHL_SOLVED, solved) && same(EHL_INTERNAL_FAILURE, internal_failure) &&
+              same(EHL_WRONG_INPUT, wrong_input) && same(EHL_NOT_CONVERGED, not_converged) &&
+              same(EHL_FILE_TROUBLE, file_trouble) && same(EHL_INTERRUPTED, interrupted));
+
+// in: what fills the result. out: nullptr only where there is no memory to say so.
+template <class Fill>
+ehl_result* filled(Fill fill) noexcept {
+  auto* result = new (std::nothrow) ehl_result;
+  if (result == nullptr) return nullptr;
+  try {
+    fill(result->held);
+  } catch (const std::exception& error) {
+    result->held.status = internal_failure;
+    try {
+      result->held.messages.emplace_back(error.what());
+    } catch (const std::bad_alloc&) {
+    }
+  }
+  return result;
+}
+
+struct DeckSource {
+  const char* text;
+  const char* name;
+  const char* const* overrides;
+  size_t count;
+  int threads;
+
+  Case read() const {
+    std::vector<std::string> list(overrides, overrides + count);
+    return case_from(text, name == nullptr ? "deck" : name, list, threads > 0 ? threads : usable_cores());
+  }
+};
+
+const char* kth(const std::vector<std::string>& list, size_t k) { return k < list.size() ? list[k].c_str() : nullptr; }
+
+// Attributes live in their entry.
+const char* attribute_in(const HeldEntry& held, const std::string& name, const char* otherwise) {
+  for (const auto& one : held.entry.attributes)
+    if (one.first == name) return one.second.c_str();
+  return otherwise;
+}
+
+void show(const HeldEntry& held, ehl_entry* entry) {
+  const ehl::results::Entry& from = held.entry;
+  *entry = {};
+  entry->path = from.path.c_str();
+  entry->kind = static_cast<int>(from.kind);
+  entry->whole = from.whole ? 1 : 0;
+  entry->unit = attribute_in(held, "unit", "");
+  entry->meaning = attribute_in(held, "meaning", "");
+  entry->error = held.error.c_str();
+  entry->text = from.kind == ehl::results::Entry::Kind::text ? from.text.c_str() : nullptr;
+  entry->rank = static_cast<int>(from.dims.size());
+  for (std::size_t k = 0; k < from.dims.size(); ++k) {
+    entry->dims[k] = from.dims[k];
+    entry->strides[k] = held.strides[k];
+  }
+  entry->values = held.values;
+}
+
+const HeldEntry* at_path(const ehl_result* result, const char* path) {
+  const auto found = result->held.by_path.find(path);
+  return found == result->held.by_path.end() ? nullptr : found->second;
+}
+
+}  // namespace
+
+extern "C" {
+
+int ehl_api_version(void) { return EHL_API_VERSION; }
+
+const char* ehl_version(void) {
+  static const std::string text = this_program() + ", for " + ehl::core::processor_level();
+  return text.c_str();
+}
+
+ehl_result* ehl_run(const char* deck, const char* name, const char* const* overrides, size_t count, int threads,
+                    ehl_progress progress, void* context) {
+  const DeckSource source{deck, name, overrides, count, threads};
+  return filled([&](HeldResult& result) {
+    Progress::Listener listener;
+    if (progress != nullptr)
+      listener = [=](double fraction, const std::string& text) {
+        return progress(context, fraction, text.c_str()) == 0;
+      };
+    run_into(
+        result, [&] { return source.read(); }, std::move(listener));
+  });
+}
+
+ehl_result* ehl_check(const char* deck, const char* name, const char* const* overrides, size_t count, int threads) {
+  const DeckSource source{deck, name, overrides, count, threads};
+  return filled([&](HeldResult& result) { check_into(result, [&] { return source.read(); }); });
+}
+
+ehl_result* ehl_open(const char* path) {
+  return filled([&](HeldResult& result) { open_into(result, path); });
+}
+
+void ehl_free(ehl_result* result) { delete result; }
+
+int ehl_status(const ehl_result* result) { return result == nullptr ? EHL_INTERNAL_FAILURE : result->held.status; }
+const char* ehl_message(const ehl_result* result, size_t k) { return kth(result->held.messages, k); }
+const char* ehl_warning(const ehl_result* result, size_t k) { return kth(result->held.warnings, k); }
+const char* ehl_report(const ehl_result* result) { return result->held.report.c_str(); }
+const char* ehl_json(const ehl_result* result) { return result->held.json.c_str(); }
+
+size_t ehl_entry_count(const ehl_result* result) { return result->held.entries.size(); }
+
+int ehl_entry_at(const ehl_result* result, size_t k, ehl_entry* entry) {
+  if (k >= result->held.entries.size()) return 0;
+  show(result->held.entries[k], entry);
+  return 1;
+}
+
+int ehl_find(const ehl_result* result, const char* path, ehl_entry* entry) try {
+  const HeldEntry* held = at_path(result, path);
+  if (held != nullptr) show(*held, entry);
+  return held != nullptr ? 1 : 0;
+} catch (const std::bad_alloc&) {
+  return 0;
+}
+
+const char* ehl_attribute(const ehl_result* result, const char* path, const char* name) try {
+  const HeldEntry* held = at_path(result, path);
+  return held == nullptr ? nullptr : attribute_in(*held, name, nullptr);
+} catch (const std::bad_alloc&) {
+  return nullptr;
+}
+
+int ehl_save(ehl_result* result, const char* path, int overwrite) try {
+  return save(result->held, path, overwrite != 0);
+} catch (const std::bad_alloc&) {
+  return EHL_INTERNAL_FAILURE;
+}
+
+const char* ehl_keys(void) try {
+  static const std::string text = keys_json(catalogue());
+  return text.c_str();
+} catch (const std::exception&) {
+  return "";
+}
+}

@@ -1,0 +1,205 @@
+#include "api/held_result.hpp"
+
+#include <filesystem>
+#include <mutex>
+#include <sstream>
+#include <utility>
+
+#include "base/exit_status.hpp"
+#include "base/failure.hpp"
+#include "case/catalogue.hpp"
+#include "commands/run_case.hpp"
+#include "core/errors.hpp"
+#include "deck/document.hpp"
+#include "deck/write.hpp"
+#include "report/quantities.hpp"
+#include "report/report.hpp"
+#include "results/atomic_file.hpp"
+#include "results/read.hpp"
+#include "results/write.hpp"
+
+namespace ehl::program {
+namespace {
+
+// The HDF5 library is not for several threads at a time: it reads height maps, and reads and writes results.
+std::mutex files;
+
+void guarded(HeldResult& result, const std::function<void()>& work) try { work(); } catch (...) {
+  Failure failure = current_failure();
+  result.status = failure.status;
+  for (std::string& message : failure.messages) result.messages.push_back(std::move(message));
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream from(text);
+  for (std::string line; std::getline(from, line);)
+    if (!line.empty()) lines.push_back(line);
+  return lines;
+}
+
+// The numbers of several fields one behind the other.
+void gather(results::Entry& entry) {
+  for (const core::Field* field : entry.fields) {
+    const std::vector<double> rows = results::row_by_row(*field);
+    entry.values.insert(entry.values.end(), rows.begin(), rows.end());
+  }
+  entry.fields.clear();
+}
+
+void hold(HeldResult& result, results::Entry&& entry) {
+  if (entry.fields.size() > 1 || entry.dims.size() == 3) gather(entry);
+  HeldEntry& held = result.entries.emplace_back(HeldEntry{.entry = std::move(entry)});
+  const results::Entry& made = held.entry;
+  result.by_path.emplace(made.path, &held);
+  const std::string error = results::attribute(made, "error");
+  if (!error.empty()) held.error = made.path.substr(0, made.path.rfind('/') + 1) + error;
+  if (made.kind != results::Entry::Kind::numbers) return;
+  if (!made.fields.empty()) {
+    held.values = made.fields.front()->at_x(0);
+    held.strides[0] = 1;
+    held.strides[1] = made.fields.front()->stride();
+    return;
+  }
+  held.values = made.values.data();
+  std::ptrdiff_t step = 1;
+  for (std::size_t k = made.dims.size(); k-- > 0; step *= static_cast<std::ptrdiff_t>(made.dims[k]))
+    held.strides[k] = step;
+}
+
+void hold_all(HeldResult& result, const results::Content& content) {
+  for (results::Entry& entry : results::entries(content)) hold(result, std::move(entry));
+}
+
+// Three lines that are alike are shown as the file holds them.
+const results::Content& as_kept(HeldResult& result) {
+  const results::Content& content = *result.content;
+  if (!content.grid.line || content.grid.ny == 0) return content;
+  return result.line.emplace(content).content;
+}
+
+results::Entry numbers_of(const results::ResultFile& file, const std::string& path) {
+  results::Entry entry{.path = path, .kind = results::Entry::Kind::numbers, .dims = file.dims(path)};
+  if (entry.dims.size() < 3) {
+    entry.values = file.numbers(path).values;
+    return entry;
+  }
+  for (std::size_t k = 0; k < entry.dims[0]; ++k) {
+    const std::vector<double> one = file.frame(path, k).values;
+    entry.values.insert(entry.values.end(), one.begin(), one.end());
+  }
+  return entry;
+}
+
+void hold_below(HeldResult& result, const results::ResultFile& file, const std::string& group) {
+  for (const std::string& name : file.names(group)) {
+    const std::string path = (group == "/" ? "" : group) + "/" + name;
+    const results::ResultFile::Kind kind = file.kind(path);
+    if (path == results::plane_group("/transient/frames")) continue;  // the frames once more
+    results::Entry entry{.path = path};
+    if (kind == results::ResultFile::Kind::numbers) entry = numbers_of(file, path);
+    if (kind == results::ResultFile::Kind::text) {
+      entry.kind = results::Entry::Kind::text;
+      entry.text = file.text(path);
+    }
+    for (const char* attribute : {"unit", "meaning", "error", "columns", "warnings", "why"})
+      if (std::string text = file.attribute(path, attribute); !text.empty())
+        entry.attributes.emplace_back(attribute, std::move(text));
+    hold(result, std::move(entry));
+    if (kind == results::ResultFile::Kind::group) hold_below(result, file, path);
+  }
+}
+
+const HeldEntry* found(const HeldResult& result, const std::string& path) {
+  const auto at = result.by_path.find(path);
+  return at == result.by_path.end() ? nullptr : at->second;
+}
+
+}  // namespace
+
+Case case_from(const char* text, const std::string& name, const std::vector<std::string>& overrides, int threads) {
+  const std::lock_guard lock(files);
+  if (text == nullptr) return read_case(name, overrides, threads);
+  std::vector<deck::Assignment> assignments;
+  for (const std::string& one : overrides) assignments.push_back(deck::parse_override(one));
+  deck::Deck understood = deck::validate(deck::parse(text, name), assignments, catalogue());
+  understood.folders = {std::filesystem::absolute(name).parent_path().string()};
+  return case_of(std::move(understood), name, threads);
+}
+
+void run_into(HeldResult& result, const std::function<Case()>& read, Progress::Listener listener) {
+  guarded(result, [&] {
+    const Case& input = result.input.emplace(read());
+    if (!listener) listener = [](double, const std::string&) { return true; };
+    Progress progress(std::move(listener));
+    RunSettings settings{.progress = progress, .save = [](const auto&) {}};
+    try {
+      solve_case(input, settings, result.computed);
+    } catch (const core::SolverError& error) {
+      result.json = json_failure(input, error.what());
+      throw;
+    }
+    result.content = whole_content(input, result.computed);
+    result.report = printed(input, result.computed, false);
+    result.json = solver_of(input).json(input, result.computed);
+    result.warnings = result.computed.outcome.warnings;
+    const Ending ending = ending_of(result.computed, "");
+    result.status = ending.status;
+    if (!ending.message.empty()) result.messages.push_back(ending.message);
+    hold_all(result, as_kept(result));
+  });
+}
+
+void check_into(HeldResult& result, const std::function<Case()>& read) {
+  guarded(result, [&] {
+    const Case& input = result.input.emplace(read());
+    result.report = solver_of(input).derived(input);
+    results::Content content;
+    content.title = input.title;
+    content.deck = deck::effective_deck(input.deck);
+    content.scales = scale_quantities(input);
+    content.grid = input.scene.grid;
+    hold_all(result, content);
+  });
+}
+
+void open_into(HeldResult& result, const std::string& path) {
+  guarded(result, [&] {
+    const std::lock_guard lock(files);
+    const results::ResultFile file(path);
+    hold_below(result, file, "/");
+    if (const HeldEntry* warnings = found(result, "/summary/warnings"))
+      result.warnings = lines_of(warnings->entry.text);
+    const HeldEntry* converged = found(result, "/summary/converged");
+    const HeldEntry* in_time = found(result, "/summary/transient_completed");
+    const HeldEntry* why = found(result, "/summary/failed_check");
+    if (converged == nullptr || converged->values == nullptr)
+      throw core::FileError(path + ": the file is damaged: it does not say whether it converged");
+    if (*converged->values != 1.0) {
+      result.status = not_converged;
+      result.messages.push_back("not converged: " + (why ? why->entry.text : std::string("for a reason unknown")));
+    } else if (in_time != nullptr && in_time->values != nullptr && *in_time->values != 1.0) {
+      result.status = not_converged;
+      result.messages.push_back("the run in time did not come to its end");
+    }
+  });
+}
+
+int save(HeldResult& result, const std::string& path, bool overwrite) {
+  if (!result.content) {
+    result.messages.push_back(path + ": there is no result of a run to write");
+    return wrong_input;
+  }
+  HeldResult outcome;  // writing changes nothing in the result
+  guarded(outcome, [&] {
+    if (const std::string why = unfit_as_result(path); !why.empty()) throw core::InputError(why);
+    const std::lock_guard lock(files);
+    results::check_writable(path, overwrite, 0);
+    results::check_writable(results::xdmf_name(path), overwrite, 0);
+    results::write(path, *result.content, overwrite);
+  });
+  for (std::string& message : outcome.messages) result.messages.push_back(std::move(message));
+  return outcome.status;
+}
+
+}  // namespace ehl::program

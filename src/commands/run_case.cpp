@@ -1,0 +1,70 @@
+#include "commands/run_case.hpp"
+
+#include <fmt/core.h>
+
+#include "base/exit_status.hpp"
+#include "base/machine.hpp"
+#include "core/timer.hpp"
+#include "deck/text.hpp"
+#include "report/report.hpp"
+#include "results/write.hpp"
+
+namespace ehl::program {
+
+Solver solver_of(const Case& input) { return input.dry ? dry_solver() : film_solver(); }
+
+void solve_case(const Case& input, RunSettings& settings, Computed& computed) {
+  const double began = core::now();
+  solver_of(input).solve(input, settings.progress, computed);
+  for (const Effect& effect : effects_of(input))
+    if (effect.compute) effect.compute(input, settings, computed);
+  computed.seconds = core::now() - began;
+}
+
+results::Content whole_content(const Case& input, const Computed& computed) {
+  results::Content content = solver_of(input).content(input, computed);
+  for (const Effect& effect : effects_of(input))
+    if (effect.add_content) effect.add_content(input, computed, content);
+  content.effects = effect_rows(input, computed);
+  return content;
+}
+
+std::string printed(const Case& input, const Computed& computed, bool profile) {
+  std::string text = "case         " + input.title + "\n" + solver_of(input).summary(input, computed);
+  for (const Effect& effect : effects_of(input))
+    if (effect.summary) text += effect.summary(input, computed);
+  text += effect_times(input, computed);
+  if (profile && computed.in_time)
+    text += profile_table(computed.in_time->report.times, computed.in_time->report.seconds);
+  else if (profile && !input.dry)
+    text += profile_table(computed.solution.times, computed.solution.seconds);
+  return text + "memory       " + std::to_string(static_cast<long>(peak_memory() / 1e6)) + " MB at most\n";
+}
+
+std::string unfit_as_result(const std::string& path) {
+  if (results::xdmf_name(path) == path)
+    return "the result cannot be named " + path + ": .xmf is its companion; use .h5";
+  if (!deck::is_utf8(path) || deck::has_control_character(path))
+    return "the result cannot be named " + deck::quoted(path) +
+           ": XDMF, which names it, takes UTF-8 without control characters: give another one";
+  return {};
+}
+
+Ending ending_of(const Computed& computed, const std::string& to_go_on) {
+  const std::optional<TransientResult>& in_time = computed.in_time;
+  if (!computed.solution.converged)
+    return {computed.solution.accuracy.interrupted ? interrupted : not_converged,
+            "not converged: " + computed.solution.failed_check};
+  if (!in_time || completed(*in_time)) return {solved, {}};
+  if (in_time->report.end != transient::MarchEnd::interrupted)
+    return {not_converged, fmt::format("not converged: the transient ended at time {:g} a/u_m: {}", in_time->report.T,
+                                       in_time->report.reason)};
+  std::string message = fmt::format("stopped at time {:g} a/u_m", in_time->report.T);
+  if (!in_time->checkpoint)
+    message += ", before the first step";
+  else if (!to_go_on.empty())
+    message += "; go on with `" + to_go_on + "`";
+  return {interrupted, message};
+}
+
+}  // namespace ehl::program
