@@ -5,7 +5,7 @@
 
 #include "base/exit_status.hpp"
 #include "commands/commands.hpp"
-#include "commands/field_on_grid.hpp"
+#include "commands/field_sample.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
 
@@ -17,7 +17,7 @@ using Kind = results::ResultFile::Kind;
 std::string column_number(double value) { return std::isnan(value) ? "nan" : deck::shortest(value); }
 
 // "P" -> /fields/P, "levels" -> /levels, "Hc" -> /summary/Hc, a path as it is.
-std::string full_name(const ExtractSource& source, const std::string& name) {
+std::string full_name(const ResultSource& source, const std::string& name) {
   if (name.starts_with("/") && source.file.kind(name) != Kind::missing) return name;
   const std::vector<std::string> homes{"/",      "/fields/",    "/summary/",          "/scales/",    "/provenance/",
                                        "/grid/", "/transient/", "/transient/frames/", "/subsurface/"};
@@ -31,7 +31,7 @@ std::string full_name(const ExtractSource& source, const std::string& name) {
          deck::joined(known, ", "));
 }
 
-std::string header(const ExtractSource& source, const std::string& name, const FieldOnGrid& f) {
+std::string header(const ResultSource& source, const std::string& name, const FieldOnGrid& f) {
   return "# " + source.file.path() + ": " + source.file.attribute("/", "title") + "\n# " + name + " [" + f.field.unit +
          "]: " + f.field.meaning + "; x, " + f.rows + " in " + f.places() + "\n";
 }
@@ -91,7 +91,7 @@ std::size_t chosen_step(const Arguments& arguments, std::size_t count) {
 }
 
 // A section at every time or depth: a block of lines "time position value" each, with a blank line between them.
-std::string sections_in_time(const ExtractSource& source, const std::string& name, const Arguments& arguments,
+std::string sections_in_time(const ResultSource& source, const std::string& name, const Arguments& arguments,
                              std::size_t count) {
   if (!arguments.has("along") && !arguments.has("at"))
     refuse(name + " holds " + std::to_string(count) + " fields: choose one with --step 0 to " +
@@ -117,7 +117,7 @@ std::string sections_in_time(const ExtractSource& source, const std::string& nam
 }
 
 // A group of columns (levels, history); the last line of the header names them.
-std::string table(const ExtractSource& source, const std::string& name) {
+std::string table(const ResultSource& source, const std::string& name) {
   std::istringstream order(source.file.attribute(name, "columns"));
   std::vector<results::Array> columns;
   std::string names = "#";
@@ -140,7 +140,7 @@ std::string table(const ExtractSource& source, const std::string& name) {
 }
 
 // A group of single values: one a line.
-std::string list(const ExtractSource& source, const std::string& name) {
+std::string list(const ResultSource& source, const std::string& name) {
   std::string text = "# name value unit meaning\n";
   for (const std::string& entry : source.file.names(name)) {
     const std::string whole = (name == "/" ? "" : name) + "/" + entry;
@@ -157,7 +157,7 @@ std::string list(const ExtractSource& source, const std::string& name) {
   return text;
 }
 
-std::string columns(const ExtractSource& source, const std::string& name) {
+std::string columns(const ResultSource& source, const std::string& name) {
   const results::Array array = source.numbers(name);
   std::string text = "# " + name + " [" + array.unit + "]: " + array.meaning + "\n";
   for (const double value : array.values) text += column_number(value) + "\n";
@@ -167,7 +167,9 @@ std::string columns(const ExtractSource& source, const std::string& name) {
 }  // namespace
 
 int extract(const Arguments& arguments) {
-  const ExtractSource source = open_source(arguments);
+  ResultSource source = open_result(arguments.operands[0]);
+  if (arguments.has("si")) source.si = scales_of(source.file);
+  if (arguments.has("si") && !source.si) refuse("--si: the contact of " + source.file.path() + " is not given in SI");
   const std::string name = full_name(source, arguments.operands[1]);
   const std::vector<std::size_t> dims =
       source.file.kind(name) == Kind::numbers ? source.file.dims(name) : std::vector<std::size_t>{};

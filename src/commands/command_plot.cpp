@@ -90,15 +90,8 @@ bool names_axes(const Arguments& arguments) { return arguments.has("x") || argum
 
 FigureSource table_source(const std::string& path, const Arguments& arguments) {
   if (arguments.has("time")) refuse("--time chooses a field of a run in time, and a table has none");
-  constexpr std::uintmax_t largest = 1'000'000'000;  // bytes
-  std::ifstream file = deck::opened(path, largest);
-  std::string first;
-  if (!std::getline(file, first)) throw core::FileError(path + ": cannot be read, or is empty");
-  const std::string kind = first.starts_with(sweep_mark)        ? "sweep"
-                           : first.starts_with(study_mark)      ? "study"
-                           : first.starts_with(time_study_mark) ? "time_study"
-                                                                : "";
-  if (kind.empty()) throw core::FileError(path + ": this is no table of `ehl sweep` or `ehl study`");
+  const std::string mark = mark_of(path);
+  const std::string kind = mark == sweep_mark ? "sweep" : mark == study_mark ? "study" : "time_study";
   if (kind != "sweep") return {{}, kind, [kind](const std::string& need) { return need == kind; }};
   const auto table = std::make_shared<SweepData>(read_sweep(path));
   const bool chosen = names_axes(arguments);

@@ -16,6 +16,7 @@ int study(const Arguments& arguments);
 int fit(const Arguments& arguments);
 int extract(const Arguments& arguments);
 int plot(const Arguments& arguments);
+int report(const Arguments& arguments);
 int keys(const Arguments& arguments);
 int help(const Arguments& arguments);
 int version(const Arguments& arguments);

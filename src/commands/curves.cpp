@@ -3,38 +3,17 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 
-#include "commands/words_of_columns.hpp"
 #include "deck/text.hpp"
+#include "tables/series.hpp"
+#include "tables/words_of_columns.hpp"
 
 namespace ehl::program {
 namespace {
 
 constexpr std::size_t most_curves = 12;  // as many as there are colours that the eye keeps apart
-
-// Published formulas, by how their columns begin.
-struct PublishedFormula {
-  const char* code;
-  const char* name;
-};
-using Formulas = std::array<PublishedFormula, 3>;  // as many as the scripts draw
-
-// Those of point contacts, or of line contacts.
-Formulas published_for(const SweepData& table) {
-  if (table.has("moes_h_c_nm"))
-    return {{{"dh", "Dowson, Higginson 1968; Toyoda 1979"}, {"moes", "Moes 1992"}, {"", ""}}};
-  return {{{"hd", "Hamrock, Dowson 1977"},
-           {"nvm", "Nijenbanning, Venner, Moes 1994"},
-           {"chittenden", "Chittenden et al. 1985"}}};
-}
-
-std::string formula_column(const PublishedFormula& formula, const std::string& y) {
-  return std::string(formula.code) + "_" + y;
-}
 
 void check_column(const SweepData& table, const std::string& option, const std::string& column, bool numbers) {
   const std::string said = "--" + option + " " + column;
@@ -42,37 +21,6 @@ void check_column(const SweepData& table, const std::string& option, const std::
     refuse(said + ": the table has no such column" + suggestion(column, table.columns) + " It has " +
            deck::joined(table.columns, ", "));
   if (numbers && !table.is_numeric(column)) refuse(said + ": this column has words, and an axis takes numbers");
-}
-
-// The varied key with most values; empty where none has three numbers.
-std::string longest_key(const SweepData& table) {
-  std::string longest;
-  std::size_t most = 2;
-  for (const std::string& key : table.varied)
-    if (const std::size_t count = table.words(key).size(); count > most && table.is_numeric(key)) {
-      most = count;
-      longest = key;
-    }
-  return longest;
-}
-
-std::vector<std::string> films(const SweepData& table) {
-  if (table.has("h_c_nm")) return {"h_c_nm", "h_m_nm"};
-  return table.has("Hc") ? std::vector<std::string>{"Hc", "Hm"} : std::vector<std::string>{};
-}
-
-// Rows of each curve, in the order of the table.
-std::vector<std::vector<std::size_t>> curves_by(const SweepData& table, const std::vector<std::string>& by) {
-  std::vector<std::vector<std::size_t>> curves;
-  std::map<std::string, std::size_t> known;
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    std::string words;
-    for (const std::string& column : by) words += table.cell(row, column) + ",";
-    const auto [curve, is_new] = known.try_emplace(words, curves.size());
-    if (is_new) curves.emplace_back();
-    curves[curve->second].push_back(row);
-  }
-  return curves;
 }
 
 CurvesWanted defaults(const SweepData& table, std::string x) {
@@ -84,14 +32,6 @@ CurvesWanted defaults(const SweepData& table, std::string x) {
   return chosen;
 }
 
-// The error bar of a quantity in its unit, 0 where the table has none.
-double error_bar(const SweepData& table, std::size_t row, const std::string& y) {
-  const std::string absolute = y.ends_with("_nm") ? y.substr(0, y.size() - 3) + "_error_nm" : "";
-  if (table.has(absolute)) return table.number(row, absolute);
-  const std::string relative = "error_" + y;
-  return table.has(relative) ? table.number(row, relative) * table.number(row, y) : 0.0;
-}
-
 std::string block(const SweepData& table, std::vector<std::size_t> rows, const std::string& x, const std::string& y) {
   std::ranges::stable_sort(rows, {}, [&](std::size_t row) { return table.number(row, x); });
   std::string text;
@@ -99,7 +39,7 @@ std::string block(const SweepData& table, std::vector<std::size_t> rows, const s
     if (table.cell(row, "status") != "converged") continue;
     text += fmt::format("{:.9g} {:.9g} {:.9g}", table.number(row, x), table.number(row, y), error_bar(table, row, y));
     for (const PublishedFormula& formula : published_for(table)) {
-      const std::string column = formula_column(formula, y);
+      const std::string column = column_of(formula, y);
       text += " " + (table.has(column) ? fmt::format("{:.9g}", table.number(row, column)) : std::string("nan"));
     }
     text += "\n";
@@ -108,7 +48,7 @@ std::string block(const SweepData& table, std::vector<std::size_t> rows, const s
 }
 
 bool any(const SweepData& table, const std::vector<std::string>& y, const PublishedFormula& formula) {
-  return std::ranges::any_of(y, [&](const std::string& name) { return table.has(formula_column(formula, name)); });
+  return std::ranges::any_of(y, [&](const std::string& name) { return table.has(column_of(formula, name)); });
 }
 
 // The roughness where it is the same for all rows, to the rounding of its conversion; else 0.
@@ -169,7 +109,7 @@ Curves curves_of(const SweepData& table, const CurvesWanted& wanted) {
     text(fmt::format("curve_{}", k + 1), name_of_curve(table, wanted.by, curves[k][0]));
   for (std::size_t q = 0; q < wanted.y.size(); ++q) text(fmt::format("quantity_{}", q + 1), words_for(wanted.y[q]));
   for (std::size_t q = 0; q < wanted.y.size(); ++q) text(fmt::format("axis_{}", q + 1), with_unit(table, wanted.y[q]));
-  const Formulas published = published_for(table);
+  const FormulasOfTable published = published_for(table);
   for (std::size_t f = 0; f < published.size(); ++f)
     text(fmt::format("formula_{}", f + 1), any(table, wanted.y, published[f]) ? published[f].name : "");
   text("x_words", with_unit(table, wanted.x));

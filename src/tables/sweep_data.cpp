@@ -8,7 +8,9 @@
 #include "core/errors.hpp"
 #include "deck/text.hpp"
 #include "tables/csv.hpp"
+#include "tables/study_report.hpp"
 #include "tables/sweep_table.hpp"
+#include "tables/time_study_report.hpp"
 
 namespace ehl::program {
 namespace {
@@ -50,27 +52,20 @@ bool SweepData::is_numeric(const std::string& column) const {
   return !rows.empty();
 }
 
-SweepData read_sweep(const std::string& path) {
+SweepData read_table(const std::string& path, const std::string& mark) {
   constexpr std::uintmax_t largest = 1'000'000'000;  // bytes
   std::ifstream file = deck::opened(path, largest);
   std::string line;
-  if (!std::getline(file, line) || !line.starts_with(sweep_mark))
-    throw core::FileError(path + ": this is no table of `ehl sweep`");
+  if (!std::getline(file, line) || !line.starts_with(mark))
+    throw core::FileError(path + ": this is no table of `ehl sweep` or `ehl study`");
   SweepData data{.path = path};
   const std::string units = "# units: ";
-  while (std::getline(file, line) && line.starts_with('#'))
+  while (std::getline(file, line) && line.starts_with('#')) {
+    data.comments.push_back(deck::trimmed(line.substr(1)));
     if (line.starts_with(units)) data.units = units_of(line.substr(units.size()));
-  data.columns = csv_cells(line, line.size() + 2);
-  const auto status = std::ranges::find(data.columns, "status");
-  if (status == data.columns.end()) throw core::FileError(path + ": the table is damaged: it has no column status");
-  data.varied.assign(data.columns.begin(), status);
-  std::erase(data.varied, "case");  // of a shard
-  const deck::Catalogue keys = catalogue();
-  for (const std::string& name : data.varied) {
-    const std::size_t dot = name.find('.');
-    const deck::Key* key = deck::find_key(keys, name.substr(0, dot), name.substr(std::min(dot, name.size() - 1) + 1));
-    if (key != nullptr && !key->unit.empty()) data.units[name] = key->unit;
   }
+  data.columns = csv_cells(line, line.size() + 2);
+  if (!data.has("status")) throw core::FileError(path + ": the table is damaged: it has no column status");
   while (std::getline(file, line)) {
     data.rows.push_back(csv_cells(line, data.columns.size()));
     if (data.rows.back().size() != data.columns.size())
@@ -78,6 +73,29 @@ SweepData read_sweep(const std::string& path) {
                             " cells instead of " + std::to_string(data.columns.size()));
   }
   return data;
+}
+
+SweepData read_sweep(const std::string& path) {
+  SweepData data = read_table(path, sweep_mark);
+  data.varied.assign(data.columns.begin(), std::ranges::find(data.columns, "status"));
+  std::erase(data.varied, "case");  // of a shard
+  const deck::Catalogue keys = catalogue();
+  for (const std::string& name : data.varied) {
+    const std::size_t dot = name.find('.');
+    const deck::Key* key = deck::find_key(keys, name.substr(0, dot), name.substr(std::min(dot, name.size() - 1) + 1));
+    if (key != nullptr && !key->unit.empty()) data.units[name] = key->unit;
+  }
+  return data;
+}
+
+std::string mark_of(const std::string& path) {
+  constexpr std::uintmax_t largest = 1'000'000'000;  // bytes
+  std::ifstream file = deck::opened(path, largest);
+  std::string first;
+  if (!std::getline(file, first)) throw core::FileError(path + ": cannot be read, or is empty");
+  for (const char* mark : {sweep_mark, study_mark, time_study_mark})
+    if (first.starts_with(mark)) return mark;
+  throw core::FileError(path + ": this is no table of `ehl sweep` or `ehl study`");
 }
 
 }  // namespace ehl::program

@@ -1,5 +1,5 @@
 #pragma once
-// The table of a sweep, read back by people's names: for figures.
+// The table of a sweep or a study, read back by people's names: for figures and pages.
 #include <map>
 #include <string>
 #include <vector>
@@ -12,6 +12,7 @@ struct SweepData {
   std::vector<std::string> columns{};            ///< those and the quantities
   std::vector<std::vector<std::string>> rows{};  ///< cells
   std::map<std::string, std::string> units{};    ///< of the columns that have one
+  std::vector<std::string> comments{};           ///< the lines above them, "deck: ball.ini"
 
   bool has(const std::string& column) const;
   const std::string& cell(std::size_t row, const std::string& column) const;
@@ -23,7 +24,15 @@ struct SweepData {
   bool is_numeric(const std::string& column) const;
 };
 
-/// errors: core::FileError: unreadable, no table of a sweep, a damaged row.
+/// How the first line of a table begins: sweep_mark, study_mark or time_study_mark. errors: core::FileError:
+/// unreadable, none of them.
+std::string mark_of(const std::string& path);
+
+/// A table that begins so; nothing is known of what varied. errors: core::FileError: unreadable, another table, a
+/// damaged row.
+SweepData read_table(const std::string& path, const std::string& mark);
+
+/// errors: as above.
 SweepData read_sweep(const std::string& path);
 
 }  // namespace ehl::program

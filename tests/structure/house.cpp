@@ -57,6 +57,7 @@ std::vector<Door> doors() {
        {"newton", "transient"},
        {"modules/newton/gmres.cpp", "modules/transient/ida.cpp"}},
       {"FFTW", {"fftw3"}, {"mlmi"}},
+      {"zlib", {"zlib"}, {"src"}, {"src/page/png.cpp"}},
       {"Eigen",
        {"Eigen/", "unsupported/Eigen/"},
        {"mlmi", "newton"},
@@ -195,7 +196,7 @@ std::vector<std::string> include_offences(const std::vector<Module>& modules, co
 }
 
 std::vector<std::string> wing_offences(const std::vector<SourceFile>& files) {
-  const std::vector<std::string> wings = {"base", "case", "report", "tables", "commands"};  // from below
+  const std::vector<std::string> wings = {"base", "case", "report", "tables", "page", "commands"};  // from below
   const auto height = [&](const std::string& path) {
     return std::ranges::find(wings, path.substr(0, path.find('/'))) - wings.begin();
   };

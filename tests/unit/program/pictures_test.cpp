@@ -6,8 +6,8 @@
 
 #include "commands/commands.hpp"
 #include "commands/curves.hpp"
-#include "commands/field_on_grid.hpp"
 #include "core/errors.hpp"
+#include "report/field_on_grid.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/text.hpp"
 #include "tables/sweep_table.hpp"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "commands/extract_source.hpp"
+#include "report/result_source.hpp"
 
 namespace ehl::program {
 
@@ -18,23 +18,14 @@ struct FieldOnGrid {
 };
 
 /// in: step: which field of several times or depths. errors: core::FileError where it does not fit its grid.
-FieldOnGrid read_field(const ExtractSource& source, const std::string& name, std::size_t step);
+FieldOnGrid read_field(const ResultSource& source, const std::string& name, std::size_t step);
 
 /// The same field on other lines: cubic between the four nearest nodes, along x and then along y. Not below the least
 /// node, so that a pressure stays >= 0 beside cavitation and the smallest film is that of the report. order: 4.
 /// in: lines within the grid.
 FieldOnGrid on_lines(const FieldOnGrid& field, const std::vector<double>& xs, const std::vector<double>& ys);
 
-/// The line that --along and --at of `ehl extract` ask for. errors: core::InputError: no such axis, outside the domain.
-struct Section {
-  bool along_x = true;
-  double at = 0.0;
-};
-Section wanted_section(const FieldOnGrid& field, const Arguments& arguments);
-bool is_section(const Arguments& arguments);
-
-/// What --sample and --window of `ehl extract` ask for; without them the field as it is.
-/// errors: core::InputError: no such number of points, a window that does not meet the domain.
-FieldOnGrid sampled(const FieldOnGrid& field, const Arguments& arguments);
+/// `count` >= 2 places from one to another.
+std::vector<double> spaced(double from, double to, std::size_t count);
 
 }  // namespace ehl::program

@@ -3,12 +3,11 @@
 #include <optional>
 
 #include "base/si_units.hpp"
-#include "commands/arguments.hpp"
 #include "results/read.hpp"
 
 namespace ehl::program {
 
-struct ExtractSource {
+struct ResultSource {
   results::ResultFile file;
   std::optional<SiScales> si{};  ///< nothing: the file's own units
 
@@ -19,8 +18,10 @@ struct ExtractSource {
   results::Array described(const std::string& name) const;
 };
 
-/// The result that `ehl extract` is asked for. errors: core::FileError; core::InputError: --si of a contact that is not
-/// given in SI.
-ExtractSource open_source(const Arguments& arguments);
+/// A result file in its own units. errors: core::FileError.
+ResultSource open_result(const std::string& path);
+
+/// The scales of a contact that is given in SI; nothing of another one. errors: core::FileError.
+std::optional<SiScales> scales_of(const results::ResultFile& file);
 
 }  // namespace ehl::program

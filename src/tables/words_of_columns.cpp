@@ -1,4 +1,4 @@
-#include "commands/words_of_columns.hpp"
+#include "tables/words_of_columns.hpp"
 
 #include <fmt/core.h>
 

@@ -1,0 +1,45 @@
+// ehl report: results and tables as one page that needs nothing but a browser.
+#include <filesystem>
+#include <span>
+
+#include "base/exit_status.hpp"
+#include "commands/commands.hpp"
+#include "page/section.hpp"
+#include "results/atomic_file.hpp"
+#include "tables/study_report.hpp"
+#include "tables/sweep_data.hpp"
+#include "tables/sweep_table.hpp"
+
+namespace ehl::program {
+namespace {
+
+PageSection section_on(const std::string& path) {
+  if (!path.ends_with(".csv")) return result_section(path);
+  const std::string mark = mark_of(path);
+  return mark == sweep_mark ? sweep_section(path) : mark == study_mark ? study_section(path) : time_study_section(path);
+}
+
+// Beside the first file, with its name.
+std::string page_name(const Arguments& arguments) {
+  std::filesystem::path beside = arguments.operands[0];
+  beside.replace_extension();
+  const std::string path = arguments.value("output", beside.string() + "_report.html");
+  if (!path.ends_with(".html")) refuse("--output " + path + ": the page's name ends with .html");
+  return path;
+}
+
+}  // namespace
+
+int report(const Arguments& arguments) {
+  const std::string path = page_name(arguments);
+  const bool overwrite = arguments.has("overwrite");
+  results::check_writable(path, overwrite, 0, arguments.operands);
+  std::vector<PageSection> sections;
+  for (const std::string& operand : arguments.operands) sections.push_back(section_on(operand));
+  const std::string page = page_of(arguments.value("title", ""), sections);
+  results::write_atomically(path, std::as_bytes(std::span(page)), overwrite);
+  print(path + "\n");
+  return solved;
+}
+
+}  // namespace ehl::program

@@ -1,0 +1,222 @@
+// The numbers of a result, each with its error bar; what did not converge is marked.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "page/result_view.hpp"
+
+namespace ehl::program {
+namespace {
+
+struct Shown {
+  const char* name;   // in the file
+  const char* error;  // relative, in the file; empty: none is estimated
+  const char* words;  // with indices
+  const char* note = "";
+};
+
+const std::vector<Shown>& shown_numbers() {
+  static const std::vector<Shown> all{
+      {"/summary/Hc_best", "/summary/error_Hc_best", "central film h_c"},
+      {"/summary/Hc", "/summary/total_error_Hc", "central film, on this mesh"},
+      {"/summary/Hm_best", "/summary/error_Hm_best", "smallest film h_m"},
+      {"/summary/Hm", "/summary/total_error_Hm", "smallest film, of the nodes"},
+      {"/summary/P_max", "/summary/error_P_max", "highest pressure p_{max}"},
+      {"/summary/Hc_moes", "/summary/total_error_Hc", "central film in Moes units", "h/R (2U)^{-1/2}"},
+      {"/summary/Hm_moes", "/summary/total_error_Hm", "smallest film in Moes units"},
+      {"/summary/lambda_ratio", "", "lambda ratio h_m/S_q"},
+      {"/summary/mu", "/summary/error_mu", "friction coefficient μ"},
+      {"/summary/mu_isothermal", "", "the same, isothermal"},
+      {"/summary/mu_rolling", "", "rolling friction"},
+      {"/summary/T_film_max", "/summary/error_T_film_max", "hottest film above T_{oil}"},
+      {"/summary/T1_max", "/summary/error_T1_max", "hottest place of surface 1 above T_{oil}"},
+      {"/summary/T2_max", "/summary/error_T2_max", "hottest place of surface 2 above T_{oil}"},
+      {"/summary/film_reduction", "", "film over the isothermal one"},
+      {"/summary/starvation_factor", "", "starvation factor", "film over the flooded one"},
+      {"/summary/mass_imbalance", "", "imbalance of oil"},
+      {"/subsurface/largest_sigma_mises", "", "largest von Mises stress below the surface"},
+      {"/subsurface/largest_tau_max", "", "largest shear stress below the surface"},
+      {"/summary/area", "", "area of contact"},
+      {"/summary/gap_error", "", "largest gap in the contact"}};
+  return all;
+}
+
+// Where a number was found: "at (42.0, −112.1) µm".
+std::string place_of(const ResultView& view, const std::string& name) {
+  if (name.starts_with("/summary/Hc")) return name.ends_with("_moes") ? "" : "(0, 0)";
+  std::string base = name.ends_with("_best") ? name.substr(0, name.size() - 5) + "_fitted" : name;
+  if (!view.has(base + "_x")) base = name.ends_with("_best") ? name.substr(0, name.size() - 5) : name;
+  if (!view.has(base + "_x")) return "";
+  const results::Array x = view.number(base + "_x"), y = view.number(base + "_y"), z = view.number(base + "_z");
+  if (!std::isfinite(x.values[0])) return "";
+  const auto place = [&](double at) {
+    return fmt::format("{:.{}f}", std::abs(at) < 1e-9 ? 0.0 : at, view.source.si ? 1 : 3);
+  };
+  const std::string depth = std::isfinite(z.values[0]) ? ", " + place(z.values[0]) : "";
+  return "(" + place(x.values[0]) + ", " + place(y.values[0]) + depth + ") " + escaped(unit_words(x.unit));
+}
+
+bool grows_with_mesh(const ResultView& view, const Shown& one) {
+  return std::string(one.name) == "/summary/P_max" && view.value("/summary/P_max_converging") == 0.0;
+}
+
+std::string cell_of(const ResultView& view, const Shown& one) {
+  const results::Array found = view.number(one.name);
+  const double error = one.error[0] == '\0' ? std::nan("") : view.value(one.error);
+  if (!view.converged) {
+    const std::string unit = with_indices(unit_words(found.unit));
+    return not_converged_cell(digits(found.values[0], std::nan("")) + (unit.empty() ? "" : " " + unit));
+  }
+  return with_bar(found.values[0], error, found.unit);
+}
+
+std::vector<double> column_in_time(const ResultView& view, const std::string& name) {
+  return view.has("/transient/" + name) ? view.source.numbers("/transient/" + name).values : std::vector<double>{};
+}
+
+// "version 0.1.0, commit 732df358, g++ 12.2.0".
+std::string program_words(const ResultView& view) {
+  const auto word = [&](const char* name) { return view.text(std::string("/provenance/") + name); };
+  const std::string changed = word("dirty") == "true" ? ", with changes that no commit holds" : "";
+  return word("program") + " " + word("version") + ", commit " + word("commit").substr(0, 12) + changed + ", " +
+         word("compiler");
+}
+
+std::string paragraphs(const std::string& lines, const std::string& style, const std::string& before) {
+  std::string text;
+  std::istringstream all(lines);
+  for (std::string line; std::getline(all, line);)
+    if (!line.empty()) text += "<p class=\"" + style + "\">" + before + escaped(line) + "</p>\n";
+  return text;
+}
+
+}  // namespace
+
+std::string numbers_of_run(const ResultView& view) {
+  HtmlTable table{view.in_time ? "At the start: the steady contact" : "What was computed",
+                  {"", "value ± error bar", "at", ""},
+                  {},
+                  "main"};
+  for (const Shown& one : shown_numbers()) {
+    if (!std::isfinite(view.value(one.name))) continue;
+    const std::string note =
+        grows_with_mesh(view, one) ? "grows with the mesh, as at a spike: belongs to this mesh" : one.note;
+    table.rows.push_back({with_indices(one.words), cell_of(view, one), place_of(view, one.name), with_indices(note)});
+  }
+  std::string text = table.text();
+  const double domain = view.value("/summary/domain_error");
+  if (std::isfinite(domain) && view.converged)
+    text += fmt::format(
+        "<p class=\"small\">Error bars cover mesh and cycles. Beside them the films change by about "
+        "{:.2g} % on a domain without end.</p>\n",
+        100.0 * domain);
+  return text;
+}
+
+std::string numbers_in_time(const ResultView& view) {
+  const std::vector<double> times = column_in_time(view, "time");
+  if (times.empty()) return "";
+  HtmlTable table{"In time", {"", "least", "at time", "highest", "at time", "at the end"}, {}, "numbers"};
+  const std::string in_time = with_indices(unit_words(view.source.described("/transient/time").unit));
+  for (const auto& [name, words] : {std::pair("Hc", "central film h_c"), std::pair("Hm", "smallest film h_m"),
+                                    std::pair("P_max", "highest pressure p_{max}"), std::pair("load", "load F/F_0")}) {
+    const std::vector<double> values = column_in_time(view, name);
+    if (values.size() != times.size()) continue;
+    const auto low = std::ranges::min_element(values), high = std::ranges::max_element(values);
+    const std::string unit = with_indices(unit_words(view.source.described(std::string("/transient/") + name).unit));
+    const auto number = [&](double value) { return fmt::format("{:.5g} ", value) + unit; };
+    const auto time = [&](auto place) {
+      return fmt::format("{:.4g} ", times[static_cast<std::size_t>(place - values.begin())]) + in_time;
+    };
+    table.rows.push_back(
+        {with_indices(words), number(*low), time(low), number(*high), time(high), number(values.back())});
+  }
+  return table.text() + fmt::format(
+                            "<p class=\"small\">{} steps to {:.4g} {}. These numbers carry the error of the mesh, "
+                            "as at the start, and that of the steps; it is not estimated in the run.</p>\n",
+                            times.size() - 1, times.back(), in_time);
+}
+
+std::string warnings_of(const ResultView& view) {
+  std::string text;
+  if (!view.converged) {
+    const std::string check = view.text("/summary/failed_check");
+    text += "<p class=\"alarm\"><b>Not converged.</b> " + escaped(check) + " No number of this run is a result.</p>\n";
+  }
+  if (view.value("/summary/transient_completed") == 0.0)
+    text += "<p class=\"alarm\"><b>Not complete.</b> The run in time was stopped before its end.</p>\n";
+  for (const std::string& name : view.source.file.names("/summary"))
+    if (name.ends_with("warnings")) text += paragraphs(view.text("/summary/" + name), "warning", "<b>Warning:</b> ");
+  if (view.has("/subsurface"))
+    text += paragraphs(view.source.file.attribute("/subsurface", "warnings"), "warning", "<b>Warning:</b> ");
+  return text.empty() ? "<p class=\"fine\">Converged: all checks passed. No warnings.</p>\n"
+         : view.converged && view.value("/summary/transient_completed") != 0.0
+             ? "<p class=\"fine\">Converged: all checks passed.</p>\n" + text
+             : text;
+}
+
+namespace {
+
+using Kind = results::ResultFile::Kind;
+
+constexpr std::size_t most_rows = 200;
+
+std::string table_of_file(const ResultView& view, const std::string& name) {
+  HtmlTable table{with_indices(""), {}, {}, "numbers"};
+  std::istringstream order(view.source.file.attribute(name, "columns"));
+  std::vector<std::vector<double>> columns;
+  for (std::string column; order >> column;) {
+    const results::Array found = view.source.numbers(name + "/" + column);
+    const std::string unit = with_indices(unit_words(found.unit));
+    table.head.push_back(escaped(column) + (unit.empty() ? "" : " [" + unit + "]"));
+    columns.push_back(found.values);
+  }
+  std::size_t rows = columns.empty() ? 0 : columns[0].size();
+  for (const auto& column : columns) rows = std::min(rows, column.size());
+  const std::size_t every = (rows + most_rows - 1) / most_rows;
+  for (std::size_t row = 0; row < rows; row += every) {
+    table.rows.emplace_back();
+    for (const auto& column : columns)
+      table.rows.back().push_back(std::isfinite(column[row]) ? fmt::format("{:.5g}", column[row]) : "–");
+  }
+  table.caption = escaped(view.source.file.attribute(name, "meaning"));
+  if (every > 1) table.caption += fmt::format(" (each {}th of {} rows)", every, rows);
+  return table.text();
+}
+
+std::string all_numbers(const ResultView& view, const std::string& group) {
+  HtmlTable table{"", {"name", "value", "unit", "meaning"}, {}, "main"};
+  for (const std::string& name : view.source.file.names(group)) {
+    const std::string whole = group + "/" + name;
+    const results::Array found = view.number(whole);
+    const std::string words = view.text(whole);
+    if (words.empty() && !std::isfinite(found.values[0])) continue;
+    table.rows.push_back({escaped(name), words.empty() ? fmt::format("{:.7g}", found.values[0]) : escaped(words),
+                          with_indices(unit_words(found.unit)), escaped(found.meaning)});
+  }
+  return (view.converged || group != "/summary" ? "" : "<p class=\"alarm\">Not converged.</p>\n") + table.text();
+}
+
+}  // namespace
+
+std::string details_of(const ResultView& view) {
+  std::string text;
+  for (const std::string& name : view.source.file.names("/")) {
+    const std::string whole = "/" + name;
+    if (view.source.file.kind(whole) != Kind::group || view.source.file.attribute(whole, "columns").empty()) continue;
+    const std::string table = table_of_file(view, whole);
+    text += name == "levels" || name == "grids" ? table : folded("Table: " + escaped(name), table);
+  }
+  text += folded("All numbers of the result", all_numbers(view, "/summary"));
+  text += folded("Contact and scales", all_numbers(view, "/scales"));
+  text += folded("Deck", "<pre>" + escaped(view.text("/deck")) + "</pre>\n");
+  text += folded("Provenance", all_numbers(view, "/provenance"));
+  const auto word = [&](const char* name) { return escaped(view.text(std::string("/provenance/") + name)); };
+  return text + "<p class=\"small\">" + escaped(program_words(view)) + "; " + word("host_cpu") + ", threads " +
+         word("threads") + "; " + fmt::format("{:.3g} s", view.value("/summary/seconds")) + " for the solution; " +
+         word("date") + ".</p>\n";
+}
+
+}  // namespace ehl::program

@@ -1,0 +1,214 @@
+// The sections on the tables of studies: what accuracy costs, and at which order errors fall.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/errors.hpp"
+#include "deck/text.hpp"
+#include "page/drawing.hpp"
+#include "page/markup.hpp"
+#include "page/section.hpp"
+#include "page/table_words.hpp"
+#include "tables/series.hpp"
+#include "tables/study_report.hpp"
+#include "tables/time_study_report.hpp"
+
+namespace ehl::program {
+namespace {
+
+// Rows by what tells their ways apart, each from coarse to fine.
+std::vector<std::vector<std::size_t>> ways_of(const SweepData& table, const std::vector<std::string>& by,
+                                              const std::string& along) {
+  std::vector<std::vector<std::size_t>> ways = curves_by(table, by);
+  for (std::vector<std::size_t>& way : ways)
+    std::ranges::stable_sort(way, {}, [&](std::size_t row) { return table.number(row, along); });
+  return ways;
+}
+
+std::string name_of_rows(const SweepData& table, const std::vector<std::string>& by, std::size_t row) {
+  std::vector<std::string> words;
+  for (const std::string& column : by) words.push_back(table.cell(row, column));
+  return deck::joined(words, ", ");
+}
+
+bool done(const SweepData& table, std::size_t row) {
+  return table.cell(row, "status") == "converged" || table.cell(row, "status") == "complete";
+}
+
+double reference_error(const SweepData& table, const std::string& name) {
+  const deck::ReadNumber read = deck::read_number(comment(table, "reference error " + name));
+  return read.status == deck::ReadNumber::Status::number ? read.value : std::nan("");
+}
+
+// "0.12 %", "< 0.006 %" below what the reference can tell.
+std::string error_words(const SweepData& table, std::size_t row, const std::string& name) {
+  const double error = table.number(row, "error_" + name), known_to = reference_error(table, name);
+  if (!std::isfinite(error)) return "–";
+  return error < known_to ? fmt::format("&lt; {:.2g} %", 100.0 * known_to) : fmt::format("{:.2g} %", 100.0 * error);
+}
+
+// The observed order between two rows, where both errors can be told.
+std::string order_words(const SweepData& table, std::size_t coarse, std::size_t fine, const std::string& name,
+                        const std::string& along) {
+  const double known_to = reference_error(table, name);
+  const double e1 = table.number(coarse, "error_" + name), e2 = table.number(fine, "error_" + name);
+  const double ratio = table.number(fine, along) / table.number(coarse, along);
+  if (!(e1 > 0.0 && e2 > 0.0) || e1 <= known_to || e2 <= known_to || !(ratio > 0.0) || ratio == 1.0) return "–";
+  return fmt::format("{:.1f}", std::log(e1 / e2) / std::log(ratio));
+}
+
+std::string convergence_table(const SweepData& table, const std::vector<std::string>& by, const std::string& along) {
+  const bool si = table.has("h_c_nm");
+  const std::string c = si ? "h_c_nm" : "Hc", m = si ? "h_m_nm" : "Hm";
+  HtmlTable made{"Against the reference: errors, and the orders at which they fall from row to row",
+                 {"way", "cells", "status", si ? "h<sub>c</sub> [nm]" : "Hc", "error", "order",
+                  si ? "h<sub>m</sub> [nm]" : "Hm", "error", "order", "work units", "seconds"},
+                 {},
+                 "numbers"};
+  for (const std::vector<std::size_t>& way : ways_of(table, by, along))
+    for (std::size_t k = 0; k < way.size(); ++k) {
+      const std::size_t row = way[k];
+      const bool good = done(table, row);
+      const std::string mark = good ? "" : "*";
+      const auto film = [&](const std::string& column, const std::string& name) {
+        const double value = table.number(row, column);
+        return digits(value, value * std::max(table.number(row, "error_" + name), reference_error(table, name))) + mark;
+      };
+      const auto order = [&](const char* name) {
+        if (k == 0) return std::string("–");
+        const std::string found = order_words(table, way[k - 1], row, name, along);
+        return found + (found == "–" || (good && done(table, way[k - 1])) ? "" : "*");
+      };
+      made.rows.push_back({k == 0 ? escaped(name_of_rows(table, by, row)) : "", escaped(table.cell(row, along)),
+                           good ? "converged" : not_converged_cell(escaped(table.cell(row, "status"))), film(c, "Hc"),
+                           error_words(table, row, "Hc") + mark, order("Hc"), film(m, "Hm"),
+                           error_words(table, row, "Hm") + mark, order("Hm"),
+                           digits(table.number(row, "work_units"), NAN), digits(table.number(row, "seconds"), NAN)});
+    }
+  return made.text() +
+         "<p class=\"small\">&lt;: below the reference's own error. *: what the cycles of this way leave, not "
+         "converged. –: no order can be told.</p>\n";
+}
+
+// Errors of a film against seconds or cells, one curve for each way.
+std::string errors_figure(const SweepData& table, const std::vector<std::string>& by, const std::string& along,
+                          const std::string& x, const std::string& words_x, const std::string& name) {
+  const std::string column = "error_" + name;
+  std::vector<double> xs, ys;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    xs.push_back(table.number(row, x));
+    ys.push_back(table.number(row, column));
+  }
+  if (std::ranges::none_of(ys, [](double e) { return e > 0.0; })) return "";
+  const std::string symbol = name == "Hc" ? "H_c" : name == "Hm" ? "H_m" : name == "P_max" ? "P_{max}" : name;
+  Drawing drawing(axis_of(xs, words_x, spans(xs, 4.0)), axis_of(ys, "error of " + symbol + ", relative", true));
+  std::vector<LegendEntry> legend;
+  const auto ways = ways_of(table, by, along);
+  std::vector<std::string> first;
+  for (const auto& way : ways) {
+    std::vector<double> at, error, at_good, good;
+    for (const std::size_t row : way) {
+      at.push_back(table.number(row, x));
+      error.push_back(table.number(row, column));
+      if (done(table, row)) {
+        at_good.push_back(at.back());
+        good.push_back(error.back());
+      }
+    }
+    // A colour for each scheme, dashes for what its ways differ in.
+    const std::string scheme = by.empty() ? "" : table.cell(way[0], by.front());
+    const auto known = std::ranges::find(first, scheme);
+    const auto colour = static_cast<std::size_t>(known - first.begin());
+    const bool is_new = known == first.end();
+    if (is_new) first.push_back(scheme);
+    const Stroke stroke{curve_colour(colour), is_new ? 1.8 : 1.0, is_new ? "" : "4 3"};
+    drawing.curve(at, error, stroke);
+    drawing.points(at_good, good, stroke.colour);
+    if (is_new && !scheme.empty()) legend.push_back({scheme, stroke});
+  }
+  if (const double known_to = reference_error(table, name); known_to > 0.0) {
+    drawing.curve({*std::ranges::min_element(xs), *std::ranges::max_element(xs)}, {known_to, known_to},
+                  {"#888888", 1.0, "2 3"});
+    legend.push_back({"error of the reference", {"#888888", 1.0, "2 3"}});
+  }
+  return figure(drawing.svg("Error of " + name + " against " + words_x), legend,
+                with_indices("Error of " + symbol + " against " + words_x) + ". Points: converged.");
+}
+
+std::string heading_of(const SweepData& table) { return comment(table, "title"); }
+
+std::string count_words(const SweepData& table) {
+  std::size_t count = 0;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) count += done(table, row) ? 1 : 0;
+  return fmt::format("{} solutions, {} of them converged", table.rows.size(), count);
+}
+
+std::string reference_words(const SweepData& table) {
+  HtmlTable made{"The reference", {"", "value", "relative error"}, {}, "main"};
+  for (const char* name : {"Hc", "Hm"}) {
+    const deck::ReadNumber read = deck::read_number(comment(table, std::string("reference ") + name));
+    const double error = reference_error(table, name);
+    if (read.status != deck::ReadNumber::Status::number) continue;
+    made.rows.push_back({name, digits(read.value, read.value * error), fmt::format("{:.2g} %", 100.0 * error)});
+  }
+  const std::string cells = comment(table, "reference cells");
+  return made.rows.empty() ? ""
+                           : made.text() + "<p class=\"small\">" + escaped(comment(table, "reference")) +
+                                 (cells.empty() ? "" : "; cells " + escaped(cells)) + ".</p>\n";
+}
+
+}  // namespace
+
+PageSection study_section(const std::string& path) {
+  const SweepData table = read_table(path, study_mark);
+  for (const char* column : {"cells", "wedge", "evaluator", "cycles", "error_Hc", "error_Hm", "seconds", "work_units"})
+    if (!table.has(column)) throw core::FileError(path + ": the table is damaged: it has no column " + column);
+  const std::vector<std::string> by{"wedge", "evaluator", "cycles"};
+  std::string figures;
+  for (const char* name : {"Hc", "Hm"}) {
+    figures += errors_figure(table, by, "cells", "seconds", "seconds", name);
+    figures += errors_figure(table, by, "cells", "cells", "cells along x", name);
+  }
+  return {heading_of(table),
+          path,
+          "<p class=\"facts\">" + count_words(table) + "</p>\n" + origin_of(table) + reference_words(table) +
+              "<div class=\"figures\">\n" + figures + "</div>\n" + convergence_table(table, by, "cells") +
+              comments_of(table),
+          {"study: " + count_words(table), {}}};
+}
+
+PageSection time_study_section(const std::string& path) {
+  const SweepData table = read_table(path, time_study_mark);
+  for (const char* column : {"rtol", "seconds"})
+    if (!table.has(column)) throw core::FileError(path + ": the table is damaged: it has no column " + column);
+  HtmlTable made{"Errors over the run against the reference", {}, {}, "numbers"};
+  for (const std::string& column : table.columns) {
+    const auto unit = table.units.find(column);
+    made.head.push_back(escaped(column) + (unit == table.units.end() ? "" : " [" + escaped(unit->second) + "]"));
+  }
+  std::vector<std::string> errors;
+  for (const std::string& column : table.columns)
+    if (column.starts_with("error_")) errors.push_back(column.substr(6));
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    made.rows.emplace_back();
+    for (const std::string& column : table.columns) {
+      const double value = table.number(row, column);
+      made.rows.back().push_back(
+          column == "status" && !done(table, row) ? not_converged_cell(escaped(table.cell(row, column)))
+          : std::isfinite(value)                  ? fmt::format("{:.4g}", value)
+                                 : escaped(table.cell(row, column) == "NaN" ? "–" : table.cell(row, column)));
+    }
+  }
+  std::string figures;
+  for (const std::string& name : errors)
+    figures += errors_figure(table, {}, "rtol", "rtol", "tolerance rtol", name) +
+               errors_figure(table, {}, "rtol", "seconds", "seconds", name);
+  return {heading_of(table),
+          path,
+          "<p class=\"facts\">" + count_words(table) + "</p>\n" + origin_of(table) + "<div class=\"figures\">\n" +
+              figures + "</div>\n" + made.text() + comments_of(table),
+          {"study in time: " + count_words(table), {}}};
+}
+
+}  // namespace ehl::program

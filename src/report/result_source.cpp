@@ -1,0 +1,45 @@
+#include "report/result_source.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <utility>
+
+namespace ehl::program {
+namespace {
+
+results::Array converted(results::Array array, const std::optional<SiScales>& si) {
+  if (!si) return array;
+  const SiUnit unit = si_unit(array.unit, *si);
+  if (unit.name == array.unit) return array;
+  for (double& value : array.values) value *= unit.factor;
+  array.meaning += (array.meaning.empty() ? "" : ", ") + fmt::format("times {:.6g} {}", unit.factor, unit.name);
+  array.unit = unit.name;
+  return array;
+}
+
+}  // namespace
+
+results::Array ResultSource::numbers(const std::string& name) const { return converted(file.numbers(name), si); }
+
+results::Array ResultSource::frame(const std::string& name, std::size_t k) const {
+  return converted(file.frame(name, k), si);
+}
+
+results::Array ResultSource::described(const std::string& name) const {
+  return converted({file.dims(name), {}, file.attribute(name, "unit"), file.attribute(name, "meaning")}, si);
+}
+
+ResultSource open_result(const std::string& path) { return {results::ResultFile(path)}; }
+
+std::optional<SiScales> scales_of(const results::ResultFile& file) {
+  const auto scale = [&](const std::string& name) {
+    const std::string path = "/scales/" + name;
+    const bool known = file.kind(path) == results::ResultFile::Kind::numbers && file.dims(path).empty();
+    return known ? file.numbers(path).values[0] : std::nan("");
+  };
+  const SiScales si{.a = scale("a"), .h = scale("h"), .p_h = scale("p_h"), .time = 2.0 * scale("a") / scale("u_s")};
+  return std::isnan(si.a) ? std::nullopt : std::optional(si);
+}
+
+}  // namespace ehl::program
