@@ -10,8 +10,10 @@ OneLine::OneLine(const Content& of) : content(of) {
     field = &line;
   };
   for (NamedField& one : content.fields) line_of(one.field);
-  for (Series& one : content.frames.series)
-    for (const core::Field*& field : one.fields) line_of(field);
+  content.volume.grid.ny = 0;
+  for (std::vector<Series>* series : {&content.frames.series, &content.volume.series})
+    for (Series& one : *series)
+      for (const core::Field*& field : one.fields) line_of(field);
 }
 
 }  // namespace ehl::results

@@ -41,7 +41,7 @@ core::Patch patch_to_compute_on(const Scene& scene, const fmg::Parameters& param
 bool steep_edge(const Scene& scene) {
   const double zone = film_zone(scene.M, scene.L, scene.shape);
   const double P = std::sqrt(2.0 * zone / contact::extent(scene.shape).shorter);
-  return rheology::log_viscosity_at(scene.viscosity, scene.shape.p_h * std::min(1.0, P)) > steep_log_viscosity;
+  return rheology::log_viscosity_at(scene.viscosity, std::min(1.0, P)) > steep_log_viscosity;
 }
 
 /// Cells along x of a first grid of so many on a circle's domain a few radii long. On the long ones of light loads it

@@ -18,6 +18,7 @@ using subsurface::Parameters;
 using subsurface::StressField;
 
 std::string nodes(const core::Grid& grid, std::size_t planes) {
+  if (grid.line) return fmt::format("{} nodes on {} planes to depth ", grid.nodes_x(), planes);
   return fmt::format("{} x {} nodes on {} planes to depth ", grid.nodes_x(), grid.nodes_y(), planes);
 }
 

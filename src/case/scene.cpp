@@ -57,7 +57,7 @@ void refuse_sections(deck::Deck& deck, std::initializer_list<const char*> sectio
 }
 
 void refuse_beyond_line(deck::Deck& deck) {
-  refuse_sections(deck, {"transient", "body", "supply", "thermal", "subsurface"}, "line contacts");
+  refuse_sections(deck, {"transient", "body", "supply", "thermal"}, "line contacts");
   for (const char* section : {"surface1", "surface2"}) {
     const deck::Part surface{deck, section};
     const std::string shape = surface.word("shape");

@@ -52,25 +52,32 @@ struct Row {
   double M, L;
   Oil oil;
   double X_a;
+  int cells;
   Film film;
 };
 
 // Of the discrete equations the error falls by four where the cells are halved: what is left after Richardson's
-// extrapolation is that of the domain and of the other program.
+// extrapolation is that of the domain and of the other program. The minimum of (50, 10), behind a narrow spike, falls
+// like that from 4096 cells on only: on 512, 1024, 2048 it leaves -5e-4, -2e-4, -1.2e-4.
 BOOST_AUTO_TEST_CASE(agrees_with_an_independent_program_at_mesh_size_zero) {
-  const Row rows[] = {{2, 0, Oil::isoviscous, -12.0, {2.625864, 2.141574, .147310, .79243}},
-                      {20, 0, Oil::isoviscous, -4.5, {1.420511, 1.124687, -.557921, .98988}},
-                      {20, 5, Oil::roelands, -4.5, {3.085739, 2.568930, -.527267, .99131}},
-                      {5, 5, Oil::barus, -6.0, {4.179915, 3.175460, -.224117, .97019}}};
-  for (const auto& [M, L, oil, X_a, film] : rows) {
-    const Film coarse = film_of(line_scene(M, L, oil, 512, X_a));
-    const Film fine = film_of(line_scene(M, L, oil, 1024, X_a));
+  const Row rows[] = {{2, 0, Oil::isoviscous, -12.0, 512, {2.625864, 2.141574, .147310, .79243}},
+                      {20, 0, Oil::isoviscous, -4.5, 512, {1.420511, 1.124687, -.557921, .98988}},
+                      {20, 5, Oil::roelands, -4.5, 512, {3.085739, 2.568930, -.527267, .99131}},
+                      {5, 5, Oil::roelands, -6.0, 512, {3.877692, 3.119106, -.238867, .95432}},
+                      {50, 10, Oil::roelands, -4.5, 4096, {3.81375, 3.38220, -.564119, .99719}},
+                      {5, 5, Oil::barus, -6.0, 512, {4.179915, 3.175460, -.224117, .97019}}};
+  for (const auto& [M, L, oil, X_a, cells, film] : rows) {
+    const Film coarse = film_of(line_scene(M, L, oil, cells, X_a));
+    const Film fine = film_of(line_scene(M, L, oil, 2 * cells, X_a));
     const auto zero = [&](double Film::*value) { return fine.*value + (fine.*value - coarse.*value) / 3.0; };
+    BOOST_TEST_MESSAGE("(" << M << ", " << L << "): Hc " << zero(&Film::Hc) / film.Hc - 1.0 << ", Hm "
+                           << zero(&Film::Hm) / film.Hm - 1.0 << ", H00 " << zero(&Film::H00) - film.H00 << ", P(0) "
+                           << zero(&Film::P0) - film.P0);
     BOOST_TEST_CONTEXT("M = " << M << ", L = " << L) {
-      BOOST_TEST(std::abs(zero(&Film::Hc) / film.Hc - 1.0) < 1e-4, "Hc " << zero(&Film::Hc));
-      BOOST_TEST(std::abs(zero(&Film::Hm) / film.Hm - 1.0) < 1e-4, "Hm " << zero(&Film::Hm));
-      BOOST_TEST(std::abs(zero(&Film::H00) - film.H00) < 1e-4, "H00 " << zero(&Film::H00));
-      BOOST_TEST(std::abs(zero(&Film::P0) - film.P0) < 1e-4, "P(0) " << zero(&Film::P0));
+      BOOST_TEST(std::abs(zero(&Film::Hc) / film.Hc - 1.0) < 1e-4, "Hc");
+      BOOST_TEST(std::abs(zero(&Film::Hm) / film.Hm - 1.0) < 1e-4, "Hm");
+      BOOST_TEST(std::abs(zero(&Film::H00) - film.H00) < 1e-4, "H00");
+      BOOST_TEST(std::abs(zero(&Film::P0) - film.P0) < 1e-4, "P(0)");
     }
   }
 }

@@ -140,6 +140,26 @@ BOOST_AUTO_TEST_CASE(a_lubricated_contact_is_the_same_with_and_without) {
   BOOST_TEST(contains(checked.out, "65 x 65 nodes on 21 planes"), checked.out);
 }
 
+// Heavy and isoviscous, the pressure is that of Hertz but for its ends: tau_max = 0.3003 at 0.7862.
+BOOST_AUTO_TEST_CASE(below_a_line_contact) {
+  const support::TemporaryFolder folder;
+  folder.write("d.ini",
+               "[contact]\nkind = line\nM = 1000\nL = 0\n[lubricant]\nviscosity = isoviscous\ndensity = "
+               "incompressible\n[subsurface]\ndepth = 2\ncells = 512\n");
+  const support::Ended ended = support::ehl(folder, "run d.ini --quiet");
+  BOOST_REQUIRE_MESSAGE(ended.status == 0, ended.err);
+  BOOST_TEST(contains(ended.out, " nodes on 41 planes to depth 2 a"), ended.out);
+  const double largest = number(folder, "d.h5", "/subsurface/largest_tau_max");
+  const double depth = number(folder, "d.h5", "/subsurface/largest_tau_max_z");
+  BOOST_TEST_MESSAGE("tau_max " << largest << " (0.3003) at " << depth << " (0.7862)");
+  BOOST_TEST(std::abs(largest / 0.3003 - 1.0) < 0.003);
+  BOOST_TEST(std::abs(depth / 0.7862 - 1.0) < 0.01);
+  // A file holds one line: as many values as nodes and planes.
+  const auto rows = rows_of(support::ehl(folder, "extract d.h5 tau_max --along x --at y=0").out);
+  const auto x = rows_of(support::ehl(folder, "extract d.h5 /subsurface/x").out);
+  BOOST_TEST(rows.size() == 41U * x.size());
+}
+
 BOOST_AUTO_TEST_CASE(the_deck_in_a_result_gives_the_same_result) {
   const support::TemporaryFolder folder;
   folder.write("d.ini", dry + stresses +

@@ -9,6 +9,7 @@
 #include "core/errors.hpp"
 #include "core/timer.hpp"
 #include "effects/subsurface/plane_sum.hpp"
+#include "effects/subsurface/strip.hpp"
 #include "transfer/transfer.hpp"
 
 namespace ehl::subsurface {
@@ -92,7 +93,7 @@ void take_plane(const StressFields& stress, const core::Grid& grid, Quantity qua
 // Within so many cells of the surface the pressure is felt cell by cell: below a spike at (50, 10) the largest shear
 // stress there was 0.333, 0.374, 0.513 p_h on 129, 257, 513 nodes. Parabolas through such values overshoot.
 constexpr double felt = 2.0;
-double shallow(const core::Grid& grid) { return felt * std::max(grid.hx(), grid.hy()); }
+double shallow(const core::Grid& grid) { return felt * (grid.line ? grid.hx() : std::max(grid.hx(), grid.hy())); }
 
 Maximum fitted(const StressField& field, const Best& best, const std::vector<core::Field>& planes) {
   const core::Grid& grid = field.grid;
@@ -171,17 +172,20 @@ double expected_bytes(const core::Grid& contact, const Parameters& parameters, i
 
 double expected_seconds(const core::Grid& contact, const Parameters& parameters) {
   const core::Grid grid = stress_grid(contact, parameters);
+  constexpr double seconds_per_pair = 3e-9;  // of nodes, of a line contact
+  if (grid.line) return seconds_per_pair * parameters.planes * std::pow(grid.nodes_x(), 2);
   constexpr double seconds_per_node_and_plane = 1.2e-6;  // one thread, 64 to 512 cells: 0.9e-6 to 1.3e-6
   return seconds_per_node_and_plane * parameters.planes * static_cast<double>(grid.nodes_x()) * grid.nodes_y();
 }
 
 namespace {
 
+// One plane by the thread `t`. in: z; out: its stresses.
+using Plane = std::function<void(double z, int t, StressFields& stress)>;
+
 // All planes, each by the thread that is free.
-void compute(const PlaneSum& sum, StressField& field, int line, int threads, const Observer& observe) {
-  const int planes = field.parameters.planes, team = std::min(threads, planes);
-  std::vector<PlaneSum::Work> work;
-  for (int t = 0; t < team; ++t) work.emplace_back(sum);
+void compute(const Plane& evaluate, StressField& field, int line, int team, const Observer& observe) {
+  const int planes = field.parameters.planes;
   int done = 0;
   bool stopped = false;
 #pragma omp parallel num_threads(team) if (team > 1)
@@ -195,7 +199,7 @@ void compute(const PlaneSum& sum, StressField& field, int line, int threads, con
       skip = stopped;
       if (skip) continue;
       const auto k = static_cast<std::size_t>(plane);
-      sum.evaluate(field.depths[k], work[static_cast<std::size_t>(omp_get_thread_num())], stress);
+      evaluate(field.depths[k], omp_get_thread_num(), stress);
       for (Volume& volume : field.kept) {
         volume.planes[k] = core::Field(field.grid);
         take_plane(stress, field.grid, volume.quantity, volume.planes[k]);
@@ -211,6 +215,22 @@ void compute(const PlaneSum& sum, StressField& field, int line, int threads, con
   if (stopped) throw core::Interrupted();
 }
 
+void compute(const core::Field& P, const Body& body, StressField& field, int line, int threads,
+             const Observer& observe) {
+  const int team = std::min(threads, field.parameters.planes);
+  if (field.grid.line) {
+    const Plane strips = [&](double z, int, StressFields& stress) { stress_of_line(field.grid, P, body, z, stress); };
+    return compute(strips, field, line, team, observe);
+  }
+  const PlaneSum sum(field.grid, P, body);
+  std::vector<PlaneSum::Work> work;
+  for (int t = 0; t < team; ++t) work.emplace_back(sum);
+  const Plane by_transform = [&](double z, int t, StressFields& stress) {
+    sum.evaluate(z, work[static_cast<std::size_t>(t)], stress);
+  };
+  compute(by_transform, field, line, team, observe);
+}
+
 }  // namespace
 
 StressField stress_below(const core::Grid& grid, const core::Field& P, const Parameters& parameters, int threads,
@@ -220,13 +240,12 @@ StressField stress_below(const core::Grid& grid, const core::Field& P, const Par
   field.parameters = parameters;
   field.grid = stress_grid(grid, parameters);
   field.depths = depths_of(parameters);
-  const PlaneSum sum(field.grid, pressure_on(field.grid, grid, P), {parameters.nu, parameters.friction});
   for (const Quantity quantity : computed(parameters))
     field.kept.push_back({quantity, std::vector<core::Field>(static_cast<std::size_t>(parameters.planes))});
   field.section.assign(quantities, core::Field(field.grid.nodes_x(), parameters.planes));
   const int line = static_cast<int>(std::lround(-field.grid.Y_a / field.grid.hy()));
   field.section_Y = field.grid.Y(line);
-  compute(sum, field, line, threads, observe);
+  compute(pressure_on(field.grid, grid, P), {parameters.nu, parameters.friction}, field, line, threads, observe);
   field.mises = fitted(field, best_of(field.grid, field.kept[0].planes), field.kept[0].planes);
   field.shear = fitted(field, best_of(field.grid, field.kept[1].planes), field.kept[1].planes);
   std::erase_if(field.kept, [&](const Volume& volume) {

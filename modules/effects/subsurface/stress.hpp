@@ -73,6 +73,7 @@ double expected_seconds(const core::Grid& contact, const Parameters& parameters)
 using Observer = std::function<bool(int planes_done)>;
 
 /// The stresses below P. in: P on the nodes of all of a domain; threads >= 1.
+/// Of a line contact those of plane strain, directly (strip.hpp), else by transforms (plane_sum.hpp).
 /// A coarser stress grid takes P by full weighting, which keeps the load. Each cell carries its node's pressure.
 /// order: 2 in the mesh size for z > 0 (patch.hpp, README.md); cost: 12 transforms of four times the nodes per plane.
 /// Same bits for any number of threads. errors: core::Interrupted.

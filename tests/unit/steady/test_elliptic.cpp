@@ -9,6 +9,7 @@
 #include "contact/hertz.hpp"
 #include "core/constants.hpp"
 #include "core/norms.hpp"
+#include "steady/climb.hpp"
 #include "steady/domain_error.hpp"
 #include "steady/resolution.hpp"
 #include "steady/solve.hpp"
@@ -209,4 +210,20 @@ BOOST_AUTO_TEST_CASE(domain_of_an_ellipse) {
   const double expected = inlet + power * share;
   BOOST_TEST_MESSAGE("rough domain error " << steady::rough_domain_error(scene) << ", expected " << expected);
   BOOST_TEST(std::abs(steady::rough_domain_error(scene) / expected - 1.0) < 1e-4);
+}
+
+// Weights begin lower where ln eta_bar, in the Hertz pressure one film zone inside the edge, is above 20. Of Barus' oil
+// it is alpha p = alpha_bar P.
+BOOST_AUTO_TEST_CASE(a_steep_edge_is_one_of_this_pressure) {
+  const auto caution = [](const contact::Ellipse& shape, double log_viscosity) {
+    steady::Scene scene = scene_of(contact::from_moes(200, 20, shape), {64, 64, -4.5, 1.5, -3.0, 3.0});
+    const double depth = steady::film_zone(scene.M, scene.L, shape) / contact::extent(shape).shorter;
+    scene.viscosity = rheology::Barus{log_viscosity / std::sqrt(2.0 * depth)};
+    return steady::begin_climb(scene, {}, {}).plan.above.steep;
+  };
+  for (const double radius_ratio : {0.1, 1.0, 5.0}) {
+    const contact::Ellipse shape = contact::ellipse(radius_ratio);
+    BOOST_TEST(caution(shape, 19.9) == 1.0, "R_x/R_y " << radius_ratio);
+    BOOST_TEST(caution(shape, 20.1) < 1.0, "R_x/R_y " << radius_ratio);
+  }
 }
