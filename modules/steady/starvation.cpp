@@ -1,23 +1,12 @@
 #include "steady/starvation.hpp"
 
 #include <algorithm>
-#include <vector>
 
 #include "judgement/measures.hpp"
 #include "steady/scene.hpp"
 #include "steady/solution.hpp"
 
 namespace ehl::steady {
-namespace {
-
-// Density at every node of a station.
-std::vector<double> density_of(const Scene& scene, const core::Field& P, int i) {
-  std::vector<double> rho(static_cast<std::size_t>(P.nodes_y()));
-  rheology::density(scene.density, P.station(i), rho);
-  return rho;
-}
-
-}  // namespace
 
 double carried_at_centre(const Scene& scene, const Solution& solution) {
   const double P = judgement::value_at(solution.grid, solution.P, 0.0, 0.0);
@@ -36,21 +25,21 @@ double meniscus_on(const Solution& solution, int j) {
   return std::max(grid.X_a, grid.X(i) - grid.hx() * (0.5 + share));
 }
 
-Starvation starvation_of(const Scene& scene, const Solution& starved, const Solution& flooded) {
+Starvation starvation_of(const Scene& scene, const Solution& starved, const Solution& flooded, double C_starved,
+                         double C_flooded) {
   const core::Grid& grid = starved.grid;
   Starvation result;
-  const double carried = carried_at_centre(scene, flooded);
+  const double carried = C_flooded * carried_at_centre(scene, flooded);
   result.supply_ratio = (starved.passes.empty() ? scene.supply(0.0) : starved.passes.back().supply) / carried;
-  result.factor = carried_at_centre(scene, starved) / carried;
+  result.factor = C_starved * carried_at_centre(scene, starved) / carried;
   result.Hc_flooded = flooded.levels.back().Hc;
   result.Hm_flooded = flooded.levels.back().Hm;
   result.flooded_converged = flooded.converged;
   result.meniscus_X = meniscus_on(starved, grid.ny / 2);
   result.cells_to_inlet = grid.nx;
-  const std::vector<double> at_inlet = density_of(scene, starved.P, 0);
   int full = 0;
   for (int j = 0; j <= grid.ny; ++j) {
-    if (starved.Q(0, j) >= at_inlet[static_cast<std::size_t>(j)] * starved.H(0, j)) ++full;
+    if (starved.theta(0, j) >= 1.0) ++full;
     for (int i = 1; i < result.cells_to_inlet; ++i)
       if (starved.P(i, j) > 0.0) result.cells_to_inlet = i;
   }

@@ -45,7 +45,9 @@ double carried_at_centre(const Scene& scene, const Solution& solution);
 /// far as its content tells.
 double meniscus_on(const Solution& solution, int j);
 
-/// in: both solutions of one scene on one grid, with and without its supply.
-Starvation starvation_of(const Scene& scene, const Solution& starved, const Solution& flooded);
+/// in: both solutions of one scene on one grid, with and without its supply; what the films carry at the centre over
+/// rho_bar H there, where heat changes that.
+Starvation starvation_of(const Scene& scene, const Solution& starved, const Solution& flooded, double C_starved = 1.0,
+                         double C_flooded = 1.0);
 
 }  // namespace ehl::steady

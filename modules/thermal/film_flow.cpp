@@ -14,6 +14,8 @@ using core::broadcast;
 
 // A film that counts as none: behind it nothing is sheared, and what is divided by it stays finite.
 constexpr double least_film = 1e-6;
+// Likewise a share of the gap: its columns are divided by it.
+constexpr double least_oil = 1e-4;
 
 // d/dX or d/dY between the neighbours that there are.
 double slope(const core::Patch& patch, const core::Field& P, int i, int j, bool along) {
@@ -53,7 +55,7 @@ void FilmTemperature::load(int batch, int i, const std::vector<double>& theta, C
     at.theta[static_cast<std::size_t>(k)] = core::load(&theta[index(batch, i, k)]);
 }
 
-void FilmTemperature::take(const core::Field& P, const core::Field& H) {
+void FilmTemperature::take(const core::Field& P, const core::Field& H, const core::Field* theta) {
   const core::Patch& patch = setup_.patch;
   const int count = setup_.threads;
   const auto lines = static_cast<std::size_t>(batches_ * core::lanes);
@@ -69,7 +71,7 @@ void FilmTemperature::take(const core::Field& P, const core::Field& H) {
     rheology::density(setup_.density.at_T0, here, {rho_bar_.at_x(i), lines});
     rheology::conductivity(setup_.heat, here, {k_bar_.at_x(i), lines});
   }
-  fill();
+  fill(theta);
 #pragma omp parallel for schedule(static) num_threads(count) if (count > 1)
   for (int i = 0; i <= patch.nx; ++i) {
     for (int j = 0; j <= patch.ny; ++j) {
@@ -84,8 +86,8 @@ void FilmTemperature::take(const core::Field& P, const core::Field& H) {
 
 // Behind the film's end the oil goes on in streaks, as wide as it was thick there: shear heats them. A node at the end
 // that changes between wet and dry changes little of its heat; without the streaks it would cool down, get pressure,
-// warm up, and lose it again, from pass to pass.
-void FilmTemperature::fill() {
+// warm up, and lose it again, from pass to pass. With theta given that is the width of the streaks.
+void FilmTemperature::fill(const core::Field* theta) {
   const core::Patch& patch = setup_.patch;
   for (int j = 0; j <= patch.ny; ++j) {
     double end = 0.0;
@@ -93,6 +95,10 @@ void FilmTemperature::fill() {
       const bool wet = P_(i, j) > 0.0;
       if (wet) end = H_(i, j);
       filled_(i, j) = wet ? 1.0 : std::min(1.0, end / H_(i, j));
+      if (theta == nullptr) continue;
+      oil_(i, j) = wet ? 1.0 : std::clamp((*theta)(i, j), least_oil, 1.0);
+      filled_(i, j) = end > 0.0 ? oil_(i, j) : 0.0;
+      k_bar_(i, j) *= oil_(i, j);
     }
   }
 }
@@ -155,7 +161,7 @@ void FilmTemperature::flows(int batch, int i, Worker& worker) {
         shape[k - 1] + half * ((nodes_.zeta[k - 1] - z_bar) * at.phi[k - 1] + (nodes_.zeta[k] - z_bar) * at.phi[k]);
     sum += (k == n ? half : nodes_.step) * shape[k];
   }
-  const Lanes carried = core::load(rho_bar_.at_x(i) + j) * at.H;
+  const Lanes carried = core::load(rho_bar_.at_x(i) + j) * at.H * core::load(oil_.at_x(i) + j);
   for (std::size_t k = 0; k <= n; ++k) {
     const Lanes layer = carried * (k == 0 || k == n ? half : nodes_.step);
     const std::size_t here = index(batch, i, static_cast<int>(k));

@@ -80,7 +80,7 @@ FilmTemperature::FilmTemperature(const Setup& setup)
        {&P_, &H_,   &log_eta_, &rho_bar_, &k_bar_, &P_X_,  &P_Y_,     &driven_x_, &driven_y_,     &I0_,          &M2_,
         &C_, &tau_, &filled_,  &q_1_,     &q_2_,   &heat_, &carried_, &clipped_,  &correction_1_, &correction_2_})
     *field = core::Field(patch);
-  for (core::Field* field : {&more_x_, &more_y_, &less_tau_}) {
+  for (core::Field* field : {&more_x_, &more_y_, &less_tau_, &oil_}) {
     *field = core::Field(patch);
     field->fill(1.0);
   }
@@ -126,7 +126,7 @@ void FilmTemperature::apply_sources() {
 
 double FilmTemperature::velocity(int i, int j, int k) const {
   const double layer = (k == 0 || k == nodes_.intervals ? 0.5 : 1.0) * nodes_.step;
-  return value(flow_x_, i, j, k) / (rho_bar_(i, j) * H_(i, j) * layer);
+  return value(flow_x_, i, j, k) / (rho_bar_(i, j) * H_(i, j) * oil_(i, j) * layer);
 }
 
 // The surfaces of a batch: what flowed into them upstream, and their own share.
@@ -229,7 +229,7 @@ double FilmTemperature::sweep(bool back) {
 }
 
 std::size_t FilmTemperature::bytes() const {
-  const std::size_t fields = 24 * static_cast<std::size_t>(P_.nodes_x()) * static_cast<std::size_t>(P_.stride());
+  const std::size_t fields = 25 * static_cast<std::size_t>(P_.nodes_x()) * static_cast<std::size_t>(P_.stride());
   return sizeof(double) * (fields + 4 * theta_.size()) + (source_1_ ? source_1_->bytes() : 0) +
          (source_2_ ? source_2_->bytes() : 0) + workers_.size() * sizeof(Worker);
 }

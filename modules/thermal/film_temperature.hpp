@@ -81,8 +81,10 @@ class FilmTemperature {
   void start_from(const FilmTemperature& coarse, const FilmTemperature* coarser = nullptr);
 
   /// A new pressure and film: properties, and the flows that convection and heating take from it, with the temperatures
-  /// as they are. in: fields of the patch; H > 0 where P > 0.
-  void take(const core::Field& P, const core::Field& H);
+  /// as they are. in: fields of the patch; H > 0 where P > 0; theta, the share of the gap that holds oil, or nullptr:
+  /// the gap is full. Of the share conducts and flows what is there; behind a film it is sheared too, as streaks are;
+  /// before it the oil lies on the surfaces in layers, which nothing shears.
+  void take(const core::Field& P, const core::Field& H, const core::Field* theta = nullptr);
 
   /// All columns once: upstream where oil flows back and `back` says so, and downstream; then what the bodies make of
   /// the new fluxes. out: the largest change of theta. The same bits for any number of threads; nothing is allocated.
@@ -127,7 +129,7 @@ class FilmTemperature {
   }
   void load(int batch, int i, const std::vector<double>& theta, Columns& at) const;
   void flows(int batch, int i, Worker& worker);
-  void fill();
+  void fill(const core::Field* theta);
   int last_backflow() const;
   void carry(int batch, int i, bool downstream, Worker& worker) const;
   void add_compression(int batch, int i, Worker& worker) const;
@@ -148,7 +150,8 @@ class FilmTemperature {
   std::vector<double> theta_, before_;   // before_: of the sweep before
   std::vector<double> flow_x_, flow_y_;  // rho_bar H u times the layer of a node
   int back_to_ = -1;                     // last station where oil flows back
-  core::Field filled_;                   // share of the width that holds oil
+  core::Field filled_;                   // share of the width that is sheared
+  core::Field oil_;                      // share of the gap that holds oil
   core::Field P_, H_, log_eta_, rho_bar_, k_bar_, P_X_, P_Y_, driven_x_, driven_y_;
   core::Field I0_, M2_, C_, more_x_, more_y_, less_tau_, tau_, q_1_, q_2_, heat_, carried_, clipped_, correction_1_,
       correction_2_;

@@ -20,6 +20,18 @@ thermal::Setup setup_of(const Case& input) {
   return setup;
 }
 
+// What the film with heat is beside the flooded one with heat.
+steady::Starvation starvation_of(const Case& input, const heat::Solution& found, const thermal::Setup& setup,
+                                 const steady::ProgressCallback& progress) {
+  steady::Scene full = input.scene;
+  full.supply = {};
+  full.adjoint_errors = false;
+  const steady::Solution cold = steady::solve(full, progress);
+  if (!cold.converged) return steady::starvation_of(input.scene, found.film, cold, found.C);
+  const heat::Solution warm = heat::solve(full, setup, cold, progress);
+  return steady::starvation_of(input.scene, found.film, warm.film, found.C, warm.C);
+}
+
 }  // namespace
 
 FilmSolution solve_film(const Case& input, const steady::ProgressCallback& progress) {
@@ -31,6 +43,11 @@ FilmSolution solve_film(const Case& input, const steady::ProgressCallback& progr
   result.Hm_isothermal = before.levels.back().Hm;
   result.mu_isothermal = friction_of(input, before, nullptr).sliding;
   result.found = heat::solve(input.scene, setup_of(input), before, progress);
+  if (input.scene.supply) {
+    const double seconds = before.starvation->seconds;
+    result.found.film.starvation = starvation_of(input, result.found, setup_of(input), progress);
+    result.found.film.starvation->seconds = seconds + result.found.seconds;
+  }
   solution.film = std::move(result.found.film);
   result.found.film = {};
   result.mu = friction_of(input, solution.film, &result.found.fields).sliding;

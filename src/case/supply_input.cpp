@@ -110,8 +110,8 @@ void supply_input(Case& input) {
     return supply.complain(first, "with [grid] accuracy is not available in this version: give [grid] cells");
   if (input.flow_thinning)
     return supply.complain(first, "with [shear] flow = on is not available in this version: remove one of them");
-  if (deck::called_for(deck, "thermal"))
-    return supply.complain(first, "with [thermal] is not available in this version: remove one of them");
+  if (deck::called_for(deck, "thermal") && supply.integer("passes", 1) > 1)
+    return supply.complain("passes", "are of isothermal contacts: remove it, or [thermal]");
   if (deck::given(deck, "grid", "errors") && deck::word(deck, "grid", "errors") == "adjoint")
     deck::complain(deck, "grid", "errors", "adjoint is not available with [supply] in this version: levels");
   const starvation::Scales scales = scales_of(input);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fmg/oil.hpp"
 #include "judgement/error_estimate.hpp"
 #include "judgement/stopping.hpp"
 
@@ -116,12 +117,31 @@ std::string unmet_of(const Pass& pass, const thermal::Balance& balance, const La
   return judgement::unmet_check(last, parameters.tolerance);
 }
 
+// Closes the balance of oil of a solution. out: what is still wrong with it; empty: nothing.
+std::string close_oil(fmg::Run& run, std::size_t l, LastCycle& last) {
+  fmg::Hierarchy& hierarchy = run.hierarchy;
+  if (!fmg::conserves_mass(hierarchy.levels[l])) return {};
+  if (fmg::close_oil(hierarchy, hierarchy.levels[l], fmg::cautious(hierarchy.parameters, run.caution).relaxation)) {
+    const int number = run.record.history.back().cycle;
+    run.record.history.pop_back();
+    last.after = fmg::measures_of(hierarchy, l);
+    fmg::enter(hierarchy, l, number, last.after, run.record);
+  }
+  return judgement::unmet_oil(last.after);
+}
+
 // The temperature of the state, and what it makes of the coefficients. out: the change that it asks of them.
 double renew(fmg::Hierarchy& hierarchy, std::size_t l, int pass, thermal::FilmTemperature& film, Factors& factors,
              double weight, thermal::Balance& balance) {
   const core::ScopedTimer timer(hierarchy.times, core::Part::heat);
-  const fmg::Level& level = hierarchy.levels[l];
-  film.take(level.P, level.H);
+  fmg::Level& level = hierarchy.levels[l];
+  if (fmg::conserves_mass(level)) {
+    fmg::update_residual(hierarchy, level);
+    const core::Field theta = fmg::theta_of(level);
+    film.take(level.P, level.H, &theta);
+  } else {
+    film.take(level.P, level.H);
+  }
   const bool slow = pass > quick;
   // The inlet's own temperature changes little behind the first pass of a grid: swept upstream in every second one.
   for (int sweep = 0; sweep < (slow ? sweeps_when_slow : 1); ++sweep) film.sweep(slow || pass % 2 == 1);
@@ -153,6 +173,7 @@ Result heat_up(fmg::Run& run, std::size_t l, thermal::FilmTemperature& film, Fac
     result.passes.push_back(pass);
     result.unmet = unmet_of(pass, result.balance, last, parameters);
     if (good) {
+      if (n > 1 && result.unmet.empty() && l == run.finest()) result.unmet = close_oil(run, l, last);
       run.record.verification = judgement::verification_of(last);
       if (n > 1 && result.unmet.empty()) return result;
       trail.before = pass;

@@ -104,6 +104,7 @@ Solution report(const thermal::FilmTemperature& film, const core::Patch& patch, 
                 const core::Field& H, const thermal::Setup& setup, const thermal::Balance& balance,
                 std::vector<Row> rows) {
   const int edge = std::clamp(static_cast<int>(std::lround((-1.0 - patch.domain.X_a) / patch.hx())), 0, patch.nx);
+  const int centre = std::clamp(static_cast<int>(std::lround(-patch.domain.X_a / patch.hx())), 0, patch.nx);
   const int middle = setup.intervals / 2;
   return {.film = {},
           .balance = balance,
@@ -111,6 +112,7 @@ Solution report(const thermal::FilmTemperature& film, const core::Patch& patch, 
           .on_1 = hottest(patch, balance.surface_1, error_of(rows, &Row::surface_1)),
           .on_2 = hottest(patch, balance.surface_2, error_of(rows, &Row::surface_2)),
           .mean = mean_of(film, patch, P, middle),
+          .C = film.C()(centre, middle_line(patch)),
           .inlet = film.theta(edge, middle_line(patch), middle),
           .nahme = nahme_of(film, patch, P, H, setup),
           .error_mu = setup.srr != 0.0 ? error_of(rows, &Row::mu) : 0.0,

@@ -99,6 +99,38 @@ BOOST_AUTO_TEST_CASE(plug_flow_in_a_slot) {
   BOOST_TEST(extrapolated < 1e-3);
 }
 
+BOOST_AUTO_TEST_CASE(streaks_in_a_slot) {
+  // Streaks that fill a share of the width are each a slot: the same temperatures, and that share of the heat.
+  constexpr double share = 0.3;
+  const Grid grid{100, 2, 0.0, 0.2, 0.0, 1.0};
+  Setup setup = slot(grid);
+  setup.theta_oil = 1.0;
+  setup.Pe = 1.0;
+  FilmTemperature full(setup), streaks(setup);
+  const Field nowhere = filled(grid, [](double, double) { return 0.0; });
+  const Field theta = filled(grid, [](double, double) { return share; });
+  full.take(nowhere, ones(grid));
+  streaks.take(nowhere, ones(grid), &theta);
+  settle(full, 1e-12);
+  settle(streaks, 1e-12);
+  double temperature = 0.0, heat = 0.0, speed = 0.0;
+  for (int i = 1; i <= grid.nx; ++i) {
+    for (int k = 0; k <= setup.intervals; ++k) {
+      temperature = std::max(temperature, std::abs(streaks.theta(i, 1, k) - full.theta(i, 1, k)));
+      speed = std::max(speed, std::abs(streaks.velocity(i, 1, k) - 1.0));
+    }
+    heat = std::max(heat, std::abs(streaks.q_1()(i, 1) - share * full.q_1()(i, 1)));
+  }
+  const double carried = streaks.balance().carried / full.balance().carried;
+  BOOST_TEST_MESSAGE("temperature " << temperature << ", heat " << heat << ", speed " << speed
+                                    << " off (tolerance 1e-10), heat carried " << carried
+                                    << " of that of the full slot");
+  BOOST_TEST(temperature < 1e-10);
+  BOOST_TEST(heat < 1e-10);
+  BOOST_TEST(speed < 1e-12);
+  BOOST_TEST(std::abs(carried / share - 1.0) < 1e-10);
+}
+
 BOOST_AUTO_TEST_CASE(compression_heats) {
   // Nothing conducts: T = T0 exp[e p/(rho c)], 313.15 K, 6.5e-4 1/K, 1.72e6 J/(m^3 K), 0.9349 GPa: +132.702 K.
   constexpr double T0 = 313.15, e = 6.5e-4, rho_c = 1.72e6, p = 0.9349e9, conduction = 1e-7;

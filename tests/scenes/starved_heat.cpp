@@ -1,0 +1,84 @@
+// Heat where oil is missing, from end to end.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "support/json.hpp"
+#include "support/program.hpp"
+
+using support::number_at;
+
+namespace {
+
+struct Scene {
+  support::TemporaryFolder folder;
+  Scene() {
+    folder.write("d.ini",
+                 "[contact]\nload = 30\nradius_x = 9.525e-3\nE_prime = 226e9\n[motion]\nu_m = 2\nsrr = 0.5\n"
+                 "[lubricant]\neta0 = 0.04\nalpha = 20e-9\n"
+                 "[domain]\nfar_field = zero\nx_inlet = -4.5\nx_outlet = 1.5\ny_half = 3\n[grid]\ncells = 64\n"
+                 "[shear]\nlaw = eyring\ntau_0 = 5e6\n[friction]\ncavitated = none\n"
+                 "[thermal]\nT_oil = 40\nbeta = 0.042\nsolid1 = steel\nsolid2 = steel\n");
+  }
+  nlohmann::json run(const std::string& changes) const {
+    const support::Ended ended = support::ehl(folder, "run d.ini --json --quiet --overwrite --output d.h5 " + changes);
+    BOOST_TEST_REQUIRE(ended.status == 0, changes << ": " << ended.err);
+    return support::parsed(ended.out);
+  }
+};
+
+void check_close(const std::string& name, double value, double reference, double tolerance) {
+  BOOST_TEST_MESSAGE(name << " " << value << ", expected " << reference << ", " << value / reference - 1
+                          << " off (tolerance " << tolerance << ")");
+  BOOST_TEST(std::abs(value / reference - 1) < tolerance);
+}
+
+}  // namespace
+
+// More oil than the domain takes: the flooded contact with heat, but for what a hot wake does through the bodies.
+BOOST_AUTO_TEST_CASE(a_thick_layer_is_a_full_inlet) {
+  const Scene scene;
+  const auto flooded = scene.run(""), thick = scene.run("--set supply.layer_m=1e-3");
+  for (const char* name : {"/Hc", "/Hm", "/thermal/mu", "/thermal/T_film_max", "/thermal/T1_max", "/thermal/T2_max"})
+    check_close(name, number_at(thick, name), number_at(flooded, name), 1e-4);
+  check_close("factor", number_at(thick, "/starvation_factor"), 1.0, 2e-4);
+}
+
+BOOST_AUTO_TEST_CASE(little_oil) {
+  const Scene scene;
+  const auto flooded = scene.run("");
+  double before = number_at(flooded, "/Hc");
+  for (const std::string layer : {"200e-9", "100e-9", "20e-9"}) {
+    const auto found = scene.run("--set supply.layer_m=" + layer);
+    const double r = number_at(found, "/starvation/supply_ratio"), factor = number_at(found, "/starvation_factor");
+    BOOST_TEST_MESSAGE("r = " << r << ": factor " << factor << ", Hc " << number_at(found, "/Hc") << ", mu "
+                              << number_at(found, "/thermal/mu") << " (flooded " << number_at(flooded, "/thermal/mu")
+                              << "), film " << number_at(found, "/thermal/T_film_max") << " K, oil "
+                              << number_at(found, "/mass_imbalance") << ", heat "
+                              << number_at(found, "/thermal/heat_imbalance"));
+    BOOST_TEST(std::abs(number_at(found, "/mass_imbalance")) <= 1e-10);
+    BOOST_TEST(std::abs(number_at(found, "/thermal/heat_imbalance")) < 1e-3);
+    BOOST_TEST(number_at(found, "/Hc") < before);
+    BOOST_TEST(factor < r);
+    before = number_at(found, "/Hc");
+    // A thin layer goes through as it is.
+    if (r < 0.2) check_close("factor", factor, r, 5e-3);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(half_is_the_whole) {
+  const Scene scene;
+  // Even to 1e-8: too uneven to be halved.
+  scene.folder.write("track.csv", "y,h\n-1e-3,100e-9\n1e-3,100.000001e-9\n");
+  const auto half = scene.run("--set supply.layer_m=100e-9"), whole = scene.run("--set supply.profile=track.csv");
+  for (const char* name : {"/Hc", "/thermal/mu", "/thermal/T_film_max", "/thermal/heat_1"})
+    check_close(name, number_at(whole, name), number_at(half, name), 1e-6);
+}
+
+BOOST_AUTO_TEST_CASE(passes_are_refused) {
+  const Scene scene;
+  const support::Ended refused =
+      support::ehl(scene.folder, "check d.ini --set supply.layer_m=1e-7 --set supply.passes=3");
+  BOOST_TEST(refused.status == 2);
+  BOOST_TEST(refused.says({"passes", "isothermal"}), refused.err);
+}
