@@ -101,7 +101,7 @@ std::string curve_colour(std::size_t k) {
 std::vector<Tick> ticks_of(const Axis& axis) {
   if (axis.logarithmic) return decades(axis);
   std::vector<Tick> ticks;
-  const double step = round_step((axis.to - axis.from) / 6.0);
+  const double step = std::max(round_step((axis.to - axis.from) / 6.0), axis.whole ? 1.0 : 0.0);
   for (double k = std::ceil(axis.from / step - 1e-6); k * step <= axis.to + 1e-6 * step; k += 1.0)
     ticks.push_back({k * step, tick_name(k == 0.0 ? 0.0 : k * step)});
   return ticks;

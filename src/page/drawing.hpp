@@ -10,6 +10,7 @@ struct Axis {
   double to = 1.0;
   bool logarithmic = false;
   std::string words{};  ///< with indices (markup.hpp)
+  bool whole = false;   ///< counts: no ticks between whole numbers
 };
 
 /// From the least to the highest of the finite values, with room beside them; of a logarithm those above zero.

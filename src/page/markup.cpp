@@ -95,8 +95,8 @@ std::string unit_words(const std::string& unit) {
 std::string digits(double value, double error) {
   if (!std::isfinite(value)) return "–";
   if (!(std::abs(error) > 0.0) || !std::isfinite(error) || value == 0.0) return fmt::format("{:.4g}", value);
-  // Two digits of the error, and no more than twelve of the value.
-  const double places = 1.0 - std::floor(std::log10(std::abs(error)));
+  // Two digits of the error and of the value, and no more than twelve of the value.
+  const double places = 1.0 - std::floor(std::log10(std::min(std::abs(error), std::abs(value))));
   const double most = 12.0 - std::ceil(std::log10(std::abs(value)));
   if (places > most || std::abs(value) >= 1e6 || std::abs(value) < 1e-4) return fmt::format("{:.6g}", value);
   return fmt::format("{:.{}f}", value, static_cast<int>(std::max(0.0, places)));
@@ -133,7 +133,11 @@ std::string HtmlTable::text() const {
   made += "<tbody>\n";
   for (const std::vector<std::string>& row : rows) {
     made += "<tr>";
-    for (const std::string& cell : row) made += "<td>" + cell + "</td>";
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      // The last cell of a short row fills it.
+      const std::size_t wide = k + 1 == row.size() && row.size() < head.size() ? head.size() - k : 1;
+      made += (wide > 1 ? fmt::format("<td colspan=\"{}\" class=\"words\">", wide) : "<td>") + row[k] + "</td>";
+    }
     made += "</tr>\n";
   }
   return made + "</tbody></table></div>\n";

@@ -33,7 +33,7 @@ table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
 caption { text-align: left; padding-bottom: .25em; }
 th, td { padding: .18em .75em .18em 0; text-align: left; vertical-align: top; border-bottom: 1px solid #e3e3e3; }
 th { font-weight: 600; border-bottom: 1px solid #888; }
-table.numbers { font-size: .88em; } table.numbers th, table.numbers td { text-align: right; padding: .18em .5em; } table.numbers td { white-space: nowrap; }
+table.numbers { font-size: .88em; } table.numbers th, table.numbers td { text-align: right; padding: .18em .5em; } table.numbers td { white-space: nowrap; } table.numbers td.words { text-align: left; }
 table.numbers th { vertical-align: bottom; }
 table.numbers td:first-child, table.numbers th:first-child { text-align: left; padding-left: 0; }
 table.main td:nth-child(2) { white-space: nowrap; }

@@ -124,6 +124,8 @@ std::string numbers_in_time(const ResultView& view) {
                                     std::pair("P_max", "highest pressure p_{max}"), std::pair("load", "load F/F_0")}) {
     const std::vector<double> values = column_in_time(view, name);
     if (values.size() != times.size()) continue;
+    if (std::string(name) == "load" && std::ranges::adjacent_find(values, std::ranges::not_equal_to()) == values.end())
+      continue;
     const auto low = std::ranges::min_element(values), high = std::ranges::max_element(values);
     const std::string unit = with_indices(unit_words(view.source.described(std::string("/transient/") + name).unit));
     const auto number = [&](double value) { return fmt::format("{:.5g} ", value) + unit; };

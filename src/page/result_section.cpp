@@ -10,8 +10,8 @@ namespace ehl::program {
 namespace {
 
 std::string compared_film(const ResultView& view, const std::string& best, const std::string& error) {
-  if (!view.has(best)) return "–";
   const results::Array film = view.number(best);
+  if (!std::isfinite(film.values[0])) return "–";
   return view.converged ? with_bar(film.values[0], view.value(error), film.unit) : not_converged_cell("");
 }
 
@@ -22,13 +22,18 @@ std::string plain(double value, const std::string& unit) {
 std::vector<std::string> compared_cells(const ResultView& view) {
   const bool grows = view.value("/summary/P_max_converging") == 0.0;
   const results::Array mu = view.number("/summary/mu");
+  const bool best = view.has("/summary/Hc_best");
   return {plain(view.value("/scales/M"), ""),
           plain(view.value("/scales/L"), ""),
           plain(view.value("/scales/load"), view.line ? "N/m" : "N"),
           plain(0.5 * view.value("/scales/u_s"), "m/s"),
-          compared_film(view, "/summary/Hc_best", "/summary/error_Hc_best"),
-          compared_film(view, "/summary/Hm_best", "/summary/error_Hm_best"),
-          compared_film(view, "/summary/P_max", "/summary/error_P_max") + (grows ? ", of this mesh" : ""),
+          best ? compared_film(view, "/summary/Hc_best", "/summary/error_Hc_best")
+               : compared_film(view, "/summary/Hc", "/summary/total_error_Hc"),
+          best ? compared_film(view, "/summary/Hm_best", "/summary/error_Hm_best")
+               : compared_film(view, "/summary/Hm", "/summary/total_error_Hm"),
+          grows && view.converged ? digits(view.value("/summary/P_max"), std::nan("")) + " " +
+                                        with_indices(unit_words(view.number("/summary/P_max").unit)) + " of this mesh"
+                                  : compared_film(view, "/summary/P_max", "/summary/error_P_max"),
           std::isfinite(mu.values[0])
               ? view.converged ? with_bar(mu.values[0], view.value("/summary/error_mu"), "-") : not_converged_cell("")
               : "–"};

@@ -175,7 +175,7 @@ PageSection study_section(const std::string& path) {
           "<p class=\"facts\">" + count_words(table) + "</p>\n" + origin_of(table) + reference_words(table) +
               "<div class=\"figures\">\n" + figures + "</div>\n" + convergence_table(table, by, "cells") +
               comments_of(table),
-          {"study: " + count_words(table), {}}};
+          {"study", {count_words(table)}}};
 }
 
 PageSection time_study_section(const std::string& path) {
@@ -208,7 +208,7 @@ PageSection time_study_section(const std::string& path) {
           path,
           "<p class=\"facts\">" + count_words(table) + "</p>\n" + origin_of(table) + "<div class=\"figures\">\n" +
               figures + "</div>\n" + made.text() + comments_of(table),
-          {"study in time: " + count_words(table), {}}};
+          {"study in time", {count_words(table)}}};
 }
 
 }  // namespace ehl::program

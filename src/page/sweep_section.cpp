@@ -155,8 +155,8 @@ std::string cases_table(const SweepData& table) {
     made.rows.push_back(cells);
   }
   made.caption =
-      "Value ± error bar (mesh and cycles); formulas (hd: Hamrock, Dowson 1977; moes: Moes 1992) over the film "
-      "computed less 1.";
+      "Value ± error bar (mesh and cycles); where no bar stands, none is estimated. Formulas (hd: Hamrock, Dowson "
+      "1977; moes: Moes 1992): over the film computed, less 1.";
   if (shown < table.rows.size()) made.caption += fmt::format(" The first {} of {} cases.", shown, table.rows.size());
   return made.text();
 }
