@@ -31,11 +31,6 @@ files::path folder_of(const std::string& path) {
 
 constexpr char beginning[] = ".", ending[] = ".part";
 
-std::string temporary_name(const std::string& path) {
-  const std::string name = files::path(path).filename().string();
-  return folder_of(path) / (beginning + name + "." + std::to_string(::getpid()) + ending);
-}
-
 // The process whose temporary file of this path has this name; -1: it is none.
 pid_t owner(const std::string& path, const std::string& name) {
   const std::string before = beginning + files::path(path).filename().string() + ".";
@@ -45,6 +40,15 @@ pid_t owner(const std::string& path, const std::string& name) {
   const auto [end, error] = std::from_chars(name.data() + std::min(before.size(), name.size()), last, process);
   return error == std::errc{} && end == last ? process : -1;
 }
+
+}  // namespace
+
+std::string temporary_name(const std::string& path) {
+  const std::string name = files::path(path).filename().string();
+  return folder_of(path) / (beginning + name + "." + std::to_string(::getpid()) + ending);
+}
+
+namespace {
 
 // Removes the temporary files of runs that were killed: their process is gone, and so is its lock.
 void clean(const std::string& path) {

@@ -20,4 +20,7 @@ void check_writable(const std::string& path, bool overwrite, std::size_t bytes,
 /// errors: core::FileError with the system's reason.
 void write_atomically(const std::string& path, std::span<const std::byte> bytes, bool overwrite);
 
+/// ".NAME.PID.part" beside the file: what check_writable() cleans up when this process was killed.
+std::string temporary_name(const std::string& path);
+
 }  // namespace ehl::results

@@ -83,4 +83,9 @@ struct Dataset {
 /// in: how the message of an error begins. errors: core::FileError.
 Dataset open_dataset(hid_t file, const std::string& name, const std::string& cannot);
 
+/// A text as an attribute. in: how the message of an error begins. errors: core::FileError.
+void add_text_attribute(hid_t object, const std::string& name, const std::string& text, const std::string& cannot);
+/// A text attribute of an object in a file; empty where it has none.
+std::string text_attribute(hid_t file, const std::string& object, const std::string& name);
+
 }  // namespace ehl::results

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "results/collection.hpp"
 #include "results/hdf5_handle.hpp"
 
 namespace ehl::results {
@@ -76,13 +77,23 @@ std::string read_text(hid_t type, Read read) {
 
 struct ResultFile::Implementation {
   std::string path;
+  std::string root;  // of the result: empty, or a member of a collection
   Handle file;
+
+  std::string full(const std::string& name) const { return name == "/" && !root.empty() ? root : root + name; }
 
   std::string cannot(const std::string& name) const { return path + ": cannot read " + name; }
 };
 
-ResultFile::ResultFile(const std::string& path)
-    : implementation_(std::make_unique<Implementation>(Implementation{path, open_hdf5(path)})) {
+ResultFile::ResultFile(const std::string& path, std::optional<std::size_t> number)
+    : implementation_(std::make_unique<Implementation>(
+          Implementation{path, number ? member_name(*number) : std::string(), open_hdf5(path)})) {
+  const QuietErrors quiet;
+  const bool collection = text_attribute(implementation_->file, "/", "format") == "ehl sweep";
+  if (collection && !number)
+    throw core::FileError(path + ": holds the results of a sweep: say which case (--case K, cases from 0)");
+  if (!collection && number) throw core::FileError(path + ": is no file of a sweep with --keep: it has no cases");
+  if (number && kind("/") != Kind::group) throw core::FileError(path + ": has no case " + std::to_string(*number));
   if (attribute("/", "format") != "ehl result")
     throw core::FileError(path + ": this is an HDF5 file, but no result of ehl");
 }
@@ -95,7 +106,7 @@ const std::string& ResultFile::path() const { return implementation_->path; }
 
 ResultFile::Kind ResultFile::kind(const std::string& name) const {
   const QuietErrors quiet;
-  const hid_t id = H5Oopen(implementation_->file, name.c_str(), H5P_DEFAULT);
+  const hid_t id = H5Oopen(implementation_->file, implementation_->full(name).c_str(), H5P_DEFAULT);
   if (id < 0) return Kind::missing;
   const Handle object(id, H5Oclose);
   if (H5Iget_type(object) == H5I_GROUP) return Kind::group;
@@ -106,8 +117,8 @@ ResultFile::Kind ResultFile::kind(const std::string& name) const {
 
 std::vector<std::string> ResultFile::names(const std::string& group) const {
   const QuietErrors quiet;
-  const Handle opened =
-      checked(H5Gopen2(implementation_->file, group.c_str(), H5P_DEFAULT), H5Gclose, implementation_->cannot(group));
+  const Handle opened = checked(H5Gopen2(implementation_->file, implementation_->full(group).c_str(), H5P_DEFAULT),
+                                H5Gclose, implementation_->cannot(group));
   std::vector<std::string> found;
   const auto keep = [](hid_t, const char* name, const H5L_info_t*, void* data) -> herr_t {
     static_cast<std::vector<std::string>*>(data)->emplace_back(name);
@@ -148,7 +159,7 @@ hsize_t bytes_behind(hid_t file, hid_t set, const std::string& cannot) {
 Array ResultFile::numbers(const std::string& name) const {
   const QuietErrors quiet;
   const std::string cannot = implementation_->cannot(name);
-  const auto [set, space, type, dims] = open_dataset(implementation_->file, name, cannot);
+  const auto [set, space, type, dims] = open_dataset(implementation_->file, implementation_->full(name), cannot);
   const H5T_class_t kind = H5Tget_class(type);
   if (kind != H5T_FLOAT && kind != H5T_INTEGER) throw core::FileError(cannot + ": it holds no numbers");
   if (dims.size() > 2) throw core::FileError(cannot + ": it has " + std::to_string(dims.size()) + " dimensions");
@@ -168,7 +179,8 @@ Array ResultFile::numbers(const std::string& name) const {
 
 std::vector<std::size_t> ResultFile::dims(const std::string& name) const {
   const QuietErrors quiet;
-  const std::vector<hsize_t> dims = open_dataset(implementation_->file, name, implementation_->cannot(name)).dims;
+  const std::vector<hsize_t> dims =
+      open_dataset(implementation_->file, implementation_->full(name), implementation_->cannot(name)).dims;
   return {dims.begin(), dims.end()};
 }
 
@@ -181,7 +193,7 @@ std::string ResultFile::axis(const std::string& field, const std::string& name) 
 Array ResultFile::frame(const std::string& name, std::size_t k) const {
   const QuietErrors quiet;
   const std::string cannot = implementation_->cannot(name);
-  const Dataset opened = open_dataset(implementation_->file, name, cannot);
+  const Dataset opened = open_dataset(implementation_->file, implementation_->full(name), cannot);
   const std::vector<hsize_t>& lengths = opened.dims;
   if (lengths.size() != 3 || k >= lengths[0])
     throw core::FileError(cannot + ": it has no field number " + std::to_string(k));
@@ -208,22 +220,26 @@ Array ResultFile::frame(const std::string& name, std::size_t k) const {
 std::string ResultFile::text(const std::string& name) const {
   const QuietErrors quiet;
   const std::string cannot = implementation_->cannot(name);
-  const Dataset opened = open_dataset(implementation_->file, name, cannot);
+  const Dataset opened = open_dataset(implementation_->file, implementation_->full(name), cannot);
   if (H5Tget_class(opened.type) != H5T_STRING || H5Sget_simple_extent_npoints(opened.space) != 1)
     throw core::FileError(cannot + ": it is no text");
   return read_text(opened.type,
                    [&](void* to) { return H5Dread(opened.set, opened.type, H5S_ALL, H5S_ALL, H5P_DEFAULT, to); });
 }
 
-std::string ResultFile::attribute(const std::string& object, const std::string& name) const {
-  const QuietErrors quiet;
-  const hid_t id = H5Aopen_by_name(implementation_->file, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT);
+std::string text_attribute(hid_t file, const std::string& object, const std::string& name) {
+  const hid_t id = H5Aopen_by_name(file, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT);
   if (id < 0) return "";
   const Handle found(id, H5Aclose);
   const Handle type(H5Aget_type(found), H5Tclose);
   const Handle space(H5Aget_space(found), H5Sclose);
   if (H5Tget_class(type) != H5T_STRING || H5Sget_simple_extent_npoints(space) != 1) return "";
   return read_text(type, [&](void* to) { return H5Aread(found, type, to); });
+}
+
+std::string ResultFile::attribute(const std::string& object, const std::string& name) const {
+  const QuietErrors quiet;
+  return text_attribute(implementation_->file, implementation_->full(object), name);
 }
 
 }  // namespace ehl::results

@@ -2,6 +2,7 @@
 // Reading a result file back.
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,8 @@ struct Array {
 class ResultFile {
  public:
   /// errors: core::FileError: missing, truncated, no HDF5, or HDF5 but no result of this program.
-  explicit ResultFile(const std::string& path);
+  /// in: number: of a case in a file with the kept results of a sweep; its groups are then those of a result file.
+  explicit ResultFile(const std::string& path, std::optional<std::size_t> number = std::nullopt);
   ~ResultFile();
   ResultFile(ResultFile&&) noexcept;
   ResultFile& operator=(ResultFile&&) noexcept;

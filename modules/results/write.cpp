@@ -11,6 +11,28 @@
 
 namespace ehl::results {
 namespace {
+
+// Of fixed length: texts of variable length lie in a heap without checksum, where one wrong byte of a damaged file
+// can crash its reader.
+Handle text_type(const std::string& text, const std::string& cannot) {
+  Handle type = checked(H5Tcopy(H5T_C_S1), H5Tclose, cannot);
+  check(H5Tset_size(type, text.size() + 1), cannot);
+  check(H5Tset_cset(type, H5T_CSET_UTF8), cannot);
+  return type;
+}
+
+}  // namespace
+
+void add_text_attribute(hid_t object, const std::string& name, const std::string& text, const std::string& cannot) {
+  const Handle type = text_type(text, cannot);
+  const Handle space = checked(H5Screate(H5S_SCALAR), H5Sclose, cannot);
+  const Handle made =
+      checked(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, cannot);
+  check(H5Awrite(made, type, text.c_str()), cannot);
+}
+
+namespace {
+
 struct Writer {
   hid_t file;
   std::string path;
@@ -18,26 +40,8 @@ struct Writer {
   std::string cannot(const std::string& name) const { return path + ": cannot build " + name; }
 };
 
-// Of fixed length: texts of variable length lie in a heap without checksum, where one wrong byte of a damaged file
-// can crash its reader.
-Handle text_type(const Writer& writer, const std::string& text) {
-  Handle type = checked(H5Tcopy(H5T_C_S1), H5Tclose, writer.cannot("a text"));
-  check(H5Tset_size(type, text.size() + 1), writer.cannot("a text"));
-  check(H5Tset_cset(type, H5T_CSET_UTF8), writer.cannot("a text"));
-  return type;
-}
-
-void attribute(const Writer& writer, hid_t object, const std::string& name, const std::string& text) {
-  if (text.empty()) return;
-  const Handle type = text_type(writer, text);
-  const Handle space = checked(H5Screate(H5S_SCALAR), H5Sclose, writer.cannot(name));
-  const Handle made =
-      checked(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, writer.cannot(name));
-  check(H5Awrite(made, type, text.c_str()), writer.cannot(name));
-}
-
 void describe(const Writer& writer, hid_t object, const Entry& entry) {
-  for (const auto& [name, text] : entry.attributes) attribute(writer, object, name, text);
+  for (const auto& [name, text] : entry.attributes) add_text_attribute(object, name, text, writer.cannot(entry.path));
 }
 
 // Without the times of the objects, so that the same run gives the same file but for its date in /provenance.
@@ -61,7 +65,7 @@ void group(const Writer& writer, const Entry& entry) {
 }
 
 void text(const Writer& writer, const Entry& entry) {
-  const Handle type = text_type(writer, entry.text);
+  const Handle type = text_type(entry.text, writer.cannot(entry.path));
   const Handle space = checked(H5Screate(H5S_SCALAR), H5Sclose, writer.cannot(entry.path));
   const Handle made = dataset(writer, entry.path, type, space, creation(writer));
   check(H5Dwrite(made, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, entry.text.c_str()), writer.cannot(entry.path));
@@ -152,9 +156,12 @@ void everything(const Writer& writer, const Content& content) {
       planes(writer, of, entry.path.substr(of.size() + 1), entry);
 }
 
-// The whole file in memory. HDF5 reports a full disk as late as in the close, and then cannot be closed any more; so
+}  // namespace
+
+// HDF5 reports a full disk as late as in the close, and then cannot be closed any more; so
 // it never sees the disk, and the bytes go there by plain system calls whose every failure can be answered.
 std::vector<std::byte> image(const std::string& path, const Content& content) {
+  if (content.grid.line && content.grid.ny > 0) return image(path, OneLine(content).content);
   const QuietErrors quiet;
   const std::string cannot = path + ": cannot build the result";
   const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, cannot);
@@ -175,8 +182,6 @@ std::vector<std::byte> image(const std::string& path, const Content& content) {
   std::memcpy(bytes.data(), *memory, bytes.size());
   return bytes;
 }
-
-}  // namespace
 
 std::size_t expected_bytes(const core::Grid& nodes, std::size_t fields) {
   const auto points = static_cast<std::size_t>(nodes.nodes_x()) * static_cast<std::size_t>(nodes.nodes_y());

@@ -2,6 +2,7 @@
 // Result files: HDF5, and an XDMF beside it for ParaView.
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "results/content.hpp"
 
@@ -17,6 +18,9 @@ std::string xdmf_name(const std::string& path);
 /// attributes; fields are (row = y, column = x). Then the XDMF. Both appear whole or not at all.
 /// errors: core::FileError with path and reason.
 void write(const std::string& path, const Content& content, bool overwrite);
+
+/// The bytes of the HDF5 file that write() writes. in: its name, for messages. errors: core::FileError.
+std::vector<std::byte> image(const std::string& path, const Content& content);
 
 /// Names in the file of a field in time by itself: /transient/frames/planes/P_3.
 std::string plane_group(const std::string& frames);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <exception>
 #include <new>
+#include <optional>
 
 #include "api/held_result.hpp"
 #include "api/keys_json.hpp"
@@ -120,7 +121,11 @@ ehl_result* ehl_check(const char* deck, const char* name, const char* const* ove
 }
 
 ehl_result* ehl_open(const char* path) {
-  return filled([&](HeldResult& result) { open_into(result, path); });
+  return filled([&](HeldResult& result) { open_into(result, path, std::nullopt); });
+}
+
+ehl_result* ehl_open_case(const char* path, size_t number) {
+  return filled([&](HeldResult& result) { open_into(result, path, number); });
 }
 
 void ehl_free(ehl_result* result) { delete result; }

@@ -57,6 +57,8 @@ EHL_API ehl_result* ehl_check(const char* deck, const char* name, const char* co
                               int threads);
 /* Reads a result file. */
 EHL_API ehl_result* ehl_open(const char* path);
+/* Reads a case of a sweep with --keep, by its number in the order of the table, from 0. */
+EHL_API ehl_result* ehl_open_case(const char* path, size_t number);
 /* NULL is allowed. */
 EHL_API void ehl_free(ehl_result* result);
 

@@ -163,10 +163,10 @@ void check_into(HeldResult& result, const std::function<Case()>& read) {
   });
 }
 
-void open_into(HeldResult& result, const std::string& path) {
+void open_into(HeldResult& result, const std::string& path, std::optional<std::size_t> number) {
   guarded(result, [&] {
     const std::lock_guard lock(files);
-    const results::ResultFile file(path);
+    const results::ResultFile file(path, number);
     hold_below(result, file, "/");
     if (const HeldEntry* warnings = found(result, "/summary/warnings"))
       result.warnings = lines_of(warnings->entry.text);

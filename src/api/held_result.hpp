@@ -44,7 +44,8 @@ Case case_from(const char* text, const std::string& name, const std::vector<std:
 /// Fill the result; what goes wrong is in it. None throws but std::bad_alloc.
 void run_into(HeldResult& result, const std::function<Case()>& read, Progress::Listener listener);
 void check_into(HeldResult& result, const std::function<Case()>& read);
-void open_into(HeldResult& result, const std::string& path);
+/// in: number: of a case of a sweep with --keep.
+void open_into(HeldResult& result, const std::string& path, std::optional<std::size_t> number);
 /// Writes the file of a case that was run. out: the status.
 int save(HeldResult& result, const std::string& path, bool overwrite);
 

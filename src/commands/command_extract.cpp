@@ -1,6 +1,8 @@
 // ehl extract: datasets as columns that gnuplot reads.
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 #include "base/exit_status.hpp"
@@ -164,10 +166,21 @@ std::string columns(const ResultSource& source, const std::string& name) {
   return text;
 }
 
+// Of a sweep's results; nothing: the file is one result.
+std::optional<std::size_t> wanted_case(const Arguments& arguments) {
+  if (!arguments.has("case")) return std::nullopt;
+  const std::string text = arguments.value("case", "");
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size() || text.empty())
+    refuse("--case " + text + ": must be the number of a case, from 0 in the order of the table");
+  return number;
+}
+
 }  // namespace
 
 int extract(const Arguments& arguments) {
-  ResultSource source = open_result(arguments.operands[0]);
+  ResultSource source = open_result(arguments.operands[0], wanted_case(arguments));
   if (arguments.has("si")) source.si = scales_of(source.file);
   if (arguments.has("si") && !source.si) refuse("--si: the contact of " + source.file.path() + " is not given in SI");
   const std::string name = full_name(source, arguments.operands[1]);

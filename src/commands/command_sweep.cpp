@@ -1,7 +1,10 @@
 // ehl sweep: many cases of one deck, one table.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <optional>
+#include <utility>
 
 #include "base/exit_status.hpp"
 #include "base/progress.hpp"
@@ -17,6 +20,7 @@
 #include "results/atomic_file.hpp"
 #include "tables/children.hpp"
 #include "tables/csv.hpp"
+#include "tables/kept_results.hpp"
 #include "tables/shard.hpp"
 #include "tables/sweep_merge.hpp"
 #include "tables/sweep_row.hpp"
@@ -55,15 +59,16 @@ double foreseen_seconds(const std::string& deck, const std::vector<std::string>&
 }
 
 int merge(const Arguments& arguments) {
-  for (const char* option : {"vary", "cases", "shard", "set", "unset", "timing"})
+  for (const char* option : {"vary", "cases", "shard", "set", "unset", "timing", "keep"})
     if (arguments.has(option)) refuse(std::string("--merge takes tables alone: --") + option + " is in them");
   if (!arguments.has("output")) refuse("--merge needs --output FILE.csv");
   const std::string path = table_name(arguments);
   results::check_writable(path, arguments.has("overwrite"), 0, arguments.operands);
   const MergedSweep merged = merged_sweep(arguments.operands);
   write_table(path, merged.text, arguments.has("overwrite"));
-  print(fmt::format("cases        {}: {} converged, {} missing\ntable        {}\n", merged.cases, merged.converged,
-                    merged.missing.size(), path));
+  const std::string kept = merge_kept(arguments.operands, path);
+  print(fmt::format("cases        {}: {} converged, {} missing\ntable        {}\n{}", merged.cases, merged.converged,
+                    merged.missing.size(), path, kept.empty() ? "" : "results      " + kept + "\n"));
   if (!merged.missing.empty())
     std::fprintf(stderr, "ehl: %zu cases have no row yet, the first is case %zu: the sweep on %s goes on with them\n",
                  merged.missing.size(), merged.missing[0], path.c_str());
@@ -103,28 +108,42 @@ int sweep(const Arguments& arguments) {
     for (std::size_t k = 0; k < seconds.size(); ++k) seconds[k] = foreseen_seconds(deck, overrides_of(k));
   const std::vector<std::size_t> own = cases_of_shard(seconds, shard);
   SweepTable table(path, header, own, arguments.has("overwrite"));
+  std::optional<KeptResults> kept;
+  if (arguments.has("keep")) kept.emplace(path, arguments.has("overwrite"));
+  const auto name_of = [&](std::size_t index) {
+    return deck::joined(overrides_of_case(header.variations, index), " ");
+  };
 
   const double began = core::now();
-  const std::vector<std::size_t> missing = table.missing();
+  std::vector<std::size_t> missing = table.missing();
+  if (kept) {  // rows of a sweep without --keep
+    for (const std::size_t index : own)
+      if (table.has_status(index, "converged") && !kept->has(name_of(index))) missing.push_back(index);
+    std::ranges::sort(missing);
+  }
   const std::size_t cases = own.size();
   Progress progress(arguments.has("quiet"));
   std::size_t done = 0;
   ChildrenCalls calls;
   calls.stop = stop_requested;
-  calls.task = [&](std::size_t index, const Say& say) { return csv_row(sweep_case(header, overrides_of(index), say)); };
+  // The row is one line; the result to keep follows it.
+  calls.task = [&](std::size_t index, const Say& say) {
+    std::string result;
+    const std::string row = csv_row(sweep_case(header, overrides_of(index), say, kept ? &result : nullptr));
+    return result.empty() ? row : row + "\n" + result;
+  };
   calls.waits = [&](const ChildAtWork& child) {
-    progress.show(
-        static_cast<double>(done) / static_cast<double>(missing.size()),
-        fmt::format("{}/{}{}  {}, {:.0f} s so far: {}", done, missing.size(), time_left(done, missing.size(), began),
-                    deck::joined(overrides_of_case(header.variations, child.task), " "), child.seconds, child.says));
+    progress.show(static_cast<double>(done) / static_cast<double>(missing.size()),
+                  fmt::format("{}/{}{}  {}, {:.0f} s so far: {}", done, missing.size(),
+                              time_left(done, missing.size(), began), name_of(child.task), child.seconds, child.says));
   };
   calls.ended = [&](const ChildEnd& end) {
     const SweepRow failure = row_without_solution(sweep_row(header.kind), "failed", end.status, end.reason);
-    const std::string row = end.complete ? end.text : csv_row(failure);
+    const std::string text = end.complete ? end.text : csv_row(failure);
+    const std::string row = text.substr(0, text.find('\n'));
+    if (row.size() < text.size()) kept->append(name_of(end.task), text.substr(row.size() + 1));
     table.append(end.task, row);
-    progress.count(
-        ++done, missing.size(),
-        deck::joined(overrides_of_case(header.variations, end.task), " ") + "  " + row.substr(0, row.find(',')));
+    progress.count(++done, missing.size(), name_of(end.task) + "  " + row.substr(0, row.find(',')));
   };
   const bool finished = run_in_children(missing, at_once, calls);
   progress.clear();
@@ -134,7 +153,13 @@ int sweep(const Arguments& arguments) {
     return interrupted;
   }
   table.finish();
-  print(summary(table, cases, cases - missing.size(), core::now() - began) + "table        " + path + "\n");
+  if (kept) {
+    std::vector<std::pair<std::size_t, std::string>> named;
+    for (const std::size_t index : own) named.emplace_back(index, name_of(index));
+    kept->finish(named);
+  }
+  print(summary(table, cases, cases - missing.size(), core::now() - began) + "table        " + path + "\n" +
+        (kept ? "results      " + kept->path() + "\n" : ""));
   return table.count("converged") == cases ? solved : not_converged;
 }
 

@@ -54,6 +54,9 @@ const Command sweep_command{
       "the part i of N alone, of nearly the same seconds, into NAME.iofN.csv (default: of a job of a Slurm array its "
       "own)"},
      {"merge", "", "makes one table, --output, of the tables of shards"},
+     {"keep", "",
+      "keeps the result of each case, fields and all, in one HDF5 file beside the table, /cases/K: `ehl extract --case "
+      "K`"},
      {"timing", "", "adds the columns seconds and peak_memory, which are others each time"},
      set,
      unset,
@@ -110,7 +113,8 @@ const Command extract_command{
     "extract",
     "FILE.h5 DATASET",
     "prints a dataset of a result as columns: P, H, levels, history, summary, scales, deck, or a path in the file",
-    {{"along", "x|y", "only the section of a field along this axis"},
+    {{"case", "K", "of a sweep with --keep: the case, from 0 in the order of the table"},
+     {"along", "x|y", "only the section of a field along this axis"},
      {"at", "y=0|x=0", "where the section lies: the nearest grid line is taken (default 0)"},
      {"step", "K|last", "number K, from 0, of fields at several times or depths; without it a section of all"},
      {"sample", "N", "a field or a section between its nodes: N points along x (a section: along it), cubic"},

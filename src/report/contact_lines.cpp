@@ -6,6 +6,7 @@
 
 #include "base/text_format.hpp"
 #include "contact/film_formulas.hpp"
+#include "contact/film_map.hpp"
 #include "report/outcome.hpp"
 #include "report/report.hpp"
 
@@ -84,6 +85,14 @@ std::string formula_lines(const std::vector<Formula>& formulas, const Physics& p
     text += fmt::format("{:>8}  {:>8}  {:>9}  {:>9}\n", known("{:.4g}", formula.Hc), known("{:.4g}", formula.Hm),
                         known("{:.3f}", contact::H_to_moes_units(formula.Hc, groups.M, groups.shape)),
                         known("{:.3f}", contact::H_to_moes_units(formula.Hm, groups.M, groups.shape)));
+  }
+  if (std::ranges::find(formulas, map_code, &Formula::code) != formulas.end()) {
+    const contact::MapScatter off = contact::scatter_of_film_map();
+    text += fmt::format(
+        "  the fit is off by {:.1f} % in h_c and {:.1f} % in h_m (rms; {:.0f} and {:.0f} % at most) of solutions that "
+        "it "
+        "has not seen\n",
+        100.0 * off.rms_central, 100.0 * off.rms_minimum, 100.0 * off.largest_central, 100.0 * off.largest_minimum);
   }
   if (const std::string why = formulas_left_out(groups); !why.empty()) text += "  " + why + "\n";
   return text;

@@ -9,6 +9,7 @@
 
 #include "case/plausible.hpp"
 #include "contact/film_formulas.hpp"
+#include "contact/film_map.hpp"
 #include "contact/yield.hpp"
 #include "core/constants.hpp"
 #include "core/norms.hpp"
@@ -76,7 +77,9 @@ void warn_of_coarse(const Case& input, std::vector<std::string>& warnings) {
 
 }  // namespace
 
-std::vector<Formula> film_formulas(const contact::Groups& groups) {
+namespace {
+
+std::vector<Formula> published_formulas(const contact::Groups& groups) {
   const contact::Ellipse& shape = groups.shape;
   const bool fitted = contact::along_smaller_radius(shape);
   const double M = groups.M;
@@ -108,6 +111,18 @@ std::vector<Formula> film_formulas(const contact::Groups& groups) {
   if (fitted) add("Hamrock, Dowson 1977", "hd", contact::hamrock_dowson(full));
   if (!contact::circular(shape) && contact::near_chittenden(shape))
     add("Chittenden et al. 1985", "chittenden", contact::chittenden(full));
+  return formulas;
+}
+
+}  // namespace
+
+std::vector<Formula> film_formulas(const contact::Groups& groups) {
+  std::vector<Formula> formulas = published_formulas(groups);
+  const double M = groups.M;
+  const contact::Ellipse& shape = groups.shape;
+  if (const std::optional<contact::MappedFilm> map = contact::film_map(M, groups.L, shape))
+    formulas.push_back({"fit to our own solutions", map_code, contact::H_from_moes_units(map->central, M, shape),
+                        contact::H_from_moes_units(map->minimum, M, shape)});
   return formulas;
 }
 

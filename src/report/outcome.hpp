@@ -10,6 +10,9 @@ namespace ehl::program {
 
 Outcome outcome_of(const Case& input, const steady::Solution& solution);
 
+/// Code of the film that is fitted to our own solutions (contact/film_map.hpp) among the formulas.
+constexpr char map_code[] = "map";
+
 /// Published film formulas for a case, the same for `run` and `check`: those that were made for its shape.
 std::vector<Formula> film_formulas(const contact::Groups& groups);
 /// Which are not among them, and why; empty where none is missing.

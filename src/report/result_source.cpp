@@ -30,7 +30,9 @@ results::Array ResultSource::described(const std::string& name) const {
   return converted({file.dims(name), {}, file.attribute(name, "unit"), file.attribute(name, "meaning")}, si);
 }
 
-ResultSource open_result(const std::string& path) { return {results::ResultFile(path)}; }
+ResultSource open_result(const std::string& path, std::optional<std::size_t> number) {
+  return {results::ResultFile(path, number)};
+}
 
 std::optional<SiScales> scales_of(const results::ResultFile& file) {
   const auto scale = [&](const std::string& name) {

@@ -1,5 +1,6 @@
 #pragma once
 // A result file whose numbers come in the contact's units or, where that is asked for, in SI.
+#include <cstddef>
 #include <optional>
 
 #include "base/si_units.hpp"
@@ -18,8 +19,8 @@ struct ResultSource {
   results::Array described(const std::string& name) const;
 };
 
-/// A result file in its own units. errors: core::FileError.
-ResultSource open_result(const std::string& path);
+/// A result file in its own units. in: number: of a case of a sweep with --keep. errors: core::FileError.
+ResultSource open_result(const std::string& path, std::optional<std::size_t> number = std::nullopt);
 
 /// The scales of a contact that is given in SI; nothing of another one. errors: core::FileError.
 std::optional<SiScales> scales_of(const results::ResultFile& file);

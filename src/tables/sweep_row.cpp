@@ -18,6 +18,7 @@
 #include "deck/document.hpp"
 #include "deck/text.hpp"
 #include "report/quantities.hpp"
+#include "tables/kept_results.hpp"
 #include "tables/si_columns.hpp"
 #include "tables/sweep_table.hpp"
 
@@ -66,8 +67,8 @@ void check_unchanged(const std::vector<deck::NamedFile>& now, const std::vector<
       throw core::InputError(file.path + ": has changed since the sweep began");
 }
 
-SweepRow solve_case(const SweepHeader& sweep, const std::vector<std::string>& overrides,
-                    const std::function<void(const std::string&)>& say, SweepRow row) {
+SweepRow solved_row(const SweepHeader& sweep, const std::vector<std::string>& overrides,
+                    const std::function<void(const std::string&)>& say, SweepRow row, std::string* kept) {
   std::optional<Case> input;
   try {
     if (deck::load_text(sweep.deck) != sweep.deck_text)
@@ -78,7 +79,11 @@ SweepRow solve_case(const SweepHeader& sweep, const std::vector<std::string>& ov
       say(fmt::format("{} x {}, residual {:.1e}", now.nx + 1, now.ny + 1, now.residual));
       return true;
     };
-    return row_of_solution(*input, solve_film(*input, show), row);
+    FilmSolution found = solve_film(*input, show);
+    row = row_of_solution(*input, found, row);
+    if (kept != nullptr && !found.film.levels.empty() && found.film.H.nodes_x() > 0)
+      *kept = kept_result(*input, std::move(found));
+    return row;
   } catch (const core::InputError& error) {
     if (input) take_case(*input, row);
     return row_without_solution(row, "refused", wrong_input, deck::joined(error.messages(), "; "));
@@ -185,9 +190,9 @@ SweepRow row_of_solution(const Case& input, const FilmSolution& found, SweepRow 
 }
 
 SweepRow sweep_case(const SweepHeader& sweep, const std::vector<std::string>& overrides,
-                    const std::function<void(const std::string&)>& say) {
+                    const std::function<void(const std::string&)>& say, std::string* kept) {
   const double began = core::now();
-  SweepRow row = solve_case(sweep, overrides, say, sweep_row(sweep.kind));
+  SweepRow row = solved_row(sweep, overrides, say, sweep_row(sweep.kind), kept);
   if (!sweep.kind.timing) return row;
   in_row(row, "seconds") = std::stod(fmt::format("{:.4g}", core::now() - began));
   in_row(row, "peak_memory") = peak_memory();

@@ -42,7 +42,7 @@ results::Value& in_row(SweepRow& row, const std::string& name);
 /// they said; overrides; where it says how far it has come. errors: none of the case's own: they are rows.
 /// core::Interrupted, std::bad_alloc and what nobody foresaw pass through.
 SweepRow sweep_case(const SweepHeader& sweep, const std::vector<std::string>& overrides,
-                    const std::function<void(const std::string&)>& say);
+                    const std::function<void(const std::string&)>& say, std::string* kept = nullptr);
 
 /// The row of a solved case, converged or not. in: what the solver was given and gave back; an empty row.
 SweepRow row_of_solution(const Case& input, const FilmSolution& found, SweepRow row);

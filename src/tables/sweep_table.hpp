@@ -63,6 +63,9 @@ class SweepTable {
   /// Cases without a row, and those whose row says `failed`: a process that died says nothing about its case.
   std::vector<std::size_t> missing() const;
 
+  /// Whether the row of a case has this status.
+  bool has_status(std::size_t index, const std::string& status) const { return rows_[index].starts_with(status + ","); }
+
   /// Rows of this status.
   std::size_t count(const std::string& status) const;
 

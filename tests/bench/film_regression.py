@@ -2,7 +2,8 @@
 
 python3 tests/bench/film_regression.py collect TABLE.csv...   the tables of `ehl sweep inputs/campaigns/film_map.ini`
                                                               into film_map.csv.gz (cases to fit)
-python3 tests/bench/film_regression.py hold-out TABLE.csv...  likewise into film_map_held_out.csv (never fitted)
+python3 tests/bench/film_regression.py hold-out TABLE.csv...  likewise into ../reference/film_map_held_out.csv (never
+                                                              fitted)
 python3 tests/bench/film_regression.py                        fits, and writes the coefficients of
                                                               modules/contact/film_map_coefficients.hpp, the deviations
                                                               film_regression.csv, the picture film_regression.png
@@ -25,17 +26,18 @@ import numpy as np
 
 HERE = pathlib.Path(__file__).resolve().parent
 HOUSE = HERE.parents[1]
+FITTED, HELD_OUT = HERE / "film_map.csv.gz", HERE.parent / "reference" / "film_map_held_out.csv"
 DEGREES = (12, 6, 4)
 BUDGET = 1.2
 COLUMNS = ["M", "radius_ratio", "L", "Hc", "error_Hc", "Hm", "error_Hm"]
 LARGEST_ERROR = 0.01
 NOTE = {
-    "film_map.csv.gz": "# Solved point contacts, entrainment along R_x: inputs/campaigns/film_map.ini. H = h R_x/a^2, errors relative.\n",
-    "film_map_held_out.csv": "# Solved point contacts that no fit has seen, a Sobol sequence: inputs/campaigns/film_map_held_out.csv.\n",
+    FITTED: "# Solved point contacts, entrainment along R_x: inputs/campaigns/film_map.ini. H = h R_x/a^2, errors relative.\n",
+    HELD_OUT: "# Solved point contacts that no fit has seen, a Sobol sequence: inputs/campaigns/film_map_held_out.csv.\n",
 }
 
 
-def collect(name, tables):
+def collect(path, tables):
     """The solved cases of sweeps whose error bars of both films are below one per cent."""
     rows, left = {}, 0
     for table in tables:
@@ -48,17 +50,17 @@ def collect(name, tables):
             key = tuple(float(row[f"contact.{part}"]) for part in ("M", "radius_ratio", "L"))
             rows[key] = [float(row["Hc_best"]), bars[0], float(row["Hm_best"]), bars[1]]
     text = io.StringIO()
-    text.write(NOTE[name] + ",".join(COLUMNS) + "\n")
+    text.write(NOTE[path] + ",".join(COLUMNS) + "\n")
     for key in sorted(rows):
         text.write(",".join(f"{value:.9g}" for value in [*key, *rows[key]]) + "\n")
     data = text.getvalue().encode()
-    (HERE / name).write_bytes(gzip.compress(data, mtime=0) if name.endswith(".gz") else data)
-    print(f"{name}: {len(rows)} cases; {left} left out: not solved, or an error bar above {LARGEST_ERROR:g}")
+    path.write_bytes(gzip.compress(data, mtime=0) if path.suffix == ".gz" else data)
+    print(f"{path.name}: {len(rows)} cases; {left} left out: not solved, or an error bar above {LARGEST_ERROR:g}")
 
 
-def read(name):
-    data = (HERE / name).read_bytes()
-    text = (gzip.decompress(data) if name.endswith(".gz") else data).decode()
+def read(path):
+    data = path.read_bytes()
+    text = (gzip.decompress(data) if path.suffix == ".gz" else data).decode()
     rows = list(csv.DictReader(line for line in text.splitlines() if not line.startswith("#")))
     return {column: np.array([float(row[column]) for row in rows]) for column in COLUMNS}
 
@@ -216,7 +218,7 @@ def picture(data, left_c, left_m):
 
 
 def main():
-    data, held = read("film_map.csv.gz"), read("film_map_held_out.csv")
+    data, held = read(FITTED), read(HELD_OUT)
     variables, of_Hc, of_ratio = targets(data)
     ranges = [(float(value.min()), float(value.max())) for value in variables]
     A = matrix(variables, ranges)
@@ -242,7 +244,9 @@ def main():
         rows.append(("Hamrock Dowson 1977", name, int(chosen.sum()), *scatter(off[0]), *scatter(off[1])))
         rows.append(("fit", name, int(chosen.sum()), *scatter(off_c[chosen]), *scatter((off_c + off_ratio)[chosen])))
     with open(HERE / "film_regression.csv", "w", encoding="utf-8") as file:
-        file.write("# Deviation ln(solution/formula) of the film map's fit and of published formulas. Written by film_regression.py.\n")
+        file.write("# Films by the fit to our own solutions and by published formulas, against solutions\n")
+        file.write("# command: python3 tests/bench/film_regression.py\n")
+        file.write("# ln(solution/formula): root mean square and largest; cases: film_map.csv.gz, held out: film_map_held_out.csv\n")
         file.write("formula,cases,number,rms_Hc,largest_Hc,rms_Hm,largest_Hm\n")
         for row in rows:
             file.write(",".join([row[0], row[1].replace(",", ""), str(row[2]), *(f"{value:.4f}" for value in row[3:])]) + "\n")
@@ -254,9 +258,9 @@ def main():
 
 if __name__ == "__main__":
     if len(sys.argv) > 2 and sys.argv[1] == "collect":
-        collect("film_map.csv.gz", sys.argv[2:])
+        collect(FITTED, sys.argv[2:])
     elif len(sys.argv) > 2 and sys.argv[1] == "hold-out":
-        collect("film_map_held_out.csv", sys.argv[2:])
+        collect(HELD_OUT, sys.argv[2:])
     elif len(sys.argv) == 1:
         main()
     else:

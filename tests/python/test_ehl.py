@@ -283,6 +283,17 @@ def test_a_sweep_is_a_table(tmp_path):
         ehl.sweep(CIRCLE, {"contact.N": [1, 2]})
 
 
+def test_a_sweep_that_keeps_its_results(tmp_path):
+    table = ehl.sweep(CIRCLE, {"contact.M": [10, 20]}, output=tmp_path / "t.csv", keep=True)
+    for k, M in enumerate((10, 20)):
+        kept, alone = ehl.open(tmp_path / "t.h5", case=k), ehl.run(CIRCLE, contact={"M": M}, threads=1)
+        assert kept.M == M and np.array_equal(kept.H, alone.H) and kept.Hc == alone.Hc == pytest.approx(table["Hc"][k])
+    with pytest.raises(ehl.FileError, match="which case"):
+        ehl.open(tmp_path / "t.h5")
+    with pytest.raises(ehl.FileError, match="no case 2"):
+        ehl.open(tmp_path / "t.h5", case=2)
+
+
 def test_the_example_runs(tmp_path, monkeypatch):
     monkeypatch.setattr(sys, "argv", ["ball_on_disc.py", str(tmp_path / "film.png"), "64"])
     monkeypatch.setenv("MPLBACKEND", "Agg")

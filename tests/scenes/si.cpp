@@ -255,7 +255,7 @@ BOOST_AUTO_TEST_CASE(roughness_of_a_map) {
   // Two lines in eight 30 nm high, the others 10 nm deep: Sq = sqrt((900 + 3 x 100)/4) = 17.3 nm, Sa = 15 nm.
   BOOST_TEST(contains(ended.out, "Sq 17.3 nm ("), ended.out);
   BOOST_TEST(contains(ended.out, ", Sa 15.0 nm ("), ended.out);
-  BOOST_TEST(contains(ended.out, "by Hamrock, Dowson 1977 for smooth surfaces"), ended.out);
+  BOOST_TEST(contains(ended.out, "by fit to our own solutions for smooth surfaces"), ended.out);
   const support::Ended twice = scene.ehl("check " + still + " --set contact.Sq2=1e-8");
   BOOST_TEST(twice.status == 2);
   BOOST_TEST(twice.says({"Sq2", "the map of surface2"}), twice.err);

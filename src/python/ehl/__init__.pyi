@@ -71,7 +71,7 @@ class Key:
     source: str
     example: str
 
-def open(path: str | os.PathLike[str]) -> Result: ...
+def open(path: str | os.PathLike[str], case: int | None = None) -> Result: ...
 def keys(selection: str | None = None) -> list[Key]: ...
 def sections() -> dict[str, str]: ...
 def version() -> str: ...
@@ -955,6 +955,7 @@ def sweep(
     cases: pd.DataFrame | str | os.PathLike[str] | None = None,
     output: str | os.PathLike[str] | None = None,
     overwrite: bool = False,
+    keep: bool = False,
     threads: int | None = None,
     quiet: bool = True,
     case: CaseKeys = ...,

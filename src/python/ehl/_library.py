@@ -74,6 +74,7 @@ def _declare(library):
         "ehl_run": (result, [*deck, Progress, c_void_p]),
         "ehl_check": (result, deck),
         "ehl_open": (result, [c_char_p]),
+        "ehl_open_case": (result, [c_char_p, c_size_t]),
         "ehl_free": (None, [result]),
         "ehl_status": (c_int, [result]),
         "ehl_message": (c_char_p, [result, c_size_t]),

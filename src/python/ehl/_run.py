@@ -94,10 +94,12 @@ def check(deck, *, threads=None, **keys):
     return result
 
 
-def open(path):
-    """Reads a result file of `ehl run`. One that holds no solution is read with a warning: `converged` tells.
-    Raises FileError."""
-    result = Result(_Handle(_library.library().ehl_open(os.fsencode(path))), os.fspath(path))
+def open(path, case=None):
+    """Reads a result file of `ehl run`; or, of a sweep that kept its results, the case of this number, from 0 in the
+    order of the table. One that holds no solution is read with a warning: `converged` tells. Raises FileError."""
+    library, name = _library.library(), os.fsencode(path)
+    handle = library.ehl_open(name) if case is None else library.ehl_open_case(name, case)
+    result = Result(_Handle(handle), os.fspath(path))
     if not len(result) or result.status == _library.FILE_TROUBLE:
         raise error_of(result.status, result.messages)
     for message in result.messages:

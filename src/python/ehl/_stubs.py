@@ -77,7 +77,7 @@ class Key:
     source: str
     example: str
 
-def open(path: str | os.PathLike[str]) -> Result: ...
+def open(path: str | os.PathLike[str], case: int | None = None) -> Result: ...
 def keys(selection: str | None = None) -> list[Key]: ...
 def sections() -> dict[str, str]: ...
 def version() -> str: ...
@@ -118,7 +118,7 @@ def stubs():
     text += f"\ndef check(\n    deck: Deck,\n    *,\n    threads: int | None = None,\n{of_deck}) -> Result: ...\n"
     text += "\ndef sweep(\n    deck: Deck,\n    vary: Mapping[str | tuple[str, ...], str | Sequence[Any]] | None = None,\n"
     text += "    *,\n    cases: pd.DataFrame | str | os.PathLike[str] | None = None,\n"
-    text += "    output: str | os.PathLike[str] | None = None,\n    overwrite: bool = False,\n"
+    text += "    output: str | os.PathLike[str] | None = None,\n    overwrite: bool = False,\n    keep: bool = False,\n"
     text += "    threads: int | None = None,\n    quiet: bool = True,\n" + of_deck + ") -> pd.DataFrame: ...\n"
     return text
 

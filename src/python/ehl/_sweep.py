@@ -71,7 +71,7 @@ def read_table(path):
     return table
 
 
-def sweep(deck, vary=None, *, cases=None, output=None, overwrite=False, threads=None, quiet=True, **keys):
+def sweep(deck, vary=None, *, cases=None, output=None, overwrite=False, keep=False, threads=None, quiet=True, **keys):
     """Solves many cases of one deck, several at a time, and gives a pandas DataFrame, a row for each.
 
     deck, keys: as run() takes them.
@@ -79,17 +79,19 @@ def sweep(deck, vary=None, *, cases=None, output=None, overwrite=False, threads=
           {("contact.M", "contact.L"): [(20, 5), (50, 10)]}.
     cases: or a DataFrame (or a CSV file) with a column for each key, "contact.M", and a row for each case.
     output: the table as a CSV file, which the same call goes on with where it was stopped; None: it is not kept.
+    keep: keeps the result of each case in one HDF5 file beside the table: ehl.open("speed.h5", case=3).
     threads: cases at a time; None: all cores. quiet=False prints each case as it ends.
 
     `status` of a row tells whether it converged. Warns where not all did. Raises InputError, FileError."""
+    if keep and output is None:
+        raise ValueError("keep: say where: output=\"table.csv\"")
     with _files(deck, cases, output) as (name, table_of_cases, table):
         command = [_library.find_file("ehl", "EHL_PROGRAM"), "sweep", name, *_variations(vary), "--output", table]
         if table_of_cases is not None:
             command += ["--cases", os.fspath(table_of_cases)]
         for one in _deck.overrides(keys):
             command += ["--unset", one[1:]] if one.startswith("-") else ["--set", one]
-        if overwrite:
-            command.append("--overwrite")
+        command += ["--overwrite"] * overwrite + ["--keep"] * keep
         if threads:
             command += ["--threads", str(threads)]
         status, stderr = _finished(command, quiet)
