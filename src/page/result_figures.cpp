@@ -23,7 +23,8 @@ bool varies(const FieldOnGrid& field) {
 }
 
 std::string unit_in_words(const FieldOnGrid& field) {
-  return unit_words(field.field.unit).empty() ? "" : " [" + unit_words(field.field.unit) + "]";
+  return unit_words(field.field.unit).empty() || field.field.unit == "p_h" ? ""
+                                                                           : " [" + unit_words(field.field.unit) + "]";
 }
 
 // A map of a field over the contact's plane, with the scale of its own values.
@@ -136,7 +137,9 @@ std::string stress_section(const ResultView& view) {
   const Window window{std::max(-1.8 * a, turned.x.values.front()), std::min(1.8 * a, turned.x.values.back()),
                       turned.y.values.front(), turned.y.values.back()};
   const FieldOnGrid drawn = drawn_part(turned, window, picture_width);
-  const Axis scale = axis_from_zero(highest(drawn.field.values), "von Mises stress" + unit_in_words(field));
+  const Axis scale =
+      axis_from_zero(highest(drawn.field.values),
+                     std::string("von Mises stress") + (view.source.si ? "" : " over p_h") + unit_in_words(field));
   return figure(map_svg(view, drawn, window, scale, Colours::pressure, "Stress below the surface"), {},
                 "Von Mises stress below y = 0, surface above.");
 }
@@ -206,7 +209,7 @@ std::string figures_of(const ResultView& view) {
   const bool maps = !view.line && !view.has("/roller");
   if (maps && view.has("/fields/H")) text += film_map(view);
   if (maps)
-    text += own_map(view, "/fields/P", view.source.si ? "pressure p" : "pressure p/p_h", Colours::pressure,
+    text += own_map(view, "/fields/P", view.source.si ? "pressure p" : "pressure P = p/p_h", Colours::pressure,
                     "Pressure; lines at the ticks of the scale and between them.");
   text += film_line(view) + pressure_line(view) + roller_figures(view) + cycles_figure(view);
   text += temperature_lines(view) + temperature_section(view) + stress_section(view);

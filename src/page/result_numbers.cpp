@@ -52,7 +52,7 @@ std::string place_of(const ResultView& view, const std::string& name) {
   const results::Array x = view.number(base + "_x"), y = view.number(base + "_y"), z = view.number(base + "_z");
   if (!std::isfinite(x.values[0])) return "";
   const auto place = [&](double at) {
-    return fmt::format("{:.{}f}", std::abs(at) < 1e-9 ? 0.0 : at, view.source.si ? 1 : 3);
+    return fmt::format("{:.{}f}", std::abs(at) < (view.source.si ? 0.05 : 0.0005) ? 0.0 : at, view.source.si ? 1 : 3);
   };
   const std::string depth = std::isfinite(z.values[0]) ? ", " + place(z.values[0]) : "";
   return "(" + place(x.values[0]) + ", " + place(y.values[0]) + depth + ") " + escaped(unit_words(x.unit));

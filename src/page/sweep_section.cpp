@@ -177,7 +177,7 @@ std::string reasons(const SweepData& table) {
 
 PageSection sweep_section(const std::string& path) {
   const SweepData table = read_sweep(path);
-  PageSection section{"", path, "", {"sweep: " + status_words(table), {}}};
+  PageSection section{"", path, "", {"sweep", {escaped(status_words(table))}}};
   const bool all_solved = table.words("status") == std::vector<std::string>{"converged"};
   section.markup = "<p class=\"" + std::string(all_solved ? "fine" : "alarm") + "\">" + escaped(status_words(table)) +
                    "</p>\n" + origin_of(table) + "<div class=\"figures\">\n" + all_curves(table) + map_of_loads(table) +
