@@ -221,7 +221,8 @@ core::Grid on_larger_domain(const core::Grid& grid, double factor) {
   return larger;
 }
 
-Solution solve_to_accuracy(const Scene& asked, const SolveOnGrid& solve_on_grid, const ProgressCallback& progress) {
+Solution solve_to_accuracy(const Scene& asked, const SolveOnGrid& solve_on_grid, const ProgressCallback& progress,
+                           bool climbs) {
   const double began = core::now();
   const double target = asked.accuracy.error;
   Scene scene = asked;
@@ -259,7 +260,7 @@ Solution solve_to_accuracy(const Scene& asked, const SolveOnGrid& solve_on_grid,
     const core::Grid solved = scene.grid;
     scene.grid = next;
     try {
-      solution = on_finer_grid(scene, solution, solve_on_grid, progress);
+      solution = climbs ? on_finer_grid(scene, solution, solve_on_grid, progress) : solve_on_grid(scene);
     } catch (const core::Interrupted&) {  // what there is so far is a solution too
       scene.grid = solved;
       stopped = "an interruption";

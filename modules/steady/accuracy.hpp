@@ -22,9 +22,11 @@ using SolveOnGrid = std::function<Solution(const Scene&)>;
 ///   as most_cells and most_nodes allow, and for the values extrapolated from the levels beyond that. Where the plain
 ///   ones are not as close: AccuracyReport::by_extrapolation.
 /// A domain that the deck fixes is part of the problem: its error is told, and not counted.
+/// in: climbs, false: every grid is solved anew, as where solve_on_grid does more than cycles.
 /// out: as of solve(), of the last grid; where the target is not met it is marked as not converged, and
 /// AccuracyReport::stopped_by says what stood in the way. The level table has all levels. errors: as of solve().
-Solution solve_to_accuracy(const Scene& scene, const SolveOnGrid& solve_on_grid, const ProgressCallback& progress);
+Solution solve_to_accuracy(const Scene& scene, const SolveOnGrid& solve_on_grid, const ProgressCallback& progress,
+                           bool climbs = true);
 
 /// What is solved for the error of a domain that is free: coarse scenes on domains of one, two and four times the size.
 std::vector<Scene> domain_series(const Scene& scene);

@@ -1,9 +1,11 @@
 #include "case/film_solution.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "case/effects.hpp"
 #include "case/sliding_input.hpp"
+#include "steady/accuracy.hpp"
 
 namespace ehl::program {
 namespace {
@@ -21,31 +23,29 @@ thermal::Setup setup_of(const Case& input) {
 }
 
 // What the film with heat is beside the flooded one with heat.
-steady::Starvation starvation_of(const Case& input, const heat::Solution& found, const thermal::Setup& setup,
+steady::Starvation starvation_of(const steady::Scene& scene, const heat::Solution& found, const thermal::Setup& setup,
                                  const steady::ProgressCallback& progress) {
-  steady::Scene full = input.scene;
+  steady::Scene full = scene;
   full.supply = {};
   full.adjoint_errors = false;
   const steady::Solution cold = steady::solve(full, progress);
-  if (!cold.converged) return steady::starvation_of(input.scene, found.film, cold, found.C);
+  if (!cold.converged) return steady::starvation_of(scene, found.film, cold, found.C);
   const heat::Solution warm = heat::solve(full, setup, cold, progress);
-  return steady::starvation_of(input.scene, found.film, warm.film, found.C, warm.C);
+  return steady::starvation_of(scene, found.film, warm.film, found.C, warm.C);
 }
 
-}  // namespace
-
-FilmSolution solve_film(const Case& input, const steady::ProgressCallback& progress) {
-  FilmSolution solution{.film = steady::solve(input.scene, progress)};
+FilmSolution solve_scene(const Case& input, const steady::Scene& scene, const steady::ProgressCallback& progress) {
+  FilmSolution solution{.film = steady::solve(scene, progress)};
   if (!(input.heat || input.flow_thinning) || !solution.film.converged) return solution;
   const steady::Solution& before = solution.film;
   HeatResult result;
   result.Hc_isothermal = before.levels.back().Hc;
   result.Hm_isothermal = before.levels.back().Hm;
   result.mu_isothermal = friction_of(input, before, nullptr).sliding;
-  result.found = heat::solve(input.scene, setup_of(input), before, progress);
-  if (input.scene.supply) {
+  result.found = heat::solve(scene, setup_of(input), before, progress);
+  if (scene.supply) {
     const double seconds = before.starvation->seconds;
-    result.found.film.starvation = starvation_of(input, result.found, setup_of(input), progress);
+    result.found.film.starvation = starvation_of(scene, result.found, setup_of(input), progress);
     result.found.film.starvation->seconds = seconds + result.found.seconds;
   }
   solution.film = std::move(result.found.film);
@@ -53,6 +53,22 @@ FilmSolution solve_film(const Case& input, const steady::ProgressCallback& progr
   result.mu = friction_of(input, solution.film, &result.found.fields).sliding;
   (input.heat ? solution.heat : solution.flow) = std::move(result);
   return solution;
+}
+
+}  // namespace
+
+FilmSolution solve_film(const Case& input, const steady::ProgressCallback& progress) {
+  if (!input.heat || std::isnan(input.scene.accuracy.error)) return solve_scene(input, input.scene, progress);
+  FilmSolution last;
+  const auto solve_on_grid = [&](const steady::Scene& one) {
+    if (std::isnan(one.accuracy.error)) return steady::solve(one);  // for the error of the domain
+    steady::Scene alone = one;
+    alone.accuracy = {};
+    last = solve_scene(input, alone, progress);
+    return last.film;
+  };
+  last.film = steady::solve_to_accuracy(input.scene, solve_on_grid, progress, false);
+  return last;
 }
 
 }  // namespace ehl::program

@@ -26,10 +26,6 @@ void check_possible(deck::Deck& deck, const Physics& physics) {
     complain(deck, "thermal", caller,
              "needs speeds, load, radius and viscosity in SI: give load, radius_x and the elastic data, u_m and srr, "
              "eta0 and alpha");
-  if (given(deck, "grid", "accuracy"))
-    complain(deck, "grid", "accuracy",
-             "is for isothermal contacts: give cells for one with heat, whose report has error "
-             "bars of film, friction and temperatures");
   if (deck::word(deck, "multigrid", "polish") == "always")
     complain(deck, "multigrid", "polish",
              "always is for isothermal contacts: film and temperature follow each other in "

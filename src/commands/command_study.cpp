@@ -30,19 +30,7 @@ class Grids {
   Grids(const Arguments& arguments, int threads)
       : path_(arguments.operands[0]), set_(arguments.overrides()), threads_(threads) {}
 
-  Case deck() const {
-    Case input = read_lubricated_case(path_, set_, threads_, "study");
-    if (input.flow_thinning)
-      throw core::InputError(path_ +
-                             ": [shear] flow = on: `ehl study` compares films without it; set it off, or use "
-                             "`ehl sweep --vary grid.cells=...`");
-    if (input.heat)
-      throw core::InputError(path_ +
-                             ": [thermal]: `ehl study` compares isothermal films; the report of `ehl run` has the "
-                             "errors of one with heat; take the section out (--unset), or use `ehl sweep --vary "
-                             "grid.cells=...`");
-    return input;
-  }
+  Case deck() const { return read_lubricated_case(path_, set_, threads_, "study"); }
   Case on(int cells) const { return case_on_grid(path_, set_, cells, threads_); }
   double nodes(int cells) const {
     const core::Grid grid = on(cells).scene.grid;
@@ -61,7 +49,18 @@ class Grids {
   int threads_;
 };
 
-StudyPlan plan_of(const Arguments& arguments, const Grids& grids, int cells_of_deck) {
+// With heat, or where the pressure's own flow thins the oil, cycles are a part of passes: the runs decide how many.
+std::string cycles_of(const Arguments& arguments, const Case& input) {
+  const bool passes = input.heat || input.flow_thinning;
+  const std::string cycles = arguments.value("cycles", passes ? "run" : "1V,2V,1W,2W,run");
+  if (passes && cycles != "run")
+    throw core::InputError("command line: --cycles " + cycles +
+                           ": a contact with heat, or with [shear] flow = on, is solved in passes: run");
+  return cycles;
+}
+
+StudyPlan plan_of(const Arguments& arguments, const Grids& grids, const Case& input) {
+  const int cells_of_deck = input.scene.grid.nx;
   const auto list = [&](const char* option, const char* otherwise, bool (*allowed)(const std::string&),
                         const char* told) {
     return words_of_list(option, arguments.value(option, otherwise), allowed, told);
@@ -70,7 +69,8 @@ StudyPlan plan_of(const Arguments& arguments, const Grids& grids, int cells_of_d
                                   : levels_of_deck(cells_of_deck, [&](int cells) { return grids.legal(cells); }),
           list("wedges", "upstream1,upstream2,upstream3", is_study_wedge, "upstream1, upstream2 or upstream3"),
           list("evaluators", "mlmi4,mlmi6,mlmi8,fft,direct", is_study_evaluator, "mlmi4, mlmi6, mlmi8, fft or direct"),
-          list("cycles", "1V,2V,1W,2W,run", is_study_cycles, "a number and a shape, e.g. 2W (V, W or F), or run")};
+          words_of_list("cycles", cycles_of(arguments, input), is_study_cycles,
+                        "a number and a shape, e.g. 2W (V, W or F), or run")};
 }
 
 // Coarse to fine: one level finer than the finest studied where that is affordable, and the grids below it.
@@ -165,7 +165,7 @@ int study(const Arguments& arguments) {
   if (input.transient) return study_in_time(arguments, header, path, input);
   if (arguments.has("rtol"))
     throw core::InputError("command line: --rtol is for runs in time, and the deck has no [transient] end_time");
-  const StudyPlan plan = plan_of(arguments, grids, input.scene.grid.nx);
+  const StudyPlan plan = plan_of(arguments, grids, input);
   for (const int cells : plan.cells) grids.on(cells);  // complains before the work
   const std::vector<StudyCase> ways = cases_of(plan, [&](int cells) { return grids.nodes(cells); });
   if (ways.empty())

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "base/machine.hpp"
+#include "case/film_solution.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
-#include "steady/solve.hpp"
 #include "tables/csv.hpp"
 
 namespace ehl::program {
@@ -93,7 +93,7 @@ StudyPoint measure(Case input, const StudyCase& way) {
   point.ny = input.scene.grid.ny;
   const double began = core::now();
   try {
-    take(steady::solve(input.scene), point);
+    take(solve_film(input, {}).film, point);
   } catch (const core::SolverError& error) {
     point.reason = error.what();
   }

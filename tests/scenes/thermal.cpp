@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <map>
 
 #include "results/read.hpp"
 #include "support/json.hpp"
@@ -205,7 +206,6 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_is_refused) {
   const auto thermal = [&](const std::string& keys) { return contact + motion + oil + method + "[thermal]\n" + keys; };
   support::check_refused({
       {"in time", with("[transient]\nend_time = 1\n"), {"T_oil", "is for steady contacts"}},
-      {"accuracy", contact + motion + oil + "[grid]\naccuracy = 0.01\n" + heat, {"accuracy", "isothermal"}},
       {"polish", with("[multigrid]\npolish = always\n"), {"polish"}},
       {"dry", "[case]\nkind = dry\n" + contact + "[thermal]\nT_oil = 40\n", {"T_oil", "kind = dry"}},
       {"no speeds", "[contact]\nM = 50\nL = 10\n[lubricant]\nalpha = 2e-8\n" + heat, {"T_oil", "in SI"}},
@@ -240,9 +240,42 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_is_refused) {
   support::check_refused(
       {{"all", thermal("T_oil = 313\nk = -1\nsolid1 = wood\nnodes = 2\n"), {"T_oil", "k = -1", "wood", "nodes"}}});
   const Scene scene;
-  const support::Ended study = scene.ehl("study d.ini --levels 32:64");
+  const support::Ended study = scene.ehl("study d.ini --levels 32:64 --cycles 1V,run");
   BOOST_TEST(study.status == 2);
-  BOOST_TEST(study.says({"[thermal]", "isothermal"}), study.err);
+  BOOST_TEST(study.says({"--cycles 1V,run", "passes"}), study.err);
+}
+
+// The error asked for holds against a run on four times the cells.
+BOOST_AUTO_TEST_CASE(to_an_accuracy) {
+  const Scene scene(contact + motion + oil +
+                    "[domain]\nfar_field = zero\nx_inlet = -4.5\nx_outlet = 1.5\ny_half = 3\n" +
+                    "[shear]\nlaw = eyring\ntau_0 = 5e6\n" + heat);
+  const auto found = scene.run("--set grid.accuracy=0.005");
+  const auto fine = scene.run("--set grid.cells=512");
+  BOOST_TEST(found["accuracy"]["met"].get<bool>());
+  for (const char* name : {"/Hc", "/Hm"}) check_close(name, number_at(found, name), number_at(fine, name), 0.005);
+  check_close("mu", number_at(found, "/thermal/mu"), number_at(fine, "/thermal/mu"), 0.01);
+  BOOST_TEST(found["thermal"]["levels"].back()["Hc"].get<double>() == number_at(found, "/Hc"));
+  BOOST_TEST(number_at(found, "/thermal/Hc_isothermal") > 1.05 * number_at(found, "/Hc"));
+}
+
+// Films with heat: upstream2 is of second order, and closer than upstream1.
+BOOST_AUTO_TEST_CASE(a_study_of_films_with_heat) {
+  const Scene scene;
+  const support::Ended ended = scene.ehl(
+      "study d.ini --levels 32:128 --wedges upstream1,upstream2 --evaluators fft --repeat 1 --output study.csv "
+      "--quiet");
+  BOOST_REQUIRE_MESSAGE(ended.status == 0, ended.err);
+  std::map<std::string, double> error;
+  for (const support::NamedRow& row : support::named_rows(scene.folder.read("study.csv"))) {
+    BOOST_TEST(row.at("cycles") == "run");
+    error[row.at("wedge") + row.at("nx")] = std::stod(row.at("error_Hc"));
+    if (row.at("wedge") == "upstream2" && row.at("nx") == "128")
+      check_close("Hc", std::stod(row.at("Hc")), number_at(scene.run("--set grid.cells=128"), "/Hc"), 1e-3);
+  }
+  for (const auto& [name, value] : error) BOOST_TEST_MESSAGE(name << " cells: Hc " << value << " off");
+  BOOST_TEST(error["upstream264"] / error["upstream2128"] > 3);
+  BOOST_TEST(error["upstream1128"] > 1.5 * error["upstream2128"]);
 }
 
 BOOST_AUTO_TEST_CASE(sweep_makes_a_traction_curve) {

@@ -29,6 +29,12 @@ Factors::Factors(const std::vector<core::Patch>& grids) : before_(ones(grids.fro
   for (const core::Patch& grid : grids) grids_.push_back(ones(grid));
 }
 
+Factors::Factors(const std::vector<core::Patch>& grids, const Factors& coarse) : Factors(grids) {
+  GridFactors& finest = grids_.front();
+  for (const auto field : all) transfer::prolong_bilinear(coarse.grids_.front().*field, finest.*field, 1);
+  restrict_all();
+}
+
 double Factors::take(const thermal::FilmTemperature& film, double weight) {
   GridFactors& finest = grids_.front();
   for (const auto field : all) core::copy(finest.*field, before_.*field);

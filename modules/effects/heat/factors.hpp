@@ -22,6 +22,8 @@ class Factors {
  public:
   /// in: grids, the finest first, as fmg::grids_below() has them.
   explicit Factors(const std::vector<core::Patch>& grids);
+  /// The same with those of the grid of every second node, between its nodes by bilinear interpolation.
+  Factors(const std::vector<core::Patch>& grids, const Factors& coarse);
 
   /// Those of the film, as a geometric mean with those of before: ln f = weight ln f_film + (1 - weight) ln f. Coarser
   /// grids by full weighting, C by injection. out: the largest change of ln M2 that the film asks for.

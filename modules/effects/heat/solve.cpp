@@ -71,7 +71,6 @@ void pass_on(Ladder& ladder, std::size_t l, thermal::Setup setup) {
   ladder.below = std::move(ladder.film);
   ladder.film.emplace(setup);
   if (ladder.below) ladder.film->start_from(*ladder.below, coarser ? &*coarser : nullptr);
-  *ladder.factors = Factors(patches_from(run, l));
   Parameters parameters{.below = ladder.found, .tolerance = run.hierarchy.parameters.tolerance};
   if (l < run.finest()) {
     parameters.tolerance = residual_below;
@@ -114,6 +113,7 @@ bool climb(Ladder& ladder, std::size_t first, const thermal::Setup& setup, const
         fmg::start_from_state(run.hierarchy, l, injected(run, l, isothermal));
       } else {
         fmg::State below = fmg::state_of(run.hierarchy, l - 1);
+        *ladder.factors = Factors(patches_from(run, l), *ladder.factors);
         if (two_below.P.nodes_x() > 0)
           fmg::start_from_two_coarser(run.hierarchy, l, two_below,
                                       reynolds::order(run.hierarchy.problem.transport.wedge));
