@@ -1,6 +1,7 @@
 #include "mlmi/deformation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "core/errors.hpp"
@@ -92,6 +93,7 @@ struct Deformation::Implementation {
   std::string description;
   std::optional<MultilevelSum> sum;
   std::optional<LineSum> line_sum;  // of a line contact, instead
+  double of_unit = 0.0;             // what its unit of length adds, per sum of P
   core::Patch grid;
   // For the sums that know no symmetry.
   core::Field whole_P, whole_w;
@@ -117,6 +119,7 @@ Deformation::Deformation(const core::Patch& grid, const Parameters& parameters, 
   const Axis x{0, grid.nx, 1, grid.hx()};
   if (whole.line) {
     own.line_sum.emplace(x, choice, factor);
+    own.of_unit = factor * grid.hx() * std::log(parameters.line_unit);
     choice.coarsest_direct = own.line_sum->coarsest_direct();
     if (parameters.method == Method::mlmi)
       own.description = describe(choice, std::to_string(own.line_sum->coarsest_points()), true);
@@ -138,8 +141,11 @@ Deformation& Deformation::operator=(Deformation&&) noexcept = default;
 void Deformation::evaluate(const core::Field& P, core::Field& w) {
   Implementation& own = *implementation_;
   if (own.line_sum) {
+    double more = 0.0;
+    if (own.of_unit != 0.0)
+      for (int i = 0; i < own.grid.nodes_x(); ++i) more += own.of_unit * P(i, 1);
     own.line_sum->apply([&](int i) { return P(i, 1); },
-                        [&](int i, double value) { std::ranges::fill(w.station(i), value); });
+                        [&](int i, double value) { std::ranges::fill(w.station(i), value + more); });
     return;
   }
   if (own.whole_P.nodes_x() == 0) {

@@ -21,6 +21,7 @@ struct Parameters {
   int patch_across = 0;          ///< correction patch radius m2 across it [fine points]
   int coarsenings = -1;          ///< number of semi-coarsenings before the coarsest sum
   bool coarsest_direct = false;  ///< coarsest sum directly instead of by FFT
+  double line_unit = 1.0;        ///< of a line contact: the length whose logarithm is zero, in a
 };
 
 /// The most semi-coarsenings a grid allows: every direction that is coarsened keeps 8 cells.

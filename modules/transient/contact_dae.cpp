@@ -258,15 +258,16 @@ void ContactDae::weights(std::span<const double> y, std::span<double> w) const {
   // The mean over all unknowns becomes one over those of the zone, of the whole domain where the grid is half of it:
   // the steps of time are the same.
   const double inside = std::sqrt(static_cast<double>(size()) / (2.0 * zone_)) / control_.rtol;
+  constexpr double not_tested = 1e-30;  // of what follows the rest; IDA wants a weight above zero
   for_nodes(grid, [&](int i, int j, std::size_t k) {
     const double of_place = in_zone(outline, grid, i, j) ? inside : weight_outside * inside;
-    const double factor = std::sqrt(grid.lines(j)) * (at_edge(y, i, j) ? weight_at_edge * of_place : of_place);
+    const double of_node = at_edge(y, i, j) ? weight_at_edge * of_place : of_place;
+    const double factor = std::max(not_tested, std::sqrt(grid.lines(j)) * of_node);
     w[k] = factor / (std::abs(y[k]) + control_.P_scale);
     w[nodes_ + k] = factor / (std::abs(y[nodes_ + k]) + control_.Q_scale);
   });
   const double of_one = 0.5 * std::sqrt(static_cast<double>(size()));
   w[2 * nodes_] = of_one / (control_.Q_scale * control_.rtol);
-  constexpr double not_tested = 1e-30;  // what is counted follows the rest; IDA wants a weight above zero
   if (conserves_mass()) w.back() = not_tested;
   if (!course_.body) return;
   const double V_scale = std::abs(y[2 * nodes_ + 1]) + natural_frequency(*course_.body) * control_.Q_scale;

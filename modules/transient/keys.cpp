@@ -108,6 +108,9 @@ std::vector<Place> read_probes(const deck::Part& output, const core::Grid& grid)
                       deck::quoted(deck::trimmed(part)) + " is no point: write X Y, X Y, ... as in 0 0, 0.7 0.2");
       return {};
     }
+    if (grid.line && place.Y != 0.0)
+      output.complain(
+          "probe", fmt::format("({:g}, {:g}) is beside the one line of a line contact: write Y = 0", place.X, place.Y));
     const bool inside = place.X >= grid.X_a && place.X <= grid.X_b && place.Y >= grid.Y_a && place.Y <= grid.Y_b;
     if (grid.ny > 0 && !inside)
       output.complain("probe", fmt::format("({:g}, {:g}) is outside of the domain, {:g} <= X <= {:g} and |Y| <= {:g}",

@@ -12,6 +12,7 @@
 #include "fmg/start.hpp"
 #include "judgement/measures.hpp"
 #include "steady/climb.hpp"
+#include "steady/resolution.hpp"
 #include "transient/contact_dae.hpp"
 #include "transient/jump.hpp"
 #include "transient/rest.hpp"
@@ -20,21 +21,23 @@
 namespace ehl::transient {
 namespace {
 
-constexpr double first_step = 1e-3;  // at order one; IDA doubles it as its error test allows
-/// The first step at order one behind a checkpoint, over the last one before it.
-constexpr double shorter_behind_a_checkpoint = 0.1;
+constexpr double first_step = 1e-3;                  // at order one; IDA doubles it as its error test allows
+constexpr double shorter_behind_a_checkpoint = 0.1;  // the first step there, over the last one before it
 /// The step across a jump of load or speed: the pressure follows at once, the film hardly moves. As many in all let
 /// what the jump has stirred up die away, which IDA would follow with steps too short for the cycles.
 constexpr double micro_step = 1e-3;
 constexpr int micro_steps = 4;
+/// Where a line's logarithm is zero, in contact sizes: inside of the pressure a held film answers H00 wrongly.
+constexpr double unit_of_line = 4.0;
 constexpr double rounding_of_time = 1e-14;  // relative; some fifty units in the last place
 
 /// The integration under way.
 class March {
  public:
   March(fmg::Hierarchy& hierarchy, const Conditions& conditions, const MarchParameters& parameters,
-        const Observer& observer)
+        const Observer& observer, double of_unit)
       : hierarchy_(hierarchy),
+        of_unit_(of_unit),
         conditions_(conditions),
         parameters_(parameters),
         observer_(observer),
@@ -198,7 +201,7 @@ class March {
                       .Hm_X = level.grid.X(Hm.i),
                       .Hm_Y = level.grid.Y(Hm.j),
                       .P_max = core::maximum(level.P).value,
-                      .H00 = hierarchy_.H00,
+                      .H00 = hierarchy_.H00 + balance.carried * of_unit_,
                       .load = value(conditions_.load, step.T),
                       .speed = drive(step.T).speed,
                       .load_error = balance.error,
@@ -250,6 +253,7 @@ class March {
   }
 
   fmg::Hierarchy& hierarchy_;
+  double of_unit_;  ///< what a line's unit of length takes from H00, per load
   const Conditions& conditions_;
   const MarchParameters& parameters_;
   const Observer& observer_;
@@ -271,16 +275,20 @@ MarchReport march(const steady::Scene& scene, const steady::Solution& start, con
   const double began = core::now();
   steady::Scene own = scene;
   own.use_symmetry = own.use_symmetry && symmetric(conditions);
-  // A V(2,1)-cycle from the predicted state is enough for a step.
-  own.multigrid.cycle = scene.multigrid.cycle.value_or(fmg::Cycle::V);
+  own.multigrid.cycle = scene.multigrid.cycle.value_or(fmg::Cycle::V);  // from the predicted state V(2,1) is enough
   own.multigrid.post = scene.multigrid.post.value_or(1);
   if (conditions.conserves_mass && !own.supply)
     own.supply = [](double) { return std::numeric_limits<double>::infinity(); };
+  if (own.grid.line)
+    own.deformation.line_unit = unit_of_line * std::max(1.0, steady::contact_size(own.M, own.L, own.shape));
+  const double carried = contact::elastic_factor(own.shape) * contact::load(own.shape);
+  const double of_unit = carried * std::log(own.deformation.line_unit);
   fmg::Run run = steady::begin_climb(own, steady::Start{.coarsest = 32}, {});
   fmg::Hierarchy& hierarchy = run.hierarchy;
-  fmg::start_from_state(hierarchy, run.finest(), {core::on_patch(hierarchy.finest().grid, start.P), start.H00});
+  const core::Field P = core::on_patch(hierarchy.finest().grid, start.P);
+  fmg::start_from_state(hierarchy, run.finest(), {P, start.H00 - of_unit});
   prepare(hierarchy);
-  March under_way(hierarchy, conditions, parameters, observer);
+  March under_way(hierarchy, conditions, parameters, observer, of_unit);
   if (from && (from->y.size() != under_way.size() || from->yp.size() != under_way.size()))
     throw core::FileError("the checkpoint is of another grid than the deck's");
   MarchReport report = under_way.run(from);
