@@ -71,8 +71,11 @@ std::vector<double> lines_of(const Axis& scale) {
 IndexedPicture coloured(const FieldOnGrid& field, const Axis& scale, Colours colours,
                         const std::vector<double>& lines) {
   IndexedPicture picture{field.x.values.size(), field.y.values.size(), table_of_colours(colours), {}};
-  // How many lines of equal value lie below a value.
-  const auto band = [&](std::size_t i, std::size_t j) { return std::ranges::upper_bound(lines, field.at(i, j)); };
+  // How many lines of equal value lie below a value. A plateau at a tick lies above it, not on both sides by rounding.
+  const double above = scale.logarithmic ? 0.0 : 2e-3 * (scale.to - scale.from);
+  const auto band = [&](std::size_t i, std::size_t j) {
+    return std::ranges::upper_bound(lines, field.at(i, j) + above);
+  };
   picture.points.resize(picture.width * picture.height);
   for (std::size_t row = 0; row < picture.height; ++row)
     for (std::size_t i = 0; i < picture.width; ++i) {

@@ -107,7 +107,7 @@ std::string numbers_of_run(const ResultView& view) {
   }
   std::string text = table.text();
   const double domain = view.value("/summary/domain_error");
-  if (std::isfinite(domain) && view.converged)
+  if (domain > 0.0 && std::isfinite(domain) && view.converged)
     text += fmt::format(
         "<p class=\"small\">Error bars cover mesh and cycles. Beside them the films change by about "
         "{:.2g} % on a domain without end.</p>\n",
