@@ -70,7 +70,7 @@ solve() { # program, name, deck, options: result and history as text
   case " $* " in *" --threads "*) ;; *) set -- "$@" --threads 1 ;; esac
   rm -f "$folder/$name.h5" "$folder/$name.xmf"
   "$program" run "$deck" "$@" --quiet --json --output "$folder/$name.h5" 2>/dev/null |
-    grep -o '"\(H00\|Hc\|Hm\|converged\|steps\|mu\)": *[^,}]*' | tr -d ' '
+    sed 's/"formulas".*"warnings"/"warnings"/' | grep -o '"\(H00\|Hc\|Hm\|converged\|steps\|mu\)": *[^,}]*' | tr -d ' '
   for data in P H transient/Hc transient/Hm transient/H00 transient/T; do
     "$program" extract "$folder/$name.h5" $data 2>/dev/null | grep -v '^#'
   done
