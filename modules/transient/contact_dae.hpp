@@ -84,9 +84,10 @@ class ContactDae {
   /// Smallest H of all nodes in y; where mass is conserved, of those that carry pressure.
   double least_film(std::span<const double> y);
 
-  /// Where mass is conserved: makes the level's content that of the steady film, where there is one, and begins to
-  /// count.
+  /// Where mass is conserved: makes the level's content that of the steady film, where there is one.
   void begin_oil();
+  /// The oil that the flows are added to from now on: that of the state that was set, in y too.
+  void count_from_here(std::span<double> y);
   OilInTime oil() const;
   /// theta = Q/(rho_bar H) of the whole domain, where mass is conserved; else empty.
   core::Field theta() const;

@@ -44,7 +44,11 @@ void ContactDae::set_content(std::span<const double> y) {
 void ContactDae::begin_oil() {
   if (!conserves_mass()) return;
   if (!released()) close_oil();
-  oil_by_flows_ = fmg::stored_oil(hierarchy_.levels.back());
+}
+
+void ContactDae::count_from_here(std::span<double> y) {
+  if (!conserves_mass()) return;
+  y.back() = oil_by_flows_ = fmg::stored_oil(hierarchy_.levels.back());
 }
 
 // Upon a plate that a body comes to the layer lies as it is supplied.

@@ -74,6 +74,8 @@ Checkpoint first_state(fmg::Hierarchy& hierarchy, ContactDae& dae, const Conditi
   start.yp.resize(dae.size(), 0.0);
   dae.state(start.y);
   if (conditions.body) start.yp[2 * dae.nodes() + 1] = dae.acceleration(drive);
+  dae.set_state(start.T, drive, start.y, start.yp);
+  dae.count_from_here(start.y);
   return start;
 }
 
