@@ -26,7 +26,7 @@ struct Destination {
 // Before the work, not after it.
 Destination destination(const Arguments& arguments, const Case& input) {
   Destination to{arguments.value("output", input.output), arguments.has("overwrite")};
-  if (const std::string why = unfit_as_result(to.path); !why.empty()) refuse(why);
+  if (const std::string why = unfit_as_result(to.path); !why.empty()) refuse(why + "; give another --output");
   std::vector<std::string> inputs{arguments.operands[0]};
   for (const deck::NamedFile& file : input.files) inputs.push_back(file.path);
   // P and the gap of a dry contact; single precision for stresses in space.

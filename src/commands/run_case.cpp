@@ -43,10 +43,10 @@ std::string printed(const Case& input, const Computed& computed, bool profile) {
 
 std::string unfit_as_result(const std::string& path) {
   if (results::xdmf_name(path) == path)
-    return "the result cannot be named " + path + ": .xmf is its companion; use .h5";
+    return "the result cannot be named " + path + ": .xmf is its companion, use .h5";
   if (!deck::is_utf8(path) || deck::has_control_character(path))
     return "the result cannot be named " + deck::quoted(path) +
-           ": XDMF, which names it, takes UTF-8 without control characters: give another one";
+           ": XDMF, which names it, takes UTF-8 without control characters";
   return {};
 }
 
