@@ -25,9 +25,14 @@ Value& value_of(Deck& deck, const std::string& section, const std::string& name)
 }  // namespace
 
 Deck read(const std::string& path, const std::vector<std::string>& overrides, const Catalogue& catalogue) {
-  const Document document = parse(load_text(path), path);
+  return read_text(load_text(path), path, overrides, catalogue);
+}
+
+Deck read_text(const std::string& text, const std::string& path, const std::vector<std::string>& overrides,
+               const Catalogue& catalogue) {
+  const Document document = parse(text, path);
   std::vector<Assignment> assignments;
-  for (const std::string& text : overrides) assignments.push_back(parse_override(text));
+  for (const std::string& one : overrides) assignments.push_back(parse_override(one));
   Deck deck = validate(document, assignments, catalogue);
   deck.folders = {std::filesystem::absolute(path).parent_path().string()};
   return deck;

@@ -41,6 +41,10 @@ struct Deck {
 /// core::InputError when the file cannot be read at all.
 Deck read(const std::string& path, const std::vector<std::string>& overrides, const Catalogue& catalogue);
 
+/// The same of a text. path: what messages call it, beside which its files lie.
+Deck read_text(const std::string& text, const std::string& path, const std::vector<std::string>& overrides,
+               const Catalogue& catalogue);
+
 /// The same for a document already parsed.
 Deck validate(const Document& document, const std::vector<Assignment>& overrides, const Catalogue& catalogue);
 

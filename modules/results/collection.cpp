@@ -15,11 +15,9 @@ namespace ehl::results {
 
 namespace {
 
-constexpr char mark[] = "ehl sweep";
-
 Handle opened(const std::string& path) {
   Handle file = open_hdf5(path);
-  if (text_attribute(file, "/", "format") != mark)
+  if (text_attribute(file, "/", "format") != collection_format)
     throw core::FileError(path + ": this is an HDF5 file, but not the kept results of a sweep");
   return file;
 }
@@ -37,7 +35,7 @@ void fill(const std::string& name, const std::string& cannot, const std::vector<
   const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, cannot);
   check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V110), cannot);
   const Handle file = checked(H5Fcreate(name.c_str(), H5F_ACC_EXCL, H5P_DEFAULT, access), H5Fclose, cannot);
-  add_text_attribute(file, "format", mark, cannot);
+  add_text_attribute(file, "format", collection_format, cannot);
   const Handle cases = checked(H5Gcreate2(file, "/cases", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, cannot);
   add_text_attribute(cases, "meaning", "the cases of a sweep, by number, each as a result file has it from its root",
                      cannot);

@@ -141,10 +141,10 @@ void effects(List& list, const std::vector<EffectRow>& rows) {
 
 }  // namespace
 
-std::string attribute(const Entry& entry, const std::string& name) {
+const std::string* attribute(const Entry& entry, const std::string& name) {
   for (const auto& one : entry.attributes)
-    if (one.first == name) return one.second;
-  return {};
+    if (one.first == name) return &one.second;
+  return nullptr;
 }
 
 std::vector<double> row_by_row(const core::Field& from) {

@@ -24,8 +24,8 @@ struct Entry {
   std::vector<std::pair<std::string, std::string>> attributes{};  ///< unit, meaning, error; none is empty
 };
 
-/// An attribute; empty where the entry has none.
-std::string attribute(const Entry& entry, const std::string& name);
+/// An attribute; nullptr where the entry has none.
+const std::string* attribute(const Entry& entry, const std::string& name);
 
 /// The values of a field, row = y, column = x, the column fastest.
 std::vector<double> row_by_row(const core::Field& from);

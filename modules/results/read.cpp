@@ -89,7 +89,7 @@ ResultFile::ResultFile(const std::string& path, std::optional<std::size_t> numbe
     : implementation_(std::make_unique<Implementation>(
           Implementation{path, number ? member_name(*number) : std::string(), open_hdf5(path)})) {
   const QuietErrors quiet;
-  const bool collection = text_attribute(implementation_->file, "/", "format") == "ehl sweep";
+  const bool collection = text_attribute(implementation_->file, "/", "format") == collection_format;
   if (collection && !number)
     throw core::FileError(path + ": holds the results of a sweep: say which case (--case K, cases from 0)");
   if (!collection && number) throw core::FileError(path + ": is no file of a sweep with --keep: it has no cases");

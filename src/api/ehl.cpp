@@ -62,9 +62,8 @@ const char* kth(const std::vector<std::string>& list, size_t k) { return k < lis
 
 // Attributes live in their entry.
 const char* attribute_in(const HeldEntry& held, const std::string& name, const char* otherwise) {
-  for (const auto& one : held.entry.attributes)
-    if (one.first == name) return one.second.c_str();
-  return otherwise;
+  const std::string* text = ehl::results::attribute(held.entry, name);
+  return text == nullptr ? otherwise : text->c_str();
 }
 
 void show(const HeldEntry& held, ehl_entry* entry) {

@@ -1,6 +1,5 @@
 #include "api/held_result.hpp"
 
-#include <filesystem>
 #include <mutex>
 #include <sstream>
 #include <utility>
@@ -10,7 +9,6 @@
 #include "case/catalogue.hpp"
 #include "commands/run_case.hpp"
 #include "core/errors.hpp"
-#include "deck/document.hpp"
 #include "deck/write.hpp"
 #include "report/quantities.hpp"
 #include "report/report.hpp"
@@ -52,8 +50,8 @@ void hold(HeldResult& result, results::Entry&& entry) {
   HeldEntry& held = result.entries.emplace_back(HeldEntry{.entry = std::move(entry)});
   const results::Entry& made = held.entry;
   result.by_path.emplace(made.path, &held);
-  const std::string error = results::attribute(made, "error");
-  if (!error.empty()) held.error = made.path.substr(0, made.path.rfind('/') + 1) + error;
+  if (const std::string* error = results::attribute(made, "error"))
+    held.error = made.path.substr(0, made.path.rfind('/') + 1) + *error;
   if (made.kind != results::Entry::Kind::numbers) return;
   if (!made.fields.empty()) {
     held.values = made.fields.front()->at_x(0);
@@ -120,11 +118,7 @@ const HeldEntry* found(const HeldResult& result, const std::string& path) {
 Case case_from(const char* text, const std::string& name, const std::vector<std::string>& overrides, int threads) {
   const std::lock_guard lock(files);
   if (text == nullptr) return read_case(name, overrides, threads);
-  std::vector<deck::Assignment> assignments;
-  for (const std::string& one : overrides) assignments.push_back(deck::parse_override(one));
-  deck::Deck understood = deck::validate(deck::parse(text, name), assignments, catalogue());
-  understood.folders = {std::filesystem::absolute(name).parent_path().string()};
-  return case_of(std::move(understood), name, threads);
+  return case_of(deck::read_text(text, name, overrides, catalogue()), name, threads);
 }
 
 void run_into(HeldResult& result, const std::function<Case()>& read, Progress::Listener listener) {

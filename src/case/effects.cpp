@@ -169,4 +169,10 @@ std::vector<results::EffectRow> effect_rows(const Case& input, const Computed& c
   return rows;
 }
 
+void add_effects(const Case& input, const Computed& computed, results::Content& content) {
+  for (const Effect& effect : effects_of(input))
+    if (effect.add_content) effect.add_content(input, computed, content);
+  content.effects = effect_rows(input, computed);
+}
+
 }  // namespace ehl::program

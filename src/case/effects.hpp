@@ -119,4 +119,7 @@ void add_effects(const Case& input, const Computed& computed, nlohmann::ordered_
 /// /effects in the result file: name, seconds and why; none where there is no effect.
 std::vector<results::EffectRow> effect_rows(const Case& input, const Computed& computed);
 
+/// Adds to a result what the effects keep there, and /effects.
+void add_effects(const Case& input, const Computed& computed, results::Content& content);
+
 }  // namespace ehl::program

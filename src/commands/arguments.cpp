@@ -133,13 +133,15 @@ Arguments parse_arguments(std::vector<std::string> words, const std::vector<Comm
   return given;
 }
 
-int whole_number(const Arguments& arguments, const std::string& name, int otherwise, int most) {
+int whole_number(const Arguments& arguments, const std::string& name, int otherwise, int most, int least) {
   if (!arguments.has(name)) return otherwise;
   const std::string text = arguments.value(name, "");
   const deck::ReadNumber read = deck::read_number(text);
-  const bool good = read.status == deck::ReadNumber::Status::number && read.value >= 1.0 && read.value <= most &&
+  const bool good = read.status == deck::ReadNumber::Status::number && read.value >= least && read.value <= most &&
                     read.value == static_cast<int>(read.value);
-  if (!good) refuse("--" + name + " " + text + ": must be a whole number >= 1 and <= " + std::to_string(most));
+  if (!good)
+    refuse("--" + name + " " + text + ": must be a whole number >= " + std::to_string(least) +
+           " and <= " + std::to_string(most));
   return static_cast<int>(read.value);
 }
 

@@ -52,9 +52,9 @@ const Command& find_command(const std::vector<Command>& commands, const std::str
 /// errors: core::InputError: unknown command or option (with the nearest), a value or an operand missing, too many.
 Arguments parse_arguments(std::vector<std::string> words, const std::vector<Command>& commands);
 
-/// The value of an option that takes a whole number >= 1; `otherwise` where it was not given.
-/// errors: core::InputError: another value, or one above `most`.
-int whole_number(const Arguments& arguments, const std::string& name, int otherwise, int most);
+/// The value of an option that takes a whole number; `otherwise` where it was not given.
+/// errors: core::InputError: another value, or one below `least` or above `most`.
+int whole_number(const Arguments& arguments, const std::string& name, int otherwise, int most, int least = 1);
 
 /// The help of the program, or of one command. errors: core::InputError where it is unknown.
 std::string help_text(const std::vector<Command>& commands, const std::string& command);

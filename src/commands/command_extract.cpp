@@ -1,6 +1,5 @@
 // ehl extract: datasets as columns that gnuplot reads.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -169,12 +168,8 @@ std::string columns(const ResultSource& source, const std::string& name) {
 // Of a sweep's results; nothing: the file is one result.
 std::optional<std::size_t> wanted_case(const Arguments& arguments) {
   if (!arguments.has("case")) return std::nullopt;
-  const std::string text = arguments.value("case", "");
-  std::size_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size() || text.empty())
-    refuse("--case " + text + ": must be the number of a case, from 0 in the order of the table");
-  return number;
+  constexpr int most = 999'999'999;
+  return static_cast<std::size_t>(whole_number(arguments, "case", 0, most, 0));
 }
 
 }  // namespace

@@ -23,9 +23,7 @@ void solve_case(const Case& input, RunSettings& settings, Computed& computed) {
 
 results::Content whole_content(const Case& input, const Computed& computed) {
   results::Content content = solver_of(input).content(input, computed);
-  for (const Effect& effect : effects_of(input))
-    if (effect.add_content) effect.add_content(input, computed, content);
-  content.effects = effect_rows(input, computed);
+  add_effects(input, computed, content);
   return content;
 }
 

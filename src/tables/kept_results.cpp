@@ -12,6 +12,7 @@
 
 #include "case/effects.hpp"
 #include "core/errors.hpp"
+#include "deck/text.hpp"
 #include "report/outcome.hpp"
 #include "report/result_content.hpp"
 #include "results/atomic_file.hpp"
@@ -29,13 +30,8 @@ struct Head {
 constexpr char record_mark[8] = {'e', 'h', 'l', 'k', 'e', 'p', 't', '1'};
 constexpr std::uint64_t longest_name = 1 << 20;
 
-// Fowler, Noll, Vo: tells a record that was cut short or damaged.
-std::uint64_t hash_of(const std::string& name, const std::string& image) {
-  std::uint64_t hash = 14695981039346656037ull;
-  for (const std::string* part : {&name, &image})
-    for (const char byte : *part) hash = (hash ^ static_cast<unsigned char>(byte)) * 1099511628211ull;
-  return hash;
-}
+// Tells a record that was cut short or damaged.
+std::uint64_t hash_of(const std::string& name, const std::string& image) { return deck::hash(image, deck::hash(name)); }
 
 bool read_at(int file, long long at, void* to, std::size_t bytes) {
   return ::pread(file, to, bytes, at) == static_cast<ssize_t>(bytes);
@@ -60,13 +56,10 @@ std::string kept_result(const Case& input, FilmSolution&& found) {
   computed.derived = derived_fields(input, computed.solution);
   Progress silent(true);
   RunSettings settings{.progress = silent, .save = [](const auto&) {}};
-  const auto in_time = [](const Effect& effect) { return effect.stage == Stage::unknowns && effect.compute; };
   for (const Effect& effect : effects_of(input))
-    if (effect.compute && !in_time(effect)) effect.compute(input, settings, computed);
+    if (effect.compute && effect.stage != Stage::unknowns) effect.compute(input, settings, computed);  // but in time
   results::Content content = result_content(input, computed);
-  for (const Effect& effect : effects_of(input))
-    if (effect.add_content && !in_time(effect)) effect.add_content(input, computed, content);
-  content.effects = effect_rows(input, computed);
+  add_effects(input, computed, content);
   const std::vector<std::byte> image = results::image("the result of a case", content);
   return {reinterpret_cast<const char*>(image.data()), image.size()};
 }

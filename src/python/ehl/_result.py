@@ -57,10 +57,6 @@ class _Handle:
             self.library.ehl_free(pointer)
 
 
-class _Kept(ctypes.Structure):
-    """Memory of a result: the arrays over it keep the result."""
-
-
 def _array(entry, handle):
     shape = tuple(entry.dims[: entry.rank])
     if 0 in shape:
