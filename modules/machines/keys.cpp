@@ -16,9 +16,11 @@ std::optional<Contact> read(deck::Deck& deck) {
   contact.what =
       !bearing ? "teeth of two spur gears" : (ball ? "ball on the " : "roller on the ") + part.word("race") + " race";
   if (deck.errors.empty()) return contact;
-  if (contact.numbers.empty())
-    for (const char* name : {"load", "load_per_length", "radius_x", "radius_y", "u1", "u2"})
+  if (contact.numbers.empty()) {
+    for (const char* name : {"load", "load_per_length", "radius_x", "u1", "u2"})
       contact.numbers.push_back({.name = name});
+    if (ball) contact.numbers.push_back({.name = "radius_y"});  // straight flanks have none
+  }
   for (Number& one : contact.numbers) one.value = core::unknown;
   return contact;
 }

@@ -34,14 +34,19 @@ std::optional<machines::Contact> machine_input(deck::Deck& deck) {
   std::optional<machines::Contact> machine = machines::read(deck);
   if (!machine) return std::nullopt;
   refuse_contact(deck, *machine);
-  const bool ball = deck::word(deck, "case", "kind") == machines::ball_race;
+  const std::string kind = deck::word(deck, "case", "kind");
+  const bool ball = kind == machines::ball_race;
+  const bool with_ends = kind == machines::roller_race && deck::given(deck, "roller", "profile");
   if (ball) {
     compute(deck, "motion", "angle", 0.0, "the ball rolls along radius_x");
     compute(deck, "contact", "kind", "point", "a ball and its groove");
+  } else if (with_ends) {
+    compute(deck, "contact", "kind", "roller", "[roller] gives it a profile");
+    compute(deck, "contact", "length_m", deck::number(deck, "bearing", "length"), "[bearing] length");
   } else {
     compute(deck, "contact", "kind", "line", "straight flanks");
   }
-  for (const auto& [section, name] : {std::pair{"contact", ball ? "load" : "load_per_length"},
+  for (const auto& [section, name] : {std::pair{"contact", ball || with_ends ? "load" : "load_per_length"},
                                       {"contact", "radius_x"},
                                       {"contact", "radius_y"},
                                       {"motion", "u1"},

@@ -26,7 +26,13 @@ void settle_roller(deck::Deck& deck) {
 void roller_input(Case& input) {
   deck::Deck& deck = input.deck;
   const contact::Ellipse& shape = input.physics.groups.shape;
-  if (!deck::given(deck, "roller", "profile") || !contact::roller(shape) || !deck.errors.empty()) return;
+  if (!deck::given(deck, "roller", "profile") || !deck.errors.empty()) return;
+  if (!contact::roller(shape)) {
+    deck::Part{deck, "roller"}.complain("profile",
+                                        "has no influence without [contact] kind = roller or [case] kind = "
+                                        "roller_race: set one of them, or remove it");
+    return;
+  }
   roller::Scales scales{.length = shape.length, .in_SI = input.physics.language == Language::si};
   if (input.physics.si) {
     scales.a = input.physics.si->hertz.a;

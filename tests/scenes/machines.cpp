@@ -60,6 +60,25 @@ BOOST_AUTO_TEST_CASE(a_ball_race_is_an_ordinary_contact) {
   }
 }
 
+// With a profile the roller of a bearing has ends: [contact] kind = roller of its length, load, radius and speed, which
+// are by hand 10 (1 - 0.2)/2 = 4 mm and pi/120 0.05 (1 - 0.2^2) 3000 = 1.2 pi m/s.
+BOOST_AUTO_TEST_CASE(a_roller_race_with_a_profile_is_a_roller) {
+  const support::TemporaryFolder folder;
+  const std::string common =
+      "[contact]\nE_prime = 228e9\n[lubricant]\neta0 = 0.0168\nalpha = 1.52e-8\n[grid]\ncells = 32\n[roller]\nprofile "
+      "= logarithmic\n";
+  const nlohmann::json race = run(folder, common +
+                                              "[case]\nkind = roller_race\n[bearing]\ndiameter = 10e-3\n"
+                                              "pitch_diameter = 50e-3\nlength = 1e-3\nload = 50\nrpm_inner = 3000\n");
+  const nlohmann::json plain = run(folder, common +
+                                               "[motion]\nu_m = 3.7699111843077517\n[contact]\nkind = roller\n"
+                                               "load = 50\nlength_m = 1e-3\nradius_x = 0.004\n");
+  for (const char* name : {"/Hc", "/Hm", "/p_h_Pa", "/roller/P_end", "/roller/H_end"}) {
+    BOOST_TEST_MESSAGE(name << " = " << support::number_at(race, name));
+    BOOST_TEST(std::abs(support::number_at(plain, name) / support::number_at(race, name) - 1.0) < 1e-9, name);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_radial_load_is_shared) {
   const support::TemporaryFolder folder;
   folder.write("d.ini", radial + "elements = 9\n" + rest);
@@ -134,6 +153,8 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
   support::check_refused(
       {refused("no kind", "[bearing]\ndiameter = 1e-3\n", {"d.ini:2", "diameter", "ball_race or roller_race"}),
        refused("no gears", "[gear]\nmodule = 1e-3\n", {"d.ini:2", "module", "kind = gear_mesh"}),
+       refused("a ball's profile", ball + "[roller]\nprofile = logarithmic\n", {"d.ini:9", "profile", "roller_race"}),
+       refused("two kinds", roller + "[contact]\nkind = roller\n", {"d.ini:9", "kind = roller", "settles it"}),
        refused("unknown", "[case]\nkind = ball_bearing\n", {"kind = ball_bearing", "ball_race"}),
        refused("a load twice", ball + "[contact]\nload = 3\n", {"d.ini:9", "load = 3", "kind = ball_race settles it"}),
        refused("another radius", ball + "[contact]\nradius_ratio = 3\n", {"radius_ratio = 3", "settles it"}),

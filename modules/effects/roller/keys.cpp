@@ -130,9 +130,9 @@ std::vector<Key> keys() {
                                    "rounded ends, end_length and end_radius. crowned: a circle of crown_radius. "
                                    "logarithmic: by which the dry pressure does not rise at the ends under the "
                                    "design load. table: from a file. The gap ends with the roller; the bodies "
-                                   "deform as half-spaces, which at a sharp end they are not.",
+                                   "deform as half-spaces, which at a sharp end they are not. Only with [contact] "
+                                   "kind = roller or [case] kind = roller_race.",
                         .source = "modules/effects/roller/README.md",
-                        .needs = {.name = "kind", .words = {"roller"}, .section = "contact"},
                         .example = "logarithmic"}},
                       shape_keys(),
                       {tilt, in_SI(tilt, "_mrad", "mrad", "0.5")}}));
