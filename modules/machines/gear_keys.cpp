@@ -131,17 +131,17 @@ std::vector<Number> mesh_numbers(const deck::Part& gear, const Gears& gears, con
   const double torque = by_power ? power / omega1 : given_torque;
   const double normal_force = torque / path.base_radius1;
   const double of_pair = share(path, s, gear.choice("sharing", {Sharing::none, Sharing::linear}));
-  return {
-      {"rho1", mesh.rho1, "m", "radius of curvature of tooth 1, s_begin + position (s_end - s_begin)"},
-      {"rho2", mesh.rho2, "m", "of tooth 2, length_T1T2 - rho1"},
-      {"radius_x", mesh.R, "m", "rho1 rho2/(rho1 + rho2)"},
-      {"u1", mesh.u1, "m/s", "rho1 pi rpm1/30"},
-      {"u2", mesh.u2, "m/s", "rho2 (z1/z2) pi rpm1/30"},
-      {"sliding_speed", mesh.u1 - mesh.u2, "m/s", "u1 - u2, zero at the pitch point"},
-      {"torque1", torque, "N m", by_power ? "power/(pi rpm1/30)" : "as given"},
-      {"normal_force", normal_force, "N", "torque1/base_radius1, of all pairs together"},
-      {"share", of_pair, "-", "of the pair of teeth, by AGMA 925-A03 with sharing = linear"},
-      {"load_per_length", of_pair * normal_force / gear.number("face_width"), "N/m", "share normal_force/face_width"}};
+  return {{"rho1", mesh.rho1, "m", "radius of curvature of tooth 1, s_begin + position (s_end - s_begin)"},
+          {"rho2", mesh.rho2, "m", "of tooth 2, length_T1T2 - rho1"},
+          {"radius_x", mesh.R, "m", "rho1 rho2/(rho1 + rho2)"},
+          {"u1", mesh.u1, "m/s", "rho1 pi rpm1/30"},
+          {"u2", mesh.u2, "m/s", "rho2 (z1/z2) pi rpm1/30"},
+          {"sliding_speed", mesh.u1 - mesh.u2, "m/s", "u1 - u2, zero at the pitch point"},
+          {"torque1", torque, "N m", by_power ? "power/(pi rpm1/30)" : "as given"},
+          {"normal_force", normal_force, "N", "torque1/base_radius1, of all pairs together"},
+          {"share", of_pair, "-", "of the pair of teeth, by AGMA 925-A03 with sharing = linear"},
+          {"load", of_pair * normal_force, "N", "share normal_force"},
+          {"load_per_length", of_pair * normal_force / gear.number("face_width"), "N/m", "load/face_width"}};
 }
 
 }  // namespace

@@ -36,13 +36,15 @@ std::optional<machines::Contact> machine_input(deck::Deck& deck) {
   refuse_contact(deck, *machine);
   const std::string kind = deck::word(deck, "case", "kind");
   const bool ball = kind == machines::ball_race;
-  const bool with_ends = kind == machines::roller_race && deck::given(deck, "roller", "profile");
+  const bool with_ends = !ball && deck::given(deck, "roller", "profile");
   if (ball) {
     compute(deck, "motion", "angle", 0.0, "the ball rolls along radius_x");
     compute(deck, "contact", "kind", "point", "a ball and its groove");
   } else if (with_ends) {
     compute(deck, "contact", "kind", "roller", "[roller] gives it a profile");
-    compute(deck, "contact", "length_m", deck::number(deck, "bearing", "length"), "[bearing] length");
+    const std::string length = kind == machines::gear_mesh ? "face_width" : "length";
+    compute(deck, "contact", "length_m", deck::number(deck, machine->section, length),
+            "[" + machine->section + "] " + length);
   } else {
     compute(deck, "contact", "kind", "line", "straight flanks");
   }

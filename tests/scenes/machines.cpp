@@ -60,22 +60,38 @@ BOOST_AUTO_TEST_CASE(a_ball_race_is_an_ordinary_contact) {
   }
 }
 
-// With a profile the roller of a bearing has ends: [contact] kind = roller of its length, load, radius and speed, which
-// are by hand 10 (1 - 0.2)/2 = 4 mm and pi/120 0.05 (1 - 0.2^2) 3000 = 1.2 pi m/s.
-BOOST_AUTO_TEST_CASE(a_roller_race_with_a_profile_is_a_roller) {
+// With a profile rollers and teeth have ends: [contact] kind = roller of their length, load, radius and speed, by hand
+// 10 (1 - 0.2)/2 = 4 mm and pi/120 0.05 (1 - 0.2^2) 3000 = 1.2 pi m/s for the roller; at the pitch point the tooth's
+// are rho = 8 mm sin 20, 16 mm sin 20, torque/(8 mm cos 20) and 500 pi rho.
+BOOST_AUTO_TEST_CASE(with_a_profile_they_have_ends) {
   const support::TemporaryFolder folder;
+  const double alpha = std::acos(-1.0) / 9.0;
   const std::string common =
       "[contact]\nE_prime = 228e9\n[lubricant]\neta0 = 0.0168\nalpha = 1.52e-8\n[grid]\ncells = 32\n[roller]\nprofile "
       "= logarithmic\n";
-  const nlohmann::json race = run(folder, common +
-                                              "[case]\nkind = roller_race\n[bearing]\ndiameter = 10e-3\n"
-                                              "pitch_diameter = 50e-3\nlength = 1e-3\nload = 50\nrpm_inner = 3000\n");
-  const nlohmann::json plain = run(folder, common +
-                                               "[motion]\nu_m = 3.7699111843077517\n[contact]\nkind = roller\n"
-                                               "load = 50\nlength_m = 1e-3\nradius_x = 0.004\n");
-  for (const char* name : {"/Hc", "/Hm", "/p_h_Pa", "/roller/P_end", "/roller/H_end"}) {
-    BOOST_TEST_MESSAGE(name << " = " << support::number_at(race, name));
-    BOOST_TEST(std::abs(support::number_at(plain, name) / support::number_at(race, name) - 1.0) < 1e-9, name);
+  const std::string race =
+      "[case]\nkind = roller_race\n[bearing]\ndiameter = 10e-3\npitch_diameter = 50e-3\nlength = 1e-3\nload = 50\n"
+      "rpm_inner = 3000\n";
+  const std::string teeth =
+      "[case]\nkind = gear_mesh\n[gear]\nmodule = 1e-3\nface_width = 1e-3\nrpm1 = 15000\nteeth1 = 16\nteeth2 = "
+      "32\ntorque1 = 0.4\nshift1 = 0\nshift2 = 0\n";
+  const auto plain = [](double load, double radius, double speed) {
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "[motion]\nu_m = %.17g\n[contact]\nkind = roller\nload = %.17g\nlength_m = 1e-3\nradius_x = %.17g\n",
+                  speed, load, radius);
+    return std::string(text);
+  };
+  const double rho = 8e-3 * std::sin(alpha);
+  const std::pair<std::string, std::string> pairs[] = {
+      {race, plain(50.0, 4e-3, 3.7699111843077517)},
+      {teeth, plain(0.4 / (8e-3 * std::cos(alpha)), 2.0 * rho / 3.0, 9.0 * alpha * 500.0 * rho)}};
+  for (const auto& [machine, contact] : pairs) {
+    const nlohmann::json from = run(folder, common + machine), direct = run(folder, common + contact);
+    for (const char* name : {"/Hc", "/Hm", "/p_h_Pa", "/roller/P_end", "/roller/H_end"}) {
+      BOOST_TEST_MESSAGE(name << " = " << support::number_at(from, name));
+      BOOST_TEST(std::abs(support::number_at(direct, name) / support::number_at(from, name) - 1.0) < 1e-9, name);
+    }
   }
 }
 
@@ -154,7 +170,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
       {refused("no kind", "[bearing]\ndiameter = 1e-3\n", {"d.ini:2", "diameter", "ball_race or roller_race"}),
        refused("no gears", "[gear]\nmodule = 1e-3\n", {"d.ini:2", "module", "kind = gear_mesh"}),
        refused("a ball's profile", ball + "[roller]\nprofile = logarithmic\n", {"d.ini:9", "profile", "roller_race"}),
-       refused("two kinds", roller + "[contact]\nkind = roller\n", {"d.ini:9", "kind = roller", "settles it"}),
+       refused("two kinds", roller + "[contact]\nkind = roller\n", {"d.ini:10", "kind = roller", "settles it"}),
        refused("unknown", "[case]\nkind = ball_bearing\n", {"kind = ball_bearing", "ball_race"}),
        refused("a load twice", ball + "[contact]\nload = 3\n", {"d.ini:9", "load = 3", "kind = ball_race settles it"}),
        refused("another radius", ball + "[contact]\nradius_ratio = 3\n", {"radius_ratio = 3", "settles it"}),

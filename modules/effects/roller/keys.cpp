@@ -131,7 +131,7 @@ std::vector<Key> keys() {
                                    "logarithmic: by which the dry pressure does not rise at the ends under the "
                                    "design load. table: from a file. The gap ends with the roller; the bodies "
                                    "deform as half-spaces, which at a sharp end they are not. Only with [contact] "
-                                   "kind = roller or [case] kind = roller_race.",
+                                   "kind = roller or [case] kind = roller_race, gear_mesh (a tooth's face width).",
                         .source = "modules/effects/roller/README.md",
                         .example = "logarithmic"}},
                       shape_keys(),

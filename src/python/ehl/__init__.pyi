@@ -836,7 +836,7 @@ class ThermalKeys(TypedDict, total=False):
 class RollerKeys(TypedDict, total=False):
     """A roller of finite length: its profile along the axis, and its tilt."""
     profile: Literal["straight", "crowned", "logarithmic", "table"]
-    """The shape of the roller along its axis, beside a straight one. straight: with rounded ends, end_length and end_radius. crowned: a circle of crown_radius. logarithmic: by which the dry pressure does not rise at the ends under the design load. table: from a file. The gap ends with the roller; the bodies deform as half-spaces, which at a sharp end they are not. Only with [contact] kind = roller or [case] kind = roller_race.
+    """The shape of the roller along its axis, beside a straight one. straight: with rounded ends, end_length and end_radius. crowned: a circle of crown_radius. logarithmic: by which the dry pressure does not rise at the ends under the design load. table: from a file. The gap ends with the roller; the bodies deform as half-spaces, which at a sharp end they are not. Only with [contact] kind = roller or [case] kind = roller_race, gear_mesh (a tooth's face width).
     default: none; allowed: one of straight, crowned, logarithmic, table"""
     end_length: float | str
     """Length of each rounded end of a straight roller, in half widths a. (only with [roller] profile = straight)
