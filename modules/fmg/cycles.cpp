@@ -8,6 +8,7 @@
 #include "fmg/boundary.hpp"
 #include "fmg/cycle.hpp"
 #include "fmg/oil.hpp"
+#include "fmg/swinging.hpp"
 
 namespace ehl::fmg {
 namespace {
@@ -133,13 +134,20 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
       more_careful({now.residual});
     }
     const std::size_t taken = residuals.size();
-    if (taken > patience && now.residual > hardly_less * residuals[taken - 1 - patience]) {
+    const bool stalled = taken > patience && now.residual > hardly_less * residuals[taken - 1 - patience];
+    const bool poor = taken > settling_cycles && now.residual > poor_factor * before.residual &&
+                      now.residual > poor_factor * residuals[taken - 3] && now.residual > rounding_residual;
+    const bool swings = (poor || stalled) && criterion.aim == judgement::Aim::solution && may_swing(now.residual) &&
+                        find_swinging(hierarchy, hierarchy.levels[l], how.relaxation) > 0;
+    if (swings) {  // no reason for more caution
+      now = measures_of(hierarchy, l);
+      residuals = {now.residual};
+    } else if (stalled) {
       result.end = CyclesEnd::stalled;
       return result;
-    }
-    if (taken > settling_cycles && now.residual > poor_factor * before.residual &&
-        now.residual > poor_factor * residuals[taken - 3] && now.residual > rounding_residual && back_off(needed))
+    } else if (poor && back_off(needed)) {
       more_careful({before.residual, now.residual});
+    }
     before = now;
   }
   result.end = CyclesEnd::limit;

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "fmg/relaxation.hpp"
+
 namespace ehl::fmg {
 
 // `changes` of a node: how often its kind has changed, plus one, negative while it is dry; 0 before it was looked at.
@@ -11,13 +13,32 @@ int mark_swinging(Level& level) {
   for (int i = 1; i < level.grid.nx; ++i)
     for (int j = 1; j <= level.grid.last_line(); ++j) {
       double& changes = level.changes_of_kind(i, j);
-      const bool dry = level.P(i, j) <= 0.0;
+      const bool dry = level.content(i, j) < level.rho_bar(i, j) * level.H(i, j);
       const double count = std::abs(changes) + (changes == 0.0 || dry != (changes < 0.0) ? 1.0 : 0.0);
       changes = dry ? -count : count;
       if (count <= changes_of_swinging || level.swings(i, j) > 0.0) continue;
       level.swings(i, j) = 1.0;
       ++marked;
     }
+  return marked;
+}
+
+int find_swinging(Hierarchy& hierarchy, Level& level, const RelaxationParameters& how) {
+  if (!conserves_mass(level)) return 0;
+  constexpr int relaxations = 2 * changes_of_swinging;
+  const core::Field unrelaxed = level.P;
+  level.changes_of_kind.fill(0.0);
+  int marked = mark_swinging(level);
+  for (int k = 0; k < relaxations; ++k) {
+    relax(hierarchy, level, how);
+    update_residual(hierarchy, level);
+    marked += mark_swinging(level);
+  }
+  if (marked == 0) {
+    level.P = unrelaxed;
+    update_film(hierarchy, level);
+    update_residual(hierarchy, level);
+  }
   return marked;
 }
 

@@ -24,10 +24,6 @@ constexpr double small_change = 0.02;
 constexpr double loose = 1e-2;
 constexpr double tight = 1e-5;
 constexpr double last_bit = 0.03;
-/// Residuals between which nodes at the edge of the film swing, 1e-4 to 2e-2: below they flip by rounding, above they
-/// are on their way.
-constexpr double of_rounding = 1e-7;
-constexpr double on_its_way = 5e-2;
 /// Old factors are used until they cost this many times the iterations that they took when they were new.
 constexpr int worn_out = 2;
 /// Longest change of H00 in one step: an absolute part, and a share of the film at the centre.
@@ -113,9 +109,7 @@ class NewtonIteration {
   }
 
  private:
-  bool stalls_at_an_edge(int taken) const {
-    return best_measure_ > of_rounding && best_measure_ < on_its_way && taken - best_step_ >= 2;
-  }
+  bool stalls_at_an_edge(int taken) const { return fmg::may_swing(best_measure_) && taken - best_step_ >= 2; }
   bool good(const State& state) const { return state.measure() <= parameters_.tolerance; }
 
   /// One Newton step from the state given, shortened where it changes P or H00 too much. out: what went wrong.
