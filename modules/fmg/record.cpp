@@ -98,6 +98,15 @@ void report(const Run& run, std::size_t l, int cycle, int planned, const judgeme
   if (!run.progress(progress)) throw core::Interrupted();
 }
 
+ProgressCallback part_of(const ProgressCallback& whole, double from, double to) {
+  if (!whole) return {};
+  return [=](const Progress& now) {
+    Progress told = now;
+    told.fraction = from + (to - from) * now.fraction;
+    return whole(told);
+  };
+}
+
 std::string name_of_level(const Hierarchy& hierarchy, std::size_t l) {
   const core::Grid& grid = hierarchy.levels[l].grid.domain;
   return "level " + std::to_string(l + 1) + " (" + std::to_string(grid.nx) + " x " + std::to_string(grid.ny) +

@@ -64,6 +64,8 @@ struct Progress {
   double load_ratio = 1.0;  ///< load being solved for, over the scene's: a load continuation
 };
 using ProgressCallback = std::function<bool(const Progress&)>;
+/// For work that is a part of the whole, from one fraction of it to another; none for none.
+ProgressCallback part_of(const ProgressCallback& whole, double from, double to);
 
 /// What is known of the solutions so far. The last row of `levels` is of the level being solved.
 struct Record {

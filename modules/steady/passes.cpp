@@ -105,14 +105,9 @@ Pass row_of(const Scene& scene, const Solution& solution, int number, double car
   return row;
 }
 
-// Tells progress as a part of the whole.
+// Of passes that take the same time.
 ProgressCallback part_of(const ProgressCallback& progress, int pass, int passes) {
-  if (!progress) return progress;
-  return [&progress, pass, passes](const Progress& now) {
-    Progress told = now;
-    told.fraction = (pass - 1 + now.fraction) / passes;
-    return progress(told);
-  };
+  return fmg::part_of(progress, (pass - 1.0) / passes, static_cast<double>(pass) / passes);
 }
 
 }  // namespace

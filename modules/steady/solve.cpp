@@ -153,16 +153,20 @@ Solution find(const Scene& scene, const ProgressCallback& progress) {
   return solution;
 }
 
+// Of the time of both, that of the flooded contact: cycles converge half as fast beside a meniscus.
+constexpr double share_of_flooded = 1.0 / 3.0;
+
 // The flooded contact first, then the one with the supply.
 Solution find_starved(const Scene& scene, const ProgressCallback& progress) {
   const double began = core::now();
   Scene full = scene;
   full.supply = {};
   full.adjoint_errors = false;
-  const Solution flooded = find(full, progress);
+  const Solution flooded = find(full, fmg::part_of(progress, 0.0, share_of_flooded));
   const double of_flooded = core::now() - began;
-  Solution solution = scene.passes.number > 1 ? solve_passes(scene, carried_at_centre(scene, flooded), find, progress)
-                                              : find(scene, progress);
+  const ProgressCallback rest = fmg::part_of(progress, share_of_flooded, 1.0);
+  Solution solution =
+      scene.passes.number > 1 ? solve_passes(scene, carried_at_centre(scene, flooded), find, rest) : find(scene, rest);
   solution.starvation = starvation_of(scene, solution, flooded);
   solution.starvation->seconds = core::now() - began - of_flooded;
   return solution;

@@ -22,30 +22,36 @@ thermal::Setup setup_of(const Case& input) {
   return setup;
 }
 
+// Of the time of a film, isothermal and then with heat, that of the first. A starved film is solved flooded as well.
+constexpr double share_of_isothermal = 0.2, share_of_starved = 0.6;
+
 // What the film with heat is beside the flooded one with heat.
 steady::Starvation starvation_of(const steady::Scene& scene, const heat::Solution& found, const thermal::Setup& setup,
                                  const steady::ProgressCallback& progress) {
   steady::Scene full = scene;
   full.supply = {};
   full.adjoint_errors = false;
-  const steady::Solution cold = steady::solve(full, progress);
+  const steady::Solution cold = steady::solve(full, fmg::part_of(progress, 0.0, share_of_isothermal));
   if (!cold.converged) return steady::starvation_of(scene, found.film, cold, found.C);
-  const heat::Solution warm = heat::solve(full, setup, cold, progress);
+  const heat::Solution warm = heat::solve(full, setup, cold, fmg::part_of(progress, share_of_isothermal, 1.0));
   return steady::starvation_of(scene, found.film, warm.film, found.C, warm.C);
 }
 
 FilmSolution solve_scene(const Case& input, const steady::Scene& scene, const steady::ProgressCallback& progress) {
-  FilmSolution solution{.film = steady::solve(scene, progress)};
-  if (!(input.heat || input.flow_thinning) || !solution.film.converged) return solution;
+  if (!(input.heat || input.flow_thinning)) return {.film = steady::solve(scene, progress)};
+  const double whole = scene.supply ? share_of_starved : 1.0, isothermal = share_of_isothermal * whole;
+  FilmSolution solution{.film = steady::solve(scene, fmg::part_of(progress, 0.0, isothermal))};
+  if (!solution.film.converged) return solution;
   const steady::Solution& before = solution.film;
   HeatResult result;
   result.Hc_isothermal = before.levels.back().Hc;
   result.Hm_isothermal = before.levels.back().Hm;
   result.mu_isothermal = friction_of(input, before, nullptr).sliding;
-  result.found = heat::solve(scene, setup_of(input), before, progress);
+  result.found = heat::solve(scene, setup_of(input), before, fmg::part_of(progress, isothermal, whole));
   if (scene.supply) {
     const double seconds = before.starvation->seconds;
-    result.found.film.starvation = starvation_of(scene, result.found, setup_of(input), progress);
+    result.found.film.starvation =
+        starvation_of(scene, result.found, setup_of(input), fmg::part_of(progress, whole, 1.0));
     result.found.film.starvation->seconds = seconds + result.found.seconds;
   }
   solution.film = std::move(result.found.film);

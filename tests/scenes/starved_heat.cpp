@@ -1,7 +1,10 @@
 // Heat where oil is missing, from end to end.
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "support/json.hpp"
 #include "support/program.hpp"
@@ -73,6 +76,19 @@ BOOST_AUTO_TEST_CASE(half_is_the_whole) {
   const auto half = scene.run("--set supply.layer_m=100e-9"), whole = scene.run("--set supply.profile=track.csv");
   for (const char* name : {"/Hc", "/thermal/mu", "/thermal/T_film_max", "/thermal/heat_1"})
     check_close(name, number_at(whole, name), number_at(half, name), 1e-6);
+}
+
+// Four solutions follow one another here: cold and hot, with little oil and flooded. Progress tells the whole of them.
+BOOST_AUTO_TEST_CASE(progress_never_goes_back) {
+  const Scene scene;
+  const support::Ended ended =
+      support::ehl(scene.folder, "run d.ini --overwrite --set grid.cells=128 --set supply.layer_m=100e-9");
+  std::vector<int> told;
+  for (std::size_t at = ended.err.find(" %"); at != std::string::npos; at = ended.err.find(" %", at + 1))
+    told.push_back(std::stoi(ended.err.substr(at - 3, 3)));
+  BOOST_TEST_MESSAGE("told " << told.size() << " times, the last " << (told.empty() ? 0 : told.back()) << " %");
+  BOOST_TEST(told.size() >= 4);
+  BOOST_TEST(std::ranges::is_sorted(told), ended.err);
 }
 
 BOOST_AUTO_TEST_CASE(passes_are_refused) {
