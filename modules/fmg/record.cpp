@@ -11,9 +11,14 @@
 namespace ehl::fmg {
 namespace {
 
-judgement::ErrorEstimate error_of(const Hierarchy& hierarchy, const Record& record, double LevelRow::*value) {
+std::vector<double> column(const Record& record, double LevelRow::*value) {
   std::vector<double> values;
   for (const LevelRow& row : record.levels) values.push_back(row.*value);
+  return values;
+}
+
+judgement::ErrorEstimate error_of(const Hierarchy& hierarchy, const Record& record, double LevelRow::*value) {
+  const std::vector<double> values = column(record, value);
   const core::Grid& domain = hierarchy.levels.back().grid.domain;
   const LevelRow& last = record.levels.back();
   const double h = (domain.X_b - domain.X_a) / last.nx;
@@ -25,6 +30,18 @@ judgement::ErrorEstimate error_of(const Hierarchy& hierarchy, const Record& reco
   }
   if (wedge == reynolds::Wedge::upstream2) return judgement::estimate_error(values, 2.0);
   return judgement::estimate_error(values, 1.0, judgement::first_order_floor(h, last.Hm_fitted));
+}
+
+// Of the mesh, of the last row, Hm between the nodes; beside a meniscus its swings take the place of an order.
+judgement::FilmErrors film_errors(const Hierarchy& hierarchy, const Record& record,
+                                  const judgement::ErrorEstimate& Hc) {
+  const judgement::FilmErrors by_order{Hc.relative_error,
+                                       error_of(hierarchy, record, &LevelRow::Hm_fitted).relative_error};
+  if (!conserves_mass(hierarchy.levels.back())) return by_order;
+  const judgement::FilmErrors swings =
+      judgement::errors_beside_meniscus(column(record, &LevelRow::Hc), column(record, &LevelRow::Hm_fitted));
+  if (reynolds::order(hierarchy.problem.transport.wedge) > 1.0) return swings;
+  return {std::max(by_order.Hc, swings.Hc), std::max(by_order.Hm, swings.Hm)};
 }
 
 double work_units(const Hierarchy& hierarchy, std::size_t l) {
@@ -62,10 +79,10 @@ void enter(const Hierarchy& hierarchy, std::size_t l, int cycle, const judgement
   row.cycles = cycle;
   row.work_units = work_units(hierarchy, l);
   const judgement::ErrorEstimate Hc = error_of(hierarchy, record, &LevelRow::Hc);
-  row.error_Hc = Hc.relative_error;
   row.order_Hc = Hc.order;
-  row.error_Hm = error_of(hierarchy, record, &LevelRow::Hm_fitted).relative_error +
-                 std::abs(row.Hm - row.Hm_fitted) / std::abs(row.Hm);
+  const judgement::FilmErrors errors = film_errors(hierarchy, record, Hc);
+  row.error_Hc = errors.Hc;
+  row.error_Hm = errors.Hm + std::abs(row.Hm - row.Hm_fitted) / std::abs(row.Hm);
 }
 
 void report(const Run& run, std::size_t l, int cycle, int planned, const judgement::Measures& now, double load_ratio) {

@@ -41,6 +41,17 @@ ErrorEstimate estimate_error(std::span<const double> values, double scheme_order
   return {std::max(error, least), observed};
 }
 
+FilmErrors errors_beside_meniscus(std::span<const double> Hc, std::span<const double> Hm) {
+  const std::size_t n = Hc.size();
+  if (n < 2) return {nan, nan};
+  const auto change = [](std::span<const double> of, std::size_t k) {
+    return std::abs((of[k] - of[k - 1]) / of.back());
+  };
+  const double of_Hm = n > 2 ? std::max(change(Hm, n - 1), 0.5 * change(Hm, n - 2)) : safety_of_two * change(Hm, n - 1);
+  constexpr double share_of_Hm = 0.2;
+  return {(n > 2 ? safety : safety_of_two) * change(Hc, n - 1) / 3.0 + share_of_Hm * of_Hm, of_Hm};
+}
+
 double first_order_floor(double h, double Hm) { return first_order_share * step_in_zones(h, Hm); }
 
 double third_order_floor(double h, double Hm, double share) {

@@ -206,10 +206,12 @@ ErrorBars error_bars_of(const Scene& scene, const Solution& solution) {
     bars.Hm_fitted_X = fitted.X;
     bars.Hm_fitted_Y = fitted.Y;
   }
-  bars.Hc_extrapolated =
-      extrapolated(column(solution, &LevelRow::Hc), order, judgement::unsure_of_Hc, checked.algebraic_error_Hc);
-  bars.Hm_extrapolated =
-      extrapolated(column(solution, &LevelRow::Hm_fitted), order, judgement::unsure_of_Hm, checked.algebraic_error_Hm);
+  if (!scene.supply) {  // beside a meniscus no order holds from level to level
+    bars.Hc_extrapolated =
+        extrapolated(column(solution, &LevelRow::Hc), order, judgement::unsure_of_Hc, checked.algebraic_error_Hc);
+    bars.Hm_extrapolated = extrapolated(column(solution, &LevelRow::Hm_fitted), order, judgement::unsure_of_Hm,
+                                        checked.algebraic_error_Hm);
+  }
   if (reynolds::third_order(scene.wedge) && std::isfinite(bars.Hm_extrapolated.error)) {
     const double step = (scene.grid.X_b - scene.grid.X_a) / last.nx;
     const double least = judgement::third_order_floor(step, last.Hm_fitted, judgement::third_order_floor_of_Hm);

@@ -2,6 +2,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "judgement/error_estimate.hpp"
@@ -42,6 +43,19 @@ BOOST_AUTO_TEST_CASE(error_of_an_asymptotic_sequence_is_its_error) {
     BOOST_TEST(std::abs(estimate.order - order) < 1e-10);
     BOOST_TEST(std::abs(estimate.relative_error / truth - 1.25) < 1e-10);
   }
+}
+
+// Changes of Hm of .02 and .002, of Hc of .01 and .003, all over 1: half of .02 counts, and 1.25 .003/3 + .01/5.
+BOOST_AUTO_TEST_CASE(changes_that_swing_beside_a_meniscus) {
+  const std::vector<double> Hc{1.013, 1.003, 1.0}, Hm{1.018, 0.998, 1.0};
+  const FilmErrors errors = errors_beside_meniscus(Hc, Hm);
+  BOOST_TEST(std::abs(errors.Hm - 0.01) < 1e-12);
+  BOOST_TEST(std::abs(errors.Hc - 0.00325) < 1e-12);
+  // Of two levels more is asked.
+  const FilmErrors of_two = errors_beside_meniscus(std::span(Hc).last(2), std::span(Hm).last(2));
+  BOOST_TEST(std::abs(of_two.Hm - 1.5 * 0.002) < 1e-12);
+  BOOST_TEST(std::abs(of_two.Hc - (1.5 * 0.003 / 3.0 + 0.2 * 0.003)) < 1e-12);
+  BOOST_TEST(std::isnan(errors_beside_meniscus(std::span(Hc).last(1), std::span(Hm).last(1)).Hc));
 }
 
 BOOST_AUTO_TEST_CASE(error_estimate_is_cautious_where_the_sequence_is_not_asymptotic) {
