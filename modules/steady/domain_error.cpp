@@ -69,11 +69,21 @@ double closed_reach(double M, double L, const contact::Ellipse& shape, double er
   // The closed form of a line leaves out that the load beyond the inlet deforms the bodies: measured at (2, 0), 3.5e-4
   // of Hc at 4.6 half widths.
   if (contact::line(shape)) return std::cbrt(0.02 * lambda / (film * error));
-  const double elastic = contact::extent(shape).X * std::pow(lambda / (film * error), 0.2);
+  const core::QuadraticForm gap = contact::gap(shape);
+  const bool aslant = gap.XY != 0.0;
+  double elastic = contact::extent(shape).X * std::pow(lambda / (film * error), 0.2);
+  if (aslant) {
+    // Across the longer axis as of an ellipse that lies across the entrainment, with its radius, of thrice as much, so
+    // that the bar of the domain holds at (20, 10), R_x/R_y = 0.2; along it to where the undeformed gap is as wide.
+    const double shorter = contact::extent(shape).shorter;
+    const double sharper = std::max(1.0, shape.radius_ratio);  // R_x over the smaller radius
+    const double across = shorter * std::pow(3.0 * lambda / (film * sharper * shorter * error), 0.2);
+    elastic = across * std::sqrt(0.5 * sharper / gap.least_along_X());
+  }
   // An elastic film does not rupture far away: the closed form has its lines right.
   const double rigid_film = std::max(0.0, film - 0.5 * shape.approach);
   constexpr double size_at_5e_5 = 8.0;
-  const double rigid = size_at_5e_5 * std::sqrt(rigid_film / contact::gap(shape).XX) * std::pow(5e-5 / error, 0.2);
+  const double rigid = size_at_5e_5 * std::sqrt(rigid_film / gap.least_along_X()) * std::pow(5e-5 / error, 0.2);
   return std::max(elastic, rigid);
 }
 

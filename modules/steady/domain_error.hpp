@@ -23,6 +23,7 @@ double rough_domain_error(const Scene& scene);
 /// Hertz radii. Of the deformation, which the closed form has as that of a point load: lambda/(Hc |X_a|^5), measured
 /// within a factor of 2 at (20, 10), (100, 10), (1000, 10). Of rupture, whose lines are straight where the film itself
 /// is nothing beside the gap: 0.12 % at four times sqrt(2 Hc) at (2, 0), with the fifth power too.
+/// Of an ellipse aslant: to where the gap is as wide as that far from the middle across its longer axis.
 /// in: M > 0, L >= 0, 0 < error.
 double closed_reach(double M, double L, const contact::Ellipse& shape, double error);
 

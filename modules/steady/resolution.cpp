@@ -5,6 +5,7 @@
 
 #include "contact/film_formulas.hpp"
 #include "contact/groups.hpp"
+#include "core/constants.hpp"
 
 namespace ehl::steady {
 namespace {
@@ -15,10 +16,34 @@ double shorter_size(double M, double L, const contact::Ellipse& shape) {
   return std::max(contact::extent(shape).shorter, std::sqrt(expected_central_film(M, L, shape) / sharpest));
 }
 
+double film_by_formula(double M, double L, const contact::Ellipse& shape) {
+  return contact::H_from_moes_units(contact::nijenbanning_venner_moes(M, L, shape), M, shape);
+}
+
+// The film of the entrainment along one of the radii, `speed` of the whole.
+double film_along(double angle, double speed, double M, double L, const contact::Ellipse& shape) {
+  contact::Ellipse straight = shape;
+  straight.angle = angle;
+  return film_by_formula(M * std::pow(speed, -0.75), L * std::pow(speed, 0.25), straight);
+}
+
+// The formula knows one radius along and one across. Of films that grow with the power n of the speed those of both
+// components make one of the power 2/n of each together: exactly so for a circle, whatever the angle.
+double film_aslant(double M, double L, const contact::Ellipse& shape) {
+  const double angle = shape.angle * core::pi / 180.0;
+  const double x = std::abs(std::cos(angle)), y = std::abs(std::sin(angle));
+  const double film_x = film_along(0.0, x, M, L, shape), film_y = film_along(90.0, y, M, L, shape);
+  constexpr double faster = 1.05;
+  const double next = film_x > film_y ? film_along(0.0, faster * x, M, L, shape) / film_x
+                                      : film_along(90.0, faster * y, M, L, shape) / film_y;
+  const double power = 2.0 * std::log(faster) / std::log(next);
+  return std::pow(std::pow(film_x, power) + std::pow(film_y, power), 1.0 / power);
+}
+
 }  // namespace
 
 double expected_central_film(double M, double L, const contact::Ellipse& shape) {
-  return contact::H_from_moes_units(contact::nijenbanning_venner_moes(M, L, shape), M, shape);
+  return contact::gap(shape).XY == 0.0 ? film_by_formula(M, L, shape) : film_aslant(M, L, shape);
 }
 
 double circular_load(double M, double L, const contact::Ellipse& shape) {
@@ -44,7 +69,8 @@ double expected_least_film(double M, double L, const contact::Ellipse& shape) {
 }
 
 double contact_size(double M, double L, const contact::Ellipse& shape) {
-  return std::max(contact::extent(shape).X, std::sqrt(expected_central_film(M, L, shape) / contact::gap(shape).XX));
+  return std::max(contact::extent(shape).X,
+                  std::sqrt(expected_central_film(M, L, shape) / contact::gap(shape).least_along_X()));
 }
 
 double slenderness(double M, double L, const contact::Ellipse& shape) {

@@ -1,6 +1,8 @@
 // Elliptic contacts against independent programs, the limit of a line contact, and the published formula.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "contact/film_formulas.hpp"
 #include "contact/groups.hpp"
@@ -15,7 +17,8 @@ using core::pi;
 namespace {
 
 // The domain that a deck without one gets, on these cells along X; the reference's oil.
-steady::Scene scene_of(double M, double L, const contact::Ellipse& shape, int cells) {
+steady::Scene scene_of(double M, double L, const contact::Ellipse& shape, int cells,
+                       std::optional<double> far_field_error = {}) {
   steady::Scene scene;
   const contact::Groups groups = contact::from_moes(M, L, shape);
   scene.M = M;
@@ -25,9 +28,10 @@ steady::Scene scene_of(double M, double L, const contact::Ellipse& shape, int ce
   const double p_h = groups.alpha_bar / 2.2e-8;
   scene.viscosity = rheology::make_roelands(2.2e-8, rheology::roelands_p0, 0.68, p_h);
   scene.density = rheology::make_dowson_higginson(p_h);
-  const double X_b = steady::chosen_outlet(M, L, shape);
-  const double X_a = steady::chosen_inlet(M, L, X_b, shape);
-  const double Y_b = steady::chosen_half_width(X_a, X_b, shape);
+  const double X_b = steady::chosen_outlet(M, L, shape, far_field_error);
+  const double X_a = steady::chosen_inlet(M, L, X_b, shape, far_field_error);
+  const double Y_b = steady::chosen_half_width(X_a, X_b, shape, far_field_error.has_value());
+  scene.far_field = far_field_error.has_value();
   scene.grid = {cells, static_cast<int>(std::lround(cells * 2.0 * Y_b / (X_b - X_a))), X_a, X_b, -Y_b, Y_b};
   return scene;
 }
@@ -138,6 +142,31 @@ BOOST_AUTO_TEST_CASE(limit_of_a_line_on_long_cells) {
   check("lambda", scene.lambda, lambda, 1e-12);
   check("Hc", solution.levels.back().Hc, 3.085739 * pi / (8.0 * 20.0), 5e-3);
   check("Hm", solution.levels.back().Hm, 2.568930 * pi / (8.0 * 20.0), 1e-2);
+}
+
+// A long ellipse aslant has the film that the component of the speed across it makes alone: that along it finds no
+// wedge. Each on the domain chosen for it, with the far field closed.
+BOOST_AUTO_TEST_CASE(aslant_and_its_component_across) {
+  const auto film = [](double M, double L, double angle, double* expected) {
+    const contact::Ellipse shape = contact::ellipse(0.005, angle);
+    steady::Scene scene = scene_of(M, L, shape, angle == 0.0 ? 256 : 512, steady::error_of_closed_domain);
+    scene.grid.ny = static_cast<int>(scene.grid.ny / steady::cell_aspect(shape)) / 64 * 64;
+    scene.wedge = reynolds::Wedge::upstream3;
+    scene.face = reynolds::Face::logmean_bounded;
+    *expected = steady::expected_central_film(M, L, shape);
+    const steady::Solution solution = steady::solve(scene);
+    BOOST_TEST(solution.converged, solution.failed_check);
+    return solution.levels.back().Hc;
+  };
+  const double speed = std::sqrt(0.5);
+  for (const auto& [M, L] : {std::pair{20.0, 5.0}, std::pair{100.0, 15.0}}) {
+    BOOST_TEST_MESSAGE("M = " << M << ", L = " << L << ":");
+    double expected = 0.0, expected_across = 0.0;
+    const double aslant = film(M, L, 45.0, &expected);
+    const double across = film(M * std::pow(speed, -0.75), L * std::pow(speed, 0.25), 0.0, &expected_across);
+    check("Hc", aslant, across, 0.01);
+    check("film to expect", expected, aslant, 0.3);
+  }
 }
 
 // Nijenbanning, Venner and Moes, to within 15 % where both its joining of the asymptotes and the fluid allow it: from
