@@ -5,6 +5,7 @@
 namespace ehl::core {
 namespace {
 constexpr int doubles_per_line = 8;  // a cache line, and the widest vector
+constexpr int nodes_of_line = 3;     // core::line_grid
 
 std::size_t count(int nodes_x, std::ptrdiff_t stride) {
   return static_cast<std::size_t>(nodes_x) * static_cast<std::size_t>(stride);
@@ -14,8 +15,10 @@ std::size_t count(int nodes_x, std::ptrdiff_t stride) {
 Field::Field(int nodes_x, int nodes_y)
     : nodes_x_(nodes_x),
       nodes_y_(nodes_y),
-      // Two vectors of padding at least: the last batch of lines may read past ny.
-      stride_((nodes_y + doubles_per_line - 1) / doubles_per_line * doubles_per_line + 2 * doubles_per_line),
+      // Two vectors of padding at least: the last batch of lines may read past ny. Of a line contact, which is one
+      // batch, one.
+      stride_((nodes_y + doubles_per_line - 1) / doubles_per_line * doubles_per_line +
+              (nodes_y > nodes_of_line ? 2 : 1) * doubles_per_line),
       data_(zeroed_array(count(nodes_x_, stride_))) {}
 
 Field::Field(const Field& other) : Field(other.nodes_x_, other.nodes_y_) { copy(other, *this); }
