@@ -1,4 +1,4 @@
-# figure: the starved film over the flooded one against the supply, with Chevalier's formula
+# figure: the starved film over the flooded one against the supply, with Chevalier's formula for point contacts
 # needs: sweep supply_ratio starvation_factor
 #
 # From a table of 'ehl sweep' over a key of [supply].
@@ -31,6 +31,6 @@ set samples 400
 by_supply(x, gamma) = x / (1 + x**gamma)**(1.0 / gamma)
 plot x < 1 ? x : 1 with lines lw 0.6 lc rgb grey notitle, \
      by_supply(x, 2) with lines lw 0.8 dt 3 lc rgb grey title "γ = 2", \
-     by_supply(x, 3) with lines lw 0.8 dt 1 lc rgb "black" title "γ = 3 (Chevalier)", \
+     by_supply(x, 3) with lines lw 0.8 dt 1 lc rgb "black" title "γ = 3 (Chevalier, point contacts)", \
      by_supply(x, 5) with lines lw 0.8 dt 2 lc rgb grey title "γ = 5", \
      file using (r(0)):"starvation_factor" with points pt 7 ps 0.9 lc rgb blue title "computed"

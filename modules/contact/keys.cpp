@@ -119,7 +119,7 @@ std::vector<deck::Key> shape_keys() {
   return {
       {.name = "radius_ratio",
        .default_note = "1 (circular contact), or from radius_y",
-       .range = {0.005, 20.0},
+       .range = {0.005, 200.0},
        .remedy = "beyond it the contact is nearly a line",
        .meaning = "R_x/R_y, the radius along the entrainment over the one across it: below 1 an ellipse that lies "
                   "across it. With any language; groups, Hertz radii and scales are made with R_x.",

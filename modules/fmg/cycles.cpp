@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "core/errors.hpp"
@@ -51,6 +52,13 @@ bool back_off(Caution& caution) {
   return true;
 }
 
+void go_back(Hierarchy& hierarchy, std::size_t l, const State& state) {
+  hierarchy.levels[l].P = state.P;
+  hierarchy.H00 = state.H00;
+  update_film(hierarchy, hierarchy.levels[l]);
+  renew_boundary(hierarchy, hierarchy.levels[l]);
+}
+
 // One cycle and the state behind it. out: how it diverged; empty where it did not.
 std::string cycle(Hierarchy& hierarchy, std::size_t l, const Parameters& how, judgement::Measures& now) {
   try {
@@ -87,15 +95,16 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
     residuals = std::move(so_far);
   };
   const reynolds::Cavitation cavitation = hierarchy.problem.cavitation;
-  int dry = dry_nodes(hierarchy.levels[l], cavitation);
+  int dry = dry_nodes(hierarchy.levels[l], cavitation), dry_before = dry;
+  double two_before = std::numeric_limits<double>::infinity();  // a residual
+  const bool closes = criterion.aim == judgement::Aim::solution && conserves_mass(hierarchy.levels[l]);
+  State last;
   while (result.cycles < criterion.most) {
     ++result.cycles;
+    if (closes) last = state_of(hierarchy, l);
     judgement::Measures now;
     if (const std::string diverged = cycle(hierarchy, l, how, now); !diverged.empty()) {
-      hierarchy.levels[l].P = start.P;
-      hierarchy.H00 = start.H00;
-      update_film(hierarchy, hierarchy.levels[l]);
-      renew_boundary(hierarchy, hierarchy.levels[l]);
+      go_back(hierarchy, l, start);
       result.unmet = diverged;
       result.end = CyclesEnd::diverged;
       if (needed.all * back_off_all < least_all) return result;
@@ -111,12 +120,20 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
       return judged(criterion, result.cycles, result.last);
     };
     judgement::Verdict verdict = look();
-    if (verdict.unmet.empty() && criterion.aim == judgement::Aim::solution && conserves_mass(hierarchy.levels[l])) {
-      if (close_oil(hierarchy, hierarchy.levels[l], how.relaxation)) {
+    if (verdict.unmet.empty() && closes) {
+      const State unclosed = state_of(hierarchy, l);
+      const bool closed = close_oil(hierarchy, hierarchy.levels[l], last, how.relaxation);
+      if (closed) {
         now = measures_of(hierarchy, l);
         verdict = look();
       }
       if (verdict.unmet.empty()) verdict.unmet = judgement::unmet_oil(now);
+      // What was made rough in vain would raise the next residual too, and the next closing be in vain again.
+      if (closed && !verdict.unmet.empty()) {
+        go_back(hierarchy, l, unclosed);
+        now = measures_of(hierarchy, l);
+        look();
+      }
     }
     result.unmet = verdict.unmet;
     if (result.unmet.empty() || verdict.no_solution) {
@@ -124,10 +141,11 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
       return result;
     }
     residuals.push_back(now.residual);
-    if (const int count = dry_nodes(hierarchy.levels[l], cavitation); count != dry && result.cycles <= on_its_way) {
-      dry = count;
-      residuals = {now.residual};
-    }
+    const int count = dry_nodes(hierarchy.levels[l], cavitation);
+    const bool to_and_fro = count != dry && count == dry_before && now.residual > poor_factor * two_before;
+    if (count != dry && !to_and_fro && result.cycles <= on_its_way) residuals = {now.residual};
+    dry_before = std::exchange(dry, count);
+    two_before = before.residual;
     if (how.post == 0 && result.cycles > 1 && now.residual > rough_factor * before.residual &&
         now.residual > rounding_residual) {
       needed.relax_after = true;
@@ -137,8 +155,8 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
     const bool stalled = taken > patience && now.residual > hardly_less * residuals[taken - 1 - patience];
     const bool poor = taken > settling_cycles && now.residual > poor_factor * before.residual &&
                       now.residual > poor_factor * residuals[taken - 3] && now.residual > rounding_residual;
-    const bool swings = (poor || stalled) && criterion.aim == judgement::Aim::solution && may_swing(now.residual) &&
-                        find_swinging(hierarchy, hierarchy.levels[l], how.relaxation) > 0;
+    const bool swings = (poor || stalled || to_and_fro) && criterion.aim == judgement::Aim::solution &&
+                        may_swing(now.residual) && find_swinging(hierarchy, hierarchy.levels[l], how.relaxation) > 0;
     if (swings) {  // no reason for more caution
       now = measures_of(hierarchy, l);
       residuals = {now.residual};

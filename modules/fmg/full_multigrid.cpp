@@ -16,6 +16,11 @@ using judgement::Aim;
 using judgement::Measures;
 using judgement::StoppingCriterion;
 
+/// A meniscus moves by few cells a cycle, and the film in the contact hardly notes it: it comes to its place where
+/// cycles are cheap, by the residual, in so many times extra_cycles.
+constexpr double at_its_place = 1e-2;
+constexpr int to_its_place = 4;
+
 StoppingCriterion criterion_of(const Run& run, std::size_t l) {
   const Parameters& parameters = run.hierarchy.parameters;
   const int planned = l == run.plan.first ? std::max(run.plan.cycles, parameters.cycles) : parameters.cycles;
@@ -24,8 +29,15 @@ StoppingCriterion criterion_of(const Run& run, std::size_t l) {
             .planned = planned,
             .most = std::max(parameters.max_cycles, planned),
             .tolerance = parameters.tolerance};
-  if (l == run.plan.first) return {.aim = Aim::first_start, .planned = planned, .most = planned};
-  return {.aim = Aim::start, .planned = planned, .most = planned + parameters.extra_cycles};
+  const bool meniscus = reynolds::conserves(run.hierarchy.problem.cavitation);
+  const double of_start = meniscus ? at_its_place : std::numeric_limits<double>::infinity();
+  const int more = meniscus ? to_its_place * parameters.extra_cycles : 0;
+  if (l == run.plan.first)
+    return {.aim = Aim::first_start, .planned = planned, .most = planned + more, .of_start = of_start};
+  return {.aim = Aim::start,
+          .planned = planned,
+          .most = planned + (meniscus ? more : parameters.extra_cycles),
+          .of_start = of_start};
 }
 
 /// Geometric mean of the factors by which the cycles on one level reduced the residual, all but the first.
@@ -53,6 +65,7 @@ void reduce_supply(Run& run) {
   const double flooded = measures_of(hierarchy, l).Hc;
   double least = hierarchy.problem.supply(0.0);
   for (int j = 0; j <= level.grid.ny; ++j) least = std::min(least, hierarchy.problem.supply(level.grid.Y(j)));
+  least *= share_of_supply(hierarchy, level);
   constexpr double thin = 0.01;  // of the flooded film: thinner layers go through as they are
   for (double supply = flooded; supply > std::max(least, thin * flooded); supply *= next_supply) {
     hierarchy.least_supply = supply;

@@ -43,7 +43,8 @@ class RowTimer {
 /// The first grid from the Hertz pressure, every finer one from the one below it; cycles on each until its stopping
 /// criterion is met. The first grid: until its film has settled. The finest: until all checks are met, or the
 /// tolerance, with max_cycles at most. The others: parameters.cycles, and up to extra_cycles more where Hc or Hm ask
-/// for them. errors: core::SolverError where the cycles diverge; core::Interrupted.
+/// for them; beside a meniscus on all of those, until the residual too is low. errors: core::SolverError where the
+/// cycles diverge; core::Interrupted.
 void full_multigrid(Run& run);
 /// The levels above `from`, whose solution is there.
 void ascend(Run& run, std::size_t from);

@@ -122,10 +122,22 @@ Hierarchy make_hierarchy(const Problem& problem, const Parameters& parameters, c
   return hierarchy;
 }
 
+void take_line_zero(Hierarchy& hierarchy, double line_zero) {
+  RelaxationParameters how = hierarchy.parameters.relaxation;
+  how.line_zero = line_zero;
+  for (Level& level : hierarchy.levels)
+    if (level.grid.domain.line) level.film_terms = film_terms(level.grid, hierarchy.problem.geometry.elastic, how);
+}
+
+double share_of_supply(const Hierarchy& hierarchy, const Level& level) {
+  return hierarchy.problem.supply_share ? hierarchy.problem.supply_share(level.grid.nx) : 1.0;
+}
+
 void supply_oil(const Hierarchy& hierarchy, Level& level) {
+  const double factor = hierarchy.supply_factor * share_of_supply(hierarchy, level);
   for (std::size_t j = 0; j < level.supply.size(); ++j)
-    level.supply[j] = std::max(hierarchy.least_supply,
-                               hierarchy.supply_factor * hierarchy.problem.supply(level.grid.Y(static_cast<int>(j))));
+    level.supply[j] =
+        std::max(hierarchy.least_supply, factor * hierarchy.problem.supply(level.grid.Y(static_cast<int>(j))));
 }
 
 void update_residual(Hierarchy& hierarchy, Level& level) {

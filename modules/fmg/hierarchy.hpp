@@ -39,6 +39,8 @@ struct Problem {
   reynolds::Cavitation cavitation = reynolds::Cavitation::nonnegative_pressure;
   /// Of the mass conserving model: what the surfaces bring, rho_bar H at most; per Y.
   std::function<double(double Y)> supply{};
+  /// Of it on a grid with so many cells along X; empty: 1.
+  std::function<double(int nx)> supply_share{};
   Geometry geometry{};
   /// The pressure on the boundary of the domain and the load outside of it; absent: none.
   std::optional<reynolds::FarField> far_field{};
@@ -177,6 +179,11 @@ void update_film(Hierarchy& hierarchy, Level& level);
 /// The coefficients alone.
 void update_coefficients(Hierarchy& hierarchy, Level& level);
 
+/// Of a line contact: another zero of the logarithm in what its relaxation foretells (RelaxationParameters::line_zero).
+void take_line_zero(Hierarchy& hierarchy, double line_zero);
+
+/// What this grid gets of the supply.
+double share_of_supply(const Hierarchy& hierarchy, const Level& level);
 /// Fills level.supply.
 void supply_oil(const Hierarchy& hierarchy, Level& level);
 

@@ -38,7 +38,8 @@ std::vector<deck::Key> keys() {
         .type = Type::integer,
         .default_text = std::to_string(defaults.extra_cycles),
         .range = {0, 200},
-        .meaning = "Cycles beyond `cycles` on a level below the finest at most, where the checks ask for more."},
+        .meaning = "Cycles beyond `cycles` on a level below the finest at most, where the checks ask for more; with "
+                   "[supply] four times as many, and on the first level too."},
        {.name = "tolerance",
         .default_note = "none: until the cycles no longer change Hc and Hm by a tenth of the discretization error",
         .range = {1e-14, 0.1},

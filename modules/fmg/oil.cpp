@@ -23,6 +23,9 @@ constexpr double of_inlet = 0.03;
 constexpr double first_factor = 1e-6;
 constexpr double largest_factor = 0.01;
 constexpr double longest_way = 1e-3;
+/// A first step back towards the state before the last cycle: a V cycle leaves a fifth of the excess, of the other
+/// sign.
+constexpr double first_step_back = -0.15;
 
 bool lacks(const Hierarchy& hierarchy, const Level& level, int i, int j) {
   return !reynolds::stays_dry(hierarchy.problem.cavitation, level.P(i, j), level.r(i, j));
@@ -34,13 +37,35 @@ struct Way {
   core::Field dH{};
   double dH00 = 0.0;
   double first = 0.0;  ///< a step
-  double longest = 0.0;
+  double least = 0.0, most = 0.0;
 };
+
+// From this state back to another one. Between them no pressure is negative, and what is dry now stays so.
+Way back_to(const State& before, Hierarchy& hierarchy, Level& level) {
+  Way way{.dP = core::Field(level.grid),
+          .dH = core::Field(level.grid),
+          .dH00 = hierarchy.H00 - before.H00,
+          .first = first_step_back,
+          .least = -1.0};
+  for (int i = 1; i < level.grid.nx; ++i)
+    for (int j = 1; j <= level.grid.last_line(); ++j)
+      way.dP(i, j) = level.P(i, j) > 0.0 ? level.P(i, j) - before.P(i, j) : 0.0;
+  core::fill_ghosts(level.grid, way.dP);
+  const core::ScopedTimer timer(hierarchy.times, core::Part::deformation);
+  level.deformation.evaluate(way.dP, way.dH);
+  ++level.evaluations;
+  for (int i = 0; i <= level.grid.nx; ++i)
+    for (int j = 0; j <= level.grid.ny; ++j) way.dH(i, j) += way.dH00;
+  return way;
+}
 
 // The pressure of the inlet by a factor, at the same load.
 Way by_inlet(Hierarchy& hierarchy, Level& level) {
-  Way way{
-      .dP = core::Field(level.grid), .dH = core::Field(level.grid), .first = first_factor, .longest = largest_factor};
+  Way way{.dP = core::Field(level.grid),
+          .dH = core::Field(level.grid),
+          .first = first_factor,
+          .least = -largest_factor,
+          .most = largest_factor};
   for (int i = 1; i < level.grid.nx; ++i)
     for (int j = 1; j <= level.grid.last_line(); ++j) {
       const double P = level.P(i, j);
@@ -72,7 +97,8 @@ double answer_of_film(const Hierarchy& hierarchy, const Level& level) {
 
 Way by_film(const Hierarchy& hierarchy, const Level& level, double excess) {
   const double Hc = judgement::value_at(level.grid, level.H, 0.0, 0.0);
-  return {.dH00 = 1.0, .first = -excess / answer_of_film(hierarchy, level), .longest = longest_way * std::abs(Hc)};
+  const double most = longest_way * std::abs(Hc);
+  return {.dH00 = 1.0, .first = -excess / answer_of_film(hierarchy, level), .least = -most, .most = most};
 }
 
 void go(Hierarchy& hierarchy, Level& level, const Way& way, double t) {
@@ -92,7 +118,7 @@ void go(Hierarchy& hierarchy, Level& level, const Way& way, double t) {
 bool balanced_along(Hierarchy& hierarchy, Level& level, const Way& way, double enough) {
   double excess = oil_from_nowhere(hierarchy, level);
   double t = 0.0, step = way.first;
-  for (int k = 0; k < most_steps && std::abs(excess) > enough && std::abs(t + step) <= way.longest; ++k) {
+  for (int k = 0; k < most_steps && std::abs(excess) > enough && t + step >= way.least && t + step <= way.most; ++k) {
     go(hierarchy, level, way, step);
     t += step;
     const double now = oil_from_nowhere(hierarchy, level);
@@ -141,7 +167,11 @@ bool balance_oil(Hierarchy& hierarchy, Level& level, std::optional<double> flow)
   return balanced_along(hierarchy, level, by_film(hierarchy, level, excess), enough);
 }
 
-bool close_oil(Hierarchy& hierarchy, Level& level, const RelaxationParameters& relaxation) {
+bool close_oil(Hierarchy& hierarchy, Level& level, const State& before, const RelaxationParameters& relaxation) {
+  update_residual(hierarchy, level);
+  const double enough = balanced * oil_of(hierarchy, level).in;
+  if (std::abs(oil_from_nowhere(hierarchy, level)) <= enough) return false;
+  if (balanced_along(hierarchy, level, back_to(before, hierarchy, level), enough)) return true;
   if (!balance_oil(hierarchy, level)) return false;
   relax(hierarchy, level, relaxation);
   balance_oil(hierarchy, level);

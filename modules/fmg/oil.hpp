@@ -28,8 +28,9 @@ double oil_from_nowhere(const Hierarchy& hierarchy, const Level& level);
 /// out: true where it was made so; false where it was already, or neither is enough and all stays as it was.
 bool balance_oil(Hierarchy& hierarchy, Level& level, std::optional<double> flow = {});
 
-/// The same for a steady film that is solved in all else, and once more behind a relaxation of what that has made rough
-/// beside the meniscus. out: true where the state moved.
-bool close_oil(Hierarchy& hierarchy, Level& level, const RelaxationParameters& relaxation);
+/// The same for a steady film that is solved in all else: on the line through the states before and behind the last
+/// cycle, which leaves the excess of the other sign as a rule; else by balance_oil(), and once more behind a relaxation
+/// of what that has made rough beside the meniscus. cost: as above. out: true where the state moved.
+bool close_oil(Hierarchy& hierarchy, Level& level, const State& before, const RelaxationParameters& relaxation);
 
 }  // namespace ehl::fmg

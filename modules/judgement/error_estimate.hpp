@@ -41,8 +41,8 @@ double error_of_one_grid(double h, double Hm, double scheme_order);
 
 /// Relative errors of the last Hc and Hm, Hm between the nodes, where the inlet's meniscus lies anywhere in its cells
 /// on each level and the changes swing: of Hm the last change, or half of the one before, and what `safety` asks of the
-/// last change of Hc at order 2, with a fifth of Hm's. measured: 40 contacts, r = 0.2 to 1.8, on 128 to 512 cells
-/// against 1024 (tests/bench/starved_bars.csv).
+/// last change of Hc at order 2, with a fifth of Hm's. measured: r = 0.2 to 1.8 on 128 to 512 cells against 1024,
+/// 40 contacts for the rule and 16 others with it (tests/bench/starved_bars.csv).
 /// in: both of the same length. out: NaN with fewer than two values.
 struct FilmErrors {
   double Hc = 0.0, Hm = 0.0;

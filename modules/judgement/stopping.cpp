@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ehl::judgement {
 namespace {
@@ -120,12 +121,15 @@ std::string unmet_check(const LastCycle& cycle, double tolerance) {
 Verdict judged(const StoppingCriterion& criterion, int cycle, const LastCycle& last) {
   const Measures& now = last.after;
   if (criterion.aim == Aim::residual) return {unmet_residual(now, criterion.tolerance, criterion.tolerance)};
+  if (criterion.aim != Aim::solution && now.residual > criterion.of_start && !no_solution(now))
+    return {unmet_residual(now, criterion.of_start, std::numeric_limits<double>::infinity())};
   if (criterion.aim == Aim::first_start && settled(cycle, last.before, now)) return {};
   if (std::isnan(criterion.tolerance) && cycle < criterion.planned)
     return {"cycles that were planned are still to come"};
   const bool only_a_start = criterion.aim != Aim::solution && std::isfinite(last.error_Hc);
-  return {only_a_start ? unmet_film(last) : unmet_check(last, criterion.tolerance),
-          now.residual < solved_residual && !(now.Hm > 0.0)};
+  return {only_a_start ? unmet_film(last) : unmet_check(last, criterion.tolerance), no_solution(now)};
 }
+
+bool no_solution(const Measures& now) { return now.residual < solved_residual && !(now.Hm > 0.0); }
 
 }  // namespace ehl::judgement

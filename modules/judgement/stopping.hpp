@@ -59,11 +59,15 @@ struct StoppingCriterion {
   int planned = 2;                                              ///< cycles at least; with a tolerance, none
   int most = 60;                                                ///< cycles at most
   double tolerance = std::numeric_limits<double>::quiet_NaN();  ///< NaN: the level of the discretization error
+  double of_start = std::numeric_limits<double>::infinity();    ///< largest relative residual of a start
 };
 
+/// More cycles cannot mend it: the equations are solved, by a film that is negative.
+bool no_solution(const Measures& now);
+
 struct Verdict {
-  std::string unmet;         ///< what is wrong with the state; empty when nothing
-  bool no_solution = false;  ///< more cycles cannot mend it: the equations are solved, by a film that is negative
+  std::string unmet;  ///< what is wrong with the state; empty when nothing
+  bool no_solution = false;
 };
 
 /// The criterion on the states before and after a cycle, numbered from 1.

@@ -12,6 +12,7 @@
 #include "core/timer.hpp"
 #include "fmg/start.hpp"
 #include "steady/climb.hpp"
+#include "steady/larger_domain.hpp"
 #include "steady/resolution.hpp"
 #include "steady/warnings.hpp"
 
@@ -49,12 +50,6 @@ Scene coarse_scene(const Scene& scene, const core::Grid& grid) {
   return coarse;
 }
 
-// Twice as long (upstream) and twice as wide, with the same nodes where both are: the error of the mesh is the same.
-core::Grid doubled(const core::Grid& grid) {
-  if (grid.line) return core::line_grid(2 * grid.nx, grid.X_a - (grid.X_b - grid.X_a), grid.X_b);
-  return {2 * grid.nx, 2 * grid.ny, grid.X_a - (grid.X_b - grid.X_a), grid.X_b, 2.0 * grid.Y_a, 2.0 * grid.Y_b};
-}
-
 // What a domain cuts off, relative to the film: pressure of the inlet, which falls with the third power of the size;
 // load of the far field, which falls with the first (domain_error.hpp). Never less than what falls with the square and
 // is told by doubling the domain once: three quarters of that are gained.
@@ -85,10 +80,19 @@ double gain_of_Hm(const LevelRow& from, const LevelRow& to) {
   return std::min(change(from, to, &LevelRow::Hm), change(from, to, &LevelRow::Hm_fitted));
 }
 
-// Of Hc or Hm, the worse; NaN where a coarse solution fails.
-DomainError domain_error(const Scene& scene, const SolveOnGrid& solve_on_grid) {
+std::vector<Scene> series_from(const Scene& scene, core::Grid grid) {
+  std::vector<Scene> series;
+  for (int size = 1; size <= 4; size *= 2, grid = doubled(grid, sides_of(scene))) {
+    if (size == 4 && grid.nx > most_coarse_cells) break;
+    series.push_back(coarse_scene(scene, grid));
+  }
+  return series;
+}
+
+// Of Hc or Hm, the worse; NaN where a solution fails.
+DomainError domain_error(const std::vector<Scene>& series, const SolveOnGrid& solve_on_grid) {
   std::vector<LevelRow> rows;
-  for (const Scene& coarse : domain_series(scene)) {
+  for (const Scene& coarse : series) {
     const Solution solution = solve_on_grid(coarse);
     if (!solution.converged) return {std::nan(""), 0.0, 0.0};
     rows.push_back(solution.levels.back());
@@ -99,6 +103,12 @@ DomainError domain_error(const Scene& scene, const SolveOnGrid& solve_on_grid) {
   const DomainError Hc = error_of(gain_of_Hc);
   const DomainError Hm = error_of(gain_of_Hm);
   return {std::max(Hc.square, Hm.square), std::max(Hc.inlet, Hm.inlet), std::max(Hc.load, Hm.load)};
+}
+
+// On half as many cells; on those of the scene where so few have no solution, as at the ends of a roller.
+DomainError domain_error(const Scene& scene, const SolveOnGrid& solve_on_grid) {
+  const DomainError coarse = domain_error(domain_series(scene), solve_on_grid);
+  return std::isnan(coarse.square) ? domain_error(series_from(scene, scene.grid), solve_on_grid) : coarse;
 }
 
 // The next levels up to the grid of `finer`, from the solution on a coarser one.
@@ -142,13 +152,6 @@ double foretold_cells(const Scene& scene, const Solution& solution, double allow
   return cells;
 }
 
-core::Grid with_cells(const core::Grid& grid, int nx) {
-  core::Grid finer = grid;
-  if (!grid.line) finer.ny *= nx / grid.nx;
-  finer.nx = nx;
-  return finer;
-}
-
 // What forbids a grid; empty when nothing does.
 std::string forbidden(const Scene& scene, const core::Grid& grid) {
   if (grid.nx > scene.accuracy.most_cells)
@@ -168,7 +171,7 @@ std::pair<core::Grid, std::string> domain_for(const Scene& scene, const DomainEr
     double size = 1.0;
     while (error.left(size) > share * scene.accuracy.error && -size * scene.grid.X_a < 2.0 * longest)
       size *= step_of_size;
-    const core::Grid larger = size > 1.0 ? on_larger_domain(scene.grid, size) : scene.grid;
+    const core::Grid larger = size > 1.0 ? on_larger_domain(scene.grid, size, sides_of(scene)) : scene.grid;
     const std::string forbids = -larger.X_a > longest
                                     ? "the length of the domain: more than " + std::to_string(std::lround(longest)) +
                                           " Hertz radii would be needed"
@@ -193,32 +196,8 @@ Solution on_finer_grid(const Scene& finer, const Solution& coarser, const SolveO
 }  // namespace
 
 std::vector<Scene> domain_series(const Scene& scene) {
-  core::Grid grid = scene.grid;
-  if (grid.nx % 128 == 0 && grid.ny % 2 == 0) grid = core::coarsened(grid);
-  std::vector<Scene> series;
-  for (int size = 1; size <= 4; size *= 2, grid = doubled(grid)) {
-    if (size == 4 && grid.nx > most_coarse_cells) break;
-    series.push_back(coarse_scene(scene, grid));
-  }
-  return series;
-}
-
-core::Grid on_larger_domain(const core::Grid& grid, double factor) {
-  const double wanted = factor * (grid.X_b - grid.X_a) * (1.0 - 1e-12);
-  int parts = 32;  // of which m lie upstream of 0
-  int m = 16;
-  const auto length = [&] { return grid.X_b * parts / (parts - m); };
-  for (; length() < wanted; ++m)
-    if (m + 1 == parts) parts *= 2;
-  core::Grid larger = grid;
-  larger.X_a = -grid.X_b * m / (parts - m);
-  const double ratio = length() / (grid.X_b - grid.X_a);
-  if (!grid.line) {
-    larger.Y_a *= ratio;
-    larger.Y_b *= ratio;
-  }
-  while (larger.hx() > grid.hx() * (1.0 + 1e-12)) larger = with_cells(larger, 2 * larger.nx);
-  return larger;
+  const bool halved = scene.grid.nx % 128 == 0 && scene.grid.ny % 2 == 0;
+  return series_from(scene, halved ? core::coarsened(scene.grid) : scene.grid);
 }
 
 Solution solve_to_accuracy(const Scene& asked, const SolveOnGrid& solve_on_grid, const ProgressCallback& progress,

@@ -31,8 +31,4 @@ Solution solve_to_accuracy(const Scene& scene, const SolveOnGrid& solve_on_grid,
 /// What is solved for the error of a domain that is free: coarse scenes on domains of one, two and four times the size.
 std::vector<Scene> domain_series(const Scene& scene);
 
-/// The grid of the same cells or finer, and cells of at most the same size, on a domain that is longer (upstream) and
-/// wider by `factor` at least; (0,0) stays a node. in: a grid whose number of cells can be halved down to 64 or less.
-core::Grid on_larger_domain(const core::Grid& grid, double factor);
-
 }  // namespace ehl::steady

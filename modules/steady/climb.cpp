@@ -190,6 +190,7 @@ fmg::Run begin_climb(const Scene& scene, const Start& start, const ProgressCallb
       .load = contact::load(scene.shape),
       .cavitation = scene.supply ? reynolds::Cavitation::mass_conserving : reynolds::Cavitation::nonnegative_pressure,
       .supply = scene.supply,
+      .supply_share = scene.supply_share,
       .geometry = geometry_of(scene.shape),
       .far_field = far_field_of(scene),
       .surface = scene.surface,

@@ -70,9 +70,13 @@ double closed_reach(double M, double L, const contact::Ellipse& shape, double er
   // of Hc at 4.6 half widths.
   if (contact::line(shape)) return std::cbrt(0.02 * lambda / (film * error));
   const core::QuadraticForm gap = contact::gap(shape);
-  const bool aslant = gap.XY != 0.0;
-  double elastic = contact::extent(shape).X * std::pow(lambda / (film * error), 0.2);
-  if (aslant) {
+  double elastic;
+  if (gap.XY == 0.0) {
+    // Past an ellipse that lies along the entrainment the far pressure is less, as in rough_error.
+    const double roundness = gap.YY / gap.XX;
+    const double strength = std::min(1.0, 5.0 / (3.0 + 2.0 * roundness) / std::sqrt(roundness));
+    elastic = contact::extent(shape).X * std::pow(strength * lambda / (film * error), 0.2);
+  } else {
     // Across the longer axis as of an ellipse that lies across the entrainment, with its radius, of thrice as much, so
     // that the bar of the domain holds at (20, 10), R_x/R_y = 0.2; along it to where the undeformed gap is as wide.
     const double shorter = contact::extent(shape).shorter;
@@ -91,7 +95,10 @@ double rough_domain_error(const Scene& scene) {
   if (scene.far_field) {
     if (contact::line(scene.shape))
       return std::pow(closed_reach(scene.M, scene.L, scene.shape, 1.0) / -scene.grid.X_a, 3.0);
-    const double reach = std::min(-scene.grid.X_a, 1.5 * std::min(-scene.grid.Y_a, scene.grid.Y_b));
+    // At the sides in a scale in which the undeformed gap is round.
+    const core::QuadraticForm gap = contact::gap(scene.shape);
+    const double half_width = std::sqrt(gap.YY / gap.XX) * std::min(-scene.grid.Y_a, scene.grid.Y_b);
+    const double reach = std::min(-scene.grid.X_a, 1.5 * half_width);
     return std::pow(closed_reach(scene.M, scene.L, scene.shape, 1.0) / reach, 5.0);
   }
   const RoughError error = rough_error(scene);

@@ -21,8 +21,10 @@ double rough_domain_error(const Scene& scene);
 
 /// With the far field in closed form: how far upstream the domain has to reach for an error of Hc of this size, in
 /// Hertz radii. Of the deformation, which the closed form has as that of a point load: lambda/(Hc |X_a|^5), measured
-/// within a factor of 2 at (20, 10), (100, 10), (1000, 10). Of rupture, whose lines are straight where the film itself
-/// is nothing beside the gap: 0.12 % at four times sqrt(2 Hc) at (2, 0), with the fifth power too.
+/// within a factor of 2 at (20, 10), (100, 10), (1000, 10). An ellipse along X has less: of the rigid far field above,
+/// with A and B, what lies outside carries 5/(3 + 2 B/A) sqrt(A/B) of a circle's; 2 to 10 times too much for R_x/R_y =
+/// 3 to 20. Of rupture, whose lines are straight where the film itself is nothing beside the gap: 0.12 % at four times
+/// sqrt(2 Hc) at (2, 0), with the fifth power too.
 /// Of an ellipse aslant: to where the gap is as wide as that far from the middle across its longer axis.
 /// in: M > 0, L >= 0, 0 < error.
 double closed_reach(double M, double L, const contact::Ellipse& shape, double error);

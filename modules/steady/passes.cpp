@@ -66,25 +66,6 @@ bool only_swings(const Solution& solution) {
          std::abs(solution.oil.imbalance()) <= judgement::largest_oil_imbalance;
 }
 
-// From the state of the pass before. The set of dry nodes hardly changes: Newton's method takes two to four steps,
-// where cycles of thin layers take 10 to 40. out: converged, or one that only swings; else nothing.
-std::optional<Solution> go_on(const Scene& scene, const Solution& before, const ProgressCallback& progress) {
-  Scene next = scene;
-  next.multigrid.tolerance = std::fmin(tolerance_between, scene.multigrid.tolerance);
-  const double nodes = static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y();
-  if (scene.polish != Polish::off && nodes <= most_nodes_of_rescue) {
-    Solution solution = follow_by_newton(next, restart, before, progress);
-    if (solution.converged || only_swings(solution)) return solution;
-  }
-  try {
-    Solution solution = cycles_from(next, before, progress);
-    if (solution.converged || only_swings(solution)) return solution;
-  } catch (const core::SolverError&) {
-    // From nothing then.
-  }
-  return {};
-}
-
 Pass row_of(const Scene& scene, const Solution& solution, int number, double carried_flooded) {
   Pass row;
   row.number = number;
@@ -124,7 +105,26 @@ std::vector<double> next_layer(const Passes& rule, const std::vector<double>& le
   return layer;
 }
 
-Solution solve_passes(const Scene& scene, double carried_flooded, const FindSolution& find,
+// From the state of the pass before. The set of dry nodes hardly changes: Newton's method takes two to four steps,
+// where cycles of thin layers take 10 to 40.
+std::optional<Solution> go_on(const Scene& scene, const Solution& before, const ProgressCallback& progress) {
+  Scene next = scene;
+  next.multigrid.tolerance = std::fmin(tolerance_between, scene.multigrid.tolerance);
+  const double nodes = static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y();
+  if (scene.polish != Polish::off && nodes <= most_nodes_of_rescue) {
+    Solution solution = follow_by_newton(next, restart, before, progress);
+    if (solution.converged || only_swings(solution)) return solution;
+  }
+  try {
+    Solution solution = cycles_from(next, before, progress);
+    if (solution.converged || only_swings(solution)) return solution;
+  } catch (const core::SolverError&) {
+    // From nothing then.
+  }
+  return {};
+}
+
+Solution solve_passes(const Scene& scene, double carried_flooded, const FindSolution& find, const GoOn& go_on,
                       const ProgressCallback& progress) {
   const int number = scene.passes.number;
   const std::vector<double> fresh = fresh_layer(scene);

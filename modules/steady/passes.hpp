@@ -1,6 +1,7 @@
 #pragma once
 // One contact after another on the same track: what leaves one is the supply of the next.
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "steady/scene.hpp"
@@ -17,11 +18,17 @@ std::vector<double> next_layer(const Passes& rule, const std::vector<double>& le
 /// Finds the solution of a scene from nothing.
 using FindSolution = std::function<Solution(const Scene& scene, const ProgressCallback& progress)>;
 
+/// Finds it from the solution of the pass before. out: converged, or one that only swings; else nothing.
+using GoOn = std::function<std::optional<Solution>(const Scene& scene, const Solution& before,
+                                                   const ProgressCallback& progress)>;
+/// That of isothermal contacts, by Newton's method or cycles.
+std::optional<Solution> go_on(const Scene& scene, const Solution& before, const ProgressCallback& progress);
+
 /// All passes of a scene with a supply. The first and the last are found from nothing, so that the last has its levels
 /// and error bars; those between begin with the state of the one before. Ends with the first that does not converge.
-/// in: carried_flooded, rho_bar H at the centre of the flooded contact.
+/// in: carried_flooded, rho_bar H C at the centre of the flooded contact.
 /// out: the solution of the last pass, with a row for each.
-Solution solve_passes(const Scene& scene, double carried_flooded, const FindSolution& find,
+Solution solve_passes(const Scene& scene, double carried_flooded, const FindSolution& find, const GoOn& go_on,
                       const ProgressCallback& progress);
 
 }  // namespace ehl::steady

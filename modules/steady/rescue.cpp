@@ -61,7 +61,9 @@ void judge(fmg::Run& run) {
   if (unmet.empty()) unmet = judgement::unmet_oil(now);
   record.failed_check = unmet.empty() ? unmet : fmg::name_of_level(run.hierarchy, l) + ": " + unmet;
   record.converged = unmet.empty();
-  record.end = unmet.empty() ? CyclesEnd::content : CyclesEnd::stalled;
+  record.end = unmet.empty()                 ? CyclesEnd::content
+               : judgement::no_solution(now) ? CyclesEnd::no_solution
+                                             : CyclesEnd::stalled;
 }
 
 // The same, of what Newton's method calls converged or not, for this reason.
@@ -163,7 +165,8 @@ Solution climb_by_newton(const Scene& scene, const Start& start, const ProgressC
     else if (run.hierarchy.levels[l].grid.nx <= finest_from_hertz)
       fmg::start_from_hertz(run.hierarchy, l, first_H00(scene), 0);
     else
-      throw core::SolverError("Newton's method solved no grid coarse enough to begin on; " + last_reason);
+      throw core::SolverError("Newton's method solved no grid coarse enough to begin on" +
+                              (last_reason.empty() ? "" : "; " + last_reason));
     const bool last_level = l == run.finest();
     run.record.levels.emplace_back();
     const newton::Result result =

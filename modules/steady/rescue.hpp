@@ -6,6 +6,8 @@ namespace ehl::steady {
 
 /// Nodes up to which Newton's method is tried unasked: its sparse factors take 0.6 GB and half a minute there.
 inline constexpr double most_nodes_of_rescue = 3e5;
+/// Nodes up to which it is tried a second time: on 513^2 a step takes 2 to 5 s, and many that lead nowhere minutes.
+inline constexpr double most_nodes_of_two_rescues = 1e5;
 
 /// Newton's method on the finest grid, from the state that is there, down to rounding errors or the scene's tolerance
 /// where that is smaller; the last row of the level table then tells of its state. Where it fails the better of both

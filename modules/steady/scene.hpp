@@ -70,6 +70,8 @@ struct Scene {
   /// What the surfaces bring of oil, in units of H (or mass over rho0): a mass conserving inlet and cavity. Empty: the
   /// inlet is full.
   std::function<double(double Y)> supply{};
+  /// What coarse grids get of it, by their cells along X; empty: all.
+  std::function<double(int nx)> supply_share{};
   Passes passes{};  ///< where there is a supply
   core::Grid grid;  ///< the finest grid; where an accuracy is asked for, the first to be tried
   /// Pressure on the boundary and load outside of the domain in closed form; else none of them.

@@ -58,6 +58,7 @@ struct Solution {
   core::Field Q;                            ///< where the scene has a supply: the content, oil per area; else empty
   core::Field theta;                        ///< Q/(rho_bar H)
   reynolds::OilBalance oil;                 ///< likewise
+  double C_centre = 1.0;                    ///< rho_bar H C is carried at (0, 0): 1 without heat
   int swinging_nodes = 0;                   ///< that found no state (fmg/swinging.hpp)
   std::optional<Starvation> starvation;     ///< where the scene has a supply
   std::vector<Pass> passes;                 ///< where the scene asks for more than one; the rest is of the last

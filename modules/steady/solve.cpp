@@ -1,8 +1,10 @@
 #include "steady/solve.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -69,6 +71,9 @@ class Search {
 
   const std::optional<Solution>& best() const { return best_; }
   std::size_t attempts() const { return attempts_.size(); }
+  bool tried(const std::string& method) const {
+    return std::ranges::any_of(attempts_, [&](const Attempt& one) { return one.method == method; });
+  }
   /// True when another way could not help: solved; stopped by the deck's limit of cycles; or the mesh has no solution.
   bool over() const {
     return best_ && (best_->converged || best_->end == CyclesEnd::limit || best_->end == CyclesEnd::no_solution);
@@ -108,16 +113,28 @@ std::vector<Start> starts_of(const Scene& scene) {
 /// Nodes that swing leave 1e-4 and more; below this it is rounding that keeps cycles from a tolerance.
 constexpr double stalled_residual = 1e-7;
 
+constexpr const char* newton_after_cycles = "Newton-Krylov after the cycles";
+
 // A supply's meniscus may have no state that cycles find; Newton's method does.
 void try_newton_after_cycles(const Scene& scene, const ProgressCallback& progress, Search& search) {
   const double nodes = static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y();
   if (scene.polish == Polish::off || (scene.polish == Polish::rescue && nodes > most_nodes_of_rescue)) return;
   if (search.best())
-    search.try_way("Newton-Krylov after the cycles",
-                   [&] { return rescue_by_newton(scene, starts[0], *search.best(), progress); });
+    search.try_way(newton_after_cycles, [&] { return rescue_by_newton(scene, starts[0], *search.best(), progress); });
 }
 
-void try_full_multigrid(const Scene& scene, const ProgressCallback& progress, Search& search) {
+// A line lets through more oil on coarse grids than on the finest, or less: a supply near that fills the inlet of some
+// of them and not of others, and cycles diverge between them. The finest grid from its own flooded state instead.
+void try_newton_from(const Solution& flooded, const Scene& scene, const ProgressCallback& progress, Search& search) {
+  const double nodes = static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y();
+  if (scene.polish == Polish::off || nodes > most_nodes_of_rescue) return;
+  Solution start = flooded;
+  start.history.clear();
+  search.try_way("Newton-Krylov from the flooded contact",
+                 [&] { return rescue_by_newton(scene, starts[0], start, progress); });
+}
+
+void try_full_multigrid(const Scene& scene, const ProgressCallback& progress, Search& search, const Solution* flooded) {
   const double slender = slenderness(scene.M, scene.L, scene.shape);
   for (const Start& start : starts_of(scene)) {
     // A start for finer grids than the scene has brings nothing new.
@@ -128,23 +145,26 @@ void try_full_multigrid(const Scene& scene, const ProgressCallback& progress, Se
     const bool stalls = search.best() && search.best()->levels.back().residual > stalled_residual;
     if (!search.over() && search.attempts() == 1 && scene.supply && stalls)
       try_newton_after_cycles(scene, progress, search);
+    if (!search.over() && search.attempts() == 1 && flooded != nullptr)
+      try_newton_from(*flooded, scene, progress, search);
     if (search.over()) return;
   }
 }
 
 void try_newton(const Scene& scene, const ProgressCallback& progress, Search& search) {
   const double nodes = static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y();
-  if (scene.polish == Polish::rescue && nodes > most_nodes_of_rescue) return;
+  const double most = search.tried(newton_after_cycles) ? most_nodes_of_two_rescues : most_nodes_of_rescue;
+  if (scene.polish == Polish::rescue && nodes > most) return;
   try_newton_after_cycles(scene, progress, search);
   if (!search.over()) search.try_way("Newton-Krylov", [&] { return climb_by_newton(scene, starts[0], progress); });
 }
 
-// By the first way that leads to one.
-Solution find(const Scene& scene, const ProgressCallback& progress) {
+// By the first way that leads to one. in: the flooded solution of a starved line contact.
+Solution find_from(const Solution* flooded, const Scene& scene, const ProgressCallback& progress) {
   Search search;
   std::vector<ContinuationStep> steps;
   using Path = ContinuationParameters::Path;
-  if (scene.continuation.path != Path::load) try_full_multigrid(scene, progress, search);
+  if (scene.continuation.path != Path::load) try_full_multigrid(scene, progress, search, flooded);
   if (scene.continuation.path != Path::off && !search.over())
     search.try_way("load continuation", [&] { return climb_by_load(scene, safe_start, progress, steps); });
   if (scene.polish != Polish::off && !search.over()) try_newton(scene, progress, search);
@@ -153,8 +173,27 @@ Solution find(const Scene& scene, const ProgressCallback& progress) {
   return solution;
 }
 
+Solution find(const Scene& scene, const ProgressCallback& progress) { return find_from(nullptr, scene, progress); }
+
 // Of the time of both, that of the flooded contact: cycles converge half as fast beside a meniscus.
 constexpr double share_of_flooded = 1.0 / 3.0;
+
+constexpr double brim = std::numeric_limits<double>::infinity();
+
+// On a line nothing flows aside: what the contact does not let through stays before it, until the gap is full as far as
+// the domain reaches. That is the flooded contact; from other states cycles fill the gap node by node.
+bool more_than_goes_through(const Scene& scene, const Solution& flooded) {
+  return scene.grid.line && flooded.converged && scene.supply(0.0) >= flooded.verification.flow_through;
+}
+
+// On a coarse grid the flooded film is another one: the same ratio of the supply to it.
+std::function<double(int nx)> share_by_film(const Solution& flooded) {
+  return [levels = flooded.levels](int nx) {
+    for (const LevelRow& row : levels)
+      if (row.nx == nx && row.Hc > 0.0) return row.Hc / levels.back().Hc;
+    return 1.0;
+  };
+}
 
 // The flooded contact first, then the one with the supply.
 Solution find_starved(const Scene& scene, const ProgressCallback& progress) {
@@ -165,8 +204,24 @@ Solution find_starved(const Scene& scene, const ProgressCallback& progress) {
   const Solution flooded = find(full, fmg::part_of(progress, 0.0, share_of_flooded));
   const double of_flooded = core::now() - began;
   const ProgressCallback rest = fmg::part_of(progress, share_of_flooded, 1.0);
-  Solution solution =
-      scene.passes.number > 1 ? solve_passes(scene, carried_at_centre(scene, flooded), find, rest) : find(scene, rest);
+  Scene starved = scene;
+  if (scene.grid.line && flooded.converged) starved.supply_share = share_by_film(flooded);
+  if (more_than_goes_through(scene, flooded)) starved.supply = [](double) { return brim; };
+  Solution solution = scene.passes.number > 1
+                          ? solve_passes(scene, carried_at_centre(scene, flooded), find, go_on, rest)
+                          : find_from(scene.grid.line && flooded.converged ? &flooded : nullptr, starved, rest);
+  if (!solution.converged && starved.supply_share) {
+    // Heavy lines: the same supply on all grids leads on where its ratio does not.
+    starved.supply_share = {};
+    try {
+      if (Solution other = find(starved, rest); other.converged) {
+        other.attempts.insert(other.attempts.begin(), solution.attempts.begin(), solution.attempts.end());
+        solution = std::move(other);
+      }
+    } catch (const core::SolverError&) {
+      // The state that is there can be shown.
+    }
+  }
   solution.starvation = starvation_of(scene, solution, flooded);
   solution.starvation->seconds = core::now() - began - of_flooded;
   return solution;

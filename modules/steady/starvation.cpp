@@ -1,6 +1,7 @@
 #include "steady/starvation.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "judgement/measures.hpp"
 #include "steady/scene.hpp"
@@ -12,7 +13,7 @@ double carried_at_centre(const Scene& scene, const Solution& solution) {
   const double P = judgement::value_at(solution.grid, solution.P, 0.0, 0.0);
   double rho = 1.0;
   rheology::density(scene.density, {&P, 1}, {&rho, 1});
-  return rho * judgement::value_at(solution.grid, solution.H, 0.0, 0.0);
+  return solution.C_centre * rho * judgement::value_at(solution.grid, solution.H, 0.0, 0.0);
 }
 
 double meniscus_on(const Solution& solution, int j) {
@@ -25,16 +26,18 @@ double meniscus_on(const Solution& solution, int j) {
   return std::max(grid.X_a, grid.X(i) - grid.hx() * (0.5 + share));
 }
 
-Starvation starvation_of(const Scene& scene, const Solution& starved, const Solution& flooded, double C_starved,
-                         double C_flooded) {
+Starvation starvation_of(const Scene& scene, const Solution& starved, const Solution& flooded) {
   const core::Grid& grid = starved.grid;
   Starvation result;
-  const double carried = C_flooded * carried_at_centre(scene, flooded);
+  // What is told over a flooded contact that did not converge is no number.
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  const double carried = flooded.converged ? carried_at_centre(scene, flooded) : unknown;
   result.supply_ratio = (starved.passes.empty() ? scene.supply(0.0) : starved.passes.back().supply) / carried;
-  result.factor = C_starved * carried_at_centre(scene, starved) / carried;
-  result.Hc_flooded = flooded.levels.back().Hc;
-  result.Hm_flooded = flooded.levels.back().Hm;
+  result.factor = carried_at_centre(scene, starved) / carried;
+  result.Hc_flooded = flooded.converged ? flooded.levels.back().Hc : unknown;
+  result.Hm_flooded = flooded.converged ? flooded.levels.back().Hm : unknown;
   result.flooded_converged = flooded.converged;
+  result.line = grid.line;
   result.meniscus_X = meniscus_on(starved, grid.ny / 2);
   result.cells_to_inlet = grid.nx;
   int full = 0;

@@ -7,13 +7,14 @@ namespace ehl::steady {
 struct Scene;
 struct Solution;
 
-/// Q = rho_bar H at the centre; lengths in a, flows in rho0 u_m a^3/R.
+/// Q = rho_bar H at the centre; lengths in a, flows in rho0 u_m a^3/R, of a line in rho0 u_m a^2/R.
 struct Starvation {
   double supply_ratio = 0.0;  ///< r = H_oil/Q of the flooded contact, H_oil at Y = 0
   double factor = 0.0;        ///< Q over that of the flooded contact
   double Hc_flooded = 0.0;
   double Hm_flooded = 0.0;
   bool flooded_converged = false;
+  bool line = false;        ///< a line contact
   double meniscus_X = 0.0;  ///< on Y = 0: where the inlet becomes full
   int cells_to_inlet = 0;   ///< from the inlet boundary to the first full node of any line
   double filled = 0.0;      ///< share of the inlet boundary where the gap takes no more
@@ -39,15 +40,13 @@ struct Pass {
   bool swings = false;  ///< a node at an edge finds no state (passes.cpp)
 };
 
-/// rho_bar H at the centre.
+/// rho_bar H C at the centre.
 double carried_at_centre(const Scene& scene, const Solution& solution);
 /// Where the inlet becomes full on line j: the cell of the last dry node before the pressure is filled from behind, as
 /// far as its content tells.
 double meniscus_on(const Solution& solution, int j);
 
-/// in: both solutions of one scene on one grid, with and without its supply; what the films carry at the centre over
-/// rho_bar H there, where heat changes that.
-Starvation starvation_of(const Scene& scene, const Solution& starved, const Solution& flooded, double C_starved = 1.0,
-                         double C_flooded = 1.0);
+/// in: both solutions of one scene on one grid, with and without its supply.
+Starvation starvation_of(const Scene& scene, const Solution& starved, const Solution& flooded);
 
 }  // namespace ehl::steady

@@ -38,14 +38,18 @@ double largest_along_sides(const Solution& solution) {
 
 void warn_of_supply(const Starvation& found, std::vector<std::string>& warnings) {
   constexpr int close = 3;
-  if (found.filled > 0.0)
+  if (found.line && found.filled > 0.0)
+    warnings.push_back(
+        "the supply is more than the contact lets through, and on a line nothing flows aside: the rest stays in front "
+        "of it, and the film is the flooded one");
+  else if (found.filled > 0.0)
     warnings.push_back("supply beyond what the domain takes: at " + percent(found.filled) +
                        " of the inlet boundary the gap is full, and oil is left out; move x_inlet upstream");
   else if (found.cells_to_inlet <= close)
     warnings.push_back("the meniscus is within " + std::to_string(found.cells_to_inlet) +
                        " cells of the inlet boundary, which may hold it back; move x_inlet upstream");
   if (!found.flooded_converged)
-    warnings.push_back("the flooded contact beside it did not converge: the starvation factor is not known well");
+    warnings.push_back("the flooded contact beside it did not converge: no starvation factor");
   constexpr double thicker = 1.01;  // by what both mesh and cycles leave
   if (found.factor > thicker)
     warnings.push_back(
@@ -76,7 +80,12 @@ int cells_that_resolve(int cells, double error, reynolds::Wedge wedge) {
 std::vector<std::string> warnings_of(const Scene& scene, const Solution& solution) {
   std::vector<std::string> warnings;
   const LevelRow& last = solution.levels.back();
-  if (std::isnan(last.error_Hc))
+  if (last.Hm_fitted < 0.0)
+    warnings.push_back(
+        "the film is negative between the nodes, where it is thinnest: the mesh does not show the minimum; use at "
+        "least " +
+        std::to_string(2 * last.nx) + " cells");
+  else if (std::isnan(last.error_Hc))
     warnings.push_back("rough error estimate: the film was computed on a single level; use at least " +
                        std::to_string(2 * last.nx) + " cells");
   else if (const double error = std::max(last.error_Hc, last.error_Hm); error > unresolved_film)

@@ -8,6 +8,7 @@
 #include "core/norms.hpp"
 #include "fmg/boundary.hpp"
 #include "fmg/cycle.hpp"
+#include "fmg/cycles.hpp"
 #include "fmg/oil.hpp"
 #include "transient/nodes.hpp"
 
@@ -184,6 +185,11 @@ double ContactDae::change(const Stage& stage, double H00_before) {
   return std::sqrt(sum / static_cast<double>(size()));
 }
 
+void ContactDae::cycle() {
+  fmg::fas_cycle(hierarchy_, hierarchy_.levels.size() - 1, fmg::cautious(hierarchy_.parameters, {.all = weight_}));
+  fmg::renew_boundary(hierarchy_, hierarchy_.finest());
+}
+
 StageResult ContactDae::solve(const Stage& stage, const Drive& drive, std::span<double> correction) {
   fmg::Level& level = hierarchy_.finest();
   set_state(stage.T, drive, stage.y_predicted);
@@ -203,14 +209,12 @@ StageResult ContactDae::solve(const Stage& stage, const Drive& drive, std::span<
   double last = std::numeric_limits<double>::quiet_NaN();
   double least = std::numeric_limits<double>::infinity();
   int in_vain = 0;
-  const std::size_t finest = hierarchy_.levels.size() - 1;
   hierarchy_.coarsest_weight = 1.0;
   while (!result.solved && result.cycles < control_.most_cycles) {
     const double H00_before = hierarchy_.H00;
     ++result.cycles;
     try {
-      fmg::fas_cycle(hierarchy_, finest);
-      fmg::renew_boundary(hierarchy_, level);
+      cycle();
     } catch (const core::SolverError&) {
       return result;
     }

@@ -92,6 +92,12 @@ class ContactDae {
   /// theta = Q/(rho_bar H) of the whole domain, where mass is conserved; else empty.
   core::Field theta() const;
 
+  /// One cycle of the problem that is posed. errors: core::SolverError.
+  void cycle();
+  /// The factor on all under-relaxation weights of its cycles, at rest and in time.
+  double weight() const { return weight_; }
+  void set_weight(double weight) { weight_ = weight; }
+
   /// Carries the load exactly: the pressure by a common factor, the film at the centre held by H00.
   void balance_load();
 
@@ -122,9 +128,10 @@ class ContactDae {
   const Course& course_;
   ErrorControl control_;
   std::size_t nodes_;
-  double W_;                   ///< integral P of the load that the groups are made with
-  double V_ = 0.0;             ///< velocity of the body
-  double zone_ = 0.0;          ///< nodes that make up the norm, of the whole domain
+  double W_;           ///< integral P of the load that the groups are made with
+  double V_ = 0.0;     ///< velocity of the body
+  double zone_ = 0.0;  ///< nodes that make up the norm, of the whole domain
+  double weight_ = 1.0;
   double rate_ = 0.3;          ///< of the cycles, as last measured
   double inlet_ = 0.0;         ///< flow through it in the steady film
   double oil_by_flows_ = 0.0;  ///< as much as at the start, and what has flowed in and out since

@@ -12,10 +12,10 @@
 #include "fmg/start.hpp"
 #include "judgement/measures.hpp"
 #include "steady/climb.hpp"
-#include "steady/resolution.hpp"
 #include "transient/contact_dae.hpp"
 #include "transient/jump.hpp"
 #include "transient/rest.hpp"
+#include "transient/scene_in_time.hpp"
 #include "transient/settle.hpp"
 
 namespace ehl::transient {
@@ -27,17 +27,16 @@ constexpr double shorter_behind_a_checkpoint = 0.1;  // the first step there, ov
 /// what the jump has stirred up die away, which IDA would follow with steps too short for the cycles.
 constexpr double micro_step = 1e-3;
 constexpr int micro_steps = 4;
-/// Where a line's logarithm is zero, in contact sizes: inside of the pressure a held film answers H00 wrongly.
-constexpr double unit_of_line = 4.0;
 constexpr double rounding_of_time = 1e-14;  // relative; some fifty units in the last place
 
 /// The integration under way.
 class March {
  public:
   March(fmg::Hierarchy& hierarchy, const Conditions& conditions, const MarchParameters& parameters,
-        const Observer& observer, double of_unit)
+        const Observer& observer, double of_unit, double line_unit)
       : hierarchy_(hierarchy),
         of_unit_(of_unit),
+        line_unit_(line_unit),
         conditions_(conditions),
         parameters_(parameters),
         observer_(observer),
@@ -66,6 +65,9 @@ class March {
 
   MarchReport run(const Checkpoint* from) {
     Checkpoint start = from ? *from : first_state(hierarchy_, dae_, conditions_);
+    if (from) dae_.set_weight(from->weight);
+    // The squeeze multiplies what a change foretells of the film: that must be what the film then does.
+    fmg::take_line_zero(hierarchy_, line_unit_);
     report_.T = start.T;
     report_.restarts = start.restarts;
     frames_ = start.frames;
@@ -174,7 +176,10 @@ class March {
   }
 
   void hand_out_checkpoint(double length, std::span<const double> y, std::span<const double> yp) {
-    observer_.checkpoint({report_.T, length, frames_, report_.restarts, {y.begin(), y.end()}, {yp.begin(), yp.end()}});
+    Checkpoint at{report_.T, length, frames_, report_.restarts, dae_.weight()};
+    at.y.assign(y.begin(), y.end());
+    at.yp.assign(yp.begin(), yp.end());
+    observer_.checkpoint(std::move(at));
   }
 
   // Counts and shows a step, the level holding its state.
@@ -253,7 +258,8 @@ class March {
   }
 
   fmg::Hierarchy& hierarchy_;
-  double of_unit_;  ///< what a line's unit of length takes from H00, per load
+  double of_unit_;    ///< what a line's unit of length takes from H00, per load
+  double line_unit_;  ///< that unit
   const Conditions& conditions_;
   const MarchParameters& parameters_;
   const Observer& observer_;
@@ -273,14 +279,7 @@ class March {
 MarchReport march(const steady::Scene& scene, const steady::Solution& start, const Conditions& conditions,
                   const MarchParameters& parameters, const Observer& observer, const Checkpoint* from) {
   const double began = core::now();
-  steady::Scene own = scene;
-  own.use_symmetry = own.use_symmetry && symmetric(conditions);
-  own.multigrid.cycle = scene.multigrid.cycle.value_or(fmg::Cycle::V);  // from the predicted state V(2,1) is enough
-  own.multigrid.post = scene.multigrid.post.value_or(1);
-  if (conditions.conserves_mass && !own.supply)
-    own.supply = [](double) { return std::numeric_limits<double>::infinity(); };
-  if (own.grid.line)
-    own.deformation.line_unit = unit_of_line * std::max(1.0, steady::contact_size(own.M, own.L, own.shape));
+  const steady::Scene own = scene_in_time(scene, conditions);
   const double carried = contact::elastic_factor(own.shape) * contact::load(own.shape);
   const double of_unit = carried * std::log(own.deformation.line_unit);
   fmg::Run run = steady::begin_climb(own, steady::Start{.coarsest = 32}, {});
@@ -288,7 +287,7 @@ MarchReport march(const steady::Scene& scene, const steady::Solution& start, con
   const core::Field P = core::on_patch(hierarchy.finest().grid, start.P);
   fmg::start_from_state(hierarchy, run.finest(), {P, start.H00 - of_unit});
   prepare(hierarchy);
-  March under_way(hierarchy, conditions, parameters, observer, of_unit);
+  March under_way(hierarchy, conditions, parameters, observer, of_unit, own.deformation.line_unit);
   if (from && (from->y.size() != under_way.size() || from->yp.size() != under_way.size()))
     throw core::FileError("the checkpoint is of another grid than the deck's");
   MarchReport report = under_way.run(from);

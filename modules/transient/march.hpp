@@ -58,6 +58,7 @@ struct Checkpoint {
   double step = 0.0;  ///< length of the last one
   int frames = 0;     ///< given out so far
   int restarts = 0;
+  double weight = 1.0;            ///< of the cycles, contact_dae.hpp
   std::vector<double> y{}, yp{};  ///< contact_dae.hpp, on the grid that is computed on
 };
 

@@ -8,9 +8,8 @@
 
 #include "core/errors.hpp"
 #include "core/norms.hpp"
-#include "fmg/boundary.hpp"
-#include "fmg/cycle.hpp"
 #include "fmg/cycles.hpp"
+#include "fmg/start.hpp"
 #include "transient/jump.hpp"
 
 namespace ehl::transient {
@@ -18,8 +17,13 @@ namespace {
 
 /// Above it no state counts as solved, and no stalling residual as rounding.
 constexpr double hopeless_residual = 1e-5;
+/// Of the load. Bodies far apart, with no pressure between them, leave no residual either.
+constexpr double hopeless_load_error = 0.01;
 /// Twice what cycles that halve the residual take from one to settled_residual.
 constexpr int most_settling_cycles = 60;
+/// Cycles that diverge begin again with less weight, as the steady ones do, and keep it for the steps of time.
+constexpr double less_weight = 0.8;
+constexpr double least_weight = 0.5;
 /// A V(2,1) cycle leaves 0.1 to 0.3 of the error: three leave 3 % of a bit at most, for the next one to begin with.
 constexpr int cycles_per_bit = 3;
 
@@ -30,8 +34,7 @@ double cycles_at_rest(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive& d
   const std::size_t l = hierarchy.levels.size() - 1;
   double residual = std::numeric_limits<double>::infinity();
   for (int k = 0; k < most; ++k) {
-    fmg::fas_cycle(hierarchy, l);
-    fmg::renew_boundary(hierarchy, hierarchy.finest());
+    dae.cycle();
     const double now = fmg::measures_of(hierarchy, l).residual;
     if (!std::isfinite(now)) return now;
     const bool rounding = now < hopeless_residual && now > 0.9 * residual;
@@ -41,24 +44,42 @@ double cycles_at_rest(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive& d
   return residual;
 }
 
-core::SolverError not_found(const std::string& reason) {
-  return core::SolverError("the steady state at the start of the transient was not found: " + reason);
+// Takes the state that is there to the one at rest. out: why it was not found; empty where it was.
+std::string way_to_rest(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive& start) {
+  const int bits = bits_between(Drive{}, start);
+  double residual = 0.0;
+  try {
+    for (int k = 1; k <= bits; ++k) {
+      const Drive drive = part_of_the_way(Drive{}, start, static_cast<double>(k) / bits);
+      residual = cycles_at_rest(hierarchy, dae, drive, k == bits ? most_settling_cycles : cycles_per_bit);
+    }
+  } catch (const core::SolverError& error) {
+    return error.what();
+  }
+  const double Hm = core::minimum(hierarchy.finest().H).value;
+  if (!std::isfinite(residual + Hm)) return "its film or its pressure is not finite";
+  if (!(residual < hopeless_residual)) return fmt::format("its relative residual is {:.1e}", residual);
+  const double error = dae.load_balance().error;
+  if (!(error < hopeless_load_error)) return fmt::format("what it carries is off its load by {:.3g} of it", error);
+  if (Hm > 0.0) return "";
+  return fmt::format("its film is negative at its thinnest, H = {:.3g}: the mesh is too coarse for it", Hm);
 }
 
 }  // namespace
 
 void settle(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive& start) {
-  const int bits = bits_between(Drive{}, start);
-  double residual = 0.0;
-  for (int k = 1; k <= bits; ++k) {
-    const Drive drive = part_of_the_way(Drive{}, start, static_cast<double>(k) / bits);
-    residual = cycles_at_rest(hierarchy, dae, drive, k == bits ? most_settling_cycles : cycles_per_bit);
+  const std::size_t l = hierarchy.levels.size() - 1;
+  const fmg::State from = fmg::state_of(hierarchy, l);
+  std::string reason = way_to_rest(hierarchy, dae, start);
+  while (!reason.empty() && less_weight * dae.weight() >= least_weight) {
+    dae.set_weight(less_weight * dae.weight());
+    fmg::start_from_state(hierarchy, l, from);
+    prepare(hierarchy);
+    hierarchy.coarsest_weight = 1.0;
+    reason = way_to_rest(hierarchy, dae, start);
   }
-  const double Hm = core::minimum(hierarchy.finest().H).value;
-  if (!std::isfinite(residual + Hm)) throw not_found("its film or its pressure is not finite");
-  if (!(residual < hopeless_residual)) throw not_found(fmt::format("its relative residual is {:.1e}", residual));
-  if (!(Hm > 0.0))
-    throw not_found(fmt::format("its film is negative at its thinnest, H = {:.3g}: the mesh is too coarse for it", Hm));
+  if (!reason.empty())
+    throw core::SolverError("the steady state at the start of the transient was not found: " + reason);
   dae.balance_load();
 }
 

@@ -15,6 +15,7 @@ SiUnit si_unit(const std::string& unit, const SiScales& scales) {
   if (unit == "a/u_m") return {"ms", 1e3 * scales.time};
   if (unit == "a u_m/R") return {"um/s", 1e6 * scales.h / scales.time};
   if (unit == "rho0 u_m a^3/R") return {"rho0 mm^3/s", 1e9 * scales.a * scales.h * u_m};
+  if (unit == "rho0 u_m a^2/R") return {"rho0 mm^2/s", 1e6 * scales.h * u_m};
   return {unit, 1.0};
 }
 

@@ -36,8 +36,7 @@ Needs expense(const Case& input) { return {.seconds = basic_needs(input.scene).s
 
 constexpr int fewest_cells = 64;  // of a grid that the multigrid begins on
 
-std::optional<steady::Solution> on_coarser_grid(const Case& input, RunSettings& settings) {
-  steady::Scene scene = input.scene;
+std::optional<steady::Solution> on_coarser_grid(steady::Scene scene, RunSettings& settings) {
   if (scene.grid.nx < 2 * fewest_cells || scene.grid.nx % 2 != 0 || scene.grid.ny % 4 != 0) return std::nullopt;
   scene.grid = core::coarsened(scene.grid);
   scene.deformation = mlmi::fitting(scene.deformation, scene.grid);
@@ -89,8 +88,11 @@ Stresses coarser_stresses(const Case& input, const steady::Solution& coarser, co
 void compute(const Case& input, RunSettings& settings, Computed& computed) {
   const double began = core::now();
   RollerResult result{.found = roller::distribution(computed.solution.grid, computed.solution.P, computed.solution.H)};
-  result.dry = dry_distribution(input.scene);
-  const std::optional<steady::Solution> coarser = on_coarser_grid(input, settings);
+  steady::Scene scene = input.scene;  // on the grid that an accuracy has led to
+  scene.grid = computed.solution.grid;
+  scene.accuracy = {};
+  result.dry = dry_distribution(scene);
+  const std::optional<steady::Solution> coarser = on_coarser_grid(scene, settings);
   if (coarser) result.coarser = roller::distribution(coarser->grid, coarser->P, coarser->H);
   Stresses finer, coarse;
   if (computed.stresses) {

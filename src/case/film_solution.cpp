@@ -5,7 +5,10 @@
 
 #include "case/effects.hpp"
 #include "case/sliding_input.hpp"
+#include "core/timer.hpp"
 #include "steady/accuracy.hpp"
+#include "steady/passes.hpp"
+#include "steady/warnings.hpp"
 
 namespace ehl::program {
 namespace {
@@ -25,39 +28,84 @@ thermal::Setup setup_of(const Case& input) {
 // Of the time of a film, isothermal and then with heat, that of the first. A starved film is solved flooded as well.
 constexpr double share_of_isothermal = 0.2, share_of_starved = 0.6;
 
-// What the film with heat is beside the flooded one with heat.
-steady::Starvation starvation_of(const steady::Scene& scene, const heat::Solution& found, const thermal::Setup& setup,
-                                 const steady::ProgressCallback& progress) {
-  steady::Scene full = scene;
-  full.supply = {};
-  full.adjoint_errors = false;
-  const steady::Solution cold = steady::solve(full, fmg::part_of(progress, 0.0, share_of_isothermal));
-  if (!cold.converged) return steady::starvation_of(scene, found.film, cold, found.C);
-  const heat::Solution warm = heat::solve(full, setup, cold, fmg::part_of(progress, share_of_isothermal, 1.0));
-  return steady::starvation_of(scene, found.film, warm.film, found.C, warm.C);
+steady::Solution flooded_with_heat(steady::Scene scene, const thermal::Setup& setup,
+                                   const steady::ProgressCallback& progress) {
+  scene.supply = {};
+  scene.adjoint_errors = false;
+  steady::Solution cold = steady::solve(scene, fmg::part_of(progress, 0.0, share_of_isothermal));
+  if (!cold.converged) return cold;
+  return heat::solve(scene, setup, cold, fmg::part_of(progress, share_of_isothermal, 1.0)).film;
 }
 
-FilmSolution solve_scene(const Case& input, const steady::Scene& scene, const steady::ProgressCallback& progress) {
-  if (!(input.heat || input.flow_thinning)) return {.film = steady::solve(scene, progress)};
-  const double whole = scene.supply ? share_of_starved : 1.0, isothermal = share_of_isothermal * whole;
-  FilmSolution solution{.film = steady::solve(scene, fmg::part_of(progress, 0.0, isothermal))};
+// The isothermal film, then with heat; the isothermal one alone where there is none.
+FilmSolution solve_in_turn(const Case& input, const steady::Scene& scene, const steady::ProgressCallback& progress) {
+  FilmSolution solution{.film = steady::solve(scene, fmg::part_of(progress, 0.0, share_of_isothermal))};
   if (!solution.film.converged) return solution;
   const steady::Solution& before = solution.film;
   HeatResult result;
   result.Hc_isothermal = before.levels.back().Hc;
   result.Hm_isothermal = before.levels.back().Hm;
   result.mu_isothermal = friction_of(input, before, nullptr).sliding;
-  result.found = heat::solve(scene, setup_of(input), before, fmg::part_of(progress, isothermal, whole));
-  if (scene.supply) {
-    const double seconds = before.starvation->seconds;
-    result.found.film.starvation =
-        starvation_of(scene, result.found, setup_of(input), fmg::part_of(progress, whole, 1.0));
-    result.found.film.starvation->seconds = seconds + result.found.seconds;
-  }
+  result.found = heat::solve(scene, setup_of(input), before, fmg::part_of(progress, share_of_isothermal, 1.0));
+  const std::optional<steady::Starvation> isothermal = before.starvation;
   solution.film = std::move(result.found.film);
+  solution.film.starvation = isothermal;
   result.found.film = {};
   result.mu = friction_of(input, solution.film, &result.found.fields).sliding;
   (input.heat ? solution.heat : solution.flow) = std::move(result);
+  return solution;
+}
+
+// Contacts one after another on the track: the bodies come to each of them at their bulk temperatures. The first and
+// the last are solved in turn, those between from the hot contact before.
+FilmSolution solve_passes(const Case& input, const steady::Scene& scene, const steady::ProgressCallback& progress) {
+  const double began = core::now();
+  FilmSolution last;
+  bool went_on = false;  // `last` is this pass's already
+  const auto alone = [](steady::Scene one) {
+    one.passes = {};
+    return one;
+  };
+  const auto find = [&](const steady::Scene& one, const steady::ProgressCallback& part) {
+    FilmSolution found = solve_in_turn(input, alone(one), part);
+    steady::Solution film = found.film;
+    if (film.converged || !went_on) last = std::move(found);
+    return film;
+  };
+  const auto go_on = [&](const steady::Scene& one, const steady::Solution& before,
+                         const steady::ProgressCallback& part) -> std::optional<steady::Solution> {
+    HeatResult result{.mu_isothermal = NAN, .Hc_isothermal = NAN, .Hm_isothermal = NAN};
+    result.found = heat::solve(alone(one), setup_of(input), before, part);
+    steady::Solution film = std::move(result.found.film);
+    went_on = film.converged;
+    if (!went_on) return {};
+    result.mu = friction_of(input, film, &result.found.fields).sliding;
+    last.heat = std::move(result);
+    return film;
+  };
+  const double share = 1.0 / (scene.passes.number + 1.0);
+  const steady::Solution flooded = flooded_with_heat(scene, setup_of(input), fmg::part_of(progress, 0.0, share));
+  last.film = steady::solve_passes(scene, steady::carried_at_centre(scene, flooded), find, go_on,
+                                   fmg::part_of(progress, share, 1.0));
+  last.film.starvation = steady::starvation_of(scene, last.film, flooded);
+  last.film.warnings = steady::warnings_of(scene, last.film);
+  last.film.seconds = core::now() - began;
+  last.film.starvation->seconds = last.film.seconds - flooded.seconds - (last.heat ? last.heat->found.seconds : 0.0);
+  return last;
+}
+
+FilmSolution solve_scene(const Case& input, const steady::Scene& scene, const steady::ProgressCallback& progress) {
+  if (!(input.heat || input.flow_thinning)) return {.film = steady::solve(scene, progress)};
+  if (!scene.supply) return solve_in_turn(input, scene, progress);
+  if (scene.passes.number > 1) return solve_passes(input, scene, progress);
+  FilmSolution solution = solve_in_turn(input, scene, fmg::part_of(progress, 0.0, share_of_starved));
+  const HeatResult* heat = solution.heat ? &*solution.heat : nullptr;
+  if (heat == nullptr) return solution;
+  const double seconds = solution.film.starvation->seconds + heat->found.seconds;
+  solution.film.starvation = steady::starvation_of(
+      scene, solution.film, flooded_with_heat(scene, setup_of(input), fmg::part_of(progress, share_of_starved, 1.0)));
+  solution.film.starvation->seconds = seconds;
+  solution.film.warnings = steady::warnings_of(scene, solution.film);
   return solution;
 }
 

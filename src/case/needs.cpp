@@ -8,6 +8,7 @@
 #include "steady/accuracy.hpp"
 #include "steady/climb.hpp"
 #include "steady/domain_error.hpp"
+#include "steady/larger_domain.hpp"
 #include "steady/resolution.hpp"
 
 namespace ehl::program {
@@ -77,7 +78,7 @@ core::Grid foretold_grid(const steady::Scene& scene) {
   if (scene.accuracy.domain_is_free) {
     allowed *= 0.5;  // as solve_to_accuracy() shares it
     const double size = std::sqrt(steady::rough_domain_error(scene) / allowed);
-    if (size > 1.0) grid = steady::on_larger_domain(grid, size);
+    if (size > 1.0) grid = steady::on_larger_domain(grid, size, steady::sides_of(scene));
   }
   const double zone = steady::film_zone(scene.M, scene.L, scene.shape);
   const auto error = [&] {

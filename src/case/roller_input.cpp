@@ -8,14 +8,13 @@
 namespace ehl::program {
 
 void settle_roller(deck::Deck& deck) {
-  const deck::Part contact{deck, "contact"}, domain{deck, "domain"}, grid{deck, "grid"}, path{deck, "continuation"};
+  const deck::Part contact{deck, "contact"}, domain{deck, "domain"}, path{deck, "continuation"};
   if (!deck::given(deck, "roller", "profile"))
     contact.complain("kind",
                      "needs a profile in [roller]: straight with rounded ends, crowned, logarithmic or a table");
   if (domain.given("far_field") && domain.word("far_field") == "closed")
     domain.complain("far_field", "closed is that of a contact without ends: zero, or remove it");
   domain.follow("far_field", std::string("zero"), "the roller ends at the sides of the domain");
-  grid.refuse({"accuracy"}, "is not available for rollers in this version: give cells");
   if (path.given("path") && path.word("path") == "load")
     path.complain("path",
                   "load is not available for rollers, whose length in half widths changes with the load: off, "

@@ -57,7 +57,7 @@ void refuse_sections(deck::Deck& deck, std::initializer_list<const char*> sectio
 }
 
 void refuse_beyond_line(deck::Deck& deck) {
-  refuse_sections(deck, {"transient", "body", "supply", "thermal"}, "line contacts");
+  refuse_sections(deck, {"body", "thermal"}, "line contacts");
   for (const char* section : {"surface1", "surface2"}) {
     const deck::Part surface{deck, section};
     const std::string shape = surface.word("shape");
@@ -67,6 +67,15 @@ void refuse_beyond_line(deck::Deck& deck) {
       surface.complain("angle", "must be 0 in a line contact, where nothing changes along y");
     surface.refuse({"y"}, "has no influence on a line contact: remove it");
   }
+}
+
+// The far field of a line has one flow, and in time the flow along it is not one.
+void settle_line_in_time(deck::Deck& deck) {
+  if (!deck::called_for(deck, "transient")) return;
+  const deck::Part domain{deck, "domain"};
+  if (domain.given("far_field") && domain.word("far_field") == "closed")
+    domain.complain("far_field", "closed is that of a steady line contact: in time zero, or remove it");
+  domain.follow("far_field", std::string("zero"), "a line contact in time");
 }
 
 // What the case and its result are called, and which fields are kept. in: path of the deck.
@@ -147,10 +156,13 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   steady::Scene& scene = result.scene;
   scene.deformation = mlmi::read(deck);
   scene.multigrid = fmg::read(deck);
-  scene.accuracy = steady::read_accuracy(deck, share_of_memory * usable_memory() / bytes_per_node);
   const contact::Groups& groups = result.physics.groups;
   settle_boundary_of_supply(deck);
-  if (contact::roller(groups.shape)) settle_roller(deck);
+  if (contact::roller(groups.shape))
+    settle_roller(deck);
+  else if (contact::line(groups.shape))
+    settle_line_in_time(deck);
+  scene.accuracy = steady::read_accuracy(deck, share_of_memory * usable_memory() / bytes_per_node);
   if (!result.dry) {
     scene.wedge = reynolds::read(deck);
     scene.face = reynolds::read_face(deck);

@@ -20,7 +20,14 @@ using steady::Starvation;
 constexpr double usual_gamma = 3.0;  // of r = 1 at M = 20 to 200; modules/effects/starvation/README.md
 
 double meniscus_factor(const Case& input, const Starvation& found) {
-  return contact::circular(input.scene.shape) ? starvation::by_meniscus(-found.meniscus_X, found.Hc_flooded) : unknown;
+  return !input.scene.grid.line && contact::circular(input.scene.shape)
+             ? starvation::by_meniscus(-found.meniscus_X, found.Hc_flooded)
+             : unknown;
+}
+
+double factor_by_supply(const Case& input, const Starvation& found) {
+  const double r = found.supply_ratio;
+  return input.scene.grid.line ? std::fmin(r, 1.0) : starvation::by_supply(r, usual_gamma);
 }
 
 /// What is known of a layer that comes back as it left; else NaN.
@@ -80,11 +87,26 @@ std::string pass_table(const Case& input, const steady::Solution& solution) {
   return text;
 }
 
+// Of a line contact: nothing flows beside it or aside.
+std::string line_of_oil(const Case& input, const Starvation& found) {
+  std::string text = fmt::format("             oil through the contact {:.6f} rho0 u_m a^2/R", found.through);
+  if (input.physics.si) {
+    const SiUnit unit = si_unit("rho0 u_m a^2/R", *si_scales(input.physics));
+    text += fmt::format(" = {:.4g} {}", unit.factor * found.through, unit.name);
+  }
+  text += fmt::format("; imbalance {:.1e}\n", found.imbalance);
+  if (!found.flooded_converged) return text;
+  return text + fmt::format("             nothing flows aside: {:.4f} by the supply, the lesser of r and 1\n",
+                            factor_by_supply(input, found));
+}
+
 }  // namespace
 
 std::vector<results::Quantity> starvation_quantities(const Case& input, const steady::Solution& solution) {
   const Starvation& found = *solution.starvation;
   const double r = found.supply_ratio;
+  const bool line = input.scene.grid.line;
+  const std::string flow = line ? "rho0 u_m a^2/R" : "rho0 u_m a^3/R";
   std::vector<results::Quantity> list{
       {"starvation_factor", found.factor, "-", "rho H at the centre over that of the flooded contact"},
       {"supply_ratio", r, "-", "r: what is brought on y = 0 over rho H at the centre of the flooded contact"},
@@ -92,16 +114,19 @@ std::vector<results::Quantity> starvation_quantities(const Case& input, const st
       {"Hm_flooded", found.Hm_flooded, "a^2/R", "its smallest film"},
       {"meniscus_x", found.meniscus_X, "a", "where the inlet becomes full on y = 0", "meniscus_X"},
       {"meniscus_cells", found.cells_to_inlet, "-", "cells from the inlet to the first full node"},
-      {"oil_in", found.in, "rho0 u_m a^3/R", "oil through the inlet boundary"},
-      {"oil_through", found.through, "rho0 u_m a^3/R", "oil through the contact, |y| <= 1 at x = 0"},
-      {"oil_around", found.around(), "rho0 u_m a^3/R",
-       "oil that leaves by the outlet and has passed beside the contact"},
-      {"oil_aside", found.aside, "rho0 u_m a^3/R", "oil through the sides of the domain"},
+      {"oil_in", found.in, flow, "oil through the inlet boundary"},
+      {"oil_through", found.through, flow,
+       line ? "oil through the contact" : "oil through the contact, |y| <= 1 at x = 0"},
+      {"oil_around", found.around(), flow, "oil that leaves by the outlet and has passed beside the contact"},
+      {"oil_aside", found.aside, flow, "oil through the sides of the domain"},
       {"mass_imbalance", found.imbalance, "-", "(out + aside - in)/in"},
-      {"gamma", starvation::gamma_of(r, found.factor), "-", "of which r/(1 + r^gamma)^(1/gamma) is the factor"},
-      {"factor_by_supply", starvation::by_supply(r, usual_gamma), "-", "r/(1 + r^3)^(1/3)"},
+      {"gamma", line ? unknown : starvation::gamma_of(r, found.factor), "-",
+       "of which r/(1 + r^gamma)^(1/gamma) is the factor"},
+      {"factor_by_supply", factor_by_supply(input, found), "-",
+       line ? "the lesser of r and 1: nothing flows aside" : "r/(1 + r^3)^(1/3)"},
       {"factor_by_meniscus", meniscus_factor(input, found), "-", "Hamrock and Dowson 1977; of circles"},
-      {"flooded_inlet", starvation::flooded_inlet(found.Hc_flooded), "a", "inlet of a flooded film by the same"}};
+      {"flooded_inlet", line ? unknown : starvation::flooded_inlet(found.Hc_flooded), "a",
+       "inlet of a flooded film by the same"}};
   if (!solution.passes.empty())
     list.push_back({"passes", solution.passes.back().number, "-", "the last of which this is"});
   return list;
@@ -155,13 +180,17 @@ std::string starvation_summary(const Case& input, const Computed& computed) {
   const Starvation& found = *solution.starvation;
   const char* mark = solution.converged ? "" : "  (NOT CONVERGED)";
   std::string text =
-      fmt::format("starvation   factor {:.4f} of the flooded film (Hc = {:.5f}) at a supply of {:.4f} of it{}\n",
-                  found.factor, found.Hc_flooded, found.supply_ratio, mark);
+      found.flooded_converged
+          ? fmt::format("starvation   factor {:.4f} of the flooded film (Hc = {:.5f}) at a supply of {:.4f} of it{}\n",
+                        found.factor, found.Hc_flooded, found.supply_ratio, mark)
+          : fmt::format("starvation   no factor: the flooded contact beside it did not converge{}\n", mark);
   text += "             meniscus on y = 0 at x = " + length_text(input, found.meniscus_X) +
           fmt::format(", {} cells from the inlet boundary where it is nearest\n", found.cells_to_inlet);
+  if (input.scene.grid.line) return text + line_of_oil(input, found);
   text += fmt::format(
       "             oil in {:.5f}: through the contact {:.5f}, beside it {:.5f}, aside {:.2g}; imbalance {:.1e}\n",
       found.in, found.through, found.around(), found.aside, found.imbalance);
+  if (!found.flooded_converged) return text;
   text += fmt::format("             formulas: {:.4f} by the supply (Chevalier 1998, gamma = {:g}",
                       starvation::by_supply(found.supply_ratio, usual_gamma), usual_gamma);
   const double gamma = starvation::gamma_of(found.supply_ratio, found.factor);

@@ -64,6 +64,8 @@ starvation::Scales scales_of(const Case& input) {
   const core::Grid& grid = input.scene.grid;
   starvation::Scales scales;
   scales.width = grid.Y_b - grid.Y_a;
+  scales.line = grid.line;
+  scales.point = grid.ny > 0 && !grid.line;
   scales.in_SI = input.physics.language == Language::si;
   if (!input.physics.si) return scales;
   scales.a = input.physics.si->hertz.a;
@@ -110,8 +112,6 @@ void supply_input(Case& input) {
     return supply.complain(first, "with [grid] accuracy is not available in this version: give [grid] cells");
   if (input.flow_thinning)
     return supply.complain(first, "with [shear] flow = on is not available in this version: remove one of them");
-  if (deck::called_for(deck, "thermal") && supply.integer("passes", 1) > 1)
-    return supply.complain("passes", "are of isothermal contacts: remove it, or [thermal]");
   if (deck::given(deck, "grid", "errors") && deck::word(deck, "grid", "errors") == "adjoint")
     deck::complain(deck, "grid", "errors", "adjoint is not available with [supply] in this version: levels");
   const starvation::Scales scales = scales_of(input);

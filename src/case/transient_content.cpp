@@ -18,6 +18,7 @@ using transient::StepRow;
 struct RowKind {
   bool body = false;  ///< one moves
   bool oil = false;   ///< mass is conserved
+  bool line = false;  ///< of a line contact: its oil is that of a length across it
 };
 
 // Of /transient, in order. in: the points that are looked at.
@@ -38,13 +39,12 @@ std::vector<Column<StepRow>> step_columns(const RowKind& kind, const std::vector
   }
   if (kind.oil) {
     const auto of_oil = [](double transient::OilInTime::*what) { return part(&StepRow::oil, what); };
-    columns.push_back({"oil", "rho0 a^4/R", "oil between the bodies", of_oil(&transient::OilInTime::stored)});
-    columns.push_back(
-        {"oil_in", "rho0 u_m a^3/R", "oil through the inlet boundary", of_oil(&transient::OilInTime::in)});
-    columns.push_back(
-        {"oil_out", "rho0 u_m a^3/R", "oil through the outlet boundary", of_oil(&transient::OilInTime::out)});
-    columns.push_back(
-        {"oil_aside", "rho0 u_m a^3/R", "oil through the sides of the domain", of_oil(&transient::OilInTime::aside)});
+    const std::string amount = kind.line ? "rho0 a^3/R" : "rho0 a^4/R";
+    const std::string flow = kind.line ? "rho0 u_m a^2/R" : "rho0 u_m a^3/R";
+    columns.push_back({"oil", amount, "oil between the bodies", of_oil(&transient::OilInTime::stored)});
+    columns.push_back({"oil_in", flow, "oil through the inlet boundary", of_oil(&transient::OilInTime::in)});
+    columns.push_back({"oil_out", flow, "oil through the outlet boundary", of_oil(&transient::OilInTime::out)});
+    columns.push_back({"oil_aside", flow, "oil through the sides of the domain", of_oil(&transient::OilInTime::aside)});
     columns.push_back({"oil_from_nowhere", "-", "in the step, over what the inlet brings in the steady film in a/u_m",
                        of_oil(&transient::OilInTime::from_nowhere)});
     columns.push_back({"oil_lost", "-", "since the start, over what the inlet brings then in a/u_m",
@@ -122,7 +122,8 @@ results::Loose loose_of(const transient::Checkpoint& checkpoint) {
           {{"time", checkpoint.T, "a/u_m", "time reached"},
            {"step", checkpoint.step, "a/u_m", "length of the last step"},
            {"frames", checkpoint.frames, "-", "fields kept so far"},
-           {"jumps", checkpoint.restarts, "-", "jumps of load or speed so far"}},
+           {"jumps", checkpoint.restarts, "-", "jumps of load or speed so far"},
+           {"weight", checkpoint.weight, "-", "factor on the under-relaxation weights of the cycles"}},
           {array("y",
                  "P and the oil's content on the grid that is computed on, H00, the velocity of a body that moves, and "
                  "the oil by what has flowed in and out where mass is conserved",
@@ -134,10 +135,11 @@ results::Loose loose_of(const transient::Checkpoint& checkpoint) {
 
 void add_transient(const Case& input, const TransientResult& result, results::Content& content) {
   const transient::Input& march = *input.transient;
-  content.tables.push_back(table_of(
-      "transient", "every accepted step of time; ended " + how_it_ended(result.report),
-      step_columns({march.conditions.body.has_value(), march.conditions.conserves_mass}, march.parameters.probes),
-      result.rows));
+  content.tables.push_back(
+      table_of("transient", "every accepted step of time; ended " + how_it_ended(result.report),
+               step_columns({march.conditions.body.has_value(), march.conditions.conserves_mass, input.scene.grid.line},
+                            march.parameters.probes),
+               result.rows));
   if (std::isfinite(march.second))
     content.scales.push_back({"time", 1.0 / march.second, "s", "a/u_m, the scale of time"});
   content.frames.group = "/transient/frames";
@@ -169,10 +171,12 @@ TransientResult read_transient(const results::ResultFile& file) {
   };
   const std::vector<double> times = credible(file, "/transient/frames/time");
   const auto count = [&](const char* name) { return whole(file.path(), name, number(name)); };
+  const bool has_weight = file.kind("/checkpoint/weight") == Kind::numbers;  // files of earlier versions do not
   result.checkpoint = transient::Checkpoint{number("time"),
                                             number("step"),
                                             count("frames"),
                                             count("jumps"),
+                                            has_weight ? number("weight") : 1.0,
                                             credible(file, "/checkpoint/y"),
                                             credible(file, "/checkpoint/yp")};
   const auto field = [&](const char* name, std::size_t k) {
@@ -181,11 +185,15 @@ TransientResult read_transient(const results::ResultFile& file) {
     const results::Array array = file.frame(path, k);
     if (std::ranges::any_of(array.values, [](double value) { return !(std::abs(value) <= largest_credible); }))
       damaged(file.path(), path + " holds what is no field");
-    core::Grid grid{.nx = static_cast<int>(array.dims[1]) - 1, .ny = static_cast<int>(array.dims[0]) - 1};
+    // A line contact, of which a file holds one line (results/one_line.hpp), is computed on three alike.
+    const std::size_t lines = array.dims[0];
+    core::Grid grid{.nx = static_cast<int>(array.dims[1]) - 1, .ny = lines == 1 ? 2 : static_cast<int>(lines) - 1};
     core::Field read(grid);
     for (int j = 0; j <= grid.ny; ++j)
-      for (int i = 0; i <= grid.nx; ++i)
-        read(i, j) = array.values[static_cast<std::size_t>(j) * array.dims[1] + static_cast<std::size_t>(i)];
+      for (int i = 0; i <= grid.nx; ++i) {
+        const std::size_t line = std::min(static_cast<std::size_t>(j), lines - 1);
+        read(i, j) = array.values[line * array.dims[1] + static_cast<std::size_t>(i)];
+      }
     return read;
   };
   for (std::size_t k = 0; k < times.size(); ++k)
@@ -201,7 +209,8 @@ void check_fits(const TransientResult& before, const Case& input, const std::str
   if (!rise(before.rows, &StepRow::T) || !rise(before.frames, &transient::Frame::T)) damaged(path, "its times fall");
   const double end = before.rows.back().T;
   if (before.rows.front().T != 0.0 || checkpoint.T != end || end > input.transient->parameters.end ||
-      !(checkpoint.step > 0.0) || (!before.frames.empty() && before.frames.back().T > end))
+      !(checkpoint.step > 0.0) || !(checkpoint.weight > 0.0 && checkpoint.weight <= 1.0) ||
+      (!before.frames.empty() && before.frames.back().T > end))
     damaged(path, "the times of its checkpoint, rows, fields and deck do not agree");
   if (static_cast<std::size_t>(checkpoint.frames) != before.frames.size() || checkpoint.restarts < 0)
     damaged(path, "it has not as many fields as its checkpoint says");

@@ -92,12 +92,13 @@ std::string range_lines(const Case& input, const std::vector<StepRow>& rows) {
 }
 
 // Where mass is conserved.
-std::string oil_line(const TransientResult& result) {
+std::string oil_line(const TransientResult& result, bool line) {
   const transient::OilInTime &first = result.rows.front().oil, &last = result.rows.back().oil;
   return fmt::format(
-      "  oil        {:.5f} to {:.5f} rho0 a^4/R between the bodies; at the end in {:.5f}, out {:.5f}, aside {:.2g} per "
+      "  oil        {:.5f} to {:.5f} rho0 {}/R between the bodies; at the end in {:.5f}, out {:.5f}, aside {:.2g} per "
       "a/u_m; from nowhere {:.1e} of what first flows in in a/u_m in the worst step, {:.1e} since the start\n",
-      first.stored, last.stored, last.in, last.out, last.aside, result.report.worst_oil_error, last.lost);
+      first.stored, last.stored, line ? "a^3" : "a^4", last.in, last.out, last.aside, result.report.worst_oil_error,
+      last.lost);
 }
 
 // "time 0 to 0.5 a/u_m (0.1345 ms)", the deck's own unit first.
@@ -169,7 +170,7 @@ std::string transient_summary(const Case& input, const TransientResult& result) 
       "allowed {:.3g}\n",
       report.steps, static_cast<double>(report.cycles) / std::max(1, report.steps), report.rejected, attempts,
       report.not_solved, report.restarts, report.longest_step);
-  if (input.transient->conditions.conserves_mass) text += oil_line(result);
+  if (input.transient->conditions.conserves_mass) text += oil_line(result, input.scene.grid.line);
   text += fmt::format("  load       worst error {:.1e}\n  time       {:.3f} s, {:.2f} ms per step; {} fields kept\n",
                       report.worst_load_error, report.seconds, 1e3 * report.seconds / std::max(1, report.steps),
                       result.frames.size());

@@ -66,7 +66,7 @@ void warn_of_coarse(const Case& input, std::vector<std::string>& warnings) {
     if (!feature) continue;
     const bool waves = feature->shape == surface::Feature::Shape::waviness;
     const double wanted = waves ? 30.0 : 8.0;
-    const double cells = feature->width / std::max(grid.hx(), grid.hy());
+    const double cells = feature->width / (grid.line ? grid.hx() : std::max(grid.hx(), grid.hy()));
     if (cells < wanted)
       warnings.push_back(
           fmt::format("{} on {} has {:.2g} cells for its {} where {:g} are wanted of what moves: its amplitude in "

@@ -52,7 +52,7 @@ std::vector<Quantity> film_quantities(const Case& input, const steady::Solution&
        "error_P_max"},
       {"H00", solution.H00, "a^2/R", "mutual approach"},
       {"residual", last.residual, "-", "relative residual of the Reynolds equation"},
-      {"load_error", last.load_error, "-", "|integral of P - 2 pi/3| over 2 pi/3"},
+      {"load_error", last.load_error, "-", "|integral of P - load| over the load"},
       {"error_Hc", bars.Hc.discretization, "-", "estimated relative discretization error of Hc", not_in_json},
       {"error_Hm", bars.Hm.discretization, "-", "estimated relative discretization error of Hm", not_in_json},
       {"cycle_factor", solution.cycle_factor, "-", "residual left by a cycle, mean of those on the finest grid"},
@@ -74,7 +74,9 @@ std::vector<Quantity> film_quantities(const Case& input, const steady::Solution&
   return list;
 }
 
-std::vector<Quantity> verification_quantities(const steady::Verification& checked, bool elliptic) {
+std::vector<Quantity> verification_quantities(const steady::Verification& checked, const contact::Ellipse& shape) {
+  const bool line = contact::line(shape) && !contact::roller(shape);
+  const bool round = contact::circular(shape);
   std::vector<Quantity> list{
       {not_in_file, checked.residual, "-", "relative residual of the Reynolds equation", "residual"},
       {"largest_residual", checked.largest_residual, "-", "at one node, relative to the wedge term like the residual"},
@@ -90,12 +92,14 @@ std::vector<Quantity> verification_quantities(const steady::Verification& checke
       {not_in_file, checked.Hm, "a^2/R", "smallest film of all nodes", "Hm"},
       {not_in_file, checked.Hm_X, "a", "where it is", "Hm_X"},
       {not_in_file, checked.Hm_Y, "a", "where it is", "Hm_Y"},
-      {"flow_through", checked.flow_through, "rho0 u_m a^3/R",
-       elliptic ? "mass flow through the contact at x = 0, as wide as the ellipse"
-                : "mass flow through the contact, |y| <= 1 at x = 0"},
+      {"flow_through", checked.flow_through, line ? "rho0 u_m a^2/R" : "rho0 u_m a^3/R",
+       line    ? "mass flow through the contact at x = 0, per length along y"
+       : round ? "mass flow through the contact, |y| <= 1 at x = 0"
+               : "mass flow through the contact at x = 0, as wide as it is"},
       {"flow_imbalance", checked.flow_imbalance, "-",
-       elliptic ? "mass flow out of 1.5 times the ellipse's reach less in, over flow_through"
-                : "mass flow out of |x|, |y| <= 1.5 less in, over flow_through"},
+       line    ? "mass flow out of |x| <= 1.5 less in, over flow_through"
+       : round ? "mass flow out of |x|, |y| <= 1.5 less in, over flow_through"
+               : "mass flow out of 1.5 times the contact's reach less in, over flow_through"},
       {"flow_imbalance_whole", checked.flow_imbalance_whole, "-", "the same of all of the pressurised region"}};
   return list;
 }

@@ -10,7 +10,7 @@ using results::Quantity;
 /// Film, pressure and how well they are known.
 std::vector<Quantity> film_quantities(const Case& input, const steady::Solution& solution, const Outcome& outcome);
 /// The checks of the final state, beside one another.
-std::vector<Quantity> verification_quantities(const steady::Verification& checked, bool elliptic);
+std::vector<Quantity> verification_quantities(const steady::Verification& checked, const contact::Ellipse& shape);
 /// The groups of the contact and, where they are known, its scales in SI; the numbers of the bearing or the gears.
 std::vector<Quantity> scale_quantities(const Case& input);
 /// Those last, "bearing_gamma", in a report as JSON members of "bearing".

@@ -80,7 +80,7 @@ std::string json_report(const Case& input, const Computed& computed) {
   report["peak_memory_bytes"] = peak_memory();
   report["accuracy"] = accuracy_json(solution.accuracy);
   report["levels"] = rows_json(level_columns(), solution.levels);
-  add(verification_quantities(solution.verification, false), report["verification"]);
+  add(verification_quantities(solution.verification, input.scene.shape), report["verification"]);
   report["attempts"] = rows_json(attempt_columns(), solution.attempts);
   report["continuation"] = rows_json(continuation_columns(), solution.continuation);
   report["newton"] = rows_json(newton_columns(), solution.newton);

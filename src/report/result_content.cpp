@@ -103,7 +103,7 @@ results::Content result_content(const Case& input, const Computed& computed) {
   const steady::Solution& solution = computed.solution;
   const DerivedFields& derived = computed.derived;
   std::vector<Quantity> list = film_quantities(input, solution, computed.outcome);
-  for (Quantity& one : verification_quantities(solution.verification, !contact::circular(input.scene.shape)))
+  for (Quantity& one : verification_quantities(solution.verification, input.scene.shape))
     list.push_back(std::move(one));
   results::Content content = content_of(input, computed, std::move(list));
   content.scales = scale_quantities(input);

@@ -10,7 +10,7 @@ import resource
 import subprocess
 import sys
 
-RATIOS = (0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 1, 5, 20)
+RATIOS = (0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 1, 5, 20, 50, 100, 200)
 LOADS = (20, 100, 1000)
 DECK = """[contact]
 M = {M}

@@ -175,6 +175,17 @@ BOOST_AUTO_TEST_CASE(four_gigapascal_come_with_their_warnings) {
   BOOST_TEST(report.warning("film not resolved by the mesh") != "");
 }
 
+// The equations at the nodes are solved, by a film that the nodes miss.
+BOOST_AUTO_TEST_CASE(a_film_that_is_negative_between_the_nodes_is_told) {
+  const Report report =
+      run_deck("stability_map", {"contact.M=100", "contact.L=5", "contact.radius_ratio=50", "grid.cells=1024"});
+  BOOST_TEST(report.text("converged") == "true");
+  BOOST_TEST_MESSAGE("Hm " << report.number("Hm") << " at a node, " << report.number("Hm_fitted") << " between them");
+  BOOST_REQUIRE(report.number("Hm") > 0.0);
+  BOOST_REQUIRE(report.number("Hm_fitted") < 0.0);
+  BOOST_TEST(report.warning("the film is negative between the nodes") != "");
+}
+
 // What the cycles cannot do must be said: without Newton's method there is no solution on these cells.
 BOOST_AUTO_TEST_CASE(cells_four_times_as_long_as_wide_take_newtons_method) {
   const Report report = run_deck("mesh_aspect_M20_L10", {"grid.cells=128"});

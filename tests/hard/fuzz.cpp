@@ -1,7 +1,8 @@
 // Random decks and damaged ones, the real program on each: it solves, refuses with a place, or says why it could not;
 // it never crashes, hangs, leaks, or calls a number converged that is none.
 //
-//   test_fuzz -- [--cases N] [--seed S] [--jobs J] [--limit SECONDS] [--supplies SHARE] [--program PATH] [--verbose]
+//   test_fuzz -- [--cases N] [--seed S] [--jobs J] [--limit SECONDS] [--supplies SHARE] [--heat SHARE]
+//                [--program PATH] [--verbose]
 //
 // Case k has the seed S + k, so that `--seed S+k --cases 1 --verbose` shows one case again, with its deck.
 #include <atomic>
@@ -25,7 +26,7 @@ struct Options {
   std::uint64_t cases = EHL_FUZZ_CASES;
   unsigned jobs = 2;
   double limit = EHL_FUZZ_SECONDS;
-  double supplies = Setting{}.supplies;
+  double supplies = Setting{}.supplies, heat = Setting{}.heat;
   std::string program = EHL_PROGRAM;
   bool verbose = false;
 };
@@ -48,6 +49,8 @@ Options read_options() {
       options.limit = std::stod(words[++k]);
     else if (is("--supplies"))
       options.supplies = std::stod(words[++k]);
+    else if (is("--heat"))
+      options.heat = std::stod(words[++k]);
     else if (is("--program"))
       options.program = words[++k];
     else
@@ -61,6 +64,7 @@ Setting make_setting(const Options& options) {
   setting.program = options.program;
   setting.limit = options.limit;
   setting.supplies = options.supplies;
+  setting.heat = options.heat;
   setting.environment = {"OMP_WAIT_POLICY=passive"};
   const support::TemporaryFolder folder;
   const Finished listing = run_program({setting.program, "keys"}, folder.path(), setting.environment, options.limit);

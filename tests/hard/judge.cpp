@@ -21,7 +21,7 @@ class Judge {
  public:
   Judge(std::uint64_t seed, const Setting& setting) : setting_(setting) {
     verdict_.seed = seed;
-    verdict_.deck = random_deck(seed, setting.keys, setting.supplies);
+    verdict_.deck = random_deck(seed, setting.keys, setting.supplies, setting.heat);
     folder_.write("d.ini", verdict_.deck.text);
     for (const File& file : verdict_.deck.files) folder_.write(file.name, file.text);
   }

@@ -41,9 +41,9 @@ struct RandomDeck {
 };
 
 /// The same deck for the same seed and keys, on every machine. in: the keys that the program has, targets of the
-/// damage; the share of decks with a [supply]. Physical cases: M log-uniform 1 ... 1e4, L 0 ... 30, in three languages,
-/// grids up to 129 x 129 nodes.
-RandomDeck random_deck(std::uint64_t seed, const std::vector<KnownKey>& keys, double supplies);
+/// damage; the shares of decks with a [supply] and of usual contacts with heat. Physical cases: M log-uniform 1 ...
+/// 1e4, L 0 ... 30, in three languages, grids up to 129 x 129 nodes.
+RandomDeck random_deck(std::uint64_t seed, const std::vector<KnownKey>& keys, double supplies, double heat);
 
 /// A case in good faith: what a user may want, common or rare. ordinary: left true while nothing in it can be refused.
 std::vector<Entry> random_case(Random& random, bool& ordinary);
@@ -63,8 +63,9 @@ void vary_oil(std::vector<Entry>& entries, std::vector<File>& files, Random rand
 /// In a share of decks a [supply], some with passes, and what varies of it in time; likewise.
 void vary_supply(std::vector<Entry>& entries, Random random, double share, bool& ordinary);
 
-/// Now and then heat, and the pressure's flow that thins; drawn for itself.
-void add_heat(std::vector<Entry>& entries, Random random, bool& ordinary);
+/// A share of decks becomes a usual contact with heat, others have it now and then, or the pressure's flow that thins;
+/// drawn for itself.
+void add_heat(std::vector<Entry>& entries, Random random, double share, bool& ordinary);
 
 /// Stresses below the contact; few planes, for the time.
 void add_subsurface(std::vector<Entry>& entries, Random& random);

@@ -1,6 +1,7 @@
 // Heat and the thinning of the pressure's own flow, at random.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "hard/random_deck.hpp"
@@ -18,9 +19,12 @@ bool any(const Entries& entries, Is is) {
 // What neither goes with; now and then it is drawn all the same.
 bool possible(const Entries& entries) {
   return entries.front().name == "radius_x" && !any(entries, [](const Entry& entry) {
-           return entry.section == "transient" || entry.section == "supply" ||
-                  (entry.name == "polish" && entry.value == "always");
+           return entry.section == "transient" || (entry.name == "polish" && entry.value == "always");
          });
+}
+
+bool starved(const Entries& entries) {
+  return any(entries, [](const Entry& entry) { return entry.section == "supply"; });
 }
 
 // Oils that have no temperature, or their own.
@@ -57,13 +61,19 @@ Entries usual_contact(Random& random) {
 
 }  // namespace
 
-void add_heat(std::vector<Entry>& entries, Random random, bool& ordinary) {
+void add_heat(std::vector<Entry>& entries, Random random, double share, bool& ordinary) {
   if (entries.front().section == "case") return;  // dry
-  const bool usual = random.chance(0.15);
-  if (usual) entries = usual_contact(random);
+  const bool usual = random.chance(share);
+  if (usual) {
+    Entries supply;
+    std::ranges::copy_if(entries, std::back_inserter(supply),
+                         [](const Entry& entry) { return entry.section == "supply"; });
+    entries = usual_contact(random);
+    entries.insert(entries.end(), supply.begin(), supply.end());
+  }
   const bool can = usual || possible(entries);
   const bool thins = any(entries, [](const Entry& entry) { return entry.section == "shear"; });
-  if (thins && random.chance(can ? 0.3 : 0.01)) {
+  if (thins && random.chance(can && !starved(entries) ? 0.3 : 0.01)) {
     entries.push_back({"shear", "flow", "on"});
     ordinary = false;
   }

@@ -59,8 +59,12 @@ BOOST_AUTO_TEST_CASE(line_contacts) {
       {"dimple",
        numbers + "[surface1]\nshape = dimple\nheight = 0.01\nwidth = 0.5\nat_rest = yes\n",
        {"dimple", "ridge, groove or waviness"}},
-      {"in time", numbers + "[transient]\nend_time = 1\n", {"[transient] end_time", "line contacts do not carry this"}},
-      {"supply", numbers + "[supply]\nH_oil = 0.1\n", {"[supply] H_oil", "line contacts do not carry this"}},
+      {"in time with the far field of a steady one",
+       numbers + "[transient]\nend_time = 1\n[domain]\nfar_field = closed\n",
+       {"far_field = closed", "in time zero"}},
+      {"a probe beside the line",
+       numbers + "[transient]\nend_time = 1\n[output]\nprobe = 0 0.5\n",
+       {"(0, 0.5) is beside the one line", "Y = 0"}},
   });
 }
 
@@ -87,8 +91,8 @@ BOOST_AUTO_TEST_CASE(languages_and_groups) {
        steel + "[contact]\nradius_y = 0.02\nradius_ratio = 0.5\n",
        {"d.ini:12", "radius_ratio = 0.5", "radius_y is given as well"}},
       {"ratio out of range",
-       "[contact]\nM = 50\nL = 10\nradius_ratio = 25\n" + oil,
-       {"d.ini:4", "radius_ratio = 25", "20", "nearly a line"}},
+       "[contact]\nM = 50\nL = 10\nradius_ratio = 250\n" + oil,
+       {"d.ini:4", "radius_ratio = 250", "200", "nearly a line"}},
       {"negative ratio",
        "[contact]\nM = 50\nL = 10\nradius_ratio = -1\n" + oil,
        {"d.ini:4", "radius_ratio = -1", "0.005"}},

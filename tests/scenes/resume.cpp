@@ -16,6 +16,10 @@ const std::string swinging =
     "y_half = 3\n[grid]\ncells = 64\n[transient]\nend_time = 6\noutput_interval = 0.2\nload_wave = 0.2 2\nload = 1:1 "
     "1:1.1\n";
 
+const std::string swinging_line =
+    "[contact]\nkind = line\nM = 50\nL = 10\n[lubricant]\nalpha = 1.7e-8\n[grid]\ncells = 1024\n[transient]\n"
+    "rtol = 3e-5\nend_time = 6\noutput_interval = 0.2\nload_wave = 0.2 2\n";
+
 // Hc at T, linear between the rows.
 double Hc_at(const std::vector<std::vector<double>>& rows, double T) {
   const auto after = std::ranges::find_if(rows, [T](const auto& row) { return row[0] >= T; });
@@ -45,15 +49,11 @@ support::Ended stopped_in_time(const support::TemporaryFolder& folder, const std
   return ended;
 }
 
-}  // namespace
-
-BOOST_AUTO_TEST_SUITE(resume)
-
 // Stopped and gone on twice: the film of the uninterrupted run, within what its tolerance allows (rtol 1e-4; the error
 // of such runs is a few 1e-4).
-BOOST_AUTO_TEST_CASE(goes_on_to_the_same_film) {
+void goes_on_to_the_same_film(const std::string& deck) {
   const support::TemporaryFolder folder;
-  folder.write("d.ini", swinging);
+  folder.write("d.ini", deck);
   BOOST_TEST_REQUIRE(support::ehl(folder, "run d.ini --quiet --output whole.h5").status == 0);
   const auto whole = rows_of(support::ehl(folder, "extract whole.h5 /transient").out);
   const support::Ended complete = support::ehl(folder, "resume whole.h5");
@@ -79,28 +79,39 @@ BOOST_AUTO_TEST_CASE(goes_on_to_the_same_film) {
   BOOST_TEST(first < 6.0);
   BOOST_TEST(worst < 1e-3);
   BOOST_TEST(parts.back()[0] == 6.0);
-  // Every field is there once, at its time.
+  // Every field is there once, at its time; those of before the stop are the same bits.
+  for (const char* field : {"P", "H"})
+    BOOST_TEST((support::ehl(folder, std::string("extract whole.h5 --step 1 ") + field).out ==
+                support::ehl(folder, std::string("extract parts.h5 --step 1 ") + field).out));
   const auto times = rows_of(support::ehl(folder, "extract parts.h5 /transient/frames/time").out);
   BOOST_TEST_REQUIRE(times.size() == 31u);
   for (std::size_t k = 0; k < times.size(); ++k)
     BOOST_TEST(std::abs(times[k][0] - 0.2 * static_cast<double>(k)) < 1e-9);
 }
 
-// Killed at twenty moments, most of them while it writes: there is no file yet, or one that can be read and resumed.
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(resume)
+
+BOOST_AUTO_TEST_CASE(a_point_contact_goes_on) { goes_on_to_the_same_film(swinging); }
+BOOST_AUTO_TEST_CASE(a_line_contact_goes_on) { goes_on_to_the_same_film(swinging_line); }
+
+// Killed at twenty moments and more, most of them while it writes: there is no file yet, or one that can be read and
+// resumed.
 BOOST_AUTO_TEST_CASE(killed_at_any_moment_leaves_a_file_that_goes_on) {
   const support::TemporaryFolder folder;
   folder.write("d.ini", swinging + "[output]\ncheckpoint = 1e-3\n");
-  int found = 0;
-  for (int k = 0; k < 20; ++k) {
-    stopped(folder, "run d.ini --quiet --overwrite", "KILL", 0.05 + 0.02 * k);
+  int found = 0, kills = 0;
+  for (; kills < 20 || (found < 10 && kills < 100); ++kills) {
+    stopped(folder, "run d.ini --quiet --overwrite", "KILL", 0.05 + 0.02 * kills);
     if (support::shell(folder, "test -e d.h5").status != 0) continue;
     ++found;
     const support::Ended read = support::ehl(folder, "extract d.h5 /checkpoint/y");
-    BOOST_TEST(read.status == 0, "kill " << k << ": " << read.err);
+    BOOST_TEST(read.status == 0, "kill " << kills << ": " << read.err);
     BOOST_TEST(rows_of(read.out).size() == 2u * 65u * 33u + 1u);
   }
-  BOOST_TEST_MESSAGE(found << " of 20 kills left a file");
-  BOOST_TEST(found >= 5);
+  BOOST_TEST_MESSAGE(found << " of " << kills << " kills left a file");
+  BOOST_TEST(found >= 10);
   BOOST_TEST(support::ehl(folder, "resume d.h5 --quiet").status == 0);
   // Complete, it has no checkpoint left.
   BOOST_TEST(support::ehl(folder, "resume d.h5").says({"no checkpoint", "complete"}));
@@ -111,9 +122,10 @@ BOOST_AUTO_TEST_CASE(stopped_before_the_first_step) {
   const support::TemporaryFolder folder;
   folder.write("d.ini", swinging);
   support::Ended ended;
-  for (double seconds = 0.02; seconds < 2.0 && !ended.says({"before the first step"}); seconds *= 1.1) {
+  // So many cells that the steady contact and the first step take longer than a signal is late on a busy machine.
+  for (double seconds = 0.1; seconds < 20.0 && !ended.says({"before the first step"}); seconds *= 1.3) {
     support::shell(folder, "rm -f *.h5 *.xmf");
-    ended = stopped(folder, "run d.ini --quiet", "INT", seconds);
+    ended = stopped(folder, "run d.ini --quiet --set grid.cells=512", "INT", seconds);
   }
   BOOST_TEST_REQUIRE(ended.says({"before the first step"}), ended.err);
   BOOST_TEST(support::ehl(folder, "resume d.h5").says({"stopped before the first step", "run its deck again"}));

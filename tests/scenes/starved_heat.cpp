@@ -3,6 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@
 using support::number_at;
 
 namespace {
+
+constexpr double radius = 9.525e-3;
 
 struct Scene {
   support::TemporaryFolder folder;
@@ -91,10 +94,54 @@ BOOST_AUTO_TEST_CASE(progress_never_goes_back) {
   BOOST_TEST(std::ranges::is_sorted(told), ended.err);
 }
 
-BOOST_AUTO_TEST_CASE(passes_are_refused) {
+// The first pass is the contact alone; what one leaves, the next is given, and no more is lost than by the sides; the
+// last is what a contact alone makes of the layer that the one before has left.
+BOOST_AUTO_TEST_CASE(passes_over_one_track) {
   const Scene scene;
-  const support::Ended refused =
-      support::ehl(scene.folder, "check d.ini --set supply.layer_m=1e-7 --set supply.passes=3");
-  BOOST_TEST(refused.status == 2);
-  BOOST_TEST(refused.says({"passes", "isothermal"}), refused.err);
+  const auto alone = scene.run("--set supply.layer_m=200e-9");
+  const auto found = scene.run("--set supply.layer_m=200e-9 --set supply.passes=3");
+  const auto& track = found["starvation"]["track"];
+  BOOST_TEST_REQUIRE(track.size() == 3U);
+  check_close("first pass: Hc", number_at(track[0], "/Hc"), number_at(alone, "/Hc"), 1e-14);
+  check_close("first pass: factor", number_at(track[0], "/factor"), number_at(alone, "/starvation_factor"), 1e-14);
+  for (std::size_t k = 0; k < 3; ++k)
+    BOOST_TEST(std::abs(number_at(track[k], "/mass_imbalance")) <= 1e-10, "oil of pass " << k + 1);
+  for (std::size_t k = 1; k < 3; ++k) {
+    BOOST_TEST(number_at(track[k], "/Hc") < number_at(track[k - 1], "/Hc"));
+    check_close("what goes in", number_at(track[k], "/oil_in"),
+                number_at(track[k - 1], "/oil_in") - number_at(track[k - 1], "/oil_aside"), 1e-9);
+  }
+  check_close("supply of the last", number_at(track[2], "/supply_ratio") / number_at(track[1], "/supply_ratio"),
+              number_at(track[1], "/left") / number_at(track[0], "/left"), 1e-12);
+  check_close("last pass: Hc", number_at(track[2], "/Hc"), number_at(found, "/Hc"), 1e-14);
+
+  std::istringstream rows(support::ehl(scene.folder, "extract d.h5 tracks").out);
+  const double a = number_at(found, "/a_m"), h_scale = a * a / radius;
+  std::ostringstream csv;
+  csv.precision(17);
+  csv << "y,h\n";
+  for (std::string row; std::getline(rows, row);) {
+    double pass = 0.0, y = 0.0, layer = 0.0;
+    if (std::istringstream(row) >> pass >> y >> layer && pass == 2.0) csv << a * y << ',' << h_scale * layer << '\n';
+  }
+  scene.folder.write("track.csv", csv.str());
+  const auto given = scene.run("--set supply.profile=track.csv");
+  for (const char* name : {"/Hc", "/Hm", "/starvation_factor", "/thermal/mu", "/thermal/T_film_max", "/thermal/heat_1"})
+    check_close(name, number_at(given, name), number_at(found, name), 1e-9);
+}
+
+// A surface that brings fresh oil each time, and a track that levels out.
+BOOST_AUTO_TEST_CASE(passes_with_fresh_oil) {
+  const Scene scene;
+  const std::string layer = "--set supply.layer_m=100e-9 --set supply.passes=3 ";
+  const auto plain = scene.run(layer);
+  const auto renewed = scene.run(layer + "--set supply.returning=surface1");
+  const auto& track = renewed["starvation"]["track"];
+  const double first = number_at(track[0], "/supply_ratio"), a = number_at(renewed, "/a_m");
+  check_close("by the speeds, 2.5 and 1.5 m/s", number_at(track[2], "/supply_ratio") / first,
+              0.375 + 0.625 * number_at(track[1], "/left") * a * a / radius / 100e-9, 1e-9);
+  const auto levelled = scene.run(layer + "--set supply.pass_time=1 --set supply.reflow_time=0.01");
+  BOOST_TEST(number_at(plain, "/Hc") < number_at(renewed, "/Hc"));
+  BOOST_TEST(number_at(renewed, "/Hc") < number_at(track[0], "/Hc"));
+  check_close("levelled", number_at(levelled, "/Hc"), number_at(track[0], "/Hc"), 1e-3);
 }

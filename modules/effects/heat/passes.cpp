@@ -38,13 +38,13 @@ constexpr double enough_of_a_pass = 0.5;
 constexpr int most_cycles = 4;
 // Where a temperature takes longer than this many passes it hangs in an inlet that recirculates: oil goes from line to
 // line there, one in a sweep.
-constexpr int quick = 6, sweeps_when_slow = 3;
+constexpr int quick = 3, sweeps_when_slow = 3;
 constexpr double order = 2.0;  // of mu and temperatures, as of the film
 
-// The pass before, and the factor q behind it.
+// The pass before, the factor behind it, and the q that is believed.
 struct Trail {
   Pass before;
-  double q = 0.5;
+  double factor = 0.5, q = 0.5;
 };
 
 // What is still to change of a number over what is allowed of it. least: below it the number counts as none.
@@ -117,11 +117,13 @@ std::string unmet_of(const Pass& pass, const thermal::Balance& balance, const La
   return judgement::unmet_check(last, parameters.tolerance);
 }
 
-// Closes the balance of oil of a solution. out: what is still wrong with it; empty: nothing.
-std::string close_oil(fmg::Run& run, std::size_t l, LastCycle& last) {
+// Closes the balance of oil of a solution. in: the state before its pass. out: what is still wrong with it; empty:
+// nothing.
+std::string close_oil(fmg::Run& run, std::size_t l, const fmg::State& before, LastCycle& last) {
   fmg::Hierarchy& hierarchy = run.hierarchy;
   if (!fmg::conserves_mass(hierarchy.levels[l])) return {};
-  if (fmg::close_oil(hierarchy, hierarchy.levels[l], fmg::cautious(hierarchy.parameters, run.caution).relaxation)) {
+  const fmg::RelaxationParameters relaxation = fmg::cautious(hierarchy.parameters, run.caution).relaxation;
+  if (fmg::close_oil(hierarchy, hierarchy.levels[l], before, relaxation)) {
     const int number = run.record.history.back().cycle;
     run.record.history.pop_back();
     last.after = fmg::measures_of(hierarchy, l);
@@ -163,7 +165,9 @@ Result heat_up(fmg::Run& run, std::size_t l, thermal::FilmTemperature& film, Fac
     const fmg::State kept = fmg::state_of(hierarchy, l);
     const fmg::Caution caution = run.caution;
     const double asked = renew(hierarchy, l, n, film, factors, weight, result.balance);
-    if (n > 1) trail.q = std::clamp(asked / asked_before, least_q, most_q);
+    const double factor = std::clamp(asked / asked_before, least_q, most_q);
+    if (n > 1) trail.q = n > 2 && parameters.slow ? std::max(factor, trail.factor) : factor;
+    trail.factor = factor;
     const bool falls = asked < (1.0 - half_of_it * weight) * asked_before;
     weight = falls ? std::min(1.0, more * weight) : std::max(least_weight, less * weight);
     const bool good = std::isfinite(asked) && cycle(run, l, n == 1, last);
@@ -173,7 +177,7 @@ Result heat_up(fmg::Run& run, std::size_t l, thermal::FilmTemperature& film, Fac
     result.passes.push_back(pass);
     result.unmet = unmet_of(pass, result.balance, last, parameters);
     if (good) {
-      if (n > 1 && result.unmet.empty() && l == run.finest()) result.unmet = close_oil(run, l, last);
+      if (n > 1 && result.unmet.empty() && l == run.finest()) result.unmet = close_oil(run, l, kept, last);
       run.record.verification = judgement::verification_of(last);
       if (n > 1 && result.unmet.empty()) return result;
       trail.before = pass;

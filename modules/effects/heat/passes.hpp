@@ -32,6 +32,8 @@ struct Parameters {
   double tolerance = std::numeric_limits<double>::quiet_NaN();
   /// Without solutions below: the relative error of all four. NaN: unknown.
   double error = std::numeric_limits<double>::quiet_NaN();
+  /// Something may settle slowly below what changes quickly: the larger factor of the last two passes is believed.
+  bool slow = false;
 };
 
 struct Result {

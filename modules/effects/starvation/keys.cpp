@@ -44,6 +44,12 @@ std::vector<deck::Key> keys() {
         .remedy = "without oil there is no film: [case] kind = dry",
         .meaning = "Oil that is brought to the inlet, spread evenly over the width of the domain.",
         .example = "1e-10"},
+       {.name = "flow_m2_per_s",
+        .unit = "m^2/s",
+        .range = {0.0, none, true, true},
+        .remedy = "without oil there is no film: [case] kind = dry",
+        .meaning = "Oil that is brought to the inlet of a line contact, per length along y.",
+        .example = "1e-7"},
        {.name = "profile",
         .type = deck::Type::text,
         .meaning = "Layer across the track: a CSV with columns y and h, of both surfaces together, in metres; of a "
@@ -92,7 +98,8 @@ std::vector<deck::Key> keys() {
 }
 
 const std::vector<std::string>& ways() {
-  static const std::vector<std::string> all{"H_oil", "layer_m", "layer1_m", "layer2_m", "flow_m3_per_s", "profile"};
+  static const std::vector<std::string> all{"H_oil",         "layer_m",       "layer1_m", "layer2_m",
+                                            "flow_m3_per_s", "flow_m2_per_s", "profile"};
   return all;
 }
 
@@ -104,20 +111,29 @@ Input read(deck::Deck& deck, const Scales& scales) {
   const deck::Part supply{deck, "supply"};
   Input input;
   const bool two = supply.given("layer1_m") || supply.given("layer2_m");
-  std::vector<std::string> ways = supply.given_of({"H_oil", "layer_m", "flow_m3_per_s", "profile"});
+  std::vector<std::string> ways = supply.given_of({"H_oil", "layer_m", "flow_m3_per_s", "flow_m2_per_s", "profile"});
   if (two) ways.push_back(supply.given("layer1_m") ? "layer1_m" : "layer2_m");
   for (std::size_t k = 1; k < ways.size(); ++k)
     supply.complain(ways[k], "the supply is given as " + ways[0] + " already: keep one of them");
   if (two) supply.demand({"layer1_m", "layer2_m"}, "layer1_m and layer2_m belong together: 0 where there is none");
   if (!scales.in_SI)
-    supply.refuse({"layer_m", "layer1_m", "layer2_m", "flow_m3_per_s"},
+    supply.refuse({"layer_m", "layer1_m", "layer2_m", "flow_m3_per_s", "flow_m2_per_s"},
                   "is in SI and the contact is not: give H_oil, in units of H");
+  if (scales.line) {
+    supply.refuse({"flow_m3_per_s"}, "has no width to be spread over on a line contact: give flow_m2_per_s");
+    supply.refuse({"profile"}, "changes along y, and a line contact has none: give one layer");
+    if (supply.integer("passes", 1) > 1)
+      supply.complain("passes", "are all the same on a line contact, where no oil flows aside: remove it");
+  } else if (scales.point) {
+    supply.refuse({"flow_m2_per_s"}, "is of line contacts: give flow_m3_per_s");
+  }
   input.H_oil = supply.number("H_oil");
   const double u_m = 0.5 * (scales.u1 + scales.u2);
   const double layer1 = supply.number("layer1_m"), layer2 = supply.number("layer2_m");
   const double layer = supply.number("layer_m"), flow = supply.number("flow_m3_per_s");
   if (supply.given("layer_m")) input.H_oil = layer / scales.height;
   if (supply.given("flow_m3_per_s")) input.H_oil = flow / (u_m * scales.width * scales.a) / scales.height;
+  if (supply.given("flow_m2_per_s")) input.H_oil = supply.number("flow_m2_per_s") / u_m / scales.height;
   // What leaves the contact on surface 1, and what of the supply is on it.
   const double on_1 = scales.in_SI ? scales.u1 / (scales.u1 + scales.u2) : 0.5;
   const double split = supply.given("split") ? supply.number("split") : on_1;
@@ -135,7 +151,7 @@ Input read(deck::Deck& deck, const Scales& scales) {
     input.layer1 = layer1 / scales.height / input.H_oil;
     input.layer2 = layer2 / scales.height / input.H_oil;
   }
-  input.is_flow = supply.given("flow_m3_per_s");
+  input.is_flow = supply.given("flow_m3_per_s") || supply.given("flow_m2_per_s");
   input.profile = supply.word("profile");
   return input;
 }

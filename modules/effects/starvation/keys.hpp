@@ -16,6 +16,8 @@ struct Scales {
   double u2 = std::numeric_limits<double>::quiet_NaN();      ///< m/s
   double width = std::numeric_limits<double>::quiet_NaN();   ///< of the domain, in a
   bool in_SI = false;
+  bool line = false;   ///< a line contact
+  bool point = false;  ///< of an extent along y; neither: not known, the deck is wrong
 };
 
 /// What the deck says: one of both; and of repeated passes.

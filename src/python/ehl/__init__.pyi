@@ -228,7 +228,7 @@ class ContactKeys(TypedDict, total=False):
     default: none; allowed: a number > 0 and <= 1e-04 m"""
     radius_ratio: float | str
     """R_x/R_y, the radius along the entrainment over the one across it: below 1 an ellipse that lies across it. With any language; groups, Hertz radii and scales are made with R_x.
-    default: 1 (circular contact), or from radius_y; allowed: a number >= 0.005 and <= 20"""
+    default: 1 (circular contact), or from radius_y; allowed: a number >= 0.005 and <= 200"""
     length: float | str
     """Length of a roller in half widths a of the line contact with its mean load per length. Only with M and L, or W, U and G. (only with [contact] kind = roller)
     default: none; allowed: a number >= 4 and <= 2000"""
@@ -419,7 +419,7 @@ class MultigridKeys(TypedDict, total=False):
     """Cycles on every level of the full multigrid on its way up, at least; the checks ask for more where the level needs them.
     default: 2; allowed: a whole number >= 1 and <= 200"""
     extra_cycles: int
-    """Cycles beyond `cycles` on a level below the finest at most, where the checks ask for more.
+    """Cycles beyond `cycles` on a level below the finest at most, where the checks ask for more; with [supply] four times as many, and on the first level too.
     default: 3; allowed: a whole number >= 0 and <= 200"""
     tolerance: float | str
     """Relative residual of the Reynolds equation to reach on the finest grid (root mean square, over that of the wedge term).
@@ -691,6 +691,9 @@ class SupplyKeys(TypedDict, total=False):
     flow_m3_per_s: float | str
     """Oil that is brought to the inlet, spread evenly over the width of the domain.
     default: none; allowed: a number > 0 m^3/s"""
+    flow_m2_per_s: float | str
+    """Oil that is brought to the inlet of a line contact, per length along y.
+    default: none; allowed: a number > 0 m^2/s"""
     profile: str | os.PathLike[str]
     """Layer across the track: a CSV with columns y and h, of both surfaces together, in metres; of a contact in M and L in units of X and H. It covers the width of the domain.
     default: none; allowed: any text"""

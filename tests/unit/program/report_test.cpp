@@ -8,6 +8,7 @@
 #include "base/text_format.hpp"
 #include "case/effects.hpp"
 #include "report/outcome.hpp"
+#include "report/quantities.hpp"
 #include "report/result_content.hpp"
 #include "support/json.hpp"
 #include "support/text.hpp"
@@ -207,6 +208,18 @@ BOOST_AUTO_TEST_CASE(verification_is_shown_with_its_numbers) {
   };
   BOOST_TEST(value("flow_imbalance") == -6.7e-4);
   BOOST_TEST(value("largest_residual_x") == 0.75);
+}
+
+// What flows through a line contact is told per length.
+BOOST_AUTO_TEST_CASE(flow_through_has_the_unit_of_the_contact) {
+  const auto unit = [](const contact::Ellipse& shape) {
+    for (const program::Quantity& one : program::verification_quantities({}, shape))
+      if (one.name == "flow_through") return one.unit;
+    return std::string("none");
+  };
+  BOOST_TEST(unit(contact::ellipse(1.0)) == "rho0 u_m a^3/R");
+  BOOST_TEST(unit(contact::ellipse(0.2)) == "rho0 u_m a^3/R");
+  BOOST_TEST(unit(contact::line_contact()) == "rho0 u_m a^2/R");
 }
 
 // The words that modules/steady writes, and the codes that postprocess/ goes by.

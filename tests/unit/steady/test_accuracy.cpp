@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "steady/larger_domain.hpp"
 #include "unit/steady/made_solutions.hpp"
 
 using namespace ehl;

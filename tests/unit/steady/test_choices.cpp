@@ -13,6 +13,7 @@
 #include "rheology/laws.hpp"
 #include "steady/continuation.hpp"
 #include "steady/domain_error.hpp"
+#include "steady/rescue.hpp"
 #include "steady/resolution.hpp"
 #include "unit/newton/newton_scene.hpp"
 
@@ -194,6 +195,11 @@ BOOST_AUTO_TEST_CASE(end_where_the_mesh_has_no_solution) {
   const fmg::CyclesResult none = fmg::run_cycles(coarse, 0, {.planned = 1, .most = 9}, {}, nobody);
   BOOST_TEST((none.end == fmg::CyclesEnd::no_solution));
   BOOST_TEST(none.cycles == 1);
+  // Newton's method says the same, so that no other way is tried.
+  const steady::Solution by_newton =
+      steady::climb_by_newton(scene_of(1000, 10, {32, 32, -4.5, 1.5, -3.0, 3.0}), {.cells = 32}, {});
+  BOOST_TEST((by_newton.end == fmg::CyclesEnd::no_solution));
+  BOOST_TEST(!by_newton.converged);
 }
 
 // Weights that are too large by far: the cycles lower them, and end at the same solution.

@@ -165,6 +165,9 @@ BOOST_AUTO_TEST_CASE(warnings_name_what_is_wrong) {
   BOOST_TEST(warned("of Hm 120 %"));
   solution.levels.back() = {.nx = 128, .error_Hc = unknown, .error_Hm = unknown};
   BOOST_TEST(warned("single level; use at least 256 cells"));
+  solution.levels.back().Hm_fitted = -1e-4;
+  BOOST_TEST(warned("negative between the nodes"));
+  solution.levels.back().Hm_fitted = 1e-2;
   solution.levels.back() = {.error_Hc = 0.01, .error_Hm = 0.02};
   solution.domain_error_Hc = 0.03;
   BOOST_TEST(warned("starved"));

@@ -135,6 +135,28 @@ BOOST_AUTO_TEST_CASE(flash_temperatures_of_lines) {
   }
 }
 
+// Truth: 1/pi int exp(Pe s/2) K0(Pe |s|/2) dx' by quadrature, the same from the source that passes (two programs).
+BOOST_AUTO_TEST_CASE(an_endless_strip_at_any_speed) {
+  constexpr double speeds[] = {1, 2, 5, 10, 20, 50, 100};
+  constexpr double largest[] = {1.304172, 0.991850, 0.666883, 0.484640, 0.348500, 0.223137, 0.158561};
+  constexpr double centre[] = {1.213119, 0.863916, 0.528005, 0.365445, 0.255411, 0.160369, 0.113119};
+  constexpr int n = 500;  // cells on either side of the middle one
+  for (std::size_t k = 0; k < std::size(speeds); ++k) {
+    const SourceTable table = moving_source_table(2 * n, 0, 2.0 / (2 * n + 1), INFINITY, speeds[k]);
+    double most = 0.0, middle = 0.0;
+    for (int i = -n; i <= n; ++i) {
+      double theta = 0.0;
+      for (int m = -n; m <= n; ++m) theta += table(i - m, 0);
+      most = std::max(most, theta);
+      if (i == 0) middle = theta;
+    }
+    BOOST_TEST_MESSAGE("Pe = " << speeds[k] << ": largest " << most / largest[k] - 1 << ", centre "
+                               << middle / centre[k] - 1 << " off (tolerances 1e-4, 1e-5)");
+    BOOST_TEST(std::abs(most / largest[k] - 1) < 1e-4);
+    BOOST_TEST(std::abs(middle / centre[k] - 1) < 1e-5);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_circle_at_rest) {
   // Uniform: q a/k at the centre, mean 8/(3 pi).
   const Rise found = rise(uniform_circle, 0.0, 64);
