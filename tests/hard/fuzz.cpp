@@ -2,7 +2,7 @@
 // it never crashes, hangs, leaks, or calls a number converged that is none.
 //
 //   test_fuzz -- [--cases N] [--seed S] [--jobs J] [--limit SECONDS] [--supplies SHARE] [--heat SHARE]
-//                [--program PATH] [--verbose]
+//                [--lines SHARE] [--program PATH] [--verbose]
 //
 // Case k has the seed S + k, so that `--seed S+k --cases 1 --verbose` shows one case again, with its deck.
 #include <atomic>
@@ -26,7 +26,7 @@ struct Options {
   std::uint64_t cases = EHL_FUZZ_CASES;
   unsigned jobs = 2;
   double limit = EHL_FUZZ_SECONDS;
-  double supplies = Setting{}.supplies, heat = Setting{}.heat;
+  Shares shares{};
   std::string program = EHL_PROGRAM;
   bool verbose = false;
 };
@@ -48,9 +48,11 @@ Options read_options() {
     else if (is("--limit"))
       options.limit = std::stod(words[++k]);
     else if (is("--supplies"))
-      options.supplies = std::stod(words[++k]);
+      options.shares.supplies = std::stod(words[++k]);
     else if (is("--heat"))
-      options.heat = std::stod(words[++k]);
+      options.shares.heat = std::stod(words[++k]);
+    else if (is("--lines"))
+      options.shares.lines = std::stod(words[++k]);
     else if (is("--program"))
       options.program = words[++k];
     else
@@ -63,8 +65,7 @@ Setting make_setting(const Options& options) {
   Setting setting;
   setting.program = options.program;
   setting.limit = options.limit;
-  setting.supplies = options.supplies;
-  setting.heat = options.heat;
+  setting.shares = options.shares;
   setting.environment = {"OMP_WAIT_POLICY=passive"};
   const support::TemporaryFolder folder;
   const Finished listing = run_program({setting.program, "keys"}, folder.path(), setting.environment, options.limit);

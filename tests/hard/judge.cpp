@@ -21,7 +21,7 @@ class Judge {
  public:
   Judge(std::uint64_t seed, const Setting& setting) : setting_(setting) {
     verdict_.seed = seed;
-    verdict_.deck = random_deck(seed, setting.keys, setting.supplies, setting.heat);
+    verdict_.deck = random_deck(seed, setting.keys, setting.shares);
     folder_.write("d.ini", verdict_.deck.text);
     for (const File& file : verdict_.deck.files) folder_.write(file.name, file.text);
   }
@@ -97,7 +97,7 @@ class Judge {
     double ny = 0.0;
     std::string by;
     stream >> nx >> by >> ny;
-    return nx * ny;
+    return by == "x" ? nx * ny : nx;  // of a line contact, one line
   }
 
   void judge_solved(const Finished& ran) {

@@ -13,8 +13,7 @@ struct Setting {
   std::string program{};
   std::vector<KnownKey> keys{};
   std::vector<std::string> environment{};
-  double supplies = 0.25;             ///< share of decks with a [supply]
-  double heat = 0.15;                 ///< share of decks that become a usual contact with heat
+  Shares shares{};
   double limit = 60.0;                ///< seconds of one run
   double most_nodes = 129.0 * 129.0;  ///< larger grids (damage can ask for one) are checked, not run
 };

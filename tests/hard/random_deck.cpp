@@ -268,7 +268,7 @@ std::vector<Entry> random_case(Random& random, bool& ordinary) {
   return entries;
 }
 
-RandomDeck random_deck(std::uint64_t seed, const std::vector<KnownKey>& keys, double supplies, double heat) {
+RandomDeck random_deck(std::uint64_t seed, const std::vector<KnownKey>& keys, const Shares& shares) {
   // Neighbouring seeds must not give neighbouring decks.
   Random random(seed * 0x9E3779B97F4A7C15ULL + 1);
   constexpr double share_of_damaged = 0.35;
@@ -277,8 +277,9 @@ RandomDeck random_deck(std::uint64_t seed, const std::vector<KnownKey>& keys, do
   Entries entries = random_case(random, deck.ordinary);
   make_elliptic(entries, Random(seed * 0x9E3779B97F4A7C15ULL + 3), deck.ordinary);
   vary_oil(entries, deck.files, Random(seed * 0x9E3779B97F4A7C15ULL + 5), deck.ordinary);
-  vary_supply(entries, Random(seed * 0x9E3779B97F4A7C15ULL + 7), supplies, deck.ordinary);
-  add_heat(entries, Random(seed * 0x9E3779B97F4A7C15ULL + 9), heat, deck.ordinary);
+  vary_supply(entries, Random(seed * 0x9E3779B97F4A7C15ULL + 7), shares.supplies, deck.ordinary);
+  add_heat(entries, Random(seed * 0x9E3779B97F4A7C15ULL + 9), shares.heat, deck.ordinary);
+  make_line(entries, Random(seed * 0x9E3779B97F4A7C15ULL + 11), shares.lines, deck.ordinary);
   const bool damaged = random.chance(share_of_damaged);
   if (damaged && random.chance(0.6)) damage_entries(entries, keys, random, deck.damage);
   if (random.chance(0.2)) {

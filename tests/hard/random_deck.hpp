@@ -31,6 +31,13 @@ struct File {
   std::string text{};
 };
 
+/// Of all decks.
+struct Shares {
+  double supplies = 0.25;  ///< with a [supply]
+  double heat = 0.15;      ///< that become a usual contact with heat
+  double lines = 0.1;      ///< that become line contacts
+};
+
 struct RandomDeck {
   std::string text{};
   std::vector<File> files{};
@@ -41,9 +48,9 @@ struct RandomDeck {
 };
 
 /// The same deck for the same seed and keys, on every machine. in: the keys that the program has, targets of the
-/// damage; the shares of decks with a [supply] and of usual contacts with heat. Physical cases: M log-uniform 1 ...
-/// 1e4, L 0 ... 30, in three languages, grids up to 129 x 129 nodes.
-RandomDeck random_deck(std::uint64_t seed, const std::vector<KnownKey>& keys, double supplies, double heat);
+/// damage; the shares of the decks. Physical cases: M log-uniform 1 ... 1e4, L 0 ... 30, in three languages, grids up
+/// to 129 x 129 nodes, lines up to 1025.
+RandomDeck random_deck(std::uint64_t seed, const std::vector<KnownKey>& keys, const Shares& shares);
 
 /// A case in good faith: what a user may want, common or rare. ordinary: left true while nothing in it can be refused.
 std::vector<Entry> random_case(Random& random, bool& ordinary);
@@ -56,6 +63,9 @@ void add_at_rest(std::vector<Entry>& entries, Random& random, bool si);
 
 /// Now and then an ellipse, some of them aslant; drawn for itself, so that the other decks stay what they are.
 void make_elliptic(std::vector<Entry>& entries, Random random, bool& ordinary);
+
+/// A share of decks becomes a line contact, most of them without what they had across the motion; likewise.
+void make_line(std::vector<Entry>& entries, Random random, double share, bool& ordinary);
 
 /// Now and then an oil by name, by a table or by the laws of a liquid, one that thins, and friction; drawn for itself.
 void vary_oil(std::vector<Entry>& entries, std::vector<File>& files, Random random, bool& ordinary);

@@ -209,4 +209,25 @@ void make_elliptic(std::vector<Entry>& entries, Random random, bool& ordinary) {
   ordinary = false;
 }
 
+void make_line(std::vector<Entry>& entries, Random random, double share, bool& ordinary) {
+  const bool dry = entries.front().section == "case";
+  if (dry || !random.chance(share)) return;
+  ordinary = false;  // what points have and lines refuse stays now and then
+  const auto across = [](const Entry& entry) {
+    return entry.name == "y_half" || entry.name == "radius_y" || entry.name == "radius_ratio" ||
+           entry.name == "angle" || entry.name == "patch_across";
+  };
+  if (random.chance(0.95)) std::erase_if(entries, across);
+  const bool finer = random.chance(0.7);
+  for (Entry& entry : entries) {
+    const bool load = entry.section == "contact" && entry.name == "load";
+    if (load) entry = {"contact", "load_per_length", written(random, log_between(random, 1e3, 1e6))};
+    if (entry.name == "flow_m3_per_s")
+      entry = {"supply", "flow_m2_per_s", written(random, log_between(random, 1e-9, 1e-5))};
+    if (finer && entry.name == "cells" && entry.section == "grid")
+      entry.value = std::to_string(8 * std::stoi(entry.value));
+  }
+  entries.push_back({"contact", "kind", "line"});
+}
+
 }  // namespace hard
