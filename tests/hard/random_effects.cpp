@@ -1,6 +1,7 @@
 // What a case may call for beyond the basic model, at random: runs in time, bodies that move, surfaces, probes, dry
 // contacts. Common values mostly, and now and then one far away.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "hard/random_deck.hpp"
@@ -213,14 +214,17 @@ void make_line(std::vector<Entry>& entries, Random random, double share, bool& o
   const bool dry = entries.front().section == "case";
   if (dry || !random.chance(share)) return;
   ordinary = false;  // what points have and lines refuse stays now and then
-  const auto across = [](const Entry& entry) {
-    return entry.name == "y_half" || entry.name == "radius_y" || entry.name == "radius_ratio" ||
-           entry.name == "angle" || entry.name == "patch_across";
+  constexpr std::array of_points{"y_half", "radius_y",  "radius_ratio", "angle", "patch_across",
+                                 "passes", "returning", "pass_time",    "y",     "probe"};
+  const auto refused = [&](const Entry& entry) {
+    return entry.section == "body" || std::ranges::find(of_points, entry.name) != of_points.end();
   };
-  if (random.chance(0.95)) std::erase_if(entries, across);
+  if (random.chance(0.95)) std::erase_if(entries, refused);
   const bool finer = random.chance(0.7);
   for (Entry& entry : entries) {
     const bool load = entry.section == "contact" && entry.name == "load";
+    const bool round = entry.value == "dimple" || entry.value == "bump" || entry.value == "cavity";
+    if (entry.name == "shape" && round) entry.value = "ridge";
     if (load) entry = {"contact", "load_per_length", written(random, log_between(random, 1e3, 1e6))};
     if (entry.name == "flow_m3_per_s")
       entry = {"supply", "flow_m2_per_s", written(random, log_between(random, 1e-9, 1e-5))};
