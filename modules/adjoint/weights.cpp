@@ -37,7 +37,7 @@ Adjoint::Adjoint(fmg::Hierarchy& hierarchy, std::size_t l)
     boundary_ = fmg::nodes_of_boundary(level_.grid);
     far_ = fmg::far_slopes(hierarchy, level_);
   }
-  factored_ = preconditioner_.factor();
+  factored_ = preconditioner_.factor(by_P_, by_H_);
 }
 
 void Adjoint::scatter(const newton::Slopes& slopes, std::span<const double> x, core::Field& y) const {

@@ -17,7 +17,8 @@ class Field {
   Field() = default;
   /// in: nodes_x, nodes_y >= 1 numbers of nodes. errors: std::bad_alloc.
   Field(int nodes_x, int nodes_y);
-  explicit Field(const Patch& patch) : Field(patch.nodes_x(), patch.nodes_y()) {}
+  /// Of a line contact without padding beside its three lines: a whole field stays in the nearest caches.
+  explicit Field(const Patch& patch);
   Field(const Field& other);
   Field& operator=(const Field& other);
   Field(Field&&) noexcept = default;
@@ -45,6 +46,8 @@ class Field {
   void fill(double value);
 
  private:
+  Field(int nodes_x, int nodes_y, std::ptrdiff_t stride);
+
   int nodes_x_ = 0;
   int nodes_y_ = 0;
   std::ptrdiff_t stride_ = 0;

@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <vector>
 
-#include "newton/slopes.hpp"
 #include "reynolds/flux.hpp"
 
 namespace ehl::newton {
@@ -73,7 +72,8 @@ struct Preconditioner::Implementation {
 
   explicit Implementation(Equations& e) : equations(e) {}
   bool line() const { return equations.grid().domain.line && equations.size() <= most_dense; }
-  bool factor_dense();
+  bool factor_dense(const Slopes& by_P, const Slopes& by_H);
+  bool factor_sparse();
   Eigen::Index size() const { return static_cast<Eigen::Index>(order.size()); }
   /// Place in u and F of the k-th node of the order.
   std::size_t node(Eigen::Index k) const {
@@ -152,28 +152,31 @@ void Preconditioner::Implementation::assemble(Vector& column_of_H00) {
 }
 
 // A column for each unknown. A cavitated node's own is that of the identity.
-bool Preconditioner::Implementation::factor_dense() {
+bool Preconditioner::Implementation::factor_dense(const Slopes& by_P, const Slopes& by_H) {
   const core::Patch& grid = equations.grid();
-  const Slopes by_P = slopes(equations, By::pressure), by_H = slopes(equations, By::film);
-  // The film of a pressure at the first node: K by distance.
-  core::Field first(grid), K(grid);
+  // The film of a pressure at the first node: K by distance, from -nx to nx.
+  core::Field first(grid), film(grid);
   std::ranges::fill(first.station(0), 1.0);
-  equations.deform(first, K);
+  equations.deform(first, film);
+  Vector K(2 * grid.nx + 1);
+  for (int d = 0; d <= grid.nx; ++d) K[grid.nx + d] = K[grid.nx - d] = film(d, 1);
   const auto n = static_cast<Eigen::Index>(equations.size());
   const Eigen::Index load = n - 1;
   Eigen::MatrixXd all = Eigen::MatrixXd::Zero(n, n);
-  for (int i = 1; i < grid.nx; ++i) {
-    const Eigen::Index row = i - 1;
-    const auto k = static_cast<std::size_t>(row);
-    for (std::size_t m = 0; m < stencil.size(); ++m) {
-      const auto [di, dj] = stencil[m];
-      const bool inside = i + di >= 1 && i + di < grid.nx;
-      if (inside) all(row, row + di) += by_P[k][m];
-      for (int l = 1; l < grid.nx; ++l) all(row, l - 1) += by_H[k][m] * K(std::abs(i + di - l), 1);
-      all(row, load) += by_H[k][m];
+  for (std::size_t m = 0; m < stencil.size(); ++m) {
+    const auto [di, dj] = stencil[m];
+    if (dj != 0) continue;
+    Vector of_film(load);
+    for (Eigen::Index row = 0; row < load; ++row) {
+      const auto k = static_cast<std::size_t>(row);
+      of_film[row] = by_H[k][m];
+      if (row + di >= 0 && row + di < load) all(row, row + di) += by_P[k][m];
     }
-    all(load, row) = grid.hx() * grid.hy() / equations.level().load;
+    for (Eigen::Index column = 0; column < load; ++column)
+      all.col(column).head(load).array() += of_film.array() * K.segment(grid.nx + di - column, load).array();
+    all.col(load).head(load) += of_film;
   }
+  all.row(load).head(load).setConstant(grid.hx() * grid.hy() / equations.level().load);
   for (Eigen::Index k = 0; k < load; ++k)
     if (!equations.wet(static_cast<std::size_t>(k))) {
       all.col(k).setZero();
@@ -184,29 +187,38 @@ bool Preconditioner::Implementation::factor_dense() {
   return true;
 }
 
+bool Preconditioner::Implementation::factor_sparse() {
+  make_order();
+  if (order.empty()) return false;
+  Vector column(size());
+  assemble(column);
+  lu.setPivotThreshold(1e-3);
+  lu.analyzePattern(matrix);
+  lu.factorize(matrix);
+  if (lu.info() != Eigen::Success) return false;
+  border = lu.solve(column);
+  const core::Patch& grid = equations.grid();
+  load_row.resize(size());
+  std::ranges::transform(order, load_row.begin(), [&](const auto& node) {
+    return grid.hx() * grid.hy() * grid.lines(node.second) / equations.level().load;
+  });
+  schur = load_row.dot(border);
+  rhs.resize(size());
+  return border.allFinite() && schur != 0.0;
+}
+
 Preconditioner::Preconditioner(Equations& equations) : implementation_(std::make_unique<Implementation>(equations)) {}
 Preconditioner::~Preconditioner() = default;
 
 bool Preconditioner::factor() {
   Implementation& own = *implementation_;
-  if (own.line()) return own.factor_dense();
-  own.make_order();
-  if (own.order.empty()) return false;
-  Vector column(own.size());
-  own.assemble(column);
-  own.lu.setPivotThreshold(1e-3);
-  own.lu.analyzePattern(own.matrix);
-  own.lu.factorize(own.matrix);
-  if (own.lu.info() != Eigen::Success) return false;
-  own.border = own.lu.solve(column);
-  const core::Patch& grid = own.equations.grid();
-  own.load_row.resize(own.size());
-  std::ranges::transform(own.order, own.load_row.begin(), [&](const auto& node) {
-    return grid.hx() * grid.hy() * grid.lines(node.second) / own.equations.level().load;
-  });
-  own.schur = own.load_row.dot(own.border);
-  own.rhs.resize(own.size());
-  return own.border.allFinite() && own.schur != 0.0;
+  return own.line() ? own.factor_dense(slopes(own.equations, By::pressure), slopes(own.equations, By::film))
+                    : own.factor_sparse();
+}
+
+bool Preconditioner::factor(const Slopes& by_P, const Slopes& by_H) {
+  Implementation& own = *implementation_;
+  return own.line() ? own.factor_dense(by_P, by_H) : own.factor_sparse();
 }
 
 void Preconditioner::solve(std::span<double> v) {

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "newton/equations.hpp"
+#include "newton/slopes.hpp"
 
 namespace ehl::newton {
 
@@ -17,6 +18,8 @@ class Preconditioner {
 
   /// Factors J~ at the equations' point of linearization. false: singular.
   bool factor();
+  /// The same, the slopes there already made.
+  bool factor(const Slopes& by_P, const Slopes& by_H);
   /// v <- J~^-1 v.
   void solve(std::span<double> v);
   /// v <- J~^-T v.
