@@ -16,7 +16,7 @@ Adjoint::Adjoint(fmg::Hierarchy& hierarchy, std::size_t l)
     : hierarchy_(hierarchy),
       level_(hierarchy.levels[l]),
       equations_(hierarchy, l),
-      preconditioner_(equations_),
+      preconditioner_(equations_, newton::Preconditioner::Precision::single),
       on_P_(level_.grid),
       on_H_(level_.grid),
       deformed_(level_.grid) {

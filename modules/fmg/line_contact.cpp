@@ -21,7 +21,7 @@ void gather(const core::Field& field, std::vector<double>& along) {
 void scatter(std::span<const double> along, core::Field& field) {
   double* station = field.at_x(0);
   for (const double value : along) {
-    station[0] = station[1] = station[2] = value;
+    core::fill_lines(station, value);
     station += field.stride();
   }
 }
@@ -60,7 +60,7 @@ void third_order_behind_nodes(const reynolds::Transport& transport, std::span<co
     const double theta = transport.wedge == reynolds::Wedge::upstream3_inlet
                              ? reynolds::third_order_in_inlet(level.grid.X(i) + 0.5 * hx)
                              : share(eps[k], eps[k + 1]);
-    std::fill_n(level.third_order.at_x(i), level.grid.nodes_y(), theta);
+    core::fill_lines(level.third_order.at_x(i), theta);
   }
 }
 
@@ -137,11 +137,16 @@ void film_along_line(Hierarchy& hierarchy, Level& level) {
   }
   const core::ScopedTimer timer(hierarchy.times, core::Part::coefficients);
   const bool with_F = level.F.nodes_x() > 0;
-  for (int i = 0; i < level.grid.nodes_x(); ++i) {
-    double& H = nodes.H[static_cast<std::size_t>(i)];
-    H += rigid_gap(hierarchy.problem.geometry, level.grid, hierarchy.H00, i, 1);
-    if (with_F) H += level.F(i, 1);
+  // rigid_gap() where Y = 0
+  const double H00 = hierarchy.H00, XX = hierarchy.problem.geometry.gap.XX;
+  const double X_a = level.grid.X(0), hx = level.grid.hx();
+  double* H = nodes.H.data();
+  for (int i = 0; i <= level.grid.nx; ++i) {
+    const double X = X_a + i * hx;
+    H[i] += H00 + XX * X * X;
   }
+  if (with_F)
+    for (int i = 0; i <= level.grid.nx; ++i) H[i] += level.F(i, 1);
   scatter(nodes.H, level.H);
   coefficients_of_nodes(hierarchy, level);
 }

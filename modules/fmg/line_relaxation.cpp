@@ -249,10 +249,7 @@ void AlongLine<reach>::apply() {
         at(work_.P, i) + at(work_.delta, i) - share * (at(work_.distributed, i - 1) + at(work_.distributed, i + 1));
     put(work_.delta, i, reynolds::projected(cavitation_, P));
   });
-  for (int i = 1; i < grid_.nx; ++i) {
-    double* P = level_.P.at_x(i);
-    P[0] = P[1] = P[2] = one(work_.delta, i);
-  }
+  for (int i = 1; i < grid_.nx; ++i) core::fill_lines(level_.P.at_x(i), one(work_.delta, i));
 }
 
 }  // namespace

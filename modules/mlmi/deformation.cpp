@@ -155,8 +155,7 @@ void Deformation::evaluate(const core::Field& P, core::Field& w) {
   if (own.line_sum) {
     for (int i = 0; i < own.grid.nodes_x(); ++i) own.along_P[static_cast<std::size_t>(i)] = P(i, 1);
     evaluate_along(own.along_P, own.along_w);
-    for (int i = 0; i < own.grid.nodes_x(); ++i)
-      std::ranges::fill(w.station(i), own.along_w[static_cast<std::size_t>(i)]);
+    for (int i = 0; i < own.grid.nodes_x(); ++i) core::fill_lines(w.at_x(i), own.along_w[static_cast<std::size_t>(i)]);
     return;
   }
   if (own.whole_P.nodes_x() == 0) {

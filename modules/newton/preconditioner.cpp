@@ -68,12 +68,24 @@ struct Preconditioner::Implementation {
   double schur = 0.0;
   Vector rhs, solution;
 
-  Eigen::PartialPivLU<Eigen::MatrixXd> dense;  // of a line contact
+  // Of a line contact, one of these:
+  Eigen::PartialPivLU<Eigen::MatrixXd> dense;
+  Eigen::PartialPivLU<Eigen::MatrixXf> dense_single;
+  const bool single;
 
-  explicit Implementation(Equations& e) : equations(e) {}
+  Implementation(Equations& e, bool of_single) : equations(e), single(of_single) {}
   bool line() const { return equations.grid().domain.line && equations.size() <= most_dense; }
   bool factor_dense(const Slopes& by_P, const Slopes& by_H);
   bool factor_sparse();
+  /// v <- A^-1 v by the dense factors `lu`, or those of A^T.
+  template <class Factors>
+  static void solve_by(const Factors& lu, std::span<double> v) {
+    using Number = typename Factors::Scalar;
+    Eigen::Map<Vector> all(v.data(), static_cast<Eigen::Index>(v.size()));
+    const Eigen::Vector<Number, Eigen::Dynamic> rhs = all.cast<Number>();
+    const Eigen::Vector<Number, Eigen::Dynamic> found = lu.solve(rhs);
+    all = found.template cast<double>();
+  }
   Eigen::Index size() const { return static_cast<Eigen::Index>(order.size()); }
   /// Place in u and F of the k-th node of the order.
   std::size_t node(Eigen::Index k) const {
@@ -183,7 +195,10 @@ bool Preconditioner::Implementation::factor_dense(const Slopes& by_P, const Slop
       all(k, k) = 1.0;
     }
   if (!all.allFinite()) return false;
-  dense.compute(all);
+  if (single)
+    dense_single.compute(all.cast<float>());
+  else
+    dense.compute(all);
   return true;
 }
 
@@ -207,7 +222,8 @@ bool Preconditioner::Implementation::factor_sparse() {
   return border.allFinite() && schur != 0.0;
 }
 
-Preconditioner::Preconditioner(Equations& equations) : implementation_(std::make_unique<Implementation>(equations)) {}
+Preconditioner::Preconditioner(Equations& equations, Precision of_dense)
+    : implementation_(std::make_unique<Implementation>(equations, of_dense == Precision::single)) {}
 Preconditioner::~Preconditioner() = default;
 
 bool Preconditioner::factor() {
@@ -223,12 +239,7 @@ bool Preconditioner::factor(const Slopes& by_P, const Slopes& by_H) {
 
 void Preconditioner::solve(std::span<double> v) {
   Implementation& own = *implementation_;
-  if (own.line()) {
-    Eigen::Map<Vector> all(v.data(), static_cast<Eigen::Index>(v.size()));
-    own.solution = own.dense.solve(all);
-    all = own.solution;
-    return;
-  }
+  if (own.line()) return own.single ? own.solve_by(own.dense_single, v) : own.solve_by(own.dense, v);
   for (Eigen::Index k = 0; k < own.size(); ++k) own.rhs[k] = v[own.node(k)];
   own.solution = own.lu.solve(own.rhs);
   const double dH00 = (own.load_row.dot(own.solution) - v.back()) / own.schur;
@@ -238,12 +249,8 @@ void Preconditioner::solve(std::span<double> v) {
 
 void Preconditioner::solve_transposed(std::span<double> v) {
   Implementation& own = *implementation_;
-  if (own.line()) {
-    Eigen::Map<Vector> all(v.data(), static_cast<Eigen::Index>(v.size()));
-    own.solution = own.dense.transpose().solve(all);
-    all = own.solution;
-    return;
-  }
+  if (own.line())
+    return own.single ? own.solve_by(own.dense_single.transpose(), v) : own.solve_by(own.dense.transpose(), v);
   for (Eigen::Index k = 0; k < own.size(); ++k) own.rhs[k] = v[own.node(k)];
   const double load = (own.border.dot(own.rhs) - v.back()) / own.schur;
   own.rhs -= load * own.load_row;

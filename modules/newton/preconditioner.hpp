@@ -13,7 +13,10 @@ namespace ehl::newton {
 /// line contact of a few hundred nodes it is the Jacobian itself: the logarithm has no near part.
 class Preconditioner {
  public:
-  explicit Preconditioner(Equations& equations);
+  /// The numbers of a line contact's dense factors: of single precision they cost half, and leave 1e-4 of the residual
+  /// or less.
+  enum class Precision { twice, single };
+  explicit Preconditioner(Equations& equations, Precision of_dense = Precision::twice);
   ~Preconditioner();
 
   /// Factors J~ at the equations' point of linearization. false: singular.
