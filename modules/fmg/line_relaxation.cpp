@@ -4,6 +4,7 @@
 
 #include "film/half_points.hpp"
 #include "fmg/line_batch.hpp"
+#include "fmg/line_contact.hpp"
 #include "reynolds/flux.hpp"
 
 namespace ehl::fmg {
@@ -54,8 +55,8 @@ class AlongLine {
   void read_faces();
   void read_answers();
   void choose_kind();
-  template <Form form>
-  void assemble(int first, int last);
+  template <Form form, class Take>
+  void assemble(int first, int last, Take take);
   line_solvers::SmallPivot solve();
   void under_relax();
   void hold_to_what_is_there();
@@ -75,27 +76,39 @@ class AlongLine {
   LineSystem& work_;
 };
 
-// Before the first node and behind the last stand zeros.
+// Before the first node and behind the last stand zeros. What update_coefficients() has made stands side by side
+// already where it was made so: nobody else makes it.
 template <int reach>
 void AlongLine<reach>::gather() {
   const bool half_points = at_half_points(level_);
-  const bool with_f = level_.f.nodes_x() > 0;
-  const bool third_order = half_points || reynolds::third_order(level_.scheme.wedge);
-  for (int i = 0; i <= grid_.nx; ++i) {
-    const auto k = static_cast<std::size_t>(i + LineSystem::margin);
-    const double H = level_.H(i, 1);
-    const double rho_bar = level_.rho_bar(i, 1);
-    work_.P[k] = level_.P(i, 1);
-    work_.rho_bar[k] = rho_bar;
-    work_.rho_H[k] = rho_bar * H;
-    work_.slope_H[k] = level_.drho_bar(i, 1) * H;
-    work_.eps[k] = level_.eps(i, 1);
-    if (with_f) work_.f[k] = level_.f(i, 1);
-    if (third_order) work_.third_order[k] = level_.third_order(i, 1);
-    if (!half_points) continue;
-    work_.fluidity[k] = level_.oil.fluidity(i, 1);
-    work_.log_viscosity[k] = level_.oil.log_viscosity(i, 1);
+  const auto take = [this](const core::Field& field, Values& values) {
+    const double* own = field.at_x(0) + 1;
+    for (int i = 0; i <= grid_.nx; ++i, own += field.stride()) one(values, i) = *own;
+  };
+  take(level_.P, work_.P);
+  take(level_.H, work_.rho_H);
+  if (level_.f.nodes_x() > 0) take(level_.f, work_.f);
+  if (half_points || reynolds::third_order(level_.scheme.wedge)) take(level_.third_order, work_.third_order);
+  if (along_one_line(hierarchy_, level_)) {
+    const LineNodes& nodes = level_.thread_work.front().line_nodes;
+    const auto copy = [](const std::vector<double>& made, Values& values) {
+      std::ranges::copy(made, values.begin() + LineSystem::margin);
+    };
+    copy(nodes.rho_bar, work_.rho_bar);
+    copy(nodes.drho_bar, work_.slope_H);
+    copy(nodes.eps, work_.eps);
+    if (half_points) copy(nodes.fluidity, work_.fluidity), copy(nodes.log_viscosity, work_.log_viscosity);
+  } else {
+    take(level_.rho_bar, work_.rho_bar);
+    take(level_.drho_bar, work_.slope_H);
+    take(level_.eps, work_.eps);
+    if (half_points) take(level_.oil.fluidity, work_.fluidity), take(level_.oil.log_viscosity, work_.log_viscosity);
   }
+  for_vectors(0, grid_.nx, [&](int i) {
+    const Lanes H = at(work_.rho_H, i);
+    put(work_.rho_H, i, at(work_.rho_bar, i) * H);
+    put(work_.slope_H, i, at(work_.slope_H, i) * H);
+  });
 }
 
 template <int reach>
@@ -138,10 +151,11 @@ void AlongLine<reach>::choose_kind() {
   for (int i = grid_.nx; i < grid_.nx + core::lanes; ++i) one(work_.distributive, i) = 0.0;
 }
 
-// The rows of the nodes first .. last, whose wedge has the weights of `first`; line_batch.cpp has the steps.
+// The rows of the nodes first .. last, whose wedge has the weights of `first`; line_batch.cpp has the steps. out:
+// take(i, row), of a vector of nodes from i on.
 template <int reach>
-template <Form form>
-void AlongLine<reach>::assemble(int first, int last) {
+template <Form form, class Take>
+void AlongLine<reach>::assemble(int first, int last, Take take) {
   constexpr bool plain = form == Form::plain;
   const reynolds::Transport transport = transport_on(hierarchy_, level_);
   const auto c = reynolds::transport_weights(transport, first, grid_.hx());
@@ -185,28 +199,36 @@ void AlongLine<reach>::assemble(int first, int last) {
     Row row = line_solvers::eliminate_film<reach>(level_.film_terms, point, d);
     row.a[Row::lower - 3] += share * d(-3) * dr.far_west;
     line_solvers::make_identity(row, reynolds::stays_dry(cavitation_, P, point.r));
-    for (std::size_t q = 0; q < row.a.size(); ++q) put(work_.a[q], i, row.a[q]);
-    put(work_.rhs, i, row.rhs);
+    take(i, row);
   }
 }
 
+// While the elimination of some rows waits from row to row, the next are made.
 template <int reach>
 line_solvers::SmallPivot AlongLine<reach>::solve() {
+  line_solvers::Elimination<reach, double> elimination(std::get<OneLineFactors<reach>>(work_.factors).data());
   const auto rows = [&](int first, int last) {
+    const auto eliminate = [&](int i, const Row& nodes) {
+      std::array<std::array<double, core::lanes>, Row::width + 1> columns;
+      for (std::size_t q = 0; q < nodes.a.size(); ++q) core::store(columns[q].data(), nodes.a[q]);
+      core::store(columns.back().data(), nodes.rhs);
+      const auto count = static_cast<std::size_t>(std::min(core::lanes, last - i + 1));
+      auto here = elimination;  // of these rows in registers: each waits for the one before it
+      for (std::size_t lane = 0; lane < count; ++lane) {
+        line_solvers::BandRow<reach, double> row;
+        for (std::size_t q = 0; q < row.a.size(); ++q) row.a[q] = columns[q][lane];
+        row.rhs = columns.back()[lane];
+        here.push(row);
+      }
+      elimination = here;
+    };
     if (at_half_points(level_) || reynolds::third_order(level_.scheme.wedge))
-      assemble<Form::general>(first, last);
+      assemble<Form::general>(first, last, eliminate);
     else
-      assemble<Form::plain>(first, last);
+      assemble<Form::plain>(first, last, eliminate);
   };
   rows(1, 1);  // the wedge of the first node has weights of its own
   rows(2, grid_.nx - 1);
-  line_solvers::Elimination<reach, double> elimination(std::get<OneLineFactors<reach>>(work_.factors).data());
-  for (int i = 1; i < grid_.nx; ++i) {
-    line_solvers::BandRow<reach, double> row;
-    for (std::size_t q = 0; q < row.a.size(); ++q) row.a[q] = one(work_.a[q], i);
-    row.rhs = one(work_.rhs, i);
-    elimination.push(row);
-  }
   elimination.back_substitute([&](int i, double delta) { one(work_.delta, i) = delta; });
   return elimination.small_pivot();
 }
@@ -261,16 +283,12 @@ LineSystem make_line_system(const core::Patch& grid, int reach) {
   for (Values* values :
        {&system.P, &system.rho_bar, &system.rho_H, &system.slope_H, &system.eps, &system.third_order, &system.f,
         &system.fluidity, &system.log_viscosity, &system.west, &system.answer_before, &system.answer_behind,
-        &system.distributive, &system.far_squeeze, &system.rhs, &system.delta, &system.distributed})
+        &system.distributive, &system.far_squeeze, &system.delta, &system.distributed})
     *values = zero;
-  const auto prepare = [&]<int r>(std::integral_constant<int, r>) {
-    system.a.assign(line_solvers::BandRow<r>::width, zero);
-    system.factors.emplace<OneLineFactors<r>>(points);
-  };
   switch (reach) {
-    case 1: prepare(std::integral_constant<int, 1>{}); break;
-    case 2: prepare(std::integral_constant<int, 2>{}); break;
-    default: prepare(std::integral_constant<int, 3>{}); break;
+    case 1: system.factors.emplace<OneLineFactors<1>>(points); break;
+    case 2: system.factors.emplace<OneLineFactors<2>>(points); break;
+    default: system.factors.emplace<OneLineFactors<3>>(points); break;
   }
   return system;
 }

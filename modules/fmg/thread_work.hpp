@@ -38,8 +38,6 @@ struct LineSystem {
   Values west;                          ///< epsilon/h^2 at the half point west of a node
   Values answer_before, answer_behind;  ///< there, what the viscosity answers to the pressures beside it
   Values distributive, far_squeeze;     ///< as in ThreadWork
-  std::vector<Values> a;                ///< coefficients of the rows, by column
-  Values rhs;
   Values delta, distributed;
   std::variant<OneLineFactors<1>, OneLineFactors<2>, OneLineFactors<3>> factors;
 };

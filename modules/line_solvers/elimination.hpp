@@ -31,8 +31,8 @@ class Elimination {
     const int i = ++last_;
     // Columns i-lower .. i-1 are known in terms of later ones; substituting the earliest first fills no new column.
     for (int q = Row::lower; q >= 1; --q) {
-      if (i - q < 1) continue;
-      const Factors& earlier = factors_[i - q];
+      if (!one_line && i - q < 1) continue;
+      const Factors& earlier = one_line ? recent_[static_cast<std::size_t>(q - 1)] : factors_[i - q];
       const Number m = row.a[static_cast<std::size_t>(Row::lower - q)];
       for (int t = 1; t <= Row::upper; ++t)
         row.a[static_cast<std::size_t>(Row::lower - q + t)] -= m * earlier.u[static_cast<std::size_t>(t - 1)];
@@ -45,6 +45,10 @@ class Elimination {
     for (int t = 1; t <= Row::upper; ++t)
       mine.u[static_cast<std::size_t>(t - 1)] = row.a[static_cast<std::size_t>(Row::lower + t)] * inverse;
     mine.g = row.rhs * inverse;
+    if constexpr (one_line) {
+      for (std::size_t k = recent_.size() - 1; k > 0; --k) recent_[k] = recent_[k - 1];
+      recent_[0] = mine;
+    }
   }
 
   /// Back from the last point: calls change(i, delta_i) for i = last .. 1.
@@ -63,6 +67,8 @@ class Elimination {
   const SmallPivot& small_pivot() const { return small_pivot_; }
 
  private:
+  static constexpr bool one_line = std::is_same_v<Number, double>;
+
   void check(Number pivot, const Row& row, int i) {
     Number largest{};
     for (const Number& a : row.a) largest = core::max(largest, core::abs(a));
@@ -81,6 +87,8 @@ class Elimination {
   }
 
   Factors* factors_;
+  /// The last ones, of one line, where the next row finds them soonest. Zero before the first row.
+  std::array<Factors, one_line ? static_cast<std::size_t>(Row::lower) : 1> recent_{};
   int last_ = 0;
   SmallPivot small_pivot_;
 };
