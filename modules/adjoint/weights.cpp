@@ -16,7 +16,7 @@ Adjoint::Adjoint(fmg::Hierarchy& hierarchy, std::size_t l)
     : hierarchy_(hierarchy),
       level_(hierarchy.levels[l]),
       equations_(hierarchy, l),
-      preconditioner_(equations_),
+      preconditioner_(equations_, newton::Preconditioner::Precision::single),
       on_P_(level_.grid),
       on_H_(level_.grid),
       deformed_(level_.grid) {
@@ -37,7 +37,7 @@ Adjoint::Adjoint(fmg::Hierarchy& hierarchy, std::size_t l)
     boundary_ = fmg::nodes_of_boundary(level_.grid);
     far_ = fmg::far_slopes(hierarchy, level_);
   }
-  factored_ = preconditioner_.factor();
+  factored_ = preconditioner_.factor(by_P_, by_H_);
 }
 
 void Adjoint::scatter(const newton::Slopes& slopes, std::span<const double> x, core::Field& y) const {

@@ -4,28 +4,42 @@
 
 namespace ehl::core {
 namespace {
-constexpr int doubles_per_line = 8;  // a cache line, and the widest vector
-constexpr int nodes_of_line = 3;     // core::line_grid
+constexpr int doubles_per_line = 8;    // a cache line, and the widest vector
+constexpr int doubles_per_vector = 4;  // of most processors
+
+int rounded_up(int n, int unit) { return (n + unit - 1) / unit * unit; }
+
+// Two vectors of padding at least: the last batch of lines may read past ny.
+std::ptrdiff_t padded(int nodes_y) { return rounded_up(nodes_y, doubles_per_line) + 2 * doubles_per_line; }
 
 std::size_t count(int nodes_x, std::ptrdiff_t stride) {
   return static_cast<std::size_t>(nodes_x) * static_cast<std::size_t>(stride);
 }
+
+// Without padding a batch reads what the next stations have, and past the end of the field at the last one.
+std::size_t behind_last_station(std::ptrdiff_t stride) { return stride < doubles_per_line ? 3 * doubles_per_line : 0; }
 }  // namespace
 
-Field::Field(int nodes_x, int nodes_y)
+Field::Field(int nodes_x, int nodes_y, std::ptrdiff_t stride)
     : nodes_x_(nodes_x),
       nodes_y_(nodes_y),
-      // Two vectors of padding at least: the last batch of lines may read past ny. Of a line contact, which is one
-      // batch, one.
-      stride_((nodes_y + doubles_per_line - 1) / doubles_per_line * doubles_per_line +
-              (nodes_y > nodes_of_line ? 2 : 1) * doubles_per_line),
-      data_(zeroed_array(count(nodes_x_, stride_))) {}
+      stride_(stride),
+      data_(zeroed_array(count(nodes_x, stride) + behind_last_station(stride))) {}
 
-Field::Field(const Field& other) : Field(other.nodes_x_, other.nodes_y_) { copy(other, *this); }
+Field::Field(int nodes_x, int nodes_y) : Field(nodes_x, nodes_y, padded(nodes_y)) {}
+
+Field::Field(const Patch& patch)
+    : Field(patch.nodes_x(), patch.nodes_y(),
+            patch.domain.line ? rounded_up(patch.nodes_y(), doubles_per_vector) : padded(patch.nodes_y())) {}
+
+Field::Field(const Field& other) : Field(other.nodes_x_, other.nodes_y_, other.stride_) {
+  if (nodes_x_ > 0) copy(other, *this);
+}
 
 Field& Field::operator=(const Field& other) {
   if (this == &other) return *this;
-  if (nodes_x_ != other.nodes_x_ || nodes_y_ != other.nodes_y_) *this = Field(other.nodes_x_, other.nodes_y_);
+  if (nodes_x_ != other.nodes_x_ || nodes_y_ != other.nodes_y_ || stride_ != other.stride_)
+    *this = Field(other.nodes_x_, other.nodes_y_, other.stride_);
   copy(other, *this);
   return *this;
 }
@@ -34,7 +48,11 @@ void Field::fill(double value) { std::fill_n(data_.get(), count(nodes_x_, stride
 
 void copy(const Field& from, Field& to) {
   if (from.nodes_x() == 0) return;
-  std::copy_n(from.at_x(0), count(from.nodes_x(), from.stride()), to.at_x(0));
+  if (from.stride() == to.stride()) {
+    std::copy_n(from.at_x(0), count(from.nodes_x(), from.stride()), to.at_x(0));
+    return;
+  }
+  for (int i = 0; i < from.nodes_x(); ++i) std::ranges::copy(from.station(i), to.at_x(i));
 }
 
 void fill_ghosts(const Patch& patch, Field& f) {

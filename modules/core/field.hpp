@@ -17,7 +17,8 @@ class Field {
   Field() = default;
   /// in: nodes_x, nodes_y >= 1 numbers of nodes. errors: std::bad_alloc.
   Field(int nodes_x, int nodes_y);
-  explicit Field(const Patch& patch) : Field(patch.nodes_x(), patch.nodes_y()) {}
+  /// Of a line contact without padding beside its three lines: a whole field stays in the nearest caches.
+  explicit Field(const Patch& patch);
   Field(const Field& other);
   Field& operator=(const Field& other);
   Field(Field&&) noexcept = default;
@@ -45,6 +46,8 @@ class Field {
   void fill(double value);
 
  private:
+  Field(int nodes_x, int nodes_y, std::ptrdiff_t stride);
+
   int nodes_x_ = 0;
   int nodes_y_ = 0;
   std::ptrdiff_t stride_ = 0;
@@ -54,6 +57,12 @@ class Field {
 /// to <- from. limits: same shape.
 void copy(const Field& from, Field& to);
 
+/// Sets the three lines of a line contact at one station, and the place beside them that every field has: one store.
+inline void fill_lines(double* station, double value) {
+  constexpr int lines = 4;
+  for (int j = 0; j < lines; ++j) station[j] = value;
+}
+
 /// How many ghost lines stand behind a mirror.
 inline constexpr int ghost_lines = 2;
 /// Fills the ghost lines of one station, behind a mirror f_{ny+k} = f_{ny-k}, k = 1, 2; of a line contact both lines
@@ -61,7 +70,7 @@ inline constexpr int ghost_lines = 2;
 inline void fill_ghosts(const Patch& patch, double* station) {
   if (patch.north == Edge::zero) return;
   if (patch.north == Edge::uniform) {
-    station[0] = station[2] = station[1];
+    fill_lines(station, station[1]);
     return;
   }
   for (int k = 1; k <= ghost_lines; ++k) station[patch.ny + k] = station[patch.ny - k];

@@ -10,8 +10,13 @@ namespace {
 template <class Term>
 double sum_over_interior(const Field& f, Term term) {
   double total = 0.0;
+  const bool one_line = f.nodes_y() == 3;
   for (int i = 1; i < f.nodes_x() - 1; ++i) {
     const double* row = f.at_x(i);
+    if (one_line) {
+      total += term(row[1]);
+      continue;
+    }
     double partial = 0.0;
 #pragma omp simd reduction(+ : partial)
     for (int j = 1; j < f.nodes_y() - 1; ++j) partial += term(row[j]);

@@ -39,6 +39,12 @@ inline bool all(LaneMask mask) {
   return together != 0;
 }
 
+// The same of one number.
+inline double max(double a, double b) { return a > b ? a : b; }
+inline double min(double a, double b) { return a < b ? a : b; }
+inline double abs(double a) { return __builtin_fabs(a); }
+inline bool all(bool mask) { return mask; }
+
 /// rule(0), rule(1), ..: which element goes into each lane, for __builtin_shuffle.
 template <class Rule>
 inline LaneMask lanes_by(Rule rule) {

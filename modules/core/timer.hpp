@@ -32,6 +32,7 @@ const char* name(Part part);
 /// Seconds spent in each part. Plain data: whoever works adds to it.
 struct PartTimes {
   std::array<double, static_cast<std::size_t>(Part::count)> seconds{};
+  bool enclosed = false;  ///< in a part that takes all: what it calls need not look at the clock
   double& operator[](Part part) { return seconds[static_cast<std::size_t>(part)]; }
   double operator[](Part part) const { return seconds[static_cast<std::size_t>(part)]; }
 };
@@ -42,8 +43,10 @@ void add(const PartTimes& more, PartTimes& what);
 /// Adds the seconds from its birth to its death to one part.
 class ScopedTimer {
  public:
-  ScopedTimer(PartTimes& times, Part part) : times_(times), part_(part), start_(now()) {}
-  ~ScopedTimer() { times_[part_] += now() - start_; }
+  ScopedTimer(PartTimes& times, Part part) : times_(times), part_(part), start_(times.enclosed ? 0.0 : now()) {}
+  ~ScopedTimer() {
+    if (!times_.enclosed) times_[part_] += now() - start_;
+  }
   ScopedTimer(const ScopedTimer&) = delete;
   ScopedTimer& operator=(const ScopedTimer&) = delete;
 
@@ -56,17 +59,20 @@ class ScopedTimer {
 /// The same for all that happens meanwhile, whatever parts it calls itself.
 class EnclosingTimer {
  public:
-  EnclosingTimer(PartTimes& times, Part part) : times_(times), before_(times), part_(part), start_(now()) {}
+  EnclosingTimer(PartTimes& times, Part part)
+      : times_(times), enclosed_(times.enclosed), part_(part), start_(enclosed_ ? 0.0 : now()) {
+    times_.enclosed = true;
+  }
   ~EnclosingTimer() {
-    times_ = before_;
-    times_[part_] += now() - start_;
+    times_.enclosed = enclosed_;
+    if (!enclosed_) times_[part_] += now() - start_;
   }
   EnclosingTimer(const EnclosingTimer&) = delete;
   EnclosingTimer& operator=(const EnclosingTimer&) = delete;
 
  private:
   PartTimes& times_;
-  PartTimes before_;
+  bool enclosed_;
   Part part_;
   double start_;
 };

@@ -164,14 +164,14 @@ void update_coefficients(Hierarchy& hierarchy, Level& level) {
 }
 
 void update_film(Hierarchy& hierarchy, Level& level) {
+  ++level.evaluations;
+  if (along_one_line(hierarchy, level)) return film_along_line(hierarchy, level);
   {
     const core::ScopedTimer timer(hierarchy.times, core::Part::deformation);
     level.deformation.evaluate(pressure_on_bodies(level), level.H);
   }
-  ++level.evaluations;
   const core::ScopedTimer timer(hierarchy.times, core::Part::coefficients);
   const core::Patch& grid = level.grid;
-  const bool one_line = along_one_line(hierarchy, level);
   for_stations(hierarchy, level, [&](int i, ThreadWork& work) {
     double* H = level.H.at_x(i);
     for (int j = 0; j <= grid.ny; ++j) H[j] += rigid_gap(hierarchy.problem.geometry, grid, hierarchy.H00, i, j);
@@ -179,9 +179,8 @@ void update_film(Hierarchy& hierarchy, Level& level) {
       const double* F = level.F.at_x(i);
       for (int j = 0; j <= grid.ny; ++j) H[j] += F[j];
     }
-    if (!one_line) nodes_of_station(hierarchy.problem.film, level, i, work);
+    nodes_of_station(hierarchy.problem.film, level, i, work);
   });
-  if (one_line) return coefficients_along_line(hierarchy, level);
   make_half_points(hierarchy, level);
 }
 

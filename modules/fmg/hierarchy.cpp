@@ -9,6 +9,7 @@
 #include "core/errors.hpp"
 #include "core/norms.hpp"
 #include "fmg/boundary.hpp"
+#include "fmg/line_relaxation.hpp"
 #include "kernel/influence.hpp"
 #include "reynolds/content.hpp"
 
@@ -45,10 +46,11 @@ Level make_level(const core::Patch& grid, bool finest, const Problem& problem, c
   const auto only_below_the_finest = [&] { return finest ? core::Field() : core::Field(grid); };
   // A colour has every second line, and one batch more for the lines beside its last one.
   const int lines_of_a_colour = grid.ny / 2 + 2 * core::lanes;
-  const auto zero_changes = [&] { return core::Field(grid.nodes_x(), lines_of_a_colour); };
+  const bool along_line = relaxes_along_line(grid, parameters.relaxation, problem.cavitation);
+  const auto zero_changes = [&] { return along_line ? core::Field() : core::Field(grid.nodes_x(), lines_of_a_colour); };
   const bool half_points = problem.face != reynolds::Face::mean;
   const auto nodes_y = static_cast<std::size_t>(grid.nodes_y());
-  ThreadWork work = make_thread_work(grid, problem.film, parameters.relaxation);
+  ThreadWork work = make_thread_work(grid, problem.film, parameters.relaxation, problem.cavitation);
   if (half_points) {
     work.answers.resize(work.west.size());
     work.answers_west.resize(work.west.size());

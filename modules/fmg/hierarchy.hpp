@@ -102,7 +102,7 @@ struct Level {
   core::Field swings;           ///< likewise: > 0 at nodes that find no state (swinging.hpp)
   core::Field changes_of_kind;  ///< swinging.cpp
   core::Field correction;       ///< of P, on its way up
-  LineChanges changes;
+  LineChanges changes;          ///< empty where the lines are one (line_relaxation.hpp)
   std::vector<ThreadWork> thread_work;  ///< made for the parameters' line solver and reach
   mlmi::Deformation deformation;
   line_solvers::FilmTerms film_terms;

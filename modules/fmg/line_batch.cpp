@@ -106,15 +106,9 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
     }
     if (form != Form::mass_conserving && level.f.nodes_x() > 0) point.r += own_lines(level.f, i, j);
 
-    // From the coefficients of the pressure changes to those of the deltas: the pressure change at k is
-    // delta_k - share (distributed_{k-1} + distributed_{k+1}).
     const Lanes* d = distributive + i;
-    point.a[0] = share * d[-2] * dr.west - dr.far_west;
-    point.a[1] = share * d[-1] * (dr.far_west + dr.own) - dr.west;
-    point.a[2] =
-        share * d[0] * (dr.west + dr.east + dr.south + dr.north) - dr.own - work_.far_squeeze[k] * film0.rho_bar;
-    point.a[3] = share * d[1] * dr.own - dr.east;
-    point.a[4] = share * d[2] * dr.east;
+    point.a = coefficients_of_deltas(
+        share, dr, [d](int q) { return d[q]; }, work_.far_squeeze[k] * film0.rho_bar);
 
     line_solvers::BandRow<reach> row = line_solvers::eliminate_film<reach>(level.film_terms, point, d);
     // delta_{i-3} reaches the density's part at i-2 through its distribution.

@@ -1,5 +1,7 @@
 #pragma once
 // Assembly and solution of the line systems of a batch of lines of one colour.
+#include <array>
+
 #include "fmg/hierarchy.hpp"
 
 namespace ehl::fmg {
@@ -23,6 +25,17 @@ inline core::LaneMask inside(int j0, const core::Patch& grid) {
 
 /// The share of a distributed change that each neighbour gets: along a line contact there are two of them.
 inline double distributed_share(const core::Patch& grid) { return grid.domain.line ? 0.5 : 0.25; }
+
+/// From the coefficients of the pressure changes in a row to those of the deltas delta_{i-2} .. delta_{i+2}: the
+/// pressure change at k is delta_k - share (distributed_{k-1} + distributed_{k+1}). in: d(q), whether point i + q
+/// distributes its change; `squeezed`, what it squeezes out of the film around it.
+template <class Distributive>
+inline std::array<core::Lanes, 5> coefficients_of_deltas(double share, const reynolds::PressureRow<core::Lanes>& dr,
+                                                         Distributive d, core::Lanes squeezed) {
+  return {share * d(-2) * dr.west - dr.far_west, share * d(-1) * (dr.far_west + dr.own) - dr.west,
+          share * d(0) * (dr.west + dr.east + dr.south + dr.north) - dr.own - squeezed, share * d(1) * dr.own - dr.east,
+          share * d(2) * dr.east};
+}
 
 /// Of the rows: with epsilon at the nodes and a wedge of three weights; with everything; of the cavitation model that
 /// conserves mass.

@@ -5,6 +5,7 @@
 #include "film/half_points.hpp"
 #include "fmg/line_batch.hpp"
 #include "fmg/line_lanes.hpp"
+#include "fmg/line_relaxation.hpp"
 #include "reynolds/flux.hpp"
 
 namespace ehl::fmg {
@@ -24,20 +25,28 @@ LaneMask beside_dry(reynolds::Cavitation cavitation, const core::Field& P, int i
 
 }  // namespace
 
-ThreadWork make_thread_work(const core::Patch& grid, const film::Model& film, const RelaxationParameters& parameters) {
-  const auto points = static_cast<std::size_t>(grid.nodes_x());
+ThreadWork make_thread_work(const core::Patch& grid, const film::Model& film, const RelaxationParameters& parameters,
+                            reynolds::Cavitation cavitation) {
   ThreadWork work{.film = film::make_buffers(film, grid.domain.line ? grid.nodes_x() : grid.nodes_y()),
                   .line_nodes = make_line_nodes(grid, film::anisotropic(film)),
+                  .line_system = {},
                   .followed = std::vector<double>(static_cast<std::size_t>(grid.nodes_y()) + 2),
                   .followed_behind = std::vector<double>(static_cast<std::size_t>(grid.nodes_y())),
-                  .west = std::vector<Lanes>(points),
-                  .south = std::vector<Lanes>(points),
-                  .north = std::vector<Lanes>(points),
+                  .west = {},
+                  .south = {},
+                  .north = {},
                   .answers = {},
                   .answers_west = {},
-                  .distributive = std::vector<Lanes>(points + 2 * ThreadWork::margin),
-                  .far_squeeze = std::vector<Lanes>(points),
+                  .distributive = {},
+                  .far_squeeze = {},
                   .solver = {}};
+  if (relaxes_along_line(grid, parameters, cavitation)) {
+    work.line_system = make_line_system(grid, parameters.reach);
+    return work;
+  }
+  const auto points = static_cast<std::size_t>(grid.nodes_x());
+  work.west = work.south = work.north = work.far_squeeze = std::vector<Lanes>(points);
+  work.distributive = std::vector<Lanes>(points + 2 * ThreadWork::margin);
   const auto prepare = [&]<int reach>(std::integral_constant<int, reach>) {
     if (parameters.line_solver == LineSolver::elimination)
       work.solver.emplace<EliminationFactors<reach>>(points);

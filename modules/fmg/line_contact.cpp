@@ -9,15 +9,21 @@
 namespace ehl::fmg {
 namespace {
 
-std::span<const double> gathered(const core::Field& field, std::vector<double>& along) {
-  for (std::size_t i = 0; i < along.size(); ++i) along[i] = field(static_cast<int>(i), 1);
-  return along;
+void gather(const core::Field& field, std::vector<double>& along) {
+  const double* own = field.at_x(0) + 1;
+  for (double& value : along) {
+    value = *own;
+    own += field.stride();
+  }
 }
 
 // What stands beside the one line of unknowns are copies of it.
 void scatter(std::span<const double> along, core::Field& field) {
-  for (std::size_t i = 0; i < along.size(); ++i)
-    std::fill_n(field.at_x(static_cast<int>(i)), field.nodes_y(), along[i]);
+  double* station = field.at_x(0);
+  for (const double value : along) {
+    core::fill_lines(station, value);
+    station += field.stride();
+  }
 }
 
 // The film that epsilon follows.
@@ -54,7 +60,7 @@ void third_order_behind_nodes(const reynolds::Transport& transport, std::span<co
     const double theta = transport.wedge == reynolds::Wedge::upstream3_inlet
                              ? reynolds::third_order_in_inlet(level.grid.X(i) + 0.5 * hx)
                              : share(eps[k], eps[k + 1]);
-    std::fill_n(level.third_order.at_x(i), level.grid.nodes_y(), theta);
+    core::fill_lines(level.third_order.at_x(i), theta);
   }
 }
 
@@ -73,12 +79,15 @@ bool along_one_line(const Hierarchy& hierarchy, const Level& level) {
   return level.grid.domain.line && model.effects.empty() && !model.given_epsilon;
 }
 
-void coefficients_along_line(Hierarchy& hierarchy, Level& level) {
+namespace {
+
+// in: P and H of the nodes side by side. The film that epsilon follows takes the place of H.
+void coefficients_of_nodes(Hierarchy& hierarchy, Level& level) {
   const film::Model& model = hierarchy.problem.film;
   ThreadWork& work = level.thread_work.front();
   LineNodes& nodes = work.line_nodes;
   const bool half_points = at_half_points(level);
-  const film::Station line{level.grid, 0, gathered(level.P, nodes.P), gathered(level.H, nodes.H)};
+  const film::Station line{level.grid, 0, nodes.P, nodes.H};
   if (half_points) {
     film::oil(model, line, work.film,
               {.fluidity = nodes.fluidity,
@@ -108,6 +117,38 @@ void coefficients_along_line(Hierarchy& hierarchy, Level& level) {
   const std::span<double> faces = std::span<double>(nodes.eps).first(nodes.eps.size() - 1);
   epsilon_behind_nodes(how, nodes, faces);
   scatter(faces, level.eps);
+}
+
+}  // namespace
+
+void coefficients_along_line(Hierarchy& hierarchy, Level& level) {
+  LineNodes& nodes = level.thread_work.front().line_nodes;
+  gather(level.P, nodes.P);
+  gather(level.H, nodes.H);
+  coefficients_of_nodes(hierarchy, level);
+}
+
+void film_along_line(Hierarchy& hierarchy, Level& level) {
+  LineNodes& nodes = level.thread_work.front().line_nodes;
+  gather(pressure_on_bodies(level), nodes.P);
+  {
+    const core::ScopedTimer timer(hierarchy.times, core::Part::deformation);
+    level.deformation.evaluate_along(nodes.P, nodes.H);
+  }
+  const core::ScopedTimer timer(hierarchy.times, core::Part::coefficients);
+  const bool with_F = level.F.nodes_x() > 0;
+  // rigid_gap() where Y = 0
+  const double H00 = hierarchy.H00, XX = hierarchy.problem.geometry.gap.XX;
+  const double X_a = level.grid.X(0), hx = level.grid.hx();
+  double* H = nodes.H.data();
+  for (int i = 0; i <= level.grid.nx; ++i) {
+    const double X = X_a + i * hx;
+    H[i] += H00 + XX * X * X;
+  }
+  if (with_F)
+    for (int i = 0; i <= level.grid.nx; ++i) H[i] += level.F(i, 1);
+  scatter(nodes.H, level.H);
+  coefficients_of_nodes(hierarchy, level);
 }
 
 }  // namespace ehl::fmg

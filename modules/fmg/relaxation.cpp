@@ -9,6 +9,7 @@
 
 #include "core/errors.hpp"
 #include "fmg/line_batch.hpp"
+#include "fmg/line_relaxation.hpp"
 
 namespace ehl::fmg {
 namespace {
@@ -84,6 +85,11 @@ void relax_lines(Hierarchy& hierarchy, Level& level, const RelaxationParameters&
   const reynolds::Cavitation cavitation = hierarchy.problem.cavitation;
   const core::Patch& grid = level.grid;
   FirstSmallPivot small;
+  if (relaxes_along_line(grid, how, cavitation)) {
+    small.meet(relax_along_line<reach>(hierarchy, level, how), 0, 0);
+    if (small.pivot.point >= 0) throw core::SolverError(describe(small.pivot, small.line, grid));
+    return;
+  }
   const auto solve = [&](ThreadWork& work, int colour, int batch) {
     if (batch < batches_of_colour(grid, colour))
       small.meet(LineBatch<reach, solver>(work, how).solve(hierarchy, level, colour, batch), colour, batch);

@@ -9,6 +9,7 @@
 #include "fmg/parameters.hpp"
 #include "line_solvers/decimation.hpp"
 #include "line_solvers/elimination.hpp"
+#include "reynolds/cavitation.hpp"
 #include "reynolds/flux.hpp"
 
 namespace ehl::fmg {
@@ -24,15 +25,34 @@ struct LineNodes {
 };
 LineNodes make_line_nodes(const core::Patch& grid, bool anisotropic);
 
+template <int reach>
+using OneLineFactors = std::vector<typename line_solvers::Elimination<reach, double>::Factors>;
+
+/// The line system of a line contact, one value per node (line_relaxation.cpp); else empty.
+struct LineSystem {
+  using Values = std::vector<double>;
+  /// Entries before the first node and behind the last: what the row of a last node reads beyond, in a vector of them.
+  static constexpr int margin = core::lanes + line_solvers::max_reach + 2;
+
+  Values P, rho_bar, rho_H, slope_H, eps, third_order, f, fluidity, log_viscosity;  ///< of nodes; slope_H of rho_H by P
+  Values west;                          ///< epsilon/h^2 at the half point west of a node
+  Values answer_before, answer_behind;  ///< there, what the viscosity answers to the pressures beside it
+  Values distributive, far_squeeze;     ///< as in ThreadWork
+  Values delta, distributed;
+  std::variant<OneLineFactors<1>, OneLineFactors<2>, OneLineFactors<3>> factors;
+};
+LineSystem make_line_system(const core::Patch& grid, int reach);
+
 struct ThreadWork {
   film::Buffers film;
   LineNodes line_nodes;
+  LineSystem line_system;
   /// One value per node of a station and one at each end: the film that epsilon follows on a coarse grid, or that of
   /// half points.
   std::vector<double> followed;
   std::vector<double> followed_behind;
 
-  // For the line systems of a batch:
+  // For the line systems of a batch; empty where there is a line_system:
   /// Entries before and behind the points of a line in `distributive`.
   static constexpr int margin = line_solvers::max_reach + 2;
 
@@ -64,6 +84,7 @@ struct ThreadWork {
 };
 
 /// in: parameters.reach 1, 2 or 3.
-ThreadWork make_thread_work(const core::Patch& grid, const film::Model& film, const RelaxationParameters& parameters);
+ThreadWork make_thread_work(const core::Patch& grid, const film::Model& film, const RelaxationParameters& parameters,
+                            reynolds::Cavitation cavitation = reynolds::Cavitation::nonnegative_pressure);
 
 }  // namespace ehl::fmg

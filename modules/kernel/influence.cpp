@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <numbers>
 
 #include "kernel/cell_quadrature.hpp"
@@ -107,23 +108,57 @@ double distributed_influence(int d_x, int d_y, double hx, double hy) {
   return influence(ax, ay, hx, hy) - 0.25 * neighbours;
 }
 
-double line_influence(int d, double hx) {
-  const double own = std::log(hx);
-  const int far = std::abs(d);
-  if (far == 0) return hx * (1.0 + std::numbers::ln2 - own);
+namespace {
+
+// The mean of ln x over the cell `far` cells away, x in cells.
+double mean_logarithm(int far) {
   if (far >= distance_for_6) {
     double sum = 0.0;
     using Rule = GaussRule<6>;
     for (std::size_t k = 0; k < Rule::node.size(); ++k) sum += Rule::weight[k] * std::log(far + Rule::node[k]);
-    return -hx * (sum + own);
+    return sum;
   }
   const auto antiderivative = [](double x) { return x * std::log(x) - x; };
-  return -hx * (antiderivative(far + 0.5) - antiderivative(far - 0.5) + own);
+  return antiderivative(far + 0.5) - antiderivative(far - 0.5);
+}
+
+double line_influence_of(int far, double mean, double hx) {
+  const double own = std::log(hx);
+  return far == 0 ? hx * (1.0 + std::numbers::ln2 - own) : -hx * (mean + own);
+}
+
+/// The means of the cells 1, 2, .., kept: they are the same on all grids.
+class Means {
+ public:
+  /// Of the cells 0 (not used), every, .. n every.
+  std::vector<double> at_most(int n, int every) {
+    const std::lock_guard lock(mutex_);
+    for (int far = static_cast<int>(known_.size()); far <= n * every; ++far)
+      known_.push_back(far == 0 ? 0.0 : mean_logarithm(far));
+    std::vector<double> means;
+    for (int d = 0; d <= n; ++d) means.push_back(known_[static_cast<std::size_t>(d) * static_cast<std::size_t>(every)]);
+    return means;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<double> known_;
+};
+
+}  // namespace
+
+double line_influence(int d, double hx) {
+  const int far = std::abs(d);
+  return line_influence_of(far, far == 0 ? 0.0 : mean_logarithm(far), hx);
 }
 
 std::vector<double> line_influence_table(int n, double hx, int every) {
-  std::vector<double> table;
-  for (int d = 0; d <= n; ++d) table.push_back(line_influence(d * every, hx));
+  static Means means;
+  std::vector<double> table = means.at_most(n, every);
+  for (int d = 0; d <= n; ++d) {
+    double& value = table[static_cast<std::size_t>(d)];
+    value = line_influence_of(d * every, value, hx);
+  }
   return table;
 }
 

@@ -34,22 +34,22 @@ struct PointEquation {
 };
 
 /// One row of the band that is left when the film equation has been used to eliminate every h.
-/// Columns i-lower .. i+upper of delta; lower = reach + 2 comes from h_{i-2}.
-template <int reach>
+/// Columns i-lower .. i+upper of delta; lower = reach + 2 comes from h_{i-2}. Of a batch of lines, or of one.
+template <int reach, class Number = Lanes>
 struct BandRow {
   static constexpr int lower = reach + 2;
   static constexpr int upper = reach > 2 ? reach : 2;
-  std::array<Lanes, lower + upper + 1> a;
-  Lanes rhs;
+  static constexpr int width = lower + upper + 1;
+  std::array<Number, width> a;
+  Number rhs;
 };
 
 /// Eliminates the h of one point: exact, as the film equation gives every h explicitly, but that what delta behind
 /// i + upper does to h_{i+1} is left out.
-/// in: `distributive` points at the entry of point i of an array with one entry per point, 1 where the change is
-/// distributed and 0 where it is single, readable from i - lower to i + upper.
-template <int reach, std::size_t films>
+/// in: distributive(q), 1 where the change of point i + q is distributed and 0 where it is single, q = -lower .. upper.
+template <int reach, std::size_t films, class Distributive>
 inline BandRow<reach> eliminate_film(const FilmTerms& film, const PointEquation<films>& point,
-                                     const Lanes* distributive) {
+                                     Distributive distributive) {
   using Row = BandRow<reach>;
   Row row;
   row.rhs = point.r;
@@ -66,10 +66,16 @@ inline BandRow<reach> eliminate_film(const FilmTerms& film, const PointEquation<
       saved -= point.c[h] * (film.K[d] - film.delta_K[d]);
     }
     Lanes& coefficient = row.a[static_cast<std::size_t>(q + Row::lower)];
-    coefficient = single - distributive[q] * saved;
+    coefficient = single - distributive(q) * saved;
     if (q >= -2 && q <= 2) coefficient += point.a[static_cast<std::size_t>(q + 2)];
   }
   return row;
+}
+/// in: `distributive` points at the entry of point i of an array with one entry per point, readable likewise.
+template <int reach, std::size_t films>
+inline BandRow<reach> eliminate_film(const FilmTerms& film, const PointEquation<films>& point,
+                                     const Lanes* distributive) {
+  return eliminate_film<reach>(film, point, [distributive](int q) { return distributive[q]; });
 }
 
 /// Turns a row into "delta_i = 0" in the lanes where `mask` is non-zero: a cavitated point, or a lane behind the last

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "core/errors.hpp"
 #include "kernel/influence.hpp"
@@ -97,6 +98,7 @@ struct Deformation::Implementation {
   core::Patch grid;
   // For the sums that know no symmetry.
   core::Field whole_P, whole_w;
+  std::vector<double> along_P, along_w;  // of a line contact
 };
 
 Deformation::Deformation(const core::Patch& grid, const Parameters& parameters, int threads, double factor) {
@@ -119,6 +121,7 @@ Deformation::Deformation(const core::Patch& grid, const Parameters& parameters, 
   const Axis x{0, grid.nx, 1, grid.hx()};
   if (whole.line) {
     own.line_sum.emplace(x, choice, factor);
+    own.along_P = own.along_w = std::vector<double>(static_cast<std::size_t>(grid.nodes_x()));
     own.of_unit = factor * grid.hx() * std::log(parameters.line_unit);
     choice.coarsest_direct = own.line_sum->coarsest_direct();
     if (parameters.method == Method::mlmi)
@@ -138,14 +141,21 @@ Deformation::~Deformation() = default;
 Deformation::Deformation(Deformation&&) noexcept = default;
 Deformation& Deformation::operator=(Deformation&&) noexcept = default;
 
+void Deformation::evaluate_along(std::span<const double> P, std::span<double> w) {
+  Implementation& own = *implementation_;
+  double more = 0.0;
+  if (own.of_unit != 0.0)
+    for (const double pressure : P) more += own.of_unit * pressure;
+  own.line_sum->apply([&](int i) { return P[static_cast<std::size_t>(i)]; },
+                      [&](int i, double value) { w[static_cast<std::size_t>(i)] = value + more; });
+}
+
 void Deformation::evaluate(const core::Field& P, core::Field& w) {
   Implementation& own = *implementation_;
   if (own.line_sum) {
-    double more = 0.0;
-    if (own.of_unit != 0.0)
-      for (int i = 0; i < own.grid.nodes_x(); ++i) more += own.of_unit * P(i, 1);
-    own.line_sum->apply([&](int i) { return P(i, 1); },
-                        [&](int i, double value) { std::ranges::fill(w.station(i), value + more); });
+    for (int i = 0; i < own.grid.nodes_x(); ++i) own.along_P[static_cast<std::size_t>(i)] = P(i, 1);
+    evaluate_along(own.along_P, own.along_w);
+    for (int i = 0; i < own.grid.nodes_x(); ++i) core::fill_lines(w.at_x(i), own.along_w[static_cast<std::size_t>(i)]);
     return;
   }
   if (own.whole_P.nodes_x() == 0) {

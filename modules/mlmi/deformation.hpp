@@ -2,6 +2,7 @@
 // The elastic deformation w = K*P: three evaluators behind one interface.
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "core/constants.hpp"
@@ -49,6 +50,9 @@ class Deformation {
   /// w = K*P. in: P on the grid's nodes; boundary values take part in the sum. out: w on all nodes. Allocates nothing.
   /// limits: P and w are fields of this grid (their padding is neither used nor kept) and not the same field.
   void evaluate(const core::Field& P, core::Field& w);
+
+  /// The same of a line contact, its nodes side by side. limits: P and w are not the same values.
+  void evaluate_along(std::span<const double> P, std::span<double> w);
 
   /// What was chosen, for the report: "mlmi, order 6, patch 9x3, 2 coarsenings, FFT on 129x129".
   std::string description() const;

@@ -1,6 +1,7 @@
 // FFTW behind the door. FFTW is under the GPL: a program built with this file is too (README, Licence).
 #include <fftw3.h>
 
+#include <map>
 #include <mutex>
 
 #include "mlmi/buffer.hpp"
@@ -22,62 +23,93 @@ struct Plan {
   Plan() = default;
   Plan(const Plan&) = delete;
   Plan& operator=(const Plan&) = delete;
-  ~Plan() {
-    const std::lock_guard lock(planner);
-    fftw_destroy_plan(handle);
-  }
+  ~Plan() { fftw_destroy_plan(handle); }
 };
+
+/// A transform and its inverse.
+struct Pair {
+  Plan forward, inverse;
+};
+
+/// The plans of one kind by their length, as long as the program lives: planning takes as long as a hundred
+/// transforms, and contacts come one after another on grids of the same sizes. A plan may run on any arrays of the
+/// same alignment, in many threads at once.
+class Plans {
+ public:
+  /// make(pair) plans what is not there yet.
+  template <class Make>
+  const Pair& of(int length, Make make) {
+    const std::lock_guard lock(planner);
+    const auto [place, fresh] = by_length_.try_emplace(length);
+    if (fresh) make(place->second);
+    return place->second;
+  }
+
+ private:
+  std::map<int, Pair> by_length_;
+};
+
+const Pair& real_plans(int length) {
+  static Plans plans;
+  return plans.of(length, [length](Pair& pair) {
+    const auto size = static_cast<std::size_t>(length);
+    Buffer row(size), spectrum(size + 2);
+    pair.forward.handle =
+        fftw_plan_dft_r2c_1d(length, row.data(), as_complex(spectrum.data()), flags | FFTW_PRESERVE_INPUT);
+    pair.inverse.handle =
+        fftw_plan_dft_c2r_1d(length, as_complex(spectrum.data()), row.data(), flags | FFTW_DESTROY_INPUT);
+  });
+}
+
+const Pair& column_plans(int length) {
+  static Plans plans;
+  return plans.of(length, [length](Pair& pair) {
+    constexpr int columns = ColumnTransform::columns;
+    Buffer from(static_cast<std::size_t>(length) * 2 * columns), to(from.size());
+    fftw_complex *in = as_complex(from.data()), *out = as_complex(to.data());
+    const auto plan = [&](int sign) {
+      return fftw_plan_many_dft(1, &length, columns, in, nullptr, columns, 1, out, nullptr, columns, 1, sign, flags);
+    };
+    pair.forward.handle = plan(FFTW_FORWARD);
+    pair.inverse.handle = plan(FFTW_BACKWARD);
+  });
+}
 
 }  // namespace
 
 const char* fourier_library() { return "FFTW"; }
 
 struct RealTransform::Implementation {
-  Plan forward, inverse;
+  const Pair& plans;
 };
 
-RealTransform::RealTransform(int length) : implementation_(std::make_unique<Implementation>()) {
-  const auto size = static_cast<std::size_t>(length);
-  Buffer row(size), spectrum(size + 2);
-  const std::lock_guard lock(planner);
-  implementation_->forward.handle =
-      fftw_plan_dft_r2c_1d(length, row.data(), as_complex(spectrum.data()), flags | FFTW_PRESERVE_INPUT);
-  implementation_->inverse.handle =
-      fftw_plan_dft_c2r_1d(length, as_complex(spectrum.data()), row.data(), flags | FFTW_DESTROY_INPUT);
-}
+RealTransform::RealTransform(int length)
+    : implementation_(std::make_unique<Implementation>(Implementation{real_plans(length)})) {}
 RealTransform::~RealTransform() = default;
 RealTransform::RealTransform(RealTransform&&) noexcept = default;
 
 void RealTransform::forward(const double* row, double* spectrum) const {
   // PRESERVE_INPUT: the plan only reads the row.
-  fftw_execute_dft_r2c(implementation_->forward.handle, const_cast<double*>(row), as_complex(spectrum));
+  fftw_execute_dft_r2c(implementation_->plans.forward.handle, const_cast<double*>(row), as_complex(spectrum));
 }
 void RealTransform::inverse(double* spectrum, double* row) const {
-  fftw_execute_dft_c2r(implementation_->inverse.handle, as_complex(spectrum), row);
+  fftw_execute_dft_c2r(implementation_->plans.inverse.handle, as_complex(spectrum), row);
 }
 
 struct ColumnTransform::Implementation {
-  Plan forward, inverse;
+  const Pair& plans;
 };
 
-ColumnTransform::ColumnTransform(int length) : implementation_(std::make_unique<Implementation>()) {
-  Buffer from(static_cast<std::size_t>(length) * 2 * columns), to(from.size());
-  fftw_complex *in = as_complex(from.data()), *out = as_complex(to.data());
-  const std::lock_guard lock(planner);
-  const auto plan = [&](int sign) {
-    return fftw_plan_many_dft(1, &length, columns, in, nullptr, columns, 1, out, nullptr, columns, 1, sign, flags);
-  };
-  implementation_->forward.handle = plan(FFTW_FORWARD);
-  implementation_->inverse.handle = plan(FFTW_BACKWARD);
-}
+ColumnTransform::ColumnTransform(int length)
+    : implementation_(std::make_unique<Implementation>(Implementation{column_plans(length)})) {}
 ColumnTransform::~ColumnTransform() = default;
 ColumnTransform::ColumnTransform(ColumnTransform&&) noexcept = default;
 
 void ColumnTransform::forward(double* in, double* out) const {
-  fftw_execute_dft(implementation_->forward.handle, as_complex(in), as_complex(out));
+  fftw_execute_dft(implementation_->plans.forward.handle, as_complex(in), as_complex(out));
 }
 void ColumnTransform::inverse(double* in, double* out) const {
-  fftw_execute_dft(implementation_->inverse.handle, as_complex(in), as_complex(out));
+  fftw_execute_dft(implementation_->plans.inverse.handle, as_complex(in), as_complex(out));
 }
 
 }  // namespace ehl::mlmi

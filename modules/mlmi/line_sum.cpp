@@ -1,8 +1,10 @@
 #include "mlmi/line_sum.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 
+#include "core/simd.hpp"
 #include "kernel/influence.hpp"
 #include "mlmi/fourier_convolution.hpp"
 
@@ -13,6 +15,9 @@ std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
 // How far outside the patch the dropped part of the correction is added up [points]: it falls like d^-2p.
 constexpr int margin = 12;
+
+/// Vectors of sums that are kept in registers side by side; the last block, of a grid of 2^k cells, has one more.
+constexpr int block = 8;
 
 /// Up to so many points the exact sum is made term by term: planning a transform takes as long as a hundred such sums.
 constexpr int most_direct = 257;
@@ -42,6 +47,18 @@ std::vector<double> correction_of(const Axis& axis, int order, int patch, double
   return C;
 }
 
+// w_i of `vectors` vectors from i = first on. in: K at K(0 - 0) of them, readable behind its last by as many; u of the
+// points begin .. end - 1. The order of the terms of each sum is that of k.
+template <int vectors>
+void sum_block(const double* K, const double* u, std::size_t begin, std::size_t end, double* w) {
+  core::Lanes sums[vectors] = {};
+  for (std::size_t k = begin; k < end; ++k) {
+    const core::Lanes pressure = core::broadcast(u[k]);
+    for (int v = 0; v < vectors; ++v) sums[v] += core::load(K - k + v * core::lanes) * pressure;
+  }
+  for (int v = 0; v < vectors; ++v) core::store(w + v * core::lanes, sums[v]);
+}
+
 double value_at(const Axis& axis, const std::vector<double>& values, int i) {
   return i < axis.first || i > axis.last ? 0.0 : values[at(i - axis.first)];
 }
@@ -64,6 +81,7 @@ LineSum::LineSum(const Axis& axis, const MultilevelChoice& choice, double factor
   const std::vector<double> K = kernel::line_influence_table(points - 1, now.h, now.every);
   if (choice.coarsest_direct || points <= most_direct) {
     for (int d = 1 - points; d < points; ++d) kernel_.push_back(factor * K[at(std::abs(d))]);
+    kernel_.resize(kernel_.size() + at((block + 1) * core::lanes));
     return;
   }
   // One less than elsewhere: the two largest distances, n - 1 and 1 - n, share a place, as K is even. Of a grid of 2^k
@@ -113,13 +131,20 @@ void LineSum::interpolate(Level& coarse, Level& fine) const {
   }
 }
 
+// Where there is no pressure at the ends there are no terms.
 void LineSum::sum_directly(Level& level) const {
-  const std::size_t points = level.w.size();
-  std::ranges::fill(level.w, 0.0);
-  for (std::size_t k = 0; k < points; ++k) {
-    const double* K = &kernel_[points - 1 - k];
-    for (std::size_t i = 0; i < points; ++i) level.w[i] += K[i] * level.u[k];
-  }
+  const std::size_t points = level.u.size();
+  std::size_t begin = 0, end = points;
+  while (begin < end && level.u[begin] == 0.0) ++begin;
+  while (end > begin && level.u[end - 1] == 0.0) --end;
+  const double* K = &kernel_[points - 1];
+  const double* u = level.u.data();
+  constexpr std::size_t width = block * core::lanes;
+  std::size_t i = 0;
+  for (; i + width + core::lanes < points; i += width) sum_block<block>(K + i, u, begin, end, &level.w[i]);
+  std::array<double, width + core::lanes> last;
+  sum_block<block + 1>(K + i, u, begin, end, last.data());
+  std::copy_n(last.begin(), points - i, &level.w[i]);
 }
 
 void LineSum::sum_by_transform(Level& level) {

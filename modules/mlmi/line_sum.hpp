@@ -41,8 +41,8 @@ class LineSum {
   void sum_by_transform(Level& level);
 
   int order_, patch_;
-  std::vector<Level> levels_;             // the finest first
-  std::vector<double> kernel_;            // factor K(d), d = 1 - n .. n - 1, of n coarsest points: of the direct sum
+  std::vector<Level> levels_;   // the finest first
+  std::vector<double> kernel_;  // factor K(d), d = 1 - n .. n - 1, of n coarsest points, of the direct sum; then zeros
   std::vector<RealTransform> transform_;  // one, or none
   Buffer spectrum_, real_, complex_;
 };

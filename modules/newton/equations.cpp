@@ -166,10 +166,10 @@ void Equations::linearize_half_points() {
     dH00(i, j) = half_point_change(along_x, i, j, [](int, int) { return NodeChange{0.0, 1.0}; });
   };
   for (int i = 0; i <= grid.nx; ++i)
-    for (int j = 0; j <= grid.ny; ++j) {
+    for_lines([&](int j) {
       if (i < grid.nx) write(true, i, j, local_.eps, local_.eps_behind, along_.dH00);
-      if (j < grid.domain.ny) write(false, i, j, local_.eps_across, local_.eps_across_behind, across_.dH00);
-    }
+      if (flows_across(j)) write(false, i, j, local_.eps_across, local_.eps_across_behind, across_.dH00);
+    });
 }
 
 Equations::NodeEpsilon Equations::node_epsilon(int i, int j, NodeChange node) const {
@@ -188,26 +188,26 @@ void Equations::change_third_order(At at) {
   const core::Patch& grid = level_.grid;
   const reynolds::ThirdOrderShare share(transport(), grid.hx());
   for (int i = 1; i < grid.nx; ++i)
-    for (int j = 0; j <= grid.ny; ++j) {
+    for_lines([&](int j) {
       const NodeEpsilon before = node_epsilon(i, j, at(i, j));
       const NodeEpsilon behind = node_epsilon(i + 1, j, at(i + 1, j));
       dtheta_(i, j) = share.change(before.value, behind.value, before.change, behind.change);
-    }
+    });
 }
 
 void Equations::change_of_residual(const core::Field& dP, core::Field& dH, std::span<double> dr) {
   const core::Patch& grid = level_.grid;
   const auto at = [&](int i, int j) { return NodeChange{dP(i, j), dH(i, j)}; };
   for (int i = 0; i <= grid.nx; ++i)
-    for (int j = 0; j <= grid.ny; ++j) {
+    for_lines([&](int j) {
       if (!at_half_points()) {
         along_.change(i, j) = along_.dP(i, j) * dP(i, j) + along_.dH(i, j) * dH(i, j);
         if (anisotropic()) across_.change(i, j) = across_.dP(i, j) * dP(i, j) + across_.dH(i, j) * dH(i, j);
-        continue;
+        return;
       }
       if (i < grid.nx) along_.change(i, j) = half_point_change(true, i, j, at);
-      if (j < grid.domain.ny) across_.change(i, j) = half_point_change(false, i, j, at);
-    }
+      if (flows_across(j)) across_.change(i, j) = half_point_change(false, i, j, at);
+    });
   if (switched()) change_third_order(at);
   core::Field& dq = dH;  // d (rho_bar H) takes the place of dH once d eps has used it
   for (int i = 0; i <= grid.nx; ++i)

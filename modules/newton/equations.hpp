@@ -95,6 +95,14 @@ class Equations {
   /// True where theta follows epsilon.
   bool switched() const { return level_.scheme.wedge == reynolds::Wedge::upstream3; }
   bool two_epsilons() const { return anisotropic() || at_half_points(); }
+  /// Calls action(j) for all lines; of a line contact for the one of the unknowns, of which the others are copies.
+  template <class Action>
+  void for_lines(Action action) const {
+    if (grid().domain.line) return action(1);
+    for (int j = 0; j <= grid().ny; ++j) action(j);
+  }
+  /// True where epsilon between lines j and j + 1 takes part: nothing flows across a line contact.
+  bool flows_across(int j) const { return !grid().domain.line && j < grid().domain.ny; }
   struct NodeEpsilon {
     double value = 0.0, change = 0.0;
   };

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <optional>
 #include <vector>
 
-#include "newton/slopes.hpp"
 #include "reynolds/flux.hpp"
 
 namespace ehl::newton {
@@ -56,6 +56,85 @@ void dissect(const Box& box, int reach, const Equations& equations, std::vector<
   take(separator);
 }
 
+/// The Jacobian of a line contact as a whole: the load and H00 first, then the nodes. A cavitated node's column is that
+/// of the identity: behind the last wet node none is kept, and the rows there take no part in the elimination.
+template <class Number>
+class LineFactors {
+ public:
+  bool factor(Equations& equations, const Slopes& by_P, const Slopes& by_H);
+  /// v <- A^-1 v, the load last.
+  void solve(std::span<double> v) const {
+    Eigen::Map<Vector> all(v.data(), static_cast<Eigen::Index>(v.size()));
+    const Column x = lu_->solve(head(all));
+    all.segment(kept_ - 1, behind()) -= (matrix_.bottomRows(behind()) * x).template cast<double>();
+    put_head(x, all);
+  }
+  /// v <- A^-T v.
+  void solve_transposed(std::span<double> v) const {
+    Eigen::Map<Vector> all(v.data(), static_cast<Eigen::Index>(v.size()));
+    Column rhs = head(all);
+    rhs -= matrix_.bottomRows(behind()).transpose() * all.segment(kept_ - 1, behind()).template cast<Number>();
+    put_head(lu_->transpose().solve(rhs), all);
+  }
+
+ private:
+  using All = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
+  using Column = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
+  Eigen::Index behind() const { return matrix_.rows() - kept_; }
+  Column head(const Eigen::Map<Vector>& all) const {
+    Column first(kept_);
+    first[0] = static_cast<Number>(all[all.size() - 1]);
+    first.tail(kept_ - 1) = all.head(kept_ - 1).template cast<Number>();
+    return first;
+  }
+  void put_head(const Column& first, Eigen::Map<Vector>& all) const {
+    all[all.size() - 1] = first[0];
+    all.head(kept_ - 1) = first.tail(kept_ - 1).template cast<double>();
+  }
+
+  All matrix_;
+  Eigen::Index kept_ = 0;                                   // columns
+  std::optional<Eigen::PartialPivLU<Eigen::Ref<All>>> lu_;  // in the place of the first rows
+};
+
+template <class Number>
+bool LineFactors<Number>::factor(Equations& equations, const Slopes& by_P, const Slopes& by_H) {
+  const core::Patch& grid = equations.grid();
+  // The film of a pressure at the first node: K by distance, from -nx to nx.
+  core::Field first(grid), film(grid);
+  std::ranges::fill(first.station(0), 1.0);
+  equations.deform(first, film);
+  Column K(2 * grid.nx + 1);
+  for (int d = 0; d <= grid.nx; ++d) K[grid.nx + d] = K[grid.nx - d] = static_cast<Number>(film(d, 1));
+  const auto nodes = static_cast<Eigen::Index>(equations.size()) - 1;
+  kept_ = nodes + 1;
+  while (kept_ > 1 && !equations.wet(static_cast<std::size_t>(kept_ - 2))) --kept_;
+  matrix_.setZero(nodes + 1, kept_);
+  Column of_film(nodes);
+  for (std::size_t m = 0; m < stencil.size(); ++m) {
+    const auto [di, dj] = stencil[m];
+    if (dj != 0) continue;
+    for (Eigen::Index row = 0; row < nodes; ++row) {
+      const auto k = static_cast<std::size_t>(row);
+      of_film[row] = static_cast<Number>(by_H[k][m]);
+      if (row + di >= 0 && row + di < kept_ - 1) matrix_(row + 1, row + di + 1) += static_cast<Number>(by_P[k][m]);
+    }
+    for (Eigen::Index column = 0; column < kept_ - 1; ++column)
+      matrix_.col(column + 1).tail(nodes).array() += of_film.array() * K.segment(grid.nx + di - column, nodes).array();
+    matrix_.col(0).tail(nodes) += of_film;
+  }
+  matrix_.row(0).tail(kept_ - 1).setConstant(static_cast<Number>(grid.hx() * grid.hy() / equations.level().load));
+  for (Eigen::Index k = 0; k < kept_ - 1; ++k)
+    if (!equations.wet(static_cast<std::size_t>(k))) {
+      matrix_.col(k + 1).setZero();
+      matrix_(k + 1, k + 1) = Number{1};
+    }
+  if (!matrix_.allFinite()) return false;
+  auto square = matrix_.topRows(kept_);
+  lu_.emplace(square);
+  return true;
+}
+
 }  // namespace
 
 struct Preconditioner::Implementation {
@@ -69,11 +148,17 @@ struct Preconditioner::Implementation {
   double schur = 0.0;
   Vector rhs, solution;
 
-  Eigen::PartialPivLU<Eigen::MatrixXd> dense;  // of a line contact
+  // Of a line contact, one of these:
+  LineFactors<double> line_factors;
+  LineFactors<float> line_factors_single;
+  const bool single;
 
-  explicit Implementation(Equations& e) : equations(e) {}
+  Implementation(Equations& e, bool of_single) : equations(e), single(of_single) {}
   bool line() const { return equations.grid().domain.line && equations.size() <= most_dense; }
-  bool factor_dense();
+  bool factor_dense(const Slopes& by_P, const Slopes& by_H) {
+    return single ? line_factors_single.factor(equations, by_P, by_H) : line_factors.factor(equations, by_P, by_H);
+  }
+  bool factor_sparse();
   Eigen::Index size() const { return static_cast<Eigen::Index>(order.size()); }
   /// Place in u and F of the k-th node of the order.
   std::size_t node(Eigen::Index k) const {
@@ -151,72 +236,44 @@ void Preconditioner::Implementation::assemble(Vector& column_of_H00) {
   matrix.setFromTriplets(entries.begin(), entries.end());
 }
 
-// A column for each unknown. A cavitated node's own is that of the identity.
-bool Preconditioner::Implementation::factor_dense() {
+bool Preconditioner::Implementation::factor_sparse() {
+  make_order();
+  if (order.empty()) return false;
+  Vector column(size());
+  assemble(column);
+  lu.setPivotThreshold(1e-3);
+  lu.analyzePattern(matrix);
+  lu.factorize(matrix);
+  if (lu.info() != Eigen::Success) return false;
+  border = lu.solve(column);
   const core::Patch& grid = equations.grid();
-  const Slopes by_P = slopes(equations, By::pressure), by_H = slopes(equations, By::film);
-  // The film of a pressure at the first node: K by distance.
-  core::Field first(grid), K(grid);
-  std::ranges::fill(first.station(0), 1.0);
-  equations.deform(first, K);
-  const auto n = static_cast<Eigen::Index>(equations.size());
-  const Eigen::Index load = n - 1;
-  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(n, n);
-  for (int i = 1; i < grid.nx; ++i) {
-    const Eigen::Index row = i - 1;
-    const auto k = static_cast<std::size_t>(row);
-    for (std::size_t m = 0; m < stencil.size(); ++m) {
-      const auto [di, dj] = stencil[m];
-      const bool inside = i + di >= 1 && i + di < grid.nx;
-      if (inside) all(row, row + di) += by_P[k][m];
-      for (int l = 1; l < grid.nx; ++l) all(row, l - 1) += by_H[k][m] * K(std::abs(i + di - l), 1);
-      all(row, load) += by_H[k][m];
-    }
-    all(load, row) = grid.hx() * grid.hy() / equations.level().load;
-  }
-  for (Eigen::Index k = 0; k < load; ++k)
-    if (!equations.wet(static_cast<std::size_t>(k))) {
-      all.col(k).setZero();
-      all(k, k) = 1.0;
-    }
-  if (!all.allFinite()) return false;
-  dense.compute(all);
-  return true;
+  load_row.resize(size());
+  std::ranges::transform(order, load_row.begin(), [&](const auto& node) {
+    return grid.hx() * grid.hy() * grid.lines(node.second) / equations.level().load;
+  });
+  schur = load_row.dot(border);
+  rhs.resize(size());
+  return border.allFinite() && schur != 0.0;
 }
 
-Preconditioner::Preconditioner(Equations& equations) : implementation_(std::make_unique<Implementation>(equations)) {}
+Preconditioner::Preconditioner(Equations& equations, Precision of_dense)
+    : implementation_(std::make_unique<Implementation>(equations, of_dense == Precision::single)) {}
 Preconditioner::~Preconditioner() = default;
 
 bool Preconditioner::factor() {
   Implementation& own = *implementation_;
-  if (own.line()) return own.factor_dense();
-  own.make_order();
-  if (own.order.empty()) return false;
-  Vector column(own.size());
-  own.assemble(column);
-  own.lu.setPivotThreshold(1e-3);
-  own.lu.analyzePattern(own.matrix);
-  own.lu.factorize(own.matrix);
-  if (own.lu.info() != Eigen::Success) return false;
-  own.border = own.lu.solve(column);
-  const core::Patch& grid = own.equations.grid();
-  own.load_row.resize(own.size());
-  std::ranges::transform(own.order, own.load_row.begin(), [&](const auto& node) {
-    return grid.hx() * grid.hy() * grid.lines(node.second) / own.equations.level().load;
-  });
-  own.schur = own.load_row.dot(own.border);
-  own.rhs.resize(own.size());
-  return own.border.allFinite() && own.schur != 0.0;
+  return own.line() ? own.factor_dense(slopes(own.equations, By::pressure), slopes(own.equations, By::film))
+                    : own.factor_sparse();
+}
+
+bool Preconditioner::factor(const Slopes& by_P, const Slopes& by_H) {
+  Implementation& own = *implementation_;
+  return own.line() ? own.factor_dense(by_P, by_H) : own.factor_sparse();
 }
 
 void Preconditioner::solve(std::span<double> v) {
   Implementation& own = *implementation_;
-  if (own.line()) {
-    Eigen::Map<Vector> all(v.data(), static_cast<Eigen::Index>(v.size()));
-    own.solution = own.dense.solve(all);
-    all = own.solution;
-    return;
-  }
+  if (own.line()) return own.single ? own.line_factors_single.solve(v) : own.line_factors.solve(v);
   for (Eigen::Index k = 0; k < own.size(); ++k) own.rhs[k] = v[own.node(k)];
   own.solution = own.lu.solve(own.rhs);
   const double dH00 = (own.load_row.dot(own.solution) - v.back()) / own.schur;
@@ -226,12 +283,8 @@ void Preconditioner::solve(std::span<double> v) {
 
 void Preconditioner::solve_transposed(std::span<double> v) {
   Implementation& own = *implementation_;
-  if (own.line()) {
-    Eigen::Map<Vector> all(v.data(), static_cast<Eigen::Index>(v.size()));
-    own.solution = own.dense.transpose().solve(all);
-    all = own.solution;
-    return;
-  }
+  if (own.line())
+    return own.single ? own.line_factors_single.solve_transposed(v) : own.line_factors.solve_transposed(v);
   for (Eigen::Index k = 0; k < own.size(); ++k) own.rhs[k] = v[own.node(k)];
   const double load = (own.border.dot(own.rhs) - v.back()) / own.schur;
   own.rhs -= load * own.load_row;

@@ -6,13 +6,19 @@ namespace ehl::newton {
 namespace {
 
 /// The nodes of one colour, i + 3 j modulo so many, are changed together: no two of them take part in the same
-/// equation.
+/// equation. Of a line contact j does not count, and nodes beside the line take part in none.
 struct Colours {
   int count;
   std::size_t nodes;  ///< of the stencil
-  int of(int i, int j) const { return (i + 3 * j) % count; }
+  bool line = false;
+  int of(int i, int j) const { return line ? i % count : (i + 3 * j) % count; }
+  bool sees(int dj) const { return !line || dj == 0; }
 };
-constexpr Colours of_film{10, stencil.size()}, of_pressure{7, 6};
+Colours colours_of(By by, bool line) {
+  const std::size_t nodes = by == By::pressure ? 6 : stencil.size();
+  if (line) return {by == By::pressure ? 4 : 5, nodes, true};
+  return {by == By::pressure ? 7 : 10, nodes};
+}
 
 }  // namespace
 
@@ -22,7 +28,7 @@ Slopes slopes(Equations& equations, By by) {
   core::Field dP(grid), dH(grid);
   Slopes slopes(rows);
   std::vector<double> dr(rows);
-  const Colours& colours = by == By::pressure ? of_pressure : of_film;
+  const Colours colours = colours_of(by, grid.domain.line);
   for (int chosen = 0; chosen < colours.count; ++chosen) {
     core::Field& changed = by == By::pressure ? dP : dH;
     (by == By::pressure ? dH : dP).fill(0.0);
@@ -34,7 +40,7 @@ Slopes slopes(Equations& equations, By by) {
       for (int j = 1; j <= grid.last_line(); ++j)
         for (std::size_t k = 0; k < colours.nodes; ++k) {
           const auto [di, dj] = stencil[k];
-          const bool there = i + di >= 0 && i + di <= grid.nx && j + dj >= 0 && j + dj <= grid.ny;
+          const bool there = colours.sees(dj) && i + di >= 0 && i + di <= grid.nx && j + dj >= 0 && j + dj <= grid.ny;
           const std::size_t row = equations.index(i, j);
           if (there && colours.of(i + di, j + dj) == chosen) slopes[row][k] = equations.scale(row) * dr[row];
         }

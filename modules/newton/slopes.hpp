@@ -18,7 +18,8 @@ inline constexpr std::array<std::pair<int, int>, 9> stencil{
 using Slopes = std::vector<std::array<double, stencil.size()>>;
 enum class By { pressure, film };
 
-/// in: linearized equations. cost: 7 or 10 evaluations of the equations without the deformation.
+/// in: linearized equations. cost: 7 or 10 evaluations of the equations without the deformation, of a line contact 4 or
+/// 5.
 Slopes slopes(Equations& equations, By by);
 
 }  // namespace ehl::newton

@@ -106,8 +106,10 @@ FlowBalance flow_balance(const core::Patch& grid, const Fields& state, const Tra
       if (j == y.first || dry(cavitation, P[j - 1])) leaves(j, -hx * fluxes.along_y(i, j - 1));
       if (j == north_end || dry(cavitation, P[j + 1])) leaves(j, hx * fluxes.along_y(i, j));
     };
-    // Most stations cross no edge of the cavitated region: there only their two ends count.
-    if (i > x.first && i < x.last && y.last > y.first && !any_dry(cavitation, west, P, east, y)) {
+    // Most stations cross no edge of the cavitated region: there only their two ends count, and on a line, across which
+    // nothing flows, none.
+    if (i > x.first && i < x.last && (y.last > y.first || grid.domain.line) && !any_dry(cavitation, west, P, east, y)) {
+      if (grid.domain.line) continue;
       at(y.first);
       at(y.last);
       continue;

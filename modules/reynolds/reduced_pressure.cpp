@@ -15,16 +15,32 @@ constexpr double hardly = 1e-6;
 
 }  // namespace
 
+// Some intervals at once: the law takes many pressures in less time than one after the other. The rule is asked for its
+// pressures first, and then given what they have.
 ReducedPressure::ReducedPressure(const rheology::ViscosityLaw& viscosity) {
   if (std::holds_alternative<rheology::Isoviscous>(viscosity)) return;
-  const auto fluidity = [&](double P) { return std::exp(-rheology::log_viscosity_at(viscosity, P)); };
-  knots_.push_back({0.0, 0.0, 1.0 / fluidity(0.0)});
-  for (int k = 1; k <= intervals; ++k) {
-    const double P = static_cast<double>(k) * k / (intervals * intervals);
-    const Knot& last = knots_.back();
-    const double rise = boost::math::quadrature::gauss<double, 7>::integrate(fluidity, last.P, P);
-    if (!(rise > hardly * last.q)) break;
-    knots_.push_back({last.q + rise, P, 1.0 / fluidity(P)});
+  using Rule = boost::math::quadrature::gauss<double, 7>;
+  constexpr int at_once = 25;
+  static_assert(intervals % at_once == 0);
+  const auto knot = [](int k) { return static_cast<double>(k) * k / (intervals * intervals); };
+  std::vector<double> P, fluidity;
+  knots_.push_back({0.0, 0.0, 1.0 / std::exp(-rheology::log_viscosity_at(viscosity, 0.0))});
+  for (int first = 1; first <= intervals; first += at_once) {
+    P.clear();
+    for (int k = first; k < first + at_once; ++k) {
+      Rule::integrate([&](double p) { return P.push_back(p), 0.0; }, knot(k - 1), knot(k));
+      P.push_back(knot(k));
+    }
+    fluidity.resize(P.size());
+    rheology::log_viscosity(viscosity, P, fluidity);
+    for (double& value : fluidity) value = std::exp(-value);
+    auto next = fluidity.begin();
+    for (int k = first; k < first + at_once; ++k) {
+      const double rise = Rule::integrate([&](double) { return *next++; }, knot(k - 1), knot(k));
+      const double q = knots_.back().q;
+      if (!(rise > hardly * q)) return;
+      knots_.push_back({q + rise, knot(k), 1.0 / *next++});
+    }
   }
 }
 

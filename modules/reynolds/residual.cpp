@@ -1,6 +1,7 @@
 #include "reynolds/residual.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "reynolds/flux.hpp"
@@ -63,13 +64,57 @@ void residual_by(const core::Patch& grid, const Fields& state, const Transport& 
   }
 }
 
+// The same of a line contact, whose nodes have none beside them: from node to node.
+template <bool plain>
+void residual_along_line(const core::Patch& grid, const Fields& state, const Transport& transport, core::Field& r) {
+  const HalfInverseSquares half(grid.hx(), grid.hy());
+  const Face face = plain ? Face::mean : state.face;
+  const bool with_f = state.f.nodes_x() > 0;
+  const auto Q = [&](int i) { return state.rho_bar(i, 1) * state.H(i, 1); };
+  const auto coupling = [&](int i) { return conductance(face, state.eps(i, 1), state.eps(i + 1, 1), half.X); };
+  double west = coupling(0);
+  double Q2 = Q(0), Q1 = Q(0), Q0 = Q(1);  // the first node has none at i-2
+  std::array<double, 3> c{};
+  for (int i = 1; i < grid.nx; ++i) {
+    if (i <= 2) c = transport_weights(transport, i, grid.hx());
+    const Faces<double> e{west, coupling(i), 0.0, 0.0};
+    const double Q_east = Q(i + 1);
+    double net;
+    if constexpr (plain)
+      net = transported(c, Q0, Q1, Q2);
+    else
+      net = transported(
+          third_order_weights<double>(c, transport, grid.hx(), {state.third_order(i - 1, 1), state.third_order(i, 1)}),
+          Q0, Q1, Q2, Q_east);
+    const double P = state.P(i, 1);
+    double own = net - poiseuille(e, state.P(i - 1, 1), state.P(i + 1, 1), P, P, P);
+    if (with_f) own += state.f(i, 1);
+    core::fill_lines(r.at_x(i), own);
+    west = e.east;
+    Q2 = Q1;
+    Q1 = Q0;
+    Q0 = Q_east;
+  }
+  std::ranges::fill(r.station(0), 0.0);
+  std::ranges::fill(r.station(grid.nx), 0.0);
+}
+
+template <bool plain>
+void residual_of(const core::Patch& grid, const Fields& state, const Transport& transport, int threads,
+                 core::Field& r) {
+  if (grid.domain.line)
+    residual_along_line<plain>(grid, state, transport, r);
+  else
+    residual_by<plain>(grid, state, transport, threads, r);
+}
+
 }  // namespace
 
 void residual(const core::Patch& grid, const Fields& state, const Transport& transport, int threads, core::Field& r) {
   if (state.face == Face::mean && !third_order(transport.wedge))
-    residual_by<true>(grid, state, transport, threads, r);
+    residual_of<true>(grid, state, transport, threads, r);
   else
-    residual_by<false>(grid, state, transport, threads, r);
+    residual_of<false>(grid, state, transport, threads, r);
 }
 
 ResidualNorms residual_norms(const core::Patch& grid, const Fields& state, const Transport& transport,
@@ -79,8 +124,9 @@ ResidualNorms residual_norms(const core::Patch& grid, const Fields& state, const
   double wedge_total = 0.0;
   double wedge_points = 0.0;
   const auto Q = [&](int i, int j) { return state.rho_bar(i, j) * state.H(i, j); };
+  std::array<double, 3> c{};
   for (int i = 1; i < grid.nx; ++i) {
-    const auto c = transport_weights(transport, i, grid.hx());
+    if (i <= 2) c = transport_weights(transport, i, grid.hx());  // from there on the same
     const int upstream = std::max(i - 2, 0);
     double sum = 0.0;
     double wedge_sum = 0.0;

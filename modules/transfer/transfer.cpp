@@ -30,8 +30,7 @@ void prolong_bilinear(const core::Field& coarse, core::Field& fine, int threads)
   const int columns = fine.nodes_x();
   const int last = coarse.nodes_y() - 1;
   if (fine.nodes_y() == coarse.nodes_y()) {
-    for (int i = 0; i < columns; ++i)
-      for (int j = 0; j <= last; ++j) fine(i, j) = 0.5 * (coarse(i / 2, j) + coarse((i + 1) / 2, j));
+    for (int i = 0; i < columns; ++i) core::fill_lines(fine.at_x(i), 0.5 * (coarse(i / 2, 1) + coarse((i + 1) / 2, 1)));
     return;
   }
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)

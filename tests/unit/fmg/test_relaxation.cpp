@@ -1,7 +1,9 @@
 // The relaxation against the same sweep written point by point, its two line solvers against each other.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <utility>
 
+#include "contact/ellipse.hpp"
 #include "core/errors.hpp"
 #include "core/norms.hpp"
 #include "fmg/relaxation.hpp"
@@ -137,6 +139,39 @@ BOOST_AUTO_TEST_CASE(elimination_and_decimation_agree_on_the_systems_of_the_rela
       BOOST_TEST(difference < 1e-11);
       BOOST_TEST(ehl::core::max_abs_difference(start, eliminated) > 1e-6);
     }
+}
+
+// Of a line contact elimination takes the nodes side by side, decimation the batch of lines.
+BOOST_AUTO_TEST_CASE(nodes_of_a_line_side_by_side_are_relaxed_as_a_batch_of_lines) {
+  using ehl::reynolds::Face;
+  const ehl::contact::Ellipse shape = ehl::contact::line_contact();
+  for (const auto& [wedge, face] : {std::pair{Wedge::upstream1, Face::mean},
+                                    {Wedge::upstream2, Face::mean},
+                                    {Wedge::upstream3, Face::logmean_bounded}})
+    for (const double squeeze : {0.0, 30.0})
+      for (const int reach : {1, 2, 3})
+        for (const int cells : {16, 63, 256}) {  // vectors that end with the line, and before it
+          fmg::Problem problem = circular_contact(20, 10, wedge, face);
+          problem.geometry = {ehl::contact::gap(shape), ehl::contact::outline(shape),
+                              ehl::contact::elastic_factor(shape)};
+          const auto relaxed = [&](fmg::LineSolver solver) {
+            fmg::RelaxationParameters relaxation;
+            relaxation.reach = reach;
+            relaxation.line_solver = solver;
+            fmg::Hierarchy hierarchy = one_level(problem, relaxation, ehl::core::line_grid(cells, -4.5, 1.5));
+            hierarchy.transport.squeeze = squeeze;
+            fmg::Level& level = hierarchy.finest();
+            Random random(static_cast<std::uint64_t>(cells));
+            set_rough_state(hierarchy, level, random);
+            ehl::core::fill_ghosts(level.grid, level.P);
+            for (int sweep = 0; sweep < 2; ++sweep) fmg::relax(hierarchy, level, relaxation);
+            return level.P;
+          };
+          const Field along = relaxed(fmg::LineSolver::elimination);
+          const double difference = ehl::core::max_abs_difference(along, relaxed(fmg::LineSolver::decimation));
+          BOOST_TEST(difference < 1e-11 * ehl::core::max_abs(along),
+                     cells << " cells, reach " << reach << ", squeeze " << squeeze << ": " << difference);
+        }
 }
 
 BOOST_AUTO_TEST_CASE(a_pivot_that_is_no_number_is_reported_with_its_line_and_point) {

@@ -1,0 +1,309 @@
+#include "fmg/line_relaxation.hpp"
+
+#include <algorithm>
+
+#include "film/half_points.hpp"
+#include "fmg/line_batch.hpp"
+#include "fmg/line_contact.hpp"
+#include "reynolds/flux.hpp"
+
+namespace ehl::fmg {
+namespace {
+
+using core::LaneMask;
+using core::Lanes;
+using Values = LineSystem::Values;
+
+/// Node i of some values and those behind it, a vector of them.
+Lanes at(const Values& values, int i) { return core::load(&values[static_cast<std::size_t>(i + LineSystem::margin)]); }
+void put(Values& values, int i, Lanes v) { core::store(&values[static_cast<std::size_t>(i + LineSystem::margin)], v); }
+double& one(Values& values, int i) { return values[static_cast<std::size_t>(i + LineSystem::margin)]; }
+
+/// Calls action(i) for vectors of nodes that together cover first .. last; what stands behind last is scratch.
+template <class Action>
+void for_vectors(int first, int last, Action action) {
+  for (int i = first; i <= last; i += core::lanes) action(i);
+}
+
+template <int reach>
+class AlongLine {
+ public:
+  AlongLine(Hierarchy& hierarchy, Level& level, const RelaxationParameters& how)
+      : hierarchy_(hierarchy),
+        level_(level),
+        how_(how),
+        cavitation_(hierarchy.problem.cavitation),
+        grid_(level.grid),
+        work_(level.thread_work.front().line_system) {}
+
+  line_solvers::SmallPivot relax() {
+    gather();
+    read_faces();
+    if (at_half_points(level_)) read_answers();
+    choose_kind();
+    const line_solvers::SmallPivot small = solve();
+    under_relax();
+    if (reynolds::ruptures(cavitation_) && hierarchy_.transport.squeeze > 0.0) hold_to_what_is_there();
+    apply();
+    return small;
+  }
+
+ private:
+  using Row = line_solvers::BandRow<reach>;
+
+  void gather();
+  void read_faces();
+  void read_answers();
+  void choose_kind();
+  template <Form form, class Take>
+  void assemble(int first, int last, Take take);
+  line_solvers::SmallPivot solve();
+  void under_relax();
+  void hold_to_what_is_there();
+  void apply();
+
+  /// The least and the largest epsilon/h^2 of the half points beside a node.
+  ThreadWork::Range range_at(int i) const {
+    const Lanes west = at(work_.west, i), east = at(work_.west, i + 1);
+    return {core::min(west, east), core::max(west, east)};
+  }
+
+  Hierarchy& hierarchy_;
+  Level& level_;
+  const RelaxationParameters& how_;
+  const reynolds::Cavitation cavitation_;
+  const core::Patch& grid_;
+  LineSystem& work_;
+};
+
+// Before the first node and behind the last stand zeros. What update_coefficients() has made stands side by side
+// already where it was made so: nobody else makes it.
+template <int reach>
+void AlongLine<reach>::gather() {
+  const bool half_points = at_half_points(level_);
+  const auto take = [this](const core::Field& field, Values& values) {
+    const double* own = field.at_x(0) + 1;
+    for (int i = 0; i <= grid_.nx; ++i, own += field.stride()) one(values, i) = *own;
+  };
+  take(level_.P, work_.P);
+  take(level_.H, work_.rho_H);
+  if (level_.f.nodes_x() > 0) take(level_.f, work_.f);
+  if (half_points || reynolds::third_order(level_.scheme.wedge)) take(level_.third_order, work_.third_order);
+  if (along_one_line(hierarchy_, level_)) {
+    const LineNodes& nodes = level_.thread_work.front().line_nodes;
+    const auto copy = [](const std::vector<double>& made, Values& values) {
+      std::ranges::copy(made, values.begin() + LineSystem::margin);
+    };
+    copy(nodes.rho_bar, work_.rho_bar);
+    copy(nodes.drho_bar, work_.slope_H);
+    copy(nodes.eps, work_.eps);
+    if (half_points) copy(nodes.fluidity, work_.fluidity), copy(nodes.log_viscosity, work_.log_viscosity);
+  } else {
+    take(level_.rho_bar, work_.rho_bar);
+    take(level_.drho_bar, work_.slope_H);
+    take(level_.eps, work_.eps);
+    if (half_points) take(level_.oil.fluidity, work_.fluidity), take(level_.oil.log_viscosity, work_.log_viscosity);
+  }
+  for_vectors(0, grid_.nx, [&](int i) {
+    const Lanes H = at(work_.rho_H, i);
+    put(work_.rho_H, i, at(work_.rho_bar, i) * H);
+    put(work_.slope_H, i, at(work_.slope_H, i) * H);
+  });
+}
+
+template <int reach>
+void AlongLine<reach>::read_faces() {
+  const reynolds::HalfInverseSquares half(grid_.hx(), grid_.hy());
+  const reynolds::Face face = at_half_points(level_) ? reynolds::Face::logmean : reynolds::Face::mean;
+  for_vectors(1, grid_.nx, [&](int i) {
+    put(work_.west, i, reynolds::conductance(face, at(work_.eps, i - 1), at(work_.eps, i), half.X));
+  });
+}
+
+template <int reach>
+void AlongLine<reach>::read_answers() {
+  const double least = reynolds::least_share(level_.scheme.face);
+  for_vectors(1, grid_.nx, [&](int i) {
+    const auto west = film::answers(least, at(work_.fluidity, i - 1), at(work_.fluidity, i),
+                                    at(work_.log_viscosity, i - 1), at(work_.log_viscosity, i));
+    put(work_.answer_before, i, west.before);
+    put(work_.answer_behind, i, west.behind);
+  });
+}
+
+// As LineCoefficients::read() tells.
+template <int reach>
+void AlongLine<reach>::choose_kind() {
+  const double squeeze = hierarchy_.transport.squeeze;
+  const double crossover = how_.crossover * reynolds::relative_strength(hierarchy_.transport, grid_.hx());
+  const double crossover2 = crossover * crossover;
+  const Lanes far_single = core::broadcast(how_.far_squeeze * level_.film_terms.K[0] * squeeze);
+  const Lanes far_beside = core::broadcast(how_.far_squeeze_beside * squeeze);
+  for_vectors(1, grid_.nx - 1, [&](int i) {
+    const auto [low, high] = range_at(i);
+    const LaneMask by_epsilon = high * high * high > crossover2 * low;
+    const Lanes least = core::min(core::min(at(work_.P, i - 1), at(work_.P, i + 1)), at(work_.P, i));
+    const LaneMask single = by_epsilon | reynolds::dry(cavitation_, least);
+    put(work_.distributive, i, single ? Lanes{} : core::broadcast(1.0));
+    if (squeeze > 0.0) put(work_.far_squeeze, i, by_epsilon ? far_single : single ? far_beside : Lanes{});
+  });
+  // Behind the last node of the line nothing is distributed.
+  for (int i = grid_.nx; i < grid_.nx + core::lanes; ++i) one(work_.distributive, i) = 0.0;
+}
+
+// The rows of the nodes first .. last, whose wedge has the weights of `first`; line_batch.cpp has the steps. out:
+// take(i, row), of a vector of nodes from i on.
+template <int reach>
+template <Form form, class Take>
+void AlongLine<reach>::assemble(int first, int last, Take take) {
+  constexpr bool plain = form == Form::plain;
+  const reynolds::Transport transport = transport_on(hierarchy_, level_);
+  const auto c = reynolds::transport_weights(transport, first, grid_.hx());
+  const double share = distributed_share(grid_);
+  const bool half_points = at_half_points(level_);
+  const bool with_f = level_.f.nodes_x() > 0;
+  for (int i = first; i <= last; i += core::lanes) {
+    const reynolds::Faces<Lanes> e{at(work_.west, i), at(work_.west, i + 1), Lanes{}, Lanes{}};
+    const Lanes P = at(work_.P, i);
+    const Lanes inflow = reynolds::poiseuille(e, at(work_.P, i - 1), at(work_.P, i + 1), P, P, P);
+    const auto around = [i](const Values& values) {
+      return std::array{at(values, i), at(values, i - 1), at(values, i - 2)};
+    };
+    const auto [rho0, rho1, rho2] = around(work_.rho_bar);
+    const auto [q0, q1, q2] = around(work_.rho_H);
+    const auto [s0, s1, s2] = around(work_.slope_H);
+    line_solvers::PointEquation<plain ? 3 : 4> point;
+    reynolds::PressureRow<Lanes> dr;
+    if constexpr (plain) {
+      point.c = {c[0] * rho0, c[1] * rho1, c[2] * rho2};
+      point.r = reynolds::transported(c, q0, q1, q2) - inflow;
+      dr = reynolds::pressure_row(c, e, s0, s1, s2);
+    } else {
+      const auto w = reynolds::third_order_weights<Lanes>(c, transport, grid_.hx(),
+                                                          {at(work_.third_order, i - 1), at(work_.third_order, i)});
+      point.c = {w[0] * rho0, w[1] * rho1, w[2] * rho2, w[3] * at(work_.rho_bar, i + 1)};
+      point.r = reynolds::transported(w, q0, q1, q2, at(work_.rho_H, i + 1)) - inflow;
+      dr = reynolds::pressure_row(w, e, s0, s1, s2, at(work_.slope_H, i + 1));
+      if (half_points)
+        dr = reynolds::sum(
+            dr, {.far_west = Lanes{},
+                 .west = e.west * (1.0 - at(work_.answer_before, i)),
+                 .own = e.west * (at(work_.answer_behind, i) - 1.0) + e.east * (at(work_.answer_before, i + 1) - 1.0),
+                 .east = e.east * (1.0 - at(work_.answer_behind, i + 1)),
+                 .south = Lanes{},
+                 .north = Lanes{}});
+    }
+    if (with_f) point.r += at(work_.f, i);
+    const auto d = [&](int q) { return at(work_.distributive, i + q); };
+    point.a = coefficients_of_deltas(share, dr, d, at(work_.far_squeeze, i) * rho0);
+    Row row = line_solvers::eliminate_film<reach>(level_.film_terms, point, d);
+    row.a[Row::lower - 3] += share * d(-3) * dr.far_west;
+    line_solvers::make_identity(row, reynolds::stays_dry(cavitation_, P, point.r));
+    take(i, row);
+  }
+}
+
+// While the elimination of some rows waits from row to row, the next are made.
+template <int reach>
+line_solvers::SmallPivot AlongLine<reach>::solve() {
+  line_solvers::Elimination<reach, double> elimination(std::get<OneLineFactors<reach>>(work_.factors).data());
+  const auto rows = [&](int first, int last) {
+    const auto eliminate = [&](int i, const Row& nodes) {
+      std::array<std::array<double, core::lanes>, Row::width + 1> columns;
+      for (std::size_t q = 0; q < nodes.a.size(); ++q) core::store(columns[q].data(), nodes.a[q]);
+      core::store(columns.back().data(), nodes.rhs);
+      const auto count = static_cast<std::size_t>(std::min(core::lanes, last - i + 1));
+      auto here = elimination;  // of these rows in registers: each waits for the one before it
+      for (std::size_t lane = 0; lane < count; ++lane) {
+        line_solvers::BandRow<reach, double> row;
+        for (std::size_t q = 0; q < row.a.size(); ++q) row.a[q] = columns[q][lane];
+        row.rhs = columns.back()[lane];
+        here.push(row);
+      }
+      elimination = here;
+    };
+    if (at_half_points(level_) || reynolds::third_order(level_.scheme.wedge))
+      assemble<Form::general>(first, last, eliminate);
+    else
+      assemble<Form::plain>(first, last, eliminate);
+  };
+  rows(1, 1);  // the wedge of the first node has weights of its own
+  rows(2, grid_.nx - 1);
+  elimination.back_substitute([&](int i, double delta) { one(work_.delta, i) = delta; });
+  return elimination.small_pivot();
+}
+
+// As LineBatch::keep() does.
+template <int reach>
+void AlongLine<reach>::under_relax() {
+  const double steep = how_.weight_single_steep;
+  const double range = how_.weight_single - steep;
+  for_vectors(1, grid_.nx - 1, [&](int i) {
+    const auto [low, high] = range_at(i);
+    const Lanes smooth = 2.0 * low >= high ? core::broadcast(1.0) : 2.0 * low / high;
+    const Lanes distributive = at(work_.distributive, i);
+    const Lanes weight = distributive > 0.0 ? core::broadcast(how_.weight_distributed) : steep + range * smooth;
+    const Lanes delta = at(work_.delta, i);
+    put(work_.delta, i, weight * delta);
+    put(work_.distributed, i, distributive * weight * delta);
+  });
+  for (int i = grid_.nx; i < grid_.nx + core::lanes; ++i) one(work_.distributed, i) = 0.0;
+}
+
+// No point gives more than its pressure, as in line_batch.cpp.
+template <int reach>
+void AlongLine<reach>::hold_to_what_is_there() {
+  for_vectors(1, grid_.nx - 1, [&](int i) {
+    const Lanes P = at(work_.P, i);
+    const Lanes asked = at(work_.distributed, i);
+    const LaneMask too_much = asked < -P;
+    put(work_.delta, i, too_much ? -P : at(work_.delta, i));
+    put(work_.distributed, i, too_much ? -P : asked);
+  });
+}
+
+// Eq. (15) of a line: half of a distributed change goes off each neighbour.
+template <int reach>
+void AlongLine<reach>::apply() {
+  const double share = distributed_share(grid_);
+  for_vectors(1, grid_.nx - 1, [&](int i) {
+    const Lanes P =
+        at(work_.P, i) + at(work_.delta, i) - share * (at(work_.distributed, i - 1) + at(work_.distributed, i + 1));
+    put(work_.delta, i, reynolds::projected(cavitation_, P));
+  });
+  for (int i = 1; i < grid_.nx; ++i) core::fill_lines(level_.P.at_x(i), one(work_.delta, i));
+}
+
+}  // namespace
+
+LineSystem make_line_system(const core::Patch& grid, int reach) {
+  const Values zero(static_cast<std::size_t>(grid.nodes_x() + 2 * LineSystem::margin));
+  const auto points = static_cast<std::size_t>(grid.nodes_x());
+  LineSystem system;
+  for (Values* values :
+       {&system.P, &system.rho_bar, &system.rho_H, &system.slope_H, &system.eps, &system.third_order, &system.f,
+        &system.fluidity, &system.log_viscosity, &system.west, &system.answer_before, &system.answer_behind,
+        &system.distributive, &system.far_squeeze, &system.delta, &system.distributed})
+    *values = zero;
+  switch (reach) {
+    case 1: system.factors.emplace<OneLineFactors<1>>(points); break;
+    case 2: system.factors.emplace<OneLineFactors<2>>(points); break;
+    default: system.factors.emplace<OneLineFactors<3>>(points); break;
+  }
+  return system;
+}
+
+bool relaxes_along_line(const core::Patch& grid, const RelaxationParameters& parameters,
+                        reynolds::Cavitation cavitation) {
+  return grid.domain.line && parameters.line_solver == LineSolver::elimination && !reynolds::conserves(cavitation);
+}
+
+template <int reach>
+line_solvers::SmallPivot relax_along_line(Hierarchy& hierarchy, Level& level, const RelaxationParameters& how) {
+  return AlongLine<reach>(hierarchy, level, how).relax();
+}
+template line_solvers::SmallPivot relax_along_line<1>(Hierarchy&, Level&, const RelaxationParameters&);
+template line_solvers::SmallPivot relax_along_line<2>(Hierarchy&, Level&, const RelaxationParameters&);
+template line_solvers::SmallPivot relax_along_line<3>(Hierarchy&, Level&, const RelaxationParameters&);
+
+}  // namespace ehl::fmg
