@@ -56,7 +56,9 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
   FilmStation film1 = film_station(level, 0, j);
   FilmStation film_east = plain ? FilmStation{} : film_station(level, 1, j);
   const reynolds::Transport transport = transport_on(hierarchy, level);
-  const double share = distributed_share(grid);
+  const DistributedShares shares = distributed_shares(grid);
+  const double share = shares.along;
+  const double across = shares.across / shares.along;  // 1 but of stretched cells
   std::optional<reynolds::March<Lanes>> march;
   if constexpr (form == Form::mass_conserving) {
     Lanes supply{};
@@ -111,8 +113,8 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
     const Lanes* d = distributive + i;
     point.a[0] = share * d[-2] * dr.west - dr.far_west;
     point.a[1] = share * d[-1] * (dr.far_west + dr.own) - dr.west;
-    point.a[2] =
-        share * d[0] * (dr.west + dr.east + dr.south + dr.north) - dr.own - work_.far_squeeze[k] * film0.rho_bar;
+    point.a[2] = share * d[0] * (dr.west + dr.east + across * dr.south + across * dr.north) - dr.own -
+                 work_.far_squeeze[k] * film0.rho_bar;
     point.a[3] = share * d[1] * dr.own - dr.east;
     point.a[4] = share * d[2] * dr.east;
 
@@ -135,7 +137,7 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
 template <int reach, LineSolver solver>
 void LineBatch<reach, solver>::keep(Level& level, int batch, int i, Lanes delta) const {
   const auto k = static_cast<std::size_t>(i);
-  const auto [low, high] = work_.range_of(k, level.grid.domain.line);
+  const auto [low, high] = work_.range_of(k, level.grid.domain.line, core::stretch(level.grid));
   // Weight of a single change: from `steep` up to the full one as the coefficients of the half points around come
   // within a factor 2 of each other.
   const double steep = how_.weight_single_steep;

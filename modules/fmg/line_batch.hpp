@@ -21,9 +21,6 @@ inline core::LaneMask inside(int j0, const core::Patch& grid) {
   return (j >= 1) & (j <= grid.last_line());
 }
 
-/// The share of a distributed change that each neighbour gets: along a line contact there are two of them.
-inline double distributed_share(const core::Patch& grid) { return grid.domain.line ? 0.5 : 0.25; }
-
 /// Of the rows: with epsilon at the nodes and a wedge of three weights; with everything; of the cavitation model that
 /// conserves mass.
 enum class Form { plain, general, mass_conserving };
