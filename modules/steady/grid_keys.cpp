@@ -54,7 +54,7 @@ std::vector<deck::Key> grid_keys() {
              .remedy = "cells along x of the finest grid, e.g. 256",
              .meaning = "Cells of the finest grid along x, the coarsest grid's times a power of two; along y they "
                         "follow from the domain, as nearly square as possible, or twice as long where the contact "
-                        "is seven times as wide as long, and 1/4 to 1/16 where it is six times as long as wide or "
+                        "is seven times as wide as long, and 1/4 or 1/8 where it is six times as long as wide or "
                         "more.",
              .example = "256"},
             {.name = "coarsest",
