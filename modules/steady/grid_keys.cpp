@@ -53,9 +53,8 @@ std::vector<deck::Key> grid_keys() {
              .range = {16, 1048576},
              .remedy = "cells along x of the finest grid, e.g. 256",
              .meaning = "Cells of the finest grid along x, the coarsest grid's times a power of two; along y they "
-                        "follow from the domain, as nearly square as possible, or twice as long where the contact "
-                        "is seven times as wide as long, and 1/4 or 1/8 where it is six times as long as wide or "
-                        "more.",
+                        "follow from the domain, as nearly square as possible. Where the contact is seven times as "
+                        "wide as long they are twice as wide, where six times as long as wide 4 or 8 times as long.",
              .example = "256"},
             {.name = "coarsest",
              .type = deck::Type::integer,
