@@ -99,6 +99,23 @@ inline Patch coarsened(const Patch& fine) {
   return coarse;
 }
 
+/// Cells at least sqrt(2) times as long along X as across it: across it two neighbours are coupled at least twice as
+/// strongly by a pressure's curvature.
+inline bool stretched(const Patch& grid) {
+  return !grid.domain.line && grid.hx() * grid.hx() > 1.999 * grid.hy() * grid.hy();
+}
+/// hx/hy of such cells; 1 of all others.
+inline double stretch(const Patch& grid) { return stretched(grid) ? grid.hx() / grid.hy() : 1.0; }
+
+/// Every second line of it, and all stations along X. limits: j0 and ny must be even.
+inline Patch coarsened_across(const Patch& fine) {
+  Patch coarse = fine;
+  coarse.domain.ny /= 2;
+  coarse.j0 /= 2;
+  coarse.ny /= 2;
+  return coarse;
+}
+
 /// The lower half of a domain whose unknowns are even in Y, the axis its mirror. limits: Y_a = -Y_b and ny even.
 inline Patch lower_half(const Grid& domain) {
   Patch half = domain;

@@ -31,10 +31,14 @@ constexpr double least_weight = 0.5;
 /// answers late, and H00 would go on falling until the bodies meet ((10, 20): a load 20 times as large followed).
 constexpr double largest_fall = 0.5;
 
-int visits_of_coarsest(Cycle kind, std::size_t l) {
+int visits_of_coarsest(Cycle kind, int l) {
   if (kind == Cycle::V || l < 2) return 1;
-  return kind == Cycle::W ? 1 << (l - 1) : static_cast<int>(l);
+  return kind == Cycle::W ? 1 << (l - 1) : l;
 }
+
+/// A grid that is coarsened across X alone is corrected once, whatever the cycle: its corrector is half the work, and
+/// two such grids leave 0.21 of an error where two grids coarsened both ways leave 0.31.
+bool once(const Level& fine, const Level& coarse) { return fine.grid.nx == coarse.grid.nx && !fine.grid.domain.line; }
 
 /// Sum of |r| where it asks for another pressure. (Its root mean square sees the rim alone, where a visit may raise it
 /// and serve the cycle: of a roughness higher than the film a start more.)
@@ -48,9 +52,8 @@ double residual_of(Hierarchy& hierarchy, Level& level) {
   return sum;
 }
 
-void visit_coarsest(Hierarchy& hierarchy, int coarsest_sweeps, const Parameters& how) {
+void visit_coarsest(Hierarchy& hierarchy, Level& level, int coarsest_sweeps, const Parameters& how) {
   const core::EnclosingTimer timer(hierarchy.times, core::Part::coarsest);
-  Level& level = hierarchy.levels[0];
   const double before = residual_of(hierarchy, level);
   core::copy(level.P, level.correction);  // a place to keep it: the correction is made later
   const double H00 = hierarchy.H00;
@@ -68,16 +71,18 @@ void visit_coarsest(Hierarchy& hierarchy, int coarsest_sweeps, const Parameters&
   }
 }
 
-void cycle(Hierarchy& hierarchy, std::size_t l, Cycle kind, int coarsest_sweeps, const Parameters& how) {
-  if (l == 0) return visit_coarsest(hierarchy, coarsest_sweeps, how);
-  Level& level = hierarchy.levels[l];
+void cycle(Hierarchy& hierarchy, Level& level, Cycle kind, int coarsest_sweeps, const Parameters& how) {
+  Level* const corrector = corrector_of(hierarchy, level);
+  if (corrector == nullptr) return visit_coarsest(hierarchy, level, coarsest_sweeps, how);
+  Level& coarse = *corrector;
   for (int sweep = 0; sweep < how.pre; ++sweep) relax(hierarchy, level, how.relaxation);
 
-  restrict_problem(hierarchy, level, hierarchy.levels[l - 1]);
-  cycle(hierarchy, l - 1, kind, coarsest_sweeps, how);
-  if (kind == Cycle::W && l > 1) cycle(hierarchy, l - 1, Cycle::W, coarsest_sweeps, how);
-  if (kind == Cycle::F && l > 1) cycle(hierarchy, l - 1, Cycle::V, coarsest_sweeps, how);
-  correct_from_coarse(hierarchy, hierarchy.levels[l - 1], level);
+  restrict_problem(hierarchy, level, coarse);
+  cycle(hierarchy, coarse, kind, coarsest_sweeps, how);
+  const bool again = corrector_of(hierarchy, coarse) != nullptr && !once(level, coarse);
+  if (kind == Cycle::W && again) cycle(hierarchy, coarse, Cycle::W, coarsest_sweeps, how);
+  if (kind == Cycle::F && again) cycle(hierarchy, coarse, Cycle::V, coarsest_sweeps, how);
+  correct_from_coarse(hierarchy, coarse, level);
 
   for (int sweep = 0; sweep < how.post.value_or(1); ++sweep) relax(hierarchy, level, how.relaxation);
 }
@@ -86,9 +91,16 @@ void cycle(Hierarchy& hierarchy, std::size_t l, Cycle kind, int coarsest_sweeps,
 
 void fas_cycle(Hierarchy& hierarchy, std::size_t l, const Parameters& how) {
   const Cycle kind = how.cycle.value_or(Cycle::W);
-  const int per_visit = std::max(how.coarsest_sweeps, least_sweeps_per_cycle / visits_of_coarsest(kind, l));
-  const double finer = std::max(1.0, hierarchy.levels[0].grid.nx / cells_of_coarsest_sweeps);
-  cycle(hierarchy, l, kind, static_cast<int>(std::lround(per_visit * finer * finer)), how);
+  Level& level = hierarchy.levels[l];
+  int below = 0;  // grids that are corrected as often as the kind of cycle says
+  const Level* coarsest = &level;
+  while (const Level* next = corrector_of(hierarchy, *coarsest)) {
+    if (!once(*coarsest, *next)) ++below;
+    coarsest = next;
+  }
+  const int per_visit = std::max(how.coarsest_sweeps, least_sweeps_per_cycle / visits_of_coarsest(kind, below));
+  const double finer = std::max(1.0, coarsest->grid.nx / cells_of_coarsest_sweeps);
+  cycle(hierarchy, level, kind, static_cast<int>(std::lround(per_visit * finer * finer)), how);
 }
 
 void relax_with_force_balance(Hierarchy& hierarchy, Level& level, int sweeps, const Parameters& how) {

@@ -16,6 +16,13 @@
 namespace ehl::fmg {
 namespace {
 
+// Delta K by the shares of stretched cells. Near alone, where the differences keep their digits.
+double stretched_influence(int d, const core::Patch& grid) {
+  const auto K = [&](int d_x, int d_y) { return kernel::influence(d_x, d_y, grid.hx(), grid.hy()); };
+  const DistributedShares share = distributed_shares(grid);
+  return K(d, 0) - share.along * (K(d - 1, 0) + K(d + 1, 0)) - 2.0 * share.across * K(d, 1);
+}
+
 line_solvers::FilmTerms film_terms(const core::Patch& grid, double elastic, const RelaxationParameters& how) {
   line_solvers::FilmTerms terms;
   const int reach = how.reach;
@@ -29,7 +36,8 @@ line_solvers::FilmTerms film_terms(const core::Patch& grid, double elastic, cons
       continue;
     }
     terms.K[k] = elastic * kernel::influence(d, 0, grid.hx(), grid.hy());
-    terms.delta_K[k] = elastic * kernel::distributed_influence(d, 0, grid.hx(), grid.hy());
+    terms.delta_K[k] = elastic * (core::stretched(grid) ? stretched_influence(d, grid)
+                                                        : kernel::distributed_influence(d, 0, grid.hx(), grid.hy()));
   }
   return terms;
 }
@@ -83,6 +91,51 @@ Level make_level(const core::Patch& grid, bool finest, const Problem& problem, c
           .boundary = points_of_boundary(problem, grid)};
 }
 
+// Fewer lines than this on the patch hold nothing of the contact.
+constexpr int fewest_lines = 4;
+
+/// What grids_below goes down to along X.
+bool goes_on(const core::Patch& grid, const Parameters& parameters) {
+  const int wanted = parameters.coarsest_cells > 0 ? parameters.coarsest_cells : parameters.least_coarsest_cells;
+  return grid.nx > wanted && grid.nx % 2 == 0 && grid.ny % 2 == 0 &&
+         (parameters.coarsest_cells > 0 || grid.nx / 2 >= wanted);
+}
+
+/// The next of the grids that correct a level with stretched cells: half the lines until the cells are square.
+std::optional<core::Patch> next_correcting(const core::Patch& grid, const Parameters& parameters) {
+  if (grid.ny % 2 != 0 || grid.ny / 2 < fewest_lines) return std::nullopt;
+  if (core::stretched(grid)) return core::coarsened_across(grid);
+  if (goes_on(grid, parameters)) return core::coarsened(grid);
+  return std::nullopt;
+}
+
+int index_of(const std::vector<Level>& levels, const core::Patch& grid) {
+  const auto found = std::ranges::find_if(levels, [&](const Level& level) { return level.grid == grid; });
+  return found == levels.end() ? -1 : static_cast<int>(found - levels.begin());
+}
+
+// Of two levels that differ by a factor of two the chains meet at the first square grid of the coarser one.
+template <class MakeLevel>
+void make_grids_between(Hierarchy& hierarchy, MakeLevel make) {
+  std::vector<Level>& between = hierarchy.between;
+  for (Level& level : hierarchy.levels) {
+    std::vector<core::Patch> grids;
+    int below = -1;
+    for (auto next = next_correcting(level.grid, hierarchy.parameters); next;
+         next = next_correcting(*next, hierarchy.parameters)) {
+      below = index_of(between, *next);
+      if (below >= 0) break;
+      grids.push_back(*next);
+    }
+    for (auto grid = grids.rbegin(); grid != grids.rend(); ++grid) {
+      between.push_back(make(*grid));
+      between.back().corrector = {true, below};
+      below = static_cast<int>(between.size()) - 1;
+    }
+    level.corrector = {true, below};
+  }
+}
+
 }  // namespace
 
 Scheme scheme_of(const Problem& problem) { return {problem.transport.wedge, problem.face}; }
@@ -94,10 +147,7 @@ Scheme coarse_scheme_of(const Problem& problem) {
 
 std::vector<core::Patch> grids_below(const core::Patch& finest, const Parameters& parameters) {
   std::vector<core::Patch> grids{finest};
-  const int wanted = parameters.coarsest_cells > 0 ? parameters.coarsest_cells : parameters.least_coarsest_cells;
-  while (grids.back().nx > wanted && grids.back().nx % 2 == 0 && grids.back().ny % 2 == 0 &&
-         (parameters.coarsest_cells > 0 || grids.back().nx / 2 >= wanted))
-    grids.push_back(core::coarsened(grids.back()));
+  while (goes_on(grids.back(), parameters)) grids.push_back(core::coarsened(grids.back()));
   return grids;
 }
 
@@ -110,6 +160,7 @@ Hierarchy make_hierarchy(const Problem& problem, const Parameters& parameters, c
                       .far_motion = {},
                       .outside_line = {},
                       .levels = {},
+                      .between = {},
                       .threads = threads,
                       .times = {}};
   const core::ScopedTimer timer(hierarchy.times, core::Part::setup);
@@ -118,9 +169,14 @@ Hierarchy make_hierarchy(const Problem& problem, const Parameters& parameters, c
   if (wanted > 0 && grids.back().nx != wanted)
     throw core::InputError("[grid] coarsest = " + std::to_string(wanted) + ": " + std::to_string(finest.nx) + " x " +
                            std::to_string(finest.domain.ny) + " cells cannot be halved down to it");
-  for (auto grid = grids.rbegin(); grid != grids.rend(); ++grid)
-    hierarchy.levels.push_back(
-        make_level(*grid, *grid == finest, problem, parameters, deformation, hierarchy.threads_on(*grid)));
+  const auto make = [&](const core::Patch& grid) {
+    return make_level(grid, grid == finest, problem, parameters, deformation, hierarchy.threads_on(grid));
+  };
+  for (auto grid = grids.rbegin(); grid != grids.rend(); ++grid) {
+    hierarchy.levels.push_back(make(*grid));
+    hierarchy.levels.back().corrector = {false, static_cast<int>(hierarchy.levels.size()) - 2};
+  }
+  if (core::stretched(finest)) make_grids_between(hierarchy, make);
   return hierarchy;
 }
 

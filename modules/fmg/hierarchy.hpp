@@ -79,6 +79,26 @@ struct Scheme {
   reynolds::Face face = reynolds::Face::mean;
 };
 
+/// What of a distributed change each neighbour along X and across gives up; all four together 1. Along a line contact
+/// there are two of them. In proportion to 1/h^2 of stretched cells: a change that took a quarter from points far away
+/// along X would leave the film near it as it is, for points near it across are changed alike; such lines amplify
+/// smooth errors twofold at hx/hy = 8 (tests/convergence/test_smoothing.cpp).
+struct DistributedShares {
+  double along, across;
+};
+inline DistributedShares distributed_shares(const core::Patch& grid) {
+  if (grid.domain.line) return {0.5, 0.5};
+  if (!core::stretched(grid)) return {0.25, 0.25};
+  const double stretch2 = core::stretch(grid) * core::stretch(grid);
+  return {0.5 / (1.0 + stretch2), 0.5 * stretch2 / (1.0 + stretch2)};
+}
+
+/// The grid that corrects another one in a cycle.
+struct Corrector {
+  bool between = false;  ///< one of Hierarchy::between, else of Hierarchy::levels
+  int index = -1;        ///< -1: there is none, the grid is the coarsest
+};
+
 /// P, both eps and r have their ghost lines filled at all times.
 struct Level {
   core::Patch grid;
@@ -111,6 +131,7 @@ struct Level {
   double H00_of_boundary = 0.0;              ///< to which the pressure on the boundary belongs
   double load = 0.0;                         ///< right-hand side of the force balance (FAS), at the load line's origin
   double H_floor = 0.0;  ///< share of H_restricted below which epsilon does not follow a falling coarse film
+  Corrector corrector;
   long evaluations = 0;  ///< of the film, each with a relaxation sweep or a residual
 };
 
@@ -140,7 +161,13 @@ struct Hierarchy {
   LoadLine load_line;
   FarMotion far_motion;
   LoadLine outside_line;      ///< of the load outside, as it is left for the inside
-  std::vector<Level> levels;  ///< coarsest first
+  std::vector<Level> levels;  ///< that the full multigrid solves one after another, coarsest first
+  /// Grids that only correct, of levels with stretched cells: coarsened across X alone until the cells are square, then
+  /// both ways. Along lines of constant Y relaxation smooths what changes fast across them, and nothing else where the
+  /// coupling across is stronger: from hx = 2 hy on it leaves 0.6 to 0.99 of what is smooth across and rough along, so
+  /// that a grid coarsened both ways cannot follow (local Fourier analysis; across X alone two grids leave 0.21 of the
+  /// error at hx/hy = 1 to 16). Coarsest first.
+  std::vector<Level> between;
   double H00 = 0.0;
   double coarsest_weight = 1.0;  ///< share of the relaxation's weights that the coarsest grid takes, from its visits on
   double least_supply = 0.0;     ///< less is not supplied yet: how a solution begins
@@ -158,6 +185,13 @@ inline State state_of(const Hierarchy& hierarchy, std::size_t l) { return {hiera
 
 /// The grids from `finest` down to the coarsest, the finest first.
 std::vector<core::Patch> grids_below(const core::Patch& finest, const Parameters& parameters);
+
+/// The grid that corrects `level` in a cycle; null where it is the coarsest.
+inline Level* corrector_of(Hierarchy& hierarchy, const Level& level) {
+  if (level.corrector.index < 0) return nullptr;
+  return &(level.corrector.between ? hierarchy.between
+                                   : hierarchy.levels)[static_cast<std::size_t>(level.corrector.index)];
+}
 
 /// Grids from `finest` down to the coarsest, all fields zero, H00 = 0.
 /// The coarsest has parameters.coarsest_cells cells along x, or by default the smallest number >= 32 that halving

@@ -56,7 +56,8 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
   FilmStation film1 = film_station(level, 0, j);
   FilmStation film_east = plain ? FilmStation{} : film_station(level, 1, j);
   const reynolds::Transport transport = transport_on(hierarchy, level);
-  const double share = distributed_share(grid);
+  const DistributedShares shares = distributed_shares(grid);
+  const double share = shares.along;
   std::optional<reynolds::March<Lanes>> march;
   if constexpr (form == Form::mass_conserving) {
     Lanes supply{};
@@ -108,7 +109,7 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
 
     const Lanes* d = distributive + i;
     point.a = coefficients_of_deltas(
-        share, dr, [d](int q) { return d[q]; }, work_.far_squeeze[k] * film0.rho_bar);
+        shares, dr, [d](int q) { return d[q]; }, work_.far_squeeze[k] * film0.rho_bar);
 
     line_solvers::BandRow<reach> row = line_solvers::eliminate_film<reach>(level.film_terms, point, d);
     // delta_{i-3} reaches the density's part at i-2 through its distribution.
@@ -129,7 +130,7 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
 template <int reach, LineSolver solver>
 void LineBatch<reach, solver>::keep(Level& level, int batch, int i, Lanes delta) const {
   const auto k = static_cast<std::size_t>(i);
-  const auto [low, high] = work_.range_of(k, level.grid.domain.line);
+  const auto [low, high] = work_.range_of(k, level.grid.domain.line, core::stretch(level.grid));
   // Weight of a single change: from `steep` up to the full one as the coefficients of the half points around come
   // within a factor 2 of each other.
   const double steep = how_.weight_single_steep;

@@ -23,18 +23,19 @@ inline core::LaneMask inside(int j0, const core::Patch& grid) {
   return (j >= 1) & (j <= grid.last_line());
 }
 
-/// The share of a distributed change that each neighbour gets: along a line contact there are two of them.
-inline double distributed_share(const core::Patch& grid) { return grid.domain.line ? 0.5 : 0.25; }
-
 /// From the coefficients of the pressure changes in a row to those of the deltas delta_{i-2} .. delta_{i+2}: the
-/// pressure change at k is delta_k - share (distributed_{k-1} + distributed_{k+1}). in: d(q), whether point i + q
-/// distributes its change; `squeezed`, what it squeezes out of the film around it.
+/// pressure change at k is delta_k - share (distributed_{k-1} + distributed_{k+1}), and the lines beside get the share
+/// across of a distributed one. in: d(q), whether point i + q distributes its change; `squeezed`, what it squeezes out
+/// of the film around it.
 template <class Distributive>
-inline std::array<core::Lanes, 5> coefficients_of_deltas(double share, const reynolds::PressureRow<core::Lanes>& dr,
-                                                         Distributive d, core::Lanes squeezed) {
+inline std::array<core::Lanes, 5> coefficients_of_deltas(const DistributedShares& shares,
+                                                         const reynolds::PressureRow<core::Lanes>& dr, Distributive d,
+                                                         core::Lanes squeezed) {
+  const double share = shares.along;
+  const double across = shares.across / share;  // 1 but of stretched cells
   return {share * d(-2) * dr.west - dr.far_west, share * d(-1) * (dr.far_west + dr.own) - dr.west,
-          share * d(0) * (dr.west + dr.east + dr.south + dr.north) - dr.own - squeezed, share * d(1) * dr.own - dr.east,
-          share * d(2) * dr.east};
+          share * d(0) * (dr.west + dr.east + across * dr.south + across * dr.north) - dr.own - squeezed,
+          share * d(1) * dr.own - dr.east, share * d(2) * dr.east};
 }
 
 /// Of the rows: with epsilon at the nodes and a wedge of three weights; with everything; of the cavitation model that

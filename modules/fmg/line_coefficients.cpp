@@ -124,6 +124,7 @@ void LineCoefficients::read(const Hierarchy& hierarchy, const Level& level, int 
   } else {
     read(std::integral_constant<Face, Face::mean>{}, std::false_type{});
   }
+  const double stretch = core::stretch(grid);
   // The crossover is where the coupling by epsilon outweighs that by the film.
   const double crossover = how_.crossover * reynolds::relative_strength(hierarchy.transport, grid.hx());
   const double crossover2 = crossover * crossover;
@@ -153,15 +154,18 @@ void LineCoefficients::read(const Hierarchy& hierarchy, const Level& level, int 
   };
   if (!film::anisotropic(hierarchy.problem.film) || grid.domain.line) {
     choose([&](std::size_t k) {
-      const auto [low, high] = work_.range_of(k, grid.domain.line);
+      const auto [low, high] = work_.range_of(k, grid.domain.line, stretch);
       return above(high, low);
     });
     return;
   }
   // That epsilon along X is another one than along Y is no jump: e_max and e_min in each direction by itself.
   choose([&](std::size_t k) {
-    return above(core::max(work_.west[k], work_.west[k + 1]), core::min(work_.west[k], work_.west[k + 1])) |
-           above(core::max(work_.south[k], work_.north[k]), core::min(work_.south[k], work_.north[k]));
+    const auto along = [&](Lanes e) { return stretch * e; };
+    const auto across = [&](Lanes e) { return e / stretch; };
+    return above(along(core::max(work_.west[k], work_.west[k + 1])),
+                 along(core::min(work_.west[k], work_.west[k + 1]))) |
+           above(across(core::max(work_.south[k], work_.north[k])), across(core::min(work_.south[k], work_.north[k])));
   });
 }
 

@@ -159,7 +159,7 @@ void AlongLine<reach>::assemble(int first, int last, Take take) {
   constexpr bool plain = form == Form::plain;
   const reynolds::Transport transport = transport_on(hierarchy_, level_);
   const auto c = reynolds::transport_weights(transport, first, grid_.hx());
-  const double share = distributed_share(grid_);
+  const DistributedShares shares = distributed_shares(grid_);
   const bool half_points = at_half_points(level_);
   const bool with_f = level_.f.nodes_x() > 0;
   for (int i = first; i <= last; i += core::lanes) {
@@ -195,9 +195,9 @@ void AlongLine<reach>::assemble(int first, int last, Take take) {
     }
     if (with_f) point.r += at(work_.f, i);
     const auto d = [&](int q) { return at(work_.distributive, i + q); };
-    point.a = coefficients_of_deltas(share, dr, d, at(work_.far_squeeze, i) * rho0);
+    point.a = coefficients_of_deltas(shares, dr, d, at(work_.far_squeeze, i) * rho0);
     Row row = line_solvers::eliminate_film<reach>(level_.film_terms, point, d);
-    row.a[Row::lower - 3] += share * d(-3) * dr.far_west;
+    row.a[Row::lower - 3] += shares.along * d(-3) * dr.far_west;
     line_solvers::make_identity(row, reynolds::stays_dry(cavitation_, P, point.r));
     take(i, row);
   }
@@ -265,7 +265,7 @@ void AlongLine<reach>::hold_to_what_is_there() {
 // Eq. (15) of a line: half of a distributed change goes off each neighbour.
 template <int reach>
 void AlongLine<reach>::apply() {
-  const double share = distributed_share(grid_);
+  const double share = distributed_shares(grid_).along;
   for_vectors(1, grid_.nx - 1, [&](int i) {
     const Lanes P =
         at(work_.P, i) + at(work_.delta, i) - share * (at(work_.distributed, i - 1) + at(work_.distributed, i + 1));

@@ -26,7 +26,11 @@ judgement::ErrorEstimate error_of(const Hierarchy& hierarchy, const Record& reco
   if (reynolds::third_order(wedge)) {
     const double share =
         value == &LevelRow::Hc ? judgement::third_order_floor_of_Hc : judgement::third_order_floor_of_Hm;
-    return judgement::estimate_error(values, 2.0, judgement::third_order_floor(h, last.Hm_fitted, share));
+    const double stretch = core::stretch(domain);
+    double floor = judgement::third_order_floor(h / stretch, last.Hm_fitted, share);
+    // The strips of the least film lie across stretched cells; along them that of the ends is made.
+    if (stretch > 1.0) floor = std::max(floor, judgement::third_order_floor(h, last.Hc, share));
+    return judgement::estimate_error(values, 2.0, floor);
   }
   if (wedge == reynolds::Wedge::upstream2) return judgement::estimate_error(values, 2.0);
   return judgement::estimate_error(values, 1.0, judgement::first_order_floor(h, last.Hm_fitted));
@@ -51,6 +55,8 @@ double work_units(const Hierarchy& hierarchy, std::size_t l) {
     const core::Grid& grid = level.grid.domain;
     nodes += static_cast<double>(level.evaluations) * grid.nodes_x() * grid.nodes_y();
   }
+  for (const Level& level : hierarchy.between)
+    nodes += static_cast<double>(level.evaluations) * level.grid.domain.nodes_x() * level.grid.domain.nodes_y();
   const core::Grid& grid = hierarchy.levels[l].grid.domain;
   return nodes / (static_cast<double>(grid.nodes_x()) * grid.nodes_y());
 }
@@ -59,6 +65,7 @@ double work_units(const Hierarchy& hierarchy, std::size_t l) {
 
 void forget_work(Hierarchy& hierarchy) {
   for (Level& level : hierarchy.levels) level.evaluations = 0;
+  for (Level& level : hierarchy.between) level.evaluations = 0;
 }
 
 void enter(const Hierarchy& hierarchy, std::size_t l, int cycle, const judgement::Measures& now, Record& record) {

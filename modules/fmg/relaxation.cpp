@@ -19,13 +19,13 @@ using core::Lanes;
 
 // Applies the changes of one batch at station i to its own lines and to the line before each of them:
 // P_ij += delta_ij - (distributed_{i-1} + distributed_{i+1} + distributed_{j-1} + distributed_{j+1})/4 (eq. 15), of a
-// line contact half of the two along it,
-// and holds the pressure to what is allowed.
+// line contact half of the two along it, of stretched cells by DistributedShares, and holds the pressure to what is
+// allowed.
 void apply_changes(Level& level, int colour, int batch, reynolds::Cavitation cavitation, int i) {
   const core::Patch& grid = level.grid;
   const int j = first_line(colour, batch);
   const int k = batch * core::lanes;
-  const double share = distributed_share(grid);
+  const DistributedShares share = distributed_shares(grid);
   const double* here = level.changes.distributed.at_x(i) + k;
   const double* west = level.changes.distributed.at_x(i - 1) + k;
   const double* east = level.changes.distributed.at_x(i + 1) + k;
@@ -39,9 +39,9 @@ void apply_changes(Level& level, int colour, int batch, reynolds::Cavitation cav
   const Lanes one_south = core::moved_up(edge, own_lines);
   // Behind a mirror comes the image of the line before it.
   if (grid.north == core::Edge::mirror) own_lines = lines_from(j) == grid.ny + 1 ? one_south : own_lines;
-  Lanes between = reynolds::projected(cavitation, core::evens(low, high) - share * (one_south + own_lines));
+  Lanes between = reynolds::projected(cavitation, core::evens(low, high) - share.across * (one_south + own_lines));
   Lanes own = reynolds::projected(cavitation, core::odds(low, high) + core::load(level.changes.delta.at_x(i) + k) -
-                                                  share * (core::load(west) + core::load(east)));
+                                                  share.along * (core::load(west) + core::load(east)));
   between = inside(j - 1, grid) ? between : core::evens(low, high);
   own = inside(j, grid) ? own : core::odds(low, high);
   core::store(P, core::interleaved_low(between, own));

@@ -63,15 +63,18 @@ struct ThreadWork {
   std::vector<reynolds::PressureRow<core::Lanes>> answers;
   /// What of its own part comes by the face to the west; likewise.
   std::vector<core::Lanes> answers_west;
-  /// The least and the largest of the half points around point i; of a line contact there are none across.
+  /// The least and the largest of the half points around point i; of a line contact there are none across. Of stretched
+  /// cells, hx = stretch hy, epsilon/(hx hy): what each face has of one epsilon is then the same.
   struct Range {
     core::Lanes low, high;
   };
-  Range range_of(std::size_t i, bool line) const {
-    const core::Lanes low = core::min(west[i], west[i + 1]);
-    const core::Lanes high = core::max(west[i], west[i + 1]);
+  Range range_of(std::size_t i, bool line, double stretch) const {
+    const core::Lanes low = stretch * core::min(west[i], west[i + 1]);
+    const core::Lanes high = stretch * core::max(west[i], west[i + 1]);
     if (line) return {low, high};
-    return {core::min(low, core::min(south[i], north[i])), core::max(high, core::max(south[i], north[i]))};
+    const double across = 1.0 / stretch;
+    return {core::min(low, across * core::min(south[i], north[i])),
+            core::max(high, across * core::max(south[i], north[i]))};
   }
   /// 1 where point i distributes its change; zero outside the line.
   std::vector<core::Lanes> distributive;

@@ -37,6 +37,8 @@ MultilevelChoice default_choice(const core::Grid& grid) {
   if (n < 384) choice.patch_across = 3;
   // Here the exact sum costs no more.
   if (n < 96 || grid.line) choice.coarsenings = 0;
+  // Coarsened along X first, as x and y take turns, a patch of stretched cells would be hx/hy times as wide across.
+  if (core::stretched(grid)) choice.coarsenings = 0;
   choice.coarsenings = std::min(choice.coarsenings, most_coarsenings(grid));
   return choice;
 }

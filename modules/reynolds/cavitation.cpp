@@ -20,15 +20,16 @@ void drop_along_line(const core::Patch& grid, const core::Field& P, core::Field&
 
 }  // namespace
 
-void drop_beside_dry(Cavitation model, const core::Patch& grid, const core::Field& P, int threads, core::Field& r) {
+void drop_beside_dry(Cavitation model, const core::Patch& grid, const core::Field& P, int threads, core::Field& r,
+                     Neighbours of) {
   if (!ruptures(model)) return;
   if (grid.domain.line && !conserves(model)) return drop_along_line(grid, P, r);
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
   for (int i = 1; i < grid.nx; ++i) {
     const double* here = P.at_x(i);
     // The boundary's zero is no cavitation: beside it the row itself is looked at twice.
-    const double* west = i > 1 ? P.at_x(i - 1) : here;
-    const double* east = i < grid.nx - 1 ? P.at_x(i + 1) : here;
+    const double* west = of == Neighbours::all && i > 1 ? P.at_x(i - 1) : here;
+    const double* east = of == Neighbours::all && i < grid.nx - 1 ? P.at_x(i + 1) : here;
     double* out = r.at_x(i);
     if (conserves(model)) {
       for (int j = 1; j <= grid.last_line(); ++j) out[j] = dry(model, here[j]) ? 0.0 : out[j];
@@ -51,6 +52,19 @@ void drop_beside_dry(Cavitation model, const core::Patch& grid, const core::Fiel
 
 void restrict_pressure(Cavitation model, const core::Field& fine, const core::Patch& grid, core::Field& coarse) {
   transfer::restrict_injection(fine, coarse);
+  if (coarse.nodes_x() == fine.nodes_x()) {
+    for (int I = 1; I < grid.nx; ++I) {
+      const double* row = fine.at_x(I);
+      double* to = coarse.at_x(I);
+      for (int J = 1; J <= grid.last_line(); ++J) {
+        const int j = grid.finer_line(J);
+        if (!dry(model, row[j - 1]) && !dry(model, row[j]) && !dry(model, row[j + 1]))
+          to[J] = transfer::mean_of_three(row, j);
+      }
+      core::fill_ghosts(grid, to);
+    }
+    return;
+  }
   for (int I = 1; I < grid.nx; ++I) {
     const double* rows[] = {fine.at_x(2 * I - 1), fine.at_x(2 * I), fine.at_x(2 * I + 1)};
     double* to = coarse.at_x(I);

@@ -53,7 +53,12 @@ inline double slack(Cavitation model, double P, double r) { return dry(model, P)
 /// of the cavitated region is left to the relaxation of its own grid. Where the oil of dry points is an unknown, of dry
 /// points alone: at a meniscus a residual is oil that the pressure in all of the inlet answers to. in: ghost lines of
 /// P; out: of r.
-void drop_beside_dry(Cavitation model, const core::Patch& grid, const core::Field& P, int threads, core::Field& r);
+/// Where the coarse grid keeps all stations along X, of a dry point the neighbours along Y alone: nothing is handed on
+/// along X. Stretched cells along an edge of constant X, many of them beside each other, are coupled among each other
+/// by far more than with what is behind them: without a correction of all together they stand still.
+enum class Neighbours { all, across };
+void drop_beside_dry(Cavitation model, const core::Patch& grid, const core::Field& P, int threads, core::Field& r,
+                     Neighbours of = Neighbours::all);
 
 /// The pressure on the grid of every second node: full weighting where all nine fine points carry pressure, injection
 /// otherwise. in: the coarse grid, `fine` with ghost lines; out: with ghost lines.

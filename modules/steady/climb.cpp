@@ -47,11 +47,13 @@ bool steep_edge(const Scene& scene) {
 /// Cells along x of a first grid of so many on a circle's domain a few radii long. On the long ones of light loads it
 /// must still see the contact.
 int first_cells(int cells, const Scene& scene) {
+  const double stretch = core::stretch(scene.grid);
   const double length = (scene.grid.X_b - scene.grid.X_a) / contact_size(scene.M, scene.L, scene.shape);
   const double slender = slenderness(scene.M, scene.L, scene.shape);
   // Aslant the shorter axis costs cells in both directions: R_x/R_y = 0.005 to 0.2 start as surely on a quarter.
   if (contact::gap(scene.shape).XY != 0.0) cells /= 4;
-  return std::max(static_cast<int>(cells * slender), static_cast<int>(length / largest_first_step * slender));
+  return std::max(static_cast<int>(cells * slender / stretch),
+                  static_cast<int>(length / largest_first_step * slender / stretch));
 }
 
 /// F(2,0) cycles leave the least algebraic error of Hc and Hm for their work, W(2,1) the least residual. Along a line,
@@ -160,7 +162,7 @@ fmg::Geometry geometry_of(const contact::Ellipse& shape) {
 }
 
 bool held_by(int cells, const Scene& scene) {
-  const double step = (scene.grid.X_b - scene.grid.X_a) / first_cells(cells, scene);
+  const double step = (scene.grid.X_b - scene.grid.X_a) / first_cells(cells, scene) / core::stretch(scene.grid);
   return step <= widest_step * film_zone(scene.M, scene.L, scene.shape);
 }
 
@@ -175,7 +177,8 @@ bool on_one_half(const Scene& scene) {
 fmg::Run begin_climb(const Scene& scene, const Start& start, const ProgressCallback& progress) {
   int fewest_cells = first_cells(start.cells, scene);
   if (start.coarseness > 0.0) {
-    const double step = start.coarseness * resolving_step(scene.M, scene.L, scene.wedge, scene.shape);
+    const double step =
+        start.coarseness * resolving_step(scene.M, scene.L, scene.wedge, scene.shape) * core::stretch(scene.grid);
     fewest_cells = std::max(fewest_cells, static_cast<int>((scene.grid.X_b - scene.grid.X_a) / step));
   }
   const fmg::Parameters parameters = parameters_of(scene, start);

@@ -40,7 +40,9 @@ struct Solved {
 std::size_t level_that_holds(const fmg::Hierarchy& hierarchy, const Scene& scene) {
   const double step = coarseness * resolving_step(scene.M, scene.L, reynolds::Wedge::upstream2, scene.shape);
   std::size_t l = 0;
-  while (l + 1 < hierarchy.levels.size() && hierarchy.levels[l].grid.hx() > step) ++l;
+  while (l + 1 < hierarchy.levels.size() &&
+         hierarchy.levels[l].grid.hx() / core::stretch(hierarchy.levels[l].grid) > step)
+    ++l;
   return l;
 }
 

@@ -152,7 +152,8 @@ double estimate_domain_error(const Scene& scene) {
   const RoughError rough = rough_error(scene);
   if (!scene.far_field && rough.load > rough.inlet) return 0.5 * rough.load;
   Scene coarse = scene;
-  const int least = static_cast<int>(fewest_cells * slenderness(scene.M, scene.L, scene.shape));
+  const int least =
+      static_cast<int>(fewest_cells * slenderness(scene.M, scene.L, scene.shape) / core::stretch(scene.grid));
   while (coarse.grid.nx >= 2 * least && coarse.grid.nx % 2 == 0 && coarse.grid.ny % 2 == 0)
     coarse.grid = core::coarsened(coarse.grid);
   coarse.deformation = {};

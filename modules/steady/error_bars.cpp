@@ -43,7 +43,7 @@ struct MeshError {
 MeshError mesh_error(const Scene& scene, const LevelRow& row, double order) {
   const double of_node = std::abs(row.Hm - row.Hm_fitted) / row.Hm;
   if (std::isfinite(row.error_Hc)) return {row.error_Hc, row.error_Hm, row.error_Hm - of_node};
-  const double step = (scene.grid.X_b - scene.grid.X_a) / row.nx;
+  const double step = (scene.grid.X_b - scene.grid.X_a) / row.nx / core::stretch(scene.grid);
   const double error = judgement::error_of_one_grid(step, row.Hm_fitted, order);
   // Beside an ellipse the zone in which the film is thinnest is that of a circle's film of this height.
   const double error_Hm = judgement::error_of_one_grid(step, row.Hm_fitted / edge_steepness(scene.shape), order);

@@ -53,8 +53,8 @@ std::vector<deck::Key> grid_keys() {
              .range = {16, 1048576},
              .remedy = "cells along x of the finest grid, e.g. 256",
              .meaning = "Cells of the finest grid along x, the coarsest grid's times a power of two; along y they "
-                        "follow from the domain, as nearly square as possible, or twice as long where the contact "
-                        "is seven times as wide as long.",
+                        "follow from the domain, as nearly square as possible. Where the contact is seven times as "
+                        "wide as long they are twice as wide, where six times as long as wide 4 or 8 times as long.",
              .example = "256"},
             {.name = "coarsest",
              .type = deck::Type::integer,
@@ -138,7 +138,8 @@ void choose_cells(const deck::Part& grid, const deck::Part& domain, const contac
   const double least = contact::gap(groups.shape).XY == 0.0
                            ? 0.5 * fewest_chosen_cells * slenderness(groups.M, groups.L, groups.shape)
                            : fewest_aslant(length, groups);
-  while (fewest < fewest_chosen_cells || fewest <= least) fewest *= 2;
+  const double stretch = std::max(1.0, 1.0 / cell_aspect(groups.shape));
+  while (fewest < fewest_chosen_cells || fewest <= least / stretch) fewest *= 2;
   int most = fewest * (most_chosen_cells / fewest_chosen_cells);
   if (contact::line(groups.shape) && !contact::roller(groups.shape)) {
     most = most_cells_of_line;
@@ -147,7 +148,8 @@ void choose_cells(const deck::Part& grid, const deck::Part& domain, const contac
         std::sqrt(most_nodes_of_ellipse * cell_aspect(groups.shape) * length / (2.0 * domain.number("y_half")));
     for (most = fewest; 2 * most <= most_along;) most *= 2;
   }
-  const int cells = resolving_cells(resolving_step(groups.M, groups.L, wedge, groups.shape), length, fewest, most);
+  const int cells =
+      resolving_cells(stretch * resolving_step(groups.M, groups.L, wedge, groups.shape), length, fewest, most);
   grid.choose("cells", cells, cells < most ? "resolves the film" : "the most that is chosen unasked");
 }
 
@@ -230,9 +232,10 @@ GridInput read_grid(deck::Deck& deck, std::optional<double> size, double aspect,
     return input;
   }
   // Even on the coarsest grid, so that the line y = 0 is a line of every grid.
-  const double along_y = cells * (grid.Y_b - grid.Y_a) / (grid.X_b - grid.X_a) / aspect;
+  // Shorter cells are those of square ones, divided: the multigrid puts them together again.
+  const double along_y = cells * (grid.Y_b - grid.Y_a) / (grid.X_b - grid.X_a) / std::max(1.0, aspect);
   const double pairs = std::max(1.0, std::round(std::ldexp(along_y, -levels - 1)));
-  const double ny = std::ldexp(pairs, levels + 1);
+  const double ny = std::ldexp(pairs, levels + 1) * std::max(1.0, 1.0 / aspect);
   if (line)
     grid.ny = core::line_grid(cells, grid.X_a, grid.X_b).ny;
   else if (ny > 1 << 21)

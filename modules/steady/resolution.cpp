@@ -96,7 +96,12 @@ double resolving_step(double M, double L, reynolds::Wedge wedge, const contact::
 
 double cell_aspect(const contact::Ellipse& shape) {
   const contact::Extent reach = contact::extent(shape);
-  return reach.Y > 7.0 * reach.X ? 2.0 : 1.0;
+  if (reach.Y > 7.0 * reach.X) return 2.0;
+  constexpr double slender = 6.0, longest = 8.0, finer_along = 1.6;
+  if (reach.X < slender * reach.Y) return 1.0;
+  double stretch = 1.0;
+  while (2.0 * stretch <= std::min(longest, reach.X / reach.Y / finer_along)) stretch *= 2.0;
+  return 1.0 / stretch;
 }
 
 int resolving_cells(double step, double length, int fewest, int most) {

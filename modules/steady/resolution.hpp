@@ -41,12 +41,16 @@ double film_zone(double M, double L, const contact::Ellipse& shape = {});
 
 /// Mesh size along X, in Hertz radii, that resolves the film: 0.3 film_zone and at most 0.4 of contact_size along the
 /// shorter axis; for the first-order wedge 0.2 and 0.2. The error of the second-order wedge is about 0.4
-/// (hx/film_zone)^2 in Hm. in: M > 0, L >= 0.
+/// (hx/film_zone)^2 in Hm. Of cells that are longer along X, the mesh size across. in: M > 0, L >= 0.
 double resolving_step(double M, double L, reynolds::Wedge wedge, const contact::Ellipse& shape = {});
 
 /// hy/hx of the cells. Of a contact that reaches more than seven times as far across the motion as along it, 2: along Y
 /// all changes slowly there. Of five such contacts (R_x/R_y = 0.03 and 0.01) Hc and Hm then move by less than 7e-5 of
 /// themselves, cycles leave less of the residual, and take half the time; with 4, one in five takes a second start.
+/// Of one that reaches more than six times as far along the motion, the largest of 1/2, 1/4, 1/8 that is 1.6 times as
+/// wide as the contact's own shape or more. In units of its own semi-axes such a contact is a circle: the strips at the
+/// sides, where the film is thinnest, get as many cells as the ends with cells of that shape. The spike at the outlet
+/// end wants more along X: R_x/R_y = 50, (20, 15), is solved with 1/4 and diverges there with 1/8.
 /// out: 1 of all others.
 double cell_aspect(const contact::Ellipse& shape);
 

@@ -138,7 +138,9 @@ void try_full_multigrid(const Scene& scene, const ProgressCallback& progress, Se
   const double slender = slenderness(scene.M, scene.L, scene.shape);
   for (const Start& start : starts_of(scene)) {
     // A start for finer grids than the scene has brings nothing new.
-    if (search.attempts() > 1 && start.coarseness == 0.0 && start.cells * slender > scene.grid.nx) return;
+    if (search.attempts() > 1 && start.coarseness == 0.0 &&
+        start.cells * slender > scene.grid.nx * core::stretch(scene.grid))
+      return;
     const std::string number = std::to_string(search.attempts() + 1);
     search.try_way(search.attempts() == 0 ? "full multigrid" : "full multigrid, start " + number,
                    [&] { return climb(scene, start, progress); });

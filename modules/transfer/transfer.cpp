@@ -5,10 +5,10 @@
 namespace ehl::transfer {
 
 void restrict_injection(const core::Field& fine, core::Field& coarse) {
-  // Of a line contact both have all lines.
+  const int every_x = coarse.nodes_x() == fine.nodes_x() ? 1 : 2;
   const int every = coarse.nodes_y() == fine.nodes_y() ? 1 : 2;
   for (int I = 0; I < coarse.nodes_x(); ++I) {
-    const double* from = fine.at_x(2 * I);
+    const double* from = fine.at_x(every_x * I);
     double* to = coarse.at_x(I);
     for (int J = 0; J < coarse.nodes_y(); ++J) to[J] = from[every * J];
   }
@@ -16,6 +16,14 @@ void restrict_injection(const core::Field& fine, core::Field& coarse) {
 
 void restrict_full_weighting(const core::Patch& grid, const core::Field& fine, core::Field& coarse) {
   restrict_injection(fine, coarse);
+  if (coarse.nodes_x() == fine.nodes_x()) {
+    for (int I = 1; I < coarse.nodes_x() - 1; ++I) {
+      double* to = coarse.at_x(I);
+      for (int J = 1; J <= grid.last_line(); ++J) to[J] = mean_of_three(fine.at_x(I), grid.finer_line(J));
+      core::fill_ghosts(grid, to);
+    }
+    return;
+  }
   for (int I = 1; I < coarse.nodes_x() - 1; ++I) {
     const double* west = fine.at_x(2 * I - 1);
     const double* here = fine.at_x(2 * I);
@@ -33,10 +41,11 @@ void prolong_bilinear(const core::Field& coarse, core::Field& fine, int threads)
     for (int i = 0; i < columns; ++i) core::fill_lines(fine.at_x(i), 0.5 * (coarse(i / 2, 1) + coarse((i + 1) / 2, 1)));
     return;
   }
+  const int every_x = columns == coarse.nodes_x() ? 1 : 2;
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
   for (int i = 0; i < columns; ++i) {
-    const double* west = coarse.at_x(i / 2);
-    const double* east = coarse.at_x((i + 1) / 2);
+    const double* west = coarse.at_x(i / every_x);
+    const double* east = coarse.at_x((i + every_x - 1) / every_x);
     double* to = fine.at_x(i);
     for (int J = 0; J < last; ++J) {
       const double here = 0.5 * (west[J] + east[J]);

@@ -1,11 +1,11 @@
 #pragma once
-// Transfer of fields between a grid and the grid of every second node. Of a line contact, every second along X: both
-// fields have as many lines, and nothing happens along Y.
+// Transfer of fields between a grid and the grid of every second node. In a direction in which both fields have as many
+// nodes nothing happens: of a line contact along Y, of a semi-coarsening across X along X.
 #include "core/field.hpp"
 
 namespace ehl::transfer {
 
-/// coarse(I,J) = fine(2I,2J), boundary included.
+/// coarse(I,J) = fine(2I,2J), boundary included; fine(2I,J) or fine(I,2J) where a direction is kept.
 void restrict_injection(const core::Field& fine, core::Field& coarse);
 
 /// Weighted mean of the nine points around entry j of `here`, weights (1 2 1)(1 2 1)/16. in: three rows side by side.
@@ -14,11 +14,15 @@ inline double mean_of_nine(const double* west, const double* here, const double*
   return (across(west) + 2.0 * across(here) + across(east)) / 16.0;
 }
 
+/// Weighted mean of the three points around entry j of a row, weights (1 2 1)/4.
+inline double mean_of_three(const double* here, int j) { return (here[j - 1] + 2.0 * here[j] + here[j + 1]) / 4.0; }
+
 /// coarse(I,J) = weighted mean of the nine fine points around (2I,2J), weights (1 2 1)(1 2 1)/16;
-/// injection on the boundary. in: the patch of `coarse`; `fine` with ghost lines.
+/// of the three along Y, weights (1 2 1)/4, where X is kept; injection on the boundary. in: the patch of `coarse`;
+/// `fine` with ghost lines.
 void restrict_full_weighting(const core::Patch& grid, const core::Field& fine, core::Field& coarse);
 
-/// Bilinear interpolation. order: 2.
+/// Bilinear interpolation; linear along Y where X is kept. order: 2.
 void prolong_bilinear(const core::Field& coarse, core::Field& fine, int threads);
 
 /// Bicubic interpolation, (-1 9 9 -1)/16 along x and then y; beside the boundary the missing value is extrapolated

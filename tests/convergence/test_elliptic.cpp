@@ -218,3 +218,32 @@ BOOST_AUTO_TEST_CASE(a_slender_heavy_contact) {
   BOOST_TEST(last.cycles <= 20);
   BOOST_TEST(last.Hm > 0.0);
 }
+
+// Six times as long along the motion as wide and more: cells of the contact's own shape, corrected across X alone until
+// they are square. The same film as on square cells of the same hy, to which hx adds less than the bars.
+BOOST_AUTO_TEST_CASE(a_slender_contact_on_stretched_cells) {
+  const contact::Ellipse shape = contact::ellipse(20);
+  const double aspect = steady::cell_aspect(shape);
+  BOOST_TEST(aspect == 0.25);
+  BOOST_TEST(steady::cell_aspect(contact::ellipse(10)) == 1.0);
+  BOOST_TEST(steady::cell_aspect(contact::ellipse(200, 45.0)) == 1.0);
+  steady::Scene scene = scene_of(20, 5, shape, 512, steady::error_of_closed_domain);
+  scene.wedge = reynolds::Wedge::upstream3;
+  scene.face = reynolds::Face::logmean_bounded;
+  scene.grid.ny = scene.grid.ny / 32 * 32 * 4;
+  const steady::Solution stretched = steady::solve(scene);
+  scene.multigrid.tolerance = 1e-6;
+  const steady::Solution cycled = steady::solve(scene);
+  BOOST_TEST_MESSAGE("R_x/R_y = 20, (20, 5), 512 x " << scene.grid.ny << " cells: " << cycled.cycle_factor
+                                                     << " per cycle (at most 0.5), " << cycled.method);
+  BOOST_TEST(cycled.converged, cycled.failed_check);
+  BOOST_TEST(cycled.method == "full multigrid");
+  BOOST_TEST(cycled.cycle_factor < 0.5);
+  scene.multigrid.tolerance = fmg::Parameters{}.tolerance;
+  scene.grid.nx *= 4;
+  const steady::Solution square = steady::solve(scene);
+  const steady::ErrorBars& bars = stretched.error_bars;
+  check("Hc", stretched.levels.back().Hc, square.levels.back().Hc, bars.Hc.total() + square.error_bars.Hc.total());
+  check("Hm", stretched.levels.back().Hm_fitted, square.levels.back().Hm_fitted,
+        bars.Hm_fitted.total() + square.error_bars.Hm_fitted.total());
+}

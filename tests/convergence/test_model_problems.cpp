@@ -70,3 +70,15 @@ BOOST_AUTO_TEST_CASE(varying_epsilon) {
       BOOST_TEST(largest(factors, 8) < 0.3);
     }
 }
+
+BOOST_AUTO_TEST_CASE(constant_epsilon_on_stretched_cells_of_any_shape) {
+  // Coarsened across X alone until the cells are square. Two grids leave 0.21 at most (test_smoothing.cpp), on the
+  // square grids below 0.3 is asked of W cycles.
+  for (const double stretch : {2.0, 4.0, 8.0})
+    for (const double e : {0.0, 0.03, 0.3, 1.0, 3.0, 30.0, 1e6}) {
+      const double W = late_factor(
+          error_factors(constant_epsilon_on_stretched_cells(e, stretch, 128, Wedge::upstream2, Cycle::W), 8), 4);
+      BOOST_TEST_MESSAGE("hx = " << stretch << " hy, e " << e << ": W(2,1) " << W << " (at most 0.3)");
+      BOOST_TEST(W < 0.3);
+    }
+}

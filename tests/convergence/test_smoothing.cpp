@@ -37,8 +37,8 @@ double lattice_sum(Frequency theta, int reach) {
 // narrow enough to know nothing of the boundary. One sweep of the solver's relaxation, projected on the same packet.
 class PacketSweep {
  public:
-  PacketSweep(double e, Wedge wedge, bool distributed)
-      : hierarchy_(make_error_hierarchy(problem(e, wedge, distributed))) {}
+  PacketSweep(double e, Wedge wedge, bool distributed, double stretch = 1.0)
+      : hierarchy_(make_error_hierarchy(problem(e, wedge, distributed, stretch))) {}
 
   SweepMatrix matrix(Frequency theta) {
     const Frequency pair[] = {theta, {theta.x, theta.y - pi}};
@@ -55,9 +55,11 @@ class PacketSweep {
   static constexpr int cells = 256;
   static constexpr double width = 24.0;  // of the packet [cells]
 
-  static ModelProblem problem(double e, Wedge wedge, bool distributed) {
+  static ModelProblem problem(double e, Wedge wedge, bool distributed, double stretch) {
     // A tiny epsilon stands for none where Gauss-Seidel is wanted: without any a point is always distributive.
-    ModelProblem result = constant_epsilon(std::max(e, 1e-9), cells, wedge, fmg::Cycle::V);
+    ModelProblem result =
+        stretch == 1.0 ? constant_epsilon(std::max(e, 1e-9), cells, wedge, fmg::Cycle::V)
+                       : constant_epsilon_on_stretched_cells(std::max(e, 1e-9), stretch, cells, wedge, fmg::Cycle::V);
     result.coarsest = cells;
     result.relaxation.crossover = distributed ? 1e9 : 0.0;
     return result;
@@ -185,6 +187,60 @@ BOOST_AUTO_TEST_CASE(relaxation_as_implemented) {
                            << measured / expected << " (tolerance 5 %); other frequencies differ by " << difference
                            << " of " << entries << " (5 %)");
         BOOST_TEST(std::abs(measured / expected - 1.0) < 0.05);
+        BOOST_TEST(difference < 0.05 * entries);
+      }
+}
+
+BOOST_AUTO_TEST_CASE(stretched_cells_are_smoothed_across_alone) {
+  const fmg::RelaxationParameters ours;
+  const LineRelaxation single{false, Ordering::two_colours, 1.0};
+  const LineRelaxation distributed{true, Ordering::two_colours, ours.weight_distributed};
+  LineRelaxation by_quarters = distributed;
+  by_quarters.by_mesh_size = false;
+  for (const double stretch : {2.0, 4.0, 8.0, 16.0}) {
+    const AnalysisAcross analysis(stretch, 8);
+    for (const double e : {0.0, 0.03, 0.3, 1.0, 10.0}) {
+      // Which of the two a point is: RelaxationParameters::crossover.
+      const Analysis a = analysis.analyse(e < ours.crossover ? distributed : single, e, Wedge::upstream2);
+      const Analysis quarters = analysis.analyse(by_quarters, e, Wedge::upstream2);
+      BOOST_TEST_MESSAGE("hx = " << stretch << " hy, e " << e << ": across " << a.smoothing
+                                 << " (at most 0.46), smooth " << a.low << " (at most 1.01), two grids " << a.two_grid
+                                 << " (at most 0.22); by quarters: smooth " << quarters.low << ", two grids "
+                                 << quarters.two_grid);
+      BOOST_TEST(a.smoothing < 0.46);
+      BOOST_TEST(a.low < 1.01);
+      BOOST_TEST(a.two_grid < 0.22);
+      if (stretch >= 8.0 && e == 0.0) BOOST_TEST(quarters.low > 1.7);
+    }
+    // What is smooth across and rough along: no grid coarsened both ways can follow.
+    const std::array<Mode, 2> along = mode_pair({pi - 1e-6, 0.1}, stretch);
+    LineRelaxation strong = single;
+    strong.stretch = stretch;
+    const double left = std::abs(sweep_matrix(strong, 100.0, Wedge::upstream2, along)[0][0]);
+    BOOST_TEST_MESSAGE("hx = " << stretch << " hy: of an error (pi, 0.1) a sweep leaves " << left
+                               << " (more than 1 - 4/stretch^2 - 0.1)");
+    BOOST_TEST(left > 1.0 - 4.0 / (stretch * stretch) - 0.1);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(relaxation_of_stretched_cells_as_implemented) {
+  for (const double stretch : {2.0, 4.0, 8.0})
+    for (const bool distributed : {true, false})
+      for (const double e : {0.03, 0.3, 3.0}) {
+        const double weight = distributed ? fmg::RelaxationParameters{}.weight_distributed : 1.0;
+        LineRelaxation relaxation{distributed, Ordering::two_colours, weight};
+        relaxation.stretch = stretch;
+        PacketSweep sweep(e, Wedge::upstream2, distributed, stretch);
+        double difference = 0.0;
+        double entries = 0.0;
+        for (const Frequency theta : {Frequency{0.5, 0.4}, {2.0, 0.5}, {2.9, 1.2}}) {
+          const SweepMatrix truth = sweep_matrix(relaxation, e, Wedge::upstream2, mode_pair(theta, stretch));
+          difference = std::max(difference, largest_difference(sweep.matrix(theta), truth));
+          entries = std::max(entries, largest_difference(truth, {}));
+        }
+        BOOST_TEST_MESSAGE("hx = " << stretch << " hy, " << (distributed ? "distributive" : "Gauss-Seidel")
+                                   << " lines, e " << e << ": differs by " << difference << " of " << entries
+                                   << " (5 %)");
         BOOST_TEST(difference < 0.05 * entries);
       }
 }

@@ -20,10 +20,10 @@ double sinc(double t) { return t == 0.0 ? 1.0 : std::sin(t) / t; }
 // The terms of Poisson's sum alternate in sign and fall slowly: a weight that lets the outer half fade makes the rest
 // negligible.
 constexpr int terms = 24;
-double fading(int m) {
-  const int outer = std::abs(m) - terms / 2;
+double fading(int m, int last) {
+  const int outer = std::abs(m) - last / 2;
   if (outer <= 0) return 1.0;
-  const double c = std::cos(0.5 * pi * outer / (terms / 2 + 1));
+  const double c = std::cos(0.5 * pi * outer / (last / 2 + 1));
   return c * c;
 }
 
@@ -35,28 +35,46 @@ Complex wedge_symbol(reynolds::Wedge wedge, double theta_x) {
 
 Complex film_symbol(reynolds::Wedge wedge, const Mode& at) { return -wedge_symbol(wedge, at.theta.x) * at.kernel; }
 
-Complex poiseuille_symbol(double e, Frequency theta) {
-  return -e * (4.0 - 2.0 * std::cos(theta.x) - 2.0 * std::cos(theta.y));
+Complex poiseuille_symbol(double e, Frequency theta, double stretch) {
+  return -e / stretch * (2.0 - 2.0 * std::cos(theta.x)) - e * stretch * (2.0 - 2.0 * std::cos(theta.y));
 }
 
-// Pressure change per delta: 1 - (sum of the four neighbours)/4.
-double distribution_symbol(bool distributed, Frequency theta) {
-  return distributed ? 1.0 - 0.5 * (std::cos(theta.x) + std::cos(theta.y)) : 1.0;
+struct Shares {
+  double along = 0.0, across = 0.0;
+};
+Shares shares_of(const LineRelaxation& relaxation) {
+  if (!relaxation.distributed) return {};
+  const double across2 = relaxation.by_mesh_size ? relaxation.stretch * relaxation.stretch : 1.0;
+  return {0.5 / (1.0 + across2), 0.5 * across2 / (1.0 + across2)};
+}
+
+// Pressure change per delta: 1 - (the shares of the four neighbours).
+double distribution_symbol(const LineRelaxation& relaxation, Frequency theta) {
+  const Shares share = shares_of(relaxation);
+  return 1.0 - 2.0 * (share.along * std::cos(theta.x) + share.across * std::cos(theta.y));
+}
+
+// K or Delta K at distance d along the line.
+double influence_on_line(const LineRelaxation& relaxation, int d) {
+  const double hy = 1.0 / relaxation.stretch;
+  const auto K = [hy](int a, int b) { return kernel::influence(a, b, 1.0, hy); };
+  const Shares share = shares_of(relaxation);
+  return K(d, 0) - share.along * (K(d - 1, 0) + K(d + 1, 0)) - 2.0 * share.across * K(d, 1);
 }
 
 // The system of one line, eqs. (12)-(13) or (16)-(17): what the deltas of the line change in its own equations.
 Complex line_symbol(const LineRelaxation& relaxation, double e, reynolds::Wedge wedge, double theta_x) {
   const double cosine = std::cos(theta_x);
   // A change of the line and what it takes from the two lines beside it.
-  const double on_line = relaxation.distributed ? 1.0 - 0.5 * cosine : 1.0;
-  const double beside = relaxation.distributed ? -0.25 : 0.0;
+  const Shares share = shares_of(relaxation);
+  const double on_line = 1.0 - 2.0 * share.along * cosine;
+  const double beside = -share.across;
   double film = 0.0;
-  for (int d = 0; d <= relaxation.reach; ++d) {
-    const double influence =
-        relaxation.distributed ? kernel::distributed_influence(d, 0, 1.0, 1.0) : kernel::influence(d, 0, 1.0, 1.0);
-    film += (d == 0 ? 1.0 : 2.0 * std::cos(d * theta_x)) * two_over_pi_squared * influence;
-  }
-  return e * ((2.0 * cosine - 4.0) * on_line + 2.0 * beside) - wedge_symbol(wedge, theta_x) * film;
+  for (int d = 0; d <= relaxation.reach; ++d)
+    film += (d == 0 ? 1.0 : 2.0 * std::cos(d * theta_x)) * two_over_pi_squared * influence_on_line(relaxation, d);
+  const double e_x = e / relaxation.stretch;
+  const double e_y = e * relaxation.stretch;
+  return (2.0 * e_x * (cosine - 1.0) - 2.0 * e_y) * on_line + 2.0 * e_y * beside - wedge_symbol(wedge, theta_x) * film;
 }
 
 using Matrix4 = std::array<std::array<Complex, 4>, 4>;
@@ -116,23 +134,26 @@ Matrix4 coarse_grid_correction(double e, reynolds::Wedge wedge, const Harmonics&
 
 }  // namespace
 
-double kernel_symbol(Frequency theta) {
+double kernel_symbol(Frequency theta, double stretch) {
   double sum = 0.0;
-  for (int m = -terms; m <= terms; ++m) {
+  const int along = static_cast<int>(terms * stretch);  // as far out in both directions
+  for (int m = -along; m <= along; ++m) {
     const double t_x = theta.x + 2.0 * pi * m;
-    const double along_x = fading(m) * sinc(0.5 * t_x);
+    const double along_x = fading(m, along) * sinc(0.5 * t_x);
     for (int n = -terms; n <= terms; ++n) {
       const double t_y = theta.y + 2.0 * pi * n;
-      sum += along_x * fading(n) * sinc(0.5 * t_y) * 2.0 * pi / std::hypot(t_x, t_y);
+      sum += along_x * fading(n, terms) * sinc(0.5 * t_y) * 2.0 * pi / std::hypot(t_x, stretch * t_y);
     }
   }
   return two_over_pi_squared * sum;
 }
 
-std::array<Mode, 2> mode_pair(Frequency theta) { return {mode(theta), mode({theta.x, away(theta.y)})}; }
+std::array<Mode, 2> mode_pair(Frequency theta, double stretch) {
+  return {mode(theta, stretch), mode({theta.x, away(theta.y)}, stretch)};
+}
 
-Complex equation_symbol(double e, reynolds::Wedge wedge, const Mode& at, double cell) {
-  return poiseuille_symbol(e / (cell * cell), at.theta) + film_symbol(wedge, at);
+Complex equation_symbol(double e, reynolds::Wedge wedge, const Mode& at, double cell, double stretch) {
+  return poiseuille_symbol(e / (cell * cell), at.theta, stretch) + film_symbol(wedge, at);
 }
 
 SweepMatrix sweep_matrix(const LineRelaxation& relaxation, double e, reynolds::Wedge wedge,
@@ -143,8 +164,8 @@ SweepMatrix sweep_matrix(const LineRelaxation& relaxation, double e, reynolds::W
   std::array<Complex, 2> poiseuille{};
   std::array<Complex, 2> film{};
   for (std::size_t k = 0; k < 2; ++k) {
-    change[k] = relaxation.weight * distribution_symbol(relaxation.distributed, pair[k].theta);
-    poiseuille[k] = poiseuille_symbol(e, pair[k].theta) / line;
+    change[k] = relaxation.weight * distribution_symbol(relaxation, pair[k].theta);
+    poiseuille[k] = poiseuille_symbol(e, pair[k].theta, relaxation.stretch) / line;
     film[k] = film_symbol(wedge, pair[k]) / line;
   }
   SweepMatrix sweep{};
@@ -152,7 +173,7 @@ SweepMatrix sweep_matrix(const LineRelaxation& relaxation, double e, reynolds::W
     for (std::size_t k = 0; k < 2; ++k) {
       // The line before has already changed: e exp(-i theta_y) delta stands on the left.
       const bool after = relaxation.ordering == Ordering::lexicographic;
-      const Complex before = after ? 1.0 + e * std::polar(1.0, -pair[k].theta.y) / line : 1.0;
+      const Complex before = after ? 1.0 + e * relaxation.stretch * std::polar(1.0, -pair[k].theta.y) / line : 1.0;
       sweep[k][k] = 1.0 - change[k] * (poiseuille[k] + film[k]) / before;
     }
     return sweep;
@@ -208,6 +229,47 @@ Analysis LocalFourierAnalysis::analyse(const LineRelaxation& relaxation, double 
     const Matrix4 sweep = sweep_of_harmonics(relaxation, e, wedge, harmonics);
     result.low = std::max(result.low, std::abs(sweep[0][0]));
     Matrix4 cycle = coarse_grid_correction(e, wedge, harmonics);
+    for (int k = 0; k < pre; ++k) cycle = product(cycle, sweep);
+    for (int k = 0; k < post; ++k) cycle = product(sweep, cycle);
+    result.two_grid = std::max(result.two_grid, spectral_radius(cycle));
+  }
+  return result;
+}
+
+AnalysisAcross::AnalysisAcross(double stretch, int per_quarter) : stretch_(stretch) {
+  const double step = 0.5 * pi / per_quarter;
+  for (int a = 0; a < 2 * per_quarter; ++a)
+    for (int b = 0; b < per_quarter; ++b) {
+      const Frequency theta{(a + 0.5) * step, (b + 0.5) * step};
+      all_.push_back({mode_pair(theta, stretch), mode({theta.x, 2.0 * theta.y}, 0.5 * stretch)});
+    }
+}
+
+Analysis AnalysisAcross::analyse(LineRelaxation relaxation, double e, reynolds::Wedge wedge, int pre, int post) const {
+  relaxation.stretch = stretch_;
+  Analysis result;
+  const auto product = [](const SweepMatrix& a, const SweepMatrix& b) {
+    SweepMatrix c{};
+    for (std::size_t i = 0; i < 2; ++i)
+      for (std::size_t k = 0; k < 2; ++k)
+        for (std::size_t j = 0; j < 2; ++j) c[i][j] += a[i][k] * b[k][j];
+    return c;
+  };
+  for (const auto& [fine, coarse] : all_) {
+    const SweepMatrix sweep = sweep_matrix(relaxation, e, wedge, fine);
+    if (const double factor = std::abs(sweep[1][1]); factor > result.smoothing) {
+      result.smoothing = factor;
+      result.slowest = fine[0].theta;
+    }
+    if (fine[0].theta.x < 0.5 * pi) result.low = std::max(result.low, std::abs(sweep[0][0]));
+    const Complex below = equation_symbol(0.5 * e, wedge, coarse, 1.0, 0.5 * stretch_);
+    SweepMatrix cycle{};  // I - P L_coarse^-1 R L
+    for (std::size_t k = 0; k < 2; ++k)
+      for (std::size_t from = 0; from < 2; ++from) {
+        const auto transfer = [&](std::size_t of) { return 0.5 * (1.0 + std::cos(fine[of].theta.y)); };
+        cycle[k][from] = (k == from ? 1.0 : 0.0) -
+                         transfer(k) * transfer(from) * equation_symbol(e, wedge, fine[from], 1.0, stretch_) / below;
+      }
     for (int k = 0; k < pre; ++k) cycle = product(cycle, sweep);
     for (int k = 0; k < post; ++k) cycle = product(sweep, cycle);
     result.two_grid = std::max(result.two_grid, spectral_radius(cycle));

@@ -4,8 +4,9 @@
 //
 //   L(P) = e (P_W + P_E + P_S + P_N - 4 P) - wedge(K*P),   e = epsilon/h^2,   unit mesh size, K with 2/pi^2
 //
-// (the factors h of K and 1/h of the wedge cancel). An error exp(i(theta_x i + theta_y j)) is multiplied by a number
-// or, where two colours couple theta_y and theta_y + pi, by a matrix.
+// (the factors h of K and 1/h of the wedge cancel). Of cells that are s times as long along X as across, hx = s hy:
+// e = epsilon/(hx hy), e/s along X and e s across, hx the unit. An error exp(i(theta_x i + theta_y j)) is multiplied by
+// a number or, where two colours couple theta_y and theta_y + pi, by a matrix.
 #include <array>
 #include <complex>
 #include <vector>
@@ -25,7 +26,10 @@ struct LineRelaxation {
   bool distributed = false;  ///< eq. (15): each change takes a quarter from the four neighbours
   Ordering ordering = Ordering::two_colours;
   double weight = 1.0;
-  int reach = 1;  ///< terms of the truncated film equation on each side
+  int reach = 1;         ///< terms of the truncated film equation on each side
+  double stretch = 1.0;  ///< hx/hy
+  /// A distributed change takes from its four neighbours in proportion to 1/h^2; else a quarter from each.
+  bool by_mesh_size = true;
 };
 
 /// The relaxations of Venner and ten Napel (1992), section 3.3.1.
@@ -44,20 +48,20 @@ using SweepMatrix = std::array<std::array<Complex, 2>, 2>;
 /// Symbol of the influence coefficients of square cells of size 1 (eq. 6, 2/pi^2 included). K is 1/r averaged over a
 /// cell and sampled, so by Poisson's formula its symbol is
 ///   (2/pi^2) sum_mn (2 pi/|t|) sinc(t_x/2) sinc(t_y/2),   t = theta + 2 pi (m, n).
-/// limits: theta not a multiple of 2 pi. accuracy: about 1e-6.
-double kernel_symbol(Frequency theta);
+/// limits: theta not a multiple of 2 pi. accuracy: about 1e-6. Of stretched cells: |t| of (t_x, stretch t_y).
+double kernel_symbol(Frequency theta, double stretch = 1.0);
 
 /// A frequency and the symbol of the kernel there, which costs far more than the rest.
 struct Mode {
   Frequency theta;
   double kernel = 0.0;
 };
-inline Mode mode(Frequency theta) { return {theta, kernel_symbol(theta)}; }
+inline Mode mode(Frequency theta, double stretch = 1.0) { return {theta, kernel_symbol(theta, stretch)}; }
 /// theta and theta + (0, pi).
-std::array<Mode, 2> mode_pair(Frequency theta);
+std::array<Mode, 2> mode_pair(Frequency theta, double stretch = 1.0);
 
 /// Symbol of L. in: theta per cell of a grid with mesh size `cell` times the one of e.
-Complex equation_symbol(double e, reynolds::Wedge wedge, const Mode& at, double cell = 1.0);
+Complex equation_symbol(double e, reynolds::Wedge wedge, const Mode& at, double cell = 1.0, double stretch = 1.0);
 
 SweepMatrix sweep_matrix(const LineRelaxation& relaxation, double e, reynolds::Wedge wedge,
                          const std::array<Mode, 2>& pair);
@@ -89,6 +93,22 @@ class LocalFourierAnalysis {
 
  private:
   std::vector<Harmonics> all_;
+};
+
+/// The same of cycles whose coarse grid keeps all stations along X and every second line: smoothing is what a sweep
+/// leaves where theta_y is high, whatever theta_x; the two grids are cells of `stretch` and of half of it.
+class AnalysisAcross {
+ public:
+  explicit AnalysisAcross(double stretch, int per_quarter = 24);
+  Analysis analyse(LineRelaxation relaxation, double e, reynolds::Wedge wedge, int pre = 2, int post = 1) const;
+
+ private:
+  struct Pair {
+    std::array<Mode, 2> fine;  ///< theta_y low and high
+    Mode coarse;
+  };
+  double stretch_;
+  std::vector<Pair> all_;
 };
 
 }  // namespace ehl::tests

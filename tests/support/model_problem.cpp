@@ -12,7 +12,7 @@ namespace {
 
 constexpr double X_a = -4.5, X_b = 1.5, Y_b = 3.0;
 
-core::Grid grid_of(int cells) { return {cells, cells, X_a, X_b, -Y_b, Y_b}; }
+core::Grid grid_of(int cells, double stretch = 1.0) { return {cells, cells, X_a, X_b, -Y_b / stretch, Y_b / stretch}; }
 
 }  // namespace
 
@@ -26,6 +26,16 @@ fmg::RelaxationParameters ModelProblem::linear_relaxation() {
 ModelProblem constant_epsilon(double e, int cells, reynolds::Wedge wedge, fmg::Cycle cycle) {
   const double h = grid_of(cells).hx();
   return {.cells = cells, .epsilon = [=](double, double) { return e * h * h; }, .wedge = wedge, .cycle = cycle};
+}
+
+ModelProblem constant_epsilon_on_stretched_cells(double e, double stretch, int cells, reynolds::Wedge wedge,
+                                                 fmg::Cycle cycle) {
+  const double h = grid_of(cells).hx();
+  return {.cells = cells,
+          .stretch = stretch,
+          .epsilon = [=](double, double) { return e * h * h / stretch; },
+          .wedge = wedge,
+          .cycle = cycle};
 }
 
 ModelProblem papers_epsilon(int cells, reynolds::Wedge wedge, fmg::Cycle cycle) {
@@ -45,8 +55,8 @@ fmg::Hierarchy make_error_hierarchy(const ModelProblem& problem) {
                                .cavitation = reynolds::Cavitation::none};
   const fmg::Parameters parameters{
       .cycle = problem.cycle, .post = 1, .coarsest_cells = problem.coarsest, .relaxation = problem.relaxation};
-  fmg::Hierarchy hierarchy =
-      fmg::make_hierarchy(equations, parameters, {.method = mlmi::Method::fft}, grid_of(problem.cells), 1);
+  fmg::Hierarchy hierarchy = fmg::make_hierarchy(equations, parameters, {.method = mlmi::Method::fft},
+                                                 grid_of(problem.cells, problem.stretch), 1);
   fmg::Level& level = hierarchy.finest();
   level.F = core::Field(level.grid);
   for (int i = 0; i <= level.grid.nx; ++i)

@@ -8,7 +8,8 @@
 namespace ehl::tests {
 
 struct ModelProblem {
-  int cells = 128;   ///< along x and y, on [-4.5, 1.5] x [-3, 3]
+  int cells = 128;  ///< along x and y, on [-4.5, 1.5] x [-3, 3]/stretch
+  double stretch = 1.0;
   int coarsest = 8;  ///< cells of the coarsest grid: the paper's
   std::function<double(double, double)> epsilon;
   reynolds::Wedge wedge = reynolds::Wedge::upstream1;
@@ -21,6 +22,10 @@ struct ModelProblem {
 
 /// epsilon = e h^2 everywhere, h that of the finest grid.
 ModelProblem constant_epsilon(double e, int cells, reynolds::Wedge wedge, fmg::Cycle cycle);
+
+/// epsilon = e hx hy everywhere, on cells of hx = stretch hy.
+ModelProblem constant_epsilon_on_stretched_cells(double e, double stretch, int cells, reynolds::Wedge wedge,
+                                                 fmg::Cycle cycle);
 
 /// Eq. (20): epsilon = (X^2 + Y^2)^3/8 outside the circle of radius 1, 0 inside.
 ModelProblem papers_epsilon(int cells, reynolds::Wedge wedge, fmg::Cycle cycle);

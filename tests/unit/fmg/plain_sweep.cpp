@@ -59,8 +59,22 @@ class Sweep {
     return !(ehl::reynolds::ruptures(problem_.cavitation) && beside_cavitation(i, j)) && !single_by_epsilon(i, j);
   }
 
+  /// hx/hy of cells at least sqrt(2) times as long as wide; 1 of others.
+  double stretch() const {
+    const double ratio = grid_.hx() / grid_.hy();
+    return ratio > 1.41 ? ratio : 1.0;
+  }
+  /// Of a distributed change, what a neighbour along X and one across give up: by 1/h^2 of such cells.
+  double along() const { return 0.5 / (1.0 + stretch() * stretch()); }
+  double across() const { return 0.5 - along(); }
+  /// epsilon/(hx hy) of such cells.
+  Around scaled(const Around& e) const {
+    const double s = stretch();
+    return {e.west * s, e.east * s, e.south / s, e.north / s};
+  }
+
   bool single_by_epsilon(int i, int j) const {
-    const Around e = around(i, j);
+    const Around e = scaled(around(i, j));
     const double most = std::max({e.west, e.east, e.south, e.north});
     const double least = std::min({e.west, e.east, e.south, e.north});
     return most * std::sqrt(most / least) >
@@ -89,8 +103,8 @@ class Sweep {
   /// How much the left-hand side at (i,j) changes for delta = 1 at (k,j). The line does not know of the boundary:
   /// there, too, a distributed change counts as applied.
   double influence(int i, int k, int j, bool distributive) const {
-    const auto pressure = [&](int m) { return m == k ? 1.0 : distributive && std::abs(m - k) == 1 ? -0.25 : 0.0; };
-    const double beside = distributive && i == k ? -0.25 : 0.0;  // on the lines j-1 and j+1
+    const auto pressure = [&](int m) { return m == k ? 1.0 : distributive && std::abs(m - k) == 1 ? -along() : 0.0; };
+    const double beside = distributive && i == k ? -across() : 0.0;  // on the lines j-1 and j+1
     const auto film = [&](int m) {
       const auto distance = static_cast<std::size_t>(std::abs(m - k));
       if (std::abs(m - k) > parameters_.reach) return 0.0;
@@ -114,7 +128,7 @@ class Sweep {
 
   double weight(int i, int j, bool distributive) const {
     if (distributive) return parameters_.weight_distributed;
-    const Around e = around(i, j);
+    const Around e = scaled(around(i, j));
     const double low = std::min({e.west, e.east, e.south, e.north});
     const double high = std::max({e.west, e.east, e.south, e.north});
     const double smooth = high > 0.0 ? std::min(1.0, 2.0 * low / high) : 1.0;
@@ -159,9 +173,8 @@ class Sweep {
   void apply() {
     for (int i = 1; i < grid_.nx; ++i)
       for (int j = 1; j < grid_.ny; ++j) {
-        double P =
-            result_.P(i, j) + delta_(i, j) -
-            (distributed_(i - 1, j) + distributed_(i + 1, j) + distributed_(i, j - 1) + distributed_(i, j + 1)) / 4.0;
+        double P = result_.P(i, j) + delta_(i, j) - along() * (distributed_(i - 1, j) + distributed_(i + 1, j)) -
+                   across() * (distributed_(i, j - 1) + distributed_(i, j + 1));
         if (ehl::reynolds::ruptures(problem_.cavitation) && P < 0.0) {
           P = 0.0;
           ++result_.clipped;

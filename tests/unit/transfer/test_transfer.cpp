@@ -3,6 +3,7 @@
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "core/norms.hpp"
 #include "support/mirrored.hpp"
@@ -227,4 +228,32 @@ BOOST_AUTO_TEST_CASE(the_lower_half_of_a_symmetric_domain_is_treated_as_the_whol
   transfer::prolong_bicubic(coarse, up.whole, finer);
   transfer::prolong_bicubic(half_coarse, up.half, finer_half);
   check("bicubic", fine, finer, finer_half);
+}
+
+BOOST_AUTO_TEST_CASE(across_alone_stations_are_kept) {
+  const Patch grid = coarsened_across(Patch(fine_grid));
+  BOOST_TEST((grid.nx == fine_grid.nx && grid.ny == fine_grid.ny / 2 && grid.hy() == 2.0 * fine_grid.hy()));
+  Random random(7);
+  const Polynomial in_all(1, random);
+  const Field coarse = sampled(grid, in_all);
+  const Field fine = sampled(Patch(fine_grid), in_all);
+  Field injected(grid), weighted(grid), back(fine_grid);
+  transfer::restrict_injection(fine, injected);
+  transfer::restrict_full_weighting(grid, fine, weighted);
+  transfer::prolong_bilinear(coarse, back, 1);
+  BOOST_TEST(ehl::core::max_abs_difference(injected, coarse) < 1e-14);
+  BOOST_TEST(ehl::core::max_abs_difference(weighted, coarse) < 1e-14);
+  BOOST_TEST(ehl::core::max_abs_difference(back, fine) < 1e-14);
+  // What alternates along Y is averaged out, what alternates along X is not.
+  const auto swings = [](double X, double) {
+    return std::cos(std::numbers::pi * (X - fine_grid.X_a) / fine_grid.hx());
+  };
+  const auto rough = [](double, double Y) { return std::cos(std::numbers::pi * (Y - fine_grid.Y_a) / fine_grid.hy()); };
+  transfer::restrict_full_weighting(grid, sampled(Patch(fine_grid), swings), weighted);
+  BOOST_TEST(ehl::core::max_abs_difference(weighted, sampled(grid, swings)) < 1e-13);
+  transfer::restrict_full_weighting(grid, sampled(Patch(fine_grid), rough), weighted);
+  double largest = 0.0;
+  for (int i = 1; i < grid.nx; ++i)
+    for (int j = 1; j < grid.ny; ++j) largest = std::max(largest, std::abs(weighted(i, j)));
+  BOOST_TEST(largest < 1e-13);
 }
