@@ -47,6 +47,7 @@ RealTransform::RealTransform(int length) : implementation_(std::make_unique<Impl
 }
 RealTransform::~RealTransform() = default;
 RealTransform::RealTransform(RealTransform&&) noexcept = default;
+RealTransform& RealTransform::operator=(RealTransform&&) noexcept = default;
 
 void RealTransform::forward(const double* row, double* spectrum) const {
   // PRESERVE_INPUT: the plan only reads the row.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/errors.hpp"
 
@@ -27,13 +28,20 @@ std::vector<double> weights_of(const Setup& setup, const Body& body) {
 }
 
 // What the lines leave of the body's own source.
-std::optional<SourceConvolution> rest_of(const Setup& setup, const Body& body, const std::vector<double>& lines) {
+std::optional<Source> rest_of(const Setup& setup, const Body& body, const std::vector<double>& lines) {
   if (setup.lines || body.resistance == 0.0) return std::nullopt;
   const core::Grid& grid = setup.patch.domain;
-  SourceTable table = moving_source_table(setup.patch.nx, grid.ny, grid.hx(), grid.hy(), body.Pe);
+  const bool strips = grid.line;
+  SourceTable table = moving_source_table(setup.patch.nx, strips ? 0 : grid.ny, grid.hx(),
+                                          strips ? std::numeric_limits<double>::infinity() : grid.hy(), body.Pe);
   for (double& G : table.G) G *= body.resistance;
   subtract_lines(lines, table);
-  return SourceConvolution(setup.patch, table, setup.threads);
+  return make_source(setup.patch, table, setup.threads);
+}
+
+// Below an endless strip a body at rest warms up for ever, as the logarithm of time.
+bool warms_for_ever(const Setup& setup, const Body& body) {
+  return setup.patch.domain.line && body.Pe == 0.0 && body.resistance > 0.0;
 }
 
 ColumnLaws laws_of(const Setup& setup) {
@@ -66,6 +74,8 @@ FilmTemperature::FilmTemperature(const Setup& setup)
   if (!(u_1_ >= 0.0 && u_2_ >= 0.0 && setup.body_1.Pe >= 0.0 && setup.body_2.Pe >= 0.0))
     throw core::InputError(
         "thermal: both surfaces must move along the entrainment or stand still, -2 <= srr <= 2: one moves against it");
+  if (warms_for_ever(setup, setup.body_1) || warms_for_ever(setup, setup.body_2))
+    throw core::InputError("thermal: in a line contact a surface that stands still has no steady temperature");
   const core::Patch& patch = setup_.patch;
   const std::size_t size = index(batches_, 0, 0);
   for (std::vector<double>* values : {&theta_, &flow_x_, &flow_y_}) values->assign(size, 0.0);
@@ -92,9 +102,10 @@ FilmTemperature::FilmTemperature(const Setup& setup)
 
 void FilmTemperature::start_from(const FilmTemperature& coarse, const FilmTemperature* coarser) {
   const core::Patch& patch = setup_.patch;
-  const auto between = [](int i, int j, int every, auto at) {
-    const int west = i / every, south = j / every;
-    const double x = static_cast<double>(i % every) / every, y = static_cast<double>(j % every) / every;
+  const auto between = [&](int i, int j, int every, auto at) {
+    const int every_line = patch.finer_line(1, every);
+    const int west = i / every, south = j / every_line;
+    const double x = static_cast<double>(i % every) / every, y = static_cast<double>(j % every_line) / every_line;
     const int east = west + (x > 0.0), north = south + (y > 0.0);
     return (1.0 - y) * ((1.0 - x) * at(west, south) + x * at(east, south)) +
            y * ((1.0 - x) * at(west, north) + x * at(east, north));
@@ -120,8 +131,11 @@ void FilmTemperature::start_from(const FilmTemperature& coarse, const FilmTemper
 }
 
 void FilmTemperature::apply_sources() {
-  if (source_1_) source_1_->apply(q_1_, correction_1_);
-  if (source_2_) source_2_->apply(q_2_, correction_2_);
+  const auto apply = [](std::optional<Source>& source, const core::Field& q, core::Field& theta) {
+    if (source) std::visit([&](auto& sum) { sum.apply(q, theta); }, *source);
+  };
+  apply(source_1_, q_1_, correction_1_);
+  apply(source_2_, q_2_, correction_2_);
 }
 
 double FilmTemperature::velocity(int i, int j, int k) const {
@@ -230,8 +244,11 @@ double FilmTemperature::sweep(bool back) {
 
 std::size_t FilmTemperature::bytes() const {
   const std::size_t fields = 25 * static_cast<std::size_t>(P_.nodes_x()) * static_cast<std::size_t>(P_.stride());
-  return sizeof(double) * (fields + 4 * theta_.size()) + (source_1_ ? source_1_->bytes() : 0) +
-         (source_2_ ? source_2_->bytes() : 0) + workers_.size() * sizeof(Worker);
+  const auto of = [](const std::optional<Source>& source) {
+    return source ? std::visit([](const auto& sum) { return sum.bytes(); }, *source) : 0;
+  };
+  return sizeof(double) * (fields + 4 * theta_.size()) + of(source_1_) + of(source_2_) +
+         workers_.size() * sizeof(Worker);
 }
 
 }  // namespace ehl::thermal
