@@ -21,23 +21,20 @@ constexpr double pi = std::numbers::pi;
 double uniform(double x) { return std::abs(x) <= 1.0 ? 1.0 : 0.0; }
 double elliptic(double x) { return std::sqrt(std::max(0.0, 1.0 - x * x)); }
 
-// The mean of a flux over each cell, by points inside it.
-Field sampled(const Patch& patch, double (*flux)(double)) {
-  constexpr int points = 64;
-  return filled(patch, [&](double x, double) {
+struct Hottest {
+  double theta = 0.0, X = 0.0;  // in q0 sqrt(l/(pi rho c k u))
+};
+// On 64 cells per diameter, of which a flux has the mean; the edges of the band are faces of cells.
+Hottest hottest(double (*flux)(double), double Pe) {
+  constexpr double h = 2.0 / 64;
+  const Patch patch(line_grid(95, -1.5 + h / 2, 1.5 - h / 2));
+  const Field q = filled(patch, [&](double x, double) {
+    constexpr int points = 64;
     double sum = 0.0;
-    for (int k = 0; k < points; ++k) sum += flux(x + patch.hx() * ((k + 0.5) / points - 0.5)) / points;
+    for (int k = 0; k < points; ++k) sum += flux(x + h * ((k + 0.5) / points - 0.5)) / points;
     return sum;
   });
-}
-
-struct Hottest {
-  double theta = 0.0, X = 0.0;
-};
-Hottest hottest(double (*flux)(double), double Pe, int cells) {
-  const Patch patch(line_grid(cells * 3 / 2, -1.5, 1.5));
-  const Field q = sampled(patch, flux);
-  Source source = make_source(patch, moving_source_table(patch.nx, 0, patch.hx(), INFINITY, Pe), 1);
+  Source source = make_source(patch, moving_source_table(patch.nx, 0, h, INFINITY, Pe), 1);
   Field theta(patch);
   std::visit([&](auto& sum) { sum.apply(q, theta); }, source);
   Hottest found;
@@ -46,6 +43,7 @@ Hottest hottest(double (*flux)(double), double Pe, int cells) {
     BOOST_REQUIRE(theta(i, 2) == theta(i, 1));
     if (theta(i, 1) > found.theta) found = {theta(i, 1), patch.X(i)};
   }
+  found.theta *= std::sqrt(pi * Pe);
   return found;
 }
 
@@ -64,37 +62,46 @@ void settle_frozen(FilmTemperature& film, const Patch& patch) {
 
 }  // namespace
 
+// Carslaw and Jaeger: 2 sqrt 2 at the trailing edge of a uniform band, 2.18830667 at X = 0.652230 of an elliptic one.
 BOOST_AUTO_TEST_CASE(bands_at_high_speed) {
-  // Carslaw and Jaeger in q0 sqrt(l/(pi rho c k u)): 2 sqrt 2 at the trailing edge of a uniform band, 2.18830667 at
-  // X = 0.652230 of an elliptic one. A body this fast (Pe = 1e5) hardly leads heat along.
-  constexpr double Pe = 1e5;
-  const double unit = 1.0 / std::sqrt(pi * Pe);
-  const Hottest of_elliptic = hottest(elliptic, Pe, 64), of_uniform = hottest(uniform, Pe, 64);
-  BOOST_TEST_MESSAGE("elliptic " << of_elliptic.theta / unit / 2.18830667 - 1 << " off at " << of_elliptic.X
-                                 << "; uniform " << of_uniform.theta / unit / (2 * std::numbers::sqrt2) - 1
+  constexpr double Pe = 1e5, cell = 2.0 / 64;  // a body this fast hardly leads heat along
+  const Hottest of_elliptic = hottest(elliptic, Pe), of_uniform = hottest(uniform, Pe);
+  const double off_elliptic = of_elliptic.theta / 2.18830667 - 1;
+  const double off_uniform = of_uniform.theta / (2 * std::numbers::sqrt2) - 1;
+  BOOST_TEST_MESSAGE("elliptic " << off_elliptic << " off at " << of_elliptic.X << "; uniform " << off_uniform
                                  << " off at " << of_uniform.X << " (tolerance 5e-3, a cell)");
-  BOOST_TEST(std::abs(of_elliptic.theta / unit / 2.18830667 - 1) < 5e-3);
-  BOOST_TEST(std::abs(of_elliptic.X - 0.652230) < 2.0 / 64);
-  BOOST_TEST(std::abs(of_uniform.theta / unit / (2 * std::numbers::sqrt2) - 1) < 5e-3);
-  BOOST_TEST(std::abs(of_uniform.X - 1.0) < 2.0 / 64);
+  BOOST_TEST(std::abs(off_elliptic) < 5e-3);
+  BOOST_TEST(std::abs(of_elliptic.X - 0.652230) < cell);
+  BOOST_TEST(std::abs(off_uniform) < 5e-3);
+  BOOST_TEST(std::abs(of_uniform.X - 1.0) < cell);
 }
 
+// The largest rise over that at high speed: the uniform band by two quadratures, the elliptic one by another of
+// 1/pi int q exp(Pe s/2) K0(Pe |s|/2) dX'.
 BOOST_AUTO_TEST_CASE(bands_at_any_speed) {
-  // The largest rise of an elliptic band over that at high speed, by two quadratures.
-  constexpr double speeds[] = {1, 2, 5, 10, 20, 50, 100};
-  constexpr double ratios[] = {.8173, .8790, .9345, .9604, .9767, .9888, .9936};
-  for (std::size_t k = 0; k < std::size(speeds); ++k) {
-    const double unit = 2.18830667 / std::sqrt(pi * speeds[k]);
-    const double ratio = hottest(elliptic, speeds[k], 64).theta / unit;
-    BOOST_TEST_MESSAGE("Pe = " << speeds[k] << ": " << ratio << " (" << ratios[k] << "), tolerance 5e-3");
-    BOOST_TEST(std::abs(ratio / ratios[k] - 1) < 5e-3);
+  struct Row {
+    double Pe, uniform, elliptic;
+  };
+  for (const auto& [Pe, of_uniform, of_elliptic] : {Row{1, .8173, .8795},
+                                                    {2, .8790, .9412},
+                                                    {5, .9345, .9844},
+                                                    {10, .9604, .9959},
+                                                    {20, .9767, .9991},
+                                                    {50, .9888, NAN},
+                                                    {100, .9936, NAN}}) {
+    const double flat = hottest(uniform, Pe).theta / (2 * std::numbers::sqrt2);
+    const double round = hottest(elliptic, Pe).theta / 2.18830667;
+    BOOST_TEST_MESSAGE("Pe = " << Pe << ": uniform " << flat << " (" << of_uniform << "), elliptic " << round << " ("
+                               << of_elliptic << "), tolerance 5e-3");
+    BOOST_TEST(std::abs(flat / of_uniform - 1) < 5e-3);
+    if (!std::isnan(of_elliptic)) BOOST_TEST(std::abs(round / of_elliptic - 1) < 5e-3);
   }
 }
 
 // Heat and surfaces agree: k theta = 1/pi int q exp(Pe s/2) K0(Pe |s|/2) dX', q linear between the nodes, by
 // quadrature.
 BOOST_AUTO_TEST_CASE(surfaces_of_a_frozen_film) {
-  const Patch patch(line_grid(192, -1.5, 1.5));
+  const Patch patch(line_grid(256, -1.5, 1.5));
   Setup setup = frozen(patch);
   setup.body_1.Pe = 3.0;
   setup.body_2.Pe = 0.5;
@@ -112,7 +119,7 @@ BOOST_AUTO_TEST_CASE(surfaces_of_a_frozen_film) {
     return body.resistance * patch.hx() * sum / pi;
   };
   double worst_1 = 0.0, worst_2 = 0.0, most_1 = 0.0, most_2 = 0.0;
-  for (int i = 24; i <= patch.nx; i += 12) {
+  for (int i = 32; i <= patch.nx; i += 16) {
     const double theta_1 = film.theta(i, 1, setup.intervals), theta_2 = film.theta(i, 1, 0);
     most_1 = std::max(most_1, theta_1);
     most_2 = std::max(most_2, theta_2);
