@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 #include "core/errors.hpp"
 
@@ -20,23 +20,34 @@ constexpr double slowest_line = 2.0;
 // less in every sweep: a film that settles takes one step per sweep.
 constexpr Steps steps_of_column{.most = 20, .tolerance = 1e-3};
 
-std::vector<double> weights_of(const Setup& setup, const Body& body) {
-  std::vector<double> weights =
-      line_weights(setup.patch.nx, setup.patch.hx(), setup.lines ? body.Pe : std::max(body.Pe, slowest_line));
-  for (double& w : weights) w *= body.resistance;
-  return weights;
+// How a body answers: what is marched with the film, and what of its own source is left and lagged.
+struct Answer {
+  std::vector<double> marched{};
+  std::optional<Source> lagged{};
+};
+
+// In a line contact the marched part is the source itself: slow bodies feel there what lies far upstream of them, and
+// by lines the rest would be more than the whole.
+Answer answer_of_strips(const Setup& setup, const Body& body) {
+  SourceTable table = moving_source_table(setup.patch.nx, 0, setup.patch.hx(), INFINITY, body.Pe);
+  for (double& G : table.G) G *= body.resistance;
+  std::vector<double> marched = take_downstream(table);
+  return {std::move(marched), make_source(setup.patch, table, setup.threads)};
 }
 
-// What the lines leave of the body's own source.
-std::optional<Source> rest_of(const Setup& setup, const Body& body, const std::vector<double>& lines) {
-  if (setup.lines || body.resistance == 0.0) return std::nullopt;
+Answer answer_of(const Setup& setup, const Body& body) {
+  if (body.resistance == 0.0) return {};
   const core::Grid& grid = setup.patch.domain;
-  const bool strips = grid.line;
-  SourceTable table = moving_source_table(setup.patch.nx, strips ? 0 : grid.ny, grid.hx(),
-                                          strips ? std::numeric_limits<double>::infinity() : grid.hy(), body.Pe);
+  if (grid.line && !setup.lines) return answer_of_strips(setup, body);
+  Answer answer{
+      line_weights(setup.patch.nx, setup.patch.hx(), setup.lines ? body.Pe : std::max(body.Pe, slowest_line))};
+  for (double& w : answer.marched) w *= body.resistance;
+  if (setup.lines) return answer;
+  SourceTable table = moving_source_table(setup.patch.nx, grid.ny, grid.hx(), grid.hy(), body.Pe);
   for (double& G : table.G) G *= body.resistance;
-  subtract_lines(lines, table);
-  return make_source(setup.patch, table, setup.threads);
+  subtract_lines(answer.marched, table);
+  answer.lagged = make_source(setup.patch, table, setup.threads);
+  return answer;
 }
 
 // Below an endless strip a body at rest warms up for ever, as the logarithm of time.
@@ -94,10 +105,13 @@ FilmTemperature::FilmTemperature(const Setup& setup)
     *field = core::Field(patch);
     field->fill(1.0);
   }
-  line_1_ = setup.body_1.resistance > 0.0 ? weights_of(setup, setup.body_1) : std::vector<double>{};
-  line_2_ = setup.body_2.resistance > 0.0 ? weights_of(setup, setup.body_2) : std::vector<double>{};
-  source_1_ = rest_of(setup, setup.body_1, line_1_);
-  source_2_ = rest_of(setup, setup.body_2, line_2_);
+  const auto take = [&setup](const Body& body, std::vector<double>& marched, std::optional<Source>& lagged) {
+    Answer answer = answer_of(setup, body);
+    marched = std::move(answer.marched);
+    lagged = std::move(answer.lagged);
+  };
+  take(setup.body_1, line_1_, source_1_);
+  take(setup.body_2, line_2_, source_2_);
 }
 
 void FilmTemperature::start_from(const FilmTemperature& coarse, const FilmTemperature* coarser) {
