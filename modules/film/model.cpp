@@ -7,12 +7,18 @@
 namespace ehl::film {
 namespace {
 
+// Of a buffer what a station has: a line contact's buffers hold all of its nodes, its stations one line and two copies.
+std::span<double> part(const Station& station, std::vector<double>& buffer) {
+  return std::span<double>(buffer).first(std::min(buffer.size(), station.P.size()));
+}
+
 void apply_effects(const Model& model, const Station& station, std::span<double> fluidity, Buffers& buffers) {
-  std::ranges::fill(buffers.mobility, 1.0);
-  std::ranges::fill(buffers.mobility_across, 1.0);
-  std::ranges::fill(buffers.carried, 1.0);
-  for (const CoefficientEffect& effect : model.effects)
-    effect(station, {fluidity, buffers.mobility, buffers.mobility_across, buffers.carried});
+  if (model.effects.empty()) return;
+  const Factors factors{fluidity, part(station, buffers.mobility), part(station, buffers.mobility_across),
+                        part(station, buffers.carried)};
+  for (const std::span<double> values : {factors.mobility, factors.mobility_across, factors.carried})
+    std::ranges::fill(values, 1.0);
+  for (const CoefficientEffect& effect : model.effects) effect(station, factors);
 }
 
 void multiply(std::span<double> values, const std::vector<double>& by) {
@@ -49,15 +55,17 @@ void coefficients(const Model& model, const Station& station, Buffers& buffers, 
     std::ranges::fill(out.rho_bar, 1.0);
     return;
   }
-  rheology::film_properties(model.viscosity, model.density, station.P, buffers.fluidity, out.rho_bar);
+  const std::span<double> fluidity = part(station, buffers.fluidity);
+  rheology::film_properties(model.viscosity, model.density, station.P, fluidity, out.rho_bar);
   rheology::density_slope(model.density, station.P, out.drho_bar);
-  apply_effects(model, station, buffers.fluidity, buffers);
+  apply_effects(model, station, fluidity, buffers);
   if (anisotropic(model)) {
-    rheology::film_fluidity(*model.thinning, station.H, buffers.fluidity, buffers.along, buffers.across);
-    epsilon(station.H, out.rho_bar, buffers.along, model.lambda, out.eps);
-    epsilon(station.H, out.rho_bar, buffers.across, model.lambda, out.eps_across);
+    const std::span<double> along = part(station, buffers.along), across = part(station, buffers.across);
+    rheology::film_fluidity(*model.thinning, station.H, fluidity, along, across);
+    epsilon(station.H, out.rho_bar, along, model.lambda, out.eps);
+    epsilon(station.H, out.rho_bar, across, model.lambda, out.eps_across);
   } else {
-    epsilon(station.H, out.rho_bar, buffers.fluidity, model.lambda, out.eps);
+    epsilon(station.H, out.rho_bar, fluidity, model.lambda, out.eps);
   }
   if (model.effects.empty()) return;
   multiply(out.eps, buffers.mobility);
@@ -68,13 +76,13 @@ void coefficients(const Model& model, const Station& station, Buffers& buffers, 
 
 void oil(const Model& model, const Station& station, Buffers& buffers, const Oil<double>& out) {
   const bool thins = anisotropic(model);
-  const std::span<double> fluidity = thins ? std::span<double>(buffers.fluidity) : out.fluidity;
+  const std::span<double> fluidity = thins ? part(station, buffers.fluidity) : out.fluidity;
   rheology::film_properties(model.viscosity, model.density, station.P, out.log_viscosity, fluidity, out.rho_bar);
   rheology::density_slope(model.density, station.P, out.drho_bar);
   if (!model.effects.empty()) {
     std::ranges::copy(fluidity, buffers.along.begin());
     apply_effects(model, station, fluidity, buffers);
-    rheology::thin_log_viscosity(buffers.along, fluidity, out.log_viscosity);
+    rheology::thin_log_viscosity(part(station, buffers.along), fluidity, out.log_viscosity);
   }
   if (thins) {
     rheology::film_fluidity(*model.thinning, station.H, fluidity, out.fluidity, out.fluidity_across);
@@ -108,9 +116,10 @@ void oil_slopes(const Model& model, const Station& station, Buffers& buffers, co
     }
   };
   if (anisotropic(model)) {
-    rheology::fluidity(model.viscosity, station.P, buffers.fluidity);
-    apply_effects(model, station, buffers.fluidity, buffers);
-    rheology::film_fluidity_slopes(*model.thinning, station.H, buffers.fluidity, buffers.along, buffers.across);
+    const std::span<double> fluidity = part(station, buffers.fluidity);
+    rheology::fluidity(model.viscosity, station.P, fluidity);
+    apply_effects(model, station, fluidity, buffers);
+    rheology::film_fluidity_slopes(*model.thinning, station.H, fluidity, buffers.along, buffers.across);
     write(buffers.across, out.log_viscosity_across_P, out.log_viscosity_across_H);
   }
   write(buffers.along, out.log_viscosity_P, out.log_viscosity_H);
@@ -122,9 +131,10 @@ void slopes(const Model& model, const Station& station, const Coefficients<const
   buffers.along.assign(station.P.size(), 1.0);
   rheology::log_viscosity_slope(model.viscosity, station.P, buffers.slope);
   if (anisotropic(model)) {
-    rheology::fluidity(model.viscosity, station.P, buffers.fluidity);
-    apply_effects(model, station, buffers.fluidity, buffers);
-    rheology::film_fluidity_slopes(*model.thinning, station.H, buffers.fluidity, buffers.along, buffers.across);
+    const std::span<double> fluidity = part(station, buffers.fluidity);
+    rheology::fluidity(model.viscosity, station.P, fluidity);
+    apply_effects(model, station, fluidity, buffers);
+    rheology::film_fluidity_slopes(*model.thinning, station.H, fluidity, buffers.along, buffers.across);
     epsilon_slopes(station, at, at.eps_across, buffers.across, buffers.slope, out.eps_across_P, out.eps_across_H);
   }
   epsilon_slopes(station, at, at.eps, buffers.along, buffers.slope, out.eps_P, out.eps_H);

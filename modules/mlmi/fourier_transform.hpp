@@ -16,6 +16,7 @@ class RealTransform {
   explicit RealTransform(int length);
   ~RealTransform();
   RealTransform(RealTransform&&) noexcept;
+  RealTransform& operator=(RealTransform&&) noexcept;
   /// spectrum_k = sum_n row_n exp(-2 pi i k n/length), k = 0..length/2. in: row, length doubles.
   void forward(const double* row, double* spectrum) const;
   /// row_n = sum_k spectrum_k exp(2 pi i k n/length) over the whole symmetric spectrum. The spectrum is destroyed.

@@ -29,6 +29,7 @@ RealTransform::RealTransform(int length) : implementation_(std::make_unique<Impl
 }
 RealTransform::~RealTransform() = default;
 RealTransform::RealTransform(RealTransform&&) noexcept = default;
+RealTransform& RealTransform::operator=(RealTransform&&) noexcept = default;
 
 void RealTransform::forward(const double* row, double* spectrum) const {
   implementation_->library.fwd(reinterpret_cast<Complex*>(spectrum), row, implementation_->length);

@@ -87,6 +87,7 @@ RealTransform::RealTransform(int length)
     : implementation_(std::make_unique<Implementation>(Implementation{real_plans(length)})) {}
 RealTransform::~RealTransform() = default;
 RealTransform::RealTransform(RealTransform&&) noexcept = default;
+RealTransform& RealTransform::operator=(RealTransform&&) noexcept = default;
 
 void RealTransform::forward(const double* row, double* spectrum) const {
   // PRESERVE_INPUT: the plan only reads the row.

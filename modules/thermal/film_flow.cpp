@@ -66,6 +66,10 @@ void FilmTemperature::take(const core::Field& P, const core::Field& H, const cor
       P_(i, j) = inside ? P(i, j) : 0.0;
       H_(i, j) = inside ? std::max(H(i, j), least_film) : 1.0;
     }
+    if (patch.domain.line) {
+      core::fill_ghosts(patch, P_.at_x(i));
+      core::fill_ghosts(patch, H_.at_x(i));
+    }
     const std::span<const double> here{P_.at_x(i), lines};
     rheology::log_viscosity(setup_.viscosity, here, {log_eta_.at_x(i), lines});
     rheology::density(setup_.density.at_T0, here, {rho_bar_.at_x(i), lines});

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/errors.hpp"
 
@@ -19,21 +20,39 @@ constexpr double slowest_line = 2.0;
 // less in every sweep: a film that settles takes one step per sweep.
 constexpr Steps steps_of_column{.most = 20, .tolerance = 1e-3};
 
-std::vector<double> weights_of(const Setup& setup, const Body& body) {
-  std::vector<double> weights =
-      line_weights(setup.patch.nx, setup.patch.hx(), setup.lines ? body.Pe : std::max(body.Pe, slowest_line));
-  for (double& w : weights) w *= body.resistance;
-  return weights;
+// How a body answers: what is marched with the film, and what of its own source is left and lagged.
+struct Answer {
+  std::vector<double> marched{};
+  std::optional<Source> lagged{};
+};
+
+// In a line contact the marched part is the source itself: slow bodies feel there what lies far upstream of them, and
+// by lines the rest would be more than the whole.
+Answer answer_of_strips(const Setup& setup, const Body& body) {
+  SourceTable table = moving_source_table(setup.patch.nx, 0, setup.patch.hx(), INFINITY, body.Pe);
+  for (double& G : table.G) G *= body.resistance;
+  std::vector<double> marched = take_downstream(table);
+  return {std::move(marched), make_source(setup.patch, table, setup.threads)};
 }
 
-// What the lines leave of the body's own source.
-std::optional<SourceConvolution> rest_of(const Setup& setup, const Body& body, const std::vector<double>& lines) {
-  if (setup.lines || body.resistance == 0.0) return std::nullopt;
+Answer answer_of(const Setup& setup, const Body& body) {
+  if (body.resistance == 0.0) return {};
   const core::Grid& grid = setup.patch.domain;
+  if (grid.line && !setup.lines) return answer_of_strips(setup, body);
+  Answer answer{
+      line_weights(setup.patch.nx, setup.patch.hx(), setup.lines ? body.Pe : std::max(body.Pe, slowest_line))};
+  for (double& w : answer.marched) w *= body.resistance;
+  if (setup.lines) return answer;
   SourceTable table = moving_source_table(setup.patch.nx, grid.ny, grid.hx(), grid.hy(), body.Pe);
   for (double& G : table.G) G *= body.resistance;
-  subtract_lines(lines, table);
-  return SourceConvolution(setup.patch, table, setup.threads);
+  subtract_lines(answer.marched, table);
+  answer.lagged = make_source(setup.patch, table, setup.threads);
+  return answer;
+}
+
+// Below an endless strip a body at rest warms up for ever, as the logarithm of time.
+bool warms_for_ever(const Setup& setup, const Body& body) {
+  return setup.patch.domain.line && body.Pe == 0.0 && body.resistance > 0.0;
 }
 
 ColumnLaws laws_of(const Setup& setup) {
@@ -66,6 +85,8 @@ FilmTemperature::FilmTemperature(const Setup& setup)
   if (!(u_1_ >= 0.0 && u_2_ >= 0.0 && setup.body_1.Pe >= 0.0 && setup.body_2.Pe >= 0.0))
     throw core::InputError(
         "thermal: both surfaces must move along the entrainment or stand still, -2 <= srr <= 2: one moves against it");
+  if (warms_for_ever(setup, setup.body_1) || warms_for_ever(setup, setup.body_2))
+    throw core::InputError("thermal: in a line contact a surface that stands still has no steady temperature");
   const core::Patch& patch = setup_.patch;
   const std::size_t size = index(batches_, 0, 0);
   for (std::vector<double>* values : {&theta_, &flow_x_, &flow_y_}) values->assign(size, 0.0);
@@ -84,17 +105,21 @@ FilmTemperature::FilmTemperature(const Setup& setup)
     *field = core::Field(patch);
     field->fill(1.0);
   }
-  line_1_ = setup.body_1.resistance > 0.0 ? weights_of(setup, setup.body_1) : std::vector<double>{};
-  line_2_ = setup.body_2.resistance > 0.0 ? weights_of(setup, setup.body_2) : std::vector<double>{};
-  source_1_ = rest_of(setup, setup.body_1, line_1_);
-  source_2_ = rest_of(setup, setup.body_2, line_2_);
+  const auto take = [&setup](const Body& body, std::vector<double>& marched, std::optional<Source>& lagged) {
+    Answer answer = answer_of(setup, body);
+    marched = std::move(answer.marched);
+    lagged = std::move(answer.lagged);
+  };
+  take(setup.body_1, line_1_, source_1_);
+  take(setup.body_2, line_2_, source_2_);
 }
 
 void FilmTemperature::start_from(const FilmTemperature& coarse, const FilmTemperature* coarser) {
   const core::Patch& patch = setup_.patch;
-  const auto between = [](int i, int j, int every, auto at) {
-    const int west = i / every, south = j / every;
-    const double x = static_cast<double>(i % every) / every, y = static_cast<double>(j % every) / every;
+  const auto between = [&](int i, int j, int every, auto at) {
+    const int every_line = patch.finer_line(1, every);
+    const int west = i / every, south = j / every_line;
+    const double x = static_cast<double>(i % every) / every, y = static_cast<double>(j % every_line) / every_line;
     const int east = west + (x > 0.0), north = south + (y > 0.0);
     return (1.0 - y) * ((1.0 - x) * at(west, south) + x * at(east, south)) +
            y * ((1.0 - x) * at(west, north) + x * at(east, north));
@@ -120,8 +145,11 @@ void FilmTemperature::start_from(const FilmTemperature& coarse, const FilmTemper
 }
 
 void FilmTemperature::apply_sources() {
-  if (source_1_) source_1_->apply(q_1_, correction_1_);
-  if (source_2_) source_2_->apply(q_2_, correction_2_);
+  const auto apply = [](std::optional<Source>& source, const core::Field& q, core::Field& theta) {
+    if (source) std::visit([&](auto& sum) { sum.apply(q, theta); }, *source);
+  };
+  apply(source_1_, q_1_, correction_1_);
+  apply(source_2_, q_2_, correction_2_);
 }
 
 double FilmTemperature::velocity(int i, int j, int k) const {
@@ -230,8 +258,11 @@ double FilmTemperature::sweep(bool back) {
 
 std::size_t FilmTemperature::bytes() const {
   const std::size_t fields = 25 * static_cast<std::size_t>(P_.nodes_x()) * static_cast<std::size_t>(P_.stride());
-  return sizeof(double) * (fields + 4 * theta_.size()) + (source_1_ ? source_1_->bytes() : 0) +
-         (source_2_ ? source_2_->bytes() : 0) + workers_.size() * sizeof(Worker);
+  const auto of = [](const std::optional<Source>& source) {
+    return source ? std::visit([](const auto& sum) { return sum.bytes(); }, *source) : 0;
+  };
+  return sizeof(double) * (fields + 4 * theta_.size()) + of(source_1_) + of(source_2_) +
+         workers_.size() * sizeof(Worker);
 }
 
 }  // namespace ehl::thermal

@@ -73,7 +73,8 @@ struct Balance {
 
 class FilmTemperature {
  public:
-  /// errors: InputError for a number of intervals that is none, or a surface that moves against the entrainment.
+  /// errors: InputError for a number of intervals that is none, a surface that moves against the entrainment, or one
+  /// that stands still in a line contact.
   explicit FilmTemperature(const Setup& setup);
 
   /// Begins with the temperatures of the grid of every second node, between its nodes by bilinear interpolation; and, a
@@ -156,7 +157,7 @@ class FilmTemperature {
   core::Field I0_, M2_, C_, more_x_, more_y_, less_tau_, tau_, q_1_, q_2_, heat_, carried_, clipped_, correction_1_,
       correction_2_;
   std::vector<double> line_1_, line_2_;
-  std::optional<SourceConvolution> source_1_, source_2_;
+  std::optional<Source> source_1_, source_2_;
   std::vector<Worker> workers_;
   std::vector<double> change_;  // per batch: no reduction depends on the threads
 };

@@ -4,6 +4,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace ehl::thermal {
 namespace {
@@ -89,6 +90,12 @@ std::vector<double> line_weights(int n, double hx, double Pe) {
 
 void subtract_lines(const std::vector<double>& weights, SourceTable& table) {
   for (int d = 0; d <= table.n_x; ++d) table.G[table.at(d, 0)] -= weights[static_cast<std::size_t>(d)];
+}
+
+std::vector<double> take_downstream(SourceTable& table) {
+  std::vector<double> weights(static_cast<std::size_t>(table.n_x + 1));
+  for (int d = 0; d <= table.n_x; ++d) std::swap(weights[static_cast<std::size_t>(d)], table.G[table.at(d, 0)]);
+  return weights;
 }
 
 }  // namespace ehl::thermal

@@ -38,4 +38,8 @@ std::vector<double> line_weights(int n, double hx, double Pe);
 /// Takes the lines out of the table: what is left to the neighbours, to upstream, and to Pe.
 void subtract_lines(const std::vector<double>& weights, SourceTable& table);
 
+/// Takes out of a table of strips what a cell makes of itself and downstream, G(0..n_x): weights as those of lines.
+/// What is left is upstream, little where Pe is large. in: n_y = 0.
+std::vector<double> take_downstream(SourceTable& table);
+
 }  // namespace ehl::thermal

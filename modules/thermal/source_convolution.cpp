@@ -13,6 +13,13 @@ constexpr int block_doubles = mlmi::ColumnTransform::doubles;
 
 std::size_t size(std::ptrdiff_t n) { return static_cast<std::size_t>(n); }
 
+// The product of two complex numbers, into the first of them.
+void multiply(const double* by, double* number) {
+  const double re = number[0], im = number[1];
+  number[0] = by[0] * re - by[1] * im;
+  number[1] = by[0] * im + by[1] * re;
+}
+
 }  // namespace
 
 SourceConvolution::SourceConvolution(const core::Patch& patch, const SourceTable& table, int threads)
@@ -65,11 +72,7 @@ void SourceConvolution::convolve_block(int b, Worker& worker) {
   std::fill(block + rows * block_doubles, block + length_rows_ * block_doubles, 0.0);
   worker.column.forward(block, transformed);
   const double* kernel = spectrum_.data() + static_cast<std::ptrdiff_t>(b) * length_rows_ * block_doubles;
-  for (int n = 0; n < length_rows_ * block_doubles; n += 2) {
-    const double re = transformed[n], im = transformed[n + 1];
-    transformed[n] = kernel[n] * re - kernel[n + 1] * im;
-    transformed[n + 1] = kernel[n] * im + kernel[n + 1] * re;
-  }
+  for (int n = 0; n < length_rows_ * block_doubles; n += 2) multiply(kernel + n, transformed + n);
   worker.column.inverse(transformed, block);
   for (int i = 0; i < rows; ++i) std::copy_n(block + i * block_doubles, block_doubles, column + i * stride_);
 }
@@ -100,6 +103,33 @@ std::size_t SourceConvolution::bytes() const {
   std::size_t total = half_.bytes() + spectrum_.bytes();
   for (const Worker& worker : workers_) total += worker.real.bytes() + 2 * worker.block.bytes();
   return total;
+}
+
+LineConvolution::LineConvolution(const core::Patch& patch, const SourceTable& table)
+    : patch_(patch),
+      length_(mlmi::padded_length(2 * patch.nodes_x() - 1)),
+      transform_(length_),
+      spectrum_(size(length_) + 2),
+      along_(size(length_)),
+      transformed_(size(length_) + 2) {
+  std::fill_n(along_.data(), along_.size(), 0.0);
+  for (int d = -patch.nx; d <= patch.nx; ++d) along_.data()[d < 0 ? d + length_ : d] = table(d, 0) / length_;
+  transform_.forward(along_.data(), spectrum_.data());
+}
+
+void LineConvolution::apply(const core::Field& q, core::Field& theta) {
+  const int nodes = patch_.nodes_x(), line = patch_.last_line();
+  for (int i = 0; i < nodes; ++i) along_.data()[i] = q(i, line);
+  std::fill(along_.data() + nodes, along_.data() + length_, 0.0);
+  transform_.forward(along_.data(), transformed_.data());
+  for (int n = 0; n <= length_; n += 2) multiply(spectrum_.data() + n, transformed_.data() + n);
+  transform_.inverse(transformed_.data(), along_.data());
+  for (int i = 0; i < nodes; ++i) std::ranges::fill(theta.station(i), along_.data()[i]);
+}
+
+Source make_source(const core::Patch& patch, const SourceTable& table, int threads) {
+  if (patch.domain.line) return LineConvolution(patch, table);
+  return SourceConvolution(patch, table, threads);
 }
 
 }  // namespace ehl::thermal

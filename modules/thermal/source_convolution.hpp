@@ -2,6 +2,7 @@
 // The sum theta = G*q over all pairs of nodes for a kernel that is even across but not along the motion, by zero-padded
 // Fourier transforms: exact up to rounding.
 #include <cstddef>
+#include <variant>
 #include <vector>
 
 #include "core/field.hpp"
@@ -41,5 +42,27 @@ class SourceConvolution {
   mlmi::Buffer spectrum_;             // of the kernel, block by block
   std::vector<Worker> workers_;
 };
+
+/// The same of a line contact, along its one line: theta_i = sum_k G(i-k) q_k.
+class LineConvolution {
+ public:
+  /// in: table with n_x >= domain.nx, of which the strips' own line (n_y = 0) is taken.
+  LineConvolution(const core::Patch& patch, const SourceTable& table);
+
+  /// in: q on the patch. out: theta, the same on all lines. The two may be the same field.
+  void apply(const core::Field& q, core::Field& theta);
+
+  std::size_t bytes() const { return spectrum_.bytes() + along_.bytes() + transformed_.bytes(); }
+
+ private:
+  core::Patch patch_;
+  int length_;  // padded
+  mlmi::RealTransform transform_;
+  mlmi::Buffer spectrum_, along_, transformed_;
+};
+
+/// The kernel of the body beside this patch.
+using Source = std::variant<SourceConvolution, LineConvolution>;
+Source make_source(const core::Patch& patch, const SourceTable& table, int threads);
 
 }  // namespace ehl::thermal

@@ -52,12 +52,16 @@ void refuse_sections(deck::Deck& deck, std::initializer_list<const char*> sectio
         complain(deck, key.section, key.name, which + " do not carry this yet: remove the section, or the kind");
         break;
       }
+}
+
+void refuse_beyond_roller(deck::Deck& deck) {
+  refuse_sections(deck, {"transient", "body", "supply", "thermal"}, "rollers");
   if (deck::word(deck, "shear", "flow") == "on")
-    complain(deck, "shear", "flow", which + " do not carry this yet: set it off, or remove the kind");
+    complain(deck, "shear", "flow", "rollers do not carry this yet: set it off, or remove the kind");
 }
 
 void refuse_beyond_line(deck::Deck& deck) {
-  refuse_sections(deck, {"body", "thermal"}, "line contacts");
+  refuse_sections(deck, {"body"}, "line contacts");
   for (const char* section : {"surface1", "surface2"}) {
     const deck::Part surface{deck, section};
     const std::string shape = surface.word("shape");
@@ -197,7 +201,7 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   result.transient = transient_input(deck, result.physics, result.surfaces, scene.grid);
   if (!result.transient) let_stand(result.surfaces, scene);
   read_effects(result);
-  if (contact::roller(groups.shape)) refuse_sections(deck, {"transient", "body", "supply", "thermal"}, "rollers");
+  if (contact::roller(groups.shape)) refuse_beyond_roller(deck);
   if (scene.grid.line) refuse_beyond_line(deck);
   if (scene.grid.ny > 0) {
     check_coarsenings(deck, scene);

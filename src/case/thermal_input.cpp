@@ -1,5 +1,7 @@
 #include "case/thermal_input.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,7 +18,7 @@ using deck::complain;
 using deck::given;
 
 // What a contact with heat cannot be in this version.
-void check_possible(deck::Deck& deck, const Physics& physics) {
+void check_possible(deck::Deck& deck, const Physics& physics, const steady::Scene& scene) {
   const char* caller = given(deck, "thermal", "T_oil")    ? "T_oil"
                        : given(deck, "thermal", "solid1") ? "solid1"
                                                           : "solid2";
@@ -35,6 +37,17 @@ void check_possible(deck::Deck& deck, const Physics& physics) {
         deck, "motion", given(deck, "motion", "u_m") ? "srr" : "u2",
         "one surface moves against the entrainment: [thermal] needs both to move with it or to stand, from srr = -2 "
         "to 2");
+  if (scene.grid.line && std::abs(physics.srr) == 2.0) {
+    const bool by_srr = given(deck, "motion", "srr");
+    complain(
+        deck, "motion",
+        by_srr              ? "srr"
+        : physics.srr > 0.0 ? "u2"
+                            : "u1",
+        fmt::format("surface {} stands still: in a line contact, which has no end, its temperature rises for ever; "
+                    "[thermal] needs both surfaces to move there, {}",
+                    physics.srr > 0.0 ? 2 : 1, by_srr ? "-2 < srr < 2" : "u1 and u2 > 0"));
+  }
 }
 
 thermal::Body body_of(const thermal::BodyInput& body, double u, double a, double k0, double T0) {
@@ -56,7 +69,7 @@ double beta_of(const rheology::ThermalViscosity& law, double T0) {
 std::optional<HeatInput> thermal_input(deck::Deck& deck, const Physics& physics, const steady::Scene& scene,
                                        double limit) {
   if (!deck::called_for(deck, "thermal")) return std::nullopt;
-  check_possible(deck, physics);
+  check_possible(deck, physics, scene);
   const rheology::WarmOil oil = rheology::read_warm_oil(deck);
   const thermal::Input heat = thermal::read(deck);
   if (!deck.errors.empty()) return std::nullopt;
@@ -65,7 +78,7 @@ std::optional<HeatInput> thermal_input(deck::Deck& deck, const Physics& physics,
   const contact::Hertz& hertz = physics.si->hertz;
   const double a = hertz.a, R = contact.radius, T0 = oil.constants.T0, u_m = 0.5 * contact.u_s;
   const double flow = u_m * a * a * a / (oil.k * R * R);
-  HeatInput input{.T0 = T0, .k = oil.k, .watt = oil.k * T0 * R, .fields = heat.fields};
+  HeatInput input{.T0 = T0, .k = oil.k, .power = oil.k * T0 * R / (scene.grid.line ? a : 1.0), .fields = heat.fields};
   const rheology::HeatLaw law = oil.follows_pressure
                                     ? rheology::HeatLaw{rheology::LarssonAndersson{T0, 1e-9 * physics.p_h}}
                                     : rheology::HeatLaw{rheology::ConstantHeat{}};

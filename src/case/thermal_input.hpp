@@ -16,7 +16,7 @@ struct HeatInput {
   double T0 = 0.0;         ///< of the oil that enters [K]; theta = (T - T0)/T0
   double beta = 0.0;       ///< -d ln eta/dT there, at ambient pressure [1/K]
   double k = 0.0;          ///< of the oil at ambient pressure [W/(m K)]
-  double watt = 0.0;       ///< k T0 R, the unit of heat that flows [W]
+  double power = 0.0;      ///< the unit of heat that flows: k T0 R [W]; of a line contact k T0 R/a [W/m]
   std::vector<std::string> fields{};
 };
 

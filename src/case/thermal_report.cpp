@@ -36,17 +36,21 @@ std::string hottest_text(const Case& input, const char* name, const heat::Hottes
                      place_text(at.X, at.Y, *si_scales(input.physics)));
 }
 
-// Peclet's number up to which lines overstate the heat of a surface by more than a tenth.
-constexpr double low_peclet = 10.0;
+// Peclet's number up to which lines overstate the temperature of a surface by more than a tenth: round a point heat
+// goes to the sides too.
+constexpr double low_peclet = 10.0, low_peclet_of_line = 3.0;
 // beta tau du h/k over the intervals beyond which 17 nodes err by 1e-3: Nahme's number 1e4 of an exponential law.
 constexpr double most_per_interval = 34.0 / 16.0;
 
 }  // namespace
 
+const char* unit_of_heat(bool line) { return line ? "W/m" : "W"; }
+
 std::vector<results::Quantity> thermal_quantities(const Case& input, const HeatResult& heat) {
   const heat::Solution& found = heat.found;
   const HeatInput& in = *input.heat;
   const thermal::InletGroups inlet = inlet_groups(input);
+  const std::string watt = unit_of_heat(input.scene.grid.line);
   std::vector<results::Quantity> list{
       {"mu", heat.mu, "-", "sliding friction over the load, with heat", "", "error_mu"},
       {"mu_isothermal", heat.mu_isothermal, "-", "the same of the isothermal contact"},
@@ -57,10 +61,10 @@ std::vector<results::Quantity> thermal_quantities(const Case& input, const HeatR
   const std::vector<results::Quantity> rest{
       {"T_film_mean", in.T0 * found.mean, "K", "middle of the film above T_oil, mean weighted with the pressure"},
       {"T_inlet", in.T0 * found.inlet, "K", "middle of the film above T_oil at x = -a, y = 0"},
-      {"heat_made", in.watt * found.balance.heat, "W", "in the film, by shear and compression"},
-      {"heat_1", in.watt * found.balance.into_1, "W", "into body 1"},
-      {"heat_2", in.watt * found.balance.into_2, "W", "into body 2"},
-      {"heat_carried", in.watt * found.balance.carried, "W", "out of the domain with the oil"},
+      {"heat_made", in.power * found.balance.heat, watt, "in the film, by shear and compression"},
+      {"heat_1", in.power * found.balance.into_1, watt, "into body 1"},
+      {"heat_2", in.power * found.balance.into_2, watt, "into body 2"},
+      {"heat_carried", in.power * found.balance.carried, watt, "out of the domain with the oil"},
       {"heat_imbalance", found.balance.defect, "-", "heat made less heat led away, over heat made"},
       {"nahme", found.nahme, "-", "largest beta tau_m |u1 - u2| h/k"},
       {"peclet_1", in.setup.body_1.Pe, "-", "u1 a over the diffusivity of body 1"},
@@ -118,7 +122,7 @@ std::vector<std::string> thermal_warnings(const Case& input, const HeatResult& h
           fmt::format("thermal: surface {} stands still: the temperature is that after a long time, of a body "
                       "as large as a half space",
                       name));
-    else if (in.setup.lines && body.Pe < low_peclet)
+    else if (in.setup.lines && body.Pe < (input.scene.grid.line ? low_peclet_of_line : low_peclet))
       list.push_back(
           fmt::format("thermal: surface {} is slow, u a over the diffusivity = {:.2g}: lines overstate its "
                       "temperature by more than a tenth; give [thermal] solids = full",
@@ -142,10 +146,10 @@ std::string thermal_summary(const Case& input, const Computed& computed) {
   text += "             " + hottest_text(input, "surface 1", found.on_1) + "; " +
           hottest_text(input, "surface 2", found.on_2) + "\n";
   text += fmt::format(
-      "             heat {:.4g} W made, {:.4g} W into body 1, {:.4g} W into body 2, {:.3g} W with the oil; "
-      "imbalance {:.0e}\n",
-      in.watt * found.balance.heat, in.watt * found.balance.into_1, in.watt * found.balance.into_2,
-      in.watt * found.balance.carried, std::abs(found.balance.defect));
+      "             heat {0:.4g} {5} made, {1:.4g} {5} into body 1, {2:.4g} {5} into body 2, {3:.3g} {5} with the oil; "
+      "imbalance {4:.0e}\n",
+      in.power * found.balance.heat, in.power * found.balance.into_1, in.power * found.balance.into_2,
+      in.power * found.balance.carried, std::abs(found.balance.defect), unit_of_heat(input.scene.grid.line));
   text += fmt::format(
       "             film {:.3f} of the isothermal one; inlet heating by Wilson, Sheu 1983 {:.3f}, Gupta et "
       "al. 1992 {:.3f}{}\n",

@@ -9,6 +9,8 @@
 
 namespace ehl::program {
 
+/// "W", or of a line contact "W/m".
+const char* unit_of_heat(bool line);
 std::vector<results::Quantity> thermal_quantities(const Case& input, const HeatResult& heat);
 /// Of the sequence of grids, in kelvin.
 std::vector<Column<heat::Row>> thermal_columns(const HeatInput& input);

@@ -129,7 +129,8 @@ SweepRow sweep_row(const SweepKind& kind) {
     if (!kind.friction) row.push_back({"mu", unknown});
     for (const char* name : {"mu_isothermal", "error_mu"}) row.push_back({name, unknown});
     for (const char* name : {"T_film_max", "T_film_mean", "T1_max", "T2_max"}) row.push_back({name, unknown, "K"});
-    for (const char* name : {"heat_1", "heat_2"}) row.push_back({name, unknown, "W"});
+    for (const char* name : {"heat_1", "heat_2"})
+      row.push_back({name, unknown, unit_of_heat(kind.bodies == Bodies::line)});
     for (const char* name : {"heat_imbalance", "film_reduction", "nahme"}) row.push_back({name, unknown});
   }
   if (kind.starved)

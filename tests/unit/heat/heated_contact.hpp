@@ -13,8 +13,10 @@ namespace support {
 inline ehl::steady::Scene scene_of(const BaseCase& base, const ehl::thermal::Setup& setup,
                                    const ehl::core::Grid& grid) {
   ehl::steady::Scene scene;
-  const double W = base.load / (base.E_prime * base.R * base.R), U = base.eta0 * base.u_m / (base.E_prime * base.R);
-  scene.M = W * std::pow(2 * U, -0.75);
+  const double U = base.eta0 * base.u_m / (base.E_prime * base.R);
+  const double W = base.load / (base.E_prime * base.R * (base.line ? 1.0 : base.R));
+  scene.M = W * std::pow(2 * U, base.line ? -0.5 : -0.75);
+  if (base.line) scene.shape = ehl::contact::line_contact();
   scene.L = base.alpha * base.E_prime * std::pow(2 * U, 0.25);
   scene.lambda = setup.lambda;
   scene.viscosity = setup.viscosity;
@@ -32,7 +34,7 @@ struct Found {
 /// change: what is different from the base case's heat. look: at the film's temperature and the level in the end.
 template <class Change, class Look>
 Found solve(const BaseCase& base, const ehl::core::Grid& grid, Change change, double share, Look look) {
-  const ehl::core::Patch half = ehl::core::lower_half(grid);
+  const ehl::core::Patch half = base.line ? ehl::core::Patch(grid) : ehl::core::lower_half(grid);
   ehl::thermal::Setup setup = base.setup(half);
   change(setup);
   ehl::steady::Scene scene = scene_of(base, setup, grid);

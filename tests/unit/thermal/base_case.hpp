@@ -18,8 +18,12 @@ struct BaseCase {
   double T0 = 313.15, beta = 0.042, k = 0.14, c = 2000, rho0 = 860, expansion = 6.5e-4;
   Steel body_1{}, body_2{};
 
-  double a() const { return std::cbrt(3 * load * R / (2 * E_prime)); }
-  double p_h() const { return 3 * load / (2 * std::numbers::pi * a() * a()); }
+  bool line = false;  // then the load is per length
+
+  double a() const {
+    return line ? std::sqrt(8 * load * R / (std::numbers::pi * E_prime)) : std::cbrt(3 * load * R / (2 * E_prime));
+  }
+  double p_h() const { return line ? E_prime * a() / (4 * R) : 3 * load / (2 * std::numbers::pi * a() * a()); }
   double H_of(double h) const { return h * R / (a() * a()); }
 
   ehl::thermal::Body body(const Steel& steel, double u) const {

@@ -1,0 +1,220 @@
+// Line contacts with heat from end to end: balances, symmetries, the middle of a wide ellipse, slow surfaces, files,
+// tables, what is refused.
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "results/read.hpp"
+#include "support/json.hpp"
+#include "support/program.hpp"
+#include "support/refused.hpp"
+#include "support/text.hpp"
+
+using ehl::results::ResultFile;
+using support::number_at;
+
+namespace {
+
+const std::string line = "[contact]\nkind = line\nload_per_length = 2e5\nradius_x = 0.010\nE_prime = 226.4e9\n";
+const std::string motion = "[motion]\nu_m = 10\nsrr = 0.4\n";
+const std::string oil = "[lubricant]\neta0 = 0.0165\nalpha = 1.8e-8\n";
+const std::string shear = "[shear]\nlaw = eyring\ntau_0 = 5e6\n";
+const std::string grid = "[grid]\ncells = 256\n";
+const std::string heat = "[thermal]\nT_oil = 80\nbeta = 0.033\nsolid1 = steel\nsolid2 = steel\n";
+const std::string teeth = line + motion + oil + shear + grid + heat;
+
+struct Scene {
+  support::TemporaryFolder folder;
+  explicit Scene(const std::string& deck = teeth) { folder.write("d.ini", deck); }
+  support::Ended ehl(const std::string& arguments) const { return support::ehl(folder, arguments); }
+  // in: what is different from the deck.
+  nlohmann::json run(const std::string& changes) const {
+    const support::Ended ended = ehl("run d.ini --json --quiet --overwrite --output d.h5 " + changes);
+    BOOST_TEST_REQUIRE(ended.status == 0, changes << ": " << ended.err);
+    return support::parsed(ended.out);
+  }
+};
+
+void check_close(const std::string& name, double value, double reference, double tolerance) {
+  BOOST_TEST_MESSAGE(name << " " << value << ", expected " << reference << ", " << value / reference - 1
+                          << " off (tolerance " << tolerance << ")");
+  BOOST_TEST(std::abs(value / reference - 1) < tolerance);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(heated_lines)
+
+BOOST_AUTO_TEST_CASE(heat_goes_where_it_is_told) {
+  const Scene scene;
+  const auto found = scene.run("--set friction.cavitated=none");
+  const auto at = [&](const char* name) { return number_at(found, std::string("/thermal/") + name); };
+  // What the surfaces do to the film per length: sliding by 4 m/s, and both 10 m/s against the rolling friction.
+  const double work = 2e5 * (number_at(found, "/friction/mu") * 4 + number_at(found, "/friction/mu_rolling") * 20);
+  check_close("heat made over the work of the surfaces", at("heat_made"), work, 0.02);
+  BOOST_TEST(std::abs(at("heat_imbalance")) < 1e-3);
+  check_close("heat led away", at("heat_1") + at("heat_2") + at("heat_carried"), at("heat_made"), 1e-3);
+  // The faster surface takes more of it and stays colder.
+  BOOST_TEST(at("heat_1") > at("heat_2"));
+  BOOST_TEST(at("T1_max") < at("T2_max"));
+  BOOST_TEST(std::abs(at("mu") / number_at(found, "/friction/mu") - 1) < 1e-12);
+  // Flash temperatures by lines, as fast as these (Pe of 96 and 144) the same within 1 %.
+  const auto by_lines = scene.run("--set thermal.solids=lines");
+  for (const char* surface : {"/thermal/T1_max", "/thermal/T2_max"})
+    check_close(surface, number_at(found, surface), number_at(by_lines, surface), 0.01);
+  // In words too.
+  const support::Ended text = scene.ehl("run d.ini --quiet --overwrite --output d.h5");
+  BOOST_TEST(support::contains(text.out, " W/m made"), text.out);
+}
+
+// The isothermal contact beside it is that of the deck without [thermal], to the bit.
+BOOST_AUTO_TEST_CASE(the_isothermal_contact_is_the_same) {
+  const Scene hot, cold(line + motion + oil + shear + grid + "[friction]\ncavitated = none\n");
+  const auto with = hot.run(""), without = cold.run("");
+  BOOST_TEST(number_at(with, "/thermal/Hc_isothermal") == number_at(without, "/Hc"));
+  BOOST_TEST(number_at(with, "/thermal/Hm_isothermal") == number_at(without, "/Hm"));
+  BOOST_TEST(number_at(with, "/thermal/mu_isothermal") == number_at(without, "/friction/mu"));
+}
+
+BOOST_AUTO_TEST_CASE(swapped_bodies_mirror_the_film) {
+  const Scene scene;
+  const auto one = scene.run("--set thermal.solid2=glass --set thermal.T_body1=90");
+  const auto other =
+      scene.run("--set motion.srr=-0.4 --set thermal.solid1=glass --set thermal.solid2=steel --set thermal.T_body2=90");
+  const auto same = [&](const char* name, const char* mirrored, double sign) {
+    const double off = number_at(one, name) / (sign * number_at(other, mirrored)) - 1;
+    BOOST_TEST_MESSAGE(name << ": " << off << " off (tolerance 1e-10)");
+    BOOST_TEST(std::abs(off) < 1e-10);
+  };
+  same("/thermal/mu", "/thermal/mu", -1);
+  same("/Hc", "/Hc", 1);
+  same("/Hm", "/Hm", 1);
+  same("/thermal/T_film_max", "/thermal/T_film_max", 1);
+  same("/thermal/T1_max", "/thermal/T2_max", 1);
+  same("/thermal/heat_1", "/thermal/heat_2", 1);
+}
+
+// Hardly any dependence on temperature, and no expansion: the change is in proportion to it, and goes with it.
+BOOST_AUTO_TEST_CASE(little_change_is_in_proportion) {
+  const Scene scene;
+  const std::string bare = "--set thermal.expansion=0 --set thermal.compression=off --set thermal.beta=";
+  const auto loss = [](const nlohmann::json& found) {
+    return 1 - number_at(found, "/thermal/mu") / number_at(found, "/thermal/mu_isothermal");
+  };
+  const double more = loss(scene.run(bare + "4e-4")), less = loss(scene.run(bare + "2e-4"));
+  BOOST_TEST_MESSAGE("loss of friction " << more << " and " << less << ", ratio " << more / less << " (2 +- 0.1)");
+  BOOST_TEST(less > 0);
+  BOOST_TEST(std::abs(more / less - 2) < 0.1);
+}
+
+// The middle of an ellipse with R_x/R_y = 0.01 is the line that carries as much there.
+BOOST_AUTO_TEST_CASE(the_middle_of_a_wide_ellipse) {
+  const std::string rest = "[motion]\nu_m = 5\nsrr = 0.4\n" + oil + shear + "[friction]\ncavitated = none\n" + heat;
+  const Scene wide("[contact]\nload = 350\nradius_x = 0.010\nradius_ratio = 0.01\nE_prime = 226.4e9\n" + rest +
+                   "[grid]\ncells = 128\n");
+  const auto ellipse = wide.run("");
+  const double a = number_at(ellipse, "/a_m"), p_h = number_at(ellipse, "/p_h_Pa");
+  std::istringstream rows(wide.ehl("extract d.h5 P --along x").out);
+  double sum = 0.0, first = NAN, last = NAN;
+  int count = 0;
+  for (std::string row; std::getline(rows, row);)
+    if (double x = 0.0, P = 0.0; std::istringstream(row) >> x >> P) {
+      if (count++ == 0) first = x;
+      last = x;
+      sum += P;
+    }
+  BOOST_TEST_REQUIRE(count > 100);
+  std::ostringstream load;
+  load.precision(12);
+  load << sum * (last - first) / (count - 1) * a * p_h;
+  const Scene narrow("[contact]\nkind = line\nload_per_length = " + load.str() +
+                     "\nradius_x = 0.010\nE_prime = 226.4e9\n" + rest + grid);
+  const auto found = narrow.run("");
+  const double height = std::pow(number_at(found, "/a_m") / a, 2);
+  check_close("Hc", height * number_at(found, "/Hc"), number_at(ellipse, "/Hc"), 0.01);
+  for (const char* name : {"/thermal/T_film_max", "/thermal/T1_max", "/thermal/T2_max"})
+    check_close(name, number_at(found, name), number_at(ellipse, name), 0.015);
+}
+
+// Bodies so slow (Pe of 0.05 and 2) that heat runs ahead of the contact: it settles, and as finer grids say.
+BOOST_AUTO_TEST_CASE(slow_surfaces) {
+  const Scene scene;
+  const std::string slow = "--set motion.u_m=0.1 --set motion.srr=1.9 ";
+  const auto found = scene.run(slow), fine = scene.run(slow + "--set grid.cells=512");
+  BOOST_TEST(number_at(found, "/thermal/peclet_2") < 0.1);
+  for (const char* name : {"/thermal/mu", "/thermal/T1_max", "/thermal/T2_max"})
+    check_close(name, number_at(found, name), number_at(fine, name), 5e-3);
+  BOOST_TEST(std::abs(number_at(found, "/thermal/heat_imbalance")) < 1e-3);
+}
+
+BOOST_AUTO_TEST_CASE(with_little_oil) {
+  const Scene scene;
+  // Where oil may be missing the boundary has no pressure.
+  const auto flooded = scene.run("--set domain.far_field=zero"), thick = scene.run("--set supply.layer_m=1e-3");
+  for (const char* name : {"/Hc", "/thermal/mu", "/thermal/T_film_max"})
+    check_close(name, number_at(thick, name), number_at(flooded, name), 1e-3);
+  const auto found = scene.run("--set supply.layer_m=300e-9");
+  BOOST_TEST(std::abs(number_at(found, "/mass_imbalance")) <= 1e-10);
+  BOOST_TEST(std::abs(number_at(found, "/thermal/heat_imbalance")) < 1e-3);
+  // Nothing flows aside.
+  check_close("factor", number_at(found, "/starvation_factor"), number_at(found, "/starvation/supply_ratio"), 2e-3);
+  BOOST_TEST(number_at(found, "/thermal/mu") > number_at(flooded, "/thermal/mu"));
+}
+
+BOOST_AUTO_TEST_CASE(results_and_tables_hold_it) {
+  const Scene scene;
+  const auto found = scene.run("--set thermal.fields=T_mid,T_max,T1,T2,section");
+  const ResultFile file(scene.folder / "d.h5");
+  const std::vector<double> T = file.numbers("/fields/T_max").values;
+  BOOST_TEST(T.size() == 257u);
+  BOOST_TEST(*std::ranges::max_element(T) == number_at(found, "/thermal/T_film_max"));
+  BOOST_TEST(file.numbers("/thermal_section/T").values.size() == 17u * 257u);
+  // u runs from u2 = 0.8 to u1 = 1.2 u_m.
+  const std::vector<double> u = file.numbers("/thermal_section/u").values;
+  BOOST_TEST(u.front() == 0.8, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(u.back() == 1.2, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(file.numbers("/summary/heat_1").values.at(0) == number_at(found, "/thermal/heat_1"));
+  BOOST_TEST(found["thermal"]["levels"].size() == 3u);
+  // A traction curve: friction falls where heat takes over.
+  const support::Ended sweep = scene.ehl("sweep d.ini --vary motion.srr=0,0.02,0.1,0.4,1,1.8 --output t.csv");
+  BOOST_TEST(sweep.status == 0, sweep.err);
+  const std::string table = scene.folder.read("t.csv");
+  BOOST_TEST(support::contains(table, "heat_1 [W/m]"), table);
+  const std::vector<support::NamedRow> rows = support::named_rows(table);
+  BOOST_TEST_REQUIRE(rows.size() == 6u);
+  const auto mu = [&](std::size_t k) { return std::stod(rows[k].at("mu")); };
+  BOOST_TEST(mu(0) == 0.0);
+  BOOST_TEST((mu(1) < mu(2) && mu(2) > mu(3) && mu(3) > mu(4) && mu(4) > mu(5)), table);
+}
+
+// The pressure's own flow thins the oil too, with heat and without.
+BOOST_AUTO_TEST_CASE(with_flow_thinning) {
+  const Scene scene;
+  const auto plain = scene.run("--set shear.tau_0=3e6"),
+             thinned = scene.run("--set shear.flow=on --set shear.tau_0=3e6");
+  BOOST_TEST(number_at(thinned, "/Hc") < number_at(plain, "/Hc"));
+  const Scene cold(line + motion + oil + shear + grid);
+  const auto without = cold.run("--set shear.tau_0=3e6"), with = cold.run("--set shear.flow=on --set shear.tau_0=3e6");
+  BOOST_TEST(number_at(with, "/Hc") < number_at(without, "/Hc"));
+  check_close("little of it", number_at(with, "/Hc"), number_at(without, "/Hc"), 0.05);
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_be_is_refused) {
+  const auto moving = [](const std::string& motion) { return line + "[motion]\n" + motion + oil + shear + heat; };
+  support::check_refused({
+      {"surface 2 stands", moving("u_m = 10\nsrr = 2\n"), {"srr", "surface 2 stands still", "-2 < srr < 2"}},
+      {"surface 1 stands", moving("u_m = 10\nsrr = -2\n"), {"srr", "surface 1 stands still"}},
+      {"u2 = 0", moving("u1 = 10\nu2 = 0\n"), {"u2", "stands still", "u1 and u2 > 0"}},
+      {"u1 = 0", moving("u1 = 0\nu2 = 10\n"), {"u1", "stands still"}},
+      {"in time", teeth + "[transient]\nend_time = 1\n", {"T_oil", "is for steady contacts"}},
+      {"no speeds", "[contact]\nkind = line\nM = 50\nL = 10\n[lubricant]\nalpha = 2e-8\n" + heat, {"T_oil", "in SI"}},
+      {"roller",
+       "[contact]\nkind = roller\nload = 1000\nlength_m = 0.01\nradius_x = 0.010\nE_prime = 226.4e9\n" + motion + oil +
+           heat,
+       {"rollers do not carry this yet"}},
+  });
+}
+
+BOOST_AUTO_TEST_SUITE_END()

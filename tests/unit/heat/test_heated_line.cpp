@@ -1,0 +1,82 @@
+// A line contact with heat, pressure and temperature together: no heat, no change; order of convergence.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "effects/heat/solve.hpp"
+#include "steady/solve.hpp"
+#include "unit/heat/heated_contact.hpp"
+
+using namespace ehl;
+using support::BaseCase, support::Found, support::solve;
+
+namespace {
+
+// 0.8 GPa, 10 m/s.
+BaseCase teeth() {
+  BaseCase base;
+  base.line = true;
+  base.load = 2e5;
+  base.R = 0.010;
+  base.u_m = 10.0;
+  base.srr = 0.4;
+  base.eta0 = 0.0165;
+  base.alpha = 18e-9;
+  return base;
+}
+core::Grid grid(int cells) { return core::line_grid(cells, -4.5, 1.5); }
+
+}  // namespace
+
+// Nothing that heats, or bodies and an oil that lead all of it away: the isothermal film, to rounding.
+BOOST_AUTO_TEST_CASE(no_heat_is_the_isothermal_line) {
+  BaseCase base = teeth();
+  base.expansion = 0.0;
+  for (const bool conducts_well : {false, true}) {
+    thermal::Setup setup = base.setup(grid(256));
+    if (conducts_well) {
+      for (double* group : {&setup.Br, &setup.Pe, &setup.compression}) *group *= 1e-12;
+      setup.body_1.resistance = setup.body_2.resistance = 0.0;
+    } else {
+      setup.Br = setup.compression = 0.0;
+    }
+    steady::Scene scene = support::scene_of(base, setup, grid(256));
+    scene.multigrid.tolerance = 1e-10;
+    scene.adjoint_errors = false;
+    const steady::Solution cold = steady::solve(scene);
+    BOOST_TEST(cold.converged, cold.failed_check);
+    const heat::Solution warm = heat::solve(scene, setup, cold, {});
+    BOOST_TEST(warm.film.converged, warm.film.failed_check);
+    double off = 0.0;
+    for (int i = 0; i <= scene.grid.nx; ++i) off = std::max(off, std::abs(warm.film.H(i, 1) / cold.H(i, 1) - 1));
+    BOOST_TEST_MESSAGE("film " << off << " off (tolerance 1e-8)");
+    BOOST_TEST(off < 1e-8);
+    BOOST_TEST(std::abs(warm.C - 1) < 1e-9);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(second_order_along_a_line) {
+  constexpr int grids = 4;
+  Found found[grids];
+  for (int level = 0; level < grids; ++level) {
+    found[level] = solve(
+        teeth(), grid(128 << level), [](thermal::Setup&) {}, 0.005);
+    BOOST_TEST(found[level].result.unmet.empty(), found[level].result.unmet);
+  }
+  for (int level = 2; level < grids; ++level) {
+    const auto order = [&](double Found::*value) {
+      return std::log2(std::abs((found[level - 1].*value - found[level - 2].*value) /
+                                (found[level].*value - found[level - 1].*value)));
+    };
+    BOOST_TEST_MESSAGE((128 << level) << " cells: mu " << found[level].mu << ", order " << order(&Found::mu)
+                                      << "; Hc order " << order(&Found::Hc) << "; film " << found[level].film
+                                      << " K, order " << order(&Found::film) << "; surface 2 " << found[level].surface_2
+                                      << " K, order " << order(&Found::surface_2) << "; "
+                                      << found[level].result.passes.size() << " passes");
+    BOOST_TEST(order(&Found::mu) > 1.4);
+    BOOST_TEST(order(&Found::Hc) > 1.6);
+    BOOST_TEST(order(&Found::film) > 1.4);
+    // The hottest node of a surface: the place lies between nodes.
+    for (double Found::*surface : {&Found::surface_1, &Found::surface_2})
+      BOOST_TEST(std::abs(found[level].*surface / found[level - 1].*surface - 1) < 5e-3);
+  }
+}
