@@ -88,7 +88,8 @@ Level make_level(const core::Patch& grid, bool finest, const Problem& problem, c
           .deformation = mlmi::Deformation(grid, finest ? deformation : mlmi::fitting(deformation, grid), threads,
                                            problem.geometry.elastic),
           .film_terms = film_terms(grid, problem.geometry.elastic, parameters.relaxation),
-          .boundary = points_of_boundary(problem, grid)};
+          .boundary = points_of_boundary(problem, grid),
+          .corrector = {}};
 }
 
 // Fewer lines than this on the patch hold nothing of the contact.
