@@ -25,6 +25,28 @@ LaneMask beside_dry(reynolds::Cavitation cavitation, const core::Field& P, int i
 
 }  // namespace
 
+LineSystem make_line_system(const core::Patch& grid, int reach) {
+  const LineSystem::Values zero(static_cast<std::size_t>(grid.nodes_x() + 2 * LineSystem::margin));
+  const auto points = static_cast<std::size_t>(grid.nodes_x());
+  LineSystem system;
+  for (LineSystem::Values* values :
+       {&system.P, &system.rho_bar, &system.rho_H, &system.slope_H, &system.eps, &system.third_order, &system.f,
+        &system.fluidity, &system.log_viscosity, &system.west, &system.answer_before, &system.answer_behind,
+        &system.distributive, &system.far_squeeze, &system.delta, &system.distributed})
+    *values = zero;
+  switch (reach) {
+    case 1: system.factors.emplace<OneLineFactors<1>>(points); break;
+    case 2: system.factors.emplace<OneLineFactors<2>>(points); break;
+    default: system.factors.emplace<OneLineFactors<3>>(points); break;
+  }
+  return system;
+}
+
+bool relaxes_along_line(const core::Patch& grid, const RelaxationParameters& parameters,
+                        reynolds::Cavitation cavitation) {
+  return grid.domain.line && parameters.line_solver == LineSolver::elimination && !reynolds::conserves(cavitation);
+}
+
 ThreadWork make_thread_work(const core::Patch& grid, const film::Model& film, const RelaxationParameters& parameters,
                             reynolds::Cavitation cavitation) {
   ThreadWork work{.film = film::make_buffers(film, grid.domain.line ? grid.nodes_x() : grid.nodes_y()),

@@ -276,28 +276,6 @@ void AlongLine<reach>::apply() {
 
 }  // namespace
 
-LineSystem make_line_system(const core::Patch& grid, int reach) {
-  const Values zero(static_cast<std::size_t>(grid.nodes_x() + 2 * LineSystem::margin));
-  const auto points = static_cast<std::size_t>(grid.nodes_x());
-  LineSystem system;
-  for (Values* values :
-       {&system.P, &system.rho_bar, &system.rho_H, &system.slope_H, &system.eps, &system.third_order, &system.f,
-        &system.fluidity, &system.log_viscosity, &system.west, &system.answer_before, &system.answer_behind,
-        &system.distributive, &system.far_squeeze, &system.delta, &system.distributed})
-    *values = zero;
-  switch (reach) {
-    case 1: system.factors.emplace<OneLineFactors<1>>(points); break;
-    case 2: system.factors.emplace<OneLineFactors<2>>(points); break;
-    default: system.factors.emplace<OneLineFactors<3>>(points); break;
-  }
-  return system;
-}
-
-bool relaxes_along_line(const core::Patch& grid, const RelaxationParameters& parameters,
-                        reynolds::Cavitation cavitation) {
-  return grid.domain.line && parameters.line_solver == LineSolver::elimination && !reynolds::conserves(cavitation);
-}
-
 template <int reach>
 line_solvers::SmallPivot relax_along_line(Hierarchy& hierarchy, Level& level, const RelaxationParameters& how) {
   return AlongLine<reach>(hierarchy, level, how).relax();
