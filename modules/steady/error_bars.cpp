@@ -34,6 +34,13 @@ Estimate extrapolated(const std::vector<double>& values, double order, double un
   return {result.value, result.relative_error + share * algebraic};
 }
 
+// Mesh size along X. Cells as much longer than wide as the contact itself are as good as square ones of their width.
+double step_in_shape(const Scene& scene, int nx) {
+  const contact::Extent reach = contact::extent(scene.shape);
+  const double longer = std::clamp(reach.X / reach.Y, 1.0, core::stretch(scene.grid));
+  return (scene.grid.X_b - scene.grid.X_a) / nx / longer;
+}
+
 // Of the mesh; where a row has no estimate of it, from that row alone. The node's distance from the minimum counts.
 struct MeshError {
   double Hc;
@@ -43,7 +50,7 @@ struct MeshError {
 MeshError mesh_error(const Scene& scene, const LevelRow& row, double order) {
   const double of_node = std::abs(row.Hm - row.Hm_fitted) / row.Hm;
   if (std::isfinite(row.error_Hc)) return {row.error_Hc, row.error_Hm, row.error_Hm - of_node};
-  const double step = (scene.grid.X_b - scene.grid.X_a) / row.nx / core::stretch(scene.grid);
+  const double step = step_in_shape(scene, row.nx);
   const double error = judgement::error_of_one_grid(step, row.Hm_fitted, order);
   // Beside an ellipse the zone in which the film is thinnest is that of a circle's film of this height.
   const double error_Hm = judgement::error_of_one_grid(step, row.Hm_fitted / edge_steepness(scene.shape), order);

@@ -177,8 +177,9 @@ BOOST_AUTO_TEST_CASE(a_polish_reaches_rounding_errors) {
 
 // Where the cycles cannot, another way must be found and told; with every other way forbidden there is none.
 BOOST_AUTO_TEST_CASE(newtons_method_saves_what_cycles_leave_unsolved) {
-  steady::Scene scene = hard::scene({20, 10}, 64);
-  scene.grid.ny = 256;  // cells four times as wide as long: the cycles stagnate
+  steady::Scene scene = hard::scene({500, 10}, 64);
+  scene.grid.ny = 256;  // cells four times as long as wide, which are too long for this film: the cycles diverge
+  scene.continuation.path = Path::off;
   const steady::Solution saved = steady::solve(scene);
   BOOST_TEST_MESSAGE(hard::name(scene) << ": " << saved.method << ", residual " << saved.levels.back().residual
                                        << ", after " << saved.attempts.size() - 1 << " ways that failed");
@@ -191,12 +192,8 @@ BOOST_AUTO_TEST_CASE(newtons_method_saves_what_cycles_leave_unsolved) {
   for (std::size_t k = 0; k + 1 < saved.attempts.size(); ++k) BOOST_TEST(saved.attempts[k].reason != "");
 
   scene.polish = steady::Polish::off;
-  scene.continuation.path = Path::off;
-  const steady::Solution alone = steady::solve(scene);
-  BOOST_TEST_MESSAGE("  without: " << alone.failed_check);
-  BOOST_TEST(!alone.converged);
-  BOOST_TEST(alone.failed_check != "");
-  BOOST_TEST(alone.continuation.empty());
-  BOOST_TEST(alone.newton.empty());
-  for (const steady::Attempt& attempt : alone.attempts) BOOST_TEST(attempt.method.starts_with("full multigrid"));
+  BOOST_CHECK_EXCEPTION(steady::solve(scene), core::SolverError, [](const core::SolverError& error) {
+    BOOST_TEST_MESSAGE("  without: " << error.what());
+    return std::string(error.what()).find("no other way led to a state") != std::string::npos;
+  });
 }

@@ -359,7 +359,7 @@ class DomainKeys(TypedDict, total=False):
 class GridKeys(TypedDict, total=False):
     """The finest and the coarsest grid."""
     cells: int
-    """Cells of the finest grid along x, the coarsest grid's times a power of two; along y they follow from the domain, as nearly square as possible, or twice as long where the contact is seven times as wide as long.
+    """Cells of the finest grid along x, the coarsest grid's times a power of two; along y they follow from the domain, as nearly square as possible. Where the contact is seven times as wide as long they are twice as wide, where six times as long as wide 4 or 8 times as long.
     default: 256, 512 or 1024, the first that resolves the film; allowed: a whole number >= 16 and <= 1048576"""
     coarsest: int
     """Cells of the coarsest grid along x.
