@@ -69,7 +69,8 @@ void refuse_beyond_line(deck::Deck& deck) {
       surface.complain("shape", "changes along y, and a line contact has none: ridge, groove or waviness");
     if (surface.given("angle") && surface.number("angle") != 0.0)
       surface.complain("angle", "must be 0 in a line contact, where nothing changes along y");
-    surface.refuse({"y"}, "has no influence on a line contact: remove it");
+    if (surface.given("y") && surface.number("y") != 0.0)
+      surface.complain("y", "must be 0 in a line contact, where nothing changes along y");
   }
 }
 

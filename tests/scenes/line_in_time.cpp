@@ -92,6 +92,14 @@ BOOST_AUTO_TEST_CASE(a_ridge_at_rest) {
   BOOST_TEST(with["Hc"].get<double>() < 0.97 * steady(folder, smooth)["Hc"].get<double>());
   for (const std::vector<double>& row : in_time(folder, ridge, "end_time = 3\nu1 = 0:0\nu2 = 0:2\n").rows)
     check_same(row, with, 1.0, 1e-5);
+  // The deck of the result has the place across as well, which is 0.
+  folder.write("own.ini", ehl(folder, "extract time.h5 deck").out);
+  const Ended own = ehl(folder, "check own.ini");
+  BOOST_TEST(own.status == 0, own.err);
+  folder.write("beside.ini", ridge + "at_rest = yes\ny = 0.5\n");
+  const Ended beside = ehl(folder, "check beside.ini");
+  BOOST_TEST(beside.status == 2);
+  BOOST_TEST(beside.says({"[surface1] y", "must be 0 in a line contact"}), beside.err);
 }
 
 // A film made in the inlet goes through the contact with the mean speed: here 1.2 times that of the start. The front
