@@ -52,13 +52,6 @@ bool back_off(Caution& caution) {
   return true;
 }
 
-void go_back(Hierarchy& hierarchy, std::size_t l, const State& state) {
-  hierarchy.levels[l].P = state.P;
-  hierarchy.H00 = state.H00;
-  update_film(hierarchy, hierarchy.levels[l]);
-  renew_boundary(hierarchy, hierarchy.levels[l]);
-}
-
 // One cycle and the state behind it. out: how it diverged; empty where it did not.
 std::string cycle(Hierarchy& hierarchy, std::size_t l, const Parameters& how, judgement::Measures& now) {
   try {
@@ -79,6 +72,13 @@ Parameters cautious(const Parameters& parameters, const Caution& caution) {
   used.relaxation.weight_single_steep *= caution.steep;
   if (caution.relax_after) used.post = std::max(1, used.post.value_or(1));
   return used;
+}
+
+void go_back(Hierarchy& hierarchy, std::size_t l, const State& state) {
+  hierarchy.levels[l].P = state.P;
+  hierarchy.H00 = state.H00;
+  update_film(hierarchy, hierarchy.levels[l]);
+  renew_boundary(hierarchy, hierarchy.levels[l]);
 }
 
 CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::StoppingCriterion& criterion,

@@ -46,6 +46,9 @@ struct CyclesResult {
 CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::StoppingCriterion& criterion,
                         const Caution& caution, const CycleObserver& observe);
 
+/// Puts a state of levels[l], the level being solved, in its place again.
+void go_back(Hierarchy& hierarchy, std::size_t l, const State& state);
+
 /// Measures levels[l]; makes its residual anew.
 judgement::Measures measures_of(Hierarchy& hierarchy, std::size_t l);
 
