@@ -7,12 +7,14 @@
 #include <sstream>
 
 #include "results/read.hpp"
+#include "support/heated.hpp"
 #include "support/json.hpp"
 #include "support/program.hpp"
 #include "support/refused.hpp"
 #include "support/text.hpp"
 
 using ehl::results::ResultFile;
+using support::check_close;
 using support::number_at;
 
 namespace {
@@ -25,23 +27,9 @@ const std::string grid = "[grid]\ncells = 256\n";
 const std::string heat = "[thermal]\nT_oil = 80\nbeta = 0.033\nsolid1 = steel\nsolid2 = steel\n";
 const std::string teeth = line + motion + oil + shear + grid + heat;
 
-struct Scene {
-  support::TemporaryFolder folder;
-  explicit Scene(const std::string& deck = teeth) { folder.write("d.ini", deck); }
-  support::Ended ehl(const std::string& arguments) const { return support::ehl(folder, arguments); }
-  // in: what is different from the deck.
-  nlohmann::json run(const std::string& changes) const {
-    const support::Ended ended = ehl("run d.ini --json --quiet --overwrite --output d.h5 " + changes);
-    BOOST_TEST_REQUIRE(ended.status == 0, changes << ": " << ended.err);
-    return support::parsed(ended.out);
-  }
+struct Scene : support::HeatedScene {
+  explicit Scene(const std::string& deck = teeth) : HeatedScene(deck) {}
 };
-
-void check_close(const std::string& name, double value, double reference, double tolerance) {
-  BOOST_TEST_MESSAGE(name << " " << value << ", expected " << reference << ", " << value / reference - 1
-                          << " off (tolerance " << tolerance << ")");
-  BOOST_TEST(std::abs(value / reference - 1) < tolerance);
-}
 
 }  // namespace
 
@@ -72,10 +60,7 @@ BOOST_AUTO_TEST_CASE(heat_goes_where_it_is_told) {
 // The isothermal contact beside it is that of the deck without [thermal], to the bit.
 BOOST_AUTO_TEST_CASE(the_isothermal_contact_is_the_same) {
   const Scene hot, cold(line + motion + oil + shear + grid + "[friction]\ncavitated = none\n");
-  const auto with = hot.run(""), without = cold.run("");
-  BOOST_TEST(number_at(with, "/thermal/Hc_isothermal") == number_at(without, "/Hc"));
-  BOOST_TEST(number_at(with, "/thermal/Hm_isothermal") == number_at(without, "/Hm"));
-  BOOST_TEST(number_at(with, "/thermal/mu_isothermal") == number_at(without, "/friction/mu"));
+  support::check_isothermal_beside(hot.run(""), cold.run(""));
 }
 
 BOOST_AUTO_TEST_CASE(swapped_bodies_mirror_the_film) {
@@ -83,30 +68,13 @@ BOOST_AUTO_TEST_CASE(swapped_bodies_mirror_the_film) {
   const auto one = scene.run("--set thermal.solid2=glass --set thermal.T_body1=90");
   const auto other =
       scene.run("--set motion.srr=-0.4 --set thermal.solid1=glass --set thermal.solid2=steel --set thermal.T_body2=90");
-  const auto same = [&](const char* name, const char* mirrored, double sign) {
-    const double off = number_at(one, name) / (sign * number_at(other, mirrored)) - 1;
-    BOOST_TEST_MESSAGE(name << ": " << off << " off (tolerance 1e-10)");
-    BOOST_TEST(std::abs(off) < 1e-10);
-  };
-  same("/thermal/mu", "/thermal/mu", -1);
-  same("/Hc", "/Hc", 1);
-  same("/Hm", "/Hm", 1);
-  same("/thermal/T_film_max", "/thermal/T_film_max", 1);
-  same("/thermal/T1_max", "/thermal/T2_max", 1);
-  same("/thermal/heat_1", "/thermal/heat_2", 1);
+  support::check_mirrored(one, other);
 }
 
 // Hardly any dependence on temperature, and no expansion: the change is in proportion to it, and goes with it.
 BOOST_AUTO_TEST_CASE(little_change_is_in_proportion) {
   const Scene scene;
-  const std::string bare = "--set thermal.expansion=0 --set thermal.compression=off --set thermal.beta=";
-  const auto loss = [](const nlohmann::json& found) {
-    return 1 - number_at(found, "/thermal/mu") / number_at(found, "/thermal/mu_isothermal");
-  };
-  const double more = loss(scene.run(bare + "4e-4")), less = loss(scene.run(bare + "2e-4"));
-  BOOST_TEST_MESSAGE("loss of friction " << more << " and " << less << ", ratio " << more / less << " (2 +- 0.1)");
-  BOOST_TEST(less > 0);
-  BOOST_TEST(std::abs(more / less - 2) < 0.1);
+  support::check_little_change(scene);
 }
 
 // The middle of an ellipse with R_x/R_y = 0.01 is the line that carries as much there.

@@ -7,37 +7,26 @@
 #include <string>
 #include <vector>
 
+#include "support/heated.hpp"
 #include "support/json.hpp"
 #include "support/program.hpp"
 
+using support::check_close;
 using support::number_at;
 
 namespace {
 
 constexpr double radius = 9.525e-3;
 
-struct Scene {
-  support::TemporaryFolder folder;
-  Scene() {
-    folder.write("d.ini",
-                 "[contact]\nload = 30\nradius_x = 9.525e-3\nE_prime = 226e9\n[motion]\nu_m = 2\nsrr = 0.5\n"
-                 "[lubricant]\neta0 = 0.04\nalpha = 20e-9\n"
-                 "[domain]\nfar_field = zero\nx_inlet = -4.5\nx_outlet = 1.5\ny_half = 3\n[grid]\ncells = 64\n"
-                 "[shear]\nlaw = eyring\ntau_0 = 5e6\n[friction]\ncavitated = none\n"
-                 "[thermal]\nT_oil = 40\nbeta = 0.042\nsolid1 = steel\nsolid2 = steel\n");
-  }
-  nlohmann::json run(const std::string& changes) const {
-    const support::Ended ended = support::ehl(folder, "run d.ini --json --quiet --overwrite --output d.h5 " + changes);
-    BOOST_TEST_REQUIRE(ended.status == 0, changes << ": " << ended.err);
-    return support::parsed(ended.out);
-  }
+struct Scene : support::HeatedScene {
+  Scene()
+      : HeatedScene(
+            "[contact]\nload = 30\nradius_x = 9.525e-3\nE_prime = 226e9\n[motion]\nu_m = 2\nsrr = 0.5\n"
+            "[lubricant]\neta0 = 0.04\nalpha = 20e-9\n"
+            "[domain]\nfar_field = zero\nx_inlet = -4.5\nx_outlet = 1.5\ny_half = 3\n[grid]\ncells = 64\n"
+            "[shear]\nlaw = eyring\ntau_0 = 5e6\n[friction]\ncavitated = none\n"
+            "[thermal]\nT_oil = 40\nbeta = 0.042\nsolid1 = steel\nsolid2 = steel\n") {}
 };
-
-void check_close(const std::string& name, double value, double reference, double tolerance) {
-  BOOST_TEST_MESSAGE(name << " " << value << ", expected " << reference << ", " << value / reference - 1
-                          << " off (tolerance " << tolerance << ")");
-  BOOST_TEST(std::abs(value / reference - 1) < tolerance);
-}
 
 }  // namespace
 

@@ -5,12 +5,14 @@
 #include <map>
 
 #include "results/read.hpp"
+#include "support/heated.hpp"
 #include "support/json.hpp"
 #include "support/program.hpp"
 #include "support/refused.hpp"
 #include "support/text.hpp"
 
 using ehl::results::ResultFile;
+using support::check_close;
 using support::number_at;
 
 namespace {
@@ -26,23 +28,9 @@ const std::string heat =
     "[thermal]\nT_oil = 40\nbeta = 0.042\nk = 0.14\nc = 2000\nrho = 860\nproperties = constant\n" + bodies;
 const std::string base = contact + motion + oil + method + heat;
 
-struct Scene {
-  support::TemporaryFolder folder;
-  explicit Scene(const std::string& deck = base) { folder.write("d.ini", deck); }
-  support::Ended ehl(const std::string& arguments) const { return support::ehl(folder, arguments); }
-  // in: what is different from the deck.
-  nlohmann::json run(const std::string& changes) const {
-    const support::Ended ended = ehl("run d.ini --json --quiet --overwrite --output d.h5 " + changes);
-    BOOST_TEST(ended.status == 0, changes << ": " << ended.err);
-    return support::parsed(ended.out);
-  }
+struct Scene : support::HeatedScene {
+  explicit Scene(const std::string& deck = base) : HeatedScene(deck) {}
 };
-
-void check_close(const std::string& name, double value, double reference, double tolerance) {
-  BOOST_TEST_MESSAGE(name << " " << value << ", expected " << reference << ", " << value / reference - 1
-                          << " off (tolerance " << tolerance << ")");
-  BOOST_TEST(std::abs(value / reference - 1) < tolerance);
-}
 
 }  // namespace
 
@@ -99,10 +87,7 @@ BOOST_AUTO_TEST_CASE(heat_goes_where_it_is_told) {
 // The isothermal contact beside it is that of the deck without [thermal], to the bit.
 BOOST_AUTO_TEST_CASE(the_isothermal_contact_is_the_same) {
   const Scene hot, cold(contact + motion + oil + method + "[friction]\ncavitated = none\n");
-  const auto with = hot.run(""), without = cold.run("");
-  BOOST_TEST(number_at(with, "/thermal/Hc_isothermal") == number_at(without, "/Hc"));
-  BOOST_TEST(number_at(with, "/thermal/Hm_isothermal") == number_at(without, "/Hm"));
-  BOOST_TEST(number_at(with, "/thermal/mu_isothermal") == number_at(without, "/friction/mu"));
+  support::check_isothermal_beside(hot.run(""), cold.run(""));
 }
 
 BOOST_AUTO_TEST_CASE(swapped_bodies_mirror_the_film) {
@@ -110,31 +95,12 @@ BOOST_AUTO_TEST_CASE(swapped_bodies_mirror_the_film) {
   const auto one = scene.run("--set thermal.solid2=glass --set thermal.T_body1=50");
   const auto other =
       scene.run("--set motion.srr=-1 --set thermal.solid1=glass --set thermal.solid2=steel --set thermal.T_body2=50");
-  const auto same = [&](const char* name, const char* mirrored, double sign) {
-    const double off = number_at(one, name) / (sign * number_at(other, mirrored)) - 1;
-    BOOST_TEST_MESSAGE(name << ": " << off << " off (tolerance 1e-10)");
-    BOOST_TEST(std::abs(off) < 1e-10);
-  };
-  same("/thermal/mu", "/thermal/mu", -1);
-  same("/Hc", "/Hc", 1);
-  same("/Hm", "/Hm", 1);
-  same("/thermal/T_film_max", "/thermal/T_film_max", 1);
-  same("/thermal/T1_max", "/thermal/T2_max", 1);
-  same("/thermal/heat_1", "/thermal/heat_2", 1);
+  support::check_mirrored(one, other);
 }
 
 BOOST_AUTO_TEST_CASE(limits) {
   const Scene scene;
-  // Hardly any dependence on temperature, and no expansion: the change is in proportion to it, and goes with it.
-  const std::string bare = "--set thermal.expansion=0 --set thermal.compression=off --set thermal.beta=";
-  const auto loss = [](const nlohmann::json& found) {
-    return 1 - number_at(found, "/thermal/mu") / number_at(found, "/thermal/mu_isothermal");
-  };
-  const double more = loss(scene.run(bare + "4e-4")), less = loss(scene.run(bare + "2e-4"));
-  BOOST_TEST_MESSAGE("loss of friction " << more << " and " << less << ", ratio " << more / less << " (2 +- 0.1)");
-  BOOST_TEST(less > 0);
-  BOOST_TEST(less < 5e-3);
-  BOOST_TEST(std::abs(more / less - 2) < 0.1);
+  BOOST_TEST(support::check_little_change(scene) < 5e-3);
   // An oil and bodies that lead all heat away.
   std::string metal = "--set thermal.k=10 --unset thermal.solid1 --unset thermal.solid2";
   for (const std::string n : {"1", "2"})
