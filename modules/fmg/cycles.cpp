@@ -52,6 +52,13 @@ bool back_off(Caution& caution) {
   return true;
 }
 
+void go_back(Hierarchy& hierarchy, std::size_t l, const State& state) {
+  hierarchy.levels[l].P = state.P;
+  hierarchy.H00 = state.H00;
+  update_film(hierarchy, hierarchy.levels[l]);
+  renew_boundary(hierarchy, hierarchy.levels[l]);
+}
+
 // One cycle and the state behind it. out: how it diverged; empty where it did not.
 std::string cycle(Hierarchy& hierarchy, std::size_t l, const Parameters& how, judgement::Measures& now) {
   try {
@@ -74,11 +81,24 @@ Parameters cautious(const Parameters& parameters, const Caution& caution) {
   return used;
 }
 
-void go_back(Hierarchy& hierarchy, std::size_t l, const State& state) {
-  hierarchy.levels[l].P = state.P;
-  hierarchy.H00 = state.H00;
-  update_film(hierarchy, hierarchy.levels[l]);
-  renew_boundary(hierarchy, hierarchy.levels[l]);
+judgement::Verdict close_or_leave(Hierarchy& hierarchy, std::size_t l, const State& before,
+                                  const RelaxationParameters& relaxation, judgement::Measures& now,
+                                  const std::function<judgement::Verdict()>& judge) {
+  const auto look = [&] {
+    now = measures_of(hierarchy, l);
+    return judge();
+  };
+  const State unclosed = state_of(hierarchy, l);
+  const bool closed = close_oil(hierarchy, hierarchy.levels[l], before, relaxation);
+  judgement::Verdict verdict;
+  if (closed) verdict = look();
+  if (verdict.unmet.empty()) verdict.unmet = judgement::unmet_oil(now);
+  // What was made rough in vain would raise the next residual too, and the next closing be in vain again.
+  if (closed && !verdict.unmet.empty()) {
+    go_back(hierarchy, l, unclosed);
+    look();
+  }
+  return verdict;
 }
 
 CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::StoppingCriterion& criterion,
@@ -120,21 +140,7 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
       return judged(criterion, result.cycles, result.last);
     };
     judgement::Verdict verdict = look();
-    if (verdict.unmet.empty() && closes) {
-      const State unclosed = state_of(hierarchy, l);
-      const bool closed = close_oil(hierarchy, hierarchy.levels[l], last, how.relaxation);
-      if (closed) {
-        now = measures_of(hierarchy, l);
-        verdict = look();
-      }
-      if (verdict.unmet.empty()) verdict.unmet = judgement::unmet_oil(now);
-      // What was made rough in vain would raise the next residual too, and the next closing be in vain again.
-      if (closed && !verdict.unmet.empty()) {
-        go_back(hierarchy, l, unclosed);
-        now = measures_of(hierarchy, l);
-        look();
-      }
-    }
+    if (verdict.unmet.empty() && closes) verdict = close_or_leave(hierarchy, l, last, how.relaxation, now, look);
     result.unmet = verdict.unmet;
     if (result.unmet.empty() || verdict.no_solution) {
       result.end = verdict.no_solution ? CyclesEnd::no_solution : CyclesEnd::content;

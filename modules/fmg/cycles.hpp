@@ -46,8 +46,12 @@ struct CyclesResult {
 CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::StoppingCriterion& criterion,
                         const Caution& caution, const CycleObserver& observe);
 
-/// Puts a state of levels[l], the level being solved, in its place again.
-void go_back(Hierarchy& hierarchy, std::size_t l, const State& state);
+/// Closes the oil of a state that is a solution in all else (close_oil(), oil.hpp), and leaves it as it was where the
+/// closed one is none. in: `before`, the state before the last cycle; judge(), of the state that `now` was measured of.
+/// out: what it says of the closed state; else what the oil lacks.
+judgement::Verdict close_or_leave(Hierarchy& hierarchy, std::size_t l, const State& before,
+                                  const RelaxationParameters& relaxation, judgement::Measures& now,
+                                  const std::function<judgement::Verdict()>& judge);
 
 /// Measures levels[l]; makes its residual anew.
 judgement::Measures measures_of(Hierarchy& hierarchy, std::size_t l);

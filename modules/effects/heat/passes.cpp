@@ -117,32 +117,20 @@ std::string unmet_of(const Pass& pass, const thermal::Balance& balance, const La
   return judgement::unmet_check(last, parameters.tolerance);
 }
 
-// Closes the balance of oil of a solution, or leaves it as it is where the closed one is none. in: the state before its
-// pass. out: what is still wrong with it; empty: nothing.
+// Closes the balance of oil of a solution. in: the state before its pass. out: what is still wrong with it; empty:
+// nothing.
 std::string close_oil(fmg::Run& run, std::size_t l, const fmg::State& before, const Parameters& parameters,
                       LastCycle& last) {
   fmg::Hierarchy& hierarchy = run.hierarchy;
   if (!fmg::conserves_mass(hierarchy.levels[l])) return {};
-  const auto look = [&] {
+  const fmg::RelaxationParameters relaxation = fmg::cautious(hierarchy.parameters, run.caution).relaxation;
+  const auto judge = [&] {
     const int number = run.record.history.back().cycle;
     run.record.history.pop_back();
-    last.after = fmg::measures_of(hierarchy, l);
     fmg::enter(hierarchy, l, number, last.after, run.record);
+    return judgement::Verdict{judgement::unmet_check(last, parameters.tolerance)};
   };
-  const fmg::State unclosed = fmg::state_of(hierarchy, l);
-  const fmg::RelaxationParameters relaxation = fmg::cautious(hierarchy.parameters, run.caution).relaxation;
-  std::string unmet;
-  const bool closed = fmg::close_oil(hierarchy, hierarchy.levels[l], before, relaxation);
-  if (closed) {
-    look();
-    unmet = judgement::unmet_check(last, parameters.tolerance);
-  }
-  if (unmet.empty()) unmet = judgement::unmet_oil(last.after);
-  if (closed && !unmet.empty()) {
-    fmg::go_back(hierarchy, l, unclosed);
-    look();
-  }
-  return unmet;
+  return fmg::close_or_leave(hierarchy, l, before, relaxation, last.after, judge).unmet;
 }
 
 // The temperature of the state, and what it makes of the coefficients. out: the change that it asks of them.
