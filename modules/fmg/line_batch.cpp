@@ -23,20 +23,16 @@ FilmStation film_station(const Level& level, int i, int j) {
   return {rho_bar, rho_bar * H, own_lines(level.drho_bar, i, j) * H};
 }
 
-// Holds the distributed changes of a batch to what is there: no point gives more than its pressure. What goes below
-// zero is cut off, while its neighbours keep what they were given: pressure out of nothing, which a strong squeeze
-// answers by far more.
-void hold_to_what_is_there(Level& level, int colour, int batch) {
+void hold_batch(Level& level, int colour, int batch) {
   const int j = first_line(colour, batch);
   const int at = batch * core::lanes;
   for (int i = 1; i < level.grid.nx; ++i) {
-    double* delta = level.changes.delta.at_x(i) + at;
-    double* distributed = level.changes.distributed.at_x(i) + at;
-    const Lanes P = own_lines(level.P, i, j);
-    const Lanes asked = core::load(distributed);
-    const LaneMask too_much = asked < -P;
-    core::store(delta, too_much ? -P : core::load(delta));
-    core::store(distributed, too_much ? -P : asked);
+    double* to_delta = level.changes.delta.at_x(i) + at;
+    double* to_distributed = level.changes.distributed.at_x(i) + at;
+    Lanes delta = core::load(to_delta), distributed = core::load(to_distributed);
+    hold_to_what_is_there(own_lines(level.P, i, j), delta, distributed);
+    core::store(to_delta, delta);
+    core::store(to_distributed, distributed);
   }
 }
 
@@ -130,14 +126,9 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
 template <int reach, LineSolver solver>
 void LineBatch<reach, solver>::keep(Level& level, int batch, int i, Lanes delta) const {
   const auto k = static_cast<std::size_t>(i);
-  const auto [low, high] = work_.range_of(k, level.grid.domain.line, core::stretch(level.grid));
-  // Weight of a single change: from `steep` up to the full one as the coefficients of the half points around come
-  // within a factor 2 of each other.
-  const double steep = how_.weight_single_steep;
-  const double range = how_.weight_single - steep;
-  const Lanes smooth = 2.0 * low >= high ? core::broadcast(1.0) : 2.0 * low / high;
   const Lanes distributive = work_.distributive[k + ThreadWork::margin];
-  const Lanes weight = distributive > 0.0 ? core::broadcast(how_.weight_distributed) : steep + range * smooth;
+  const Lanes weight =
+      weight_of_change(how_, distributive, work_.range_of(k, level.grid.domain.line, core::stretch(level.grid)));
   const int at = batch * core::lanes;
   core::store(level.changes.delta.at_x(i) + at, weight * delta);
   core::store(level.changes.distributed.at_x(i) + at, distributive * weight * delta);
@@ -161,14 +152,14 @@ line_solvers::SmallPivot LineBatch<reach, solver>::solve(const Hierarchy& hierar
     line_solvers::Elimination<reach> elimination(std::get<EliminationFactors<reach>>(work_.solver).data());
     assemble_by_scheme([&](int, const line_solvers::BandRow<reach>& row) { elimination.push(row); });
     elimination.back_substitute([&](int i, Lanes delta) { keep(level, batch, i, delta); });
-    if (cut_off) hold_to_what_is_there(level, colour, batch);
+    if (cut_off) hold_batch(level, colour, batch);
     return elimination.small_pivot();
   } else {
     auto& decimation = std::get<line_solvers::Decimation<reach>>(work_.solver);
     assemble_by_scheme([&](int i, const line_solvers::BandRow<reach>& row) { decimation.set(i, row); });
     const line_solvers::SmallPivot small = decimation.solve();
     for (int i = 1; i < level.grid.nx; ++i) keep(level, batch, i, decimation.delta(i));
-    if (cut_off) hold_to_what_is_there(level, colour, batch);
+    if (cut_off) hold_batch(level, colour, batch);
     return small;
   }
 }

@@ -38,6 +38,23 @@ inline std::array<core::Lanes, 5> coefficients_of_deltas(const DistributedShares
           share * d(1) * dr.own - dr.east, share * d(2) * dr.east};
 }
 
+/// The under-relaxation weight of a change. in: 1 where it is distributed; the coefficients of the half points around.
+/// Of a single one from `weight_single_steep` up to the full one as these come within a factor 2 of each other.
+inline core::Lanes weight_of_change(const RelaxationParameters& how, core::Lanes distributive,
+                                    const ThreadWork::Range& around) {
+  const double range = how.weight_single - how.weight_single_steep;
+  const core::Lanes smooth = 2.0 * around.low >= around.high ? core::broadcast(1.0) : 2.0 * around.low / around.high;
+  return distributive > 0.0 ? core::broadcast(how.weight_distributed) : how.weight_single_steep + range * smooth;
+}
+
+/// Holds a distributed change to what is there: no point gives more than its pressure. What goes below zero is cut off,
+/// while its neighbours keep what they were given: pressure out of nothing, which a strong squeeze answers by far more.
+inline void hold_to_what_is_there(core::Lanes P, core::Lanes& delta, core::Lanes& distributed) {
+  const core::LaneMask too_much = distributed < -P;
+  delta = too_much ? -P : delta;
+  distributed = too_much ? -P : distributed;
+}
+
 /// Of the rows: with epsilon at the nodes and a wedge of three weights; with everything; of the cavitation model that
 /// conserves mass.
 enum class Form { plain, general, mass_conserving };

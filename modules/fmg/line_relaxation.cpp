@@ -43,7 +43,7 @@ class AlongLine {
     choose_kind();
     const line_solvers::SmallPivot small = solve();
     under_relax();
-    if (reynolds::ruptures(cavitation_) && hierarchy_.transport.squeeze > 0.0) hold_to_what_is_there();
+    if (reynolds::ruptures(cavitation_) && hierarchy_.transport.squeeze > 0.0) hold_changes();
     apply();
     return small;
   }
@@ -59,7 +59,7 @@ class AlongLine {
   void assemble(int first, int last, Take take);
   line_solvers::SmallPivot solve();
   void under_relax();
-  void hold_to_what_is_there();
+  void hold_changes();
   void apply();
 
   /// The least and the largest epsilon/h^2 of the half points beside a node.
@@ -236,29 +236,22 @@ line_solvers::SmallPivot AlongLine<reach>::solve() {
 // As LineBatch::keep() does.
 template <int reach>
 void AlongLine<reach>::under_relax() {
-  const double steep = how_.weight_single_steep;
-  const double range = how_.weight_single - steep;
   for_vectors(1, grid_.nx - 1, [&](int i) {
-    const auto [low, high] = range_at(i);
-    const Lanes smooth = 2.0 * low >= high ? core::broadcast(1.0) : 2.0 * low / high;
     const Lanes distributive = at(work_.distributive, i);
-    const Lanes weight = distributive > 0.0 ? core::broadcast(how_.weight_distributed) : steep + range * smooth;
-    const Lanes delta = at(work_.delta, i);
-    put(work_.delta, i, weight * delta);
-    put(work_.distributed, i, distributive * weight * delta);
+    const Lanes weighted = weight_of_change(how_, distributive, range_at(i)) * at(work_.delta, i);
+    put(work_.delta, i, weighted);
+    put(work_.distributed, i, distributive * weighted);
   });
   for (int i = grid_.nx; i < grid_.nx + core::lanes; ++i) one(work_.distributed, i) = 0.0;
 }
 
-// No point gives more than its pressure, as in line_batch.cpp.
 template <int reach>
-void AlongLine<reach>::hold_to_what_is_there() {
+void AlongLine<reach>::hold_changes() {
   for_vectors(1, grid_.nx - 1, [&](int i) {
-    const Lanes P = at(work_.P, i);
-    const Lanes asked = at(work_.distributed, i);
-    const LaneMask too_much = asked < -P;
-    put(work_.delta, i, too_much ? -P : at(work_.delta, i));
-    put(work_.distributed, i, too_much ? -P : asked);
+    Lanes delta = at(work_.delta, i), distributed = at(work_.distributed, i);
+    hold_to_what_is_there(at(work_.P, i), delta, distributed);
+    put(work_.delta, i, delta);
+    put(work_.distributed, i, distributed);
   });
 }
 

@@ -75,7 +75,7 @@ class Elimination {
     // Written so that NaN counts as small.
     const auto fine = core::abs(pivot) > largest * smallest_pivot;
     if (core::all(fine) || small_pivot_.point >= 0) return;
-    if constexpr (std::is_same_v<Number, double>) {
+    if constexpr (one_line) {
       small_pivot_ = {i, 0, pivot};
     } else {
       for (int lane = 0; lane < core::lanes; ++lane)
