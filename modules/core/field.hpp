@@ -63,6 +63,18 @@ inline void fill_lines(double* station, double value) {
   for (int j = 0; j < lines; ++j) station[j] = value;
 }
 
+/// f_ij = value(i, j) at all nodes of the patch; of a line contact that of the one line of unknowns, on all three.
+template <class Value>
+void set_nodes(const Patch& patch, Field& f, Value value) {
+  for (int i = 0; i <= patch.nx; ++i) {
+    double* station = f.at_x(i);
+    if (patch.domain.line)
+      fill_lines(station, value(i, 1));
+    else
+      for (int j = 0; j <= patch.ny; ++j) station[j] = value(i, j);
+  }
+}
+
 /// How many ghost lines stand behind a mirror.
 inline constexpr int ghost_lines = 2;
 /// Fills the ghost lines of one station, behind a mirror f_{ny+k} = f_{ny-k}, k = 1, 2; of a line contact both lines

@@ -200,15 +200,9 @@ void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse) {
     ++coarse.evaluations;
   }
   const core::Patch& grid = coarse.grid;
-  const auto injected_less_own = [&](int i, int j) {
+  core::set_nodes(grid, coarse.F, [&](int i, int j) {
     return coarse.H_restricted(i, j) - (rigid_gap(problem.geometry, grid, hierarchy.H00, i, j) + coarse.F(i, j));
-  };
-  for (int i = 0; i <= grid.nx; ++i) {
-    if (grid.domain.line)
-      core::fill_lines(coarse.F.at_x(i), injected_less_own(i, 1));
-    else
-      for (int j = 0; j <= grid.ny; ++j) coarse.F(i, j) = injected_less_own(i, j);
-  }
+  });
   core::copy(coarse.H_restricted, coarse.H);
   update_coefficients(hierarchy, coarse);
   // f = L(restricted P) + restricted residual + slack: the residual with f = -slack is -slack - L.
@@ -231,12 +225,7 @@ void correct_from_coarse(Hierarchy& hierarchy, Level& coarse, Level& fine) {
     const core::ScopedTimer timer(hierarchy.times, core::Part::transfer);
     const reynolds::Cavitation cavitation = hierarchy.problem.cavitation;
     core::Field& correction = coarse.correction;
-    for (int i = 0; i <= coarse.grid.nx; ++i) {
-      if (coarse.grid.domain.line)
-        core::fill_lines(correction.at_x(i), coarse.P(i, 1) - coarse.P_restricted(i, 1));
-      else
-        for (int j = 0; j <= coarse.grid.ny; ++j) correction(i, j) = coarse.P(i, j) - coarse.P_restricted(i, j);
-    }
+    core::set_nodes(coarse.grid, correction, [&](int i, int j) { return coarse.P(i, j) - coarse.P_restricted(i, j); });
     prolong_correction(fine, hierarchy.transport, correction, hierarchy.threads_on(fine.grid), fine.correction);
     // Where no residual went down, no correction comes up.
     reynolds::drop_beside_dry(cavitation, fine.grid, fine.P, hierarchy.threads_on(fine.grid), fine.correction,
