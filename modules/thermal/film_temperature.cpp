@@ -28,24 +28,24 @@ struct Answer {
 
 // In a line contact the marched part is the source itself: slow bodies feel there what lies far upstream of them, and
 // by lines the rest would be more than the whole.
-Answer answer_of_strips(const Setup& setup, const Body& body) {
-  SourceTable table = moving_source_table(setup.patch.nx, 0, setup.patch.hx(), INFINITY, body.Pe);
-  for (double& G : table.G) G *= body.resistance;
-  std::vector<double> marched = take_downstream(table);
-  return {std::move(marched), make_source(setup.patch, table, setup.threads)};
-}
-
 Answer answer_of(const Setup& setup, const Body& body) {
   if (body.resistance == 0.0) return {};
   const core::Grid& grid = setup.patch.domain;
-  if (grid.line && !setup.lines) return answer_of_strips(setup, body);
-  Answer answer{
-      line_weights(setup.patch.nx, setup.patch.hx(), setup.lines ? body.Pe : std::max(body.Pe, slowest_line))};
-  for (double& w : answer.marched) w *= body.resistance;
+  const bool strips = grid.line && !setup.lines;
+  Answer answer;
+  if (!strips) {
+    const double Pe = setup.lines ? body.Pe : std::max(body.Pe, slowest_line);
+    answer.marched = line_weights(setup.patch.nx, setup.patch.hx(), Pe);
+    for (double& w : answer.marched) w *= body.resistance;
+  }
   if (setup.lines) return answer;
-  SourceTable table = moving_source_table(setup.patch.nx, grid.ny, grid.hx(), grid.hy(), body.Pe);
+  SourceTable table =
+      moving_source_table(setup.patch.nx, strips ? 0 : grid.ny, grid.hx(), strips ? INFINITY : grid.hy(), body.Pe);
   for (double& G : table.G) G *= body.resistance;
-  subtract_lines(answer.marched, table);
+  if (strips)
+    answer.marched = take_downstream(table);
+  else
+    subtract_lines(answer.marched, table);
   answer.lagged = make_source(setup.patch, table, setup.threads);
   return answer;
 }
