@@ -113,12 +113,13 @@ std::vector<Start> starts_of(const Scene& scene) {
 /// Nodes that swing leave 1e-4 and more; below this it is rounding that keeps cycles from a tolerance.
 constexpr double stalled_residual = 1e-7;
 
+double nodes_of(const Scene& scene) { return static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y(); }
+
 constexpr const char* newton_after_cycles = "Newton-Krylov after the cycles";
 
 // A supply's meniscus may have no state that cycles find; Newton's method does.
 void try_newton_after_cycles(const Scene& scene, const ProgressCallback& progress, Search& search) {
-  const double nodes = static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y();
-  if (scene.polish == Polish::off || (scene.polish == Polish::rescue && nodes > most_nodes_of_rescue)) return;
+  if (scene.polish == Polish::off || (scene.polish == Polish::rescue && nodes_of(scene) > most_nodes_of_rescue)) return;
   if (search.best())
     search.try_way(newton_after_cycles, [&] { return rescue_by_newton(scene, starts[0], *search.best(), progress); });
 }
@@ -126,8 +127,7 @@ void try_newton_after_cycles(const Scene& scene, const ProgressCallback& progres
 // A line lets through more oil on coarse grids than on the finest, or less: a supply near that fills the inlet of some
 // of them and not of others, and cycles diverge between them. The finest grid from its own flooded state instead.
 void try_newton_from(const Solution& flooded, const Scene& scene, const ProgressCallback& progress, Search& search) {
-  const double nodes = static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y();
-  if (scene.polish == Polish::off || nodes > most_nodes_of_rescue) return;
+  if (scene.polish == Polish::off || nodes_of(scene) > most_nodes_of_rescue) return;
   Solution start = flooded;
   start.history.clear();
   search.try_way("Newton-Krylov from the flooded contact",
@@ -154,9 +154,8 @@ void try_full_multigrid(const Scene& scene, const ProgressCallback& progress, Se
 }
 
 void try_newton(const Scene& scene, const ProgressCallback& progress, Search& search) {
-  const double nodes = static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y();
   const double most = search.tried(newton_after_cycles) ? most_nodes_of_two_rescues : most_nodes_of_rescue;
-  if (scene.polish == Polish::rescue && nodes > most) return;
+  if (scene.polish == Polish::rescue && nodes_of(scene) > most) return;
   try_newton_after_cycles(scene, progress, search);
   if (!search.over()) search.try_way("Newton-Krylov", [&] { return climb_by_newton(scene, starts[0], progress); });
 }
