@@ -13,29 +13,19 @@
 #include "contact/groups.hpp"
 #include "steady/domain_error.hpp"
 #include "steady/solve.hpp"
+#include "support/roelands_scene.hpp"
 
 using namespace ehl;
 
 namespace {
 
-/// As a deck with M, L and Roelands' oil of alpha = 2.2e-8 1/Pa, z = 0.68 has it where it leaves the rest open.
+/// As a deck with M and L has it where it leaves the rest open.
 steady::Scene scene_of(double M, double L, int cells, bool errors) {
-  constexpr double alpha = 2.2e-8;
-  steady::Scene scene;
-  scene.shape = contact::line_contact();
-  const contact::Groups groups = contact::from_moes(M, L, scene.shape);
-  scene.M = M;
-  scene.L = L;
-  scene.lambda = groups.lambda;
-  const double p_h = groups.alpha_bar / alpha;
-  if (L > 0.0) scene.viscosity = rheology::make_roelands(alpha, rheology::roelands_p0, 0.68, p_h);
-  if (L > 0.0) scene.density = rheology::make_dowson_higginson(p_h);
-  const double X_b = steady::chosen_outlet(M, L, scene.shape, steady::error_of_closed_domain);
-  scene.grid =
-      core::line_grid(cells, steady::chosen_inlet(M, L, X_b, scene.shape, steady::error_of_closed_domain), X_b);
+  const contact::Ellipse line = contact::line_contact();
+  const double X_b = steady::chosen_outlet(M, L, line, steady::error_of_closed_domain);
+  const double X_a = steady::chosen_inlet(M, L, X_b, line, steady::error_of_closed_domain);
+  steady::Scene scene = tests::roelands_line(M, L, core::line_grid(cells, X_a, X_b));
   scene.far_field = true;
-  scene.wedge = reynolds::Wedge::upstream3;
-  scene.face = reynolds::Face::logmean_bounded;
   scene.adjoint_errors = errors;
   return scene;
 }

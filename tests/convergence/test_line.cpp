@@ -7,6 +7,7 @@
 #include "contact/groups.hpp"
 #include "core/constants.hpp"
 #include "steady/solve.hpp"
+#include "support/roelands_scene.hpp"
 
 namespace {
 
@@ -15,24 +16,13 @@ using namespace ehl;
 enum class Oil { isoviscous, barus, roelands };
 
 steady::Scene line_scene(double M, double L, Oil oil, int cells, double X_a) {
-  steady::Scene scene;
-  scene.shape = contact::line_contact();
-  const contact::Groups groups = contact::from_moes(M, L, scene.shape);
-  scene.M = M;
-  scene.L = L;
-  scene.lambda = groups.lambda;
-  const double p_h = groups.alpha_bar / 2.2e-8;
-  if (oil == Oil::barus) scene.viscosity = rheology::Barus{groups.alpha_bar};
-  if (oil == Oil::roelands) {
-    scene.viscosity = rheology::make_roelands(2.2e-8, rheology::roelands_p0, 0.68, p_h);
-    scene.density = rheology::make_dowson_higginson(p_h);
+  steady::Scene scene = tests::roelands_line(M, L, core::line_grid(cells, X_a, -X_a / 3.0));
+  if (oil == Oil::barus) {
+    scene.viscosity = rheology::Barus{contact::from_moes(M, L, scene.shape).alpha_bar};
+    scene.density = {};
   }
-  scene.grid = core::line_grid(cells, X_a, -X_a / 3.0);
   scene.far_field = true;
-  scene.wedge = reynolds::Wedge::upstream3;
-  scene.face = reynolds::Face::logmean_bounded;
   scene.multigrid.tolerance = 1e-8;
-  scene.adjoint_errors = false;
   return scene;
 }
 

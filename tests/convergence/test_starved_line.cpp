@@ -5,32 +5,18 @@
 #include <cmath>
 #include <utility>
 
-#include "contact/groups.hpp"
 #include "core/norms.hpp"
 #include "steady/climb.hpp"
 #include "steady/solve.hpp"
+#include "support/roelands_scene.hpp"
 
 using namespace ehl;
 
 namespace {
 
 steady::Scene scene_of(double M, double L, int cells, double H_oil) {
-  steady::Scene scene;
-  scene.shape = contact::line_contact();
-  const contact::Groups groups = contact::from_moes(M, L, scene.shape);
-  scene.M = M;
-  scene.L = L;
-  scene.lambda = groups.lambda;
-  if (L > 0.0) {
-    const double p_h = groups.alpha_bar / 2.2e-8;
-    scene.viscosity = rheology::make_roelands(2.2e-8, rheology::roelands_p0, 0.68, p_h);
-    scene.density = rheology::make_dowson_higginson(p_h);
-  }
-  scene.grid = core::line_grid(cells, -4.5, 1.5);
-  scene.wedge = reynolds::Wedge::upstream3;
-  scene.face = reynolds::Face::logmean_bounded;
+  steady::Scene scene = tests::roelands_line(M, L, core::line_grid(cells, -4.5, 1.5));
   scene.multigrid.tolerance = 1e-9;
-  scene.adjoint_errors = false;
   if (H_oil > 0.0) scene.supply = [H_oil](double) { return H_oil; };
   return scene;
 }

@@ -5,17 +5,28 @@
 
 namespace ehl::tests {
 
-/// M and L with Roelands (z = 0.68, alpha = 2.2e-8 1/Pa) and Dowson-Higginson.
-inline steady::Scene roelands_scene(double M, double L, const core::Grid& grid) {
+/// M and L with Roelands (z = 0.68, alpha = 2.2e-8 1/Pa) and Dowson-Higginson; isoviscous and incompressible at L = 0.
+inline steady::Scene roelands_scene(double M, double L, const core::Grid& grid, const contact::Ellipse& shape = {}) {
   steady::Scene scene;
-  const contact::Groups groups = contact::from_moes(M, L);
+  scene.shape = shape;
+  const contact::Groups groups = contact::from_moes(M, L, shape);
   scene.M = M;
   scene.L = L;
   scene.lambda = groups.lambda;
+  scene.grid = grid;
+  if (L == 0.0) return scene;
   const double p_h = groups.alpha_bar / 2.2e-8;
   scene.viscosity = rheology::make_roelands(2.2e-8, rheology::roelands_p0, 0.68, p_h);
   scene.density = rheology::make_dowson_higginson(p_h);
-  scene.grid = grid;
+  return scene;
+}
+
+/// The same of a line contact, by the default discretization.
+inline steady::Scene roelands_line(double M, double L, const core::Grid& grid) {
+  steady::Scene scene = roelands_scene(M, L, grid, contact::line_contact());
+  scene.wedge = reynolds::Wedge::upstream3;
+  scene.face = reynolds::Face::logmean_bounded;
+  scene.adjoint_errors = false;
   return scene;
 }
 

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/groups.hpp"
 #include "unit/transient/marching.hpp"
 
 using namespace ehl;
@@ -12,23 +11,6 @@ using namespace ehl::transient;
 using Points = std::vector<Schedule::Point>;
 
 namespace {
-
-steady::Scene line_scene(double M, double L, const core::Grid& grid) {
-  steady::Scene scene;
-  scene.shape = contact::line_contact();
-  const contact::Groups groups = contact::from_moes(M, L, scene.shape);
-  scene.M = M;
-  scene.L = L;
-  scene.lambda = groups.lambda;
-  scene.grid = grid;
-  scene.wedge = reynolds::Wedge::upstream3;
-  scene.face = reynolds::Face::logmean_bounded;
-  scene.adjoint_errors = false;
-  if (L == 0.0) return scene;
-  scene.viscosity = rheology::make_roelands(2.2e-8, rheology::roelands_p0, 0.68, groups.alpha_bar / 2.2e-8);
-  scene.density = rheology::make_dowson_higginson(groups.alpha_bar / 2.2e-8);
-  return scene;
-}
 
 steady::LevelRow steady_film(steady::Scene scene) {
   scene.multigrid.tolerance = 1e-9;
@@ -42,7 +24,7 @@ double off(const StepRow& row, const steady::LevelRow& truth) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_line_comes_to_the_steady_film_of_its_speed) {
-  const steady::Scene scene = line_scene(20, 5, core::line_grid(256, -4.5, 1.5));
+  const steady::Scene scene = roelands_line(20, 5, core::line_grid(256, -4.5, 1.5));
   const Points faster{{0, 1}, {0.5, 1}, {1.0, 1.3}};
   const Marched all = marched(scene, {.u1 = {.points = faster}, .u2 = {.points = faster}}, {.end = 10.0});
   BOOST_TEST((all.report.end == MarchEnd::end_time), all.report.reason);
@@ -61,7 +43,7 @@ BOOST_AUTO_TEST_CASE(a_line_comes_to_the_steady_film_of_its_speed) {
 // left of their elasticity goes out with 1/H_0.
 BOOST_AUTO_TEST_CASE(rigid_cylinders_that_only_squeeze) {
   constexpr double stopped = 5.0;
-  const steady::Scene scene = line_scene(0.05, 0, core::line_grid(256, -240, 240));
+  const steady::Scene scene = roelands_line(0.05, 0, core::line_grid(256, -240, 240));
   const Points stop{{0, 1}, {1, 1}, {stopped, 0}};
   const Marched all = marched(scene, {.u1 = {.points = stop}, .u2 = {.points = stop}}, {.end = 30.0});
   BOOST_REQUIRE_MESSAGE(all.report.end == MarchEnd::end_time, all.report.reason);
@@ -76,7 +58,7 @@ BOOST_AUTO_TEST_CASE(rigid_cylinders_that_only_squeeze) {
 
 // A ridge that rides through the contact leaves it as it was; where mass is conserved, oil neither comes nor goes.
 BOOST_AUTO_TEST_CASE(a_ridge_rides_through_a_line) {
-  const steady::Scene scene = line_scene(20, 5, core::line_grid(256, -4.5, 1.5));
+  const steady::Scene scene = roelands_line(20, 5, core::line_grid(256, -4.5, 1.5));
   const surface::Feature ridge{
       .shape = surface::Feature::Shape::ridge, .height = 0.01, .width = 0.4, .X = -5.5, .front = true};
   for (const bool content : {false, true}) {
