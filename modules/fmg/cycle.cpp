@@ -99,7 +99,10 @@ void fas_cycle(Hierarchy& hierarchy, std::size_t l, const Parameters& how) {
     coarsest = next;
   }
   const int per_visit = std::max(how.coarsest_sweeps, least_sweeps_per_cycle / visits_of_coarsest(kind, below));
-  const double finer = std::max(1.0, coarsest->grid.nx / cells_of_coarsest_sweeps);
+  // Along X lines are solved whole: of a slender contact the smoothest pressure lies across.
+  const bool slender = level.corrector.between;
+  const double cells = slender ? coarsest->grid.domain.ny : coarsest->grid.nx;
+  const double finer = std::max(1.0, cells / cells_of_coarsest_sweeps);
   cycle(hierarchy, level, kind, static_cast<int>(std::lround(per_visit * finer * finer)), how);
 }
 

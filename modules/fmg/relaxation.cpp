@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/errors.hpp"
+#include "fmg/across_relaxation.hpp"
 #include "fmg/line_batch.hpp"
 #include "fmg/line_relaxation.hpp"
 
@@ -155,6 +156,10 @@ void relax_pressure(Hierarchy& hierarchy, Level& level, const RelaxationParamete
 
 void relax(Hierarchy& hierarchy, Level& level, const RelaxationParameters& how) {
   relax_pressure(hierarchy, level, how);
+  if (relaxes_across(hierarchy, level)) {
+    update_coefficients(hierarchy, level);
+    relax_across(hierarchy, level, how);
+  }
   update_film(hierarchy, level);
 }
 

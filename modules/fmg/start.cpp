@@ -154,12 +154,15 @@ void start_from_hertz(Hierarchy& hierarchy, std::size_t l, double H00, int sweep
   hierarchy.H00 = hierarchy.problem.surface && !hierarchy.problem.dry ? H00 - mean_surface(level) : H00;
   update_film(hierarchy, level);
   renew_boundary(hierarchy, level);
+  // Along X alone: so far from a solution relaxation across, too, leads stretched cells away from it.
   const auto relax_alone = [&] {
     for (int sweep = 1; sweep <= sweeps; ++sweep) {
-      if (sweep % sweeps_per_balance == 0)
+      if (sweep % sweeps_per_balance == 0) {
         relax_with_force_balance(hierarchy, level, 1, how);
-      else
-        relax(hierarchy, level, how.relaxation);
+      } else {
+        relax_pressure(hierarchy, level, how.relaxation);
+        update_film(hierarchy, level);
+      }
     }
   };
   if (sweeps == 0) return;

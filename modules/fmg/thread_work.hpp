@@ -43,6 +43,13 @@ struct LineSystem {
 };
 LineSystem make_line_system(const core::Patch& grid, int reach);
 
+/// A row of the system of a station (across_relaxation.cpp); with weight 0 its node stays.
+struct RowAcross {
+  double south = 0.0, own = 1.0, north = 0.0;  ///< d r/dP
+  double r = 0.0;
+  double weight = 0.0;
+};
+
 struct ThreadWork {
   film::Buffers film;
   LineNodes line_nodes;
@@ -51,6 +58,7 @@ struct ThreadWork {
   /// half points.
   std::vector<double> followed;
   std::vector<double> followed_behind;
+  std::vector<RowAcross> rows_across;  ///< of the nodes of a station of stretched cells; else empty
 
   // For the line systems of a batch; empty where there is a line_system:
   /// Entries before and behind the points of a line in `distributive`.

@@ -51,7 +51,8 @@ double chosen_outlet(double M, double L, const contact::Ellipse& shape = {},
 /// Half the width that a deck without one gets: half the length for a circle; else where the undeformed gap is as wide
 /// at the sides as half a length away along X, at least 1.4 times as far as the ellipse reaches, and a multiple of a
 /// 32nd of the length, so that hx = hy. With the far field in closed form a quarter wider, as the thinnest film lies at
-/// the sides: halved, the width moves it by 0.1 % at M = 5 to 1000, where it was 0.2 to 1 % without. in: X_a < X_b.
+/// the sides: halved, the width moves it by 0.1 % at M = 5 to 1000, where it was 0.2 to 1 % without. Where cells are
+/// stretched no wider, and a multiple of a 128th. in: X_a < X_b.
 double chosen_half_width(double X_a, double X_b, const contact::Ellipse& shape = {}, bool far_field_closed = false);
 
 /// Relative growth of Hc on a domain twice as long (upstream) and twice as wide: two solutions on coarse grids of the

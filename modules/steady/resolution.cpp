@@ -97,10 +97,10 @@ double resolving_step(double M, double L, reynolds::Wedge wedge, const contact::
 double cell_aspect(const contact::Ellipse& shape) {
   const contact::Extent reach = contact::extent(shape);
   if (reach.Y > 7.0 * reach.X) return 2.0;
-  constexpr double slender = 6.0, longest = 8.0, finer_along = 1.6;
+  constexpr double slender = 6.0, longest = 16.0;
   if (reach.X < slender * reach.Y) return 1.0;
   double stretch = 1.0;
-  while (2.0 * stretch <= std::min(longest, reach.X / reach.Y / finer_along)) stretch *= 2.0;
+  while (2.0 * stretch <= std::min(longest, reach.X / reach.Y)) stretch *= 2.0;
   return 1.0 / stretch;
 }
 

@@ -43,6 +43,9 @@ constexpr Start starts_of_ellipses[] = {
     {.cells = 128, .sweeps = 20, .cycles = 12, .caution_at_first = 0.5, .caution = 0.7, .coarseness = 4.5},
     {.cells = 128, .sweeps = 20, .cycles = 12, .caution_at_first = 0.35, .caution = 0.7, .coarseness = 4.5},
 };
+/// On the way through thinner oils.
+constexpr Start start_of_viscosity{
+    .cells = 128, .sweeps = 20, .cycles = 12, .caution_at_first = 0.7, .caution = 1.0, .coarseness = 4.5};
 /// The start of ways that do not begin with cycles from the Hertz pressure at full load.
 constexpr const Start& safe_start = starts[3];
 
@@ -144,6 +147,8 @@ void try_full_multigrid(const Scene& scene, const ProgressCallback& progress, Se
     const std::string number = std::to_string(search.attempts() + 1);
     search.try_way(search.attempts() == 0 ? "full multigrid" : "full multigrid, start " + number,
                    [&] { return climb(scene, start, progress); });
+    if (!search.over() && search.attempts() == 1 && core::stretched(scene.grid))
+      search.try_way("viscosity continuation", [&] { return climb_by_viscosity(scene, start_of_viscosity, progress); });
     const bool stalls = search.best() && search.best()->levels.back().residual > stalled_residual;
     if (!search.over() && search.attempts() == 1 && scene.supply && stalls)
       try_newton_after_cycles(scene, progress, search);

@@ -76,7 +76,8 @@ class PacketSweep {
     for (int i = 1; i < cells; ++i)
       for (int j = 1; j < cells; ++j) level.P(i, j) = envelope(i, j) * std::real(phase * wave(theta, i, j));
     fmg::update_film(hierarchy_, level);
-    fmg::relax(hierarchy_, level);
+    fmg::relax_pressure(hierarchy_, level, hierarchy_.parameters.relaxation);
+    fmg::update_film(hierarchy_, level);
   }
   Complex amplitude(Frequency theta) const {
     const fmg::Level& level = hierarchy_.levels.back();

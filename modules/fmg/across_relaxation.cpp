@@ -1,0 +1,149 @@
+#include "fmg/across_relaxation.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <array>
+
+#include "kernel/influence.hpp"
+#include "reynolds/flux.hpp"
+
+namespace ehl::fmg {
+namespace {
+
+using reynolds::Faces;
+
+/// Of the hybrid relaxation's crossover. Lines along X distribute what is above it no more, as such a change would move
+/// neighbours along X whose equations are another regime's. Across, the neighbours that epsilon couples are solved for
+/// too: from a tenth on they are better together (R_x/R_y = 20 and 50, (20, 10), (20, 15): 0.17 and 0.18 of the
+/// residual are left, with all of the crossover 0.35).
+constexpr double share_of_crossover = 0.1;
+
+class StationAcross {
+ public:
+  StationAcross(const Hierarchy& hierarchy, Level& level, const RelaxationParameters& how)
+      : cavitation_(hierarchy.problem.cavitation),
+        level_(level),
+        how_(how),
+        transport_(transport_on(hierarchy, level)),
+        half_(level.grid.hx(), level.grid.hy()),
+        stretch_(core::stretch(level.grid)) {
+    const double elastic = hierarchy.problem.geometry.elastic;
+    for (int d = 0; d < 2; ++d)
+      K_[static_cast<std::size_t>(d)] = elastic * kernel::influence(0, d, level.grid.hx(), level.grid.hy());
+    crossover_ = share_of_crossover * how.crossover * reynolds::relative_strength(transport_, level.grid.hx());
+  }
+
+  /// The tridiagonal system of station i, from the side to the last line.
+  void relax(int i, std::vector<RowAcross>& rows) const {
+    const core::Patch& grid = level_.grid;
+    const int last = grid.last_line();
+    const auto row = [&](int j) -> RowAcross& { return rows[static_cast<std::size_t>(j)]; };
+    row(0) = {};
+    for (int j = 1; j <= last; ++j) {
+      row(j) = row_at(i, j);
+      if (row(j).weight == 0.0) continue;
+      if (j == grid.ny) row(j).south += row(j).north;  // the axis: its neighbours are one
+      const double factor = row(j).south / row(j - 1).own;
+      row(j).own -= factor * row(j - 1).north;
+      row(j).r -= factor * row(j - 1).r;
+    }
+    double* P = level_.P.at_x(i);
+    double change = 0.0;  // of the line behind
+    for (int j = last; j >= 1; --j) {
+      const double north = j == last ? 0.0 : row(j).north;
+      change = -(row(j).r + north * change) / row(j).own;
+      P[j] = reynolds::projected(cavitation_, P[j] + row(j).weight * change);
+    }
+    core::fill_ghosts(grid, P);
+  }
+
+ private:
+  bool single(const Faces<double>& e) const {
+    const auto [low, high] = range_of(e);
+    return high * high * high > crossover_ * crossover_ * low;
+  }
+  /// As ThreadWork::range_of: epsilon/(hx hy).
+  std::pair<double, double> range_of(const Faces<double>& e) const {
+    return {std::min(stretch_ * std::min(e.west, e.east), std::min(e.south, e.north) / stretch_),
+            std::max(stretch_ * std::max(e.west, e.east), std::max(e.south, e.north) / stretch_)};
+  }
+
+  /// With epsilon held a change overshoots where epsilon falls by orders from node to node.
+  double weight_of(const Faces<double>& e) const {
+    if (at_half_points(level_)) return how_.weight_single;
+    const auto [low, high] = range_of(e);
+    const double smooth = std::min(1.0, 2.0 * low / high);
+    return how_.weight_single_steep + (how_.weight_single - how_.weight_single_steep) * smooth;
+  }
+
+  RowAcross row_at(int i, int j) const {
+    const core::Field& P = level_.P;
+    const Faces<double> e = reynolds::faces_at(level_.scheme.face, level_.eps, eps_across(level_), i, j, half_);
+    if (!single(e)) return {};
+    const auto c = reynolds::transport_weights(transport_, i, level_.grid.hx());
+    const auto Q = [&](int k) { return level_.rho_bar(k, j) * level_.H(k, j); };
+    const int far_west = std::max(i - 2, 0);
+    double own = c[0], net;
+    if (reynolds::third_order(transport_.wedge)) {
+      const auto w = reynolds::third_order_weights<double>(c, transport_, level_.grid.hx(),
+                                                           {level_.third_order(i - 1, j), level_.third_order(i, j)});
+      own = w[0];
+      net = reynolds::transported(w, Q(i), Q(i - 1), Q(far_west), Q(i + 1));
+    } else {
+      net = reynolds::transported(c, Q(i), Q(i - 1), Q(far_west));
+    }
+    RowAcross row{.r = net - reynolds::poiseuille_at(e, P, i, j)};
+    if (level_.f.nodes_x() > 0) row.r += level_.f(i, j);
+    if (reynolds::stays_dry(cavitation_, P(i, j), row.r)) return {};
+    const double film = own * level_.rho_bar(i, j);
+    row.weight = weight_of(e);
+    row.own = reynolds::total(e) + own * level_.drho_bar(i, j) * level_.H(i, j) + film * K_[0];
+    row.south = film * K_[1] - e.south;
+    row.north = film * K_[1] - e.north;
+    if (at_half_points(level_)) add_answers(i, j, e, row);
+    return row;
+  }
+
+  // The viscosity follows the pressures of the station.
+  void add_answers(int i, int j, const Faces<double>& e, RowAcross& row) const {
+    const OilFields& oil = level_.oil;
+    const bool thinned = oil.fluidity_across.nodes_x() > 0;
+    const core::Field& phi = thinned ? oil.fluidity_across : oil.fluidity;
+    const core::Field& a = thinned ? oil.log_viscosity_across : oil.log_viscosity;
+    const double least = reynolds::least_share(level_.scheme.face);
+    const auto south = film::answers(least, phi(i, j - 1), phi(i, j), a(i, j - 1), a(i, j));
+    const auto north = film::answers(least, phi(i, j), phi(i, j + 1), a(i, j), a(i, j + 1));
+    row.south += e.south * (1.0 - south.before);
+    row.north += e.north * (1.0 - north.behind);
+    row.own += e.south * (south.behind - 1.0) + e.north * (north.before - 1.0);
+  }
+
+  reynolds::Cavitation cavitation_;
+  Level& level_;
+  const RelaxationParameters& how_;
+  reynolds::Transport transport_;
+  reynolds::HalfInverseSquares half_;
+  double stretch_;
+  std::array<double, 2> K_{};  ///< H per P of the node itself and of the next one across
+  double crossover_ = 0.0;
+};
+
+}  // namespace
+
+bool relaxes_across(const Hierarchy& hierarchy, const Level& level) {
+  return core::stretched(level.grid) && !conserves_mass(level) && hierarchy.transport.squeeze == 0.0;
+}
+
+void relax_across(Hierarchy& hierarchy, Level& level, const RelaxationParameters& how) {
+  const core::ScopedTimer timer(hierarchy.times, core::Part::line_solve);
+  const StationAcross station(hierarchy, level, how);
+  const int threads = hierarchy.threads_on(level.grid);
+  for (int first = 1; first <= 2; ++first) {
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
+    for (int i = first; i < level.grid.nx; i += 2)
+      station.relax(i, level.thread_work[static_cast<std::size_t>(omp_get_thread_num())].rows_across);
+  }
+}
+
+}  // namespace ehl::fmg
