@@ -54,7 +54,10 @@ ContactDae::ContactDae(fmg::Hierarchy& hierarchy, const Course& course, const Er
   for_nodes(grid, [&](int i, int j, std::size_t) { zone_ += in_zone(outline, grid, i, j) ? grid.lines(j) : 0.0; });
   if (!conserves_mass()) return;
   fmg::update_residual(hierarchy, hierarchy.finest());
-  inlet_ = fmg::oil_of(hierarchy, hierarchy.finest()).in;
+  // On a line as much flows out. Where more is supplied than goes through, its steady film is the flooded one: the thin
+  // layer that is supplied in time flows out of that inlet, not in.
+  const reynolds::OilBalance flow = fmg::oil_of(hierarchy, hierarchy.finest());
+  inlet_ = grid.domain.line ? flow.out : flow.in;
 }
 
 void ContactDae::state(std::span<double> y) const {
