@@ -152,7 +152,8 @@ void LineCoefficients::read(const Hierarchy& hierarchy, const Level& level, int 
   const double crossover = how_.crossover * reynolds::relative_strength(hierarchy.transport, grid.hx());
   const double crossover2 = crossover * crossover;
   const double squeeze = hierarchy.transport.squeeze;
-  const Lanes far_single = core::broadcast(how_.far_squeeze * level.film_terms.K[0] * squeeze);
+  const Lanes far_single =
+      core::broadcast(how_.far_squeeze * level.film_terms.K[0] * squeeze + how_.far_squeeze_of_zone * squeeze);
   const Lanes far_beside = core::broadcast(how_.far_squeeze_beside * squeeze);
   const auto choose_for = [&](auto squeezed, auto above_crossover) {
     for (int i = 1; i < grid.nx; ++i) {

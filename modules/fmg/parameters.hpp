@@ -22,8 +22,9 @@ struct RelaxationParameters {
   /// In an implicit step of time: what the single changes around a point squeeze out of its film beside what its own
   /// does. A relaxation of single points sees but its own, and a zone of them swings and diverges; how much there is
   /// is measured, not derived (modules/transient/README.md).
-  double far_squeeze = 2.0;         ///< times its own, where a point changes singly for its epsilon
-  double far_squeeze_beside = 0.2;  ///< H per P, where it does because it is beside the cavitated region
+  double far_squeeze = 2.0;          ///< times its own, where a point changes singly for its epsilon
+  double far_squeeze_beside = 0.2;   ///< H per P, where it does because it is beside the cavitated region
+  double far_squeeze_of_zone = 0.0;  ///< H per P, of a line, where it does for its epsilon, on any cells
 };
 
 /// The same with this share of every weight.

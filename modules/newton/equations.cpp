@@ -74,7 +74,7 @@ void Equations::residual(std::span<const double> u, std::span<double> F) {
       const std::size_t k = index(i, j);
       F[k] = scale_[k] * level_.r(i, j) + std::min(u[k], 0.0);
     }
-  F[nodes_] = (fmg::carried_load(level_) - level_.load) / level_.load;
+  F[nodes_] = (fmg::carried_load(level_) - fmg::wanted_load(hierarchy_, level_)) / level_.load;
 }
 
 void Equations::linearize(std::span<const double> u) {
@@ -272,7 +272,7 @@ void Equations::jacobian(std::span<const double> v, std::span<double> Jv) {
     for (int j = 0; j <= grid.ny; ++j) dH_(i, j) += dH00;
   change_of_residual(dP_, dH_, Jv);
   for (std::size_t k = 0; k < nodes_; ++k) Jv[k] = scale_[k] * Jv[k] + (wet_[k] ? 0.0 : v[k]);
-  Jv[nodes_] = grid.hx() * grid.hy() * dload / level_.load;
+  Jv[nodes_] = grid.hx() * grid.hy() * dload / level_.load + load_by_H00() * dH00;
 }
 
 }  // namespace ehl::newton

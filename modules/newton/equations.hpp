@@ -17,11 +17,11 @@ namespace ehl::newton {
 /// F = 0 is the complementarity problem P >= 0, r >= 0, P r = 0 (Robinson's normal map): a wet node has z = P and
 /// r = 0, a cavitated one P = 0 and r = -z/s. P is never negative, whatever u. The row scale s_ij > 0, one over the
 /// local part of dr_ij/dP_ij, gives every F the unit of a pressure; it changes nothing in the solution.
+/// In an implicit step of time the load may grow with H00, and the level has right-hand sides f and F.
 /// Nodes in order of storage: along Y fastest.
 class Equations {
  public:
-  /// Takes over levels[l] as it is: the unknowns come from its P and from H00. limits: no right-hand sides f, F; a
-  /// given load; cavitation.
+  /// Takes over levels[l] as it is: the unknowns come from its P and from H00. limits: a given load; cavitation.
   Equations(fmg::Hierarchy& hierarchy, std::size_t l);
 
   std::size_t size() const { return nodes_ + 1; }
@@ -76,6 +76,10 @@ class Equations {
   const ContentRows* content_rows() const { return fmg::conserves_mass(level_) ? &content_rows_ : nullptr; }
   bool wet(std::size_t node) const { return wet_[node] != 0; }
   double scale(std::size_t node) const { return scale_[node]; }
+  /// What H00 changes of F_last: of a load that grows with it.
+  double load_by_H00() const {
+    return 0.0 - (hierarchy_.load_line.slope + hierarchy_.outside_line.slope) / level_.load;
+  }
   reynolds::Transport transport() const { return fmg::transport_on(hierarchy_, level_); }
 
  private:

@@ -24,8 +24,6 @@ struct Box {
   int height() const { return j_last - j_first + 1; }
 };
 
-/// Unknowns of a line contact whose Jacobian is made and factored as a whole, in a second.
-constexpr std::size_t most_dense = 600;
 // Small enough to be dense.
 constexpr int leaf = 3;
 
@@ -123,6 +121,7 @@ bool LineFactors<Number>::factor(Equations& equations, const Slopes& by_P, const
       matrix_.col(column + 1).tail(nodes).array() += of_film.array() * K.segment(grid.nx + di - column, nodes).array();
     matrix_.col(0).tail(nodes) += of_film;
   }
+  matrix_(0, 0) = static_cast<Number>(equations.load_by_H00());
   matrix_.row(0).tail(kept_ - 1).setConstant(static_cast<Number>(grid.hx() * grid.hy() / equations.level().load));
   for (Eigen::Index k = 0; k < kept_ - 1; ++k)
     if (!equations.wet(static_cast<std::size_t>(k))) {
@@ -152,9 +151,10 @@ struct Preconditioner::Implementation {
   LineFactors<double> line_factors;
   LineFactors<float> line_factors_single;
   const bool single;
+  const std::size_t dense_up_to;
 
-  Implementation(Equations& e, bool of_single) : equations(e), single(of_single) {}
-  bool line() const { return equations.grid().domain.line && equations.size() <= most_dense; }
+  Implementation(Equations& e, bool of_single, std::size_t most) : equations(e), single(of_single), dense_up_to(most) {}
+  bool line() const { return equations.grid().domain.line && equations.size() <= dense_up_to; }
   bool factor_dense(const Slopes& by_P, const Slopes& by_H) {
     return single ? line_factors_single.factor(equations, by_P, by_H) : line_factors.factor(equations, by_P, by_H);
   }
@@ -256,8 +256,8 @@ bool Preconditioner::Implementation::factor_sparse() {
   return border.allFinite() && schur != 0.0;
 }
 
-Preconditioner::Preconditioner(Equations& equations, Precision of_dense)
-    : implementation_(std::make_unique<Implementation>(equations, of_dense == Precision::single)) {}
+Preconditioner::Preconditioner(Equations& equations, Precision of_dense, std::size_t dense_up_to)
+    : implementation_(std::make_unique<Implementation>(equations, of_dense == Precision::single, dense_up_to)) {}
 Preconditioner::~Preconditioner() = default;
 
 bool Preconditioner::factor() {

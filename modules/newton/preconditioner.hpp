@@ -1,6 +1,8 @@
 #pragma once
 // The preconditioner of Newton's linear systems: a sparse LU of the Jacobian without the far reach of the elastic
 // deformation.
+#include <cstddef>
+#include <limits>
 #include <memory>
 #include <span>
 
@@ -16,7 +18,12 @@ class Preconditioner {
   /// The numbers of a line contact's dense factors: of single precision they cost half, and leave 1e-4 of the residual
   /// or less.
   enum class Precision { twice, single };
-  explicit Preconditioner(Equations& equations, Precision of_dense = Precision::twice);
+  /// The Jacobian of a line contact is made and factored as a whole up to so many unknowns, in a second; a caller whose
+  /// factors serve many systems takes any number.
+  static constexpr std::size_t most_dense = 600;
+  static constexpr std::size_t any_size = std::numeric_limits<std::size_t>::max();
+  explicit Preconditioner(Equations& equations, Precision of_dense = Precision::twice,
+                          std::size_t dense_up_to = most_dense);
   ~Preconditioner();
 
   /// Factors J~ at the equations' point of linearization. false: singular.

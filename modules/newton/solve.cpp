@@ -26,9 +26,6 @@ constexpr double tight = 1e-5;
 constexpr double last_bit = 0.03;
 /// Old factors are used until they cost this many times the iterations that they took when they were new.
 constexpr int worn_out = 2;
-/// Longest change of H00 in one step: an absolute part, and a share of the film at the centre.
-constexpr double longest_shift = 0.1;
-constexpr double longest_shift_share = 0.3;
 /// Give up when the best state met is this many steps old; near the solution, this many.
 constexpr int patience = 20;
 constexpr int patience_at_the_end = 5;
@@ -126,7 +123,7 @@ class NewtonIteration {
       if (!solved.reduced) return "the linear solver does not converge";
       iterations_when_fresh_ = solved.iterations;
     }
-    take_step(longest_shift + longest_shift_share * std::abs(state.Hc));
+    take_step(longest_shift(state.Hc));
     iterations_ = solved.iterations;
     keep_factors_ = last_change_ < small_change && iterations_ <= worn_out * iterations_when_fresh_;
     return "";
@@ -189,6 +186,9 @@ class NewtonIteration {
 };
 
 }  // namespace
+
+// An absolute part, and a share of the film.
+double longest_shift(double Hc) { return 0.1 + 0.3 * std::abs(Hc); }
 
 Result solve(fmg::Hierarchy& hierarchy, std::size_t l, const Parameters& parameters, const Progress& progress) {
   const fmg::Problem& problem = hierarchy.problem;

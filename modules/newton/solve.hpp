@@ -32,6 +32,9 @@ struct Result {
   std::vector<Step> steps;
 };
 
+/// Longest change of H00 in one step, by the film at the centre.
+double longest_shift(double Hc);
+
 /// Called after every step; false: the user asked to stop.
 using Progress = std::function<bool(const Step&)>;
 

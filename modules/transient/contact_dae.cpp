@@ -21,17 +21,6 @@ constexpr double zone_radius = 1.5;
 constexpr double weight_outside = 0.1;
 /// Where mass is conserved, of dry nodes and those beside them.
 constexpr double weight_at_edge = 0.01;
-/// The rate of a first cycle is taken to be no better than this, of later ones than that: measured are 0.10 to 0.29,
-/// at (50, 10) and (200, 10) on 65^2 and 129^2 for c = 10 to 10^8.
-constexpr double best_first_rate = 0.3;
-constexpr double best_rate = 0.1;
-/// Cycles that reduce the change by less than this do not converge, as many of them in a row: while points open and
-/// close, single ones do. Given up after one, a load from 1 to 3 within 0.01 does not end on 257^2, at (100, 0).
-constexpr double worst_rate = 0.95;
-constexpr int patience = 3;
-/// Of the squeeze, above which the load is put right behind the last cycle only: what the common factor does to the
-/// film, times c, is more than what a cycle reduces, and it came anew with every cycle.
-constexpr double strong_squeeze = 1e4;
 /// Where bodies are nearly apart there is no deformation by which to hold the film while the load is put right.
 constexpr double least_yielding = 0.05;
 
@@ -65,7 +54,10 @@ ContactDae::ContactDae(fmg::Hierarchy& hierarchy, const Course& course, const Er
   for_nodes(grid, [&](int i, int j, std::size_t) { zone_ += in_zone(outline, grid, i, j) ? grid.lines(j) : 0.0; });
   if (!conserves_mass()) return;
   fmg::update_residual(hierarchy, hierarchy.finest());
-  inlet_ = fmg::oil_of(hierarchy, hierarchy.finest()).in;
+  // On a line as much flows out. Where more is supplied than goes through, its steady film is the flooded one: the thin
+  // layer that is supplied in time flows out of that inlet, not in.
+  const reynolds::OilBalance flow = fmg::oil_of(hierarchy, hierarchy.finest());
+  inlet_ = grid.domain.line ? flow.out : flow.in;
 }
 
 void ContactDae::state(std::span<double> y) const {
@@ -161,91 +153,6 @@ void ContactDae::balance_load() {
   hierarchy_.H00 -= shift;
   fmg::follow_H00(hierarchy_, level);
   fmg::update_coefficients(hierarchy_, level);
-}
-
-// Norm of what the last cycle changed, as IDA measures it.
-double ContactDae::change(const Stage& stage, double H00_before) {
-  const fmg::Level& level = hierarchy_.finest();
-  const std::span<const double> weights = stage.weights;
-  double sum = 0.0;
-  for_nodes(level.grid, [&](int i, int j, std::size_t k) {
-    const double Q = content(i, j);
-    const double dP = weights[k] * (level.P(i, j) - P_before_(i, j));
-    const double dQ = weights[nodes_ + k] * (Q - Q_before_(i, j));
-    sum += dP * dP + dQ * dQ;
-    P_before_(i, j) = level.P(i, j);
-    Q_before_(i, j) = Q;
-  });
-  const double dH00 = weights[2 * nodes_] * (hierarchy_.H00 - H00_before);
-  sum += dH00 * dH00;
-  if (course_.body) {
-    const double dV = weights[2 * nodes_ + 1] * stage.cj * (hierarchy_.H00 - H00_before);
-    sum += dV * dV;
-  }
-  return std::sqrt(sum / static_cast<double>(size()));
-}
-
-void ContactDae::cycle() {
-  fmg::fas_cycle(hierarchy_, hierarchy_.levels.size() - 1, fmg::cautious(hierarchy_.parameters, {.all = weight_}));
-  fmg::renew_boundary(hierarchy_, hierarchy_.finest());
-}
-
-StageResult ContactDae::solve(const Stage& stage, const Drive& drive, std::span<double> correction) {
-  fmg::Level& level = hierarchy_.finest();
-  set_state(stage.T, drive, stage.y_predicted);
-  hierarchy_.transport.squeeze = stage.cj;
-  take_motion(drive, -stage.yp_predicted[2 * nodes_]);
-  hierarchy_.far_motion.slope = stage.cj;
-  hierarchy_.far_motion.origin = hierarchy_.H00;
-  fmg::renew_load_outside(hierarchy_, level);
-  if (course_.body) move_body(stage);
-  for_nodes(level.grid, [&](int i, int j, std::size_t k) {
-    level.f(i, j) = stage.yp_predicted[nodes_ + k] - stage.cj * stage.y_predicted[nodes_ + k];
-    P_before_(i, j) = level.P(i, j);
-    Q_before_(i, j) = content(i, j);
-  });
-  StageResult result{.solved = false};
-  const bool weak = stage.cj < strong_squeeze;
-  double last = std::numeric_limits<double>::quiet_NaN();
-  double least = std::numeric_limits<double>::infinity();
-  int in_vain = 0;
-  hierarchy_.coarsest_weight = 1.0;
-  while (!result.solved && result.cycles < control_.most_cycles) {
-    const double H00_before = hierarchy_.H00;
-    ++result.cycles;
-    try {
-      cycle();
-    } catch (const core::SolverError&) {
-      return result;
-    }
-    if (weak) balance_load();
-    if (conserves_mass()) fmg::update_residual(hierarchy_, level);
-    const double now = change(stage, H00_before);
-    if (!std::isfinite(now)) return result;
-    if (result.cycles > 1) rate_ = std::max(best_rate, now / last);
-    in_vain = now > worst_rate * least ? in_vain + 1 : 0;
-    if (in_vain >= patience && now > stage.tolerance) return result;
-    const double rate = std::clamp(rate_, result.cycles == 1 ? best_first_rate : best_rate, worst_rate);
-    result.solved = now * rate / (1.0 - rate) <= stage.tolerance;
-    if (result.solved && !weak) {
-      const double H00_of_cycle = hierarchy_.H00;
-      balance_load();
-      if (conserves_mass()) fmg::update_residual(hierarchy_, level);
-      result.solved = change(stage, H00_of_cycle) <= stage.tolerance;
-    }
-    // A step whose oil cannot be closed is cycled on, and cut in the end.
-    if (result.solved && conserves_mass()) result.solved = close_oil();
-    last = now;
-    least = std::min(least, now);
-  }
-  if (!(core::minimum(level.H).value > 0.0)) result.solved = false;
-  fmg::renew_load_outside(hierarchy_, level);
-  hierarchy_.outside_line = {};
-  if (course_.body) take_velocity(stage, drive);
-  count_oil(stage);
-  state(correction);
-  for (std::size_t k = 0; k < correction.size(); ++k) correction[k] -= stage.y_predicted[k];
-  return result;
 }
 
 double ContactDae::least_film(std::span<const double> y) {

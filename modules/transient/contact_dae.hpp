@@ -2,10 +2,12 @@
 // The lubricated contact in time as a differential-algebraic system, each implicit step solved by multigrid cycles.
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "fmg/hierarchy.hpp"
+#include "newton/steps.hpp"
 #include "transient/body.hpp"
 #include "transient/ida.hpp"
 
@@ -111,6 +113,12 @@ class ContactDae {
   void pose(double T, const Drive& drive, double cj);
 
  private:
+  /// How the equations of a stage are solved.
+  enum class Way { cycles, newton };
+  void begin(const Stage& stage, const Drive& drive);
+  StageResult iterate(const Stage& stage, Way way, double& rate);
+  bool newton_can() const;
+  bool balanced_by_cycle(const Stage& stage) const;
   double change(const Stage& stage, double H00_before);
   double carried() const;
   void take_motion(const Drive& drive, double approach);
@@ -132,7 +140,10 @@ class ContactDae {
   double V_ = 0.0;     ///< velocity of the body
   double zone_ = 0.0;  ///< nodes that make up the norm, of the whole domain
   double weight_ = 1.0;
-  double rate_ = 0.3;          ///< of the cycles, as last measured
+  double rate_ = 0.3;  ///< of the cycles, as last measured
+  std::unique_ptr<newton::Steps> newton_;
+  int newton_stages_ = 0;      ///< to come that it solves, cycles having failed
+  int newton_next_ = 1;        ///< as many when they fail again
   double inlet_ = 0.0;         ///< flow through it in the steady film
   double oil_by_flows_ = 0.0;  ///< as much as at the start, and what has flowed in and out since
   double from_nowhere_ = 0.0;

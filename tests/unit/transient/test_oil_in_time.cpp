@@ -115,3 +115,15 @@ BOOST_AUTO_TEST_CASE(a_ball_falls_on_a_thin_layer) {
   BOOST_TEST(changed <= 1e-10);
   BOOST_TEST((carried / dry <= 1.0 && carried / dry >= 0.94));
 }
+
+// The steady film of a line that is brought more than goes through is the flooded one: in time the layer stands before
+// a full inlet, and moves in where the load falls.
+BOOST_AUTO_TEST_CASE(more_than_goes_through_a_line) {
+  steady::Scene scene = roelands_line(6, 0, core::line_grid(256, -4.5, 1.5));
+  scene.far_field = false;
+  scene.supply = [](double) { return 0.5; };
+  const Points falls{{0, 1}, {0.03, 1}, {0.06, 0.85}};
+  const Marched all = marched(scene, {.load = {.points = falls}, .conserves_mass = true}, {.end = 0.3});
+  check_oil("a line before which oil stands", all, 0.3);
+  BOOST_TEST(all.rows.back().oil.in > 2.0 * all.rows.front().oil.in);
+}

@@ -1,0 +1,166 @@
+// One implicit step: by cycles, and of a line contact by Newton's method where they do not converge.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/errors.hpp"
+#include "core/norms.hpp"
+#include "fmg/boundary.hpp"
+#include "fmg/cycle.hpp"
+#include "fmg/cycles.hpp"
+#include "transient/contact_dae.hpp"
+#include "transient/nodes.hpp"
+
+namespace ehl::transient {
+namespace {
+
+/// The rate of a first cycle is taken to be no better than this, of later ones than that: measured are 0.10 to 0.29,
+/// at (50, 10) and (200, 10) on 65^2 and 129^2 for c = 10 to 10^8.
+constexpr double best_first_rate = 0.3;
+constexpr double best_rate = 0.1;
+/// Cycles that reduce the change by less than this do not converge, as many of them in a row: while points open and
+/// close, single ones do. Given up after one, a load from 1 to 3 within 0.01 does not end on 257^2, at (100, 0).
+constexpr double worst_rate = 0.95;
+constexpr int patience = 3;
+/// Of the squeeze, above which the load is put right behind the last cycle only: what the common factor does to the
+/// film, times c, is more than what a cycle reduces, and it came anew with every cycle. On a line at any squeeze: the
+/// films are so thin that H00 then swings by 0.83 to 0.98 of itself from c = 1000 on, where without it 0.1 is left.
+constexpr double strong_squeeze = 1e4;
+/// Newton's steps, where the edge of the pressure runs past a node with each of them: nine in a row behind a load that
+/// jumps from 1 to 1.3, at (100, 10).
+constexpr int patience_of_newton = 10;
+/// Stages that Newton's method solves before cycles are tried again: twice as many each time that they fail, up to
+/// this.
+constexpr int most_by_newton = 32;
+
+}  // namespace
+
+// Norm of what the last cycle changed, as IDA measures it.
+double ContactDae::change(const Stage& stage, double H00_before) {
+  const fmg::Level& level = hierarchy_.finest();
+  const std::span<const double> weights = stage.weights;
+  double sum = 0.0;
+  for_nodes(level.grid, [&](int i, int j, std::size_t k) {
+    const double Q = content(i, j);
+    const double dP = weights[k] * (level.P(i, j) - P_before_(i, j));
+    const double dQ = weights[nodes_ + k] * (Q - Q_before_(i, j));
+    sum += dP * dP + dQ * dQ;
+    P_before_(i, j) = level.P(i, j);
+    Q_before_(i, j) = Q;
+  });
+  const double dH00 = weights[2 * nodes_] * (hierarchy_.H00 - H00_before);
+  sum += dH00 * dH00;
+  if (course_.body) {
+    const double dV = weights[2 * nodes_ + 1] * stage.cj * (hierarchy_.H00 - H00_before);
+    sum += dV * dV;
+  }
+  return std::sqrt(sum / static_cast<double>(size()));
+}
+
+void ContactDae::cycle() {
+  fmg::fas_cycle(hierarchy_, hierarchy_.levels.size() - 1, fmg::cautious(hierarchy_.parameters, {.all = weight_}));
+  fmg::renew_boundary(hierarchy_, hierarchy_.finest());
+}
+
+// The predicted state and the terms of the stage.
+void ContactDae::begin(const Stage& stage, const Drive& drive) {
+  fmg::Level& level = hierarchy_.finest();
+  set_state(stage.T, drive, stage.y_predicted);
+  hierarchy_.transport.squeeze = stage.cj;
+  take_motion(drive, -stage.yp_predicted[2 * nodes_]);
+  hierarchy_.far_motion.slope = stage.cj;
+  hierarchy_.far_motion.origin = hierarchy_.H00;
+  fmg::renew_load_outside(hierarchy_, level);
+  if (course_.body) move_body(stage);
+  for_nodes(level.grid, [&](int i, int j, std::size_t k) {
+    level.f(i, j) = stage.yp_predicted[nodes_ + k] - stage.cj * stage.y_predicted[nodes_ + k];
+    P_before_(i, j) = level.P(i, j);
+    Q_before_(i, j) = content(i, j);
+  });
+  hierarchy_.coarsest_weight = 1.0;
+}
+
+bool ContactDae::newton_can() const {
+  const fmg::Level& level = hierarchy_.levels.back();
+  return level.grid.domain.line && !conserves_mass() && level.load > 0.0;
+}
+
+bool ContactDae::balanced_by_cycle(const Stage& stage) const {
+  return !hierarchy_.levels.back().grid.domain.line && stage.cj < strong_squeeze;
+}
+
+// in: the rate that the first one is taken to have; out: as last measured.
+StageResult ContactDae::iterate(const Stage& stage, Way way, double& measured) {
+  fmg::Level& level = hierarchy_.finest();
+  StageResult result{.solved = false};
+  const bool balanced = way == Way::cycles && balanced_by_cycle(stage);
+  double last = std::numeric_limits<double>::quiet_NaN();
+  double least = std::numeric_limits<double>::infinity();
+  int in_vain = 0;
+  while (!result.solved && result.cycles < control_.most_cycles) {
+    const double H00_before = hierarchy_.H00;
+    ++result.cycles;
+    try {
+      if (way == Way::cycles)
+        cycle();
+      else if (!newton_->take())
+        return result;
+    } catch (const core::SolverError&) {
+      return result;
+    }
+    if (balanced) balance_load();
+    if (conserves_mass()) fmg::update_residual(hierarchy_, level);
+    const double now = change(stage, H00_before);
+    if (!std::isfinite(now)) return result;
+    if (result.cycles > 1) measured = std::max(best_rate, now / last);
+    in_vain = now > worst_rate * least ? in_vain + 1 : 0;
+    if (in_vain >= (way == Way::cycles ? patience : patience_of_newton) && now > stage.tolerance) return result;
+    const double rate = std::clamp(measured, result.cycles == 1 ? best_first_rate : best_rate, worst_rate);
+    result.solved = now * rate / (1.0 - rate) <= stage.tolerance;
+    if (result.solved && !balanced) {
+      const double H00_of_cycle = hierarchy_.H00;
+      balance_load();
+      if (conserves_mass()) fmg::update_residual(hierarchy_, level);
+      result.solved = change(stage, H00_of_cycle) <= stage.tolerance;
+    }
+    // A step whose oil cannot be closed is cycled on, and cut in the end.
+    if (result.solved && conserves_mass()) result.solved = close_oil();
+    last = now;
+    least = std::min(least, now);
+  }
+  if (!(core::minimum(level.H).value > 0.0)) result.solved = false;
+  fmg::renew_load_outside(hierarchy_, level);
+  hierarchy_.outside_line = {};
+  return result;
+}
+
+StageResult ContactDae::solve(const Stage& stage, const Drive& drive, std::span<double> correction) {
+  begin(stage, drive);
+  StageResult result{.solved = false};
+  if (newton_stages_ == 0) {
+    result = iterate(stage, Way::cycles, rate_);
+    if (result.solved) newton_next_ = 1;
+  }
+  if (!result.solved && newton_can()) {
+    if (newton_stages_ == 0) {
+      begin(stage, drive);
+      newton_stages_ = std::exchange(newton_next_, std::min(most_by_newton, 2 * newton_next_));
+    } else {
+      --newton_stages_;
+    }
+    if (!newton_) newton_ = std::make_unique<newton::Steps>(hierarchy_);
+    double rate = best_first_rate;
+    const int cycles = result.cycles;
+    result = iterate(stage, Way::newton, rate);
+    result.cycles += cycles;
+  }
+  if (!result.solved) return result;
+  if (course_.body) take_velocity(stage, drive);
+  count_oil(stage);
+  state(correction);
+  for (std::size_t k = 0; k < correction.size(); ++k) correction[k] -= stage.y_predicted[k];
+  return result;
+}
+
+}  // namespace ehl::transient
