@@ -278,7 +278,8 @@ void correct_from_coarse(Hierarchy& hierarchy, Level& coarse, Level& fine) {
     reynolds::drop_beside_dry(cavitation, fine.grid, fine.P, hierarchy.threads_on(fine.grid), fine.correction,
                               left_to_relaxation(fine, coarse));
   }
-  if (fine.corrector.between)
+  // Where epsilon is given no film is to be kept.
+  if (fine.corrector.between && !hierarchy.problem.film.given_epsilon)
     correct_by_share(hierarchy, fine);
   else
     add_correction(hierarchy, fine.P, 1.0, fine);
