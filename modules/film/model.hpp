@@ -12,12 +12,14 @@
 
 namespace ehl::film {
 
-/// The nodes of a patch at one X. P and H of one length, one value per line.
+/// The nodes of a patch at one X. P and H of one length, one value per line. With `along`, of a line contact: one value
+/// per station, from station i on.
 struct Station {
   const core::Patch& grid;
   int i;
   std::span<const double> P;
   std::span<const double> H;
+  bool along = false;
 };
 
 /// What an effect at the stage of the coefficients changes of a station's nodes.
