@@ -105,6 +105,7 @@ FilmTemperature::FilmTemperature(const Setup& setup)
     *field = core::Field(patch);
     field->fill(1.0);
   }
+  if (patch.domain.line) upstream_1_ = upstream_2_ = std::vector<double>(static_cast<std::size_t>(patch.nodes_x()));
   const auto take = [&setup](const Body& body, std::vector<double>& marched, std::optional<Source>& lagged) {
     Answer answer = answer_of(setup, body);
     marched = std::move(answer.marched);
@@ -140,6 +141,8 @@ void FilmTemperature::start_from(const FilmTemperature& coarse, const FilmTemper
         (this->*field)(i, j) =
             start(i, j, [field](const FilmTemperature& film, int ci, int cj) { return (film.*field)(ci, cj); });
     }
+  if (patch.domain.line)
+    for (int i = 0; i <= patch.nx; ++i) keep_fluxes(i);
   before_ = theta_;
   apply_sources();
 }
@@ -157,18 +160,43 @@ double FilmTemperature::velocity(int i, int j, int k) const {
   return value(flow_x_, i, j, k) / (rho_bar_(i, j) * H_(i, j) * oil_(i, j) * layer);
 }
 
+// Of a line contact sum_m weights_m q_{i-m}, m = 1..i. in: q from the last node to the first.
+double FilmTemperature::marched(const std::vector<double>& weights, const std::vector<double>& upstream, int i) const {
+  const double* q = upstream.data() + (setup_.patch.nx - i);
+  const double* w = weights.data();
+  Lanes sums{};
+  int m = 1;
+  for (; m + core::lanes <= i + 1; m += core::lanes) sums += core::load(w + m) * core::load(q + m);
+  double sum = 0.0;
+  for (; m <= i; ++m) sum += w[m] * q[m];
+  for (int lane = 0; lane < core::lanes; ++lane) sum += sums[lane];
+  return sum;
+}
+
+// What flows into the surfaces of a line's station i, where marched() finds it.
+void FilmTemperature::keep_fluxes(int i) {
+  const auto place = static_cast<std::size_t>(setup_.patch.nx - i);
+  upstream_1_[place] = q_1_(i, 1);
+  upstream_2_[place] = q_2_(i, 1);
+}
+
 // The surfaces of a batch: what flowed into them upstream, and their own share.
 void FilmTemperature::surfaces(int batch, int i, Columns& at) const {
   const int j = batch * core::lanes;
   const auto surface = [&](const Body& body, const std::vector<double>& line, const core::Field& q,
-                           const core::Field& correction, Lanes& given, Lanes& self) {
+                           const std::vector<double>& upstream, const core::Field& correction, Lanes& given,
+                           Lanes& self) {
     given = body.theta + core::load(correction.at_x(i) + j);
     self = broadcast(line.empty() ? 0.0 : line[0]);
     if (line.empty()) return;
+    if (!upstream.empty()) {
+      given += marched(line, upstream, i);
+      return;
+    }
     for (int m = 1; m <= i; ++m) given += line[static_cast<std::size_t>(m)] * core::load(q.at_x(i - m) + j);
   };
-  surface(setup_.body_1, line_1_, q_1_, correction_1_, at.given_1, at.self_1);
-  surface(setup_.body_2, line_2_, q_2_, correction_2_, at.given_2, at.self_2);
+  surface(setup_.body_1, line_1_, q_1_, upstream_1_, correction_1_, at.given_1, at.self_1);
+  surface(setup_.body_2, line_2_, q_2_, upstream_2_, correction_2_, at.given_2, at.self_2);
 }
 
 void FilmTemperature::store(int batch, int i, const Columns& at) {
@@ -177,6 +205,7 @@ void FilmTemperature::store(int batch, int i, const Columns& at) {
     core::store(&theta_[index(batch, i, k)], at.theta[static_cast<std::size_t>(k)]);
   core::store(q_1_.at_x(i) + j, at.q_1);
   core::store(q_2_.at_x(i) + j, at.q_2);
+  if (setup_.patch.domain.line) keep_fluxes(i);
 }
 
 // What the Reynolds side and the report take from a column.
