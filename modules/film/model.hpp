@@ -62,6 +62,9 @@ struct Coefficients {
 };
 void coefficients(const Model& model, const Station& station, Buffers& buffers, const Coefficients<double>& out);
 
+/// What the effects make of epsilon along X at the first node of a station, as a factor. cost: allocates.
+double mobility_by_effects(const Model& model, const Station& station);
+
 /// Of the nodes of a station, what epsilon at half points is made of (half_points.hpp): 1/eta_bar and ln eta_bar along
 /// X, and along Y where these are others, else empty.
 template <class Number>

@@ -137,6 +137,7 @@ class FilmTemperature {
   void fill(const core::Field* theta);
   int last_backflow() const;
   void carry(int batch, int i, bool downstream, Worker& worker) const;
+  Lanes fresh_share(int batch) const;
   void add_compression(int batch, int i, Worker& worker) const;
   void surfaces(int batch, int i, Columns& at) const;
   double marched(const std::vector<double>& weights, const std::vector<double>& upstream, int i) const;
@@ -163,6 +164,7 @@ class FilmTemperature {
   core::Field I0_, M2_, C_, more_x_, more_y_, less_tau_, tau_, q_1_, q_2_, heat_, carried_, clipped_, correction_1_,
       correction_2_;
   std::vector<double> line_1_, line_2_;
+  std::vector<double> before_1_, before_2_;  // likewise: what the bodies bring with them, per flux at the first node
   std::vector<double> upstream_1_, upstream_2_;  // of a line contact q_1_ and q_2_, from the last node to the first
   std::optional<Source> source_1_, source_2_;
   std::vector<Worker> workers_;
