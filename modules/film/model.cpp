@@ -74,6 +74,13 @@ void coefficients(const Model& model, const Station& station, Buffers& buffers, 
   multiply(out.drho_bar, buffers.carried);
 }
 
+double mobility_by_effects(const Model& model, const Station& station) {
+  Buffers buffers = make_buffers(model, static_cast<int>(station.P.size()));
+  std::ranges::fill(buffers.fluidity, 1.0);
+  apply_effects(model, station, buffers.fluidity, buffers);
+  return model.effects.empty() ? 1.0 : buffers.fluidity.front() * buffers.mobility.front();
+}
+
 void oil(const Model& model, const Station& station, Buffers& buffers, const Oil<double>& out) {
   const bool thins = anisotropic(model);
   const std::span<double> fluidity = thins ? part(station, buffers.fluidity) : out.fluidity;

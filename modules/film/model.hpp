@@ -12,12 +12,14 @@
 
 namespace ehl::film {
 
-/// The nodes of a patch at one X. P and H of one length, one value per line.
+/// The nodes of a patch at one X. P and H of one length, one value per line. With `along`, of a line contact: one value
+/// per station, from station i on.
 struct Station {
   const core::Patch& grid;
   int i;
   std::span<const double> P;
   std::span<const double> H;
+  bool along = false;
 };
 
 /// What an effect at the stage of the coefficients changes of a station's nodes.
@@ -59,6 +61,9 @@ struct Coefficients {
   std::span<Number> drho_bar;    ///< d rho_bar/dP
 };
 void coefficients(const Model& model, const Station& station, Buffers& buffers, const Coefficients<double>& out);
+
+/// What the effects make of epsilon along X at the first node of a station, as a factor. cost: allocates.
+double mobility_by_effects(const Model& model, const Station& station);
 
 /// Of the nodes of a station, what epsilon at half points is made of (half_points.hpp): 1/eta_bar and ln eta_bar along
 /// X, and along Y where these are others, else empty.

@@ -5,6 +5,7 @@
 
 #include "core/errors.hpp"
 #include "core/norms.hpp"
+#include "fmg/line_contact.hpp"
 #include "reynolds/flow_balance.hpp"
 
 namespace ehl::fmg {
@@ -32,7 +33,7 @@ void for_boundary(const core::Patch& grid, Action action) {
 reynolds::FarState far_state(const Hierarchy& hierarchy, double H00) {
   const FarMotion& motion = hierarchy.far_motion;
   return {.H00 = H00,
-          .speed = hierarchy.transport.speed,
+          .speed = hierarchy.transport.speed / motion.mobility,
           .approach = motion.approach - motion.slope * (H00 - motion.origin),
           .load = motion.load,
           .load_rate = motion.load_rate,
@@ -44,6 +45,19 @@ double flow_through_line(const Hierarchy& hierarchy, const Level& level) {
   const int top = core::maximum(level.P).i;
   const int i = std::clamp(top, 1, level.grid.nx - 2);
   return reynolds::flow_along(level.grid, fields(level), transport_on(hierarchy, level), i, 1);
+}
+
+/// Share of ln epsilon's change at the first node that counts upstream of it. Heat falls there about as X^-2, and what
+/// the pressure of the node is made of as X^-4: int u^2 u^2 du over int u^2 du.
+constexpr double share_upstream = 0.6;
+
+// With epsilon larger by this factor the same flow leaves so much less pressure behind.
+double mobility_upstream(const Hierarchy& hierarchy, Level& level) {
+  const film::Model& model = hierarchy.problem.film;
+  if (!along_one_line(hierarchy, level) || model.effects.empty()) return 1.0;
+  return std::pow(
+      film::mobility_by_effects(model, {level.grid, 0, {level.P.at_x(0) + 1, 1}, {level.H.at_x(0) + 1, 1}, true}),
+      share_upstream);
 }
 
 // The film of the bodies without what is on their surfaces.
@@ -113,7 +127,10 @@ double renew_load_outside(Hierarchy& hierarchy, Level& level) {
 double renew_boundary(Hierarchy& hierarchy, Level& level) {
   if (!hierarchy.problem.far_field) return 0.0;
   const reynolds::FarField& far_field = *hierarchy.problem.far_field;
-  if (level.grid.domain.line) hierarchy.far_motion.flow = flow_through_line(hierarchy, level);
+  if (level.grid.domain.line) {
+    hierarchy.far_motion.flow = flow_through_line(hierarchy, level);
+    hierarchy.far_motion.mobility = mobility_upstream(hierarchy, level);
+  }
   const reynolds::FarState state = far_state(hierarchy, hierarchy.H00);
   double change = 0.0;
   auto point = level.boundary.begin();

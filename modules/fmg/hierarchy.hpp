@@ -159,6 +159,8 @@ struct FarMotion {
   double load = 1.0;
   double load_rate = 0.0;
   double flow = 0.0;  ///< through a line contact, renewed with the boundary
+  /// Likewise: what effects make of epsilon upstream of a line's domain. Oil that recirculates there is warm.
+  double mobility = 1.0;
 };
 
 struct Hierarchy {

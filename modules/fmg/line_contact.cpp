@@ -76,7 +76,7 @@ LineNodes make_line_nodes(const core::Patch& grid, bool anisotropic) {
 
 bool along_one_line(const Hierarchy& hierarchy, const Level& level) {
   const film::Model& model = hierarchy.problem.film;
-  return level.grid.domain.line && model.effects.empty() && !model.given_epsilon;
+  return level.grid.domain.line && !model.given_epsilon;
 }
 
 namespace {
@@ -87,7 +87,7 @@ void coefficients_of_nodes(Hierarchy& hierarchy, Level& level) {
   ThreadWork& work = level.thread_work.front();
   LineNodes& nodes = work.line_nodes;
   const bool half_points = at_half_points(level);
-  const film::Station line{level.grid, 0, nodes.P, nodes.H};
+  const film::Station line{level.grid, 0, nodes.P, nodes.H, true};
   if (half_points) {
     film::oil(model, line, work.film,
               {.fluidity = nodes.fluidity,

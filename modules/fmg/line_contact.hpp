@@ -4,7 +4,7 @@
 
 namespace ehl::fmg {
 
-/// True where the nodes of a line contact can be taken side by side: not with effects that are told their station.
+/// True where the nodes of a line contact are taken side by side: not in the linear model problems.
 bool along_one_line(const Hierarchy& hierarchy, const Level& level);
 
 /// What coefficients.cpp makes station by station, all along the line at once: the same bits. A station of a line has

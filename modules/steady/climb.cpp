@@ -148,7 +148,8 @@ double deformation_by_outside(const fmg::Hierarchy& hierarchy) {
   const fmg::Problem& problem = hierarchy.problem;
   const core::Grid& grid = hierarchy.levels.back().grid.domain;
   if (!grid.line || !problem.far_field) return 0.0;
-  const reynolds::FarState state{.H00 = hierarchy.H00, .flow = hierarchy.far_motion.flow};
+  const reynolds::FarState state{
+      .H00 = hierarchy.H00, .speed = 1.0 / hierarchy.far_motion.mobility, .flow = hierarchy.far_motion.flow};
   constexpr int parts = 200;  // of X_a/X by the midpoint rule: 1e-5 of the deformation
   double sum = 0.0;
   for (int k = 0; k < parts; ++k) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/errors.hpp"
+#include "thermal/before_inlet.hpp"
 
 namespace ehl::thermal {
 namespace {
@@ -23,6 +24,7 @@ constexpr Steps steps_of_column{.most = 20, .tolerance = 1e-3};
 // How a body answers: what is marched with the film, and what of its own source is left and lagged.
 struct Answer {
   std::vector<double> marched{};
+  std::vector<double> before{};  // of a line contact: before_inlet.hpp
   std::optional<Source> lagged{};
 };
 
@@ -38,7 +40,14 @@ Answer answer_of(const Setup& setup, const Body& body) {
     answer.marched = line_weights(setup.patch.nx, setup.patch.hx(), Pe);
     for (double& w : answer.marched) w *= body.resistance;
   }
-  if (setup.lines) return answer;
+  const auto bring = [&] {
+    if (!grid.line || grid.X_a >= 0.0) return;
+    answer.before = before_inlet(setup.patch, answer.marched, body.Pe, body.resistance);
+  };
+  if (setup.lines) {
+    bring();
+    return answer;
+  }
   SourceTable table =
       moving_source_table(setup.patch.nx, strips ? 0 : grid.ny, grid.hx(), strips ? INFINITY : grid.hy(), body.Pe);
   for (double& G : table.G) G *= body.resistance;
@@ -46,6 +55,7 @@ Answer answer_of(const Setup& setup, const Body& body) {
     answer.marched = take_downstream(table);
   else
     subtract_lines(answer.marched, table);
+  bring();
   answer.lagged = make_source(setup.patch, table, setup.threads);
   return answer;
 }
@@ -105,13 +115,15 @@ FilmTemperature::FilmTemperature(const Setup& setup)
     *field = core::Field(patch);
     field->fill(1.0);
   }
-  const auto take = [&setup](const Body& body, std::vector<double>& marched, std::optional<Source>& lagged) {
-    Answer answer = answer_of(setup, body);
+  if (patch.domain.line) upstream_1_ = upstream_2_ = std::vector<double>(static_cast<std::size_t>(patch.nodes_x()));
+  const auto take = [](Answer answer, std::vector<double>& marched, std::vector<double>& before,
+                       std::optional<Source>& lagged) {
     marched = std::move(answer.marched);
+    before = std::move(answer.before);
     lagged = std::move(answer.lagged);
   };
-  take(setup.body_1, line_1_, source_1_);
-  take(setup.body_2, line_2_, source_2_);
+  take(answer_of(setup, setup.body_1), line_1_, before_1_, source_1_);
+  take(answer_of(setup, setup.body_2), line_2_, before_2_, source_2_);
 }
 
 void FilmTemperature::start_from(const FilmTemperature& coarse, const FilmTemperature* coarser) {
@@ -140,6 +152,8 @@ void FilmTemperature::start_from(const FilmTemperature& coarse, const FilmTemper
         (this->*field)(i, j) =
             start(i, j, [field](const FilmTemperature& film, int ci, int cj) { return (film.*field)(ci, cj); });
     }
+  if (patch.domain.line)
+    for (int i = 0; i <= patch.nx; ++i) keep_fluxes(i);
   before_ = theta_;
   apply_sources();
 }
@@ -157,26 +171,13 @@ double FilmTemperature::velocity(int i, int j, int k) const {
   return value(flow_x_, i, j, k) / (rho_bar_(i, j) * H_(i, j) * oil_(i, j) * layer);
 }
 
-// The surfaces of a batch: what flowed into them upstream, and their own share.
-void FilmTemperature::surfaces(int batch, int i, Columns& at) const {
-  const int j = batch * core::lanes;
-  const auto surface = [&](const Body& body, const std::vector<double>& line, const core::Field& q,
-                           const core::Field& correction, Lanes& given, Lanes& self) {
-    given = body.theta + core::load(correction.at_x(i) + j);
-    self = broadcast(line.empty() ? 0.0 : line[0]);
-    if (line.empty()) return;
-    for (int m = 1; m <= i; ++m) given += line[static_cast<std::size_t>(m)] * core::load(q.at_x(i - m) + j);
-  };
-  surface(setup_.body_1, line_1_, q_1_, correction_1_, at.given_1, at.self_1);
-  surface(setup_.body_2, line_2_, q_2_, correction_2_, at.given_2, at.self_2);
-}
-
 void FilmTemperature::store(int batch, int i, const Columns& at) {
   const int j = batch * core::lanes;
   for (int k = 0; k <= nodes_.intervals; ++k)
     core::store(&theta_[index(batch, i, k)], at.theta[static_cast<std::size_t>(k)]);
   core::store(q_1_.at_x(i) + j, at.q_1);
   core::store(q_2_.at_x(i) + j, at.q_2);
+  if (setup_.patch.domain.line) keep_fluxes(i);
 }
 
 // What the Reynolds side and the report take from a column.

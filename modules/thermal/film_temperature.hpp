@@ -129,12 +129,19 @@ class FilmTemperature {
     return f[index(j / core::lanes, i, k) + static_cast<std::size_t>(j % core::lanes)];
   }
   void load(int batch, int i, const std::vector<double>& theta, Columns& at) const;
-  void flows(int batch, int i, Worker& worker);
+  template <class Of, class ThetaOf>
+  void load(Of of, ThetaOf theta_of, Columns& at) const;
+  template <class Of, class ThetaOf, class Put, class PutNode>
+  void flows(Of of, ThetaOf theta_of, Put put, PutNode put_node, Worker& worker);
+  void make_flows();
   void fill(const core::Field* theta);
   int last_backflow() const;
   void carry(int batch, int i, bool downstream, Worker& worker) const;
+  Lanes fresh_share(int batch) const;
   void add_compression(int batch, int i, Worker& worker) const;
   void surfaces(int batch, int i, Columns& at) const;
+  double marched(const std::vector<double>& weights, const std::vector<double>& upstream, int i) const;
+  void keep_fluxes(int i);
   void store(int batch, int i, const Columns& at);
   void store_moments(int batch, int i, Worker& worker);
   double solve_batch(int batch, bool downstream, Worker& worker);
@@ -157,6 +164,8 @@ class FilmTemperature {
   core::Field I0_, M2_, C_, more_x_, more_y_, less_tau_, tau_, q_1_, q_2_, heat_, carried_, clipped_, correction_1_,
       correction_2_;
   std::vector<double> line_1_, line_2_;
+  std::vector<double> before_1_, before_2_;  // likewise: what the bodies bring with them, per flux at the first node
+  std::vector<double> upstream_1_, upstream_2_;  // of a line contact q_1_ and q_2_, from the last node to the first
   std::optional<Source> source_1_, source_2_;
   std::vector<Worker> workers_;
   std::vector<double> change_;  // per batch: no reduction depends on the threads

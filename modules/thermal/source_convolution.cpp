@@ -106,25 +106,25 @@ std::size_t SourceConvolution::bytes() const {
 }
 
 LineConvolution::LineConvolution(const core::Patch& patch, const SourceTable& table)
-    : patch_(patch),
-      length_(mlmi::padded_length(2 * patch.nodes_x() - 1)),
-      transform_(length_),
-      spectrum_(size(length_) + 2),
-      along_(size(length_)),
-      transformed_(size(length_) + 2) {
-  std::fill_n(along_.data(), along_.size(), 0.0);
-  for (int d = -patch.nx; d <= patch.nx; ++d) along_.data()[d < 0 ? d + length_ : d] = table(d, 0) / length_;
-  transform_.forward(along_.data(), spectrum_.data());
+    : patch_(patch), first_(-patch.nx), q_(size(patch.nodes_x())), theta_(q_.size()) {
+  int last = patch.nx;
+  while (last >= first_ && table(last, 0) == 0.0) --last;
+  while (first_ <= last && table(first_, 0) == 0.0) ++first_;
+  for (int d = first_; d <= last; ++d) G_.push_back(table(d, 0));
 }
 
 void LineConvolution::apply(const core::Field& q, core::Field& theta) {
   const int nodes = patch_.nodes_x(), line = patch_.last_line();
-  for (int i = 0; i < nodes; ++i) along_.data()[i] = q(i, line);
-  std::fill(along_.data() + nodes, along_.data() + length_, 0.0);
-  transform_.forward(along_.data(), transformed_.data());
-  for (int n = 0; n <= length_; n += 2) multiply(spectrum_.data() + n, transformed_.data() + n);
-  transform_.inverse(transformed_.data(), along_.data());
-  for (int i = 0; i < nodes; ++i) std::ranges::fill(theta.station(i), along_.data()[i]);
+  for (int i = 0; i < nodes; ++i) q_[size(i)] = q(i, line);
+  std::ranges::fill(theta_, 0.0);
+  for (std::size_t k = 0; k < G_.size(); ++k) {
+    const int d = first_ + static_cast<int>(k), begin = std::max(0, d), end = std::min(nodes, nodes + d);
+    const double G = G_[k];
+    const double* from = q_.data() + begin - d;
+    double* to = theta_.data() + begin;
+    for (int i = 0; i < end - begin; ++i) to[i] += G * from[i];
+  }
+  for (int i = 0; i < nodes; ++i) core::fill_lines(theta.at_x(i), theta_[size(i)]);
 }
 
 Source make_source(const core::Patch& patch, const SourceTable& table, int threads) {

@@ -1,6 +1,6 @@
 #pragma once
-// The sum theta = G*q over all pairs of nodes for a kernel that is even across but not along the motion, by zero-padded
-// Fourier transforms: exact up to rounding.
+// The sum theta = G*q over all pairs of nodes for a kernel that is even across but not along the motion: by zero-padded
+// Fourier transforms, exact up to rounding; of a line contact term by term.
 #include <cstddef>
 #include <variant>
 #include <vector>
@@ -43,7 +43,8 @@ class SourceConvolution {
   std::vector<Worker> workers_;
 };
 
-/// The same of a line contact, along its one line: theta_i = sum_k G(i-k) q_k.
+/// The same of a line contact, along its one line: theta_i = sum_k G(i-k) q_k. Upstream of itself a fast body feels few
+/// cells, and a plan of transforms takes as long as a hundred such sums. cost: nodes times entries that are not zero.
 class LineConvolution {
  public:
   /// in: table with n_x >= domain.nx, of which the strips' own line (n_y = 0) is taken.
@@ -52,13 +53,13 @@ class LineConvolution {
   /// in: q on the patch. out: theta, the same on all lines. The two may be the same field.
   void apply(const core::Field& q, core::Field& theta);
 
-  std::size_t bytes() const { return spectrum_.bytes() + along_.bytes() + transformed_.bytes(); }
+  std::size_t bytes() const { return sizeof(double) * (G_.size() + q_.size() + theta_.size()); }
 
  private:
   core::Patch patch_;
-  int length_;  // padded
-  mlmi::RealTransform transform_;
-  mlmi::Buffer spectrum_, along_, transformed_;
+  int first_;              // d of the first entry of G_
+  std::vector<double> G_;  // from the first to the last that is not zero
+  std::vector<double> q_, theta_;
 };
 
 /// The kernel of the body beside this patch.

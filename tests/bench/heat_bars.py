@@ -1,9 +1,10 @@
-"""Do the bars of friction and temperatures hold? Contacts with heat drawn by a seed, on 128 and 256 cells against 512.
+"""Do the bars of contacts with heat hold? Contacts drawn by a seed, on coarse grids against a fine one.
 
-python3 tests/bench/heat_bars.py EHL FOLDER [SEED [NUMBER]]   solves what FOLDER does not hold yet; one line per value
+python3 tests/bench/heat_bars.py EHL FOLDER [SEED [NUMBER]]         points: 128 and 256 cells against 512
+python3 tests/bench/heat_bars.py EHL FOLDER [SEED [NUMBER]] line    lines: 128, 256 and 512 against 2048
 
-0.5 to 1.6 GPa, 0.7 to 8 m/s, srr 0.05 to 1.8 in both directions, discretization and domain as a deck has them by
-default.
+Solves what FOLDER does not hold yet; one line per value. 0.5 to 1.6 GPa, 0.7 to 8 m/s, srr 0.05 to 1.8 in both
+directions, discretization and domain as a deck has them by default.
 """
 
 import json
@@ -13,11 +14,14 @@ import random
 import subprocess
 import sys
 
-VALUES = ("mu", "T_film_max", "T1_max", "T2_max")
 E_PRIME = 226e9
+HEAT = ("mu", "T_film_max", "T1_max", "T2_max")
+# With what a value is compared, and the grids: of a film the node's least lies above the least between the nodes.
+FILM = {"Hc": "Hc", "Hm": "Hm_fitted", "Hm_fitted": "Hm_fitted", "Hc_extrapolated": "Hc", "Hm_extrapolated": "Hm_fitted"}
+GRIDS = {"point": ((128, 256), 512), "line": ((128, 256, 512), 2048)}
 
 
-def drawn(seed, number):
+def drawn(seed, number, kind):
     random.seed(seed)
 
     def log_between(low, high):
@@ -25,9 +29,14 @@ def drawn(seed, number):
 
     for _ in range(number):
         radius, p_h = log_between(5e-3, 2e-2), random.uniform(0.5e9, 1.6e9)
-        a = math.pi * p_h * radius / E_PRIME
-        yield f"""[contact]
-load = {2 / 3 * math.pi * a * a * p_h}
+        if kind == "line":
+            a = 4 * p_h * radius / E_PRIME
+            load = f"kind = line\nload_per_length = {math.pi / 2 * a * p_h}"
+        else:
+            a = math.pi * p_h * radius / E_PRIME
+            load = f"load = {2 / 3 * math.pi * a * a * p_h}"
+        yield p_h, f"""[contact]
+{load}
 radius_x = {radius}
 E_prime = {E_PRIME}
 [motion]
@@ -56,25 +65,36 @@ def solved(program, folder, name, cells):
     return json.loads(result.read_text())
 
 
-def main(program, folder, seed=1, number=16):
+def with_bars(kind, now, fine):
+    """Each value with its bar, and what the fine grid has for it."""
+    for value in HEAT:
+        yield value, now["thermal"][value], now["thermal"]["error_" + value], fine["thermal"][value]
+    for value, other in FILM.items() if kind == "line" else ():
+        if now.get(value) is not None:
+            yield value, now[value], now["error_" + value], fine[other]
+
+
+def main(program, folder, seed=1, number=16, kind="point"):
     folder = pathlib.Path(folder)
     folder.mkdir(exist_ok=True)
+    grids, fine = GRIDS[kind]
     print("contact,value,cells,p_h [GPa],u_m,srr,bar,error,bar/error")
-    for k, deck in enumerate(drawn(int(seed), int(number)), 1):
-        name = f"{seed}_{k}"
+    for k, (p_h, deck) in enumerate(drawn(int(seed), int(number), kind), 1):
+        name = f"{seed}_{k}" if kind == "point" else f"{kind}_{seed}_{k}"
         (folder / f"{name}.ini").write_text(deck)
-        of = {cells: solved(program, folder, name, cells) for cells in (128, 256, 512)}
-        if not all(one.get("converged") for one in of.values()):
-            print(f"# {k}: not solved on", *[cells for cells, one in of.items() if not one.get("converged")])
-            continue
+        of = {cells: solved(program, folder, name, cells) for cells in (*grids, fine)}
+        bad = [cells for cells, one in of.items() if not one.get("converged")]
+        if bad:
+            print(f"# {k}: not solved on", *bad)
         told = {key.strip(): value for key, _, value in (line.partition("=") for line in deck.splitlines())}
-        for cells in (128, 256):
-            for value in VALUES:
-                heat = of[cells]["thermal"]
-                error, bar = abs(heat[value] / of[512]["thermal"][value] - 1), heat["error_" + value]
-                p_h = E_PRIME / math.pi * (1.5 * float(told["load"]) / E_PRIME / float(told["radius_x"]) ** 2) ** (1 / 3)
+        for cells in grids if fine not in bad else ():
+            for value, is_now, bar, true in with_bars(kind, of[cells], of[fine]) if cells not in bad else ():
+                error = abs(is_now / true - 1)
+                if bar is None:  # the grids below it were not solved
+                    print(f"# {k}: no bar of {value} on {cells}")
+                    continue
                 conditions = f"{p_h / 1e9:.2f},{float(told['u_m']):.2f},{float(told['srr']):.3f}"
-                print(f"{k},{value},{cells},{conditions},{bar:.1e},{error:.1e},{bar / max(error, 1e-9):.1f}")
+                print(f"{seed}.{k},{value},{cells},{conditions},{bar:.1e},{error:.1e},{bar / max(error, 1e-9):.1f}")
 
 
 if __name__ == "__main__":

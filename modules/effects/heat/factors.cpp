@@ -78,8 +78,12 @@ film::CoefficientEffect Factors::effect(std::shared_ptr<const Factors> factors) 
     const auto here = std::ranges::find(factors->grids_, station.grid, &GridFactors::grid);
     if (here == factors->grids_.end()) return;  // a grid of another hierarchy, before the film has a temperature
     const auto multiply = [&](const core::Field& by, std::span<double> values) {
-      const double* value = by.at_x(station.i);
-      for (std::size_t j = 0; j < values.size(); ++j) values[j] *= value[j];
+      const double* value = by.at_x(station.i) + (station.along ? 1 : 0);
+      const std::ptrdiff_t next = station.along ? by.stride() : 1;
+      for (double& one : values) {
+        one *= *value;
+        value += next;
+      }
     };
     multiply(here->fluidity, at.fluidity);
     multiply(here->mobility, at.mobility);

@@ -1,5 +1,6 @@
 #pragma once
 // The steady contact with heat, from the isothermal solution of the same scene.
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ struct Row {
   int nx = 0, ny = 0, passes = 0;
   double Hc = 0.0, Hm = 0.0, mu = 0.0, film = 0.0, surface_1 = 0.0, surface_2 = 0.0;  ///< theta
   double defect = 0.0, seconds = 0.0;
+  /// Of a line contact the same three behind X = 0.5, where oil under a spike is hot by compression; else NaN.
+  double film_behind = NAN, surface_1_behind = NAN, surface_2_behind = NAN;
 };
 
 /// On the whole domain; temperatures in kelvin above T0.
