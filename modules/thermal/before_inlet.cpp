@@ -4,6 +4,17 @@
 #include <numbers>
 
 namespace ehl::thermal {
+namespace {
+
+// (1/pi) exp(z) K0(z), z = Pe s/2: of a line source the distance s downstream of it.
+double of_line_source(double Pe, double s) {
+  constexpr double far = 50.0;  // from there on its asymptote to 3e-5
+  const double z = 0.5 * Pe * s;
+  if (z > far) return (1.0 - 1.0 / (8.0 * z)) / std::sqrt(std::numbers::pi * Pe * s);
+  return std::exp(z) * std::cyl_bessel_k(0.0, z) / std::numbers::pi;
+}
+
+}  // namespace
 
 std::vector<double> before_inlet(const core::Patch& line, const std::vector<double>& marched, double Pe,
                                  double factor) {
@@ -23,7 +34,7 @@ std::vector<double> before_inlet(const core::Patch& line, const std::vector<doub
     double begin = (static_cast<double>(nodes - i) - 0.5) * h;
     while (begin < far_away * length) {
       const double end = longer * begin + h, s = 0.5 * (begin + end);
-      E[i] += factor * (end - begin) * share(s) / std::sqrt(std::numbers::pi * Pe * (place + s));
+      E[i] += factor * (end - begin) * share(s) * of_line_source(Pe, place + s);
       begin = end;
     }
   }

@@ -10,7 +10,7 @@ namespace ehl::thermal {
 /// the first node, upstream of it q = q_0 (X_a/X)^3. Shear makes heat as X^-2, of which the oil that recirculates takes
 /// its part along; with the second power Hc came out too small for 37 of 39 contacts, with the third for 22. in:
 /// marched, what a cell makes of the nodes downstream of it, by distance in cells; Pe > 0 of the body; factor of
-/// marched. error: behind the last of them by Carslaw and Jaeger's line.
+/// marched. Beyond the last of them a moving line source (Carslaw and Jaeger).
 std::vector<double> before_inlet(const core::Patch& line, const std::vector<double>& marched, double Pe, double factor);
 
 }  // namespace ehl::thermal

@@ -178,7 +178,7 @@ BOOST_AUTO_TEST_CASE(four_gigapascal_come_with_their_warnings) {
 // The equations at the nodes are solved, by a film that the nodes miss.
 BOOST_AUTO_TEST_CASE(a_film_that_is_negative_between_the_nodes_is_told) {
   const Report report =
-      run_deck("stability_map", {"contact.M=100", "contact.L=5", "contact.radius_ratio=50", "grid.cells=256"});
+      run_deck("stability_map", {"contact.M=100", "contact.L=5", "contact.radius_ratio=50", "grid.cells=128"});
   BOOST_TEST(report.text("converged") == "true");
   BOOST_TEST_MESSAGE("Hm " << report.number("Hm") << " at a node, " << report.number("Hm_fitted") << " between them");
   BOOST_REQUIRE(report.number("Hm") > 0.0);
