@@ -3,6 +3,8 @@
 
 namespace ehl::thermal {
 
+double FilmTemperature::theta(int i, int j, int k) const { return value(theta_, i, j, k); }
+
 Balance FilmTemperature::balance() const {
   const core::Patch& patch = setup_.patch;
   Balance sum;

@@ -103,8 +103,9 @@ class FilmTemperature {
   const core::Field& tau_m() const { return tau_; }
   const core::Field& q_1() const { return q_1_; }
   const core::Field& q_2() const { return q_2_; }
-  /// theta of node k of the column (i, j), k = 0..intervals from surface 2.
-  double theta(int i, int j, int k) const { return value(theta_, i, j, k); }
+  /// theta of node k of the column (i, j), k = 0..intervals from surface 2. Not inline: how columns lie side by side
+  /// depends on the processor that a file is compiled for, and a caller may be compiled for every processor.
+  double theta(int i, int j, int k) const;
   /// Speed along X there, of the last take(), in u_m. limits: not with Pe = 0 and compression = 0.
   double velocity(int i, int j, int k) const;
   Balance balance() const;
