@@ -42,7 +42,8 @@ struct CyclesResult {
 /// Backs off: without relaxations after the correction, a residual that falls slowly asks for one; a residual that
 /// rises or hardly falls lowers the weight where epsilon is steep, and then all weights; a state that is no longer
 /// finite, or hopeless, is replaced by the one at the beginning and all weights are lowered; where that does not help
-/// the one at the beginning is what is left. in: caution, to begin with.
+/// the one at the beginning is what is left. On stretched cells good cycles raise the weight where epsilon is steep.
+/// in: caution, to begin with.
 CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::StoppingCriterion& criterion,
                         const Caution& caution, const CycleObserver& observe);
 

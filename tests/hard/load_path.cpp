@@ -177,7 +177,7 @@ BOOST_AUTO_TEST_CASE(a_polish_reaches_rounding_errors) {
 
 // Where the cycles cannot, another way must be found and told; with every other way forbidden there is none.
 BOOST_AUTO_TEST_CASE(newtons_method_saves_what_cycles_leave_unsolved) {
-  steady::Scene scene = hard::scene({500, 10}, 64);
+  steady::Scene scene = hard::scene({1000, 10}, 64);
   scene.grid.ny = 512;  // cells eight times as long as wide, which are too long for this film: the cycles diverge
   scene.continuation.path = Path::off;
   const steady::Solution saved = steady::solve(scene);
