@@ -94,13 +94,14 @@ bool ContactDae::balanced_by_cycle(const Stage& stage) const {
 StageResult ContactDae::iterate(const Stage& stage, Way way, double& measured) {
   fmg::Level& level = hierarchy_.finest();
   StageResult result{.solved = false};
+  int& taken = way == Way::cycles ? result.cycles : result.newton_steps;
   const bool balanced = way == Way::cycles && balanced_by_cycle(stage);
   double last = std::numeric_limits<double>::quiet_NaN();
   double least = std::numeric_limits<double>::infinity();
   int in_vain = 0;
-  while (!result.solved && result.cycles < control_.most_cycles) {
+  while (!result.solved && taken < control_.most_cycles) {
     const double H00_before = hierarchy_.H00;
-    ++result.cycles;
+    ++taken;
     try {
       if (way == Way::cycles)
         cycle();
@@ -113,10 +114,10 @@ StageResult ContactDae::iterate(const Stage& stage, Way way, double& measured) {
     if (conserves_mass()) fmg::update_residual(hierarchy_, level);
     const double now = change(stage, H00_before);
     if (!std::isfinite(now)) return result;
-    if (result.cycles > 1) measured = std::max(best_rate, now / last);
+    if (taken > 1) measured = std::max(best_rate, now / last);
     in_vain = now > worst_rate * least ? in_vain + 1 : 0;
     if (in_vain >= (way == Way::cycles ? patience : patience_of_newton) && now > stage.tolerance) return result;
-    const double rate = std::clamp(measured, result.cycles == 1 ? best_first_rate : best_rate, worst_rate);
+    const double rate = std::clamp(measured, taken == 1 ? best_first_rate : best_rate, worst_rate);
     result.solved = now * rate / (1.0 - rate) <= stage.tolerance;
     if (result.solved && !balanced) {
       const double H00_of_cycle = hierarchy_.H00;
@@ -153,7 +154,7 @@ StageResult ContactDae::solve(const Stage& stage, const Drive& drive, std::span<
     double rate = best_first_rate;
     const int cycles = result.cycles;
     result = iterate(stage, Way::newton, rate);
-    result.cycles += cycles;
+    result.cycles = cycles;
   }
   if (!result.solved) return result;
   if (course_.body) take_velocity(stage, drive);

@@ -28,7 +28,8 @@ struct Calls {
   std::exception_ptr error{};
   std::string message{};  ///< IDA's last one
   int cycles = 0;         ///< since the step began
-  int last_cycles = 0;    ///< of the last solution
+  int newton_steps = 0;   ///< likewise
+  int last_count = 0;     ///< of the last solution, of both
   double last_T = 0.0;
 
   /// IDA's convention: 0 went well, positive try a shorter step, negative stop.
@@ -78,8 +79,9 @@ int solve_stage(SUNNonlinearSolver solver, N_Vector, N_Vector correction, N_Vect
     c.last_T = T;
     const Stage stage{T, cj, values(y_predicted), values(yp_predicted), values(ewt), tolerance};
     const StageResult result = c.problem.solve(stage, values(correction));
-    c.last_cycles = result.cycles;
+    c.last_count = result.cycles + result.newton_steps;
     c.cycles += result.cycles;
+    c.newton_steps += result.newton_steps;
     // A comparison with NaN is false: IDA's error test would pass.
     return result.solved && std::ranges::all_of(values(correction), [](double v) { return std::isfinite(v); });
   });
@@ -149,7 +151,7 @@ Ida::Ida(const DaeProblem& problem, const StepLimits& limits, double T, std::spa
   own.solver->ops->setsysfn = [](SUNNonlinearSolver, SUNNonlinSolSysFn) { return 0; };
   own.solver->ops->solve = solve_stage;
   own.solver->ops->getnumiters = [](SUNNonlinearSolver solver, long* count) {
-    *count = calls(solver->content).last_cycles;
+    *count = calls(solver->content).last_count;
     return 0;
   };
   check(IDASetNonlinearSolver(own.memory, own.solver) == IDA_SUCCESS);
@@ -182,12 +184,12 @@ StepReport Ida::step(double T_stop) {
   Implementation& own = *implementation_;
   own.calls.error = nullptr;
   own.calls.message.clear();
-  own.calls.cycles = 0;
+  own.calls.cycles = own.calls.newton_steps = 0;
   realtype T = 0.0;
   int flag = IDASetStopTime(own.memory, T_stop);  // refused where it lies behind
   if (flag == IDA_SUCCESS) flag = IDASolve(own.memory, T_stop, &T, own.y, own.yp, IDA_ONE_STEP);
   if (own.calls.error) std::rethrow_exception(own.calls.error);
-  StepReport report{.T = T, .cycles = own.calls.cycles};
+  StepReport report{.T = T, .cycles = own.calls.cycles, .newton_steps = own.calls.newton_steps};
   switch (flag) {
     case IDA_SUCCESS: report.end = StepReport::End::accepted; break;
     case IDA_TSTOP_RETURN: report.end = StepReport::End::at_stop; break;

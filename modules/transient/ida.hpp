@@ -23,6 +23,7 @@ struct Stage {
 struct StageResult {
   bool solved = true;  ///< false: the step must be shorter
   int cycles = 0;
+  int newton_steps = 0;
 };
 
 /// What IDA is to integrate. What the functions throw passes through IDA unharmed.
@@ -51,6 +52,7 @@ struct StepReport {
   double length = 0.0;
   int order = 0;
   int cycles = 0;        ///< of all attempts at this step
+  int newton_steps = 0;  ///< likewise
   int rejected = 0;      ///< attempts by the error test
   int not_solved = 0;    ///< attempts by the iteration
   std::string reason{};  ///< of a failure, in words

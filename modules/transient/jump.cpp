@@ -27,6 +27,7 @@ bool solve_euler_step(ContactDae& dae, const Drive& drive, EulerStep& step) {
   const StageResult result =
       dae.solve({step.T, 1.0 / step.length, step.y, step.yp, weights, tolerance}, drive, correction);
   step.cycles += result.cycles;
+  step.newton_steps += result.newton_steps;
   if (!result.solved) return false;
   for (std::size_t n = 0; n < step.y.size(); ++n) step.y[n] += correction[n];
   slope();

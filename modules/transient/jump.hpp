@@ -11,10 +11,15 @@ struct EulerStep {
   double T = 0.0;  ///< at its end
   double length = 0.0;
   int cycles = 0;
+  int newton_steps = 0;
   std::vector<double> old{};  ///< state at T - length
   std::vector<double> y{};    ///< state at T; before it is solved, a guess
   std::vector<double> yp{};
 };
+
+inline StepReport report_of(const EulerStep& step) {
+  return {.T = step.T, .length = step.length, .order = 1, .cycles = step.cycles, .newton_steps = step.newton_steps};
+}
 
 /// Solves the step under the drive at its end, the guess by the state before it. false where the cycles do not
 /// converge: y is still the guess.

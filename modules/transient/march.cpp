@@ -158,7 +158,7 @@ class March {
     for (int k = 0; k < count; ++k) {
       step.old = step.y;
       step.T = report_.T + step.length;
-      step.cycles = 0;
+      step.cycles = step.newton_steps = 0;
       const Drive next = drive(step.T);
       if (conditions_.body) before.load = next.load;  // the body's inertia takes it
       const bool solved = k > 0 ? solve_euler_step(dae_, next, step) : solve_step_across(dae_, before, next, step);
@@ -167,7 +167,7 @@ class March {
         const double ahead = (step.T - at) / step.length;
         for (std::size_t n = 0; n < step.y.size(); ++n) between_[n] = step.y[n] - ahead * (step.y[n] - step.old[n]);
       };
-      if (!accept({.T = step.T, .length = step.length, .order = 1, .cycles = step.cycles}, step.y, interpolate)) {
+      if (!accept(report_of(step), step.y, interpolate)) {
         if (observer_.checkpoint) hand_out_checkpoint(step.length, step.y, step.yp);
         return stopped(MarchEnd::interrupted);
       }
@@ -185,12 +185,12 @@ class March {
   // Counts and shows a step, the level holding its state.
   template <class Interpolate>
   bool accept(const StepReport& step, std::span<const double> y, Interpolate interpolate) {
-    const double before = report_.T;
+    const double before = std::exchange(report_.T, step.T);
     ++report_.steps;
     report_.cycles += step.cycles;
+    report_.newton_steps += step.newton_steps;
     report_.rejected += step.rejected;
     report_.not_solved += step.not_solved;
-    report_.T = step.T;
     const bool on = show(step);
     frames_between(before, y, interpolate);
     return on;
@@ -215,6 +215,7 @@ class March {
                       .length = step.length,
                       .order = step.order,
                       .cycles = step.cycles,
+                      .newton_steps = step.newton_steps,
                       .rejected = step.rejected,
                       .not_solved = step.not_solved,
                       .oil = dae_.oil(),

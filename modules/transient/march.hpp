@@ -38,8 +38,9 @@ struct StepRow {
   double length = 0.0;      ///< of the step; 0 in the first row
   int order = 0;
   int cycles = 0;
-  int rejected = 0;    ///< attempts that failed the error test
-  int not_solved = 0;  ///< attempts that the cycles did not solve
+  int newton_steps = 0;  ///< of a line contact, where cycles do not converge
+  int rejected = 0;      ///< attempts that failed the error test
+  int not_solved = 0;    ///< attempts that neither solved
 
   OilInTime oil{};
   std::vector<Probed> probed{};  ///< of every probe
@@ -76,7 +77,7 @@ struct MarchReport {
   MarchEnd end = MarchEnd::end_time;
   double T = 0.0;
   std::string reason{};  ///< of a failure
-  int steps = 0, cycles = 0, rejected = 0, not_solved = 0, restarts = 0;
+  int steps = 0, cycles = 0, newton_steps = 0, rejected = 0, not_solved = 0, restarts = 0;
   double worst_load_error = 0.0;
   double worst_oil_error = 0.0;  ///< of the rows
   double longest_step = 0.0;     ///< that was allowed

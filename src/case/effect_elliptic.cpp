@@ -9,6 +9,8 @@ Effect elliptic_effect() {
   return {.name = "elliptic",
           .meaning =
               "Bodies whose radii along x and y differ, and the direction of entrainment between them; long ones too.",
+          .name_here =
+              [](const Case& input) { return std::string(contact::line(input.scene.shape) ? "line" : "elliptic"); },
           .stage = Stage::coefficients,
           .without = "circular",
           .callers = {{"contact", "kind"}, {"contact", "radius_ratio"}, {"contact", "radius_y"}},
@@ -16,8 +18,7 @@ Effect elliptic_effect() {
           .what =
               [](const Case& input) {
                 const contact::Ellipse& shape = input.scene.shape;
-                if (contact::line(shape))
-                  return std::string("a line contact: R_y without end, nothing changes along y");
+                if (contact::line(shape)) return std::string("R_y without end, nothing changes along y");
                 return fmt::format("R_x/R_y = {:.4g}, b/a = {:.4g}, entrained at {:.4g} degrees to R_x",
                                    shape.radius_ratio, shape.kappa, shape.angle);
               },

@@ -82,6 +82,8 @@ void read_effects(Case& input) {
 std::vector<Effect> effects_of(const Case& input) {
   std::vector<Effect> on = effects();
   std::erase_if(on, [&](const Effect& effect) { return !effect.on(input); });
+  for (Effect& effect : on)
+    if (effect.name_here) effect.name = effect.name_here(input);
   return on;
 }
 

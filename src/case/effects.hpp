@@ -46,6 +46,7 @@ enum class Stage {
 struct Effect {
   std::string name{};
   std::string meaning{};
+  std::string (*name_here)(const Case& input) = nullptr;  ///< its name in this case, where that may be another
   Stage stage = Stage::after_solution;
   std::string without{};                                  ///< what the basic model has in its place: "steady"
   std::vector<deck::Section> sections{};                  ///< of the deck, that belong to nothing else

@@ -16,9 +16,10 @@ using transient::StepRow;
 
 /// What rows have beside what all have.
 struct RowKind {
-  bool body = false;  ///< one moves
-  bool oil = false;   ///< mass is conserved
-  bool line = false;  ///< of a line contact: its oil is that of a length across it
+  bool body = false;    ///< one moves
+  bool oil = false;     ///< mass is conserved
+  bool line = false;    ///< of a line contact: its oil is that of a length across it
+  bool newton = false;  ///< Newton's steps are counted apart; not in files of earlier programs
 };
 
 // Of /transient, in order. in: the points that are looked at.
@@ -53,8 +54,10 @@ std::vector<Column<StepRow>> step_columns(const RowKind& kind, const std::vector
   columns.push_back({"step", "a/u_m", "length of the step; 0 for the start", &StepRow::length});
   columns.push_back({"order", "-", "of the time integration", &StepRow::order});
   columns.push_back({"cycles", "-", "of all attempts at the step", &StepRow::cycles});
+  if (kind.newton)
+    columns.push_back({"newton_steps", "-", "of Newton's method, in all attempts", &StepRow::newton_steps});
   columns.push_back({"rejected", "-", "attempts that failed the error test", &StepRow::rejected});
-  columns.push_back({"not_solved", "-", "attempts that the cycles did not solve", &StepRow::not_solved});
+  columns.push_back({"not_solved", "-", "attempts that were not solved", &StepRow::not_solved});
   for (std::size_t k = 0; k < probes.size(); ++k) {
     const std::string number = std::to_string(k + 1);
     const auto probed = [k](double transient::Probed::*what) {
@@ -103,7 +106,8 @@ std::vector<StepRow> read_rows(const results::ResultFile& file) {
   while (there("P_" + std::to_string(probes.size() + 1))) probes.emplace_back();
   std::vector<StepRow> rows(file.numbers("/transient/time").values.size());
   for (StepRow& row : rows) row.probed.resize(probes.size());
-  for (const Column<StepRow>& column : step_columns({there("velocity"), there("oil_in")}, probes)) {
+  for (const Column<StepRow>& column :
+       step_columns({.body = there("velocity"), .oil = there("oil_in"), .newton = there("newton_steps")}, probes)) {
     const std::string name = "/transient/" + column.name;
     const std::vector<double> values = credible(file, name);
     if (values.size() != rows.size() || values.empty()) damaged(file.path(), name);
@@ -135,11 +139,13 @@ results::Loose loose_of(const transient::Checkpoint& checkpoint) {
 
 void add_transient(const Case& input, const TransientResult& result, results::Content& content) {
   const transient::Input& march = *input.transient;
-  content.tables.push_back(
-      table_of("transient", "every accepted step of time; ended " + how_it_ended(result.report),
-               step_columns({march.conditions.body.has_value(), march.conditions.conserves_mass, input.scene.grid.line},
-                            march.parameters.probes),
-               result.rows));
+  content.tables.push_back(table_of("transient", "every accepted step of time; ended " + how_it_ended(result.report),
+                                    step_columns({.body = march.conditions.body.has_value(),
+                                                  .oil = march.conditions.conserves_mass,
+                                                  .line = input.scene.grid.line,
+                                                  .newton = input.scene.grid.line},
+                                                 march.parameters.probes),
+                                    result.rows));
   if (std::isfinite(march.second))
     content.scales.push_back({"time", 1.0 / march.second, "s", "a/u_m, the scale of time"});
   content.frames.group = "/transient/frames";

@@ -36,10 +36,11 @@ void total(TransientResult& result) {
   transient::MarchReport& report = result.report;
   report.T = result.rows.back().T;
   report.steps = static_cast<int>(result.rows.size()) - 1;
-  report.cycles = report.rejected = report.not_solved = 0;
+  report.cycles = report.newton_steps = report.rejected = report.not_solved = 0;
   report.worst_load_error = report.worst_oil_error = 0.0;
   for (const StepRow& row : result.rows) {
     report.cycles += row.cycles;
+    report.newton_steps += row.newton_steps;
     report.rejected += row.rejected;
     report.not_solved += row.not_solved;
     report.worst_load_error = std::max(report.worst_load_error, row.load_error);
@@ -164,11 +165,13 @@ std::string transient_summary(const Case& input, const TransientResult& result) 
   std::string text = "transient    " + time_text(input, report.T) + ", ended " + how_it_ended(report) + "\n";
   text += range_lines(input, result.rows);
   const int attempts = report.steps + report.rejected + report.not_solved;
+  const std::string newton =
+      report.newton_steps > 0 ? fmt::format(", {} steps of Newton's method", report.newton_steps) : "";
   text += fmt::format(
-      "  steps      {}, {:.2f} cycles each; {} of {} attempts rejected for their error, {} not solved; {} jumps; "
+      "  steps      {}, {:.2f} cycles each{}; {} of {} attempts rejected for their error, {} not solved; {} jumps; "
       "longest "
       "allowed {:.3g}\n",
-      report.steps, static_cast<double>(report.cycles) / std::max(1, report.steps), report.rejected, attempts,
+      report.steps, static_cast<double>(report.cycles) / std::max(1, report.steps), newton, report.rejected, attempts,
       report.not_solved, report.restarts, report.longest_step);
   if (input.transient->conditions.conserves_mass) text += oil_line(result, input.scene.grid.line);
   text += fmt::format("  load       worst error {:.1e}\n  time       {:.3f} s, {:.2f} ms per step; {} fields kept\n",
@@ -189,6 +192,7 @@ Json transient_json(const Case& input, const TransientResult& result) {
       {"largest_P_max", std::ranges::max(result.rows, {}, &StepRow::P_max).P_max, "p_h"},
       {"steps", report.steps, "-"},
       {"cycles", report.cycles, "-"},
+      {"newton_steps", report.newton_steps, "-"},
       {"rejected", report.rejected, "-"},
       {"not_solved", report.not_solved, "-"},
       {"jumps", report.restarts, "-"},

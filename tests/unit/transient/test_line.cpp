@@ -114,8 +114,14 @@ BOOST_AUTO_TEST_CASE(a_jump_of_the_load_on_a_heavy_line) {
   const Marched all = marched(scene, {.load = {.points = {{0, 1}, {0.1, 1}, {0.1, 2}}}}, {.end = 8.0});
   BOOST_REQUIRE_MESSAGE(all.report.end == MarchEnd::end_time, all.report.reason);
   const double last = off(all.rows.back(), film_of_load(2, 100, 10, scene.grid));
-  BOOST_TEST_MESSAGE(all.report.steps << " steps, " << all.report.cycles << " cycles; off by " << last << " (1e-4)");
+  BOOST_TEST_MESSAGE(all.report.steps << " steps, " << all.report.cycles << " cycles and " << all.report.newton_steps
+                                      << " steps of Newton's method; off by " << last << " (1e-4)");
   BOOST_TEST(last < 1e-4);
+  // Each counted as what it is.
+  int newton_steps = 0;
+  for (const StepRow& row : all.rows) newton_steps += row.newton_steps;
+  BOOST_TEST(newton_steps > 0);
+  BOOST_TEST(newton_steps == all.report.newton_steps);
 }
 
 // A steady film solves the implicit step whose state before is that film: f = -c Q. From another pressure and another
