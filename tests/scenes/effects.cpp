@@ -55,7 +55,8 @@ BOOST_AUTO_TEST_CASE(check_says_what_is_on_and_why) {
 // A line is no ellipse, in `ehl check`, the summary and the JSON.
 BOOST_AUTO_TEST_CASE(a_line_is_called_a_line) {
   const Scene scene;
-  scene.folder.write("line.ini", "[contact]\nkind = line\nM = 10\nL = 5\n[lubricant]\nalpha = 2.2e-8\n[grid]\ncells = 64\n");
+  scene.folder.write("line.ini",
+                     "[contact]\nkind = line\nM = 10\nL = 5\n[lubricant]\nalpha = 2.2e-8\n[grid]\ncells = 64\n");
   const std::string told = scene.ehl("check line.ini").out;
   BOOST_TEST(contains(told, "effects      line: R_y without end"), told);
   const support::Ended text = scene.ehl("run line.ini --quiet --output line.h5");

@@ -77,7 +77,8 @@ class Sweep {
     const Around e = scaled(around(i, j));
     const double most = std::max({e.west, e.east, e.south, e.north});
     const double least = std::min({e.west, e.east, e.south, e.north});
-    return most * std::sqrt(most / least) >
+    const double jump = most / least;
+    return most * (stretch() > 1.0 ? jump : std::sqrt(jump)) >
            parameters_.crossover * ehl::reynolds::relative_strength(problem_.transport, grid_.hx());
   }
 
