@@ -144,40 +144,6 @@ double renew_boundary(Hierarchy& hierarchy, Level& level) {
   return std::max(change, renew_load_outside(hierarchy, level));
 }
 
-namespace {
-
-/// A change beyond this share of the pressure belongs to a state on its way, whose cycles find what it does to the
-/// rest.
-constexpr double little = 1e-4;
-
-// With the same flow of the change through every face.
-void spread_from_first(Level& level, double change) {
-  const bool half_points = at_half_points(level);
-  const auto resistance = [&](int i) {
-    return 1.0 / (half_points ? level.eps(i, 1) : 0.5 * (level.eps(i, 1) + level.eps(i + 1, 1)));
-  };
-  double all = 0.0;
-  for (int i = 0; i < level.grid.nx; ++i) all += resistance(i);
-  double before = 0.0;
-  for (int i = 1; i < level.grid.nx && level.P(i, 1) > 0.0; ++i) {
-    before += resistance(i - 1);
-    // Where the oil is as good as solid nothing goes on; both may then be infinite.
-    if (!(before < all)) return;
-    core::fill_lines(level.P.at_x(i), std::max(0.0, level.P(i, 1) + change * (1.0 - before / all)));
-  }
-}
-
-}  // namespace
-
-double renew_boundary_behind_cycle(Hierarchy& hierarchy, Level& level) {
-  if (!level.grid.domain.line) return renew_boundary(hierarchy, level);
-  const double before = level.P(0, 1);
-  const double largest = renew_boundary(hierarchy, level);
-  const double change = level.P(0, 1) - before;
-  if (change != 0.0 && std::abs(change) <= little * level.P(0, 1)) spread_from_first(level, change);
-  return largest;
-}
-
 void follow_H00(const Hierarchy& hierarchy, Level& level) {
   if (!hierarchy.problem.far_field || !(hierarchy.far_motion.slope > 0.0)) return;
   const reynolds::FarField& far_field = *hierarchy.problem.far_field;

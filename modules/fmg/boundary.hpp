@@ -12,10 +12,6 @@ std::vector<reynolds::FarPoint> points_of_boundary(const Problem& problem, const
 /// the problem's. errors: core::SolverError where the far field has no pressure there. cost: some 700 evaluations of P
 /// of the far field, and one a node.
 double renew_boundary(Hierarchy& hierarchy, Level& level);
-/// The same behind a cycle. A little change of the pressure on a line's first node goes on along the line as the oil
-/// lets it: left on that node alone 1e-10 of p_h, in a gap of many films, are a residual of 1e-3, ten times that of the
-/// state, and the cycle seems to have converged that much less.
-double renew_boundary_behind_cycle(Hierarchy& hierarchy, Level& level);
 /// The load alone; the pressure on the boundary stays as it is.
 double renew_load_outside(Hierarchy& hierarchy, Level& level);
 

@@ -37,13 +37,6 @@ constexpr double good_factor = 0.6;
 constexpr double bolder = 1.25;
 constexpr double boldest = 1.4;
 
-/// With post_rises: so many cycles with one relaxation at least behind the correction, then with two. What is left in
-/// most of the later ones stands at the outlet of a line, where the last node with pressure changes from cycle to
-/// cycle. Of 20 loads from (2, 0) to (1000, 20), 1024 cells, none takes more cycles of the finest grid than without,
-/// together they take 115 for 155; with two relaxations from the first cycle on 109 that cost more, with one in all of
-/// them 155.
-constexpr int cycles_of_one = 3;
-
 /// A meniscus on its way to its place is no reason for more caution, for so many cycles.
 constexpr int on_its_way = 15;
 
@@ -84,11 +77,7 @@ void go_back(Hierarchy& hierarchy, std::size_t l, const State& state) {
 std::string cycle(Hierarchy& hierarchy, std::size_t l, const Parameters& how, judgement::Measures& now) {
   try {
     fas_cycle(hierarchy, l, how);
-    // On the way up a change that cycles leave is taken out by the next grid's, and heavy loads start worse without it.
-    if (l + 1 == hierarchy.levels.size())
-      renew_boundary_behind_cycle(hierarchy, hierarchy.levels[l]);
-    else
-      renew_boundary(hierarchy, hierarchy.levels[l]);
+    renew_boundary(hierarchy, hierarchy.levels[l]);
     now = measures_of(hierarchy, l);
   } catch (const core::SolverError& error) {
     return error.what();
@@ -131,21 +120,17 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
   CyclesResult result{.caution = caution};
   hierarchy.coarsest_weight = 1.0;
   Caution& needed = result.caution;
-  double boldness = 1.0;
-  const bool rises =
-      hierarchy.parameters.post_rises && l + 1 == hierarchy.levels.size() && criterion.aim == judgement::Aim::solution;
-  const auto chosen = [&] {
-    Parameters used = cautious(hierarchy.parameters, needed);
-    used.relaxation.weight_single_steep *= boldness;
-    if (rises) used.post = std::max(result.cycles > cycles_of_one ? 2 : 1, used.post.value_or(1));
-    return used;
-  };
-  Parameters how = chosen();
+  Parameters how = cautious(hierarchy.parameters, needed);
   const State start = state_of(hierarchy, l);
   judgement::Measures before = measures_of(hierarchy, l);
   std::vector<double> residuals;  // since the last change of caution
+  double boldness = 1.0;
+  const auto choose_weights = [&] {
+    how = cautious(hierarchy.parameters, needed);
+    how.relaxation.weight_single_steep *= boldness;
+  };
   const auto more_careful = [&](std::vector<double> so_far) {
-    how = chosen();
+    choose_weights();
     residuals = std::move(so_far);
   };
   const reynolds::Cavitation cavitation = hierarchy.problem.cavitation;
@@ -155,7 +140,6 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
   State last;
   while (result.cycles < criterion.most) {
     ++result.cycles;
-    if (rises && result.cycles == cycles_of_one + 1) how = chosen();
     if (closes) last = state_of(hierarchy, l);
     judgement::Measures now;
     if (const std::string diverged = cycle(hierarchy, l, how, now); !diverged.empty()) {
@@ -209,7 +193,7 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
     }
     if (core::stretched(hierarchy.levels[l].grid) && result.cycles > 1) {
       boldness = next_boldness(boldness, now.residual / before.residual);
-      how = chosen();
+      choose_weights();
     }
     before = now;
   }

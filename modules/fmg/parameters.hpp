@@ -40,7 +40,6 @@ struct Parameters {
   std::optional<Cycle> cycle;  ///< absent: W; the steady solver has its own choice (steady/climb.hpp)
   int pre = 2;                 ///< nu_1, relaxations before the coarse grid correction
   std::optional<int> post;     ///< nu_2, relaxations after it; absent: 1, likewise
-  bool post_rises = false;     ///< on the finest grid nu_2 is at least 1, and 2 in later cycles (cycles.cpp)
   int cycles = 2;              ///< cycles per level on the way up, at least
   int extra_cycles = 3;        ///< more of them on a level below the finest at most, where the checks ask for them
   int max_cycles = 60;         ///< on the finest grid, likewise

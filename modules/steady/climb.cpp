@@ -62,7 +62,6 @@ void choose_cycle(const Scene& scene, fmg::Parameters& parameters) {
   const bool to_tolerance = std::isfinite(scene.multigrid.tolerance);
   const fmg::Cycle shortest = scene.grid.line ? fmg::Cycle::V : fmg::Cycle::F;
   if (!parameters.cycle) parameters.cycle = to_tolerance ? fmg::Cycle::W : shortest;
-  parameters.post_rises = scene.grid.line && !to_tolerance && !parameters.post;
   if (!parameters.post) parameters.post = to_tolerance || steep_edge(scene) ? 1 : 0;
 }
 
