@@ -175,8 +175,8 @@ void LineCoefficients::read(const Hierarchy& hierarchy, const Level& level, int 
   // e_max sqrt(e_max/e_min) > crossover, without root and division; e_min = 0 makes it single unless e_max = 0 too. On
   // stretched cells without the root. The top of a spike that runs along the lines would distribute half of its change
   // to the flank beside it; what epsilon asks for there takes that back, and the film answers three times as much as
-  // foreseen. With the root cycles left 0.58, 0.48, 0.52 of (20, 15) and (20, 10) at R_x/R_y = 50, (100, 15) at 20;
-  // now 0.32, 0.33, 0.25, and with twice the crossover 0.20, 0.40.
+  // foreseen. With the root cycles left 0.58, 0.52, 0.48 of (20, 15) and (20, 10) at R_x/R_y = 50, (100, 15) at 20;
+  // now 0.32, 0.33, 0.25, and of the first two with twice the crossover 0.20, 0.40.
   const bool stretched = core::stretched(grid);
   const auto above = [crossover, crossover2, stretched](Lanes largest, Lanes smallest) {
     const Lanes squared = largest * largest;
