@@ -185,8 +185,11 @@ struct Hierarchy {
   core::PartTimes times;
 
   Level& finest() { return levels.back(); }
-  /// Threads worth using on a level: small grids are slower with more than one.
-  int threads_on(const core::Patch& grid) const { return grid.nx * grid.ny < 128 * 128 ? 1 : threads; }
+  /// Threads worth using on a level: small grids are slower with more than one. Of a line contact never more: vectors
+  /// of lines reach over several of its stations.
+  int threads_on(const core::Patch& grid) const {
+    return grid.domain.line || grid.nx * grid.ny < 128 * 128 ? 1 : threads;
+  }
 };
 
 /// What levels[l] holds now.

@@ -27,6 +27,21 @@ class RealTransform {
   std::unique_ptr<Implementation> implementation_;
 };
 
+/// Transforms of complex rows of one length, from one array to another: sum_n in_n exp(-2 pi i k n/length). The input is
+/// kept.
+class ComplexTransform {
+ public:
+  explicit ComplexTransform(int length);
+  ~ComplexTransform();
+  ComplexTransform(ComplexTransform&&) noexcept;
+  ComplexTransform& operator=(ComplexTransform&&) noexcept;
+  void forward(const double* in, double* out) const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
 /// Transforms of `columns` complex columns at once, element n of column c at data[2 (n columns + c)], from one array to
 /// another (faster than in place). The input may be destroyed.
 class ColumnTransform {

@@ -38,6 +38,25 @@ void RealTransform::inverse(double* spectrum, double* row) const {
   implementation_->library.inv(row, reinterpret_cast<const Complex*>(spectrum), implementation_->length);
 }
 
+struct ComplexTransform::Implementation {
+  Eigen::Index length;
+  mutable Library library{Library::impl_type(), Library::Unscaled};
+};
+
+ComplexTransform::ComplexTransform(int length) : implementation_(std::make_unique<Implementation>()) {
+  implementation_->length = length;
+  std::vector<double> from(2 * static_cast<std::size_t>(length)), to(from);
+  forward(from.data(), to.data());  // builds the tables
+}
+ComplexTransform::~ComplexTransform() = default;
+ComplexTransform::ComplexTransform(ComplexTransform&&) noexcept = default;
+ComplexTransform& ComplexTransform::operator=(ComplexTransform&&) noexcept = default;
+
+void ComplexTransform::forward(const double* in, double* out) const {
+  implementation_->library.fwd(reinterpret_cast<Complex*>(out), reinterpret_cast<const Complex*>(in),
+                               implementation_->length);
+}
+
 struct ColumnTransform::Implementation {
   std::size_t length;
   mutable Library library{Library::impl_type(), Library::Unscaled};

@@ -61,6 +61,16 @@ const Pair& real_plans(int length) {
   });
 }
 
+const Plan& complex_plan(int length) {
+  static Plans plans;
+  const Pair& pair = plans.of(length, [length](Pair& made) {
+    Buffer from(2 * static_cast<std::size_t>(length)), to(from.size());
+    made.forward.handle = fftw_plan_dft_1d(length, as_complex(from.data()), as_complex(to.data()), FFTW_FORWARD,
+                                           flags | FFTW_PRESERVE_INPUT);
+  });
+  return pair.forward;
+}
+
 const Pair& column_plans(int length) {
   static Plans plans;
   return plans.of(length, [length](Pair& pair) {
@@ -95,6 +105,20 @@ void RealTransform::forward(const double* row, double* spectrum) const {
 }
 void RealTransform::inverse(double* spectrum, double* row) const {
   fftw_execute_dft_c2r(implementation_->plans.inverse.handle, as_complex(spectrum), row);
+}
+
+struct ComplexTransform::Implementation {
+  const Plan& plan;
+};
+
+ComplexTransform::ComplexTransform(int length)
+    : implementation_(std::make_unique<Implementation>(Implementation{complex_plan(length)})) {}
+ComplexTransform::~ComplexTransform() = default;
+ComplexTransform::ComplexTransform(ComplexTransform&&) noexcept = default;
+ComplexTransform& ComplexTransform::operator=(ComplexTransform&&) noexcept = default;
+
+void ComplexTransform::forward(const double* in, double* out) const {
+  fftw_execute_dft(implementation_->plan.handle, as_complex(const_cast<double*>(in)), as_complex(out));
 }
 
 struct ColumnTransform::Implementation {

@@ -6,7 +6,6 @@
 
 #include "core/simd.hpp"
 #include "kernel/influence.hpp"
-#include "mlmi/fourier_convolution.hpp"
 
 namespace ehl::mlmi {
 namespace {
@@ -84,17 +83,9 @@ LineSum::LineSum(const Axis& axis, const MultilevelChoice& choice, double factor
     kernel_.resize(kernel_.size() + at((block + 1) * core::lanes));
     return;
   }
-  // One less than elsewhere: the two largest distances, n - 1 and 1 - n, share a place, as K is even. Of a grid of 2^k
-  // cells it is a power of two, which is planned fastest.
-  const int length = padded_length(2 * points - 2);
-  transform_.emplace_back(length);
-  real_ = Buffer(at(length));
-  complex_ = Buffer(at(length) + 2);
-  spectrum_ = Buffer(at(length / 2 + 1));
-  for (int d = 0; d < points; ++d) real_[at(d)] = real_[at(d > 0 ? length - d : 0)] = factor * K[at(d)] / length;
-  transform_[0].forward(real_.data(), complex_.data());
-  // The kernel is even: its spectrum is real.
-  for (int k = 0; k <= length / 2; ++k) spectrum_[at(k)] = complex_[at(2 * k)];
+  std::vector<double> scaled(K.begin(), K.begin() + points);
+  for (double& value : scaled) value *= factor;
+  transformed_.emplace(scaled);
 }
 
 void LineSum::anterpolate(const Level& fine, Level& coarse) const {
@@ -147,31 +138,19 @@ void LineSum::sum_directly(Level& level) const {
   std::copy_n(last.begin(), points - i, &level.w[i]);
 }
 
-void LineSum::sum_by_transform(Level& level) {
-  std::fill_n(real_.data(), real_.size(), 0.0);
-  std::ranges::copy(level.u, real_.data());
-  transform_[0].forward(real_.data(), complex_.data());
-  for (std::size_t k = 0; k < spectrum_.size(); ++k) {
-    complex_[2 * k] *= spectrum_[k];
-    complex_[2 * k + 1] *= spectrum_[k];
-  }
-  transform_[0].inverse(complex_.data(), real_.data());
-  std::copy_n(real_.data(), level.w.size(), level.w.begin());
-}
-
 void LineSum::sum() {
   for (std::size_t l = 0; l + 1 < levels_.size(); ++l) anterpolate(levels_[l], levels_[l + 1]);
-  if (transform_.empty())
-    sum_directly(levels_.back());
+  if (transformed_)
+    transformed_->apply(levels_.back().u, levels_.back().w);
   else
-    sum_by_transform(levels_.back());
+    sum_directly(levels_.back());
   for (std::size_t l = levels_.size() - 1; l-- > 0;) interpolate(levels_[l + 1], levels_[l]);
 }
 
 std::size_t LineSum::bytes() const {
   std::size_t doubles = kernel_.size();
   for (const Level& level : levels_) doubles += 2 * level.u.size() + level.correction.size();
-  return doubles * sizeof(double) + spectrum_.bytes() + real_.bytes() + complex_.bytes();
+  return doubles * sizeof(double) + (transformed_ ? transformed_->bytes() : 0);
 }
 
 }  // namespace ehl::mlmi

@@ -2,10 +2,10 @@
 // The sum w = K*u along one line, K the logarithmic kernel of a line contact: multilevel multi-integration as in two
 // dimensions (semi_coarsening.hpp has the notation), where every coarsening takes every second point.
 #include <cstddef>
+#include <optional>
 #include <vector>
 
-#include "mlmi/buffer.hpp"
-#include "mlmi/fourier_transform.hpp"
+#include "mlmi/even_convolution.hpp"
 #include "mlmi/multilevel_sum.hpp"
 
 namespace ehl::mlmi {
@@ -24,7 +24,7 @@ class LineSum {
     for (std::size_t i = 0; i < finest.w.size(); ++i) write(static_cast<int>(i), finest.w[i]);
   }
 
-  bool coarsest_direct() const { return transform_.empty(); }
+  bool coarsest_direct() const { return !transformed_; }
   int coarsest_points() const { return levels_.back().axis.points(); }
   std::size_t bytes() const;
 
@@ -38,13 +38,11 @@ class LineSum {
   void anterpolate(const Level& fine, Level& coarse) const;
   void interpolate(Level& coarse, Level& fine) const;
   void sum_directly(Level& level) const;
-  void sum_by_transform(Level& level);
 
   int order_, patch_;
   std::vector<Level> levels_;   // the finest first
   std::vector<double> kernel_;  // factor K(d), d = 1 - n .. n - 1, of n coarsest points, of the direct sum; then zeros
-  std::vector<RealTransform> transform_;  // one, or none
-  Buffer spectrum_, real_, complex_;
+  std::optional<EvenConvolution> transformed_;  // else the direct sum
 };
 
 }  // namespace ehl::mlmi

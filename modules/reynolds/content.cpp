@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/simd.hpp"
+#include "core/store_lines.hpp"
 
 namespace ehl::reynolds {
 namespace {
@@ -21,7 +21,7 @@ void march_batch(const core::Patch& grid, const Fields& state, const Content& co
   };
   Lanes full = full_at(0);
   const Lanes first = core::min(full, core::load(supply.data()));
-  core::store(content.Q.at_x(0) + j, first);
+  core::store_lines(grid, content.Q, 0, j, first);
   March<Lanes> march(transport, grid.hx(), first, full);
   full = full_at(1);
   Lanes P_west = at(state.P, 0);
@@ -45,13 +45,13 @@ void march_batch(const core::Patch& grid, const Fields& state, const Content& co
       out = march.go_on_with(full, at(content.Q, i), out, swings);
     else
       march.go_on(full, P <= 0.0, out, swings);
-    core::store(r.at_x(i) + j, out);
-    core::store(content.Q.at_x(i) + j, march.Q());
+    core::store_lines(grid, r, i, j, out);
+    core::store_lines(grid, content.Q, i, j, march.Q());
     P_west = P;
     P = P_east;
     full = east;
   }
-  core::store(content.Q.at_x(grid.nx) + j, core::min(march.Q(), full));
+  core::store_lines(grid, content.Q, grid.nx, j, core::min(march.Q(), full));
 }
 
 template <bool held>

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/errors.hpp"
+#include "core/store_lines.hpp"
 #include "thermal/before_inlet.hpp"
 
 namespace ehl::thermal {
@@ -175,8 +176,8 @@ void FilmTemperature::store(int batch, int i, const Columns& at) {
   const int j = batch * core::lanes;
   for (int k = 0; k <= nodes_.intervals; ++k)
     core::store(&theta_[index(batch, i, k)], at.theta[static_cast<std::size_t>(k)]);
-  core::store(q_1_.at_x(i) + j, at.q_1);
-  core::store(q_2_.at_x(i) + j, at.q_2);
+  core::store_lines(setup_.patch, q_1_, i, j, at.q_1);
+  core::store_lines(setup_.patch, q_2_, i, j, at.q_2);
   if (setup_.patch.domain.line) keep_fluxes(i);
 }
 
@@ -200,7 +201,7 @@ void FilmTemperature::store_moments(int batch, int i, Worker& worker) {
     mean += change;
     excess += change * (u_2_ + slope * Phi);
   }
-  const auto put = [&](core::Field& field, Lanes value) { core::store(field.at_x(i) + j, value); };
+  const auto put = [&](core::Field& field, Lanes value) { core::store_lines(setup_.patch, field, i, j, value); };
   put(I0_, at.I0);
   put(M2_, at.M2 * (1.0 + mean));
   put(C_, u_2_ + (u_1_ - u_2_) * (1.0 - at.z_bar) + excess);
