@@ -60,6 +60,25 @@ double mobility_upstream(const Hierarchy& hierarchy, Level& level) {
       share_upstream);
 }
 
+// Changes of P that lead a change at the first node on: epsilon dP/dX is the same everywhere, down to nothing where the
+// film answers as strongly as the pressure beside it.
+void lead_inward(const Hierarchy& hierarchy, Level& level, double change) {
+  const core::Patch& grid = level.grid;
+  const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
+  const reynolds::Face face = at_half_points(level) ? reynolds::Face::logmean : reynolds::Face::mean;
+  const auto e = [&](int i) { return reynolds::conductance(face, level.eps(i, 1), level.eps(i + 1, 1), half.X); };
+  const double least = reynolds::relative_strength(hierarchy.transport, grid.hx());
+  int end = 0;
+  double resistance = 0.0;
+  for (; end + 1 < grid.nx && level.P(end + 1, 1) > 0.0 && e(end) > least; ++end) resistance += 1.0 / e(end);
+  double passed = 0.0;
+  for (int i = 1; i < end; ++i) {
+    passed += 1.0 / e(i - 1);
+    const double P = level.P(i, 1) + change * (1.0 - passed / resistance);
+    core::fill_lines(level.P.at_x(i), std::max(0.0, P));
+  }
+}
+
 // The film of the bodies without what is on their surfaces.
 double smooth_film(const Level& level, int i, int j) {
   return level.H(i, j) - (level.F.nodes_x() > 0 ? level.F(i, j) : 0.0);
@@ -142,6 +161,13 @@ double renew_boundary(Hierarchy& hierarchy, Level& level) {
   core::fill_ghosts(level.grid, level.P);
   level.H00_of_boundary = hierarchy.H00;
   return std::max(change, renew_load_outside(hierarchy, level));
+}
+
+double renew_boundary_and_inlet(Hierarchy& hierarchy, Level& level) {
+  const double first = level.P(0, 1);
+  const double change = renew_boundary(hierarchy, level);
+  if (level.grid.domain.line) lead_inward(hierarchy, level, level.P(0, 1) - first);
+  return change;
 }
 
 void follow_H00(const Hierarchy& hierarchy, Level& level) {

@@ -77,7 +77,7 @@ void go_back(Hierarchy& hierarchy, std::size_t l, const State& state) {
 std::string cycle(Hierarchy& hierarchy, std::size_t l, const Parameters& how, judgement::Measures& now) {
   try {
     fas_cycle(hierarchy, l, how);
-    renew_boundary(hierarchy, hierarchy.levels[l]);
+    renew_boundary_and_inlet(hierarchy, hierarchy.levels[l]);
     now = measures_of(hierarchy, l);
   } catch (const core::SolverError& error) {
     return error.what();

@@ -18,8 +18,8 @@ constexpr int margin = 12;
 /// Vectors of sums that are kept in registers side by side; the last block, of a grid of 2^k cells, has one more.
 constexpr int block = 8;
 
-/// Up to so many points the exact sum is made term by term: planning a transform takes as long as a hundred such sums.
-constexpr int most_direct = 257;
+/// Up to so many points the exact sum is made term by term, in no more time than by a transform.
+constexpr int most_direct = 65;
 
 // C = K - P K on its patch; the sum of what is dropped is kept, of odd and of even distances, in the middle.
 std::vector<double> correction_of(const Axis& axis, int order, int patch, double factor) {
