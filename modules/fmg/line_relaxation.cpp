@@ -33,6 +33,7 @@ class AlongLine {
         level_(level),
         how_(how),
         cavitation_(hierarchy.problem.cavitation),
+        in_time_(hierarchy.transport.squeeze > 0.0),
         grid_(level.grid),
         work_(level.thread_work.front().line_system) {}
 
@@ -43,7 +44,6 @@ class AlongLine {
     choose_kind();
     const line_solvers::SmallPivot small = solve();
     distribute();
-    if (reynolds::ruptures(cavitation_) && hierarchy_.transport.squeeze > 0.0) hold_changes();
     apply();
     return small;
   }
@@ -59,7 +59,6 @@ class AlongLine {
   void assemble(int first, int last, Take take);
   line_solvers::SmallPivot solve();
   void distribute();
-  void hold_changes();
   void apply();
 
   /// The least and the largest epsilon/h^2 of the half points beside a node.
@@ -72,6 +71,7 @@ class AlongLine {
   Level& level_;
   const RelaxationParameters& how_;
   const reynolds::Cavitation cavitation_;
+  const bool in_time_;
   const core::Patch& grid_;
   LineSystem& work_;
 };
@@ -234,35 +234,36 @@ line_solvers::SmallPivot AlongLine<reach>::solve() {
   return elimination.small_pivot();
 }
 
-// Before the weights: they go on what a pressure changes by in all.
+// What is distributed: in time under-relaxed and held, as LineBatch does, for then a change must not be worth more to
+// one of its points than to another; steady as it is.
 template <int reach>
 void AlongLine<reach>::distribute() {
-  for_vectors(1, grid_.nx - 1,
-              [&](int i) { put(work_.distributed, i, at(work_.distributive, i) * at(work_.delta, i)); });
-  for (int i = grid_.nx; i < grid_.nx + core::lanes; ++i) one(work_.distributed, i) = 0.0;
-}
-
-template <int reach>
-void AlongLine<reach>::hold_changes() {
   for_vectors(1, grid_.nx - 1, [&](int i) {
-    Lanes delta = at(work_.delta, i), distributed = at(work_.distributed, i);
-    hold_to_what_is_there(at(work_.P, i), delta, distributed);
+    const Lanes distributive = at(work_.distributive, i);
+    Lanes delta = at(work_.delta, i), distributed = distributive * delta;
+    if (in_time_) {
+      const Lanes weight = weight_of_change(how_, distributive, range_at(i));
+      delta *= weight;
+      distributed *= weight;
+      if (reynolds::ruptures(cavitation_)) hold_to_what_is_there(at(work_.P, i), delta, distributed);
+    }
     put(work_.delta, i, delta);
     put(work_.distributed, i, distributed);
   });
+  for (int i = grid_.nx; i < grid_.nx + core::lanes; ++i) one(work_.distributed, i) = 0.0;
 }
 
-// Eq. (15) of a line: half of a distributed change goes off each neighbour. A smooth change of the pressure is made of
-// distributed ones that are far larger. With a weight on each of these, and another one on single changes beside them,
-// a twentieth of the large one was left where they meet, and stood still from cycle to cycle: 77 loads took 3 times the
-// time, and four of them Newton's method.
+// Eq. (15) of a line: half of a distributed change goes off each neighbour. Steady, the weights go on what a pressure
+// changes by in all. A smooth change is made of distributed ones that are far larger: with a weight on each of these,
+// and another one on single changes beside them, a twentieth of the large one was left where they meet, and stood still
+// from cycle to cycle. 77 loads took three times as long, and four of them Newton's method.
 template <int reach>
 void AlongLine<reach>::apply() {
   const double share = distributed_shares(grid_).along;
   for_vectors(1, grid_.nx - 1, [&](int i) {
-    const Lanes change = at(work_.delta, i) - share * (at(work_.distributed, i - 1) + at(work_.distributed, i + 1));
-    const Lanes weight = weight_of_change(how_, at(work_.distributive, i), range_at(i));
-    put(work_.delta, i, reynolds::projected(cavitation_, at(work_.P, i) + weight * change));
+    Lanes change = at(work_.delta, i) - share * (at(work_.distributed, i - 1) + at(work_.distributed, i + 1));
+    if (!in_time_) change *= weight_of_change(how_, at(work_.distributive, i), range_at(i));
+    put(work_.delta, i, reynolds::projected(cavitation_, at(work_.P, i) + change));
   });
   for (int i = 1; i < grid_.nx; ++i) core::fill_lines(level_.P.at_x(i), one(work_.delta, i));
 }

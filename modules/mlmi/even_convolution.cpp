@@ -32,14 +32,15 @@ EvenConvolution::EvenConvolution(std::span<const double> kernel)
   transform_.forward(line_.data(), spectrum_.data());
   // With a, b the transforms of the even and of the odd points: a + exp(-2 pi i k/length) b, and a real number.
   const auto S = [&](int k) {
-    const std::complex<double> Z = number(spectrum_, k % half_), other = std::conj(number(spectrum_, (half_ - k) % half_));
+    const std::complex<double> Z = number(spectrum_, k % half_),
+                               other = std::conj(number(spectrum_, (half_ - k) % half_));
     const std::complex<double> odd = std::complex<double>(0.0, -0.5) * (Z - other);
     return (0.5 * (Z + other) + std::polar(1.0, -core::pi * k / half_) * odd).real();
   };
   for (int k = 0; k <= half_ / 2; ++k) {
     const double here = S(k) / half_, there = S(half_ - k) / half_;
-    factors_.push_back({0.5 * (here + there), 0.5 * (here - there), std::cos(core::pi * k / half_),
-                        -std::sin(core::pi * k / half_)});
+    factors_.push_back(
+        {0.5 * (here + there), 0.5 * (here - there), std::cos(core::pi * k / half_), -std::sin(core::pi * k / half_)});
   }
 }
 

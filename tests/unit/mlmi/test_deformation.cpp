@@ -1,11 +1,14 @@
 // The direct sum against the half-space under a Hertz pressure, the Fourier sum against the direct one.
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "core/norms.hpp"
 #include "mlmi/deformation.hpp"
+#include "mlmi/even_convolution.hpp"
 #include "unit/mlmi/pressures.hpp"
 
 namespace mlmi = ehl::mlmi;
@@ -55,6 +58,27 @@ BOOST_AUTO_TEST_CASE(fourier_is_the_direct_sum) {
     const double error = ehl::core::max_abs_difference(w, truth) / ehl::core::max_abs(truth);
     BOOST_TEST_MESSAGE(grid.nx << " x " << grid.ny << ": FFT - direct " << error << " (tolerance 1e-13)");
     BOOST_TEST(error < 1e-13);
+  }
+}
+
+// Any number of points, odd and even half lengths, kernels that are not smooth.
+BOOST_AUTO_TEST_CASE(an_even_convolution_is_the_direct_sum) {
+  for (const std::size_t points : {1, 2, 3, 4, 5, 6, 7, 10, 33, 101, 510, 513, 1000, 1025}) {
+    std::vector<double> K(points), u(points), w(points), truth(points);
+    for (std::size_t k = 0; k < points; ++k) {
+      K[k] = k % 3 == 1 ? 2.0 : -std::log(0.3 + static_cast<double>(k));
+      u[k] = std::sin(7.0 * static_cast<double>(k * k) + 1.0);
+    }
+    double largest = 0.0, error = 0.0;
+    mlmi::EvenConvolution convolution(K);
+    for (int time = 0; time < 2; ++time) convolution.apply(u, w);  // nothing is left of the first
+    for (std::size_t i = 0; i < points; ++i) {
+      for (std::size_t k = 0; k < points; ++k) truth[i] += K[i > k ? i - k : k - i] * u[k];
+      largest = std::max(largest, std::abs(truth[i]));
+      error = std::max(error, std::abs(w[i] - truth[i]));
+    }
+    BOOST_TEST_MESSAGE(points << " points: " << error / largest << " (tolerance 1e-13)");
+    BOOST_TEST(error <= 1e-13 * largest);
   }
 }
 
