@@ -124,21 +124,50 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
 }
 
 template <int reach, LineSolver solver>
-void LineBatch<reach, solver>::keep(Level& level, int batch, int i, Lanes delta) const {
+Lanes LineBatch<reach, solver>::weight_at(const Level& level, int i) const {
   const auto k = static_cast<std::size_t>(i);
-  const Lanes distributive = work_.distributive[k + ThreadWork::margin];
-  const Lanes weight =
-      weight_of_change(how_, distributive, work_.range_of(k, level.grid.domain.line, core::stretch(level.grid)));
+  return weight_of_change(how_, work_.distributive[k + ThreadWork::margin],
+                          work_.range_of(k, level.grid.domain.line, core::stretch(level.grid)));
+}
+
+template <int reach, LineSolver solver>
+void LineBatch<reach, solver>::keep(Level& level, int batch, int i, Lanes delta, Lanes weight) const {
+  const Lanes distributive = work_.distributive[static_cast<std::size_t>(i) + ThreadWork::margin];
   const int at = batch * core::lanes;
   core::store(level.changes.delta.at_x(i) + at, weight * delta);
   core::store(level.changes.distributed.at_x(i) + at, distributive * weight * delta);
+}
+
+// Of a steady line contact (line_relaxation.cpp tells why): what each pressure changes by in all, weighted, and nothing
+// that is to be distributed any more.
+template <int reach, LineSolver solver>
+void LineBatch<reach, solver>::weigh_pressures(Level& level, int batch) const {
+  const int at = batch * core::lanes;
+  const double share = distributed_shares(level.grid).along;
+  Lanes west{}, here = core::load(level.changes.distributed.at_x(1) + at);
+  for (int i = 1; i < level.grid.nx; ++i) {
+    const Lanes east = core::load(level.changes.distributed.at_x(i + 1) + at);
+    double* delta = level.changes.delta.at_x(i) + at;
+    core::store(delta, weight_at(level, i) * (core::load(delta) - share * (west + east)));
+    core::store(level.changes.distributed.at_x(i) + at, Lanes{});
+    west = here;
+    here = east;
+  }
 }
 
 template <int reach, LineSolver solver>
 line_solvers::SmallPivot LineBatch<reach, solver>::solve(const Hierarchy& hierarchy, Level& level, int colour,
                                                          int batch) {
   const int j = first_line(colour, batch);
-  const bool cut_off = reynolds::ruptures(hierarchy.problem.cavitation) && hierarchy.transport.squeeze > 0.0;
+  const bool in_time = hierarchy.transport.squeeze > 0.0;
+  const bool by_pressures = level.grid.domain.line && !in_time;
+  const auto keep_one = [&](int i, Lanes delta) {
+    keep(level, batch, i, delta, by_pressures ? core::broadcast(1.0) : weight_at(level, i));
+  };
+  const auto end = [&] {
+    if (by_pressures) weigh_pressures(level, batch);
+    if (in_time && reynolds::ruptures(hierarchy.problem.cavitation)) hold_batch(level, colour, batch);
+  };
   LineCoefficients(work_, how_).read(hierarchy, level, j);
   const auto assemble_by_scheme = [&](auto take) {
     if (conserves_mass(level))
@@ -151,15 +180,15 @@ line_solvers::SmallPivot LineBatch<reach, solver>::solve(const Hierarchy& hierar
   if constexpr (solver == LineSolver::elimination) {
     line_solvers::Elimination<reach> elimination(std::get<EliminationFactors<reach>>(work_.solver).data());
     assemble_by_scheme([&](int, const line_solvers::BandRow<reach>& row) { elimination.push(row); });
-    elimination.back_substitute([&](int i, Lanes delta) { keep(level, batch, i, delta); });
-    if (cut_off) hold_batch(level, colour, batch);
+    elimination.back_substitute(keep_one);
+    end();
     return elimination.small_pivot();
   } else {
     auto& decimation = std::get<line_solvers::Decimation<reach>>(work_.solver);
     assemble_by_scheme([&](int i, const line_solvers::BandRow<reach>& row) { decimation.set(i, row); });
     const line_solvers::SmallPivot small = decimation.solve();
-    for (int i = 1; i < level.grid.nx; ++i) keep(level, batch, i, decimation.delta(i));
-    if (cut_off) hold_batch(level, colour, batch);
+    for (int i = 1; i < level.grid.nx; ++i) keep_one(i, decimation.delta(i));
+    end();
     return small;
   }
 }

@@ -24,8 +24,8 @@ class EvenConvolution {
   std::size_t bytes() const;
 
  private:
-  /// Of the k-th and the (half - k)-th number of a spectrum, times 1/half: mean and half difference of the kernel's real
-  /// spectrum at k and at half - k, and cosine and sine of -2 pi k/length.
+  /// Of the k-th and the (half - k)-th number of a spectrum, times 1/half: mean and half difference of the kernel's
+  /// real spectrum at k and at half - k, and cosine and sine of -2 pi k/length.
   struct Factor {
     double mean, difference, cosine, sine;
   };

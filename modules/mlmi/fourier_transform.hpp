@@ -27,8 +27,8 @@ class RealTransform {
   std::unique_ptr<Implementation> implementation_;
 };
 
-/// Transforms of complex rows of one length, from one array to another: sum_n in_n exp(-2 pi i k n/length). The input is
-/// kept.
+/// Transforms of complex rows of one length, from one array to another: sum_n in_n exp(-2 pi i k n/length). The input
+/// is kept.
 class ComplexTransform {
  public:
   explicit ComplexTransform(int length);

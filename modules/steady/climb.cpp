@@ -111,8 +111,8 @@ std::optional<reynolds::FarField> far_field_of(const Scene& scene) {
 /// stay nearly rigid, M = 1, cycles with it leave 0.7.
 constexpr double crossover_of_line = 3e3;
 
-/// With 1, 0.9, 0.8 and 0.7 cycles of the 56 lines up to M = 200 on 1024 cells take 2210, 1939, 1880 and 2130 work units,
-/// and of all 77 two, one, none and one are left to Newton's method.
+/// With 1, 0.9, 0.8 and 0.7 cycles of the 56 lines up to M = 200 on 1024 cells take 2210, 1939, 1880 and 2130 work
+/// units, and of all 77 two, one, none and one are left to Newton's method.
 constexpr double weight_of_line = 0.8;
 
 /// Changes on stretched cells are distributed to two neighbours instead of four. R_x/R_y = 20, (20, 10), 512 x 512
