@@ -223,7 +223,9 @@ Solution climb_by_viscosity(const Scene& scene, const Start& start, const Progre
   const Scene on_grid = on_level(scene, run.hierarchy, l);
   const auto film = [&](double share) { return expected_central_film(scene.M, share * scene.L, scene.shape); };
   double share = std::min(1.0, first_alpha_bar / contact::from_moes(scene.M, scene.L, scene.shape).alpha_bar);
-  Solution first = climb(with_viscosity_of(on_grid, share), start, progress);
+  Scene thinnest = with_viscosity_of(on_grid, share);
+  thinnest.multigrid.tolerance = followed;
+  Solution first = climb(thinnest, start, progress);
   fmg::State state{std::move(first.P), first.H00};  // on the domain
   for (double stride = longest_step_of_viscosity; share < 1.0;) {
     const double next = std::min(1.0, share * stride);

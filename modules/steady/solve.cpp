@@ -43,11 +43,12 @@ constexpr Start starts_of_ellipses[] = {
     {.cells = 128, .sweeps = 20, .cycles = 12, .caution_at_first = 0.5, .caution = 0.7, .coarseness = 4.5},
     {.cells = 128, .sweeps = 20, .cycles = 12, .caution_at_first = 0.35, .caution = 0.7, .coarseness = 4.5},
 };
-/// On the way through thinner oils, whose steps are long enough for cells twice as wide: (100, 5) at R_x/R_y = 100
-/// takes 27 s where it took 114. Where that leads nowhere, on finer ones: (20, 15) at 200.
+/// On the way through thinner oils, whose steps are small enough for cells twice as wide: (100, 5) at R_x/R_y = 100
+/// takes 27 s where it took 114. Where the first of these oils, whose film is thinner, does not begin on them, on finer
+/// ones: (20, 15) at 200.
 constexpr Start starts_of_viscosity[] = {
     {.cells = 128, .sweeps = 20, .cycles = 12, .caution_at_first = 0.7, .caution = 1.0, .coarseness = 9.0},
-    {.cells = 128, .sweeps = 20, .cycles = 12, .caution_at_first = 0.7, .caution = 1.0, .coarseness = 4.5}};
+    {.cells = 128, .sweeps = 20, .cycles = 12, .caution_at_first = 0.7, .caution = 1.0, .coarseness = 2.25}};
 /// The start of ways that do not begin with cycles from the Hertz pressure at full load.
 constexpr const Start& safe_start = starts[3];
 
