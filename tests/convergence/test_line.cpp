@@ -125,8 +125,8 @@ BOOST_AUTO_TEST_CASE(the_rolling_force_is_that_of_biboulet_and_houpert) {
 
 }  // namespace
 
-// Where distributed and single changes meet, a weight on each of them left what the next cycle brought again: (200, 25)
-// took Newton's method, (20, 25) 198 work units.
+// Where distributed and single changes meet, a weight on each of them left what the next cycle brought again: these
+// took 84 work units in the mean, (200, 20) and (200, 25) Newton's method.
 BOOST_AUTO_TEST_CASE(the_first_start_solves_lines_of_1025_nodes) {
   constexpr double most_work = 130.0;
   double work = 0.0;
@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_CASE(the_first_start_solves_lines_of_1025_nodes) {
       }
       work += solution.levels.back().work_units / 20.0;
     }
-  BOOST_TEST_MESSAGE("work units on the finest grid: " << work
-                                                       << " in the mean (at most 45), most_work = " << most_work);
-  BOOST_TEST(work <= 45.0);
+  BOOST_TEST_MESSAGE("work units on the finest grid: " << work << " in the mean (at most 60), and " << most_work
+                                                       << " for each");
+  BOOST_TEST(work <= 60.0);
 }
