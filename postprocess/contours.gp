@@ -9,7 +9,9 @@ unset table
 unset contour
 
 coarse = 40
-array flat[100 * coarse]
+# As many rows as the contact is long.
+stats field(name, coarse) matrix nonuniform using 3 nooutput prefix "G"
+array flat[G_records]
 k = 0
 stats field(name, coarse) matrix nonuniform using (k = k + 1, flat[k] = $3, 0) nooutput prefix "G"
 rows = k / coarse

@@ -27,7 +27,7 @@ set cbtics ("small" -1, "0" 0, "large" 1)
 unset key
 unset colorbox
 eval box(m(13), m(edge) + half, m(10), m(top + 4))
-set ylabel axis_Y offset 1, 0
+set ylabel axis_Y offset label_Y, 0
 set label 1 "H_c" at graph 0.5, graph 1 offset 0, 0.6 center
 plot field("error_Hc", 400) matrix nonuniform using 1:2:(shown($3, of_Hc)) with image
 unset label 100

@@ -25,7 +25,7 @@ set yrange [bottom:bottom + 2 * far]
 set xtics steps_of(right - left)
 set ytics steps_of(2 * far)
 set xlabel axis_along offset 0, 0.4
-set ylabel axis_Y offset 1, 0
+set ylabel axis_Y offset label_Y, 0
 # Oil ends where it no longer fills the gap.
 starved = found("/fields/theta") ne ""
 if (starved) {

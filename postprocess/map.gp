@@ -14,7 +14,7 @@ set yrange [bottom:bottom + 2 * far]
 set xtics steps_of(right - left)
 set ytics steps_of(2 * far)
 set xlabel axis_along offset 0, 0.4
-set ylabel axis_Y offset 1, 0
+set ylabel axis_Y offset label_Y, 0
 set cblabel quantity
 eval "set palette ".colours
 set cbrange [low:highest]

@@ -6,4 +6,5 @@ left = -inner(reach_x + 0.8 * margin, -end_of("x", "1"))
 right = inner(reach_x + 0.5 * margin, end_of("x", "$"))
 far = inner(reach_y + 0.6 * margin, end_of("y", "$"))
 bottom = -far
+label_Y = far < 1000 ? 1 : 2.2  # room for four digits and a sign beside it
 high = (wide - m(13 + edge)) * 2 * far / (right - left) + m(10 + top)

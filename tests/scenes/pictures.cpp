@@ -137,6 +137,17 @@ BOOST_AUTO_TEST_CASE(bodies_that_are_apart_have_figures_of_their_own) {
   BOOST_TEST(asked.says({"this file has no pressure"}), asked.err);
 }
 
+// A ball in its race: 70 times as wide as long, its map has that many more rows of places for labels.
+BOOST_AUTO_TEST_CASE(a_slender_contact_has_its_contours) {
+  const Scene scene;
+  BOOST_REQUIRE(scene
+                    .ehl("run s.ini --set contact.radius_ratio=0.01 --unset domain.x_inlet --unset domain.y_half "
+                         "--output r.h5")
+                    .status == 0);
+  const std::string drawn = scene.drawn("r.h5 --figure film_contours --figure pressure_contours --format svg");
+  BOOST_TEST(drawn == "r_film_contours.svg\nr_pressure_contours.svg\n");
+}
+
 // A table whose errors are not known: films without bars.
 BOOST_AUTO_TEST_CASE(a_sweep_without_error_bars_is_drawn) {
   const Scene scene;
