@@ -65,8 +65,9 @@ double mobility_upstream(const Hierarchy& hierarchy, Level& level) {
 void lead_inward(const Hierarchy& hierarchy, Level& level, double change) {
   const core::Patch& grid = level.grid;
   const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
-  const reynolds::Face face = at_half_points(level) ? reynolds::Face::logmean : reynolds::Face::mean;
-  const auto e = [&](int i) { return reynolds::conductance(face, level.eps(i, 1), level.eps(i + 1, 1), half.X); };
+  const auto e = [&](int i) {
+    return reynolds::conductance(level.scheme.face, level.eps(i, 1), level.eps(i + 1, 1), half.X);
+  };
   const double least = reynolds::relative_strength(hierarchy.transport, grid.hx());
   int end = 0;
   double resistance = 0.0;
@@ -163,11 +164,11 @@ double renew_boundary(Hierarchy& hierarchy, Level& level) {
   return std::max(change, renew_load_outside(hierarchy, level));
 }
 
-double renew_boundary_and_inlet(Hierarchy& hierarchy, Level& level) {
-  const double first = level.P(0, 1);
-  const double change = renew_boundary(hierarchy, level);
-  if (level.grid.domain.line) lead_inward(hierarchy, level, level.P(0, 1) - first);
-  return change;
+void renew_boundary_and_inlet(Hierarchy& hierarchy, Level& level) {
+  const double before = level.P(0, 1);
+  renew_boundary(hierarchy, level);
+  const double change = level.P(0, 1) - before;
+  if (level.grid.domain.line && change != 0.0) lead_inward(hierarchy, level, change);
 }
 
 void follow_H00(const Hierarchy& hierarchy, Level& level) {

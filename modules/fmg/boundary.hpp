@@ -14,7 +14,7 @@ std::vector<reynolds::FarPoint> points_of_boundary(const Problem& problem, const
 double renew_boundary(Hierarchy& hierarchy, Level& level);
 /// The same behind a cycle. Along a line contact's inlet, where epsilon is large, the pressure follows its end: left to
 /// the next cycle, a change there by 1e-10 was nine tenths of the residual of this one.
-double renew_boundary_and_inlet(Hierarchy& hierarchy, Level& level);
+void renew_boundary_and_inlet(Hierarchy& hierarchy, Level& level);
 /// The load alone; the pressure on the boundary stays as it is.
 double renew_load_outside(Hierarchy& hierarchy, Level& level);
 

@@ -1,7 +1,6 @@
 #include "mlmi/even_convolution.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <complex>
 
 #include "core/constants.hpp"
@@ -30,17 +29,13 @@ EvenConvolution::EvenConvolution(std::span<const double> kernel)
       spectrum_(2 * at(half_)) {
   for (std::size_t d = 0; d < points_; ++d) line_[d] = line_[d > 0 ? 2 * at(half_) - d : 0] = kernel[d];
   transform_.forward(line_.data(), spectrum_.data());
-  // With a, b the transforms of the even and of the odd points: a + exp(-2 pi i k/length) b, and a real number.
-  const auto S = [&](int k) {
-    const std::complex<double> Z = number(spectrum_, k % half_),
-                               other = std::conj(number(spectrum_, (half_ - k) % half_));
-    const std::complex<double> odd = std::complex<double>(0.0, -0.5) * (Z - other);
-    return (0.5 * (Z + other) + std::polar(1.0, -core::pi * k / half_) * odd).real();
-  };
+  // With a, b the transforms of the even and of the odd points and w = exp(-2 pi i k/length) the spectrum is a + w b at
+  // k and a - w b at half - k, as it is even; and real.
   for (int k = 0; k <= half_ / 2; ++k) {
-    const double here = S(k) / half_, there = S(half_ - k) / half_;
-    factors_.push_back(
-        {0.5 * (here + there), 0.5 * (here - there), std::cos(core::pi * k / half_), -std::sin(core::pi * k / half_)});
+    const std::complex<double> Z = number(spectrum_, k), other = std::conj(number(spectrum_, k > 0 ? half_ - k : 0));
+    const std::complex<double> b = std::complex<double>(0.0, -0.5) * (Z - other);
+    const std::complex<double> w = std::polar(1.0, -core::pi * k / half_);
+    factors_.push_back({0.5 * (Z + other).real() / half_, (w * b).real() / half_, w.real(), w.imag()});
   }
 }
 

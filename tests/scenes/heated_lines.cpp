@@ -135,18 +135,22 @@ BOOST_AUTO_TEST_CASE(bars_of_a_spike_that_grows) {
       "--set motion.srr=0.0708 --set lubricant.eta0=0.0715 --set lubricant.alpha=1.527e-8 "
       "--set thermal.T_oil=50 --set thermal.beta=0.0394 --set shear.tau_0=5.7e6 --set grid.cells=";
   const auto coarse = scene.run(deck + "256"), fine = scene.run(deck + "2048");
+  const auto converged = scene.run(deck + "256 --set multigrid.tolerance=1e-8");
   BOOST_TEST(number_at(coarse, "/thermal/T_film_max_x") < 0.0);
   BOOST_TEST(number_at(fine, "/thermal/T_film_max_x") > 0.0);
-  const auto holds = [&](const std::string& name, double widest) {
-    const double bar = number_at(coarse, "/thermal/error_" + name);
-    const double error = std::abs(number_at(coarse, "/thermal/" + name) / number_at(fine, "/thermal/" + name) - 1);
+  const auto holds = [&](const auto& found, const std::string& name, double widest) {
+    const double bar = number_at(found, "/thermal/error_" + name);
+    const double error = std::abs(number_at(found, "/thermal/" + name) / number_at(fine, "/thermal/" + name) - 1);
     BOOST_TEST_MESSAGE(name << " off by " << error << ", bar " << bar << " (" << widest << " at most)");
     BOOST_TEST(error < bar);
     BOOST_TEST(bar < widest);
   };
-  holds("T_film_max", 0.5);
-  holds("T1_max", 0.1);
-  holds("T2_max", 0.1);
+  holds(coarse, "T_film_max", 0.5);
+  holds(converged, "T_film_max", 0.5);
+  for (const char* surface : {"T1_max", "T2_max"}) {
+    holds(coarse, surface, 0.1);  // what the cycles left comes with it
+    holds(converged, surface, 0.05);
+  }
 }
 
 // Bodies so slow (Pe of 0.05 and 2) that heat runs ahead of the contact: it settles, and as finer grids say.

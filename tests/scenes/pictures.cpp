@@ -137,7 +137,7 @@ BOOST_AUTO_TEST_CASE(bodies_that_are_apart_have_figures_of_their_own) {
   BOOST_TEST(asked.says({"this file has no pressure"}), asked.err);
 }
 
-// A ball in its race: 70 times as wide as long, its map has that many more rows of places for labels.
+// 19 times as wide as long: its map has as many times the rows of places for labels.
 BOOST_AUTO_TEST_CASE(a_slender_contact_has_its_contours) {
   const Scene scene;
   BOOST_REQUIRE(scene
