@@ -47,6 +47,12 @@ OilFields oil_fields(const core::Patch& grid, bool anisotropic) {
   return anisotropic ? OilFields{zero, zero, zero, zero} : OilFields{zero, zero, {}, {}};
 }
 
+std::vector<ThreadWork> for_threads(int threads, ThreadWork&& work) {
+  std::vector<ThreadWork> all(static_cast<std::size_t>(threads - 1), work);
+  all.push_back(std::move(work));
+  return all;
+}
+
 // The number of coarsenings that a user gives is meant for the finest grid: the others take as many as they hold.
 Level make_level(const core::Patch& grid, bool finest, const Problem& problem, const Parameters& parameters,
                  const mlmi::Parameters& deformation, int threads) {
@@ -85,7 +91,7 @@ Level make_level(const core::Patch& grid, bool finest, const Problem& problem, c
           .correction = zero(),
           .uncorrected = {},
           .changes = {zero_changes(), zero_changes()},
-          .thread_work = std::vector<ThreadWork>(static_cast<std::size_t>(threads), work),
+          .thread_work = for_threads(threads, std::move(work)),
           .deformation = mlmi::Deformation(grid, finest ? deformation : mlmi::fitting(deformation, grid), threads,
                                            problem.geometry.elastic),
           .film_terms = film_terms(grid, problem.geometry.elastic, parameters.relaxation),

@@ -1,6 +1,7 @@
 #include "fmg/line_relaxation.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "film/half_points.hpp"
 #include "fmg/line_batch.hpp"
@@ -13,6 +14,7 @@ namespace {
 using core::LaneMask;
 using core::Lanes;
 using Values = LineSystem::Values;
+using WedgeWeights = std::array<double, 3>;  // of a node and of two upstream
 
 /// Node i of some values and those behind it, a vector of them.
 Lanes at(const Values& values, int i) { return core::load(&values[static_cast<std::size_t>(i + LineSystem::margin)]); }
@@ -34,13 +36,16 @@ class AlongLine {
         how_(how),
         cavitation_(hierarchy.problem.cavitation),
         in_time_(hierarchy.transport.squeeze > 0.0),
+        half_points_(at_half_points(level)),
+        transport_(transport_on(hierarchy, level)),
+        shares_(distributed_shares(level.grid)),
         grid_(level.grid),
         work_(level.thread_work.front().line_system) {}
 
   line_solvers::SmallPivot relax() {
     gather();
     read_faces();
-    if (at_half_points(level_)) read_answers();
+    if (half_points_) read_answers();
     choose_kind();
     const line_solvers::SmallPivot small = solve();
     distribute();
@@ -49,14 +54,26 @@ class AlongLine {
   }
 
  private:
-  using Row = line_solvers::BandRow<reach>;
+  using Rows = line_solvers::BandRow<reach>;
+  /// Coefficients and right hand sides of some rows.
+  using Block = std::array<std::array<double, LineSystem::block>, Rows::width + 1>;
+
+  static line_solvers::BandRow<reach, double> row_of(const Block& rows, int k) {
+    const auto row = static_cast<std::size_t>(k);
+    line_solvers::BandRow<reach, double> one_row;
+    for (std::size_t q = 0; q < one_row.a.size(); ++q) one_row.a[q] = rows[q][row];
+    one_row.rhs = rows.back()[row];
+    return one_row;
+  }
 
   void gather();
   void read_faces();
   void read_answers();
   void choose_kind();
-  template <Form form, class Take>
-  void assemble(int first, int last, Take take);
+  template <Form form>
+  Rows rows_from(int i, const WedgeWeights& c) const;
+  template <Form form>
+  line_solvers::SmallPivot solve_as();
   line_solvers::SmallPivot solve();
   void distribute();
   void apply();
@@ -72,6 +89,9 @@ class AlongLine {
   const RelaxationParameters& how_;
   const reynolds::Cavitation cavitation_;
   const bool in_time_;
+  const bool half_points_;
+  const reynolds::Transport transport_;
+  const DistributedShares shares_;
   const core::Patch& grid_;
   LineSystem& work_;
 };
@@ -80,7 +100,6 @@ class AlongLine {
 // already where it was made so: nobody else makes it.
 template <int reach>
 void AlongLine<reach>::gather() {
-  const bool half_points = at_half_points(level_);
   const auto take = [this](const core::Field& field, Values& values) {
     const double* own = field.at_x(0) + 1;
     for (int i = 0; i <= grid_.nx; ++i, own += field.stride()) one(values, i) = *own;
@@ -88,7 +107,7 @@ void AlongLine<reach>::gather() {
   take(level_.P, work_.P);
   take(level_.H, work_.rho_H);
   if (level_.f.nodes_x() > 0) take(level_.f, work_.f);
-  if (half_points || reynolds::third_order(level_.scheme.wedge)) take(level_.third_order, work_.third_order);
+  if (half_points_ || reynolds::third_order(level_.scheme.wedge)) take(level_.third_order, work_.third_order);
   if (along_one_line(hierarchy_, level_)) {
     const LineNodes& nodes = level_.thread_work.front().line_nodes;
     const auto copy = [](const std::vector<double>& made, Values& values) {
@@ -97,12 +116,12 @@ void AlongLine<reach>::gather() {
     copy(nodes.rho_bar, work_.rho_bar);
     copy(nodes.drho_bar, work_.slope_H);
     copy(nodes.eps, work_.eps);
-    if (half_points) copy(nodes.fluidity, work_.fluidity), copy(nodes.log_viscosity, work_.log_viscosity);
+    if (half_points_) copy(nodes.fluidity, work_.fluidity), copy(nodes.log_viscosity, work_.log_viscosity);
   } else {
     take(level_.rho_bar, work_.rho_bar);
     take(level_.drho_bar, work_.slope_H);
     take(level_.eps, work_.eps);
-    if (half_points) take(level_.oil.fluidity, work_.fluidity), take(level_.oil.log_viscosity, work_.log_viscosity);
+    if (half_points_) take(level_.oil.fluidity, work_.fluidity), take(level_.oil.log_viscosity, work_.log_viscosity);
   }
   for_vectors(0, grid_.nx, [&](int i) {
     const Lanes H = at(work_.rho_H, i);
@@ -114,7 +133,7 @@ void AlongLine<reach>::gather() {
 template <int reach>
 void AlongLine<reach>::read_faces() {
   const reynolds::HalfInverseSquares half(grid_.hx(), grid_.hy());
-  const reynolds::Face face = at_half_points(level_) ? reynolds::Face::logmean : reynolds::Face::mean;
+  const reynolds::Face face = half_points_ ? reynolds::Face::logmean : reynolds::Face::mean;
   for_vectors(1, grid_.nx, [&](int i) {
     put(work_.west, i, reynolds::conductance(face, at(work_.eps, i - 1), at(work_.eps, i), half.X));
   });
@@ -152,86 +171,91 @@ void AlongLine<reach>::choose_kind() {
   for (int i = grid_.nx; i < grid_.nx + core::lanes; ++i) one(work_.distributive, i) = 0.0;
 }
 
-// The rows of the nodes first .. last, whose wedge has the weights of `first`; line_batch.cpp has the steps. out:
-// take(i, row), of a vector of nodes from i on.
+// The rows of a vector of nodes from i on, whose wedge has the weights c; line_batch.cpp has the steps.
 template <int reach>
-template <Form form, class Take>
-void AlongLine<reach>::assemble(int first, int last, Take take) {
+template <Form form>
+line_solvers::BandRow<reach> AlongLine<reach>::rows_from(int i, const WedgeWeights& c) const {
   constexpr bool plain = form == Form::plain;
-  const reynolds::Transport transport = transport_on(hierarchy_, level_);
-  const auto c = reynolds::transport_weights(transport, first, grid_.hx());
-  const DistributedShares shares = distributed_shares(grid_);
-  const bool half_points = at_half_points(level_);
-  const bool with_f = level_.f.nodes_x() > 0;
-  for (int i = first; i <= last; i += core::lanes) {
-    const reynolds::Faces<Lanes> e{at(work_.west, i), at(work_.west, i + 1), Lanes{}, Lanes{}};
-    const Lanes P = at(work_.P, i);
-    const Lanes inflow = reynolds::poiseuille(e, at(work_.P, i - 1), at(work_.P, i + 1), P, P, P);
-    const auto around = [i](const Values& values) {
-      return std::array{at(values, i), at(values, i - 1), at(values, i - 2)};
-    };
-    const auto [rho0, rho1, rho2] = around(work_.rho_bar);
-    const auto [q0, q1, q2] = around(work_.rho_H);
-    const auto [s0, s1, s2] = around(work_.slope_H);
-    line_solvers::PointEquation<plain ? 3 : 4> point;
-    reynolds::PressureRow<Lanes> dr;
-    if constexpr (plain) {
-      point.c = {c[0] * rho0, c[1] * rho1, c[2] * rho2};
-      point.r = reynolds::transported(c, q0, q1, q2) - inflow;
-      dr = reynolds::pressure_row(c, e, s0, s1, s2);
-    } else {
-      const auto w = reynolds::third_order_weights<Lanes>(c, transport, grid_.hx(),
-                                                          {at(work_.third_order, i - 1), at(work_.third_order, i)});
-      point.c = {w[0] * rho0, w[1] * rho1, w[2] * rho2, w[3] * at(work_.rho_bar, i + 1)};
-      point.r = reynolds::transported(w, q0, q1, q2, at(work_.rho_H, i + 1)) - inflow;
-      dr = reynolds::pressure_row(w, e, s0, s1, s2, at(work_.slope_H, i + 1));
-      if (half_points)
-        dr = reynolds::sum(
-            dr, {.far_west = Lanes{},
-                 .west = e.west * (1.0 - at(work_.answer_before, i)),
-                 .own = e.west * (at(work_.answer_behind, i) - 1.0) + e.east * (at(work_.answer_before, i + 1) - 1.0),
-                 .east = e.east * (1.0 - at(work_.answer_behind, i + 1)),
-                 .south = Lanes{},
-                 .north = Lanes{}});
-    }
-    if (with_f) point.r += at(work_.f, i);
-    const auto d = [&](int q) { return at(work_.distributive, i + q); };
-    point.a = coefficients_of_deltas(shares, dr, d, at(work_.far_squeeze, i) * rho0);
-    Row row = line_solvers::eliminate_film<reach>(level_.film_terms, point, d);
-    row.a[Row::lower - 3] += shares.along * d(-3) * dr.far_west;
-    line_solvers::make_identity(row, reynolds::stays_dry(cavitation_, P, point.r));
-    take(i, row);
+  const reynolds::Faces<Lanes> e{at(work_.west, i), at(work_.west, i + 1), Lanes{}, Lanes{}};
+  const Lanes P = at(work_.P, i);
+  const Lanes inflow = reynolds::poiseuille(e, at(work_.P, i - 1), at(work_.P, i + 1), P, P, P);
+  const auto around = [i](const Values& values) {
+    return std::array{at(values, i), at(values, i - 1), at(values, i - 2)};
+  };
+  const auto [rho0, rho1, rho2] = around(work_.rho_bar);
+  const auto [q0, q1, q2] = around(work_.rho_H);
+  const auto [s0, s1, s2] = around(work_.slope_H);
+  line_solvers::PointEquation<plain ? 3 : 4> point;
+  reynolds::PressureRow<Lanes> dr;
+  if constexpr (plain) {
+    point.c = {c[0] * rho0, c[1] * rho1, c[2] * rho2};
+    point.r = reynolds::transported(c, q0, q1, q2) - inflow;
+    dr = reynolds::pressure_row(c, e, s0, s1, s2);
+  } else {
+    const auto w = reynolds::third_order_weights<Lanes>(c, transport_, grid_.hx(),
+                                                        {at(work_.third_order, i - 1), at(work_.third_order, i)});
+    point.c = {w[0] * rho0, w[1] * rho1, w[2] * rho2, w[3] * at(work_.rho_bar, i + 1)};
+    point.r = reynolds::transported(w, q0, q1, q2, at(work_.rho_H, i + 1)) - inflow;
+    dr = reynolds::pressure_row(w, e, s0, s1, s2, at(work_.slope_H, i + 1));
+    if (half_points_)
+      dr = reynolds::sum(
+          dr, {.far_west = Lanes{},
+               .west = e.west * (1.0 - at(work_.answer_before, i)),
+               .own = e.west * (at(work_.answer_behind, i) - 1.0) + e.east * (at(work_.answer_before, i + 1) - 1.0),
+               .east = e.east * (1.0 - at(work_.answer_behind, i + 1)),
+               .south = Lanes{},
+               .north = Lanes{}});
   }
+  if (level_.f.nodes_x() > 0) point.r += at(work_.f, i);
+  const auto d = [&](int q) { return at(work_.distributive, i + q); };
+  point.a = coefficients_of_deltas(shares_, dr, d, at(work_.far_squeeze, i) * rho0);
+  line_solvers::BandRow<reach> row = line_solvers::eliminate_film<reach>(level_.film_terms, point, d);
+  row.a[Rows::lower - 3] += shares_.along * d(-3) * dr.far_west;
+  line_solvers::make_identity(row, reynolds::stays_dry(cavitation_, P, point.r));
+  return row;
 }
 
 // While the elimination of some rows waits from row to row, the next are made.
 template <int reach>
-line_solvers::SmallPivot AlongLine<reach>::solve() {
-  line_solvers::Elimination<reach, double> elimination(std::get<OneLineFactors<reach>>(work_.factors).data());
-  const auto rows = [&](int first, int last) {
-    const auto eliminate = [&](int i, const Row& nodes) {
-      std::array<std::array<double, core::lanes>, Row::width + 1> columns;
-      for (std::size_t q = 0; q < nodes.a.size(); ++q) core::store(columns[q].data(), nodes.a[q]);
-      core::store(columns.back().data(), nodes.rhs);
-      const auto count = static_cast<std::size_t>(std::min(core::lanes, last - i + 1));
-      auto here = elimination;  // of these rows in registers: each waits for the one before it
-      for (std::size_t lane = 0; lane < count; ++lane) {
-        line_solvers::BandRow<reach, double> row;
-        for (std::size_t q = 0; q < row.a.size(); ++q) row.a[q] = columns[q][lane];
-        row.rhs = columns.back()[lane];
-        here.push(row);
-      }
-      elimination = here;
-    };
-    if (at_half_points(level_) || reynolds::third_order(level_.scheme.wedge))
-      assemble<Form::general>(first, last, eliminate);
-    else
-      assemble<Form::plain>(first, last, eliminate);
+template <Form form>
+line_solvers::SmallPivot AlongLine<reach>::solve_as() {
+  constexpr int block = LineSystem::block;
+  const auto weights = [&](int i) { return reynolds::transport_weights(transport_, i, grid_.hx()); };
+  const auto make = [&](int first, const WedgeWeights& c, Block& rows) {
+    for (int i = 0; i < block; i += core::lanes) {
+      const Rows made = rows_from<form>(first + i, c);
+      for (std::size_t q = 0; q < made.a.size(); ++q) core::store(&rows[q][static_cast<std::size_t>(i)], made.a[q]);
+      core::store(&rows.back()[static_cast<std::size_t>(i)], made.rhs);
+    }
   };
-  rows(1, 1);  // the wedge of the first node has weights of its own
-  rows(2, grid_.nx - 1);
-  elimination.back_substitute([&](int i, double delta) { one(work_.delta, i) = delta; });
+  const int last = grid_.nx - 1;
+  const int blocks = (last - 1 + block) / (2 * block);  // from the first end
+  const int middle = 1 + blocks * block;
+  const int steps = std::max(blocks, (last - middle + block - 1) / block);
+  line_solvers::TwoEnded<reach> elimination(std::get<OneLineFactors<reach>>(work_.factors).data(), last);
+  Block rows, rows_behind;
+  make(1, weights(1), rows);  // the wedge of the first node has weights of its own
+  elimination.push_first(row_of(rows, 0));
+  const WedgeWeights c = weights(2);
+  for (int step = 0; step < steps; ++step) {
+    const int first = 2 + step * block, behind = last - (step + 1) * block + 1;
+    make(first, c, rows);
+    make(behind, c, rows_behind);
+    auto here = elimination;  // of these rows in registers: each waits for the one before it
+    for (int k = 0; k < block; ++k) {
+      if (first + k <= middle) here.push_first(row_of(rows, k));
+      if (behind + block - 1 - k > middle) here.push_last(row_of(rows_behind, block - 1 - k));
+    }
+    elimination = here;
+  }
+  elimination.substitute([&](int i, double delta) { one(work_.delta, i) = delta; });
   return elimination.small_pivot();
+}
+
+template <int reach>
+line_solvers::SmallPivot AlongLine<reach>::solve() {
+  const bool general = half_points_ || reynolds::third_order(level_.scheme.wedge);
+  return general ? solve_as<Form::general>() : solve_as<Form::plain>();
 }
 
 // What is distributed: in time under-relaxed and held, as LineBatch does, for then a change must not be worth more to
@@ -259,7 +283,7 @@ void AlongLine<reach>::distribute() {
 // from cycle to cycle. 77 loads took three times as long, and four of them Newton's method.
 template <int reach>
 void AlongLine<reach>::apply() {
-  const double share = distributed_shares(grid_).along;
+  const double share = shares_.along;
   for_vectors(1, grid_.nx - 1, [&](int i) {
     Lanes change = at(work_.delta, i) - share * (at(work_.distributed, i - 1) + at(work_.distributed, i + 1));
     if (!in_time_) change *= weight_of_change(how_, at(work_.distributive, i), range_at(i));

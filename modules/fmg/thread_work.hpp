@@ -9,6 +9,7 @@
 #include "fmg/parameters.hpp"
 #include "line_solvers/decimation.hpp"
 #include "line_solvers/elimination.hpp"
+#include "line_solvers/two_ended.hpp"
 #include "reynolds/cavitation.hpp"
 #include "reynolds/flux.hpp"
 
@@ -26,13 +27,16 @@ struct LineNodes {
 LineNodes make_line_nodes(const core::Patch& grid, bool anisotropic);
 
 template <int reach>
-using OneLineFactors = std::vector<typename line_solvers::Elimination<reach, double>::Factors>;
+using OneLineFactors = std::vector<typename line_solvers::TwoEnded<reach>::Factors>;
 
 /// The line system of a line contact, one value per node (line_relaxation.cpp); else empty.
 struct LineSystem {
   using Values = std::vector<double>;
-  /// Entries before the first node and behind the last: what the row of a last node reads beyond, in a vector of them.
-  static constexpr int margin = core::lanes + line_solvers::max_reach + 2;
+  /// Rows that are made together, on every processor: where the two ends of the elimination meet must not depend on it.
+  static constexpr int block = 8;
+  static_assert(block % core::lanes == 0);
+  /// Entries before the first node and behind the last: what the row of a last node reads beyond, in a block of them.
+  static constexpr int margin = block + line_solvers::max_reach + 2;
 
   Values P, rho_bar, rho_H, slope_H, eps, third_order, f, fluidity, log_viscosity;  ///< of nodes; slope_H of rho_H by P
   Values west;                          ///< epsilon/h^2 at the half point west of a node

@@ -1,8 +1,7 @@
 #pragma once
 // Gaussian elimination of the band, fed row by row: a row is assembled, eliminated and forgotten, so that only the
 // upper factors of a batch of lines, three or four numbers per point, ever go to memory.
-#include <span>
-#include <type_traits>
+#include <array>
 
 #include "line_solvers/line_system.hpp"
 
@@ -10,17 +9,16 @@ namespace ehl::line_solvers {
 
 /// Eliminates the rows 1, 2, .. of the band as they come; delta is zero outside the line.
 /// No pivoting: rows of the relaxation are dominated by their diagonal or by the film term; a small pivot is reported.
-/// cost: lower (upper + 1) + 1 multiplications and 1/8 division per point and line; of one line (Number = double) a
-/// division per point, for which the next one waits.
-template <int reach, class Number = Lanes>
+/// cost: lower (upper + 1) + 1 multiplications and 1/8 division per point and line.
+template <int reach>
 class Elimination {
-  using Row = BandRow<reach, Number>;
+  using Row = BandRow<reach>;
 
  public:
   /// One point's upper factors: delta_i = g - sum u_q delta_{i+q}.
   struct Factors {
-    std::array<Number, static_cast<std::size_t>(Row::upper)> u;
-    Number g;
+    std::array<Lanes, static_cast<std::size_t>(Row::upper)> u;
+    Lanes g;
   };
 
   /// work: one entry per point, entries 1.. are used; owned by the caller and reused from batch to batch.
@@ -31,32 +29,28 @@ class Elimination {
     const int i = ++last_;
     // Columns i-lower .. i-1 are known in terms of later ones; substituting the earliest first fills no new column.
     for (int q = Row::lower; q >= 1; --q) {
-      if (!one_line && i - q < 1) continue;
-      const Factors& earlier = one_line ? recent_[static_cast<std::size_t>(q - 1)] : factors_[i - q];
-      const Number m = row.a[static_cast<std::size_t>(Row::lower - q)];
+      if (i - q < 1) continue;
+      const Factors& earlier = factors_[i - q];
+      const Lanes m = row.a[static_cast<std::size_t>(Row::lower - q)];
       for (int t = 1; t <= Row::upper; ++t)
         row.a[static_cast<std::size_t>(Row::lower - q + t)] -= m * earlier.u[static_cast<std::size_t>(t - 1)];
       row.rhs -= m * earlier.g;
     }
-    const Number pivot = row.a[Row::lower];
+    const Lanes pivot = row.a[Row::lower];
     check(pivot, row, i);
-    const Number inverse = 1.0 / pivot;
+    const Lanes inverse = 1.0 / pivot;
     Factors& mine = factors_[i];
     for (int t = 1; t <= Row::upper; ++t)
       mine.u[static_cast<std::size_t>(t - 1)] = row.a[static_cast<std::size_t>(Row::lower + t)] * inverse;
     mine.g = row.rhs * inverse;
-    if constexpr (one_line) {
-      for (std::size_t k = recent_.size() - 1; k > 0; --k) recent_[k] = recent_[k - 1];
-      recent_[0] = mine;
-    }
   }
 
   /// Back from the last point: calls change(i, delta_i) for i = last .. 1.
   template <class Change>
   void back_substitute(Change change) const {
-    std::array<Number, static_cast<std::size_t>(Row::upper)> later{};
+    std::array<Lanes, static_cast<std::size_t>(Row::upper)> later{};
     for (int i = last_; i >= 1; --i) {
-      Number delta = factors_[i].g;
+      Lanes delta = factors_[i].g;
       for (std::size_t t = 0; t < later.size(); ++t) delta -= factors_[i].u[t] * later[t];
       change(i, delta);
       for (std::size_t t = later.size() - 1; t > 0; --t) later[t] = later[t - 1];
@@ -67,28 +61,20 @@ class Elimination {
   const SmallPivot& small_pivot() const { return small_pivot_; }
 
  private:
-  static constexpr bool one_line = std::is_same_v<Number, double>;
-
-  void check(Number pivot, const Row& row, int i) {
-    Number largest{};
-    for (const Number& a : row.a) largest = core::max(largest, core::abs(a));
+  void check(Lanes pivot, const Row& row, int i) {
+    Lanes largest{};
+    for (const Lanes& a : row.a) largest = core::max(largest, core::abs(a));
     // Written so that NaN counts as small.
     const auto fine = core::abs(pivot) > largest * smallest_pivot;
     if (core::all(fine) || small_pivot_.point >= 0) return;
-    if constexpr (one_line) {
-      small_pivot_ = {i, 0, pivot};
-    } else {
-      for (int lane = 0; lane < core::lanes; ++lane)
-        if (!fine[lane]) {
-          small_pivot_ = {i, lane, pivot[lane]};
-          return;
-        }
-    }
+    for (int lane = 0; lane < core::lanes; ++lane)
+      if (!fine[lane]) {
+        small_pivot_ = {i, lane, pivot[lane]};
+        return;
+      }
   }
 
   Factors* factors_;
-  /// The last ones, of one line, where the next row finds them soonest. Zero before the first row.
-  std::array<Factors, one_line ? static_cast<std::size_t>(Row::lower) : 1> recent_{};
   int last_ = 0;
   SmallPivot small_pivot_;
 };

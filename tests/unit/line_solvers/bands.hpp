@@ -7,6 +7,7 @@
 
 #include "line_solvers/decimation.hpp"
 #include "line_solvers/elimination.hpp"
+#include "line_solvers/two_ended.hpp"
 #include "support/random.hpp"
 
 namespace ehl::tests {
@@ -36,6 +37,30 @@ Solved eliminate(const Band<reach>& band) {
   for (std::size_t i = 1; i < band.size(); ++i) elimination.push(band[i]);
   Solved solved{Deltas(band.size()), elimination.small_pivot()};
   elimination.back_substitute([&](int i, Lanes delta) { solved.delta[static_cast<std::size_t>(i)] = delta; });
+  return solved;
+}
+
+/// Each line by itself, from both ends: so many rows from the first one.
+template <int reach>
+Solved eliminate_from_both_ends(const Band<reach>& band, int from_first) {
+  using TwoEnded = line_solvers::TwoEnded<reach>;
+  const int points = points_of(band.size());
+  Solved solved{Deltas(band.size()), {}};
+  std::vector<typename TwoEnded::Factors> work(band.size());
+  for (int lane = 0; lane < lanes; ++lane) {
+    const auto row_of = [&](int i) {
+      typename TwoEnded::Row row{};
+      for (std::size_t q = 0; q < row.a.size(); ++q) row.a[q] = band[static_cast<std::size_t>(i)].a[q][lane];
+      row.rhs = band[static_cast<std::size_t>(i)].rhs[lane];
+      return row;
+    };
+    TwoEnded elimination(work.data(), points);
+    for (int i = 1; i <= from_first; ++i) elimination.push_first(row_of(i));
+    for (int i = points; i > from_first; --i) elimination.push_last(row_of(i));
+    elimination.substitute([&](int i, double delta) { solved.delta[static_cast<std::size_t>(i)][lane] = delta; });
+    const line_solvers::SmallPivot small = elimination.small_pivot();
+    if (small.point >= 0 && solved.small.point < 0) solved.small = {small.point, lane, small.pivot};
+  }
   return solved;
 }
 

@@ -157,12 +157,43 @@ void pivots_that_cannot_be_divided_by() {
   }
 }
 
+// Every place where the ends can meet: also one end with no row at all, or fewer than a band's width.
+template <int reach>
+void both_ends_meet() {
+  Random random(200 + reach);
+  double worst = 0.0;
+  for (const int points : lengths) {
+    const Band<reach> band = random_band<reach>(points, random);
+    const Eigen::MatrixXd truth = dense_solution<reach>(band);
+    for (int from_first = 0; from_first <= points; from_first += points < 10 ? 1 : 7) {
+      const Solved solved = eliminate_from_both_ends<reach>(band, from_first);
+      BOOST_TEST(solved.small.point == -1);
+      worst = std::max(worst, difference(truth, solved.delta));
+      BOOST_TEST(difference(truth, solved.delta) < tolerance, points << " points, " << from_first << " from the first");
+    }
+  }
+  BOOST_TEST_MESSAGE("reach " << reach << ": from both ends " << worst << " (tolerance " << tolerance << ")");
+
+  const Band<reach> good = random_band<reach>(63, random);
+  for (const int point : {1, 20, 40, 63}) {
+    Band<reach> broken = good;
+    for (Lanes& a : broken[static_cast<std::size_t>(point)].a) a[lanes - 1] = 0.0;
+    same_place(eliminate_from_both_ends<reach>(broken, 31).small, point, lanes - 1);
+  }
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(both_solvers_give_the_dense_solution) {
   compare_with_dense<1>();
   compare_with_dense<2>();
   compare_with_dense<3>();
+}
+
+BOOST_AUTO_TEST_CASE(elimination_from_both_ends_gives_the_dense_solution) {
+  both_ends_meet<1>();
+  both_ends_meet<2>();
+  both_ends_meet<3>();
 }
 
 BOOST_AUTO_TEST_CASE(both_solvers_find_a_known_solution) {
