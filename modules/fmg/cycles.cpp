@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/errors.hpp"
+#include "fmg/across_relaxation.hpp"
 #include "fmg/boundary.hpp"
 #include "fmg/cycle.hpp"
 #include "fmg/oil.hpp"
@@ -125,9 +126,11 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
   judgement::Measures before = measures_of(hierarchy, l);
   std::vector<double> residuals;  // since the last change of caution
   double boldness = 1.0;
+  bool across = false;
   const auto choose_weights = [&] {
     how = cautious(hierarchy.parameters, needed);
     how.relaxation.weight_single_steep *= boldness;
+    how.relaxation.across = across;
   };
   const auto more_careful = [&](std::vector<double> so_far) {
     choose_weights();
@@ -171,9 +174,13 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
     if (count != dry && !to_and_fro && result.cycles <= on_its_way) residuals = {now.residual};
     dry_before = std::exchange(dry, count);
     two_before = before.residual;
-    if (how.post == 0 && result.cycles > 1 && now.residual > rough_factor * before.residual &&
-        now.residual > rounding_residual) {
+    const bool rough =
+        result.cycles > 1 && now.residual > rough_factor * before.residual && now.residual > rounding_residual;
+    if (rough && how.post == 0) {
       needed.relax_after = true;
+      more_careful({now.residual});
+    } else if (rough && !across && can_relax_across(hierarchy, hierarchy.levels[l])) {
+      across = true;
       more_careful({now.residual});
     }
     const std::size_t taken = residuals.size();

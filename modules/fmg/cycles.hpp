@@ -43,7 +43,8 @@ struct CyclesResult {
 /// rises or hardly falls lowers the weight where epsilon is steep, and then all weights; a state that is no longer
 /// finite, or hopeless, is replaced by the one at the beginning and all weights are lowered; where that does not help
 /// the one at the beginning is what is left. On stretched cells good cycles raise the weight where epsilon is steep.
-/// in: caution, to begin with.
+/// Where relaxations follow the correction already, a residual that falls slowly asks for relaxation across, too. in:
+/// caution, to begin with.
 CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::StoppingCriterion& criterion,
                         const Caution& caution, const CycleObserver& observe);
 

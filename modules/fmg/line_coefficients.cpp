@@ -54,7 +54,7 @@ ThreadWork make_thread_work(const core::Patch& grid, const film::Model& film, co
                   .line_system = {},
                   .followed = std::vector<double>(static_cast<std::size_t>(grid.nodes_y()) + 2),
                   .followed_behind = std::vector<double>(static_cast<std::size_t>(grid.nodes_y())),
-                  .rows_across = std::vector<RowAcross>(core::stretched(grid) ? grid.nodes_y() : 0),
+                  .rows_across = std::vector<RowAcross>(grid.domain.line ? 0 : grid.nodes_y()),
                   .west = {},
                   .south = {},
                   .north = {},

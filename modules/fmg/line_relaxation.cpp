@@ -55,16 +55,6 @@ class AlongLine {
 
  private:
   using Rows = line_solvers::BandRow<reach>;
-  /// Coefficients and right hand sides of some rows.
-  using Block = std::array<std::array<double, LineSystem::block>, Rows::width + 1>;
-
-  static line_solvers::BandRow<reach, double> row_of(const Block& rows, int k) {
-    const auto row = static_cast<std::size_t>(k);
-    line_solvers::BandRow<reach, double> one_row;
-    for (std::size_t q = 0; q < one_row.a.size(); ++q) one_row.a[q] = rows[q][row];
-    one_row.rhs = rows.back()[row];
-    return one_row;
-  }
 
   void gather();
   void read_faces();
@@ -221,12 +211,9 @@ template <Form form>
 line_solvers::SmallPivot AlongLine<reach>::solve_as() {
   constexpr int block = LineSystem::block;
   const auto weights = [&](int i) { return reynolds::transport_weights(transport_, i, grid_.hx()); };
+  using Block = line_solvers::RowBlock<reach, block>;
   const auto make = [&](int first, const WedgeWeights& c, Block& rows) {
-    for (int i = 0; i < block; i += core::lanes) {
-      const Rows made = rows_from<form>(first + i, c);
-      for (std::size_t q = 0; q < made.a.size(); ++q) core::store(&rows[q][static_cast<std::size_t>(i)], made.a[q]);
-      core::store(&rows.back()[static_cast<std::size_t>(i)], made.rhs);
-    }
+    for (int k = 0; k < block; k += core::lanes) rows.put(k, rows_from<form>(first + k, c));
   };
   const int last = grid_.nx - 1;
   const int blocks = (last - 1 + block) / (2 * block);  // from the first end
@@ -235,7 +222,7 @@ line_solvers::SmallPivot AlongLine<reach>::solve_as() {
   line_solvers::TwoEnded<reach> elimination(std::get<OneLineFactors<reach>>(work_.factors).data(), last);
   Block rows, rows_behind;
   make(1, weights(1), rows);  // the wedge of the first node has weights of its own
-  elimination.push_first(row_of(rows, 0));
+  elimination.push_first(rows.row(0));
   const WedgeWeights c = weights(2);
   for (int step = 0; step < steps; ++step) {
     const int first = 2 + step * block, behind = last - (step + 1) * block + 1;
@@ -243,8 +230,8 @@ line_solvers::SmallPivot AlongLine<reach>::solve_as() {
     make(behind, c, rows_behind);
     auto here = elimination;  // of these rows in registers: each waits for the one before it
     for (int k = 0; k < block; ++k) {
-      if (first + k <= middle) here.push_first(row_of(rows, k));
-      if (behind + block - 1 - k > middle) here.push_last(row_of(rows_behind, block - 1 - k));
+      if (first + k <= middle) here.push_first(rows.row(k));
+      if (behind + block - 1 - k > middle) here.push_last(rows_behind.row(block - 1 - k));
     }
     elimination = here;
   }

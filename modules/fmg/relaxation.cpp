@@ -156,8 +156,11 @@ void relax_pressure(Hierarchy& hierarchy, Level& level, const RelaxationParamete
 
 void relax(Hierarchy& hierarchy, Level& level, const RelaxationParameters& how) {
   relax_pressure(hierarchy, level, how);
-  if (relaxes_across(hierarchy, level)) {
-    update_coefficients(hierarchy, level);
+  if (can_relax_across(hierarchy, level) && (how.across || core::stretched(level.grid))) {
+    if (how.across)
+      update_film(hierarchy, level);
+    else
+      update_coefficients(hierarchy, level);
     relax_across(hierarchy, level, how);
   }
   update_film(hierarchy, level);

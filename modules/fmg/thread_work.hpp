@@ -62,7 +62,7 @@ struct ThreadWork {
   /// half points.
   std::vector<double> followed;
   std::vector<double> followed_behind;
-  std::vector<RowAcross> rows_across;  ///< of the nodes of a station of stretched cells; else empty
+  std::vector<RowAcross> rows_across;  ///< of the nodes of a station; empty of a line
 
   // For the line systems of a batch; empty where there is a line_system:
   /// Entries before and behind the points of a line in `distributive`.

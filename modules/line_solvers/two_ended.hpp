@@ -8,6 +8,29 @@
 
 namespace ehl::line_solvers {
 
+/// Some rows of a line, which come in vectors and go one by one.
+template <int reach, int rows>
+class RowBlock {
+ public:
+  /// Those from k on.
+  void put(int k, const BandRow<reach>& made) {
+    const auto from = static_cast<std::size_t>(k);
+    for (std::size_t q = 0; q < made.a.size(); ++q) core::store(&a_[q][from], made.a[q]);
+    core::store(&rhs_[from], made.rhs);
+  }
+  BandRow<reach, double> row(int k) const {
+    const auto at = static_cast<std::size_t>(k);
+    BandRow<reach, double> one;
+    for (std::size_t q = 0; q < one.a.size(); ++q) one.a[q] = a_[q][at];
+    one.rhs = rhs_[at];
+    return one;
+  }
+
+ private:
+  std::array<std::array<double, rows>, BandRow<reach>::width> a_;
+  std::array<double, rows> rhs_;
+};
+
 /// Eliminates rows 1, 2, .. of the band from the first end and last, last - 1, .. from the other one, as they come;
 /// delta is zero outside the line. No pivoting; a small pivot is reported, as by Elimination.
 /// cost: a division per point, for which the next one at its end waits.

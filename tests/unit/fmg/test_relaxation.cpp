@@ -171,10 +171,10 @@ void compare_line_with_batch(const fmg::Problem& problem, double squeeze, int ce
   }
   fmg::relax_pressure(hierarchy, level, relaxation);
   const double difference = ehl::core::max_abs_difference(level.P, expected) / ehl::core::max_abs(expected);
-  BOOST_TEST(difference < 1e-14, cells << " cells, reach " << reach << ", squeeze " << squeeze << ": " << difference);
+  BOOST_TEST(difference < 1e-11, cells << " cells, reach " << reach << ", squeeze " << squeeze << ": " << difference);
 }
 
-// The same operations in the same order: the same bits but for what the compiler fuses.
+// The same systems, solved from both ends and from one.
 BOOST_AUTO_TEST_CASE(nodes_of_a_line_side_by_side_are_relaxed_as_a_batch_of_lines) {
   using ehl::reynolds::Face;
   const ehl::contact::Ellipse shape = ehl::contact::line_contact();
