@@ -126,7 +126,7 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
   judgement::Measures before = measures_of(hierarchy, l);
   std::vector<double> residuals;  // since the last change of caution
   double boldness = 1.0;
-  bool across = false;
+  bool across = how.relaxation.across;
   const auto choose_weights = [&] {
     how = cautious(hierarchy.parameters, needed);
     how.relaxation.weight_single_steep *= boldness;

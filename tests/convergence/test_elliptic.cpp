@@ -247,3 +247,27 @@ BOOST_AUTO_TEST_CASE(a_slender_contact_on_stretched_cells) {
   check("Hm", stretched.levels.back().Hm_fitted, square.levels.back().Hm_fitted,
         bars.Hm_fitted.total() + square.error_bars.Hm_fitted.total());
 }
+
+// At the rim of a heavy contact that lies aslant a spike's top and its flank are neighbours along X here, across there.
+// Lines along X alone leave 0.43 and 0.60 per cycle.
+BOOST_AUTO_TEST_CASE(a_spike_along_an_aslant_rim) {
+  struct Case {
+    double M;
+    int cells;
+    double most;  ///< a sixth above what they take
+  };
+  for (const auto& [M, cells, most] : {Case{100, 512, 0.20}, Case{1000, 1024, 0.25}}) {
+    steady::Scene scene = scene_of(M, 15, contact::ellipse(5, 45.0), cells, steady::error_of_closed_domain);
+    scene.wedge = reynolds::Wedge::upstream3;
+    scene.face = reynolds::Face::logmean_bounded;
+    scene.grid.ny = scene.grid.ny / 64 * 64;
+    scene.multigrid.tolerance = 1e-8;
+    const steady::Solution solution = steady::solve(scene);
+    BOOST_TEST_MESSAGE("R_x/R_y = 5, 45 degrees, M = " << M << ", L = 15, " << cells << " x " << scene.grid.ny
+                                                       << " cells: " << solution.cycle_factor << " per cycle, "
+                                                       << solution.method << " (at most " << most << ")");
+    BOOST_TEST(solution.converged, solution.failed_check);
+    BOOST_TEST(solution.method == "full multigrid");
+    BOOST_TEST(solution.cycle_factor < most);
+  }
+}
