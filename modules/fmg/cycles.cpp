@@ -127,6 +127,7 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
   std::vector<double> residuals;  // since the last change of caution
   double boldness = 1.0;
   bool across = how.relaxation.across;
+  const bool stretched = core::stretched(hierarchy.levels[l].grid);
   const auto choose_weights = [&] {
     how = cautious(hierarchy.parameters, needed);
     how.relaxation.weight_single_steep *= boldness;
@@ -179,7 +180,7 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
     if (rough && how.post == 0) {
       needed.relax_after = true;
       more_careful({now.residual});
-    } else if (rough && !across && can_relax_across(hierarchy, hierarchy.levels[l])) {
+    } else if (rough && !across && !stretched && can_relax_across(hierarchy, hierarchy.levels[l])) {
       across = true;
       more_careful({now.residual});
     }
@@ -198,7 +199,7 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
     } else if (poor && back_off(needed)) {
       more_careful({before.residual, now.residual});
     }
-    if (core::stretched(hierarchy.levels[l].grid) && result.cycles > 1) {
+    if (stretched && result.cycles > 1) {
       boldness = next_boldness(boldness, now.residual / before.residual);
       choose_weights();
     }

@@ -19,10 +19,11 @@ struct RelaxationParameters {
   double weight_distributed = 0.9;   ///< under-relaxation of distributed changes
   double weight_single = 1.0;        ///< of single changes where epsilon is smooth
   double weight_single_steep = 0.5;  ///< of single changes where epsilon falls or rises by orders from cell to cell
-  /// Single changes are made along Y too (across_relaxation.hpp), by a film renewed before, which doubles the price; on
-  /// stretched cells without this as well, by the film there was. At 45 degrees cycles leave 0.60 to 0.70 of (1000, 15)
-  /// at R_x/R_y = 5 and 20, (20, 15) and (100, 5) at 100, (1000, 5) at 50, and 0.21 to 0.39 with it. By the old film
-  /// (20, 10) at 20 goes from 0.12 to 0.58: to a spike that is as much as the flow.
+  /// On square cells single changes are made along Y too (across_relaxation.hpp), by a film renewed before, which
+  /// doubles the price. At 45 degrees cycles leave 0.60 to 0.70 of (1000, 15) at R_x/R_y = 5 and 20, (20, 15) and
+  /// (100, 5) at 100, (1000, 5) at 50, and 0.21 to 0.42 with it. By the old film (20, 10) at 20 goes from 0.12 to 0.58:
+  /// to a spike that is as much as the flow. On stretched cells they are made anyhow, by the old film: with a new one
+  /// (1000, 15) at 20 goes from 0.54 to 0.50, (20, 15) at 50 from 0.42 to 0.48, at 100 from 0.58 to 0.65.
   bool across = false;
   /// In an implicit step of time: what the single changes around a point squeeze out of its film beside what its own
   /// does. A relaxation of single points sees but its own, and a zone of them swings and diverges; how much there is

@@ -156,11 +156,12 @@ void relax_pressure(Hierarchy& hierarchy, Level& level, const RelaxationParamete
 
 void relax(Hierarchy& hierarchy, Level& level, const RelaxationParameters& how) {
   relax_pressure(hierarchy, level, how);
-  if (can_relax_across(hierarchy, level) && (how.across || core::stretched(level.grid))) {
-    if (how.across)
-      update_film(hierarchy, level);
-    else
+  const bool stretched = core::stretched(level.grid);
+  if ((stretched || how.across) && can_relax_across(hierarchy, level)) {
+    if (stretched)
       update_coefficients(hierarchy, level);
+    else
+      update_film(hierarchy, level);
     relax_across(hierarchy, level, how);
   }
   update_film(hierarchy, level);

@@ -125,7 +125,7 @@ constexpr double steep_when_stretched = 0.6;
 fmg::Parameters parameters_of(const Scene& scene, const Start& start) {
   fmg::Parameters parameters = scene.multigrid;
   parameters.coarsest_sweeps = std::max(parameters.coarsest_sweeps, start.balances);
-  parameters.relaxation.across = start.across;
+  parameters.relaxation.across = start.across && !core::stretched(scene.grid);
   parameters.least_coarsest_cells = std::max(parameters.least_coarsest_cells, coarsest_cells(scene, start));
   // The change of H00 = film - approach that a load brings, over that of a dry circle. Of the film half: without bodies
   // to lean on the pressure answers later. With no pressure on the boundary a film that thick is not reached.

@@ -16,7 +16,7 @@ struct Start {
   int balances = 10;              ///< relaxations with force balance on the coarsest grid
   double caution_at_first = 1.0;  ///< factor on all under-relaxation weights on the first grid
   double caution = 1.0;           ///< and on the finer ones
-  bool across = false;            ///< relaxations along Y too from the first cycle on
+  bool across = false;            ///< relaxations along Y too from the first cycle on; of square cells
   double coarseness = 0.0;        ///< the first grid's step, at most, over the one that resolves the film; 0: any
 };
 
