@@ -39,22 +39,16 @@ constexpr Start starts[] = {
 constexpr std::size_t start_of_heavy = 2;
 /// For ellipses, where the film beside a slender or oblique heavy contact is too thin for the first grids of those:
 /// begun on a coarser one, the relaxations of the Hertz pressure themselves diverge.
-constexpr Start starts_of_ellipses[] = {
-    {.cells = 128,
-     .sweeps = 20,
-     .cycles = 12,
-     .caution_at_first = 0.5,
-     .caution = 0.7,
-     .across = true,
-     .coarseness = 4.5},
-    {.cells = 128,
-     .sweeps = 20,
-     .cycles = 12,
-     .caution_at_first = 0.35,
-     .caution = 0.7,
-     .across = true,
-     .coarseness = 4.5},
-};
+constexpr Start start_of_ellipse(double caution_at_first) {
+  return {.cells = 128,
+          .sweeps = 20,
+          .cycles = 12,
+          .caution_at_first = caution_at_first,
+          .caution = 0.7,
+          .across = true,
+          .coarseness = 4.5};
+}
+constexpr Start starts_of_ellipses[] = {start_of_ellipse(0.5), start_of_ellipse(0.35)};
 /// On the way through thinner oils, whose steps are small enough for cells twice as wide: (100, 5) at R_x/R_y = 100
 /// takes 27 s where it took 114. Where the first of these oils, whose film is thinner, does not begin on them, on finer
 /// ones: (20, 15) at 200.
