@@ -123,9 +123,8 @@ void AlongLine<reach>::gather() {
 template <int reach>
 void AlongLine<reach>::read_faces() {
   const reynolds::HalfInverseSquares half(grid_.hx(), grid_.hy());
-  const reynolds::Face face = half_points_ ? reynolds::Face::logmean : reynolds::Face::mean;
   for_vectors(1, grid_.nx, [&](int i) {
-    put(work_.west, i, reynolds::conductance(face, at(work_.eps, i - 1), at(work_.eps, i), half.X));
+    put(work_.west, i, reynolds::conductance(level_.scheme.face, at(work_.eps, i - 1), at(work_.eps, i), half.X));
   });
 }
 
