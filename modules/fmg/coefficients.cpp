@@ -17,6 +17,7 @@ namespace {
 void coefficients_of_station(const film::Model& model, Level& level, int i, ThreadWork& work) {
   auto followed = std::as_const(level.H).station(i);
   if (level.H_floor != 0.0) {
+    core::fill_ghosts(level.grid, level.H.at_x(i));
     const auto finer = std::as_const(level.H_restricted).station(i);
     for (std::size_t j = 0; j < followed.size(); ++j)
       work.followed[j] = std::max(followed[j], level.H_floor * finer[j]);

@@ -36,6 +36,7 @@ line_solvers::FilmTerms film_terms(const core::Patch& grid, double elastic, cons
       continue;
     }
     terms.K[k] = elastic * kernel::influence(d, 0, grid.hx(), grid.hy());
+    terms.K_across[k] = elastic * kernel::influence(d, 1, grid.hx(), grid.hy());
     terms.delta_K[k] = elastic * (core::stretched(grid) ? stretched_influence(d, grid)
                                                         : kernel::distributed_influence(d, 0, grid.hx(), grid.hy()));
   }

@@ -1,6 +1,7 @@
 #include "fmg/line_batch.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <optional>
 
 #include "fmg/line_lanes.hpp"
@@ -23,6 +24,38 @@ FilmStation film_station(const Level& level, int i, int j) {
   return {rho_bar, rho_bar * H, own_lines(level.drho_bar, i, j) * H};
 }
 
+/// What r answers to the films that epsilon is made of, by its third power: at the station, at those beside it, and on
+/// the two lines beside.
+struct FilmOfEpsilon {
+  Lanes own, west, east, across;
+};
+/// On the coarse grids of a slender contact the flux through the side of the contact is the mean epsilon of a thick
+/// film outside times nearly all of the pressure inside: that pressure is flux over epsilon, and epsilon follows the
+/// film that it makes. Relaxed with epsilon held, it overshoots by 3 P dH/dP/H: at R_x/R_y = 100, (100, 5), each sweep
+/// of the coarsest grid left -1.6 of it, with half the weights.
+FilmOfEpsilon film_of_epsilon(const Level& level, int i, int j) {
+  const reynolds::HalfInverseSquares half(level.grid.hx(), level.grid.hy());
+  const Beside P = with_neighbours(level.P, i, j), H = with_neighbours(level.H, i, j);
+  const Beside eps = with_neighbours(eps_across(level), i, j);
+  const auto slope = [](Lanes e, Lanes h) {
+    return h > 0.0 ? 3.0 * e / (h > 0.0 ? h : core::broadcast(1.0)) : Lanes{};
+  };
+  const auto at = [&](int k) { return slope(own_lines(level.eps, k, j), own_lines(level.H, k, j)); };
+  const Lanes to_west = half.X * (P.own - own_lines(level.P, i - 1, j));
+  const Lanes to_east = half.X * (P.own - own_lines(level.P, i + 1, j));
+  const Lanes to_south = half.Y * (P.own - P.south), to_north = half.Y * (P.own - P.north);
+  return {.own = at(i) * (to_west + to_east) + slope(eps.own, H.own) * (to_south + to_north),
+          .west = at(i - 1) * to_west,
+          .east = at(i + 1) * to_east,
+          .across = slope(eps.south, H.south) * to_south + slope(eps.north, H.north) * to_north};
+}
+
+bool epsilon_follows_film(const Hierarchy& hierarchy, const Level& level) {
+  const bool corrects = level.H_floor != 0.0;
+  return corrects && level.corrector.between && hierarchy.transport.squeeze == 0.0 &&
+         !hierarchy.problem.film.given_epsilon;
+}
+
 void hold_batch(Level& level, int colour, int batch) {
   const int j = first_line(colour, batch);
   const int at = batch * core::lanes;
@@ -41,7 +74,8 @@ void hold_batch(Level& level, int colour, int batch) {
 template <int reach, LineSolver solver>
 template <Form form, class Take>
 void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level& level, int j, Take take) {
-  constexpr bool plain = form == Form::plain;
+  constexpr bool follows = form == Form::following_film;
+  constexpr bool plain = form == Form::plain || follows;
   const core::Patch& grid = level.grid;
   const reynolds::Cavitation cavitation = hierarchy.problem.cavitation;
   const LaneMask outside = ~inside(j, grid);
@@ -69,10 +103,17 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
     const auto c = reynolds::transport_weights(transport, i, grid.hx());
     const Lanes inflow = reynolds::poiseuille(e, P_west, P_east.own, P.south, P.north, P.own);
 
-    line_solvers::PointEquation<plain ? 3 : 4> point;
+    line_solvers::PointEquation<form == Form::plain ? 3 : 4> point;
+    FilmOfEpsilon of_epsilon{};
     reynolds::PressureRow<Lanes> dr;  // with respect to the pressure changes: Poiseuille, and the wedge by its density
     if constexpr (plain) {
       point.c = {c[0] * film0.rho_bar, c[1] * film1.rho_bar, c[2] * film2.rho_bar};
+      if constexpr (follows) {
+        of_epsilon = film_of_epsilon(level, i, j);
+        point.c[0] += of_epsilon.own;
+        point.c[1] += of_epsilon.west;
+        point.c[3] = of_epsilon.east;
+      }
       point.r = reynolds::transported(c, film0.rho_H, film1.rho_H, film2.rho_H) - inflow;
       dr = reynolds::pressure_row(c, e, film0.slope_H, film1.slope_H, film2.slope_H);
     } else if constexpr (form == Form::mass_conserving) {
@@ -110,6 +151,10 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
     line_solvers::BandRow<reach> row = line_solvers::eliminate_film<reach>(level.film_terms, point, d);
     // delta_{i-3} reaches the density's part at i-2 through its distribution.
     row.a[line_solvers::BandRow<reach>::lower - 3] += share * d[-3] * dr.far_west;
+    if constexpr (follows)
+      for (int q = -reach; q <= reach; ++q)
+        row.a[static_cast<std::size_t>(line_solvers::BandRow<reach>::lower + q)] -=
+            (1.0 - d[q]) * of_epsilon.across * level.film_terms.K_across[static_cast<std::size_t>(std::abs(q))];
     LaneMask fixed = outside;
     // Otherwise the solution is no fixed point.
     fixed |= reynolds::stays_dry(cavitation, P.own, point.r);
@@ -174,6 +219,8 @@ line_solvers::SmallPivot LineBatch<reach, solver>::solve(const Hierarchy& hierar
       assemble<Form::mass_conserving>(hierarchy, level, j, take);
     else if (at_half_points(level) || reynolds::third_order(level.scheme.wedge))
       assemble<Form::general>(hierarchy, level, j, take);
+    else if (epsilon_follows_film(hierarchy, level))
+      assemble<Form::following_film>(hierarchy, level, j, take);
     else
       assemble<Form::plain>(hierarchy, level, j, take);
   };

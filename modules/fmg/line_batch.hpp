@@ -55,9 +55,9 @@ inline void hold_to_what_is_there(core::Lanes P, core::Lanes& delta, core::Lanes
   distributed = too_much ? -P : distributed;
 }
 
-/// Of the rows: with epsilon at the nodes and a wedge of three weights; with everything; of the cavitation model that
-/// conserves mass.
-enum class Form { plain, general, mass_conserving };
+/// Of the rows: with epsilon at the nodes and a wedge of three weights; the same where epsilon follows the film; with
+/// everything; of the cavitation model that conserves mass.
+enum class Form { plain, following_film, general, mass_conserving };
 
 /// What the line systems are made of, into the work space of one thread.
 class LineCoefficients {

@@ -21,8 +21,9 @@ inline constexpr int max_reach = 3;
 /// The elastic influence along a line, 2/pi^2 included, truncated behind `reach` neighbours (2 reach + 1 terms).
 struct FilmTerms {
   int reach = 1;
-  std::array<double, max_reach + 1> K{};        ///< of a single change, by distance along the line
-  std::array<double, max_reach + 1> delta_K{};  ///< of a distributed change
+  std::array<double, max_reach + 1> K{};         ///< of a single change, by distance along the line
+  std::array<double, max_reach + 1> delta_K{};   ///< of a distributed change
+  std::array<double, max_reach + 1> K_across{};  ///< of a single change, on the lines beside it; not of a line contact
 };
 
 /// The Reynolds equation of one point in every line of the batch.
