@@ -283,8 +283,8 @@ BOOST_AUTO_TEST_CASE(coarse_grids_at_the_side_of_a_slender_contact) {
   const steady::Solution solution = steady::solve(scene);
   BOOST_TEST_MESSAGE("R_x/R_y = 20, M = 1000, L = 15, 512 x " << scene.grid.ny << " cells: " << solution.cycle_factor
                                                               << " per cycle, " << solution.method
-                                                              << " (at most 0.34)");
+                                                              << " (at most 0.36)");
   BOOST_TEST(solution.converged, solution.failed_check);
   BOOST_TEST(solution.method == "full multigrid");
-  BOOST_TEST(solution.cycle_factor < 0.34);
+  BOOST_TEST(solution.cycle_factor < 0.36);
 }
