@@ -176,7 +176,7 @@ void follow_H00(const Hierarchy& hierarchy, Level& level) {
   const reynolds::FarField& far_field = *hierarchy.problem.far_field;
   const reynolds::FarState before = far_state(hierarchy, level.H00_of_boundary);
   const reynolds::FarState now = far_state(hierarchy, hierarchy.H00);
-  const bool restricted = level.H_restricted.nodes_x() > 0 && level.H_floor > 0.0;
+  const bool restricted = corrects_finer(level);
   auto point = level.boundary.begin();
   for_boundary(level.grid, [&](int i, int j, double) {
     const double H = restricted ? level.H_restricted(i, j) : smooth_film(level, i, j);

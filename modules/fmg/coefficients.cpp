@@ -16,8 +16,7 @@ namespace {
 // One station of the field: epsilon, rho_bar and its slope from P and H.
 void coefficients_of_station(const film::Model& model, Level& level, int i, ThreadWork& work) {
   auto followed = std::as_const(level.H).station(i);
-  if (level.H_floor != 0.0) {
-    core::fill_ghosts(level.grid, level.H.at_x(i));
+  if (corrects_finer(level)) {
     const auto finer = std::as_const(level.H_restricted).station(i);
     for (std::size_t j = 0; j < followed.size(); ++j)
       work.followed[j] = std::max(followed[j], level.H_floor * finer[j]);
@@ -37,7 +36,6 @@ void coefficients_of_station(const film::Model& model, Level& level, int i, Thre
 
 // The same where epsilon is made at half points: what it is made of, at the nodes of one station.
 void oil_of_station(const film::Model& model, Level& level, int i, ThreadWork& work) {
-  core::fill_ghosts(level.grid, level.H.at_x(i));
   OilFields& oil = level.oil;
   const auto of = [i](core::Field& field) { return field.nodes_x() > 0 ? field.station(i) : std::span<double>{}; };
   film::oil(model, {level.grid, i, std::as_const(level.P).station(i), std::as_const(level.H).station(i)}, work.film,
@@ -109,6 +107,7 @@ void for_stations(Hierarchy& hierarchy, Level& level, Station station) {
 }
 
 void nodes_of_station(const film::Model& model, Level& level, int i, ThreadWork& work) {
+  core::fill_ghosts(level.grid, level.H.at_x(i));
   if (at_half_points(level))
     oil_of_station(model, level, i, work);
   else

@@ -78,8 +78,8 @@ void visit_coarsest(Hierarchy& hierarchy, Level& level, int coarsest_sweeps, con
 /// Of a slender contact the far field's pressure follows the corrected film before the last relaxations: what is rough
 /// beside the boundary they take away. Left to the end of the cycle that was up to nine tenths of its residual.
 bool boundary_is_near(const Hierarchy& hierarchy, const Level& level) {
-  const bool solved = level.H_floor == 0.0;  // else it corrects a finer level
-  return level.corrector.between && solved && hierarchy.transport.squeeze == 0.0 && hierarchy.problem.far_field;
+  return level.corrector.between && !corrects_finer(level) && hierarchy.transport.squeeze == 0.0 &&
+         hierarchy.problem.far_field;
 }
 
 void cycle(Hierarchy& hierarchy, Level& level, Cycle kind, int coarsest_sweeps, const Parameters& how) {

@@ -105,7 +105,7 @@ struct Uncorrected {
   double H00 = 0.0;
 };
 
-/// P, both eps and r have their ghost lines filled at all times.
+/// P, both eps and r have their ghost lines filled at all times, H with its coefficients.
 struct Level {
   core::Patch grid;
   core::Field P;
@@ -137,7 +137,7 @@ struct Level {
   double load_outside = 0.0;                 ///< of the domain, and on its boundary; no part of `load`
   double H00_of_boundary = 0.0;              ///< to which the pressure on the boundary belongs
   double load = 0.0;                         ///< right-hand side of the force balance (FAS), at the load line's origin
-  double H_floor = 0.0;  ///< share of H_restricted below which epsilon does not follow a falling coarse film
+  double H_floor = 0.0;  ///< share of H_restricted below which epsilon does not follow a falling coarse film; else 0
   Corrector corrector;
   long evaluations = 0;  ///< of the film, each with a relaxation sweep or a residual
 };
@@ -274,6 +274,8 @@ inline reynolds::Transport transport_on(const Hierarchy& hierarchy, const Level&
   return transport;
 }
 
+/// Else it is the level being solved.
+inline bool corrects_finer(const Level& level) { return level.H_floor != 0.0; }
 inline bool conserves_mass(const Level& level) { return level.content.nodes_x() > 0; }
 
 inline reynolds::Fields fields(const Level& level) {

@@ -38,16 +38,17 @@ constexpr double share_of_lines_beside = 0.3;
 /// film outside times nearly all of the pressure inside: that pressure is flux over epsilon, and epsilon follows the
 /// film that it makes. Relaxed with epsilon held, it overshoots by 3 P dH/dP/H: at R_x/R_y = 100, (100, 5), each sweep
 /// of the coarsest grid left -1.6 of it, with half the weights.
-FilmOfEpsilon film_of_epsilon(const Level& level, int i, int j) {
-  const reynolds::HalfInverseSquares half(level.grid.hx(), level.grid.hy());
-  const Beside P = with_neighbours(level.P, i, j), H = with_neighbours(level.H, i, j);
+/// in: what poiseuille() takes: the factors of the faces, the pressures of the station and of those beside it.
+FilmOfEpsilon film_of_epsilon(const Level& level, int i, int j, const reynolds::HalfInverseSquares& half, Lanes P_west,
+                              const Beside& P, Lanes P_east) {
+  const Beside H = with_neighbours(level.H, i, j);
   const Beside eps = with_neighbours(eps_across(level), i, j);
   const auto slope = [](Lanes e, Lanes h) {
     return h > 0.0 ? 3.0 * e / (h > 0.0 ? h : core::broadcast(1.0)) : Lanes{};
   };
   const auto at = [&](int k) { return slope(own_lines(level.eps, k, j), own_lines(level.H, k, j)); };
-  const Lanes to_west = half.X * (P.own - own_lines(level.P, i - 1, j));
-  const Lanes to_east = half.X * (P.own - own_lines(level.P, i + 1, j));
+  const Lanes to_west = half.X * (P.own - P_west);
+  const Lanes to_east = half.X * (P.own - P_east);
   const Lanes to_south = half.Y * (P.own - P.south), to_north = half.Y * (P.own - P.north);
   return {
       .own = at(i) * (to_west + to_east) + slope(eps.own, H.own) * (to_south + to_north),
@@ -57,8 +58,7 @@ FilmOfEpsilon film_of_epsilon(const Level& level, int i, int j) {
 }
 
 bool epsilon_follows_film(const Hierarchy& hierarchy, const Level& level) {
-  const bool corrects = level.H_floor != 0.0;
-  return corrects && level.corrector.between && hierarchy.transport.squeeze == 0.0 &&
+  return corrects_finer(level) && level.corrector.between && hierarchy.transport.squeeze == 0.0 &&
          !hierarchy.problem.film.given_epsilon;
 }
 
@@ -94,6 +94,7 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
   const reynolds::Transport transport = transport_on(hierarchy, level);
   const DistributedShares shares = distributed_shares(grid);
   const double share = shares.along;
+  const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
   std::optional<reynolds::March<Lanes>> march;
   if constexpr (form == Form::mass_conserving) {
     Lanes supply{};
@@ -115,7 +116,7 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
     if constexpr (plain) {
       point.c = {c[0] * film0.rho_bar, c[1] * film1.rho_bar, c[2] * film2.rho_bar};
       if constexpr (follows) {
-        of_epsilon = film_of_epsilon(level, i, j);
+        of_epsilon = film_of_epsilon(level, i, j, half, P_west, P, P_east.own);
         point.c[0] += of_epsilon.own;
         point.c[1] += of_epsilon.west;
         point.c[3] = of_epsilon.east;

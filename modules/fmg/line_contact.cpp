@@ -28,7 +28,7 @@ void scatter(std::span<const double> along, core::Field& field) {
 
 // The film that epsilon follows.
 void hold_film(const Level& level, std::vector<double>& H) {
-  if (level.H_floor == 0.0) return;
+  if (!corrects_finer(level)) return;
   for (std::size_t i = 0; i < H.size(); ++i)
     H[i] = std::max(H[i], level.H_floor * level.H_restricted(static_cast<int>(i), 1));
 }

@@ -35,6 +35,19 @@ steady::Scene scene_of(double M, double L, const contact::Ellipse& shape, int ce
   scene.grid = {cells, static_cast<int>(std::lround(cells * 2.0 * Y_b / (X_b - X_a))), X_a, X_b, -Y_b, Y_b};
   return scene;
 }
+/// With the scheme and the boundary that a deck has by default.
+steady::Scene default_scene_of(double M, double L, const contact::Ellipse& shape, int cells) {
+  steady::Scene scene = scene_of(M, L, shape, cells, steady::error_of_closed_domain);
+  scene.wedge = reynolds::Wedge::upstream3;
+  scene.face = reynolds::Face::logmean_bounded;
+  return scene;
+}
+/// R_x/R_y = 20 along the motion, on 512 cells four times as long as wide.
+steady::Scene stretched_scene_of(double M, double L) {
+  steady::Scene scene = default_scene_of(M, L, contact::ellipse(20), 512);
+  scene.grid.ny = scene.grid.ny / 32 * 32 * 4;
+  return scene;
+}
 
 struct Film {
   double Hc;
@@ -149,10 +162,8 @@ BOOST_AUTO_TEST_CASE(limit_of_a_line_on_long_cells) {
 BOOST_AUTO_TEST_CASE(aslant_and_its_component_across) {
   const auto film = [](double M, double L, double angle, double* expected) {
     const contact::Ellipse shape = contact::ellipse(0.005, angle);
-    steady::Scene scene = scene_of(M, L, shape, angle == 0.0 ? 256 : 512, steady::error_of_closed_domain);
+    steady::Scene scene = default_scene_of(M, L, shape, angle == 0.0 ? 256 : 512);
     scene.grid.ny = static_cast<int>(scene.grid.ny / steady::cell_aspect(shape)) / 64 * 64;
-    scene.wedge = reynolds::Wedge::upstream3;
-    scene.face = reynolds::Face::logmean_bounded;
     *expected = steady::expected_central_film(M, L, shape);
     const steady::Solution solution = steady::solve(scene);
     BOOST_TEST(solution.converged, solution.failed_check);
@@ -227,10 +238,7 @@ BOOST_AUTO_TEST_CASE(a_slender_contact_on_stretched_cells) {
   BOOST_TEST(aspect == 0.25);
   BOOST_TEST(steady::cell_aspect(contact::ellipse(10)) == 1.0);
   BOOST_TEST(steady::cell_aspect(contact::ellipse(200, 45.0)) == 1.0);
-  steady::Scene scene = scene_of(20, 5, shape, 512, steady::error_of_closed_domain);
-  scene.wedge = reynolds::Wedge::upstream3;
-  scene.face = reynolds::Face::logmean_bounded;
-  scene.grid.ny = scene.grid.ny / 32 * 32 * 4;
+  steady::Scene scene = stretched_scene_of(20, 5);
   const steady::Solution stretched = steady::solve(scene);
   scene.multigrid.tolerance = 1e-6;
   const steady::Solution cycled = steady::solve(scene);
@@ -257,9 +265,7 @@ BOOST_AUTO_TEST_CASE(a_spike_along_an_aslant_rim) {
     double most;  ///< a sixth above what they take
   };
   for (const auto& [M, cells, most] : {Case{100, 512, 0.20}, Case{1000, 1024, 0.25}}) {
-    steady::Scene scene = scene_of(M, 15, contact::ellipse(5, 45.0), cells, steady::error_of_closed_domain);
-    scene.wedge = reynolds::Wedge::upstream3;
-    scene.face = reynolds::Face::logmean_bounded;
+    steady::Scene scene = default_scene_of(M, 15, contact::ellipse(5, 45.0), cells);
     scene.grid.ny = scene.grid.ny / 64 * 64;
     scene.multigrid.tolerance = 1e-8;
     const steady::Solution solution = steady::solve(scene);
@@ -275,10 +281,7 @@ BOOST_AUTO_TEST_CASE(a_spike_along_an_aslant_rim) {
 // At the side of a heavy contact along the motion the coarse grids' flux is that of the film outside times the pressure
 // inside. Relaxed with epsilon held, cycles leave 0.51.
 BOOST_AUTO_TEST_CASE(coarse_grids_at_the_side_of_a_slender_contact) {
-  steady::Scene scene = scene_of(1000, 15, contact::ellipse(20, 0.0), 512, steady::error_of_closed_domain);
-  scene.wedge = reynolds::Wedge::upstream3;
-  scene.face = reynolds::Face::logmean_bounded;
-  scene.grid.ny = scene.grid.ny / 32 * 32 * 4;
+  steady::Scene scene = stretched_scene_of(1000, 15);
   scene.multigrid.tolerance = 1e-6;
   const steady::Solution solution = steady::solve(scene);
   BOOST_TEST_MESSAGE("R_x/R_y = 20, M = 1000, L = 15, 512 x " << scene.grid.ny << " cells: " << solution.cycle_factor
