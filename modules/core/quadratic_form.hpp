@@ -7,6 +7,7 @@ struct QuadraticForm {
   double XY;
   double YY;
 
+  bool round() const { return XY == 0.0 && XX == YY; }
   double at(double X, double Y) const { return XX * X * X + (XY * X + YY * Y) * Y; }
   /// On the line X = 1: a region within a contour reaches sqrt(contour/least_along_X()) along X.
   double least_along_X() const { return XY == 0.0 ? XX : XX - 0.25 * XY * XY / YY; }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "fmg/relaxation.hpp"
 #include "kernel/influence.hpp"
 #include "reynolds/flux.hpp"
 
@@ -40,8 +41,7 @@ class StationAcross {
     const double elastic = hierarchy.problem.geometry.elastic;
     for (int d = 0; d < 2; ++d)
       K_[static_cast<std::size_t>(d)] = elastic * kernel::influence(0, d, level.grid.hx(), level.grid.hy());
-    crossover_ = std::max(1.0, share_of_stretch * stretch_ * stretch_) * how.crossover *
-                 reynolds::relative_strength(transport_, level.grid.hx());
+    crossover_ = std::max(1.0, share_of_stretch * stretch_ * stretch_) * crossover_on(hierarchy, level.grid, how);
   }
 
   /// The tridiagonal system of station i, from the side to the last line.

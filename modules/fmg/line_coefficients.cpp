@@ -6,6 +6,7 @@
 #include "fmg/line_batch.hpp"
 #include "fmg/line_lanes.hpp"
 #include "fmg/line_relaxation.hpp"
+#include "fmg/relaxation.hpp"
 #include "reynolds/flux.hpp"
 
 namespace ehl::fmg {
@@ -148,8 +149,7 @@ void LineCoefficients::read(const Hierarchy& hierarchy, const Level& level, int 
     read(std::integral_constant<Face, Face::mean>{}, std::false_type{});
   }
   const double stretch = core::stretch(grid);
-  // The crossover is where the coupling by epsilon outweighs that by the film.
-  const double crossover = how_.crossover * reynolds::relative_strength(hierarchy.transport, grid.hx());
+  const double crossover = crossover_on(hierarchy, grid, how_);
   const double crossover2 = crossover * crossover;
   const double squeeze = hierarchy.transport.squeeze;
   const Lanes far_single =

@@ -6,6 +6,7 @@
 #include "film/half_points.hpp"
 #include "fmg/line_batch.hpp"
 #include "fmg/line_contact.hpp"
+#include "fmg/relaxation.hpp"
 #include "reynolds/flux.hpp"
 
 namespace ehl::fmg {
@@ -143,7 +144,7 @@ void AlongLine<reach>::read_answers() {
 template <int reach>
 void AlongLine<reach>::choose_kind() {
   const double squeeze = hierarchy_.transport.squeeze;
-  const double crossover = how_.crossover * reynolds::relative_strength(hierarchy_.transport, grid_.hx());
+  const double crossover = crossover_on(hierarchy_, grid_, how_);
   const double crossover2 = crossover * crossover;
   const Lanes far_single =
       core::broadcast(how_.far_squeeze * level_.film_terms.K[0] * squeeze + how_.far_squeeze_of_zone * squeeze);

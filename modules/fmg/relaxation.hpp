@@ -1,5 +1,8 @@
 #pragma once
+#include <algorithm>
+
 #include "fmg/hierarchy.hpp"
+#include "reynolds/flux.hpp"
 
 namespace ehl::fmg {
 
@@ -18,6 +21,12 @@ namespace ehl::fmg {
 /// errors: core::SolverError on a vanishing pivot (grid, line, point).
 void relax(Hierarchy& hierarchy, Level& level, const RelaxationParameters& how);
 inline void relax(Hierarchy& hierarchy, Level& level) { relax(hierarchy, level, hierarchy.parameters.relaxation); }
+
+/// What that is held against on a grid: where the coupling by epsilon outweighs that by the film.
+inline double crossover_on(const Hierarchy& hierarchy, const core::Patch& grid, const RelaxationParameters& how) {
+  const double crossover = std::max(how.crossover, how.least_single_epsilon / (grid.hx() * grid.hx()));
+  return crossover * reynolds::relative_strength(hierarchy.transport, grid.hx());
+}
 
 /// The same but for the film and the coefficients, which are left as they were.
 void relax_pressure(Hierarchy& hierarchy, Level& level, const RelaxationParameters& how);

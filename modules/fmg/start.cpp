@@ -122,8 +122,6 @@ double begin_dry(const Problem& problem, Level& level) {
   return H00;
 }
 
-bool round(const core::QuadraticForm& gap) { return gap.XY == 0.0 && gap.XX == gap.YY; }
-
 }  // namespace
 
 void start_from_hertz(Hierarchy& hierarchy, std::size_t l, double H00, int sweeps, const Parameters& how) {
@@ -148,7 +146,7 @@ void start_from_hertz(Hierarchy& hierarchy, std::size_t l, double H00, int sweep
     }
   if (hierarchy.problem.dry)
     H00 += begin_dry(hierarchy.problem, level);
-  else if (!apart && !round(hierarchy.problem.geometry.gap))
+  else if (!apart && !hierarchy.problem.geometry.gap.round())
     begin_outside(hierarchy.problem, level);
   core::fill_ghosts(level.grid, level.P);
   hierarchy.H00 = hierarchy.problem.surface && !hierarchy.problem.dry ? H00 - mean_surface(level) : H00;

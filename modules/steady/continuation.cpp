@@ -21,7 +21,7 @@ namespace {
 constexpr double step_tolerance = 1e-4;
 constexpr int most_cycles_of_a_step = 25;
 /// Cycles of a step up to which the next one is longer.
-constexpr int few_cycles = 6;
+constexpr int few_cycles = 8;
 constexpr double longer = 1.5;
 constexpr double longest_step = 3.0;  // factor of load
 constexpr double shortest_step = 1.005;
@@ -30,11 +30,14 @@ constexpr double coarseness = 1.6;
 /// The first load where none is given: a hundredth of the scene's, but not so light that the domain would starve it.
 constexpr double first_ratio = 0.01;
 constexpr double lightest_M = 20.0;
+/// A light load may lead nowhere on the heavy one's cells: R_x/R_y = 100, (10, 15). Then heavier ones, up to this
+/// share.
+constexpr double next_first = 3.0, heaviest_first = 0.5;
 
 struct Solved {
   double ln_M;
   fmg::State state;
-  double Hc;
+  double Hc, Hm;
 };
 
 std::size_t level_that_holds(const fmg::Hierarchy& hierarchy, const Scene& scene) {
@@ -49,20 +52,20 @@ std::size_t level_that_holds(const fmg::Hierarchy& hierarchy, const Scene& scene
 double first_M(const Scene& scene) {
   if (std::isfinite(scene.continuation.load_ratio)) return scene.continuation.load_ratio * scene.M;
   const double lightest = lightest_M * scene.M / circular_load(scene.M, scene.L, scene.shape);
-  return std::max(first_ratio * scene.M, std::min(lightest, 0.5 * scene.M));
+  return std::max(first_ratio * scene.M, std::min(lightest, heaviest_first * scene.M));
 }
 
-// The last pressure, in Hertz's units, with H00 changed as the central film will: as the power of the load that led
-// from the last but one to the last; at first as the published formula has it. (A pressure predicted from the last two
-// puts kinks where spike and cavitation boundary have moved, and costs four times the cycles.)
+// The last pressure, in Hertz's units, with H00 changed as the least film will: by the power of the load that led the
+// central film from the last but one to the last; at first as the published formula has it. (As the central film will,
+// the film beside a slender contact, 1/40 of it, is negative. A pressure predicted from the last two puts kinks where
+// spike and cavitation boundary have moved, and costs four times the cycles.)
 Solved predict(const std::optional<Solved>& previous, const Solved& last, double ln_M, const Scene& scene) {
-  Solved guess{ln_M, last.state, 0.0};
+  Solved guess{ln_M, last.state, 0.0, 0.0};
   const auto expected = [&](double of_ln_M) { return expected_central_film(std::exp(of_ln_M), scene.L, scene.shape); };
   double ratio = expected(ln_M) / expected(last.ln_M);
   if (previous && previous->Hc > 0.0 && last.Hc > 0.0)
     ratio = std::pow(last.Hc / previous->Hc, (ln_M - last.ln_M) / (last.ln_M - previous->ln_M));
-  guess.Hc = ratio * last.Hc;
-  guess.state.H00 += guess.Hc - last.Hc;
+  guess.state.H00 += (ratio - 1.0) * std::max(0.0, last.Hm);
   return guess;
 }
 
@@ -74,8 +77,8 @@ Scene on_level(const Scene& scene, const fmg::Hierarchy& hierarchy, std::size_t 
   return same;
 }
 
-// Cycles on the finest grid of a run for one load. in/out: caution, of which only the relaxation after the correction
-// stays for the next load.
+// Cycles on the finest grid of a run for one load. in/out: caution, of a step that failed only the relaxation after the
+// correction.
 ContinuationStep solve_step(fmg::Run& run, double M, double load_ratio, fmg::Caution& caution) {
   ContinuationStep step{.M = M, .load_ratio = load_ratio};
   const fmg::CycleObserver observe = [&](int cycle, const judgement::Measures& now) -> fmg::DiscretizationError {
@@ -91,33 +94,44 @@ ContinuationStep solve_step(fmg::Run& run, double M, double load_ratio, fmg::Cau
       .aim = judgement::Aim::residual, .most = most_cycles_of_a_step, .tolerance = step_tolerance};
   const fmg::CyclesResult result = fmg::run_cycles(run.hierarchy, run.finest(), criterion, caution, observe);
   caution.relax_after = result.caution.relax_after;
+  if (result.end == CyclesEnd::content) caution = result.caution;
   step.cycles = result.cycles;
   step.converged = result.end == CyclesEnd::content;
   return step;
 }
 
-// The first load by full multigrid. in: the scene on the grid of the continuation.
-Solved solve_first_load(const Scene& scene, const Start& start, const ProgressCallback& progress,
-                        std::vector<ContinuationStep>& steps) {
-  Scene light = under_load(scene, first_M(scene));
-  light.multigrid.tolerance = step_tolerance;
-  const Solution solution = climb(light, start, progress);
-  const LevelRow& row = solution.levels.back();
-  steps.push_back({.M = light.M,
-                   .load_ratio = light.M / scene.M,
-                   .Hc = row.Hc,
-                   .Hm = row.Hm,
-                   .residual = row.residual,
-                   .cycles = row.cycles,
-                   .converged = row.residual <= step_tolerance});
-  if (!steps.back().converged)
-    throw core::SolverError("the first load of the continuation was not solved: " + solution.failed_check);
-  return {std::log(light.M), {solution.P, solution.H00}, row.Hc};
-}
-
 std::string name_of_load(const Scene& scene, double ln_M) {
   const double M = std::exp(ln_M);
   return fmt::format("M = {:.4g} ({:.3g} % of the load)", M, 100.0 * M / scene.M);
+}
+
+// A first load that is chosen and not solved is tripled. in: the scene on the grid of the continuation.
+Solved solve_first_load(const Scene& scene, const std::function<Solution(const Scene& light)>& first_load,
+                        std::vector<ContinuationStep>& steps) {
+  const bool chosen = std::isnan(scene.continuation.load_ratio);
+  for (double M = first_M(scene);; M *= next_first) {
+    std::string reason;
+    try {
+      Scene light = under_load(scene, M);
+      light.multigrid.tolerance = step_tolerance;
+      const Solution solution = first_load(light);
+      const LevelRow& row = solution.levels.back();
+      steps.push_back({.M = M,
+                       .load_ratio = M / scene.M,
+                       .Hc = row.Hc,
+                       .Hm = row.Hm,
+                       .residual = row.residual,
+                       .cycles = row.cycles,
+                       .converged = row.residual <= step_tolerance});
+      if (steps.back().converged) return {std::log(M), {solution.P, solution.H00}, row.Hc, row.Hm};
+      reason = solution.failed_check;
+    } catch (const core::SolverError& error) {
+      reason = error.what();
+    }
+    if (!chosen || next_first * M > heaviest_first * scene.M)
+      throw core::SolverError("load continuation: its first load, " + name_of_load(scene, std::log(M)) +
+                              ", was not solved: " + reason);
+  }
 }
 
 // From load to load up to that of the scene, each on grids of its own. in: the scene on the grid of the continuation,
@@ -143,6 +157,7 @@ Solved follow_load(const Scene& scene, const Start& start, const ProgressCallbac
     if (steps.back().converged) {
       next.state = {core::on_domain(grid, run.hierarchy.finest().P), run.hierarchy.H00};
       next.Hc = steps.back().Hc;
+      next.Hm = steps.back().Hm;
       previous = std::move(last);
       last = std::move(next);
       if (steps.back().cycles <= few_cycles) stride = std::min(longer * stride, std::log(longest_step));
@@ -258,7 +273,8 @@ Solution climb_by_viscosity(const Scene& scene, const Start& start, const Progre
   return end_climb(scene, std::move(run));
 }
 
-Solution climb_by_load(const Scene& scene, const Start& start, const ProgressCallback& progress,
+Solution climb_by_load(const Scene& scene, const Start& start,
+                       const std::function<Solution(const Scene& light)>& first_load, const ProgressCallback& progress,
                        std::vector<ContinuationStep>& steps) {
   fmg::Run run = begin_climb(scene, start, progress);
   const std::size_t l = level_that_holds(run.hierarchy, scene);
@@ -266,7 +282,7 @@ Solution climb_by_load(const Scene& scene, const Start& start, const ProgressCal
   run.plan.cycles = 0;  // no more than on the levels above
   run.caution = {.all = start.caution};
   const Scene on_grid = on_level(scene, run.hierarchy, l);
-  const Solved last = follow_load(on_grid, start, progress, solve_first_load(on_grid, start, progress, steps), steps,
+  const Solved last = follow_load(on_grid, start, progress, solve_first_load(on_grid, first_load, steps), steps,
                                   run.caution, run.hierarchy.times);
   const fmg::State solved{core::on_patch(run.hierarchy.levels[l].grid, last.state.P), last.state.H00};
   solve_level_below(run, l, solved);

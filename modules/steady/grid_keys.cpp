@@ -231,6 +231,8 @@ GridInput read_grid(deck::Deck& deck, std::optional<double> size, double aspect,
                                deck::shortest(2.0 * below));
     return input;
   }
+  // The domain that was chosen for a contact with an error in it tells nothing.
+  if (!size && !domain.given("x_inlet")) return input;
   // Even on the coarsest grid, so that the line y = 0 is a line of every grid.
   // Shorter cells are those of square ones, divided: the multigrid puts them together again.
   const double along_y = cells * (grid.Y_b - grid.Y_a) / (grid.X_b - grid.X_a) / std::max(1.0, aspect);
@@ -243,9 +245,7 @@ GridInput read_grid(deck::Deck& deck, std::optional<double> size, double aspect,
   else
     grid.ny = static_cast<int>(ny);
   const double coarsest_step = 0.5 * size.value_or(1.0);
-  // The domain that was chosen for a contact with an error in it tells nothing.
-  const bool meant = size || domain.given("x_inlet");
-  if (meant && grid.hx() > coarsest_step) {
+  if (grid.hx() > coarsest_step) {
     const double fewest = (grid.X_b - grid.X_a) / coarsest_step;
     const double below = good_cells(fewest, coarsest);
     part.complain("cells",

@@ -42,7 +42,7 @@ CarriedSurface feature_of(const deck::Part& part, const surface::Input& input, c
   const double widths = feature.shape == Feature::Shape::waviness ? 1.0 : 3.0;
   feature.X = place_of(part, input.X, grid, widths * feature.width, timed);
   feature.Y = input.Y;
-  if (grid.nx > 0 && feature.width < 4.0 * grid.hx())
+  if (grid.ny > 0 && feature.width < 4.0 * grid.hx())
     part.complain(part.given("width") ? "width" : "width_m",
                   fmt::format("is {:.4g} Hertz radii, fewer than four cells of {:.4g}: the mesh does not see it; use "
                               "more cells",

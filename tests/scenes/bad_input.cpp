@@ -225,6 +225,16 @@ BOOST_AUTO_TEST_CASE(files_that_are_no_decks) {
   if (::geteuid() != 0) refused("locked.ini", "cannot be read: Permission denied");
 }
 
+// The contact has an error: no domain, no cells follow from it that a wave could be too short for.
+BOOST_AUTO_TEST_CASE(no_error_follows_from_another_one) {
+  const support::TemporaryFolder folder;
+  folder.write("d.ini", moes + "[motion]\nsrr = 2\n[surface2]\nshape = waviness\nheight = 0.01\nwidth = 0.4\n" + oil);
+  const support::Ended ended = support::ehl(folder, "check d.ini");
+  BOOST_TEST(ended.status == 2);
+  BOOST_TEST(ended.says({"d.ini:5", "srr = 2", "has no influence"}), ended.err);
+  BOOST_TEST(ended.err.find("cells") == std::string::npos, ended.err);
+}
+
 BOOST_AUTO_TEST_CASE(command_lines) {
   const support::TemporaryFolder folder;
   folder.write("d.ini", moes + oil);
