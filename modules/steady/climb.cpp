@@ -111,9 +111,10 @@ std::optional<reynolds::FarField> far_field_of(const Scene& scene) {
 /// stay nearly rigid, M = 1, cycles with it leave 0.7.
 constexpr double crossover_of_line = 3e3;
 /// On ever finer grids that would be ever thinner films: single changes, to which the film answers near them alone,
-/// raise what is smooth over sqrt(epsilon), and the coarser grids do not keep up. Of 77 lines on 4096 and 8192 cells 3
-/// and 12 went to Newton's method, with 0.03 to 0.1 none, in 0.54 and 0.26 of the time.
-constexpr double least_single_epsilon_of_line = 0.05;
+/// raise what is smooth over sqrt(epsilon), and the coarser grids do not keep up. Without it 3 and 12 of 77 lines on
+/// 4096 and 8192 cells went to Newton's method; of 0.01, 0.02, 0.03 and 0.05 1 and 2 with the first, none with the
+/// others, and none of M <= 200 needs a second start with 0.02, one with the last two.
+constexpr double least_single_epsilon_of_line = 0.02;
 
 /// With 1, 0.9, 0.8 and 0.7 cycles of the 56 lines up to M = 200 on 1024 cells take 2210, 1939, 1880 and 2130 work
 /// units, and of all 77 two, one, none and one are left to Newton's method.
