@@ -22,7 +22,7 @@ alpha = 2.2e-8
 z = 0.68
 density = dowson-higginson
 """
-SECONDS = 200
+SECONDS = 900
 
 
 def processor_seconds():

@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(a_load_on_the_way_is_solved_as_by_itself) {
 }
 
 // Beside a slender contact the least film is 1/40 of the central one: an H00 that follows that one takes all of it, and
-// nine steps of this path were of 6 % to 20 %.
+// this path is one of 17 loads.
 BOOST_AUTO_TEST_CASE(the_film_at_the_side_lives_from_load_to_load) {
   steady::Scene scene = tests::roelands_scene(200, 5, {512, 768, -2.5, 1.5, -0.3125, 0.3125}, contact::ellipse(50));
   scene.wedge = reynolds::Wedge::upstream3;
