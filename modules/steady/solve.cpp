@@ -122,9 +122,9 @@ std::vector<Start> starts_of(const Scene& scene) {
   const std::span<const Start> all(starts);
   const auto usual = all.subspan(held_by(starts[0].cells, scene) ? 0 : start_of_heavy);
   std::vector<Start> list(usual.begin(), usual.end());
-  if (scene.grid.line) list.front() = start_of_line;
   if (!contact::circular(scene.shape))
     list.insert(list.begin() + 1, std::begin(starts_of_ellipses), std::end(starts_of_ellipses));
+  if (scene.grid.line) list.insert(list.begin(), start_of_line);
   return list;
 }
 
