@@ -38,8 +38,8 @@ constexpr double share_of_lines_beside = 0.3;
 /// nearly all of the pressure inside: that pressure is flux over epsilon, and epsilon follows the film that it makes.
 /// Relaxed with epsilon held, it overshoots by 3 P dH/dP/H: at R_x/R_y = 100, (100, 5), each sweep of the coarsest grid
 /// left -1.6 of it, with half the weights. At 45 degrees (1000, 10) at 20 left 0.31 per cycle, (100, 5) at 100 0.43;
-/// now 0.17 and 0.32, and (1000, 5) at 100 is solved. in: what poiseuille() takes: the factors of the faces, the
-/// pressures of the station and of those beside it.
+/// now 0.17 and 0.32, and (1000, 5) at 100 is solved.
+/// in: what poiseuille() takes: the factors of the faces, the pressures of the station and of those beside it.
 FilmOfEpsilon film_of_epsilon(const Level& level, int i, int j, const reynolds::HalfInverseSquares& half, Lanes P_west,
                               const Beside& P, Lanes P_east) {
   const Beside H = with_neighbours(level.H, i, j);
@@ -58,9 +58,8 @@ FilmOfEpsilon film_of_epsilon(const Level& level, int i, int j, const reynolds::
       .across = share_of_lines_beside * (slope(eps.south, H.south) * to_south + slope(eps.north, H.north) * to_north)};
 }
 
-/// Of smooth steady ellipses. Circles take the same cycles with it and without; where they are very hot, or waves on
-/// them as high as the film, fewer without: 0.50 and 0.67 of (50, 10) on 128 cells. Of 77 lines (5, 20) loses its first
-/// start.
+/// Of smooth steady ellipses. Circles take the same cycles with it, but leave 0.67 instead of 0.50 with waves as high as
+/// the film ((50, 10), 128 cells), and very hot ones find no state. Of 77 lines (5, 20) loses its first start.
 bool epsilon_follows_film(const Hierarchy& hierarchy, const Level& level) {
   const Problem& problem = hierarchy.problem;
   return corrects_finer(level) && !level.grid.domain.line && !problem.geometry.gap.round() && !problem.surface &&

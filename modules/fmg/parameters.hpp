@@ -16,7 +16,7 @@ struct RelaxationParameters {
   /// is zero, and the load of a change is taken from somewhere.
   double line_zero = 1.0;
   double crossover = 1.5;             ///< of epsilon/h^2, above which a point is relaxed by Gauss-Seidel
-  double least_single_epsilon = 0.0;  ///< and it has more than this, on however fine a grid
+  double least_single_epsilon = 0.0;  ///< and epsilon is above this, however fine the grid
   double weight_distributed = 0.9;    ///< under-relaxation of distributed changes
   double weight_single = 1.0;         ///< of single changes where epsilon is smooth
   double weight_single_steep = 0.5;   ///< of single changes where epsilon falls or rises by orders from cell to cell

@@ -22,7 +22,7 @@ namespace ehl::fmg {
 void relax(Hierarchy& hierarchy, Level& level, const RelaxationParameters& how);
 inline void relax(Hierarchy& hierarchy, Level& level) { relax(hierarchy, level, hierarchy.parameters.relaxation); }
 
-/// What that is held against on a grid: where the coupling by epsilon outweighs that by the film.
+/// The crossover of a grid: where the coupling by epsilon outweighs that by the film.
 inline double crossover_on(const Hierarchy& hierarchy, const core::Patch& grid, const RelaxationParameters& how) {
   const double crossover = std::max(how.crossover, how.least_single_epsilon / (grid.hx() * grid.hx()));
   return crossover * reynolds::relative_strength(hierarchy.transport, grid.hx());

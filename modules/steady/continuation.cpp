@@ -30,8 +30,7 @@ constexpr double coarseness = 1.6;
 /// The first load where none is given: a hundredth of the scene's, but not so light that the domain would starve it.
 constexpr double first_ratio = 0.01;
 constexpr double lightest_M = 20.0;
-/// A light load may lead nowhere on the heavy one's cells: R_x/R_y = 100, (10, 15). Then heavier ones, up to this
-/// share.
+/// A light load may not begin on the heavy one's cells: R_x/R_y = 100, (10, 15). Then heavier ones, up to this share.
 constexpr double next_first = 3.0, heaviest_first = 0.5;
 
 struct Solved {

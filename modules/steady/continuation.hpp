@@ -28,9 +28,10 @@ Solution climb_by_viscosity(const Scene& scene, const Start& start, const Progre
 /// first load, three times as heavy a one where it is not solved and the deck does not say it; then one load after
 /// another, from the last pressure and an H00 that follows the film of the last two, cycles until the state is solved
 /// to a small residual. The step in ln M grows while the cycles are few and is halved where they fail. At the load of
-/// the scene the climb goes on to the finest grid. out: as climb(); steps has a row for every step, rejected ones
-/// included, also where an error is thrown. errors: core::SolverError where the first load cannot be solved, the steps
-/// become too small or too many, or a finer grid diverges; core::Interrupted.
+/// the scene the climb goes on to the finest grid.
+/// out: as climb(); steps has a row for every step, rejected ones included, also where an error is thrown.
+/// errors: core::SolverError where no first load can be solved, the steps become too small or too many, or a finer grid
+/// diverges; core::Interrupted.
 Solution climb_by_load(const Scene& scene, const Start& start,
                        const std::function<Solution(const Scene& light)>& first_load, const ProgressCallback& progress,
                        std::vector<ContinuationStep>& steps);
