@@ -58,8 +58,8 @@ FilmOfEpsilon film_of_epsilon(const Level& level, int i, int j, const reynolds::
       .across = share_of_lines_beside * (slope(eps.south, H.south) * to_south + slope(eps.north, H.north) * to_north)};
 }
 
-/// Of smooth steady ellipses. Circles take the same cycles with it, but leave 0.67 instead of 0.50 with waves as high as
-/// the film ((50, 10), 128 cells), and very hot ones find no state. Of 77 lines (5, 20) loses its first start.
+/// Of smooth steady ellipses. Circles take the same cycles with it, but leave 0.67 instead of 0.50 with waves as high
+/// as the film ((50, 10), 128 cells), and very hot ones find no state. Of 77 lines (5, 20) loses its first start.
 bool epsilon_follows_film(const Hierarchy& hierarchy, const Level& level) {
   const Problem& problem = hierarchy.problem;
   return corrects_finer(level) && !level.grid.domain.line && !problem.geometry.gap.round() && !problem.surface &&
