@@ -22,13 +22,13 @@ namespace ehl::fmg {
 void relax(Hierarchy& hierarchy, Level& level, const RelaxationParameters& how);
 inline void relax(Hierarchy& hierarchy, Level& level) { relax(hierarchy, level, hierarchy.parameters.relaxation); }
 
+/// The same but for the film and the coefficients, which are left as they were.
+void relax_pressure(Hierarchy& hierarchy, Level& level, const RelaxationParameters& how);
+
 /// The crossover of a grid: where the coupling by epsilon outweighs that by the film.
 inline double crossover_on(const Hierarchy& hierarchy, const core::Patch& grid, const RelaxationParameters& how) {
   const double crossover = std::max(how.crossover, how.least_single_epsilon / (grid.hx() * grid.hx()));
   return crossover * reynolds::relative_strength(hierarchy.transport, grid.hx());
 }
-
-/// The same but for the film and the coefficients, which are left as they were.
-void relax_pressure(Hierarchy& hierarchy, Level& level, const RelaxationParameters& how);
 
 }  // namespace ehl::fmg

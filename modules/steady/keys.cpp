@@ -31,7 +31,7 @@ std::vector<deck::Key> path_keys() {
                             "does not lead "
                             "to a solution; always; or never."},
                 {.name = "M_start",
-                 .default_note = "a hundredth of the contact's M, 20 at least",
+                 .default_note = "a hundredth of the contact's M, 20 at least, more where that is not solved",
                  .range = {0.1, 1e5},
                  .meaning = "First load of a continuation, as Moes load number M; L does not depend on the load.",
                  .example = "20"},

@@ -175,6 +175,14 @@ void try_full_multigrid(const Scene& scene, const ProgressCallback& progress, Se
   }
 }
 
+// errors: core::SolverError with the last reason.
+Solution by_full_multigrid(const Scene& scene, const ProgressCallback& progress) {
+  Search search;
+  try_full_multigrid(scene, progress, search, nullptr);
+  if (!search.best()) throw core::SolverError(search.last_error());
+  return search.result();
+}
+
 void try_newton(const Scene& scene, const ProgressCallback& progress, Search& search) {
   const double most = search.tried(newton_after_cycles) ? most_nodes_of_two_rescues : most_nodes_of_rescue;
   if (scene.polish == Polish::rescue && nodes_of(scene) > most) return;
@@ -190,13 +198,8 @@ Solution find_from(const Solution* flooded, const Scene& scene, const ProgressCa
   if (scene.continuation.path != Path::load) try_full_multigrid(scene, progress, search, flooded);
   if (scene.continuation.path != Path::off && !search.over())
     search.try_way("load continuation", [&] {
-      const auto first_load = [&](const Scene& light) {
-        Search first;
-        try_full_multigrid(light, progress, first, nullptr);
-        if (!first.best()) throw core::SolverError(first.last_error());
-        return first.result();
-      };
-      return climb_by_load(scene, safe_start, first_load, progress, steps);
+      return climb_by_load(
+          scene, safe_start, [&](const Scene& light) { return by_full_multigrid(light, progress); }, progress, steps);
     });
   if (scene.polish != Polish::off && !search.over()) try_newton(scene, progress, search);
   Solution solution = search.result();

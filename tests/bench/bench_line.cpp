@@ -10,8 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "contact/groups.hpp"
-#include "steady/domain_error.hpp"
 #include "steady/solve.hpp"
 #include "support/roelands_scene.hpp"
 
@@ -19,13 +17,8 @@ using namespace ehl;
 
 namespace {
 
-/// As a deck with M and L has it where it leaves the rest open.
 steady::Scene scene_of(double M, double L, int cells, bool errors) {
-  const contact::Ellipse line = contact::line_contact();
-  const double X_b = steady::chosen_outlet(M, L, line, steady::error_of_closed_domain);
-  const double X_a = steady::chosen_inlet(M, L, X_b, line, steady::error_of_closed_domain);
-  steady::Scene scene = tests::roelands_line(M, L, core::line_grid(cells, X_a, X_b));
-  scene.far_field = true;
+  steady::Scene scene = tests::open_line(M, L, cells);
   scene.adjoint_errors = errors;
   return scene;
 }

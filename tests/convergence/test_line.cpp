@@ -6,7 +6,6 @@
 
 #include "contact/groups.hpp"
 #include "core/constants.hpp"
-#include "steady/domain_error.hpp"
 #include "steady/solve.hpp"
 #include "support/roelands_scene.hpp"
 
@@ -151,12 +150,7 @@ BOOST_AUTO_TEST_CASE(the_first_start_solves_lines_of_1025_nodes) {
 // Single changes that go down to ever thinner films raise what is smooth across them: these went to Newton's method.
 BOOST_AUTO_TEST_CASE(cycles_solve_lines_of_4097_nodes) {
   for (const auto& [M, L] : {std::pair{5.0, 2.0}, {10.0, 15.0}, {5.0, 20.0}}) {
-    const contact::Ellipse line = contact::line_contact();
-    const double X_b = steady::chosen_outlet(M, L, line, steady::error_of_closed_domain);
-    const double X_a = steady::chosen_inlet(M, L, X_b, line, steady::error_of_closed_domain);
-    steady::Scene scene = tests::roelands_line(M, L, core::line_grid(4096, X_a, X_b));
-    scene.far_field = true;
-    const steady::Solution solution = steady::solve(scene);
+    const steady::Solution solution = steady::solve(tests::open_line(M, L, 4096));
     BOOST_TEST_MESSAGE("(" << M << ", " << L << "), 4096 cells: " << solution.method << ", "
                            << solution.levels.back().work_units << " work units (at most 60)");
     BOOST_TEST(solution.converged, solution.failed_check);

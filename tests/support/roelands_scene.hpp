@@ -1,6 +1,7 @@
 #pragma once
 // The contact that most tests of the solvers begin with.
 #include "contact/groups.hpp"
+#include "steady/domain_error.hpp"
 #include "steady/scene.hpp"
 
 namespace ehl::tests {
@@ -27,6 +28,15 @@ inline steady::Scene roelands_line(double M, double L, const core::Grid& grid) {
   scene.wedge = reynolds::Wedge::upstream3;
   scene.face = reynolds::Face::logmean_bounded;
   scene.adjoint_errors = false;
+  return scene;
+}
+/// On the domain that a deck with M and L gets.
+inline steady::Scene open_line(double M, double L, int cells) {
+  const contact::Ellipse line = contact::line_contact();
+  const double X_b = steady::chosen_outlet(M, L, line, steady::error_of_closed_domain);
+  const double X_a = steady::chosen_inlet(M, L, X_b, line, steady::error_of_closed_domain);
+  steady::Scene scene = roelands_line(M, L, core::line_grid(cells, X_a, X_b));
+  scene.far_field = true;
   return scene;
 }
 

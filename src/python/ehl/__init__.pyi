@@ -441,7 +441,7 @@ class ContinuationKeys(TypedDict, total=False):
     default: automatic; allowed: one of automatic, load, off"""
     M_start: float | str
     """First load of a continuation, as Moes load number M; L does not depend on the load. (only with [continuation] path = automatic or load)
-    default: a hundredth of the contact's M, 20 at least; allowed: a number >= 0.1 and <= 1e+05"""
+    default: a hundredth of the contact's M, 20 at least, more where that is not solved; allowed: a number >= 0.1 and <= 1e+05"""
     load_start: float | str
     """The same in newtons, for a contact in SI. (only with [continuation] path = automatic or load)
     default: see M_start; allowed: a number > 0 N"""
