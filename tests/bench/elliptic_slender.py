@@ -71,7 +71,7 @@ def row(program, folder, case):
     if cycled.get("said") or not cycled.get("converged"):
         words.append(f"to {tolerance}: " + (cycled.get("said") or cycled["failed_check"]).replace(",", ";"))
     if run["method"] != "full multigrid" or len(run["attempts"]) > 1:
-        words.append(f"{run['method']}; {len(run['attempts'])} attempts")
+        words.append(run["method"].replace(",", ";") + f"; {len(run['attempts'])} attempts")
     if run["Hm_fitted"] < 0:
         words.append("negative film")
     return (f"{head},{level['nx']}x{level['ny']},{run.get('cpu', run['seconds']):.2g},{left or float('nan'):.2f},{cycles},"
