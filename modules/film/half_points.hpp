@@ -53,12 +53,14 @@ Number followed(Number f, Number least) {
 
 /// What the flux eps (P_1 - P_0) answers to the two pressures, over epsilon, when the viscosity follows them and falls
 /// exponentially: phi_0/f and phi_1/f, f the logarithmic mean. Their difference is that of ln eta_bar. 1 and 1, epsilon
-/// held, where the fluidity is the least share of the mean; between them where it leads over.
+/// held, where the fluidity is the least share of the mean; between them where it leads over. With that share following
+/// the mean, 1 + d phi_0/(phi_0 + phi_1) there, d the difference of ln eta_bar: what the flux answers in truth.
 template <class Number>
 struct Answers {
   Number before, behind;
 };
-template <class Number>
+enum class LeastShare { held, follows };
+template <LeastShare bound = LeastShare::held, class Number>
 Answers<Number> answers(double least, Number phi0, Number phi1, Number a0, Number a1) {
   const Number d = a1 - a0;
   const Number fall = phi0 - phi1;
@@ -68,7 +70,15 @@ Answers<Number> answers(double least, Number phi0, Number phi1, Number a0, Numbe
   const Number before = flat ? limit : d * phi0 / (flat ? Number{} + 1.0 : fall);
   // f = fall/d and the least fluidity, both times d^2.
   const Number share = followed(fall * d, (0.5 * least) * (phi0 + phi1) * d * d);
-  return {1.0 + share * (before - 1.0), 1.0 + share * (before - d - 1.0)};
+  if constexpr (bound == LeastShare::held) {
+    return {1.0 + share * (before - 1.0), 1.0 + share * (before - d - 1.0)};
+  } else {
+    const Number sum = phi0 + phi1;
+    const Number of_mean = 1.0 + d * phi0 / (sum > 0.0 ? sum : Number{} + 1.0);
+    const Number of_f = share * (share + 0.5) / (1.0 + 0.5 * share * share);  // what f has of fluidity_between()
+    const Number both = of_mean + of_f * (before - of_mean);
+    return {both, both - d};
+  }
 }
 
 /// Third-degree interpolation, but at least half the mean of the two beside it; H < 0 counts as 0.

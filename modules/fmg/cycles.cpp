@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/errors.hpp"
+#include "fmg/acceleration.hpp"
 #include "fmg/across_relaxation.hpp"
 #include "fmg/boundary.hpp"
 #include "fmg/cycle.hpp"
@@ -86,6 +87,22 @@ std::string cycle(Hierarchy& hierarchy, std::size_t l, const Parameters& how, ju
   return now.residual < hopeless_residual && std::isfinite(now.Hc) ? "" : "the cycles diverge";
 }
 
+// The combination with the states before, where it leaves less of the residual.
+void accelerate(Hierarchy& hierarchy, std::size_t l, Acceleration& before, judgement::Measures& now) {
+  State combined;
+  if (before.combine(hierarchy, l, combined)) {
+    const State plain = state_of(hierarchy, l);
+    const double residual = now.residual;
+    go_back(hierarchy, l, combined);
+    now = measures_of(hierarchy, l);
+    if (!(now.residual < residual)) {
+      go_back(hierarchy, l, plain);
+      now = measures_of(hierarchy, l);
+    }
+  }
+  before.remember(hierarchy, l);
+}
+
 }  // namespace
 
 Parameters cautious(const Parameters& parameters, const Caution& caution) {
@@ -139,6 +156,8 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
   };
   const reynolds::Cavitation cavitation = hierarchy.problem.cavitation;
   int dry = dry_nodes(hierarchy.levels[l], cavitation), dry_before = dry;
+  Acceleration states;
+  bool accelerates = false;
   double two_before = std::numeric_limits<double>::infinity();  // a residual
   const bool closes = criterion.aim == judgement::Aim::solution && conserves_mass(hierarchy.levels[l]);
   State last;
@@ -148,6 +167,7 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
     judgement::Measures now;
     if (const std::string diverged = cycle(hierarchy, l, how, now); !diverged.empty()) {
       go_back(hierarchy, l, start);
+      states.forget();
       result.unmet = diverged;
       result.end = CyclesEnd::diverged;
       if (needed.all * back_off_all < least_all) return result;
@@ -157,6 +177,9 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
       before = measures_of(hierarchy, l);
       continue;
     }
+    accelerates |= result.cycles > 1 && now.residual > rough_factor * before.residual &&
+                   can_relax_across(hierarchy, hierarchy.levels[l]);
+    if (accelerates) accelerate(hierarchy, l, states, now);
     const auto look = [&] {
       const DiscretizationError error = observe(result.cycles, now);
       result.last = {before, now, error.Hc, error.Hm, result.cycles == 1};

@@ -50,12 +50,17 @@ bool relaxes_along_line(const core::Patch& grid, const RelaxationParameters& par
 
 ThreadWork make_thread_work(const core::Patch& grid, const film::Model& film, const RelaxationParameters& parameters,
                             reynolds::Cavitation cavitation) {
+  const std::vector<double> across(static_cast<std::size_t>(grid.domain.line ? 0 : grid.nodes_y()));
   ThreadWork work{.film = film::make_buffers(film, grid.domain.line ? grid.nodes_x() : grid.nodes_y()),
                   .line_nodes = make_line_nodes(grid, film::anisotropic(film)),
                   .line_system = {},
                   .followed = std::vector<double>(static_cast<std::size_t>(grid.nodes_y()) + 2),
                   .followed_behind = std::vector<double>(static_cast<std::size_t>(grid.nodes_y())),
                   .rows_across = std::vector<RowAcross>(grid.domain.line ? 0 : grid.nodes_y()),
+                  .eps_P = across,
+                  .eps_H = across,
+                  .eps_across_P = film::anisotropic(film) ? across : std::vector<double>{},
+                  .eps_across_H = film::anisotropic(film) ? across : std::vector<double>{},
                   .west = {},
                   .south = {},
                   .north = {},

@@ -63,6 +63,8 @@ struct ThreadWork {
   std::vector<double> followed;
   std::vector<double> followed_behind;
   std::vector<RowAcross> rows_across;  ///< of the nodes of a station; empty of a line
+  /// Likewise the slopes of epsilon by P and H; across where it is another one.
+  std::vector<double> eps_P, eps_H, eps_across_P, eps_across_H;
 
   // For the line systems of a batch; empty where there is a line_system:
   /// Entries before and behind the points of a line in `distributive`.
