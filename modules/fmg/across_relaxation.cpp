@@ -28,11 +28,11 @@ constexpr double share_of_stretch = 0.25;
 /// degrees, 0.31, 0.20, 0.20 and 0.23 of (1000, 15) at 5. On stretched ones what is rough across is left to this
 /// relaxation alone.
 constexpr double weight_on_square_cells = 0.5;
-/// On stretched ones of 1, 0.7 and 0.5 cycles leave 0.51, 0.47, 0.50 of (100, 15) at R_x/R_y = 20, 0.78, 0.74, 0.64 of
-/// (20, 15) at 50, before they are accelerated.
+/// On stretched ones of 1 and 0.7 cycles leave 0.50 and 0.44 of (100, 15) at R_x/R_y = 20, and stall or leave 0.72 of
+/// (20, 15) at 50, when they are not accelerated.
 constexpr double weight_on_stretched_cells = 0.7;
-/// And this share of it where epsilon at the nodes falls by orders to the next: the mean of two passes what the larger
-/// one lets through, and a change overshoots on the coarse grid. Of 1 and 0.7 0.74 and 0.61 are left of (20, 15) at 50.
+/// And this share of it where epsilon at the nodes falls by orders to the next, on coarse grids: there the mean of two
+/// overshoots what the finer grid lets through. Of 1 and 0.7 0.72 and 0.61 are left of (20, 15) at 50, likewise.
 constexpr double share_where_steep = 0.7;
 
 class StationAcross {

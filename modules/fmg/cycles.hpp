@@ -43,8 +43,9 @@ struct CyclesResult {
 /// rises or hardly falls lowers the weight where epsilon is steep, and then all weights; a state that is no longer
 /// finite, or hopeless, is replaced by the one at the beginning and all weights are lowered; where that does not help
 /// the one at the beginning is what is left. On stretched cells good cycles raise the weight where epsilon is steep.
-/// Where relaxations follow the correction already, a residual that falls slowly asks for relaxation across, too. in:
-/// caution, to begin with.
+/// Where relaxations follow the correction already, a residual that falls slowly asks for relaxation across, too. From
+/// the first cycle that leaves more than rough_factor on, the states are combined (acceleration.hpp): of (20, 15) at
+/// R_x/R_y = 20, 50 and 100 cycles leave 0.33, 0.43, 0.49, without 0.40, 0.61, 0.55. in: caution, to begin with.
 CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::StoppingCriterion& criterion,
                         const Caution& caution, const CycleObserver& observe);
 

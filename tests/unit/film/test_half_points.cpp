@@ -63,6 +63,20 @@ BOOST_AUTO_TEST_CASE(answers_are_the_slopes_of_the_flux_of_barus_oil) {
     }
   BOOST_TEST_MESSAGE("largest error " << worst << " (tolerance 1e-8: a difference over 1e-5)");
   BOOST_TEST(worst < 1e-8);
+  // Of the bounded mean, below its bound, above it, and where it leads over (|d| of 4.5 to 9.9).
+  worst = 0.0;
+  for (const double d : {-12.0, -8.0, -5.0, -1.0, -0.005, 0.005, 3.0, 5.0, 6.0, 8.0, 9.0, 12.0}) {
+    constexpr double least = 0.4, a0 = 1.0;
+    const auto flux = [](double x, double y) { return ehl::film::fluidity_between(barus(x, y), least) * (y - x); };
+    const double f = ehl::film::fluidity_between(barus(a0, a0 + d), least);
+    const auto [before, behind] =
+        ehl::film::answers<ehl::film::LeastShare::follows>(least, std::exp(-a0), std::exp(-a0 - d), a0, a0 + d);
+    const double by_first = -(flux(a0 + step, a0 + d) - flux(a0 - step, a0 + d)) / (2.0 * step * f);
+    const double by_second = (flux(a0, a0 + d + step) - flux(a0, a0 + d - step)) / (2.0 * step * f);
+    worst = std::max({worst, std::abs(before - by_first), std::abs(behind - by_second)});
+  }
+  BOOST_TEST_MESSAGE("of the bounded mean " << worst << " (tolerance 1e-8)");
+  BOOST_TEST(worst < 1e-8);
   const auto nothing = ehl::film::answers(0.0, 0.0, 0.0, 800.0, 900.0);
   BOOST_TEST((nothing.before == 100.0 && nothing.behind == 0.0));
 }

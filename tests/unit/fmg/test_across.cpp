@@ -38,6 +38,36 @@ fmg::Problem linear(double epsilon) {
 
 }  // namespace
 
+/// The share of its change that a node makes on stretched cells.
+constexpr double weight = 0.7;
+
+/// What even stations, which come last, leave of the residual that they meet: the most by which it differs from
+/// 1 - weight of it, over the largest. Where P stays a node distributes its change; there is nothing to leave.
+double left_but_for_the_weight(fmg::Hierarchy& hierarchy) {
+  fmg::Level& level = hierarchy.finest();
+  const Field before = level.P;
+  fmg::relax_across(hierarchy, level, hierarchy.parameters.relaxation);
+  const Field after = level.P;
+  const auto residual = [&] {
+    ehl::core::fill_ghosts(level.grid, level.P);
+    fmg::update_film(hierarchy, level);
+    fmg::update_residual(hierarchy, level);
+    return level.r;
+  };
+  for (int i = 0; i <= domain.nx; i += 2)
+    for (int j = 0; j <= domain.ny; ++j) level.P(i, j) = before(i, j);
+  const Field met = residual();
+  level.P = after;
+  const Field left = residual();
+  double worst = 0.0, largest = 0.0;
+  for (int i = 2; i < domain.nx; i += 2)
+    for (int j = 1; j < domain.ny; ++j) {
+      largest = std::max(largest, std::abs(met(i, j)));
+      if (after(i, j) != before(i, j)) worst = std::max(worst, std::abs(left(i, j) - (1.0 - weight) * met(i, j)));
+    }
+  return worst / largest;
+}
+
 BOOST_AUTO_TEST_CASE(a_station_is_solved_whole) {
   fmg::Hierarchy hierarchy = on(domain, linear(10.0));
   fmg::Level& level = hierarchy.finest();
@@ -45,19 +75,42 @@ BOOST_AUTO_TEST_CASE(a_station_is_solved_whole) {
   Random random(7);
   set_rough_state(hierarchy, level, random);
   ehl::core::fill_ghosts(level.grid, level.P);
-  fmg::update_residual(hierarchy, level);
-  const double before = ehl::core::max_abs(level.r);
-  fmg::relax_across(hierarchy, level, hierarchy.parameters.relaxation);
-  fmg::update_residual(hierarchy, level);
-  // The even stations come last: their equations hold.
-  double even = 0.0, odd = 0.0;
-  for (int i = 1; i < domain.nx; ++i)
-    for (int j = 1; j < domain.ny; ++j)
-      (i % 2 == 0 ? even : odd) = std::max(i % 2 == 0 ? even : odd, std::abs(level.r(i, j)));
-  BOOST_TEST_MESSAGE("residual " << before << " before, on even stations " << even << " (at most 1e-11 of it), on odd "
-                                 << odd);
-  BOOST_TEST(even < 1e-11 * before);
-  BOOST_TEST(odd > 1e-3 * before);
+  const double worst = left_but_for_the_weight(hierarchy);
+  BOOST_TEST_MESSAGE("left but for the weight: " << worst << " of the residual (at most 1e-11)");
+  BOOST_TEST(worst < 1e-11);
+}
+
+// The viscosity of Barus' oil follows the pressures, and epsilon with it: the rows are the slopes of the equations.
+// At half points from node to node by factors up to e^12, below the bound of the logarithmic mean and above; at the
+// nodes by less than 2, where no change is held back. Odd stations meet no residual: none changes epsilon before the
+// even ones.
+BOOST_AUTO_TEST_CASE(epsilon_follows_the_pressures_of_a_station) {
+  for (const Face face : {Face::mean, Face::logmean_bounded}) {
+    fmg::Problem problem = circular_contact(200, 10, Wedge::upstream2, face);
+    problem.film.viscosity = ehl::rheology::Barus{12.0};
+    problem.film.density = ehl::rheology::Incompressible{};
+    problem.film.lambda *= 1e-9;
+    problem.geometry.elastic = 0.0;
+    problem.cavitation = ehl::reynolds::Cavitation::none;
+    problem.load.reset();
+    fmg::Hierarchy hierarchy = on(domain, problem);
+    fmg::Level& level = hierarchy.finest();
+    Random random(11);
+    const double rough = face == Face::mean ? 0.01 : 0.5;
+    for (int i = 0; i <= domain.nx; ++i)
+      for (int j = 0; j <= domain.ny; ++j) level.P(i, j) = 0.6 + random.between(-rough, rough);
+    ehl::core::fill_ghosts(level.grid, level.P);
+    hierarchy.H00 = 1.0;
+    level.f = Field(level.grid);
+    fmg::update_film(hierarchy, level);
+    fmg::update_residual(hierarchy, level);
+    for (int i = 1; i < domain.nx; ++i)
+      for (int j = 1; j < domain.ny; ++j)
+        level.f(i, j) = -level.r(i, j) * (1.0 + (i % 2 == 0 ? random.between(-1e-9, 1e-9) : 0.0));
+    const double worst = left_but_for_the_weight(hierarchy);
+    BOOST_TEST_MESSAGE("left but for the weight: " << worst << " of the residual (at most 1e-4)");
+    BOOST_TEST(worst < 1e-4);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(nodes_that_distribute_their_change_stay) {

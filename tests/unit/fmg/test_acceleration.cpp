@@ -1,0 +1,66 @@
+// Combinations of states: exact where the equations are linear and the errors few.
+#include <boost/test/unit_test.hpp>
+
+#include "core/norms.hpp"
+#include "fmg/acceleration.hpp"
+#include "unit/fmg/circular_contact.hpp"
+
+using namespace ehl::tests;
+namespace fmg = ehl::fmg;
+using ehl::core::Field;
+using ehl::core::Grid;
+
+namespace {
+
+/// Rigid bodies and epsilon = 1; the state that is there when it ends solves the equations.
+fmg::Hierarchy solved(const Grid& grid, Random& random) {
+  fmg::Problem problem;
+  problem.film.given_epsilon = [](double, double) { return 1.0; };
+  problem.geometry.elastic = 0.0;
+  problem.cavitation = ehl::reynolds::Cavitation::none;
+  problem.load.reset();
+  fmg::Parameters parameters;
+  parameters.coarsest_cells = grid.nx;
+  fmg::Hierarchy hierarchy =
+      fmg::make_hierarchy(problem, parameters, {.method = ehl::mlmi::Method::fft}, ehl::core::Patch(grid), 1);
+  fmg::Level& level = hierarchy.finest();
+  set_rough_state(hierarchy, level, random);
+  level.f.fill(0.0);
+  ehl::core::fill_ghosts(level.grid, level.P);
+  fmg::update_residual(hierarchy, level);
+  for (int i = 1; i < grid.nx; ++i)
+    for (int j = 1; j < grid.ny; ++j) level.f(i, j) = -level.r(i, j);
+  return hierarchy;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(as_many_errors_as_states_are_taken_away) {
+  const Grid grid{32, 24, -4.5, 1.5, -3, 3};
+  Random random(5);
+  fmg::Hierarchy hierarchy = solved(grid, random);
+  fmg::Level& level = hierarchy.finest();
+  const Field solution = level.P;
+  const Field errors[] = {random_field(level.grid, random, -1.0, 1.0), random_field(level.grid, random, -1.0, 1.0)};
+  const auto put = [&](double first, double second) {
+    for (int i = 1; i < grid.nx; ++i)
+      for (int j = 1; j < grid.ny; ++j)
+        level.P(i, j) = solution(i, j) + first * errors[0](i, j) + second * errors[1](i, j);
+    ehl::core::fill_ghosts(level.grid, level.P);
+    fmg::update_residual(hierarchy, level);
+  };
+  fmg::Acceleration acceleration;
+  fmg::State combined;
+  put(1.0, 0.3);
+  BOOST_TEST(!acceleration.combine(hierarchy, 0, combined));
+  acceleration.remember(hierarchy, 0);
+  put(-0.9, 0.2);
+  acceleration.remember(hierarchy, 0);
+  put(0.8, 0.1);
+  BOOST_TEST(acceleration.combine(hierarchy, 0, combined));
+  const double error = ehl::core::max_abs_difference(combined.P, solution);
+  BOOST_TEST_MESSAGE("error left " << error << " of 0.8 (at most 1e-11)");
+  BOOST_TEST(error < 1e-11);
+  acceleration.forget();
+  BOOST_TEST(!acceleration.combine(hierarchy, 0, combined));
+}
