@@ -23,17 +23,15 @@ using reynolds::Faces;
 /// root 0.25, 0.72, 0.34.
 constexpr double share_of_stretch = 0.25;
 
-/// On square cells lines along X have answered to the same residual just before, and a spike along a diagonal would be
-/// corrected twice: of 1, 0.7, 0.5 and 0.3 cycles leave 0.54, 0.25, 0.27 and 0.35 of (100, 15) at R_x/R_y = 20 and 45
-/// degrees, 0.31, 0.20, 0.20 and 0.23 of (1000, 15) at 5. On stretched ones what is rough across is left to this
-/// relaxation alone.
-constexpr double weight_on_square_cells = 0.5;
-/// On stretched ones of 1 and 0.7 cycles leave 0.50 and 0.44 of (100, 15) at R_x/R_y = 20, and stall or leave 0.72 of
-/// (20, 15) at 50, when they are not accelerated.
-constexpr double weight_on_stretched_cells = 0.7;
-/// And this share of it where epsilon at the nodes falls by orders to the next, on coarse grids: there the mean of two
-/// overshoots what the finer grid lets through. Of 1 and 0.7 0.72 and 0.61 are left of (20, 15) at 50, likewise.
-constexpr double share_where_steep = 0.7;
+/// Lines along X have answered to the same residual just before, and a spike along a diagonal would be corrected twice.
+/// Of 1, 0.7, 0.5 and 0.3 cycles leave 0.21, 0.19, 0.22 and 0.25 of (1000, 15) at R_x/R_y = 5 and 45 degrees, 0.28,
+/// 0.32, 0.19 and 0.23 of (100, 15) at 20. Of 0.7 and 0.5 0.11 and 0.17 of (1000, 10) at 20, 0.20 and 0.25 at 50. Along
+/// the motion, on stretched cells, of 1 and 0.7 0.50 and 0.44 of (100, 15) at 20, when they are not accelerated.
+constexpr double weight_at_half_points = 0.7;
+/// Where epsilon at the nodes falls by orders to the next, on coarse grids, the mean of two overshoots what the finer
+/// grid lets through: of 0.7 and 0.5 0.72 and 0.61 are left of (20, 15) at 50, likewise. Where it does not, of 0.7
+/// 0.31 is left of the model problem at e = 30 on cells of hx = 8 hy, of 1 0.27.
+constexpr double weight_where_steep = 0.5;
 
 class StationAcross {
  public:
@@ -45,8 +43,7 @@ class StationAcross {
         transport_(transport_on(hierarchy, level)),
         half_(level.grid.hx(), level.grid.hy()),
         stretch_(core::stretch(level.grid)),
-        weight_(how.weight_single *
-                (core::stretched(level.grid) ? weight_on_stretched_cells : weight_on_square_cells)) {
+        weight_single_(how.weight_single) {
     const double elastic = hierarchy.problem.geometry.elastic;
     for (int d = 0; d < 2; ++d)
       K_[static_cast<std::size_t>(d)] = elastic * kernel::influence(0, d, level.grid.hx(), level.grid.hy());
@@ -90,10 +87,10 @@ class StationAcross {
   }
 
   double weight_of(const Faces<double>& e) const {
-    if (at_half_points(level_)) return weight_;
+    if (at_half_points(level_)) return weight_single_ * weight_at_half_points;
     const auto [low, high] = range_of(e);
     const double smooth = std::min(1.0, 2.0 * low / high);
-    return weight_ * (share_where_steep + (1.0 - share_where_steep) * smooth);
+    return weight_single_ * (weight_where_steep + (1.0 - weight_where_steep) * smooth);
   }
 
   RowAcross row_at(int i, int j, const ThreadWork& work) const {
@@ -179,7 +176,8 @@ class StationAcross {
   Level& level_;
   reynolds::Transport transport_;
   reynolds::HalfInverseSquares half_;
-  double stretch_, weight_;
+  double stretch_;
+  double weight_single_;
   std::array<double, 2> K_{};  ///< H per P of the node itself and of the next one across
   double crossover_ = 0.0;
 };

@@ -10,8 +10,9 @@ namespace ehl::fmg {
 /// 0.7. So the nodes that change singly are relaxed once more, all of a station together: the rows d r/dP over j-1, j,
 /// j+1 with epsilon as it follows these pressures, and the film by K(0, 0) and K(0, 1); odd stations, then even ones.
 /// With epsilon held a spike whose flank is one cell wide swings: at the tip behind the contact (20, 15) at R_x/R_y =
-/// 100 each pass left -2 of it, for the flux down the flank answers ten times as much to the pressure at its foot. H and epsilon are those it begins with. in: P, and H and the coefficients that belong to it. out: P;
-/// the film is left to renew.
+/// 100 each pass left -2 of it, for the flux down the flank answers ten times as much to the pressure at its foot. H
+/// and epsilon are those it begins with. in: P, and H and the coefficients that belong to it. out: P; the film is left
+/// to renew.
 void relax_across(Hierarchy& hierarchy, Level& level, const RelaxationParameters& how);
 
 /// False of a line, in time, and where dry points hold oil of their own.

@@ -202,9 +202,10 @@ BOOST_AUTO_TEST_CASE(end_where_the_mesh_has_no_solution) {
   BOOST_TEST(!by_newton.converged);
 }
 
-// Weights that are too large by far: the cycles lower them, and end at the same solution.
+// Weights that are too large by far: the cycles lower them, and end at the same solution. Where they are 1.6 times too
+// large the combination of states is enough.
 BOOST_AUTO_TEST_CASE(too_large_weights_are_lowered) {
-  fmg::Hierarchy hasty = hierarchy_with(1.6);
+  fmg::Hierarchy hasty = hierarchy_with(2.0);
   fmg::start_from_state(hasty, finest, fmg::state_of(hierarchy, finest));
   const fmg::CyclesResult result = cycles_to(hasty, 1e-8, 60);
   BOOST_TEST_MESSAGE("caution " << result.caution.all << " and " << result.caution.steep << " after " << result.cycles
