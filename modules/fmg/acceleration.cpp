@@ -3,20 +3,30 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
+#include "kernel/influence.hpp"
+#include "reynolds/flux.hpp"
+
 namespace ehl::fmg {
 namespace {
 
 /// Of 2, 4 and 7 states 0.54, 0.49 and 0.54 are left per cycle of (20, 15) at R_x/R_y = 100.
 constexpr std::size_t most = 4;
 
-/// r where it asks for another pressure, zero elsewhere.
+/// The change that r asks of a pressure, r over the node's own answer; zero where it stays dry.
 void write_asked(const Hierarchy& hierarchy, const Level& level, core::Field& asked) {
   if (asked.nodes_x() == 0) asked = core::Field(level.grid);
-  for (int i = 1; i < level.grid.nx; ++i)
-    for (int j = 1; j <= level.grid.last_line(); ++j) {
+  const core::Patch& grid = level.grid;
+  const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
+  const reynolds::Transport transport = transport_on(hierarchy, level);
+  const double K = hierarchy.problem.geometry.elastic * kernel::influence(0, 0, grid.hx(), grid.hy());
+  for (int i = 1; i < grid.nx; ++i) {
+    const double film = reynolds::transport_weights(transport, i, grid.hx())[0] * K;
+    for (int j = 1; j <= grid.last_line(); ++j) {
+      const auto e = reynolds::faces_at(level.scheme.face, level.eps, eps_across(level), i, j, half);
       const bool stays = reynolds::stays_dry(hierarchy.problem.cavitation, level.P(i, j), level.r(i, j));
-      asked(i, j) = stays ? 0.0 : level.r(i, j);
+      asked(i, j) = stays ? 0.0 : level.r(i, j) / (reynolds::total(e) + film * level.rho_bar(i, j));
     }
+  }
 }
 
 }  // namespace
@@ -28,14 +38,14 @@ void Acceleration::remember(const Hierarchy& hierarchy, std::size_t l) {
     std::ranges::rotate(kept_, kept_.begin() + 1);
   Kept& last = kept_.back();
   last.state = state_of(hierarchy, l);
-  write_asked(hierarchy, hierarchy.levels[l], last.r);
+  write_asked(hierarchy, hierarchy.levels[l], last.asked);
 }
 
 bool Acceleration::combine(const Hierarchy& hierarchy, std::size_t l, State& combined) {
   if (kept_.empty()) return false;
   const Level& level = hierarchy.levels[l];
   const core::Patch& grid = level.grid;
-  write_asked(hierarchy, level, r_);
+  write_asked(hierarchy, level, asked_);
   const auto states = static_cast<int>(kept_.size());
   // The normal equations of the least squares; one order of the sums, whatever the threads.
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(states, states);
@@ -44,8 +54,8 @@ bool Acceleration::combine(const Hierarchy& hierarchy, std::size_t l, State& com
   for (int i = 1; i < grid.nx; ++i)
     for (int j = 1; j <= grid.last_line(); ++j)
       for (int k = 0; k < states; ++k) {
-        d[static_cast<std::size_t>(k)] = kept_[static_cast<std::size_t>(k)].r(i, j) - r_(i, j);
-        b(k) -= d[static_cast<std::size_t>(k)] * r_(i, j);
+        d[static_cast<std::size_t>(k)] = kept_[static_cast<std::size_t>(k)].asked(i, j) - asked_(i, j);
+        b(k) -= d[static_cast<std::size_t>(k)] * asked_(i, j);
         for (int m = 0; m <= k; ++m) A(k, m) += d[static_cast<std::size_t>(k)] * d[static_cast<std::size_t>(m)];
       }
   const Eigen::MatrixXd whole = A.selfadjointView<Eigen::Lower>();

@@ -15,18 +15,20 @@ class Acceleration {
   /// in: levels[l], whose residual belongs to its state. cost: a pressure and a residual; allocates the first times.
   void remember(const Hierarchy& hierarchy, std::size_t l);
   /// Writes P + sum alpha_k (P_k - P) and H00 likewise, P and r of the level, P_k and r_k remembered; the alpha make
-  /// r + sum alpha_k (r_k - r) least in root mean square over the nodes that ask for another pressure.
-  /// in: as above. out: false where nothing is remembered.
+  /// (r + sum alpha_k (r_k - r))/d least in root mean square over the nodes that ask for another pressure, d what a
+  /// node answers to its own. (Of r itself the line beside the boundary, whose epsilon is the largest, outweighs the
+  /// rim: a last relaxation would take it away, and combinations went back to the same state.) in: as above. out: false
+  /// where nothing is remembered.
   bool combine(const Hierarchy& hierarchy, std::size_t l, State& combined);
   void forget() { kept_.clear(); }
 
  private:
   struct Kept {
     State state;
-    core::Field r;
+    core::Field asked;
   };
   std::vector<Kept> kept_;  ///< the oldest first
-  core::Field r_;           ///< of the state that is there
+  core::Field asked_;       ///< of the state that is there
 };
 
 }  // namespace ehl::fmg

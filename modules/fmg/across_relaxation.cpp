@@ -43,7 +43,8 @@ class StationAcross {
         transport_(transport_on(hierarchy, level)),
         half_(level.grid.hx(), level.grid.hy()),
         stretch_(core::stretch(level.grid)),
-        weight_single_(how.weight_single) {
+        weight_single_(how.weight_single),
+        most_change_(how.most_change) {
     const double elastic = hierarchy.problem.geometry.elastic;
     for (int d = 0; d < 2; ++d)
       K_[static_cast<std::size_t>(d)] = elastic * kernel::influence(0, d, level.grid.hx(), level.grid.hy());
@@ -70,7 +71,7 @@ class StationAcross {
     for (int j = last; j >= 1; --j) {
       const double north = j == last ? 0.0 : row(j).north;
       change = -(row(j).r + north * change) / row(j).own;
-      P[j] = reynolds::projected(cavitation_, P[j] + row(j).weight * change);
+      P[j] = reynolds::projected(cavitation_, P[j] + std::clamp(row(j).weight * change, -most_change_, most_change_));
     }
     core::fill_ghosts(grid, P);
   }
@@ -178,6 +179,7 @@ class StationAcross {
   reynolds::HalfInverseSquares half_;
   double stretch_;
   double weight_single_;
+  double most_change_;
   std::array<double, 2> K_{};  ///< H per P of the node itself and of the next one across
   double crossover_ = 0.0;
 };

@@ -190,8 +190,9 @@ template <int reach, LineSolver solver>
 void LineBatch<reach, solver>::keep(Level& level, int batch, int i, Lanes delta, Lanes weight) const {
   const Lanes distributive = work_.distributive[static_cast<std::size_t>(i) + ThreadWork::margin];
   const int at = batch * core::lanes;
-  core::store(level.changes.delta.at_x(i) + at, weight * delta);
-  core::store(level.changes.distributed.at_x(i) + at, distributive * weight * delta);
+  const Lanes change = bounded(how_, weight * delta);
+  core::store(level.changes.delta.at_x(i) + at, change);
+  core::store(level.changes.distributed.at_x(i) + at, distributive * change);
 }
 
 // Of a steady line contact (line_relaxation.cpp tells why): what each pressure changes by in all, weighted, and nothing

@@ -47,6 +47,12 @@ inline core::Lanes weight_of_change(const RelaxationParameters& how, core::Lanes
   return distributive > 0.0 ? core::broadcast(how.weight_distributed) : how.weight_single_steep + range * smooth;
 }
 
+/// A change of one pressure within RelaxationParameters::most_change.
+inline core::Lanes bounded(const RelaxationParameters& how, core::Lanes change) {
+  const core::Lanes most = core::broadcast(how.most_change);
+  return core::max(-most, core::min(most, change));  // a NaN stays one
+}
+
 /// Holds a distributed change to what is there: no point gives more than its pressure. What goes below zero is cut off,
 /// while its neighbours keep what they were given: pressure out of nothing, which a strong squeeze answers by far more.
 inline void hold_to_what_is_there(core::Lanes P, core::Lanes& delta, core::Lanes& distributed) {

@@ -20,6 +20,9 @@ struct RelaxationParameters {
   double weight_distributed = 0.9;    ///< under-relaxation of distributed changes
   double weight_single = 1.0;         ///< of single changes where epsilon is smooth
   double weight_single_steep = 0.5;   ///< of single changes where epsilon falls or rises by orders from cell to cell
+  /// One relaxation changes a pressure by no more, p over p_h: it holds epsilon, or takes it to be linear, and knows
+  /// nothing of it where the viscosity is another one by orders.
+  double most_change = std::numeric_limits<double>::infinity();
   /// On square cells single changes are made along Y too (across_relaxation.hpp), by a film renewed before, which
   /// doubles the price. At 45 degrees cycles leave 0.60 to 0.70 of (1000, 15) at R_x/R_y = 5 and 20, (20, 15) and
   /// (100, 5) at 100, (1000, 5) at 50, and 0.21 to 0.42 with it. By the old film (20, 10) at 20 goes from 0.12 to 0.58:

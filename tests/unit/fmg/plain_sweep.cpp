@@ -160,7 +160,9 @@ class Sweep {
     for (const int i : held) x(i - 1) = 0.0;  // exactly: rounding would make them points that carry pressure
     for (int i = 1; i <= points; ++i) {
       const bool distributes = distributive[static_cast<std::size_t>(i)];
-      delta_(i, j) = weight(i, j, distributes) * x(i - 1);
+      const double change = weight(i, j, distributes) * x(i - 1);
+      delta_(i, j) = std::clamp(change, -parameters_.most_change, parameters_.most_change);
+      result_.bounded += delta_(i, j) != change ? 1 : 0;
       if (distributes && ehl::reynolds::ruptures(problem_.cavitation) && problem_.transport.squeeze > 0.0 &&
           delta_(i, j) < -result_.P(i, j)) {
         delta_(i, j) = -result_.P(i, j);  // no more than there is

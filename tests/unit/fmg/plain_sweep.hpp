@@ -11,6 +11,7 @@ struct PlainSweep {
   int distributive = 0;  ///< points whose change was distributed
   int held = 0;          ///< cavitated points that stay so
   int clipped = 0;       ///< pressures that the bound P >= 0 stopped
+  int bounded = 0;       ///< changes that most_change stopped
   int withheld = 0;      ///< distributed changes that asked a point for more than its pressure, under a squeeze
 };
 

@@ -125,6 +125,21 @@ BOOST_AUTO_TEST_CASE(nodes_that_distribute_their_change_stay) {
   BOOST_TEST(ehl::core::max_abs_difference(level.P, before) == 0.0);
 }
 
+BOOST_AUTO_TEST_CASE(a_pressure_changes_by_no_more_than_allowed) {
+  fmg::Hierarchy hierarchy = on(domain, linear(10.0));
+  fmg::Level& level = hierarchy.finest();
+  Random random(7);
+  set_rough_state(hierarchy, level, random);
+  ehl::core::fill_ghosts(level.grid, level.P);
+  const Field before = level.P;
+  fmg::RelaxationParameters how = hierarchy.parameters.relaxation;
+  how.most_change = 1e-3;
+  fmg::relax_across(hierarchy, level, how);
+  const double most = ehl::core::max_abs_difference(level.P, before);
+  BOOST_TEST_MESSAGE("largest change " << most << " (at most " << how.most_change << ")");
+  BOOST_TEST(std::abs(most / how.most_change - 1.0) < 1e-12);
+}
+
 BOOST_AUTO_TEST_CASE(half_of_a_symmetric_contact_and_threads) {
   for (const Face face : {Face::mean, Face::logmean_bounded}) {
     const fmg::Problem problem =

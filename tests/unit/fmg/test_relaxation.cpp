@@ -29,7 +29,7 @@ fmg::Hierarchy one_level(const fmg::Problem& problem, const fmg::RelaxationParam
 }
 
 struct Counts {
-  int single = 0, distributive = 0, held = 0, clipped = 0, withheld = 0;
+  int single = 0, distributive = 0, held = 0, clipped = 0, bounded = 0, withheld = 0;
 };
 
 // Rounding of the residual, a few 1e-16 of its terms, divided by the same coefficients: a few 1e-16 of P again; the
@@ -51,6 +51,7 @@ void compare_with_plain_sweep(const fmg::Problem& problem, const fmg::Relaxation
     counts.distributive += plain.distributive;
     counts.held += plain.held;
     counts.clipped += plain.clipped;
+    counts.bounded += plain.bounded;
     counts.withheld += plain.withheld;
     fmg::relax_pressure(hierarchy, level, relaxation);  // along X alone, on stretched cells too
     fmg::update_film(hierarchy, level);
@@ -97,6 +98,19 @@ BOOST_AUTO_TEST_CASE(one_sweep_is_the_sweep_written_point_by_point) {
   BOOST_TEST(counts.held > 50);
   BOOST_TEST(counts.clipped > 100);
   BOOST_TEST(counts.withheld > 50);
+}
+
+BOOST_AUTO_TEST_CASE(one_sweep_changes_no_pressure_by_more_than_allowed) {
+  Counts counts;
+  fmg::Problem problem = circular_contact(20, 10, Wedge::upstream2);
+  fmg::RelaxationParameters relaxation;
+  relaxation.most_change = 0.02;
+  compare_with_plain_sweep(problem, relaxation, grids[0], counts);
+  problem.transport = {Wedge::upstream2, 0.6, 5.0};  // one step of a transient
+  compare_with_plain_sweep(problem, relaxation, grids[0], counts);
+  BOOST_TEST_MESSAGE(counts.bounded << " changes bounded");
+  BOOST_TEST(counts.bounded > 50);
+  BOOST_TEST(counts.bounded < counts.single + counts.distributive);
 }
 
 BOOST_AUTO_TEST_CASE(one_sweep_without_cavitation_lets_pressures_be_negative) {

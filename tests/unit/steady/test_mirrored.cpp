@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(full_multigrid_on_the_half) {
 }
 
 BOOST_AUTO_TEST_CASE(newton_and_load_continuation_on_the_half) {
-  steady::Scene scene = contact_scene(100, 10, {64, 64, -2.5, 1.5, -2, 2});
+  steady::Scene scene = contact_scene(80, 10, {64, 64, -2.5, 1.5, -2, 2});
   scene.polish = steady::Polish::always;
   compare(scene, "Newton after the cycles", 1e-10);
   scene.polish = steady::Polish::rescue;
