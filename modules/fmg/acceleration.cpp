@@ -3,7 +3,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
-#include "kernel/influence.hpp"
 #include "reynolds/flux.hpp"
 
 namespace ehl::fmg {
@@ -12,15 +11,16 @@ namespace {
 /// Of 2, 4 and 7 states 0.54, 0.49 and 0.54 are left per cycle of (20, 15) at R_x/R_y = 100.
 constexpr std::size_t most = 4;
 
-/// The change that r asks of a pressure, r over the node's own answer; zero where it stays dry.
+/// The change that r asks of a pressure, r over the node's own answer; zero where it stays dry. (Of r itself the line
+/// beside the boundary, whose epsilon is the largest, outweighs the rim: a last relaxation would take it away, and
+/// combinations went back to the same state.)
 void write_asked(const Hierarchy& hierarchy, const Level& level, core::Field& asked) {
   if (asked.nodes_x() == 0) asked = core::Field(level.grid);
   const core::Patch& grid = level.grid;
   const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
   const reynolds::Transport transport = transport_on(hierarchy, level);
-  const double K = hierarchy.problem.geometry.elastic * kernel::influence(0, 0, grid.hx(), grid.hy());
   for (int i = 1; i < grid.nx; ++i) {
-    const double film = reynolds::transport_weights(transport, i, grid.hx())[0] * K;
+    const double film = reynolds::transport_weights(transport, i, grid.hx())[0] * level.film_terms.K[0];
     for (int j = 1; j <= grid.last_line(); ++j) {
       const auto e = reynolds::faces_at(level.scheme.face, level.eps, eps_across(level), i, j, half);
       const bool stays = reynolds::stays_dry(hierarchy.problem.cavitation, level.P(i, j), level.r(i, j));

@@ -16,9 +16,8 @@ class Acceleration {
   void remember(const Hierarchy& hierarchy, std::size_t l);
   /// Writes P + sum alpha_k (P_k - P) and H00 likewise, P and r of the level, P_k and r_k remembered; the alpha make
   /// (r + sum alpha_k (r_k - r))/d least in root mean square over the nodes that ask for another pressure, d what a
-  /// node answers to its own. (Of r itself the line beside the boundary, whose epsilon is the largest, outweighs the
-  /// rim: a last relaxation would take it away, and combinations went back to the same state.) in: as above. out: false
-  /// where nothing is remembered.
+  /// node answers to its own.
+  /// in: as above. out: false where nothing is remembered.
   bool combine(const Hierarchy& hierarchy, std::size_t l, State& combined);
   void forget() { kept_.clear(); }
 

@@ -3,11 +3,9 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <array>
 #include <span>
 
 #include "fmg/relaxation.hpp"
-#include "kernel/influence.hpp"
 #include "reynolds/flux.hpp"
 
 namespace ehl::fmg {
@@ -45,9 +43,6 @@ class StationAcross {
         stretch_(core::stretch(level.grid)),
         weight_single_(how.weight_single),
         most_change_(how.most_change) {
-    const double elastic = hierarchy.problem.geometry.elastic;
-    for (int d = 0; d < 2; ++d)
-      K_[static_cast<std::size_t>(d)] = elastic * kernel::influence(0, d, level.grid.hx(), level.grid.hy());
     crossover_ = std::max(1.0, share_of_stretch * stretch_ * stretch_) * crossover_on(hierarchy, level.grid, how);
   }
 
@@ -115,9 +110,9 @@ class StationAcross {
     if (reynolds::stays_dry(cavitation_, P(i, j), row.r)) return {};
     const double film = own * level_.rho_bar(i, j);
     row.weight = weight_of(e);
-    row.own = reynolds::total(e) + own * level_.drho_bar(i, j) * level_.H(i, j) + film * K_[0];
-    row.south = film * K_[1] - e.south;
-    row.north = film * K_[1] - e.north;
+    row.own = reynolds::total(e) + own * level_.drho_bar(i, j) * level_.H(i, j) + film * level_.film_terms.K[0];
+    row.south = film * level_.film_terms.K_across[0] - e.south;
+    row.north = film * level_.film_terms.K_across[0] - e.north;
     if (at_half_points(level_))
       add_answers(i, j, e, row);
     else
@@ -180,7 +175,6 @@ class StationAcross {
   double stretch_;
   double weight_single_;
   double most_change_;
-  std::array<double, 2> K_{};  ///< H per P of the node itself and of the next one across
   double crossover_ = 0.0;
 };
 
