@@ -178,7 +178,6 @@ void restrict_residual(const Level& fine, const reynolds::Transport& transport, 
 void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse) {
   const Problem& problem = hierarchy.problem;
   const int threads = hierarchy.threads_on(fine.grid);
-  fine.uncorrected.H00 = hierarchy.H00;
   update_residual(hierarchy, fine);
   {
     const core::ScopedTimer timer(hierarchy.times, core::Part::transfer);
@@ -221,52 +220,6 @@ void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse) {
   coarse.load = fine.load - carried_load(fine) + carried_load(coarse);
 }
 
-namespace {
-
-// fine.P with this share of its correction, and the film.
-void add_correction(Hierarchy& hierarchy, const core::Field& from, double share, Level& fine) {
-  const reynolds::Cavitation cavitation = hierarchy.problem.cavitation;
-  {
-    const core::ScopedTimer timer(hierarchy.times, core::Part::transfer);
-    for (int i = 1; i < fine.grid.nx; ++i) {
-      double* P = fine.P.at_x(i);
-      const double* before = from.at_x(i);
-      const double* change = fine.correction.at_x(i);
-      for (int j = 1; j <= fine.grid.last_line(); ++j)
-        P[j] = reynolds::corrected(cavitation, before[j], share * change[j]);
-      core::fill_ghosts(fine.grid, P);
-    }
-  }
-  follow_H00(hierarchy, fine);
-  update_film(hierarchy, fine);
-}
-
-// Beside a slender contact the film is thinner by orders than what coarse cells move it by: a correction from far away
-// pulls it below zero, and what relaxations make of that grows from grid to grid. The largest share of it that leaves
-// enough of every film.
-void correct_by_share(Hierarchy& hierarchy, Level& fine) {
-  constexpr double enough = 0.3;  // epsilon, by its third power, is then still 1/40
-  constexpr int most_halvings = 6;
-  core::copy(fine.P, fine.uncorrected.P);
-  core::copy(fine.H, fine.uncorrected.H);
-  const double H00 = fine.uncorrected.H00, change = hierarchy.H00 - H00;
-  const auto falls = [&] {
-    for (int i = 1; i < fine.grid.nx; ++i)
-      for (int j = 1; j <= fine.grid.last_line(); ++j)
-        if (const double before = fine.uncorrected.H(i, j); before > 0.0 && !(fine.H(i, j) > enough * before))
-          return true;
-    return false;
-  };
-  double share = 1.0;
-  for (int k = 0; k <= most_halvings; ++k, share *= 0.5) {
-    hierarchy.H00 = H00 + share * change;
-    add_correction(hierarchy, fine.uncorrected.P, share, fine);
-    if (!falls()) return;
-  }
-}
-
-}  // namespace
-
 void correct_from_coarse(Hierarchy& hierarchy, Level& coarse, Level& fine) {
   {
     const core::ScopedTimer timer(hierarchy.times, core::Part::transfer);
@@ -277,12 +230,15 @@ void correct_from_coarse(Hierarchy& hierarchy, Level& coarse, Level& fine) {
     // Where no residual went down, no correction comes up.
     reynolds::drop_beside_dry(cavitation, fine.grid, fine.P, hierarchy.threads_on(fine.grid), fine.correction,
                               left_to_relaxation(fine, coarse));
+    for (int i = 1; i < fine.grid.nx; ++i) {
+      double* P = fine.P.at_x(i);
+      const double* change = fine.correction.at_x(i);
+      for (int j = 1; j <= fine.grid.last_line(); ++j) P[j] = reynolds::corrected(cavitation, P[j], change[j]);
+      core::fill_ghosts(fine.grid, P);
+    }
   }
-  // Where epsilon is given no film is to be kept.
-  if (fine.corrector.between && !hierarchy.problem.film.given_epsilon)
-    correct_by_share(hierarchy, fine);
-  else
-    add_correction(hierarchy, fine.P, 1.0, fine);
+  follow_H00(hierarchy, fine);
+  update_film(hierarchy, fine);
 }
 
 }  // namespace ehl::fmg

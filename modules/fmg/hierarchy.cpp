@@ -90,7 +90,6 @@ Level make_level(const core::Patch& grid, bool finest, const Problem& problem, c
           .swings = reynolds::conserves(problem.cavitation) ? zero() : core::Field(),
           .changes_of_kind = reynolds::conserves(problem.cavitation) ? zero() : core::Field(),
           .correction = zero(),
-          .uncorrected = {},
           .changes = {zero_changes(), zero_changes()},
           .thread_work = for_threads(threads, std::move(work)),
           .deformation = mlmi::Deformation(grid, finest ? deformation : mlmi::fitting(deformation, grid), threads,
@@ -128,10 +127,6 @@ int index_of(const std::vector<Level>& levels, const core::Patch& grid) {
 template <class MakeLevel>
 void make_grids_between(Hierarchy& hierarchy, MakeLevel make) {
   std::vector<Level>& between = hierarchy.between;
-  const auto correct_by = [](Level& level, int index) {
-    level.corrector = {true, index};
-    if (index >= 0) level.uncorrected = {core::Field(level.grid), core::Field(level.grid)};
-  };
   for (Level& level : hierarchy.levels) {
     std::vector<core::Patch> grids;
     int below = -1;
@@ -143,10 +138,10 @@ void make_grids_between(Hierarchy& hierarchy, MakeLevel make) {
     }
     for (auto grid = grids.rbegin(); grid != grids.rend(); ++grid) {
       between.push_back(make(*grid));
-      correct_by(between.back(), below);
+      between.back().corrector = {true, below};
       below = static_cast<int>(between.size()) - 1;
     }
-    correct_by(level, below);
+    level.corrector = {true, below};
   }
 }
 

@@ -99,12 +99,6 @@ struct Corrector {
   int index = -1;        ///< -1: there is none, the grid is the coarsest
 };
 
-/// The state that a coarse grid corrects; the fields beside slender contacts alone (correct_from_coarse).
-struct Uncorrected {
-  core::Field P, H;
-  double H00 = 0.0;
-};
-
 /// P, both eps and r have their ghost lines filled at all times, H with its coefficients.
 struct Level {
   core::Patch grid;
@@ -128,8 +122,7 @@ struct Level {
   core::Field swings;           ///< likewise: > 0 at nodes that find no state (swinging.hpp)
   core::Field changes_of_kind;  ///< swinging.cpp
   core::Field correction;       ///< of P, on its way up
-  Uncorrected uncorrected;
-  LineChanges changes;                  ///< empty where the lines are one (line_relaxation.hpp)
+  LineChanges changes;          ///< empty where the lines are one (line_relaxation.hpp)
   std::vector<ThreadWork> thread_work;  ///< made for the parameters' line solver and reach
   mlmi::Deformation deformation;
   line_solvers::FilmTerms film_terms;

@@ -124,9 +124,9 @@ constexpr double weight_of_line = 0.8;
 /// Changes on stretched cells are distributed to two neighbours instead of four. R_x/R_y = 20, (20, 10), 512 x 512
 /// cells: of 1, 0.85, 0.7 and 0.5 the cycles leave 0.43, 0.17, 0.16 and 0.26.
 constexpr double weight_when_stretched = 0.8;
-/// Where epsilon is steep, too: of (20, 15), R_x/R_y = 50, cycles diverge with 1 and 0.8 at the tip behind the contact
-/// and leave 0.32 with 0.6, 0.17 with 0.5; of (20, 10) at 100 0.20 with 0.6, 0.41 with 0.5.
-constexpr double steep_when_stretched = 0.6;
+/// Where epsilon is steep, too: of (20, 15) at R_x/R_y = 50, 100 and 200 cycles leave 0.36, 0.41, 0.58 with 1, 0.37,
+/// 0.37, 0.48 with 0.8, 0.42, 0.42, 0.50 with 0.6.
+constexpr double steep_when_stretched = 0.8;
 
 /// Of a pressure in one relaxation, as a change of ln eta at its slope at P = 0. Lines along X, which hold epsilon,
 /// made a spike's front alternate from line to line by 20 of it, and those across drove that on. Of 3, 6, 12 and no

@@ -217,61 +217,6 @@ Scene under_load(const Scene& scene, double M) {
   return result;
 }
 
-Scene with_viscosity_of(const Scene& scene, double share) {
-  Scene result = scene;
-  result.L *= share;
-  result.viscosity = rheology::rescaled(scene.viscosity, share);
-  return result;
-}
-
-Solution climb_by_viscosity(const Scene& scene, const Start& start, const ProgressCallback& progress) {
-  // R_x/R_y = 20 and 50, M = 20, begin at once up to 33.
-  constexpr double first_alpha_bar = 20.0;
-  constexpr double longest_step_of_viscosity = 1.4, shortest_step_of_viscosity = 1.02;
-  constexpr double followed = 1e-2;  // the residual of a step
-  constexpr int most_cycles = 15;
-  fmg::Run run = begin_climb(scene, start, progress);
-  const std::size_t l = run.plan.first;
-  run.plan.cycles = 0;
-  run.caution = {.all = start.caution};
-  const Scene on_grid = on_level(scene, run.hierarchy, l);
-  const auto film = [&](double share) { return expected_central_film(scene.M, share * scene.L, scene.shape); };
-  double share = std::min(1.0, first_alpha_bar / contact::from_moes(scene.M, scene.L, scene.shape).alpha_bar);
-  Scene thinnest = with_viscosity_of(on_grid, share);
-  thinnest.multigrid.tolerance = followed;
-  Solution first = climb(thinnest, start, progress);
-  fmg::State state{std::move(first.P), first.H00};  // on the domain
-  for (double stride = longest_step_of_viscosity; share < 1.0;) {
-    const double next = std::min(1.0, share * stride);
-    fmg::Run step = begin_climb(with_viscosity_of(on_grid, next), start, progress);
-    const core::Patch& grid = step.hierarchy.finest().grid;
-    fmg::start_from_state(step.hierarchy, step.finest(),
-                          {core::on_patch(grid, state.P), state.H00 + film(next) - film(share)});
-    const fmg::CycleObserver observe = [&](int cycle, const judgement::Measures& now) -> fmg::DiscretizationError {
-      fmg::report(step, step.finest(), cycle, most_cycles, now);
-      return {};
-    };
-    const judgement::StoppingCriterion criterion{
-        .aim = judgement::Aim::residual, .most = most_cycles, .tolerance = followed};
-    const fmg::CyclesResult result =
-        fmg::run_cycles(step.hierarchy, step.finest(), criterion, {.all = start.caution}, observe);
-    core::add(step.hierarchy.times, run.hierarchy.times);
-    if (result.end == CyclesEnd::content) {
-      state = {core::on_domain(grid, step.hierarchy.finest().P), step.hierarchy.H00};
-      share = next;
-    } else {
-      stride = std::sqrt(stride);
-      if (stride < shortest_step_of_viscosity)
-        throw core::SolverError(
-            fmt::format("viscosity continuation: no step leads on from {:.3g} of its rise with pressure", share));
-    }
-  }
-  fmg::start_from_state(run.hierarchy, l, {core::on_patch(run.hierarchy.levels[l].grid, state.P), state.H00});
-  fmg::solve_level(run, l);
-  fmg::ascend(run, l);
-  return end_climb(scene, std::move(run));
-}
-
 Solution climb_by_load(const Scene& scene, const Start& start,
                        const std::function<Solution(const Scene& light)>& first_load, const ProgressCallback& progress,
                        std::vector<ContinuationStep>& steps) {

@@ -12,18 +12,6 @@ namespace ehl::steady {
 /// in: M > 0.
 Scene under_load(const Scene& scene, double M);
 
-/// The same contact with a lubricant whose viscosity rises only by this share of the pressure: L and ln eta_bar(P) are
-/// those of share P. The film of the first is an elastic isoviscous one. in: 0 < share <= 1.
-Scene with_viscosity_of(const Scene& scene, double share);
-
-/// The solution by continuation in the viscosity's rise with pressure, for contacts along which no start from Hertz's
-/// pressure leads: on the first grid of the start, by full multigrid with alpha_bar = 20; then with 1.4 times as much
-/// each, cycles to a residual of 1e-2, the step's root where they fail; at the scene's own the climb goes on to the
-/// finest grid.
-/// out: as climb(). errors: core::SolverError where the first cannot be solved, the steps become too small, or a finer
-/// grid diverges; core::Interrupted.
-Solution climb_by_viscosity(const Scene& scene, const Start& start, const ProgressCallback& progress);
-
 /// The solution by load continuation. On the first grid that holds the contact, or the finest: first_load() for the
 /// first load, three times as heavy a one where it is not solved and the deck does not say it; then one load after
 /// another, from the last pressure and an H00 that follows the film of the last two, cycles until the state is solved

@@ -53,12 +53,6 @@ constexpr Start start_of_ellipse(double caution_at_first) {
           .coarseness = 4.5};
 }
 constexpr Start starts_of_ellipses[] = {start_of_ellipse(0.5), start_of_ellipse(0.35)};
-/// On the way through thinner oils, whose steps are small enough for cells twice as wide: (100, 5) at R_x/R_y = 100
-/// takes 27 s where it took 114. Where the first of these oils, whose film is thinner, does not begin on them, on finer
-/// ones: (20, 15) at 200.
-constexpr Start starts_of_viscosity[] = {
-    {.cells = 128, .sweeps = 20, .cycles = 12, .caution_at_first = 0.7, .caution = 1.0, .coarseness = 9.0},
-    {.cells = 128, .sweeps = 20, .cycles = 12, .caution_at_first = 0.7, .caution = 1.0, .coarseness = 2.25}};
 /// The start of ways that do not begin with cycles from the Hertz pressure at full load.
 constexpr const Start& safe_start = starts[3];
 
@@ -162,10 +156,6 @@ void try_full_multigrid(const Scene& scene, const ProgressCallback& progress, Se
     const std::string number = std::to_string(search.attempts() + 1);
     search.try_way(search.attempts() == 0 ? "full multigrid" : "full multigrid, start " + number,
                    [&] { return climb(scene, start, progress); });
-    if (!search.over() && search.attempts() == 1 && core::stretched(scene.grid))
-      for (const Start& thinner : starts_of_viscosity)
-        if (!search.over())
-          search.try_way("viscosity continuation", [&] { return climb_by_viscosity(scene, thinner, progress); });
     const bool stalls = search.best() && search.best()->levels.back().residual > stalled_residual;
     if (!search.over() && search.attempts() == 1 && scene.supply && stalls)
       try_newton_after_cycles(scene, progress, search);
