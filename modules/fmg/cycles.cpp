@@ -43,13 +43,11 @@ int dry_nodes(const Level& level, reynolds::Cavitation cavitation) {
   return count;
 }
 
-/// More caution; false when there is none left to take. Combinations of states take little change well, and what the
-/// boundary and the side leave is not less with it: (1000, 15) at R_x/R_y = 100 stood still at 2e-6 with all weights
-/// lowered.
-bool back_off(bool combines, Caution& caution) {
+/// More caution; false when there is none left to take.
+bool back_off(Caution& caution) {
   if (caution.steep * back_off_steep >= least_steep)
     caution.steep *= back_off_steep;
-  else if (!combines && caution.all * back_off_all >= least_all)
+  else if (caution.all * back_off_all >= least_all)
     caution.all *= back_off_all;
   else
     return false;
@@ -202,7 +200,7 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
     } else if (stalled) {
       result.end = CyclesEnd::stalled;
       return result;
-    } else if (poor && back_off(accelerates, needed)) {
+    } else if (poor && back_off(needed)) {
       more_careful({before.residual, now.residual});
     }
     before = now;

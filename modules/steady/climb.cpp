@@ -124,9 +124,10 @@ constexpr double weight_of_line = 0.8;
 /// Changes on stretched cells are distributed to two neighbours instead of four. R_x/R_y = 20, (20, 10), 512 x 512
 /// cells: of 1, 0.85, 0.7 and 0.5 the cycles leave 0.43, 0.17, 0.16 and 0.26.
 constexpr double weight_when_stretched = 0.8;
-/// Where epsilon is steep, too: of (20, 15) at R_x/R_y = 50, 100 and 200 cycles leave 0.36, 0.41, 0.58 with 1, 0.37,
-/// 0.37, 0.48 with 0.8, 0.42, 0.42, 0.50 with 0.6.
-constexpr double steep_when_stretched = 0.8;
+/// Where epsilon is steep, too: of 1, 0.8 and 0.6 the cycles leave 0.36, 0.37, 0.42 of (20, 15) at R_x/R_y = 50, 0.58,
+/// 0.48, 0.50 of it at 200; of 0.8 and 0.6 0.58 and 0.34 of (100, 10) at 200, and (1000, 15) at 100 begins at the first
+/// start with 0.6 alone.
+constexpr double steep_when_stretched = 0.6;
 
 /// Of a pressure in one relaxation, as a change of ln eta at its slope at P = 0. Lines along X, which hold epsilon,
 /// made a spike's front alternate from line to line by 20 of it, and those across drove that on. Of 3, 6, 12 and no
@@ -208,8 +209,7 @@ bool held_by(int cells, const Scene& scene) {
 
 double first_H00(const Scene& scene) {
   // Beside a slender contact most of so thick a film has to leave, and what leaves pulls the film below zero; a thin
-  // one fills from the inlet. R_x/R_y = 20 and 50 begin at the first start with a tenth, at the second with all and a
-  // third.
+  // one fills from the inlet. (20, 15) at R_x/R_y = 200 begins at the first start with a tenth, and not with all of it.
   const double share = core::stretched(scene.grid) ? 0.1 : 1.0;
   return (scene.dry ? 0.0 : -scene.shape.approach) + share * expected_central_film(scene.M, scene.L, scene.shape);
 }
