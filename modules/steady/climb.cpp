@@ -125,8 +125,8 @@ constexpr double weight_of_line = 0.8;
 /// cells: of 1, 0.85, 0.7 and 0.5 the cycles leave 0.43, 0.17, 0.16 and 0.26.
 constexpr double weight_when_stretched = 0.8;
 /// Where epsilon is steep, too: of 1, 0.8 and 0.6 the cycles leave 0.36, 0.37, 0.42 of (20, 15) at R_x/R_y = 50, 0.58,
-/// 0.48, 0.50 of it at 200; of 0.8 and 0.6 0.58 and 0.34 of (100, 10) at 200, and (1000, 15) at 100 begins at the first
-/// start with 0.6 alone.
+/// 0.48, 0.50 of it at 200, held there; of 0.8 and 0.6 0.58 and 0.34 of (100, 10) at 200, and (1000, 15) at 100 begins
+/// at the first start with 0.6 alone.
 constexpr double steep_when_stretched = 0.6;
 
 /// Of a pressure in one relaxation, as a change of ln eta at its slope at P = 0. Lines along X, which hold epsilon,
