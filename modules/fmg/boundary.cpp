@@ -5,6 +5,7 @@
 
 #include "core/errors.hpp"
 #include "core/norms.hpp"
+#include "fmg/lead_inward.hpp"
 #include "fmg/line_contact.hpp"
 #include "reynolds/flow_balance.hpp"
 
@@ -58,26 +59,6 @@ double mobility_upstream(const Hierarchy& hierarchy, Level& level) {
   return std::pow(
       film::mobility_by_effects(model, {level.grid, 0, {level.P.at_x(0) + 1, 1}, {level.H.at_x(0) + 1, 1}, true}),
       share_upstream);
-}
-
-// Changes of P that lead a change at the first node on: epsilon dP/dX is the same everywhere, down to nothing where the
-// film answers as strongly as the pressure beside it.
-void lead_inward(const Hierarchy& hierarchy, Level& level, double change) {
-  const core::Patch& grid = level.grid;
-  const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
-  const auto e = [&](int i) {
-    return reynolds::conductance(level.scheme.face, level.eps(i, 1), level.eps(i + 1, 1), half.X);
-  };
-  const double least = reynolds::relative_strength(hierarchy.transport, grid.hx());
-  int end = 0;
-  double resistance = 0.0;
-  for (; end + 1 < grid.nx && level.P(end + 1, 1) > 0.0 && e(end) > least; ++end) resistance += 1.0 / e(end);
-  double passed = 0.0;
-  for (int i = 1; i < end; ++i) {
-    passed += 1.0 / e(i - 1);
-    const double P = level.P(i, 1) + change * (1.0 - passed / resistance);
-    core::fill_lines(level.P.at_x(i), std::max(0.0, P));
-  }
 }
 
 // The film of the bodies without what is on their surfaces.
@@ -164,11 +145,13 @@ double renew_boundary(Hierarchy& hierarchy, Level& level) {
   return std::max(change, renew_load_outside(hierarchy, level));
 }
 
-void renew_boundary_and_inlet(Hierarchy& hierarchy, Level& level) {
-  const double before = level.P(0, 1);
+void renew_boundary_and_inside(Hierarchy& hierarchy, Level& level) {
+  if (!hierarchy.problem.far_field) return;
+  core::Field& change = level.correction;
+  for_boundary(level.grid, [&](int i, int j, double) { change(i, j) = -level.P(i, j); });
   renew_boundary(hierarchy, level);
-  const double change = level.P(0, 1) - before;
-  if (level.grid.domain.line && change != 0.0) lead_inward(hierarchy, level, change);
+  for_boundary(level.grid, [&](int i, int j, double) { change(i, j) += level.P(i, j); });
+  lead_inward(hierarchy, level);
 }
 
 void follow_H00(const Hierarchy& hierarchy, Level& level) {

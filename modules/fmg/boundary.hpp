@@ -12,9 +12,9 @@ std::vector<reynolds::FarPoint> points_of_boundary(const Problem& problem, const
 /// the problem's. errors: core::SolverError where the far field has no pressure there. cost: some 700 evaluations of P
 /// of the far field, and one a node.
 double renew_boundary(Hierarchy& hierarchy, Level& level);
-/// The same behind a cycle. Along a line contact's inlet, where epsilon is large, the pressure follows its end: left to
+/// The same behind a cycle; where epsilon is large the pressure inside follows. Along a line contact's inlet, left to
 /// the next cycle, a change there by 1e-10 was nine tenths of the residual of this one.
-void renew_boundary_and_inlet(Hierarchy& hierarchy, Level& level);
+void renew_boundary_and_inside(Hierarchy& hierarchy, Level& level);
 /// The load alone; the pressure on the boundary stays as it is.
 double renew_load_outside(Hierarchy& hierarchy, Level& level);
 

@@ -75,13 +75,6 @@ void visit_coarsest(Hierarchy& hierarchy, Level& level, int coarsest_sweeps, con
   }
 }
 
-/// Of a slender contact the far field's pressure follows the corrected film before the last relaxations: what is rough
-/// beside the boundary they take away. Left to the end of the cycle that was up to nine tenths of its residual.
-bool boundary_is_near(const Hierarchy& hierarchy, const Level& level) {
-  return level.corrector.between && !corrects_finer(level) && hierarchy.transport.squeeze == 0.0 &&
-         hierarchy.problem.far_field;
-}
-
 void cycle(Hierarchy& hierarchy, Level& level, Cycle kind, int coarsest_sweeps, const Parameters& how) {
   Level* const corrector = corrector_of(hierarchy, level);
   if (corrector == nullptr) return visit_coarsest(hierarchy, level, coarsest_sweeps, how);
@@ -94,11 +87,6 @@ void cycle(Hierarchy& hierarchy, Level& level, Cycle kind, int coarsest_sweeps, 
   if (kind == Cycle::W && again) cycle(hierarchy, coarse, Cycle::W, coarsest_sweeps, how);
   if (kind == Cycle::F && again) cycle(hierarchy, coarse, Cycle::V, coarsest_sweeps, how);
   correct_from_coarse(hierarchy, coarse, level);
-  if (boundary_is_near(hierarchy, level)) {
-    renew_boundary(hierarchy, level);
-    update_film(hierarchy, level);
-  }
-
   for (int sweep = 0; sweep < how.post.value_or(1); ++sweep) relax(hierarchy, level, how.relaxation);
 }
 

@@ -32,9 +32,9 @@ constexpr double back_off_all = 0.8;
 constexpr double least_all = 0.5;
 
 /// On stretched cells the weight where epsilon is steep is small, for states far from the solution; a cycle that leaves
-/// less than this of the residual is a reason for more of it, a poor one takes that back. To 1e-8, (20, 15) and
-/// (100, 15) at R_x/R_y = 20, (20, 15) at 50: 0.52, 0.52, 0.44 are left without, 0.46, 0.41, 0.39 with, 0.44, 0.38,
-/// 0.49 up to 1.7.
+/// less than this of the residual is a reason for more of it, a poor one takes that back for good: weights that rise
+/// and fall again disturb the combination of states. (20, 15) at R_x/R_y = 20 and 50, (1000, 15) at 100: 0.38, 0.45,
+/// 0.54 are left without, 0.31, 0.41, 0.53 with; where they rose again 0.31, 0.41, and the last did not converge.
 constexpr double good_factor = 0.6;
 constexpr double bolder = 1.25;
 constexpr double boldest = 1.4;
@@ -62,11 +62,20 @@ bool back_off(Caution& caution) {
   return true;
 }
 
-/// Factor on the steep weight behind a cycle on stretched cells.
-double next_boldness(double boldness, double left) {
-  if (left > poor_factor) return 1.0;
-  return left < good_factor ? std::min(boldest, boldness * bolder) : boldness;
-}
+/// Factor on the steep weight of stretched cells.
+struct Boldness {
+  double factor = 1.0;
+  bool rises = true;
+
+  void end() { *this = {.factor = 1.0, .rises = false}; }
+
+  void behind_cycle(double left) {
+    if (left > poor_factor)
+      end();
+    else if (rises && left < good_factor)
+      factor = std::min(boldest, factor * bolder);
+  }
+};
 
 void go_back(Hierarchy& hierarchy, std::size_t l, const State& state) {
   hierarchy.levels[l].P = state.P;
@@ -79,7 +88,7 @@ void go_back(Hierarchy& hierarchy, std::size_t l, const State& state) {
 std::string cycle(Hierarchy& hierarchy, std::size_t l, const Parameters& how, judgement::Measures& now) {
   try {
     fas_cycle(hierarchy, l, how);
-    renew_boundary_and_inlet(hierarchy, hierarchy.levels[l]);
+    renew_boundary_and_inside(hierarchy, hierarchy.levels[l]);
     now = measures_of(hierarchy, l);
   } catch (const core::SolverError& error) {
     return error.what();
@@ -142,12 +151,12 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
   const State start = state_of(hierarchy, l);
   judgement::Measures before = measures_of(hierarchy, l);
   std::vector<double> residuals;  // since the last change of caution
-  double boldness = 1.0;
+  Boldness boldness;
   bool across = how.relaxation.across;
   const bool stretched = core::stretched(hierarchy.levels[l].grid);
   const auto choose_weights = [&] {
     how = cautious(hierarchy.parameters, needed);
-    how.relaxation.weight_single_steep *= boldness;
+    how.relaxation.weight_single_steep *= boldness.factor;
     how.relaxation.across = across;
   };
   const auto more_careful = [&](std::vector<double> so_far) {
@@ -173,6 +182,7 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
       if (needed.all * back_off_all < least_all) return result;
       needed.all *= back_off_all;
       if (how.post == 0) needed.relax_after = true;
+      boldness.end();
       more_careful({});
       before = measures_of(hierarchy, l);
       continue;
@@ -223,7 +233,7 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
       more_careful({before.residual, now.residual});
     }
     if (stretched && result.cycles > 1) {
-      boldness = next_boldness(boldness, now.residual / before.residual);
+      boldness.behind_cycle(now.residual / before.residual);
       choose_weights();
     }
     before = now;

@@ -1,0 +1,108 @@
+#include "fmg/lead_inward.hpp"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "reynolds/flux.hpp"
+
+namespace ehl::fmg {
+namespace {
+
+/// A row of nodes from boundary to boundary, or to a mirror.
+struct Row {
+  explicit Row(int cells) : P(static_cast<std::size_t>(cells) + 1), e(P.size() - 1), change(P.size()) {}
+  std::size_t last() const { return e.size(); }
+
+  std::vector<double> P;
+  std::vector<double> e;       ///< what couples a node with the next
+  std::vector<double> change;  ///< in: at the ends
+};
+
+/// How far a change at the node goes, in nodes; 1/e is summed up over so many.
+struct Way {
+  std::size_t nodes = 0;
+  double resistance = 0.0;
+};
+template <class Node>
+Way way_from(const Row& row, double least, Node node) {
+  Way way;
+  for (; way.nodes < row.last(); ++way.nodes) {
+    const double e = row.e[std::min(node(way.nodes), node(way.nodes + 1))];
+    if (!(row.P[node(way.nodes + 1)] > 0.0) || !(e > least)) break;
+    way.resistance += 1.0 / e;
+  }
+  return way;
+}
+template <class Node>
+void lead_on(Row& row, const Way& way, double end, Node node) {
+  const double begin = row.change[node(0)];
+  double passed = 0.0;
+  for (std::size_t k = 1; k < way.nodes; ++k) {
+    passed += 1.0 / row.e[std::min(node(k - 1), node(k))];
+    const double share = passed / way.resistance;
+    row.change[node(k)] = begin * (1.0 - share) + end * share;
+  }
+}
+
+void lead_from_ends(Row& row, double least, bool mirror) {
+  const auto forward = [](std::size_t k) { return k; };
+  const auto back = [&](std::size_t k) { return row.last() - k; };
+  std::fill(row.change.begin() + 1, row.change.end() - (mirror ? 0 : 1), 0.0);
+  const Way way = way_from(row, least, forward);
+  if (way.nodes == row.last()) {
+    if (mirror) row.change.back() = row.change.front();
+    return lead_on(row, way, row.change.back(), forward);
+  }
+  lead_on(row, way, 0.0, forward);
+  if (!mirror) lead_on(row, way_from(row, least, back), 0.0, back);
+}
+
+}  // namespace
+
+void lead_inward(const Hierarchy& hierarchy, Level& level) {
+  const core::Patch& grid = level.grid;
+  const reynolds::HalfInverseSquares half(grid.hx(), grid.hy());
+  const double least = reynolds::relative_strength(hierarchy.transport, grid.hx());
+  const reynolds::Face face = level.scheme.face;
+  core::Field& change = level.correction;
+
+  if (!grid.domain.line) {
+    const core::Field& eps = eps_across(level);
+    Row row(grid.ny);
+    for (int i = 0; i <= grid.nx; ++i) {
+      for (int j = 0; j <= grid.ny; ++j) row.P[static_cast<std::size_t>(j)] = level.P(i, j);
+      for (int j = 0; j < grid.ny; ++j)
+        row.e[static_cast<std::size_t>(j)] = reynolds::conductance(face, eps(i, j), eps(i, j + 1), half.Y);
+      row.change.front() = change(i, 0);
+      row.change.back() = change(i, grid.ny);
+      lead_from_ends(row, least, grid.north == core::Edge::mirror);
+      const bool on_boundary = i == 0 || i == grid.nx;
+      for (int j = 1; j <= grid.last_line(); ++j) {
+        const double led = row.change[static_cast<std::size_t>(j)];
+        change(i, j) = on_boundary ? change(i, j) - led : led;
+      }
+    }
+  }
+
+  Row row(grid.nx);
+  for (int j = 1; j <= grid.last_line(); ++j) {
+    for (int i = 0; i <= grid.nx; ++i) row.P[static_cast<std::size_t>(i)] = level.P(i, j);
+    for (int i = 0; i < grid.nx; ++i)
+      row.e[static_cast<std::size_t>(i)] = reynolds::conductance(face, level.eps(i, j), level.eps(i + 1, j), half.X);
+    row.change.front() = change(0, j);
+    row.change.back() = change(grid.nx, j);
+    lead_from_ends(row, least, false);
+    for (int i = 1; i < grid.nx; ++i) {
+      const double led = row.change[static_cast<std::size_t>(i)] + (grid.domain.line ? 0.0 : change(i, j));
+      const double P = level.P(i, j) > 0.0 ? std::max(0.0, level.P(i, j) + led) : level.P(i, j);
+      if (grid.domain.line)
+        core::fill_lines(level.P.at_x(i), P);
+      else
+        level.P(i, j) = P;
+    }
+  }
+  core::fill_ghosts(grid, level.P);
+}
+
+}  // namespace ehl::fmg

@@ -1,0 +1,122 @@
+// Changes of the pressure on the boundary, led on to the inside, against solutions of div(epsilon grad) = 0.
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <vector>
+
+#include "fmg/lead_inward.hpp"
+#include "unit/fmg/circular_contact.hpp"
+
+using namespace ehl::tests;
+namespace fmg = ehl::fmg;
+using ehl::core::Grid;
+using ehl::core::Patch;
+
+namespace {
+
+// On cells that are not square, so that a mesh size along the wrong axis is seen.
+const Grid grid{24, 32, -2.5, 1.5, -1.0, 1.0};
+
+fmg::Hierarchy wet(const Patch& patch) {
+  fmg::Parameters parameters;
+  parameters.coarsest_cells = patch.nx;
+  fmg::Hierarchy hierarchy = fmg::make_hierarchy(circular_contact(20, 10, ehl::reynolds::Wedge::upstream2), parameters,
+                                                 {.method = ehl::mlmi::Method::fft}, patch, 1);
+  fmg::Level& level = hierarchy.finest();
+  level.P.fill(1.0);
+  level.eps.fill(1.0);
+  return hierarchy;
+}
+
+bool inside(const Patch& patch, int i, int j) { return i > 0 && i < patch.nx && j > 0 && j <= patch.last_line(); }
+
+// The largest difference of what is led inward from what is expected there, the boundary changed by `change`.
+template <class Change, class Expected>
+double error_of(fmg::Hierarchy& hierarchy, Change change, Expected expected) {
+  fmg::Level& level = hierarchy.finest();
+  const Patch& patch = level.grid;
+  const ehl::core::Field before = level.P;
+  for (int i = 0; i <= patch.nx; ++i)
+    for (int j = 0; j <= patch.ny; ++j)
+      if (!inside(patch, i, j)) level.correction(i, j) = change(i, j);
+  fmg::lead_inward(hierarchy, level);
+  double error = 0.0;
+  for (int i = 1; i < patch.nx; ++i)
+    for (int j = 1; j <= patch.last_line(); ++j)
+      error = std::max(error, std::abs(level.P(i, j) - before(i, j) - expected(i, j)));
+  return error;
+}
+
+constexpr double tolerance = 1e-12;
+void check(const char* what, double error) {
+  BOOST_TEST_MESSAGE(what << ": off by " << error << " (at most " << tolerance << ")");
+  BOOST_TEST(error < tolerance);
+}
+
+BOOST_AUTO_TEST_CASE(a_bilinear_change_stays_bilinear) {
+  fmg::Hierarchy hierarchy = wet(grid);
+  const Patch& patch = hierarchy.finest().grid;
+  const auto change = [&](int i, int j) {
+    return 0.1 + 0.02 * patch.X(i) - 0.03 * patch.Y(j) + 0.05 * patch.X(i) * patch.Y(j);
+  };
+  check("bilinear", error_of(hierarchy, change, change));
+}
+
+// Where epsilon grows as exp(2 Y), a change whose flow along Y is the same everywhere falls as exp(-2 Y).
+BOOST_AUTO_TEST_CASE(the_flow_of_a_change_is_the_same_along_a_row) {
+  fmg::Hierarchy hierarchy = wet(grid);
+  fmg::Level& level = hierarchy.finest();
+  const Patch& patch = level.grid;
+  for (int i = 0; i <= patch.nx; ++i)
+    for (int j = 0; j <= patch.ny; ++j) level.eps(i, j) = std::exp(2.0 * patch.Y(j));
+  std::vector<double> row(static_cast<std::size_t>(patch.ny) + 1, 0.0);
+  for (std::size_t j = 1; j < row.size(); ++j)
+    row[j] = row[j - 1] + 2.0 / (level.eps(0, static_cast<int>(j) - 1) + level.eps(0, static_cast<int>(j)));
+  const auto change = [&](int, int j) { return 0.1 * row[static_cast<std::size_t>(j)] / row.back(); };
+  check("epsilon of its own", error_of(hierarchy, change, change));
+}
+
+BOOST_AUTO_TEST_CASE(nothing_flows_through_a_mirror) {
+  fmg::Hierarchy hierarchy = wet(ehl::core::lower_half(grid));
+  const Patch& patch = hierarchy.finest().grid;
+  BOOST_REQUIRE(patch.north == ehl::core::Edge::mirror);
+  const auto change = [&](int i, int) { return 0.1 + 0.02 * std::sin(patch.X(i)); };
+  check("mirror", error_of(hierarchy, change, change));
+}
+
+// Beside a strip of dry nodes, and likewise beside one where the film answers more strongly than the pressure.
+BOOST_AUTO_TEST_CASE(a_change_ends_where_pressure_does_not_rule) {
+  constexpr int first = 12, last = 15;  // lines of the strip
+  for (const bool dry : {true, false}) {
+    fmg::Hierarchy hierarchy = wet(grid);
+    fmg::Level& level = hierarchy.finest();
+    const Patch& patch = level.grid;
+    for (int i = 0; i <= patch.nx; ++i)
+      for (int j = first; j <= last; ++j) (dry ? level.P(i, j) : level.eps(i, j)) = 0.0;
+    // The face beside a node without epsilon has half of the others.
+    const int end_south = dry ? first - 1 : first, end_north = dry ? last + 1 : last;
+    const auto expected = [&](int, int j) {
+      const auto falls = [&](int from, int to) {
+        const double faces = std::abs(to - from) + (dry ? 0.0 : 1.0);
+        return 1.0 - std::abs(j - from) / faces;
+      };
+      if (j < end_south) return 0.1 * falls(0, end_south);
+      if (j > end_north) return -0.2 * falls(patch.ny, end_north);
+      return 0.0;
+    };
+    const auto change = [&](int i, int j) {
+      if (j == 0) return 0.1;
+      if (j == patch.ny) return -0.2;
+      return expected(i, j);
+    };
+    check(dry ? "dry strip" : "strip without epsilon", error_of(hierarchy, change, expected));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(no_pressure_falls_below_zero) {
+  fmg::Hierarchy hierarchy = wet(grid);
+  const auto change = [](int, int) { return -1.5; };
+  check("P = 0", error_of(hierarchy, change, [](int, int) { return -1.0; }));
+}
+
+}  // namespace
