@@ -59,6 +59,7 @@ struct Parameters {
   int least_coarsest_cells = 32;  ///< where it is chosen
   int coarsest_sweeps = 10;      ///< relaxations at least on each visit of the coarsest grid, each followed by eq. (26)
   double load_relaxation = 0.1;  ///< c of eq. (26)
+  bool lead_inward = false;      ///< of a point contact too: behind a cycle the inside follows the boundary
   RelaxationParameters relaxation;
 };
 

@@ -71,7 +71,7 @@ void choose_cycle(const Scene& scene, fmg::Parameters& parameters) {
 /// shorter half of the contact: of R_x/R_y = 0.005 to 0.05, M = 1000, cycles leave 0.1 with 2.1, 0.24 with 2.9; of
 /// (100, 5) at 100, where the film is thinner, 0.46 with 2.5, 0.2 with 1.3 and 0.11 with 0.6.
 int coarsest_cells(const Scene& scene, const Start& start) {
-  const double widest_coarsest_step = scene.shape.kappa < 1.0 ? 0.6 : 2.5;
+  const double widest_coarsest_step = long_along_motion(scene.shape) ? 0.6 : 2.5;
   const double length = scene.grid.X_b - scene.grid.X_a;
   const double width = scene.grid.Y_b - scene.grid.Y_a;
   if (contact::gap(scene.shape).XY != 0.0) {
@@ -167,6 +167,7 @@ fmg::Parameters parameters_of(const Scene& scene, const Start& start) {
     parameters.relaxation.weight_single_steep *= steep_when_stretched;
   }
   parameters.relaxation.most_change = most_change(scene);
+  parameters.lead_inward = long_along_motion(scene.shape);
   choose_cycle(scene, parameters);
   return parameters;
 }

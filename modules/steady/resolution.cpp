@@ -104,6 +104,8 @@ double cell_aspect(const contact::Ellipse& shape) {
   return 1.0 / stretch;
 }
 
+bool long_along_motion(const contact::Ellipse& shape) { return 6.0 * shape.kappa < 1.0; }
+
 int resolving_cells(double step, double length, int fewest, int most) {
   int cells = fewest;
   while (2 * cells <= most && length / cells > step) cells *= 2;

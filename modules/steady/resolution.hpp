@@ -53,6 +53,8 @@ double resolving_step(double M, double L, reynolds::Wedge wedge, const contact::
 /// end wants more along X: R_x/R_y = 50, (20, 15), is solved with 1/4 and diverges there with 1/8.
 /// out: 1 of all others.
 double cell_aspect(const contact::Ellipse& shape);
+/// More than six times as long along the motion, or aslant of it, as wide.
+bool long_along_motion(const contact::Ellipse& shape);
 
 /// Cells along x of at most this mesh size on this length of domain: `fewest`, doubled as often as it takes and as
 /// `most` allows.
