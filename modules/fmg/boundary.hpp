@@ -12,9 +12,9 @@ std::vector<reynolds::FarPoint> points_of_boundary(const Problem& problem, const
 /// the problem's. errors: core::SolverError where the far field has no pressure there. cost: some 700 evaluations of P
 /// of the far field, and one a node.
 double renew_boundary(Hierarchy& hierarchy, Level& level);
-/// The same behind a cycle; where epsilon is large the pressure inside follows, of lines and where the parameters ask for
-/// it. Along a line contact's inlet, left to the next cycle, a change there by 1e-10 was nine tenths of the residual of
-/// this one; at R_x/R_y = 20, (1000, 15), the boundary's was as much.
+/// The same behind a cycle; where epsilon is large the pressure inside follows, of lines and where the parameters ask
+/// for it. Along a line contact's inlet, left to the next cycle, a change there by 1e-10 was nine tenths of the
+/// residual of this one; at R_x/R_y = 20, (1000, 15), the boundary's was as much.
 void renew_boundary_and_inside(Hierarchy& hierarchy, Level& level);
 /// The load alone; the pressure on the boundary stays as it is.
 double renew_load_outside(Hierarchy& hierarchy, Level& level);
