@@ -146,11 +146,11 @@ double renew_boundary(Hierarchy& hierarchy, Level& level) {
 }
 
 void renew_boundary_and_inside(Hierarchy& hierarchy, Level& level) {
-  if (!hierarchy.problem.far_field) return;
   if (!level.grid.domain.line && !hierarchy.parameters.lead_inward) {
     renew_boundary(hierarchy, level);
     return;
   }
+  if (!hierarchy.problem.far_field) return;
   core::Field& change = level.correction;
   for_boundary(level.grid, [&](int i, int j, double) { change(i, j) = -level.P(i, j); });
   renew_boundary(hierarchy, level);

@@ -1,7 +1,6 @@
 #include "fmg/lead_inward.hpp"
 
 #include <algorithm>
-#include <span>
 #include <vector>
 
 #include "reynolds/flux.hpp"
@@ -95,11 +94,7 @@ void lead_inward(const Hierarchy& hierarchy, Level& level) {
     lead_from_ends(row, least, false);
     for (int i = 1; i < grid.nx; ++i) {
       const double led = row.change[static_cast<std::size_t>(i)] + (grid.domain.line ? 0.0 : change(i, j));
-      const double P = level.P(i, j) > 0.0 ? std::max(0.0, level.P(i, j) + led) : level.P(i, j);
-      if (grid.domain.line)
-        core::fill_lines(level.P.at_x(i), P);
-      else
-        level.P(i, j) = P;
+      if (level.P(i, j) > 0.0) level.P(i, j) = std::max(0.0, level.P(i, j) + led);
     }
   }
   core::fill_ghosts(grid, level.P);

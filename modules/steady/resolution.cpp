@@ -9,6 +9,8 @@
 
 namespace ehl::steady {
 namespace {
+/// A contact more than so many times as long along the motion as wide has cells, weights and grids of its own.
+constexpr double slender = 6.0;
 
 // contact_size() along the shorter axis.
 double shorter_size(double M, double L, const contact::Ellipse& shape) {
@@ -97,14 +99,14 @@ double resolving_step(double M, double L, reynolds::Wedge wedge, const contact::
 double cell_aspect(const contact::Ellipse& shape) {
   const contact::Extent reach = contact::extent(shape);
   if (reach.Y > 7.0 * reach.X) return 2.0;
-  constexpr double slender = 6.0, longest = 16.0;
+  constexpr double longest = 16.0;
   if (reach.X < slender * reach.Y) return 1.0;
   double stretch = 1.0;
   while (2.0 * stretch <= std::min(longest, reach.X / reach.Y)) stretch *= 2.0;
   return 1.0 / stretch;
 }
 
-bool long_along_motion(const contact::Ellipse& shape) { return 6.0 * shape.kappa < 1.0; }
+bool long_along_motion(const contact::Ellipse& shape) { return slender * shape.kappa < 1.0; }
 
 int resolving_cells(double step, double length, int fewest, int most) {
   int cells = fewest;
