@@ -25,6 +25,26 @@ double central_film(const Scene& scene) {
   return solution.converged ? solution.levels.back().Hc : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// The film of a line contact grows with this power of alpha (Grubin 1949): what is missing of 1/alpha_bar, the
+/// pressure at which the oil becomes stiff, is missing of the film so many times.
+constexpr double grubin = 8.0 / 11.0;
+
+/// Of a line contact: the pressure that builds up before X_a, over lambda. dP/dX = lambda/H^2 where the pressure is
+/// small, H the gap of the dry contact, which at X_a = -2.5 is two thirds of the undeformed. With s = 1/|X| the
+/// integrand 1/(s H)^2 is smooth to s = 0, where it is 0: Simpson's rule. in: X_a < -1.
+double pressure_before(double X_a) {
+  constexpr int parts = 32;
+  const double step = 1.0 / (-X_a * parts);
+  double sum = 0.0;
+  for (int k = 1; k <= parts; ++k) {
+    const double X = 1.0 / (k * step);
+    const double root = std::sqrt(X * X - 1.0);
+    const double H = 0.5 * (X * root - std::log(X + root));
+    sum += (k == parts ? 1.0 : k % 2 == 1 ? 4.0 : 2.0) * X * X / (H * H);
+  }
+  return sum * step / 3.0;
+}
+
 /// What the domain cuts off, as relative changes of Hc.
 struct RoughError {
   double inlet;
@@ -39,12 +59,12 @@ RoughError rough_error(double M, double L, const contact::Ellipse& shape, double
   const double rigid = along.film * contact::asymptotes(along.M, along.L, along.radius_ratio).rigid_isoviscous;
   const double power = 2.0 * std::min(1.0, rigid / contact::nijenbanning_venner_moes(M, L, shape));
   const double flatter = 0.25 / (gap.XX * gap.XX);
-  const double cut_off = 4.0 / 3.0 * groups.lambda / (length * length * length) * flatter;
-  const double at_inlet = 0.5 * cut_off * std::max(groups.alpha_bar, 10.0);
-  // Of a line dP/dX = lambda/H^2, P = (4/3) lambda/|X|^3.
+  const double alpha_bar = std::max(groups.alpha_bar, 10.0);
+  // Of a line dP/dX = lambda/H^2, far away P = (4/3) lambda/|X|^3.
   if (contact::line(shape))
-    return {at_inlet,
+    return {length > 1.0 ? grubin * alpha_bar * groups.lambda * pressure_before(X_a) : 1.0,
             0.5 * power * 2.0 / 3.0 * groups.lambda / (length * length) / contact::load(contact::line_contact())};
+  const double at_inlet = 0.5 * alpha_bar * 4.0 / 3.0 * groups.lambda / (length * length * length) * flatter;
   // The far field (4/5) lambda cos(theta)/r^3 integrated from the boundary on: from x = X_a within the angle of the
   // corner, from y = +-y_half beyond it. Of an ellipse with Y in a scale in which the undeformed gap is round.
   const double roundness = gap.YY / gap.XX;
@@ -128,7 +148,7 @@ double chosen_half_width(double X_a, double X_b, const contact::Ellipse& shape, 
 
 double chosen_inlet(double M, double L, double X_b, const contact::Ellipse& shape,
                     std::optional<double> far_field_error) {
-  constexpr double most_at_inlet = 0.006;
+  const double most_at_inlet = contact::line(shape) ? 0.003 : 0.006;
   constexpr double most_of_load = 0.02;
   const double longest = 200.0 * contact::extent(shape).X;
   double X_a = 0.0;

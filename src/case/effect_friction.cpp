@@ -7,6 +7,7 @@
 #include "base/text_format.hpp"
 #include "case/effects.hpp"
 #include "case/sliding_input.hpp"
+#include "core/norms.hpp"
 #include "deck/text.hpp"
 #include "effects/friction/keys.hpp"
 #include "steady/climb.hpp"
@@ -85,6 +86,14 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
   content.summary.push_back({"friction_warnings", deck::joined(friction::warnings(f), "\n"), "", "one a line"});
 }
 
+// rho_bar H where the pressure is highest.
+double flow_of(const steady::Scene& scene, const steady::Solution& solution) {
+  const core::Location highest = core::maximum(solution.P);
+  double rho_bar = 1.0;
+  rheology::density(scene.density, {&highest.value, 1}, {&rho_bar, 1});
+  return rho_bar * solution.H(highest.i, highest.j);
+}
+
 }  // namespace
 
 std::vector<results::Quantity> friction_quantities(const friction::Friction& f) {
@@ -106,9 +115,12 @@ friction::Friction friction_of(const Case& input, const steady::Solution& soluti
                                                    : friction::Parameters{.stress = stress_of_sliding(input.physics),
                                                                           .slope = input.physics.a_over_R,
                                                                           .cavitated = friction::Cavitated::none};
+  const steady::Scene& scene = input.scene;
+  std::optional<friction::Upstream> upstream;
+  if (scene.grid.line && scene.far_field) upstream = {.lambda = scene.lambda, .flow = flow_of(scene, solution)};
   parameters.aslant = !input.scene.grid.line && !steady::on_one_half(input.scene);
   return friction::friction_of({solution.grid, solution.P, solution.H, input.scene.viscosity, input.scene.thinning,
-                                film ? &film->I0 : nullptr, film ? &film->less_tau : nullptr},
+                                film ? &film->I0 : nullptr, film ? &film->less_tau : nullptr, upstream},
                                parameters);
 }
 

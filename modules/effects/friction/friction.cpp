@@ -47,6 +47,21 @@ struct Fluidity {
   std::vector<double> at_rest, along, across;
 };
 
+// Integral of (H/2) dP/dX, X = X_a/u, to u = 0 by Simpson's rule. The load of the contact bends the bodies by
+// -ln|X|/2.
+double rolling_upstream(const Film& film) {
+  constexpr int parts = 64;
+  const double X_a = film.grid.X_a, lambda = film.upstream->lambda;
+  double sum = -lambda / X_a;
+  for (int k = 1; k <= parts; ++k) {
+    const double u = static_cast<double>(k) / parts;
+    const double H = film.H(0, 1) + 0.5 * (X_a * X_a * (1.0 / (u * u) - 1.0) + std::log(u));
+    const double integrand = -0.5 * lambda * X_a * (H - film.upstream->flow) / (H * H * u * u);
+    sum += (k == parts ? 1.0 : k % 2 == 1 ? 4.0 : 2.0) * integrand;
+  }
+  return sum / (3.0 * parts);
+}
+
 // Integral of -(h/2) dp/dy, in p_h times cells.
 double side_force(const Film& film, double slope) {
   const core::Grid& grid = film.grid;
@@ -99,6 +114,7 @@ Friction friction_of(const Film& film, const Parameters& parameters) {
                           (film.P(i + 1, j) - P) / grid.hx();
     }
   }
+  if (film.upstream) result.rolling += parameters.slope * rolling_upstream(film) * grid.ny / grid.hx();
   if (parameters.aslant) result.side = side_force(film, parameters.slope);
   for (double* part : {&result.sliding, &result.rolling, &result.cavitated, &result.side}) *part /= load;
   result.limited_share = limited_load / load;
