@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "core/norms.hpp"
@@ -194,6 +195,39 @@ void judge_by_weights(const Scene& scene, const adjoint::Errors& errors, const s
   bars.Hm_best = narrower({last.Hm_fitted, bars.Hm_fitted.total()}, bars.Hm_extrapolated);
 }
 
+/// Of a line contact the levels tell more than the weights, whose cells are wider than a spike: extrapolated by them Hm
+/// was further off in the median than it was on the mesh (0.25 % for 0.07 % on 1024 cells), and 61 of 390 bars were too
+/// narrow. By the levels, each taken for less than the scheme's order, 24 of 1206 bars of Hc and Hm: 156 lines, M = 2
+/// to 900, L = 0 to 23, 128 to 1024 cells against 8192; 3 to 8 times too wide in the median. Beside a spike Hm may
+/// swing back: no error is less than half of the one a level below, but for a factor of 3.
+constexpr double order_of_Hc_of_line = 1.5, order_of_Hm_of_line = 1.0;
+constexpr double floor_of_Hm_of_line = 0.03;
+/// Of a line contact's closed domain, over the rough estimate: M = 1 to 200, L = 0 to 25, against twice the length.
+constexpr double safety_of_closed_line = 3.0;
+
+void judge_line(const Scene& scene, const std::vector<LevelRow>& levels, ErrorBars& bars) {
+  const LevelRow& last = levels.back();
+  const double step = (scene.grid.X_b - scene.grid.X_a) / last.nx;
+  std::vector<double> Hc, Hm;
+  double before = 0.0, of_Hm = 0.0;
+  for (const LevelRow& row : levels) {
+    Hc.push_back(row.Hc);
+    Hm.push_back(row.Hm_fitted);
+    before = std::exchange(of_Hm, judgement::estimate_error(Hm, order_of_Hm_of_line).relative_error);
+  }
+  bars.Hc.discretization =
+      judgement::estimate_error(Hc, order_of_Hc_of_line,
+                                judgement::third_order_floor(step, last.Hm_fitted, judgement::third_order_floor_of_Hc))
+          .relative_error;
+  const double swung_back = std::isfinite(before) ? std::min(0.5 * before, 3.0 * of_Hm) : 0.0;
+  bars.Hm_fitted.discretization =
+      std::max({of_Hm, swung_back, judgement::third_order_floor(step, last.Hm_fitted, floor_of_Hm_of_line)});
+  bars.Hm.discretization = bars.Hm_fitted.discretization + std::abs(last.Hm - last.Hm_fitted) / last.Hm;
+  bars.Hc_extrapolated = bars.Hm_extrapolated = {};
+  bars.Hc_best = {last.Hc, bars.Hc.total()};
+  bars.Hm_best = {last.Hm_fitted, bars.Hm_fitted.total()};
+}
+
 }  // namespace
 
 ErrorBars error_bars_of(const Scene& scene, const Solution& solution) {
@@ -224,12 +258,18 @@ ErrorBars error_bars_of(const Scene& scene, const Solution& solution) {
     const double least = judgement::third_order_floor(step, last.Hm_fitted, judgement::third_order_floor_of_Hm);
     bars.Hm_extrapolated.error = std::max(least, bars.Hm_extrapolated.error);
   }
-  bars.domain = scene.supply                              ? 0.0
+  const bool meniscus_inside = scene.supply && !(solution.starvation && solution.starvation->filled > 0.0);
+  bars.domain = meniscus_inside                           ? 0.0
                 : std::isfinite(solution.domain_error_Hc) ? std::abs(solution.domain_error_Hc)
                                                           : rough_domain_error(scene);
-  if (solution.adjoint && scene.far_field)
+  const bool plain_line =
+      scene.grid.line && !scene.supply && scene.effects.empty() && reynolds::third_order(scene.wedge);
+  if (plain_line && scene.far_field) bars.domain *= safety_of_closed_line;
+  if (solution.adjoint && scene.far_field && !plain_line)
     bars.domain = safety_of_domain * std::max(solution.adjoint->Hc.domain, solution.adjoint->Hm.domain);
-  if (solution.adjoint && solution.levels.size() > 1) judge_by_weights(scene, *solution.adjoint, solution.levels, bars);
+  if (plain_line && solution.levels.size() > 1) judge_line(scene, solution.levels, bars);
+  if (solution.adjoint && solution.levels.size() > 1 && !plain_line)
+    judge_by_weights(scene, *solution.adjoint, solution.levels, bars);
   judge_P_max(scene, column(solution, &LevelRow::P_max), column(solution, &LevelRow::P_rim), bars);
   return bars;
 }

@@ -32,7 +32,7 @@ struct ErrorBars {
   Estimate Hc_extrapolated{};  ///< from the levels to a mesh of size zero on this domain
   Estimate Hm_extrapolated{};  ///< from Hm_fitted
   /// Extrapolated or of the finest grid (of Hm the fitted one), whichever has the narrower bar: what is shown first.
-  /// Where the errors are by the weights, whose bars earn it; else unknown.
+  /// Where the errors are by the weights, or of a line contact, whose bars earn it; else unknown.
   Estimate Hc_best{};
   Estimate Hm_best{};
   /// Relative change of Hc or Hm for a domain without end. With the far field in closed form: by the weights of the

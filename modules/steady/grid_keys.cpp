@@ -65,9 +65,9 @@ std::vector<deck::Key> grid_keys() {
             {.name = "errors",
              .default_text = "adjoint",
              .words = {"adjoint", "levels"},
-             .meaning = "How the errors of Hc and Hm are estimated. adjoint: by what the solution leaves of the "
-                        "equations of a coarser grid, term by term, times the weights of Hc and Hm for it, with "
-                        "upstream3; a tenth of the time. levels: from the sequence of grids alone.",
+             .meaning = "How the errors of Hc and Hm are estimated. adjoint: by what is left of the equations of a "
+                        "coarser grid, times the weights of Hc and Hm for it (upstream3). levels: from the sequence "
+                        "of grids, as of a line contact always; there adjoint makes but the maps of [output] fields.",
              .source = "modules/adjoint/README.md"},
             {.name = "accuracy",
              .default_note = "none: the grid is given or chosen",

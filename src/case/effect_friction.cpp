@@ -50,6 +50,8 @@ std::string summary(const Case& input, const Computed& computed) {
   text += fmt::format(
       "             on surface 1 {:.5g}, on surface 2 {:.5g} of the load along +x; cavitated region {:.2g}\n", f.on_1,
       f.on_2, f.cavitated);
+  if (f.upstream != 0.0)
+    text += fmt::format("             {:.3g} of the rolling from upstream of the domain\n", f.upstream);
   if (std::isfinite(f.side))
     text += fmt::format("             side force {:.3g} of the load along +y, on each surface{}\n", f.side,
                         in_newtons(f.side));
@@ -105,6 +107,8 @@ std::vector<results::Quantity> friction_quantities(const friction::Friction& f) 
       {"mu_cavitated", f.cavitated, "-", "part of mu from the cavitated region"},
       {"largest_shear_stress", f.largest_stress, "p_h", "of sliding, in the pressurised film", "largest_stress"},
       {"limited_share", f.limited_share, "-", "share of the load where the limiting stress acts"}};
+  if (f.upstream != 0.0)
+    list.push_back({"mu_upstream", f.upstream, "-", "part of mu_rolling from upstream of the domain"});
   if (std::isfinite(f.side))
     list.push_back({"mu_side", f.side, "-", "force of the film on each surface along +y over the load"});
   return list;

@@ -94,10 +94,13 @@ void read_names(const std::string& path, Case& input) {
   input.output = !file.empty() ? file : (stem.empty() ? "result" : stem) + ".h5";
 }
 
-void read_error_maps(Case& input, bool steady) {
+void read_errors(Case& input, bool steady) {
   steady::Scene& scene = input.scene;
   scene.error_maps =
       std::ranges::any_of(input.fields, [](const std::string& one) { return one.starts_with("error_"); });
+  if (scene.grid.line && !scene.error_maps)
+    deck::Part{input.deck, "grid"}.follow("errors", std::string("levels"), "a line contact");
+  scene.adjoint_errors = steady::read_adjoint_errors(input.deck);
   if (scene.error_maps && !(steady && scene.adjoint_errors && reynolds::third_order(scene.wedge)))
     deck::Part{input.deck, "output"}.complain(
         "fields", "error_Hc and error_Hm are of steady contacts with wedge = upstream3 and [grid] errors = adjoint");
@@ -195,9 +198,8 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   const Motion motion = result.dry                             ? Motion::dry
                         : given(deck, "transient", "end_time") ? Motion::in_time
                                                                : Motion::steady;
-  scene.adjoint_errors = steady::read_adjoint_errors(deck);
   read_names(path, result);
-  read_error_maps(result, motion == Motion::steady);
+  read_errors(result, motion == Motion::steady);
   result.surfaces = surface_input(deck, result.physics, scene.grid, motion);
   result.transient = transient_input(deck, result.physics, result.surfaces, scene.grid);
   if (!result.transient) let_stand(result.surfaces, scene);

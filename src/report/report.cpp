@@ -36,11 +36,11 @@ std::string level_table(const Case& input, const steady::Solution& solution) {
   const steady::ErrorBars& bars = solution.error_bars;
   for (const steady::LevelRow& row : solution.levels) {
     // The finest grid's are those of its bars; a coarser one has but the grids below it.
-    const bool by_weights = &row == &solution.levels.back() && solution.adjoint;
+    const bool judged = &row == &solution.levels.back() && std::isfinite(bars.Hc_best.value);
     text += fmt::format("{:5}  {:>11}  {}{:8.5f}  {:8.5f}  {:>9}  {:>9}  {:8.0e}  {:8.0e}  {:10.1f}  {:8.3f}\n",
                         row.level, nodes(row.nx, row.ny), columns_in_nm(row.Hc, row.Hm, si), row.Hc, row.Hm,
-                        percent(by_weights ? bars.Hc.discretization : row.error_Hc),
-                        percent(by_weights ? bars.Hm.discretization : row.error_Hm), row.residual, row.load_error,
+                        percent(judged ? bars.Hc.discretization : row.error_Hc),
+                        percent(judged ? bars.Hm.discretization : row.error_Hm), row.residual, row.load_error,
                         row.work_units, row.seconds);
   }
   const bool has_order = !solution.levels.empty() && std::isfinite(solution.levels.back().order_Hc);

@@ -17,12 +17,6 @@ using namespace ehl;
 
 namespace {
 
-steady::Scene scene_of(double M, double L, int cells, bool errors) {
-  steady::Scene scene = tests::open_line(M, L, cells);
-  scene.adjoint_errors = errors;
-  return scene;
-}
-
 double cpu_milliseconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -36,8 +30,8 @@ struct Least {
 };
 
 struct Cost {
-  Least whole, set_up, coarser, finest, weights;  ///< the first by the processor's clock, its parts by that on the wall
-  double first = 0.0;                             ///< run
+  Least whole, set_up, coarser, finest;  ///< the first by the processor's clock, its parts by that on the wall
+  double first = 0.0;                    ///< run
   steady::Solution solution;
 };
 
@@ -50,7 +44,6 @@ Cost cost_of(const steady::Scene& scene, int runs) {
     if (run == 0) cost.first = took;
     cost.whole.meet(took);
     cost.set_up.meet(1e3 * solution.times[core::Part::setup]);
-    cost.weights.meet(1e3 * solution.times[core::Part::errors]);
     double below = 0.0;
     for (std::size_t l = 0; l + 1 < solution.levels.size(); ++l) below += 1e3 * solution.levels[l].seconds;
     cost.coarser.meet(below);
@@ -61,13 +54,11 @@ Cost cost_of(const steady::Scene& scene, int runs) {
 }
 
 void print(double M, double L, int cells, int runs) {
-  const Cost whole = cost_of(scene_of(M, L, cells, true), runs);
-  const Cost plain = cost_of(scene_of(M, L, cells, false), runs);
-  const steady::Solution& solution = whole.solution;
+  const Cost cost = cost_of(tests::open_line(M, L, cells), runs);
+  const steady::Solution& solution = cost.solution;
   const steady::LevelRow& last = solution.levels.back();
-  std::printf("%g,%g,%d,%.2f,%.2f,%.2f,%.2f,%.2f,%.2f,%.2f,%.1f,%.10f,%.10f,%.2e,%.1e,%s\n", M, L, cells,
-              whole.whole.value, plain.whole.value, whole.first, plain.set_up.value, plain.coarser.value,
-              plain.finest.value, whole.weights.value, last.work_units, last.Hc, last.Hm,
+  std::printf("%g,%g,%d,%.2f,%.2f,%.2f,%.2f,%.2f,%.1f,%.10f,%.10f,%.2e,%.1e,%s\n", M, L, cells, cost.whole.value,
+              cost.first, cost.set_up.value, cost.coarser.value, cost.finest.value, last.work_units, last.Hc, last.Hm,
               solution.error_bars.Hc.discretization, solution.error_bars.Hc.algebraic,
               solution.converged ? solution.method.c_str() : "not converged");
 }
@@ -89,8 +80,8 @@ int main(int argc, char** argv) {
   }
   if (loads.size() < 2) loads = {2, 0, 5, 5, 20, 5, 50, 10, 200, 10, 1000, 10};
   std::puts(
-      "M,L,cells,whole [ms],without weights [ms],first run [ms],set-up [ms],coarser grids [ms],finest [ms],"
-      "weights [ms],work units,Hc,Hm,error,algebraic,method");
+      "M,L,cells,whole [ms],first run [ms],set-up [ms],coarser grids [ms],finest [ms],work units,Hc,Hm,error,algebraic,"
+      "method");
   for (std::size_t k = 0; k + 1 < loads.size(); k += 2) print(loads[k], loads[k + 1], cells, runs);
   return 0;
 }

@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(more_than_goes_through_is_told) {
 // Oil is conserved where the load falls, and twice the layer is twice the film.
 BOOST_AUTO_TEST_CASE(in_time) {
   const TemporaryFolder folder;
-  const std::string layer = "[supply]\nH_oil = 0.02\n[transient]\nend_time = 8\n";
+  const std::string layer = "[supply]\nH_oil = 0.02\n[transient]\nend_time = 12\n";
   const nlohmann::json load = solved(folder, layer + "load = 0:1 1:0.5\n")["transient"];
   BOOST_TEST(load["completed"] == true);
   BOOST_TEST(std::abs(load["oil_lost"].get<double>()) <= 1e-9);

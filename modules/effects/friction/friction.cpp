@@ -114,9 +114,11 @@ Friction friction_of(const Film& film, const Parameters& parameters) {
                           (film.P(i + 1, j) - P) / grid.hx();
     }
   }
-  if (film.upstream) result.rolling += parameters.slope * rolling_upstream(film) * grid.ny / grid.hx();
+  if (film.upstream) result.upstream = parameters.slope * rolling_upstream(film) * grid.ny / grid.hx();
+  result.rolling += result.upstream;
   if (parameters.aslant) result.side = side_force(film, parameters.slope);
-  for (double* part : {&result.sliding, &result.rolling, &result.cavitated, &result.side}) *part /= load;
+  for (double* part : {&result.sliding, &result.rolling, &result.cavitated, &result.upstream, &result.side})
+    *part /= load;
   result.limited_share = limited_load / load;
   result.unlikely_share = unlikely_load / load;
   result.on_1 = -(result.sliding + result.rolling);

@@ -66,6 +66,7 @@ struct Friction {
   double on_2 = 0.0;                                       ///< on surface 2: sliding - rolling
   double side = std::numeric_limits<double>::quiet_NaN();  ///< force on each surface along +y; NaN where not aslant
   double cavitated = 0.0;                                  ///< part of `sliding` from where P = 0
+  double upstream = 0.0;                                   ///< part of `rolling` from before the domain
   double largest_stress = 0.0;                             ///< of |tau_m| where P > 0, in p_h
   double limited_share = 0.0;                              ///< share of the load that stands where the limit acts
   double unlikely_share = 0.0;                             ///< share of the load where |tau_m| > largest_limit P
