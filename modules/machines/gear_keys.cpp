@@ -54,7 +54,7 @@ std::vector<deck::Key> mesh_keys() {
        .meaning = "Speed of wheel 1.",
        .example = "1500"},
       {.name = "position",
-       .default_note = "the pitch point",
+       .default_note = "the pitch point, where that lies on the path",
        .range = {0.0, 1.0},
        .meaning = "Where the teeth touch, along the path of contact: 0 where contact begins, at the tip of wheel 2; "
                   "1 where it ends, at the tip of wheel 1.",
@@ -115,6 +115,15 @@ std::vector<Number> path_numbers(const PathOfContact& path) {
           {"base_pitch", path.base_pitch, "m", "pi m cos(alpha)"},
           {"length_T1T2", path.length_T1T2, "m", "centre_distance sin(alpha_w), between the base circles"},
           {"s_begin", path.A, "m", "from T1: length_T1T2 - sqrt(tip_radius2^2 - base_radius2^2)"},
+// in: the deck leaves the position open.
+void check_pitch_point(const deck::Part& gear, const PathOfContact& path) {
+  if (path.C >= path.A && path.C <= path.E) return;
+  gear.complain("position",
+                fmt::format("is missing, and the pitch point, which it would be, is not on the path of contact but at "
+                            "{:.4g} of it: the teeth do not touch there; give a position of 0 to 1",
+                            (path.C - path.A) / (path.E - path.A)));
+}
+
           {"s_end", path.E, "m", "from T1: sqrt(tip_radius1^2 - base_radius1^2)"},
           {"contact_ratio", path.contact_ratio, "-", "(s_end - s_begin)/base_pitch"},
           {"position_alone_from", position(path.B), "-", "one pair carries alone from s_end - base_pitch"},
@@ -168,3 +177,5 @@ std::vector<Number> read_gear(const deck::Part& gear) {
 }
 
 }  // namespace ehl::machines
+  if (!gear.given("position")) check_pitch_point(gear, path);
+  if (!gear.deck.errors.empty()) return {};

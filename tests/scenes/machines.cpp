@@ -215,3 +215,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+       refused("no pitch point",
+               "[case]\nkind = gear_mesh\n[gear]\nmodule = 4.5e-3\nface_width = 14e-3\nrpm1 = 2250\ntorque1 = 100\n"
+               "teeth1 = 40\nteeth2 = 40\nshift1 = 1.2\nshift2 = -1.2\n",
+               {"[gear] position", "not on the path of contact", "-0.1394", "0 to 1"}),
