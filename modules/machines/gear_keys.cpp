@@ -75,6 +75,17 @@ void demand_all(const deck::Part& gear) {
   if (!gear.given("power") && !gear.given("torque1")) gear.complain("power", "is missing: give it, or torque1");
 }
 
+// in: "1" or "2".
+void check_tip(const deck::Part& gear, const std::string& wheel, double thickness) {
+  if (thickness > 0.0) return;
+  const std::string shift = "shift" + wheel;
+  const bool shifted = gear.number(shift) > 0.0;
+  gear.complain(shifted ? shift : "teeth" + wheel,
+                fmt::format("the teeth of wheel {} would be pointed: their flanks meet below the tip circle, where the "
+                            "tooth would be {:.4g} m thick; take {}less addendum, or more teeth",
+                            wheel, thickness, shifted ? "less profile shift, " : ""));
+}
+
 void check_path(const deck::Part& gear, const PathOfContact& path, bool shared) {
   const auto interferes = [&](const char* wheel, const char* other) {
     gear.complain(std::string("teeth") + other,
@@ -90,7 +101,10 @@ void check_path(const deck::Part& gear, const PathOfContact& path, bool shared) 
     interferes("2", "1");
   else if (!(path.E < path.length_T1T2))
     interferes("1", "2");
-  else if (!(path.contact_ratio >= 1.0))
+  else if (!(path.tip_thickness1 > 0.0 && path.tip_thickness2 > 0.0)) {
+    check_tip(gear, "1", path.tip_thickness1);
+    check_tip(gear, "2", path.tip_thickness2);
+  } else if (!(path.contact_ratio >= 1.0))
     gear.complain("addendum",
                   fmt::format("the contact ratio is {:.4g}: below 1 a pair of teeth parts before the next one "
                               "meets",
@@ -122,6 +136,10 @@ void check_pitch_point(const deck::Part& gear, const PathOfContact& path) {
                 fmt::format("is missing, and the pitch point, which it would be, is not on the path of contact but at "
                             "{:.4g} of it: the teeth do not touch there; give a position of 0 to 1",
                             (path.C - path.A) / (path.E - path.A)));
+          {"tip_thickness1", path.tip_thickness1, "m",
+           "2 tip_radius1 [(pi/2 + 2 x1 tan(alpha))/z1 + inv(alpha) - inv(alpha_a1)], cos(alpha_a1) = "
+           "base_radius1/tip_radius1"},
+          {"tip_thickness2", path.tip_thickness2, "m", "of a tooth of wheel 2, likewise"},
 }
 
           {"s_end", path.E, "m", "from T1: sqrt(tip_radius1^2 - base_radius1^2)"},

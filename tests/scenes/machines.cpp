@@ -25,6 +25,9 @@ const std::string roller =
     "rpm_inner = 3000\n";
 const std::string gear =
     "[case]\nkind = gear_mesh\n[gear]\nmodule = 4e-3\nface_width = 20e-3\nrpm1 = 1500\nteeth1 = 24\nteeth2 = 48\n";
+const std::string fzg =
+    "[case]\nkind = gear_mesh\n[gear]\nmodule = 4.5e-3\nface_width = 14e-3\nrpm1 = 2250\ntorque1 = 135.5\nteeth1 = 16\n"
+    "teeth2 = 24\n";
 const std::string loaded_gear = gear + "power = 10e3\n";
 
 nlohmann::json run(const support::TemporaryFolder& folder, const std::string& deck) {
@@ -219,3 +222,7 @@ BOOST_AUTO_TEST_SUITE_END()
                "[case]\nkind = gear_mesh\n[gear]\nmodule = 4.5e-3\nface_width = 14e-3\nrpm1 = 2250\ntorque1 = 100\n"
                "teeth1 = 40\nteeth2 = 40\nshift1 = 1.2\nshift2 = -1.2\n",
                {"[gear] position", "not on the path of contact", "-0.1394", "0 to 1"}),
+       refused("pointed", fzg + "shift1 = 1.4\nshift2 = -0.5\n",
+               {"d.ini:10", "shift1 = 1.4", "pointed", "-0.0006173 m", "less profile shift"}),
+       refused("pointed without shift", loaded_gear + "addendum = 1.6\nsharing = none\npressure_angle = 25\n",
+               {"d.ini:7", "teeth1 = 24", "pointed", "less addendum"}),
