@@ -208,6 +208,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
        refused("half a tooth", loaded_gear + "pressure_angle = 0\n", {"pressure_angle = 0", ">= 5"}),
        refused("off the path", loaded_gear + "position = 1.1\n", {"position = 1.1", "<= 1"}),
        refused("no rule", loaded_gear + "sharing = half\n", {"sharing = half", "none, linear"}),
+       refused("beside the load", radial + "elements = 8\nazimuth = 90\n", {"azimuth = 90", "carries no load"}),
        refused("shifted", loaded_gear + "shift1 = -2\nshift2 = -2\n", {"shift1 = -2", "cannot mesh"}),
        refused("short", loaded_gear + "addendum = 0.3\n", {"addendum = 0.3", "contact ratio"}),
        refused("long", loaded_gear + "addendum = 1.25\n", {"sharing", "contact ratio"}),
