@@ -3,7 +3,7 @@
 //   m module, z1 and z2 teeth, alpha pressure angle, x1 and x2 profile shift, h_a addendum factor; wheel 1 drives
 // A place on the path is its distance s from T1, where the line of action touches the base circle of wheel 1; at T2 it
 // touches that of wheel 2. Contact begins at A, on the tip of wheel 2, and ends at E, on the tip of wheel 1; between B
-// and D one pair of teeth carries alone; C is the pitch point.
+// and D one pair of teeth carries alone, where the contact ratio is below 2; C is the pitch point.
 // source: ISO 21771. Without backlash, and with tips that profile shift shortens so that their clearance stays.
 
 namespace ehl::machines {

@@ -165,6 +165,21 @@ BOOST_AUTO_TEST_CASE(teeth_along_their_path) {
   BOOST_TEST(contains(refused.err, "this file has no map"), refused.err);
 }
 
+// Contact ratio 2.476: two pairs of teeth touch everywhere, and each carries all where the deck says so.
+BOOST_AUTO_TEST_CASE(no_pair_is_alone) {
+  const support::TemporaryFolder folder;
+  folder.write("d.ini",
+               "[case]\nkind = gear_mesh\n[gear]\nmodule = 4e-3\nface_width = 20e-3\nrpm1 = 1500\nteeth1 = 60\n"
+               "teeth2 = 100\naddendum = 1.4\npower = 10e3\nsharing = none\n" +
+                   rest);
+  const support::Ended ended = support::ehl(folder, "check d.ini");
+  BOOST_REQUIRE_MESSAGE(ended.status == 0, ended.err);
+  for (const char* part : {"nowhere: two pairs touch everywhere", "1: sharing = none, every pair carries all"})
+    BOOST_TEST(contains(ended.out, part), part << " is missing in\n" << ended.out);
+  for (const char* part : {"one pair carries alone", "AGMA", "nan"})
+    BOOST_TEST(!contains(ended.out, part), part << " stands in\n" << ended.out);
+}
+
 BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
   const auto refused = [](const std::string& name, const std::string& deck, std::vector<std::string> parts) {
     return support::Slip{name, deck + rest, std::move(parts)};
@@ -193,6 +208,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
        refused("few of one", ball + "elements = 9\n", {"elements = 9", "no influence without radial_load"}),
        refused("no place", ball + "azimuth = 9\n", {"azimuth = 9", "no influence without radial_load"}),
        refused("unloaded", radial + "elements = 9\nazimuth = 120\n", {"azimuth = 120", "carries no load"}),
+       refused("beside the load", radial + "elements = 8\nazimuth = 90\n", {"azimuth = 90", "carries no load"}),
        refused("axial", radial + "elements = 9\ncontact_angle = 15\n", {"radial_load", "axial load"}),
        refused("three speeds", ball + "rpm_outer = 0\nrpm_cage = 1200\n", {"rpm_cage = 1200", "keep two"}),
        refused("as one", ball + "rpm_outer = 3000\n", {"rpm_inner = 3000", "nothing rolls"}),
@@ -207,9 +223,16 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
        refused("both", loaded_gear + "torque1 = 5\n", {"torque1 = 5", "power is given as well"}),
        refused("half a tooth", loaded_gear + "pressure_angle = 0\n", {"pressure_angle = 0", ">= 5"}),
        refused("off the path", loaded_gear + "position = 1.1\n", {"position = 1.1", "<= 1"}),
+       refused("no pitch point",
+               "[case]\nkind = gear_mesh\n[gear]\nmodule = 4.5e-3\nface_width = 14e-3\nrpm1 = 2250\ntorque1 = 100\n"
+               "teeth1 = 40\nteeth2 = 40\nshift1 = 1.2\nshift2 = -1.2\n",
+               {"[gear] position", "not on the path of contact", "-0.1394", "0 to 1"}),
        refused("no rule", loaded_gear + "sharing = half\n", {"sharing = half", "none, linear"}),
-       refused("beside the load", radial + "elements = 8\nazimuth = 90\n", {"azimuth = 90", "carries no load"}),
        refused("shifted", loaded_gear + "shift1 = -2\nshift2 = -2\n", {"shift1 = -2", "cannot mesh"}),
+       refused("pointed", fzg + "shift1 = 1.4\nshift2 = -0.5\n",
+               {"d.ini:10", "shift1 = 1.4", "pointed", "-0.0006173 m", "less profile shift"}),
+       refused("pointed without shift", loaded_gear + "addendum = 1.6\nsharing = none\npressure_angle = 25\n",
+               {"d.ini:7", "teeth1 = 24", "pointed", "less addendum"}),
        refused("short", loaded_gear + "addendum = 0.3\n", {"addendum = 0.3", "contact ratio"}),
        refused("long", loaded_gear + "addendum = 1.25\n", {"sharing", "contact ratio"}),
        refused("interference",
@@ -219,11 +242,3 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-       refused("no pitch point",
-               "[case]\nkind = gear_mesh\n[gear]\nmodule = 4.5e-3\nface_width = 14e-3\nrpm1 = 2250\ntorque1 = 100\n"
-               "teeth1 = 40\nteeth2 = 40\nshift1 = 1.2\nshift2 = -1.2\n",
-               {"[gear] position", "not on the path of contact", "-0.1394", "0 to 1"}),
-       refused("pointed", fzg + "shift1 = 1.4\nshift2 = -0.5\n",
-               {"d.ini:10", "shift1 = 1.4", "pointed", "-0.0006173 m", "less profile shift"}),
-       refused("pointed without shift", loaded_gear + "addendum = 1.6\nsharing = none\npressure_angle = 25\n",
-               {"d.ini:7", "teeth1 = 24", "pointed", "less addendum"}),

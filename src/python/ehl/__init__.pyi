@@ -167,7 +167,7 @@ class GearKeys(TypedDict, total=False):
     """Where the teeth touch, along the path of contact: 0 where contact begins, at the tip of wheel 2; 1 where it ends, at the tip of wheel 1. (only with [case] kind = gear_mesh)
     default: the pitch point, where that lies on the path; allowed: a number >= 0 and <= 1"""
     sharing: Literal["none", "linear"]
-    """How two pairs of teeth share the load. linear: teeth of equal stiffness without relief of their tips, from 1/3 where contact begins to 2/3 where one pair carries alone, likewise to the end. none: every pair carries all. (only with [case] kind = gear_mesh)
+    """How two pairs of teeth share the load. linear: teeth of equal stiffness without relief of their tips, from 1/3 where contact begins to 2/3, 1 where one pair is alone, from 2/3 to 1/3 at the end; for a contact ratio below 2. none: every pair carries all. (only with [case] kind = gear_mesh)
     default: linear; allowed: one of none, linear"""
 
 class ContactKeys(TypedDict, total=False):
