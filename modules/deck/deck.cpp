@@ -78,7 +78,13 @@ double number_in(Deck& deck, const std::string& section, const std::string& name
     complain(deck, section, name, "and " + in_SI + " are both given: keep one of them");
   else if (SI && !unit.known)
     complain(deck, section, in_SI, "is in SI and the contact is not given in SI: use " + name);
-  return plain ? number : number_in_SI / unit.in_SI;
+  if (plain || !SI) return number;
+  // Or the effective deck would tell the default, beside the number that was given instead of it.
+  if (value(deck, section, name).origin == Origin::by_default) {
+    choose(deck, section, name, number_in_SI / unit.in_SI, in_SI);
+    mark_following(deck, section, name);
+  }
+  return number_in_SI / unit.in_SI;
 }
 
 int integer(const Deck& deck, const std::string& section, const std::string& name, int otherwise) {

@@ -70,8 +70,8 @@ struct PlainUnit {
   bool known = false;  ///< the deck gives, right or wrong, what in_SI follows from
 };
 
-/// Such a quantity in its plain unit. Complains where both are given, or the one in SI and the unit is not known.
-/// out: NaN where neither is given, or something is wrong.
+/// Such a quantity in its plain unit. Complains where both are given, or the one in SI and the unit is not known. A
+/// default gives way to the one in SI. out: NaN where neither is there, or something is wrong.
 double number_in(Deck& deck, const std::string& section, const std::string& name, const PlainUnit& unit);
 
 /// number() for a whole number. limits: `otherwise` when there is none or it was refused.
