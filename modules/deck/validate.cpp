@@ -124,7 +124,7 @@ void take(Deck& deck, const std::vector<Assignment>& assignments) {
     if (key == nullptr) {
       // A key below an unknown heading: the heading has been complained about.
       const bool heading_is_unknown = find_section(deck.catalogue, given.section) == nullptr &&
-                                      given.place != "command line" && !given.section.empty() &&
+                                      given.place != on_command_line && !given.section.empty() &&
                                       find_unavailable(deck.catalogue, given.section, given.name) == nullptr;
       if (!heading_is_unknown) unknown.add([&] { return about_unknown(deck, given); });
       continue;
@@ -137,7 +137,7 @@ void take(Deck& deck, const std::vector<Assignment>& assignments) {
       value = untouched(*key);
       continue;
     }
-    if (value.origin == Origin::given && (value.place == "command line") == (given.place == "command line")) {
+    if (value.origin == Origin::given && (value.place == on_command_line) == (given.place == on_command_line)) {
       twice.add([&] {
         return said(given) + "given twice: the first time at " + value.place + " (= " + quotable(value.text) +
                "); remove one";
