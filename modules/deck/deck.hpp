@@ -35,8 +35,8 @@ struct Deck {
   std::vector<std::string> errors{};  ///< complaints so far, each a complete message
 };
 
-/// Reads a deck and checks every key by itself: known, once, readable, in range, with influence. Rules between keys
-/// belong to those who use them; they add to `errors` by complain(), and throw_if_wrong() ends it.
+/// Reads a deck and checks every key by itself: known, once, readable, in range. Rules between keys belong to
+/// check_influence() and to those who use them; they add to `errors` by complain(), and throw_if_wrong() ends it.
 /// in: path of the deck, overrides "section.key=value", or "-section.key", which takes the key out. errors:
 /// core::InputError when the file cannot be read at all.
 Deck read(const std::string& path, const std::vector<std::string>& overrides, const Catalogue& catalogue);

@@ -1,4 +1,4 @@
-// Every key by itself: is it known, given once, readable, in range, and does it have any influence?
+// Every key by itself: is it known, given once, readable, in range? And does it have any influence beside the others?
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -198,7 +198,7 @@ void check_value(Deck& deck, const Key& key, Value& value) {
 }
 
 // "z" says nothing to a Barus fluid: a key that cannot act is a misunderstanding, not a default.
-void check_influence(Deck& deck, const Key& key) {
+void check_influence_of(Deck& deck, const Key& key) {
   if (!given(deck, key.section, key.name) || has_influence(deck, key)) return;
   const auto nothing_without = [&](const std::string& what) {
     complain(deck, key.section, key.name, "has no influence without " + what + ": give that too, or remove it");
@@ -234,8 +234,11 @@ Deck validate(const Document& document, const std::vector<Assignment>& overrides
 
   for (std::size_t k = 0; k < catalogue.keys.size(); ++k)
     if (deck.values[k].origin == Origin::given) check_value(deck, catalogue.keys[k], deck.values[k]);
-  for (const Key& key : catalogue.keys) check_influence(deck, key);
   return deck;
+}
+
+void check_influence(Deck& deck) {
+  for (const Key& key : deck.catalogue.keys) check_influence_of(deck, key);
 }
 
 }  // namespace ehl::deck

@@ -1,5 +1,6 @@
 // Balls and rollers on their races, teeth of gears, and what cannot be a bearing or a pair of gears, through the built
 // program.
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <cstdio>
@@ -178,6 +179,41 @@ BOOST_AUTO_TEST_CASE(no_pair_is_alone) {
     BOOST_TEST(contains(ended.out, part), part << " is missing in\n" << ended.out);
   for (const char* part : {"one pair carries alone", "AGMA", "nan"})
     BOOST_TEST(!contains(ended.out, part), part << " stands in\n" << ended.out);
+}
+
+// An error about a number that follows from others names those, where they were given; and nothing is said beside it.
+BOOST_AUTO_TEST_CASE(errors_name_what_was_given) {
+  const support::TemporaryFolder folder;
+  folder.write("gear.ini", loaded_gear + rest);
+  folder.write("ball.ini", ball + rest);
+  folder.write("mm.ini",
+               "[gear]\nmodule = 4\nface_width = 20e-3\nrpm1 = 1500\nteeth1 = 24\nteeth2 = 48\npower = "
+               "10e3\n[case]\nkind = gear_mesh\n" +
+                   rest);
+  folder.write("line.ini",
+               "[contact]\nkind = line\nload_per_length = 2e5\nradius_x = 0.01\nE_prime = 228e9\n[motion]\nu_m = 5\n"
+               "[lubricant]\neta0 = 0.0168\nalpha = 1.52e-8\n");
+  struct Wrong {
+    std::string command;
+    std::vector<std::string> parts;
+  };
+  for (const auto& [command, parts] : std::vector<Wrong>{
+           {"check gear.ini --set gear.module=4",
+            {"ehl: command line: [gear] module = 4: so [contact] load_per_length = ", "load/face_width", "M = "}},
+           {"check mm.ini", {"ehl: mm.ini:1: [gear]: so [contact] load_per_length = ", "load/face_width", "M = "}},
+           {"check line.ini --set contact.load_per_length=1000",
+            {"ehl: command line: [contact] load_per_length = 1000: with", "M = "}},
+           {"check line.ini --set lubricant.alpha=1e-6 --set lubricant.viscosity=barus",
+            {"ehl: command line: [lubricant] alpha = 1e-6: with", "L = "}},
+           {"check line.ini --set contact.kind=Line", {"ehl: command line: [contact] kind = Line", "mean line?"}},
+           {"check gear.ini --set contact.length_m=0.01", {"[contact] length_m = 0.01", "settles it by [gear]"}},
+           {"sweep gear.ini --vary gear.position=0.5,1.2", {"[gear] position = 1.2", "<= 1"}},
+           {"sweep ball.ini --vary bearing.conformity=0.52,0.4", {"[bearing] conformity = 0.4", "> 0.5"}}}) {
+    const support::Ended ended = support::ehl(folder, command);
+    BOOST_TEST(ended.status == 2, command);
+    BOOST_TEST(ended.says(parts), command << " says\n" << ended.err);
+    BOOST_TEST(std::ranges::count(ended.err, '\n') == 1, command << " says\n" << ended.err);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
