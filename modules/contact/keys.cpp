@@ -160,12 +160,16 @@ Language language_of(const deck::Part& contact) {
   return Language::none;
 }
 
+// The kind is no word, which has been complained about: what the contact must have is not known.
+bool kind_is_refused(const deck::Part& contact) { return !deck::value(contact.deck, "contact", "kind").valid; }
+
 // Where the load stands.
 std::string load_name(const deck::Part& contact) { return is_line(contact.deck) ? "load_per_length" : "load"; }
 
 Bodies read_bodies(const deck::Part& contact) {
   const std::string load = load_name(contact);
-  contact.demand({load, "radius_x"}, "a contact in SI needs " + load + ", radius_x and the elastic moduli");
+  if (!kind_is_refused(contact))
+    contact.demand({load, "radius_x"}, "a contact in SI needs " + load + ", radius_x and the elastic moduli");
   const auto number = [&](const char* name) { return contact.number(name); };
   const Names moduli = contact.given_of(four_moduli);
   if (contact.given("E_prime"))
@@ -204,6 +208,7 @@ double read_radius_ratio(const deck::Part& contact, Language language) {
 
 Ellipse read_shape(const deck::Part& contact, const deck::Part& motion, Input& input) {
   const Language language = input.language;
+  if (kind_is_refused(contact)) return {};
   const bool line = is_line(contact.deck);
   if (!line) contact.refuse({"load_per_length"}, "is that of a line contact: give kind = line, or load [N]");
   if (const std::string kind = contact.word("kind"); kind != "point") {

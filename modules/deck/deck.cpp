@@ -1,5 +1,7 @@
 #include "deck/deck.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -20,6 +22,17 @@ std::size_t index_of(const Deck& deck, const std::string& section, const std::st
 
 Value& value_of(Deck& deck, const std::string& section, const std::string& name) {
   return deck.values[index_of(deck, section, name)];
+}
+
+// What a computed value is blamed on: a change on the command line, or else the whole section.
+std::string origin_of(const Deck& deck, const std::string& section) {
+  std::vector<std::string> changed;
+  for (std::size_t k = 0; k < deck.values.size(); ++k)
+    if (deck.catalogue.keys[k].section == section && deck.values[k].place == on_command_line)
+      changed.push_back(deck.catalogue.keys[k].name + " = " + quotable(deck.values[k].text));
+  if (!changed.empty()) return std::string(on_command_line) + ": [" + section + "] " + joined(changed, ", ") + ": ";
+  const auto heading = std::ranges::find(deck.headings, section, &Heading::section);
+  return (heading == deck.headings.end() ? deck.name : heading->place) + ": [" + section + "]: ";
 }
 
 }  // namespace
@@ -44,7 +57,7 @@ const Value& value(const Deck& deck, const std::string& section, const std::stri
 
 bool given(const Deck& deck, const std::string& section, const std::string& name) {
   const Value& found = value(deck, section, name);
-  return found.origin == Origin::given || found.computed;
+  return found.origin == Origin::given || !found.from.empty();
 }
 
 bool called_for(const Deck& deck, const std::string& section) {
@@ -78,7 +91,13 @@ double number_in(Deck& deck, const std::string& section, const std::string& name
     complain(deck, section, name, "and " + in_SI + " are both given: keep one of them");
   else if (SI && !unit.known)
     complain(deck, section, in_SI, "is in SI and the contact is not given in SI: use " + name);
-  return plain ? number : number_in_SI / unit.in_SI;
+  if (plain || !SI) return number;
+  // Or the effective deck would tell the default, beside the number that was given instead of it.
+  if (value(deck, section, name).origin == Origin::by_default) {
+    choose(deck, section, name, number_in_SI / unit.in_SI, in_SI);
+    mark_following(deck, section, name);
+  }
+  return number_in_SI / unit.in_SI;
 }
 
 int integer(const Deck& deck, const std::string& section, const std::string& name, int otherwise) {
@@ -122,26 +141,32 @@ void mark_following(Deck& deck, const std::string& section, const std::string& n
   value.follows = value.origin == Origin::chosen;
 }
 
-void compute(Deck& deck, const std::string& section, const std::string& name, double number, const std::string& why) {
-  choose(deck, section, name, number, why);
+void compute(Deck& deck, const std::string& section, const std::string& name, double number, const std::string& from,
+             const std::string& why) {
+  choose(deck, section, name, number, "[" + from + "]: " + why);
   mark_following(deck, section, name);
   Value& computed = value_of(deck, section, name);
-  computed.computed = true;
+  computed.from = from;
   computed.valid = !std::isnan(number);
 }
 
-void compute(Deck& deck, const std::string& section, const std::string& name, const char* word,
+void compute(Deck& deck, const std::string& section, const std::string& name, const char* word, const std::string& from,
              const std::string& why) {
-  choose(deck, section, name, std::string(word), why);
+  choose(deck, section, name, std::string(word), "[" + from + "]: " + why);
   mark_following(deck, section, name);
-  value_of(deck, section, name).computed = true;
+  value_of(deck, section, name).from = from;
 }
 
 void complain(Deck& deck, const std::string& section, const std::string& name, const std::string& what) {
   const Value& found = value(deck, section, name);
+  if (!found.from.empty()) {
+    const std::string text = std::isnan(found.number) ? found.text : fmt::format("{:.6g}", found.number);
+    deck.errors.push_back(origin_of(deck, found.from) + "so [" + section + "] " + name + " = " + text + " (" +
+                          found.why + "): " + what);
+    return;
+  }
   const std::string place = found.place.empty() ? deck.name : found.place;
-  const bool told = found.origin == Origin::given || found.computed;
-  const std::string assignment = told ? name + " = " + quotable(found.text) : name;
+  const std::string assignment = found.origin == Origin::given ? name + " = " + quotable(found.text) : name;
   deck.errors.push_back(place + ": [" + section + "] " + assignment + ": " + what);
 }
 

@@ -15,13 +15,13 @@ enum class Origin { absent, by_default, given, chosen };
 
 struct Value {
   Origin origin = Origin::absent;
-  bool valid = true;      ///< false: given, but already complained about
-  std::string text{};     ///< as written
-  double number = 0.0;    ///< numbers and integers; NaN when absent or not valid
-  std::string place{};    ///< where it was given
-  std::string why{};      ///< how it was chosen
-  bool follows = false;   ///< chosen, and made anew from the deck's other keys whenever it is read
-  bool computed = false;  ///< chosen for a key that other keys stand for: as good as given
+  bool valid = true;     ///< false: given, but already complained about
+  std::string text{};    ///< as written
+  double number = 0.0;   ///< numbers and integers; NaN when absent or not valid
+  std::string place{};   ///< where it was given
+  std::string why{};     ///< how it was chosen
+  bool follows = false;  ///< chosen, and made anew from the deck's other keys whenever it is read
+  std::string from{};    ///< section whose keys stand for this one, which is as good as given; mostly none
   /// Somebody has asked for the number or the text. Only a test looks: a key that nobody reads must not be declared.
   mutable bool read = false;
 };
@@ -35,8 +35,8 @@ struct Deck {
   std::vector<std::string> errors{};  ///< complaints so far, each a complete message
 };
 
-/// Reads a deck and checks every key by itself: known, once, readable, in range, with influence. Rules between keys
-/// belong to those who use them; they add to `errors` by complain(), and throw_if_wrong() ends it.
+/// Reads a deck and checks every key by itself: known, once, readable, in range. Rules between keys belong to
+/// check_influence() and to those who use them; they add to `errors` by complain(), and throw_if_wrong() ends it.
 /// in: path of the deck, overrides "section.key=value", or "-section.key", which takes the key out. errors:
 /// core::InputError when the file cannot be read at all.
 Deck read(const std::string& path, const std::vector<std::string>& overrides, const Catalogue& catalogue);
@@ -70,8 +70,8 @@ struct PlainUnit {
   bool known = false;  ///< the deck gives, right or wrong, what in_SI follows from
 };
 
-/// Such a quantity in its plain unit. Complains where both are given, or the one in SI and the unit is not known.
-/// out: NaN where neither is given, or something is wrong.
+/// Such a quantity in its plain unit. Complains where both are given, or the one in SI and the unit is not known. A
+/// default gives way to the one in SI. out: NaN where neither is there, or something is wrong.
 double number_in(Deck& deck, const std::string& section, const std::string& name, const PlainUnit& unit);
 
 /// number() for a whole number. limits: `otherwise` when there is none or it was refused.
@@ -95,13 +95,19 @@ void choose(Deck& deck, const std::string& section, const std::string& name, con
 /// that the keys it follows from may be changed there.
 void mark_following(Deck& deck, const std::string& section, const std::string& name);
 
-/// Records a number that follows from keys that stand for this one: it counts as given. in: NaN where something is
-/// wrong with them, and has been complained about.
-void compute(Deck& deck, const std::string& section, const std::string& name, double number, const std::string& why);
+/// Records a number that follows from keys of the section `from`, which stand for this one: it counts as given. in: NaN
+/// where something is wrong with them, and has been complained about.
+void compute(Deck& deck, const std::string& section, const std::string& name, double number, const std::string& from,
+             const std::string& why);
 /// The same of a word, one of those that the key allows.
-void compute(Deck& deck, const std::string& section, const std::string& name, const char* word, const std::string& why);
+void compute(Deck& deck, const std::string& section, const std::string& name, const char* word, const std::string& from,
+             const std::string& why);
 
-/// Adds the message "deck.ini:12: [grid] cells = 77: <what>".
+/// Complains about every key that cannot act beside the others. To be called when compute() has said its words.
+void check_influence(Deck& deck);
+
+/// Adds the message "deck.ini:12: [grid] cells = 77: <what>". Of a number that was computed, what it follows from
+/// stands first: the keys of that section on the command line, or else its heading.
 void complain(Deck& deck, const std::string& section, const std::string& name, const std::string& what);
 
 /// errors: core::InputError with all complaints, when there are any.

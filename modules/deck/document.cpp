@@ -101,7 +101,7 @@ Assignment parse_override(const std::string& text) {
                              ": write section.key, e.g. --unset grid.cells");
     return {.section = trimmed(text.substr(1, dot - 1)),
             .name = trimmed(text.substr(dot + 1)),
-            .place = "command line",
+            .place = on_command_line,
             .removes = true};
   }
   const std::size_t equals = text.find('=');
@@ -112,7 +112,7 @@ Assignment parse_override(const std::string& text) {
   if (has_control_character(text))
     throw core::InputError("command line: --set " + quotable(text) + ": must not hold control characters");
   return {trimmed(text.substr(0, dot)), trimmed(text.substr(dot + 1, equals - dot - 1)),
-          trimmed(text.substr(equals + 1)), "command line"};
+          trimmed(text.substr(equals + 1)), on_command_line};
 }
 
 }  // namespace ehl::deck

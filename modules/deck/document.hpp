@@ -5,12 +5,15 @@
 
 namespace ehl::deck {
 
+/// The place of what --set and --unset say.
+inline constexpr char on_command_line[] = "command line";
+
 /// One "name = value" line.
 struct Assignment {
   std::string section{};
   std::string name{};
   std::string value{};   ///< without comment and surrounding blanks; may be empty
-  std::string place{};   ///< "deck.ini:12" or "command line"
+  std::string place{};   ///< "deck.ini:12" or on_command_line
   bool removes = false;  ///< takes the key out of the deck instead
 };
 

@@ -1,4 +1,4 @@
-// Every key by itself: is it known, given once, readable, in range, and does it have any influence?
+// Every key by itself: is it known, given once, readable, in range? And does it have any influence beside the others?
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -124,7 +124,7 @@ void take(Deck& deck, const std::vector<Assignment>& assignments) {
     if (key == nullptr) {
       // A key below an unknown heading: the heading has been complained about.
       const bool heading_is_unknown = find_section(deck.catalogue, given.section) == nullptr &&
-                                      given.place != "command line" && !given.section.empty() &&
+                                      given.place != on_command_line && !given.section.empty() &&
                                       find_unavailable(deck.catalogue, given.section, given.name) == nullptr;
       if (!heading_is_unknown) unknown.add([&] { return about_unknown(deck, given); });
       continue;
@@ -137,7 +137,7 @@ void take(Deck& deck, const std::vector<Assignment>& assignments) {
       value = untouched(*key);
       continue;
     }
-    if (value.origin == Origin::given && (value.place == "command line") == (given.place == "command line")) {
+    if (value.origin == Origin::given && (value.place == on_command_line) == (given.place == on_command_line)) {
       twice.add([&] {
         return said(given) + "given twice: the first time at " + value.place + " (= " + quotable(value.text) +
                "); remove one";
@@ -198,7 +198,7 @@ void check_value(Deck& deck, const Key& key, Value& value) {
 }
 
 // "z" says nothing to a Barus fluid: a key that cannot act is a misunderstanding, not a default.
-void check_influence(Deck& deck, const Key& key) {
+void check_influence_of(Deck& deck, const Key& key) {
   if (!given(deck, key.section, key.name) || has_influence(deck, key)) return;
   const auto nothing_without = [&](const std::string& what) {
     complain(deck, key.section, key.name, "has no influence without " + what + ": give that too, or remove it");
@@ -234,8 +234,11 @@ Deck validate(const Document& document, const std::vector<Assignment>& overrides
 
   for (std::size_t k = 0; k < catalogue.keys.size(); ++k)
     if (deck.values[k].origin == Origin::given) check_value(deck, catalogue.keys[k], deck.values[k]);
-  for (const Key& key : catalogue.keys) check_influence(deck, key);
   return deck;
+}
+
+void check_influence(Deck& deck) {
+  for (const Key& key : deck.catalogue.keys) check_influence_of(deck, key);
 }
 
 }  // namespace ehl::deck

@@ -24,8 +24,13 @@ double azimuth_of(const RadialLoad& load, int element) {
   return load.azimuth * degree + 2.0 * pi * element / load.elements;
 }
 
+// How far the ring comes towards an element; negative: it goes away.
+double approach(const RadialLoad& load, int element, double theta) {
+  return std::cos(azimuth_of(load, element) - theta);
+}
+
 double pressed(const RadialLoad& load, int element, double theta) {
-  return std::pow(std::max(0.0, std::cos(azimuth_of(load, element) - theta)), load.exponent);
+  return std::pow(std::max(0.0, approach(load, element, theta)), load.exponent);
 }
 
 Force force(const RadialLoad& load, double theta) {
@@ -77,8 +82,10 @@ std::vector<double> element_loads(const RadialLoad& load) {
     (force(load, middle).across < 0.0 ? below : above) = middle;
   }
   const double stiffness = load.load / force(load, below).along;
+  constexpr double rounding = 1e-12;  // of an approach: at right angles to the motion it is none, but for that
   std::vector<double> loads;
-  for (int j = 0; j < load.elements; ++j) loads.push_back(stiffness * pressed(load, j, below));
+  for (int j = 0; j < load.elements; ++j)
+    loads.push_back(approach(load, j, below) > rounding ? stiffness * pressed(load, j, below) : 0.0);
   return loads;
 }
 

@@ -47,6 +47,11 @@ PathOfContact path_of_contact(const Gears& gears) {
   };
   path.tip_radius1 = tip_radius(gears.teeth1, gears.shift1);
   path.tip_radius2 = tip_radius(gears.teeth2, gears.shift2);
+  const auto tip_thickness = [&](double tip, double base, int z, double x) {
+    return 2.0 * tip * ((0.5 * pi + 2.0 * x * std::tan(alpha)) / z + involute(alpha) - involute(std::acos(base / tip)));
+  };
+  path.tip_thickness1 = tip_thickness(path.tip_radius1, path.base_radius1, gears.teeth1, gears.shift1);
+  path.tip_thickness2 = tip_thickness(path.tip_radius2, path.base_radius2, gears.teeth2, gears.shift2);
   path.base_pitch = pi * gears.module * std::cos(alpha);
   path.length_T1T2 = path.centre_distance * std::sin(working_angle);
   path.A = path.length_T1T2 - reach(path.tip_radius2, path.base_radius2);

@@ -3,7 +3,7 @@
 //   m module, z1 and z2 teeth, alpha pressure angle, x1 and x2 profile shift, h_a addendum factor; wheel 1 drives
 // A place on the path is its distance s from T1, where the line of action touches the base circle of wheel 1; at T2 it
 // touches that of wheel 2. Contact begins at A, on the tip of wheel 2, and ends at E, on the tip of wheel 1; between B
-// and D one pair of teeth carries alone; C is the pitch point.
+// and D one pair of teeth carries alone, where the contact ratio is below 2; C is the pitch point.
 // source: ISO 21771. Without backlash, and with tips that profile shift shortens so that their clearance stays.
 
 namespace ehl::machines {
@@ -27,10 +27,12 @@ struct PathOfContact {
   double tip_alteration;  ///< k = a_w/m - (z1 + z2)/2 - (x1 + x2) <= 0, a_w the centre distance
   double tip_radius1;     ///< m (z1/2 + h_a + x1 + k)
   double tip_radius2;
-  double base_pitch;     ///< pi m cos(alpha)
-  double length_T1T2;    ///< centre_distance sin(alpha_w)
-  double A, B, C, D, E;  ///< distances from T1
-  double contact_ratio;  ///< (E - A)/base_pitch
+  double tip_thickness1;  ///< of a tooth, 2 tip_radius [(pi/2 + 2 x tan(alpha))/z + inv(alpha) - inv(alpha_a)],
+  double tip_thickness2;  ///< cos(alpha_a) = base_radius/tip_radius; negative: its flanks meet below the tip circle
+  double base_pitch;      ///< pi m cos(alpha)
+  double length_T1T2;     ///< centre_distance sin(alpha_w)
+  double A, B, C, D, E;   ///< distances from T1
+  double contact_ratio;   ///< (E - A)/base_pitch
 };
 
 /// in: m > 0, teeth >= 3, 0 < pressure_angle < 90. out: NaN where there is no such mesh: shifts for which teeth would

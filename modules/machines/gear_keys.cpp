@@ -54,7 +54,7 @@ std::vector<deck::Key> mesh_keys() {
        .meaning = "Speed of wheel 1.",
        .example = "1500"},
       {.name = "position",
-       .default_note = "the pitch point",
+       .default_note = "the pitch point, where that lies on the path",
        .range = {0.0, 1.0},
        .meaning = "Where the teeth touch, along the path of contact: 0 where contact begins, at the tip of wheel 2; "
                   "1 where it ends, at the tip of wheel 1.",
@@ -63,8 +63,8 @@ std::vector<deck::Key> mesh_keys() {
        .default_text = "linear",
        .words = {"none", "linear"},
        .meaning = "How two pairs of teeth share the load. linear: teeth of equal stiffness without relief of their "
-                  "tips, from 1/3 where contact begins to 2/3 where one pair carries alone, likewise to the end. "
-                  "none: every pair carries all.",
+                  "tips, from 1/3 where contact begins to 2/3, 1 where one pair is alone, from 2/3 to 1/3 at "
+                  "the end; for a contact ratio below 2. none: every pair carries all.",
        .source = "AGMA 925-A03; ISO/TS 6336-20"}};
 }
 
@@ -73,6 +73,17 @@ void demand_all(const deck::Part& gear) {
   if (gear.given("power") && gear.given("torque1"))
     gear.complain("torque1", "power is given as well: keep one of them");
   if (!gear.given("power") && !gear.given("torque1")) gear.complain("power", "is missing: give it, or torque1");
+}
+
+// in: "1" or "2".
+void check_tip(const deck::Part& gear, const std::string& wheel, double thickness) {
+  if (thickness > 0.0) return;
+  const std::string shift = "shift" + wheel;
+  const bool shifted = gear.number(shift) > 0.0;
+  gear.complain(shifted ? shift : "teeth" + wheel,
+                fmt::format("the teeth of wheel {} would be pointed: their flanks meet below the tip circle, where the "
+                            "tooth would be {:.4g} m thick; take {}less addendum, or more teeth",
+                            wheel, thickness, shifted ? "less profile shift, " : ""));
 }
 
 void check_path(const deck::Part& gear, const PathOfContact& path, bool shared) {
@@ -90,7 +101,10 @@ void check_path(const deck::Part& gear, const PathOfContact& path, bool shared) 
     interferes("2", "1");
   else if (!(path.E < path.length_T1T2))
     interferes("1", "2");
-  else if (!(path.contact_ratio >= 1.0))
+  else if (!(path.tip_thickness1 > 0.0 && path.tip_thickness2 > 0.0)) {
+    check_tip(gear, "1", path.tip_thickness1);
+    check_tip(gear, "2", path.tip_thickness2);
+  } else if (!(path.contact_ratio >= 1.0))
     gear.complain("addendum",
                   fmt::format("the contact ratio is {:.4g}: below 1 a pair of teeth parts before the next one "
                               "meets",
@@ -101,8 +115,18 @@ void check_path(const deck::Part& gear, const PathOfContact& path, bool shared) 
                               path.contact_ratio));
 }
 
+// in: the deck leaves the position open.
+void check_pitch_point(const deck::Part& gear, const PathOfContact& path) {
+  if (path.C >= path.A && path.C <= path.E) return;
+  gear.complain("position",
+                fmt::format("is missing, and the pitch point, which it would be, is not on the path of contact but at "
+                            "{:.4g} of it: the teeth do not touch there; give a position of 0 to 1",
+                            (path.C - path.A) / (path.E - path.A)));
+}
+
 std::vector<Number> path_numbers(const PathOfContact& path) {
   const auto position = [&](double s) { return (s - path.A) / (path.E - path.A); };
+  const bool alone = path.contact_ratio < 2.0;  // and else two pairs touch at least
   return {{"working_angle", path.working_angle, "degrees",
            "inv(alpha_w) = inv(alpha) + 2 tan(alpha) (x1 + x2)/(z1 + z2), ISO 21771"},
           {"centre_distance", path.centre_distance, "m", "m (z1 + z2)/2 cos(alpha)/cos(alpha_w)"},
@@ -112,13 +136,19 @@ std::vector<Number> path_numbers(const PathOfContact& path) {
            "k = centre_distance/m - (z1 + z2)/2 - (x1 + x2): the clearance of the tips stays"},
           {"tip_radius1", path.tip_radius1, "m", "m (z1/2 + addendum + x1 + k)"},
           {"tip_radius2", path.tip_radius2, "m", "m (z2/2 + addendum + x2 + k)"},
+          {"tip_thickness1", path.tip_thickness1, "m",
+           "2 tip_radius1 [(pi/2 + 2 x1 tan(alpha))/z1 + inv(alpha) - inv(alpha_a1)], cos(alpha_a1) = "
+           "base_radius1/tip_radius1"},
+          {"tip_thickness2", path.tip_thickness2, "m", "of a tooth of wheel 2, likewise"},
           {"base_pitch", path.base_pitch, "m", "pi m cos(alpha)"},
           {"length_T1T2", path.length_T1T2, "m", "centre_distance sin(alpha_w), between the base circles"},
           {"s_begin", path.A, "m", "from T1: length_T1T2 - sqrt(tip_radius2^2 - base_radius2^2)"},
           {"s_end", path.E, "m", "from T1: sqrt(tip_radius1^2 - base_radius1^2)"},
           {"contact_ratio", path.contact_ratio, "-", "(s_end - s_begin)/base_pitch"},
-          {"position_alone_from", position(path.B), "-", "one pair carries alone from s_end - base_pitch"},
-          {"position_alone_to", position(path.D), "-", "to s_begin + base_pitch"},
+          {"position_alone_from", alone ? position(path.B) : core::unknown, "-",
+           alone ? "one pair carries alone from s_end - base_pitch" : "nowhere: two pairs touch everywhere"},
+          {"position_alone_to", alone ? position(path.D) : core::unknown, "-",
+           alone ? "to s_begin + base_pitch" : "likewise"},
           {"position_pitch_point", position(path.C), "-", "s = base_radius1 tan(alpha_w)"}};
 }
 
@@ -130,7 +160,8 @@ std::vector<Number> mesh_numbers(const deck::Part& gear, const Gears& gears, con
   const double power = gear.number("power"), given_torque = gear.number("torque1");
   const double torque = by_power ? power / omega1 : given_torque;
   const double normal_force = torque / path.base_radius1;
-  const double of_pair = share(path, s, gear.choice("sharing", {Sharing::none, Sharing::linear}));
+  const Sharing sharing = gear.choice("sharing", {Sharing::none, Sharing::linear});
+  const double of_pair = share(path, s, sharing);
   return {{"rho1", mesh.rho1, "m", "radius of curvature of tooth 1, s_begin + position (s_end - s_begin)"},
           {"rho2", mesh.rho2, "m", "of tooth 2, length_T1T2 - rho1"},
           {"radius_x", mesh.R, "m", "rho1 rho2/(rho1 + rho2)"},
@@ -139,7 +170,9 @@ std::vector<Number> mesh_numbers(const deck::Part& gear, const Gears& gears, con
           {"sliding_speed", mesh.u1 - mesh.u2, "m/s", "u1 - u2, zero at the pitch point"},
           {"torque1", torque, "N m", by_power ? "power/(pi rpm1/30)" : "as given"},
           {"normal_force", normal_force, "N", "torque1/base_radius1, of all pairs together"},
-          {"share", of_pair, "-", "of the pair of teeth, by AGMA 925-A03 with sharing = linear"},
+          {"share", of_pair, "-",
+           sharing == Sharing::linear ? "of the pair of teeth, by AGMA 925-A03 with sharing = linear"
+                                      : "1: sharing = none, every pair carries all"},
           {"load", of_pair * normal_force, "N", "share normal_force"},
           {"load_per_length", of_pair * normal_force / gear.number("face_width"), "N/m", "load/face_width"}};
 }
@@ -159,6 +192,8 @@ std::vector<Number> read_gear(const deck::Part& gear) {
   if (!gear.deck.errors.empty()) return {};
   const PathOfContact path = path_of_contact(gears);
   check_path(gear, path, gear.word("sharing") == "linear");
+  if (!gear.deck.errors.empty()) return {};
+  if (!gear.given("position")) check_pitch_point(gear, path);
   if (!gear.deck.errors.empty()) return {};
   std::vector<Number> numbers = path_numbers(path);
   gear.follow("position", numbers.back().value, "the pitch point");

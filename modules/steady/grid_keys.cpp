@@ -190,6 +190,10 @@ void choose_grid(deck::Deck& deck, const contact::Groups& groups, reynolds::Wedg
   const deck::Part domain{deck, "domain"};
   choose_domain(domain, deck::Part{deck, "grid"}.number("accuracy"), groups);
   choose_cells({deck, "grid"}, domain, groups, wedge);
+  if (!deck::given(deck, "grid", "accuracy")) return;
+  // There the run but begins: an accuracy beside a grid that is given would be refused.
+  mark_following(deck, "grid", "cells");
+  for (const char* key : {"x_inlet", "x_outlet", "y_half"}) mark_following(deck, "domain", key);
 }
 
 void check_contains(deck::Deck& deck, const contact::Ellipse& shape) {
@@ -276,25 +280,5 @@ bool read_far_field(deck::Deck& deck, double steepest_load, bool body_moves) {
 }
 
 bool read_adjoint_errors(deck::Deck& deck) { return deck::Part{deck, "grid"}.choice("errors", {true, false}); }
-
-void check_domain(deck::Deck& deck, const Scene& scene) {
-  constexpr double too_much = 0.5;
-  const deck::Part domain{deck, "domain"};
-  const double error = rough_domain_error(scene);
-  if (scene.far_field && error > 1.0) {
-    domain.complain(domain.given("x_inlet") ? "x_inlet" : "y_half",
-                    fmt::format("so near the far field in closed form means nothing: its pressure there would move "
-                                "the film by about {:.0f} %. Leave the domain open, or take far_field = zero",
-                                100.0 * error));
-    return;
-  }
-  if (domain.given("x_inlet")) return;
-  if (error > too_much)
-    domain.complain(
-        "x_inlet",
-        fmt::format("is open, and the longest that is chosen, {:.4g}, cuts off about {:.0f} % of the film: "
-                    "so light a load is carried far from the contact. Give x_inlet, as far as the oil reaches",
-                    scene.grid.X_a, 100.0 * error));
-}
 
 }  // namespace ehl::steady

@@ -34,28 +34,28 @@ std::optional<machines::Contact> machine_input(deck::Deck& deck) {
   std::optional<machines::Contact> machine = machines::read(deck);
   if (!machine) return std::nullopt;
   refuse_contact(deck, *machine);
+  const std::string& section = machine->section;
   const std::string kind = deck::word(deck, "case", "kind");
   const bool ball = kind == machines::ball_race;
   const bool with_ends = !ball && deck::given(deck, "roller", "profile");
   if (ball) {
-    compute(deck, "motion", "angle", 0.0, "the ball rolls along radius_x");
-    compute(deck, "contact", "kind", "point", "a ball and its groove");
+    compute(deck, "motion", "angle", 0.0, section, "the ball rolls along radius_x");
+    compute(deck, "contact", "kind", "point", section, "a ball and its groove");
   } else if (with_ends) {
-    compute(deck, "contact", "kind", "roller", "[roller] gives it a profile");
+    compute(deck, "contact", "kind", "roller", section, "[roller] gives it a profile");
     const std::string length = kind == machines::gear_mesh ? "face_width" : "length";
-    compute(deck, "contact", "length_m", deck::number(deck, machine->section, length),
-            "[" + machine->section + "] " + length);
+    compute(deck, "contact", "length_m", deck::number(deck, section, length), section, length);
   } else {
-    compute(deck, "contact", "kind", "line", "straight flanks");
+    compute(deck, "contact", "kind", "line", section, "straight flanks");
   }
-  for (const auto& [section, name] : {std::pair{"contact", ball || with_ends ? "load" : "load_per_length"},
-                                      {"contact", "radius_x"},
-                                      {"contact", "radius_y"},
-                                      {"motion", "u1"},
-                                      {"motion", "u2"}})
+  for (const auto& [part, name] : {std::pair{"contact", ball || with_ends ? "load" : "load_per_length"},
+                                   {"contact", "radius_x"},
+                                   {"contact", "radius_y"},
+                                   {"motion", "u1"},
+                                   {"motion", "u2"}})
     if (const auto number = std::ranges::find(machine->numbers, name, &machines::Number::name);
         number != machine->numbers.end())
-      compute(deck, section, name, number->value, "[" + machine->section + "]: " + number->formula);
+      compute(deck, part, name, number->value, section, number->formula);
   return machine;
 }
 

@@ -103,16 +103,32 @@ contact::Groups groups_of(const contact::Input& input, const Physics& physics) {
   return contact::from_si(physics.si->contact);
 }
 
-// M and L that follow from other numbers are held against the same ranges as M and L given.
+// The key of the load.
+const char* load_key(const deck::Part& contact, Language language) {
+  if (language == Language::moes) return "M";
+  if (language == Language::hamrock_dowson) return "W";
+  return contact::is_line(contact.deck) ? "load_per_length" : "load";
+}
+
+// M and L that follow from other numbers are held against the same ranges as M and L given. L does not know the load.
 void check_derived(const deck::Part& contact, const Physics& physics) {
-  const std::string given_key = physics.language == Language::si ? "load" : "W";
+  if (physics.language == Language::moes) return;
+  const deck::Part lubricant{contact.deck, "lubricant"};
+  const bool si = physics.language == Language::si;
   for (const auto& [name, value] : {std::pair{"M", physics.groups.M}, {"L", physics.groups.L}}) {
     const deck::Key& key = *deck::find_key(contact.deck.catalogue, "contact", name);
     if (key.range.contains(value)) continue;
-    contact.complain(physics.language == Language::moes ? name : given_key,
-                     fmt::format("with the other numbers it means {} = {:.4g}, which must be {}: check the units of "
-                                 "all of them",
-                                 name, value, deck::allowed(key)));
+    const std::string what =
+        fmt::format("with the other numbers it means {} = {:.4g}, which must be {}: check the units of all of them",
+                    name, value, deck::allowed(key));
+    if (std::string(name) == "M")
+      contact.complain(load_key(contact, physics.language), what);
+    else if (!si)
+      contact.complain("G", what);
+    else if (lubricant.given("alpha"))
+      lubricant.complain("alpha", what);
+    else
+      contact.complain("radius_x", what);
   }
 }
 
@@ -162,8 +178,7 @@ Physics physical_input(deck::Deck& deck) {
     physics.p_h = physics.si->hertz.p_h;
   else if (std::isfinite(oil.alpha) && physics.groups.alpha_bar > 0.0)
     physics.p_h = contact::hertz_pressure(physics.groups, oil.alpha);
-  if (physics.p_h > 0.0)
-    check_pressure(part, physics.language == Language::moes ? "M" : physics.si ? "load" : "W", physics.p_h);
+  if (physics.p_h > 0.0) check_pressure(part, load_key(part, physics.language), physics.p_h);
   if (deck.errors.empty()) check_reach(deck, oil, physics.p_h);
   if (deck.errors.empty()) set_laws(oil, physics);
   physics.ambient = oil.ambient;

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "effects/roller/keys.hpp"
+#include "effects/roller/limits.hpp"
 #include "effects/roller/scene.hpp"
 
 namespace ehl::program {
@@ -32,13 +33,15 @@ void roller_input(Case& input) {
                                         "roller_race: set one of them, or remove it");
     return;
   }
-  roller::Scales scales{.length = shape.length, .in_SI = input.physics.language == Language::si};
+  roller::Scales scales{
+      .length = shape.length, .a_over_R = input.physics.a_over_R, .in_SI = input.physics.language == Language::si};
   if (input.physics.si) {
     scales.a = input.physics.si->hertz.a;
     scales.radius = input.physics.si->contact.radius;
     scales.load = deck::number(deck, "contact", "load");
   }
   const roller::Profile profile = roller::read(deck, scales);
+  if (deck.errors.empty()) roller::check_limits(deck, scales, input.scene.grid, profile);
   if (!deck.errors.empty()) return;
   input.roller = profile;
   roller::lay(profile, input.scene);

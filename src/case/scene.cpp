@@ -158,8 +158,9 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   Case result;
   result.deck = std::move(understood);
   deck::Deck& deck = result.deck;
-  result.dry = dry_input(deck);
   result.machine = machine_input(deck);
+  deck::check_influence(deck);
+  result.dry = dry_input(deck);
   result.physics = result.dry ? dry_physics(*result.dry) : physical_input(deck);
   steady::Scene& scene = result.scene;
   scene.deformation = mlmi::read(deck);

@@ -28,8 +28,8 @@ std::string in_nm(double H, double computed, const SiScales& scales) {
 std::string machine_lines(const machines::Contact& machine) {
   std::string text = fmt::format("{:<12} {}\n", machine.section, machine.what);
   for (const machines::Number& one : machine.numbers)
-    text += fmt::format("  {:<20} {:>12.6g} {:<7}  {}\n", one.name, one.value, one.unit == "-" ? "" : one.unit,
-                        one.formula);
+    text += fmt::format("  {:<20} {:>12} {:<7}  {}\n", one.name, known("{:.6g}", one.value),
+                        one.unit == "-" ? "" : one.unit, one.formula);
   return text;
 }
 

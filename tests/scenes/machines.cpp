@@ -1,5 +1,6 @@
 // Balls and rollers on their races, teeth of gears, and what cannot be a bearing or a pair of gears, through the built
 // program.
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <cstdio>
@@ -25,6 +26,9 @@ const std::string roller =
     "rpm_inner = 3000\n";
 const std::string gear =
     "[case]\nkind = gear_mesh\n[gear]\nmodule = 4e-3\nface_width = 20e-3\nrpm1 = 1500\nteeth1 = 24\nteeth2 = 48\n";
+const std::string fzg =
+    "[case]\nkind = gear_mesh\n[gear]\nmodule = 4.5e-3\nface_width = 14e-3\nrpm1 = 2250\ntorque1 = 135.5\nteeth1 = 16\n"
+    "teeth2 = 24\n";
 const std::string loaded_gear = gear + "power = 10e3\n";
 
 nlohmann::json run(const support::TemporaryFolder& folder, const std::string& deck) {
@@ -162,6 +166,56 @@ BOOST_AUTO_TEST_CASE(teeth_along_their_path) {
   BOOST_TEST(contains(refused.err, "this file has no map"), refused.err);
 }
 
+// Contact ratio 2.476: two pairs of teeth touch everywhere, and each carries all where the deck says so.
+BOOST_AUTO_TEST_CASE(no_pair_is_alone) {
+  const support::TemporaryFolder folder;
+  folder.write("d.ini",
+               "[case]\nkind = gear_mesh\n[gear]\nmodule = 4e-3\nface_width = 20e-3\nrpm1 = 1500\nteeth1 = 60\n"
+               "teeth2 = 100\naddendum = 1.4\npower = 10e3\nsharing = none\n" +
+                   rest);
+  const support::Ended ended = support::ehl(folder, "check d.ini");
+  BOOST_REQUIRE_MESSAGE(ended.status == 0, ended.err);
+  for (const char* part : {"nowhere: two pairs touch everywhere", "1: sharing = none, every pair carries all"})
+    BOOST_TEST(contains(ended.out, part), part << " is missing in\n" << ended.out);
+  for (const char* part : {"one pair carries alone", "AGMA", "nan"})
+    BOOST_TEST(!contains(ended.out, part), part << " stands in\n" << ended.out);
+}
+
+// An error about a number that follows from others names those, where they were given; and nothing is said beside it.
+BOOST_AUTO_TEST_CASE(errors_name_what_was_given) {
+  const support::TemporaryFolder folder;
+  folder.write("gear.ini", loaded_gear + rest);
+  folder.write("ball.ini", ball + rest);
+  folder.write("mm.ini",
+               "[gear]\nmodule = 4\nface_width = 20e-3\nrpm1 = 1500\nteeth1 = 24\nteeth2 = 48\npower = "
+               "10e3\n[case]\nkind = gear_mesh\n" +
+                   rest);
+  folder.write("line.ini",
+               "[contact]\nkind = line\nload_per_length = 2e5\nradius_x = 0.01\nE_prime = 228e9\n[motion]\nu_m = 5\n"
+               "[lubricant]\neta0 = 0.0168\nalpha = 1.52e-8\n");
+  struct Wrong {
+    std::string command;
+    std::vector<std::string> parts;
+  };
+  for (const auto& [command, parts] : std::vector<Wrong>{
+           {"check gear.ini --set gear.module=4",
+            {"ehl: command line: [gear] module = 4: so [contact] load_per_length = ", "load/face_width", "M = "}},
+           {"check mm.ini", {"ehl: mm.ini:1: [gear]: so [contact] load_per_length = ", "load/face_width", "M = "}},
+           {"check line.ini --set contact.load_per_length=1000",
+            {"ehl: command line: [contact] load_per_length = 1000: with", "M = "}},
+           {"check line.ini --set lubricant.alpha=1e-6 --set lubricant.viscosity=barus",
+            {"ehl: command line: [lubricant] alpha = 1e-6: with", "L = "}},
+           {"check line.ini --set contact.kind=Line", {"ehl: command line: [contact] kind = Line", "mean line?"}},
+           {"check gear.ini --set contact.length_m=0.01", {"[contact] length_m = 0.01", "settles it by [gear]"}},
+           {"sweep gear.ini --vary gear.position=0.5,1.2", {"[gear] position = 1.2", "<= 1"}},
+           {"sweep ball.ini --vary bearing.conformity=0.52,0.4", {"[bearing] conformity = 0.4", "> 0.5"}}}) {
+    const support::Ended ended = support::ehl(folder, command);
+    BOOST_TEST(ended.status == 2, command);
+    BOOST_TEST(ended.says(parts), command << " says\n" << ended.err);
+    BOOST_TEST(std::ranges::count(ended.err, '\n') == 1, command << " says\n" << ended.err);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
   const auto refused = [](const std::string& name, const std::string& deck, std::vector<std::string> parts) {
     return support::Slip{name, deck + rest, std::move(parts)};
@@ -190,6 +244,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
        refused("few of one", ball + "elements = 9\n", {"elements = 9", "no influence without radial_load"}),
        refused("no place", ball + "azimuth = 9\n", {"azimuth = 9", "no influence without radial_load"}),
        refused("unloaded", radial + "elements = 9\nazimuth = 120\n", {"azimuth = 120", "carries no load"}),
+       refused("beside the load", radial + "elements = 8\nazimuth = 90\n", {"azimuth = 90", "carries no load"}),
        refused("axial", radial + "elements = 9\ncontact_angle = 15\n", {"radial_load", "axial load"}),
        refused("three speeds", ball + "rpm_outer = 0\nrpm_cage = 1200\n", {"rpm_cage = 1200", "keep two"}),
        refused("as one", ball + "rpm_outer = 3000\n", {"rpm_inner = 3000", "nothing rolls"}),
@@ -204,8 +259,16 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
        refused("both", loaded_gear + "torque1 = 5\n", {"torque1 = 5", "power is given as well"}),
        refused("half a tooth", loaded_gear + "pressure_angle = 0\n", {"pressure_angle = 0", ">= 5"}),
        refused("off the path", loaded_gear + "position = 1.1\n", {"position = 1.1", "<= 1"}),
+       refused("no pitch point",
+               "[case]\nkind = gear_mesh\n[gear]\nmodule = 4.5e-3\nface_width = 14e-3\nrpm1 = 2250\ntorque1 = 100\n"
+               "teeth1 = 40\nteeth2 = 40\nshift1 = 1.2\nshift2 = -1.2\n",
+               {"[gear] position", "not on the path of contact", "-0.1394", "0 to 1"}),
        refused("no rule", loaded_gear + "sharing = half\n", {"sharing = half", "none, linear"}),
        refused("shifted", loaded_gear + "shift1 = -2\nshift2 = -2\n", {"shift1 = -2", "cannot mesh"}),
+       refused("pointed", fzg + "shift1 = 1.4\nshift2 = -0.5\n",
+               {"d.ini:10", "shift1 = 1.4", "pointed", "-0.0006173 m", "less profile shift"}),
+       refused("pointed without shift", loaded_gear + "addendum = 1.6\nsharing = none\npressure_angle = 25\n",
+               {"d.ini:7", "teeth1 = 24", "pointed", "less addendum"}),
        refused("short", loaded_gear + "addendum = 0.3\n", {"addendum = 0.3", "contact ratio"}),
        refused("long", loaded_gear + "addendum = 1.25\n", {"sharing", "contact ratio"}),
        refused("interference",

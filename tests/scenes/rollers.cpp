@@ -35,6 +35,7 @@ BOOST_AUTO_TEST_CASE(bad_input) {
   const std::string bodies = "load = 1e3\nradius_x = 0.004\nE_prime = 226e9\n";
   const std::string rest = "[motion]\nu_m = 2\n[lubricant]\neta0 = 0.02\nalpha = 16e-9\n";
   const std::string si = roller + bodies + "length_m = 0.008\n" + rest, straight = "[roller]\nprofile = straight\n";
+  const std::string crown = "[roller]\nprofile = crowned\n";
   support::check_refused({
       {"no length", numbers + oil + profile, {"[contact] length", "a roller has a length"}},
       {"no length in SI", roller + bodies + rest + profile, {"[contact] length_m", "a roller has a length"}},
@@ -63,6 +64,18 @@ BOOST_AUTO_TEST_CASE(bad_input) {
       {"design load", whole + profile + "design_load = 11\n", {"design_load = 11", "10"}},
       {"design load in kN", si + profile + "design_load_N = 3e6\n", {"design_load_N", "3000 times the load"}},
       {"no table", whole + "[roller]\nprofile = table\n", {"[roller] file", "is missing"}},
+      // Half of 8 mm is one R_x: a circle smaller than that does not reach the ends.
+      {"crown in micrometres",
+       si + crown + "crown_radius_m = 1e-9\n",
+       {"d.ini:14", "2.5e-07 R_x", "length 1:", "metres"}},
+      {"small crown", si + crown + "crown_radius = 0.99\n", {"crown_radius = 0.99", "does not reach the ends"}},
+      {"ball", whole + crown + "crown_radius = 1e-3\n", {"crown_radius = 1e-3", "slices", "kind = point"}},
+      {"round ball", whole + crown + "crown_radius = 2\n", {"crown_radius = 2", "times the mean", "x_outlet"}},
+      {"corner", si + straight + "end_length_m = 1e-3\nend_radius_m = 0.9e-3\n", {"d.ini:15", "0.225", "0.25 long"}},
+      {"edge", whole + straight + "end_length = 2\nend_radius = 1e-4\n", {"end_radius = 1e-4", "8 cells", "an edge"}},
+      // A wedge of sqrt(2 c 40/tilt) half widths, c = [1 + 2 ln(80)]/4: 2.794 with tilt = 25, less than a tenth of 40.
+      {"on its end", whole + profile + "tilt = 25\n", {"tilt = 25", "of the roller's 40", "less tilt"}},
+      {"a tilted domain", whole + profile + "tilt = -2\n", {"tilt = -2", "times the mean", "less tilt"}},
       {"closed far field", whole + profile + "[domain]\nfar_field = closed\n", {"far_field = closed", "without ends"}},
       {"y_half", whole + profile + "[domain]\ny_half = 30\n", {"y_half = 30", "half of the roller's length"}},
       {"load path", whole + profile + "[continuation]\npath = load\n", {"path = load", "not available for rollers"}},
@@ -127,6 +140,9 @@ BOOST_AUTO_TEST_CASE(a_table_is_the_profile_that_it_lists) {
   refused("0,0\n4,0.1\n9,0.3\n", "at least four rows");
   refused("0,0\n4,0.1\n3,0.2\n9,0.3\n", "wrong.csv:3: y must grow");
   refused("0,0\n4,a\n6,0.2\n9,0.3\n", "no finite number");
+  refused("0,0\n1,0.1\n60,0.2\n81,0.3\n",
+          "from y = 0 to 81, more than ten times half of the roller, 8: y and the drop");
+  refused("0,0\n1,2e6\n2,5e6\n9,1e9\n", "slices");
   refused("0,0,1\n4,0,1\n6,0.2,1\n9,0.3,1\n", "3 columns");
 }
 
@@ -156,6 +172,23 @@ BOOST_AUTO_TEST_CASE(a_roller_in_SI) {
   for (const char* name : {"P_middle", "P_end", "load_centre"}) {
     const double here = roller[name], there = plain["roller"][name];
     BOOST_TEST(std::abs(here / there - 1.0) < 1e-3, name << ": " << here << ", " << there);
+  }
+}
+
+// A table in mm is read as one in m, of which a roller holds but the first thousandth; one whose drops are in mm has
+// ends that lie beyond the roller.
+BOOST_AUTO_TEST_CASE(a_table_in_millimetres) {
+  const TemporaryFolder folder;
+  folder.write("case.ini",
+               "[contact]\nkind = roller\nload = 2000\nlength_m = 12e-3\nradius_x = 4e-3\nE_prime = 226e9\n[motion]\n"
+               "u_m = 3\n[lubricant]\neta0 = 0.02\nalpha = 16e-9\n[roller]\nprofile = table\nfile = mm.csv\n");
+  for (const auto& [rows, what] : {std::pair{"0,0\n1,0\n2,1e-6\n6,4e-6\n", "from y = 0 to 6, more than ten times half"},
+                                   {"0,0\n1e-3,0\n2e-3,1e-3\n6e-3,4\n", "an end lies 1000 R_x"},
+                                   {"0,0\n1e-3,0.5e-3\n2e-3,2e-3\n6e-3,3.9e-3\n", "cut into slices"}}) {
+    folder.write("mm.csv", rows);
+    const Ended check = ehl(folder, "check case.ini");
+    BOOST_TEST(check.status == 2, rows);
+    BOOST_TEST(check.says({"case.ini:14", "file = mm.csv", what}), check.err);
   }
 }
 

@@ -31,12 +31,12 @@ std::vector<Key> shape_keys() {
                        .range = positive,
                        .meaning =
                            "Radius of these ends over R_x: they fall as the square of the distance over twice "
-                           "the radius, from where the straight part ends.",
+                           "the radius, from where the straight part ends. Not smaller than they are long.",
                        .needs = of("straight"),
                        .example = "5"};
   const Key crown_radius{.name = "crown_radius",
                          .range = positive,
-                         .meaning = "Radius of a crowned roller along its axis, over R_x.",
+                         .meaning = "Radius of a crowned roller along its axis, over R_x; half of its length at least.",
                          .needs = of("crowned"),
                          .example = "2000"};
   const Key design_load{.name = "design_load",
@@ -49,22 +49,24 @@ std::vector<Key> shape_keys() {
                         .example = "1.5"};
   Key design_load_N = in_SI(design_load, "_N", "N", "3000");
   design_load_N.range = positive;
-  return {end_length,
-          in_SI(end_length, "_m", "m", "0.0005"),
-          end_radius,
-          in_SI(end_radius, "_m", "m", "0.05"),
-          crown_radius,
-          in_SI(crown_radius, "_m", "m", "10"),
-          design_load,
-          design_load_N,
-          {.name = "file",
-           .type = deck::Type::text,
-           .meaning = "The profile as a table, y and how far the surface lies below the middle's there, in m; of a "
-                      "contact without units in a and a^2/R. At least four rows, y growing, from the middle or from "
-                      "one end to an end; smooth between them. A table from the middle is mirrored.",
-           .needs = of("table"),
-           .example = "profile.csv",
-           .names_file = true}};
+  return {
+      end_length,
+      in_SI(end_length, "_m", "m", "0.0005"),
+      end_radius,
+      in_SI(end_radius, "_m", "m", "0.05"),
+      crown_radius,
+      in_SI(crown_radius, "_m", "m", "10"),
+      design_load,
+      design_load_N,
+      {.name = "file",
+       .type = deck::Type::text,
+       .meaning =
+           "The profile as a table, y and how far the surface lies below the middle's there, in m; of a "
+           "contact without units in a and a^2/R. At least four rows, y growing, from the middle or from "
+           "one end to an end, not beyond ten times that; smooth between them. A table from the middle is mirrored.",
+       .needs = of("table"),
+       .example = "profile.csv",
+       .names_file = true}};
 }
 
 // What is wrong with the file; empty where nothing is.
@@ -81,7 +83,12 @@ std::string read_table(const std::string& path, const Scales& scales, Profile& p
   }
   if (Y.size() < 4) return path + ": at least four rows are wanted";
   const double half = 0.5 * profile.length;
-  constexpr double rounding = 1e-9;
+  constexpr double rounding = 1e-9, most_halves = 10.0;
+  if (std::max(-Y.front(), Y.back()) > most_halves * half)
+    return fmt::format(
+        "{}: from y = {:.4g} to {:.4g}, more than ten times half of the roller, {:.4g}: y and the drop are "
+        "in {}",
+        path, Y.front() * unit_Y, Y.back() * unit_Y, half * unit_Y, scales.in_SI ? "metres" : "half widths and a^2/R");
   const bool mirrored = std::abs(Y.front()) <= rounding * half;
   if (Y.back() < half * (1.0 - rounding) || (!mirrored && Y.front() > -half * (1.0 - rounding)))
     return fmt::format(
@@ -119,7 +126,7 @@ std::vector<Key> keys() {
                  .range = {-100.0, 100.0},
                  .meaning =
                      "Misalignment: what the gap gains along y, dH/dY, a/R of an angle. The side y > 0 stands "
-                     "further off.",
+                     "further off. A tenth of the roller must bear the load, cut into slices.",
                  .needs = {.name = "profile"},
                  .example = "0.01"};
   return deck::in_section(

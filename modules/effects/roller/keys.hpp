@@ -9,12 +9,13 @@
 
 namespace ehl::roller {
 
-/// The scales of a contact in SI; not known: NaN.
+/// The scales of a contact, most of them in SI; not known: NaN.
 struct Scales {
   double length = std::numeric_limits<double>::quiet_NaN();  ///< of the roller, in a: of every contact
   double a = std::numeric_limits<double>::quiet_NaN();       ///< m, of X and Y
   double radius = std::numeric_limits<double>::quiet_NaN();  ///< m, R_x
   double load = std::numeric_limits<double>::quiet_NaN();    ///< N
+  double a_over_R = std::numeric_limits<double>::quiet_NaN();
   bool in_SI = false;
 };
 

@@ -165,9 +165,9 @@ class GearKeys(TypedDict, total=False):
     default: none; allowed: a number > 0 and <= 1e+06 1/min"""
     position: float | str
     """Where the teeth touch, along the path of contact: 0 where contact begins, at the tip of wheel 2; 1 where it ends, at the tip of wheel 1. (only with [case] kind = gear_mesh)
-    default: the pitch point; allowed: a number >= 0 and <= 1"""
+    default: the pitch point, where that lies on the path; allowed: a number >= 0 and <= 1"""
     sharing: Literal["none", "linear"]
-    """How two pairs of teeth share the load. linear: teeth of equal stiffness without relief of their tips, from 1/3 where contact begins to 2/3 where one pair carries alone, likewise to the end. none: every pair carries all. (only with [case] kind = gear_mesh)
+    """How two pairs of teeth share the load. linear: teeth of equal stiffness without relief of their tips, from 1/3 where contact begins to 2/3, 1 where one pair is alone, from 2/3 to 1/3 at the end; for a contact ratio below 2. none: every pair carries all. (only with [case] kind = gear_mesh)
     default: linear; allowed: one of none, linear"""
 
 class ContactKeys(TypedDict, total=False):
@@ -848,13 +848,13 @@ class RollerKeys(TypedDict, total=False):
     """The same in m, for a contact in SI. (only with [roller] profile = straight)
     default: none; allowed: a number > 0 m"""
     end_radius: float | str
-    """Radius of these ends over R_x: they fall as the square of the distance over twice the radius, from where the straight part ends. (only with [roller] profile = straight)
+    """Radius of these ends over R_x: they fall as the square of the distance over twice the radius, from where the straight part ends. Not smaller than they are long. (only with [roller] profile = straight)
     default: none; allowed: a number > 0"""
     end_radius_m: float | str
     """The same in m, for a contact in SI. (only with [roller] profile = straight)
     default: none; allowed: a number > 0 m"""
     crown_radius: float | str
-    """Radius of a crowned roller along its axis, over R_x. (only with [roller] profile = crowned)
+    """Radius of a crowned roller along its axis, over R_x; half of its length at least. (only with [roller] profile = crowned)
     default: none; allowed: a number > 0"""
     crown_radius_m: float | str
     """The same in m, for a contact in SI. (only with [roller] profile = crowned)
@@ -866,10 +866,10 @@ class RollerKeys(TypedDict, total=False):
     """The same in N, for a contact in SI. (only with [roller] profile = logarithmic)
     default: the load; allowed: a number > 0 N"""
     file: str | os.PathLike[str]
-    """The profile as a table, y and how far the surface lies below the middle's there, in m; of a contact without units in a and a^2/R. At least four rows, y growing, from the middle or from one end to an end; smooth between them. A table from the middle is mirrored. (only with [roller] profile = table)
+    """The profile as a table, y and how far the surface lies below the middle's there, in m; of a contact without units in a and a^2/R. At least four rows, y growing, from the middle or from one end to an end, not beyond ten times that; smooth between them. A table from the middle is mirrored. (only with [roller] profile = table)
     default: none; allowed: any text"""
     tilt: float | str
-    """Misalignment: what the gap gains along y, dH/dY, a/R of an angle. The side y > 0 stands further off. (only with [roller] profile)
+    """Misalignment: what the gap gains along y, dH/dY, a/R of an angle. The side y > 0 stands further off. A tenth of the roller must bear the load, cut into slices. (only with [roller] profile)
     default: 0; allowed: a number >= -100 and <= 100"""
     tilt_mrad: float | str
     """The same in mrad, for a contact in SI. (only with [roller] profile)

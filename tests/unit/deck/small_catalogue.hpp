@@ -82,7 +82,9 @@ inline ehl::deck::Catalogue catalogue() {
 inline ehl::deck::Deck read(const std::string& text, const std::vector<std::string>& overrides = {}) {
   std::vector<ehl::deck::Assignment> assignments;
   for (const std::string& one : overrides) assignments.push_back(ehl::deck::parse_override(one));
-  return ehl::deck::validate(ehl::deck::parse(text, "d.ini"), assignments, catalogue());
+  ehl::deck::Deck deck = ehl::deck::validate(ehl::deck::parse(text, "d.ini"), assignments, catalogue());
+  ehl::deck::check_influence(deck);
+  return deck;
 }
 
 /// True when one of the errors contains every part.

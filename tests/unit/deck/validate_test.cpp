@@ -23,6 +23,20 @@ BOOST_AUTO_TEST_CASE(a_good_deck) {
   BOOST_CHECK_THROW(deck::value(deck, "mesh", "nothing"), std::logic_error);
 }
 
+// What is wrong with a computed number is told where the keys stand that it follows from.
+BOOST_AUTO_TEST_CASE(computed_numbers_name_their_origin) {
+  const auto said = [](const std::vector<std::string>& overrides) {
+    deck::Deck deck = small::read("[mesh]\ncells = 32\n", overrides);
+    deck::compute(deck, "body", "load", 0.1, "mesh", "cells and length");
+    BOOST_TEST(deck::given(deck, "body", "load"));
+    deck::complain(deck, "body", "load", "is small");
+    return small::all_errors(deck);
+  };
+  BOOST_TEST(said({}) == "d.ini:1: [mesh]: so [body] load = 0.1 ([mesh]: cells and length): is small\n");
+  BOOST_TEST(said({"mesh.length=3", "law.z=0.5"}) ==
+             "command line: [mesh] length = 3: so [body] load = 0.1 ([mesh]: cells and length): is small\n");
+}
+
 // One line of the deck, and what its message must contain: place, key, what was given, remedy.
 BOOST_AUTO_TEST_CASE(each_slip_has_its_message) {
   struct Slip {

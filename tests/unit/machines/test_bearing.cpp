@@ -114,4 +114,23 @@ BOOST_AUTO_TEST_CASE(equilibrium) {
   check("one of four", element_loads({1.0, 4, 0.0}).front(), 1.0, 1e-14);
 }
 
+// Those within the half circle below the load carry, not those at its ends; by hand.
+BOOST_AUTO_TEST_CASE(how_many_carry) {
+  const auto loaded = [](int Z, double azimuth) {
+    int count = 0;
+    for (const double Q : element_loads({1000.0, Z, azimuth})) count += Q > 0.0;
+    return count;
+  };
+  BOOST_TEST(loaded(3, 0.0) == 1);   // 0; +-120 lie above
+  BOOST_TEST(loaded(3, 60.0) == 2);  // +-60
+  BOOST_TEST(loaded(4, 0.0) == 1);   // 0; not +-90
+  BOOST_TEST(loaded(8, 0.0) == 3);   // 0, +-45
+  BOOST_TEST(loaded(8, 22.5) == 4);  // +-22.5, +-67.5
+  BOOST_TEST(loaded(9, 0.0) == 5);   // 0, +-40, +-80
+  BOOST_TEST(loaded(12, 0.0) == 5);  // 0, +-30, +-60
+  BOOST_TEST(loaded(12, 90.0) == 5);
+  BOOST_TEST(loaded(1000, 0.0) == 499);
+  BOOST_TEST(element_loads({1000.0, 8, 90.0}).front() == 0.0);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -30,6 +30,8 @@ BOOST_AUTO_TEST_CASE(path_by_hand) {
   check("working angle", path.working_angle, 20.0);
   check("base radius 1", path.base_radius1, 45.105245797723602434597);
   check("base radius 2", path.base_radius2, 90.210491595447204869194);
+  check("tip thickness 1", path.tip_thickness1, 2.86220173406786406556);  // 104 [pi/48 + inv 20 - inv acos(r_b1/52)]
+  check("tip thickness 2", path.tip_thickness2, 3.09168977742906132291);  // 200 [pi/96 + inv 20 - inv acos(r_b2/100)]
   check("T1T2", path.length_T1T2, 49.250900638896297558350);
   check("A", path.A, 6.099223891546731631224);
   check("E", path.E, 25.875022734810056654271);
@@ -51,6 +53,16 @@ BOOST_AUTO_TEST_CASE(fzg_type_c) {
   // The clearance between tip and root is that without shift: m (c* + h_a - h_a), the roots m (z/2 - 1.25 + x).
   const double root2 = 4.5 * (12.0 - 1.25 + 0.1715);
   check("clearance", path.centre_distance - path.tip_radius1 - root2, 0.25 * 4.5);
+}
+
+// On the reference circle the tooth is as thick as its rack says, m (pi/2 + 2 x tan(alpha)); an addendum that ends it
+// there. Shifts that cancel leave the tips where they are.
+BOOST_AUTO_TEST_CASE(thickness_of_teeth) {
+  const Gears low{4.0, 30, 50, 20.0, 0.3, -0.3, -0.3};
+  const double tangent = std::tan(ehl::core::pi / 9.0);
+  check("wheel 1", path_of_contact(low).tip_thickness1, 4.0 * (0.5 * ehl::core::pi + 0.6 * tangent));
+  const Gears other{4.0, 50, 30, 20.0, -0.3, 0.3, -0.3};
+  check("wheel 2", path_of_contact(other).tip_thickness2, 4.0 * (0.5 * ehl::core::pi + 0.6 * tangent));
 }
 
 // At the pitch point nothing slides; elsewhere by (omega1 + omega2) times the distance from it, which is the speed of

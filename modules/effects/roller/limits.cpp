@@ -1,0 +1,113 @@
+#include "effects/roller/limits.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "effects/roller/slices.hpp"
+
+namespace ehl::roller {
+namespace {
+
+using Shape = Profile::Shape;
+
+constexpr double least_share = 0.1;   // of the length that bears: below, the mean load per length tells nothing
+constexpr double fewest_cells = 8.0;  // below an end that falls by the approach; with 7 the cycles diverge
+
+// As the deck gives it: in its plain unit or in SI.
+std::string given_key(const deck::Part& roller, const std::string& name, const std::string& suffix) {
+  return roller.given(name) || !roller.given(name + suffix) ? name : name + suffix;
+}
+
+// The key that the profile follows from.
+std::string profile_key(const deck::Part& roller, const Profile& profile) {
+  switch (profile.shape) {
+    case Shape::straight: return given_key(roller, "end_radius", "_m");
+    case Shape::crowned: return given_key(roller, "crown_radius", "_m");
+    case Shape::table: return "file";
+    case Shape::logarithmic: break;
+  }
+  return "profile";
+}
+
+// Of the same number with and without units, where a/R is known: NaN complains of nothing.
+void check_circles(const deck::Part& roller, const Scales& scales, const Profile& profile) {
+  const double half = 0.5 * profile.length * scales.a_over_R, end = profile.end_length * scales.a_over_R;
+  const char* units = "radii are over R_x, or with _m in metres";
+  if (profile.shape == Shape::crowned && profile.crown_radius < half)
+    roller.complain(profile_key(roller, profile),
+                    fmt::format("is {:.4g} R_x, and half of the roller's length {:.4g}: so small a circle does not "
+                                "reach the ends; {}",
+                                profile.crown_radius, half, units));
+  if (profile.shape == Shape::straight && profile.end_radius < end)
+    roller.complain(
+        profile_key(roller, profile),
+        fmt::format("is {:.4g} R_x, and the ends are {:.4g} long: so small a circle does not reach the end; "
+                    "{}",
+                    profile.end_radius, end, units));
+}
+
+void check_drop(const deck::Part& roller, const Scales& scales, const Profile& profile) {
+  const double half = 0.5 * profile.length;
+  const double most = std::max(std::abs(drop(profile, half)), std::abs(drop(profile, -half)));
+  if (const double over_R = most * scales.a_over_R * scales.a_over_R; over_R > 1.0)
+    roller.complain(profile_key(roller, profile),
+                    fmt::format("an end lies {:.4g} R_x from the level of the middle, and a body of that radius has no "
+                                "more than 1 to lose: check the units, {}",
+                                over_R, scales.in_SI ? "metres" : "a and a^2/R"));
+}
+
+void check_bearing(const deck::Part& roller, const core::Grid& grid, const Profile& profile) {
+  const auto bears_enough = [&](const Bearing& found) { return found.length >= least_share * profile.length; };
+  const double reach = std::min(-grid.X_a, grid.X_b);
+  const auto fits = [&](const Bearing& found) { return !(std::sqrt(found.heaviest) >= reach); };
+  const Bearing found = bearing(profile);
+  if (bears_enough(found) && fits(found)) return;
+  Profile upright = profile;
+  upright.tilt = 0.0;
+  const Bearing without = bearing(upright);
+  const bool tilts = profile.tilt != 0.0 && bears_enough(without) && fits(without);
+  const std::string key = tilts ? given_key(roller, "tilt", "_mrad") : profile_key(roller, profile);
+  if (!bears_enough(found))
+    roller.complain(key, fmt::format("cut into slices {:.3g} of the roller's {:.4g} half widths bear the load, and a "
+                                     "roller bears along a tenth of its length at least: {}",
+                                     found.length, profile.length,
+                                     tilts ? "less tilt, or a crown that bears it"
+                                           : "check the units, or give [contact] kind = point and radius_y"));
+  else
+    roller.complain(
+        key, fmt::format("cut into slices one carries {:.3g} times the mean load per length and is as wide as {:.3g} "
+                         "half widths to either side, beyond the domain's {:.3g}: move [domain] x_inlet and "
+                         "x_outlet, or take {}",
+                         found.heaviest, std::sqrt(found.heaviest), reach,
+                         tilts ? "less tilt" : "a profile that spreads the load"));
+}
+
+// Where the rounding has fallen by what the bodies approach each other it is beside the contact.
+void check_ends(const deck::Part& roller, const core::Grid& grid, const Profile& profile) {
+  if (profile.shape != Shape::straight || !roller.deck.errors.empty()) return;
+  const double fall = std::sqrt(2.0 * profile.end_radius * approach_of_line(profile.length));
+  if (fall < profile.end_length && fall < fewest_cells * grid.hy())
+    roller.complain(
+        profile_key(roller, profile),
+        fmt::format("lets the ends fall out of the contact within {:.3g} half widths, fewer than {:g} cells "
+                    "of {:.3g}: an edge, which the mesh does not see and half-spaces do not have; take a "
+                    "larger radius, or more cells",
+                    fall, fewest_cells, grid.hy()));
+}
+
+}  // namespace
+
+void check_limits(deck::Deck& deck, const Scales& scales, const core::Grid& grid, const Profile& profile) {
+  const deck::Part roller{deck, "roller"};
+  check_circles(roller, scales, profile);
+  if (!deck.errors.empty()) return;
+  check_drop(roller, scales, profile);
+  if (!deck.errors.empty()) return;
+  check_bearing(roller, grid, profile);
+  if (!deck::given(deck, "grid", "accuracy")) check_ends(roller, grid, profile);
+}
+
+}  // namespace ehl::roller

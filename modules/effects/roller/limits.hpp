@@ -1,0 +1,15 @@
+#pragma once
+// What no roller can be: profiles and tilts that come from wrong units.
+#include "core/grid.hpp"
+#include "deck/deck.hpp"
+#include "effects/roller/keys.hpp"
+#include "effects/roller/profile.hpp"
+
+namespace ehl::roller {
+
+/// Complains in [roller] where a circle of the profile does not reach the end that it makes, where the profile falls by
+/// more than R, where so little of the length bears the load that this is no roller, or more of it in a place than the
+/// domain is wide enough for; and, of a grid that will not be refined, where it does not see the rounded ends.
+void check_limits(deck::Deck& deck, const Scales& scales, const core::Grid& grid, const Profile& profile);
+
+}  // namespace ehl::roller

@@ -1,0 +1,31 @@
+#include "effects/roller/slices.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace ehl::roller {
+
+double approach_of_line(double length) { return 0.25 * (1.0 + 2.0 * std::log(2.0 * length)); }
+
+Bearing bearing(const Profile& profile) {
+  constexpr int slices = 4000;
+  const double width = profile.length / slices, mean = approach_of_line(profile.length);
+  std::vector<double> gap;
+  for (int k = 0; k < slices; ++k) {
+    const double Y = -0.5 * profile.length + (k + 0.5) * width;
+    gap.push_back(drop(profile, Y) + profile.tilt * Y);
+  }
+  std::ranges::sort(gap);
+  // The n slices that stand out most bear all of it: n approach - sum of their gaps = slices mean. More of them bear as
+  // long as the approach reaches the next one.
+  double sum = 0.0, approach = 0.0;
+  int loaded = 0;
+  do {
+    sum += gap[static_cast<std::size_t>(loaded++)];
+    approach = (slices * mean + sum) / loaded;
+  } while (loaded < slices && gap[static_cast<std::size_t>(loaded)] < approach);
+  return {loaded * width, (approach - gap.front()) / mean};
+}
+
+}  // namespace ehl::roller

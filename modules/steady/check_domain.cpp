@@ -1,0 +1,29 @@
+// A domain, given or chosen, against what it cuts off.
+#include <fmt/format.h>
+
+#include "steady/domain_error.hpp"
+#include "steady/keys.hpp"
+
+namespace ehl::steady {
+
+void check_domain(deck::Deck& deck, const Scene& scene) {
+  constexpr double too_much = 0.5;
+  const deck::Part domain{deck, "domain"};
+  const double error = rough_domain_error(scene);
+  if (scene.far_field && error > 1.0) {
+    domain.complain(domain.given("x_inlet") ? "x_inlet" : "y_half",
+                    fmt::format("so near the far field in closed form means nothing: its pressure there would move "
+                                "the film by about {:.0f} %. Leave the domain open, or take far_field = zero",
+                                100.0 * error));
+    return;
+  }
+  if (domain.given("x_inlet")) return;
+  if (error > too_much)
+    domain.complain(
+        "x_inlet",
+        fmt::format("is open, and the longest that is chosen, {:.4g}, cuts off about {:.0f} % of the film: "
+                    "so light a load is carried far from the contact. Give x_inlet, as far as the oil reaches",
+                    scene.grid.X_a, 100.0 * error));
+}
+
+}  // namespace ehl::steady

@@ -1,0 +1,73 @@
+// A roller in slices against closed forms.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "effects/roller/slices.hpp"
+
+using namespace ehl::roller;
+using boost::test_tools::tolerance;
+
+namespace {
+
+constexpr double slice = 1.0 / 4000.0;  // of the length: what a length is known to
+
+Profile flat(double length) {
+  return {.shape = Profile::Shape::straight, .length = length, .end_length = 0.0, .end_radius = 1.0};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(slices)
+
+// Below p = sqrt(1 - x^2) on a strip from -l/2 to l/2, H/(a^2/R) = (1/2 pi) int int p/r: for l much above 1 it is
+// (1/2 pi) int p 2 ln(l/|x|) dx, and by parts int sqrt(1 - x^2) ln|x| dx = -(pi/2)(ln 2 + 1/2). Here by the sum over x
+// of the exact integral over y, 2 asinh(l/(2 |x|)).
+BOOST_AUTO_TEST_CASE(approach_of_a_line_contact) {
+  for (const double length : {20.0, 100.0, 1000.0}) {
+    constexpr int parts = 100000;
+    double sum = 0.0;
+    for (int k = 0; k < parts; ++k) {
+      const double x = (k + 0.5) / parts;
+      sum += 2.0 * std::sqrt(1.0 - x * x) * 2.0 * std::asinh(0.5 * length / x) / parts;
+    }
+    BOOST_TEST(approach_of_line(length) == sum / (2.0 * M_PI), tolerance(2e-4));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(straight_roller_bears_everywhere) {
+  const Bearing found = bearing(flat(40.0));
+  BOOST_TEST(found.length == 40.0, tolerance(1e-12));
+  BOOST_TEST(found.heaviest == 1.0, tolerance(1e-12));
+}
+
+// A crown of radius r: with the approach d it bears to sqrt(2 r d) on both sides, (4/3) d sqrt(2 r d) = c length.
+BOOST_AUTO_TEST_CASE(crown) {
+  for (const double radius : {1.0, 10.0, 50.0}) {
+    Profile profile = flat(60.0);
+    profile.shape = Profile::Shape::crowned;
+    profile.crown_radius = radius;
+    const double mean = approach_of_line(60.0);
+    const double approach = std::pow(0.75 * mean * 60.0 / std::sqrt(2.0 * radius), 2.0 / 3.0);
+    const Bearing found = bearing(profile);
+    BOOST_TEST(found.length == 2.0 * std::sqrt(2.0 * radius * approach), tolerance(4.0 * slice * 60.0 / found.length));
+    BOOST_TEST(found.heaviest == approach / mean, tolerance(1e-4));
+    // A tilt moves the crown's lowest point by radius times tilt along it, and changes nothing else.
+    profile.tilt = 3.0 / radius;
+    BOOST_TEST(bearing(profile).length == found.length, tolerance(4.0 * slice * 60.0 / found.length));
+    BOOST_TEST(bearing(profile).heaviest == found.heaviest, tolerance(1e-3));
+  }
+}
+
+// A straight roller that stands on its end: a wedge, tilt l^2/2 = c length.
+BOOST_AUTO_TEST_CASE(wedge) {
+  for (const double tilt : {0.5, -5.0}) {
+    Profile profile = flat(60.0);
+    profile.tilt = tilt;
+    const double mean = approach_of_line(60.0), length = std::sqrt(2.0 * mean * 60.0 / std::abs(tilt));
+    const Bearing found = bearing(profile);
+    BOOST_TEST(found.length == length, tolerance(4.0 * slice * 60.0 / length));
+    BOOST_TEST(found.heaviest == std::abs(tilt) * length / mean, tolerance(4.0 * slice * 60.0 / length));
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
