@@ -109,7 +109,7 @@ std::vector<std::string> roller_warnings(const RollerResult& result) {
     warnings.push_back(
         fmt::format("the contact reaches the ends of the roller, where the pressure is {:.0f} % of the "
                     "middle's: the edges cut, and bodies that end there are no half-spaces; let the "
-                    "profile fall further",
+                    "profile fall further (a logarithmic one with [roller] design_load above 1)",
                     100.0 * at_ends));
   if (!result.coarser)
     warnings.emplace_back("half as many cells gave no solution: what happens at the ends has no error bar");
