@@ -365,7 +365,7 @@ class GridKeys(TypedDict, total=False):
     """Cells of the coarsest grid along x.
     default: chosen for the case; allowed: a whole number >= 4 and <= 4096"""
     errors: Literal["adjoint", "levels"]
-    """How the errors of Hc and Hm are estimated. adjoint: by what the solution leaves of the equations of a coarser grid, term by term, times the weights of Hc and Hm for it, with upstream3; a tenth of the time. levels: from the sequence of grids alone.
+    """How the errors of Hc and Hm are estimated. adjoint: by what is left of the equations of a coarser grid, times the weights of Hc and Hm for it (upstream3). levels: from the sequence of grids, as of a line contact always; there adjoint makes but the maps of [output] fields.
     default: adjoint; allowed: one of adjoint, levels"""
     accuracy: float | str
     """Relative error of Hc and Hm to reach, instead of cells: the run refines the grid, up to 8192 cells, and extends the domain where x_inlet and y_half are left open, until the estimated error is below it. A domain that is given is kept and its error told, not counted.
