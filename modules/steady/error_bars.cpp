@@ -157,10 +157,6 @@ Estimate Hm_by_weights(const adjoint::Foretold& parts, double value, double seen
   return {value * (1.0 + correction(parts, seen)), error + (1.0 + of_second_order) * algebraic};
 }
 
-/// measured: 29 contacts, half of them ellipses at any angle, on the chosen domain and one smaller by a fifth, against
-/// domains of twice the size: 61 of 61 within, 4.4 times too wide in the median, 23 at most.
-constexpr double safety_of_domain = 5.0;
-
 /// Of a light contact the error is made where the pressure ruptures, which is no wider however thick the film.
 constexpr double widest_zone = 0.5;
 /// With the same sign. At M = 2 to 5 the edge of rupture, a cell off here or there, may turn it: the extrapolated value
@@ -195,6 +191,11 @@ void judge_by_weights(const Scene& scene, const adjoint::Errors& errors, const s
   bars.Hm_best = narrower({last.Hm_fitted, bars.Hm_fitted.total()}, bars.Hm_extrapolated);
 }
 
+/// A line contact without what makes its errors others: a meniscus, heat, another scheme.
+bool plain_line(const Scene& scene) {
+  return scene.grid.line && !scene.supply && scene.effects.empty() && reynolds::third_order(scene.wedge);
+}
+
 /// Of a line contact the levels tell more than the weights, whose cells are wider than a spike: extrapolated by them Hm
 /// was further off in the median than it was on the mesh (0.25 % for 0.07 % on 1024 cells), and 61 of 390 bars were too
 /// narrow. By the levels, each taken for less than the scheme's order, 24 of 1206 bars of Hc and Hm: 156 lines, M = 2
@@ -202,8 +203,6 @@ void judge_by_weights(const Scene& scene, const adjoint::Errors& errors, const s
 /// swing back: no error is less than half of the one a level below, but for a factor of 3.
 constexpr double order_of_Hc_of_line = 1.5, order_of_Hm_of_line = 1.0;
 constexpr double floor_of_Hm_of_line = 0.03;
-/// Of a line contact's closed domain, over the rough estimate: M = 1 to 200, L = 0 to 25, against twice the length.
-constexpr double safety_of_closed_line = 3.0;
 
 void judge_line(const Scene& scene, const std::vector<LevelRow>& levels, ErrorBars& bars) {
   const LevelRow& last = levels.back();
@@ -226,6 +225,21 @@ void judge_line(const Scene& scene, const std::vector<LevelRow>& levels, ErrorBa
   bars.Hc_extrapolated = bars.Hm_extrapolated = {};
   bars.Hc_best = {last.Hc, bars.Hc.total()};
   bars.Hm_best = {last.Hm_fitted, bars.Hm_fitted.total()};
+}
+
+/// measured: 29 contacts, half of them ellipses at any angle, on the chosen domain and one smaller by a fifth, against
+/// domains of twice the size: 61 of 61 within, 4.4 times too wide in the median, 23 at most.
+constexpr double safety_of_domain = 5.0;
+/// Of a line's closed domain, over the rough estimate. measured: M = 1 to 200, L = 0 to 25, against twice the length.
+constexpr double safety_of_closed_line = 3.0;
+
+double domain_error(const Scene& scene, const Solution& solution) {
+  const bool ends_at_meniscus = scene.supply && !(solution.starvation && solution.starvation->filled > 0.0);
+  if (ends_at_meniscus) return 0.0;
+  if (solution.adjoint && scene.far_field && !plain_line(scene))
+    return safety_of_domain * std::max(solution.adjoint->Hc.domain, solution.adjoint->Hm.domain);
+  if (std::isfinite(solution.domain_error_Hc)) return std::abs(solution.domain_error_Hc);
+  return rough_domain_error(scene) * (plain_line(scene) && scene.far_field ? safety_of_closed_line : 1.0);
 }
 
 }  // namespace
@@ -258,18 +272,13 @@ ErrorBars error_bars_of(const Scene& scene, const Solution& solution) {
     const double least = judgement::third_order_floor(step, last.Hm_fitted, judgement::third_order_floor_of_Hm);
     bars.Hm_extrapolated.error = std::max(least, bars.Hm_extrapolated.error);
   }
-  const bool meniscus_inside = scene.supply && !(solution.starvation && solution.starvation->filled > 0.0);
-  bars.domain = meniscus_inside                           ? 0.0
-                : std::isfinite(solution.domain_error_Hc) ? std::abs(solution.domain_error_Hc)
-                                                          : rough_domain_error(scene);
-  const bool plain_line =
-      scene.grid.line && !scene.supply && scene.effects.empty() && reynolds::third_order(scene.wedge);
-  if (plain_line && scene.far_field) bars.domain *= safety_of_closed_line;
-  if (solution.adjoint && scene.far_field && !plain_line)
-    bars.domain = safety_of_domain * std::max(solution.adjoint->Hc.domain, solution.adjoint->Hm.domain);
-  if (plain_line && solution.levels.size() > 1) judge_line(scene, solution.levels, bars);
-  if (solution.adjoint && solution.levels.size() > 1 && !plain_line)
-    judge_by_weights(scene, *solution.adjoint, solution.levels, bars);
+  bars.domain = domain_error(scene, solution);
+  if (solution.levels.size() > 1) {
+    if (plain_line(scene))
+      judge_line(scene, solution.levels, bars);
+    else if (solution.adjoint)
+      judge_by_weights(scene, *solution.adjoint, solution.levels, bars);
+  }
   judge_P_max(scene, column(solution, &LevelRow::P_max), column(solution, &LevelRow::P_rim), bars);
   return bars;
 }
