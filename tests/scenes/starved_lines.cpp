@@ -75,6 +75,8 @@ BOOST_AUTO_TEST_CASE(more_than_goes_through_is_told) {
   BOOST_TEST(std::abs(full["starvation_factor"].get<double>() - 1.0) <= 1e-4);
   BOOST_TEST(full["starvation"]["factor_by_supply"] == 1.0);
   BOOST_TEST(full.dump().find("the rest stays in front") != std::string::npos);
+  BOOST_TEST(full["error_parts"]["domain"].get<double>() > 5e-4);  // nothing ends the inlet but the domain
+  BOOST_TEST(solved(folder, "[supply]\nH_oil = 0.02\n")["error_parts"]["domain"] == 0.0);
 }
 
 // Oil is conserved where the load falls, and twice the layer is twice the film.
