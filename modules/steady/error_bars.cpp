@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <span>
 #include <vector>
 
 #include "core/norms.hpp"
@@ -204,25 +204,20 @@ bool plain_line(const Scene& scene) {
 constexpr double order_of_Hc_of_line = 1.5, order_of_Hm_of_line = 1.0;
 constexpr double floor_of_Hm_of_line = 0.03;
 
-void judge_line(const Scene& scene, const std::vector<LevelRow>& levels, ErrorBars& bars) {
-  const LevelRow& last = levels.back();
+void judge_line(const Scene& scene, const Solution& solution, ErrorBars& bars) {
+  const LevelRow& last = solution.levels.back();
   const double step = (scene.grid.X_b - scene.grid.X_a) / last.nx;
-  std::vector<double> Hc, Hm;
-  double before = 0.0, of_Hm = 0.0;
-  for (const LevelRow& row : levels) {
-    Hc.push_back(row.Hc);
-    Hm.push_back(row.Hm_fitted);
-    before = std::exchange(of_Hm, judgement::estimate_error(Hm, order_of_Hm_of_line).relative_error);
-  }
-  bars.Hc.discretization =
-      judgement::estimate_error(Hc, order_of_Hc_of_line,
-                                judgement::third_order_floor(step, last.Hm_fitted, judgement::third_order_floor_of_Hc))
-          .relative_error;
+  const auto floor = [&](double share) { return judgement::third_order_floor(step, last.Hm_fitted, share); };
+  const auto error = [](std::span<const double> values, double order, double least = 0.0) {
+    return judgement::estimate_error(values, order, least).relative_error;
+  };
+  const std::vector<double> Hc = column(solution, &LevelRow::Hc), Hm = column(solution, &LevelRow::Hm_fitted);
+  bars.Hc.discretization = error(Hc, order_of_Hc_of_line, floor(judgement::third_order_floor_of_Hc));
+  const double of_Hm = error(Hm, order_of_Hm_of_line);
+  const double before = error(std::span(Hm).first(Hm.size() - 1), order_of_Hm_of_line);
   const double swung_back = std::isfinite(before) ? std::min(0.5 * before, 3.0 * of_Hm) : 0.0;
-  bars.Hm_fitted.discretization =
-      std::max({of_Hm, swung_back, judgement::third_order_floor(step, last.Hm_fitted, floor_of_Hm_of_line)});
+  bars.Hm_fitted.discretization = std::max({of_Hm, swung_back, floor(floor_of_Hm_of_line)});
   bars.Hm.discretization = bars.Hm_fitted.discretization + std::abs(last.Hm - last.Hm_fitted) / last.Hm;
-  bars.Hc_extrapolated = bars.Hm_extrapolated = {};
   bars.Hc_best = {last.Hc, bars.Hc.total()};
   bars.Hm_best = {last.Hm_fitted, bars.Hm_fitted.total()};
 }
@@ -261,7 +256,8 @@ ErrorBars error_bars_of(const Scene& scene, const Solution& solution) {
     bars.Hm_fitted_X = fitted.X;
     bars.Hm_fitted_Y = fitted.Y;
   }
-  if (!scene.supply) {  // beside a meniscus no order holds from level to level
+  // Beside a meniscus no order holds from level to level, and of a line no extrapolation's error does.
+  if (!scene.supply && !plain_line(scene)) {
     bars.Hc_extrapolated =
         extrapolated(column(solution, &LevelRow::Hc), order, judgement::unsure_of_Hc, checked.algebraic_error_Hc);
     bars.Hm_extrapolated = extrapolated(column(solution, &LevelRow::Hm_fitted), order, judgement::unsure_of_Hm,
@@ -275,7 +271,7 @@ ErrorBars error_bars_of(const Scene& scene, const Solution& solution) {
   bars.domain = domain_error(scene, solution);
   if (solution.levels.size() > 1) {
     if (plain_line(scene))
-      judge_line(scene, solution.levels, bars);
+      judge_line(scene, solution, bars);
     else if (solution.adjoint)
       judge_by_weights(scene, *solution.adjoint, solution.levels, bars);
   }

@@ -37,8 +37,8 @@ struct ErrorBars {
   Estimate Hm_best{};
   /// Relative change of Hc or Hm for a domain without end; 0 where a meniscus ends the inlet. With the far field in
   /// closed form: by the weights of the pressure on the boundary (adjoint/errors.hpp), of a line three times the rough
-  /// estimate. Else of Hc: Solution::domain_error_Hc where that is known, or the
-  /// rough estimate, right within a factor of about 2 (domain_error.hpp). No part of total().
+  /// estimate. Else of Hc: Solution::domain_error_Hc where that is known, or the rough estimate, right within a factor
+  /// of about 2 (domain_error.hpp). No part of total().
   double domain = ErrorBar::unknown;
   double P_max = ErrorBar::unknown;  ///< relative error estimate of P_max; NaN where it does not converge
   /// Differences of P_max between the levels fall, and no spike is about to overtake it. At a spike that no grid

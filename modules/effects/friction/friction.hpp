@@ -41,7 +41,7 @@ struct Parameters {
 /// What is upstream of a line contact's domain, where its pressure is that of the far field.
 struct Upstream {
   double lambda = 0.0;
-  double flow = 0.0;  ///< rho_bar H where dP/dX = 0
+  double flow = 0.0;  ///< that goes through, rho_bar H where dP/dX = 0
 };
 
 /// A solved contact on its whole domain.
@@ -77,8 +77,8 @@ struct Friction {
 /// The friction of a film. in: P and H on all of a domain; H > 0 where something is sheared.
 /// The integral of tau_m by the trapezoidal rule, those of H dP/dX and H dP/dY as sum of H (mean of the two nodes)
 /// times the differences of P; upstream of a line's domain H dP/dX = lambda (H - flow)/H^2, which falls as 1/X^2:
-/// beyond X_a = -2.5 an eighth of the rolling friction. order: 2, with P and H of order 2; with Cavitated::none 1 in
-/// the part beside the edge. cost: one viscosity per node.
+/// beyond X_a = -4.5 that is 6 to 18 % of the rolling friction. order: 2, with P and H of order 2; with Cavitated::none
+/// 1 in the part beside the edge. cost: one viscosity per node.
 Friction friction_of(const Film& film, const Parameters& parameters);
 
 /// What is wrong with the numbers, in words: a Newtonian oil that would carry what no lubricant can.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "contact/ellipse.hpp"
 #include "effects/roller/slices.hpp"
 
 namespace ehl::roller {
@@ -88,7 +89,7 @@ void check_bearing(const deck::Part& roller, const core::Grid& grid, const Profi
 // Where the rounding has fallen by what the bodies approach each other it is beside the contact.
 void check_ends(const deck::Part& roller, const core::Grid& grid, const Profile& profile) {
   if (profile.shape != Shape::straight || !roller.deck.errors.empty()) return;
-  const double fall = std::sqrt(2.0 * profile.end_radius * approach_of_line(profile.length));
+  const double fall = std::sqrt(2.0 * profile.end_radius * contact::roller_contact(profile.length).approach);
   if (fall < profile.end_length && fall < fewest_cells * grid.hy())
     roller.complain(
         profile_key(roller, profile),

@@ -1,16 +1,15 @@
 #include "effects/roller/slices.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
+
+#include "contact/ellipse.hpp"
 
 namespace ehl::roller {
 
-double approach_of_line(double length) { return 0.25 * (1.0 + 2.0 * std::log(2.0 * length)); }
-
 Bearing bearing(const Profile& profile) {
   constexpr int slices = 4000;
-  const double width = profile.length / slices, mean = approach_of_line(profile.length);
+  const double width = profile.length / slices, mean = contact::roller_contact(profile.length).approach;
   std::vector<double> gap;
   for (int k = 0; k < slices; ++k) {
     const double Y = -0.5 * profile.length + (k + 0.5) * width;

@@ -2,6 +2,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "contact/ellipse.hpp"
 #include "effects/roller/slices.hpp"
 
 using namespace ehl::roller;
@@ -30,7 +31,7 @@ BOOST_AUTO_TEST_CASE(approach_of_a_line_contact) {
       const double x = (k + 0.5) / parts;
       sum += 2.0 * std::sqrt(1.0 - x * x) * 2.0 * std::asinh(0.5 * length / x) / parts;
     }
-    BOOST_TEST(approach_of_line(length) == sum / (2.0 * M_PI), tolerance(2e-4));
+    BOOST_TEST(ehl::contact::roller_contact(length).approach == sum / (2.0 * M_PI), tolerance(2e-4));
   }
 }
 
@@ -46,7 +47,7 @@ BOOST_AUTO_TEST_CASE(crown) {
     Profile profile = flat(60.0);
     profile.shape = Profile::Shape::crowned;
     profile.crown_radius = radius;
-    const double mean = approach_of_line(60.0);
+    const double mean = ehl::contact::roller_contact(60.0).approach;
     const double approach = std::pow(0.75 * mean * 60.0 / std::sqrt(2.0 * radius), 2.0 / 3.0);
     const Bearing found = bearing(profile);
     BOOST_TEST(found.length == 2.0 * std::sqrt(2.0 * radius * approach), tolerance(4.0 * slice * 60.0 / found.length));
@@ -63,7 +64,8 @@ BOOST_AUTO_TEST_CASE(wedge) {
   for (const double tilt : {0.5, -5.0}) {
     Profile profile = flat(60.0);
     profile.tilt = tilt;
-    const double mean = approach_of_line(60.0), length = std::sqrt(2.0 * mean * 60.0 / std::abs(tilt));
+    const double mean = ehl::contact::roller_contact(60.0).approach,
+                 length = std::sqrt(2.0 * mean * 60.0 / std::abs(tilt));
     const Bearing found = bearing(profile);
     BOOST_TEST(found.length == length, tolerance(4.0 * slice * 60.0 / length));
     BOOST_TEST(found.heaviest == std::abs(tilt) * length / mean, tolerance(4.0 * slice * 60.0 / length));
