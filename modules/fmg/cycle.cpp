@@ -44,28 +44,39 @@ int visits_of_coarsest(Cycle kind, int l) {
 /// two such grids leave 0.21 of an error where two grids coarsened both ways leave 0.31.
 bool once(const Level& fine, const Level& coarse) { return fine.grid.nx == coarse.grid.nx && !fine.grid.domain.line; }
 
-/// Sum of |r| where it asks for another pressure. (Its root mean square sees the rim alone, where a visit may raise it
-/// and serve the cycle: of a roughness higher than the film a start more.)
-double residual_of(Hierarchy& hierarchy, Level& level) {
+/// Sum of |r| where it asks for another pressure, over that of the transport term, and the missing share of the load:
+/// a visit that brings H00 to its load disturbs a residual that was small. (The root mean square of r sees the rim
+/// alone, where a visit may raise it and serve the cycle: of a roughness higher than the film a start more.)
+double unsolved_share(Hierarchy& hierarchy, Level& level) {
   update_residual(hierarchy, level);
-  double sum = 0.0;
-  for (int i = 1; i < level.grid.nx; ++i)
-    for (int j = 1; j <= level.grid.last_line(); ++j)
-      if (!reynolds::stays_dry(hierarchy.problem.cavitation, level.P(i, j), level.r(i, j)))
-        sum += std::abs(level.r(i, j));
-  return sum;
+  const core::Patch& grid = level.grid;
+  const reynolds::Cavitation cavitation = hierarchy.problem.cavitation;
+  const reynolds::Transport transport = transport_on(hierarchy, level);
+  const auto Q = [&](int i, int j) { return level.rho_bar(i, j) * level.H(i, j); };
+  double residual = 0.0, transported = 0.0;
+  for (int i = 1; i < grid.nx; ++i) {
+    const auto c = reynolds::transport_weights(transport, i, grid.hx());
+    for (int j = 1; j <= grid.last_line(); ++j) {
+      if (!reynolds::stays_dry(cavitation, level.P(i, j), level.r(i, j))) residual += std::abs(level.r(i, j));
+      if (!reynolds::dry(cavitation, level.P(i, j)))
+        transported += std::abs(reynolds::transported(c, Q(i, j), Q(i - 1, j), Q(std::max(i - 2, 0), j)));
+    }
+  }
+  const std::optional<double>& load = hierarchy.problem.load;
+  const double missing = load ? std::abs(wanted_load(hierarchy, level) - carried_load(level)) / *load : 0.0;
+  return residual / transported + missing;
 }
 
 void visit_coarsest(Hierarchy& hierarchy, Level& level, int coarsest_sweeps, const Parameters& how) {
   const core::EnclosingTimer timer(hierarchy.times, core::Part::coarsest);
-  const double before = residual_of(hierarchy, level);
+  const double before = unsolved_share(hierarchy, level);
   core::copy(level.P, level.correction);  // a place to keep it: the correction is made later
   const double H00 = hierarchy.H00;
   Parameters used = how;
   for (;;) {
     used.relaxation = lighter(how.relaxation, hierarchy.coarsest_weight);
     relax_with_force_balance(hierarchy, level, coarsest_sweeps, used);
-    const bool swings = !(residual_of(hierarchy, level) <= raised * before);
+    const bool swings = !(unsolved_share(hierarchy, level) <= raised * before);
     if (!swings || hierarchy.coarsest_weight * less_weight < least_weight) return;
     hierarchy.coarsest_weight *= less_weight;
     core::copy(level.correction, level.P);

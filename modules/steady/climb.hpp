@@ -1,24 +1,12 @@
 #pragma once
 // A full multigrid solution of a scene.
 #include "fmg/full_multigrid.hpp"
+#include "steady/cycle_choice.hpp"
 #include "steady/scene.hpp"
 #include "steady/solution.hpp"
 #include "steady/solve.hpp"
 
 namespace ehl::steady {
-
-/// How a climb begins, and how cautious it is.
-struct Start {
-  int cells = 64;                 ///< along x on the first grid, at least
-  int sweeps = 20;                ///< relaxations of that grid alone, from the Hertz pressure
-  int cycles = 4;                 ///< cycles on that grid, at least
-  int coarsest = 32;              ///< cells along x of the coarsest grid of all cycles, at least
-  int balances = 10;              ///< relaxations with force balance on the coarsest grid
-  double caution_at_first = 1.0;  ///< factor on all under-relaxation weights on the first grid
-  double caution = 1.0;           ///< and on the finer ones
-  bool across = false;            ///< relaxations along Y too from the first cycle on; of square cells
-  double coarseness = 0.0;        ///< the first grid's step, at most, over the one that resolves the film; 0: any
-};
 
 /// True where so many cells, for a circular contact, hold the contact: begun on them the cycles find the film.
 bool held_by(int cells, const Scene& scene);
@@ -31,8 +19,7 @@ double first_H00(const Scene& scene);
 /// True where one half of the scene's grid is computed: it is symmetric in Y, and halving keeps all its levels.
 bool on_one_half(const Scene& scene);
 
-/// Makes the grids. Cycles that the scene leaves open are F(2,0) to the level of the discretization error and W(2,1)
-/// towards a tolerance. errors: core::InputError.
+/// Makes the grids. errors: core::InputError.
 fmg::Run begin_climb(const Scene& scene, const Start& start, const ProgressCallback& progress);
 
 /// Newton's method behind the cycles where the scene asks for it; then the solution, converged or not.

@@ -1,0 +1,134 @@
+#include "steady/cycle_choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/film_formulas.hpp"
+#include "steady/resolution.hpp"
+
+namespace ehl::steady {
+namespace {
+
+/// ln eta_bar in the Hertz pressure one film zone inside the edge from which on full weights oscillate where epsilon is
+/// steep, and are lowered sooner or later. Of 36 loads, M = 5 to 5000, L = 23 to 30, those above take up to 60 % fewer
+/// cycles with the weight below, those below it take more.
+constexpr double steep_log_viscosity = 20.0;
+
+/// F(2,0) cycles leave the least algebraic error of Hc and Hm for their work, W(2,1) the least residual. Along a line,
+/// where a coarse grid is half the work of a finer one, V cycles leave as little as F for two thirds of it. Of
+/// stretched cells, most of whose coarser grids are visited once anyhow, W is 1 % more work, and (1000, 15) at
+/// R_x/R_y = 100 begins at the first start with it alone.
+void choose_cycle(const Scene& scene, fmg::Parameters& parameters) {
+  const bool to_tolerance = std::isfinite(scene.multigrid.tolerance);
+  const fmg::Cycle shortest = scene.grid.line               ? fmg::Cycle::V
+                              : core::stretched(scene.grid) ? fmg::Cycle::W
+                                                            : fmg::Cycle::F;
+  if (!parameters.cycle) parameters.cycle = to_tolerance ? fmg::Cycle::W : shortest;
+  if (!parameters.post) parameters.post = to_tolerance || steep_edge(scene) ? 1 : 0;
+}
+
+/// Cells along x of the coarsest grid: few enough for its relaxations to solve it, and in a narrow domain, where the
+/// contact is slender, twice as many for a grid that holds it better. Aslant a step is at most so many times the
+/// shorter half of the contact: of R_x/R_y = 0.005 to 0.05, M = 1000, cycles leave 0.1 with 2.1, 0.24 with 2.9; of
+/// (100, 5) at 100, where the film is thinner, 0.46 with 2.5, 0.2 with 1.3 and 0.11 with 0.6.
+int coarsest_cells(const Scene& scene, const Start& start) {
+  const double widest_coarsest_step = long_along_motion(scene.shape) ? 0.6 : 2.5;
+  const double length = scene.grid.X_b - scene.grid.X_a;
+  const double width = scene.grid.Y_b - scene.grid.Y_a;
+  if (contact::gap(scene.shape).XY != 0.0) {
+    const double shorter = contact_size(scene.M, scene.L, scene.shape) / slenderness(scene.M, scene.L, scene.shape);
+    int cells = start.coarsest;
+    while (length / cells > widest_coarsest_step * shorter) cells *= 2;
+    return cells;
+  }
+  constexpr double narrow = 1.99;
+  return contact::circular(scene.shape) || scene.grid.line || length < narrow * width ? start.coarsest
+                                                                                      : 2 * start.coarsest;
+}
+
+/// -dH/d ln(load) of the central film to expect: twice the film where the contact is nearly rigid, little where it is
+/// elastic.
+double film_slope(const Scene& scene) {
+  constexpr double step = 0.01;
+  const auto film = [&](double M) { return contact::nijenbanning_venner_moes(M, scene.L, scene.shape); };
+  const double power = std::log(film(scene.M * (1.0 - step)) / film(scene.M * (1.0 + step))) / (2.0 * step);
+  return power * expected_central_film(scene.M, scene.L, scene.shape);
+}
+
+/// Along one line, whose points are solved together, a change may be distributed however strongly they are coupled: of
+/// 1 to 1e8 the cycles leave 0.2 to 0.5 of the residual with 1 to 10, 0.02 to 0.15 with 1e3 and 1e4 (eleven loads
+/// from (5, 0) to (200, 10), 256 and 1024 cells, of which 3 to 5 do not converge with 1e6 and more). Of bodies that
+/// stay nearly rigid, M = 1, cycles with it leave 0.7.
+constexpr double crossover_of_line = 3e3;
+/// On ever finer grids that would be ever thinner films: single changes, to which the film answers near them alone,
+/// raise what is smooth over sqrt(epsilon), and the coarser grids do not keep up. Without it 3 and 12 of 77 lines on
+/// 4096 and 8192 cells went to Newton's method; of 0.01, 0.02, 0.03 and 0.05 1 and 2 with the first, none with the
+/// others, and none of M <= 200 needs a second start with 0.02, one with the last two.
+constexpr double least_single_epsilon_of_line = 0.02;
+
+/// With 1, 0.9, 0.8 and 0.7 cycles of the 56 lines up to M = 200 on 1024 cells take 2210, 1939, 1880 and 2130 work
+/// units, and of all 77 two, one, none and one are left to Newton's method.
+constexpr double weight_of_line = 0.8;
+
+/// Changes on stretched cells are distributed to two neighbours instead of four. R_x/R_y = 20, (20, 10), 512 x 512
+/// cells: of 1, 0.85, 0.7 and 0.5 the cycles leave 0.43, 0.17, 0.16 and 0.26.
+constexpr double weight_when_stretched = 0.8;
+/// Where epsilon is steep, too: of 1, 0.8 and 0.6 the cycles leave 0.36, 0.37, 0.42 of (20, 15) at R_x/R_y = 50, 0.58,
+/// 0.48, 0.50 of it at 200, held there; of 0.8 and 0.6 0.58 and 0.34 of (100, 10) at 200, and (1000, 15) at 100 begins
+/// at the first start with 0.6 alone.
+constexpr double steep_when_stretched = 0.6;
+
+/// Of a pressure in one relaxation, as a change of ln eta at its slope at P = 0. Lines along X, which hold epsilon,
+/// made a spike's front alternate from line to line by 20 of it, and those across drove that on. Of 3, 6, 12 and no
+/// bound 0.35, 0.31, 0.44, 0.46 are left of (20, 15) at R_x/R_y = 50. Along one line, whose points are solved together,
+/// it serves nobody: 77 loads on 1024 cells take 3699 work units with it, 3689 without.
+double most_change(const Scene& scene) {
+  constexpr double most_change_of_log_viscosity = 6.0;
+  if (scene.grid.line) return std::numeric_limits<double>::infinity();
+  double P = 0.0, slope;
+  rheology::log_viscosity_slope(scene.viscosity, {&P, 1}, {&slope, 1});
+  return most_change_of_log_viscosity / slope;
+}
+
+}  // namespace
+
+/// The Hertz pressure at the distance s inside the edge is p_h sqrt(2 s/l), l the semi-axis across it.
+bool steep_edge(const Scene& scene) {
+  const double zone = film_zone(scene.M, scene.L, scene.shape);
+  const double P = std::sqrt(2.0 * zone / contact::extent(scene.shape).shorter);
+  return rheology::log_viscosity_at(scene.viscosity, std::min(1.0, P)) > steep_log_viscosity;
+}
+
+fmg::Parameters parameters_of(const Scene& scene, const Start& start) {
+  fmg::Parameters parameters = scene.multigrid;
+  parameters.coarsest_sweeps = std::max(parameters.coarsest_sweeps, start.balances);
+  parameters.relaxation.across = start.across && !core::stretched(scene.grid);
+  parameters.least_coarsest_cells = std::max(parameters.least_coarsest_cells, coarsest_cells(scene, start));
+  // The change of H00 = film - approach that a load brings, over that of a dry circle. Of the film half: without bodies
+  // to lean on the pressure answers later. With no pressure on the boundary a film that thick is not reached.
+  const double film = scene.far_field ? 0.75 * film_slope(scene) : 0.0;
+  parameters.load_relaxation *= (scene.shape.approach + film) / contact::relative_load(scene.shape);
+  // Single changes stand in the zones in which the film is made. Of 1, 2, 4 and 8 of their widths, eleven loads from
+  // (5, 0) to (200, 10): with 8 all converge, nine from the first start; with 1 three do not.
+  constexpr double film_zones = 8.0;
+  parameters.relaxation.line_zero = film_zones * film_zone(scene.M, scene.L, scene.shape);
+  // The coupling by the film, against which that by epsilon is held.
+  parameters.relaxation.crossover *= scene.shape.p_h / scene.shape.a;
+  const bool flattened = expected_central_film(scene.M, scene.L, scene.shape) < scene.shape.approach;
+  if (scene.grid.line && flattened) parameters.relaxation.crossover = crossover_of_line;
+  if (scene.grid.line) {
+    parameters.relaxation.least_single_epsilon = least_single_epsilon_of_line;
+    parameters.relaxation.weight_distributed = weight_of_line;
+  }
+  if (core::stretched(scene.grid)) {
+    parameters.relaxation = fmg::lighter(parameters.relaxation, weight_when_stretched);
+    parameters.relaxation.weight_single_steep *= steep_when_stretched;
+  }
+  parameters.relaxation.most_change = most_change(scene);
+  parameters.lead_inward = long_along_motion(scene.shape);
+  choose_cycle(scene, parameters);
+  return parameters;
+}
+
+}  // namespace ehl::steady
