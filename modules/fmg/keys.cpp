@@ -12,7 +12,8 @@ std::vector<deck::Key> keys() {
   return deck::in_section(
       "multigrid",
       {{.name = "cycle",
-        .default_note = "F to the level of the discretization error, W towards a tolerance",
+        .default_note = "F to the level of the discretization error (V of a line, W of stretched cells), W towards a "
+                        "tolerance",
         .words = {"V", "W", "F"},
         .meaning = "Shape of the coarse grid correction cycle.",
         .source = "Venner and ten Napel 1992: W at high loads"},
@@ -24,7 +25,7 @@ std::vector<deck::Key> keys() {
         .source = "Venner and ten Napel 1992"},
        {.name = "post",
         .type = Type::integer,
-        .default_note = "0 to the level of the discretization error, 1 towards a tolerance",
+        .default_note = "0 to the level of the discretization error (1 of stretched cells), 1 towards a tolerance",
         .range = {0, 20},
         .meaning = "Relaxations after the coarse grid correction, nu_2; 0 becomes 1 where the residual asks for it.",
         .source = "Venner and ten Napel 1992"},

@@ -22,8 +22,8 @@ struct Start {
 bool steep_edge(const Scene& scene);
 
 /// What the scene sets, and for the rest what its contact and cells ask for. Cycles that it leaves open are F(2,0) to
-/// the level of the discretization error, of stretched cells W(2,0), of a line V(2,0), and W(2,1) towards a tolerance;
-/// nu_2 is 1 behind a steep edge.
+/// the level of the discretization error, V(2,0) of a line; W(2,1) of stretched cells and towards a tolerance; nu_2 is
+/// 1 behind a steep edge.
 fmg::Parameters parameters_of(const Scene& scene, const Start& start);
 
 }  // namespace ehl::steady
