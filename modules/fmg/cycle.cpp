@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "fmg/boundary.hpp"
 #include "fmg/coarse_problem.hpp"
@@ -23,10 +24,10 @@ constexpr double cells_of_coarsest_sweeps = 32.0;
 /// wave; with (24/16)^2 times as many 0.3 ((1000, 1) at R_x/R_y = 50).
 constexpr double lines_of_coarsest_sweeps = 16.0;
 
-/// A visit of the coarsest grid whose relaxations leave more than this share of the residual is taken again with less
-/// weight. A new H00 may raise the residual a little: of 316 visits for ten loads from (5, 5) to (1000, 20) the worst
-/// left 1.9 of it. Relaxations that swing around the rim of a contact of few cells left 4 to 8 times as much, and
-/// cycles with them stood still (M >= 200, L <= 2).
+/// A visit of the coarsest grid that leaves more than this share of what is unsolved is taken again with less weight. A
+/// new H00 may raise the residual a little: of 316 visits for ten loads from (5, 5) to (1000, 20) the worst left 1.9 of
+/// it. Relaxations that swing around the rim of a contact of few cells left 4 to 8 times as much, and cycles with them
+/// stood still (M >= 200, L <= 2).
 constexpr double raised = 2.0;
 constexpr double less_weight = 0.8;
 constexpr double least_weight = 0.5;
@@ -64,7 +65,7 @@ double unsolved_share(Hierarchy& hierarchy, Level& level) {
   }
   const std::optional<double>& load = hierarchy.problem.load;
   const double missing = load ? std::abs(wanted_load(hierarchy, level) - carried_load(level)) / *load : 0.0;
-  return residual / transported + missing;
+  return (residual == 0.0 ? 0.0 : residual / transported) + missing;  // nothing is transported where all is dry
 }
 
 void visit_coarsest(Hierarchy& hierarchy, Level& level, int coarsest_sweeps, const Parameters& how) {
