@@ -47,7 +47,7 @@ inline RelaxationParameters lighter(RelaxationParameters how, double share) {
 
 /// How the full multigrid works. The defaults need no tuning.
 struct Parameters {
-  std::optional<Cycle> cycle;  ///< absent: W; the steady solver has its own choice (steady/climb.hpp)
+  std::optional<Cycle> cycle;  ///< absent: W; the steady solver has its own choice (steady/cycle_choice.hpp)
   int pre = 2;                 ///< nu_1, relaxations before the coarse grid correction
   std::optional<int> post;     ///< nu_2, relaxations after it; absent: 1, likewise
   int cycles = 2;              ///< cycles per level on the way up, at least

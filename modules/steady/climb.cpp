@@ -18,8 +18,6 @@ constexpr double largest_first_step = 0.4;
 /// M = 1000 to 8000, L = 0 to 25, with both wedges, begun on 64 cells, 5 of the 44 runs with wider steps need a later
 /// start, of the others none.
 constexpr double widest_step = 2.5;
-/// Of the weight where epsilon is steep, behind a steep_edge().
-constexpr double caution_where_steep = 0.8;
 
 /// The lower half where the scene is symmetric in Y and halving keeps all the levels, else all of the domain.
 core::Patch patch_to_compute_on(const Scene& scene, const fmg::Parameters& parameters) {
@@ -44,8 +42,6 @@ int first_cells(int cells, const Scene& scene) {
   return std::max(static_cast<int>(cells * slender / stretch),
                   static_cast<int>(length / largest_first_step * slender / stretch));
 }
-
-double steep_caution(const Scene& scene) { return steep_edge(scene) ? caution_where_steep : 1.0; }
 
 std::optional<reynolds::FarField> far_field_of(const Scene& scene) {
   if (!scene.far_field) return std::nullopt;

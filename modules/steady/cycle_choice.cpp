@@ -14,6 +14,14 @@ namespace {
 /// steep, and are lowered sooner or later. Of 36 loads, M = 5 to 5000, L = 23 to 30, those above take up to 60 % fewer
 /// cycles with the weight below, those below it take more.
 constexpr double steep_log_viscosity = 20.0;
+constexpr double caution_where_steep = 0.8;
+
+/// The Hertz pressure at the distance s inside the edge is p_h sqrt(2 s/l), l the semi-axis across it.
+bool steep_edge(const Scene& scene) {
+  const double zone = film_zone(scene.M, scene.L, scene.shape);
+  const double P = std::sqrt(2.0 * zone / contact::extent(scene.shape).shorter);
+  return rheology::log_viscosity_at(scene.viscosity, std::min(1.0, P)) > steep_log_viscosity;
+}
 
 /// F(2,0) cycles leave the least algebraic error of Hc and Hm for their work, W(2,1) the least residual. Along a line,
 /// where a coarse grid is half the work of a finer one, V cycles leave as little as F for two thirds of it. Stretched
@@ -92,12 +100,7 @@ double most_change(const Scene& scene) {
 
 }  // namespace
 
-/// The Hertz pressure at the distance s inside the edge is p_h sqrt(2 s/l), l the semi-axis across it.
-bool steep_edge(const Scene& scene) {
-  const double zone = film_zone(scene.M, scene.L, scene.shape);
-  const double P = std::sqrt(2.0 * zone / contact::extent(scene.shape).shorter);
-  return rheology::log_viscosity_at(scene.viscosity, std::min(1.0, P)) > steep_log_viscosity;
-}
+double steep_caution(const Scene& scene) { return steep_edge(scene) ? caution_where_steep : 1.0; }
 
 fmg::Parameters parameters_of(const Scene& scene, const Start& start) {
   fmg::Parameters parameters = scene.multigrid;

@@ -18,8 +18,9 @@ struct Start {
   double coarseness = 0.0;        ///< the first grid's step, at most, over the one that resolves the film; 0: any
 };
 
-/// True where the viscosity rises so fast inside the contact's edge that full weights oscillate where epsilon is steep.
-bool steep_edge(const Scene& scene);
+/// Factor to begin with on the weight where epsilon is steep: less than 1 where the viscosity rises so fast inside the
+/// contact's edge that full weights oscillate there.
+double steep_caution(const Scene& scene);
 
 /// What the scene sets, and for the rest what its contact and cells ask for. Cycles that it leaves open are F(2,0) to
 /// the level of the discretization error, V(2,0) of a line; W(2,1) of stretched cells and towards a tolerance; nu_2 is
