@@ -2,10 +2,13 @@
 
 python3 tests/bench/elliptic_slender.py EHL FOLDER [ANGLE [RATIO ...]]      solves what FOLDER does not hold, one line each
 python3 tests/bench/elliptic_slender.py EHL FOLDER bars RATIO,M,L,ANGLE ... the bars against a grid of twice the cells
+python3 tests/bench/elliptic_slender.py EHL FOLDER drawn SEED N             likewise of N contacts drawn at random
 """
 
 import json
+import math
 import pathlib
+import random
 import resource
 import subprocess
 import sys
@@ -79,10 +82,12 @@ def row(program, folder, case):
             f"{run['p_max_Pa'] / 1e9:.2g},{'; '.join(words)}")
 
 
-def bars(program, folder, case):
-    """Change of Hc and Hm to twice the cells both ways, over their bars."""
+def bars(program, folder, case, most_nodes):
+    """Change of Hc and Hm to twice the cells both ways, over their bars; of more nodes but the cells."""
     run = solved(program, folder, case)
     level = run["levels"][-1]
+    if level["nx"] * level["ny"] > most_nodes:
+        return ",".join([*(f"{value:g}" for value in case), f"{level['nx']}x{level['ny']}", "", ""])
     finer = solved(program, folder, case, f"grid.cells={2 * level['nx']}")
     words = [",".join(f"{value:g}" for value in case), f"{level['nx']}x{level['ny']}"]
     for film, bar in (("Hc", "error_Hc"), ("Hm_fitted", "error_Hm_fitted")):
@@ -91,13 +96,31 @@ def bars(program, folder, case):
     return ",".join(words)
 
 
+def by_comma(case):
+    return [float(value) for value in case.split(",")]
+
+
+def drawn(seed, number):
+    """Contacts (ratio, M, L, angle): ratio and M evenly by their logarithm, half of them at 0 degrees."""
+    source = random.Random(seed)
+
+    def between(low, high):
+        return float(f"{math.exp(source.uniform(math.log(low), math.log(high))):.3g}")
+
+    for _ in range(number):
+        yield between(0.01, 100), between(10, 500), round(source.uniform(2, 18), 1), source.choice(
+            [0, 0, 0, source.randint(1, 89), 45])
+
+
 def main(program, folder, what="0", *rest):
     folder = pathlib.Path(folder)
     folder.mkdir(exist_ok=True)
-    if what == "bars":
+    if what in ("bars", "drawn"):
+        most_nodes = 2e6 if what == "drawn" else math.inf
+        cases = drawn(int(rest[0]), int(rest[1])) if what == "drawn" else map(by_comma, rest)
         print("R_x/R_y,M,L,angle,cells,Hc: change;bar;finer bar;change/bar [%],Hm: change;bar;finer bar;change/bar [%]")
-        for case in rest:
-            print(bars(program, folder, [float(value) for value in case.split(",")]), flush=True)
+        for case in cases:
+            print(bars(program, folder, case, most_nodes), flush=True)
         return
     print("R_x/R_y,M,L,angle,cells,seconds,left per cycle,cycles to 1e-8,Hc;bar [%],Hm;bar [%],p_max [GPa],explanation")
     for ratio in [float(value) for value in rest] or RATIOS:

@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(the_rolling_force_is_that_of_biboulet_and_houpert) {
   }
 }
 
-// Of 48 at most 2 may miss. By the weights of coarse grids one of six did.
+// Of 48 at most one may miss. By the weights of coarse grids one of six did, with no share of the level below two.
 BOOST_AUTO_TEST_CASE(bars_hold_against_8192_cells) {
   int missed = 0;
   double widest = 0.0;
@@ -168,7 +168,7 @@ BOOST_AUTO_TEST_CASE(bars_hold_against_8192_cells) {
       if (cells == 1024) widest = std::max({widest, M <= 50.0 ? bars.Hm_best.error : 0.0});
     }
   }
-  BOOST_TEST(missed <= 2);
+  BOOST_TEST(missed <= 1);
   BOOST_TEST(widest < 0.02);  // a bar that is as wide as one likes always holds
 }
 
