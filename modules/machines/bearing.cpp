@@ -68,8 +68,8 @@ Turning complete(const Turning& two, double gamma) {
 }
 
 double rolling_speed(const Bearing& bearing, const Turning& turning) {
-  const double race = bearing.race == Race::inner ? turning.inner : turning.outer;
-  return pi / 60.0 * std::abs(race - turning.cage) * bearing.pitch_diameter * (1.0 + side(bearing) * gamma(bearing));
+  const double g = gamma(bearing);
+  return pi / 120.0 * bearing.pitch_diameter * (1.0 - g * g) * std::abs(turning.inner - turning.outer);
 }
 
 std::vector<double> element_loads(const RadialLoad& load) {

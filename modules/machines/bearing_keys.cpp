@@ -116,11 +116,19 @@ void check_load(const deck::Part& bearing) {
 
 void check_space(const deck::Part& bearing, const Bearing& given) {
   const int elements = bearing.integer("elements", 0);
-  if (!(race_radius(given) > 0.0))
+  // For the inner race, which a bearing has whichever is asked for, and for more than one element.
+  if (!(given.diameter < given.pitch_diameter))
     bearing.complain("diameter", "leaves no room for a race within the circle of diameter pitch_diameter");
-  else if (elements > 0 && elements * std::asin(given.diameter / given.pitch_diameter) > core::pi)
+  else if (elements > 1 && given.diameter > given.pitch_diameter * std::sin(core::pi / elements))
     bearing.complain("elements", fmt::format("so many of diameter {:g} m do not fit on a circle of {:g} m",
                                              given.diameter, given.pitch_diameter));
+}
+
+// But for rounding: one of the speeds may follow from that of the cage.
+bool turn_alike(const Turning& turning) {
+  constexpr double rounding = 1e-12;
+  return std::abs(turning.inner - turning.outer) <=
+         rounding * std::max(std::abs(turning.inner), std::abs(turning.outer));
 }
 
 void add_shape(const deck::Part& bearing, const Bearing& given, bool ball, std::vector<Number>& numbers) {
@@ -176,7 +184,7 @@ std::vector<deck::Key> bearing_keys() {
 std::vector<Number> read_bearing(const deck::Part& bearing, bool ball) {
   const Bearing given{bearing.number("diameter"), bearing.number("pitch_diameter"),
                       ball ? bearing.number("contact_angle") : 0.0, bearing.choice("race", {Race::inner, Race::outer})};
-  const Turning turning = read_turning(bearing);
+  const Turning told = read_turning(bearing);
   bearing.demand({"diameter", "pitch_diameter"}, "the contact follows from it");
   if (!ball) bearing.demand({"length"}, "that of the roller, on which its load is spread");
   check_load(bearing);
@@ -185,8 +193,9 @@ std::vector<Number> read_bearing(const deck::Part& bearing, bool ball) {
 
   std::vector<Number> numbers;
   add_shape(bearing, given, ball, numbers);
-  add_speeds(given, complete(turning, gamma(given)), numbers);
-  if (numbers.back().value == 0.0) bearing.complain("rpm_inner", "and rpm_outer are the same: nothing rolls");
+  const Turning turning = complete(told, gamma(given));
+  add_speeds(given, turning, numbers);
+  if (turn_alike(turning)) bearing.complain("rpm_inner", "and rpm_outer are the same: nothing rolls");
   const double load = add_load(bearing, ball, numbers);
   numbers.push_back({"load", load, "N", bearing.given("load") ? "as given" : "load_factor F_r/Z"});
   if (!ball) numbers.push_back({"load_per_length", load / bearing.number("length"), "N/m", "load/length"});

@@ -95,7 +95,7 @@ constexpr double share_of_accuracy = 0.1;
 
 bool closed(const deck::Part& domain) { return domain.choice("far_field", {true, false}); }
 
-void choose_domain(const deck::Part& domain, double accuracy, const contact::Groups& groups) {
+void choose_domain(const deck::Part& domain, double accuracy, const contact::Groups& groups, double wider) {
   std::optional<double> far_field;
   const bool known = groups.M > 0.0 && groups.L >= 0.0;  // else a domain for a contact with an error in it
   if (closed(domain) && known)
@@ -104,9 +104,10 @@ void choose_domain(const deck::Part& domain, double accuracy, const contact::Gro
   if (contact::line(groups.shape))
     domain.refuse({"y_half"}, roller ? "is half of the roller's length, where the gap ends: remove it"
                                      : "has no influence on a line contact, which has no sides: remove it");
-  domain.fill("x_outlet", chosen_outlet(groups.M, groups.L, groups.shape, far_field), "behind the cavitation boundary");
+  domain.fill("x_outlet", wider * chosen_outlet(groups.M, groups.L, groups.shape, far_field),
+              "behind the cavitation boundary");
   const double x_outlet = domain.number("x_outlet");
-  domain.fill("x_inlet", chosen_inlet(groups.M, groups.L, x_outlet, groups.shape, far_field),
+  domain.fill("x_inlet", wider * chosen_inlet(groups.M, groups.L, x_outlet / wider, groups.shape, far_field),
               far_field ? "closed far field: halved, it moves the film by less than 0.2 %"
                         : "cuts off less than about 1 % of the film where 200 radii are enough for that");
   if (roller) domain.follow("y_half", groups.shape.kappa, "the ends of the roller");
@@ -186,9 +187,9 @@ AccuracyTarget read_accuracy(deck::Deck& deck, double most_nodes) {
   return target;
 }
 
-void choose_grid(deck::Deck& deck, const contact::Groups& groups, reynolds::Wedge wedge) {
+void choose_grid(deck::Deck& deck, const contact::Groups& groups, reynolds::Wedge wedge, double wider) {
   const deck::Part domain{deck, "domain"};
-  choose_domain(domain, deck::Part{deck, "grid"}.number("accuracy"), groups);
+  choose_domain(domain, deck::Part{deck, "grid"}.number("accuracy"), groups, wider);
   choose_cells({deck, "grid"}, domain, groups, wedge);
   if (!deck::given(deck, "grid", "accuracy")) return;
   // There the run but begins: an accuracy beside a grid that is given would be refused.

@@ -13,7 +13,8 @@ std::vector<deck::Key> grid_keys();
 /// [grid] accuracy. in: the most nodes that the memory holds.
 AccuracyTarget read_accuracy(deck::Deck& deck, double most_nodes);
 /// Records in the deck the domain and the cells that it leaves open: domain_error.hpp, resolution.hpp.
-void choose_grid(deck::Deck& deck, const contact::Groups& groups, reynolds::Wedge wedge);
+/// in: how many times as wide as Hertz' a contact is where its load is unevenly spread, for inlet and outlet.
+void choose_grid(deck::Deck& deck, const contact::Groups& groups, reynolds::Wedge wedge, double wider = 1.0);
 /// Complains about a domain, as the deck gives it, that ends within the dry contact.
 void check_contains(deck::Deck& deck, const contact::Ellipse& shape);
 /// The finest grid, and the cells of the coarsest one along x; 0 where they are open.

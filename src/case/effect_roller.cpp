@@ -11,6 +11,7 @@
 #include "core/constants.hpp"
 #include "core/errors.hpp"
 #include "core/timer.hpp"
+#include "deck/text.hpp"
 #include "effects/roller/keys.hpp"
 #include "effects/roller/scene.hpp"
 #include "steady/climb.hpp"
@@ -121,6 +122,8 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
     one.name = "roller_" + one.name;
     content.summary.push_back(std::move(one));
   }
+  content.summary.push_back(
+      {"roller_warnings", deck::joined(roller_warnings(*computed.roller), "\n"), "", "one a line"});
   content.tables.push_back(
       table_of("roller", "along the roller, with oil", slice_columns(), computed.roller->found.slices));
   content.tables.push_back(

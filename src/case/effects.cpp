@@ -159,8 +159,11 @@ void add_effects(const Case& input, const Computed& computed, Json& report) {
   for (const results::EffectRow& row : effect_rows(input, computed))
     rows.push_back({{"name", row.name}, {"seconds", row.seconds}, {"what", row.what}, {"why", row.why}});
   for (const Effect& effect : effects_of(input))
-    if (Json own = effect.json ? effect.json(input, computed) : Json(); !own.is_null())
+    if (Json own = effect.json ? effect.json(input, computed) : Json(); !own.is_null()) {
+      if (own.contains("warnings"))
+        for (const Json& warning : own["warnings"]) report["warnings"].push_back(warning);
       report[effect.name] = std::move(own);
+    }
 }
 
 std::vector<results::EffectRow> effect_rows(const Case& input, const Computed& computed) {

@@ -23,28 +23,31 @@ void settle_roller(deck::Deck& deck) {
   path.follow("path", std::string("off"), "the length in half widths changes with the load");
 }
 
+std::optional<roller::Profile> roller_profile(deck::Deck& deck, const Physics& physics) {
+  if (!deck::given(deck, "roller", "profile") || !deck.errors.empty()) return std::nullopt;
+  roller::Scales scales{
+      .length = physics.groups.shape.length, .a_over_R = physics.a_over_R, .in_SI = physics.language == Language::si};
+  if (physics.si) {
+    scales.a = physics.si->hertz.a;
+    scales.radius = physics.si->contact.radius;
+    scales.load = deck::number(deck, "contact", "load");
+  }
+  const roller::Profile profile = roller::read(deck, scales);
+  if (deck.errors.empty()) roller::check_profile(deck, scales, profile);
+  return deck.errors.empty() ? std::optional(profile) : std::nullopt;
+}
+
 void roller_input(Case& input) {
   deck::Deck& deck = input.deck;
-  const contact::Ellipse& shape = input.physics.groups.shape;
   if (!deck::given(deck, "roller", "profile") || !deck.errors.empty()) return;
-  if (!contact::roller(shape)) {
+  if (!input.roller) {
     deck::Part{deck, "roller"}.complain("profile",
                                         "has no influence without [contact] kind = roller or [case] kind = "
                                         "roller_race: set one of them, or remove it");
     return;
   }
-  roller::Scales scales{
-      .length = shape.length, .a_over_R = input.physics.a_over_R, .in_SI = input.physics.language == Language::si};
-  if (input.physics.si) {
-    scales.a = input.physics.si->hertz.a;
-    scales.radius = input.physics.si->contact.radius;
-    scales.load = deck::number(deck, "contact", "load");
-  }
-  const roller::Profile profile = roller::read(deck, scales);
-  if (deck.errors.empty()) roller::check_limits(deck, scales, input.scene.grid, profile);
-  if (!deck.errors.empty()) return;
-  input.roller = profile;
-  roller::lay(profile, input.scene);
+  roller::check_on_grid(deck, input.scene.grid, *input.roller);
+  if (deck.errors.empty()) roller::lay(*input.roller, input.scene);
 }
 
 }  // namespace ehl::program

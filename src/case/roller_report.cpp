@@ -101,16 +101,19 @@ std::vector<results::Quantity> roller_quantities(const Case& input, const Roller
   return list;
 }
 
-std::vector<std::string> roller_warnings(const RollerResult& result) {
-  std::vector<std::string> warnings;
+std::vector<std::string> edge_warnings(const Distribution& found) {
   constexpr double bears = 0.1;  // of the pressure in the middle
-  const double at_ends = result.found.P_at_ends / result.found.middle.P_max;
-  if (at_ends > bears)
-    warnings.push_back(
-        fmt::format("the contact reaches the ends of the roller, where the pressure is {:.0f} % of the "
-                    "middle's: the edges cut, and bodies that end there are no half-spaces; let the "
-                    "profile fall further (a logarithmic one with [roller] design_load above 1)",
-                    100.0 * at_ends));
+  const double at_ends = found.P_at_ends / found.middle.P_max;
+  if (!(at_ends > bears)) return {};
+  return {
+      fmt::format("the contact reaches the ends of the roller, where the pressure is {:.0f} % of the "
+                  "middle's: the edges cut, and bodies that end there are no half-spaces; let the "
+                  "profile fall further (a logarithmic one with [roller] design_load above 1)",
+                  100.0 * at_ends)};
+}
+
+std::vector<std::string> roller_warnings(const RollerResult& result) {
+  std::vector<std::string> warnings = edge_warnings(result.found);
   if (!result.coarser)
     warnings.emplace_back("half as many cells gave no solution: what happens at the ends has no error bar");
   return warnings;

@@ -14,6 +14,7 @@
 #include "case/supply_input.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
+#include "effects/roller/slices.hpp"
 #include "fmg/keys.hpp"
 #include "machines/keys.hpp"
 #include "mlmi/keys.hpp"
@@ -167,16 +168,18 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   scene.multigrid = fmg::read(deck);
   const contact::Groups& groups = result.physics.groups;
   settle_boundary_of_supply(deck);
-  if (contact::roller(groups.shape))
+  if (contact::roller(groups.shape)) {
     settle_roller(deck);
-  else if (contact::line(groups.shape))
+    result.roller = roller_profile(deck, result.physics);
+  } else if (contact::line(groups.shape)) {
     settle_line_in_time(deck);
+  }
   scene.accuracy = steady::read_accuracy(deck, share_of_memory * usable_memory() / bytes_per_node);
   if (!result.dry) {
     scene.wedge = reynolds::read(deck);
     scene.face = reynolds::read_face(deck);
     scene.far_field = steady::read_far_field(deck, steepest_load(deck, result.physics), deck::called_for(deck, "body"));
-    steady::choose_grid(deck, groups, scene.wedge);
+    steady::choose_grid(deck, groups, scene.wedge, result.roller ? roller::bearing(*result.roller).widest : 1.0);
   }
   const bool contact_known = result.dry || groups.M > 0.0;
   if (contact_known) steady::check_contains(deck, groups.shape);

@@ -11,6 +11,7 @@
 #include "case/catalogue.hpp"
 #include "case/effects.hpp"
 #include "case/machine_input.hpp"
+#include "case/roller_report.hpp"
 #include "case/starvation_report.hpp"
 #include "case/thermal_report.hpp"
 #include "core/errors.hpp"
@@ -137,6 +138,13 @@ SweepRow sweep_row(const SweepKind& kind) {
     for (const char* name :
          {"starvation_factor", "supply_ratio", "Hc_flooded", "meniscus_x", "gamma", "mass_imbalance"})
       row.push_back({name, unknown});
+  if (kind.roller) {
+    row.insert(row.end(), {{"P_middle", unknown, "p_h"},
+                           {"P_end", unknown, "p_h"},
+                           {"H_end", unknown, "a^2/R"},
+                           {"load_centre", unknown, "a"}});
+    if (kind.si) row.push_back({"moment", unknown, "N m"});
+  }
   for (const Quantity& one : kind.machine) row.push_back({one.name, unknown, one.unit});
   row.push_back({"warnings", 0});
   row.push_back({"reason", ""});
@@ -175,6 +183,11 @@ SweepRow row_of_solution(const Case& input, const FilmSolution& found, SweepRow 
       warnings += friction::warnings(rubbed).size();
     }
     if (solution.starvation) take(starvation_quantities(input, solution), row);
+    if (input.roller) {
+      const RollerResult carried{.found = roller::distribution(solution.grid, solution.P, solution.H)};
+      take(roller_quantities(input, carried), row);
+      warnings += edge_warnings(carried.found).size();
+    }
     if (found.heat) {
       take(thermal_quantities(input, *found.heat), row);
       warnings += thermal_warnings(input, *found.heat).size();
@@ -209,6 +222,7 @@ SweepKind kind_of_sweep(const std::string& path, const std::vector<std::string>&
   return {.friction = names("friction", "cavitated"),
           .thermal = deck::called_for(deck, "thermal"),
           .starved = deck::called_for(deck, "supply"),
+          .roller = deck::called_for(deck, "roller"),
           .si = names("contact", "load") || names("contact", "load_per_length"),
           .bodies = kind == "line" || kind == "roller"                                 ? Bodies::line
                     : names("contact", "radius_y") || names("contact", "radius_ratio") ? Bodies::elliptic

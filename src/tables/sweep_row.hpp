@@ -22,6 +22,7 @@ struct SweepKind {
   bool friction = false;
   bool thermal = false;
   bool starved = false;
+  bool roller = false;
   bool timing = false;                       ///< seconds and memory, which are others each time
   bool si = false;                           ///< nm, GPa and formulas beside them
   Bodies bodies = Bodies::circular;          ///< looked at in SI only

@@ -252,6 +252,12 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
            "a big ball",
            "[case]\nkind = ball_race\n[bearing]\ndiameter = 50e-3\npitch_diameter = 46e-3\nload = 5\nrpm_inner = 3\n",
            {"diameter = 50e-3", "no room"}),
+       refused("a big ball at the outer race",
+               "[case]\nkind = ball_race\n[bearing]\ndiameter = 50e-3\npitch_diameter = 46e-3\nrace = outer\nload = 5\n"
+               "rpm_inner = 3\n",
+               {"diameter = 50e-3", "no room"}),
+       refused("as one, but for rounding", shape + "load = 5\nrpm_inner = 3000.1\nrpm_cage = 3000.1\n",
+               {"rpm_inner = 3000.1", "nothing rolls"}),
        refused("the cage alone", shape + "load = 5\nrpm_cage = 5\n", {"rpm_cage = 5", "leaves open"}),
        refused("a roller's groove", roller + "conformity = 0.52\n", {"conformity = 0.52", "no influence"}),
        refused("a roller's angle", roller + "contact_angle = 5\n", {"contact_angle = 5", "no influence"}),

@@ -89,12 +89,13 @@ std::string read_table(const std::string& path, const Scales& scales, Profile& p
         "{}: from y = {:.4g} to {:.4g}, more than ten times half of the roller, {:.4g}: y and the drop are "
         "in {}",
         path, Y.front() * unit_Y, Y.back() * unit_Y, half * unit_Y, scales.in_SI ? "metres" : "half widths and a^2/R");
+  const char* unit = scales.in_SI ? "m" : "half widths";
   const bool mirrored = std::abs(Y.front()) <= rounding * half;
   if (Y.back() < half * (1.0 - rounding) || (!mirrored && Y.front() > -half * (1.0 - rounding)))
     return fmt::format(
-        "{}: from y = {:.4g} to {:.4g} half widths, and the roller reaches from {:.4g} to {:.4g}: give "
-        "all of it, or one half from y = 0 on",
-        path, Y.front(), Y.back(), -half, half);
+        "{}: from y = {:.4g} to {:.4g} {}, and the roller reaches from {:.4g} to {:.4g}: give all of it, or one half "
+        "from y = 0 on",
+        path, Y.front() * unit_Y, Y.back() * unit_Y, unit, -half * unit_Y, half * unit_Y);
   const double first = Y.front(), last = Y.back();
   const auto curve =
       std::make_shared<const boost::math::interpolators::makima<std::vector<double>>>(std::move(Y), std::move(H));
@@ -112,10 +113,12 @@ double needed(const deck::Part& part, const std::string& name, const deck::Plain
 void read_straight(const deck::Part& part, const Scales& scales, Profile& profile) {
   profile.end_length = needed(part, "end_length", {"_m", scales.a, scales.in_SI});
   profile.end_radius = needed(part, "end_radius", {"_m", scales.radius, scales.in_SI});
-  if (profile.end_length > 0.5 * profile.length)
-    part.complain(part.given("end_length") ? "end_length" : "end_length_m",
-                  fmt::format("is {:.4g} half widths, more than half of the roller's {:.4g}", profile.end_length,
-                              profile.length));
+  if (!(profile.end_length > 0.5 * profile.length)) return;
+  const bool plain = part.given("end_length");
+  const double unit = plain ? 1.0 : scales.a;
+  part.complain(plain ? "end_length" : "end_length_m",
+                fmt::format("is {:.4g} {}, more than half of the roller's {:.4g}", unit * profile.end_length,
+                            plain ? "half widths" : "m", unit * profile.length));
 }
 
 }  // namespace

@@ -60,30 +60,40 @@ void check_drop(const deck::Part& roller, const Scales& scales, const Profile& p
                                 over_R, scales.in_SI ? "metres" : "a and a^2/R"));
 }
 
-void check_bearing(const deck::Part& roller, const core::Grid& grid, const Profile& profile) {
-  const auto bears_enough = [&](const Bearing& found) { return found.length >= least_share * profile.length; };
-  const double reach = std::min(-grid.X_a, grid.X_b);
-  const auto fits = [&](const Bearing& found) { return !(std::sqrt(found.heaviest) >= reach); };
-  const Bearing found = bearing(profile);
-  if (bears_enough(found) && fits(found)) return;
+// The profile, or the tilt where the roller `is_right` without it.
+template <class Right>
+std::string key_at_fault(const deck::Part& roller, const Profile& profile, Right is_right) {
   Profile upright = profile;
   upright.tilt = 0.0;
-  const Bearing without = bearing(upright);
-  const bool tilts = profile.tilt != 0.0 && bears_enough(without) && fits(without);
-  const std::string key = tilts ? given_key(roller, "tilt", "_mrad") : profile_key(roller, profile);
-  if (!bears_enough(found))
-    roller.complain(key, fmt::format("cut into slices {:.3g} of the roller's {:.4g} half widths bear the load, and a "
-                                     "roller bears along a tenth of its length at least: {}",
-                                     found.length, profile.length,
-                                     tilts ? "less tilt, or a crown that bears it"
-                                           : "check the units, or give [contact] kind = point and radius_y"));
-  else
-    roller.complain(
-        key, fmt::format("cut into slices one carries {:.3g} times the mean load per length and is as wide as {:.3g} "
-                         "half widths to either side, beyond the domain's {:.3g}: move [domain] x_inlet and "
-                         "x_outlet, or take {}",
-                         found.heaviest, std::sqrt(found.heaviest), reach,
-                         tilts ? "less tilt" : "a profile that spreads the load"));
+  const bool tilts = profile.tilt != 0.0 && is_right(bearing(upright));
+  return tilts ? given_key(roller, "tilt", "_mrad") : profile_key(roller, profile);
+}
+bool names_tilt(const std::string& key) { return key.starts_with("tilt"); }
+
+void check_length_that_bears(const deck::Part& roller, const Profile& profile) {
+  const auto bears_enough = [&](const Bearing& found) { return found.length >= least_share * profile.length; };
+  const Bearing found = bearing(profile);
+  if (bears_enough(found)) return;
+  const std::string key = key_at_fault(roller, profile, bears_enough);
+  roller.complain(key, fmt::format("cut into slices {:.3g} of the roller's {:.4g} half widths bear the load, and a "
+                                   "roller bears along a tenth of its length at least: {}",
+                                   found.length, profile.length,
+                                   names_tilt(key) ? "less tilt, or a crown that bears it"
+                                                   : "check the units, or give [contact] kind = point and radius_y"));
+}
+
+void check_width(const deck::Part& roller, const core::Grid& grid, const Profile& profile) {
+  const double reach = std::min(-grid.X_a, grid.X_b);
+  const auto fits = [&](const Bearing& found) { return !(found.widest >= reach); };
+  const Bearing found = bearing(profile);
+  if (fits(found)) return;
+  const std::string key = key_at_fault(roller, profile, fits);
+  roller.complain(
+      key, fmt::format("cut into slices one carries {:.3g} times the mean load per length and is about {:.3g} half "
+                       "widths wide to either side, beyond the domain's {:.3g}: move [domain] x_inlet and x_outlet, "
+                       "or take {}",
+                       found.heaviest, found.widest, reach,
+                       names_tilt(key) ? "less tilt" : "a profile that spreads the load"));
 }
 
 // Where the rounding has fallen by what the bodies approach each other it is beside the contact.
@@ -101,13 +111,17 @@ void check_ends(const deck::Part& roller, const core::Grid& grid, const Profile&
 
 }  // namespace
 
-void check_limits(deck::Deck& deck, const Scales& scales, const core::Grid& grid, const Profile& profile) {
+void check_profile(deck::Deck& deck, const Scales& scales, const Profile& profile) {
   const deck::Part roller{deck, "roller"};
   check_circles(roller, scales, profile);
   if (!deck.errors.empty()) return;
   check_drop(roller, scales, profile);
-  if (!deck.errors.empty()) return;
-  check_bearing(roller, grid, profile);
+  if (deck.errors.empty()) check_length_that_bears(roller, profile);
+}
+
+void check_on_grid(deck::Deck& deck, const core::Grid& grid, const Profile& profile) {
+  const deck::Part roller{deck, "roller"};
+  check_width(roller, grid, profile);
   if (!deck::given(deck, "grid", "accuracy")) check_ends(roller, grid, profile);
 }
 

@@ -1,6 +1,7 @@
 #include "effects/roller/slices.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "contact/ellipse.hpp"
@@ -24,7 +25,8 @@ Bearing bearing(const Profile& profile) {
     sum += gap[static_cast<std::size_t>(loaded++)];
     approach = (slices * mean + sum) / loaded;
   } while (loaded < slices && gap[static_cast<std::size_t>(loaded)] < approach);
-  return {loaded * width, (approach - gap.front()) / mean};
+  const double heaviest = (approach - gap.front()) / mean;
+  return {loaded * width, heaviest, std::pow(heaviest, 0.5 * 1.3)};
 }
 
 }  // namespace ehl::roller

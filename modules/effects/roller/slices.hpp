@@ -7,10 +7,13 @@ namespace ehl::roller {
 struct Bearing {
   double length;    ///< of the slices that bear a load [a]
   double heaviest;  ///< load per length of the slice that carries most, over the mean
+  double widest;    ///< half width of the contact there [a], at least
 };
 
 /// Every slice is pressed in by what the approach of the bodies leaves above its drop and tilt, and bears in
-/// proportion: the mean load per length where that is the approach of contact::roller_contact().
+/// proportion: the mean load per length where that is the approach of contact::roller_contact(). Their half widths
+/// sqrt(heaviest) are 0.82 to 0.93 of those of Hertz' ellipses of crowns, 20 to 160 a long, which bear to a quarter and
+/// more of it; sqrt(heaviest)^1.3 is 0.98 to 1.11 of them.
 Bearing bearing(const Profile& profile);
 
 }  // namespace ehl::roller

@@ -41,6 +41,24 @@ BOOST_AUTO_TEST_CASE(straight_roller_bears_everywhere) {
   BOOST_TEST(found.heaviest == 1.0, tolerance(1e-12));
 }
 
+// Hertz' ellipse of the same load: a^3 = (3/2) F R/E' of the circle, and of the line's half width F/length = pi/8 E'
+// a^2.
+BOOST_AUTO_TEST_CASE(half_width_of_a_crown) {
+  for (const double length : {20.0, 40.0, 160.0})
+    for (const double radius : {5.0, 10.0, 20.0, 50.0, 200.0}) {
+      Profile profile = flat(length);
+      profile.shape = Profile::Shape::crowned;
+      profile.crown_radius = radius;
+      const Bearing found = bearing(profile);
+      if (found.length > 0.95 * length || found.length < 0.1 * length) continue;
+      const double circle = std::cbrt(1.5 * M_PI / 8.0 * length);
+      const double hertz = circle * ehl::contact::ellipse(1.0 / radius).a;
+      BOOST_TEST_MESSAGE("length " << length << ", crown " << radius << ": " << found.widest << " of " << hertz);
+      BOOST_TEST(found.widest > 0.97 * hertz);
+      BOOST_TEST(found.widest < 1.12 * hertz);
+    }
+}
+
 // A crown of radius r: with the approach d it bears to sqrt(2 r d) on both sides, (4/3) d sqrt(2 r d) = c length.
 BOOST_AUTO_TEST_CASE(crown) {
   for (const double radius : {1.0, 10.0, 50.0}) {
