@@ -21,11 +21,12 @@ set xrange [left:right]
 P_top = 1.12 * (P_max_y > p_h ? P_max_y : p_h)
 # The film has about a third of the height in the contact, and leaves at the top outside it.
 film_top = H_median > 0.02 * F_max ? 3.5 * H_median : F_max
-# A gap of zero lies on the axis, and would be hidden by it.
-under = dry ? 0.03 : 0
+# A gap of zero lies on the axis, and would be hidden by it. Both zeros are at one height.
+stats line(film, left, right) using 2 nooutput prefix "L"
+under = greater(dry ? 0.03 : 0, -below_zero(L_min) / film_top)
 set yrange [-under * P_top:P_top]
 set y2range [-under * film_top:film_top]
-set ytics steps_of(P_top)
+set ytics 0, steps_of(P_top)
 set y2tics steps_of(film_top)
 eval box(m(13), m(film_top < 1e4 ? 16 : 18), m(10), m(top + 4))
 set y2label axis_H textcolor rgb blue offset film_top < 1e4 ? -1 : -0.6, 0

@@ -35,8 +35,10 @@ terminal(none) = format eq "png" ? sprintf("pngcairo fontscale %g linewidth %g p
     (format eq "svg" ? sprintf("svg fontscale %g linewidth %g size %d, %d", small * dots / 72, dots / 72, \
         sized(wide), sized(high)) : \
     sprintf("pdfcairo fontscale %g linewidth 2 pointscale 0.5 size %g cm, %g cm", 0.75 * small, wide / 10, high / 10))
-page = 'eval "set terminal ".terminal(0)." enhanced font \"DejaVu Sans,8\" background \"white\""; set output output; \
-set label 100 heading at screen 0.5, 1 - m(3.4) / high center noenhanced'
+# The mark stays where a figure of several panels takes its heading away behind the first.
+headed = 'set label 99 mark at screen 0.5, 1 - m(3.4) / high center textcolor rgb red noenhanced; \
+set label 100 heading at screen 0.5, 1 - m(mark eq "" ? 3.4 : 7.0) / high center noenhanced'
+page = 'eval "set terminal ".terminal(0)." enhanced font \"DejaVu Sans,8\" background \"white\""; set output output; eval headed'
 key_above = 'set key at graph 0.5, graph 1.01 center bottom horizontal samplen 2'
 # The colour bar beside the last panel, whose box ends right of it at 20 mm.
 bar(bottom, top) = sprintf("set colorbox user origin screen %g, %g size screen %g, %g; set cblabel offset 0.6, 0", \
@@ -52,6 +54,8 @@ letters = int(wide / m(1.6))
 heading = title.(title ne "" && when ne "" ? ", " : "").when
 top = heading eq "" ? 3.0 : 2.6 + 3.4 * lines_of(heading, letters)
 heading = wrapped(heading, letters)
+# What result.gp finds wrong with a result, in red above the heading.
+mark = ""
 
 set encoding utf8
 # Red and blue that stay apart for colour-blind eyes and in grey.
@@ -75,6 +79,18 @@ nice(x) = x <= 0 ? 1 : (p = 10.0**floor(log10(x)), x / p >= 5 ? 5 * p : (x / p >
 round_step(x) = x / nice(x) > (nice(x) / 10**floor(log10(nice(x)) + 1e-9) == 2 ? 1.6 : 1.45) ? nice(2.5 * x) : nice(x)
 # Between the marks of an axis: three to seven of them.
 steps_of(range) = nice(range / 3.5)
+# The same along x: fewer where their letters would touch, on an axis as long as so many mm.
+mm_of(letters) = m(1.8 * letters)
+letters_of_text(text) = strlen(text) + (strstrt(text, "e") > 0 ? 2 : 0)  # written as a power of ten
+letters_in(x) = letters_of_text(sprintf("% g", x))  # gnuplot leaves a blank for the sign
+greater(a, b) = a > b ? a : b
+longest_step(step, k, last) = k > last ? 0 : greater(letters_in(k * step), longest_step(step, k + 1, last))
+longest_mark(low, high, step) = longest_step(step, ceil(low / step), floor(high / step))
+fitting(low, high, mm, step) = (mm_of(longest_mark(low, high, step)) + m(1)) * (high - low) > mm * step ? \
+    nice(2.51 * step) : step
+steps_along(low, high, mm) = fitting(low, high, mm, steps_of(high - low))
+# Where an axis of films begins. A film below zero is no result, and is shown: cut off, the rest would look like one.
+below_zero(least) = least < 0 ? 1.1 * least : 0
 # Marks at 1, 2 and 5 of every decade; of many decades at 1.
 marks = "%g"
 log_marks(which, low, high) = sprintf('set %stics (1); do for [d = %d:%d] { do for [k in "%s"] { \

@@ -13,7 +13,11 @@ rows = (entries + columns - 1) / columns
 below = m(10 + 3.7 * rows + (lost > 0 ? 4 : 0))
 high = 62 * stretch + below + m(top)
 eval page
-eval box(m(14), roughness > 0 ? m(14) : m(4), below, m(top))
+# Room for the letters of the marks: all of them beside the axis, half of the last one below it.
+left = m(14) + beyond(longest_on(y_min, y_max), 4)
+right = roughness > 0 ? m(14) + beyond(longest_on(y_min / roughness, y_max / roughness), 4) : \
+    greater(m(4), m(0.4) + mm_of(longest_on(x_min, x_max)) / 2)
+eval box(left, right, below, m(top))
 set key at screen 0.5, screen m(lost > 0 ? 5 : 1) / high center bottom vertical maxrows (rows > 0 ? rows : 1) samplen 2.5 Left reverse
 if (lost > 0) { set label 1 sprintf("%d of %d cases have no converged solution and are not drawn", lost, rows_of_table) at screen 0.5, screen m(3) / high center }
 eval axis("x", x_min, x_max)

@@ -25,8 +25,9 @@ set xrange [n_min:n_max]
 eval "set logscale x; ".log_marks("x", 1, N_max)
 low = 0.85 * M_min
 highest = 1.15 * (L_max > C_max ? L_max : C_max)
-set yrange [low:highest]
-eval "set logscale y; ".log_marks("y", low, highest)
+# A film below zero has no logarithm.
+set yrange [low > 0 ? low : below_zero(M_min):highest]
+if (low > 0) { eval "set logscale y; ".log_marks("y", low, highest) }
 set xlabel "passes n" offset 0, 0.4
 set ylabel axis_H offset 0.5, 0
 eval key_above

@@ -4,7 +4,7 @@ set ylabel axis_H offset 1, 0
 # Bodies that come from afar would flatten the film to a line.
 stats table("transient") using "Hc" nooutput prefix "C"
 stats table("transient") using "Hm" nooutput prefix "M"
-if (C_max > 20 * M_min) { set logscale y; set format y "10^{%L}"; set yrange [*:*]; set ylabel axis_H offset 0, 0 } else { set yrange [0:*] }
+if (M_min > 0 && C_max > 20 * M_min) { set logscale y; set format y "10^{%L}"; set yrange [*:*]; set ylabel axis_H offset 0, 0 } else { set yrange [below_zero(M_min):0 < *] }
 plot table("transient") using (T(column("time"))):"Hc" with lines lw 1 lc rgb blue title "centre", \
      table("transient") using (T(column("time"))):"Hm" with lines lw 1 lc rgb red title "minimum", \
      for [k = 1:probes] table("transient") using (T(column("time"))):(probes > 0 ? column(sprintf("H_%d", k)) : NaN) with lines lw 0.8 \

@@ -7,14 +7,18 @@ edge = 4
 load here."/window.gp"
 
 # Nanometres of what H is read in. A dimensionless case has no colours of its own: shown as if h_c were 250 nm.
-film_nm = si ? 1.0 : 250.0 / centre("H")
+film_nm = si ? 1.0 : 250.0 / abs(centre("H"))
 # Beyond the fringes of a lamp a laser shows them: one colour.
 laser = film_nm * centre("H") > 1800
-note = si ? sprintf("h_c = %.0f nm%s", centre("H"), laser ? ", in light of 630 nm" : "") : "colours as if h_c = 250 nm"
+note = si ? sprintf("h_c = %.0f nm%s", centre("H"), laser ? ", in light of 630 nm" : "") : \
+    sprintf("colours as if h_c = %.0f nm", film_nm * centre("H"))
+if (number("/summary/Hm") < 0) { note = note.", red: below zero" }
 # Two beams, reflected at the coated glass and at the steel, path 2 n h with n = 1.5; the contrast fades as the light of
 # a lamp loses its coherence. Dark where the film is thin.
 visibility(h) = laser ? 1 : exp(-(h / 900.0)**2)
-shade(h, wavelength) = laser && wavelength < 630 ? 0 : int(127.5 * (1 - visibility(h) * cos(4 * pi * 1.5 * h / wavelength)))
+# A film below zero has no fringes: light would show it as one above.
+shade(h, wavelength) = h < 0 ? (wavelength < 630 ? 30 : 178) : laser && wavelength < 630 ? 0 : \
+    int(127.5 * (1 - visibility(h) * cos(4 * pi * 1.5 * h / wavelength)))
 
 high = high + m(5)
 eval page

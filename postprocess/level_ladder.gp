@@ -8,7 +8,9 @@ load here."/result.gp"
 
 set datafile columnheaders
 stats table("levels") using "nx" nooutput prefix "N"
-estimates = int(system(read."/levels/error_Hc | sed '/^#/d' | grep -vc nan"))
+stats table("levels") using "Hm" nooutput prefix "M"
+# A film below zero has infinite errors.
+estimates = int(system(read."/levels/error_Hc | sed '/^#/d' | grep -vcE 'nan|inf'"))
 high = 80 * stretch + m(top)
 half = (high - m(top + 19)) / 2
 eval page
@@ -19,7 +21,7 @@ eval box(m(14), m(4), m(13) + half, m(top + 4))
 eval key_above
 set format x ""
 set ylabel axis_H offset 0.5, 0
-set yrange [0:*]
+set yrange [below_zero(M_min):0 < *]
 plot table("levels") using "nx":"Hc" with linespoints lw 1 pt 7 ps 1 lc rgb blue title "centre", \
      table("levels") using "nx":"Hm" with linespoints lw 1 pt 5 ps 1 lc rgb red title "minimum"
 eval box(m(14), m(4), m(10), m(top + 6) + half)
@@ -34,7 +36,7 @@ set ylabel "estimated error" offset 0.5, 0
 set yrange [*:*]
 if (estimates == 0) {
   set yrange [0.01:100]
-  set label 1 "no estimate: a single level" at graph 0.5, graph 0.5 center
+  set label 1 (N_records > 1 ? "no estimate" : "no estimate: a single level") at graph 0.5, graph 0.5 center
 }
 plot table("levels") using "nx":(100 * abs(column("error_Hc"))) with linespoints lw 1 pt 7 ps 1 lc rgb blue, \
      table("levels") using "nx":(100 * abs(column("error_Hm"))) with linespoints lw 1 pt 5 ps 1 lc rgb red

@@ -3,7 +3,8 @@ load here."/window.gp"
 stats field(name, 500) matrix nonuniform using 3 nooutput prefix "F"
 low = name eq "P" ? 0 : F_min
 # Outside the contact the film grows without end: what is thicker than this is pale.
-highest = exists("most") ? most : name eq "P" || F_max < 1.7 * centre(name) ? F_max : 1.7 * centre(name)
+thick = 1.7 * abs(centre(name))
+highest = exists("most") ? most : name eq "P" || F_max < thick ? F_max : thick
 flat_field = !(highest > low)
 if (flat_field) { highest = low + 1; top = top + 4; high = high + m(4) } else { step = round_step((highest - low) / 5); load here."/contours.gp" }
 

@@ -6,6 +6,10 @@ read = sprintf("'%s' extract '%s'%s ", ehl, file, si ? " --si" : "")
 found(what) = system(read.what." 2>/dev/null | tail -n 1")
 number(name) = real(found(name))
 optional(name, otherwise) = (said = found(name), said eq "" ? otherwise : real(said))
+# A number that did not converge is never shown as if it had: the mark stands on every figure of such a result.
+complete = found("/summary/transient_completed") ne "0"
+mark = found("/summary/converged") ne "1" ? "NOT CONVERGED" : complete ? "" : "NOT COMPLETE"
+if (mark ne "") { top = heading eq "" ? 6.0 : top + 3.6 }
 in_time = found("/transient/frames/time") ne ""
 if (in_time && !exists("frame")) frame = int(system(read."/transient/frames/time | sed '/^#/d' | wc -l")) - 1
 of_frame(name, k) = sprintf("/transient/frames/%s --step %d", name, k)

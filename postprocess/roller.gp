@@ -10,6 +10,7 @@ unset tics
 stats table("roller") using "y" nooutput prefix "Y"
 stats table("roller") using "P_max" nooutput prefix "P"
 stats table("roller_dry") using "P_max" nooutput prefix "D"
+stats table("roller") using "H_min" nooutput prefix "L"
 stats table("roller") using "H_c" nooutput prefix "H"
 set tics
 panel = 50 * stretch
@@ -17,8 +18,10 @@ high = 2 * panel + m(top + 49)
 eval page
 set multiplot
 eval box(m(16), m(14), panel + m(24), m(top + 16))
-set xrange [Y_min:Y_max]
-set xtics steps_of(Y_max - Y_min) format ""
+# A film that falls below zero does so at the ends, where the frame would hide it.
+beside = L_min < 0 ? 0.02 * (Y_max - Y_min) : 0
+set xrange [Y_min - beside:Y_max + beside]
+set xtics steps_along(Y_min, Y_max, wide - m(30)) format ""
 set yrange [0:1.1 * (P_max > D_max ? P_max : D_max)]
 set ylabel axis_P offset 0.5, 0
 set y2range [0:*]
@@ -39,7 +42,8 @@ set xtics format "%g"
 set xlabel axis_Y offset 0, 0.4
 set ylabel axis_H offset 0.5, 0
 middle = real(system(sprintf("%s H --along y --at x=0 | sed '/^#/d' | awk '{line[NR] = $2} END {print line[int((NR + 1) / 2)]}'", read)))
-set yrange [0:2 * middle]
+set yrange [below_zero(L_min):middle > 0 ? 2 * middle : H_max > 0 ? H_max : 1]
+if (L_min < 0) { set xzeroaxis lw 0.5 lc rgb grey }
 plot table("roller") using "y":"H_c" with lines lw 1.4 lc rgb blue title "film at x = 0", \
      table("roller") using "y":"H_min" with lines lw 1.0 lc rgb green title "least film"
 unset multiplot

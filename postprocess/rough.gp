@@ -6,6 +6,7 @@ eval page
 stats line("P", left, right) using 2 nooutput prefix "P"
 stats line("S", left, right) using (abs($1) < reach_x ? $2 : NaN) nooutput prefix "S"
 stats line(name, left, right) using (abs($1) < 0.9 * reach_x ? $2 : NaN) nooutput prefix "H"
+stats line(name, left, right) using 2 nooutput prefix "L"
 shown = name eq "H" ? "H" : "P"
 stats field(shown, 300) matrix nonuniform using 3 nooutput prefix "F"
 wet = name eq "H" ? centre(name) : 0
@@ -32,14 +33,14 @@ set ylabel axis_H
 set ytics steps_of(H_max > wet + S_max - S_min ? H_max : wet + S_max - S_min)
 tallest = 1.15 * (H_max > wet + S_max - S_min ? H_max : wet + S_max - S_min)
 # A gap of zero lies on the axis, and would be hidden by it.
-set yrange [dry ? -0.03 * tallest : 0:tallest]
+set yrange [-greater(dry ? 0.03 * tallest : 0, -below_zero(L_min)):tallest]
 plot line(name, left, right) using 1:2 with lines lw 1 lc rgb blue title name eq "H" ? "film" : "gap", \
      line("S", left, right) using 1:(shape($2)) with lines lw 0.8 dt (1, 2) lc rgb grey title "undeformed"
 
 unset key
 eval box(m(13), m(20), m(10), high - map + m(6))
 eval bar(m(10), high - map + m(6))
-bar_top = name eq "H" && F_max > 2 * wet ? 2 * wet : F_max
+bar_top = name eq "H" && F_max > 2 * abs(wet) ? 2 * abs(wet) : F_max
 set yrange [bottom:bottom + 2 * far]
 set xlabel axis_along offset 0, 0.4
 set ylabel axis_Y

@@ -31,7 +31,15 @@ do for [f = 1:3] { if (name("formula", f) ne "") {
 # An axis is logarithmic where its values span a factor of 4, unless --axes says.
 if (!exists("axes")) axes = ""
 logarithmic(low, high) = axes eq "linear" || low <= 0 ? 0 : axes eq "log" || high >= 4 * low
+step_along(which, low, high) = which eq "x" ? steps_along(low, high, wide - m(20)) : steps_of(high - low)
 axis(which, low, high) = logarithmic(low, high) ? \
     sprintf("set logscale %s; set %srange [%g:%g]; ", which, which, low / 1.25, high * 1.25).log_marks(which, low, high) : \
-    sprintf("set %stics %g; set %srange [%g:%g]", which, steps_of(high - (low < 0 ? low : 0)), which, \
+    sprintf("set %stics %g; set %srange [%g:%g]", which, step_along(which, low < 0 ? low : 0, high), which, \
         low < 0 ? low - 0.05 * (high - low) : 0, high + 0.05 * (high - (low < 0 ? low : 0)))
+# Letters of the longest mark of such an axis, and the mm of those beyond the n that a panel has room for.
+decade_of(x) = 10.0**floor(log10(x))
+longest_decade(d, last) = d > last ? 0 : greater(letters_in(10.0**d) - 1, longest_decade(d + 1, last))
+longest_on(low, high) = logarithmic(low, high) ? \
+    longest_decade(floor(log10(low / 1.25)) + (low / 1.25 > 5 * decade_of(low / 1.25)), floor(log10(high * 1.25))) : \
+    longest_mark(low < 0 ? low : 0, high, steps_of(high - (low < 0 ? low : 0)))
+beyond(letters, n) = letters > n ? mm_of(letters - n) : 0

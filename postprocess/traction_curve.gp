@@ -30,7 +30,8 @@ high = 2 * panel + below + m(top + 2)
 eval page
 set multiplot
 set key at screen 0.5, screen m(1) / high center bottom vertical maxrows (rows > 0 ? rows : 1) samplen 2.5 Left reverse
-eval box(m(16), m(4), below + panel + m(2), m(top))
+left = greater(m(16), m(14) + beyond(longest_on(0, H_max), 4))
+eval box(left, m(4), below + panel + m(2), m(top))
 eval axis("y", M_min_y, M_max_y)
 marks = ""
 eval axis("x", percent(M_min_x), percent(M_max_x))
@@ -42,7 +43,7 @@ plot for [k = 1:curves] data index k - 1 using (percent($1)):(abs($2)) with line
 
 unset label 100
 unset key
-eval box(m(16), m(4), below, m(top + 2) + panel)
+eval box(left, m(4), below, m(top + 2) + panel)
 set format x "%g"
 marks = "%g"
 eval axis("x", percent(M_min_x), percent(M_max_x))

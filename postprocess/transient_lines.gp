@@ -29,7 +29,7 @@ unset logscale cb
 eval panel(1)
 set format x ""
 set ylabel axis_H offset 1, 0
-if (far_apart) { set logscale y; set format y "10^{%L}"; set ylabel axis_H offset 0, 0; set yrange [low / 1.5:highest * 1.5] } else { set yrange [0:1.4 * highest] }
+if (far_apart) { set logscale y; set format y "10^{%L}"; set ylabel axis_H offset 0, 0; set yrange [low / 1.5:highest * 1.5] } else { set yrange [below_zero(low):1.4 * highest] }
 plot for [k = 0:shown - 1] at_time("H", k) using 1:2:(k) with lines lw 1 lc palette \
     title sprintf("%s%.3g", k == 0 ? axis_T." = " : "", time_of(frame(k)))
 unset logscale y

@@ -41,7 +41,7 @@ do for [pass = 1:(exists("frames_in") ? 2 : 1)] {
           background "white"
       set output sprintf("%s/%04d.png", frames_in, k)
     }
-    set label 100 heading at screen 0.5, 1 - m(3.4) / high center noenhanced
+    eval headed
     set label 101 sprintf("%s = %.3g", axis_T, time_of(k)) at graph 0.5, graph 1 offset 0, 0.6 center
     frame = k
     plot field("H", 300) matrix nonuniform using 1:2:3 with image notitle

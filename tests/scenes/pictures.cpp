@@ -56,6 +56,18 @@ double film_said(const std::string& svg) {
   return std::stod(svg.substr(svg.rfind("= ", nm) + 2));
 }
 
+// The axis at the right is the film's, and only its marks begin where they are placed.
+int film_marks_below_zero(const std::string& svg) {
+  int marks = 0;
+  for (std::size_t at = svg.find("text-anchor=\"start\""); at != std::string::npos;
+       at = svg.find("text-anchor=\"start\"", at + 1)) {
+    const std::size_t text = svg.find("</tspan>", at);
+    const std::size_t begin = svg.rfind('>', text) + 1;
+    marks += svg[begin] == '-' && svg.find_first_of("0123456789", begin) == begin + 1;
+  }
+  return marks;
+}
+
 // In points of 1/72 inch.
 double width_of_pdf(const std::string& pdf) {
   std::istringstream box(pdf.substr(pdf.find("/MediaBox [") + 11));
@@ -118,6 +130,53 @@ BOOST_AUTO_TEST_CASE(a_run_in_time_shows_its_last_field_or_the_one_asked_for) {
   scene.drawn("s.h5 --figure transient_steps");
   BOOST_TEST(scene.ehl("plot s.h5 --figure transient_movie").status == 0);
   BOOST_TEST(scene.folder.read("s_transient_movie.gif").starts_with("GIF89a"));
+}
+
+// Each says so in red, and a film below zero is seen: cut off at zero, the rest would look like a result.
+BOOST_AUTO_TEST_CASE(a_result_that_did_not_converge_says_so_on_every_figure) {
+  const Scene scene;
+  const std::string mark = "NOT CONVERGED";
+  BOOST_REQUIRE(scene.ehl("run s.ini").status == 0);
+  BOOST_REQUIRE(scene
+                    .ehl("run s.ini --output few.h5 --set subsurface.depth=2 --set multigrid.tolerance=1e-13 "
+                         "--set multigrid.max_cycles=1 --set multigrid.cycles=1")
+                    .status == 3);
+  BOOST_REQUIRE(scene.ehl("run s.ini --output thin.h5 --set grid.cells=32 --set motion.u_m=0.001").status == 3);
+  for (const char* file : {"s", "few", "thin"}) {
+    const std::string one = file;
+    std::istringstream names(scene.drawn(one + ".h5 --format svg") +
+                             scene.drawn(one + ".h5 --format svg --figure level_ladder"));
+    int figures = 0;
+    for (std::string name; std::getline(names, name); ++figures)
+      BOOST_TEST(contains(scene.folder.read(name), mark) == (one != "s"), name);
+    BOOST_TEST(figures >= 5);
+  }
+  BOOST_TEST(contains(scene.folder.read("thin_interferogram.svg"), "red: below zero"));
+  BOOST_TEST(film_marks_below_zero(scene.folder.read("thin_centre_lines.svg")) > 0);
+  BOOST_TEST(film_marks_below_zero(scene.folder.read("s_centre_lines.svg")) == 0);
+}
+
+// Marks of many digits push the words beside them no further than the edge; half of the last mark stands beyond its
+// axis.
+BOOST_AUTO_TEST_CASE(words_beside_long_marks_stay_on_the_page) {
+  const Scene scene;
+  scene.folder.write("t.csv",
+                     "# ehl sweep, table 1\n# vary: motion.u_m = 100,1000,10000\n# units: h_c_nm [nm]\n"
+                     "motion.u_m,status,h_c_nm\n100,converged,95000\n1000,converged,200000\n"
+                     "10000,converged,290000\n");
+  for (const char* axes : {"linear", "log"}) {
+    scene.drawn(std::string("t.csv --format svg --y h_c_nm --axes ") + axes);
+    const std::string svg = scene.folder.read("t_curves.svg");
+    const double letter = 10.67;  // px, as high as a line
+    const std::size_t turned = svg.find(" rotate(270)");
+    BOOST_REQUIRE(turned != std::string::npos);
+    BOOST_TEST(std::stod(svg.substr(svg.rfind("translate(", turned) + 10)) > letter, axes);
+    const std::size_t last = svg.find("10000</tspan>");
+    BOOST_REQUIRE(last != std::string::npos);
+    const double width = std::stod(svg.substr(svg.find("width=\"") + 7));
+    const double half = 0.5 * 5 * 0.636 * letter;  // of five digits
+    BOOST_TEST(std::stod(svg.substr(svg.rfind("translate(", last) + 10)) + half < width, axes);
+  }
 }
 
 // Bodies that are apart: no empty page of a pressure, and no label pushed off the page by long numbers.
