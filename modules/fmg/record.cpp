@@ -11,14 +11,8 @@
 namespace ehl::fmg {
 namespace {
 
-std::vector<double> column(const Record& record, double LevelRow::*value) {
-  std::vector<double> values;
-  for (const LevelRow& row : record.levels) values.push_back(row.*value);
-  return values;
-}
-
 judgement::ErrorEstimate error_of(const Hierarchy& hierarchy, const Record& record, double LevelRow::*value) {
-  const std::vector<double> values = column(record, value);
+  const std::vector<double> values = column(record.levels, value);
   const core::Grid& domain = hierarchy.levels.back().grid.domain;
   const LevelRow& last = record.levels.back();
   const double h = (domain.X_b - domain.X_a) / last.nx;
@@ -42,8 +36,8 @@ judgement::FilmErrors film_errors(const Hierarchy& hierarchy, const Record& reco
   const judgement::FilmErrors by_order{Hc.relative_error,
                                        error_of(hierarchy, record, &LevelRow::Hm_fitted).relative_error};
   if (!conserves_mass(hierarchy.levels.back())) return by_order;
-  const judgement::FilmErrors swings =
-      judgement::errors_beside_meniscus(column(record, &LevelRow::Hc), column(record, &LevelRow::Hm_fitted));
+  const judgement::FilmErrors swings = judgement::errors_beside_meniscus(column(record.levels, &LevelRow::Hc),
+                                                                         column(record.levels, &LevelRow::Hm_fitted));
   if (reynolds::order(hierarchy.problem.transport.wedge) > 1.0) return swings;
   return {std::max(by_order.Hc, swings.Hc), std::max(by_order.Hm, swings.Hm)};
 }
@@ -62,6 +56,13 @@ double work_units(const Hierarchy& hierarchy, std::size_t l) {
 }
 
 }  // namespace
+
+std::vector<double> column(const std::vector<LevelRow>& rows, double LevelRow::*value) {
+  std::vector<double> values;
+  for (const LevelRow& row : rows)
+    if (row.solved() || &row == &rows.back()) values.push_back(row.*value);
+  return values;
+}
 
 void forget_work(Hierarchy& hierarchy) {
   for (Level& level : hierarchy.levels) level.evaluations = 0;

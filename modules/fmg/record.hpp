@@ -29,7 +29,14 @@ struct LevelRow {
   int cycles = 0;
   double work_units = 0.0;  ///< in residual + deformation evaluations on this level
   double seconds = 0.0;
+
+  /// False where the equation is missed by as much as its terms are worth, as where a coarse grid finds no way to a
+  /// meniscus: the films of such a state tell nothing of the error of finer grids.
+  bool solved() const { return residual < 0.5; }
 };
+
+/// Of the rows that are solved, and of the last one.
+std::vector<double> column(const std::vector<LevelRow>& rows, double LevelRow::*value);
 
 /// How a series of cycles ended.
 enum class CyclesEnd {

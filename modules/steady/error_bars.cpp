@@ -23,9 +23,7 @@ constexpr double falls = 0.7;
 constexpr double at_rest = 1e-5;
 
 std::vector<double> column(const Solution& solution, double LevelRow::*value) {
-  std::vector<double> values;
-  for (const LevelRow& row : solution.levels) values.push_back(row.*value);
-  return values;
+  return fmg::column(solution.levels, value);
 }
 
 Estimate extrapolated(const std::vector<double>& values, double order, double unsure, double algebraic) {

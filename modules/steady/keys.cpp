@@ -1,5 +1,7 @@
 #include "steady/keys.hpp"
 
+#include <fmt/format.h>
+
 #include <limits>
 #include <string>
 
@@ -39,7 +41,7 @@ std::vector<deck::Key> path_keys() {
                  .default_note = "see M_start",
                  .unit = "N",
                  .range = {0.0, std::numeric_limits<double>::infinity(), true, true},
-                 .meaning = "The same in newtons, for a contact in SI.",
+                 .meaning = "The same for a contact in SI, of a line contact in newtons per metre.",
                  .example = "10"},
                 {.name = "step",
                  .default_text = deck::shortest(defaults.step),
@@ -68,6 +70,11 @@ ContinuationParameters read_continuation(deck::Deck& deck, double M, const deck:
   else if (by_load && by_M)
     continuation.complain("load_start", "the first load is given as M_start already: keep one of them");
   parameters.load_ratio = by_load && !by_M ? load_start / newton.in_SI : M_start / M;
+  const deck::Key& first_M = *deck::find_key(deck.catalogue, "continuation", "M_start");
+  if (const double first = parameters.load_ratio * M;
+      by_load && !by_M && newton.known && !first_M.range.contains(first))
+    continuation.complain("load_start",
+                          fmt::format("means M_start = {:.3g}, which must be {}", first, deck::allowed(first_M)));
   if (parameters.load_ratio == 1.0)
     continuation.complain(by_M ? "M_start" : "load_start", "is the load of the contact itself: nothing to continue");
   parameters.step = continuation.number("step");

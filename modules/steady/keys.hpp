@@ -29,8 +29,9 @@ GridInput read_grid(deck::Deck& deck, std::optional<double> size, double aspect 
 /// [grid] errors: true for those by weights.
 bool read_adjoint_errors(deck::Deck& deck);
 /// [domain] far_field: true for the closed form. in: the steepest slope of the load in time; it does not follow one
-/// above 2 in a/u_m, and complains. What moves a body has none where the deck leaves it open.
-bool read_far_field(deck::Deck& deck, double steepest_load, bool body_moves);
+/// above 2 in a/u_m, and complains. Where the deck leaves it open, an ellipse with one above 0.5 and what moves a body
+/// have none.
+bool read_far_field(deck::Deck& deck, const contact::Ellipse& shape, double steepest_load, bool body_moves);
 /// Complains where the domain that was chosen cuts off half of the film, while the deck itself may ask for a starved
 /// one; and about a domain that ends where the far field in closed form means nothing.
 void check_domain(deck::Deck& deck, const Scene& scene);

@@ -80,6 +80,7 @@ int cells_that_resolve(int cells, double error, reynolds::Wedge wedge) {
 std::vector<std::string> warnings_of(const Scene& scene, const Solution& solution) {
   std::vector<std::string> warnings;
   const LevelRow& last = solution.levels.back();
+  const double of_Hc = solution.error_bars.Hc.discretization, of_Hm = solution.error_bars.Hm.discretization;
   if (last.Hm_fitted < 0.0)
     warnings.push_back(
         "the film is negative between the nodes, where it is thinnest: the mesh does not show the minimum; use at "
@@ -88,12 +89,11 @@ std::vector<std::string> warnings_of(const Scene& scene, const Solution& solutio
   else if (std::isnan(last.error_Hc))
     warnings.push_back("rough error estimate: the film was computed on a single level; use at least " +
                        std::to_string(2 * last.nx) + " cells");
-  else if (const double error = std::max(last.error_Hc, last.error_Hm); error > unresolved_film)
-    warnings.push_back("film not resolved by the mesh: estimated error of Hc " + percent(last.error_Hc) + ", of Hm " +
-                       percent(last.error_Hm) + " on " + std::to_string(last.nx) + " cells; " +
-                       (error > hardly_an_error ? "at least " : "") +
-                       std::to_string(cells_that_resolve(last.nx, error, scene.wedge)) +
-                       " would bring both below 10 %");
+  else if (const double error = std::max(of_Hc, of_Hm); error > unresolved_film)
+    warnings.push_back(
+        "film not resolved by the mesh: estimated error of Hc " + percent(of_Hc) + ", of Hm " + percent(of_Hm) +
+        " on " + std::to_string(last.nx) + " cells; " + (error > hardly_an_error ? "at least " : "") +
+        std::to_string(cells_that_resolve(last.nx, error, scene.wedge)) + " would bring both below 10 %");
   if (std::abs(solution.domain_error_Hc) > starved)
     warnings.push_back("inlet starved by the domain: on one twice as long and wide Hc differs by about " +
                        percent(std::abs(solution.domain_error_Hc)) +

@@ -116,6 +116,7 @@ class ContactDae {
   /// How the equations of a stage are solved.
   enum class Way { cycles, newton };
   void begin(const Stage& stage, const Drive& drive);
+  StageResult solved(const Stage& stage, const Drive& drive, std::span<double> correction);
   StageResult iterate(const Stage& stage, Way way, double& rate);
   bool newton_can() const;
   bool balanced_by_cycle(const Stage& stage) const;

@@ -136,7 +136,16 @@ StageResult ContactDae::iterate(const Stage& stage, Way way, double& measured) {
   return result;
 }
 
+// A state that cannot be cycled on, as one whose film the closed far field does not take, asks for a shorter step.
 StageResult ContactDae::solve(const Stage& stage, const Drive& drive, std::span<double> correction) {
+  try {
+    return solved(stage, drive, correction);
+  } catch (const core::SolverError&) {
+    return {.solved = false};
+  }
+}
+
+StageResult ContactDae::solved(const Stage& stage, const Drive& drive, std::span<double> correction) {
   begin(stage, drive);
   StageResult result{.solved = false};
   if (newton_stages_ == 0) {

@@ -78,6 +78,9 @@ struct RollerResult {
   roller::Distribution found{};
   std::optional<roller::Distribution> coarser{};
   roller::Distribution dry{};
+  /// False where a spike may still grow, or hide between the nodes: what half as many cells say tells nothing of the
+  /// highest pressures and of the stresses.
+  bool pressures_settle = true;
   /// Largest von Mises stress below the middle and below the ends, where [subsurface] is on, and on the coarser grid.
   double mises_middle = 0.0, mises_end = 0.0;
   double mises_middle_coarser = 0.0, mises_end_coarser = 0.0;

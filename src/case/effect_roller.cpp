@@ -89,6 +89,7 @@ Stresses coarser_stresses(const Case& input, const steady::Solution& coarser, co
 void compute(const Case& input, RunSettings& settings, Computed& computed) {
   const double began = core::now();
   RollerResult result{.found = roller::distribution(computed.solution.grid, computed.solution.P, computed.solution.H)};
+  result.pressures_settle = computed.solution.error_bars.P_max_converging;
   steady::Scene scene = input.scene;  // on the grid that an accuracy has led to
   scene.grid = computed.solution.grid;
   scene.accuracy = {};

@@ -102,7 +102,10 @@ void read_errors(Case& input, bool steady) {
   if (scene.grid.line && !scene.error_maps)
     deck::Part{input.deck, "grid"}.follow("errors", std::string("levels"), "a line contact");
   scene.adjoint_errors = steady::read_adjoint_errors(input.deck);
-  if (scene.error_maps && !(steady && scene.adjoint_errors && reynolds::third_order(scene.wedge)))
+  if (scene.error_maps && deck::called_for(input.deck, "supply"))
+    deck::Part{input.deck, "output"}.complain("fields",
+                                              "error_Hc and error_Hm are of flooded contacts: without [supply]");
+  else if (scene.error_maps && !(steady && scene.adjoint_errors && reynolds::third_order(scene.wedge)))
     deck::Part{input.deck, "output"}.complain(
         "fields", "error_Hc and error_Hm are of steady contacts with wedge = upstream3 and [grid] errors = adjoint");
 }
@@ -178,7 +181,8 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   if (!result.dry) {
     scene.wedge = reynolds::read(deck);
     scene.face = reynolds::read_face(deck);
-    scene.far_field = steady::read_far_field(deck, steepest_load(deck, result.physics), deck::called_for(deck, "body"));
+    scene.far_field =
+        steady::read_far_field(deck, groups.shape, steepest_load(deck, result.physics), deck::called_for(deck, "body"));
     steady::choose_grid(deck, groups, scene.wedge, result.roller ? roller::bearing(*result.roller).widest : 1.0);
   }
   const bool contact_known = result.dry || groups.M > 0.0;

@@ -188,7 +188,9 @@ std::string starvation_summary(const Case& input, const Computed& computed) {
           fmt::format(", {} cells from the inlet boundary where it is nearest\n", found.cells_to_inlet);
   if (input.scene.grid.line) return text + line_of_oil(input, found);
   text += fmt::format(
-      "             oil in {:.5f}: through the contact {:.5f}, beside it {:.5f}, aside {:.2g}; imbalance {:.1e}\n",
+      "             oil in {:.5f} rho0 u_m a^3/R: through the contact {:.5f}, beside it {:.5f}, aside {:.2g}; "
+      "imbalance "
+      "{:.1e}\n",
       found.in, found.through, found.around(), found.aside, found.imbalance);
   if (!found.flooded_converged) return text;
   text += fmt::format("             formulas: {:.4f} by the supply (Chevalier 1998, gamma = {:g}",

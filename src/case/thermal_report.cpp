@@ -142,19 +142,19 @@ std::string thermal_summary(const Case& input, const Computed& computed) {
                   std::isfinite(found.error_mu) && heat.mu != 0.0 ? " +- " + percent(found.error_mu) : "",
                   heat.mu_isothermal, mark);
   text += "             above T_oil: " + hottest_text(input, "film", found.in_film) +
-          fmt::format(", mean {:.2f} K, inlet {:.2f} K\n", in.T0 * found.mean, in.T0 * found.inlet);
+          fmt::format(", mean {:.2f} K, inlet {:.2f} K{}\n", in.T0 * found.mean, in.T0 * found.inlet, mark);
   text += "             " + hottest_text(input, "surface 1", found.on_1) + "; " +
-          hottest_text(input, "surface 2", found.on_2) + "\n";
+          hottest_text(input, "surface 2", found.on_2) + mark + "\n";
   text += fmt::format(
       "             heat {0:.4g} {5} made, {1:.4g} {5} into body 1, {2:.4g} {5} into body 2, {3:.3g} {5} with the oil; "
-      "imbalance {4:.0e}\n",
+      "imbalance {4:.0e}{6}\n",
       in.power * found.balance.heat, in.power * found.balance.into_1, in.power * found.balance.into_2,
-      in.power * found.balance.carried, std::abs(found.balance.defect), unit_of_heat(input.scene.grid.line));
+      in.power * found.balance.carried, std::abs(found.balance.defect), unit_of_heat(input.scene.grid.line), mark);
   text += fmt::format(
       "             film {:.3f} of the isothermal one; inlet heating by Wilson, Sheu 1983 {:.3f}, Gupta et "
-      "al. 1992 {:.3f}{}\n",
+      "al. 1992 {:.3f}{}{}\n",
       reduction(heat), thermal::wilson_sheu(inlet), thermal::gupta(inlet),
-      input.physics.srr == 0.0 ? fmt::format(", Murch, Wilson 1975 {:.3f}", thermal::murch_wilson(inlet)) : "");
+      input.physics.srr == 0.0 ? fmt::format(", Murch, Wilson 1975 {:.3f}", thermal::murch_wilson(inlet)) : "", mark);
   text += fmt::format("             Nahme's number {:.3g}; passes per grid", found.nahme);
   for (const heat::Row& row : found.rows) text += fmt::format(" {}", row.passes);
   text += "\n";

@@ -86,8 +86,11 @@ std::vector<double> credible(const results::ResultFile& file, const std::string&
 std::string why_no_checkpoint(const results::ResultFile& file) {
   const std::string why = "command line: " + file.path() + " has no checkpoint: ";
   if (file.kind("/transient") != results::ResultFile::Kind::group) return why + "its case is steady";
-  return credible(file, "/summary/transient_completed") == std::vector{1.0}
-             ? why + "its run is complete"
+  if (credible(file, "/summary/transient_completed") == std::vector{1.0}) return why + "its run is complete";
+  return file.numbers("/transient/time").values.size() > 1
+             ? why +
+                   "nobody stopped its run, it ended where it could not go on: `ehl report` says why; change its deck "
+                   "and run it again"
              : why + "its run was stopped before the first step; run its deck again";
 }
 

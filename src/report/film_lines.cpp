@@ -84,7 +84,8 @@ std::string error_lines(const Case& input, const steady::Solution& solution) {
     const std::string error = bar(bars.Hm_fitted.total()) + " between the nodes, at ";
     text += "fitted       ";
     if (si) text += "h_m = " + film_text(bars.Hm_fitted_value, *si) + error + place_text(X, Y, *si) + "; ";
-    text += fmt::format("Hm = {:.6f}{}({:.4f}, {:.4f}) a\n", bars.Hm_fitted_value, si ? ", at " : error, X, Y);
+    text += fmt::format("Hm = {:.6f}{}({:.4f}, {:.4f}) a{}\n", bars.Hm_fitted_value, si ? ", at " : error, X, Y,
+                        solution.converged ? "" : "  (NOT CONVERGED)");
   }
   if (std::isfinite(bars.Hc.discretization))
     text += fmt::format("errors       Hc: mesh {}, cycles {}; Hm: mesh {}, cycles {}; domain about {} beside them\n",

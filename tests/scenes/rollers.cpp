@@ -94,6 +94,8 @@ BOOST_AUTO_TEST_CASE(to_an_accuracy) {
   const std::string open = numbers.substr(0, numbers.find("[domain]")) + profile;
   const nlohmann::json found = solved(folder, open + "[grid]\naccuracy = 0.01\n", "--output found.h5");
   BOOST_TEST(found["accuracy"]["met"].get<bool>());
+  BOOST_TEST(found["P_max_converging"] == true);
+  BOOST_TEST(found["roller"]["error_P_end"].get<double>() < 0.1);
   const auto ends = [&](const char* axis) {
     const auto nodes = rows_of(ehl(folder, std::string("extract found.h5 /grid/") + axis).out);
     return std::pair(nodes.front()[0], nodes.back()[0]);
@@ -200,7 +202,10 @@ BOOST_AUTO_TEST_CASE(a_roller_in_SI) {
   BOOST_TEST(std::abs(roller["length_m"].get<double>() / 1.5e-3 - 1.0) < 1e-12);
   BOOST_TEST(std::abs(roller["moment"].get<double>() / (240.0 * roller["load_centre_m"].get<double>()) - 1.0) < 1e-12);
   BOOST_TEST(roller["moment"].get<double>() < 0.0);
-  BOOST_TEST(roller["error_P_end"].get<double>() < 0.02);
+  // Its spike grows from grid to grid: no bar of pressures, which half as many cells told at a tenth and less.
+  BOOST_TEST(found["P_max_converging"] == false);
+  BOOST_TEST(roller["error_P_end"].is_null());
+  BOOST_TEST(roller["error_H_end"].get<double>() < 0.3);
   // The same without units: design load over the load, tilt in a/R.
   const std::string groups = "[contact]\nkind = roller\nM = " + std::to_string(found["M"].get<double>()) +
                              "\nL = " + std::to_string(found["L"].get<double>()) +
