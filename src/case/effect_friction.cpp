@@ -1,6 +1,7 @@
 // Friction on both surfaces.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/json.hpp"
@@ -52,6 +53,12 @@ std::string summary(const Case& input, const Computed& computed) {
       f.on_2, f.cavitated);
   if (f.upstream != 0.0)
     text += fmt::format("             {:.3g} of the rolling from upstream of the domain\n", f.upstream);
+  if (f.outer != 0.0)
+    text += fmt::format(
+        "             {:.3g} of the rolling from the outer half of the inlet: as long as oil fills it, one of twice "
+        "the "
+        "length adds about as much\n",
+        f.outer);
   if (std::isfinite(f.side))
     text += fmt::format("             side force {:.3g} of the load along +y, on each surface{}\n", f.side,
                         in_newtons(f.side));
@@ -109,6 +116,10 @@ std::vector<results::Quantity> friction_quantities(const friction::Friction& f) 
       {"limited_share", f.limited_share, "-", "share of the load where the limiting stress acts"}};
   if (f.upstream != 0.0)
     list.push_back({"mu_upstream", f.upstream, "-", "part of mu_rolling from upstream of the domain"});
+  if (f.outer != 0.0)
+    list.push_back({"mu_rolling_outer", f.outer, "-",
+                    "part of mu_rolling from the outer half of the inlet; a domain of twice the length adds about as "
+                    "much, as long as oil fills it"});
   if (std::isfinite(f.side))
     list.push_back({"mu_side", f.side, "-", "force of the film on each surface along +y over the load"});
   return list;
@@ -122,6 +133,7 @@ friction::Friction friction_of(const Case& input, const steady::Solution& soluti
   const steady::Scene& scene = input.scene;
   std::optional<friction::Upstream> upstream;
   if (scene.grid.line && scene.far_field) upstream = {.lambda = scene.lambda, .flow = flow_of(scene, solution)};
+  if (!upstream && !scene.supply) parameters.outer_X = -std::max(-0.5 * scene.grid.X_a, contact::extent(scene.shape).X);
   parameters.aslant = !input.scene.grid.line && !steady::on_one_half(input.scene);
   return friction::friction_of({solution.grid, solution.P, solution.H, input.scene.viscosity, input.scene.thinning,
                                 film ? &film->I0 : nullptr, film ? &film->less_tau : nullptr, upstream},

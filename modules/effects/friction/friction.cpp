@@ -109,15 +109,19 @@ Friction friction_of(const Film& film, const Parameters& parameters) {
       const double rolling = 0.5 * parameters.slope * H * slope_of_P(film, i, j);
       if (parameters.keep_tau1) result.tau1(i, j) = -tau - rolling;
       if (parameters.keep_tau2) result.tau2(i, j) = tau - rolling;
-      if (i < grid.nx)
-        result.rolling += w / (i == 0 ? 0.5 : 1.0) * 0.25 * parameters.slope * (H + film.H(i + 1, j)) *
-                          (film.P(i + 1, j) - P) / grid.hx();
+      if (i < grid.nx) {
+        const double part = w / (i == 0 ? 0.5 : 1.0) * 0.25 * parameters.slope * (H + film.H(i + 1, j)) *
+                            (film.P(i + 1, j) - P) / grid.hx();
+        result.rolling += part;
+        if (grid.X(i) < parameters.outer_X) result.outer += part;
+      }
     }
   }
   if (film.upstream) result.upstream = parameters.slope * rolling_upstream(film) * grid.ny / grid.hx();
   result.rolling += result.upstream;
   if (parameters.aslant) result.side = side_force(film, parameters.slope);
-  for (double* part : {&result.sliding, &result.rolling, &result.cavitated, &result.upstream, &result.side})
+  for (double* part :
+       {&result.sliding, &result.rolling, &result.cavitated, &result.upstream, &result.outer, &result.side})
     *part /= load;
   result.limited_share = limited_load / load;
   result.unlikely_share = unlikely_load / load;

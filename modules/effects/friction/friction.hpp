@@ -36,6 +36,8 @@ struct Parameters {
   double limit = std::numeric_limits<double>::infinity();  ///< Lambda
   bool keep_tau1 = false, keep_tau2 = false;
   bool aslant = false;  ///< not symmetric in Y: there is a force along it
+  /// What stands before it is counted apart: the outer half of an inlet that oil fills. None: NaN.
+  double outer_X = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// What is upstream of a line contact's domain, where its pressure is that of the far field.
@@ -67,6 +69,7 @@ struct Friction {
   double side = std::numeric_limits<double>::quiet_NaN();  ///< force on each surface along +y; NaN where not aslant
   double cavitated = 0.0;                                  ///< part of `sliding` from where P = 0
   double upstream = 0.0;                                   ///< part of `rolling` from before the domain
+  double outer = 0.0;                                      ///< part of `rolling` from before outer_X
   double largest_stress = 0.0;                             ///< of |tau_m| where P > 0, in p_h
   double limited_share = 0.0;                              ///< share of the load that stands where the limit acts
   double unlikely_share = 0.0;                             ///< share of the load where |tau_m| > largest_limit P
@@ -78,7 +81,9 @@ struct Friction {
 /// The integral of tau_m by the trapezoidal rule, those of H dP/dX and H dP/dY as sum of H (mean of the two nodes)
 /// times the differences of P; upstream of a line's domain H dP/dX = lambda (H - flow)/H^2, which falls as 1/X^2:
 /// beyond X_a = -4.5 that is 6 to 18 % of the rolling friction. order: 2, with P and H of order 2; with Cavitated::none
-/// 1 in the part beside the edge. cost: one viscosity per node.
+/// 1 in the part beside the edge. Round a point H dP/dX falls as 1/r^2, so that its integral grows with the logarithm
+/// of the domain: the outer half of the inlet tells what one of twice the length would add. cost: one viscosity per
+/// node.
 Friction friction_of(const Film& film, const Parameters& parameters);
 
 /// What is wrong with the numbers, in words: a Newtonian oil that would carry what no lubricant can.
