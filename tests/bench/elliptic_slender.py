@@ -101,7 +101,7 @@ def by_comma(case):
 
 
 def drawn(seed, number):
-    """Contacts (ratio, M, L, angle): ratio and M evenly by their logarithm, half of them at 0 degrees."""
+    """Contacts (ratio, M, L, angle): ratio and M evenly by their logarithm, three of five at 0 degrees."""
     source = random.Random(seed)
 
     def between(low, high):

@@ -353,7 +353,7 @@ class DomainKeys(TypedDict, total=False):
     """Half width of the domain in Hertz radii, beyond the contact.
     default: half the length of the domain, or a quarter more; allowed: a number > 0 and <= 1000"""
     far_field: Literal["closed", "zero"]
-    """Pressure on the boundary of the domain and load outside of it: those of nearly rigid bodies in closed form, or none, as in the paper. A load that jumps in time, or changes by more than twice its size in a/u_m, needs zero, and gets it where the deck leaves this open, as a body that moves does.
+    """Pressure on the boundary of the domain and load outside of it: those of nearly rigid bodies in closed form, or none, as in the paper. A load that jumps in time, or changes by more than twice its size in a/u_m, needs zero, and gets it where the deck leaves this open, as an ellipse by half of its load and a body that moves do.
     default: closed; allowed: one of closed, zero"""
 
 class GridKeys(TypedDict, total=False):
@@ -443,7 +443,7 @@ class ContinuationKeys(TypedDict, total=False):
     """First load of a continuation, as Moes load number M; L does not depend on the load. (only with [continuation] path = automatic or load)
     default: a hundredth of the contact's M, 20 at least, more where that is not solved; allowed: a number >= 0.1 and <= 1e+05"""
     load_start: float | str
-    """The same in newtons, for a contact in SI. (only with [continuation] path = automatic or load)
+    """The same for a contact in SI, of a line contact in newtons per metre. (only with [continuation] path = automatic or load)
     default: see M_start; allowed: a number > 0 N"""
     step: float | str
     """Factor between the first two loads; later ones follow from the number of cycles. (only with [continuation] path = automatic or load)
