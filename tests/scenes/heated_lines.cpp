@@ -180,6 +180,23 @@ BOOST_AUTO_TEST_CASE(with_little_oil) {
   BOOST_TEST(number_at(found, "/thermal/mu") > number_at(flooded, "/thermal/mu"));
 }
 
+// Grids below the finest lead on however fine that is: begun on 256 cells no cycle bore this contact's heat.
+BOOST_AUTO_TEST_CASE(with_little_oil_on_fine_grids) {
+  const Scene scene;
+  scene.folder.write(
+      "fine.ini",
+      "[contact]\nkind = line\nload_per_length = 1e5\nradius_x = 0.01\nE_prime = 226e9\n[motion]\nu1 = 5.5\n"
+      "u2 = 4.5\n[lubricant]\neta0 = 0.0165\nalpha = 1.8e-8\n[thermal]\nT_oil = 80\nbeta = 0.04\n"
+      "solid1 = steel\nsolid2 = steel\n[supply]\nlayer_m = 5e-7\n");
+  const auto mu_on = [&](const char* cells) {
+    const support::Ended run =
+        scene.ehl(std::string("run fine.ini --json --quiet --overwrite --set grid.cells=") + cells);
+    BOOST_TEST_REQUIRE(run.status == 0, run.err);
+    return number_at(nlohmann::json::parse(run.out), "/thermal/mu");
+  };
+  check_close("mu on 1024 cells", mu_on("1024"), mu_on("512"), 5e-3);
+}
+
 BOOST_AUTO_TEST_CASE(results_and_tables_hold_it) {
   const Scene scene;
   const auto found = scene.run("--set thermal.fields=T_mid,T_max,T1,T2,section");

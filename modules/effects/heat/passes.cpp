@@ -161,7 +161,7 @@ Result heat_up(fmg::Run& run, std::size_t l, thermal::FilmTemperature& film, Fac
   Result result;
   Trail trail;
   LastCycle last;
-  double weight = 1.0, asked_before = INFINITY;
+  double weight = parameters.first_weight, asked_before = INFINITY;
   for (int n = 1; n <= parameters.most; ++n) {
     const fmg::State kept = fmg::state_of(hierarchy, l);
     const fmg::Caution caution = run.caution;

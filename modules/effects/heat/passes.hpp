@@ -23,7 +23,8 @@ struct Pass {
 
 /// When the passes end.
 struct Parameters {
-  int most = 40;  ///< passes
+  double first_weight = 1.0;  ///< of what the first pass's temperature asks of the coefficients
+  int most = 40;              ///< passes
   /// Hc, Hm, mu and the hottest film change by less than this share of their discretization error.
   double share = 0.1;
   double defect = 1e-3;       ///< of the balance of heat

@@ -143,13 +143,15 @@ BOOST_AUTO_TEST_CASE(warnings_name_what_is_wrong) {
   solution.P = core::Field(solution.grid);
   solution.P(8, 8) = 1.0;
   solution.levels.push_back({.error_Hc = 0.01, .error_Hm = 0.02});
+  solution.error_bars.Hc.discretization = 0.01;
+  solution.error_bars.Hm.discretization = 0.02;
   const Scene scene;
   BOOST_TEST(warnings_of(scene, solution).empty());
   const auto warned = [&](const char* word) {
     const std::vector<std::string> warnings = warnings_of(scene, solution);
     return warnings.size() == 1 && warnings[0].find(word) != std::string::npos;
   };
-  solution.levels.back().error_Hm = 0.3;
+  solution.error_bars.Hm.discretization = 0.3;
   BOOST_TEST(warned("not resolved"));
   // 0.3 is 0.075 after one halving of the mesh with the second order, and after two with the first.
   solution.levels.back().nx = 96;
@@ -160,7 +162,7 @@ BOOST_AUTO_TEST_CASE(warnings_name_what_is_wrong) {
   BOOST_TEST(cells_that_resolve(256, 0.0999, reynolds::Wedge::upstream2) == 256);
   BOOST_TEST(cells_that_resolve(256, 0.41, reynolds::Wedge::upstream2) == 1024);
   BOOST_TEST(cells_that_resolve(256, 180.0, reynolds::Wedge::upstream2) == 1024);
-  solution.levels.back().error_Hm = 1.2;
+  solution.error_bars.Hm.discretization = 1.2;
   BOOST_TEST(warned("at least 384 would bring"));
   BOOST_TEST(warned("of Hm 120 %"));
   solution.levels.back() = {.nx = 128, .error_Hc = unknown, .error_Hm = unknown};
@@ -169,6 +171,7 @@ BOOST_AUTO_TEST_CASE(warnings_name_what_is_wrong) {
   BOOST_TEST(warned("negative between the nodes"));
   solution.levels.back().Hm_fitted = 1e-2;
   solution.levels.back() = {.error_Hc = 0.01, .error_Hm = 0.02};
+  solution.error_bars.Hm.discretization = 0.02;
   solution.domain_error_Hc = 0.03;
   BOOST_TEST(warned("starved"));
   solution.domain_error_Hc = 0.001;
