@@ -7,7 +7,7 @@
 
 namespace ehl::program {
 
-/// Of speeds and viscosity, a sentence each with the number that gives it away.
+/// Of speeds, viscosity and the ends of a roller, a sentence each with the number that gives it away.
 std::vector<std::string> hardly_meant(const Case& input);
 
 /// Of a film, expected or solved. in: central and minimum film [m]; NaN: not known, and nothing is said.

@@ -146,6 +146,15 @@ BOOST_AUTO_TEST_CASE(ends_that_bear_are_told) {
   BOOST_TEST(rows[1].at("warnings") == "0");
 }
 
+// Before anything is solved: of a crown that hardly falls.
+BOOST_AUTO_TEST_CASE(edges_that_cut_are_foretold) {
+  const TemporaryFolder folder;
+  for (const auto& [radius, cuts] : {std::pair{"500", true}, {"20", false}}) {
+    folder.write("case.ini", numbers + "[roller]\nprofile = crowned\ncrown_radius = " + radius + "\n");
+    BOOST_TEST(contains(ehl(folder, "check case.ini").out, "edges that cut") == cuts, radius);
+  }
+}
+
 // A table of the crown's parabola is the crown; one from the middle on is mirrored.
 BOOST_AUTO_TEST_CASE(a_table_is_the_profile_that_it_lists) {
   const TemporaryFolder folder;

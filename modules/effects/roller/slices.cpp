@@ -16,6 +16,7 @@ Bearing bearing(const Profile& profile) {
     const double Y = -0.5 * profile.length + (k + 0.5) * width;
     gap.push_back(drop(profile, Y) + profile.tilt * Y);
   }
+  const double nearer_end = std::min(gap.front(), gap.back());
   std::ranges::sort(gap);
   // The n slices that stand out most bear all of it: n approach - sum of their gaps = slices mean. More of them bear as
   // long as the approach reaches the next one.
@@ -26,7 +27,7 @@ Bearing bearing(const Profile& profile) {
     approach = (slices * mean + sum) / loaded;
   } while (loaded < slices && gap[static_cast<std::size_t>(loaded)] < approach);
   const double heaviest = (approach - gap.front()) / mean;
-  return {loaded * width, heaviest, std::pow(heaviest, 0.5 * 1.3)};
+  return {loaded * width, heaviest, std::max(0.0, approach - nearer_end) / mean, std::pow(heaviest, 0.5 * 1.3)};
 }
 
 }  // namespace ehl::roller

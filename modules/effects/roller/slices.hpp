@@ -7,6 +7,7 @@ namespace ehl::roller {
 struct Bearing {
   double length;    ///< of the slices that bear a load [a]
   double heaviest;  ///< load per length of the slice that carries most, over the mean
+  double at_ends;   ///< the same of the end that carries more
   double widest;    ///< half width of the contact there [a], at least
 };
 

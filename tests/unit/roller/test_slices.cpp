@@ -39,6 +39,7 @@ BOOST_AUTO_TEST_CASE(straight_roller_bears_everywhere) {
   const Bearing found = bearing(flat(40.0));
   BOOST_TEST(found.length == 40.0, tolerance(1e-12));
   BOOST_TEST(found.heaviest == 1.0, tolerance(1e-12));
+  BOOST_TEST(found.at_ends == 1.0, tolerance(1e-12));
 }
 
 // Hertz' ellipse of the same load: a^3 = (3/2) F R/E' of the circle, and of the line's half width F/length = pi/8 E'
@@ -70,6 +71,7 @@ BOOST_AUTO_TEST_CASE(crown) {
     const Bearing found = bearing(profile);
     BOOST_TEST(found.length == 2.0 * std::sqrt(2.0 * radius * approach), tolerance(4.0 * slice * 60.0 / found.length));
     BOOST_TEST(found.heaviest == approach / mean, tolerance(1e-4));
+    BOOST_TEST(found.at_ends == 0.0);
     // A tilt moves the crown's lowest point by radius times tilt along it, and changes nothing else.
     profile.tilt = 3.0 / radius;
     BOOST_TEST(bearing(profile).length == found.length, tolerance(4.0 * slice * 60.0 / found.length));
