@@ -26,7 +26,7 @@ constexpr Steps steps_of_column{.most = 20, .tolerance = 1e-3};
 struct Answer {
   std::vector<double> marched{};
   std::vector<double> before{};  // of a line contact: before_inlet.hpp
-  std::optional<Source> lagged{};
+  std::optional<LaggedSource> lagged{};
 };
 
 // In a line contact the marched part is the source itself: slow bodies feel there what lies far upstream of them, and
@@ -57,7 +57,7 @@ Answer answer_of(const Setup& setup, const Body& body) {
   else
     subtract_lines(answer.marched, table);
   bring();
-  answer.lagged = make_source(setup.patch, table, setup.threads);
+  answer.lagged.emplace(make_source(setup.patch, table, setup.threads), setup.patch);
   return answer;
 }
 
@@ -118,7 +118,7 @@ FilmTemperature::FilmTemperature(const Setup& setup)
   }
   if (patch.domain.line) upstream_1_ = upstream_2_ = std::vector<double>(static_cast<std::size_t>(patch.nodes_x()));
   const auto take = [](Answer answer, std::vector<double>& marched, std::vector<double>& before,
-                       std::optional<Source>& lagged) {
+                       std::optional<LaggedSource>& lagged) {
     marched = std::move(answer.marched);
     before = std::move(answer.before);
     lagged = std::move(answer.lagged);
@@ -160,11 +160,8 @@ void FilmTemperature::start_from(const FilmTemperature& coarse, const FilmTemper
 }
 
 void FilmTemperature::apply_sources() {
-  const auto apply = [](std::optional<Source>& source, const core::Field& q, core::Field& theta) {
-    if (source) std::visit([&](auto& sum) { sum.apply(q, theta); }, *source);
-  };
-  apply(source_1_, q_1_, correction_1_);
-  apply(source_2_, q_2_, correction_2_);
+  if (source_1_) source_1_->apply(q_1_, correction_1_);
+  if (source_2_) source_2_->apply(q_2_, correction_2_);
 }
 
 double FilmTemperature::velocity(int i, int j, int k) const {
@@ -260,9 +257,7 @@ double FilmTemperature::sweep(bool back) {
 
 std::size_t FilmTemperature::bytes() const {
   const std::size_t fields = 25 * static_cast<std::size_t>(P_.nodes_x()) * static_cast<std::size_t>(P_.stride());
-  const auto of = [](const std::optional<Source>& source) {
-    return source ? std::visit([](const auto& sum) { return sum.bytes(); }, *source) : 0;
-  };
+  const auto of = [](const std::optional<LaggedSource>& source) { return source ? source->bytes() : 0; };
   return sizeof(double) * (fields + 4 * theta_.size()) + of(source_1_) + of(source_2_) +
          workers_.size() * sizeof(Worker);
 }

@@ -13,7 +13,7 @@
 #include "rheology/flow_thinning.hpp"
 #include "rheology/thermal_properties.hpp"
 #include "thermal/column.hpp"
-#include "thermal/source_convolution.hpp"
+#include "thermal/lagged_source.hpp"
 
 namespace ehl::thermal {
 
@@ -167,7 +167,7 @@ class FilmTemperature {
   std::vector<double> line_1_, line_2_;
   std::vector<double> before_1_, before_2_;  // likewise: what the bodies bring with them, per flux at the first node
   std::vector<double> upstream_1_, upstream_2_;  // of a line contact q_1_ and q_2_, from the last node to the first
-  std::optional<Source> source_1_, source_2_;
+  std::optional<LaggedSource> source_1_, source_2_;
   std::vector<Worker> workers_;
   std::vector<double> change_;  // per batch: no reduction depends on the threads
 };

@@ -35,6 +35,21 @@ struct Scene {
 
 BOOST_AUTO_TEST_SUITE(heat_in_use)
 
+// Below a wide contact a body at rest answers by more than the film resists: taken whole from sweep to sweep it swung
+// ever further. One that creeps is as hot.
+BOOST_AUTO_TEST_CASE(a_body_at_rest_below_a_wide_contact) {
+  const Scene scene(deck_of("64"));
+  const auto hottest = [&](const std::string& speeds) {
+    return number_at(scene.run("--set contact.radius_ratio=0.05 --set contact.load=100 --unset motion.u_m --unset "
+                               "motion.srr --set motion.u1=4 --set motion.u2=" +
+                               speeds),
+                     "/thermal/T2_max");
+  };
+  const double at_rest = hottest("0"), creeping = hottest("1e-4");
+  BOOST_TEST_MESSAGE("at rest " << at_rest << " K, creeping " << creeping << " K");
+  BOOST_TEST(std::abs(creeping / at_rest - 1.0) < 0.01);
+}
+
 // Points of a map over load, speed and sliding at which passes once swung between two states, lost the film, or waited
 // for an inlet that recirculates.
 BOOST_AUTO_TEST_CASE(far_from_the_base_case) {
