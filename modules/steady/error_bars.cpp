@@ -280,9 +280,9 @@ ErrorBars error_bars_of(const Scene& scene, const Solution& solution) {
   }
   bars.domain = domain_error(scene, solution);
   if (solution.levels.size() > 1) {
-    if (plain_line(scene))
+    if (plain_line(scene) && column(solution, &LevelRow::Hc).size() > 1)
       judge_line(scene, solution, bars);
-    else if (solution.adjoint)
+    else if (!plain_line(scene) && solution.adjoint)
       judge_by_weights(scene, *solution.adjoint, solution.levels, bars);
   }
   judge_P_max(scene, column(solution, &LevelRow::P_max), column(solution, &LevelRow::P_rim), bars);

@@ -55,9 +55,8 @@ std::string summary(const Case& input, const Computed& computed) {
     text += fmt::format("             {:.3g} of the rolling from upstream of the domain\n", f.upstream);
   if (f.outer != 0.0)
     text += fmt::format(
-        "             {:.3g} of the rolling from the outer half of the inlet: as long as oil fills it, one of twice "
-        "the "
-        "length adds about as much\n",
+        "             {:.3g} of the rolling from the outer half of the inlet; one of twice the length adds about as "
+        "much\n",
         f.outer);
   if (std::isfinite(f.side))
     text += fmt::format("             side force {:.3g} of the load along +y, on each surface{}\n", f.side,

@@ -189,8 +189,7 @@ std::string starvation_summary(const Case& input, const Computed& computed) {
   if (input.scene.grid.line) return text + line_of_oil(input, found);
   text += fmt::format(
       "             oil in {:.5f} rho0 u_m a^3/R: through the contact {:.5f}, beside it {:.5f}, aside {:.2g}; "
-      "imbalance "
-      "{:.1e}\n",
+      "imbalance {:.1e}\n",
       found.in, found.through, found.around(), found.aside, found.imbalance);
   if (!found.flooded_converged) return text;
   text += fmt::format("             formulas: {:.4f} by the supply (Chevalier 1998, gamma = {:g}",

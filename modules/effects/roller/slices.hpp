@@ -8,7 +8,7 @@ struct Bearing {
   double length;    ///< of the slices that bear a load [a]
   double heaviest;  ///< load per length of the slice that carries most, over the mean
   double at_ends;   ///< the same of the end that carries more
-  double widest;    ///< half width of the contact there [a], at least
+  double widest;    ///< half width of the contact where it carries most [a], about
 };
 
 /// Every slice is pressed in by what the approach of the bodies leaves above its drop and tilt, and bears in
