@@ -6,8 +6,8 @@
 namespace ehl::thermal {
 namespace {
 
-constexpr double half = 0.5;
-constexpr double least_weight = 0.1;  // no answer is more than nine times what caused it
+constexpr double half = 0.5, most = 0.5;  // of a share
+constexpr double least_weight = 0.1;      // no answer is more than nine times what caused it
 
 }  // namespace
 
@@ -23,8 +23,9 @@ void LaggedSource::apply(const core::Field& q, core::Field& theta) {
       size_before += before * before;
       along += before * left;
     }
-  if (const double overshoot = -along / size_before; overshoot > half)
-    weight_ = std::max(least_weight, weight_ / (1.0 + overshoot));
+  const double share = along / size_before;  // of one mode: what is left of it is 1 - weight (1 + what S answers)
+  const bool known = size_before > 0.0 && (share < -half || weight_ < 1.0);
+  if (known) weight_ = std::clamp(weight_ / (1.0 - std::min(share, most)), least_weight, 1.0);
   for (int i = 0; i < left_.nodes_x(); ++i)
     for (int j = 0; j < left_.nodes_y(); ++j) {
       const double left = left_(i, j) - theta(i, j);

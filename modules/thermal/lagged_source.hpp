@@ -9,8 +9,8 @@ namespace ehl::thermal {
 
 /// theta <- theta + w (S q - theta), S the source. Heat that flows into a body warms it, and then less flows: of a body
 /// that hardly moves below a wide contact S answers by more than the film resists, and with w = 1 each sweep overshoots
-/// by more than the last. w is 1 until a sweep overshoots by more than half; then it is the weight that would have left
-/// nothing of one mode.
+/// by more than the last. w is 1 until a sweep overshoots by more than half; from then on it is the weight that would
+/// have left nothing of one mode, as the last sweep tells.
 class LaggedSource {
  public:
   LaggedSource(Source&& source, const core::Patch& patch);
