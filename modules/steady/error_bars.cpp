@@ -22,10 +22,6 @@ constexpr double falls = 0.7;
 /// Changes of P_max below this are rounding of the discrete solutions themselves.
 constexpr double at_rest = 1e-5;
 
-std::vector<double> column(const Solution& solution, double LevelRow::*value) {
-  return fmg::column(solution.levels, value);
-}
-
 Estimate extrapolated(const std::vector<double>& values, double order, double unsure, double algebraic) {
   const judgement::Extrapolation result = judgement::extrapolate(values, order, unsure);
   // An algebraic error of the last value enters the extrapolation with 1 + 1/(2^p - 1).
@@ -223,10 +219,10 @@ void judge_line(const Scene& scene, const Solution& solution, ErrorBars& bars) {
   const LevelRow& last = solution.levels.back();
   const double step = (scene.grid.X_b - scene.grid.X_a) / last.nx;
   const auto floor = [&](double share) { return judgement::third_order_floor(step, last.Hm_fitted, share); };
-  bars.Hc.discretization = error_of_levels(column(solution, &LevelRow::Hc), order_of_Hc_of_line, least_share_of_Hc,
-                                           floor(judgement::third_order_floor_of_Hc));
-  bars.Hm_fitted.discretization = error_of_levels(column(solution, &LevelRow::Hm_fitted), order_of_Hm_of_line,
-                                                  least_share_of_Hm, floor(floor_of_Hm_of_line));
+  bars.Hc.discretization = error_of_levels(fmg::column(solution.levels, &LevelRow::Hc), order_of_Hc_of_line,
+                                           least_share_of_Hc, floor(judgement::third_order_floor_of_Hc));
+  bars.Hm_fitted.discretization = error_of_levels(fmg::column(solution.levels, &LevelRow::Hm_fitted),
+                                                  order_of_Hm_of_line, least_share_of_Hm, floor(floor_of_Hm_of_line));
   bars.Hm.discretization = bars.Hm_fitted.discretization + std::abs(last.Hm - last.Hm_fitted) / last.Hm;
   bars.Hc_best = {last.Hc, bars.Hc.total()};
   bars.Hm_best = {last.Hm_fitted, bars.Hm_fitted.total()};
@@ -268,10 +264,10 @@ ErrorBars error_bars_of(const Scene& scene, const Solution& solution) {
   }
   // Beside a meniscus no order holds from level to level, and of a line no extrapolation's error does.
   if (!scene.supply && !plain_line(scene)) {
-    bars.Hc_extrapolated =
-        extrapolated(column(solution, &LevelRow::Hc), order, judgement::unsure_of_Hc, checked.algebraic_error_Hc);
-    bars.Hm_extrapolated = extrapolated(column(solution, &LevelRow::Hm_fitted), order, judgement::unsure_of_Hm,
-                                        checked.algebraic_error_Hm);
+    bars.Hc_extrapolated = extrapolated(fmg::column(solution.levels, &LevelRow::Hc), order, judgement::unsure_of_Hc,
+                                        checked.algebraic_error_Hc);
+    bars.Hm_extrapolated = extrapolated(fmg::column(solution.levels, &LevelRow::Hm_fitted), order,
+                                        judgement::unsure_of_Hm, checked.algebraic_error_Hm);
   }
   if (reynolds::third_order(scene.wedge) && std::isfinite(bars.Hm_extrapolated.error)) {
     const double step = (scene.grid.X_b - scene.grid.X_a) / last.nx;
@@ -280,12 +276,13 @@ ErrorBars error_bars_of(const Scene& scene, const Solution& solution) {
   }
   bars.domain = domain_error(scene, solution);
   if (solution.levels.size() > 1) {
-    if (plain_line(scene) && column(solution, &LevelRow::Hc).size() > 1)
+    if (plain_line(scene) && fmg::column(solution.levels, &LevelRow::Hc).size() > 1)
       judge_line(scene, solution, bars);
     else if (!plain_line(scene) && solution.adjoint)
       judge_by_weights(scene, *solution.adjoint, solution.levels, bars);
   }
-  judge_P_max(scene, column(solution, &LevelRow::P_max), column(solution, &LevelRow::P_rim), bars);
+  judge_P_max(scene, fmg::column(solution.levels, &LevelRow::P_max), fmg::column(solution.levels, &LevelRow::P_rim),
+              bars);
   return bars;
 }
 

@@ -60,26 +60,29 @@ void check_drop(const deck::Part& roller, const Scales& scales, const Profile& p
                                 over_R, scales.in_SI ? "metres" : "a and a^2/R"));
 }
 
-// The profile, or the tilt where the roller `is_right` without it.
+// Where the roller `is_right` without its tilt.
 template <class Right>
-std::string key_at_fault(const deck::Part& roller, const Profile& profile, Right is_right) {
+bool tilt_is_at_fault(const Profile& profile, Right is_right) {
   Profile upright = profile;
   upright.tilt = 0.0;
-  const bool tilts = profile.tilt != 0.0 && is_right(bearing(upright));
-  return tilts ? given_key(roller, "tilt", "_mrad") : profile_key(roller, profile);
+  return profile.tilt != 0.0 && is_right(bearing(upright));
 }
-bool names_tilt(const std::string& key) { return key.starts_with("tilt"); }
+
+std::string key_at_fault(const deck::Part& roller, const Profile& profile, bool tilt) {
+  return tilt ? given_key(roller, "tilt", "_mrad") : profile_key(roller, profile);
+}
 
 void check_length_that_bears(const deck::Part& roller, const Profile& profile) {
   const auto bears_enough = [&](const Bearing& found) { return found.length >= least_share * profile.length; };
   const Bearing found = bearing(profile);
   if (bears_enough(found)) return;
-  const std::string key = key_at_fault(roller, profile, bears_enough);
-  roller.complain(key, fmt::format("cut into slices {:.3g} of the roller's {:.4g} half widths bear the load, and a "
-                                   "roller bears along a tenth of its length at least: {}",
-                                   found.length, profile.length,
-                                   names_tilt(key) ? "less tilt, or a crown that bears it"
-                                                   : "check the units, or give [contact] kind = point and radius_y"));
+  const bool tilt = tilt_is_at_fault(profile, bears_enough);
+  roller.complain(key_at_fault(roller, profile, tilt),
+                  fmt::format("cut into slices {:.3g} of the roller's {:.4g} half widths bear the load, and a "
+                              "roller bears along a tenth of its length at least: {}",
+                              found.length, profile.length,
+                              tilt ? "less tilt, or a crown that bears it"
+                                   : "check the units, or give [contact] kind = point and radius_y"));
 }
 
 void check_width(const deck::Part& roller, const core::Grid& grid, const Profile& profile) {
@@ -87,13 +90,13 @@ void check_width(const deck::Part& roller, const core::Grid& grid, const Profile
   const auto fits = [&](const Bearing& found) { return !(found.widest >= reach); };
   const Bearing found = bearing(profile);
   if (fits(found)) return;
-  const std::string key = key_at_fault(roller, profile, fits);
+  const bool tilt = tilt_is_at_fault(profile, fits);
   roller.complain(
-      key, fmt::format("cut into slices one carries {:.3g} times the mean load per length and is about {:.3g} half "
-                       "widths wide to either side, beyond the domain's {:.3g}: move [domain] x_inlet and x_outlet, "
-                       "or take {}",
-                       found.heaviest, found.widest, reach,
-                       names_tilt(key) ? "less tilt" : "a profile that spreads the load"));
+      key_at_fault(roller, profile, tilt),
+      fmt::format("cut into slices one carries {:.3g} times the mean load per length and is about {:.3g} half "
+                  "widths wide to either side, beyond the domain's {:.3g}: move [domain] x_inlet and x_outlet, "
+                  "or take {}",
+                  found.heaviest, found.widest, reach, tilt ? "less tilt" : "a profile that spreads the load"));
 }
 
 // Where the rounding has fallen by what the bodies approach each other it is beside the contact.

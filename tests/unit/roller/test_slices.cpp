@@ -42,8 +42,7 @@ BOOST_AUTO_TEST_CASE(straight_roller_bears_everywhere) {
   BOOST_TEST(found.at_ends == 1.0, tolerance(1e-12));
 }
 
-// Hertz' ellipse of the same load: a^3 = (3/2) F R/E' of the circle, and of the line's half width F/length = pi/8 E'
-// a^2.
+// Hertz' ellipse of the same load: a^3 = (3/2) F R/E' of the circle, a^2 = (8/pi) F R/(E' length) of the line.
 BOOST_AUTO_TEST_CASE(half_width_of_a_crown) {
   for (const double length : {20.0, 40.0, 160.0})
     for (const double radius : {5.0, 10.0, 20.0, 50.0, 200.0}) {
