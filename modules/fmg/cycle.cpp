@@ -91,7 +91,7 @@ void cycle(Hierarchy& hierarchy, Level& level, Cycle kind, int coarsest_sweeps, 
   Level* const corrector = corrector_of(hierarchy, level);
   if (corrector == nullptr) return visit_coarsest(hierarchy, level, coarsest_sweeps, how);
   Level& coarse = *corrector;
-  for (int sweep = 0; sweep < how.pre; ++sweep) relax(hierarchy, level, how.relaxation);
+  for (int sweep = 0; sweep < how.pre.value_or(2); ++sweep) relax(hierarchy, level, how.relaxation);
 
   restrict_problem(hierarchy, level, coarse);
   cycle(hierarchy, coarse, kind, coarsest_sweeps, how);

@@ -8,6 +8,7 @@
 
 #include "core/errors.hpp"
 #include "fmg/start.hpp"
+#include "judgement/error_estimate.hpp"
 
 namespace ehl::fmg {
 namespace {
@@ -38,6 +39,18 @@ StoppingCriterion criterion_of(const Run& run, std::size_t l) {
           .planned = planned,
           .most = planned + (meniscus ? more : parameters.extra_cycles),
           .of_start = of_start};
+}
+
+/// Of the last row. A line begins on its finest grid where coarser ones do not see its film, and has no row to be
+/// compared with: the mesh's own bound, where that is as large as the film. It needs no residual of 1e-6.
+DiscretizationError error_known_of(const Run& run, std::size_t l, double Hm) {
+  const LevelRow& row = run.record.levels.back();
+  const core::Patch& grid = run.hierarchy.levels[l].grid;
+  if (l != run.finest() || std::isfinite(row.error_Hc) || !grid.domain.line) return {row.error_Hc, row.error_Hm};
+  const double order = reynolds::order(run.hierarchy.problem.transport.wedge);
+  const double bound = judgement::error_of_one_grid(grid.hx(), Hm, order);
+  if (bound < 1.0) return {row.error_Hc, row.error_Hm};
+  return {bound, bound};
 }
 
 /// Geometric mean of the factors by which the cycles on one level reduced the residual, all but the first.
@@ -128,7 +141,7 @@ void solve_level(Run& run, std::size_t l) {
     enter(run.hierarchy, l, cycle, now, record);
     report(run, l, cycle, criterion.planned, now);
     residuals.push_back(now.residual);
-    return {record.levels.back().error_Hc, record.levels.back().error_Hm};
+    return error_known_of(run, l, now.Hm);
   };
   const CyclesResult result = run_cycles(run.hierarchy, l, criterion, run.caution, observe);
   run.caution = result.caution;

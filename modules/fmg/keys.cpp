@@ -19,13 +19,14 @@ std::vector<deck::Key> keys() {
         .source = "Venner and ten Napel 1992: W at high loads"},
        {.name = "pre",
         .type = Type::integer,
-        .default_text = std::to_string(defaults.pre),
+        .default_note = "2 (3 or 4 of heavy lines with a steep edge)",
         .range = {0, 20},
         .meaning = "Relaxations before the coarse grid correction, nu_1.",
         .source = "Venner and ten Napel 1992"},
        {.name = "post",
         .type = Type::integer,
-        .default_note = "0 to the level of the discretization error (1 of stretched cells), 1 towards a tolerance",
+        .default_note = "0 to the level of the discretization error (1 of stretched cells, 2 or 4 of heavy lines with "
+                        "a steep edge), 1 towards a tolerance",
         .range = {0, 20},
         .meaning = "Relaxations after the coarse grid correction, nu_2; 0 becomes 1 where the residual asks for it.",
         .source = "Venner and ten Napel 1992"},
@@ -71,7 +72,8 @@ Parameters read(deck::Deck& deck) {
   Parameters parameters;
   const Cycle cycle = multigrid.choice("cycle", {Cycle::V, Cycle::W, Cycle::F});
   if (multigrid.given("cycle")) parameters.cycle = cycle;
-  parameters.pre = multigrid.integer("pre", parameters.pre);
+  const int pre = multigrid.integer("pre", 2);
+  if (multigrid.given("pre")) parameters.pre = pre;
   const int post = multigrid.integer("post", 1);
   if (multigrid.given("post")) parameters.post = post;
   parameters.cycles = multigrid.integer("cycles", parameters.cycles);

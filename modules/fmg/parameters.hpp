@@ -48,7 +48,7 @@ inline RelaxationParameters lighter(RelaxationParameters how, double share) {
 /// How the full multigrid works. The defaults need no tuning.
 struct Parameters {
   std::optional<Cycle> cycle;  ///< absent: W; the steady solver has its own choice (steady/cycle_choice.hpp)
-  int pre = 2;                 ///< nu_1, relaxations before the coarse grid correction
+  std::optional<int> pre;      ///< nu_1, relaxations before the coarse grid correction; absent: 2, likewise
   std::optional<int> post;     ///< nu_2, relaxations after it; absent: 1, likewise
   int cycles = 2;              ///< cycles per level on the way up, at least
   int extra_cycles = 3;        ///< more of them on a level below the finest at most, where the checks ask for them
@@ -59,6 +59,8 @@ struct Parameters {
   int least_coarsest_cells = 32;  ///< where it is chosen
   int coarsest_sweeps = 10;      ///< relaxations at least on each visit of the coarsest grid, each followed by eq. (26)
   double load_relaxation = 0.1;  ///< c of eq. (26)
+  int settling_sweeps = 2;       ///< relaxations of an interpolated solution, with epsilon by the mean of the nodes
+  double settling_weight = 1.0;  ///< share of the weights in them
   bool lead_inward = false;      ///< of a point contact too: behind a cycle the inside follows the boundary
   RelaxationParameters relaxation;
 };

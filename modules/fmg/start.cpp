@@ -19,7 +19,6 @@ constexpr int sweeps_per_balance = 4;
 /// equation's, as Newton's method does. So the first steps on a grid are with the mean: cycles from the Hertz pressure,
 /// relaxations behind the interpolation. Without them cycles multiplied the residual by 100 at L = 20.
 constexpr int cycles_from_hertz = 4;
-constexpr int sweeps_behind_interpolation = 2;
 
 template <class Steps>
 void begin_with_mean(Hierarchy& hierarchy, Level& level, Steps steps) {
@@ -197,8 +196,9 @@ void start_from_coarser(Hierarchy& hierarchy, std::size_t l) {
   update_film(hierarchy, level);
   renew_boundary(hierarchy, level);
   begin_with_mean(hierarchy, level, [&] {
-    for (int sweep = 0; sweep < sweeps_behind_interpolation; ++sweep)
-      relax(hierarchy, level, hierarchy.parameters.relaxation);
+    const Parameters& parameters = hierarchy.parameters;
+    const RelaxationParameters relaxation = lighter(parameters.relaxation, parameters.settling_weight);
+    for (int sweep = 0; sweep < parameters.settling_sweeps; ++sweep) relax(hierarchy, level, relaxation);
   });
 }
 

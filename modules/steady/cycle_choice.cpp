@@ -10,30 +10,43 @@
 namespace ehl::steady {
 namespace {
 
-/// ln eta_bar in the Hertz pressure one film zone inside the edge from which on full weights oscillate where epsilon is
-/// steep, and are lowered sooner or later. Of 36 loads, M = 5 to 5000, L = 23 to 30, those above take up to 60 % fewer
-/// cycles with the weight below, those below it take more.
+/// log_viscosity_at_edge() from which on full weights oscillate where epsilon is steep, and are lowered sooner or
+/// later. Of 36 loads, M = 5 to 5000, L = 23 to 30, those above take up to 60 % fewer cycles with the weight below,
+/// those below it take more.
 constexpr double steep_log_viscosity = 20.0;
 constexpr double caution_where_steep = 0.8;
 
-/// The Hertz pressure at the distance s inside the edge is p_h sqrt(2 s/l), l the semi-axis across it.
-bool steep_edge(const Scene& scene) {
-  const double zone = film_zone(scene.M, scene.L, scene.shape);
-  const double P = std::sqrt(2.0 * zone / contact::extent(scene.shape).shorter);
-  return rheology::log_viscosity_at(scene.viscosity, std::min(1.0, P)) > steep_log_viscosity;
-}
+bool steep_edge(const Scene& scene) { return log_viscosity_at_edge(scene) > steep_log_viscosity; }
+
+/// Of starts with V cycles of their own, behind an interpolation: 42 heavy lines with a steep edge (starts.cpp) begin
+/// at a later start 9 times with 2 relaxations at full weight, 4 times with 4 at 0.4 or 0.5, 22 and 29 times with 8 and
+/// 16 at full weight, which lead away.
+constexpr int settling_sweeps = 4;
+constexpr double settling_weight = 0.4;
 
 /// F(2,0) cycles leave the least algebraic error of Hc and Hm for their work, W(2,1) the least residual. Along a line,
 /// where a coarse grid is half the work of a finer one, V cycles leave as little as F for two thirds of it. Stretched
 /// cells take W(2,1) anyhow: most of their coarser grids are visited once, so that W is 1 % more work than F. With
 /// F(2,0) (1000, 15) at R_x/R_y = 100 does not begin at its first start; with W(2,0) and W(2,1) (100, 10) at 200 takes
 /// 140 and 57 work units, (20, 15) at 200 85 and 41, at 50 49 and 59.
-void choose_cycle(const Scene& scene, fmg::Parameters& parameters) {
+void choose_cycle(const Scene& scene, const Start& start, fmg::Parameters& parameters) {
+  if (start.pre > 0) {
+    if (!parameters.cycle) parameters.cycle = fmg::Cycle::V;
+    if (!parameters.pre) parameters.pre = start.pre;
+    if (!parameters.post) parameters.post = start.post;
+    parameters.settling_sweeps = settling_sweeps;
+    parameters.settling_weight = settling_weight;
+  }
   const bool least_residual = std::isfinite(scene.multigrid.tolerance) || core::stretched(scene.grid);
   const fmg::Cycle shortest = scene.grid.line ? fmg::Cycle::V : fmg::Cycle::F;
   if (!parameters.cycle) parameters.cycle = least_residual ? fmg::Cycle::W : shortest;
   if (!parameters.post) parameters.post = least_residual || steep_edge(scene) ? 1 : 0;
 }
+
+/// On a long domain the coarsest grid of a heavy line misses a third of the load that a change of H00 brings, and every
+/// cycle leaves as much: X = -4.5 to 1.5, (200, 20) and (200, 25) take 154 and 119 work units with a step of 0.19, 45
+/// and 51 with 0.09; with 0.12 to 0.14 cycles leave no more than with less.
+constexpr double widest_coarsest_step_of_heavy_line = 0.15;
 
 /// Cells along x of the coarsest grid: few enough for its relaxations to solve it, and in a narrow domain, where the
 /// contact is slender, twice as many for a grid that holds it better. Aslant a step is at most so many times the
@@ -42,6 +55,11 @@ void choose_cycle(const Scene& scene, fmg::Parameters& parameters) {
 int coarsest_cells(const Scene& scene, const Start& start) {
   const double widest_coarsest_step = long_along_motion(scene.shape) ? 0.6 : 2.5;
   const double length = scene.grid.X_b - scene.grid.X_a;
+  if (scene.grid.line) {
+    int cells = start.coarsest;
+    while (start.pre > 0 && length / cells > widest_coarsest_step_of_heavy_line) cells *= 2;
+    return cells;
+  }
   const double width = scene.grid.Y_b - scene.grid.Y_a;
   if (contact::gap(scene.shape).XY != 0.0) {
     const double shorter = contact_size(scene.M, scene.L, scene.shape) / slenderness(scene.M, scene.L, scene.shape);
@@ -50,8 +68,7 @@ int coarsest_cells(const Scene& scene, const Start& start) {
     return cells;
   }
   constexpr double narrow = 1.99;
-  return contact::circular(scene.shape) || scene.grid.line || length < narrow * width ? start.coarsest
-                                                                                      : 2 * start.coarsest;
+  return contact::circular(scene.shape) || length < narrow * width ? start.coarsest : 2 * start.coarsest;
 }
 
 /// -dH/d ln(load) of the central film to expect: twice the film where the contact is nearly rigid, little where it is
@@ -100,6 +117,13 @@ double most_change(const Scene& scene) {
 
 }  // namespace
 
+// The Hertz pressure at the distance s inside the edge is p_h sqrt(2 s/l), l the semi-axis across it.
+double log_viscosity_at_edge(const Scene& scene) {
+  const double zone = film_zone(scene.M, scene.L, scene.shape);
+  const double P = std::sqrt(2.0 * zone / contact::extent(scene.shape).shorter);
+  return rheology::log_viscosity_at(scene.viscosity, std::min(1.0, P));
+}
+
 double steep_caution(const Scene& scene) { return steep_edge(scene) ? caution_where_steep : 1.0; }
 
 fmg::Parameters parameters_of(const Scene& scene, const Start& start) {
@@ -129,7 +153,7 @@ fmg::Parameters parameters_of(const Scene& scene, const Start& start) {
   }
   parameters.relaxation.most_change = most_change(scene);
   parameters.lead_inward = long_along_motion(scene.shape);
-  choose_cycle(scene, parameters);
+  choose_cycle(scene, start, parameters);
   return parameters;
 }
 

@@ -16,7 +16,11 @@ struct Start {
   double caution = 1.0;           ///< and on the finer ones
   bool across = false;            ///< relaxations along Y too from the first cycle on; of square cells
   double coarseness = 0.0;        ///< the first grid's step, at most, over the one that resolves the film; 0: any
+  int pre = 0, post = 0;          ///< relaxations of V cycles; 0: the cycles that the scene asks for
 };
+
+/// ln eta_bar in the Hertz pressure one film zone inside the contact's edge: how steeply epsilon falls there.
+double log_viscosity_at_edge(const Scene& scene);
 
 /// Factor to begin with on the weight where epsilon is steep: less than 1 where the viscosity rises so fast inside the
 /// contact's edge that full weights oscillate there.

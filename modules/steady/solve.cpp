@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <iterator>
 #include <limits>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,41 +18,11 @@
 #include "steady/passes.hpp"
 #include "steady/rescue.hpp"
 #include "steady/resolution.hpp"
+#include "steady/starts.hpp"
 #include "steady/warnings.hpp"
 
 namespace ehl::steady {
 namespace {
-
-/// The first start is fast and right for most contacts. The later ones begin on a grid that holds the contact better,
-/// keep the coarsest grid finer, and are more cautious.
-constexpr Start starts[] = {
-    {.cells = 64, .sweeps = 20, .cycles = 6, .coarsest = 32, .balances = 10, .caution_at_first = 0.7, .caution = 1.0},
-    {.cells = 64, .sweeps = 40, .cycles = 10, .coarsest = 32, .balances = 30, .caution_at_first = 0.5, .caution = 1.0},
-    {.cells = 128, .sweeps = 40, .cycles = 6, .coarsest = 32, .balances = 10, .caution_at_first = 0.7, .caution = 1.0},
-    {.cells = 128, .sweeps = 40, .cycles = 6, .coarsest = 64, .balances = 30, .caution_at_first = 0.7, .caution = 1.0},
-    {.cells = 128, .sweeps = 40, .cycles = 10, .coarsest = 64, .balances = 30, .caution_at_first = 0.7, .caution = 0.7},
-    {.cells = 256, .sweeps = 80, .cycles = 10, .coarsest = 64, .balances = 30, .caution_at_first = 0.5, .caution = 0.7},
-};
-/// The first of them where the grid of the others does not hold the contact.
-constexpr std::size_t start_of_heavy = 2;
-/// The first of a line contact, where a finer first grid costs little: 128 cells are too wide for most of M = 1000 and
-/// 2000, L = 25. Of 77 loads on 1024 cells 73 begin at once, 64 without it, and take 0.9 of the work.
-constexpr Start start_of_line = {
-    .cells = 64, .sweeps = 40, .cycles = 6, .balances = 10, .caution_at_first = 0.5, .caution = 0.9, .coarseness = 9.0};
-/// For ellipses, where the film beside a slender or oblique heavy contact is too thin for the first grids of those:
-/// begun on a coarser one, the relaxations of the Hertz pressure themselves diverge.
-constexpr Start start_of_ellipse(double caution_at_first) {
-  return {.cells = 128,
-          .sweeps = 20,
-          .cycles = 12,
-          .caution_at_first = caution_at_first,
-          .caution = 0.7,
-          .across = true,
-          .coarseness = 4.5};
-}
-constexpr Start starts_of_ellipses[] = {start_of_ellipse(0.5), start_of_ellipse(0.35)};
-/// The start of ways that do not begin with cycles from the Hertz pressure at full load.
-constexpr const Start& safe_start = starts[3];
 
 /// A rough bound on the error of the domain above which two coarse solutions are spent on estimating it.
 constexpr double worth_a_look = 0.01;
@@ -111,17 +79,6 @@ class Search {
   std::string last_error_;
 };
 
-/// In the order in which they are tried.
-std::vector<Start> starts_of(const Scene& scene) {
-  const std::span<const Start> all(starts);
-  const auto usual = all.subspan(held_by(starts[0].cells, scene) ? 0 : start_of_heavy);
-  std::vector<Start> list(usual.begin(), usual.end());
-  if (!contact::circular(scene.shape))
-    list.insert(list.begin() + 1, std::begin(starts_of_ellipses), std::end(starts_of_ellipses));
-  if (scene.grid.line) list.insert(list.begin(), start_of_line);
-  return list;
-}
-
 /// Nodes that swing leave 1e-4 and more; below this it is rounding that keeps cycles from a tolerance.
 constexpr double stalled_residual = 1e-7;
 
@@ -133,7 +90,8 @@ constexpr const char* newton_after_cycles = "Newton-Krylov after the cycles";
 void try_newton_after_cycles(const Scene& scene, const ProgressCallback& progress, Search& search) {
   if (scene.polish == Polish::off || (scene.polish == Polish::rescue && nodes_of(scene) > most_nodes_of_rescue)) return;
   if (search.best())
-    search.try_way(newton_after_cycles, [&] { return rescue_by_newton(scene, starts[0], *search.best(), progress); });
+    search.try_way(newton_after_cycles,
+                   [&] { return rescue_by_newton(scene, usual_start(), *search.best(), progress); });
 }
 
 // A line lets through more oil on coarse grids than on the finest, or less: a supply near that fills the inlet of some
@@ -143,7 +101,7 @@ void try_newton_from(const Solution& flooded, const Scene& scene, const Progress
   Solution start = flooded;
   start.history.clear();
   search.try_way("Newton-Krylov from the flooded contact",
-                 [&] { return rescue_by_newton(scene, starts[0], start, progress); });
+                 [&] { return rescue_by_newton(scene, usual_start(), start, progress); });
 }
 
 // Oil beside a slender contact is nowhere near its place on a first grid, and no start brings it there: R_x/R_y = 20 on
@@ -185,7 +143,7 @@ void try_newton(const Scene& scene, const ProgressCallback& progress, Search& se
   const double most = search.tried(newton_after_cycles) ? most_nodes_of_two_rescues : most_nodes_of_rescue;
   if (scene.polish == Polish::rescue && nodes_of(scene) > most) return;
   try_newton_after_cycles(scene, progress, search);
-  if (!search.over()) search.try_way("Newton-Krylov", [&] { return climb_by_newton(scene, starts[0], progress); });
+  if (!search.over()) search.try_way("Newton-Krylov", [&] { return climb_by_newton(scene, usual_start(), progress); });
 }
 
 // By the first way that leads to one. in: the flooded solution of a starved line contact.
@@ -198,7 +156,7 @@ Solution find_from(const Solution* flooded, const Scene& scene, const ProgressCa
     if (scene.continuation.path == Path::off || search.over() || search.tried(name)) return;
     search.try_way(name, [&] {
       return climb_by_load(
-          scene, safe_start, [&](const Scene& light) { return by_full_multigrid(light, progress); }, progress, steps);
+          scene, safe_start(), [&](const Scene& light) { return by_full_multigrid(light, progress); }, progress, steps);
     });
   };
   if (scene.continuation.path != Path::load) try_full_multigrid(scene, progress, search, flooded, by_load);
