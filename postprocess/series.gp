@@ -28,6 +28,10 @@ do for [f = 1:3] { if (name("formula", f) ne "") {
   y_min = low_of(y_min, F_min)
   y_max = high_of(y_max, F_max)
 } }
+# Of numbers that are all the same, zero or below, as far as something can be drawn in.
+reaching(low, high) = high > 0 ? high : (low < 0 ? 0 : 1)
+x_max = reaching(x_min, x_max)
+y_max = reaching(y_min, y_max)
 # An axis is logarithmic where its values span a factor of 4, unless --axes says.
 if (!exists("axes")) axes = ""
 logarithmic(low, high) = axes eq "linear" || low <= 0 ? 0 : axes eq "log" || high >= 4 * low

@@ -19,14 +19,16 @@ std::vector<deck::Key> keys() {
         .source = "Venner and ten Napel 1992: W at high loads"},
        {.name = "pre",
         .type = Type::integer,
-        .default_note = "2 (3 or 4 of heavy lines with a steep edge)",
+        .default_note =
+            "2; 3 or 4 of heavy lines and contacts long along the motion where the viscosity rises steeply at the edge",
         .range = {0, 20},
         .meaning = "Relaxations before the coarse grid correction, nu_1.",
         .source = "Venner and ten Napel 1992"},
        {.name = "post",
         .type = Type::integer,
-        .default_note = "0 to the level of the discretization error (1 of stretched cells, 2 or 4 of heavy lines with "
-                        "a steep edge), 1 towards a tolerance",
+        .default_note =
+            "0 to the level of the discretization error (1 of stretched cells), 1 towards a tolerance; 2 or 4 "
+            "as of pre",
         .range = {0, 20},
         .meaning = "Relaxations after the coarse grid correction, nu_2; 0 becomes 1 where the residual asks for it.",
         .source = "Venner and ten Napel 1992"},

@@ -18,9 +18,15 @@ constexpr double caution_where_steep = 0.8;
 
 bool steep_edge(const Scene& scene) { return log_viscosity_at_edge(scene) > steep_log_viscosity; }
 
-/// Of starts with V cycles of their own, behind an interpolation: 42 heavy lines with a steep edge (starts.cpp) begin
-/// at a later start 9 times with 2 relaxations at full weight, 4 times with 4 at 0.4 or 0.5, 22 and 29 times with 8 and
-/// 16 at full weight, which lead away.
+/// Likewise of contacts long along the motion, from which on (3,2) relaxations leave less for their work than (2,1).
+/// R_x/R_y = 100, (1000, 10) and (1000, 15): 0.39 and 0.33 per W cycle, with W(2,1) 0.50 and 0.59; 200, (20, 15),
+/// (1000, 10) and (1000, 15): 0.35, 0.39 and 0.43, with W(2,1) 0.51, 0.53 and no solution; at 45 degrees 100, (1000,
+/// 15): 0.44, with W(2,1) 0.56. Below, (100, 10) at 200 with 8.8, they leave 0.52, W(2,1) 0.32.
+constexpr double steep_log_viscosity_of_slender = 9.0;
+
+/// Behind an interpolation where more relaxations than usual are made in cycles: 42 heavy lines with a steep edge
+/// (starts.cpp) begin at a later start 9 times with 2 relaxations at full weight, 4 times with 4 at 0.4 or 0.5, 22 and
+/// 29 times with 8 and 16 at full weight, which lead away.
 constexpr int settling_sweeps = 4;
 constexpr double settling_weight = 0.4;
 
@@ -30,14 +36,17 @@ constexpr double settling_weight = 0.4;
 /// F(2,0) (1000, 15) at R_x/R_y = 100 does not begin at its first start; with W(2,0) and W(2,1) (100, 10) at 200 takes
 /// 140 and 57 work units, (20, 15) at 200 85 and 41, at 50 49 and 59.
 void choose_cycle(const Scene& scene, const Start& start, fmg::Parameters& parameters) {
-  if (start.pre > 0) {
-    if (!parameters.cycle) parameters.cycle = fmg::Cycle::V;
-    if (!parameters.pre) parameters.pre = start.pre;
-    if (!parameters.post) parameters.post = start.post;
+  const bool stretched = core::stretched(scene.grid);
+  const bool steep_strip =
+      long_along_motion(scene.shape) && log_viscosity_at_edge(scene) > steep_log_viscosity_of_slender;
+  if (start.pre > 0 || steep_strip) {
+    if (!parameters.cycle && !steep_strip) parameters.cycle = fmg::Cycle::V;
+    if (!parameters.pre) parameters.pre = steep_strip ? 3 : start.pre;
+    if (!parameters.post) parameters.post = steep_strip ? 2 : start.post;
     parameters.settling_sweeps = settling_sweeps;
     parameters.settling_weight = settling_weight;
   }
-  const bool least_residual = std::isfinite(scene.multigrid.tolerance) || core::stretched(scene.grid);
+  const bool least_residual = std::isfinite(scene.multigrid.tolerance) || stretched;
   const fmg::Cycle shortest = scene.grid.line ? fmg::Cycle::V : fmg::Cycle::F;
   if (!parameters.cycle) parameters.cycle = least_residual ? fmg::Cycle::W : shortest;
   if (!parameters.post) parameters.post = least_residual || steep_edge(scene) ? 1 : 0;

@@ -290,6 +290,9 @@ BOOST_AUTO_TEST_CASE(film_against_speed_is_one_picture_of_one_sweep) {
                     .status == 0);
   BOOST_TEST(scene.drawn("mtm.csv --format svg") == "mtm_traction_curve.svg\n");
   BOOST_TEST(contains(scene.folder.read("mtm_traction_curve.svg"), "[%]"));
+  // Numbers that are all zero have an axis too.
+  scene.folder.write("0.csv", "# ehl sweep, table 1\n# vary: motion.srr = 0\nmotion.srr,status,mu\n0,converged,0\n");
+  BOOST_TEST(scene.drawn("0.csv --x motion.srr --y mu --format svg") == "0_curves.svg\n");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
