@@ -20,15 +20,14 @@ std::vector<deck::Key> keys() {
        {.name = "pre",
         .type = Type::integer,
         .default_note =
-            "2; 3 or 4 of heavy lines and contacts long along the motion where the viscosity rises steeply at the edge",
+            "2; 3 of contacts long along the motion; 3 or 4 of heavy lines whose viscosity rises steeply at the edge",
         .range = {0, 20},
         .meaning = "Relaxations before the coarse grid correction, nu_1.",
         .source = "Venner and ten Napel 1992"},
        {.name = "post",
         .type = Type::integer,
-        .default_note =
-            "0 to the level of the discretization error (1 of stretched cells), 1 towards a tolerance; 2 or 4 "
-            "as of pre",
+        .default_note = "0 to the level of the discretization error (1 of stretched cells), 1 towards a tolerance; 2 "
+                        "or 4 of those with steep viscosity",
         .range = {0, 20},
         .meaning = "Relaxations after the coarse grid correction, nu_2; 0 becomes 1 where the residual asks for it.",
         .source = "Venner and ten Napel 1992"},

@@ -18,35 +18,46 @@ constexpr double caution_where_steep = 0.8;
 
 bool steep_edge(const Scene& scene) { return log_viscosity_at_edge(scene) > steep_log_viscosity; }
 
-/// Likewise of contacts long along the motion, from which on (3,2) relaxations leave less for their work than (2,1).
-/// R_x/R_y = 100, (1000, 10) and (1000, 15): 0.39 and 0.33 per W cycle, with W(2,1) 0.50 and 0.59; 200, (20, 15),
-/// (1000, 10) and (1000, 15): 0.35, 0.39 and 0.43, with W(2,1) 0.51, 0.53 and no solution; at 45 degrees 100, (1000,
-/// 15): 0.44, with W(2,1) 0.56. Below, (100, 10) at 200 with 8.8, they leave 0.52, W(2,1) 0.32.
+/// Likewise of contacts long along the motion, from which on they take (3,2) relaxations, and below it, on stretched
+/// cells, (3,1). R_x/R_y = 100, (1000, 10) and (1000, 15): 0.39 and 0.33 left per W cycle, with W(2,1) 0.50 and 0.59;
+/// 200, (20, 15), (1000, 10) and (1000, 15): 0.35, 0.39 and 0.43, with W(2,1) 0.51, 0.53 and no solution; at 45 degrees
+/// 100, (1000, 15): 0.40, with W(2,1) 0.56. Below, 200, (100, 5): 0.36, with W(2,1) by a later start; (100, 10): 0.42,
+/// with W(3,2) 0.54, W(2,1) 0.32.
 constexpr double steep_log_viscosity_of_slender = 9.0;
 
-/// Behind an interpolation where more relaxations than usual are made in cycles: 42 heavy lines with a steep edge
-/// (starts.cpp) begin at a later start 9 times with 2 relaxations at full weight, 4 times with 4 at 0.4 or 0.5, 22 and
-/// 29 times with 8 and 16 at full weight, which lead away.
+/// In a cycle; of more than usual, where coarse grids send up what is far off.
+struct Relaxations {
+  int pre = 0, post = 0;
+};
+Relaxations more_relaxations(const Scene& scene, const Start& start) {
+  if (long_along_motion(scene.shape)) {
+    if (log_viscosity_at_edge(scene) > steep_log_viscosity_of_slender) return {3, 2};
+    if (core::stretched(scene.grid)) return {3, 1};
+  }
+  return {start.pre, start.post};
+}
+/// Behind an interpolation, likewise: 42 heavy lines with a steep edge (starts.cpp) begin at a later start 9 times with
+/// 2 relaxations at full weight, 4 times with 4 at 0.4 or 0.5, 22 and 29 times with 8 and 16 at full weight, which lead
+/// away.
 constexpr int settling_sweeps = 4;
 constexpr double settling_weight = 0.4;
 
 /// F(2,0) cycles leave the least algebraic error of Hc and Hm for their work, W(2,1) the least residual. Along a line,
 /// where a coarse grid is half the work of a finer one, V cycles leave as little as F for two thirds of it. Stretched
-/// cells take W(2,1) anyhow: most of their coarser grids are visited once, so that W is 1 % more work than F. With
+/// cells take W anyhow: most of their coarser grids are visited once, so that W is 1 % more work than F. With
 /// F(2,0) (1000, 15) at R_x/R_y = 100 does not begin at its first start; with W(2,0) and W(2,1) (100, 10) at 200 takes
-/// 140 and 57 work units, (20, 15) at 200 85 and 41, at 50 49 and 59.
+/// 140 and 57 work units, (20, 15) at 200 85 and 41, at 50 49 and 59. Heavy lines with more relaxations take V cycles
+/// towards a tolerance too: (2000, 25) to 1e-9 0.03 s, where W(2,1) cycles left it to Newton's method and 0.9 s.
 void choose_cycle(const Scene& scene, const Start& start, fmg::Parameters& parameters) {
-  const bool stretched = core::stretched(scene.grid);
-  const bool steep_strip =
-      long_along_motion(scene.shape) && log_viscosity_at_edge(scene) > steep_log_viscosity_of_slender;
-  if (start.pre > 0 || steep_strip) {
-    if (!parameters.cycle && !steep_strip) parameters.cycle = fmg::Cycle::V;
-    if (!parameters.pre) parameters.pre = steep_strip ? 3 : start.pre;
-    if (!parameters.post) parameters.post = steep_strip ? 2 : start.post;
+  const Relaxations more = more_relaxations(scene, start);
+  if (more.pre > 0) {
+    if (!parameters.pre) parameters.pre = more.pre;
+    if (!parameters.post) parameters.post = more.post;
     parameters.settling_sweeps = settling_sweeps;
     parameters.settling_weight = settling_weight;
   }
-  const bool least_residual = std::isfinite(scene.multigrid.tolerance) || stretched;
+  const bool heavy_line = scene.grid.line && more.pre > 0;
+  const bool least_residual = core::stretched(scene.grid) || (std::isfinite(scene.multigrid.tolerance) && !heavy_line);
   const fmg::Cycle shortest = scene.grid.line ? fmg::Cycle::V : fmg::Cycle::F;
   if (!parameters.cycle) parameters.cycle = least_residual ? fmg::Cycle::W : shortest;
   if (!parameters.post) parameters.post = least_residual || steep_edge(scene) ? 1 : 0;

@@ -16,7 +16,7 @@ struct Start {
   double caution = 1.0;           ///< and on the finer ones
   bool across = false;            ///< relaxations along Y too from the first cycle on; of square cells
   double coarseness = 0.0;        ///< the first grid's step, at most, over the one that resolves the film; 0: any
-  int pre = 0, post = 0;          ///< relaxations of V cycles; 0: the cycles that the scene asks for
+  int pre = 0, post = 0;          ///< relaxations in a cycle, of a line; 0: as many as usual
 };
 
 /// ln eta_bar in the Hertz pressure one film zone inside the contact's edge: how steeply epsilon falls there.
@@ -28,7 +28,7 @@ double steep_caution(const Scene& scene);
 
 /// What the scene sets, and for the rest what its contact and cells ask for. Cycles that it leaves open are F(2,0) to
 /// the level of the discretization error, V(2,0) of a line; W(2,1) of stretched cells and towards a tolerance; nu_2 is
-/// 1 behind a steep edge.
+/// 1 behind a steep edge. More relaxations of contacts long along the motion, and of heavy lines as the start has it.
 fmg::Parameters parameters_of(const Scene& scene, const Start& start);
 
 }  // namespace ehl::steady

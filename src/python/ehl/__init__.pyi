@@ -411,10 +411,10 @@ class MultigridKeys(TypedDict, total=False):
     default: F to the level of the discretization error (V of a line, W of stretched cells), W towards a tolerance; allowed: one of V, W, F"""
     pre: int
     """Relaxations before the coarse grid correction, nu_1.
-    default: 2; 3 or 4 of heavy lines and contacts long along the motion where the viscosity rises steeply at the edge; allowed: a whole number >= 0 and <= 20"""
+    default: 2; 3 of contacts long along the motion; 3 or 4 of heavy lines whose viscosity rises steeply at the edge; allowed: a whole number >= 0 and <= 20"""
     post: int
     """Relaxations after the coarse grid correction, nu_2; 0 becomes 1 where the residual asks for it.
-    default: 0 to the level of the discretization error (1 of stretched cells), 1 towards a tolerance; 2 or 4 as of pre; allowed: a whole number >= 0 and <= 20"""
+    default: 0 to the level of the discretization error (1 of stretched cells), 1 towards a tolerance; 2 or 4 of those with steep viscosity; allowed: a whole number >= 0 and <= 20"""
     cycles: int
     """Cycles on every level of the full multigrid on its way up, at least; the checks ask for more where the level needs them.
     default: 2; allowed: a whole number >= 1 and <= 200"""
