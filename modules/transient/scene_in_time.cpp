@@ -23,6 +23,7 @@ steady::Scene scene_in_time(const steady::Scene& steady, const Conditions& condi
   steady::Scene scene = steady;
   scene.use_symmetry = steady.use_symmetry && symmetric(conditions);
   scene.multigrid.cycle = steady.multigrid.cycle.value_or(fmg::Cycle::V);  // from a predicted state V(2,1) is enough
+  scene.multigrid.pre = steady.multigrid.pre.value_or(2);
   scene.multigrid.post = steady.multigrid.post.value_or(1);
   if (conditions.conserves_mass && !scene.supply)
     scene.supply = [](double) { return std::numeric_limits<double>::infinity(); };
