@@ -44,13 +44,12 @@ StoppingCriterion criterion_of(const Run& run, std::size_t l) {
 /// Of the last row. A line begins on its finest grid where coarser ones do not see its film, and has no row to be
 /// compared with: the mesh's own bound, where that is as large as the film. It needs no residual of 1e-6.
 DiscretizationError error_known_of(const Run& run, std::size_t l, double Hm) {
-  const LevelRow& row = run.record.levels.back();
+  const DiscretizationError known{run.record.levels.back().error_Hc, run.record.levels.back().error_Hm};
   const core::Patch& grid = run.hierarchy.levels[l].grid;
-  if (l != run.finest() || std::isfinite(row.error_Hc) || !grid.domain.line) return {row.error_Hc, row.error_Hm};
+  if (l != run.finest() || std::isfinite(known.Hc) || !grid.domain.line) return known;
   const double order = reynolds::order(run.hierarchy.problem.transport.wedge);
   const double bound = judgement::error_of_one_grid(grid.hx(), Hm, order);
-  if (bound < 1.0) return {row.error_Hc, row.error_Hm};
-  return {bound, bound};
+  return bound < 1.0 ? known : DiscretizationError{bound, bound};
 }
 
 /// Geometric mean of the factors by which the cycles on one level reduced the residual, all but the first.

@@ -73,20 +73,19 @@ constexpr double widest_coarsest_step_of_heavy_line = 0.15;
 /// shorter half of the contact: of R_x/R_y = 0.005 to 0.05, M = 1000, cycles leave 0.1 with 2.1, 0.24 with 2.9; of
 /// (100, 5) at 100, where the film is thinner, 0.46 with 2.5, 0.2 with 1.3 and 0.11 with 0.6.
 int coarsest_cells(const Scene& scene, const Start& start) {
-  const double widest_coarsest_step = long_along_motion(scene.shape) ? 0.6 : 2.5;
   const double length = scene.grid.X_b - scene.grid.X_a;
-  if (scene.grid.line) {
+  const auto with_step_of = [&](double widest) {
     int cells = start.coarsest;
-    while (start.pre > 0 && length / cells > widest_coarsest_step_of_heavy_line) cells *= 2;
+    while (length / cells > widest) cells *= 2;
     return cells;
+  };
+  if (scene.grid.line) return start.pre > 0 ? with_step_of(widest_coarsest_step_of_heavy_line) : start.coarsest;
+  if (contact::gap(scene.shape).XY != 0.0) {
+    const double widest_coarsest_step = long_along_motion(scene.shape) ? 0.6 : 2.5;
+    const double shorter = contact_size(scene.M, scene.L, scene.shape) / slenderness(scene.M, scene.L, scene.shape);
+    return with_step_of(widest_coarsest_step * shorter);
   }
   const double width = scene.grid.Y_b - scene.grid.Y_a;
-  if (contact::gap(scene.shape).XY != 0.0) {
-    const double shorter = contact_size(scene.M, scene.L, scene.shape) / slenderness(scene.M, scene.L, scene.shape);
-    int cells = start.coarsest;
-    while (length / cells > widest_coarsest_step * shorter) cells *= 2;
-    return cells;
-  }
   constexpr double narrow = 1.99;
   return contact::circular(scene.shape) || length < narrow * width ? start.coarsest : 2 * start.coarsest;
 }

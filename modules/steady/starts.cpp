@@ -32,18 +32,18 @@ constexpr Start start_of_line = {
 /// M = 250 to 2500, L = 17 to 26, one needs another start by V(3,4) with 16, 17 and 18 of ln eta_bar, three and four
 /// with 19 and 20.
 constexpr double steep_log_viscosity_of_line = 18.0;
+constexpr int most_relaxations = 4;
 constexpr Start start_of_heavy_line(int pre, int post) {
-  return {.cells = 64,
-          .sweeps = 40,
-          .cycles = 4,
-          .balances = 10,
-          .caution_at_first = 0.4,
-          .caution = 0.7,
-          .coarseness = 9.0,
-          .pre = pre,
-          .post = post};
+  Start start = start_of_line;
+  start.cycles = 4;
+  start.caution_at_first = 0.4;
+  start.caution = 0.7;
+  start.pre = pre;
+  start.post = post;
+  return start;
 }
-constexpr Start starts_of_heavy_lines[] = {start_of_heavy_line(3, 2), start_of_heavy_line(4, 4)};
+constexpr Start starts_of_heavy_lines[] = {start_of_heavy_line(3, 2),
+                                           start_of_heavy_line(most_relaxations, most_relaxations)};
 
 /// For ellipses, where the film beside a slender or oblique heavy contact is too thin for the first grids of those:
 /// begun on a coarser one, the relaxations of the Hertz pressure themselves diverge.
@@ -71,7 +71,7 @@ std::vector<Start> starts_of(const Scene& scene) {
   } else if (held || log_viscosity_at_edge(scene) < steep_log_viscosity_of_line) {
     list.insert(list.begin(), start_of_line);
   } else {
-    for (Start& start : list) start.pre = start.post = starts_of_heavy_lines[1].pre;
+    for (Start& start : list) start.pre = start.post = most_relaxations;
     list.insert(list.begin(), std::begin(starts_of_heavy_lines), std::end(starts_of_heavy_lines));
   }
   return list;
