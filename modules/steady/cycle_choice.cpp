@@ -18,11 +18,10 @@ constexpr double caution_where_steep = 0.8;
 
 bool steep_edge(const Scene& scene) { return log_viscosity_at_edge(scene) > steep_log_viscosity; }
 
-/// Likewise of contacts long along the motion, from which on they take (3,2) relaxations, and below it, on stretched
-/// cells, (3,1). R_x/R_y = 100, (1000, 10) and (1000, 15): 0.39 and 0.33 left per W cycle, with W(2,1) 0.50 and 0.59;
-/// 200, (20, 15), (1000, 10) and (1000, 15): 0.35, 0.39 and 0.43, with W(2,1) 0.51, 0.53 and no solution; at 45 degrees
-/// 100, (1000, 15): 0.40, with W(2,1) 0.56. Below, 200, (100, 5): 0.36, with W(2,1) by a later start; (100, 10): 0.42,
-/// with W(3,2) 0.54, W(2,1) 0.32.
+/// Likewise of contacts long along the motion, on stretched cells, from which on they take (3,2) relaxations, and below
+/// it (3,1). R_x/R_y = 100, (1000, 10) and (1000, 15): 0.39 and 0.33 left per W cycle, with W(2,1) 0.50 and 0.59; 200,
+/// (20, 15), (1000, 10) and (1000, 15): 0.35, 0.39 and 0.43, with W(2,1) 0.51, 0.53 and no solution. Below, 200,
+/// (100, 5): 0.36, with W(2,1) by a later start; (100, 10): 0.42, with W(3,2) 0.54, W(2,1) 0.32.
 constexpr double steep_log_viscosity_of_slender = 9.0;
 
 /// In a cycle; of more than usual, where coarse grids send up what is far off.
@@ -30,11 +29,8 @@ struct Relaxations {
   int pre = 0, post = 0;
 };
 Relaxations more_relaxations(const Scene& scene, const Start& start) {
-  if (long_along_motion(scene.shape)) {
-    if (log_viscosity_at_edge(scene) > steep_log_viscosity_of_slender) return {3, 2};
-    if (core::stretched(scene.grid)) return {3, 1};
-  }
-  return {start.pre, start.post};
+  if (!long_along_motion(scene.shape) || !core::stretched(scene.grid)) return {start.pre, start.post};
+  return log_viscosity_at_edge(scene) > steep_log_viscosity_of_slender ? Relaxations{3, 2} : Relaxations{3, 1};
 }
 /// Behind an interpolation, likewise: 42 heavy lines with a steep edge (starts.cpp) begin at a later start 9 times with
 /// 2 relaxations at full weight, 4 times with 4 at 0.4 or 0.5, 22 and 29 times with 8 and 16 at full weight, which lead
@@ -148,7 +144,8 @@ double steep_caution(const Scene& scene) { return steep_edge(scene) ? caution_wh
 fmg::Parameters parameters_of(const Scene& scene, const Start& start) {
   fmg::Parameters parameters = scene.multigrid;
   parameters.coarsest_sweeps = std::max(parameters.coarsest_sweeps, start.balances);
-  parameters.relaxation.across = start.across && !core::stretched(scene.grid);
+  // Aslant, long contacts need it sooner or later: three cycles instead of five.
+  parameters.relaxation.across = (start.across || long_along_motion(scene.shape)) && !core::stretched(scene.grid);
   parameters.least_coarsest_cells = std::max(parameters.least_coarsest_cells, coarsest_cells(scene, start));
   // The change of H00 = film - approach that a load brings, over that of a dry circle. Of the film half: without bodies
   // to lean on the pressure answers later. With no pressure on the boundary a film that thick is not reached.
