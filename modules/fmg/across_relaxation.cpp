@@ -32,14 +32,14 @@ constexpr double weight_at_half_points = 0.7;
 constexpr double weight_where_steep = 0.5;
 /// At half points there likewise where it falls to less than this beside one node: the edge of a contact within a cell.
 /// With the whole weight (100, 15) at R_x/R_y = 200 and 45 degrees stood still at 1e-5, the lines beside its inlet
-/// swinging to and fro; now 0.3 is left per cycle.
+/// swinging to and fro; now 0.24 is left per cycle.
 constexpr double fall_of_edge = 1e-4;
 
 /// On coarse grids the flux through the edge of a contact is the mean epsilon of a thick film outside times nearly all
 /// of the pressure inside, and follows the film that this pressure makes (line_batch.cpp). All of the edge changes at
 /// once: K(0, 0) and the kernels of some ten neighbours along it on both sides are twice K(0, 0). With epsilon held
 /// each relaxation of 128 cells left -3 of it: at 45 degrees cycles left 0.57 of (1000, 15) at R_x/R_y = 50, 0.40 at
-/// 100 and 0.58 at 200, with twice the relaxations of now, which leave 0.24, 0.27 and 0.25.
+/// 100 and 0.58 at 200, with twice the relaxations of now, which leave 0.22, 0.21 and 0.21.
 constexpr double film_along_edge = 2.0;
 
 class StationAcross {
