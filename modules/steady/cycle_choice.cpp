@@ -145,8 +145,7 @@ double steep_caution(const Scene& scene) { return steep_edge(scene) ? caution_wh
 fmg::Parameters parameters_of(const Scene& scene, const Start& start) {
   fmg::Parameters parameters = scene.multigrid;
   parameters.coarsest_sweeps = std::max(parameters.coarsest_sweeps, start.balances);
-  // Aslant, long contacts need it sooner or later: three cycles instead of five of M = 1000. At 45 degrees (100, 15) at
-  // R_x/R_y = 100 and (20, 15) at 200 leave 0.6, where it came when a cycle was poor 0.4 and 0.3; not explained.
+  // Aslant, long contacts need it sooner or later: three cycles instead of five of M = 1000.
   parameters.relaxation.across = (start.across || long_along_motion(scene.shape)) && !core::stretched(scene.grid);
   parameters.least_coarsest_cells = std::max(parameters.least_coarsest_cells, coarsest_cells(scene, start));
   // The change of H00 = film - approach that a load brings, over that of a dry circle. Of the film half: without bodies

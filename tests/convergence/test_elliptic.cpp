@@ -255,23 +255,23 @@ BOOST_AUTO_TEST_CASE(a_slender_contact_on_stretched_cells) {
 }
 
 // At the rim of a heavy contact that lies aslant a spike's top and its flank are neighbours along X here, across there.
-// Lines along X alone leave 0.43 and 0.60 per cycle.
+// Lines along X alone leave 0.43 and 0.60 per cycle; at 200 0.32 is left where they change less than those across.
 BOOST_AUTO_TEST_CASE(a_spike_along_an_aslant_rim) {
   struct Case {
-    double M;
+    double ratio, M;
     int cells;
     double most;  ///< a sixth above what they take
   };
-  for (const auto& [M, cells, most] : {Case{100, 512, 0.24}, Case{1000, 1024, 0.21}}) {
-    steady::Scene scene = default_scene_of(M, 15, contact::ellipse(5, 45.0), cells);
+  for (const auto& [ratio, M, cells, most] :
+       {Case{5, 100, 512, 0.24}, Case{5, 1000, 1024, 0.23}, Case{200, 20, 1024, 0.29}}) {
+    steady::Scene scene = default_scene_of(M, 15, contact::ellipse(ratio, 45.0), cells);
     scene.grid.ny = scene.grid.ny / 64 * 64;
     scene.multigrid.tolerance = 1e-8;
     const steady::Solution solution = steady::solve(scene);
-    BOOST_TEST_MESSAGE("R_x/R_y = 5, 45 degrees, M = " << M << ", L = 15, " << cells << " x " << scene.grid.ny
-                                                       << " cells: " << solution.cycle_factor << " per cycle, "
-                                                       << solution.method << " (at most " << most << ")");
-    BOOST_TEST(solution.converged, solution.failed_check);
-    BOOST_TEST(solution.method == "full multigrid");
+    BOOST_TEST_MESSAGE("R_x/R_y = " << ratio << ", 45 degrees, M = " << M << ", L = 15, " << cells << " x "
+                                    << scene.grid.ny << " cells: " << solution.cycle_factor << " per cycle, "
+                                    << solution.method << " (at most " << most << ")");
+    BOOST_TEST((solution.converged && solution.method == "full multigrid"), solution.failed_check);
     BOOST_TEST(solution.cycle_factor < most);
   }
 }
