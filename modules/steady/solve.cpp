@@ -60,9 +60,8 @@ class Search {
 
   Solution result() {
     if (!best_)
-      throw core::SolverError(last_error_ +
-                              ", and no other way led to a state that could be shown; use more cells, or "
-                              "a domain closer to the contact");
+      throw core::SolverError(
+          last_error_ + "; no other way led to a state that could be shown: another domain or number of cells may");
     best_->method = attempts_[shown_].method;
     best_->attempts = std::move(attempts_);
     return std::move(*best_);

@@ -37,8 +37,10 @@ std::vector<std::string> hardly_meant(const Case& input) {
         fmt::format("eta0 = {:.4g} Pa s is above {:g} Pa s, thicker than an oil: is it in mPa s?", eta0, thickest_oil));
   for (const double u : {physics.si->u1, physics.si->u2})
     if (std::abs(u) > fastest_surface) {
-      warnings.push_back(
-          fmt::format("a surface moves with {:.4g} m/s, above {:g} m/s: is it in mm/s?", u, fastest_surface));
+      const std::string slip = input.machine
+                                   ? "are the lengths and speeds of [" + input.machine->section + "] in its units?"
+                                   : "is it in mm/s?";
+      warnings.push_back(fmt::format("a surface moves with {:.4g} m/s, above {:g} m/s: {}", u, fastest_surface, slip));
       break;
     }
   return warnings;

@@ -164,7 +164,10 @@ int plot(const Arguments& arguments) {
   const FigureSource source = path.ends_with(".csv") ? table_source(path, arguments) : result_source(path, arguments);
   const std::vector<Figure> chosen =
       selected_figures(figures_in(folder_of_scripts()), wanted_figures(arguments, source.table != nullptr), source);
-  if (chosen.empty()) refuse(path + ": no figure draws such a table (`ehl help plot` lists them)");
+  if (chosen.empty())
+    refuse(path +
+           ": no figure draws such a table by itself, no key has three numbers or more; --x KEY draws curves over "
+           "a key with fewer (`ehl help plot` lists the figures)");
   const Pictures pictures = pictures_of(arguments, chosen);
   PlainNames names;
   const std::string scripts = names.of(folder_of_scripts(), "scripts");

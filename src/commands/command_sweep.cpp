@@ -110,6 +110,7 @@ int sweep(const Arguments& arguments) {
   SweepTable table(path, header, own, arguments.has("overwrite"));
   std::optional<KeptResults> kept;
   if (arguments.has("keep")) kept.emplace(path, arguments.has("overwrite"));
+  for (const std::string& line : left_out(header.kind)) std::fprintf(stderr, "ehl: warning: %s\n", line.c_str());
   const auto name_of = [&](std::size_t index) {
     return deck::joined(overrides_of_case(header.variations, index), " ");
   };
@@ -124,6 +125,7 @@ int sweep(const Arguments& arguments) {
   const std::size_t cases = own.size();
   Progress progress(arguments.has("quiet"));
   std::size_t done = 0;
+  std::string first_refused;
   ChildrenCalls calls;
   calls.stop = stop_requested;
   // The row is one line; the result to keep follows it.
@@ -143,7 +145,9 @@ int sweep(const Arguments& arguments) {
     const std::string row = text.substr(0, text.find('\n'));
     if (row.size() < text.size()) kept->append(name_of(end.task), text.substr(row.size() + 1));
     table.append(end.task, row);
-    progress.count(++done, missing.size(), name_of(end.task) + "  " + row.substr(0, row.find(',')));
+    const std::vector<std::string> cells = csv_cells(row, sweep_row(header.kind).size());
+    if (first_refused.empty() && cells[0] == "refused") first_refused = name_of(end.task) + ": " + cells.back();
+    progress.count(++done, missing.size(), name_of(end.task) + "  " + cells[0]);
   };
   const bool finished = run_in_children(missing, at_once, calls);
   progress.clear();
@@ -160,6 +164,8 @@ int sweep(const Arguments& arguments) {
   }
   print(summary(table, cases, cases - missing.size(), core::now() - began) + "table        " + path + "\n" +
         (kept ? "results      " + kept->path() + "\n" : ""));
+  if (!first_refused.empty()) std::fprintf(stderr, "ehl: refused, the first one: %s\n", first_refused.c_str());
+  if (table.count("refused") == cases) return wrong_input;
   return table.count("converged") == cases ? solved : not_converged;
 }
 

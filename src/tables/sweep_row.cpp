@@ -151,6 +151,14 @@ SweepRow sweep_row(const SweepKind& kind) {
   return row;
 }
 
+std::vector<std::string> left_out(const SweepKind& kind) {
+  std::vector<std::string> lines;
+  if (kind.in_time)
+    lines.push_back("[transient]: no run in time is made; a row is the steady contact that `ehl run` would start from");
+  if (kind.stress) lines.push_back("[subsurface]: the table has no stresses; --keep keeps those of every case");
+  return lines;
+}
+
 results::Value& in_row(SweepRow& row, const std::string& name) {
   return std::ranges::find(row, name, &Quantity::name)->value;
 }
@@ -223,6 +231,8 @@ SweepKind kind_of_sweep(const std::string& path, const std::vector<std::string>&
           .thermal = deck::called_for(deck, "thermal"),
           .starved = deck::called_for(deck, "supply"),
           .roller = deck::called_for(deck, "roller"),
+          .in_time = deck::called_for(deck, "transient"),
+          .stress = deck::called_for(deck, "subsurface"),
           .si = names("contact", "load") || names("contact", "load_per_length"),
           .bodies = kind == "line" || kind == "roller"                                 ? Bodies::line
                     : names("contact", "radius_y") || names("contact", "radius_ratio") ? Bodies::elliptic

@@ -23,6 +23,8 @@ struct SweepKind {
   bool thermal = false;
   bool starved = false;
   bool roller = false;
+  bool in_time = false;                      ///< has no column
+  bool stress = false;                       ///< likewise
   bool timing = false;                       ///< seconds and memory, which are others each time
   bool si = false;                           ///< nm, GPa and formulas beside them
   Bodies bodies = Bodies::circular;          ///< looked at in SI only
@@ -32,6 +34,9 @@ struct SweepKind {
 
 /// That of a deck with these overrides.
 SweepKind kind_of_sweep(const std::string& path, const std::vector<std::string>& overrides);
+
+/// What the deck asks for and a row does not tell, a line each.
+std::vector<std::string> left_out(const SweepKind& kind);
 
 /// The row of a case of which nothing is known: its names and units are those of the table.
 SweepRow sweep_row(const SweepKind& kind);

@@ -67,6 +67,7 @@ std::string whole_header(const SweepHeader& header, const std::vector<std::strin
       "# H = h R/a^2, P = p/p_h, errors and residual relative\n"
       "# nx, ny: cells; cycles, work_units, cycle_factor: on the finest grid; exit_status: of `ehl run`; path: the "
       "method as a code\n";
+  for (const std::string& line : left_out(header.kind)) text += "# " + line + "\n";
   if (header.kind.timing) text += "# seconds: the whole case, one thread\n";
   if (header.kind.si) {
     text += "# h_c_error, h_m_error: error bars, mesh and cycles; deviation: formula over the film computed less 1; ";

@@ -69,6 +69,28 @@ BOOST_AUTO_TEST_CASE(a_row_is_what_a_run_gives) {
   }
 }
 
+// A row has no place for a run in time and for stresses.
+BOOST_AUTO_TEST_CASE(what_a_row_leaves_out_is_told) {
+  const Scene scene;
+  const auto told = [&](const std::string& asked, const std::string& said) {
+    const support::Ended ended = scene.ehl("sweep d.ini --vary contact.M=20 --quiet --overwrite" + asked);
+    BOOST_TEST(ended.status == 0, ended.err);
+    BOOST_TEST(contains(ended.err, "warning: " + said), ended.err);
+    BOOST_TEST(contains(scene.folder.read("d_sweep.csv"), "# " + said));
+  };
+  told(" --set transient.end_time=1 --set transient.load_wave='0.1 2'", "[transient]: no run in time is made");
+  told(" --set subsurface.depth=1", "[subsurface]: the table has no stresses; --keep");
+}
+
+// Where every case is, the deck is wrong.
+BOOST_AUTO_TEST_CASE(why_cases_are_refused_is_told) {
+  const Scene scene;
+  const support::Ended ended = scene.ehl("sweep d.ini --vary shear.tau_0=1e6,2e6 --quiet");
+  BOOST_TEST(ended.status == 2);
+  BOOST_TEST(contains(ended.err, "refused, the first one: shear.tau_0=1e6: "), ended.err);
+  BOOST_TEST(contains(ended.err, "law"), ended.err);
+}
+
 // One case is refused, one does not converge, one process is ended (after two seconds of work): each is a row.
 BOOST_AUTO_TEST_CASE(a_case_that_fails_is_a_row) {
   const Scene scene;

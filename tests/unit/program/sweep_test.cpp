@@ -91,6 +91,7 @@ BOOST_AUTO_TEST_CASE(wrong_lists) {
            {"discretization.wedge=upstrem1", {"upstrem1", "did you mean upstream1?", "upstream1, upstream2"}},
            {"case.title=a#b", {"neither"}},
            {"output.file=a,b", {"leave [output] alone"}},
+           {"transient.end_time=1,2", {"no run in time", "leave [transient] alone"}},
        }) {
     const std::string said = refusal([&] { values(slip.text); });
     for (const std::string& part : slip.parts) BOOST_TEST(contains(said, part), slip.text << " says\n" << said);
