@@ -29,6 +29,8 @@ struct RelaxationParameters {
   /// to a spike that is as much as the flow. On stretched cells they are made anyhow, by the old film: with a new one
   /// (1000, 15) at 20 goes from 0.54 to 0.50, (20, 15) at 50 from 0.42 to 0.48, at 100 from 0.58 to 0.65.
   bool across = false;
+  /// Then lines along X take this times weight_single_steep, on square cells with epsilon at half points.
+  double steep_before_across = 1.0;
   /// In an implicit step of time: what the single changes around a point squeeze out of its film beside what its own
   /// does. A relaxation of single points sees but its own, and a zone of them swings and diverges; how much there is
   /// is measured, not derived (modules/transient/README.md).

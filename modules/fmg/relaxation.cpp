@@ -143,13 +143,6 @@ void relax_lines(Hierarchy& hierarchy, Level& level, const RelaxationParameters&
     relax_lines<reach, LineSolver::decimation>(hierarchy, level, how);
 }
 
-/// Of single changes in lines along X where epsilon is steep, with lines along Y behind them, at half points. Alone
-/// lines along X swing with more than their usual weight; behind them, with as little of it, lines along Y raise what
-/// alternates from line to line at the inlet's edge. Of 1, 1.25 and 1.6 cycles at 45 degrees leave 0.60, 0.29, 0.15 of
-/// (100, 15) at R_x/R_y = 100, 0.60, 0.32, 0.16 of (20, 15) at 200, but 0.21, 0.25, 0.47 of (1000, 15) at 200;
-/// with 1.25 on coarse grids too, whose epsilon is of the nodes, 0.41 of this.
-constexpr double bolder_before_across = 1.25;
-
 }  // namespace
 
 void relax_pressure(Hierarchy& hierarchy, Level& level, const RelaxationParameters& how) {
@@ -165,7 +158,7 @@ void relax(Hierarchy& hierarchy, Level& level, const RelaxationParameters& how) 
   const bool stretched = core::stretched(level.grid);
   const bool across = (stretched || how.across) && can_relax_across(hierarchy, level);
   RelaxationParameters along = how;
-  if (across && !stretched && at_half_points(level)) along.weight_single_steep *= bolder_before_across;
+  if (across && !stretched && at_half_points(level)) along.weight_single_steep *= how.steep_before_across;
   relax_pressure(hierarchy, level, along);
   if (across) {
     if (stretched)
