@@ -174,7 +174,9 @@ void open_into(HeldResult& result, const std::string& path, std::optional<std::s
       result.messages.push_back("not converged: " + (why ? why->entry.text : std::string("for a reason unknown")));
     } else if (in_time != nullptr && in_time->values != nullptr && *in_time->values != 1.0) {
       result.status = not_converged;
-      result.messages.push_back("the run in time did not come to its end");
+      const HeldEntry* ended = found(result, "/summary/transient_ended");
+      result.messages.push_back("the run in time did not come to its end" +
+                                (ended ? ": " + ended->entry.text : std::string()));
     }
   });
 }

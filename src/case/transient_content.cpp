@@ -87,10 +87,11 @@ std::string why_no_checkpoint(const results::ResultFile& file) {
   const std::string why = "command line: " + file.path() + " has no checkpoint: ";
   if (file.kind("/transient") != results::ResultFile::Kind::group) return why + "its case is steady";
   if (credible(file, "/summary/transient_completed") == std::vector{1.0}) return why + "its run is complete";
+  const std::string ended = "/summary/transient_ended";  // not in files of earlier programs
+  const bool told = file.kind(ended) == results::ResultFile::Kind::text;
   return file.numbers("/transient/time").values.size() > 1
-             ? why +
-                   "nobody stopped its run, it ended where it could not go on: `ehl report` says why; change its deck "
-                   "and run it again"
+             ? why + "nobody stopped its run, it ended where it could not go on" +
+                   (told ? ": " + file.text(ended) : std::string()) + "; change its deck and run it again"
              : why + "its run was stopped before the first step; run its deck again";
 }
 
@@ -165,6 +166,7 @@ void add_transient(const Case& input, const TransientResult& result, results::Co
   if (march.conditions.conserves_mass)
     series("theta", "-", "content: share of the gap that the oil fills, Q/(rho H)", &transient::Frame::theta);
   content.summary.push_back({"transient_completed", completed(result), "-", "1: to its end, 0: not"});
+  content.summary.push_back({"transient_ended", how_it_ended(result.report), "", "where, or why before its end"});
   if (result.checkpoint) content.checkpoint = loose_of(*result.checkpoint);
 }
 

@@ -160,6 +160,14 @@ bool completed(const TransientResult& result) {
   return result.report.end != MarchEnd::failed && result.report.end != MarchEnd::interrupted;
 }
 
+std::string why_incomplete(const TransientResult& result) {
+  const transient::MarchReport& report = result.report;
+  if (completed(result)) return {};
+  return report.end == MarchEnd::interrupted
+             ? fmt::format("the transient was interrupted at time {:g} a/u_m", report.T)
+             : fmt::format("the transient ended at time {:g} a/u_m: {}", report.T, report.reason);
+}
+
 std::string transient_summary(const Case& input, const TransientResult& result) {
   const transient::MarchReport& report = result.report;
   std::string text = "transient    " + time_text(input, report.T) + ", ended " + how_it_ended(report) + "\n";
@@ -185,6 +193,7 @@ Json transient_json(const Case& input, const TransientResult& result) {
   std::vector<results::Quantity> list{
       {"completed", completed(result), "-"},
       {"ended", how_it_ended(report), ""},
+      {"start_converged", true, "-"},  // nothing else is followed in time
       {"end_time", report.T, "a/u_m"},
       {"Hc", result.rows.back().Hc, "a^2/R"},
       {"Hm", result.rows.back().Hm, "a^2/R"},

@@ -84,6 +84,15 @@ std::string program_words(const ResultView& view) {
          word("compiler");
 }
 
+// Of a run in time before its end: "failed: the cycles did not converge."
+std::string ended_words(const ResultView& view) {
+  const std::string ended = view.text("/summary/transient_ended");  // not in files of earlier programs
+  const std::string failed = "FAILED: ";
+  return ended.starts_with(failed) ? "failed: " + ended.substr(failed.size()) + "."
+         : view.has("/checkpoint") ? "was stopped before its end; `ehl resume` goes on with it."
+                                   : "was stopped before its end.";
+}
+
 std::string paragraphs(const std::string& lines, const std::string& style, const std::string& before) {
   std::string text;
   std::istringstream all(lines);
@@ -148,7 +157,7 @@ std::string warnings_of(const ResultView& view) {
     text += "<p class=\"alarm\"><b>Not converged.</b> " + escaped(check) + " No number of this run is a result.</p>\n";
   }
   if (view.value("/summary/transient_completed") == 0.0)
-    text += "<p class=\"alarm\"><b>Not complete.</b> The run in time was stopped before its end.</p>\n";
+    text += "<p class=\"alarm\"><b>Not complete.</b> The run in time " + escaped(ended_words(view)) + "</p>\n";
   for (const std::string& name : view.source.file.names("/summary"))
     if (name.ends_with("warnings")) text += paragraphs(view.text("/summary/" + name), "warning", "<b>Warning:</b> ");
   if (view.has("/subsurface"))

@@ -66,6 +66,11 @@ std::string json_report(const Case& input, const Computed& computed) {
   const FilmCoefficients coefficients = film_coefficients(input.physics);
   Json report;
   add(film_quantities(input, solution, outcome), report);
+  // Those are of the steady start; who asks whether the run converged means all of it.
+  if (computed.in_time && !completed(*computed.in_time)) {
+    report["converged"] = false;
+    report["failed_check"] = why_incomplete(*computed.in_time);
+  }
   report["error_parts"]["Hc"] = parts_of(solution.error_bars.Hc);
   report["error_parts"]["Hm"] = parts_of(solution.error_bars.Hm);
   report["error_parts"]["Hm_fitted"] = parts_of(solution.error_bars.Hm_fitted);

@@ -194,7 +194,7 @@ class Judge {
     // The steady contact may be solved, and what follows in time not.
     const bool in_time = json_member(ran.out, "transient/completed") == "false";
     if (in_time) verdict_.reason = json_member(ran.out, "transient/ended");
-    expect(in_time || json_member(ran.out, "converged") == "false", "not converged: converged is false");
+    expect(json_member(ran.out, "converged") == "false", "not converged: converged is false");
     expect(verdict_.reason.size() > 10, "not converged: a reason");
     expect(contains(ran.err, "not converged: "), "not converged: said on standard error: " + ran.err);
     if (!std::filesystem::exists(folder_ / "r.h5")) return;

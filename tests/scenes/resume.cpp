@@ -6,6 +6,7 @@
 
 #include "support/columns.hpp"
 #include "support/program.hpp"
+#include "support/text.hpp"
 
 namespace {
 
@@ -81,6 +82,10 @@ void goes_on_to_the_same_film(const std::string& deck) {
   support::Ended ended = stopped_where(folder, "run d.ini --quiet --output parts.h5", between_two_steps);
   BOOST_TEST(ended.status == 130);
   BOOST_TEST_REQUIRE(ended.says({"stopped at time", "ehl resume parts.h5"}), ended.err);
+  BOOST_TEST(support::contains(ended.out, "\nNOT COMPLETE: the transient was interrupted at time "), ended.out);
+  BOOST_TEST(!support::contains(ended.out, "NOT CONVERGED"));
+  BOOST_TEST(support::ehl(folder, "report parts.h5 --output page.html").status == 0);
+  BOOST_TEST(support::contains(folder.read("page.html"), "The run in time was stopped before its end; `ehl resume`"));
   const double first = rows_of(support::ehl(folder, "extract parts.h5 /transient").out).back()[0];
   ended = stopped(folder, "resume parts.h5 --quiet", "INT", 0.35);
   BOOST_TEST((ended.status == 130 || ended.status == 0), ended.err);

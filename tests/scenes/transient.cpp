@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "support/columns.hpp"
@@ -173,7 +174,23 @@ BOOST_AUTO_TEST_CASE(too_few_steps) {
   BOOST_TEST(ended.status == 3);
   BOOST_TEST(ended.says({"the transient ended at time", "more than 7 steps"}));
   BOOST_TEST(contains(ended.out, "FAILED"));
+  // Before the films, which are those of the start.
+  const std::string head = ended.out.substr(0, ended.out.find("\ncentre "));
+  BOOST_TEST(contains(head, "\nNOT CONVERGED: the transient ended at time "), ended.out);
+  BOOST_TEST(contains(head, ": more than 7 steps; the films here are those of its steady start"), ended.out);
+  BOOST_TEST(contains(ended.out, "a  (steady start)\n"));
   BOOST_TEST(rows_of(support::ehl(folder, "extract d.h5 /transient").out).size() == 8u);
+  BOOST_TEST(contains(support::ehl(folder, "extract d.h5 transient_ended").out, "FAILED: more than 7 steps"));
+  BOOST_TEST(support::ehl(folder, "resume d.h5").says({"could not go on", "more than 7 steps"}));
+  BOOST_TEST(support::ehl(folder, "report d.h5 --output page.html").status == 0);
+  const std::string page = folder.read("page.html");
+  BOOST_TEST(contains(page, "<b>Not complete.</b> The run in time failed: more than 7 steps."));
+  BOOST_TEST(!contains(page, "Converged: all checks"));
+  const nlohmann::json json = nlohmann::json::parse(support::ehl(folder, "run d.ini --quiet --json --overwrite").out);
+  BOOST_TEST(json["converged"] == false);
+  BOOST_TEST(contains(json["failed_check"].get<std::string>(), "more than 7 steps"));
+  BOOST_TEST(json["transient"]["start_converged"] == true);
+  BOOST_TEST(json["transient"]["completed"] == false);
 }
 
 // The probes' columns against the fields, on nodes and between them; the other columns are the same bits with and
