@@ -25,13 +25,29 @@ void check_pressure(const deck::Part& contact, const char* key, double p_h) {
                                       p_h));
 }
 
-// Beyond, the bodies are no half-spaces; it comes from moduli in MPa.
+// The key of the load.
+const char* load_key(const deck::Part& contact, Language language) {
+  if (language == Language::moes) return "M";
+  if (language == Language::hamrock_dowson) return "W";
+  return contact::is_line(contact.deck) ? "load_per_length" : "load";
+}
+
+// Beyond, the bodies are no half-spaces; it comes from moduli in MPa, or from a load that is too large.
 constexpr double largest_a_over_R = 1.0 / 3.0;
+constexpr double least_modulus = 1e6;  // Pa; soft rubber. Steel in MPa is 2e5
 
 void check_size(const deck::Part& contact, const Physics& physics) {
   const contact::Ellipse& shape = physics.groups.shape;
   const double a_over_R = physics.a_over_R * std::max(1.0, shape.kappa * shape.radius_ratio);  // b over R_y
   if (!(a_over_R > largest_a_over_R)) return;
+  if (physics.language == Language::si && physics.si->contact.E_prime >= least_modulus) {
+    contact.complain(load_key(contact, physics.language),
+                     fmt::format("with the other numbers it means a Hertz radius of {:.3g} times the radius of the "
+                                 "body, and above a third the theory ends: the load is too large, or the moduli or "
+                                 "radii have the wrong unit (Pa, m)",
+                                 a_over_R));
+    return;
+  }
   const char* key = physics.language == Language::moes             ? "a_over_R"
                     : physics.language == Language::hamrock_dowson ? "W"
                     : contact.given("E_prime")                     ? "E_prime"
@@ -101,13 +117,6 @@ contact::Groups groups_of(const contact::Input& input, const Physics& physics) {
   if (input.language == Language::hamrock_dowson)
     return contact::from_hamrock_dowson(input.W, input.U, input.G, input.shape);
   return contact::from_si(physics.si->contact);
-}
-
-// The key of the load.
-const char* load_key(const deck::Part& contact, Language language) {
-  if (language == Language::moes) return "M";
-  if (language == Language::hamrock_dowson) return "W";
-  return contact::is_line(contact.deck) ? "load_per_length" : "load";
 }
 
 // M and L that follow from other numbers are held against the same ranges as M and L given. L does not know the load.

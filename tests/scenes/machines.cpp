@@ -261,6 +261,8 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
        refused("the cage alone", shape + "load = 5\nrpm_cage = 5\n", {"rpm_cage = 5", "leaves open"}),
        refused("a roller's groove", roller + "conformity = 0.52\n", {"conformity = 0.52", "no influence"}),
        refused("a roller's angle", roller + "contact_angle = 5\n", {"contact_angle = 5", "no influence"}),
+       refused("a heavy load", gear + "torque1 = 3e5\n",
+               {"[gear]", "load_per_length", "Hertz radius", "the load is too large"}),
        refused("no power", gear, {"power", "is missing"}),
        refused("both", loaded_gear + "torque1 = 5\n", {"torque1 = 5", "power is given as well"}),
        refused("half a tooth", loaded_gear + "pressure_angle = 0\n", {"pressure_angle = 0", ">= 5"}),

@@ -61,6 +61,10 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_is_refused) {
   support::check_refused(folder, {"moduli in MPa",
                                   ball("123e3", "0.5", "0.08"),
                                   {"d.ini:4", "E_prime = 123e3", "Hertz radius of 1.35 times", "moduli are in Pa"}});
+  support::check_refused(folder, {"a load that flattens the bodies",
+                                  "[contact]\nkind = line\nload_per_length = 1e8\nradius_x = 0.01\nE_prime = 227e9\n"
+                                  "[lubricant]\neta0 = 0.04\nalpha = 20e-9\n[motion]\nu_m = 5\n",
+                                  {"d.ini:3", "load_per_length = 1e8", "Hertz radius of 0.335 times", "the load"}});
   support::check_refused(folder, {"a map of a few cells", map("0.001", "1e-3"), {"d.ini:12", "dx = 1e-3", "8 cells"}});
   support::check_refused(
       folder, {"a map of kilometres", map("0.001", "1e3"), {"d.ini:12", "dx = 1e3", "100 times the domain"}});
