@@ -104,13 +104,13 @@ Turning read_turning(const deck::Part& bearing) {
   return {bearing.number("rpm_inner"), bearing.number("rpm_outer"), bearing.number("rpm_cage")};
 }
 
-void check_load(const deck::Part& bearing) {
+void check_load(const deck::Part& bearing, bool ball) {
   const bool load = bearing.given("load"), radial = bearing.given("radial_load");
   if (load && radial) bearing.complain("radial_load", "load is given as well: keep one of them");
   if (!load && !radial) bearing.complain("load", "is missing: give it, or radial_load and elements");
   if (!radial) return;
   bearing.demand({"elements"}, "how many balls or rollers carry the radial load");
-  if (bearing.number("contact_angle") > 0.0)
+  if (ball && bearing.number("contact_angle") > 0.0)  // a roller has none, and is told so
     bearing.complain("radial_load", "with a contact angle there is an axial load too: give load, that on the ball");
 }
 
@@ -187,7 +187,7 @@ std::vector<Number> read_bearing(const deck::Part& bearing, bool ball) {
   const Turning told = read_turning(bearing);
   bearing.demand({"diameter", "pitch_diameter"}, "the contact follows from it");
   if (!ball) bearing.demand({"length"}, "that of the roller, on which its load is spread");
-  check_load(bearing);
+  check_load(bearing, ball);
   if (bearing.deck.errors.empty()) check_space(bearing, given);
   if (!bearing.deck.errors.empty()) return {};
 

@@ -56,6 +56,9 @@ void refuse_film(deck::Deck& deck) {
       const bool scales = key.section == "contact" && !key.name.starts_with("Sq");
       complain(deck, key.section, key.name,
                radii ? "a dry contact is circular in this version: remove it"
+               : key.name == "load_per_length"
+                   ? "is the load of a line contact, and a dry contact is circular in this version: give load [N], "
+                     "radius_x and the elastic data in SI, or nothing (units of Hertz)"
                : scales
                    ? "contains a lubricant, and [case] kind = dry: give load, radius_x and the elastic data in SI, "
                      "or nothing (units of Hertz)"

@@ -91,6 +91,8 @@ std::vector<std::string> basic_model(const Case& input) {
   std::vector<std::string> words;
   for (const Effect& effect : effects())
     if (!effect.without.empty() && !effect.on(input)) words.push_back(effect.without);
+  // A roller is no ellipse, and no circle either; what it is stands with its own effect.
+  if (input.roller) std::erase(words, elliptic_effect().without);
   return words;
 }
 

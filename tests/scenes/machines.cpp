@@ -285,4 +285,16 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
                {"teeth1 = 8", "interference"})});
 }
 
+// What is wrong is told alone: no advice on an axial load, which a cylindrical roller does not carry.
+BOOST_AUTO_TEST_CASE(the_angle_of_a_roller_is_told_once) {
+  const support::TemporaryFolder folder;
+  folder.write("d.ini",
+               "[case]\nkind = roller_race\n[bearing]\ndiameter = 10e-3\npitch_diameter = 50e-3\nlength = "
+               "10e-3\nradial_load = 500\nelements = 9\nrpm_inner = 3000\ncontact_angle = 30\n" +
+                   rest);
+  const support::Ended ended = support::ehl(folder, "check d.ini");
+  BOOST_TEST(ended.says({"d.ini:10", "contact_angle = 30", "no influence"}), ended.err);
+  BOOST_TEST((std::ranges::count(ended.err, '\n') == 1 && !support::contains(ended.err, "axial load")), ended.err);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -261,4 +261,12 @@ BOOST_AUTO_TEST_CASE(the_result_is_drawn_and_runs_again) {
   BOOST_TEST(plot.err.empty(), plot.err);
 }
 
+BOOST_AUTO_TEST_CASE(a_roller_is_not_called_circular) {
+  const TemporaryFolder folder;
+  folder.write("case.ini", numbers + "[roller]\nprofile = logarithmic\n");
+  const std::string words = ehl(folder, "check case.ini").out;
+  BOOST_TEST(contains(words, "effects      roller: "), words);
+  BOOST_TEST(contains(words, "basic model: steady, "), words);
+}
+
 BOOST_AUTO_TEST_SUITE_END()
