@@ -48,6 +48,7 @@ std::vector<std::string> hardly_meant(const Case& input) {
 
 std::vector<std::string> hardly_a_film(double h_c, double h_m) {
   const double least = std::fmin(h_c, h_m);  // of those that are known
+  if (least <= 0.0) return {};               // no film: the report says elsewhere that it is not resolved
   if (least < thinnest_film)
     return {"the film is " + length(least) +
             " at its thinnest, thinner than a molecule of oil: mixed lubrication is likely, which is not solved"};

@@ -2,7 +2,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "base/text_format.hpp"
 #include "contact/film_formulas.hpp"
@@ -13,14 +16,26 @@
 namespace ehl::program {
 namespace {
 
-// " +5.7 %" of a formula from the film computed; empty where there is none.
+// " +5.7 %" of a formula from the film computed; empty where there is none, or one below zero on too coarse a mesh.
 std::string deviation(double formula, double computed) {
+  if (!(computed > 0.0)) return {};
   const double off = formula / computed - 1.0;
   return std::isfinite(off) ? fmt::format("{:+.1f} %", 100.0 * off) : "";
 }
 
-std::string in_nm(double H, double computed, const SiScales& scales) {
-  return fmt::format("{:>8} {:>8}", known("{:.4g}", 1e9 * scales.h * H), deviation(H, computed));
+// Rows below a head: the first column from the left, the others to the right. Wider than `widths` is a column with a
+// name or number that would run into its neighbour.
+std::string aligned(const std::vector<std::vector<std::string>>& rows, std::vector<std::size_t> widths) {
+  for (std::size_t row = 1; row < rows.size(); ++row)
+    for (std::size_t k = 0; k < rows[row].size(); ++k)
+      widths[k] = std::max(widths[k], rows[row][k].size() + (k > 0 ? 1 : 0));
+  std::string text;
+  for (const std::vector<std::string>& row : rows) {
+    text += fmt::format("{:<{}}", row[0], widths[0]);
+    for (std::size_t k = 1; k < row.size(); ++k) text += fmt::format("{:>{}}", row[k], widths[k]);
+    text += "\n";
+  }
+  return text;
 }
 
 }  // namespace
@@ -76,16 +91,26 @@ std::string group_lines(const Physics& physics) {
 std::string formula_lines(const std::vector<Formula>& formulas, const Physics& physics, double Hc, double Hm) {
   const contact::Groups& groups = physics.groups;
   const std::optional<SiScales> si = si_scales(physics);
-  std::string text = std::string("formulas                         ") +
-                     (si ? "h_c [nm]          h_m [nm]                " : "        ") +
-                     "Hc        Hm  Hc (Moes)  Hm (Moes)\n";
-  for (const Formula& formula : formulas) {
-    text += fmt::format("  {:<{}}", formula.name, si ? 31 : 33);
-    if (si) text += in_nm(formula.Hc, Hc, *si) + " " + in_nm(formula.Hm, Hm, *si) + "  ";
-    text += fmt::format("{:>8}  {:>8}  {:>9}  {:>9}\n", known("{:.4g}", formula.Hc), known("{:.4g}", formula.Hm),
-                        known("{:.3f}", contact::H_to_moes_units(formula.Hc, groups.M, groups.shape)),
-                        known("{:.3f}", contact::H_to_moes_units(formula.Hm, groups.M, groups.shape)));
+  std::vector<std::vector<std::string>> rows{{"formulas"}};
+  std::vector<std::size_t> widths{35};
+  if (si) {
+    rows[0].insert(rows[0].end(), {"h_c [nm]", "", "h_m [nm]", ""});
+    widths = {33, 8, 9, 9, 9};
   }
+  rows[0].insert(rows[0].end(), {"Hc", "Hm", "Hc (Moes)", "Hm (Moes)"});
+  widths.insert(widths.end(), {si ? 10U : 8U, 10U, 11U, 11U});
+  const auto in_nm = [&](double H) { return known("{:.4g}", 1e9 * si->h * H); };
+  const auto in_moes_units = [&](double H) {
+    return known("{:.3f}", contact::H_to_moes_units(H, groups.M, groups.shape));
+  };
+  for (const Formula& formula : formulas) {
+    const auto& [H_c, H_m] = std::pair(formula.Hc, formula.Hm);
+    std::vector<std::string> row{"  " + formula.name};
+    if (si) row.insert(row.end(), {in_nm(H_c), deviation(H_c, Hc), in_nm(H_m), deviation(H_m, Hm)});
+    row.insert(row.end(), {known("{:.4g}", H_c), known("{:.4g}", H_m), in_moes_units(H_c), in_moes_units(H_m)});
+    rows.push_back(std::move(row));
+  }
+  std::string text = aligned(rows, widths);
   if (std::ranges::find(formulas, map_code, &Formula::code) != formulas.end()) {
     const contact::MapScatter off = contact::scatter_of_film_map();
     text += fmt::format(

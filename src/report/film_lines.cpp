@@ -94,7 +94,7 @@ std::string error_lines(const Case& input, const steady::Solution& solution) {
                         percent(bars.Hm.algebraic), percent(bars.domain));
   const steady::AccuracyReport& accuracy = solution.accuracy;
   if (std::isfinite(accuracy.asked))
-    text += "accuracy     " + percent(accuracy.asked) + " asked for Hc and Hm: " +
+    text += fmt::format("accuracy     {:.4g} % asked for Hc and Hm: ", 100.0 * accuracy.asked) +
             (!accuracy.met               ? "not reached, stopped by " + accuracy.stopped_by
              : accuracy.by_extrapolation ? "reached by extrapolated or fitted values, not by those of the nodes"
                                          : "reached") +
