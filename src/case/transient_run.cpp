@@ -160,9 +160,9 @@ bool completed(const TransientResult& result) {
   return result.report.end != MarchEnd::failed && result.report.end != MarchEnd::interrupted;
 }
 
-std::string why_incomplete(const TransientResult& result) {
-  const transient::MarchReport& report = result.report;
-  if (completed(result)) return {};
+std::string why_incomplete(const std::optional<TransientResult>& result) {
+  if (!result || completed(*result)) return {};
+  const transient::MarchReport& report = result->report;
   return report.end == MarchEnd::interrupted
              ? fmt::format("the transient was interrupted at time {:g} a/u_m", report.T)
              : fmt::format("the transient ended at time {:g} a/u_m: {}", report.T, report.reason);

@@ -34,8 +34,8 @@ bool completed(const TransientResult& result);
 std::string how_it_ended(const transient::MarchReport& report);
 
 /// "the transient ended at time 2 a/u_m: the cycles did not converge", "the transient was interrupted at time 2 a/u_m";
-/// empty where it is complete.
-std::string why_incomplete(const TransientResult& result);
+/// empty where it is complete, or the case steady.
+std::string why_incomplete(const std::optional<TransientResult>& result);
 
 /// What a person wants to know.
 std::string transient_summary(const Case& input, const TransientResult& result);

@@ -126,6 +126,7 @@ int sweep(const Arguments& arguments) {
   Progress progress(arguments.has("quiet"));
   std::size_t done = 0;
   std::string first_refused;
+  const SweepRow nothing_known = sweep_row(header.kind);
   ChildrenCalls calls;
   calls.stop = stop_requested;
   // The row is one line; the result to keep follows it.
@@ -140,12 +141,12 @@ int sweep(const Arguments& arguments) {
                               time_left(done, missing.size(), began), name_of(child.task), child.seconds, child.says));
   };
   calls.ended = [&](const ChildEnd& end) {
-    const SweepRow failure = row_without_solution(sweep_row(header.kind), "failed", end.status, end.reason);
+    const SweepRow failure = row_without_solution(nothing_known, "failed", end.status, end.reason);
     const std::string text = end.complete ? end.text : csv_row(failure);
     const std::string row = text.substr(0, text.find('\n'));
     if (row.size() < text.size()) kept->append(name_of(end.task), text.substr(row.size() + 1));
     table.append(end.task, row);
-    const std::vector<std::string> cells = csv_cells(row, sweep_row(header.kind).size());
+    const std::vector<std::string> cells = csv_cells(row, nothing_known.size());
     if (first_refused.empty() && cells[0] == "refused") first_refused = name_of(end.task) + ": " + cells.back();
     progress.count(++done, missing.size(), name_of(end.task) + "  " + cells[0]);
   };

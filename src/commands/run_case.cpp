@@ -55,7 +55,7 @@ Ending ending_of(const Computed& computed, const std::string& to_go_on) {
             "not converged: " + computed.solution.failed_check};
   if (!in_time || completed(*in_time)) return {solved, {}};
   if (in_time->report.end != transient::MarchEnd::interrupted)
-    return {not_converged, "not converged: " + why_incomplete(*in_time)};
+    return {not_converged, "not converged: " + why_incomplete(in_time)};
   std::string message = fmt::format("stopped at time {:g} a/u_m", in_time->report.T);
   if (!in_time->checkpoint)
     message += ", before the first step";

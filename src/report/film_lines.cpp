@@ -23,7 +23,7 @@ std::string film_lines(const Case& input, const Computed& computed) {
   const Outcome& outcome = computed.outcome;
   const steady::ErrorBars& bars = solution.error_bars;
   const std::optional<SiScales> si = si_scales(input.physics);
-  const bool broke_off = computed.in_time && !completed(*computed.in_time);
+  const bool broke_off = !why_incomplete(computed.in_time).empty();
   const std::string mark = !solution.converged ? "  (NOT CONVERGED)" : broke_off ? "  (steady start)" : "";
   // What the domain cuts off changes both alike.
   const double domain = std::abs(bars.domain);

@@ -89,9 +89,9 @@ std::string summary(const Case& input, const Computed& computed) {
   std::string text = continuation_table(input, solution) + level_table(input, solution);
   if (!solution.converged) text += "NOT CONVERGED: " + solution.failed_check + "\n";
   // The films below are of its start, and stand first.
-  if (computed.in_time && !completed(*computed.in_time))
-    text += (computed.in_time->report.end == transient::MarchEnd::failed ? "NOT CONVERGED: " : "NOT COMPLETE: ") +
-            why_incomplete(*computed.in_time) + "; the films here are those of its steady start\n";
+  if (const std::string why = why_incomplete(computed.in_time); !why.empty())
+    text += (computed.in_time->report.end == transient::MarchEnd::failed ? "NOT CONVERGED: " : "NOT COMPLETE: ") + why +
+            "; the films here are those of its steady start\n";
   text += film_lines(input, computed) + error_lines(input, solution);
   if (input.machine) text += machine_lines(*input.machine);
   if (physics.si) text += si_lines(*physics.si);

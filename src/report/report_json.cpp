@@ -69,9 +69,9 @@ std::string json_report(const Case& input, const Computed& computed) {
   Json report;
   add(film_quantities(input, solution, outcome), report);
   // Those are of the steady start; who asks whether the run converged means all of it.
-  if (computed.in_time && !completed(*computed.in_time)) {
+  if (const std::string why = why_incomplete(computed.in_time); !why.empty()) {
     report["converged"] = false;
-    report["failed_check"] = why_incomplete(*computed.in_time);
+    report["failed_check"] = why;
   }
   report["error_parts"]["Hc"] = parts_of(solution.error_bars.Hc);
   report["error_parts"]["Hm"] = parts_of(solution.error_bars.Hm);
