@@ -15,9 +15,9 @@ namespace ehl::fmg {
 /// in: the state of fine, complete; uses fine.r.
 void restrict_problem(Hierarchy& hierarchy, Level& fine, Level& coarse);
 
-/// fine.P += bilinear interpolation of (coarse.P - coarse.P_restricted), held at P >= 0, but not in cavitated points
-/// and beside them; then the film. Uses the correction of both. Of a slender contact the half of it, a quarter, ..
-/// 1/64, where the whole leaves less than 0.3 of a film, and as much of the change of H00.
+/// fine.P += interpolation of (coarse.P - coarse.P_restricted), bilinear, or by the coupling on stretched cells and
+/// where the contact lies aslant, held at P >= 0, but not in cavitated points and beside them; then the film. Uses the
+/// correction of both.
 void correct_from_coarse(Hierarchy& hierarchy, Level& coarse, Level& fine);
 
 /// Full-weighting of a residual with weights that follow the coupling: a point half-way between two coarse points

@@ -31,6 +31,8 @@ struct RelaxationParameters {
   bool across = false;
   /// Then lines along X take this times weight_single_steep, on square cells with epsilon at half points.
   double steep_before_across = 1.0;
+  /// And this share of all their weights on coarse grids, with epsilon at the nodes.
+  double coarse_before_across = 1.0;
   /// In an implicit step of time: what the single changes around a point squeeze out of its film beside what its own
   /// does. A relaxation of single points sees but its own, and a zone of them swings and diverges; how much there is
   /// is measured, not derived (modules/transient/README.md).

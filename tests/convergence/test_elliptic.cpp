@@ -232,10 +232,9 @@ BOOST_AUTO_TEST_CASE(a_slender_heavy_contact) {
 // they are square. The same film as on square cells of the same hy, to which hx adds less than the bars.
 BOOST_AUTO_TEST_CASE(a_slender_contact_on_stretched_cells) {
   const contact::Ellipse shape = contact::ellipse(20);
-  const double aspect = steady::cell_aspect(shape);
-  BOOST_TEST(aspect == 0.25);
+  BOOST_TEST(steady::cell_aspect(shape) == 0.25);
   BOOST_TEST(steady::cell_aspect(contact::ellipse(10)) == 1.0);
-  BOOST_TEST(steady::cell_aspect(contact::ellipse(200, 45.0)) == 1.0);
+  BOOST_TEST(steady::cell_aspect(contact::ellipse(200, 5.0)) == 1.0);
   steady::Scene scene = stretched_scene_of(20, 5);
   const steady::Solution stretched = steady::solve(scene);
   scene.multigrid.tolerance = 1e-6;
@@ -277,8 +276,8 @@ BOOST_AUTO_TEST_CASE(a_spike_along_an_aslant_rim) {
 }
 
 // Beside slender contacts. What took the cycles of the last column: (2,1) relaxations; the inside that did not follow
-// the boundary behind a cycle; epsilon held on coarse grids, whose flux is that of the film outside times the pressure
-// inside; all corrections halved for single nodes of the thin film at the sides; aslant, that flux in lines along Y.
+// the boundary; epsilon held on coarse grids, whose flux is that of the film outside times the pressure inside; aslant,
+// that flux in lines along Y; all corrections halved for single thin nodes; bilinear ones beside a spike's top.
 BOOST_AUTO_TEST_CASE(cycles_beside_slender_contacts) {
   struct Case {
     double ratio, angle, M, L, tolerance;
@@ -287,7 +286,8 @@ BOOST_AUTO_TEST_CASE(cycles_beside_slender_contacts) {
   const double mesh = fmg::Parameters{}.tolerance;
   for (const auto& [ratio, angle, M, L, tolerance, cells, lines, most, otherwise] :
        {Case{20, 0, 1000, 15, 1e-6, 512, 384, 8, 10}, Case{100, 0, 100, 10, 1e-6, 512, 1024, 11, 15},
-        Case{50, 0, 1000, 10, mesh, 512, 768, 17, 25}, Case{100, 45, 1000, 15, 1e-6, 1024, 1280, 7, 13}}) {
+        Case{50, 0, 1000, 10, mesh, 512, 768, 17, 25}, Case{100, 45, 1000, 15, 1e-6, 1024, 1280, 7, 13},
+        Case{37.8, 5, 36.1, 11.8, 1e-6, 2048, 512, 8, 12}}) {
     steady::Scene scene = default_scene_of(M, L, contact::ellipse(ratio, angle), cells);
     scene.grid.ny = lines;
     scene.multigrid.tolerance = tolerance;
