@@ -138,13 +138,13 @@ void restrict_by_coupling(const Level& fine, const reynolds::Transport& transpor
   }
 }
 
-// Of a point half-way between coarse points: of a line between two that are kept, of two stations, or in the middle of
-// four, of what the points half-way around it get.
+// By the coupling: a point between two coarse ones takes from these, one in the middle of four from the points between
+// them.
 template <reynolds::Face face>
 void prolong_by_coupling(const Level& fine, const reynolds::Transport& transport, const core::Field& coarse,
                          int threads, core::Field& correction) {
   const Coupling<face> coupling(fine, elastic_coupling * reynolds::relative_strength(transport, fine.grid.hx()));
-  const int every = coarse.nodes_x() == correction.nodes_x() ? 1 : 2;  // station of the fine grid is a coarse one
+  const int every = coarse.nodes_x() == correction.nodes_x() ? 1 : 2;  // so many stations: one is a coarse one
   const auto at_station = [&](int i, int j) {
     const double* from = coarse.at_x(i / every);
     return j % 2 == 0 ? from[j / 2]
