@@ -7,10 +7,11 @@ struct QuadraticForm {
   double XY;
   double YY;
 
-  bool round() const { return XY == 0.0 && XX == YY; }
+  bool round() const { return !aslant() && XX == YY; }
+  bool aslant() const { return XY != 0.0; }
   double at(double X, double Y) const { return XX * X * X + (XY * X + YY * Y) * Y; }
   /// On the line X = 1: a region within a contour reaches sqrt(contour/least_along_X()) along X.
-  double least_along_X() const { return XY == 0.0 ? XX : XX - 0.25 * XY * XY / YY; }
+  double least_along_X() const { return aslant() ? XX - 0.25 * XY * XY / YY : XX; }
 };
 
 }  // namespace ehl::core

@@ -27,7 +27,7 @@ struct Geometry {
   double elastic = mlmi::circular_factor;      ///< factor of K*P
 };
 /// True where X, Y and X, -Y are the same.
-inline bool symmetric(const Geometry& geometry) { return geometry.gap.XY == 0.0; }
+inline bool symmetric(const Geometry& geometry) { return !geometry.gap.aslant(); }
 
 /// The equations to solve: eqs. (4)-(7), or one of the linear model problems that lead to them.
 struct Problem {

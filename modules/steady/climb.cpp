@@ -38,7 +38,7 @@ int first_cells(int cells, const Scene& scene) {
   const double length = (scene.grid.X_b - scene.grid.X_a) / contact_size(scene.M, scene.L, scene.shape);
   const double slender = slenderness(scene.M, scene.L, scene.shape);
   // Aslant the shorter axis costs cells in both directions: R_x/R_y = 0.005 to 0.2 start as surely on a quarter.
-  if (contact::gap(scene.shape).XY != 0.0) cells /= 4;
+  if (contact::gap(scene.shape).aslant()) cells /= 4;
   return std::max(static_cast<int>(cells * slender / stretch),
                   static_cast<int>(length / largest_first_step * slender / stretch));
 }

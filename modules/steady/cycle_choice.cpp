@@ -16,8 +16,6 @@ namespace {
 constexpr double steep_log_viscosity = 20.0;
 constexpr double caution_where_steep = 0.8;
 
-bool aslant(const Scene& scene) { return contact::gap(scene.shape).XY != 0.0; }
-
 bool steep_edge(const Scene& scene) { return log_viscosity_at_edge(scene) > steep_log_viscosity; }
 
 /// Likewise of contacts long along the motion, on stretched cells, from which on they take (3,2) relaxations, and below
@@ -79,7 +77,7 @@ int coarsest_cells(const Scene& scene, const Start& start) {
     return cells;
   };
   if (scene.grid.line) return start.pre > 0 ? with_step_of(widest_coarsest_step_of_heavy_line) : start.coarsest;
-  if (aslant(scene)) {
+  if (contact::gap(scene.shape).aslant()) {
     const double widest_coarsest_step = long_along_motion(scene.shape) ? 0.8 : 2.5;
     const double shorter = contact_size(scene.M, scene.L, scene.shape) / slenderness(scene.M, scene.L, scene.shape);
     return with_step_of(widest_coarsest_step * shorter);
@@ -161,7 +159,7 @@ fmg::Parameters parameters_of(const Scene& scene, const Start& start) {
   // coarse grids too, whose epsilon is of the nodes, 0.41 of this. Of weights raised where none was needed (1000, 5) at
   // 200 takes a second start.
   parameters.relaxation.steep_before_across = 1.0 / steep_caution(scene);
-  if (aslant(scene)) parameters.relaxation.coarse_before_across = coarse_before_across_aslant;
+  if (contact::gap(scene.shape).aslant()) parameters.relaxation.coarse_before_across = coarse_before_across_aslant;
   parameters.least_coarsest_cells = std::max(parameters.least_coarsest_cells, coarsest_cells(scene, start));
   // The change of H00 = film - approach that a load brings, over that of a dry circle. Of the film half: without bodies
   // to lean on the pressure answers later. With no pressure on the boundary a film that thick is not reached.

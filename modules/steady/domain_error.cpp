@@ -91,7 +91,7 @@ double closed_reach(double M, double L, const contact::Ellipse& shape, double er
   if (contact::line(shape)) return std::cbrt(0.02 * lambda / (film * error));
   const core::QuadraticForm gap = contact::gap(shape);
   double elastic;
-  if (gap.XY == 0.0) {
+  if (!gap.aslant()) {
     // Past an ellipse that lies along the entrainment the far pressure is less, as in rough_error.
     const double roundness = gap.YY / gap.XX;
     const double strength = std::min(1.0, 5.0 / (3.0 + 2.0 * roundness) / std::sqrt(roundness));

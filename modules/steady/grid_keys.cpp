@@ -136,9 +136,9 @@ void choose_cells(const deck::Part& grid, const deck::Part& domain, const contac
   if (std::isnan(length)) return;
   int fewest = std::max(grid.integer("coarsest", fewest_chosen_cells), 1);
   // A contact that is slender, or aslant, needs more along X to be seen as well.
-  const double least = contact::gap(groups.shape).XY == 0.0
-                           ? 0.5 * fewest_chosen_cells * slenderness(groups.M, groups.L, groups.shape)
-                           : fewest_aslant(length, groups);
+  const double least = contact::gap(groups.shape).aslant()
+                           ? fewest_aslant(length, groups)
+                           : 0.5 * fewest_chosen_cells * slenderness(groups.M, groups.L, groups.shape);
   const double stretch = std::max(1.0, 1.0 / cell_aspect(groups.shape));
   while (fewest < fewest_chosen_cells || fewest <= least / stretch) fewest *= 2;
   int most = fewest * (most_chosen_cells / fewest_chosen_cells);

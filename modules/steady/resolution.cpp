@@ -45,7 +45,7 @@ double film_aslant(double M, double L, const contact::Ellipse& shape) {
 }  // namespace
 
 double expected_central_film(double M, double L, const contact::Ellipse& shape) {
-  return contact::gap(shape).XY == 0.0 ? film_by_formula(M, L, shape) : film_aslant(M, L, shape);
+  return contact::gap(shape).aslant() ? film_aslant(M, L, shape) : film_by_formula(M, L, shape);
 }
 
 double circular_load(double M, double L, const contact::Ellipse& shape) {
@@ -100,7 +100,7 @@ double cell_aspect(const contact::Ellipse& shape) {
   const contact::Extent reach = contact::extent(shape);
   if (reach.Y > 7.0 * reach.X) return 2.0;
   constexpr double longest = 16.0;
-  if (reach.X < slender * reach.Y || contact::gap(shape).XY != 0.0) return 1.0;
+  if (reach.X < slender * reach.Y || contact::gap(shape).aslant()) return 1.0;
   double stretch = 1.0;
   while (2.0 * stretch <= std::min(longest, reach.X / reach.Y)) stretch *= 2.0;
   return 1.0 / stretch;

@@ -24,7 +24,7 @@ Effect elliptic_effect() {
               },
           .asymmetry =
               [](const Case& input) {
-                const bool aslant = contact::gap(input.scene.shape).XY != 0.0;
+                const bool aslant = contact::gap(input.scene.shape).aslant();
                 return aslant ? fmt::format("entrained at {:.4g} degrees", input.scene.shape.angle) : std::string();
               },
           .example = {"contact.radius_ratio=0.5"}};
