@@ -138,31 +138,37 @@ void restrict_by_coupling(const Level& fine, const reynolds::Transport& transpor
   }
 }
 
-// By the coupling: a point between two coarse ones takes from these, one in the middle of four from the points between
-// them.
+// By the coupling: stations that hold coarse points, with the boundary, from these; between two stations a point on a
+// line with coarse ones likewise, one in the middle of four from what stands around it.
 template <reynolds::Face face>
 void prolong_by_coupling(const Level& fine, const reynolds::Transport& transport, const core::Field& coarse,
                          int threads, core::Field& correction) {
   const Coupling<face> coupling(fine, elastic_coupling * reynolds::relative_strength(transport, fine.grid.hx()));
-  const int every = coarse.nodes_x() == correction.nodes_x() ? 1 : 2;  // so many stations: one is a coarse one
-  const auto at_station = [&](int i, int j) {
-    const double* from = coarse.at_x(i / every);
-    return j % 2 == 0 ? from[j / 2]
-                      : coupling.share_south(i, j) * from[j / 2] + coupling.share_north(i, j) * from[j / 2 + 1];
-  };
-  const auto on_line = [&](int i, int j) {
-    return coupling.share_west(i, j) * coarse(i / 2, j / 2) + coupling.share_east(i, j) * coarse(i / 2 + 1, j / 2);
-  };
-  const auto in_middle = [&](int i, int j) {
-    const Shares share = coupling.to_all(i, j);
-    return share.west * at_station(i - 1, j) + share.east * at_station(i + 1, j) + share.south * on_line(i, j - 1) +
-           share.north * on_line(i, j + 1);
-  };
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-  for (int i = 1; i < fine.grid.nx; ++i) {
-    double* to = correction.at_x(i);
-    for (int j = 1; j <= fine.grid.last_line(); ++j)
-      to[j] = i % every == 0 ? at_station(i, j) : j % 2 == 0 ? on_line(i, j) : in_middle(i, j);
+  const core::Patch& grid = fine.grid;
+  const int step = coarse.nodes_x() == correction.nodes_x() ? 1 : 2;  // from a station that holds some to the next
+  const int end_of_between = step == 1 ? 0 : grid.nx;                 // where each holds some, none is between
+#pragma omp parallel num_threads(threads) if (threads > 1)
+  {
+#pragma omp for schedule(static)
+    for (int i = 0; i <= grid.nx; i += step) {
+      const double* from = coarse.at_x(i / step);
+      double* to = correction.at_x(i);
+      for (int j = 0; j <= grid.ny; ++j)
+        to[j] = j % 2 == 0 ? from[j / 2]
+                           : coupling.share_south(i, j) * from[j / 2] + coupling.share_north(i, j) * from[j / 2 + 1];
+    }
+#pragma omp for schedule(static)
+    for (int i = 1; i < end_of_between; i += 2) {
+      const double* west = correction.at_x(i - 1);
+      const double* east = correction.at_x(i + 1);
+      double* to = correction.at_x(i);
+      for (int j = 0; j <= grid.ny; j += 2)
+        to[j] = coupling.share_west(i, j) * west[j] + coupling.share_east(i, j) * east[j];
+      for (int j = 1; j < grid.ny; j += 2) {
+        const Shares share = coupling.to_all(i, j);
+        to[j] = share.west * west[j] + share.east * east[j] + share.south * to[j - 1] + share.north * to[j + 1];
+      }
+    }
   }
 }
 
@@ -177,8 +183,7 @@ void prolong_correction(const Hierarchy& hierarchy, const Level& fine, const cor
                         core::Field& correction) {
   const int threads = hierarchy.threads_on(fine.grid);
   const bool across_alone = coarse.nodes_x() == correction.nodes_x();
-  const bool aslant = hierarchy.problem.geometry.gap.XY != 0.0;
-  if (fine.grid.domain.line || !(across_alone || aslant))
+  if (fine.grid.domain.line || !(across_alone || hierarchy.problem.geometry.gap.aslant()))
     transfer::prolong_bilinear(coarse, correction, threads);
   else if (at_half_points(fine))
     prolong_by_coupling<reynolds::Face::logmean>(fine, hierarchy.transport, coarse, threads, correction);

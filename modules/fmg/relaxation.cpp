@@ -158,10 +158,12 @@ void relax(Hierarchy& hierarchy, Level& level, const RelaxationParameters& how) 
   const bool stretched = core::stretched(level.grid);
   const bool across = (stretched || how.across) && can_relax_across(hierarchy, level);
   RelaxationParameters along = how;
-  if (across && !stretched && at_half_points(level))
-    along.weight_single_steep *= how.steep_before_across;
-  else if (across && !stretched)
-    along = lighter(how, how.coarse_before_across);
+  if (across && !stretched) {
+    if (at_half_points(level))
+      along.weight_single_steep *= how.steep_before_across;
+    else
+      along = lighter(how, how.coarse_before_across);
+  }
   relax_pressure(hierarchy, level, along);
   if (across) {
     if (stretched)
