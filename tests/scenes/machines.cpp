@@ -38,6 +38,12 @@ nlohmann::json run(const support::TemporaryFolder& folder, const std::string& de
   return support::parsed(ended.out);
 }
 
+support::Ended checked(const std::string& machine) {
+  const support::TemporaryFolder folder;
+  folder.write("d.ini", machine + rest);
+  return support::ehl(folder, "check d.ini");
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(machines)
@@ -100,9 +106,7 @@ BOOST_AUTO_TEST_CASE(with_a_profile_they_have_ends) {
 }
 
 BOOST_AUTO_TEST_CASE(a_radial_load_is_shared) {
-  const support::TemporaryFolder folder;
-  folder.write("d.ini", radial + "elements = 9\n" + rest);
-  const support::Ended ended = support::ehl(folder, "check d.ini");
+  const support::Ended ended = checked(radial + "elements = 9\n");
   BOOST_REQUIRE_MESSAGE(ended.status == 0, ended.err);
   // 1000 N 4.3852080/9 = 487.245 N.
   for (const char* part : {"F = 487.245 N", "4.38521", "ball on the inner race", "R_x = 3.776 mm", "R_y = 123.8 mm"})
@@ -168,12 +172,9 @@ BOOST_AUTO_TEST_CASE(teeth_along_their_path) {
 
 // Contact ratio 2.476: two pairs of teeth touch everywhere, and each carries all where the deck says so.
 BOOST_AUTO_TEST_CASE(no_pair_is_alone) {
-  const support::TemporaryFolder folder;
-  folder.write("d.ini",
-               "[case]\nkind = gear_mesh\n[gear]\nmodule = 4e-3\nface_width = 20e-3\nrpm1 = 1500\nteeth1 = 60\n"
-               "teeth2 = 100\naddendum = 1.4\npower = 10e3\nsharing = none\n" +
-                   rest);
-  const support::Ended ended = support::ehl(folder, "check d.ini");
+  const support::Ended ended = checked(
+      "[case]\nkind = gear_mesh\n[gear]\nmodule = 4e-3\nface_width = 20e-3\nrpm1 = 1500\nteeth1 = 60\n"
+      "teeth2 = 100\naddendum = 1.4\npower = 10e3\nsharing = none\n");
   BOOST_REQUIRE_MESSAGE(ended.status == 0, ended.err);
   for (const char* part : {"nowhere: two pairs touch everywhere", "1: sharing = none, every pair carries all"})
     BOOST_TEST(contains(ended.out, part), part << " is missing in\n" << ended.out);
@@ -287,12 +288,9 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
 
 // What is wrong is told alone: no advice on an axial load, which a cylindrical roller does not carry.
 BOOST_AUTO_TEST_CASE(the_angle_of_a_roller_is_told_once) {
-  const support::TemporaryFolder folder;
-  folder.write("d.ini",
-               "[case]\nkind = roller_race\n[bearing]\ndiameter = 10e-3\npitch_diameter = 50e-3\nlength = "
-               "10e-3\nradial_load = 500\nelements = 9\nrpm_inner = 3000\ncontact_angle = 30\n" +
-                   rest);
-  const support::Ended ended = support::ehl(folder, "check d.ini");
+  const support::Ended ended = checked(
+      "[case]\nkind = roller_race\n[bearing]\ndiameter = 10e-3\npitch_diameter = 50e-3\nlength = 10e-3\n"
+      "radial_load = 500\nelements = 9\nrpm_inner = 3000\ncontact_angle = 30\n");
   BOOST_TEST(ended.says({"d.ini:10", "contact_angle = 30", "no influence"}), ended.err);
   BOOST_TEST((std::ranges::count(ended.err, '\n') == 1 && !support::contains(ended.err, "axial load")), ended.err);
 }
