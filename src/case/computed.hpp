@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "case/transient_run.hpp"
+#include "core/constants.hpp"
 #include "dry/solve.hpp"
 #include "effects/friction/friction.hpp"
 #include "effects/heat/solve.hpp"
@@ -28,6 +29,12 @@ struct Formula {
   double Hc = 0.0;
   double Hm = 0.0;
 };
+
+/// Of a formula from the film computed, over that; NaN: one of them is unknown, or the film is below zero on too coarse
+/// a mesh.
+inline double deviation(double formula, double computed) {
+  return computed > 0.0 ? formula / computed - 1.0 : core::unknown;
+}
 
 /// The film beside the roughness of the surfaces, in a^2/R.
 struct Roughness {

@@ -16,10 +16,9 @@
 namespace ehl::program {
 namespace {
 
-// " +5.7 %" of a formula from the film computed; empty where there is none, or one below zero on too coarse a mesh.
-std::string deviation(double formula, double computed) {
-  if (!(computed > 0.0)) return {};
-  const double off = formula / computed - 1.0;
+// " +5.7 %"; empty where there is none.
+std::string deviation_text(double formula, double computed) {
+  const double off = deviation(formula, computed);
   return std::isfinite(off) ? fmt::format("{:+.1f} %", 100.0 * off) : "";
 }
 
@@ -106,7 +105,7 @@ std::string formula_lines(const std::vector<Formula>& formulas, const Physics& p
   for (const Formula& formula : formulas) {
     const auto& [H_c, H_m] = std::pair(formula.Hc, formula.Hm);
     std::vector<std::string> row{"  " + formula.name};
-    if (si) row.insert(row.end(), {in_nm(H_c), deviation(H_c, Hc), in_nm(H_m), deviation(H_m, Hm)});
+    if (si) row.insert(row.end(), {in_nm(H_c), deviation_text(H_c, Hc), in_nm(H_m), deviation_text(H_m, Hm)});
     row.insert(row.end(), {known("{:.4g}", H_c), known("{:.4g}", H_m), in_moes_units(H_c), in_moes_units(H_m)});
     rows.push_back(std::move(row));
   }

@@ -1,4 +1,3 @@
-#include <cmath>
 #include <optional>
 
 #include "base/json.hpp"
@@ -20,8 +19,7 @@ std::vector<Column<Formula>> formula_columns(const Case& input, const Outcome& o
   if (!si) return columns;
   const auto add_film = [&](const std::string& name, double Formula::*film, double computed) {
     columns.push_back({"h" + name + "_m", "m", "the same", [=](const Formula& f) { return si->h * f.*film; }});
-    columns.push_back({"deviation_h" + name, "-", "",
-                       [=](const Formula& f) { return computed > 0.0 ? f.*film / computed - 1.0 : std::nan(""); }});
+    columns.push_back({"deviation_h" + name, "-", "", [=](const Formula& f) { return deviation(f.*film, computed); }});
   };
   add_film("c", &Formula::Hc, outcome.Hc);
   add_film("m", &Formula::Hm, outcome.Hm.value);

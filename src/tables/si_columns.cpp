@@ -25,7 +25,7 @@ void add_formula(const std::string& code, const std::string& name, double Formul
   columns.push_back({column + "_nm", "nm", "film by " + name,
                      [=](const SiRow& row) { return by_formula(row, code, of_formula) / nm; }});
   columns.push_back({column + "_deviation", "-", "of the formula from the film computed, over that",
-                     [=](const SiRow& row) { return by_formula(row, code, of_formula) / row.*film - 1.0; }});
+                     [=](const SiRow& row) { return deviation(by_formula(row, code, of_formula), row.*film); }});
 }
 
 // A number of the contact.
