@@ -64,6 +64,13 @@ void moments(const Nodes& nodes, Columns& at) {
   at.M2 = 12.0 * (two - at.z_bar * one);
 }
 
+// D, its slope and phi of the temperatures.
+void fluidities(const ColumnLaws& laws, int count, Columns& at) {
+  rheology::log_viscosity_change(laws.viscosity, flat(at.P_of_node, count), flat(at.log_eta_of_node, count),
+                                 flat(at.theta, count), flat(at.D, count), flat(at.dD, count));
+  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) at.phi[k] = rheology::exp(-at.D[k]);
+}
+
 // Moments, stresses, source f and its slope, phi given.
 void sheared(const Nodes& nodes, const ColumnLaws& laws, Columns& at) {
   const int count = nodes.intervals + 1;
@@ -90,17 +97,27 @@ void spread(const Nodes& nodes, Columns& at) {
 }
 
 void sources(const Nodes& nodes, const ColumnLaws& laws, Columns& at) {
-  const int count = nodes.intervals + 1;
-  rheology::log_viscosity_change(laws.viscosity, flat(at.P_of_node, count), flat(at.log_eta_of_node, count),
-                                 flat(at.theta, count), flat(at.D, count), flat(at.dD, count));
-  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) at.phi[k] = rheology::exp(-at.D[k]);
+  fluidities(laws, nodes.intervals + 1, at);
   sheared(nodes, laws, at);
 }
 
-void follow(const Nodes& nodes, const ColumnLaws& laws, const Profile& change, Columns& at) {
-  for (std::size_t k = 0; k <= static_cast<std::size_t>(nodes.intervals); ++k) {
+void follow(const Nodes& nodes, const ColumnLaws& laws, const Profile& change, LaneMask done, Columns& at) {
+  const int count = nodes.intervals + 1;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
     const Lanes d = -at.dD[k] * change[k];
     at.phi[k] *= 1.0 + d * (1.0 + d * (0.5 + d * (1.0 / 6.0)));
+  }
+  if (!core::all(done)) {
+    Profile &followed = at.by_I0, &slope = at.by_M2;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
+      followed[k] = at.phi[k];
+      slope[k] = at.dD[k];
+    }
+    fluidities(laws, count, at);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
+      at.phi[k] = done ? followed[k] : at.phi[k];
+      at.dD[k] = done ? slope[k] : at.dD[k];
+    }
   }
   sheared(nodes, laws, at);
 }

@@ -8,9 +8,10 @@ namespace ehl::thermal {
 void spread(const Nodes& nodes, Columns& at);
 /// phi, moments, stresses, source f and its slope at the node's own temperature.
 void sources(const Nodes& nodes, const ColumnLaws& laws, Columns& at);
-/// The same behind a change of theta that is small: viscosities along their slopes, which saves the exponentials. Error
-/// of phi: the curvature of D, 1e-4 where theta changes by 1e-3, and with its square.
-void follow(const Nodes& nodes, const ColumnLaws& laws, const Profile& change, Columns& at);
+/// The same after a last step that changed theta by `change`. Where a column is done the change is small, and its
+/// viscosities follow along their slopes, which saves the exponentials; error of phi: the curvature of D, 1e-4 where
+/// theta changes by 1e-3, and with its square. Elsewhere they are those of the new temperatures.
+void follow(const Nodes& nodes, const ColumnLaws& laws, const Profile& change, core::LaneMask done, Columns& at);
 /// What the neighbours bring into the layer of node k.
 Lanes carried_into(const Nodes& nodes, const Columns& at, std::size_t k);
 /// H q at a surface: k_bar times the slope of theta there, by the two nodes next to it. f = -k_bar theta''.

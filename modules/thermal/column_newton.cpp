@@ -117,9 +117,12 @@ void newton_step(const Nodes& nodes, Columns& at) {
     at.right[k] -= change[0] * at.by_I0[k] + change[1] * at.by_M2[k] + change[2] * at.by_z[k];
 }
 
-// theta += change, cut where the viscosity would change too much at once. out: which columns are done; what theta
-// changed by in at.right.
-LaneMask apply_step(const Nodes& nodes, const ColumnLaws& laws, Columns& at, LaneMask done, double tolerance) {
+// The change of theta into at.right, cut where the viscosity would change too much at once, and which columns are done
+// with it. theta takes the change of the columns that go on, and after the last step of the batch that of all. A column
+// that is done before the others waits at the temperatures of its last step, and is given the same change again: what
+// follows from it is then the same whatever columns stand beside it, on every width of the lanes.
+LaneMask apply_step(const Nodes& nodes, const ColumnLaws& laws, Columns& at, LaneMask done, const Steps& steps,
+                    int step) {
   constexpr double most_change = 2.0;  // of ln eta: half an order of magnitude per step keeps Nahme = 1e4 on its way
   Lanes largest_D{}, largest{};
   for (std::size_t k = 0; k <= static_cast<std::size_t>(nodes.intervals); ++k) {
@@ -127,16 +130,18 @@ LaneMask apply_step(const Nodes& nodes, const ColumnLaws& laws, Columns& at, Lan
     largest_D = core::max(largest_D, core::abs(at.right[k] * at.dD[k]));
   }
   const Lanes cut = largest_D > most_change ? most_change / largest_D : broadcast(1.0);
+  done |= largest <= steps.tolerance;
+  const LaneMask waits = step == steps.most || core::all(done) ? LaneMask{} : done;
   LaneMask clipped{};
   for (std::size_t k = 0; k <= static_cast<std::size_t>(nodes.intervals); ++k) {
     const Lanes changed = at.theta[k] + cut * at.right[k];
     const Lanes kept = core::max(broadcast(laws.theta_least), core::min(broadcast(laws.theta_most), changed));
     clipped |= kept != changed;
-    at.right[k] = done ? Lanes{} : kept - at.theta[k];
-    at.theta[k] += at.right[k];
+    at.right[k] = kept - at.theta[k];
+    at.theta[k] += waits ? Lanes{} : at.right[k];
   }
-  at.clipped = done ? at.clipped : clipped;
-  return done | (largest <= tolerance);
+  at.clipped = clipped;
+  return done;
 }
 
 }  // namespace
@@ -150,12 +155,9 @@ int solve(const Nodes& nodes, const ColumnLaws& laws, Columns& at, const Steps& 
     sources(nodes, laws, at);
     linearise(nodes, laws, at);
     newton_step(nodes, at);
-    done = apply_step(nodes, laws, at, done, steps.tolerance);
+    done = apply_step(nodes, laws, at, done, steps, step);
   }
-  if (core::all(done))
-    follow(nodes, laws, at.right, at);
-  else
-    sources(nodes, laws, at);
+  follow(nodes, laws, at.right, done, at);
   heat_flow(nodes, at);
   return core::all(done) ? step : steps.most + 1;
 }

@@ -56,10 +56,13 @@ void FilmTemperature::load(int batch, int i, const std::vector<double>& theta, C
 void FilmTemperature::take(const core::Field& P, const core::Field& H, const core::Field* theta) {
   const core::Patch& patch = setup_.patch;
   const int count = setup_.threads;
-  const auto lines = static_cast<std::size_t>(batches_ * core::lanes);
+  // The vectors of a line's last station reach behind the field; elsewhere they reach into the next station, whose
+  // values are its own.
+  const int widest = std::max(batches_ * core::lanes, patch.nodes_y());
 #pragma omp parallel for schedule(static) num_threads(count) if (count > 1)
   for (int i = 0; i <= patch.nx; ++i) {
-    for (int j = 0; j < batches_ * core::lanes; ++j) {
+    const int lines = patch.domain.line && i < patch.nx ? patch.nodes_y() : widest;
+    for (int j = 0; j < lines; ++j) {
       const bool inside = j <= patch.ny;
       P_(i, j) = inside ? P(i, j) : 0.0;
       H_(i, j) = inside ? std::max(H(i, j), least_film) : 1.0;
@@ -68,10 +71,13 @@ void FilmTemperature::take(const core::Field& P, const core::Field& H, const cor
       core::fill_ghosts(patch, P_.at_x(i));
       core::fill_ghosts(patch, H_.at_x(i));
     }
-    const std::span<const double> here{P_.at_x(i), lines};
-    rheology::log_viscosity(setup_.viscosity, here, {log_eta_.at_x(i), lines});
-    rheology::density(setup_.density.at_T0, here, {rho_bar_.at_x(i), lines});
-    rheology::conductivity(setup_.heat, here, {k_bar_.at_x(i), lines});
+    const auto count_of_lines = static_cast<std::size_t>(lines);
+    const std::span<const double> here{P_.at_x(i), count_of_lines};
+    rheology::log_viscosity(setup_.viscosity, here, {log_eta_.at_x(i), count_of_lines});
+    rheology::density(setup_.density.at_T0, here, {rho_bar_.at_x(i), count_of_lines});
+    rheology::conductivity(setup_.heat, here, {k_bar_.at_x(i), count_of_lines});
+    if (patch.domain.line)
+      for (core::Field* field : {&log_eta_, &rho_bar_, &k_bar_}) core::fill_ghosts(patch, field->at_x(i));
   }
   fill(theta);
 #pragma omp parallel for schedule(static) num_threads(count) if (count > 1)

@@ -90,7 +90,7 @@ FilmTemperature::FilmTemperature(const Setup& setup)
       laws_(laws_of(setup)),
       u_1_(1.0 + 0.5 * setup.srr),
       u_2_(1.0 - 0.5 * setup.srr),
-      batches_((setup.patch.nodes_y() + core::lanes - 1) / core::lanes),
+      batches_(setup.patch.domain.line ? 1 : (setup.patch.nodes_y() + core::lanes - 1) / core::lanes),
       workers_(static_cast<std::size_t>(setup.threads)),
       change_(static_cast<std::size_t>(batches_)) {
   if (!(u_1_ >= 0.0 && u_2_ >= 0.0 && setup.body_1.Pe >= 0.0 && setup.body_2.Pe >= 0.0))
@@ -105,8 +105,7 @@ FilmTemperature::FilmTemperature(const Setup& setup)
   for (int j = 0; j < batches_ * core::lanes; ++j)
     for (int i = 0; i <= patch.nx; ++i)
       for (int k = 0; k <= nodes_.intervals; ++k)
-        theta_[index(j / core::lanes, i, k) + static_cast<std::size_t>(j % core::lanes)] =
-            setup.body_2.theta + difference * nodes_.zeta[static_cast<std::size_t>(k)];
+        theta_[place(i, j, k)] = setup.body_2.theta + difference * nodes_.zeta[static_cast<std::size_t>(k)];
   before_ = theta_;
   for (core::Field* field :
        {&P_, &H_,   &log_eta_, &rho_bar_, &k_bar_, &P_X_,  &P_Y_,     &driven_x_, &driven_y_,     &I0_,          &M2_,
@@ -146,7 +145,7 @@ void FilmTemperature::start_from(const FilmTemperature& coarse, const FilmTemper
   for (int i = 0; i <= patch.nx; ++i)
     for (int j = 0; j <= patch.ny; ++j) {
       for (int k = 0; k <= nodes_.intervals; ++k)
-        theta_[index(j / core::lanes, i, k) + static_cast<std::size_t>(j % core::lanes)] =
+        theta_[place(i, j, k)] =
             start(i, j, [k](const FilmTemperature& film, int ci, int cj) { return film.theta(ci, cj, k); });
       for (const auto field : {&FilmTemperature::q_1_, &FilmTemperature::q_2_, &FilmTemperature::more_x_,
                                &FilmTemperature::more_y_, &FilmTemperature::less_tau_})

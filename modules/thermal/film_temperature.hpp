@@ -126,9 +126,12 @@ class FilmTemperature {
             static_cast<std::size_t>(k)) *
            core::lanes;
   }
-  double value(const std::vector<double>& f, int i, int j, int k) const {
-    return f[index(j / core::lanes, i, k) + static_cast<std::size_t>(j % core::lanes)];
+  // Where the column (i, j) has its node k. The lines of a line contact are alike, and make one batch however narrow
+  // the lanes are.
+  std::size_t place(int i, int j, int k) const {
+    return index(setup_.patch.domain.line ? 0 : j / core::lanes, i, k) + static_cast<std::size_t>(j % core::lanes);
   }
+  double value(const std::vector<double>& f, int i, int j, int k) const { return f[place(i, j, k)]; }
   void load(int batch, int i, const std::vector<double>& theta, Columns& at) const;
   template <class Of, class ThetaOf>
   void load(Of of, ThetaOf theta_of, Columns& at) const;
