@@ -10,6 +10,7 @@
 #include "case/sliding_input.hpp"
 #include "core/norms.hpp"
 #include "deck/text.hpp"
+#include "effects/friction/beyond.hpp"
 #include "effects/friction/keys.hpp"
 #include "steady/climb.hpp"
 
@@ -38,6 +39,15 @@ Needs expense(const Case& input) {
   return {.bytes = nodes * sizeof(double) * kept, .seconds = nodes * seconds_per_node};
 }
 
+// How far the oil goes.
+std::string reach_of(const Case& input) {
+  const double meniscus = input.friction->meniscus;
+  if (std::isinf(meniscus)) return "as far as the gap goes";
+  const std::optional<SiScales> si = si_scales(input.physics);
+  return fmt::format("with the meniscus at {:.4g} a", -meniscus) +
+         (si ? fmt::format(" ({:.4g} mm)", -1e3 * meniscus * si->a) : "");
+}
+
 std::string summary(const Case& input, const Computed& computed) {
   const Friction& f = *computed.friction;
   const auto in_newtons = [&](double mu) {
@@ -51,8 +61,9 @@ std::string summary(const Case& input, const Computed& computed) {
   text += fmt::format(
       "             on surface 1 {:.5g}, on surface 2 {:.5g} of the load along +x; cavitated region {:.2g}\n", f.on_1,
       f.on_2, f.cavitated);
-  if (f.upstream != 0.0)
-    text += fmt::format("             {:.3g} of the rolling from upstream of the domain\n", f.upstream);
+  if (f.beyond != 0.0 || f.rolling_beyond != 0.0)
+    text += fmt::format("             of these {:.3g} and {:.3g} from outside of the domain, {}\n", f.beyond,
+                        f.rolling_beyond, reach_of(input));
   if (f.outer != 0.0)
     text += fmt::format(
         "             {:.3g} of the rolling from the outer half of the inlet; one of twice the length adds about as "
@@ -102,6 +113,20 @@ double flow_of(const steady::Scene& scene, const steady::Solution& solution) {
   return rho_bar * solution.H(highest.i, highest.j);
 }
 
+// What goes on upstream of a line. Heat lets the same flow leave less pressure behind, as if all were slower: by so
+// much that the pressure at the first node is the one that the contact was solved with.
+reynolds::FarState state_upstream(const reynolds::FarField& field, const steady::Scene& scene,
+                                  const steady::Solution& solution, bool warm) {
+  reynolds::FarState state{.H00 = solution.H00, .flow = flow_of(scene, solution)};
+  const double there = solution.P(0, 1);
+  if (!warm || there <= 0.0) return state;
+  constexpr int rounds = 30;  // a fixed point with a contraction factor of alpha P, which is small there
+  for (int k = 0; k < rounds; ++k)
+    if (const double P = field.P(field.at(solution.grid.X_a, 0.0), solution.H(0, 1), state); P > 0.0)
+      state.speed *= there / P;
+  return state;
+}
+
 }  // namespace
 
 std::vector<results::Quantity> friction_quantities(const friction::Friction& f) {
@@ -113,8 +138,14 @@ std::vector<results::Quantity> friction_quantities(const friction::Friction& f) 
       {"mu_cavitated", f.cavitated, "-", "part of mu from the cavitated region"},
       {"largest_shear_stress", f.largest_stress, "p_h", "of sliding, in the pressurised film", "largest_stress"},
       {"limited_share", f.limited_share, "-", "share of the load where the limiting stress acts"}};
-  if (f.upstream != 0.0)
-    list.push_back({"mu_upstream", f.upstream, "-", "part of mu_rolling from upstream of the domain"});
+  if (f.beyond != 0.0) list.push_back({"mu_beyond", f.beyond, "-", "part of mu from outside of the domain"});
+  if (f.rolling_beyond != 0.0)
+    list.push_back({f.line ? "mu_upstream" : "mu_rolling_beyond", f.rolling_beyond, "-",
+                    f.line ? "part of mu_rolling from upstream of the domain"
+                           : "part of mu_rolling from outside of the domain, up to the meniscus"});
+  if (std::isfinite(f.parameters.meniscus))
+    list.push_back(
+        {"meniscus", f.parameters.meniscus, "a", "distance of the inlet meniscus, up to which friction is counted"});
   if (f.outer != 0.0)
     list.push_back({"mu_rolling_outer", f.outer, "-",
                     "part of mu_rolling from the outer half of the inlet; a domain of twice the length adds about as "
@@ -125,18 +156,31 @@ std::vector<results::Quantity> friction_quantities(const friction::Friction& f) 
 }
 
 friction::Friction friction_of(const Case& input, const steady::Solution& solution, const heat::Fields* film) {
-  friction::Parameters parameters = input.friction ? *input.friction
-                                                   : friction::Parameters{.stress = stress_of_sliding(input.physics),
-                                                                          .slope = input.physics.a_over_R,
-                                                                          .cavitated = friction::Cavitated::none};
+  friction::Parameters parameters = input.friction ? *input.friction : friction_of_contact(input.physics, input.scene);
   const steady::Scene& scene = input.scene;
-  std::optional<friction::Upstream> upstream;
-  if (scene.grid.line && scene.far_field) upstream = {.lambda = scene.lambda, .flow = flow_of(scene, solution)};
-  if (!upstream && !scene.supply) parameters.outer_X = -std::max(-0.5 * scene.grid.X_a, contact::extent(scene.shape).X);
   parameters.aslant = !input.scene.grid.line && !steady::on_one_half(input.scene);
-  return friction::friction_of({solution.grid, solution.P, solution.H, input.scene.viscosity, input.scene.thinning,
-                                film ? &film->I0 : nullptr, film ? &film->less_tau : nullptr, upstream},
-                               parameters);
+  friction::Film of{.grid = solution.grid,
+                    .P = solution.P,
+                    .H = solution.H,
+                    .viscosity = scene.viscosity,
+                    .thinning = scene.thinning,
+                    .I0 = film ? &film->I0 : nullptr,
+                    .less_tau = film ? &film->less_tau : nullptr,
+                    .load = contact::load(scene.shape),
+                    .gap = contact::gap(scene.shape),
+                    .lambda = scene.lambda,
+                    .starved = bool(scene.supply)};
+  if (!oil_outside(scene)) {
+    if (!scene.supply && std::isinf(parameters.meniscus))
+      parameters.outer_X = -std::max(-0.5 * scene.grid.X_a, contact::extent(scene.shape).X);
+    return friction::friction_of(of, parameters);
+  }
+  const double deformation = contact::elastic_factor(scene.shape) * of.load;
+  const reynolds::FarField field({of.gap, scene.lambda, deformation, scene.viscosity, solution.grid});
+  friction::Outside outside{field, of.gap, deformation, {.H00 = solution.H00}};
+  if (scene.grid.line) outside.state = state_upstream(field, scene, solution, film != nullptr);
+  of.outside = &outside;
+  return friction::friction_of(of, parameters);
 }
 
 Effect friction_effect() {
@@ -145,7 +189,7 @@ Effect friction_effect() {
           .sections = {{.name = "friction", .called_by = {"cavitated"}}},
           .costly = {"friction", "fields"},
           .keys = friction::keys,
-          .read = [](Case& input) { input.friction = friction_input(input.deck, input.physics); },
+          .read = [](Case& input) { input.friction = friction_input(input.deck, input.physics, input.scene); },
           .on = [](const Case& input) { return input.friction.has_value(); },
           .what = what,
           .expense = expense,

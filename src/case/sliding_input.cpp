@@ -1,5 +1,7 @@
 #include "case/sliding_input.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <string>
 
@@ -38,7 +40,35 @@ void check_passes(deck::Deck& deck, const Physics& physics) {
     shear.complain("flow", "needs both surfaces to move with the entrainment or to stand, from srr = -2 to 2");
 }
 
+// What the deck says of the meniscus, where it may.
+void set_meniscus(deck::Deck& deck, const Physics& physics, const steady::Scene& scene,
+                  friction::Parameters& parameters) {
+  const deck::Part friction{deck, "friction"};
+  const std::vector<std::string> given = friction.given_of({"meniscus", "meniscus_m"});
+  const deck::PlainUnit a{.suffix = "_m", .in_SI = physics.si ? physics.si->hertz.a : NAN, .known = bool(physics.si)};
+  const double distance = friction.number_in("meniscus", a);
+  if (given.empty()) {
+    if (std::isfinite(parameters.meniscus))
+      friction.follow("meniscus", parameters.meniscus, "the radius of the bodies along the entrainment");
+    return;
+  }
+  if (scene.supply)
+    friction.complain(given[0], "does not belong to a starved contact, whose meniscus is computed: remove it");
+  else if (!oil_outside(scene) && distance > -scene.grid.X_a)
+    friction.complain(given[0],
+                      fmt::format("lies outside of the domain, which ends at {:g} Hertz radii: without a closed far "
+                                  "field nothing is known there. {}",
+                                  scene.grid.X_a,
+                                  contact::roller(scene.shape) ? "Give [domain] x_inlet farther out"
+                                                               : "Leave [domain] far_field closed"));
+  else if (!(distance > 1.0))
+    friction.complain(given[0], "must lie beyond the contact, more than a Hertz radius from its middle");
+  parameters.meniscus = distance;
+}
+
 }  // namespace
+
+bool oil_outside(const steady::Scene& scene) { return scene.far_field && !scene.supply; }
 
 double stress_of_speed(const Physics& physics) { return physics.groups.lambda * physics.a_over_R / 12.0; }
 
@@ -74,11 +104,23 @@ std::optional<ShearInput> shear_input(deck::Deck& deck, const Physics& physics) 
   return input;
 }
 
-std::optional<friction::Parameters> friction_input(deck::Deck& deck, const Physics& physics) {
+friction::Parameters friction_of_contact(const Physics& physics, const steady::Scene& scene) {
+  friction::Parameters parameters{
+      .stress = stress_of_sliding(physics), .slope = physics.a_over_R, .cavitated = friction::Cavitated::none};
+  if (oil_outside(scene) && !scene.grid.line)
+    parameters.meniscus = 1.0 / (2.0 * contact::gap(scene.shape).XX * physics.a_over_R);
+  return parameters;
+}
+
+std::optional<friction::Parameters> friction_input(deck::Deck& deck, const Physics& physics,
+                                                   const steady::Scene& scene) {
   if (!given(deck, "friction", "cavitated") || !possible(deck, physics, "friction", "cavitated")) return std::nullopt;
   friction::Parameters parameters = friction::read(deck);
-  parameters.stress = stress_of_sliding(physics);
-  parameters.slope = physics.a_over_R;
+  const friction::Parameters of_contact = friction_of_contact(physics, scene);
+  parameters.stress = of_contact.stress;
+  parameters.slope = of_contact.slope;
+  parameters.meniscus = of_contact.meniscus;
+  set_meniscus(deck, physics, scene, parameters);
   return parameters;
 }
 

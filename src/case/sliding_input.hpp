@@ -7,6 +7,7 @@
 #include "effects/friction/friction.hpp"
 #include "rheology/flow_thinning.hpp"
 #include "rheology/shear.hpp"
+#include "steady/scene.hpp"
 
 namespace ehl::program {
 
@@ -25,7 +26,13 @@ struct ShearInput {
 };
 std::optional<ShearInput> shear_input(deck::Deck& deck, const Physics& physics);
 
-/// The same for [friction].
-std::optional<friction::Parameters> friction_input(deck::Deck& deck, const Physics& physics);
+/// True where the far field goes on outside of the domain, and the gap is full of oil there.
+bool oil_outside(const steady::Scene& scene);
+
+/// The same for [friction]. in: the scene but for its effects after the solution.
+std::optional<friction::Parameters> friction_input(deck::Deck& deck, const Physics& physics,
+                                                   const steady::Scene& scene);
+/// Stress, slope and meniscus as they follow from the contact alone.
+friction::Parameters friction_of_contact(const Physics& physics, const steady::Scene& scene);
 
 }  // namespace ehl::program

@@ -8,7 +8,7 @@
 #include "contact/groups.hpp"
 #include "core/constants.hpp"
 #include "core/norms.hpp"
-#include "effects/friction/friction.hpp"
+#include "effects/friction/beyond.hpp"
 #include "steady/solve.hpp"
 #include "support/roelands_scene.hpp"
 
@@ -118,13 +118,20 @@ double rolling_force(double M, double L, double X_a, int cells) {
   const core::Location highest = core::maximum(solution.P);
   double rho_bar = 1.0;
   rheology::density(scene.density, {&highest.value, 1}, {&rho_bar, 1});
-  const friction::Upstream upstream{.lambda = scene.lambda, .flow = rho_bar * solution.H(highest.i, highest.j)};
+  const core::QuadraticForm gap = contact::gap(scene.shape);
+  const double load = contact::load(scene.shape), deformation = contact::elastic_factor(scene.shape) * load;
+  const reynolds::FarField field({gap, scene.lambda, deformation, scene.viscosity, solution.grid});
+  const friction::Outside outside{
+      field, gap, deformation, {.H00 = solution.H00, .flow = rho_bar * solution.H(highest.i, highest.j)}};
   const friction::Friction friction = friction::friction_of({.grid = solution.grid,
                                                              .P = solution.P,
                                                              .H = solution.H,
                                                              .viscosity = scene.viscosity,
                                                              .thinning = scene.thinning,
-                                                             .upstream = upstream},
+                                                             .load = load,
+                                                             .gap = gap,
+                                                             .lambda = scene.lambda,
+                                                             .outside = &outside},
                                                             {.slope = 1.0, .cavitated = friction::Cavitated::none});
   return friction.rolling * contact::load(scene.shape);
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/timer.hpp"
+#include "effects/friction/beyond.hpp"
 
 namespace ehl::friction {
 namespace {
@@ -18,12 +19,15 @@ double weight(const core::Grid& grid, int i, int j) {
   return (i == 0 || i == grid.nx ? 0.5 : 1.0) * (j == 0 || j == grid.ny ? 0.5 : 1.0);
 }
 
-// Share of the width that holds oil, where P = 0. film_at_end: of the line's last node with P > 0 upstream; 0: none,
-// the oil has not been in the contact yet.
-double filled(Cavitated cavitated, double H, double film_at_end) {
-  if (cavitated == Cavitated::none) return 0.0;
-  if (cavitated == Cavitated::full || film_at_end == 0.0) return 1.0;
-  return std::min(1.0, film_at_end / H);
+// Share of a node's cell that lies where oil fills the gap: 1/2 where the contour of the meniscus goes through its
+// middle.
+double share_of_oil(const Film& film, double meniscus, double X, double Y) {
+  if (std::isinf(meniscus)) return 1.0;
+  const auto& [XX, XY, YY] = film.gap;
+  const double gap = film.gap.at(X, Y), there = XX * meniscus * meniscus;
+  const double slope_X = 2.0 * XX * X + XY * Y, slope_Y = XY * X + 2.0 * YY * Y;
+  const double width = std::abs(slope_X) * film.grid.hx() + std::abs(slope_Y) * film.grid.hy();
+  return std::clamp(0.5 + (there - gap) / std::max(width, 1e-300), 0.0, 1.0);
 }
 
 // dP/dX at a node.
@@ -47,21 +51,6 @@ struct Fluidity {
   std::vector<double> at_rest, along, across;
 };
 
-// Integral of (H/2) dP/dX, X = X_a/u, to u = 0 by Simpson's rule. The load of the contact bends the bodies by
-// -ln|X|/2.
-double rolling_upstream(const Film& film) {
-  constexpr int parts = 64;
-  const double X_a = film.grid.X_a, lambda = film.upstream->lambda;
-  double sum = -lambda / X_a;
-  for (int k = 1; k <= parts; ++k) {
-    const double u = static_cast<double>(k) / parts;
-    const double H = film.H(0, 1) + 0.5 * (X_a * X_a * (1.0 / (u * u) - 1.0) + std::log(u));
-    const double integrand = -0.5 * lambda * X_a * (H - film.upstream->flow) / (H * H * u * u);
-    sum += (k == parts ? 1.0 : k % 2 == 1 ? 4.0 : 2.0) * integrand;
-  }
-  return sum / (3.0 * parts);
-}
-
 // Integral of -(h/2) dp/dy, in p_h times cells.
 double side_force(const Film& film, double slope) {
   const core::Grid& grid = film.grid;
@@ -78,13 +67,13 @@ double side_force(const Film& film, double slope) {
 Friction friction_of(const Film& film, const Parameters& parameters) {
   const double began = core::now();
   const core::Grid& grid = film.grid;
-  Friction result{.parameters = parameters, .thinned = film.thinning.has_value()};
+  Friction result{.parameters = parameters, .thinned = film.thinning.has_value(), .line = grid.line};
   if (parameters.keep_tau1) result.tau1 = core::Field(grid);
   if (parameters.keep_tau2) result.tau2 = core::Field(grid);
   const auto nodes = static_cast<std::size_t>(grid.nodes_y());
   Fluidity fluidity(nodes);
   std::vector<double> film_at_end(nodes, 0.0);
-  double load = 0.0, limited_load = 0.0, unlikely_load = 0.0;
+  double load_inside = 0.0, limited_load = 0.0, unlikely_load = 0.0;
   for (int i = 0; i <= grid.nx; ++i) {
     fluidity.evaluate(film, i);
     for (int j = 0; j <= grid.ny; ++j) {
@@ -92,47 +81,64 @@ Friction friction_of(const Film& film, const Parameters& parameters) {
       const bool wet = P > 0.0;
       double& end = film_at_end[static_cast<std::size_t>(j)];
       if (wet) end = H;
-      const double share = wet ? 1.0 : filled(parameters.cavitated, H, end);
+      const double oil = share_of_oil(film, parameters.meniscus, grid.X(i), grid.Y(j));
+      const bool only_layers = film.starved && end == 0.0 && parameters.cavitated != Cavitated::full;
+      const double share = wet ? 1.0 : only_layers ? 0.0 : filled(parameters.cavitated, H, end);
       double tau = share > 0.0 && parameters.stress != 0.0 ? parameters.stress / (H * fluidity(film, j)) : 0.0;
       if (wet && film.less_tau) tau *= (*film.less_tau)(i, j);
       if (wet) {
-        load += w * P;
+        load_inside += w * P;
         if (std::abs(tau) > largest_limit * P) unlikely_load += w * P;
         if (std::abs(tau) > parameters.limit * P) limited_load += w * P;
         tau = rheology::limited(tau, parameters.limit * P);
         result.largest_stress = std::max(result.largest_stress, std::abs(tau));
       } else {
         tau *= share;
-        result.cavitated += w * tau;
+        result.cavitated += w * oil * tau;
       }
+      tau *= oil;
       result.sliding += w * tau;
-      const double rolling = 0.5 * parameters.slope * H * slope_of_P(film, i, j);
+      const double rolling = oil * 0.5 * parameters.slope * H * slope_of_P(film, i, j);
       if (parameters.keep_tau1) result.tau1(i, j) = -tau - rolling;
       if (parameters.keep_tau2) result.tau2(i, j) = tau - rolling;
       if (i < grid.nx) {
-        const double part = w / (i == 0 ? 0.5 : 1.0) * 0.25 * parameters.slope * (H + film.H(i + 1, j)) *
+        const double part = share_of_oil(film, parameters.meniscus, grid.X(i) + 0.5 * grid.hx(), grid.Y(j)) * w /
+                            (i == 0 ? 0.5 : 1.0) * 0.25 * parameters.slope * (H + film.H(i + 1, j)) *
                             (film.P(i + 1, j) - P) / grid.hx();
         result.rolling += part;
         if (grid.X(i) < parameters.outer_X) result.outer += part;
       }
     }
   }
-  if (film.upstream) result.upstream = parameters.slope * rolling_upstream(film) * grid.ny / grid.hx();
-  result.rolling += result.upstream;
   if (parameters.aslant) result.side = side_force(film, parameters.slope);
-  for (double* part :
-       {&result.sliding, &result.rolling, &result.cavitated, &result.upstream, &result.outer, &result.side})
+  // A line contact is summed over all lines of its grid, each as the whole of it.
+  const double nodes_per_area = grid.line ? grid.ny / grid.hx() : 1.0 / (grid.hx() * grid.hy());
+  if (film.outside) {
+    const Beyond outside = beyond(film, parameters, film_at_end);
+    result.beyond = outside.sliding * nodes_per_area;
+    result.rolling_beyond = outside.rolling * nodes_per_area;
+    result.sliding += result.beyond;
+    result.rolling += result.rolling_beyond;
+    result.cavitated += outside.cavitated * nodes_per_area;
+  }
+  const double load = std::isnan(film.load) ? load_inside : film.load * nodes_per_area;
+  for (double* part : {&result.sliding, &result.rolling, &result.cavitated, &result.beyond, &result.rolling_beyond,
+                       &result.outer, &result.side, &limited_load, &unlikely_load})
     *part /= load;
-  result.limited_share = limited_load / load;
-  result.unlikely_share = unlikely_load / load;
+  result.limited_share = limited_load;
+  result.unlikely_share = unlikely_load;
   result.on_1 = -(result.sliding + result.rolling);
   result.on_2 = result.sliding - result.rolling;
   result.seconds = core::now() - began;
   return result;
 }
 
+bool unlikely(const Friction& friction) {
+  return friction.unlikely_share >= worth_a_warning && friction.parameters.limit > largest_limit;
+}
+
 std::vector<std::string> warnings(const Friction& friction) {
-  if (friction.unlikely_share < worth_a_warning || friction.parameters.limit <= largest_limit) return {};
+  if (!unlikely(friction)) return {};
   return {fmt::format(
       "friction: on {:.0f} % of the load the shear stress is above {:.2f} p, which no lubricant carries: {}",
       100.0 * friction.unlikely_share, largest_limit,

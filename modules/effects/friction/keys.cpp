@@ -1,6 +1,7 @@
 #include "effects/friction/keys.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace ehl::friction {
 
@@ -20,6 +21,21 @@ std::vector<deck::Key> keys() {
         .meaning = "Lambda: the shear stress of sliding stays below the limiting stress Lambda p. Without it there "
                    "is no limit. It acts on the friction, not on the film.",
         .example = "0.08"},
+       {.name = "meniscus",
+        .default_note = "the radius R_x of the bodies; of lines and rollers none, the oil goes on for ever",
+        .range = {1.0, 1e6, true, false},
+        .remedy = "a distance in Hertz radii, beyond the contact",
+        .meaning = "Distance of the inlet meniscus from the middle of the contact in Hertz radii: oil fills the gap as "
+                   "far as the undeformed gap is no wider than there. Friction is counted up to it, outside of the "
+                   "domain too; round a point it grows with the logarithm of this distance. The pressure is that of a "
+                   "flooded contact all the same.",
+        .source = "modules/effects/friction/README.md",
+        .example = "10"},
+       {.name = "meniscus_m",
+        .unit = "m",
+        .range = {0.0, std::numeric_limits<double>::infinity(), true, true},
+        .meaning = "The same distance, for a contact in SI.",
+        .example = "2e-3"},
        {.name = "fields",
         .type = deck::Type::words,
         .words = {"tau1", "tau2"},

@@ -1,0 +1,206 @@
+#include "effects/friction/beyond.hpp"
+
+#include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace ehl::friction {
+namespace {
+
+using std::numbers::pi;
+
+/// Points and weights of Gauss' rule on (0, 1).
+template <unsigned points>
+std::vector<std::pair<double, double>> gauss_points() {
+  using Rule = boost::math::quadrature::gauss<double, points>;
+  std::vector<std::pair<double, double>> rule;
+  for (std::size_t k = 0; k < Rule::abscissa().size(); ++k)
+    for (const double sign : {-1.0, 1.0})
+      if (sign > 0.0 || Rule::abscissa()[k] > 0.0)
+        rule.emplace_back(0.5 * (1.0 + sign * Rule::abscissa()[k]), 0.5 * Rule::weights()[k]);
+  return rule;
+}
+
+double oil_fluidity(const Film& film, double P) {
+  double fluidity = 1.0;
+  rheology::fluidity(film.viscosity, {&P, 1}, {&fluidity, 1});
+  return fluidity;
+}
+
+// The stress of sliding. warmth: fluidity over that of the oil at its supply temperature.
+double sliding_stress(const Film& film, const Parameters& parameters, double P, double H, double warmth) {
+  if (parameters.stress == 0.0) return 0.0;
+  double fluidity = oil_fluidity(film, P) * warmth;
+  if (film.thinning) {
+    double along = 0.0, across = 0.0;
+    rheology::film_fluidity(*film.thinning, {&H, 1}, {&fluidity, 1}, {&along, 1}, {&across, 1});
+    fluidity = across;
+  }
+  const double tau = parameters.stress / (H * fluidity);
+  return P > 0.0 ? rheology::limited(tau, parameters.limit * P) : tau;
+}
+
+Beyond beyond_line(const Film& film, const Parameters& parameters, double film_at_end) {
+  static const auto rule = gauss_points<20>();
+  const core::Grid& grid = film.grid;
+  const Outside& outside = *film.outside;
+  const double warm_inlet = film.I0 ? std::log((*film.I0)(0, 1)) : 0.0;
+  const double warm_outlet = film.I0 ? (*film.I0)(grid.nx, 1) : 1.0;
+  Beyond sum;
+  // Up- and downstream X = boundary/u, from u = 1 at the boundary to u = boundary/meniscus, 0 where there is none.
+  const auto integrate = [&](int i, const auto& part) {
+    const double boundary = grid.X(i), ends = std::min(1.0, std::abs(boundary) / parameters.meniscus);
+    for (const auto& [share, weight] : rule) {
+      const double u = ends + (1.0 - ends) * share, X = boundary / u;
+      const double H =
+          film.H(i, 1) + outside.gap.XX * (X * X - boundary * boundary) + outside.deformation * std::log(u);
+      part(X, H, u, (1.0 - ends) * weight * std::abs(boundary) / (u * u));
+    }
+  };
+  integrate(0, [&](double X, double H, double u, double weight) {
+    const double P = outside.field.P(outside.field.at(X, 0.0), H, outside.state);
+    sum.sliding += weight * sliding_stress(film, parameters, P, H, std::exp(warm_inlet * u * u));
+    const double eta_bar = 1.0 / oil_fluidity(film, P);
+    sum.rolling += weight * 0.5 * parameters.slope * film.lambda * outside.state.speed * eta_bar *
+                   (H - outside.state.flow) / (H * H);
+  });
+  integrate(grid.nx, [&](double, double H, double, double weight) {
+    sum.cavitated +=
+        weight * filled(parameters.cavitated, H, film_at_end) * sliding_stress(film, parameters, 0.0, H, warm_outlet);
+  });
+  sum.sliding += sum.cavitated;
+  return sum;
+}
+
+/// In coordinates in which the undeformed gap is XX t^2: X = t cos(psi) - shear Y, Y = t scale sin(psi).
+class PointQuadrature {
+ public:
+  PointQuadrature(const Film& film, const Parameters& parameters, const std::vector<double>& film_at_end)
+      : film_(film), parameters_(parameters), film_at_end_(film_at_end), outside_(*film.outside), grid_(film.grid) {
+    const core::QuadraticForm& gap = outside_.gap;
+    shear_ = 0.5 * gap.XY / gap.XX;
+    scale_ = std::sqrt(gap.XX / (gap.YY - 0.25 * gap.XY * gap.XY / gap.XX));
+    rupture_[0] = rupture(pi, 0.0);
+    rupture_[1] = rupture(pi, 2.0 * pi);
+  }
+
+  Beyond integral() const {
+    static const auto around = gauss_points<10>();
+    static const auto along = gauss_points<10>();
+    const std::vector<double> ends = panels();
+    Beyond sum;
+    for (std::size_t k = 1; k < ends.size(); ++k)
+      for (const auto& [part, angle_weight] : around) {
+        const double width = ends[k] - ends[k - 1], psi = ends[k - 1] + width * part;
+        const Direction to = direction(psi);
+        const double nearest = boundary(to), length = std::log(parameters_.meniscus / nearest);
+        if (length <= 0.0) continue;
+        const bool wet = psi > rupture_[0] && psi < rupture_[1];
+        for (const auto& [share, weight] : along) {
+          const double t = nearest * std::exp(length * share);
+          add(to, t, nearest, wet, width * angle_weight * length * weight * t * t * scale_, sum);
+        }
+      }
+    sum.sliding += sum.cavitated;
+    return sum;
+  }
+
+ private:
+  struct Direction {
+    double X, Y;  // at t = 1
+  };
+  Direction direction(double psi) const {
+    const double Y = scale_ * std::sin(psi);
+    return {std::cos(psi) - shear_ * Y, Y};
+  }
+  double boundary(const Direction& to) const {
+    const double to_x = (to.X > 0.0 ? grid_.X_b : grid_.X_a) / to.X;
+    const double to_y = (to.Y > 0.0 ? grid_.Y_b : grid_.Y_a) / to.Y;
+    return std::min(to_x, to_y);
+  }
+  double film(double X, double Y) const {
+    return outside_.state.H00 + outside_.gap.at(X, Y) + outside_.deformation / std::hypot(X, Y);
+  }
+  double P(double X, double Y) const { return outside_.field.P(outside_.field.at(X, Y), film(X, Y), outside_.state); }
+
+  // Angle between a wet and a dry direction where the film ruptures, by bisection.
+  double rupture(double wet, double dry) const {
+    for (int round = 0; round < 50; ++round) {
+      const double between = 0.5 * (wet + dry);
+      const Direction to = direction(between);
+      (outside_.field.at(to.X, to.Y).wedge > 0.0 ? wet : dry) = between;
+    }
+    return 0.5 * (wet + dry);
+  }
+
+  // Between the corners, where the distance to the boundary has a kink, the axes and the lines of rupture; each panel
+  // halved.
+  std::vector<double> panels() const {
+    std::vector<double> ends{0.0, 2.0 * pi, rupture_[0], rupture_[1]};
+    for (int k = 1; k < 4; ++k) ends.push_back(0.5 * k * pi);
+    for (const double X : {grid_.X_a, grid_.X_b})
+      for (const double Y : {grid_.Y_a, grid_.Y_b}) {
+        const double psi = std::atan2(Y / scale_, X + shear_ * Y);
+        ends.push_back(psi < 0.0 ? psi + 2.0 * pi : psi);
+      }
+    std::ranges::sort(ends);
+    for (std::size_t k = ends.size(); --k > 0;)
+      ends.insert(ends.begin() + static_cast<std::ptrdiff_t>(k), 0.5 * (ends[k - 1] + ends[k]));
+    return ends;
+  }
+
+  int line_at(double Y) const {
+    return std::clamp(static_cast<int>(std::lround((Y - grid_.Y_a) / grid_.hy())), 0, grid_.ny);
+  }
+
+  // The film where the pressure of this line along X has ended.
+  double film_at_end(double Y) const {
+    const Direction to = direction(rupture_[Y > 0.0 ? 0 : 1]);
+    const double X = to.X * Y / to.Y;
+    const bool inside = X > grid_.X_a && X < grid_.X_b && Y > grid_.Y_a && Y < grid_.Y_b;
+    return inside ? film_at_end_[static_cast<std::size_t>(line_at(Y))] : film(X, Y);
+  }
+
+  // in: whether the direction is a wet one; weight, the area.
+  void add(const Direction& to, double t, double nearest, bool wet, double weight, Beyond& sum) const {
+    const double X = t * to.X, Y = t * to.Y, H = film(X, Y), returned = nearest / t;
+    double warmth = 1.0;
+    if (film_.I0) {
+      const int i = std::clamp(static_cast<int>(std::lround((nearest * to.X - grid_.X_a) / grid_.hx())), 0, grid_.nx);
+      warmth = std::exp(std::log((*film_.I0)(i, line_at(nearest * to.Y))) * returned * returned);
+    }
+    if (!wet) {
+      const double share = filled(parameters_.cavitated, H, film_at_end(Y));
+      if (share > 0.0) sum.cavitated += weight * share * sliding_stress(film_, parameters_, 0.0, H, warmth);
+      return;
+    }
+    sum.sliding += weight * sliding_stress(film_, parameters_, P(X, Y), H, warmth);
+    const double step = 1e-4 * std::hypot(X, Y);
+    sum.rolling += weight * 0.5 * parameters_.slope * H * (P(X + step, Y) - P(X - step, Y)) / (2.0 * step);
+  }
+
+  const Film& film_;
+  const Parameters& parameters_;
+  const std::vector<double>& film_at_end_;
+  const Outside& outside_;
+  const core::Grid& grid_;
+  double shear_ = 0.0, scale_ = 1.0;
+  double rupture_[2] = {0.0, 0.0};  // psi where the wet directions begin and end
+};
+
+}  // namespace
+
+double filled(Cavitated cavitated, double H, double film_at_end) {
+  if (cavitated == Cavitated::none) return 0.0;
+  if (cavitated == Cavitated::full || film_at_end == 0.0) return 1.0;
+  return std::min(1.0, film_at_end / H);
+}
+
+Beyond beyond(const Film& film, const Parameters& parameters, const std::vector<double>& film_at_end) {
+  if (film.grid.line) return beyond_line(film, parameters, film_at_end[1]);
+  return PointQuadrature(film, parameters, film_at_end).integral();
+}
+
+}  // namespace ehl::friction
