@@ -144,17 +144,12 @@ class TemporaryFile {
 
 }  // namespace
 
-void check_writable(const std::string& path, bool overwrite, std::size_t bytes,
-                    const std::vector<std::string>& inputs) {
+void check_writable(const std::string& path, bool overwrite, std::size_t bytes) {
   if (path.empty()) throw core::FileError("the name of the output file is empty");
   std::error_code error;
   const std::string target = followed(path);
   const files::file_status status = files::symlink_status(target, error);
   refuse_what_is_no_file(path, status);
-  for (const std::string& input : inputs)
-    if (files::exists(status) && files::equivalent(target, input, error))
-      throw core::FileError(path + ": cannot be written: it is read by this run (" + input +
-                            "): give another --output");
   if (files::exists(status) && !overwrite)
     throw core::FileError(path + ": exists already: give --overwrite or another --output");
   const std::string folder = folder_of(target);

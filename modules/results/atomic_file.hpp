@@ -9,10 +9,9 @@ namespace ehl::results {
 
 /// Refuses, before any work is done, an output that could not be written in the end.
 /// in: path, of a symbolic link the file that it leads to is meant; overwrite an existing regular file; bytes that will
-/// be needed; files that the work reads, which are never overwritten. errors: core::FileError: it exists, is no regular
-/// file or one of those, its folder is missing or not writable, the disk has no room.
-void check_writable(const std::string& path, bool overwrite, std::size_t bytes,
-                    const std::vector<std::string>& inputs = {});
+/// be needed. errors: core::FileError: it exists, is no regular file, its folder is missing or not writable, the disk
+/// has no room. What a command reads and what it may replace: check_files() in outputs.hpp.
+void check_writable(const std::string& path, bool overwrite, std::size_t bytes);
 
 /// Writes to a new file beside the path, makes sure it has reached the disk, and renames it: whoever looks sees the old
 /// file or the new one, and a failure leaves nothing behind. What a killed process left, ".NAME.PID.part", goes with

@@ -11,6 +11,9 @@ namespace ehl::results {
 /// What the attribute `format` of such a file says.
 constexpr char collection_format[] = "ehl sweep";
 
+/// How a journal of results begins, from which a collection will be made.
+constexpr char journal_mark[] = "ehlkept1";
+
 /// How a result is called within a collection: "/cases/12".
 std::string member_name(std::size_t number);
 

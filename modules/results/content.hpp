@@ -10,6 +10,9 @@
 
 namespace ehl::results {
 
+/// What the attribute `format` of a result file says.
+constexpr char result_format[] = "ehl result";
+
 /// What is known of a case: a number (NaN: not known in this case, and then not written), a count, yes or no, a word.
 using Value = std::variant<double, int, bool, std::string>;
 

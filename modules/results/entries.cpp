@@ -160,7 +160,7 @@ std::vector<double> row_by_row(const core::Field& from) {
 
 std::vector<Entry> entries(const Content& content) {
   List list;
-  list.add({.path = "/"}, {{"format", "ehl result"}, {"title", content.title}});
+  list.add({.path = "/"}, {{"format", result_format}, {"title", content.title}});
   list.text("/deck", content.deck, "the deck as it was understood: read again, it gives this case");
   list.group("/provenance");
   quantities(list, "/provenance", content.provenance);

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "results/collection.hpp"
+#include "results/content.hpp"
 #include "results/hdf5_handle.hpp"
 
 namespace ehl::results {
@@ -94,7 +95,7 @@ ResultFile::ResultFile(const std::string& path, std::optional<std::size_t> numbe
     throw core::FileError(path + ": holds the results of a sweep: say which case (--case K, cases from 0)");
   if (!collection && number) throw core::FileError(path + ": is no file of a sweep with --keep: it has no cases");
   if (number && kind("/") != Kind::group) throw core::FileError(path + ": has no case " + std::to_string(*number));
-  if (attribute("/", "format") != "ehl result")
+  if (attribute("/", "format") != result_format)
     throw core::FileError(path + ": this is an HDF5 file, but no result of ehl");
 }
 

@@ -12,7 +12,7 @@
 #include "deck/write.hpp"
 #include "report/quantities.hpp"
 #include "report/report.hpp"
-#include "results/atomic_file.hpp"
+#include "results/outputs.hpp"
 #include "results/read.hpp"
 #include "results/write.hpp"
 
@@ -190,8 +190,8 @@ int save(HeldResult& result, const std::string& path, bool overwrite) {
   guarded(outcome, [&] {
     if (const std::string why = unfit_as_result(path); !why.empty()) throw core::InputError(why);
     const std::lock_guard lock(files);
-    results::check_writable(path, overwrite, 0);
-    results::check_writable(results::xdmf_name(path), overwrite, 0);
+    results::check_files(result.input ? files_of(*result.input) : std::vector<std::string>{},
+                         result_outputs(path, overwrite, 0));
     results::write(path, *result.content, overwrite);
   });
   for (std::string& message : outcome.messages) result.messages.push_back(std::move(message));

@@ -20,6 +20,7 @@
 #include "core/errors.hpp"
 #include "deck/file.hpp"
 #include "deck/text.hpp"
+#include "results/outputs.hpp"
 #include "results/read.hpp"
 #include "tables/measured.hpp"
 #include "tables/study_report.hpp"
@@ -169,6 +170,11 @@ int plot(const Arguments& arguments) {
            ": no figure draws such a table by itself, no key has three numbers or more; --x KEY draws curves over "
            "a key with fewer (`ehl help plot` lists the figures)");
   const Pictures pictures = pictures_of(arguments, chosen);
+  std::vector<std::string> inputs{path};
+  if (arguments.has("measured")) inputs.push_back(arguments.value("measured", ""));
+  std::vector<results::Output> outputs;
+  for (const std::string& name : pictures.names) outputs.push_back({name, results::FileKind::picture, true});
+  results::check_files(inputs, outputs);
   PlainNames names;
   const std::string scripts = names.of(folder_of_scripts(), "scripts");
   std::vector<Setting> settings{

@@ -6,6 +6,7 @@
 #include "commands/commands.hpp"
 #include "page/section.hpp"
 #include "results/atomic_file.hpp"
+#include "results/outputs.hpp"
 #include "tables/study_report.hpp"
 #include "tables/sweep_data.hpp"
 #include "tables/sweep_table.hpp"
@@ -33,7 +34,7 @@ std::string page_name(const Arguments& arguments) {
 int report(const Arguments& arguments) {
   const std::string path = page_name(arguments);
   const bool overwrite = arguments.has("overwrite");
-  results::check_writable(path, overwrite, 0, arguments.operands);
+  results::check_files(arguments.operands, {{path, results::FileKind::page, overwrite}});
   std::vector<PageSection> sections;
   for (const std::string& operand : arguments.operands) sections.push_back(section_on(operand));
   const std::string page = page_of(arguments.value("title", ""), sections);

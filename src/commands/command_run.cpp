@@ -11,7 +11,7 @@
 #include "core/errors.hpp"
 #include "deck/document.hpp"
 #include "report/report.hpp"
-#include "results/atomic_file.hpp"
+#include "results/outputs.hpp"
 #include "results/read.hpp"
 #include "results/write.hpp"
 
@@ -27,8 +27,8 @@ struct Destination {
 Destination destination(const Arguments& arguments, const Case& input) {
   Destination to{arguments.value("output", input.output), arguments.has("overwrite")};
   if (const std::string why = unfit_as_result(to.path); !why.empty()) refuse(why + "; give another --output");
-  std::vector<std::string> inputs{arguments.operands[0]};
-  for (const deck::NamedFile& file : input.files) inputs.push_back(file.path);
+  std::vector<std::string> inputs = files_of(input);
+  inputs.push_back(arguments.operands[0]);
   // P and the gap of a dry contact; single precision for stresses in space.
   std::size_t bytes = results::expected_bytes(input.scene.grid, input.dry ? 2 : input.fields.size());
   if (input.subsurface) {
@@ -36,8 +36,7 @@ Destination destination(const Arguments& arguments, const Case& input) {
     bytes += results::expected_bytes(grid, input.subsurface->kept.size()) / 2 *
              static_cast<std::size_t>(input.subsurface->planes);
   }
-  results::check_writable(to.path, to.overwrite, bytes, inputs);
-  results::check_writable(results::xdmf_name(to.path), to.overwrite, 0, inputs);
+  results::check_files(inputs, result_outputs(to.path, to.overwrite, bytes));
   return to;
 }
 
@@ -105,9 +104,9 @@ int resume(const Arguments& arguments) {
   if (!input.transient) throw core::FileError(path + ": the file is damaged: its deck is of no run in time");
   check_fits(before, input, path);
   check_same_files(file, input);
-  std::vector<std::string> inputs;
-  for (const deck::NamedFile& one : input.files) inputs.push_back(one.path);
-  results::check_writable(path, true, results::expected_bytes(input.scene.grid, input.fields.size()), inputs);
+  // The result is read and written: it is completed in place.
+  results::check_files(files_of(input),
+                       result_outputs(path, true, results::expected_bytes(input.scene.grid, input.fields.size())));
   return solve_and_write(arguments, input, {path, true}, std::move(before));
 }
 

@@ -10,7 +10,7 @@
 #include "core/errors.hpp"
 #include "deck/document.hpp"
 #include "deck/text.hpp"
-#include "results/atomic_file.hpp"
+#include "results/outputs.hpp"
 #include "tables/children.hpp"
 #include "tables/csv.hpp"
 #include "tables/study_report.hpp"
@@ -172,7 +172,7 @@ int study(const Arguments& arguments) {
     throw core::InputError(
         "command line: --evaluators direct: no level is small enough: it is tried up to 20000 nodes");
   const std::vector<int> finest = reference_grids(arguments, grids, plan.cells.back());
-  results::check_writable(path, arguments.has("overwrite"), 0, header.inputs());
+  results::check_files(header.inputs(), {{path, results::FileKind::table, arguments.has("overwrite")}});
 
   const Reference reference = find_reference(grids, finest, quiet);
   std::vector<StudyPoint> points = measured(grids, ways, header, quiet);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 #include <utility>
 
@@ -17,7 +18,7 @@
 #include "core/timer.hpp"
 #include "deck/document.hpp"
 #include "deck/text.hpp"
-#include "results/atomic_file.hpp"
+#include "results/outputs.hpp"
 #include "tables/children.hpp"
 #include "tables/csv.hpp"
 #include "tables/kept_results.hpp"
@@ -58,14 +59,35 @@ double foreseen_seconds(const std::string& deck, const std::vector<std::string>&
   return 0.0;
 }
 
+bool has_kept(const std::string& table) { return std::filesystem::exists(name_of_kept(table)); }
+
+// All that a sweep reads, and all that it writes or goes on with.
+void check_files(const Arguments& arguments, const SweepHeader& header, const std::string& table) {
+  std::vector<std::string> inputs{header.deck};
+  for (const deck::NamedFile& file : header.files) inputs.push_back(file.path);
+  if (arguments.has("cases")) inputs.push_back(arguments.value("cases", ""));
+  std::vector<results::Output> outputs{{table, results::FileKind::table, true}};
+  if (arguments.has("keep")) {
+    outputs.push_back({name_of_kept(table), results::FileKind::kept_results, true});
+    outputs.push_back({journal_of_kept(table), results::FileKind::journal, true});
+  }
+  results::check_files(inputs, outputs);
+}
+
 int merge(const Arguments& arguments) {
   for (const char* option : {"vary", "cases", "shard", "set", "unset", "timing", "keep"})
     if (arguments.has(option)) refuse(std::string("--merge takes tables alone: --") + option + " is in them");
   if (!arguments.has("output")) refuse("--merge needs --output FILE.csv");
   const std::string path = table_name(arguments);
-  results::check_writable(path, arguments.has("overwrite"), 0, arguments.operands);
+  const bool overwrite = arguments.has("overwrite");
+  std::vector<std::string> inputs = arguments.operands;
+  std::vector<results::Output> outputs{{path, results::FileKind::table, overwrite}};
+  for (const std::string& table : arguments.operands) inputs.push_back(name_of_kept(table));
+  if (std::ranges::any_of(arguments.operands, has_kept))
+    outputs.push_back({name_of_kept(path), results::FileKind::kept_results, overwrite});
+  results::check_files(inputs, outputs);
   const MergedSweep merged = merged_sweep(arguments.operands);
-  write_table(path, merged.text, arguments.has("overwrite"));
+  write_table(path, merged.text, overwrite);
   const std::string kept = merge_kept(arguments.operands, path);
   print(fmt::format("cases        {}: {} converged, {} missing\ntable        {}\n{}", merged.cases, merged.converged,
                     merged.missing.size(), path, kept.empty() ? "" : "results      " + kept + "\n"));
@@ -100,9 +122,7 @@ int sweep(const Arguments& arguments) {
   header.shard = shard;
   const int at_once = requested_threads(arguments);
   const std::string path = name_of_shard(table_name(arguments), shard);
-  std::vector<std::string> inputs{deck};
-  for (const deck::NamedFile& file : header.files) inputs.push_back(file.path);
-  results::check_writable(path, true, 0, inputs);
+  check_files(arguments, header, path);
   std::vector<double> seconds(number_of_cases(header.variations), 1.0);
   if (!shard.whole())
     for (std::size_t k = 0; k < seconds.size(); ++k) seconds[k] = foreseen_seconds(deck, overrides_of(k));

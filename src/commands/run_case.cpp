@@ -48,6 +48,17 @@ std::string unfit_as_result(const std::string& path) {
   return {};
 }
 
+std::vector<std::string> files_of(const Case& input) {
+  std::vector<std::string> paths;
+  for (const deck::NamedFile& file : input.files) paths.push_back(file.path);
+  return paths;
+}
+
+std::vector<results::Output> result_outputs(const std::string& path, bool overwrite, std::size_t bytes) {
+  return {{path, results::FileKind::result, overwrite, bytes},
+          {results::xdmf_name(path), results::FileKind::xdmf, overwrite}};
+}
+
 Ending ending_of(const Computed& computed, const std::string& to_go_on) {
   const std::optional<TransientResult>& in_time = computed.in_time;
   if (!computed.solution.converged)

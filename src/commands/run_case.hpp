@@ -1,9 +1,11 @@
 #pragma once
 // A case from the deck to its result, the same for the program and for the C interface.
 #include <string>
+#include <vector>
 
 #include "case/effects.hpp"
 #include "commands/solver.hpp"
+#include "results/outputs.hpp"
 
 namespace ehl::program {
 
@@ -21,6 +23,11 @@ std::string printed(const Case& input, const Computed& computed, bool profile);
 
 /// Why a result cannot have this name; empty where it can.
 std::string unfit_as_result(const std::string& path);
+
+/// The files that the deck of a case names, and those that its result will be. in: bytes that the first of them will
+/// need.
+std::vector<std::string> files_of(const Case& input);
+std::vector<results::Output> result_outputs(const std::string& path, bool overwrite, std::size_t bytes);
 
 /// How it ended: the exit status, and for one that is not `solved` why.
 struct Ending {

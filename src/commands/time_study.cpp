@@ -11,7 +11,7 @@
 #include "base/machine.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
-#include "results/atomic_file.hpp"
+#include "results/outputs.hpp"
 #include "tables/children.hpp"
 #include "tables/csv.hpp"
 #include "tables/time_study_report.hpp"
@@ -92,7 +92,7 @@ int study_in_time(const Arguments& arguments, const StudyHeader& header, const s
                              " is for steady decks; in this one there is [transient] end_time: --rtol");
   const std::vector<double> rtols = tolerances(arguments);
   const bool quiet = arguments.has("quiet");
-  results::check_writable(path, arguments.has("overwrite"), 0, header.inputs());
+  results::check_files(header.inputs(), {{path, results::FileKind::table, arguments.has("overwrite")}});
   const transient::MarchParameters& march = input.transient->parameters;
   const double longest_step = std::isnan(march.longest_step)
                                   ? transient::longest_step(input.transient->conditions, march.end)

@@ -15,7 +15,6 @@
 #include "deck/text.hpp"
 #include "report/outcome.hpp"
 #include "report/result_content.hpp"
-#include "results/atomic_file.hpp"
 #include "results/collection.hpp"
 #include "results/write.hpp"
 
@@ -27,7 +26,6 @@ struct Head {
   char mark[8];
   std::uint64_t name_bytes, image_bytes, hash;
 };
-constexpr char record_mark[8] = {'e', 'h', 'l', 'k', 'e', 'p', 't', '1'};
 constexpr std::uint64_t longest_name = 1 << 20;
 
 // Tells a record that was cut short or damaged.
@@ -47,6 +45,8 @@ std::string name_of_kept(const std::string& table) {
   return std::filesystem::path(table).replace_extension(".h5").string();
 }
 
+std::string journal_of_kept(const std::string& table) { return name_of_kept(table) + ".part"; }
+
 std::string kept_result(const Case& input, FilmSolution&& found) {
   Computed computed;
   computed.solution = std::move(found.film);
@@ -65,8 +65,7 @@ std::string kept_result(const Case& input, FilmSolution&& found) {
 }
 
 KeptResults::KeptResults(const std::string& table, bool overwrite)
-    : path_(name_of_kept(table)), journal_(path_ + ".part") {
-  results::check_writable(path_, true, 0);
+    : path_(name_of_kept(table)), journal_(journal_of_kept(table)) {
   if (!overwrite)
     for (const results::Member& one : results::members(path_)) in_file_[one.name] = one.number;
   descriptor_ = ::open(journal_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | (overwrite ? O_TRUNC : 0), 0666);
@@ -89,8 +88,8 @@ KeptResults::~KeptResults() {
 void KeptResults::read_journal() {
   long long at = 0;
   Head head{};
-  while (read_at(descriptor_, at, &head, sizeof head) && std::memcmp(head.mark, record_mark, sizeof record_mark) == 0 &&
-         head.name_bytes < longest_name) {
+  while (read_at(descriptor_, at, &head, sizeof head) &&
+         std::memcmp(head.mark, results::journal_mark, sizeof head.mark) == 0 && head.name_bytes < longest_name) {
     const auto size = static_cast<std::uint64_t>(::lseek(descriptor_, 0, SEEK_END));
     const auto begins = static_cast<std::uint64_t>(at) + sizeof head + head.name_bytes;
     if (begins > size || head.image_bytes > size - begins) break;
@@ -110,7 +109,7 @@ bool KeptResults::has(const std::string& name) const { return in_file_.contains(
 
 void KeptResults::append(const std::string& name, const std::string& image) {
   Head head{{}, name.size(), image.size(), hash_of(name, image)};
-  std::memcpy(head.mark, record_mark, sizeof record_mark);
+  std::memcpy(head.mark, results::journal_mark, sizeof head.mark);
   const std::string record = std::string(reinterpret_cast<const char*>(&head), sizeof head) + name + image;
   const long long at = ::lseek(descriptor_, 0, SEEK_CUR);
   for (std::size_t done = 0; done < record.size();) {
@@ -161,7 +160,6 @@ std::string merge_kept(const std::vector<std::string>& tables, const std::string
   if (!without.empty()) throw core::FileError(without + ": is missing, and " + with + " is there: merge both or none");
   std::ranges::sort(list, {}, &results::Member::number);
   const std::string path = name_of_kept(whole);
-  results::check_writable(path, true, 0);
   results::write_collection(path, list, [&](const results::Member& one) {
     return results::Source{.path = homes.at(one.number), .number = one.number};
   });

@@ -12,6 +12,8 @@ namespace ehl::program {
 
 /// "t.h5" of the table "t.csv".
 std::string name_of_kept(const std::string& table);
+/// Its journal, "t.h5.part".
+std::string journal_of_kept(const std::string& table);
 
 /// The result file of a case, in memory: what `ehl run` writes of the steady contact. in: the solution, with finite
 /// films. errors: core::SolverError of an effect that is computed after the film.
@@ -20,7 +22,8 @@ std::string kept_result(const Case& input, FilmSolution&& found);
 class KeptResults {
  public:
   /// Reads what there is: the file of an earlier sweep, and the journal of one that was cut short. in: path of the
-  /// table; overwrite: begin anew. errors: core::FileError: a file of another kind; no room.
+  /// table, whose files were checked (results/outputs.hpp); overwrite: begin anew. errors: core::FileError: a file of
+  /// another kind.
   KeptResults(const std::string& table, bool overwrite);
   ~KeptResults();
   KeptResults(const KeptResults&) = delete;

@@ -16,7 +16,6 @@
 #include "case/catalogue.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
-#include "results/atomic_file.hpp"
 #include "tables/csv.hpp"
 
 namespace ehl::program {
@@ -121,7 +120,6 @@ std::string header_text(const SweepHeader& header) { return whole_header(header,
 SweepTable::SweepTable(const std::string& path, const SweepHeader& header, const std::vector<std::size_t>& own,
                        bool overwrite)
     : path_(path), header_(header), own_(own), rows_(number_of_cases(header.variations)) {
-  results::check_writable(path, true, 0);
   open();
   try {
     std::ifstream file(path);

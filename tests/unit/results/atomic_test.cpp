@@ -7,6 +7,7 @@
 
 #include "core/errors.hpp"
 #include "results/atomic_file.hpp"
+#include "results/outputs.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/text.hpp"
 
@@ -69,6 +70,44 @@ BOOST_AUTO_TEST_CASE(outputs_refused_before_the_work) {
   BOOST_TEST(contains(reason(folder / "new.h5", false, std::size_t{1} << 60), "the disk has room"));
   BOOST_TEST(contains(reason(""), "empty"));
   BOOST_TEST(folder.entries() == 1);
+}
+
+// What a command reads is never written, whatever leads to it; nor is a file of another kind than the one to be
+// written.
+BOOST_AUTO_TEST_CASE(no_input_and_no_foreign_file_is_replaced) {
+  using results::FileKind;
+  const support::TemporaryFolder folder;
+  folder.write("t.csv", "# ehl sweep, table 1\n");
+  std::filesystem::create_symlink("t.csv", folder / "soft.csv");
+  std::filesystem::create_hard_link(folder / "t.csv", folder / "hard.csv");
+  const auto reason = [](const std::vector<std::string>& inputs, const std::vector<results::Output>& outputs) {
+    return refusal<core::FileError>([&] { results::check_files(inputs, outputs); });
+  };
+  for (const char* name : {"t.csv", "soft.csv", "hard.csv", "./t.csv"})
+    BOOST_TEST(contains(reason({folder / "t.csv"}, {{folder / name, FileKind::table, true}}), "is read by this run"));
+  BOOST_TEST(
+      contains(reason({}, {{folder / "t.csv", FileKind::table, true}, {folder / "soft.csv", FileKind::table, true}}),
+               "is the same file"));
+  BOOST_TEST(reason({folder / "other"}, {{folder / "t.csv", FileKind::table, true}}) == "(none)");
+
+  struct Kind {
+    FileKind kind;
+    std::string own;  // how a file of this kind begins
+  };
+  const Kind kinds[] = {{FileKind::table, "# ehl study in time, table 1\n"},
+                        {FileKind::journal, "ehlkept1 and more"},
+                        {FileKind::xdmf, "<?xml version=\"1.0\" ?>\n<Xdmf>"},
+                        {FileKind::page, "<!DOCTYPE html>\n<p>Page written by ehl 1.2, commit"},
+                        {FileKind::picture, "\x89PNG\r\n"},
+                        {FileKind::result, ""},
+                        {FileKind::kept_results, ""}};
+  for (const Kind& one : kinds) {
+    const std::string path = folder.write("f", "precious, 1\n");
+    BOOST_TEST(contains(reason({}, {{path, one.kind, true}}), "never overwritten"), one.own);
+    BOOST_TEST(folder.read("f") == "precious, 1\n");
+    folder.write("f", one.own);
+    BOOST_TEST(reason({}, {{path, one.kind, true}}) == "(none)", one.own);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_link_stays_and_its_file_is_replaced) {

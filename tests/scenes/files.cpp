@@ -1,0 +1,98 @@
+// What a command reads it never writes, and what it did not make it never replaces.
+#include <boost/test/unit_test.hpp>
+#include <string>
+
+#include "support/program.hpp"
+#include "support/text.hpp"
+
+namespace {
+
+const std::string small =
+    "[contact]\nM = 20\nL = 5\n[lubricant]\nalpha = 2.2e-8\n[grid]\ncells = 32\n[multigrid]\ncycles = 2\n";
+
+struct Scene {
+  support::TemporaryFolder folder;
+  Scene() { folder.write("d.ini", small); }
+  support::Ended ehl(const std::string& arguments) const { return support::ehl(folder, arguments); }
+  // Ends with status 4 and these words, and `name` holds what it held.
+  void keeps(const std::string& name, const std::string& arguments, const std::string& part) const {
+    const std::string before = folder.read(name);
+    const int files = folder.entries();
+    const support::Ended ended = ehl(arguments);
+    BOOST_TEST(ended.status == 4, arguments << " ends with " << ended.status << "\n" << ended.err);
+    BOOST_TEST(ended.says({part}), arguments << " says\n" << ended.err);
+    BOOST_TEST((folder.read(name) == before), arguments << " changed " << name);
+    BOOST_TEST(folder.entries() == files, arguments);
+  }
+};
+
+const std::string read_by = "is read by this run";
+const std::string foreign = "never overwritten";
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(files)
+
+BOOST_AUTO_TEST_CASE(a_sweep_keeps_its_inputs) {
+  const Scene scene;
+  // Even a table of cases that looks like one of ours.
+  scene.folder.write("c.csv", "# ehl sweep, table 1\ncontact.M\n20\n30\n");
+  scene.keeps("c.csv", "sweep d.ini --cases c.csv --output c.csv --overwrite --quiet", read_by);
+  scene.keeps("c.csv", "sweep d.ini --cases c.csv --output c.csv --quiet", read_by);
+  support::shell(scene.folder, "ln c.csv hard.csv; ln -s c.csv soft.csv");
+  scene.keeps("c.csv", "sweep d.ini --cases c.csv --output hard.csv --overwrite --quiet", read_by);
+  scene.keeps("c.csv", "sweep d.ini --cases c.csv --output soft.csv --overwrite --quiet", read_by);
+  // The kept results would be map.h5, which the deck reads.
+  BOOST_REQUIRE(scene.ehl("run d.ini --quiet --output map.h5").status == 0);
+  scene.folder.write("rough.ini",
+                     small + "[surface1]\nshape = map\nfile = map.h5\ndataset = /fields/H\nunit = 1e-3\ndx = 0.2\n");
+  const std::string sweep = "sweep rough.ini --vary contact.M=20,30 --quiet --overwrite ";
+  scene.keeps("map.h5", sweep + "--keep --output map.csv", read_by);
+  // And what is no table and no journal of ours is not begun anew.
+  scene.folder.write("notes.csv", "precious, 1\n");
+  scene.keeps("notes.csv", "sweep d.ini --vary contact.M=20,30 --quiet --overwrite --output notes.csv", foreign);
+  scene.keeps("notes.csv", "study d.ini --quiet --overwrite --output notes.csv", foreign);
+  scene.folder.write("t.h5.part", "precious");
+  scene.keeps("t.h5.part", "sweep d.ini --vary contact.M=20,30 --quiet --keep --output t.csv", foreign);
+  // A result of one run is no file of a sweep's results.
+  BOOST_REQUIRE(scene.ehl("run d.ini --quiet --output r.h5").status == 0);
+  scene.keeps("r.h5", "sweep d.ini --vary contact.M=20,30 --quiet --keep --overwrite --output r.csv", foreign);
+}
+
+BOOST_AUTO_TEST_CASE(results_and_pages_keep_what_is_none) {
+  const Scene scene;
+  scene.folder.write("f.h5", "precious");
+  scene.folder.write("g.xmf", "precious");
+  scene.folder.write("p.html", "<!DOCTYPE html>\nprecious");
+  scene.keeps("f.h5", "run d.ini --quiet --overwrite --output f.h5", foreign);
+  scene.keeps("g.xmf", "run d.ini --quiet --overwrite --output g.h5", foreign);
+  BOOST_REQUIRE(scene.ehl("run d.ini --quiet --output r.h5").status == 0);
+  BOOST_TEST(scene.ehl("run d.ini --quiet --overwrite --output r.h5").status == 0);
+  scene.keeps("p.html", "report r.h5 --overwrite --output p.html", foreign);
+}
+
+BOOST_AUTO_TEST_CASE(pictures_keep_what_is_none) {
+  const Scene scene;
+  BOOST_REQUIRE(scene.ehl("run d.ini --quiet --output r.h5").status == 0);
+  scene.folder.write("p.png", "precious");
+  scene.keeps("p.png", "plot r.h5 --figure centre_lines --output p.png", foreign);
+  support::shell(scene.folder, "ln r.h5 r.svg");
+  scene.keeps("r.h5", "plot r.h5 --figure centre_lines --output r.svg", read_by);
+}
+
+BOOST_AUTO_TEST_CASE(a_merge_keeps_its_parts_and_other_results) {
+  const Scene scene;
+  for (const char* part : {"1/2", "2/2"})
+    BOOST_REQUIRE(
+        scene.ehl(std::string("sweep d.ini --vary contact.M=20,30 --quiet --keep --output t.csv --shard ") + part)
+            .status == 0);
+  const std::string merge = "sweep --merge t.1of2.csv t.2of2.csv --output ";
+  scene.keeps("t.1of2.csv", merge + "t.1of2.csv --overwrite", read_by);
+  // The kept results of the whole would replace another file, which nobody asked for.
+  BOOST_REQUIRE(scene.ehl("run d.ini --quiet --output w.h5").status == 0);
+  scene.keeps("w.h5", merge + "w.csv --overwrite", foreign);
+  BOOST_TEST(scene.ehl(merge + "t.csv").status == 0);
+  scene.keeps("t.h5", "sweep --merge t.1of2.csv t.2of2.csv --output t.csv", "exists already");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
