@@ -27,16 +27,17 @@ Handle opened(const std::vector<std::byte>& image, const std::string& cannot) {
   const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, cannot);
   check(H5Pset_fapl_core(access, 1 << 20, false), cannot);
   check(H5Pset_file_image(access, const_cast<std::byte*>(image.data()), image.size()), cannot);
-  return checked(H5Fopen("result in memory", H5F_ACC_RDONLY, access), H5Fclose, cannot);
+  return checked(H5Fopen(name_in_memory, H5F_ACC_RDONLY, access), H5Fclose, cannot);
 }
 
 void fill(const std::string& name, const std::string& cannot, const std::vector<Member>& list,
           const std::function<Source(const Member&)>& source) {
   const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, cannot);
   check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V110), cannot);
-  const Handle file = checked(H5Fcreate(name.c_str(), H5F_ACC_EXCL, H5P_DEFAULT, access), H5Fclose, cannot);
+  const Handle root = creation(H5P_FILE_CREATE, cannot), plain = creation(H5P_GROUP_CREATE, cannot);
+  const Handle file = checked(H5Fcreate(name.c_str(), H5F_ACC_EXCL, root, access), H5Fclose, cannot);
   add_text_attribute(file, "format", collection_format, cannot);
-  const Handle cases = checked(H5Gcreate2(file, "/cases", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, cannot);
+  const Handle cases = checked(H5Gcreate2(file, "/cases", H5P_DEFAULT, plain, H5P_DEFAULT), H5Gclose, cannot);
   add_text_attribute(cases, "meaning", "the cases of a sweep, by number, each as a result file has it from its root",
                      cannot);
   for (const Member& one : list) {

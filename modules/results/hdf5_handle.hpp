@@ -67,6 +67,18 @@ inline Handle checked(hid_t id, Handle::Close close, const std::string& what) {
   return {id, close};
 }
 
+/// Properties of an object that is made, by the class of the object: without the times of making and changing it, so
+/// that the same content gives the same bytes at any time.
+inline Handle creation(hid_t object_class, const std::string& cannot) {
+  Handle properties = checked(H5Pcreate(object_class), H5Pclose, cannot);
+  if (H5Pset_obj_track_times(properties, false) < 0) throw core::FileError(cannot + ": " + library_reason());
+  return properties;
+}
+
+/// The name under which the library keeps a file in memory alone. Below a file nothing can lie: the library looks for a
+/// file of the name, and would read the whole of one that is there.
+constexpr char name_in_memory[] = "/dev/null/result in memory";
+
 /// A file opened for reading. errors: core::FileError: missing, a directory, no HDF5 file, truncated.
 Handle open_hdf5(const std::string& path);
 

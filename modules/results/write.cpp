@@ -44,12 +44,7 @@ void describe(const Writer& writer, hid_t object, const Entry& entry) {
   for (const auto& [name, text] : entry.attributes) add_text_attribute(object, name, text, writer.cannot(entry.path));
 }
 
-// Without the times of the objects, so that the same run gives the same file but for its date in /provenance.
-Handle creation(const Writer& writer) {
-  Handle properties = checked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, writer.cannot("a dataset"));
-  check(H5Pset_obj_track_times(properties, false), writer.cannot("a dataset"));
-  return properties;
-}
+Handle of_dataset(const Writer& writer) { return creation(H5P_DATASET_CREATE, writer.cannot("a dataset")); }
 
 Handle dataset(const Writer& writer, const std::string& name, hid_t type, hid_t space, hid_t properties) {
   return checked(H5Dcreate2(writer.file, name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose,
@@ -57,17 +52,19 @@ Handle dataset(const Writer& writer, const std::string& name, hid_t type, hid_t 
 }
 
 void group(const Writer& writer, const Entry& entry) {
-  const Handle made = entry.path == "/"
-                          ? checked(H5Gopen2(writer.file, "/", H5P_DEFAULT), H5Gclose, writer.cannot("/"))
-                          : checked(H5Gcreate2(writer.file, entry.path.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                                    H5Gclose, writer.cannot(entry.path));
+  const std::string cannot = writer.cannot(entry.path);
+  const Handle own = creation(H5P_GROUP_CREATE, cannot);
+  const Handle made =
+      entry.path == "/"
+          ? checked(H5Gopen2(writer.file, "/", H5P_DEFAULT), H5Gclose, cannot)
+          : checked(H5Gcreate2(writer.file, entry.path.c_str(), H5P_DEFAULT, own, H5P_DEFAULT), H5Gclose, cannot);
   describe(writer, made, entry);
 }
 
 void text(const Writer& writer, const Entry& entry) {
   const Handle type = text_type(entry.text, writer.cannot(entry.path));
   const Handle space = checked(H5Screate(H5S_SCALAR), H5Sclose, writer.cannot(entry.path));
-  const Handle made = dataset(writer, entry.path, type, space, creation(writer));
+  const Handle made = dataset(writer, entry.path, type, space, of_dataset(writer));
   check(H5Dwrite(made, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, entry.text.c_str()), writer.cannot(entry.path));
   describe(writer, made, entry);
 }
@@ -85,7 +82,7 @@ void numbers(const Writer& writer, const Entry& entry) {
   const int rank = static_cast<int>(dims.size());
   const Handle space =
       checked(rank == 0 ? H5Screate(H5S_SCALAR) : H5Screate_simple(rank, dims.data(), nullptr), H5Sclose, cannot);
-  const Handle made = dataset(writer, entry.path, stored_type(entry), space, creation(writer));
+  const Handle made = dataset(writer, entry.path, stored_type(entry), space, of_dataset(writer));
   const std::vector<double> of_field = entry.fields.empty() ? std::vector<double>{} : row_by_row(*entry.fields.front());
   const std::vector<double>& values = entry.fields.empty() ? entry.values : of_field;
   if (entry.whole) {
@@ -103,7 +100,7 @@ void series(const Writer& writer, const Entry& entry) {
   const std::vector<hsize_t> dims = lengths_of(entry);
   const hsize_t piece[] = {1, dims[1], dims[2]};
   constexpr unsigned fast = 1;
-  const Handle properties = creation(writer);
+  const Handle properties = of_dataset(writer);
   check(H5Pset_chunk(properties, 3, piece), cannot);
   check(H5Pset_shuffle(properties), cannot);
   check(H5Pset_deflate(properties, fast), cannot);
@@ -130,7 +127,7 @@ void planes(const Writer& writer, const std::string& group_name, const std::stri
   for (hsize_t k = 0; k < dims[0]; ++k) {
     const hsize_t start[] = {k, 0, 0};
     check(H5Sselect_hyperslab(all, H5S_SELECT_SET, start, nullptr, piece, nullptr), cannot);
-    const Handle view = creation(writer);
+    const Handle view = of_dataset(writer);
     check(H5Pset_virtual(view, plane, ".", entry.path.c_str(), all), cannot);
     describe(writer, dataset(writer, plane_name(group_name, name, k), stored_type(entry), plane, view), entry);
   }
@@ -170,7 +167,8 @@ std::vector<std::byte> image(const std::string& path, const Content& content) {
   // The format of HDF5 1.8 puts a checksum on all that describes the data, and every reader of today knows it; the
   // views of fields in time are of 1.10.
   check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V110), cannot);
-  const Handle file = checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, cannot);
+  const Handle root = creation(H5P_FILE_CREATE, cannot);
+  const Handle file = checked(H5Fcreate(name_in_memory, H5F_ACC_TRUNC, root, access), H5Fclose, cannot);
   everything({file, path}, content);
   check(H5Fflush(file, H5F_SCOPE_GLOBAL), cannot);
   // The memory of the driver itself: H5Fget_file_image clears a flag in its copy and forgets the checksum over it.

@@ -1,10 +1,15 @@
 #include <hdf5.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <ctime>
+#include <filesystem>
 #include <limits>
 
 #include "core/errors.hpp"
+#include "results/collection.hpp"
 #include "results/read.hpp"
 #include "results/write.hpp"
 #include "support/temporary_folder.hpp"
@@ -97,6 +102,53 @@ BOOST_AUTO_TEST_CASE(the_same_content_gives_the_same_bytes) {
   H5Fclose(file);
   BOOST_TEST(info.ctime == 0);  // no time of its own, which would differ a second later
   BOOST_TEST(folder.read("one.h5").size() < results::expected_bytes(example.grid, 1));
+}
+
+// Nor do the seconds of the clock enter through groups, the root or the file of a sweep's results.
+BOOST_AUTO_TEST_CASE(no_object_has_a_time) {
+  const support::TemporaryFolder folder;
+  const Example example;
+  results::write(folder / "r.h5", example.content, false);
+  const auto kept = [&](const std::string& path) {
+    results::write_collection(path, {{0, "contact.M=20"}, {1, "contact.M=50"}}, [&](const results::Member&) {
+      return results::Source{.image = results::image("r", example.content)};
+    });
+  };
+  kept(folder / "one.h5");
+  for (const char* name : {"r.h5", "one.h5"}) {
+    const hid_t file = H5Fopen((folder / name).c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+    const auto visit = [](hid_t, const char* path, const H5O_info_t* info, void*) -> herr_t {
+      BOOST_TEST((info->ctime == 0 && info->mtime == 0 && info->btime == 0), path);
+      return 0;
+    };
+    H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_NATIVE, visit, nullptr, H5O_INFO_TIME);
+    H5Fclose(file);
+  }
+  // In another second.
+  const std::time_t began = std::time(nullptr);
+  while (std::time(nullptr) == began) ::usleep(20000);
+  results::write(folder / "later.h5", example.content, false);
+  kept(folder / "two.h5");
+  BOOST_TEST((folder.read("r.h5") == folder.read("later.h5")));
+  BOOST_TEST((folder.read("one.h5") == folder.read("two.h5")));
+}
+
+// The file that is replaced is not read: it may be larger than the memory.
+BOOST_AUTO_TEST_CASE(the_old_file_is_not_read) {
+  const support::TemporaryFolder folder;
+  const Example example;
+  constexpr long large = 1L << 30;
+  std::filesystem::resize_file(folder.write("r.h5", "x"), large);
+  const auto most_kilobytes = [] {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;
+  };
+  const long before = most_kilobytes();
+  results::write(folder / "r.h5", example.content, true);
+  BOOST_TEST_MESSAGE(most_kilobytes() - before << " kB more for writing over a file of 1 GB");
+  BOOST_TEST(most_kilobytes() - before < 100000);
+  BOOST_TEST(results::ResultFile(folder / "r.h5").numbers("/summary/converged").values[0] == 1.0);
 }
 
 BOOST_AUTO_TEST_CASE(files_that_are_no_results) {
