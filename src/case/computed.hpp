@@ -71,6 +71,8 @@ struct HeatResult {
   heat::Solution found{};  ///< but for the film, which is the contact's
   double mu = 0.0;         ///< sliding friction over the load
   double mu_isothermal = 0.0;
+  bool unlikely = false, unlikely_isothermal = false;  ///< a stress that no oil carries (friction::unlikely)
+  std::vector<std::string> friction_warnings{};        ///< of mu
   double Hc_isothermal = 0.0, Hm_isothermal = 0.0;
 };
 

@@ -61,7 +61,7 @@ std::string summary(const Case& input, const Computed& computed) {
   text += fmt::format(
       "             on surface 1 {:.5g}, on surface 2 {:.5g} of the load along +x; cavitated region {:.2g}\n", f.on_1,
       f.on_2, f.cavitated);
-  if (f.beyond != 0.0 || f.rolling_beyond != 0.0)
+  if (f.counts_outside)
     text += fmt::format("             of these {:.3g} and {:.3g} from outside of the domain, {}\n", f.beyond,
                         f.rolling_beyond, reach_of(input));
   if (f.outer != 0.0)
@@ -138,8 +138,8 @@ std::vector<results::Quantity> friction_quantities(const friction::Friction& f) 
       {"mu_cavitated", f.cavitated, "-", "part of mu from the cavitated region"},
       {"largest_shear_stress", f.largest_stress, "p_h", "of sliding, in the pressurised film", "largest_stress"},
       {"limited_share", f.limited_share, "-", "share of the load where the limiting stress acts"}};
-  if (f.beyond != 0.0) list.push_back({"mu_beyond", f.beyond, "-", "part of mu from outside of the domain"});
-  if (f.rolling_beyond != 0.0)
+  if (f.counts_outside) list.push_back({"mu_beyond", f.beyond, "-", "part of mu from outside of the domain"});
+  if (f.counts_outside)
     list.push_back({f.line ? "mu_upstream" : "mu_rolling_beyond", f.rolling_beyond, "-",
                     f.line ? "part of mu_rolling from upstream of the domain"
                            : "part of mu_rolling from outside of the domain, up to the meniscus"});

@@ -81,6 +81,7 @@ Stresses stresses_of(const subsurface::StressField& field) {
 
 Stresses coarser_stresses(const Case& input, const steady::Solution& coarser, const subsurface::StressField& finer) {
   subsurface::Parameters parameters = *input.subsurface;
+  parameters.friction = finer.parameters.friction;
   parameters.most_cells = finer.grid.nx / 2;
   parameters.kept = {subsurface::sigma_mises};
   return stresses_of(subsurface::stress_below(coarser.grid, coarser.P, parameters, input.scene.threads));

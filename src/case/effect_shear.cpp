@@ -47,19 +47,21 @@ std::vector<results::Quantity> quantities(const HeatResult& flow) {
           {"error_mu", flow.found.error_mu, "-", "estimated relative discretization error of mu"}};
 }
 
-std::string summary(const Case&, const Computed& computed) {
+std::string summary(const Case& input, const Computed& computed) {
   if (!computed.flow) return "";
   const HeatResult& flow = *computed.flow;
   const heat::Row& row = flow.found.rows.back();
   return fmt::format("shear        thinned by the pressure's flow too: Hc {:+.2g} %, Hm {:+.2g} % in {} passes{}\n",
                      100.0 * (row.Hc / flow.Hc_isothermal - 1.0), 100.0 * (row.Hm / flow.Hm_isothermal - 1.0),
-                     row.passes, computed.solution.converged ? "" : "  (NOT CONVERGED)");
+                     row.passes, computed.solution.converged ? "" : "  (NOT CONVERGED)") +
+         (input.friction ? "" : warning_lines(flow.friction_warnings));
 }
 
-Json json(const Case&, const Computed& computed) {
+Json json(const Case& input, const Computed& computed) {
   if (!computed.flow) return nullptr;
   Json report;
   add(quantities(*computed.flow), report);
+  if (!input.friction) report["warnings"] = computed.flow->friction_warnings;
   report["seconds"] = computed.flow->found.seconds;
   return report;
 }

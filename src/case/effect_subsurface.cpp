@@ -22,8 +22,15 @@ std::string nodes(const core::Grid& grid, std::size_t planes) {
   return fmt::format("{} x {} nodes on {} planes to depth ", grid.nodes_x(), grid.nodes_y(), planes);
 }
 
-std::string body(const Parameters& parameters) {
-  return fmt::format("Poisson's ratio {:.4g}, friction {:.4g}", parameters.nu, parameters.friction);
+// Whether the traction is the one that [friction] computes.
+bool computes_friction(const Case& input) { return std::isnan(input.subsurface->friction); }
+
+std::string body(const Case& input, const Parameters& parameters) {
+  const char* from = !computes_friction(input) ? "" : " of surface 1, by [friction]";
+  std::string traction = fmt::format("friction {:.4g}{}", parameters.friction, from);
+  if (std::isnan(parameters.friction)) traction = std::string("friction") + from;
+  if (parameters.friction == 0.0) traction = "frictionless";
+  return fmt::format("Poisson's ratio {:.4g}, ", parameters.nu) + traction;
 }
 
 // Without the signs of zeros that rounding leaves.
@@ -65,7 +72,8 @@ void read(Case& input) {
   if (!deck::given(deck, "subsurface", "depth")) return;
   if (deck::given(deck, "transient", "end_time"))
     deck::complain(deck, "subsurface", "depth", "is for steady contacts: remove it, or [transient]");
-  input.subsurface = subsurface::read(deck, deck::number(deck, "contact", "nu1"));
+  input.subsurface =
+      subsurface::read(deck, deck::number(deck, "contact", "nu1"), deck::given(deck, "friction", "cavitated"));
 }
 
 Needs expense(const Case& input) {
@@ -76,9 +84,12 @@ Needs expense(const Case& input) {
 
 void compute(const Case& input, RunSettings& settings, Computed& computed) {
   const steady::Solution& solution = computed.solution;
-  const int planes = input.subsurface->planes;
+  Parameters parameters = *input.subsurface;
+  if (computes_friction(input))
+    parameters.friction = friction_of(input, solution, fields_of_film(computed.heat, computed.flow)).on_1;
+  const int planes = parameters.planes;
   computed.stresses =
-      subsurface::stress_below(solution.grid, solution.P, *input.subsurface, input.scene.threads, [&](int done) {
+      subsurface::stress_below(solution.grid, solution.P, parameters, input.scene.threads, [&](int done) {
         return settings.progress.show(static_cast<double>(done) / planes,
                                       fmt::format("stresses below the contact: {} of {} planes", done, planes));
       });
@@ -87,7 +98,7 @@ void compute(const Case& input, RunSettings& settings, Computed& computed) {
 std::string what(const Case& input) {
   const Parameters& parameters = *input.subsurface;
   return nodes(subsurface::stress_grid(input.scene.grid, parameters), static_cast<std::size_t>(parameters.planes)) +
-         fmt::format("{:.4g} a; ", parameters.depth) + body(parameters);
+         fmt::format("{:.4g} a; ", parameters.depth) + body(input, parameters);
 }
 
 std::string summary(const Case& input, const Computed& computed) {
@@ -96,7 +107,7 @@ std::string summary(const Case& input, const Computed& computed) {
   return maximum_line("von Mises   ", field.mises, input.physics, mark) +
          maximum_line("tau_max     ", field.shear, input.physics, mark) + "subsurface   " +
          nodes(field.grid, field.depths.size()) + fmt::format("{:.4g} a; ", field.depths.back()) +
-         body(field.parameters) + fmt::format("; {:.3f} s\n", field.seconds) + warning_lines(field.warnings);
+         body(input, field.parameters) + fmt::format("; {:.3f} s\n", field.seconds) + warning_lines(field.warnings);
 }
 
 Json json(const Case& input, const Computed& computed) {

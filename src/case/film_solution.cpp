@@ -37,6 +37,13 @@ steady::Solution flooded_with_heat(steady::Scene scene, const thermal::Setup& se
   return heat::solve(scene, setup, cold, fmg::part_of(progress, share_of_isothermal, 1.0)).film;
 }
 
+void take_friction(const Case& input, const steady::Solution& film, HeatResult& result) {
+  const friction::Friction friction = friction_of(input, film, &result.found.fields);
+  result.mu = friction.sliding;
+  result.unlikely = friction::unlikely(friction);
+  result.friction_warnings = friction::warnings(friction);
+}
+
 // The isothermal film, then with heat; the isothermal one alone where there is none.
 FilmSolution solve_in_turn(const Case& input, const steady::Scene& scene, const steady::ProgressCallback& progress) {
   FilmSolution solution{.film = steady::solve(scene, fmg::part_of(progress, 0.0, share_of_isothermal))};
@@ -45,13 +52,15 @@ FilmSolution solve_in_turn(const Case& input, const steady::Scene& scene, const 
   HeatResult result;
   result.Hc_isothermal = before.levels.back().Hc;
   result.Hm_isothermal = before.levels.back().Hm;
-  result.mu_isothermal = friction_of(input, before, nullptr).sliding;
+  const friction::Friction isothermal_friction = friction_of(input, before, nullptr);
+  result.mu_isothermal = isothermal_friction.sliding;
+  result.unlikely_isothermal = friction::unlikely(isothermal_friction);
   result.found = heat::solve(scene, setup_of(input), before, fmg::part_of(progress, share_of_isothermal, 1.0));
   const std::optional<steady::Starvation> isothermal = before.starvation;
   solution.film = std::move(result.found.film);
   solution.film.starvation = isothermal;
   result.found.film = {};
-  result.mu = friction_of(input, solution.film, &result.found.fields).sliding;
+  take_friction(input, solution.film, result);
   (input.heat ? solution.heat : solution.flow) = std::move(result);
   return solution;
 }
@@ -79,7 +88,7 @@ FilmSolution solve_passes(const Case& input, const steady::Scene& scene, const s
     steady::Solution film = std::move(result.found.film);
     went_on = film.converged;
     if (!went_on) return {};
-    result.mu = friction_of(input, film, &result.found.fields).sliding;
+    take_friction(input, film, result);
     last.heat = std::move(result);
     return film;
   };

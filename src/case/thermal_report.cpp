@@ -53,7 +53,8 @@ std::vector<results::Quantity> thermal_quantities(const Case& input, const HeatR
   const std::string watt = unit_of_heat(input.scene.grid.line);
   std::vector<results::Quantity> list{
       {"mu", heat.mu, "-", "sliding friction over the load, with heat", "", "error_mu"},
-      {"mu_isothermal", heat.mu_isothermal, "-", "the same of the isothermal contact"},
+      {"mu_isothermal", heat.mu_isothermal, "-",
+       std::string("the same of the isothermal contact") + (heat.unlikely_isothermal ? "; no oil carries it" : "")},
       {"error_mu", found.error_mu, "-", "estimated relative discretization error of mu"}};
   add_place("T_film_max", "film", found.in_film, in.T0, list);
   add_place("T1_max", "surface 1", found.on_1, in.T0, list);
@@ -101,6 +102,14 @@ std::vector<std::string> thermal_warnings(const Case& input, const HeatResult& h
   const HeatInput& in = *input.heat;
   const heat::Solution& found = heat.found;
   std::vector<std::string> list;
+  if (!input.friction) list = heat.friction_warnings;  // or the friction has it
+  if (heat.unlikely_isothermal)
+    list.push_back(
+        fmt::format("thermal: mu_isothermal = {:.4g} belongs to shear stresses that no lubricant carries: it says "
+                    "nothing of friction without heat; {}",
+                    heat.mu_isothermal,
+                    input.scene.thinning ? "check the shear law, or give [friction] limit"
+                                         : "give [shear] law, or [friction] limit"));
   const double hottest = in.T0 * (1.0 + found.in_film.theta) - rheology::zero_celsius;
   if (hottest > rheology::hottest_oil)
     list.push_back(
@@ -137,10 +146,11 @@ std::string thermal_summary(const Case& input, const Computed& computed) {
   const HeatInput& in = *input.heat;
   const thermal::InletGroups inlet = inlet_groups(input);
   const char* mark = computed.solution.converged ? "" : "  (NOT CONVERGED)";
+  constexpr const char* no_oil = " (no oil carries it)";
   std::string text =
-      fmt::format("thermal      mu = {:.5g}{}, isothermal {:.5g}{}\n", heat.mu,
+      fmt::format("thermal      mu = {:.5g}{}{}, isothermal {:.5g}{}{}\n", heat.mu,
                   std::isfinite(found.error_mu) && heat.mu != 0.0 ? " +- " + percent(found.error_mu) : "",
-                  heat.mu_isothermal, mark);
+                  heat.unlikely ? no_oil : "", heat.mu_isothermal, heat.unlikely_isothermal ? no_oil : "", mark);
   text += "             above T_oil: " + hottest_text(input, "film", found.in_film) +
           fmt::format(", mean {:.2f} K, inlet {:.2f} K{}\n", in.T0 * found.mean, in.T0 * found.inlet, mark);
   text += "             " + hottest_text(input, "surface 1", found.on_1) + "; " +

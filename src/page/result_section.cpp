@@ -25,7 +25,7 @@ std::vector<std::string> compared_cells(const ResultView& view) {
   const bool best = view.has("/summary/Hc_best");
   return {plain(view.value("/scales/M"), ""),
           plain(view.value("/scales/L"), ""),
-          plain(view.value("/scales/load"), view.line ? "N/m" : "N"),
+          plain(view.value("/scales/load"), view.number("/scales/load").unit),
           plain(0.5 * view.value("/scales/u_s"), "m/s"),
           best ? compared_film(view, "/summary/Hc_best", "/summary/error_Hc_best")
                : compared_film(view, "/summary/Hc", "/summary/total_error_Hc"),
@@ -43,7 +43,8 @@ std::string contact_words(const ResultView& view) {
   const auto number = [&](const char* name) { return view.value(std::string("/scales/") + name); };
   std::string text;
   const auto add = [&](const std::string& words) { text += (text.empty() ? "" : " · ") + words; };
-  if (std::isfinite(number("load"))) add(fmt::format("load {:.4g} {}", number("load"), view.line ? "N/m" : "N"));
+  if (std::isfinite(number("load")))
+    add(fmt::format("load {:.4g} {}", number("load"), view.number("/scales/load").unit));
   if (std::isfinite(number("R"))) add(fmt::format("R = {:.4g} mm", 1e3 * number("R")));
   if (std::isfinite(number("u_s"))) add("u_m = " + fmt::format("{:.4g} m/s", 0.5 * number("u_s")));
   if (view.source.si && std::isfinite(number("p_h")))

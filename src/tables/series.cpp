@@ -1,5 +1,6 @@
 #include "tables/series.hpp"
 
+#include <cmath>
 #include <map>
 
 namespace ehl::program {
@@ -49,7 +50,7 @@ double error_bar(const SweepData& table, std::size_t row, const std::string& y) 
   const std::string absolute = y.ends_with("_nm") ? y.substr(0, y.size() - 3) + "_error_nm" : "";
   if (table.has(absolute)) return table.number(row, absolute);
   const std::string relative = "error_" + y;
-  return table.has(relative) ? table.number(row, relative) * table.number(row, y) : 0.0;
+  return table.has(relative) ? table.number(row, relative) * std::abs(table.number(row, y)) : 0.0;
 }
 
 }  // namespace ehl::program

@@ -111,8 +111,8 @@ BOOST_AUTO_TEST_CASE(the_limits_of_moes) {
 }
 
 // T = (1/2) integral of H dP/dX, X from -infinity on.
-double rolling_force(double M, double L, double X_a, int cells) {
-  const steady::Scene scene = line_scene(M, L, Oil::roelands, cells, X_a);
+double rolling_force(double M, double L, Oil oil, double X_a, int cells) {
+  const steady::Scene scene = line_scene(M, L, oil, cells, X_a);
   const steady::Solution solution = steady::solve(scene);
   BOOST_TEST(solution.converged, solution.failed_check);
   const core::Location highest = core::maximum(solution.P);
@@ -140,12 +140,24 @@ double rolling_force(double M, double L, double X_a, int cells) {
 // without what lies upstream the two differ by 6 to 18 %.
 BOOST_AUTO_TEST_CASE(the_rolling_force_is_that_of_biboulet_and_houpert) {
   for (const auto& [M, L] : {std::pair{5.0, 5.0}, {20.0, 5.0}, {50.0, 10.0}}) {
-    const double T = rolling_force(M, L, -4.5, 1024) * std::pow(M, 1.5);
-    const double further = rolling_force(M, L, -18.0, 4096) * std::pow(M, 1.5);
+    const double T = rolling_force(M, L, Oil::roelands, -4.5, 1024) * std::pow(M, 1.5);
+    const double further = rolling_force(M, L, Oil::roelands, -18.0, 4096) * std::pow(M, 1.5);
     BOOST_TEST_MESSAGE("T M^1.5 at (" << M << ", " << L << "): " << T << ", published 1.45; from X = -18 " << further);
     BOOST_TEST(std::abs(T / 1.45 - 1.0) < 0.2);
     BOOST_TEST(std::abs(T / further - 1.0) < 3e-3);
   }
+}
+
+// Light loads, equation (42) of part 1 of the same authors, Barus' oil: over the load inside of the domain these were
+// above it by a few per cent for that alone.
+BOOST_AUTO_TEST_CASE(the_rolling_force_of_light_lines_is_that_of_biboulet_and_houpert) {
+  for (const auto& [M, published] : {std::pair{0.2, 0.626}, {0.5, 0.988}, {1.0, 1.327}})
+    for (const double L : {4.0, 8.0, 12.0, 16.0}) {
+      const double T = rolling_force(M, L, Oil::barus, -12.0 / M, 2048) * std::pow(M, 1.5);
+      BOOST_TEST_MESSAGE("T M^1.5 at (" << M << ", " << L << "): " << T << ", published " << published << ", "
+                                        << T / published - 1.0 << " off (tolerance 0.05)");
+      BOOST_TEST(std::abs(T / published - 1.0) < 0.05);
+    }
 }
 
 // Of 48 at most one may miss. By the weights of coarse grids one of six did, with no share of the level below two.

@@ -64,7 +64,8 @@ BOOST_AUTO_TEST_CASE(traction_curves) {
   BOOST_TEST(std::abs(slope(free, 0) - 1.0) < 1e-3);
   BOOST_TEST((slope(free, 2) > 0.1 && slope(free, 2) < 0.25));
   BOOST_TEST(free.Hc[3] < free.Hc[0]);
-  BOOST_REQUIRE(scene.ehl(sweep + "--set friction.limit=0.02").status == 0);
+  // Without the cavitated region, whose stress no limit holds.
+  BOOST_REQUIRE(scene.ehl(sweep + "--set friction.limit=0.02 --set friction.cavitated=none").status == 0);
   const Curve limited = curve_of(scene.folder.read("d_sweep.csv"));
   BOOST_TEST_MESSAGE("with a limit of 0.02: mu " << limited.mu[3] << ", slope " << slope(limited, 2));
   BOOST_TEST((limited.mu[3] < 0.02 && limited.mu[3] > 0.018));

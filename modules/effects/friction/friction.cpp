@@ -67,7 +67,10 @@ double side_force(const Film& film, double slope) {
 Friction friction_of(const Film& film, const Parameters& parameters) {
   const double began = core::now();
   const core::Grid& grid = film.grid;
-  Friction result{.parameters = parameters, .thinned = film.thinning.has_value(), .line = grid.line};
+  Friction result{.parameters = parameters,
+                  .thinned = film.thinning.has_value(),
+                  .line = grid.line,
+                  .counts_outside = film.outside != nullptr};
   if (parameters.keep_tau1) result.tau1 = core::Field(grid);
   if (parameters.keep_tau2) result.tau2 = core::Field(grid);
   const auto nodes = static_cast<std::size_t>(grid.nodes_y());

@@ -69,6 +69,7 @@ struct Friction {
   Parameters parameters;
   bool thinned = false;                                    ///< by a shear law
   bool line = false;                                       ///< forces per length
+  bool counts_outside = false;                             ///< something is known of what is outside of the domain
   double sliding = 0.0;                                    ///< integral of tau_m; > 0 where surface 1 is the faster one
   double rolling = 0.0;                                    ///< integral of (h/2) dp/dx; it holds back both surfaces
   double on_1 = 0.0;                                       ///< force on surface 1 along +x: -(sliding + rolling)

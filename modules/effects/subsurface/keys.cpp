@@ -52,10 +52,12 @@ std::vector<deck::Key> keys() {
         .meaning = "Poisson's ratio of the body whose stresses are computed.",
         .example = "0.3"},
        {.name = "friction",
-        .default_text = deck::shortest(defaults.friction),
+        .default_note = "with [friction] the force on surface 1 over the load, as computed; else 0, frictionless",
         .range = {-10.0, 10.0},
         .meaning = "Shear traction on the surface of the body over the pressure, positive along +x: stresses belong to "
-                   "pressure and this traction."},
+                   "pressure and this traction.",
+        .source = "modules/effects/subsurface/README.md",
+        .example = "-0.05"},
        {.name = "fields",
         .type = Type::words,
         .default_text = "sigma_mises, tau_max",
@@ -64,12 +66,13 @@ std::vector<deck::Key> keys() {
                    "components. The section at y = 0 has them all."}});
 }
 
-Parameters read(deck::Deck& deck, double nu1) {
+Parameters read(deck::Deck& deck, double nu1, bool friction_is_computed) {
   const deck::Part subsurface{deck, "subsurface"};
   Parameters parameters;
   parameters.depth = subsurface.number("depth");
   parameters.planes = subsurface.integer("planes", parameters.planes);
   parameters.most_cells = subsurface.integer("cells", parameters.most_cells);
+  if (!friction_is_computed) subsurface.follow("friction", 0.0, "frictionless, without [friction]");
   parameters.friction = subsurface.number("friction");
   const bool known = !std::isnan(nu1);
   subsurface.follow("poisson", known ? nu1 : parameters.nu, known ? "nu1 of [contact]" : "of steel");

@@ -23,7 +23,7 @@ struct Parameters {
   int planes = 41;        ///< surface and lowest included
   int most_cells = 128;   ///< along x
   double nu = 0.3;        ///< Poisson's ratio of the body
-  double friction = 0.0;  ///< shear traction on the body's surface along +x, over the pressure
+  double friction = 0.0;  ///< shear traction on the body's surface along +x, over the pressure; NaN: to be computed
   std::vector<Quantity> kept = {sigma_mises, tau_max};
 };
 
