@@ -60,6 +60,19 @@ BOOST_AUTO_TEST_CASE(heat_goes_where_it_is_told) {
   BOOST_TEST(support::contains(text.out, " W/m made"), text.out);
 }
 
+// Rolling friction of a hot inlet wherever the domain begins: what is upstream of it is hot as well. The tolerances are
+// a third of what an isothermal part upstream makes of them.
+BOOST_AUTO_TEST_CASE(rolling_friction_of_a_hot_inlet_does_not_depend_on_the_domain) {
+  const Scene scene(line + "[motion]\nu_m = 20\n[lubricant]\neta0 = 0.05\nalpha = 1.8e-8\n" + heat +
+                    "[friction]\ncavitated = none\n");
+  const auto rolling = [&](const char* domain) {
+    return number_at(scene.run(std::string("--set domain.x_outlet=1.5 ") + domain), "/friction/mu_rolling");
+  };
+  const double far = rolling("--set domain.x_inlet=-18 --set grid.cells=2048");
+  check_close("from -2.5", rolling("--set domain.x_inlet=-2.5 --set grid.cells=512"), far, 0.04);
+  check_close("from -4.5", rolling("--set domain.x_inlet=-4.5 --set grid.cells=512"), far, 0.015);
+}
+
 // The isothermal contact beside it is that of the deck without [thermal], to the bit.
 BOOST_AUTO_TEST_CASE(the_isothermal_contact_is_the_same) {
   const Scene hot, cold(line + motion + oil + shear + grid + "[friction]\ncavitated = none\n");

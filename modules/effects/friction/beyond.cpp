@@ -23,6 +23,10 @@ std::vector<std::pair<double, double>> gauss_points() {
   return rule;
 }
 
+/// Heat falls upstream about as 1/X^2. The speed of a far field is the one that gives the pressure at the first node,
+/// in which this share of the heat's effect at that node counts: int u^2 u^2 du over int u^2 du.
+constexpr double share_upstream = 0.6;
+
 double oil_fluidity(const Film& film, double P) {
   double fluidity = 1.0;
   rheology::fluidity(film.viscosity, {&P, 1}, {&fluidity, 1});
@@ -46,6 +50,7 @@ Beyond beyond_line(const Film& film, const Parameters& parameters, double film_a
   static const auto rule = gauss_points<20>();
   const core::Grid& grid = film.grid;
   const Outside& outside = *film.outside;
+  const double slower = std::log(outside.state.speed);
   const double warm_inlet = film.I0 ? std::log((*film.I0)(0, 1)) : 0.0;
   const double warm_outlet = film.I0 ? (*film.I0)(grid.nx, 1) : 1.0;
   Beyond sum;
@@ -62,9 +67,8 @@ Beyond beyond_line(const Film& film, const Parameters& parameters, double film_a
   integrate(0, [&](double X, double H, double u, double weight) {
     const double P = outside.field.P(outside.field.at(X, 0.0), H, outside.state);
     sum.sliding += weight * sliding_stress(film, parameters, P, H, std::exp(warm_inlet * u * u));
-    const double eta_bar = 1.0 / oil_fluidity(film, P);
-    sum.rolling += weight * 0.5 * parameters.slope * film.lambda * outside.state.speed * eta_bar *
-                   (H - outside.state.flow) / (H * H);
+    const double eta_bar = 1.0 / oil_fluidity(film, P), speed = std::exp(slower * u * u / share_upstream);
+    sum.rolling += weight * 0.5 * parameters.slope * film.lambda * speed * eta_bar * (H - outside.state.flow) / (H * H);
   });
   integrate(grid.nx, [&](double, double H, double, double weight) {
     sum.cavitated +=
