@@ -9,8 +9,10 @@ load here."/result.gp"
 set datafile columnheaders
 stats table("levels") using "nx" nooutput prefix "N"
 stats table("levels") using "Hm" nooutput prefix "M"
+# Older files called the error of the mesh an error.
+bar = system(read."/levels | grep -c mesh_error_Hc") eq "0" ? "error_" : "mesh_error_"
 # A film below zero has infinite errors.
-estimates = int(system(read."/levels/error_Hc | sed '/^#/d' | grep -vcE 'nan|inf'"))
+estimates = int(system(read."/levels/".bar."Hc | sed '/^#/d' | grep -vcE 'nan|inf'"))
 high = 80 * stretch + m(top)
 half = (high - m(top + 19)) / 2
 eval page
@@ -38,6 +40,6 @@ if (estimates == 0) {
   set yrange [0.01:100]
   set label 1 (N_records > 1 ? "no estimate" : "no estimate: a single level") at graph 0.5, graph 0.5 center
 }
-plot table("levels") using "nx":(100 * abs(column("error_Hc"))) with linespoints lw 1 pt 7 ps 1 lc rgb blue, \
-     table("levels") using "nx":(100 * abs(column("error_Hm"))) with linespoints lw 1 pt 5 ps 1 lc rgb red
+plot table("levels") using "nx":(100 * abs(column(bar."Hc"))) with linespoints lw 1 pt 7 ps 1 lc rgb blue, \
+     table("levels") using "nx":(100 * abs(column(bar."Hm"))) with linespoints lw 1 pt 5 ps 1 lc rgb red
 unset multiplot

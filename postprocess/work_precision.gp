@@ -11,12 +11,13 @@ load here."/common.gp"
 
 said(key) = system(sprintf("sed -n 's/^# %s: //p' '%s' | head -n 1", key, file))
 if (said("reference Hc") eq "") exit error file.": this is no table of 'ehl study'"
+# Older tables called a deviation from the reference an error.
 # The rows with a film that can be looked at, as "wedge,seconds,error of Hc, of Hm, nodes": errors in per cent, not below
 # that of the reference.
 limit(name) = 100.0 * real(said("reference error ".name))
-rows = sprintf("awk -F, -v OFS=, '/^#/ {next} !(\"nx\" in at) {for (k = 1; k <= NF; ++k) at[$k] = k; next} \
+rows = sprintf("awk -F, -v OFS=, '/^#/ {next} !(\"nx\" in at) {for (k = 1; k <= NF; ++k) {sub(/^error_/, \"deviation_\", $k); at[$k] = k}; next} \
 function low(e, least) {return e > least ? e : least} $at[\"status\"] == \"converged\" || $at[\"status\"] == \"stopped\" \
-{print $at[\"wedge\"], $at[\"seconds\"], low(100 * $at[\"error_Hc\"], %.9g), low(100 * $at[\"error_Hm\"], %.9g), \
+{print $at[\"wedge\"], $at[\"seconds\"], low(100 * $at[\"deviation_Hc\"], %.9g), low(100 * $at[\"deviation_Hm\"], %.9g), \
 ($at[\"nx\"] + 1) * ($at[\"ny\"] + 1)}' '%s'", limit("Hc"), limit("Hm"), file)
 wedges = system(rows." | awk -F, '!seen[$1]++ {printf \"%s \", $1}'")
 of(w) = "< ".rows." | awk -F, '$1 == \"".w."\"'"

@@ -63,6 +63,7 @@ std::vector<std::vector<double>> friction_of_all(const Task& task, const std::ve
   std::iota(tasks.begin(), tasks.end(), std::size_t{0});
   Progress progress(task.quiet);
   std::size_t done = 0;
+  std::size_t first_without = tasks.size();  // by number, not the first or last to end: the message is always the same
   ChildrenCalls calls;
   calls.stop = stop_requested;
   calls.task = [&](std::size_t k, const Say& say) {
@@ -75,11 +76,13 @@ std::vector<std::vector<double>> friction_of_all(const Task& task, const std::ve
   calls.ended = [&](const ChildEnd& end) {
     ++done;
     const deck::ReadNumber read = deck::read_number(end.complete ? end.text : "");
-    if (read.status == deck::ReadNumber::Status::number)
+    if (read.status == deck::ReadNumber::Status::number) {
       mu[end.task / points][end.task % points] = read.value;
-    else
+    } else if (end.task < first_without) {
+      first_without = end.task;
       reason =
           fmt::format("srr = {:.6g}: {}", task.points[end.task % points].srr, end.complete ? end.text : end.reason);
+    }
   };
   const bool finished = run_in_children(tasks, task.at_once, calls);
   progress.clear();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -36,6 +37,40 @@ std::string summary(const SweepTable& table, std::size_t cases, std::size_t kept
   text += "status       ";
   for (const char* status : {"converged", "not-converged", "refused", "failed"})
     text += fmt::format("{} {}{}", table.count(status), status, status == std::string("failed") ? "\n" : ", ");
+  return text;
+}
+
+// What the error bars of the cases that converged are worth; empty where all are below 10 %.
+std::string summary_of_bars(const SweepTable& table, const std::vector<std::size_t>& own,
+                            const std::function<std::string(std::size_t)>& name_of) {
+  constexpr double large = 0.1, hardly_an_error = 1.0;
+  std::size_t converged = 0, none = 0, poor = 0, useless = 0, worst = 0;
+  double largest = 0.0;
+  for (const std::size_t index : own) {
+    if (!table.has_status(index, "converged")) continue;
+    ++converged;
+    const deck::ReadNumber of_Hc = deck::read_number(table.cell(index, "error_Hc"));
+    const deck::ReadNumber of_Hm = deck::read_number(table.cell(index, "error_Hm"));
+    const auto known = deck::ReadNumber::Status::number;
+    if (of_Hc.status != known || of_Hm.status != known) {
+      ++none;
+      continue;
+    }
+    const double error = std::max(of_Hc.value, of_Hm.value);
+    poor += error >= large ? 1 : 0;
+    useless += error >= hardly_an_error ? 1 : 0;
+    if (error <= largest) continue;
+    largest = error;
+    worst = index;
+  }
+  std::string text;
+  if (poor > 0)
+    text = fmt::format(
+        "error bars   10 % or more in Hc or Hm: {} of the {} converged cases; 100 % or more: {}; the largest is {:.0f} "
+        "% "
+        "({}): use more cells there\n",
+        poor, converged, useless, 100.0 * largest, name_of(worst));
+  if (none > 0) text += fmt::format("error bars   unknown for {} of the {} converged cases\n", none, converged);
   return text;
 }
 
@@ -145,7 +180,6 @@ int sweep(const Arguments& arguments) {
   const std::size_t cases = own.size();
   Progress progress(arguments.has("quiet"));
   std::size_t done = 0;
-  std::string first_refused;
   const SweepRow nothing_known = sweep_row(header.kind);
   ChildrenCalls calls;
   calls.stop = stop_requested;
@@ -166,9 +200,7 @@ int sweep(const Arguments& arguments) {
     const std::string row = text.substr(0, text.find('\n'));
     if (row.size() < text.size()) kept->append(name_of(end.task), text.substr(row.size() + 1));
     table.append(end.task, row);
-    const std::vector<std::string> cells = csv_cells(row, nothing_known.size());
-    if (first_refused.empty() && cells[0] == "refused") first_refused = name_of(end.task) + ": " + cells.back();
-    progress.count(++done, missing.size(), name_of(end.task) + "  " + cells[0]);
+    progress.count(++done, missing.size(), name_of(end.task) + "  " + row.substr(0, row.find(',')));
   };
   const bool finished = run_in_children(missing, at_once, calls);
   progress.clear();
@@ -183,9 +215,13 @@ int sweep(const Arguments& arguments) {
     for (const std::size_t index : own) named.emplace_back(index, name_of(index));
     kept->finish(named);
   }
-  print(summary(table, cases, cases - missing.size(), core::now() - began) + "table        " + path + "\n" +
-        (kept ? "results      " + kept->path() + "\n" : ""));
-  if (!first_refused.empty()) std::fprintf(stderr, "ehl: refused, the first one: %s\n", first_refused.c_str());
+  print(summary(table, cases, cases - missing.size(), core::now() - began) + summary_of_bars(table, own, name_of) +
+        "table        " + path + "\n" + (kept ? "results      " + kept->path() + "\n" : ""));
+  // By number, not the first to end: the message is the same each time.
+  const auto refused = std::ranges::find_if(own, [&](std::size_t index) { return table.has_status(index, "refused"); });
+  if (refused != own.end())
+    std::fprintf(stderr, "ehl: refused, the first one: %s: %s\n", name_of(*refused).c_str(),
+                 table.cell(*refused, "reason").c_str());
   if (table.count("refused") == cases) return wrong_input;
   return table.count("converged") == cases ? solved : not_converged;
 }

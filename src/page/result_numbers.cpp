@@ -20,12 +20,12 @@ struct Shown {
 const std::vector<Shown>& shown_numbers() {
   static const std::vector<Shown> all{
       {"/summary/Hc_best", "/summary/error_Hc_best", "central film h_c"},
-      {"/summary/Hc", "/summary/total_error_Hc", "central film, on this mesh"},
+      {"/summary/Hc", "/summary/error_Hc", "central film, on this mesh"},
       {"/summary/Hm_best", "/summary/error_Hm_best", "smallest film h_m"},
-      {"/summary/Hm", "/summary/total_error_Hm", "smallest film, of the nodes"},
+      {"/summary/Hm", "/summary/error_Hm", "smallest film, of the nodes"},
       {"/summary/P_max", "/summary/error_P_max", "highest pressure p_{max}"},
-      {"/summary/Hc_moes", "/summary/total_error_Hc", "central film in Moes units", "h/R (2U)^{-1/2}"},
-      {"/summary/Hm_moes", "/summary/total_error_Hm", "smallest film in Moes units"},
+      {"/summary/Hc_moes", "/summary/error_Hc", "central film in Moes units", "h/R (2U)^{-1/2}"},
+      {"/summary/Hm_moes", "/summary/error_Hm", "smallest film in Moes units"},
       {"/summary/lambda_ratio", "", "lambda ratio h_m/S_q"},
       {"/summary/mu", "/summary/error_mu", "friction coefficient μ"},
       {"/summary/mu_isothermal", "", "the same, isothermal"},

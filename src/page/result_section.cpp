@@ -28,9 +28,9 @@ std::vector<std::string> compared_cells(const ResultView& view) {
           plain(view.value("/scales/load"), view.number("/scales/load").unit),
           plain(0.5 * view.value("/scales/u_s"), "m/s"),
           best ? compared_film(view, "/summary/Hc_best", "/summary/error_Hc_best")
-               : compared_film(view, "/summary/Hc", "/summary/total_error_Hc"),
+               : compared_film(view, "/summary/Hc", "/summary/error_Hc"),
           best ? compared_film(view, "/summary/Hm_best", "/summary/error_Hm_best")
-               : compared_film(view, "/summary/Hm", "/summary/total_error_Hm"),
+               : compared_film(view, "/summary/Hm", "/summary/error_Hm"),
           grows && view.converged ? digits(view.value("/summary/P_max"), std::nan("")) + " " +
                                         with_indices(unit_words(view.number("/summary/P_max").unit)) + " of this mesh"
                                   : compared_film(view, "/summary/P_max", "/summary/error_P_max"),

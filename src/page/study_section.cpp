@@ -43,7 +43,7 @@ double reference_error(const SweepData& table, const std::string& name) {
 
 // "0.12 %", "< 0.006 %" below what the reference can tell.
 std::string error_words(const SweepData& table, std::size_t row, const std::string& name) {
-  const double error = table.number(row, "error_" + name), known_to = reference_error(table, name);
+  const double error = table.number(row, "deviation_" + name), known_to = reference_error(table, name);
   if (!std::isfinite(error)) return "–";
   return error < known_to ? fmt::format("&lt; {:.2g} %", 100.0 * known_to) : fmt::format("{:.2g} %", 100.0 * error);
 }
@@ -52,7 +52,7 @@ std::string error_words(const SweepData& table, std::size_t row, const std::stri
 std::string order_words(const SweepData& table, std::size_t coarse, std::size_t fine, const std::string& name,
                         const std::string& along) {
   const double known_to = reference_error(table, name);
-  const double e1 = table.number(coarse, "error_" + name), e2 = table.number(fine, "error_" + name);
+  const double e1 = table.number(coarse, "deviation_" + name), e2 = table.number(fine, "deviation_" + name);
   const double ratio = table.number(fine, along) / table.number(coarse, along);
   if (!(e1 > 0.0 && e2 > 0.0) || e1 <= known_to || e2 <= known_to || !(ratio > 0.0) || ratio == 1.0) return "–";
   return fmt::format("{:.1f}", std::log(e1 / e2) / std::log(ratio));
@@ -73,7 +73,8 @@ std::string convergence_table(const SweepData& table, const std::vector<std::str
       const std::string mark = good ? "" : "*";
       const auto film = [&](const std::string& column, const std::string& name) {
         const double value = table.number(row, column);
-        return digits(value, value * std::max(table.number(row, "error_" + name), reference_error(table, name))) + mark;
+        return digits(value, value * std::max(table.number(row, "deviation_" + name), reference_error(table, name))) +
+               mark;
       };
       const auto order = [&](const char* name) {
         if (k == 0) return std::string("–");
@@ -94,7 +95,7 @@ std::string convergence_table(const SweepData& table, const std::vector<std::str
 // Errors of a film against seconds or cells, one curve for each way.
 std::string errors_figure(const SweepData& table, const std::vector<std::string>& by, const std::string& along,
                           const std::string& x, const std::string& words_x, const std::string& name) {
-  const std::string column = "error_" + name;
+  const std::string column = "deviation_" + name;
   std::vector<double> xs, ys;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     xs.push_back(table.number(row, x));
@@ -162,7 +163,8 @@ std::string reference_words(const SweepData& table) {
 
 PageSection study_section(const std::string& path) {
   const SweepData table = read_table(path, study_mark);
-  for (const char* column : {"cells", "wedge", "evaluator", "cycles", "error_Hc", "error_Hm", "seconds", "work_units"})
+  for (const char* column :
+       {"cells", "wedge", "evaluator", "cycles", "deviation_Hc", "deviation_Hm", "seconds", "work_units"})
     if (!table.has(column)) throw core::FileError(path + ": the table is damaged: it has no column " + column);
   const std::vector<std::string> by{"wedge", "evaluator", "cycles"};
   std::string figures;
@@ -188,8 +190,9 @@ PageSection time_study_section(const std::string& path) {
     made.head.push_back(escaped(column) + (unit == table.units.end() ? "" : " [" + escaped(unit->second) + "]"));
   }
   std::vector<std::string> errors;
+  const std::string deviation = "deviation_";
   for (const std::string& column : table.columns)
-    if (column.starts_with("error_")) errors.push_back(column.substr(6));
+    if (column.starts_with(deviation)) errors.push_back(column.substr(deviation.size()));
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     made.rows.emplace_back();
     for (const std::string& column : table.columns) {

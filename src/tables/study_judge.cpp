@@ -58,13 +58,13 @@ bool has_film(const StudyPoint& point) { return point.status == "converged" || p
 
 void judge(const Reference& reference, std::vector<StudyPoint>& points) {
   for (StudyPoint& point : points) {
-    point.error_Hc = relative_error(point.Hc, reference.Hc);
-    point.error_Hm = relative_error(point.Hm, reference.Hm);
-    point.at_reference_Hc = point.error_Hc < reference.Hc.error;
-    point.at_reference_Hm = point.error_Hm < reference.Hm.error;
+    point.deviation_Hc = relative_error(point.Hc, reference.Hc);
+    point.deviation_Hm = relative_error(point.Hm, reference.Hm);
+    point.at_reference_Hc = point.deviation_Hc < reference.Hc.error;
+    point.at_reference_Hm = point.deviation_Hm < reference.Hm.error;
   }
-  mark_front(&StudyPoint::error_Hc, reference.Hc.error, &StudyPoint::front_Hc, points);
-  mark_front(&StudyPoint::error_Hm, reference.Hm.error, &StudyPoint::front_Hm, points);
+  mark_front(&StudyPoint::deviation_Hc, reference.Hc.error, &StudyPoint::front_Hc, points);
+  mark_front(&StudyPoint::deviation_Hm, reference.Hm.error, &StudyPoint::front_Hm, points);
 }
 
 std::size_t cheapest(const std::vector<StudyPoint>& points, double StudyPoint::*error, double wanted) {

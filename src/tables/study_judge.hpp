@@ -48,8 +48,8 @@ bool has_film(const StudyPoint& point);
 void judge(const Reference& reference, std::vector<StudyPoint>& points);
 
 /// The cheapest point with an error of Hc (or Hm) of at most `wanted`, whose way stays below that on all finer grids of
-/// the study too: a value that only passes through the right one does not count. in: member: &StudyPoint::error_Hc or
-/// error_Hm. out: index; points.size() where there is none.
+/// the study too: a value that only passes through the right one does not count. in: member: &StudyPoint::deviation_Hc
+/// or deviation_Hm. out: index; points.size() where there is none.
 std::size_t cheapest(const std::vector<StudyPoint>& points, double StudyPoint::*error, double wanted);
 
 }  // namespace ehl::program

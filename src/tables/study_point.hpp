@@ -31,8 +31,8 @@ struct StudyPoint : Cost {
   std::string status{};
   double Hc = unknown;
   double Hm = unknown;
-  double error_Hc = unknown;  ///< relative, to the reference
-  double error_Hm = unknown;
+  double deviation_Hc = unknown;  ///< from the reference, relative
+  double deviation_Hm = unknown;
   double estimate_Hc = unknown;  ///< of its discretization error, by the run itself, relative
   double estimate_Hm = unknown;
   double residual = unknown;

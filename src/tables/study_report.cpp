@@ -35,8 +35,8 @@ std::string point_line(const StudyPoint& point, const Reference& reference, cons
   std::string line = fmt::format(
       "{:>11}  {:<9}  {:<9}  {:>6}  {}{:>8}  {:>8}  {:>9}  {:>9}  {:>10}  {:>8}  {:<13}  {}", nodes_of(point),
       point.way.wedge, point.way.evaluator, point.way.cycles, in_nm(point, si), known("{:.5f}", point.Hc),
-      known("{:.5f}", point.Hm), error_text(point.error_Hc, point.at_reference_Hc, reference.Hc),
-      error_text(point.error_Hm, point.at_reference_Hm, reference.Hm), known("{:.1f}", point.work_units),
+      known("{:.5f}", point.Hm), error_text(point.deviation_Hc, point.at_reference_Hc, reference.Hc),
+      error_text(point.deviation_Hm, point.at_reference_Hm, reference.Hm), known("{:.1f}", point.work_units),
       known("{:.3f}", point.seconds), status, deck::trimmed(fronts));
   return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
 }
@@ -58,7 +58,8 @@ std::string front_lines(const std::vector<StudyPoint>& points, const Reference& 
 
 std::string accuracy_lines(const std::vector<StudyPoint>& points) {
   std::string text = "\nseconds to an accuracy that holds on all finer grids too\n";
-  for (const auto& [name, error_of] : {std::pair("Hc", &StudyPoint::error_Hc), std::pair("Hm", &StudyPoint::error_Hm)})
+  for (const auto& [name, error_of] :
+       {std::pair("Hc", &StudyPoint::deviation_Hc), std::pair("Hm", &StudyPoint::deviation_Hm)})
     for (const double error : {1e-2, 1e-3, 1e-4}) {
       const std::size_t found = cheapest(points, error_of, error);
       text += fmt::format("  {} to {:<6}", name, fmt::format("{:g} %", 100.0 * error));
@@ -141,9 +142,9 @@ constexpr char how_to_read[] =
     "# reference: extrapolated from second-order solutions with FFT and a residual of 1e-10; its error relative\n"
     "# cycles: 2W are two W(2,1) cycles on every level (the first grid has its own); run: what ehl run does\n"
     "# status: converged, stopped (after the cycles of its way, not converged), not-converged, failed (the program); "
-    "errors of what did not converge are those of what was left\n"
-    "# work_units: whole solution, in evaluations of the finest grid; H = h R/a^2; errors and estimates relative\n"
-    "# error: against the reference; estimate: of the discretization, by the run itself; at_reference: the error is "
+    "deviations of what did not converge are those of what was left\n"
+    "# work_units: whole solution, in evaluations of the finest grid; H = h R/a^2; deviations and estimates relative\n"
+    "# deviation: from the reference; estimate: of the discretization, by the run itself; at_reference: the error is "
     "below the reference's own; front: nothing cheaper [s] is as accurate\n";
 
 }  // namespace

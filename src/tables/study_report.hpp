@@ -8,8 +8,8 @@
 
 namespace ehl::program {
 
-/// How the first line of every table of a study begins.
-constexpr char study_mark[] = "# ehl study, table 1";
+/// How the first line of every table of a study begins. Table 1 called error_Hc what is deviation_Hc now.
+constexpr char study_mark[] = "# ehl study, table 2";
 
 /// What a study is about and how it was measured.
 struct StudyHeader {

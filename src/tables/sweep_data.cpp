@@ -26,6 +26,18 @@ std::map<std::string, std::string> units_of(const std::string& line) {
   return units;
 }
 
+// "# ehl sweep, table ": what the tables of all versions begin with.
+std::string any_version(const std::string& mark) { return mark.substr(0, mark.rfind(' ') + 1); }
+
+// The names of today for the columns of table 1.
+void rename_older(const std::string& mark, SweepData& data) {
+  const std::string before = "error_";
+  for (std::string& column : data.columns) {
+    if (mark != sweep_mark && column.starts_with(before)) column = "deviation_" + column.substr(before.size());
+    if (mark == sweep_mark && (column == "error_Hc" || column == "error_Hm")) column = "mesh_" + column;
+  }
+}
+
 }  // namespace
 
 bool SweepData::has(const std::string& column) const { return std::ranges::find(columns, column) != columns.end(); }
@@ -56,8 +68,9 @@ SweepData read_table(const std::string& path, const std::string& mark) {
   constexpr std::uintmax_t largest = 1'000'000'000;  // bytes
   std::ifstream file = deck::opened(path, largest);
   std::string line;
-  if (!std::getline(file, line) || !line.starts_with(mark))
+  if (!std::getline(file, line) || !line.starts_with(any_version(mark)))
     throw core::FileError(path + ": this is no table of `ehl sweep` or `ehl study`");
+  const bool older = !line.starts_with(mark);
   SweepData data{.path = path};
   const std::string units = "# units: ";
   while (std::getline(file, line) && line.starts_with('#')) {
@@ -65,6 +78,7 @@ SweepData read_table(const std::string& path, const std::string& mark) {
     if (line.starts_with(units)) data.units = units_of(line.substr(units.size()));
   }
   data.columns = csv_cells(line, line.size() + 2);
+  if (older) rename_older(mark, data);
   if (!data.has("status")) throw core::FileError(path + ": the table is damaged: it has no column status");
   while (std::getline(file, line)) {
     data.rows.push_back(csv_cells(line, data.columns.size()));
@@ -94,7 +108,7 @@ std::string mark_of(const std::string& path) {
   std::string first;
   if (!std::getline(file, first)) throw core::FileError(path + ": cannot be read, or is empty");
   for (const char* mark : {sweep_mark, study_mark, time_study_mark})
-    if (first.starts_with(mark)) return mark;
+    if (first.starts_with(any_version(mark))) return mark;
   throw core::FileError(path + ": this is no table of `ehl sweep` or `ehl study`");
 }
 

@@ -24,12 +24,12 @@ struct SweepData {
   bool is_numeric(const std::string& column) const;
 };
 
-/// How the first line of a table begins: sweep_mark, study_mark or time_study_mark. errors: core::FileError:
+/// How the first line of such a table begins today: sweep_mark, study_mark or time_study_mark. errors: core::FileError:
 /// unreadable, none of them.
 std::string mark_of(const std::string& path);
 
-/// A table that begins so; nothing is known of what varied. errors: core::FileError: unreadable, another table, a
-/// damaged row.
+/// A table that begins so, or an older one, whose columns get the names of today; nothing is known of what varied.
+/// errors: core::FileError: unreadable, another table, a damaged row.
 SweepData read_table(const std::string& path, const std::string& mark);
 
 /// errors: as above.

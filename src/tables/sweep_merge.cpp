@@ -33,7 +33,7 @@ Part read_part(const std::string& path) {
   Part part;
   std::string line;
   if (!std::getline(lines, line) || line != sweep_mark)
-    throw core::FileError(path + ": this is no table of `ehl sweep`");
+    throw core::FileError(path + ": this is no table of `ehl sweep` of this version");
   while (std::getline(lines, line)) {
     if (line.starts_with(program_mark)) {
       part.programs.push_back(line);

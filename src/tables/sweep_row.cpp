@@ -22,6 +22,7 @@
 #include "tables/kept_results.hpp"
 #include "tables/si_columns.hpp"
 #include "tables/sweep_table.hpp"
+#include "tables/warning_names.hpp"
 
 namespace ehl::program {
 namespace {
@@ -146,7 +147,7 @@ SweepRow sweep_row(const SweepKind& kind) {
     if (kind.si) row.push_back({"moment", unknown, "N m"});
   }
   for (const Quantity& one : kind.machine) row.push_back({one.name, unknown, one.unit});
-  row.push_back({"warnings", 0});
+  row.push_back({"warnings", "none"});
   row.push_back({"reason", ""});
   return row;
 }
@@ -181,24 +182,27 @@ SweepRow row_of_solution(const Case& input, const FilmSolution& found, SweepRow 
   take(film_quantities(input, solution, outcome), row);
   in_row(row, "path") = path_code(solution);
   in_row(row, "attempts") = static_cast<int>(solution.attempts.size());
-  auto warnings = outcome.warnings.size();
+  std::vector<std::string> warnings = outcome.warnings;
+  const auto warn = [&](const std::vector<std::string>& more) {
+    warnings.insert(warnings.end(), more.begin(), more.end());
+  };
   if (solution.converged && finite) {
     in_row(row, "status") = "converged";
     take_film(input, solution, outcome, row);
     if (input.friction) {
       const friction::Friction rubbed = friction_of(input, solution, fields_of_film(found.heat, found.flow));
       take(friction_quantities(rubbed), row);
-      warnings += friction::warnings(rubbed).size();
+      warn(friction::warnings(rubbed));
     }
     if (solution.starvation) take(starvation_quantities(input, solution), row);
     if (input.roller) {
       const RollerResult carried{.found = roller::distribution(solution.grid, solution.P, solution.H)};
       take(roller_quantities(input, carried), row);
-      warnings += edge_warnings(carried.found).size();
+      warn(edge_warnings(carried.found));
     }
     if (found.heat) {
       take(thermal_quantities(input, *found.heat), row);
-      warnings += thermal_warnings(input, *found.heat).size();
+      warn(thermal_warnings(input, *found.heat));
     }
   } else {
     row = row_without_solution(row, "not-converged", not_converged,
@@ -207,7 +211,10 @@ SweepRow row_of_solution(const Case& input, const FilmSolution& found, SweepRow 
          {"Hc", "Hm", "P_max", "error_Hc", "error_Hm", "Hc_best", "error_Hc_best", "Hm_best", "error_Hm_best"})
       in_row(row, name) = std::numeric_limits<double>::quiet_NaN();
   }
-  in_row(row, "warnings") = static_cast<int>(warnings);
+  std::string names = names_of_warnings(warnings);
+  if (std::fmax(results::number(in_row(row, "error_Hc")), results::number(in_row(row, "error_Hm"))) >= 1.0)
+    names = (names == "none" ? "" : names + " ") + hardly_an_error;
+  in_row(row, "warnings") = names;
   return row;
 }
 

@@ -17,6 +17,7 @@
 #include "core/errors.hpp"
 #include "deck/text.hpp"
 #include "tables/csv.hpp"
+#include "tables/warning_names.hpp"
 
 namespace ehl::program {
 namespace {
@@ -65,7 +66,8 @@ std::string whole_header(const SweepHeader& header, const std::vector<std::strin
       "failed (the program)\n"
       "# H = h R/a^2, P = p/p_h, errors and residual relative\n"
       "# nx, ny: cells; cycles, work_units, cycle_factor: on the finest grid; exit_status: of `ehl run`; path: the "
-      "method as a code\n";
+      "method as a code\n# " +
+      meaning_of_warnings() + "\n";
   for (const std::string& line : left_out(header.kind)) text += "# " + line + "\n";
   if (header.kind.timing) text += "# seconds: the whole case, one thread\n";
   if (header.kind.si) {
@@ -119,7 +121,11 @@ std::string header_text(const SweepHeader& header) { return whole_header(header,
 
 SweepTable::SweepTable(const std::string& path, const SweepHeader& header, const std::vector<std::size_t>& own,
                        bool overwrite)
-    : path_(path), header_(header), own_(own), rows_(number_of_cases(header.variations)) {
+    : path_(path),
+      header_(header),
+      own_(own),
+      rows_(number_of_cases(header.variations)),
+      columns_(sweep_row(header.kind)) {
   open();
   try {
     std::ifstream file(path);
@@ -158,7 +164,9 @@ void SweepTable::read(const std::string& content) {
   bool has_columns = false;
   std::string line;
   std::getline(lines, line);
-  if (line != sweep_mark) throw core::FileError(path_ + ": exists already and is no table of a sweep" + remedy);
+  if (line != sweep_mark)
+    throw core::FileError(path_ + ": exists already and is no table of a sweep of this version ('" + shortened(line) +
+                          "')" + remedy);
   while (std::getline(lines, line)) {
     if (line.starts_with(program_mark)) programs_.push_back(line.substr(std::strlen(program_mark)));
     for (const std::string mark : {"# deck text: ", "# file: ", "# set: "})
@@ -255,6 +263,13 @@ std::vector<std::size_t> SweepTable::missing() const {
   for (const std::size_t index : own_)
     if (rows_[index].empty() || rows_[index].starts_with("failed,")) cases.push_back(index);
   return cases;
+}
+
+std::string SweepTable::cell(std::size_t index, const std::string& column) const {
+  const auto found = std::ranges::find(columns_, column, &Quantity::name);
+  const std::vector<std::string> cells = csv_cells(rows_[index], columns_.size());
+  const auto at = static_cast<std::size_t>(found - columns_.begin());
+  return at < cells.size() ? cells[at] : "";
 }
 
 std::size_t SweepTable::count(const std::string& status) const {

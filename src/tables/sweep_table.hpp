@@ -12,8 +12,9 @@
 
 namespace ehl::program {
 
-/// How the first line of every table begins.
-constexpr char sweep_mark[] = "# ehl sweep, table 1";
+/// How the first line of every table begins. Table 1 had in error_Hc the error of the mesh alone, and numbers of
+/// warnings instead of their names.
+constexpr char sweep_mark[] = "# ehl sweep, table 2";
 /// How a line begins that names a program that worked on it.
 constexpr char program_mark[] = "# program: ";
 /// How the line of a table begins that has a part of the cases, and the column of their numbers.
@@ -66,6 +67,9 @@ class SweepTable {
   /// Whether the row of a case has this status.
   bool has_status(std::size_t index, const std::string& status) const { return rows_[index].starts_with(status + ","); }
 
+  /// A cell of the row of a case, by the name of its column, which is none of the varied keys; empty without a row.
+  std::string cell(std::size_t index, const std::string& column) const;
+
   /// Rows of this status.
   std::size_t count(const std::string& status) const;
 
@@ -82,6 +86,7 @@ class SweepTable {
   SweepHeader header_;
   std::vector<std::size_t> own_;
   std::vector<std::string> rows_;      ///< one per case, after the varied keys; empty where there is none yet
+  SweepRow columns_;                   ///< their names
   std::vector<std::string> programs_;  ///< the lines of all programs that worked on it
   std::optional<std::string> lost_;    ///< a line that is the row of none of the cases
   int descriptor_ = -1;

@@ -84,7 +84,7 @@ std::vector<Column<TimeStudyPoint>> time_study_columns(const std::vector<std::st
                                    {"time_ms", "ms", "reached", [ms](const Point& point) { return ms * point.T; }}});
   }
   for (std::size_t k = 0; k < quantities.size(); ++k)
-    list.push_back({"error_" + quantities[k], "-", "largest over the run",
+    list.push_back({"deviation_" + quantities[k], "-", "from the reference, largest over the run",
                     [k](const Point& point) { return k < point.errors.size() ? point.errors[k] : Point::unknown; }});
   list.push_back({"reason", "", "why it is not complete", &Point::reason});
   return list;

@@ -85,11 +85,11 @@ std::string time_study_csv(const StudyHeader& header, const TimeReference& refer
     text += "# reference error " + names[k] + ": " + csv_cell(reference.errors[k]) + "\n";
   for (std::size_t k = 0; k < reference.probes.size(); ++k)
     text += "# probe " + std::to_string(k + 1) + ": " + name_of_probe("P", reference.probes[k]) + "\n";
-  text +=
-      "# compared at: " + std::to_string(reference.run.samples.size()) +
-      " equidistant times, by the dense output of the integration\n"
-      "# errors: largest over the run; Hc, Hm, P_max relative at every time, P_1, ... relative to the largest P there\n"
-      "# status: complete, not-complete (errors are not given), failed (the program)\n";
+  text += "# compared at: " + std::to_string(reference.run.samples.size()) +
+          " equidistant times, by the dense output of the integration\n"
+          "# deviations: from the reference, largest over the run; Hc, Hm, P_max relative at every time, P_1, ... "
+          "relative to the largest P there\n"
+          "# status: complete, not-complete (deviations are not given), failed (the program)\n";
   return csv_table(text, time_study_columns(names, header.si), points);
 }
 

@@ -9,8 +9,8 @@
 
 namespace ehl::program {
 
-/// How the first line of every table of a study in time begins.
-constexpr char time_study_mark[] = "# ehl study in time, table 1";
+/// How the first line of every table of a study in time begins; of table 1 as above.
+constexpr char time_study_mark[] = "# ehl study in time, table 2";
 
 /// The run that errors are relative to.
 struct TimeReference {

@@ -138,7 +138,7 @@ BOOST_AUTO_TEST_CASE(a_study_has_the_observed_orders) {
   const auto rows = support::named_rows(scene.folder.read("t.csv"));
   double coarse = 0.0, fine = 0.0;
   for (const auto& row : rows)
-    if (row.at("wedge") == "upstream2") (row.at("cells") == "64" ? coarse : fine) = std::stod(row.at("error_Hm"));
+    if (row.at("wedge") == "upstream2") (row.at("cells") == "64" ? coarse : fine) = std::stod(row.at("deviation_Hm"));
   // The third row of this way, ninth cell.
   std::size_t at = way;
   for (int row = 0; row < 2; ++row) at = page.find("<tr>", at + 1);

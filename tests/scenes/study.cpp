@@ -58,10 +58,10 @@ BOOST_AUTO_TEST_CASE(errors_fall_with_the_order_of_the_scheme) {
     std::vector<double> errors;
     for (const Row& row : rows) {
       BOOST_TEST((row.at("status") == "converged" || (row.at("status") == "stopped" && row.at("cycles") == "1W")));
-      BOOST_TEST(std::abs(std::abs(std::stod(row.at("Hc")) / Hc - 1.0) - std::stod(row.at("error_Hc"))) < 1e-12);
+      BOOST_TEST(std::abs(std::abs(std::stod(row.at("Hc")) / Hc - 1.0) - std::stod(row.at("deviation_Hc"))) < 1e-12);
       BOOST_TEST(std::stod(row.at("seconds")) <= std::stod(row.at("seconds_most")));
       if (row.at("wedge") == wedge && row.at("evaluator") == "fft" && row.at("cycles") == "run")
-        errors.push_back(std::stod(row.at("error_Hc")));
+        errors.push_back(std::stod(row.at("deviation_Hc")));
     }
     BOOST_REQUIRE(errors.size() == 3u);
     if (wedge == "upstream3") {
@@ -119,7 +119,7 @@ BOOST_AUTO_TEST_CASE(a_run_in_time_is_studied_by_its_tolerance) {
   for (const std::string name : {"Hc", "Hm", "P_max", "P_1", "P_2"}) {
     double last = 1.0;
     for (const Row& row : rows) {
-      const double error = std::stod(row.at("error_" + name));
+      const double error = std::stod(row.at("deviation_" + name));
       BOOST_TEST_MESSAGE("rtol " << row.at("rtol") << ", " << row.at("steps") << " steps: " << name << " off by "
                                  << error);
       BOOST_TEST(error > 0.0);
@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(a_run_in_time_is_studied_by_its_tolerance) {
     BOOST_TEST_MESSAGE("the reference is known to " << known);
     BOOST_TEST((known > 0.0 && known < 0.5 * last));
     BOOST_TEST(last < 3e-3);
-    BOOST_TEST(std::stod(rows[0].at("error_" + name)) > 3.0 * last);
+    BOOST_TEST(std::stod(rows[0].at("deviation_" + name)) > 3.0 * last);
   }
   for (const Row& row : rows) {
     BOOST_TEST(row.at("status") == "complete");
@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(a_run_in_time_that_does_not_end_has_no_error) {
   const std::vector<Row> rows = support::named_rows(scene.folder.read("t_study.csv"));
   BOOST_REQUIRE(rows.size() == 2u);
   BOOST_TEST((rows[0].at("status") == "complete" && rows[1].at("status") == "not-complete"));
-  for (const std::string name : {"error_Hc", "error_Hm", "error_P_max"}) {
+  for (const std::string name : {"deviation_Hc", "deviation_Hm", "deviation_P_max"}) {
     BOOST_TEST(std::stod(rows[0].at(name)) > 0.0);
     BOOST_TEST(rows[1].at(name) == "NaN");
   }

@@ -119,7 +119,7 @@ BOOST_AUTO_TEST_CASE(pareto_front) {
   for (std::size_t k = 0; k < all.size(); ++k) {
     BOOST_TEST(points[k].front_Hc == all[k].front, "point " << k << ", " << all[k].seconds << " s");
     BOOST_TEST(points[k].front_Hm == points[k].front_Hc);
-    BOOST_TEST(std::abs(points[k].error_Hc - all[k].error) < 1e-15);
+    BOOST_TEST(std::abs(points[k].deviation_Hc - all[k].error) < 1e-15);
     BOOST_TEST(points[k].at_reference_Hc == (all[k].error < 1e-3));
   }
 }
@@ -132,9 +132,9 @@ BOOST_AUTO_TEST_CASE(an_accuracy_lasts) {
                                           point(64, 1.5, 1.05), point(128, 3.0, 1.009)};
   points[3].way.cycles = points[4].way.cycles = "1V";
   program::judge(reference, points);
-  BOOST_TEST(program::cheapest(points, &program::StudyPoint::error_Hc, 0.01) == 4u);
-  BOOST_TEST(program::cheapest(points, &program::StudyPoint::error_Hc, 0.006) == 2u);
-  BOOST_TEST(program::cheapest(points, &program::StudyPoint::error_Hc, 0.001) == points.size());
+  BOOST_TEST(program::cheapest(points, &program::StudyPoint::deviation_Hc, 0.01) == 4u);
+  BOOST_TEST(program::cheapest(points, &program::StudyPoint::deviation_Hc, 0.006) == 2u);
+  BOOST_TEST(program::cheapest(points, &program::StudyPoint::deviation_Hc, 0.001) == points.size());
 }
 
 BOOST_AUTO_TEST_CASE(a_row_reads_back) {

@@ -105,9 +105,9 @@ BOOST_AUTO_TEST_CASE(the_table_says_what_it_is) {
   for (program::TimeStudyPoint* point : {&good, &best}) point->errors = program::errors_in_time(made(1.0), *point);
   const std::string csv = program::time_study_csv({}, reference(), {good, best});
   BOOST_TEST(csv.starts_with(program::time_study_mark));
-  for (const char* part :
-       {"\n# reference error P_1: ", "\n# probe 1: P at (0.5, 0.25)\n",
-        ",status,error_Hc,error_Hm,error_P_max,error_P_1,reason\n", "\n0.01,0.1,1,10,15,1.5,2,1,3,0.5,"})
+  for (const char* part : {"\n# reference error P_1: ", "\n# probe 1: P at (0.5, 0.25)\n",
+                           ",status,deviation_Hc,deviation_Hm,deviation_P_max,deviation_P_1,reason\n",
+                           "\n0.01,0.1,1,10,15,1.5,2,1,3,0.5,"})
     BOOST_TEST(contains(csv, part), part << " is missing in\n" << csv);
   // Below what the reference is known to, 1e-5, nothing is told.
   const std::string text = program::time_study_report({}, reference(), {good, best});
