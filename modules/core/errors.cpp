@@ -9,7 +9,11 @@ std::string joined(const std::vector<std::string>& messages) {
 }
 }  // namespace
 
+// An error without a message would look like none where messages are collected.
 InputError::InputError(std::vector<std::string> messages)
-    : std::runtime_error(joined(messages)), messages_(std::move(messages)) {}
+    : std::runtime_error(joined(messages)), messages_(std::move(messages)) {
+  if (messages_.empty())
+    messages_.emplace_back("the input is wrong, and the program did not say what: please report this");
+}
 
 }  // namespace ehl::core

@@ -17,7 +17,6 @@ namespace {
 
 namespace files = std::filesystem;
 
-constexpr std::uintmax_t largest_table = 100'000'000;         // bytes; a million rows
 constexpr std::uintmax_t largest_named_file = 4'000'000'000;  // bytes; a map of 10^8 heights with all their digits
 
 NamedFile read(const std::string& name, const std::string& path) {
@@ -99,6 +98,18 @@ void check_read(const std::ifstream& file, const std::string& path) {
   if (file.bad()) throw core::FileError(path + ": cannot be read to its end");
 }
 
+std::string content_of(const std::string& path, std::uintmax_t largest, const std::string& note) {
+  std::ifstream file = opened(path, largest, note);
+  std::string content;
+  std::array<char, 1 << 16> piece{};
+  while (file) {
+    file.read(piece.data(), piece.size());
+    content.append(piece.data(), static_cast<std::size_t>(file.gcount()));
+  }
+  check_read(file, path);
+  return content;
+}
+
 std::vector<std::string> cells_of(const std::string& line) {
   const char separator = line.find(';') != std::string::npos ? ';' : line.find(',') != std::string::npos ? ',' : ' ';
   if (separator == ' ') return split_words(line);
@@ -114,35 +125,6 @@ std::vector<std::string> cells_of(const std::string& line) {
 bool is_heading(const std::vector<std::string>& cells) {
   return std::ranges::all_of(
       cells, [](const std::string& cell) { return read_number(cell).status == ReadNumber::Status::not_a_number; });
-}
-
-std::vector<Row> rows_of(const std::string& path, const std::string& note) {
-  std::ifstream file = opened(path, largest_table, note);
-  std::vector<Row> rows;
-  int number = 0;
-  bool heading_allowed = true;
-  for (std::string line; std::getline(file, line);) {
-    ++number;
-    line = trimmed(line.substr(0, line.find('#')));
-    if (line.empty()) continue;
-    const std::vector<std::string> cells = cells_of(line);
-    if (!heading_allowed || !is_heading(cells)) rows.push_back({path + ":" + std::to_string(number), cells});
-    heading_allowed = false;
-  }
-  check_read(file, path);
-  return rows;
-}
-
-std::string read_numbers(const Row& row, const std::string& wanted, std::span<double> numbers) {
-  if (row.cells.size() != numbers.size())
-    return fmt::format("{}: {} columns, wanted are {}", row.place, row.cells.size(), wanted);
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
-    const ReadNumber read = read_number(row.cells[k]);
-    if (read.status != ReadNumber::Status::number)
-      return fmt::format("{}: {} is no finite number", row.place, quoted(row.cells[k]));
-    numbers[k] = read.value;
-  }
-  return "";
 }
 
 }  // namespace ehl::deck

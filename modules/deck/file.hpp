@@ -2,8 +2,8 @@
 // Files that a deck names.
 #include <cstdint>
 #include <fstream>
-#include <span>
 #include <string>
+#include <vector>
 
 #include "deck/deck.hpp"
 
@@ -35,6 +35,9 @@ void check_readable(const std::string& path, std::uintmax_t largest, const std::
 /// the message. errors: as above.
 std::ifstream opened(const std::string& path, std::uintmax_t largest, const std::string& note = {});
 
+/// The whole of a text file, without the mark of UTF-8. errors: as above.
+std::string content_of(const std::string& path, std::uintmax_t largest, const std::string& note = {});
+
 /// After the last line. errors: core::FileError where the file could not be read to its end.
 void check_read(const std::ifstream& file, const std::string& path);
 
@@ -50,13 +53,5 @@ struct Row {
   std::string place{};  ///< "oil.csv:12"
   std::vector<std::string> cells{};
 };
-
-/// The rows of a CSV file; # begins a comment; a heading before them is left out.
-/// errors: core::FileError where it cannot be read, or is larger than a table of a law or a schedule can be.
-std::vector<Row> rows_of(const std::string& path, const std::string& note = {});
-
-/// The numbers of a row. in: as many as its cells must be; their names, "y and h", for the message.
-/// out: what is wrong; empty where nothing is.
-std::string read_numbers(const Row& row, const std::string& wanted, std::span<double> numbers);
 
 }  // namespace ehl::deck

@@ -123,9 +123,10 @@ void take(Deck& deck, const std::vector<Assignment>& assignments) {
     const Key* key = find_key(deck.catalogue, given.section, given.name);
     if (key == nullptr) {
       // A key below an unknown heading: the heading has been complained about.
-      const bool heading_is_unknown = find_section(deck.catalogue, given.section) == nullptr &&
-                                      given.place != on_command_line && !given.section.empty() &&
-                                      find_unavailable(deck.catalogue, given.section, given.name) == nullptr;
+      const bool heading_is_unknown =
+          find_section(deck.catalogue, given.section) == nullptr &&
+          std::ranges::find(deck.headings, given.section, &Heading::section) != deck.headings.end() &&
+          find_unavailable(deck.catalogue, given.section, given.name) == nullptr;
       if (!heading_is_unknown) unknown.add([&] { return about_unknown(deck, given); });
       continue;
     }

@@ -1,14 +1,11 @@
 #include "rheology/fluid_table.hpp"
 
-#include <cmath>
-
-#include "deck/file.hpp"
 #include "deck/text.hpp"
+#include "deck/text_table.hpp"
 
 namespace ehl::rheology {
 namespace {
 
-constexpr std::size_t most_columns = 3;
 constexpr std::size_t fewest_rows = 4;  // one more than monotone_curve takes
 
 // Empty where the row may follow those before it.
@@ -31,21 +28,13 @@ std::string what_is_wrong(const FluidTable& table, double p, double eta, double 
 }  // namespace
 
 ReadTable read_fluid_table(const std::string& path, bool with_rho) {
+  const deck::ReadColumns read = deck::read_columns(path, {{{"p", "pressure"}, "Pa"},
+                                                           {{"eta", "viscosity", "dynamic viscosity"}, "Pa s"},
+                                                           {{"rho", "density"}, "kg/m^3", with_rho}});
+  if (const auto* wrong = std::get_if<std::string>(&read)) return *wrong;
   FluidTable table;
-  const std::size_t columns = with_rho ? 3 : 2;
-  const std::string wanted = with_rho ? "p [Pa], eta [Pa s], rho [kg/m^3]" : "p [Pa], eta [Pa s]";
-  for (const deck::Row& row : deck::rows_of(path)) {
-    // A density that nobody asks for may stand.
-    if (row.cells.size() < columns || row.cells.size() > most_columns)
-      return row.place + ": " + std::to_string(row.cells.size()) + " columns, and " + std::to_string(columns) +
-             " are needed: " + wanted;
-    double numbers[3] = {};
-    for (std::size_t k = 0; k < columns; ++k) {
-      numbers[k] = deck::read_number(row.cells[k]).value;
-      if (std::isnan(numbers[k]))
-        return row.place + ": " + deck::quoted(row.cells[k]) + " is no number: the columns are " + wanted;
-    }
-    const auto [p, eta, rho] = numbers;
+  for (const deck::ColumnRow& row : std::get<deck::ColumnTable>(read).rows) {
+    const double p = row.values[0], eta = row.values[1], rho = row.values[2];
     if (const std::string wrong = what_is_wrong(table, p, eta, rho, with_rho); !wrong.empty())
       return row.place + ": " + wrong;
     table.p.push_back(p);

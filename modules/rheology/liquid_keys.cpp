@@ -113,7 +113,8 @@ std::vector<Key> liquid_keys() {
             constant("eta_g", "Pa s", {1e3, 1e15}, "Viscosity at the glass transition.", "1e12")}),
        {{.name = "table",
          .type = Type::text,
-         .meaning = "A CSV file with columns p [Pa], rising from 0, eta [Pa s], rho [kg/m^3]; for viscosity = table, "
+         .meaning = "A CSV file with columns p [Pa], rising from 0, eta [Pa s], rho [kg/m^3], or in the order and "
+                    "units of its heading, as p [MPa], eta [mPa s]; for viscosity = table, "
                     "density = table or both. At least 4 rows, eta and rho > 0 and rising, up to more than p_h. Beside "
                     "the deck, or where the program runs.",
          .example = "oil.csv",

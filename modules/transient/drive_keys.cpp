@@ -5,6 +5,7 @@
 
 #include "deck/file.hpp"
 #include "deck/text.hpp"
+#include "deck/text_table.hpp"
 #include "transient/keys.hpp"
 
 namespace ehl::transient {
@@ -25,7 +26,8 @@ std::vector<Key> drive_keys() {
   return {
       key("load", "constant",
           "Load over that of [contact], at times: 'time:value ...', linear between them; the same time twice "
-          "is a jump. Or a file .csv with two columns, where the program runs or beside the deck.",
+          "is a jump. Or a file .csv with the columns t and load, where the program runs or beside the deck; a heading "
+          "may name the unit of t.",
           "1:1 1.1:1.3"),
       key("load_wave", "none",
           "'amplitude period [start]': multiplies the load by 1 + amplitude sin(2 pi (t - start)/period).", "0.3 2"),
@@ -81,16 +83,19 @@ bool all_finite(const std::vector<double>& numbers) {
 
 std::vector<Schedule::Point> points_of_file(const deck::Part& part, const std::string& key) {
   const std::string path = deck::found_beside(part.deck, part.section, key);
+  const std::string time_unit = part.word("time_unit") == "seconds" ? "s" : "a/u_m";
+  const char* whole = key == "load"     ? "over that of [contact]"
+                      : key == "supply" ? "over what [supply] says"
+                                        : "over the entrainment speed of [motion]";
+  const deck::ReadColumns read =
+      deck::read_columns(path, {{{"t", "time", "T"}, time_unit}, {{key, "value", "factor"}, "-", true, whole}},
+                         " ([transient] " + key + ")");
   std::vector<Schedule::Point> points;
-  for (const deck::Row& row : deck::rows_of(path, " ([transient] " + key + ")")) {
-    const std::vector<double> numbers = numbers_in(row.cells);
-    if (numbers.size() != 2 || !all_finite(numbers)) {
-      part.complain(key, row.place + ": must be two numbers, time and value");
-      return {};
-    }
-    points.push_back({numbers[0], numbers[1]});
-  }
-  if (points.empty()) part.complain(key, path + " has no rows");
+  if (const auto* wrong = std::get_if<std::string>(&read))
+    part.complain(key, *wrong);
+  else
+    for (const deck::ColumnRow& row : std::get<deck::ColumnTable>(read).rows)
+      points.push_back({row.values[0], row.values[1]});
   return points;
 }
 

@@ -7,8 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "deck/file.hpp"
-#include "deck/text.hpp"
+#include "deck/text_table.hpp"
 #include "effects/starvation/keys.hpp"
 
 namespace ehl::program {
@@ -41,9 +40,11 @@ bool even(const Profile& profile, double half_width) {
 std::string read_profile(const std::string& path, const starvation::Scales& scales, const core::Grid& grid,
                          Profile& profile) {
   const double unit_Y = scales.in_SI ? scales.a : 1.0, unit_H = scales.in_SI ? scales.height : 1.0;
-  for (const deck::Row& row : deck::rows_of(path)) {
-    double value[2];
-    if (const std::string wrong = deck::read_numbers(row, "y and h", value); !wrong.empty()) return wrong;
+  const deck::ReadColumns read = deck::read_columns(
+      path, {{{"y"}, scales.in_SI ? "m" : "a"}, {{"h", "H", "layer", "thickness"}, scales.in_SI ? "m" : "a^2/R"}});
+  if (const auto* wrong = std::get_if<std::string>(&read)) return *wrong;
+  for (const deck::ColumnRow& row : std::get<deck::ColumnTable>(read).rows) {
+    const std::vector<double>& value = row.values;
     if (value[1] < 0.0) return fmt::format("{}: h = {:g} must be >= 0", row.place, value[1]);
     if (!profile.Y.empty() && value[0] / unit_Y <= profile.Y.back()) return row.place + ": y must grow from row to row";
     profile.Y.push_back(value[0] / unit_Y);

@@ -99,7 +99,8 @@ const Command fit_command{
     "least "
     "squares, with the standard errors of the constants",
     {{"measured", "FILE.csv",
-      "rows of slide-roll ratio, friction coefficient and, in all or in none, its standard error"},
+      "a table with the columns srr, mu and, where it is known, sigma, the standard error of mu; a heading may name "
+      "their units, SRR [%]"},
      {"free", "section.key",
       "a constant to be found, e.g. shear.tau_0, shear.G, shear.n, friction.limit; the deck has its start; three at "
       "most",

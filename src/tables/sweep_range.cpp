@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <set>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "deck/deck.hpp"
 #include "deck/file.hpp"
 #include "deck/text.hpp"
+#include "deck/text_table.hpp"
 #include "tables/csv.hpp"
 
 namespace ehl::program {
@@ -147,33 +147,59 @@ Variation parse_variation(const std::string& text, const deck::Catalogue& catalo
   return variation;
 }
 
+namespace {
+
+// A value of a column whose heading names a unit, in the unit of its key.
+std::string in_unit_of_key(const std::string& cell, const deck::Conversion& conversion) {
+  const deck::ReadNumber read = deck::read_number(cell);
+  const bool plain = conversion.factor == 1.0 && conversion.offset == 0.0;
+  if (plain || read.status != deck::ReadNumber::Status::number) return cell;
+  return fmt::format("{:.15g}", conversion.factor * read.value + conversion.offset);
+}
+
+// The keys of a heading, and how the values below them are converted.
+std::vector<deck::Conversion> read_heading(const deck::TextTable& table, const deck::Catalogue& catalogue,
+                                           Variation& variation) {
+  std::vector<deck::Conversion> conversions;
+  std::vector<std::string> errors;
+  for (std::size_t k = 0; k < table.heading.cells.size(); ++k) try {
+      deck::HeadingCell cell = deck::heading_cell(table.heading.cells[k]);
+      if (cell.name.empty()) cell = {table.heading.cells[k], ""};
+      const std::string said = table.heading.place + ": " + cell.name + ": ";
+      const Variation::Key key = key_of(cell.name, {"", "", "...", table.heading.place}, said, catalogue);
+      const deck::Key& record = *deck::find_key(catalogue, key.section, key.name);
+      const std::string below = k < table.units.cells.size() ? table.units.cells[k] : "";
+      const std::string unit = cell.unit.empty() ? deck::heading_cell("x " + below).unit : cell.unit;
+      conversions.push_back(deck::conversion(unit, record.unit.empty() ? "-" : record.unit));
+      if (!conversions.back().wrong.empty()) throw core::InputError(said + conversions.back().wrong);
+      variation.keys.push_back(key);
+    } catch (const core::InputError& error) {
+      errors.insert(errors.end(), error.messages().begin(), error.messages().end());
+    }
+  if (!errors.empty()) throw core::InputError(errors);
+  return conversions;
+}
+
+}  // namespace
+
 Variation read_cases(const std::string& path, const deck::Catalogue& catalogue) {
   constexpr std::uintmax_t largest = 1'000'000'000;  // bytes
-  std::ifstream file = deck::opened(path, largest);
-  Variation variation;
-  std::string line, text;
-  for (int number = 1; std::getline(file, line); ++number) {
-    text += line + "\n";
-    if (line.ends_with('\r')) line.pop_back();
-    if (deck::trimmed(line).empty() || line.starts_with('#')) continue;
-    const std::string said = fmt::format("{}:{}: ", path, number);
-    const std::vector<std::string> cells = parts_between(line, ',');
-    if (variation.keys.empty()) {
-      for (const std::string& name : cells)
-        variation.keys.push_back(
-            key_of(name, {"", "", "...", fmt::format("{}:{}", path, number)}, said + name + ": ", catalogue));
-      continue;
-    }
-    if (cells.size() != variation.keys.size())
-      throw core::InputError(said + fmt::format("{} values for {} columns", cells.size(), variation.keys.size()));
-    variation.values.push_back(cells);
-  }
-  if (variation.values.empty())
+  const deck::TextTable table = deck::read_text_table(path, largest);
+  if (table.heading.cells.empty() || table.rows.empty())
     throw core::InputError(
         path + ": has no cases: a line of keys, section.key between commas, and a line of values for each case");
+  Variation variation;
+  const std::vector<deck::Conversion> conversions = read_heading(table, catalogue, variation);
+  for (const deck::Row& row : table.rows) {
+    if (row.cells.size() != conversions.size())
+      throw core::InputError(
+          fmt::format("{}: {} values for {} columns", row.place, row.cells.size(), conversions.size()));
+    variation.values.emplace_back();
+    for (std::size_t k = 0; k < conversions.size(); ++k)
+      variation.values.back().push_back(in_unit_of_key(row.cells[k], conversions[k]));
+  }
   check_values(variation, catalogue, path + ": ", path);
-  deck::check_read(file, path);
-  variation.file = path + ": " + size_and_hash(text);
+  variation.file = path + ": " + size_and_hash(deck::content_of(path, largest));
   return variation;
 }
 

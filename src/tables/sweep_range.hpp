@@ -27,9 +27,9 @@ std::string name_of(const Variation::Key& key);
 /// nearest), a value that the key never takes (with what is allowed), a value twice.
 Variation parse_variation(const std::string& text, const deck::Catalogue& catalogue);
 
-/// The cases of a table, FILE.csv: a line of keys, section.key between commas, and for each case a line of values;
-/// lines that begin with # say nothing. errors: core::FileError; core::InputError: an unknown key, a line with more or
-/// fewer cells, a value that the key never takes, a case twice.
+/// The cases of a table, FILE.csv: a line of keys, "contact.load" or "contact.load [kN]", and for each case a line of
+/// values, as spreadsheets, R and Python write them (deck/text_table.hpp). errors: core::FileError; core::InputError:
+/// an unknown key, a line with more or fewer cells, a value that the key never takes, a case twice.
 Variation read_cases(const std::string& path, const deck::Catalogue& catalogue);
 
 /// All of them. in: the --vary, the --set and the --cases of a command line; the file's cases vary slowest.

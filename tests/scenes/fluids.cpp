@@ -101,12 +101,12 @@ BOOST_AUTO_TEST_CASE(tables) {
   check_all(contact,
             {{"few rows", oil, rows, {"d.ini:11", "t.csv: 3 rows are too few", "at least 4"}},
              {"no ambient pressure", oil, "1e8, 1\n1e9, 2\n", {"t.csv:1", "p = 1e+08", "p = 0"}},
-             {"pressure falls", oil, rows + "1.5e9, 4\n", {"t.csv:4", "p = 1.5e+09", "pressures must rise"}},
-             {"viscosity falls", oil, rows + "3e9, 2\n", {"t.csv:4", "eta = 2", "viscosity must rise"}},
+             {"pressure falls", oil, rows + "1.5e9, 4, 880\n", {"t.csv:4", "p = 1.5e+09", "pressures must rise"}},
+             {"viscosity falls", oil, rows + "3e9, 2, 880\n", {"t.csv:4", "eta = 2", "viscosity must rise"}},
              {"viscosity not positive", oil, "0, -1\n", {"t.csv:1", "eta = -1", "> 0"}},
              {"density falls", both, rows + "3e9, 4, 865\n", {"t.csv:4", "rho = 865", "density must rise"}},
              {"density not positive", both, "0, 1, 0\n", {"t.csv:1", "rho = 0", "> 0"}},
-             {"no density", both, "0, 1\n", {"t.csv:1", "2 columns", "3 are needed"}},
+             {"no density", both, "0, 1\n", {"t.csv:1", "2 columns", "must be p [Pa], eta [Pa s], rho [kg/m^3]"}},
              {"text", oil, "0, 1\n1e9, much\n", {"t.csv:2", "'much' is no number"}},
              {"not finite", oil, "0, 1\n1e9, inf\n", {"t.csv:2", "'inf' is no number"}},
              {"in gigapascals",
@@ -120,7 +120,25 @@ BOOST_AUTO_TEST_CASE(tables) {
               rows,
               {"d.ini:12", "table = t.csv", "no influence"}},
              {"another viscosity", oil + "eta0 = 1\n", barus_table(20), {"d.ini:12", "eta0 = 1", "0.0156 already"}}});
+  // The names and units of the heading count: the same film from every way of writing a table.
   const support::TemporaryFolder folder;
+  const std::string thin =
+      "[contact]\nload = 20\nradius_x = 0.0127\nE_prime = 1.2e11\n[motion]\nu_m = 0.01\n" + ("[lubricant]\n" + both);
+  folder.write("u.ini", thin);
+  for (const char* text :
+       {"p [Pa],eta [mPa s],rho "
+        "[kg/m^3]\n0,40,870\n1e8,250,912\n2e8,1200,941\n4e8,20000,985\n8e8,3e6,1045\n1.2e9,3e8,1090\n",
+        "p [Pa],rho [kg/m^3],eta [Pa "
+        "s]\n0,870,0.04\n1e8,912,0.25\n2e8,941,1.2\n4e8,985,20\n8e8,1045,3000\n1.2e9,1090,3e5\n",
+        "p [MPa];eta [mPa s];rho "
+        "[g/cm3]\n0;40;0,870\n100;250;0,912\n200;1200;0,941\n400;20000;0,985\n800;3e6;1,045\n1200;3e8;1,090\n"}) {
+    folder.write("ways.csv", text);
+    const auto film = support::parsed(
+        support::ehl(folder, "run u.ini --json --quiet --overwrite --set lubricant.table=ways.csv").out);
+    const double h_c = 1e9 * support::number_at(film, "/hc_m");
+    BOOST_TEST_MESSAGE(text << "h_c = " << h_c << " nm, 12.96 nm wanted");
+    BOOST_TEST(std::abs(h_c - 12.96) < 0.01);
+  }
   folder.write("d.ini", contact + oil);
   BOOST_TEST(support::ehl(folder, "check d.ini").status == 4);  // a file that is not there
 }

@@ -184,17 +184,22 @@ BOOST_AUTO_TEST_CASE(schedules_and_tables_mean_what_they_say) {
   const support::Ended mark = scene.ehl("run t.ini --quiet --output a.h5");
   BOOST_TEST(mark.status == 0, mark.err);
   BOOST_TEST(contains(scene.ehl("extract a.h5 /transient/load").out, "\n1\n"));
-  for (const char* wrong : {"0, 1.O\n1, 1.1\n2, 1.2\n", "O, 1\n1, 1.1\n2, 1.2\n", "0;1,0\n1;1,1\n2;1,2\n",
-                            "0,1,0\n1,1,1\n", "0;1;\n1;1.1;\n"}) {
+  // Decimal commas, trailing separators and milliseconds mean what they seem to.
+  BOOST_TEST(load("0;1,0\n1;1,1\n2;1,2\n").status == 0);
+  BOOST_TEST(load("0;1;\n1;1.1;\n").status == 0);
+  BOOST_TEST(load("t [a/u_m];load [%]\n0;100\n1;110\n").status == 0);
+  scene.refused("check t.ini --set transient.time_unit=seconds", 2, {"seconds need a contact and a motion in SI"});
+  for (const char* wrong : {"0, 1.O\n1, 1.1\n2, 1.2\n", "O, 1\n1, 1.1\n2, 1.2\n", "0,1,0\n1,1,1\n",
+                            "t [ms], load\n0,1\n1,1.1\n", "t, load [N]\n0,1\n1,1.1\n", "t, speed\n0,1\n1,1.1\n"}) {
     const support::Ended ended = load(wrong);
     BOOST_TEST(ended.status == 2, wrong << " ends with " << ended.status);
-    BOOST_TEST(ended.says({"swing.csv:1", "two numbers"}), wrong << ended.err);
+    BOOST_TEST(ended.says({"[transient] load = swing.csv: swing.csv:1"}), wrong << ended.err);
   }
   const std::string oil =
       small.substr(0, small.find("alpha")) + "viscosity = table\ntable = oil.csv\n[grid]\ncells = 64\n";
   scene.folder.write("o.ini", oil);
-  scene.folder.write("oil.csv", "0;0,01\n1e8;0,1\n1e9;5\n2e9;50\n");
-  scene.refused("check o.ini", 2, {"oil.csv:1", "'0,01' is no number"});
+  scene.folder.write("oil.csv", "0;0,01\n1e8;0.1\n1e9;5\n2e9;50\n");
+  scene.refused("check o.ini", 4, {"oil.csv:1", "decimal comma", "oil.csv:2", "decimal point"});
   scene.folder.write("oil.csv", "0,0.01,800,7\n1e8,0.1,820,7\n1e9,5,900,7\n2e9,50,950,7\n");
   scene.refused("check o.ini", 2, {"oil.csv:1", "4 columns"});
 }

@@ -8,8 +8,8 @@
 #include <memory>
 #include <utility>
 
-#include "deck/file.hpp"
 #include "deck/text.hpp"
+#include "deck/text_table.hpp"
 
 namespace ehl::roller {
 namespace {
@@ -62,7 +62,8 @@ std::vector<Key> shape_keys() {
        .type = deck::Type::text,
        .meaning =
            "The profile as a table, y and how far the surface lies below the middle's there, in m; of a "
-           "contact without units in a and a^2/R. At least four rows, y growing, from the middle or from "
+           "contact without units in a and a^2/R. A heading, y [mm] and drop [um], may name other units. At least four "
+           "rows, y growing, from the middle or from "
            "one end to an end, not beyond ten times that; smooth between them. A table from the middle is mirrored.",
        .needs = of("table"),
        .example = "profile.csv",
@@ -74,9 +75,11 @@ std::string read_table(const std::string& path, const Scales& scales, Profile& p
   const double unit_Y = scales.in_SI ? scales.a : 1.0;
   const double unit_H = scales.in_SI ? scales.a * scales.a / scales.radius : 1.0;
   std::vector<double> Y, H;
-  for (const deck::Row& row : deck::rows_of(path)) {
-    double value[2];
-    if (const std::string wrong = deck::read_numbers(row, "y and the drop", value); !wrong.empty()) return wrong;
+  const deck::ReadColumns read =
+      deck::read_columns(path, {{{"y"}, scales.in_SI ? "m" : "a"}, {{"drop", "z"}, scales.in_SI ? "m" : "a^2/R"}});
+  if (const auto* wrong = std::get_if<std::string>(&read)) return *wrong;
+  for (const deck::ColumnRow& row : std::get<deck::ColumnTable>(read).rows) {
+    const std::vector<double>& value = row.values;
     if (!Y.empty() && value[0] / unit_Y <= Y.back()) return row.place + ": y must grow from row to row";
     Y.push_back(value[0] / unit_Y);
     H.push_back(value[1] / unit_H);

@@ -52,8 +52,10 @@ std::vector<deck::Key> keys() {
         .example = "1e-7"},
        {.name = "profile",
         .type = deck::Type::text,
-        .meaning = "Layer across the track: a CSV with columns y and h, of both surfaces together, in metres; of a "
-                   "contact in M and L in units of X and H. It covers the width of the domain.",
+        .meaning = "Layer across the track: a CSV with columns y and h, of both surfaces together, in metres or the "
+                   "units of its "
+                   "heading, y [mm] and h [nm]; of a contact in M and L in units of X and H. It covers the width of "
+                   "the domain.",
         .example = "track.csv",
         .names_file = true},
        {.name = "passes",

@@ -55,6 +55,26 @@ BOOST_AUTO_TEST_CASE(keys_change_together) {
     folder.write("w.csv", text);
     return refusal([&] { program::read_cases(folder / "w.csv", program::catalogue()); });
   };
+  // As spreadsheets, R and Python write them.
+  for (const char* text : {"\"contact.M\",\"contact.L\"\n5,1\n20,2\n", "contact.M;contact.L\n5,0;1,0\n20,0;2,0\n"}) {
+    folder.write("q.csv", text);
+    const auto quoted = program::parse_variations({}, {}, program::catalogue(), folder / "q.csv");
+    BOOST_TEST(program::number_of_cases(quoted) == 2u, text);
+    BOOST_TEST(program::varied_keys(quoted) == (Texts{"contact.M", "contact.L"}), boost::test_tools::per_element());
+  }
+  folder.write("q.csv", "contact.load [kN],motion.u_m [mm/s]\n0.02,100\n");
+  BOOST_TEST(program::values_of_case(program::parse_variations({}, {}, program::catalogue(), folder / "q.csv"), 0) ==
+                 (Texts{"20", "0.1"}),
+             boost::test_tools::per_element());
+  // A table with a heading that means nothing was left out, and one case solved.
+  const auto refused = [&](const std::string& heading) {
+    folder.write("w.csv", heading + "\n5,1\n");
+    return refusal([&] { program::parse_variations({}, {}, program::catalogue(), folder / "w.csv"); });
+  };
+  BOOST_TEST(
+      contains(refused("contct.M,contact.L"), "w.csv:1: [contct] M = ...: unknown section: did you mean contact?"));
+  BOOST_TEST(contains(refused("Contact.M,contact.L"), "did you mean contact?"));
+  BOOST_TEST(contains(refused("contact.M,contact.L [m]"), "contact.L: the unit 'm' must be one of -, 1, %"));
   BOOST_TEST(contains(said("contact.M,contact.LL\n5,1\n"), "did you mean L?"));
   BOOST_TEST(contains(said("contact.M,contact.L\n5,1\n5\n"), "w.csv:3: 1 values for 2 columns"));
   BOOST_TEST(contains(said("contact.M,contact.L\n5,-1\n"), "L = -1"));
