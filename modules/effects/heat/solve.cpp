@@ -107,7 +107,7 @@ void pass_on(Ladder& ladder, std::size_t l, thermal::Setup setup) {
                          .passes = static_cast<int>(ladder.last.passes.size()),
                          .Hc = pass.Hc,
                          .Hm = pass.Hm,
-                         .mu = balance.friction,
+                         .mu = balance.friction * balance.load / run.hierarchy.problem.load.value_or(balance.load),
                          .film = balance.film.theta,
                          .surface_1 = balance.surface_1.theta,
                          .surface_2 = balance.surface_2.theta,

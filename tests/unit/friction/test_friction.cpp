@@ -163,3 +163,30 @@ BOOST_AUTO_TEST_CASE(the_cavitated_region) {
     }
   }
 }
+
+// A load that is not all on the domain, oil that ends within it, and layers ahead of a starved film.
+BOOST_AUTO_TEST_CASE(the_load_of_the_contact_and_where_the_oil_ends) {
+  const Fields fields(
+      rectangle(128), [](double X, double) { return X > 0.0 ? 1.0 : 0.0; }, [](double, double) { return 0.5; });
+  const friction::Film film{fields.grid, fields.P, fields.H, fields.viscosity, fields.thinning};
+  const auto with = [&](const friction::Parameters& parameters, auto change) {
+    friction::Film other = film;
+    change(other);
+    return friction::friction_of(other, parameters).sliding;
+  };
+  const double inside = 2.0 * A * B, whole = with(plain, [](friction::Film&) {});
+  const double of_more = with(plain, [&](friction::Film& one) { one.load = 3.0 * inside; });
+  const double cell = fields.grid.hx() / A;  // of the edge belongs to neither side
+  BOOST_TEST(std::abs(of_more / whole * 3.0 - 1.0) < cell);
+  friction::Parameters parameters = plain;
+  parameters.meniscus = 1.0;
+  const double round = with(parameters, [&](friction::Film& one) { one.load = inside; });
+  const double area = std::acos(-1.0), exact = plain.stress / 0.5 * area / inside;
+  BOOST_TEST_MESSAGE("a round meniscus: " << round << ", exact " << exact);
+  BOOST_TEST(std::abs(round / exact - 1.0) < 1e-3);
+  parameters = plain;
+  parameters.cavitated = Cavitated::striated;
+  const double starved = with(parameters, [](friction::Film& one) { one.starved = true; });
+  const double flooded = with(parameters, [](friction::Film&) {});
+  BOOST_TEST(std::abs(2.0 * starved / flooded - 1.0) < cell);
+}
