@@ -3,6 +3,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "contact/ellipse.hpp"
@@ -65,6 +66,8 @@ struct Scene {
   std::function<void(const core::Patch& grid, core::Field& S)> surface{};
   /// Writes the pressure of the dry contact and gives its H00, to begin with where Hertz' is far from it. Empty: Hertz.
   std::function<double(const core::Patch& grid, core::Field& P)> dry{};
+  /// Why no other strategy follows a first start that fails; the failure then says this. Empty: all are tried.
+  std::string one_start_only{};
   std::optional<rheology::ShearThinning> thinning{};  ///< sliding that thins the oil; absent: Newtonian
   std::vector<film::CoefficientEffect> effects{};     ///< effects at the stage of the coefficients
   /// What the surfaces bring of oil, in units of H (or mass over rho0): a mass conserving inlet and cavity. Empty: the

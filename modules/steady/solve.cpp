@@ -126,7 +126,7 @@ void try_full_multigrid(const Scene& scene, const ProgressCallback& progress, Se
     if (!search.over() && first && scene.supply && stalls) try_newton_after_cycles(scene, progress, search);
     if (!search.over() && first && flooded != nullptr) try_newton_from(*flooded, scene, progress, search);
     if (!search.over() && first && oil_is_astray(scene, search)) by_load();
-    if (search.over()) return;
+    if (search.over() || !scene.one_start_only.empty()) return;
   }
 }
 
@@ -158,10 +158,18 @@ Solution find_from(const Solution* flooded, const Scene& scene, const ProgressCa
           scene, safe_start(), [&](const Scene& light) { return by_full_multigrid(light, progress); }, progress, steps);
     });
   };
+  const bool once = !scene.one_start_only.empty();
   if (scene.continuation.path != Path::load) try_full_multigrid(scene, progress, search, flooded, by_load);
-  by_load();
-  if (scene.polish != Polish::off && !search.over()) try_newton(scene, progress, search);
+  if (!once || scene.continuation.path == Path::load) by_load();
+  if (scene.polish != Polish::off && !search.over()) {
+    if (!once)
+      try_newton(scene, progress, search);
+    else if (nodes_of(scene) <= most_nodes_of_two_rescues)
+      try_newton_after_cycles(scene, progress, search);
+  }
+  if (once && !search.best()) throw core::SolverError(scene.one_start_only + "; " + search.last_error());
   Solution solution = search.result();
+  if (once && !solution.converged) solution.failed_check = scene.one_start_only;  // the attempt tells the rest
   solution.continuation = std::move(steps);
   return solution;
 }

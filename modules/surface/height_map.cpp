@@ -45,6 +45,14 @@ Plane level(Heights& heights) {
   return plane;
 }
 
+Plane level_mean(Heights& heights) {
+  double sum = 0.0;
+  for (const double height : heights.values) sum += height;
+  const Plane plane{.mean = sum / static_cast<double>(heights.values.size())};
+  for (double& height : heights.values) height -= plane.mean;
+  return plane;
+}
+
 void taper(Heights& heights, double share) {
   if (share == 0.0) return;
   const std::vector<double> along = window(heights.nx, share);

@@ -30,6 +30,9 @@ struct Plane {
 /// surface. limits: nx, ny >= 2. errors: exact but for rounding for a map that is a plane.
 Plane level(Heights& heights);
 
+/// Takes the mean alone away and returns it, with slopes of 0.
+Plane level_mean(Heights& heights);
+
 /// Multiplies by (1 - cos(pi s))/2 where a point is a part s < 1 of the margin away from an edge, along both axes;
 /// margin = share of the map's length, at least one step. The map ends at zero and without a kink.
 /// in: 0 <= share <= 0.5; 0: nothing is done.

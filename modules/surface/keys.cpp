@@ -71,25 +71,53 @@ std::vector<Key> map_keys() {
                  .range = positive,
                  .meaning =
                      "Height of the number 1 in the file, in units of a^2/R, as H; unit_m = 1e-9 where the file is in "
-                     "nanometres.",
+                     "nanometres. May be left out where the file states its unit.",
                  .example = "0.01"};
   const Key dx{.name = "dx",
                .range = positive,
-               .meaning = "Distance between two points of a line of the file, in Hertz radii.",
+               .meaning =
+                   "Distance between two points of a line of the file, in Hertz radii. May be left out where "
+                   "the file states it.",
                .example = "0.02"};
   const Key dy{.name = "dy",
-               .default_note = "that of dx",
+               .default_note = "that of the file, or of dx",
                .range = positive,
                .meaning = "Distance between two lines of the file, in Hertz radii.",
                .example = "0.02"};
+  const Key longest_wave{.name = "longest_wave",
+                         .range = positive,
+                         .meaning =
+                             "Cut-off wavelength, in Hertz radii, of a Gaussian filter that takes longer waves "
+                             "away. A wave of this length keeps half of its height. Without it all long waves "
+                             "stay.",
+                         .source = "ISO 16610-61",
+                         .example = "8"};
+  const Key shortest_wave{
+      .name = "shortest_wave",
+      .range = positive,
+      .meaning = "The same for shorter waves, which it takes away; without it all short waves stay.",
+      .source = "ISO 16610-61",
+      .example = "0.2"};
   return {
+      {.name = "levelling",
+       .default_text = "plane",
+       .words = {"plane", "mean"},
+       .meaning = "What is taken away of a map first: the plane of least squares, with the tilt under the instrument; "
+                  "or its mean alone."},
+      longest_wave,
+      in_SI(longest_wave, "_m", "m", "8e-4"),
+      shortest_wave,
+      in_SI(shortest_wave, "_m", "m", "2.5e-6"),
       {.name = "file",
        .type = Type::text,
-       .meaning = "The measured heights, counted from the body outwards: a .csv whose lines run along x, the first "
-                  "at the smallest y (numbers between commas, semicolons or blanks; a first line of words is a "
-                  "heading, # begins a comment), or a .h5 with a dataset in rows of constant y. At least 8 by 8 "
-                  "points, none missing. It is looked for where the program runs, then beside the deck. The plane of "
-                  "least squares is taken away; onto the mesh they come as means over its cells.",
+       .meaning =
+           "The measured heights, counted from the body outwards. Text (.csv, .txt, .dat, .asc, .xyz, .sdf): lines "
+           "along x, the first at the smallest y, numbers between semicolons, tabs, commas or blanks, with decimal "
+           "points or commas; or x, y, z in every line, the points of a regular grid in any order; or Gwyddion's "
+           "text, ESRI's ASCII grid, SDF of ISO 25178-71 in ASCII. A first line of words is a heading, # begins a "
+           "comment. Or a .h5 with a dataset in rows of constant y. At least 8 by 8 points; up to a fifth of them may "
+           "be missing (an empty cell, NaN, BAD, ***) and is filled from its neighbours. It is looked for where the "
+           "program runs, then beside the deck. It is levelled; onto the mesh it comes as means over the cells.",
        .source = "modules/surface/README.md",
        .example = "heights.csv",
        .names_file = true},
@@ -128,12 +156,18 @@ Feature read_feature(const deck::Part& surface, const Units& units) {
 
 MapInput read_map(const deck::Part& surface, const Units& units) {
   MapInput map;
-  map.unit = length_of(surface, "unit", units.height);
-  map.dx = length_of(surface, "dx", units.a);
-  const double dy = surface.number_in("dy", units.a);
-  map.dy = surface.given_of({"dy", "dy_m"}).empty() ? map.dx : dy;
+  map.unit = surface.number_in("unit", units.height);
+  map.dx = surface.number_in("dx", units.a);
+  map.dy = surface.number_in("dy", units.a);
+  const auto wave = [&](const char* name) {
+    const double length = surface.number_in(name, units.a);
+    return std::isnan(length) ? 0.0 : length;
+  };
+  map.longest_wave = wave("longest_wave");
+  map.shortest_wave = wave("shortest_wave");
+  map.plane = surface.word("levelling") != "mean";
   map.file = surface.word("file");
-  if (map.file.empty()) surface.complain("file", "is missing: the measured heights, a .csv or a .h5");
+  if (map.file.empty()) surface.complain("file", "is missing: the measured heights, a text file or a .h5");
   map.dataset = surface.word("dataset");
   map.taper = surface.number("taper");
   return map;

@@ -13,9 +13,12 @@ namespace ehl::surface {
 struct MapInput {
   std::string file{};     ///< empty: complained about
   std::string dataset{};  ///< of a .h5
-  double unit = 0.0;      ///< height of the number 1 in the file
+  double unit = 0.0;      ///< height of the number 1 in the file; NaN: not given, as the next two
   double dx = 0.0, dy = 0.0;
   double taper = 0.0;
+  bool plane = true;           ///< levelling takes a plane away, else the mean alone
+  double longest_wave = 0.0;   ///< cut-off wavelength above which waves are taken away; 0: none are
+  double shortest_wave = 0.0;  ///< below which they are; 0: none are
 };
 
 /// What a surface carries: a feature, a map or, where the shape is empty, nothing.

@@ -85,6 +85,7 @@ inline const heat::Fields* fields_of_film(const std::optional<HeatResult>& heat,
 /// How a roller carries its load; with oil, on the grid of half as many cells, and without oil.
 struct RollerResult {
   roller::Distribution found{};
+  bool solved = true;  ///< the contact; else half as many cells are not tried
   std::optional<roller::Distribution> coarser{};
   roller::Distribution dry{};
   /// False where a spike may still grow, or hide between the nodes: what half as many cells say tells nothing of the

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/json.hpp"
+#include "base/text_format.hpp"
 #include "case/effects.hpp"
 #include "case/roller_input.hpp"
 #include "case/roller_report.hpp"
@@ -20,11 +21,28 @@
 namespace ehl::program {
 namespace {
 
+// What was done to a traced profile, and what it has of roughness.
+std::string trace_text(const Case& input) {
+  const roller::Profile& profile = *input.roller;
+  const roller::Trace& trace = profile.trace;
+  if (profile.shape != roller::Profile::Shape::table) return {};
+  const auto height = [&](double H) {
+    return input.physics.si ? length(H * input.physics.si->hertz.h_scale) : fmt::format("{:.4g} a^2/R", H);
+  };
+  std::string text = ", Rq " + height(trace.rough) + " without its form";
+  if (trace.shortest_wave > 0.0)
+    text += fmt::format(" ({} before waves below {:.4g} half widths were taken away)", height(trace.rough_before),
+                        trace.shortest_wave);
+  if (trace.level) text += fmt::format(", levelled by dH/dY = {:.4g}", trace.slope);
+  return text;
+}
+
 std::string what(const Case& input) {
   const roller::Profile& profile = *input.roller;
   const std::string tilt = profile.tilt != 0.0 ? fmt::format(", tilt dH/dY = {:.4g}", profile.tilt) : "";
-  return fmt::format("{:.4g} half widths long, profile {}, {:.4g} a^2/R below the middle at the ends{}", profile.length,
-                     deck::word(input.deck, "roller", "profile"), roller::drop(profile, 0.5 * profile.length), tilt);
+  return fmt::format("{:.4g} half widths long, profile {}, {:.4g} a^2/R below the middle at the ends{}{}",
+                     profile.length, deck::word(input.deck, "roller", "profile"),
+                     roller::drop(profile, 0.5 * profile.length), tilt, trace_text(input));
 }
 
 std::string asymmetry(const Case& input) {
@@ -37,12 +55,14 @@ Needs expense(const Case& input) { return {.seconds = basic_needs(input.scene).s
 
 constexpr int fewest_cells = 64;  // of a grid that the multigrid begins on
 
-std::optional<steady::Solution> on_coarser_grid(steady::Scene scene, RunSettings& settings) {
+// in: traced, a profile that an instrument has traced: its roughness may keep the coarser grid from a solution.
+std::optional<steady::Solution> on_coarser_grid(steady::Scene scene, bool traced, RunSettings& settings) {
   if (scene.grid.nx < 2 * fewest_cells || scene.grid.nx % 2 != 0 || scene.grid.ny % 4 != 0) return std::nullopt;
   scene.grid = core::coarsened(scene.grid);
   scene.deformation = mlmi::fitting(scene.deformation, scene.grid);
   scene.adjoint_errors = scene.error_maps = false;
   if (scene.multigrid.coarsest_cells > scene.grid.nx) scene.multigrid.coarsest_cells = 0;
+  if (traced) scene.one_start_only = "an error bar is worth one start";
   try {
     steady::Solution solution = steady::solve(scene, [&](const steady::Progress& now) {
       return settings.progress.show(now.fraction, "the roller on half as many cells");
@@ -53,10 +73,10 @@ std::optional<steady::Solution> on_coarser_grid(steady::Scene scene, RunSettings
   }
 }
 
-roller::Distribution dry_distribution(const steady::Scene& scene) {
+roller::Distribution dry_distribution(const steady::Scene& scene, bool solved) {
   const core::Patch grid = steady::on_one_half(scene) ? core::lower_half(scene.grid) : core::Patch(scene.grid);
   dry::Problem problem = roller::dry_problem(scene, grid);
-  problem.parameters.tolerance = 1e-6;  // of films of 0.001 and more
+  problem.parameters.tolerance = solved ? 1e-6 : 1e-3;  // of films of 0.001 and more; else of none
   const dry::Solution dry = dry::solve(problem);
   return roller::distribution(dry.grid, dry.P, dry.H);
 }
@@ -94,8 +114,11 @@ void compute(const Case& input, RunSettings& settings, Computed& computed) {
   steady::Scene scene = input.scene;  // on the grid that an accuracy has led to
   scene.grid = computed.solution.grid;
   scene.accuracy = {};
-  result.dry = dry_distribution(scene);
-  const std::optional<steady::Solution> coarser = on_coarser_grid(scene, settings);
+  result.dry = dry_distribution(scene, computed.solution.converged);
+  // Of a contact that was not solved there is nothing to compare.
+  std::optional<steady::Solution> coarser;
+  result.solved = computed.solution.converged;
+  if (result.solved) coarser = on_coarser_grid(scene, input.roller->trace.rough > 0.0, settings);
   if (coarser) result.coarser = roller::distribution(coarser->grid, coarser->P, coarser->H);
   Stresses finer, coarse;
   if (computed.stresses) {

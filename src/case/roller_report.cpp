@@ -97,6 +97,11 @@ std::vector<results::Quantity> roller_quantities(const Case& input, const Roller
       {"error_H_end", bars.H_end, "-", "its relative error, likewise"},
       {"load_centre", found.load_centre, "a", "y of the resultant of the pressure"},
       {"moment", moment_Nm(input, found), "N m", "of the pressure about the x axis"}};
+  if (const roller::Trace& trace = input.roller->trace; input.roller->shape == roller::Profile::Shape::table) {
+    list.push_back({"Rq", trace.rough, "a^2/R", "roughness of the traced profile without its form"});
+    list.push_back({"Rq_before_filter", trace.rough_before, "a^2/R", "the same before short waves were taken away"});
+    list.push_back({"levelled_slope", trace.slope, "-", "dH/dY that was taken away of the trace"});
+  }
   if (!std::isfinite(result.mises_end)) return list;
   list.push_back({"mises_middle", result.mises_middle, "p_h", "largest von Mises stress below the middle half"});
   list.push_back(
@@ -120,7 +125,9 @@ std::vector<std::string> edge_warnings(const Distribution& found) {
 std::vector<std::string> roller_warnings(const RollerResult& result) {
   std::vector<std::string> warnings = edge_warnings(result.found);
   if (!result.coarser)
-    warnings.emplace_back("half as many cells gave no solution: what happens at the ends has no error bar");
+    warnings.emplace_back(
+        result.solved ? "half as many cells gave no solution: what happens at the ends has no error bar"
+                      : "the contact was not solved: half as many cells are not tried, and the ends have no error bar");
   return warnings;
 }
 

@@ -12,6 +12,7 @@
 #include "case/needs.hpp"
 #include "case/roller_input.hpp"
 #include "case/supply_input.hpp"
+#include "case/touching.hpp"
 #include "core/errors.hpp"
 #include "deck/text.hpp"
 #include "effects/roller/slices.hpp"
@@ -20,6 +21,7 @@
 #include "mlmi/keys.hpp"
 #include "reynolds/keys.hpp"
 #include "steady/keys.hpp"
+#include "steady/rescue.hpp"
 #include "steady/resolution.hpp"
 
 namespace ehl::program {
@@ -29,6 +31,8 @@ using deck::complain;
 using deck::given;
 
 constexpr double bytes_per_node = 24.0 * sizeof(double);
+/// On the finest grid, where that is a large one. [tuning: most_cycles_where_they_touch]
+constexpr int most_cycles_where_they_touch = 12;
 constexpr double share_of_memory = 0.8;  // that a grid for an accuracy may take
 
 // The unit of loads that the deck gives in SI.
@@ -221,6 +225,11 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   }
   if (deck.errors.empty()) refuse_idle(result);
   deck::throw_if_wrong(deck);
+  scene.one_start_only = why_they_touch(result);
+  const bool large =
+      static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y() > steady::most_nodes_of_two_rescues;
+  if (!scene.one_start_only.empty() && large && !given(deck, "multigrid", "max_cycles"))
+    scene.multigrid.max_cycles = most_cycles_where_they_touch;
 
   result.files = deck::named_files(deck);
   return result;

@@ -13,6 +13,7 @@
 #include "deck/file.hpp"
 #include "deck/text.hpp"
 #include "steady/resolution.hpp"
+#include "surface/gaussian_filter.hpp"
 #include "surface/keys.hpp"
 
 namespace ehl::program {
@@ -74,19 +75,78 @@ void check_meant(const deck::Part& part, const surface::HeightMap& map, const co
                          rms, expected));
 }
 
+/// Relative difference between what a file states and what the deck gives that is none.
+constexpr double same = 0.01;
+
+// A length of the map in its plain unit: that of the deck, else that which the file states in metres.
+// in: name of the key; its value, NaN: not given; stated: by the file, NaN: not; plain: the plain unit in metres, NaN:
+// not known.
+double settled(const deck::Part& part, const std::string& name, double given, double stated, double plain) {
+  const std::string key = part.given(name) ? name : name + "_m";
+  if (!part.given_of({name, name + "_m"}).empty()) {
+    if (std::isfinite(stated) && std::isfinite(plain) && std::abs(given * plain / stated - 1.0) > same)
+      part.complain(key,
+                    fmt::format("is {:.6g} m, and the file states {:.6g} m: remove the key, or correct one of them",
+                                given * plain, stated));
+    return given;
+  }
+  if (std::isnan(stated))
+    part.complain(name, "is missing, and the file does not state it: give it, or " + name + "_m for a contact in SI");
+  else if (std::isnan(plain))
+    part.complain(name,
+                  fmt::format("is missing: the file states {:.6g} m, and the contact is not given in SI", stated));
+  return stated / plain;
+}
+
+// Of the file and the deck together.
+void settle_lengths(const deck::Part& part, const MapInFile& file, const surface::Units& units,
+                    surface::MapInput& input) {
+  input.unit = settled(part, "unit", input.unit, file.unit_m, units.height.in_SI);
+  input.dx = settled(part, "dx", input.dx, file.dx_m, units.a.in_SI);
+  const bool known = !part.given_of({"dy", "dy_m"}).empty() || std::isfinite(file.dy_m / units.a.in_SI);
+  input.dy = known ? settled(part, "dy", input.dy, file.dy_m, units.a.in_SI) : input.dx;
+  if (input.longest_wave > 0.0 && input.longest_wave <= input.shortest_wave)
+    part.complain(part.given("longest_wave") ? "longest_wave" : "longest_wave_m",
+                  "must be longer than shortest_wave: else no wave is left");
+  const double reach = std::min(input.dx, input.dy);
+  if (input.shortest_wave > 0.0 && input.shortest_wave < reach)
+    part.complain(
+        part.given("shortest_wave") ? "shortest_wave" : "shortest_wave_m",
+        fmt::format("has no influence: it is {:.4g} Hertz radii, less than the distance of the points, {:.4g}",
+                    input.shortest_wave, reach));
+}
+
+// Levels and filters. out: heights in units of the file.
+void condition(const surface::MapInput& input, surface::Heights& heights, MapRecord& record) {
+  record.plane_taken = input.plane;
+  record.plane = input.plane ? surface::level(heights) : surface::level_mean(heights);
+  record.rms_levelled = input.unit * surface::rms(heights);
+  record.longest_wave = input.longest_wave;
+  record.shortest_wave = input.shortest_wave;
+  if (input.longest_wave > 0.0) {
+    const surface::Heights longer = surface::long_waves(heights, input.dx, input.dy, input.longest_wave);
+    for (std::size_t n = 0; n < longer.values.size(); ++n) heights.values[n] -= longer.values[n];
+  }
+  if (input.shortest_wave > 0.0) heights = surface::long_waves(heights, input.dx, input.dy, input.shortest_wave);
+}
+
 // Nothing where something was complained about.
-std::optional<CarriedSurface> map_of(const deck::Part& part, const surface::Input& input, const core::Grid& grid,
-                                     bool timed, double expected) {
+std::optional<CarriedSurface> map_of(const deck::Part& part, surface::Input& input, const core::Grid& grid, bool timed,
+                                     double expected, const surface::Units& units) {
   if (input.map->file.empty()) return std::nullopt;
   if (const std::string key = "Sq" + part.section.substr(7); given(part.deck, "contact", key))
     deck::complain(part.deck, "contact", key, "the map of " + part.section + " has a roughness of its own: remove it");
-  ReadHeights read = read_heights(deck::found_beside(part.deck, part.section, "file"), input.map->dataset);
+  ReadHeights read = read_heights(deck::found_beside(part.deck, part.section, "file"), input.map->dataset,
+                                  input.map->dx * units.a.in_SI);
   if (const auto* wrong = std::get_if<std::string>(&read)) part.complain("file", *wrong);
   if (!part.deck.errors.empty()) return std::nullopt;
-  surface::HeightMap map{.gap = std::move(std::get<surface::Heights>(read)), .dx = input.map->dx, .dy = input.map->dy};
-  MapRecord record{.file = input.map->file, .taper = input.map->taper};
+  MapInFile& file = std::get<MapInFile>(read);
+  settle_lengths(part, file, units, *input.map);
+  if (!part.deck.errors.empty()) return std::nullopt;
+  surface::HeightMap map{.gap = std::move(file.heights), .dx = input.map->dx, .dy = input.map->dy};
+  MapRecord record{.file = input.map->file, .filled = file.filled, .taper = input.map->taper};
   const double before = std::ranges::max(map.gap.values, {}, [](double z) { return std::abs(z); });
-  record.plane = surface::level(map.gap);
+  condition(*input.map, map.gap, record);
   const double left = surface::rms(map.gap);
   if (!(left > no_heights * std::abs(before))) {
     part.complain("file", record.file + ": its heights lie in a plane: without it nothing is left");
@@ -147,14 +207,14 @@ std::optional<CarriedSurface> carried_by(const deck::Part& part, const Physics& 
     units.a.in_SI = physics.si->hertz.a;
     units.height.in_SI = physics.si->hertz.h_scale;
   }
-  const surface::Input input = surface::read(part.deck, part.section, units);
+  surface::Input input = surface::read(part.deck, part.section, units);
   if (input.shape.empty()) return std::nullopt;
   if (motion != Motion::dry) check_at_rest(part, physics, timed);
   const double expected = physics.groups.M > 0.0
                               ? steady::expected_central_film(physics.groups.M, physics.groups.L, physics.groups.shape)
                               : std::numeric_limits<double>::quiet_NaN();
   std::optional<CarriedSurface> surface =
-      input.map ? map_of(part, input, grid, timed, expected) : feature_of(part, input, grid, timed);
+      input.map ? map_of(part, input, grid, timed, expected, units) : feature_of(part, input, grid, timed);
   if (!timed && surface && part.deck.errors.empty()) check_influence(part, surface->relief, grid);
   return surface;
 }

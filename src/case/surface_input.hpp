@@ -14,9 +14,13 @@ namespace ehl::program {
 /// A map as it was read.
 struct MapRecord {
   std::string file{};
-  surface::Plane plane{};  ///< that was taken away, in units of the file
-  double rms = 0.0;        ///< Sq of what is left before the taper, in a^2/R
-  double mean = 0.0;       ///< Sa of it: mean of the absolute heights
+  surface::Plane plane{};                          ///< that was taken away, in units of the file
+  bool plane_taken = true;                         ///< else the mean alone
+  int filled = 0;                                  ///< points that were missing
+  double longest_wave = 0.0, shortest_wave = 0.0;  ///< cut-offs of the filters, in a; 0: none
+  double rms_levelled = 0.0;                       ///< Sq before the filters, in a^2/R
+  double rms = 0.0;                                ///< Sq of what is left before the taper, in a^2/R
+  double mean = 0.0;                               ///< Sa of it: mean of the absolute heights
   double taper = 0.0;
 };
 

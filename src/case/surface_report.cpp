@@ -35,15 +35,24 @@ std::string text(const surface::Feature& feature, const Physics& physics) {
 std::string text(const surface::HeightMap& map, const MapRecord& record, const Physics& physics,
                  const core::Grid& grid) {
   const surface::Resolution left = surface::resolution(map, grid);
-  return fmt::format(
-      "{}, {} x {} points on {:.4g} x {:.4g} a around ({:.4g}, {:.4g}) a; levelled (taken away: mean {:.4g}, slopes "
-      "{:.3g} and {:.3g} per point, in the file's unit), Sq {}, Sa {}, tapered over {:.3g} of its length at each edge; "
-      "on "
-      "this mesh {} of its variance lost, no wave shorter than {} along x, {} along y",
-      record.file, map.gap.nx, map.gap.ny, map.length_x(), map.length_y(), map.X, map.Y, record.plane.mean,
-      record.plane.slope_x, record.plane.slope_y, height_text(record.rms, physics), height_text(record.mean, physics),
-      record.taper, percent(left.variance_lost), length_text(left.shortest_wave_X, physics),
-      length_text(left.shortest_wave_Y, physics));
+  std::string text = fmt::format(
+      "{}, {} x {} points on {:.4g} x {:.4g} a around ({:.4g}, {:.4g}) a; {}{} (taken away: mean {:.4g}, slopes "
+      "{:.3g} and {:.3g} per point, in the file's unit), Sq {}, Sa {}, tapered over {:.3g} of its length at each "
+      "edge; ",
+      record.file, map.gap.nx, map.gap.ny, map.length_x(), map.length_y(), map.X, map.Y,
+      record.filled > 0 ? fmt::format("{} missing points filled from their neighbours; ", record.filled) : "",
+      record.plane_taken ? "levelled" : "without its mean", record.plane.mean, record.plane.slope_x,
+      record.plane.slope_y, height_text(record.rms, physics), height_text(record.mean, physics), record.taper);
+  if (record.longest_wave > 0.0 || record.shortest_wave > 0.0)
+    text += fmt::format("Gaussian filter: waves{}{} taken away, Sq {} before; ",
+                        record.longest_wave > 0.0 ? " longer than " + length_text(record.longest_wave, physics) : "",
+                        record.shortest_wave > 0.0 ? (record.longest_wave > 0.0 ? " and" : "") +
+                                                         (" shorter than " + length_text(record.shortest_wave, physics))
+                                                   : "",
+                        height_text(record.rms_levelled, physics));
+  return text + fmt::format("on this mesh {} of its variance lost, no wave shorter than {} along x, {} along y",
+                            percent(left.variance_lost), length_text(left.shortest_wave_X, physics),
+                            length_text(left.shortest_wave_Y, physics));
 }
 
 }  // namespace

@@ -127,7 +127,8 @@ std::string derived(const Case& input) {
   if (physics.si) text += si_lines(*physics.si);
   text += group_lines(physics);
   const std::vector<Formula> formulas = film_formulas(physics.groups);
-  text += formula_lines(formulas, physics) + roughness_line(input, roughness_of(input, formulas, std::nan("")));
+  const std::optional<Roughness> roughness = roughness_of(input, formulas, std::nan(""));
+  text += formula_lines(formulas, physics) + roughness_line(input, roughness);
   text += domain_lines(scene.grid, si_scales(physics));
   text += std::string("method       wedge ") + name(scene.wedge) + ", face " + name(scene.face) + "; deformation " +
           name(scene.deformation.method) + "\n";
@@ -140,6 +141,7 @@ std::string derived(const Case& input) {
     for (std::string& warning :
          hardly_a_film(formulas[0].Hc * physics.si->hertz.h_scale, formulas[0].Hm * physics.si->hertz.h_scale))
       warnings.push_back(std::move(warning));
+  if (std::optional<std::string> warning = roughness_warning(input, roughness)) warnings.push_back(*warning);
   const Needs needs = expected_needs(input);
   return text + warning_lines(warnings) +
          fmt::format("needs        about {} and {} with {}\n", memory(needs.bytes), about_seconds(needs.seconds),

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/text_format.hpp"
+#include "case/touching.hpp"
 #include "report/outcome.hpp"
 
 namespace ehl::program {
@@ -14,6 +15,8 @@ namespace {
 
 /// Lambda ratio from which on the heights of the surfaces hardly meet. source: Tallian (1967), who counted contacts.
 constexpr double full_film = 3.0;
+/// Below it the roughness exceeds the film.
+constexpr double touching_film = 1.0;
 
 std::string height(const Case& input, double H) {
   if (input.physics.si) return length(H * input.physics.si->hertz.h_scale);
@@ -35,14 +38,14 @@ std::optional<Roughness> roughness_of(const Case& input, const std::vector<Formu
     rough.Sq =
         std::hypot(stated(input.physics.si->Sq1, *input.physics.si), stated(input.physics.si->Sq2, *input.physics.si));
   const std::vector<const CarriedSurface*> shapes = carried(input.surfaces);
-  for (const CarriedSurface* one : shapes)
-    if (one->map) rough.Sq = std::hypot(rough.Sq, one->map->rms);
+  rough.Sq = std::hypot(rough.Sq, measured_roughness(input));
   if (!(rough.Sq > 0.0)) return std::nullopt;
   // The fit to our own solutions where it reaches: the published films are off by a tenth.
   auto known = std::ranges::find(formulas, map_code, &Formula::code);
   if (known == formulas.end())
     known = std::ranges::find_if(formulas, [](const Formula& f) { return std::isfinite(f.Hm); });
-  if (shapes.empty() && std::isfinite(Hm)) {
+  const bool traced = input.roller && input.roller->trace.rough > 0.0;
+  if (shapes.empty() && !traced && std::isfinite(Hm)) {
     rough.Hm = Hm;
   } else if (known != formulas.end()) {
     rough.Hm = known->Hm;
@@ -60,10 +63,12 @@ std::string roughness_line(const Case& input, const std::optional<Roughness>& ro
 
 std::optional<std::string> roughness_warning(const Case& input, const std::optional<Roughness>& roughness) {
   if (!roughness || !(roughness->lambda_ratio() < full_film)) return std::nullopt;
+  const bool touch = roughness->lambda_ratio() < touching_film;
   return fmt::format(
-      "lambda ratio {:.2g} is below {:g}: {} does not keep surfaces of roughness Sq = {} apart; mixed lubrication is "
-      "likely",
-      roughness->lambda_ratio(), full_film, film(input, *roughness), height(input, roughness->Sq));
+      "lambda ratio {:.2g} is below {:g}: {} does not keep surfaces of roughness Sq = {} apart; {}",
+      roughness->lambda_ratio(), touch ? touching_film : full_film, film(input, *roughness),
+      height(input, roughness->Sq),
+      touch ? "they touch, and contact between asperities is not simulated" : "mixed lubrication is likely");
 }
 
 }  // namespace ehl::program

@@ -10,6 +10,7 @@
 
 #include "deck/text.hpp"
 #include "deck/text_table.hpp"
+#include "effects/roller/trace.hpp"
 
 namespace ehl::roller {
 namespace {
@@ -47,6 +48,15 @@ std::vector<Key> shape_keys() {
                         .source = "Lundberg 1939; Johns and Gohar 1981",
                         .needs = of("logarithmic"),
                         .example = "1.5"};
+  const Key shortest_wave{.name = "shortest_wave",
+                          .range = positive,
+                          .meaning =
+                              "Cut-off wavelength of a traced profile, in half widths a: a Gaussian filter takes "
+                              "shorter waves away. A wave of this length keeps half of its height; the form stays, "
+                              "to its ends. Without it the trace stays as it is.",
+                          .source = "ISO 16610-31, second order, not robust",
+                          .needs = of("table"),
+                          .example = "4"};
   Key design_load_N = in_SI(design_load, "_N", "N", "3000");
   design_load_N.range = positive;
   return {
@@ -58,6 +68,14 @@ std::vector<Key> shape_keys() {
       in_SI(crown_radius, "_m", "m", "10"),
       design_load,
       design_load_N,
+      shortest_wave,
+      in_SI(shortest_wave, "_m", "m", "2.5e-4"),
+      {.name = "levelling",
+       .default_text = "none",
+       .words = {"none", "line"},
+       .meaning = "What is taken away of a traced profile before it is used: none; line: the straight line of least "
+                  "squares, the tilt with which the roller lay below the stylus.",
+       .needs = of("table")},
       {.name = "file",
        .type = deck::Type::text,
        .meaning =
@@ -99,6 +117,7 @@ std::string read_table(const std::string& path, const Scales& scales, Profile& p
         "{}: from y = {:.4g} to {:.4g} {}, and the roller reaches from {:.4g} to {:.4g}: give all of it, or one half "
         "from y = 0 on",
         path, Y.front() * unit_Y, Y.back() * unit_Y, unit, -half * unit_Y, half * unit_Y);
+  condition(Y, H, mirrored, profile);
   const double first = Y.front(), last = Y.back();
   const auto curve =
       std::make_shared<const boost::math::interpolators::makima<std::vector<double>>>(std::move(Y), std::move(H));
@@ -171,6 +190,9 @@ Profile read(deck::Deck& deck, const Scales& scales) {
       !std::isnan(tilt))
     profile.tilt = tilt;
   if (profile.shape != table || !deck.errors.empty()) return profile;
+  profile.trace.level = part.word("levelling") == "line";
+  if (const double wave = part.number_in("shortest_wave", {"_m", scales.a, scales.in_SI}); !std::isnan(wave))
+    profile.trace.shortest_wave = wave;
   if (!part.given("file"))
     part.complain("file", "is missing: the table of y and drop");
   else if (const std::string wrong = read_table(deck::found_beside(deck, "roller", "file"), scales, profile);

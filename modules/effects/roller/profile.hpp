@@ -7,6 +7,15 @@
 
 namespace ehl::roller {
 
+/// What the deck asks of a traced profile, and what was found of it. Lengths in a, heights in a^2/R.
+struct Trace {
+  bool level = false;          ///< take the straight line of least squares away
+  double shortest_wave = 0.0;  ///< cut-off wavelength of the Gaussian filter; 0: the trace stays as it is
+  double slope = 0.0;          ///< dH/dY that was taken away
+  double rough = 0.0;          ///< Rq of waves up to longest_of_roughness (trace.hpp) that the profile carries
+  double rough_before = 0.0;   ///< the same before smoothing
+};
+
 struct Profile {
   enum class Shape {
     straight,     ///< over all but end_length at each end, which fall as (Y - Y_s)^2/(2 end_radius)
@@ -21,6 +30,7 @@ struct Profile {
   double crown_radius = 0.0;  ///< over R
   double design_load = 1.0;   ///< over the load
   std::function<double(double Y)> table{};
+  Trace trace{};      ///< of a table
   double tilt = 0.0;  ///< dH/dY: at Y > 0 the roller stands further off
 };
 

@@ -1,0 +1,189 @@
+#include "case/map_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "case/map_cells.hpp"
+#include "case/map_list.hpp"
+#include "deck/text.hpp"
+
+namespace ehl::program {
+namespace {
+
+constexpr std::size_t most_heights = 100'000'000;  // as of a map in HDF5
+
+// The heading of the file, and what follows it.
+struct MapText {
+  std::vector<std::string> heading{};  ///< comments too, without their #
+  std::vector<TextLine> lines{};       ///< of numbers
+  int blank = 0;                       ///< first blank line that stands between lines of numbers
+};
+
+// in: a heading that is one line of words, or lines of "name: value".
+MapText divided(const std::string& text) {
+  MapText divided;
+  int number = 0, blank = 0;
+  bool words = false;
+  for (const std::string& raw : lines_of(text)) {
+    ++number;
+    const std::size_t hash = raw.find('#');
+    if (hash != std::string::npos) divided.heading.push_back(deck::trimmed(raw.substr(hash + 1)));
+    // A tab at an end is a separator with nothing behind it.
+    const std::string line = raw.substr(0, hash);
+    if (deck::trimmed(line).empty()) {
+      if (hash == std::string::npos && blank == 0 && !divided.lines.empty()) blank = number;
+      continue;
+    }
+    if (divided.lines.empty() && !is_numbers(line)) {
+      const bool entry = line.find_first_of(":=") != std::string::npos;
+      if (entry || !words) {
+        words |= !entry;
+        divided.heading.push_back(deck::trimmed(line));
+        continue;
+      }
+    }
+    if (blank > 0 && divided.blank == 0) divided.blank = blank;
+    divided.lines.push_back({number, line});
+  }
+  return divided;
+}
+
+// What Gwyddion and others write above the numbers. in: points along x and y.
+void read_heading(const std::vector<std::string>& heading, MapInFile& map) {
+  for (const std::string& line : heading) {
+    const auto [name, value] = entry_of(line, false);
+    if (name == "width") map.dx_m = length_of(value) / map.heights.nx;
+    if (name == "height") map.dy_m = length_of(value) / map.heights.ny;
+    if (name == "value units" || name == "z unit" || name == "z units" || name == "unit" || name == "units")
+      map.unit_m = metres_of(value);
+    if (name == "dx" || name == "x spacing" || name == "pixel size" || name == "lateral spacing")
+      map.dx_m = length_of(value);
+    if (name == "dy" || name == "y spacing") map.dy_m = length_of(value);
+  }
+  if (std::isnan(map.dy_m)) map.dy_m = map.dx_m;
+}
+
+ReadHeights read_rows(const MapText& text, const std::string& name) {
+  const Writing writing = writing_of(text.lines);
+  if (text.blank > 0) return fmt::format("{}:{}: a line without heights between others: a gap", name, text.blank);
+  MapInFile map;
+  surface::Heights& heights = map.heights;
+  for (const TextLine& line : text.lines) {
+    const std::string where = fmt::format("{}:{}: ", name, line.number);
+    const std::vector<std::string> cells = cells_of(line.text, writing);
+    if (heights.ny > 0 && static_cast<int>(cells.size()) != heights.nx)
+      return fmt::format("{}{} heights in this line and {} in those before", where, cells.size(), heights.nx);
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      std::string wrong;
+      heights.values.push_back(height_of(cells[k], writing, wrong));
+      if (!wrong.empty())
+        return fmt::format("{}height number {}: {}; a missing point is an empty cell, NaN, BAD or ***", where, k + 1,
+                           wrong);
+    }
+    heights.nx = static_cast<int>(cells.size());
+    ++heights.ny;
+    if (heights.values.size() > most_heights) return where + "more than 10^8 heights";
+  }
+  read_heading(text.heading, map);
+  return map;
+}
+
+// All cells of all lines, whatever stands in a line. in: the number of them that is wanted.
+std::string read_cells(const std::vector<TextLine>& lines, const std::string& name, std::size_t wanted,
+                       std::vector<double>& values) {
+  const Writing writing = writing_of(lines);
+  for (const TextLine& line : lines)
+    for (const std::string& cell : cells_of(line.text, writing)) {
+      std::string wrong;
+      values.push_back(height_of(cell, writing, wrong));
+      if (!wrong.empty()) return fmt::format("{}:{}: {}", name, line.number, wrong);
+    }
+  if (values.size() == wanted) return {};
+  return fmt::format("{}: {} heights, and its heading states {}", name, values.size(), wanted);
+}
+
+struct Entries {
+  std::vector<std::pair<std::string, std::string>> all{};
+  double number(const char* name) const {
+    for (const auto& [key, value] : all)
+      if (key == name) return deck::read_number(value).value;
+    return std::nan("");
+  }
+};
+
+bool is_count(double n) { return n >= 1.0 && n <= 1e8 && n == std::floor(n); }
+
+// ISO 25178-71: a heading of "name = value", the heights, and the end, each closed by a line with a star.
+ReadHeights read_sdf(const std::vector<std::string>& lines, const std::string& name) {
+  Entries heading;
+  std::size_t n = 1;
+  for (; n < lines.size() && deck::trimmed(lines[n]) != "*"; ++n) heading.all.push_back(entry_of(lines[n], false));
+  std::vector<TextLine> rows;
+  for (++n; n < lines.size() && deck::trimmed(lines[n]) != "*"; ++n)
+    if (!deck::trimmed(lines[n]).empty()) rows.push_back({static_cast<int>(n) + 1, lines[n]});
+  const double nx = heading.number("numpoints"), ny = heading.number("numprofiles");
+  MapInFile map{.unit_m = heading.number("zscale"), .dx_m = heading.number("xscale"), .dy_m = heading.number("yscale")};
+  if (!is_count(nx) || !is_count(ny) || !(map.unit_m > 0.0) || !(map.dx_m > 0.0) || !(map.dy_m > 0.0))
+    return name + ": its heading lacks NumPoints, NumProfiles, Xscale, Yscale or Zscale (ISO 25178-71)";
+  map.heights.nx = static_cast<int>(nx);
+  map.heights.ny = static_cast<int>(ny);
+  const std::string wrong = read_cells(rows, name, static_cast<std::size_t>(nx * ny), map.heights.values);
+  if (!wrong.empty()) return wrong;
+  return map;
+}
+
+// ESRI's ASCII grid: six lines of "name value", and rows from the largest y down.
+ReadHeights read_esri(const std::vector<std::string>& lines, const std::string& name, double dx_m) {
+  Entries heading;
+  std::vector<TextLine> rows;
+  for (std::size_t n = 0; n < lines.size(); ++n) {
+    const std::string line = deck::trimmed(lines[n]);
+    if (line.empty()) continue;
+    if (rows.empty() && std::isalpha(static_cast<unsigned char>(line[0])) &&
+        !is_numbers(line.substr(0, line.find(' '))) && line.find_first_of(" \t") != std::string::npos &&
+        heading.all.size() < 6 && entry_of(line, true).first != "nan") {
+      auto entry = entry_of(line, true);
+      std::ranges::transform(entry.first, entry.first.begin(), [](unsigned char c) { return std::tolower(c); });
+      heading.all.push_back(std::move(entry));
+    } else {
+      rows.push_back({static_cast<int>(n) + 1, lines[n]});
+    }
+  }
+  const double nx = heading.number("ncols"), ny = heading.number("nrows"), cell = heading.number("cellsize");
+  if (!is_count(nx) || !is_count(ny) || !(cell > 0.0)) return name + ": its heading lacks ncols, nrows or cellsize";
+  std::vector<double> values;
+  if (std::string wrong = read_cells(rows, name, static_cast<std::size_t>(nx * ny), values); !wrong.empty())
+    return wrong;
+  MapInFile map;
+  map.heights = {static_cast<int>(nx), static_cast<int>(ny), values};
+  const double none = heading.number("nodata_value");
+  for (int l = 0; l < map.heights.ny; ++l)
+    for (int k = 0; k < map.heights.nx; ++k) {
+      const double z = values[static_cast<std::size_t>((map.heights.ny - 1 - l) * map.heights.nx + k)];
+      map.heights(k, l) = z == none ? std::nan("") : z;
+    }
+  map.dx_m = map.dy_m = cell * unit_of_coordinates(cell, dx_m, 1.0);
+  return map;
+}
+
+}  // namespace
+
+ReadHeights read_map_text(const std::string& text, const std::string& name, double dx_m) {
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    return name + ": is text in UTF-16: save it in UTF-8";
+  if (text.starts_with("aISO-1.0") || text.starts_with("aBCR-1.0")) return read_sdf(lines_of(text), name);
+  if (text.starts_with("bISO-1.0") || text.starts_with("bBCR-1.0"))
+    return name + ": is a binary file of ISO 25178-71: save it as its ASCII form with Gwyddion";
+  if (text.find('\0') != std::string::npos)
+    return name + ": is no text: open it with Gwyddion and save it as ASCII data matrix (.txt)";
+  if (entry_of(text.substr(0, text.find_first_of("\r\n")), true).first == "ncols")
+    return read_esri(lines_of(text), name, dx_m);
+  const MapText parts = divided(text);
+  if (!parts.lines.empty() && is_list(parts.lines)) return read_list(parts.lines, parts.heading, name, dx_m);
+  return read_rows(parts, name);
+}
+
+}  // namespace ehl::program

@@ -1,0 +1,76 @@
+#include "case/touching.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text_format.hpp"
+#include "contact/film_formulas.hpp"
+#include "contact/film_map.hpp"
+#include "core/constants.hpp"
+#include "surface/resample.hpp"
+
+namespace ehl::program {
+namespace {
+
+// In a^2/R; of one that the formulas give as h/R.
+double over_radius(const contact::FilmThickness& film, const contact::Groups& groups) {
+  return contact::H_from_thickness_over_radius(film.minimum, groups.W, groups.shape);
+}
+
+std::string height_text(const Case& input, double H) {
+  return input.physics.si ? length(H * input.physics.si->hertz.h_scale) : fmt::format("{:.4g} a^2/R", H);
+}
+
+// What the mesh holds of it: waves shorter than its cells are averaged away.
+double roughness_on_mesh(const Case& input) {
+  double Sq = input.roller ? input.roller->trace.rough : 0.0;
+  for (const CarriedSurface* one : carried(input.surfaces))
+    if (one->map) {
+      const double lost =
+          surface::resolution(std::get<surface::HeightMap>(one->relief), input.scene.grid).variance_lost;
+      Sq = std::hypot(Sq, one->map->rms * std::sqrt(1.0 - std::min(1.0, lost)));
+    }
+  return Sq;
+}
+
+}  // namespace
+
+double measured_roughness(const Case& input) {
+  double Sq = input.roller ? input.roller->trace.rough : 0.0;
+  for (const CarriedSurface* one : carried(input.surfaces))
+    if (one->map) Sq = std::hypot(Sq, one->map->rms);
+  return Sq;
+}
+
+double smallest_smooth_film(const contact::Groups& groups) {
+  const contact::Ellipse& shape = groups.shape;
+  if (const auto fit = contact::film_map(groups.M, groups.L, shape))
+    return contact::H_from_moes_units(fit->minimum, groups.M, shape);
+  if (!(groups.L > 0.0)) return core::unknown;
+  constexpr double typical_U = 1e-11;  // in Moes' units the formulas hardly depend on it
+  const contact::Groups full = std::isnan(groups.U) ? contact::from_moes(groups.M, groups.L, typical_U, shape) : groups;
+  if (contact::line(shape)) return over_radius(contact::dowson_higginson(full), full);
+  if (contact::along_smaller_radius(shape)) return over_radius(contact::hamrock_dowson(full), full);
+  if (contact::near_chittenden(shape)) return over_radius(contact::chittenden(full), full);
+  return core::unknown;
+}
+
+std::string why_they_touch(const Case& input) {
+  if (input.dry || input.transient || !(input.scene.M > 0.0)) return {};
+  const double film = smallest_smooth_film(input.physics.groups);
+  if (!(measured_roughness(input) > film)) return {};
+  const double Sq = roughness_on_mesh(input);
+  if (!(Sq > film)) return {};
+  return fmt::format(
+      "the surfaces touch: what was measured is rough by Sq = {}, above the smallest film that smooth surfaces have, "
+      "{} (lambda ratio {:.2g}), and contact between asperities is not simulated; take short waves away with {}, or "
+      "use "
+      "a smooth {}. After the first start no other strategy was tried; [continuation] path = load tries longer",
+      height_text(input, Sq), height_text(input, film), film / Sq,
+      input.roller && input.roller->trace.rough > 0.0 ? "[roller] shortest_wave" : "shortest_wave of the map",
+      input.roller ? "profile" : "surface");
+}
+
+}  // namespace ehl::program
