@@ -22,7 +22,7 @@ std::vector<deck::Key> keys() {
                    "is no limit. It acts on the friction, not on the film.",
         .example = "0.08"},
        {.name = "meniscus",
-        .default_note = "the radius R_x of the bodies; of lines and rollers none, the oil goes on for ever",
+        .default_note = "the radius of the bodies along the entrainment; of lines none, the oil goes on for ever",
         .range = {1.0, 1e6, true, false},
         .remedy = "a distance in Hertz radii, beyond the contact",
         .meaning = "Distance of the inlet meniscus from the middle of the contact in Hertz radii: oil fills the gap as "

@@ -729,7 +729,7 @@ class SubsurfaceKeys(TypedDict, total=False):
     default: nu1 of [contact], or 0.3; allowed: a number > -1 and <= 0.5"""
     friction: float | str
     """Shear traction on the surface of the body over the pressure, positive along +x: stresses belong to pressure and this traction.
-    default: 0; allowed: a number >= -10 and <= 10"""
+    default: with [friction] the force on surface 1 over the load, as computed; else 0, frictionless; allowed: a number >= -10 and <= 10"""
     fields: Literal["sigma_mises", "tau_max", "sigma_x", "sigma_y", "sigma_z", "tau_xy", "tau_xz", "tau_yz"] | Sequence[Literal["sigma_mises", "tau_max", "sigma_x", "sigma_y", "sigma_z", "tau_xy", "tau_xz", "tau_yz"]]
     """The stresses to keep in space: von Mises' equivalent stress, the largest shear stress, the components. The section at y = 0 has them all.
     default: sigma_mises, tau_max; allowed: any of sigma_mises, tau_max, sigma_x, sigma_y, sigma_z, tau_xy, tau_xz, tau_yz"""
@@ -742,6 +742,12 @@ class FrictionKeys(TypedDict, total=False):
     limit: float | str
     """Lambda: the shear stress of sliding stays below the limiting stress Lambda p. Without it there is no limit. It acts on the friction, not on the film.
     default: none; allowed: a number > 0 and <= 10"""
+    meniscus: float | str
+    """Distance of the inlet meniscus from the middle of the contact in Hertz radii: oil fills the gap as far as the undeformed gap is no wider than there. Friction is counted up to it, outside of the domain too; round a point it grows with the logarithm of this distance. The pressure is that of a flooded contact all the same.
+    default: the radius of the bodies along the entrainment; of lines none, the oil goes on for ever; allowed: a number > 1 and <= 1e+06"""
+    meniscus_m: float | str
+    """The same distance, for a contact in SI.
+    default: none; allowed: a number > 0 m"""
     fields: Literal["tau1", "tau2"] | Sequence[Literal["tau1", "tau2"]]
     """Shear stresses to keep as fields: what the film does to surface 1 and to surface 2 along +x.
     default: none; allowed: any of tau1, tau2"""
