@@ -10,6 +10,7 @@
 #include "judgement/fitted_minimum.hpp"
 #include "rheology/laws.hpp"
 #include "steady/domain_error.hpp"
+#include "steady/layer_error.hpp"
 #include "steady/resolution.hpp"
 #include "steady/scene.hpp"
 #include "steady/solution.hpp"
@@ -79,13 +80,19 @@ bool may_hide_spike(const rheology::ViscosityLaw& viscosity, double P_max, doubl
 void judge_P_max(const Scene& scene, const std::vector<double>& P_max, const std::vector<double>& P_rim,
                  ErrorBars& bars) {
   const std::size_t n = P_max.size();
-  if (n < 3) return;
+  if (n < 3) {
+    bars.spike_unresolved = n > 0 && (P_rim[n - 1] > rim_without_spike * P_max[n - 1] ||
+                                      may_hide_spike(scene.viscosity, P_max[n - 1], P_rim[n - 1]));
+    return;
+  }
+  bars.spike_unresolved = true;
   bars.spike_unseen = may_hide_spike(scene.viscosity, P_max[n - 1], P_rim[n - 1]);
   if (bars.spike_unseen) return;
   const double of_rim = settles(P_rim) ? P_rim[n - 1] * judgement::estimate_error(P_rim, 1.0).relative_error
                                        : may_rise_by * std::abs(P_rim[n - 1] - P_rim[n - 2]);
   const bool overtakes = P_rim[n - 1] + of_rim > P_max[n - 1];
   bars.P_max_converging = settles(P_max) && (settles(P_rim) || !overtakes);
+  bars.spike_unresolved = !bars.P_max_converging;
   if (!bars.P_max_converging) return;
   bars.P_max = judgement::estimate_error(P_max, order_of_P_max).relative_error;
   if (overtakes) bars.P_max = std::max(bars.P_max, (P_rim[n - 1] + of_rim) / P_max[n - 1] - 1.0);
@@ -283,6 +290,7 @@ ErrorBars error_bars_of(const Scene& scene, const Solution& solution) {
   }
   judge_P_max(scene, fmg::column(solution.levels, &LevelRow::P_max), fmg::column(solution.levels, &LevelRow::P_rim),
               bars);
+  add_errors_of_supply(solution.passes, bars);
   return bars;
 }
 

@@ -13,6 +13,7 @@
 #include "fmg/start.hpp"
 #include "judgement/stopping.hpp"
 #include "steady/climb.hpp"
+#include "steady/layer_error.hpp"
 #include "steady/rescue.hpp"
 
 namespace ehl::steady {
@@ -124,6 +125,31 @@ std::optional<Solution> go_on(const Scene& scene, const Solution& before, const 
   return {};
 }
 
+std::vector<double> supplies_on_half_the_cells(const Scene& scene, int passes, const FindSolution& find,
+                                               const GoOn& go_on) {
+  Scene now = scene;
+  if (passes == 1) return {scene.supply(0.0)};
+  if (scene.grid.nx % 2 != 0 || scene.grid.ny % 2 != 0) return {};
+  now.grid = core::coarsened(scene.grid);
+  now.adjoint_errors = false;
+  const std::vector<double> fresh = fresh_layer(now);
+  std::vector<double> supplies{scene.supply(0.0)};
+  try {
+    std::optional<Solution> solution = find(now, {});
+    while (solution && static_cast<int>(supplies.size()) < passes) {
+      if (!solution->converged && !only_swings(*solution)) break;
+      now.supply = supply_of(now.grid, next_layer(scene.passes, left_behind(*solution), fresh));
+      supplies.push_back(now.supply(0.0));
+      if (static_cast<int>(supplies.size()) == passes) break;
+      std::optional<Solution> next = go_on(now, *solution, {});
+      solution = next ? std::move(next) : std::optional<Solution>(find(now, {}));
+    }
+  } catch (const core::SolverError&) {
+    // A mesh that has no solution says nothing of the passes from here on.
+  }
+  return supplies;
+}
+
 Solution solve_passes(const Scene& scene, double carried_flooded, const FindSolution& find, const GoOn& go_on,
                       const ProgressCallback& progress) {
   const int number = scene.passes.number;
@@ -153,6 +179,7 @@ Solution solve_passes(const Scene& scene, double carried_flooded, const FindSolu
   if (const int last = rows.back().number; !solution.converged)
     solution.failed_check =
         "pass " + std::to_string(last) + " of " + std::to_string(number) + ": " + solution.failed_check;
+  if (solution.converged) judge_layers(supplies_on_half_the_cells(scene, number, find, go_on), rows);
   solution.passes = std::move(rows);
   solution.tracks = std::move(tracks);
   return solution;

@@ -24,10 +24,17 @@ using GoOn = std::function<std::optional<Solution>(const Scene& scene, const Sol
 /// That of isothermal contacts, by Newton's method or cycles.
 std::optional<Solution> go_on(const Scene& scene, const Solution& before, const ProgressCallback& progress);
 
+/// The supply on Y = 0 of each pass, on a mesh of half as many cells: what the loss of a pass misses for the mesh adds
+/// up from pass to pass, and the levels of the last pass do not show it. in: as below; passes >= 1.
+/// out: one value per pass, up to the first that this mesh does not solve; none where the cells cannot be halved.
+std::vector<double> supplies_on_half_the_cells(const Scene& scene, int passes, const FindSolution& find,
+                                               const GoOn& go_on);
+
 /// All passes of a scene with a supply. The first and the last are found from nothing, so that the last has its levels
 /// and error bars; those between begin with the state of the one before. Ends with the first that does not converge.
 /// in: carried_flooded, rho_bar H C at the centre of the flooded contact.
-/// out: the solution of the last pass, with a row for each.
+/// out: the solution of the last pass, with a row for each, in which the error of its supply is; the passes are
+/// repeated on half as many cells for that.
 Solution solve_passes(const Scene& scene, double carried_flooded, const FindSolution& find, const GoOn& go_on,
                       const ProgressCallback& progress);
 

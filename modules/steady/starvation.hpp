@@ -28,6 +28,7 @@ struct Starvation {
 struct Pass {
   int number = 1;
   double supply = 0.0;        ///< brought
+  double supply_error = 0.0;  ///< relative, of the mesh of all passes before; NaN: not known (layer_error.hpp)
   double left = 0.0;          ///< left behind
   double supply_ratio = 0.0;  ///< over rho_bar H at the centre of the flooded contact
   double factor = 0.0;        ///< rho_bar H at the centre over that

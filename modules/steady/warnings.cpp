@@ -57,6 +57,14 @@ void warn_of_supply(const Starvation& found, std::vector<std::string>& warnings)
 }
 
 void warn_of_passes(const std::vector<Pass>& passes, std::vector<std::string>& warnings) {
+  if (!passes.empty() && std::isnan(passes.back().supply_error)) {
+    const auto known = std::ranges::count_if(passes, [](const Pass& pass) { return !std::isnan(pass.supply_error); });
+    warnings.push_back(
+        "the error that " + std::to_string(passes.size() - 1) +
+        " passes leave in the layer is not known, and the film has no error bar: the passes on half as many cells, "
+        "which it is estimated from, are solved up to number " +
+        std::to_string(known) + " only; use more cells");
+  }
   const auto swinging = std::ranges::count_if(passes, &Pass::swings);
   if (swinging == 0) return;
   const double residual = std::ranges::max_element(passes, {}, [](const Pass& pass) {

@@ -7,6 +7,7 @@
 #include "case/sliding_input.hpp"
 #include "core/timer.hpp"
 #include "steady/accuracy.hpp"
+#include "steady/layer_error.hpp"
 #include "steady/passes.hpp"
 #include "steady/warnings.hpp"
 
@@ -75,10 +76,12 @@ FilmSolution solve_passes(const Case& input, const steady::Scene& scene, const s
     one.passes = {};
     return one;
   };
+  // The passes on half as many cells, for the error of the layer, are not shown.
+  const auto shown = [&](const steady::Scene& one) { return one.grid.nx == scene.grid.nx; };
   const auto find = [&](const steady::Scene& one, const steady::ProgressCallback& part) {
     FilmSolution found = solve_in_turn(input, alone(one), part);
     steady::Solution film = found.film;
-    if (film.converged || !went_on) last = std::move(found);
+    if (shown(one) && (film.converged || !went_on)) last = std::move(found);
     return film;
   };
   const auto go_on = [&](const steady::Scene& one, const steady::Solution& before,
@@ -86,6 +89,7 @@ FilmSolution solve_passes(const Case& input, const steady::Scene& scene, const s
     HeatResult result{.mu_isothermal = NAN, .Hc_isothermal = NAN, .Hm_isothermal = NAN};
     result.found = heat::solve(alone(one), setup_of(input), before, part);
     steady::Solution film = std::move(result.found.film);
+    if (!shown(one)) return film.converged ? std::optional(std::move(film)) : std::nullopt;
     went_on = film.converged;
     if (!went_on) return {};
     take_friction(input, film, result);
@@ -97,6 +101,7 @@ FilmSolution solve_passes(const Case& input, const steady::Scene& scene, const s
   last.film = steady::solve_passes(scene, steady::carried_at_centre(scene, flooded), find, go_on,
                                    fmg::part_of(progress, share, 1.0));
   last.film.starvation = steady::starvation_of(scene, last.film, flooded);
+  steady::add_errors_of_supply(last.film.passes, last.film.error_bars);
   last.film.warnings = steady::warnings_of(scene, last.film);
   last.film.seconds = core::now() - began;
   last.film.starvation->seconds = last.film.seconds - flooded.seconds - (last.heat ? last.heat->found.seconds : 0.0);

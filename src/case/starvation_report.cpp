@@ -84,6 +84,11 @@ std::string pass_table(const Case& input, const steady::Solution& solution) {
                         film(pass.left), std::isfinite(formula) ? film(formula) : "-", pass.steps,
                         pass.swings ? "  swings" : "");
   }
+  if (const double error = solution.passes.back().supply_error; passes > 1 && std::isfinite(error))
+    text += fmt::format(
+        "             the mesh leaves {} in the layer of the last pass, by the passes on half as many cells; the error "
+        "bars of the film contain it\n",
+        percent(error));
   return text;
 }
 
@@ -138,6 +143,8 @@ std::vector<Column<Pass>> pass_columns(const Case& input, const steady::Solution
       {"pass", "-", "contacts on the track so far", &Pass::number},
       {"supply_ratio", "-", "what is brought on y = 0 over rho H at the centre of the flooded contact",
        &Pass::supply_ratio},
+      {"supply_error", "-", "estimated relative error of what is brought, of the mesh of all passes before",
+       &Pass::supply_error},
       {"factor", "-", "rho H at the centre over that of the flooded contact", &Pass::factor},
       {"Hc", "a^2/R", "film at (0,0)", &Pass::Hc},
       {"Hm", "a^2/R", "smallest film of all nodes", &Pass::Hm},

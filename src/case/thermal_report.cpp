@@ -116,6 +116,11 @@ std::vector<std::string> thermal_warnings(const Case& input, const HeatResult& h
         fmt::format("thermal: the film reaches {:.0f} C, and laws of viscosity were made for oils up to {:.0f} "
                     "C: beyond it oil evaporates and cracks",
                     hottest, rheology::hottest_oil));
+  if (found.spike_unresolved)
+    list.push_back(fmt::format(
+        "thermal: the mesh of {} cells does not resolve the pressure spike, under which the film is hotter on "
+        "finer meshes: T_film_max has no error bar; use more cells",
+        found.rows.back().nx));
   if (found.nahme > most_per_interval * in.setup.intervals)
     list.push_back(
         fmt::format("thermal: beta tau_m du h/k reaches {:.0f}, which {} nodes across the film do not resolve "

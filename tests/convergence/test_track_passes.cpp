@@ -69,3 +69,16 @@ BOOST_AUTO_TEST_CASE(thin_layers_decay) {
                                << " passes with nodes of first order, in " << solution.seconds << " s");
   BOOST_TEST(worst <= 0.01);
 }
+
+// What each pass loses too much or too little adds up, and the levels of the last pass know nothing of the passes
+// before: the bar of the last film holds nevertheless. The reference is the same track on 256 cells.
+BOOST_AUTO_TEST_CASE(bars_contain_the_error_of_earlier_passes) {
+  constexpr double H_oil = 0.2507, Hc_on_256_cells = 0.06930;
+  const steady::Solution solution = steady::solve(scene_of(50, 10, {128, 128, -2.5, 1.5, -2.0, 2.0}, H_oil, 20));
+  BOOST_TEST_REQUIRE(solution.converged);
+  const double off = std::abs(solution.levels.back().Hc / Hc_on_256_cells - 1.0);
+  const double bar = solution.error_bars.Hc.total(), of_last_pass = solution.levels.back().error_Hc;
+  BOOST_TEST_MESSAGE("Hc is off by " << off << ", bar " << bar << ", of the last pass alone " << of_last_pass);
+  BOOST_TEST(off > of_last_pass);
+  BOOST_TEST(off <= bar);
+}

@@ -25,15 +25,19 @@ double error_of(const std::vector<Row>& rows, double Row::*value) {
   return std::isnan(told) ? told : std::max(told, value == &Row::mu ? least_of_mu : least_of_temperature);
 }
 
-// Of a temperature. Where oil is hardly sheared the spike of a line is hotter than all else once a grid resolves it; on
-// coarser grids it grows unseen below the hottest place, and the sequence of that says 1e-3 where 0.1 is missing.
-double error_of(const std::vector<Row>& rows, double Row::*value, double Row::*behind) {
+// What the temperature under a spike may become on finer grids; NaN where there is none.
+double foreseen(const std::vector<Row>& rows, double Row::*behind) {
   constexpr double grows_on = 2.0;  // times its last step
-  const double told = error_of(rows, value);
-  if (rows.size() < 2 || std::isnan(rows.back().*behind)) return told;
+  if (rows.size() < 2) return NAN;
   const double last = rows.back().*behind, before = rows[rows.size() - 2].*behind;
-  const double foreseen = last + grows_on * std::max(0.0, last - before);
-  return std::max(told, foreseen / (rows.back().*value) - 1.0);
+  return last + grows_on * std::max(0.0, last - before);
+}
+
+// Of a temperature. Where oil is hardly sheared a spike is hotter than all else once a grid resolves it; on coarser
+// grids it grows unseen below the hottest place, and the sequence of that says 1e-3 where 0.1 is missing.
+double error_of(const std::vector<Row>& rows, double Row::*value, double Row::*behind) {
+  const double told = error_of(rows, value), under_spike = foreseen(rows, behind);
+  return std::isnan(under_spike) ? told : std::max(told, under_spike / (rows.back().*value) - 1.0);
 }
 
 Hottest hottest(const core::Patch& patch, const thermal::Extreme& extreme, double error) {
@@ -111,6 +115,10 @@ double mean_of(const thermal::FilmTemperature& film, const core::Patch& patch, c
 }
 
 }  // namespace
+
+bool may_be_hottest(const std::vector<Row>& rows, double Row::*value, double Row::*behind) {
+  return !rows.empty() && foreseen(rows, behind) > rows.back().*value;
+}
 
 Solution report(const thermal::FilmTemperature& film, const core::Patch& patch, const core::Field& P,
                 const core::Field& H, const thermal::Setup& setup, const thermal::Balance& balance,

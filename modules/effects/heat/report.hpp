@@ -4,6 +4,10 @@
 
 namespace ehl::heat {
 
+/// True where the highest temperature under a spike, as it grows from grid to grid, may get above that of all the film
+/// or surface. in: two rows or more; else false.
+bool may_be_hottest(const std::vector<Row>& rows, double Row::*value, double Row::*behind);
+
 /// All of a solution but its film and its time. in: the temperature, pressure and film of the finest grid; rows of all
 /// grids.
 Solution report(const thermal::FilmTemperature& film, const core::Patch& patch, const core::Field& P,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -67,13 +68,19 @@ fmg::State injected(const fmg::Run& run, std::size_t l, const steady::Solution& 
   return {std::move(P), isothermal.H00};
 }
 
-void look_behind(const thermal::FilmTemperature& film, const core::Patch& patch, int intervals, Row& row) {
-  constexpr double behind = 0.5;
-  for (int i = 0; i <= patch.nx && patch.domain.line; ++i) {
-    if (patch.X(i) < behind) continue;
-    for (int k = 0; k <= intervals; ++k) row.film_behind = std::fmax(row.film_behind, film.theta(i, 1, k));
-    row.surface_1_behind = std::fmax(row.surface_1_behind, film.theta(i, 1, intervals));
-    row.surface_2_behind = std::fmax(row.surface_2_behind, film.theta(i, 1, 0));
+// The hottest places downstream where the dry contact has less than this share of its largest pressure: there a spike
+// stands, if there is one.
+void look_behind(const thermal::FilmTemperature& film, const core::Patch& patch, const core::QuadraticForm& outline,
+                 int intervals, Row& row) {
+  constexpr double of_rim = 0.8;
+  for (int i = 0; i <= patch.nx; ++i) {
+    if (patch.X(i) <= 0.0) continue;
+    for (int j = 0; j <= patch.ny; ++j) {
+      if (outline.at(patch.X(i), patch.Y(j)) <= 1.0 - of_rim * of_rim) continue;
+      for (int k = 0; k <= intervals; ++k) row.film_behind = std::fmax(row.film_behind, film.theta(i, j, k));
+      row.surface_1_behind = std::fmax(row.surface_1_behind, film.theta(i, j, intervals));
+      row.surface_2_behind = std::fmax(row.surface_2_behind, film.theta(i, j, 0));
+    }
   }
 }
 
@@ -113,7 +120,7 @@ void pass_on(Ladder& ladder, std::size_t l, thermal::Setup setup) {
                          .surface_2 = balance.surface_2.theta,
                          .defect = balance.defect,
                          .seconds = core::now() - began});
-  look_behind(*ladder.film, setup.patch, setup.intervals, ladder.rows.back());
+  look_behind(*ladder.film, setup.patch, run.hierarchy.problem.geometry.outline, setup.intervals, ladder.rows.back());
 }
 
 // From grid `first` to the finest. out: true where that led to a solution.
@@ -190,6 +197,17 @@ Ladder found_by_some_cycle(const steady::Scene& scene, const thermal::Setup& set
 // holds 37 of 39 contacts, 1 to 15 m/s; the other two are nearly rigid (M = 3 and 1) and are given 8 by default.
 constexpr double share_of_warm_inlet = 0.03;
 
+// Under a spike that the mesh does not resolve the film is hotter on every finer grid, and its sequence tells no error;
+// that of a surface where its hottest place is under the spike, or may get there.
+void judge_below_spike(const steady::ErrorBars& bars, Solution& result) {
+  result.spike_unresolved = bars.spike_unresolved;
+  if (!bars.spike_unresolved) return;
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  result.in_film.error = unknown;
+  if (may_be_hottest(result.rows, &Row::surface_1, &Row::surface_1_behind)) result.on_1.error = unknown;
+  if (may_be_hottest(result.rows, &Row::surface_2, &Row::surface_2_behind)) result.on_2.error = unknown;
+}
+
 void complete(const steady::Scene& scene, const steady::Solution& isothermal, bool film_is_cold, double warm_inlet,
               steady::Solution& film) {
   film.method =
@@ -222,6 +240,7 @@ Solution solve(const steady::Scene& scene, const thermal::Setup& setup, const st
   result.film = steady::solution_of(ladder.scene, std::move(ladder.run));
   result.film.C_centre = result.C;
   complete(scene, isothermal, setup.cold(), warm_inlet, result.film);
+  judge_below_spike(result.film.error_bars, result);
   result.seconds = core::now() - began;
   result.film.seconds = isothermal.seconds + result.seconds;
   return result;

@@ -23,7 +23,8 @@ struct Row {
   int nx = 0, ny = 0, passes = 0;
   double Hc = 0.0, Hm = 0.0, mu = 0.0, film = 0.0, surface_1 = 0.0, surface_2 = 0.0;  ///< theta
   double defect = 0.0, seconds = 0.0;
-  /// Of a line contact the same three behind X = 0.5, where oil under a spike is hot by compression; else NaN.
+  /// The same three downstream where the dry contact has less than 0.8 of its largest pressure: under a spike oil is
+  /// hot by compression.
   double film_behind = NAN, surface_1_behind = NAN, surface_2_behind = NAN;
 };
 
@@ -39,10 +40,11 @@ struct Solution {
   steady::Solution film{};  ///< with heat; the isothermal one where heat was not tried
   thermal::Balance balance{};
   Hottest in_film{}, on_1{}, on_2{};
-  double mean = 0.0;                                           ///< theta of the pressurised film, weighted with P
-  double C = 1.0;                                              ///< at (0, 0): rho_bar H C is carried there
-  double inlet = 0.0;                                          ///< theta of the middle of the film at X = -1, Y = 0
-  double nahme = 0.0;                                          ///< largest beta tau_m |u1 - u2| h/k
+  double mean = 0.0;              ///< theta of the pressurised film, weighted with P
+  double C = 1.0;                 ///< at (0, 0): rho_bar H C is carried there
+  double inlet = 0.0;             ///< theta of the middle of the film at X = -1, Y = 0
+  double nahme = 0.0;             ///< largest beta tau_m |u1 - u2| h/k
+  bool spike_unresolved = false;  ///< error_bars.hpp: then in_film has no error, nor a surface hottest under the spike
   double error_mu = std::numeric_limits<double>::quiet_NaN();  ///< relative, of the mesh
   Fields fields{};
   std::vector<Row> rows{};  ///< coarse to fine
