@@ -39,6 +39,12 @@ std::string percent(double value) {
   return buffer;
 }
 
+std::string gigabytes(double bytes) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.2g GB", 1e-9 * bytes);
+  return buffer;
+}
+
 // The film on a coarse mesh, solved well: Hc and the fitted minimum.
 Scene coarse_scene(const Scene& scene, const core::Grid& grid) {
   Scene coarse = scene;
@@ -156,9 +162,13 @@ double foretold_cells(const Scene& scene, const Solution& solution, double allow
 std::string forbidden(const Scene& scene, const core::Grid& grid) {
   if (grid.nx > scene.accuracy.most_cells)
     return "the level limit of " + std::to_string(scene.accuracy.most_cells) + " cells";
-  if (static_cast<double>(grid.nodes_x()) * grid.nodes_y() > scene.accuracy.most_nodes)
-    return "the memory for " + std::to_string(grid.nx) + " cells";
-  return {};
+  const AccuracyTarget& target = scene.accuracy;
+  const double nodes = static_cast<double>(grid.nodes_x()) * grid.nodes_y();
+  if (nodes <= target.most_nodes) return {};
+  const std::string cells = "the memory for " + std::to_string(grid.nx) + " cells";
+  if (std::isnan(target.bytes_per_node)) return cells;
+  return cells + " (about " + gigabytes(nodes * target.bytes_per_node) + "; this run may take " +
+         gigabytes(target.most_nodes * target.bytes_per_node) + " of what is free)";
 }
 
 // The grid on the domain that leaves enough for the mesh; or that of the scene and what forbids a larger one.

@@ -74,7 +74,8 @@ std::vector<deck::Key> grid_keys() {
              .range = {1e-6, 0.5},
              .remedy = "a relative error, e.g. 0.01",
              .meaning = "Relative error of Hc and Hm to reach, instead of cells: the run refines the grid, up to "
-                        "8192 cells, and extends the domain where x_inlet and y_half are left open, until the "
+                        "8192 cells and half of the memory that is free, and extends the domain where x_inlet and "
+                        "y_half are left open, until the "
                         "estimated error is below it. A domain that is given is kept and its error told, not counted.",
              .source = "modules/steady/README.md",
              .example = "0.01"}})});
@@ -172,7 +173,7 @@ double good_cells(double most, int coarsest) {
 
 }  // namespace
 
-AccuracyTarget read_accuracy(deck::Deck& deck, double most_nodes) {
+AccuracyTarget read_accuracy(deck::Deck& deck) {
   const deck::Part grid{deck, "grid"};
   AccuracyTarget target{.error = grid.number("accuracy")};
   if (!grid.given("accuracy")) return target;
@@ -183,7 +184,6 @@ AccuracyTarget read_accuracy(deck::Deck& deck, double most_nodes) {
   // What the deck leaves open of the domain may grow.
   const deck::Part domain{deck, "domain"};
   target.domain_is_free = domain.given_of({"x_inlet", "y_half"}).empty() && !closed(domain);
-  target.most_nodes = most_nodes;
   return target;
 }
 

@@ -11,7 +11,7 @@ namespace ehl::steady {
 /// The deck's keys of [domain] and [grid].
 std::vector<deck::Key> grid_keys();
 /// [grid] accuracy. in: the most nodes that the memory holds.
-AccuracyTarget read_accuracy(deck::Deck& deck, double most_nodes);
+AccuracyTarget read_accuracy(deck::Deck& deck);
 /// Records in the deck the domain and the cells that it leaves open: domain_error.hpp, resolution.hpp.
 /// in: how many times as wide as Hertz' a contact is where its load is unevenly spread, for inlet and outlet.
 void choose_grid(deck::Deck& deck, const contact::Groups& groups, reynolds::Wedge wedge, double wider = 1.0);

@@ -43,7 +43,8 @@ struct AccuracyTarget {
   double error = std::numeric_limits<double>::quiet_NaN();  ///< relative, of Hc and Hm; NaN: the grid is what is given
   bool domain_is_free = false;                              ///< the domain may grow
   int most_cells = 8192;                                    ///< along x
-  double most_nodes = std::numeric_limits<double>::infinity();  ///< that the memory holds
+  double most_nodes = std::numeric_limits<double>::infinity();       ///< that the memory holds
+  double bytes_per_node = std::numeric_limits<double>::quiet_NaN();  ///< of a run, about; NaN: unknown, not reported
 };
 
 /// Contacts one after another on the same track (passes.hpp): what a surface brings to the next one.

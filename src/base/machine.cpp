@@ -9,6 +9,9 @@
 #include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <limits>
+#include <string>
+#include <vector>
 
 namespace ehl::program {
 
@@ -19,12 +22,76 @@ int usable_cores() {
   return std::max(1, CPU_COUNT(&set));
 }
 
+namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+// The number in a file; `otherwise` where there is none ("max").
+double number_in(const std::string& path, double otherwise) {
+  double number = 0.0;
+  return std::ifstream(path) >> number ? number : otherwise;
+}
+
+// The number after a word, as in /proc/meminfo.
+double number_after(const std::string& path, const std::string& word, double otherwise) {
+  std::ifstream file(path);
+  double number = 0.0;
+  for (std::string found; file >> found;)
+    if (found == word) return file >> number ? number : otherwise;
+  return otherwise;
+}
+
+struct Memory {
+  double limit = unlimited;
+  double used = 0.0;
+};
+
+// Of the control groups that this process is in, from its own up to the root: a job's limit may be of any of them.
+std::vector<Memory> control_groups() {
+  const std::string root = "/sys/fs/cgroup", older = root + "/memory";
+  std::vector<Memory> all{
+      {number_in(older + "/memory.limit_in_bytes", unlimited), number_in(older + "/memory.usage_in_bytes", 0.0)}};
+  std::ifstream own("/proc/self/cgroup");
+  std::string path;
+  for (std::string line; std::getline(own, line);)
+    if (line.starts_with("0::/")) path = line.substr(3);
+  for (std::filesystem::path group = path; !group.empty(); group = group.parent_path()) {
+    const std::string folder = root + group.string();
+    // Files that the system keeps in memory go when the memory is wanted.
+    all.push_back(
+        {number_in(folder + "/memory.max", unlimited),
+         number_in(folder + "/memory.current", 0.0) - number_after(folder + "/memory.stat", "inactive_file", 0.0)});
+    if (group == group.root_path()) break;
+  }
+  return all;
+}
+
+Memory address_space() {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return {};
+  constexpr double kilo = 1024.0;
+  return {static_cast<double>(limit.rlim_cur), kilo * number_after("/proc/self/status", "VmSize:", 0.0)};
+}
+
+double installed_memory() {
+  return static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGE_SIZE));
+}
+
+}  // namespace
+
 double usable_memory() {
-  double bytes = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGE_SIZE));
-  double limit = 0.0;
-  for (const char* name : {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"})
-    if (std::ifstream(name) >> limit) bytes = std::min(bytes, limit);
+  double bytes = std::min(installed_memory(), address_space().limit);
+  for (const Memory& group : control_groups()) bytes = std::min(bytes, group.limit);
   return bytes;
+}
+
+double free_memory() {
+  constexpr double kilo = 1024.0;
+  const Memory own = address_space();
+  double bytes =
+      std::min(kilo * number_after("/proc/meminfo", "MemAvailable:", installed_memory() / kilo), own.limit - own.used);
+  for (const Memory& group : control_groups()) bytes = std::min(bytes, group.limit - group.used);
+  return std::max(bytes, 0.0);
 }
 
 double peak_memory() {

@@ -7,8 +7,10 @@ namespace ehl::program {
 
 /// Cores that this process may use.
 int usable_cores();
-/// Memory that this process may use [bytes]: the machine's, or the limit of its control group.
+/// Memory that this process may use [bytes]: the machine's, or the limit of its control group or shell (ulimit -v).
 double usable_memory();
+/// What of it is free now [bytes], less what others and this process use.
+double free_memory();
 /// The most memory this process has held so far [bytes].
 double peak_memory();
 /// Name of the processor.

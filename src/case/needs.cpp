@@ -109,6 +109,18 @@ KeyName key_of_memory(const deck::Deck& deck, const Effect& effect) {
 
 }  // namespace
 
+void bound_accuracy(Case& input) {
+  steady::AccuracyTarget& target = input.scene.accuracy;
+  if (input.dry || std::isnan(target.error)) return;
+  const auto nodes = [](const core::Grid& grid) { return static_cast<double>(grid.nodes_x()) * grid.nodes_y(); };
+  Case finer = input;
+  finer.scene.grid = core::refined(input.scene.grid);
+  const double more =
+      with_effects(finer, basic_needs(finer.scene)).bytes - with_effects(input, basic_needs(input.scene)).bytes;
+  target.bytes_per_node = more / (nodes(finer.scene.grid) - nodes(input.scene.grid));
+  target.most_nodes = share_of_memory * free_memory() / target.bytes_per_node;
+}
+
 void check_memory(Case& input) {
   deck::Deck& deck = input.deck;
   const double needed = with_effects(input, basic_needs(input.scene)).bytes;

@@ -19,6 +19,14 @@ core::Grid foretold_grid(const steady::Scene& scene);
 Needs basic_needs(const steady::Scene& scene);
 Needs expected_needs(const Case& input);
 
+/// Share of the memory that is free when a case is read which the grids for an accuracy may take. The rest is left to
+/// other programs, and to what the estimate of the needs is off.
+constexpr double share_of_memory = 0.5;
+
+/// Where an accuracy is asked for: the nodes of the largest grid that it may lead to, from the bytes that a node takes
+/// with all effects of the case, and from free_memory().
+void bound_accuracy(Case& input);
+
 /// Complains in the case's deck where the machine has not the memory for it.
 void check_memory(Case& input);
 

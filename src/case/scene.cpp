@@ -30,10 +30,8 @@ namespace {
 using deck::complain;
 using deck::given;
 
-constexpr double bytes_per_node = 24.0 * sizeof(double);
 /// On the finest grid, where that is a large one. [tuning: most_cycles_where_they_touch]
 constexpr int most_cycles_where_they_touch = 12;
-constexpr double share_of_memory = 0.8;  // that a grid for an accuracy may take
 
 // The unit of loads that the deck gives in SI.
 deck::PlainUnit newton_of(const Physics& physics) {
@@ -181,7 +179,7 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
   } else if (contact::line(groups.shape)) {
     settle_line_in_time(deck);
   }
-  scene.accuracy = steady::read_accuracy(deck, share_of_memory * usable_memory() / bytes_per_node);
+  scene.accuracy = steady::read_accuracy(deck);
   if (!result.dry) {
     scene.wedge = reynolds::read(deck);
     scene.face = reynolds::read_face(deck);
@@ -222,6 +220,7 @@ Case case_of(deck::Deck understood, const std::string& path, int threads) {
     check_coarsenings(deck, scene);
     if (!result.dry && scene.M > 0.0) check_domain(deck, scene);
     check_memory(result);
+    bound_accuracy(result);
   }
   if (deck.errors.empty()) refuse_idle(result);
   deck::throw_if_wrong(deck);

@@ -101,7 +101,7 @@ Task task_of(const Arguments& arguments) {
   task.header.deck_text = deck::load_text(deck);
   task.header.set = arguments.overrides();
   task.free = arguments.values("free");
-  task.at_once = requested_threads(arguments);
+  task.at_once = task.header.at_once = requested_threads(arguments);
   task.quiet = arguments.has("quiet");
   if (task.free.size() > most_free) refuse(fmt::format("--free: {} keys at most", most_free));
   if (task.points.size() <= task.free.size())

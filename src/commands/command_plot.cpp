@@ -165,6 +165,7 @@ int plot(const Arguments& arguments) {
   const FigureSource source = path.ends_with(".csv") ? table_source(path, arguments) : result_source(path, arguments);
   const std::vector<Figure> chosen =
       selected_figures(figures_in(folder_of_scripts()), wanted_figures(arguments, source.table != nullptr), source);
+  if (chosen.empty() && source.table == nullptr) refuse(path + ": no figure draws what it holds");
   if (chosen.empty())
     refuse(path +
            ": no figure draws such a table by itself, no key has three numbers or more; --x KEY draws curves over "

@@ -20,7 +20,8 @@ namespace {
 
 struct Destination {
   std::string path;
-  bool overwrite;
+  bool overwrite = false;
+  bool is_completed = false;  // a run in time goes on in this file
 };
 
 // Before the work, not after it.
@@ -40,19 +41,20 @@ Destination destination(const Arguments& arguments, const Case& input) {
   return to;
 }
 
-int fail_without_solution(const Arguments& arguments, const Case& input, const std::string& reason) {
+int fail_without_solution(const Arguments& arguments, const Case& input, const std::string& reason,
+                          const std::string& kept) {
   if (arguments.has("json")) print(json_failure(input, reason));
-  std::fprintf(stderr, "ehl: not converged: %s\nehl: no result was written\n", reason.c_str());
+  std::fprintf(stderr, "ehl: not converged: %s\nehl: %s\n", reason.c_str(), kept.c_str());
   return not_converged;
 }
 
 // Solves the case; saves and says what came out.
 int solve_and_write(const Arguments& arguments, const Case& input, const Destination& to, TransientResult before) {
   Computed computed;
-  bool overwrite = to.overwrite;
+  bool overwrite = to.overwrite, saved = false;
   const auto write = [&](const results::Content& content) {
     results::write(to.path, content, overwrite);
-    overwrite = true;
+    overwrite = saved = true;
   };
   const auto save_so_far = [&](const std::function<void(results::Content & content)>& add) {
     results::Content content = solver_of(input).content(input, computed);
@@ -64,7 +66,15 @@ int solve_and_write(const Arguments& arguments, const Case& input, const Destina
     RunSettings settings{.progress = progress, .before = std::move(before), .save = save_so_far};
     solve_case(input, settings, computed);
   } catch (const core::SolverError& error) {
-    return fail_without_solution(arguments, input, error.what());
+    // A run in time has saved more than this; a file that was to be completed stays as it is.
+    if (to.is_completed || saved)
+      return fail_without_solution(arguments, input, error.what(), to.path + " holds the run so far");
+    const results::Content content = content_without_solution(input, computed, error.what());
+    write(content);
+    return fail_without_solution(
+        arguments, input, error.what(),
+        to.path + (content.fields.empty() ? " holds the deck and this reason, and no film: there is none"
+                                          : " holds the film as far as it was found, marked"));
   }
   // First of all: what is behind standard output may be full, or gone.
   write(whole_content(input, computed));
@@ -107,7 +117,7 @@ int resume(const Arguments& arguments) {
   // The result is read and written: it is completed in place.
   results::check_files(files_of(input),
                        result_outputs(path, true, results::expected_bytes(input.scene.grid, input.fields.size())));
-  return solve_and_write(arguments, input, {path, true}, std::move(before));
+  return solve_and_write(arguments, input, {path, true, true}, std::move(before));
 }
 
 int check(const Arguments& arguments) {

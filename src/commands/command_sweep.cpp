@@ -88,7 +88,7 @@ Shard wanted_shard(const Arguments& arguments) {
 }
 
 // 0 of a case that will be refused.
-double foreseen_seconds(const std::string& deck, const std::vector<std::string>& overrides) try {
+double seconds_of_case(const std::string& deck, const std::vector<std::string>& overrides) try {
   return expected_needs(read_lubricated_case(deck, overrides, 1, "sweep")).seconds;
 } catch (const core::InputError&) {
   return 0.0;
@@ -155,12 +155,14 @@ int sweep(const Arguments& arguments) {
   header.kind = kind_of_sweep(deck, overrides_of(0));
   header.kind.timing = arguments.has("timing");
   header.shard = shard;
-  const int at_once = requested_threads(arguments);
+  const int at_once = header.at_once = requested_threads(arguments);
   const std::string path = name_of_shard(table_name(arguments), shard);
   check_files(arguments, header, path);
-  std::vector<double> seconds(number_of_cases(header.variations), 1.0);
-  if (!shard.whole())
-    for (std::size_t k = 0; k < seconds.size(); ++k) seconds[k] = foreseen_seconds(deck, overrides_of(k));
+  std::vector<std::size_t> values;
+  for (const Variation& variation : header.variations) values.push_back(variation.values.size());
+  const std::vector<double> seconds =
+      shard.whole() ? std::vector<double>(number_of_cases(header.variations), 1.0)
+                    : foreseen_seconds(values, [&](std::size_t k) { return seconds_of_case(deck, overrides_of(k)); });
   const std::vector<std::size_t> own = cases_of_shard(seconds, shard);
   SweepTable table(path, header, own, arguments.has("overwrite"));
   std::optional<KeptResults> kept;

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <numeric>
 #include <queue>
+#include <random>
 #include <tuple>
 #include <utility>
 
@@ -61,9 +62,39 @@ std::string name_of_shard(const std::string& path, const Shard& shard) {
   return fmt::format("{}.{}of{}{}", stem, shard.index, shard.count, ending);
 }
 
+std::vector<double> foreseen_seconds(const std::vector<std::size_t>& values,
+                                     const std::function<double(std::size_t)>& estimate) {
+  std::size_t cases = 1, middle = 0;
+  for (const std::size_t count : values) cases *= count;
+  std::vector<double> seconds(cases, 1.0);
+  if (cases <= most_estimates) {
+    for (std::size_t k = 0; k < cases; ++k) seconds[k] = estimate(k);
+    return seconds;
+  }
+  std::size_t stride = cases;
+  for (const std::size_t count : values) middle += (stride /= count) * (count / 2);
+  const double of_middle = estimate(middle);
+  if (of_middle == 0.0) return seconds;
+  stride = cases;
+  for (const std::size_t count : values) {
+    stride /= count;
+    if (count > most_estimates) continue;
+    std::vector<double> share(count);
+    for (std::size_t one = 0; one < count; ++one)
+      share[one] = estimate(middle + stride * one - stride * (count / 2)) / of_middle;
+    for (std::size_t k = 0; k < cases; ++k) seconds[k] *= share[k / stride % count];
+  }
+  return seconds;
+}
+
 std::vector<std::size_t> cases_of_shard(const std::vector<double>& seconds, const Shard& shard) {
   std::vector<std::size_t> order(seconds.size()), own;
   std::iota(order.begin(), order.end(), std::size_t{0});
+  if (order.size() > most_estimates) {
+    // The engine is fixed by the standard, and every machine finds the same order; std::shuffle is not.
+    std::mt19937_64 engine;  // NOLINT: always the same seed
+    for (std::size_t k = order.size(); k > 1; --k) std::swap(order[k - 1], order[engine() % k]);
+  }
   std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return seconds[a] > seconds[b]; });
   // Seconds and cases that a shard has, and its number: the least comes first.
   using Load = std::tuple<double, std::size_t, int>;

@@ -68,6 +68,12 @@ std::vector<std::string> values_of_range(const std::string& text, const std::str
 
 // What the deck itself would say to this value of this key, alone; empty when it may be right.
 std::vector<std::string> complaints(const deck::Assignment& given, const deck::Catalogue& catalogue) {
+  // A number in the range of its key is right; to ask the deck takes long for a hundred thousand of them.
+  if (const deck::Key* key = deck::find_key(catalogue, given.section, given.name);
+      key && key->type == deck::Type::number) {
+    const deck::ReadNumber read = deck::read_number(given.value);
+    if (read.status == deck::ReadNumber::Status::number && key->range.contains(read.value)) return {};
+  }
   const deck::Deck judged = deck::validate({}, {given}, catalogue);
   if (deck::find_key(catalogue, given.section, given.name) == nullptr) return judged.errors;
   // Whether the key has any influence depends on the rest of the case: each case says that for itself.
@@ -118,6 +124,38 @@ std::vector<std::string> values_together(const std::string& text, std::size_t ke
     throw core::InputError(said +
                            fmt::format("'{}' has {} values for {} keys: write a,b=1:2,3:4", text, values.size(), keys));
   return values;
+}
+
+// How many values a --vary will have, without making them; 1 of what is refused later.
+double count_of_values(const std::string& text, const deck::Catalogue& catalogue) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) return 1.0;
+  const std::string name = deck::trimmed(text.substr(0, equals));
+  const std::size_t point = std::min(name.find('.'), name.size());
+  const deck::Key* key =
+      deck::find_key(catalogue, name.substr(0, point), name.substr(std::min(point + 1, name.size())));
+  double count = 0.0;
+  for (const std::string& part : parts_between(text.substr(equals + 1), ',')) {
+    const std::vector<std::string> range = parts_between(part, ':');
+    const bool is_range = key != nullptr && is_number(*key) && range.size() > 2;
+    const deck::ReadNumber n = deck::read_number(is_range ? range[2] : "1");
+    count += n.status == deck::ReadNumber::Status::number && n.value > 1.0 ? n.value : 1.0;
+  }
+  return count;
+}
+
+// Before anything is made of so many.
+void refuse_too_many(const std::vector<std::string>& texts, const deck::Catalogue& catalogue) {
+  double cases = 1.0;
+  std::string factors;
+  for (const std::string& text : texts) {
+    const double count = count_of_values(text, catalogue);
+    cases *= count;
+    factors += fmt::format("{}{:.10g}", factors.empty() ? "" : " x ", count);
+  }
+  if (cases > static_cast<double>(most_cases))
+    throw core::InputError(fmt::format("command line: --vary makes {}{:.10g} cases: a sweep has at most {}",
+                                       texts.size() > 1 ? factors + " = " : std::string(), cases, most_cases));
 }
 
 }  // namespace
@@ -205,6 +243,7 @@ Variation read_cases(const std::string& path, const deck::Catalogue& catalogue) 
 
 std::vector<Variation> parse_variations(const std::vector<std::string>& texts, const std::vector<std::string>& set,
                                         const deck::Catalogue& catalogue, const std::string& cases) {
+  refuse_too_many(texts, catalogue);
   std::vector<Variation> variations;
   std::vector<std::string> errors;
   std::set<std::string> keys;

@@ -77,6 +77,7 @@ SweepRow solved_row(const SweepHeader& sweep, const std::vector<std::string>& ov
       throw core::InputError(sweep.deck + ": the deck has changed since the sweep began");
     input = read_lubricated_case(sweep.deck, overrides, 1, "sweep");
     check_unchanged(input->files, sweep.files);
+    input->scene.accuracy.most_nodes /= sweep.at_once;
     const auto show = [&](const steady::Progress& now) {
       say(fmt::format("{} x {}, residual {:.1e}", now.nx + 1, now.ny + 1, now.residual));
       return true;

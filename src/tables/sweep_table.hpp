@@ -32,6 +32,7 @@ struct SweepHeader {
   SweepKind kind{};                      ///< columns that not every sweep has
   std::vector<deck::NamedFile> files{};  ///< that any of the cases names
   Shard shard{};                         ///< of a table that has a part of the cases
+  int at_once = 1;                       ///< cases that share the memory
 };
 
 /// The files that the cases of a sweep name, sorted by name. in: path of the deck, --set, what varies.

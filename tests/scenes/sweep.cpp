@@ -150,6 +150,17 @@ BOOST_AUTO_TEST_CASE(the_first_refused_is_the_first_by_number) {
   BOOST_TEST(contains(ended.err, "refused, the first one: surface1.file=large.csv: "), ended.err);
 }
 
+// Counted before a list is made of it.
+BOOST_AUTO_TEST_CASE(too_many_cases_are_refused_at_once) {
+  const Scene scene;
+  const support::Ended ended = support::shell(
+      scene.folder, std::string("ulimit -t 1; '") + EHL_PROGRAM +
+                        "' sweep d.ini --vary contact.M=2:2000:1000000:log --vary contact.L=1:25:1000000 --vary "
+                        "grid.cells=64,128,256");
+  BOOST_TEST(ended.status == 2, ended.err);
+  BOOST_TEST(contains(ended.err, "1000000 x 1000000 x 3 = 3e+12 cases: a sweep has at most 1000000"), ended.err);
+}
+
 // Where every case is, the deck is wrong.
 BOOST_AUTO_TEST_CASE(why_cases_are_refused_is_told) {
   const Scene scene;

@@ -368,7 +368,7 @@ class GridKeys(TypedDict, total=False):
     """How the errors of Hc and Hm are estimated. adjoint: by what is left of the equations of a coarser grid, times the weights of Hc and Hm for it (upstream3). levels: from the sequence of grids, as of a line contact always; there adjoint makes but the maps of [output] fields.
     default: adjoint; allowed: one of adjoint, levels"""
     accuracy: float | str
-    """Relative error of Hc and Hm to reach, instead of cells: the run refines the grid, up to 8192 cells, and extends the domain where x_inlet and y_half are left open, until the estimated error is below it. A domain that is given is kept and its error told, not counted.
+    """Relative error of Hc and Hm to reach, instead of cells: the run refines the grid, up to 8192 cells and half of the memory that is free, and extends the domain where x_inlet and y_half are left open, until the estimated error is below it. A domain that is given is kept and its error told, not counted.
     default: none: the grid is given or chosen; allowed: a number >= 1e-06 and <= 0.5"""
 
 class DiscretizationKeys(TypedDict, total=False):

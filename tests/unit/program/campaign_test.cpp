@@ -37,6 +37,45 @@ std::string row(const std::string& status) {
 
 BOOST_AUTO_TEST_SUITE(campaign)
 
+// Many cases are not estimated one by one in every job, and the parts still take nearly the same.
+BOOST_AUTO_TEST_CASE(parts_of_many_cases) {
+  const std::vector<std::size_t> values{20, 50, 40};
+  const auto cost = [](std::size_t k) {
+    const double cells = static_cast<double>(1 << (k / 2000 % 5)), load = static_cast<double>(k / 40 % 50);
+    return 0.01 * cells * cells * (1.0 + 0.1 * load) * (k % 40 < 4 ? 3.0 : 1.0);
+  };
+  std::size_t estimates = 0;
+  const std::vector<double> seconds = program::foreseen_seconds(values, [&](std::size_t k) {
+    ++estimates;
+    return cost(k);
+  });
+  BOOST_TEST_MESSAGE(estimates << " estimates for " << seconds.size() << " cases");
+  BOOST_TEST((estimates <= 111 && seconds.size() == 40000));
+  for (const std::size_t k : {0, 1999, 12345, 39999})
+    BOOST_TEST(seconds[k] / seconds[20777] == cost(k) / cost(20777), boost::test_tools::tolerance(1e-12));
+  // A table of cases has one variation, of which nothing is known: its parts differ by chance alone.
+  std::size_t few = 0;
+  const std::vector<double> equal = program::foreseen_seconds({40000}, [&](std::size_t) { return ++few, 1.0; });
+  BOOST_TEST(few <= 1);
+  constexpr int parts = 50;
+  for (const auto& [planned, allowed] : {std::pair(seconds, 1.01), std::pair(equal, 1.3)}) {
+    double whole = 0.0, most = 0.0;
+    std::vector<int> found(planned.size(), 0);
+    for (int index = 1; index <= parts; ++index) {
+      double load = 0.0;
+      for (const std::size_t k : program::cases_of_shard(planned, {index, parts})) {
+        load += cost(k);
+        ++found[k];
+      }
+      whole += load;
+      most = std::max(most, load);
+    }
+    BOOST_TEST_MESSAGE("the longest part takes " << most * parts / whole << " of the mean");
+    BOOST_TEST(most * parts / whole < allowed);
+    BOOST_TEST(std::ranges::all_of(found, [](int count) { return count == 1; }));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(keys_change_together) {
   const auto together =
       program::parse_variations({"contact.M,contact.L=5:1,20:2", "grid.cells=64,128"}, {}, program::catalogue());
