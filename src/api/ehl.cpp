@@ -11,6 +11,7 @@
 #include "base/exit_status.hpp"
 #include "base/machine.hpp"
 #include "case/catalogue.hpp"
+#include "core/errors.hpp"
 #include "core/processor_level.hpp"
 #include "tables/csv.hpp"
 
@@ -33,16 +34,35 @@ template <class Fill>
 ehl_result* filled(Fill fill) noexcept {
   auto* result = new (std::nothrow) ehl_result;
   if (result == nullptr) return nullptr;
+  const auto failed = [&](int status, const char* message) {
+    result->held.status = status;
+    try {
+      result->held.messages.emplace_back(message);
+    } catch (...) {  // no memory: the status alone
+    }
+  };
   try {
     fill(result->held);
+  } catch (const ehl::core::InputError& error) {
+    failed(wrong_input, error.what());
   } catch (const std::exception& error) {
-    result->held.status = internal_failure;
-    try {
-      result->held.messages.emplace_back(error.what());
-    } catch (const std::bad_alloc&) {
-    }
+    failed(internal_failure, error.what());
+  } catch (...) {
+    failed(internal_failure, "an exception that is none of the standard library");
   }
   return result;
+}
+
+// A result, or what stands for one where the caller has none.
+const HeldResult& held_of(const ehl_result* result) {
+  static const HeldResult none{.status = internal_failure};
+  return result == nullptr ? none : result->held;
+}
+
+// errors: core::InputError where a text of the caller is missing.
+const char* demanded(const char* text, const char* name) {
+  if (text == nullptr) throw ehl::core::InputError(std::string(name) + " is NULL: a text is needed");
+  return text;
 }
 
 struct DeckSource {
@@ -53,7 +73,11 @@ struct DeckSource {
   int threads;
 
   Case read() const {
-    std::vector<std::string> list(overrides, overrides + count);
+    if (text == nullptr) demanded(name, "the deck's text and its name: both");
+    if (overrides == nullptr && count > 0) throw ehl::core::InputError("overrides is NULL and count is not 0");
+    std::vector<std::string> list;
+    for (std::size_t k = 0; k < count; ++k)
+      list.emplace_back(demanded(overrides[k], ("overrides[" + std::to_string(k) + "]").c_str()));
     return case_from(text, name == nullptr ? "deck" : name, list, threads > 0 ? threads : usable_cores());
   }
 };
@@ -85,8 +109,10 @@ void show(const HeldEntry& held, ehl_entry* entry) {
 }
 
 const HeldEntry* at_path(const ehl_result* result, const char* path) {
-  const auto found = result->held.by_path.find(path);
-  return found == result->held.by_path.end() ? nullptr : found->second;
+  if (path == nullptr) return nullptr;
+  const auto& entries = held_of(result).by_path;
+  const auto found = entries.find(path);
+  return found == entries.end() ? nullptr : found->second;
 }
 
 }  // namespace
@@ -95,9 +121,11 @@ extern "C" {
 
 int ehl_api_version(void) { return EHL_API_VERSION; }
 
-const char* ehl_version(void) {
+const char* ehl_version(void) try {
   static const std::string text = this_program() + ", for " + ehl::core::processor_level();
   return text.c_str();
+} catch (...) {
+  return "";
 }
 
 ehl_result* ehl_run(const char* deck, const char* name, const char* const* overrides, size_t count, int threads,
@@ -120,54 +148,62 @@ ehl_result* ehl_check(const char* deck, const char* name, const char* const* ove
 }
 
 ehl_result* ehl_open(const char* path) {
-  return filled([&](HeldResult& result) { open_into(result, path, std::nullopt); });
+  return filled([&](HeldResult& result) { open_into(result, demanded(path, "path"), std::nullopt); });
 }
 
 ehl_result* ehl_open_case(const char* path, size_t number) {
-  return filled([&](HeldResult& result) { open_into(result, path, number); });
+  return filled([&](HeldResult& result) { open_into(result, demanded(path, "path"), number); });
 }
 
 void ehl_free(ehl_result* result) { delete result; }
 
-int ehl_status(const ehl_result* result) { return result == nullptr ? EHL_INTERNAL_FAILURE : result->held.status; }
-const char* ehl_message(const ehl_result* result, size_t k) { return kth(result->held.messages, k); }
-const char* ehl_warning(const ehl_result* result, size_t k) { return kth(result->held.warnings, k); }
-const char* ehl_report(const ehl_result* result) { return result->held.report.c_str(); }
-const char* ehl_json(const ehl_result* result) { return result->held.json.c_str(); }
+int ehl_status(const ehl_result* result) { return held_of(result).status; }
+const char* ehl_message(const ehl_result* result, size_t k) { return kth(held_of(result).messages, k); }
+const char* ehl_warning(const ehl_result* result, size_t k) { return kth(held_of(result).warnings, k); }
+const char* ehl_report(const ehl_result* result) { return held_of(result).report.c_str(); }
+const char* ehl_json(const ehl_result* result) { return held_of(result).json.c_str(); }
 
-size_t ehl_entry_count(const ehl_result* result) { return result->held.entries.size(); }
+size_t ehl_entry_count(const ehl_result* result) { return held_of(result).entries.size(); }
 
-int ehl_entry_at(const ehl_result* result, size_t k, ehl_entry* entry) {
-  if (k >= result->held.entries.size()) return 0;
+int ehl_entry_at(const ehl_result* result, size_t k, ehl_entry* entry) try {
+  if (entry == nullptr || k >= held_of(result).entries.size()) return 0;
   show(result->held.entries[k], entry);
   return 1;
+} catch (...) {
+  return 0;
 }
 
 int ehl_find(const ehl_result* result, const char* path, ehl_entry* entry) try {
   const HeldEntry* held = at_path(result, path);
-  if (held != nullptr) show(*held, entry);
-  return held != nullptr ? 1 : 0;
-} catch (const std::bad_alloc&) {
+  if (entry == nullptr || held == nullptr) return 0;
+  show(*held, entry);
+  return 1;
+} catch (...) {
   return 0;
 }
 
 const char* ehl_attribute(const ehl_result* result, const char* path, const char* name) try {
   const HeldEntry* held = at_path(result, path);
-  return held == nullptr ? nullptr : attribute_in(*held, name, nullptr);
-} catch (const std::bad_alloc&) {
+  return held == nullptr || name == nullptr ? nullptr : attribute_in(*held, name, nullptr);
+} catch (...) {
   return nullptr;
 }
 
 int ehl_save(ehl_result* result, const char* path, int overwrite) try {
+  if (result == nullptr) return EHL_INTERNAL_FAILURE;
+  if (path == nullptr) {
+    result->held.messages.emplace_back("path is NULL: a text is needed");
+    return EHL_WRONG_INPUT;
+  }
   return save(result->held, path, overwrite != 0);
-} catch (const std::bad_alloc&) {
+} catch (...) {
   return EHL_INTERNAL_FAILURE;
 }
 
 const char* ehl_keys(void) try {
   static const std::string text = keys_json(catalogue());
   return text.c_str();
-} catch (const std::exception&) {
+} catch (...) {
   return "";
 }
 }

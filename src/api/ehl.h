@@ -10,7 +10,9 @@
  * Texts are UTF-8 and end with a zero. What a function returns a pointer to belongs to the result, or to the library,
  * and lives as long. No function throws, exits, prints or changes signals. Results are independent: two threads may
  * solve two cases at a time; one result belongs to one thread at a time. A process that has solved with several threads
- * must not fork and solve in the child. */
+ * must not fork and solve in the child.
+ * A NULL where none is allowed is an error like any other: EHL_WRONG_INPUT with a message, 0 or NULL. Of a result that
+ * is NULL the status is EHL_INTERNAL_FAILURE, and there is nothing else in it. */
 #ifndef EHL_H
 #define EHL_H
 

@@ -20,6 +20,12 @@ void install_signal_handlers() {
   ::sigaction(SIGINT, &action, nullptr);
   ::sigaction(SIGTERM, &action, nullptr);
   ::sigaction(SIGUSR1, &action, nullptr);
+  // A limit of CPU time is reported again every second until the hard limit ends the process.
+  action.sa_flags = 0;
+  ::sigaction(SIGXCPU, &action, nullptr);
+  // A terminal that closes; nohup has the program ignore it, and then it goes on.
+  struct sigaction before {};
+  if (::sigaction(SIGHUP, nullptr, &before) == 0 && before.sa_handler != SIG_IGN) ::sigaction(SIGHUP, &action, nullptr);
   ::signal(SIGXFSZ, SIG_IGN);
   ::signal(SIGPIPE, SIG_IGN);
 }

@@ -302,3 +302,92 @@ def test_the_example_runs(tmp_path, monkeypatch):
     example = pathlib.Path(ehl.__file__).parents[1] / "examples" / "ball_on_disc.py"
     runpy.run_path(str(example), run_name="__main__")
     assert (tmp_path / "film.png").stat().st_size > 20000
+
+
+NULL_CALLS = """
+import ctypes
+from ehl import _library
+lib = _library.library()
+entry = _library.Entry()
+run = lambda *a: lib.ehl_run(*a, 1, _library.Progress(0), None)
+def ended(handle, words):
+    handle = ctypes.c_void_p(handle)
+    assert lib.ehl_status(handle) == 2, lib.ehl_status(handle)
+    assert words in lib.ehl_message(handle, 0).decode(), lib.ehl_message(handle, 0)
+    assert lib.ehl_find(handle, b"/summary/Hc", ctypes.byref(entry)) == 0
+    lib.ehl_free(handle)
+ended(run(None, None, None, 0), "NULL")
+ended(run(b"[contact]", b"d", None, 3), "overrides is NULL")
+ended(run(b"[contact]", b"d", (ctypes.c_char_p * 2)(b"contact.M=3", None), 2), "overrides[1] is NULL")
+ended(lib.ehl_check(None, None, None, 0, 1), "NULL")
+ended(lib.ehl_open(None), "path is NULL")
+ended(lib.ehl_open_case(None, 0), "path is NULL")
+# A result that is NULL, and a result without the other arguments.
+good = ctypes.c_void_p(lib.ehl_check(b"[contact]\\nM = 5\\nL = 5\\n[lubricant]\\nalpha = 2e-8\\n", None, None, 0, 1))
+assert lib.ehl_status(good) == 0
+for result in (None, good):
+    assert lib.ehl_find(result, None, ctypes.byref(entry)) == 0
+    assert lib.ehl_find(result, b"/deck", None) == 0
+    assert lib.ehl_entry_at(result, 0, None) == 0
+    assert lib.ehl_attribute(result, None, None) is None
+    assert lib.ehl_save(result, None, 0) in (1, 2)
+assert lib.ehl_status(None) == 1 and lib.ehl_entry_count(None) == 0
+assert lib.ehl_report(None) == b"" and lib.ehl_json(None) == b""
+assert lib.ehl_message(None, 0) is None and lib.ehl_warning(None, 0) is None
+lib.ehl_free(good), lib.ehl_free(None)
+print("all of them")
+"""
+
+
+def test_null_is_an_error_and_no_crash():
+    done = subprocess.run([sys.executable, "-c", NULL_CALLS], capture_output=True, text=True)
+    assert done.stdout == "all of them\n", done.stderr
+
+
+def test_the_library_shows_its_functions_alone():
+    shown = subprocess.run(["nm", "-D", "--defined-only", os.environ["EHL_LIBRARY"]], capture_output=True, text=True)
+    names = [line.split()[-1] for line in shown.stdout.splitlines()]
+    assert len(names) >= 18
+    assert [name for name in names if not name.startswith("ehl_")] == []
+
+
+def test_a_nul_character_is_refused_and_cuts_nothing(tmp_path):
+    deck = "[contact]\nM = 5\n\0L = 5\n"
+    for call in (lambda: ehl.check(deck), lambda: ehl.check({"contact": {"M": "5\0", "L": 5}}),
+                 lambda: ehl.check("[contact]\nM = 5\nL = 5\n", **{"case.title": "a\0b"}),
+                 lambda: ehl.check("a\0.ini"), lambda: ehl.open("a\0.h5")):
+        with pytest.raises(ValueError, match="NUL"):
+            call()
+    (tmp_path / "d.ini").write_text(deck)
+    with pytest.raises(ehl.InputError, match="d.ini: not a text file"):
+        ehl.check(tmp_path / "d.ini")
+
+
+def test_values_of_numpy_and_awkward_names(tmp_path):
+    small = {"contact": {"M": np.float32(20), "L": np.int64(10)}, "lubricant": {"alpha": np.float64(2.2e-8)},
+             "grid": {"cells": np.int64(32)}, "output": {"fields": np.array(["P", "H"])}}
+    assert ehl.check(small).report == ehl.check({**CIRCLE, "contact": {"M": 20, "L": 10}, "grid": {"cells": 32}}).report
+    folder = tmp_path / "a=b, c"
+    folder.mkdir()
+    (folder / "d=1.ini").write_text("[contact]\nM = 20\nL = 10\n[lubricant]\nalpha = 2.2e-8\n[grid]\ncells = 32\n")
+    assert ehl.check(str(folder / "d=1.ini")).report
+    table = ehl.sweep(str(folder / "d=1.ini"), {"contact.M": np.array([20.0, 30.0])}, output=folder / "t=1.csv")
+    assert list(table["contact.M"]) == [20, 30]
+    for value in ("a,b", "1:2", None, ""):
+        with pytest.raises(ValueError, match="cannot stand in a list"):
+            ehl.sweep(str(folder / "d=1.ini"), {"case.title": [value]})
+
+
+def test_sigint_to_python_alone_stops_a_sweep(tmp_path):
+    script = (f"import ehl\nehl.sweep({{'contact': {{'M': 20, 'L': 10}}, 'lubricant': {{'alpha': 2.2e-8}}, 'grid': {{'cells': 128}}}}, "
+              f"{{'contact.M': '20:1000:400'}}, output={str(tmp_path / 't.csv')!r}, threads=1)")
+    process = subprocess.Popen([sys.executable, "-c", script], stderr=subprocess.PIPE, text=True)
+    table = tmp_path / "t.csv"
+    for _ in range(600):
+        if table.is_file() and table.read_text().count("\n") > 12:
+            break
+        time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    assert "KeyboardInterrupt" in process.communicate(timeout=120)[1]
+    rows = [line for line in table.read_text().splitlines() if not line.startswith("#")]
+    assert 1 < len(rows) < 401, "the sweep was stopped before its end, and what it had is kept"

@@ -5,6 +5,8 @@ import os
 
 def value_text(value):
     """A value as a deck has it: 0.1 is read back as the same double, [1, 2] is a list of words, True is on."""
+    if not isinstance(value, (float, int, str)) and hasattr(value, "tolist"):  # a scalar or an array of numpy
+        value = value.tolist()
     if isinstance(value, bool):
         return "on" if value else "off"
     if isinstance(value, str):
@@ -20,8 +22,8 @@ def value_text(value):
 
 def _one_line(where, value):
     text = value_text(value)
-    if "\n" in text or "\r" in text or "#" in text:
-        raise ValueError(f"{where}: a value is one line without #, not {text!r}")
+    if any(sign in text for sign in "\n\r#\0"):
+        raise ValueError(f"{where}: a value is one line without # and without NUL characters, not {text!r}")
     return text
 
 
@@ -51,9 +53,17 @@ def text_of(sections):
 
 
 def source(deck):
-    """(text or None, name) of a deck: None is a file of this name."""
+    """(text or None, name) of a deck: None is a file of this name. A text has more than one line: a section and a key."""
     if isinstance(deck, dict):
         return text_of(deck), "deck"
-    if isinstance(deck, str) and ("\n" in deck or "=" in deck):
+    if isinstance(deck, str) and "\n" in deck:
         return deck, "deck"
     return None, os.fspath(deck)
+
+
+def encoded(text, what):
+    """The bytes of a text or a path for C, where the first NUL character would end it."""
+    found = os.fsencode(text) if isinstance(text, os.PathLike) else text if isinstance(text, bytes) else text.encode()
+    if b"\0" in found:
+        raise ValueError(f"{what}: there is a NUL character in it, at byte {found.index(0)}")
+    return found

@@ -7,7 +7,7 @@ import os
 
 import numpy as np
 
-from . import _library
+from . import _deck, _library
 from ._errors import error_of
 
 
@@ -200,7 +200,7 @@ class Result:
         """Writes the result file (HDF5) and the XDMF beside it, as `ehl run` does; for a result of run()."""
         library, pointer = self._handle.library, self._handle.pointer
         before = len(self.messages)
-        status = library.ehl_save(pointer, os.fsencode(path), bool(overwrite))
+        status = library.ehl_save(pointer, _deck.encoded(os.fsencode(path), "path"), bool(overwrite))
         if status != _library.SOLVED:
             raise error_of(status, self.messages[before:] or [f"{path}: not enough memory"])
 

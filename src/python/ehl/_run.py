@@ -52,9 +52,10 @@ class _InterruptBecomesFlag:
 
 def _arguments(deck, keys, threads):
     text, name = _deck.source(deck)
-    overrides = [one.encode() for one in _deck.overrides(keys)]
+    overrides = [_deck.encoded(one, one) for one in _deck.overrides(keys)]
     array = (ctypes.c_char_p * len(overrides))(*overrides)
-    return (None if text is None else text.encode(), os.fsencode(name), array, len(overrides), threads or 0)
+    text = None if text is None else _deck.encoded(text, "deck")
+    return (text, _deck.encoded(os.fsencode(name), "the name of the deck"), array, len(overrides), int(threads or 0))
 
 
 def _warn(result):
@@ -97,7 +98,7 @@ def check(deck, *, threads=None, **keys):
 def open(path, case=None):
     """Reads a result file of `ehl run`; or, of a sweep that kept its results, the case of this number, from 0 in the
     order of the table. One that holds no solution is read with a warning: `converged` tells. Raises FileError."""
-    library, name = _library.library(), os.fsencode(path)
+    library, name = _library.library(), _deck.encoded(os.fsencode(path), "path")
     handle = library.ehl_open(name) if case is None else library.ehl_open_case(name, case)
     result = Result(_Handle(handle), os.fspath(path))
     if not len(result) or result.status == _library.FILE_TROUBLE:

@@ -3,6 +3,7 @@
 import contextlib
 import os
 import pathlib
+import signal
 import subprocess
 import tempfile
 import warnings
@@ -11,11 +12,20 @@ from . import _deck, _library
 from ._errors import EhlWarning, error_of
 
 
+def _one_of_list(value):
+    """A value between the commas and colons of a list."""
+    text = "" if value is None else _deck.value_text(value)
+    if not text or any(sign in text for sign in ",:\"#\n\r\0"):
+        raise ValueError(f"vary: {value!r} cannot stand in a list of values: it is empty, or holds a comma, a colon, "
+                         f"a quote, # or a line break")
+    return text
+
+
 def _range(values):
     """LIST of --vary: a text as it is ("5:2000:17:log"), or the values between commas."""
     if isinstance(values, str):
         return values
-    rows = [":".join(map(_deck.value_text, one)) if isinstance(one, tuple) else _deck.value_text(one) for one in values]
+    rows = [":".join(map(_one_of_list, one)) if isinstance(one, tuple) else _one_of_list(one) for one in values]
     return ",".join(rows)
 
 
@@ -55,6 +65,8 @@ def _finished(command, quiet):
                 if not quiet and line.startswith("ehl: ") and "/" in line.split(" ", 2)[1]:
                     print(line.removeprefix("ehl: "), end="")
         except KeyboardInterrupt:
+            # From a terminal Ctrl-C has reached the program too, and a second one would end it before it has saved.
+            process.send_signal(signal.SIGUSR1)
             process.wait()
             raise
     return process.returncode, "".join(heard)
