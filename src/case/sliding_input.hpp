@@ -29,7 +29,8 @@ std::optional<ShearInput> shear_input(deck::Deck& deck, const Physics& physics);
 /// True where the far field goes on outside of the domain, and the gap is full of oil there.
 bool oil_outside(const steady::Scene& scene);
 
-/// The same for [friction]. in: the scene but for its effects after the solution.
+/// What [friction] asks for; nothing and complaints as above. The scene must be complete but for its effects after the
+/// solution.
 std::optional<friction::Parameters> friction_input(deck::Deck& deck, const Physics& physics,
                                                    const steady::Scene& scene);
 /// Stress, slope and meniscus as they follow from the contact alone.

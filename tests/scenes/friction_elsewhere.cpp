@@ -62,7 +62,7 @@ BOOST_AUTO_TEST_CASE(stresses_below_take_the_computed_friction) {
   BOOST_TEST(contains(scene.ehl("run d.ini --quiet --overwrite").out, "frictionless"));
 }
 
-// The same bars for sliding in both directions.
+// A friction coefficient below zero has an error bar like any other.
 BOOST_AUTO_TEST_CASE(pages_keep_the_bars_of_negative_friction) {
   const Scene scene(ball + heat + eyring);
   BOOST_REQUIRE(scene.ehl("sweep d.ini --vary motion.srr=-0.2,-0.1,-0.05 --set grid.cells=128 --overwrite").status ==

@@ -91,7 +91,7 @@ struct Friction {
 /// times the differences of P; what lies outside of the domain, up to the meniscus, by beyond(). Of a line both parts
 /// converge there, as H dP/dX falls as 1/X^2. Round a point they fall as 1/r^2, so that both integrals grow with the
 /// logarithm of the meniscus, and belong to it. Where nothing is known of the outside, the outer half of the inlet
-/// tells what one of twice the length would add to the rolling friction. order: 2, with P and H of order 2; with
+/// states what one of twice the length would add to the rolling friction. order: 2, with P and H of order 2; with
 /// Cavitated::none 1 in the part beside the edge. cost: one viscosity per node.
 Friction friction_of(const Film& film, const Parameters& parameters);
 
