@@ -6,7 +6,7 @@
 
 namespace ehl::results {
 
-/// What this program writes, told from other files by what they hold and not by their names.
+/// What this program writes. A file is recognized by what it holds and not by its name.
 enum class FileKind { result, kept_results, journal, xdmf, table, page, picture };
 
 /// Why a file may not be replaced by one of this kind, "is no result of ehl"; empty where it may: there is no file, it

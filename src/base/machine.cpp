@@ -46,7 +46,7 @@ struct Memory {
   double used = 0.0;
 };
 
-// Of the control groups that this process is in, from its own up to the root: a job's limit may be of any of them.
+// The control groups that this process is in, from its own up to the root: any of them may have the limit of a job.
 std::vector<Memory> control_groups() {
   const std::string root = "/sys/fs/cgroup", older = root + "/memory";
   std::vector<Memory> all{

@@ -18,8 +18,8 @@ void solve_case(const Case& input, RunSettings& settings, Computed& computed);
 /// All that the result file holds. The content points to the fields of `computed`.
 results::Content whole_content(const Case& input, const Computed& computed);
 
-/// The same of a case for which the solver gave up: the film as far as there is one, else the deck, the scales and the
-/// grid without fields. Marked as not converged, with the reason.
+/// The content for a case in which the solver gave up: it has the film as far as there is one, else the deck, the
+/// scales and the grid without fields. It is marked as not converged, with the reason.
 results::Content content_without_solution(const Case& input, Computed& computed, const std::string& reason);
 
 /// What `ehl run` prints of it. in: whether with the time of each part.

@@ -22,7 +22,7 @@ std::string kept_result(const Case& input, FilmSolution&& found);
 class KeptResults {
  public:
   /// Reads what there is: the file of an earlier sweep, and the journal of one that was cut short. in: path of the
-  /// table, whose files were checked (results/outputs.hpp); overwrite: begin anew. errors: core::FileError: a file of
+  /// table, whose files were checked (results/outputs.hpp); overwrite: begin again. errors: core::FileError: a file of
   /// another kind.
   KeptResults(const std::string& table, bool overwrite);
   ~KeptResults();

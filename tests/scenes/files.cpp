@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE(a_sweep_keeps_its_inputs) {
                      small + "[surface1]\nshape = map\nfile = map.h5\ndataset = /fields/H\nunit = 1e-3\ndx = 0.2\n");
   const std::string sweep = "sweep rough.ini --vary contact.M=20,30 --quiet --overwrite ";
   scene.keeps("map.h5", sweep + "--keep --output map.csv", read_by);
-  // And what is no table and no journal of ours is not begun anew.
+  // A file that is no table or journal of this program is not replaced.
   scene.folder.write("notes.csv", "precious, 1\n");
   scene.keeps("notes.csv", "sweep d.ini --vary contact.M=20,30 --quiet --overwrite --output notes.csv", foreign);
   scene.keeps("notes.csv", "study d.ini --quiet --overwrite --output notes.csv", foreign);

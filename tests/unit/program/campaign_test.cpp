@@ -8,6 +8,7 @@
 #include "support/text.hpp"
 #include "tables/csv.hpp"
 #include "tables/shard.hpp"
+#include "tables/sweep_data.hpp"
 #include "tables/sweep_merge.hpp"
 #include "tables/sweep_table.hpp"
 
@@ -36,6 +37,25 @@ std::string row(const std::string& status) {
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(campaign)
+
+// Columns of older tables, in which one name had three meanings, are read by the names of today.
+BOOST_AUTO_TEST_CASE(older_tables_are_read) {
+  const support::TemporaryFolder folder;
+  const auto columns = [&](const std::string& text) {
+    const std::string path = folder.write("t.csv", text);
+    return program::read_table(path, program::mark_of(path)).columns;
+  };
+  BOOST_TEST(
+      columns("# ehl sweep, table 1\ncontact.M,status,error_Hc\n") == (Texts{"contact.M", "status", "mesh_error_Hc"}),
+      boost::test_tools::per_element());
+  BOOST_TEST(columns("# ehl sweep, table 2\ncontact.M,status,error_Hc\n") == (Texts{"contact.M", "status", "error_Hc"}),
+             boost::test_tools::per_element());
+  BOOST_TEST(columns("# ehl study, table 1\nstatus,error_Hc,estimate_Hc\n") ==
+                 (Texts{"status", "deviation_Hc", "estimate_Hc"}),
+             boost::test_tools::per_element());
+  BOOST_TEST(columns("# ehl study in time, table 1\nstatus,error_P_1\n") == (Texts{"status", "deviation_P_1"}),
+             boost::test_tools::per_element());
+}
 
 // Many cases are not estimated one by one in every job, and the parts still take nearly the same.
 BOOST_AUTO_TEST_CASE(parts_of_many_cases) {
