@@ -1,22 +1,49 @@
 // The program: takes the command line apart, runs one command, and turns what went wrong into a message and a status.
 #include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <new>
 
 #include "base/failure.hpp"
 #include "base/signals.hpp"
 #include "commands/commands.hpp"
+#include "core/errors.hpp"
 #include "core/process.hpp"
 
 namespace ehl::program {
 namespace {
 
+int reported(const Failure& failure) {
+  for (const std::string& message : failure.messages) std::fprintf(stderr, "ehl: %s\n", message.c_str());
+  return failure.status;
+}
+
+// Ends the process without what libraries do at its end: HDF5 crashes there after a lack of memory.
+[[noreturn]] void end_at_once(int status) {
+  std::fflush(nullptr);
+  std::_Exit(status);
+}
+
+// An exception in a thread of a parallel loop cannot leave it: most of them are a lack of memory.
+[[noreturn]] void end_of_a_thread() {
+  if (std::current_exception()) try {
+      std::rethrow_exception(std::current_exception());
+    } catch (...) {
+      end_at_once(reported(current_failure()));
+    }
+  std::abort();
+}
+
 int guarded(const std::vector<std::string>& words) {
   try {
     const Arguments arguments = parse_arguments(words, commands());
     return find_command(commands(), arguments.command).function(arguments);
+  } catch (const std::bad_alloc&) {
+    end_at_once(reported(current_failure()));
+  } catch (const core::FileError&) {
+    end_at_once(reported(current_failure()));
   } catch (...) {
-    const Failure failure = current_failure();
-    for (const std::string& message : failure.messages) std::fprintf(stderr, "ehl: %s\n", message.c_str());
-    return failure.status;
+    return reported(current_failure());
   }
 }
 
@@ -26,5 +53,6 @@ int guarded(const std::vector<std::string>& words) {
 int main(int count, char** words) {
   ehl::core::prepare_process(words);
   ehl::program::install_signal_handlers();
+  std::set_terminate(ehl::program::end_of_a_thread);
   return ehl::program::guarded({words + 1, words + count});
 }

@@ -2,6 +2,7 @@
 // The only place where an HDF5 identifier is held. For the sources of this module alone.
 #include <hdf5.h>
 
+#include <new>
 #include <string>
 #include <vector>
 
@@ -34,9 +35,14 @@ class Handle {
 };
 
 /// Keeps the library from printing its error stack while it lives; the stack itself stays readable.
+/// errors: std::bad_alloc where there is no memory for the library.
 class QuietErrors {
  public:
   QuietErrors() {
+    // The library ends the process where its own set-up finds no memory.
+    constexpr std::size_t needed_by_set_up = 16U << 20;
+    ::operator delete(::operator new(needed_by_set_up));
+    if (H5open() < 0) throw std::bad_alloc();
     H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   }

@@ -1,6 +1,7 @@
 // ehl fit: constants of an oil from a measured traction curve.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -103,6 +104,18 @@ Task task_of(const Arguments& arguments) {
   task.free = arguments.values("free");
   task.at_once = task.header.at_once = requested_threads(arguments);
   task.quiet = arguments.has("quiet");
+  for (const std::string& key : task.free) {
+    const std::size_t dot = std::min(key.find('.'), key.size());
+    const std::string section = key.substr(0, dot), name = key.substr(std::min(dot + 1, key.size()));
+    const deck::Catalogue known = catalogue();
+    if (deck::find_key(known, section, name) != nullptr) continue;
+    std::vector<std::string> names;
+    for (const deck::Key& one : known.keys)
+      if (one.type == deck::Type::number) names.push_back(one.section + "." + one.name);
+    const std::string near = deck::nearest(key, names);
+    refuse("--free " + key + ": there is no such key" + (near.empty() ? "" : ": did you mean " + near + "?") +
+           " Keys are written section.key, e.g. shear.tau_0");
+  }
   if (task.free.size() > most_free) refuse(fmt::format("--free: {} keys at most", most_free));
   if (task.points.size() <= task.free.size())
     refuse(fmt::format("--measured: {} points do not tell {} constants and how certain they are", task.points.size(),
