@@ -27,7 +27,6 @@ Balance FilmTemperature::balance() const {
       compare(sum.surface_2, theta(i, j, 0), i, j);
     }
   sum.friction *= (setup_.srr < 0.0 ? -1.0 : 1.0) / (load * setup_.stress_of_P);
-  sum.load = load * patch.hx() * patch.hy();
   sum.defect = sum.heat != 0.0 ? (sum.heat - sum.into_1 - sum.into_2 - sum.carried) / sum.heat : 0.0;
   return sum;
 }

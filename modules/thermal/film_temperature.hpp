@@ -62,8 +62,7 @@ struct Extreme {
 
 /// Forces and heat, integrals over the domain by the sum over its nodes.
 struct Balance {
-  double friction = 0.0;  ///< integral of tau_m over that of P, both on the domain, with the sign of srr
-  double load = 0.0;      ///< integral of P
+  double friction = 0.0;  ///< integral of tau_m over that of P: mu, with the sign of srr
   double heat = 0.0;      ///< made in the film, in k0 T0 R; by shear and compression
   double into_1 = 0.0, into_2 = 0.0;
   double carried = 0.0;  ///< by the oil

@@ -43,6 +43,16 @@ struct Ladder {
   Result last{};
 };
 
+// Of the contact's load, the one that stands on the domain.
+double share_of_load(const fmg::Run& run, std::size_t l) {
+  const core::Patch& patch = run.hierarchy.levels[l].grid;
+  double sum = 0.0;
+  for (int i = 0; i <= patch.nx; ++i)
+    for (int j = 0; j <= patch.ny; ++j) sum += patch.lines(j) * run.hierarchy.levels[l].P(i, j);
+  const std::optional<double>& load = run.hierarchy.problem.load;
+  return load ? sum * patch.hx() * patch.hy() / *load : 1.0;
+}
+
 Ladder begin(steady::Scene scene, const steady::ProgressCallback& progress) {
   const auto factors = std::make_shared<Factors>(std::vector<core::Patch>{scene.grid});
   scene.effects.push_back(Factors::effect(factors));
@@ -114,7 +124,7 @@ void pass_on(Ladder& ladder, std::size_t l, thermal::Setup setup) {
                          .passes = static_cast<int>(ladder.last.passes.size()),
                          .Hc = pass.Hc,
                          .Hm = pass.Hm,
-                         .mu = balance.friction * balance.load / run.hierarchy.problem.load.value_or(balance.load),
+                         .mu = balance.friction * share_of_load(run, l),
                          .film = balance.film.theta,
                          .surface_1 = balance.surface_1.theta,
                          .surface_2 = balance.surface_2.theta,
