@@ -14,6 +14,7 @@ struct Verification {
   double largest_residual_X = unknown;
   double largest_residual_Y = unknown;
   double least_P = unknown;        ///< over all nodes: complementarity wants P >= 0
+  double least_content = unknown;  ///< Q over all nodes of a mass conserving inlet, in units of H; must be >= 0
   double dry_violation = unknown;  ///< largest residual of a cavitated node whose equation wants pressure; relative
   double load_error = unknown;     ///< relative
   double change_Hc = unknown;      ///< |change in the last cycle|, relative

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/norms.hpp"
 #include "fmg/oil.hpp"
 #include "fmg/swinging.hpp"
 #include "steady/rescue.hpp"
@@ -160,6 +161,7 @@ Solution solution_of(const Scene& scene, fmg::Run&& run) {
   solution.end = record.end;
   solution.cycle_factor = record.cycle_factor;
   solution.verification = record.verification;
+  if (solution.Q.nodes_x() > 0) solution.verification.least_content = core::minimum(solution.Q).value;
   if (scene.adjoint_errors && record.converged && reynolds::third_order(scene.wedge) && scene.effects.empty() &&
       !scene.supply)
     solution.adjoint = adjoint::errors(run.hierarchy, scene.error_maps);

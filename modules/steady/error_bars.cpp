@@ -11,6 +11,7 @@
 #include "rheology/laws.hpp"
 #include "steady/domain_error.hpp"
 #include "steady/layer_error.hpp"
+#include "steady/relief.hpp"
 #include "steady/resolution.hpp"
 #include "steady/scene.hpp"
 #include "steady/solution.hpp"
@@ -291,6 +292,7 @@ ErrorBars error_bars_of(const Scene& scene, const Solution& solution) {
   judge_P_max(scene, fmg::column(solution.levels, &LevelRow::P_max), fmg::column(solution.levels, &LevelRow::P_rim),
               bars);
   add_errors_of_supply(solution.passes, bars);
+  leave_open_on_relief(scene, bars);
   return bars;
 }
 

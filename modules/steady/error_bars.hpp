@@ -46,6 +46,8 @@ struct ErrorBars {
   bool P_max_converging = false;
   /// Or no spike is seen where the oil is as good as solid at the rim: a finer grid may show one.
   bool spike_unseen = false;
+  /// Share of the variance of rough surfaces that half as many cells lose, where it is so much that P_max has no error.
+  double relief_unresolved = 0.0;
   /// P_max has no error; or with less than three levels, which tell none, a spike is seen or may be unseen.
   bool spike_unresolved = false;
 };

@@ -16,6 +16,15 @@ constexpr double cut_off_pressure = 1e-3;
 /// Change of Hc on the double domain that is worth a word.
 constexpr double starved = 0.01;
 
+/// Oil content, in units of H, below zero by more than rounding.
+constexpr double worth_a_word_of_content = 1e-6;
+
+std::string number(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.2g", value);
+  return buffer;
+}
+
 std::string percent(double value) {
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, value < 1.0 ? "%.2g %%" : "%.0f %%", 100.0 * value);
@@ -34,6 +43,13 @@ double largest_along_sides(const Solution& solution) {
   for (int i = 0; i <= solution.grid.nx; ++i)
     largest = std::max({largest, solution.P(i, 1), solution.P(i, solution.grid.ny - 1)});
   return largest;
+}
+
+int nodes_below_zero(const core::Field& Q) {
+  int nodes = 0;
+  for (int i = 0; i < Q.nodes_x(); ++i)
+    for (int j = 0; j < Q.nodes_y(); ++j) nodes += Q(i, j) < -worth_a_word_of_content ? 1 : 0;
+  return nodes;
 }
 
 void warn_of_supply(const Starvation& found, std::vector<std::string>& warnings) {
@@ -85,11 +101,26 @@ int cells_that_resolve(int cells, double error, reynolds::Wedge wedge) {
   return cells;
 }
 
+std::string advice_for_cutting_ends(const Scene& scene, const Solution& solution) {
+  constexpr double near_the_end = 0.8;
+  if (!contact::roller(scene.shape) || solution.H.nodes_x() == 0) return {};
+  const core::Location least = core::minimum(solution.H);
+  const double Y = solution.grid.Y(least.j);
+  if (!(least.value < 0.0) || std::abs(Y) < near_the_end * 0.5 * scene.shape.length) return {};
+  char place[64];
+  std::snprintf(place, sizeof place, "H = %.3g at y = %.4g a", least.value, Y);
+  return std::string("the end of the roller cuts through the film, ") + place +
+         ", and finer meshes do not help: let the profile fall further at the ends, or reduce the load or the tilt";
+}
+
 std::vector<std::string> warnings_of(const Scene& scene, const Solution& solution) {
   std::vector<std::string> warnings;
   const LevelRow& last = solution.levels.back();
   const double of_Hc = solution.error_bars.Hc.discretization, of_Hm = solution.error_bars.Hm.discretization;
-  if (last.Hm_fitted < 0.0)
+  const std::string cutting = advice_for_cutting_ends(scene, solution);
+  if (!cutting.empty())
+    warnings.push_back(cutting);
+  else if (last.Hm_fitted < 0.0)
     warnings.push_back(
         "the film is negative between the nodes, where it is thinnest: the mesh does not show the minimum; use at "
         "least " +
@@ -107,6 +138,11 @@ std::vector<std::string> warnings_of(const Scene& scene, const Solution& solutio
                        percent(std::abs(solution.domain_error_Hc)) +
                        " (an estimate), and there may be as much beyond; move x_inlet upstream and widen y_half");
   if (solution.starvation) warn_of_supply(*solution.starvation, warnings);
+  if (const double least = solution.verification.least_content; least < -worth_a_word_of_content)
+    warnings.push_back(
+        "the oil content is negative at its lowest, Q = " + number(least) + ", at " +
+        std::to_string(nodes_below_zero(solution.Q)) +
+        " nodes, which no layer has: the mesh does not resolve the film beside the contact; use more cells");
   if (solution.swinging_nodes > 0)
     warnings.push_back("at " + std::to_string(solution.swinging_nodes) +
                        " nodes at the edge of the film the flux is of first order: with the second they are neither "
@@ -115,6 +151,11 @@ std::vector<std::string> warnings_of(const Scene& scene, const Solution& solutio
   if (!solution.polish_failure.empty())
     warnings.push_back("the polish did not reach rounding errors, the cycles' solution stays: " +
                        solution.polish_failure);
+  if (const double lost = solution.error_bars.relief_unresolved; lost > 0.0)
+    warnings.push_back("the mesh of " + std::to_string(last.nx) +
+                       " cells does not resolve the surfaces: half as many lose " + percent(lost) +
+                       " of the variance of their heights; the highest pressure belongs to this mesh and has no error "
+                       "bar; use more cells");
   const double P_max = core::maximum(solution.P).value;
   const double outlet = largest_along_outlet(solution);
   if (!scene.far_field && outlet > cut_off_pressure * P_max)

@@ -18,6 +18,10 @@ inline constexpr double unresolved_film = 0.1;
 /// 100 %, and the cells are the fewest that may do.
 int cells_that_resolve(int cells, double error, reynolds::Wedge wedge);
 
+/// What helps a roller whose film is negative at one of its ends: there its edge cuts through the film, on every mesh.
+/// out: empty where that is not so.
+std::string advice_for_cutting_ends(const Scene& scene, const Solution& solution);
+
 /// Warnings with numbers: film not resolved by the mesh (estimated error above 10 %, with the cells that would do; no
 /// estimate possible from a single level; a film that is negative between the nodes), inlet starved by the domain,
 /// outlet boundary inside the pressure region, pressure still carried at the sides. in: a solution of the scene whose

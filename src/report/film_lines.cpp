@@ -60,8 +60,11 @@ std::string film_lines(const Case& input, const Computed& computed) {
     text += fmt::format("P = {:.5f}{}{}", at.value, bar(bars.P_max),
                         std::isfinite(input.physics.p_h) ? ", " + pressure(at.value * input.physics.p_h) : "");
   text += fmt::format(", at ({:.3f}, {:.3f}) a{}\n", at.X, at.Y, mark);
-  if (solution.levels.size() > 2 && !bars.P_max_converging)
-    text += bars.spike_unseen
+  if ((solution.levels.size() > 2 || bars.relief_unresolved > 0.0) && !bars.P_max_converging)
+    text += bars.relief_unresolved > 0.0 ? "             the mesh does not resolve the rough surfaces, and the "
+                                           "pressure of their asperities grows on "
+                                           "finer ones\n"
+            : bars.spike_unseen
                 ? "             a spike that this mesh does not show may be higher\n"
                 : "             it still grows from grid to grid as at a spike, and belongs to this mesh\n";
   return text;

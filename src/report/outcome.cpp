@@ -70,8 +70,9 @@ void warn_of_coarse(const Case& input, std::vector<std::string>& warnings) {
     if (cells < wanted)
       warnings.push_back(
           fmt::format("{} on {} has {:.2g} cells for its {} where {:g} are wanted of what moves: its amplitude in "
-                      "the film and its pressure belong to this mesh",
-                      one->shape, one->section, cells, waves ? "wavelength" : "width", wanted));
+                      "the film and its pressure belong to this mesh; use at least {:.0f} cells",
+                      one->shape, one->section, cells, waves ? "wavelength" : "width", wanted,
+                      std::ceil(grid.nx * wanted / cells)));
   }
 }
 

@@ -1,5 +1,7 @@
 #include "report/quantities.hpp"
 
+#include <cmath>
+
 namespace ehl::program {
 namespace {
 
@@ -101,6 +103,8 @@ std::vector<Quantity> verification_quantities(const steady::Verification& checke
        : round ? "mass flow out of |x|, |y| <= 1.5 less in, over flow_through"
                : "mass flow out of 1.5 times the contact's reach less in, over flow_through"},
       {"flow_imbalance_whole", checked.flow_imbalance_whole, "-", "the same of all of the pressurised region"}};
+  if (std::isfinite(checked.least_content))
+    list.push_back({"least_content", checked.least_content, "a^2/R", "lowest oil content of all nodes"});
   return list;
 }
 

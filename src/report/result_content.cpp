@@ -103,6 +103,12 @@ results::Content result_content(const Case& input, const Computed& computed) {
   const steady::Solution& solution = computed.solution;
   const DerivedFields& derived = computed.derived;
   std::vector<Quantity> list = film_quantities(input, solution, computed.outcome);
+  // Those are of the steady start; the file says of all of the run in time whether it converged.
+  if (const std::string why = why_incomplete(computed.in_time); !why.empty())
+    for (Quantity& one : list) {
+      if (one.name == "converged") one.value = false;
+      if (one.name == "failed_check") one.value = why;
+    }
   for (Quantity& one : verification_quantities(solution.verification, input.scene.shape))
     list.push_back(std::move(one));
   results::Content content = content_of(input, computed, std::move(list));

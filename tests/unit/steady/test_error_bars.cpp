@@ -239,21 +239,6 @@ BOOST_AUTO_TEST_CASE(a_spike_that_is_not_seen) {
   }
 }
 
-// Two levels tell no error of P_max: a spike that is seen, or may be hidden, then counts as not resolved.
-BOOST_AUTO_TEST_CASE(a_spike_on_two_levels) {
-  const auto unresolved = [](double alpha_bar, double P_rim) {
-    Solution solution = three_levels(1.02, 1.02, 1.02);
-    solution.levels.pop_back();
-    for (LevelRow& row : solution.levels) row.P_rim = P_rim;
-    Scene scene;
-    scene.viscosity = rheology::make_barus(alpha_bar, 1.0);
-    return error_bars_of(scene, solution).spike_unresolved;
-  };
-  BOOST_TEST(unresolved(16.0, 0.82));
-  BOOST_TEST(unresolved(10.0, 0.95));
-  BOOST_TEST(!unresolved(10.0, 0.82));
-}
-
 BOOST_AUTO_TEST_CASE(what_is_not_known) {
   Solution none;
   BOOST_TEST(std::isnan(error_bars_of(Scene{}, none).Hc.total()));
