@@ -33,8 +33,8 @@ double foreseen(const std::vector<Row>& rows, double Row::*behind) {
   return last + grows_on * std::max(0.0, last - before);
 }
 
-// Of a temperature. Where oil is hardly sheared a spike is hotter than all else once a grid resolves it; on coarser
-// grids it grows unseen below the hottest place, and the sequence of that says 1e-3 where 0.1 is missing.
+// Relative error of a temperature. Where oil is hardly sheared a spike is hotter than all else once a grid resolves it;
+// on coarser grids it grows unseen below the hottest place, and the sequence of that says 1e-3 where 0.1 is missing.
 double error_of(const std::vector<Row>& rows, double Row::*value, double Row::*behind) {
   const double told = error_of(rows, value), under_spike = foreseen(rows, behind);
   return std::isnan(under_spike) ? told : std::max(told, under_spike / (rows.back().*value) - 1.0);

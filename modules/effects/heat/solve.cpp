@@ -207,8 +207,8 @@ Ladder found_by_some_cycle(const steady::Scene& scene, const thermal::Setup& set
 // holds 37 of 39 contacts, 1 to 15 m/s; the other two are nearly rigid (M = 3 and 1) and are given 8 by default.
 constexpr double share_of_warm_inlet = 0.03;
 
-// Under a spike that the mesh does not resolve the film is hotter on every finer grid, and its sequence tells no error;
-// that of a surface where its hottest place is under the spike, or may get there.
+// Under a spike that the mesh does not resolve the film is hotter on every finer grid, and no error follows from its
+// sequence; that of a surface where its hottest place is under the spike, or may get there.
 void judge_below_spike(const steady::ErrorBars& bars, Solution& result) {
   result.spike_unresolved = bars.spike_unresolved;
   if (!bars.spike_unresolved) return;

@@ -23,8 +23,8 @@ struct Row {
   int nx = 0, ny = 0, passes = 0;
   double Hc = 0.0, Hm = 0.0, mu = 0.0, film = 0.0, surface_1 = 0.0, surface_2 = 0.0;  ///< theta
   double defect = 0.0, seconds = 0.0;
-  /// The same three downstream where the dry contact has less than 0.8 of its largest pressure: under a spike oil is
-  /// hot by compression.
+  /// These are the same three temperatures downstream where the dry contact has less than 0.8 of its largest pressure:
+  /// under a spike oil is hot by compression.
   double film_behind = NAN, surface_1_behind = NAN, surface_2_behind = NAN;
 };
 
