@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(a_working_folder_that_is_gone) {
   folder.write("m.csv", "srr,mu\n0.1,0.02\n0.2,0.03\n");
   BOOST_TEST_REQUIRE(support::ehl(folder, "run d.ini --quiet --output r.h5").status == 0);
   for (const char* command :
-       {"run ../d.ini", "sweep ../d.ini --vary contact.M=2,3", "study ../d.ini", "plot ../r.h5",
+       {"run ../d.ini", "sweep ../d.ini --vary contact.M=2,3", "study ../d.ini",
         "fit ../d.ini --measured ../m.csv --free friction.limit", "run d.ini", "sweep $D/d.ini --vary contact.M=2,3",
         "run $D/d.ini", "plot $D/r.h5 --output x.png", "report $D/r.h5 --output x.html"}) {
     const support::Ended ended =
