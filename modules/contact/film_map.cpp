@@ -1,5 +1,7 @@
 #include "contact/film_map.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,7 +15,7 @@ namespace data = film_map_data;
 
 namespace {
 
-constexpr double least_M = 0.2, most_M = 2000.0, most_L = 25.0, least_ratio = 0.1, most_ratio = 2.5;
+constexpr double least_M = 0.2, most_M = 2000.0, most_L_star = 23.4, least_ratio = 0.1, most_ratio = 2.5;
 constexpr double rounding = 1e-9;  // a bound that was computed on the way into the entrainment's frame
 
 constexpr int most_degree = std::max({data::degrees[0], data::degrees[1], data::degrees[2]});
@@ -38,13 +40,14 @@ double beyond_rigid(const Asymptotes& H, double L) {
 
 }  // namespace
 
-std::optional<MappedFilm> film_map(double M, double L, const Ellipse& shape) {
+std::optional<MappedFilm> film_map(double M, double L_star, const Ellipse& shape) {
   if (line(shape) || roller(shape) || gap(shape).aslant()) return std::nullopt;
-  const AlongEntrainment at = along_entrainment(shape, M, L);
+  const AlongEntrainment at = along_entrainment(shape, M, L_star);
   const auto within = [](double value, double least, double most) {
     return value >= least * (1.0 - rounding) && value <= most * (1.0 + rounding);
   };
-  if (!within(at.M, least_M, most_M) || !within(at.L, 0.0, most_L) || !within(at.radius_ratio, least_ratio, most_ratio))
+  if (!within(at.M, least_M, most_M) || !within(at.L, 0.0, most_L_star) ||
+      !within(at.radius_ratio, least_ratio, most_ratio))
     return std::nullopt;
   const Asymptotes H = asymptotes(at.M, at.L, at.radius_ratio);
   const Polynomials u = chebyshev(0, std::asinh(2.0 * (beyond_rigid(H, at.L) - 0.3)));
@@ -64,10 +67,21 @@ std::optional<MappedFilm> film_map(double M, double L, const Ellipse& shape) {
         log_ratio += data::of_Hm[term] * T;
         ++term;
       }
-  const double central = nijenbanning_venner_moes(M, L, shape) * std::exp(log_central);
+  const double central = nijenbanning_venner_moes(M, L_star, shape) * std::exp(log_central);
   return MappedFilm{central, central * std::exp(log_ratio)};
 }
 
+std::string range_of_film_map() {
+  return fmt::format("M = {:g} to {:g}, L* = 0 to {:g}, R_x/R_y = {:g} to {:g}", least_M, most_M, most_L_star,
+                     least_ratio, most_ratio);
+}
+
+double alpha_star_of_film_map() { return data::alpha_star; }
+
 MapScatter scatter_of_film_map() { return {data::rms_Hc, data::largest_Hc, data::rms_Hm, data::largest_Hm}; }
+
+MapScatter scatter_of_other_oils() {
+  return {data::oils_rms_Hc, data::oils_largest_Hc, data::oils_rms_Hm, data::oils_largest_Hm};
+}
 
 }  // namespace ehl::contact

@@ -1,6 +1,7 @@
 #pragma once
-// The film of a point contact as a function of M, L and R_x/R_y, fitted to our own solutions.
+// The film of a point contact as a function of M, L* and R_x/R_y, fitted to our own solutions.
 #include <optional>
+#include <string>
 
 #include "contact/ellipse.hpp"
 
@@ -15,18 +16,32 @@ struct MappedFilm {
 /// With B of nijenbanning_venner_moes() and its asymptotes, Chebyshev's T, R_e along the entrainment and R_s across it:
 ///   ln(H_c/B), ln(H_m/H_c) = sum c_ijk T_i(u) T_j(v) T_k(w),
 ///   u = asinh(2 (ln(plateau/H_RI) - 0.3)), plateau^3 = (H_EI^-4 + H_00^-4)^(-3/4) + (H_RP^-8 + H_EP^-8)^(-3/8),
-///   v = ln(1 + L), w = ln(R_e/R_s), scaled to -1..1 on the range of the solutions.
-/// in: M > 0, L >= 0. out: nothing outside M = 0.2 to 2000, L = 0 to 25, R_e/R_s = 0.1 to 2.5 (all with R_e), for an
-/// entrainment at an angle to the axes, and for lines and rollers. limits: smooth, isothermal, flooded; oils of
-/// Roelands with z = 0.68 and of Dowson and Higginson with alpha = 22/GPa, on which the film hardly depends beyond M
-/// and L. source: tests/bench/film_map.csv.gz, fitted by tests/bench/film_regression.py.
-std::optional<MappedFilm> film_map(double M, double L, const Ellipse& shape);
+///   v = ln(1 + L*), w = ln(R_e/R_s), scaled to -1..1 on the range of the solutions.
+/// L* is Moes' L with alpha*, 1/alpha* = int_0^inf eta0/eta dp, in B and the asymptotes too: with it, oils of different
+/// viscosity laws have nearly the same film.
+/// in: M > 0, L_star >= 0. out: nothing outside M = 0.2 to 2000, L* = 0 to 23.4, R_e/R_s = 0.1 to 2.5 (all with R_e),
+/// for an entrainment at an angle to the axes, and for lines and rollers. limits: smooth, isothermal, flooded; fitted
+/// to one oil of Roelands with Dowson and Higginson's density. The density at the Hertz pressure is then a function of
+/// M and L*, p_h = alpha_bar*/alpha_star_of_film_map(); an oil of another density, an incompressible one too, has a
+/// film that differs by up to that ratio. source: tests/bench/film_map.csv.gz, fitted by
+/// tests/bench/film_regression.py.
+std::optional<MappedFilm> film_map(double M, double L_star, const Ellipse& shape);
+
+/// What film_map() covers, in words: "M = 0.2 to 2000, ...".
+std::string range_of_film_map();
+
+/// alpha* of the oil of the fit [1/Pa].
+double alpha_star_of_film_map();
 
 /// Root mean square and largest deviation of the fit from solutions that it has not seen, relative.
 struct MapScatter {
   double rms_central, largest_central;
   double rms_minimum, largest_minimum;
 };
+/// Of solutions with the oil of the fit, among them isoviscous ones (L* = 0).
 MapScatter scatter_of_film_map();
+/// Of solutions with other compressible oils: by name, of data sheets, of other laws.
+/// source: tests/reference/film_map_oils.csv.
+MapScatter scatter_of_other_oils();
 
 }  // namespace ehl::contact

@@ -149,7 +149,8 @@ Language language_of(const deck::Part& contact) {
   if (spoken.empty())
     contact.complain("M",
                      "the contact is missing: give M and L, or W, U and G, or load, radius_x and E_prime (or E1, "
-                     "nu1, E2, nu2); of a line contact load_per_length");
+                     "nu1, E2, nu2); of a line contact load_per_length",
+                     deck::Cause::missing);
   if (spoken.size() == 1) return spoken[0].language;
   // A stray key is told to go, not the three that it is added to.
   std::ranges::stable_sort(spoken, std::ranges::greater{}, [](const Choice& choice) { return choice.given.size(); });

@@ -35,6 +35,13 @@ std::string origin_of(const Deck& deck, const std::string& section) {
   return (heading == deck.headings.end() ? deck.name : heading->place) + ": [" + section + "]: ";
 }
 
+// By the words with which such complaints begin everywhere.
+Cause cause_of(const std::string& what) {
+  if (what.starts_with("is missing")) return Cause::missing;
+  if (what.find("has no influence") != std::string::npos) return Cause::idle;
+  return Cause::value;
+}
+
 }  // namespace
 
 Deck read(const std::string& path, const std::vector<std::string>& overrides, const Catalogue& catalogue) {
@@ -158,20 +165,41 @@ void compute(Deck& deck, const std::string& section, const std::string& name, co
 }
 
 void complain(Deck& deck, const std::string& section, const std::string& name, const std::string& what) {
+  complain(deck, section, name, what, cause_of(what));
+}
+
+void complain(Deck& deck, const std::string& section, const std::string& name, const std::string& what, Cause cause) {
   const Value& found = value(deck, section, name);
   if (!found.from.empty()) {
     const std::string text = std::isnan(found.number) ? found.text : fmt::format("{:.6g}", found.number);
-    deck.errors.push_back(origin_of(deck, found.from) + "so [" + section + "] " + name + " = " + text + " (" +
-                          found.why + "): " + what);
+    add_error(
+        deck, cause,
+        origin_of(deck, found.from) + "so [" + section + "] " + name + " = " + text + " (" + found.why + "): " + what);
     return;
   }
   const std::string place = found.place.empty() ? deck.name : found.place;
   const std::string assignment = found.origin == Origin::given ? name + " = " + quotable(found.text) : name;
-  deck.errors.push_back(place + ": [" + section + "] " + assignment + ": " + what);
+  add_error(deck, cause, place + ": [" + section + "] " + assignment + ": " + what);
+}
+
+void add_error(Deck& deck, Cause cause, const std::string& text) {
+  deck.errors.push_back(text);
+  deck.causes.push_back(cause);
+}
+
+std::vector<std::string> first_causes(const Deck& deck) {
+  const std::vector<Cause>& causes = deck.causes;
+  const bool unknown = std::ranges::find(causes, Cause::unknown_name) != causes.end();
+  const bool others = std::ranges::any_of(causes, [](Cause cause) { return cause != Cause::idle; });
+  std::vector<std::string> errors;
+  for (std::size_t k = 0; k < causes.size(); ++k)
+    if (!(causes[k] == Cause::missing && unknown) && !(causes[k] == Cause::idle && others))
+      errors.push_back(deck.errors[k]);
+  return errors;
 }
 
 void throw_if_wrong(const Deck& deck) {
-  if (!deck.errors.empty()) throw core::InputError(deck.errors);
+  if (!deck.errors.empty()) throw core::InputError(first_causes(deck));
 }
 
 std::vector<std::string> Part::given_of(const std::vector<std::string>& names) const {

@@ -26,6 +26,10 @@ struct Value {
   mutable bool read = false;
 };
 
+/// What an error comes from, for first_causes(). unknown_name: a section, key, or word that does not exist, or a line
+/// that cannot be read. idle: a key without influence.
+enum class Cause { value, unknown_name, missing, idle };
+
 struct Deck {
   std::string name{};
   std::vector<std::string> folders{};  ///< where files that it names may lie, beside where the program runs
@@ -33,6 +37,7 @@ struct Deck {
   std::vector<Value> values{};        ///< one per key of the catalogue
   std::vector<Heading> headings{};    ///< the sections that the deck has
   std::vector<std::string> errors{};  ///< complaints so far, each a complete message
+  std::vector<Cause> causes{};        ///< one per error
 };
 
 /// Reads a deck and checks every key by itself: known, once, readable, in range. Rules between keys belong to
@@ -108,9 +113,18 @@ void check_influence(Deck& deck);
 
 /// Adds the message "deck.ini:12: [grid] cells = 77: <what>". Of a number that was computed, what it follows from
 /// stands first: the keys of that section on the command line, or else its heading.
+/// The cause follows from the words: "is missing", "has no influence"; or it is said.
 void complain(Deck& deck, const std::string& section, const std::string& name, const std::string& what);
+void complain(Deck& deck, const std::string& section, const std::string& name, const std::string& what, Cause cause);
 
-/// errors: core::InputError with all complaints, when there are any.
+/// Adds an error with its cause.
+void add_error(Deck& deck, Cause cause, const std::string& text);
+
+/// The errors without those that may be the consequence of another one: what is missing beside an unknown name, which
+/// may be the one that is missing, and what is without influence beside any other error.
+std::vector<std::string> first_causes(const Deck& deck);
+
+/// errors: core::InputError with the first causes, when there are any.
 void throw_if_wrong(const Deck& deck);
 
 /// One section, as the module that declares its keys reads it: the functions above without deck and section.
@@ -144,6 +158,9 @@ struct Part {
     mark_following(deck, section, name);
   }
   void complain(const std::string& name, const std::string& what) const { deck::complain(deck, section, name, what); }
+  void complain(const std::string& name, const std::string& what, Cause cause) const {
+    deck::complain(deck, section, name, what, cause);
+  }
 
   /// Those of the names that the deck gives.
   std::vector<std::string> given_of(const std::vector<std::string>& names) const;

@@ -38,6 +38,7 @@ std::string did_you_mean(const std::string& name, const std::vector<std::string>
 std::string bracketed(const std::string& section) { return std::string("[").append(quotable(section)).append("]"); }
 
 std::string said(const Assignment& given) {
+  if (given.removes) return given.place + ": --unset " + quotable(given.section + "." + given.name) + ": ";
   const std::string section = given.section.empty() ? "" : bracketed(given.section) + " ";
   return given.place + ": " + section + quotable(given.name) + " = " + quotable(given.value) + ": ";
 }
@@ -53,27 +54,28 @@ constexpr std::size_t most_of_a_kind = 20;  // listed; who made more has made on
 /// Complaints of one kind, of which the first are said and the rest counted.
 class Kind {
  public:
-  Kind(Deck& deck, std::string what) : deck_(deck), what_(std::move(what)) {}
+  Kind(Deck& deck, Cause cause, std::string what) : deck_(deck), cause_(cause), what_(std::move(what)) {}
   ~Kind() {
     if (count_ > most_of_a_kind)
-      deck_.errors.push_back(deck_.name + ": " + std::to_string(count_ - most_of_a_kind) + " more " + what_);
+      add_error(deck_, cause_, deck_.name + ": " + std::to_string(count_ - most_of_a_kind) + " more " + what_);
   }
   Kind(const Kind&) = delete;
   Kind& operator=(const Kind&) = delete;
 
   template <class Say>
   void add(const Say& say) {
-    if (++count_ <= most_of_a_kind) deck_.errors.push_back(say());
+    if (++count_ <= most_of_a_kind) add_error(deck_, cause_, say());
   }
 
  private:
   Deck& deck_;
+  Cause cause_;
   std::string what_;
   std::size_t count_ = 0;
 };
 
 void check_headings(Deck& deck, const Document& document) {
-  Kind unknown{deck, "unknown sections"}, empty{deck, "sections without a key"};
+  Kind unknown{deck, Cause::unknown_name, "unknown sections"}, empty{deck, Cause::idle, "sections without a key"};
   std::set<std::string> with_keys;
   for (const Assignment& given : document.assignments) with_keys.insert(given.section);
   for (const Heading& heading : document.headings) {
@@ -118,7 +120,8 @@ Value untouched(const Key& key) {
 
 // Every assignment to its key.
 void take(Deck& deck, const std::vector<Assignment>& assignments) {
-  Kind unknown{deck, "unknown keys"}, twice{deck, "keys given twice"};
+  Kind unknown{deck, Cause::unknown_name, "unknown keys"}, twice{deck, Cause::value, "keys given twice"};
+  Kind not_there{deck, Cause::value, "keys to take out that are not there"};
   for (const Assignment& given : assignments) {
     const Key* key = find_key(deck.catalogue, given.section, given.name);
     if (key == nullptr) {
@@ -132,9 +135,7 @@ void take(Deck& deck, const std::vector<Assignment>& assignments) {
     }
     Value& value = deck.values[static_cast<std::size_t>(key - deck.catalogue.keys.data())];
     if (given.removes) {
-      if (value.origin != Origin::given)
-        unknown.add(
-            [&] { return "command line: --unset " + given.section + "." + given.name + ": is not in the deck"; });
+      if (value.origin != Origin::given) not_there.add([&] { return said(given) + "the deck does not give this key"; });
       value = untouched(*key);
       continue;
     }
@@ -179,6 +180,7 @@ std::string complaint_about_words(const Key& key, const std::vector<std::string>
 
 void check_value(Deck& deck, const Key& key, Value& value) {
   std::string complaint;
+  Cause cause = Cause::value;
   value.number = std::numeric_limits<double>::quiet_NaN();
   if (value.text.empty()) {
     complaint = "the value is missing: it must be " + allowed(key);
@@ -186,15 +188,17 @@ void check_value(Deck& deck, const Key& key, Value& value) {
     complaint = complaint_about_number(key, value, value.number);
   } else if (key.type == Type::word) {
     complaint = complaint_about_words(key, {value.text});
+    cause = Cause::unknown_name;
   } else if (key.type == Type::words) {
     complaint = complaint_about_words(key, split_words(value.text));
+    cause = Cause::unknown_name;
   } else if (std::any_of(value.text.begin(), value.text.end(), [](unsigned char c) { return c < ' '; })) {
     complaint = "must be text on one line";  // or the deck kept in the result would say something else
   } else if (!is_utf8(value.text)) {
     complaint = "must be text in UTF-8: save the deck in that encoding";
   }
   if (complaint.empty()) return;
-  complain(deck, key.section, key.name, complaint);
+  complain(deck, key.section, key.name, complaint, cause);
   value.valid = false;
 }
 
@@ -226,7 +230,7 @@ Deck validate(const Document& document, const std::vector<Assignment>& overrides
   deck.name = document.name;
   deck.catalogue = catalogue;
   deck.headings = document.headings;
-  deck.errors = document.errors;
+  for (const std::string& error : document.errors) add_error(deck, Cause::unknown_name, error);
   for (const Key& key : catalogue.keys) deck.values.push_back(untouched(key));
 
   check_headings(deck, document);

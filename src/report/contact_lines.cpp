@@ -9,7 +9,7 @@
 
 #include "base/text_format.hpp"
 #include "contact/film_formulas.hpp"
-#include "contact/film_map.hpp"
+#include "report/film_fit.hpp"
 #include "report/outcome.hpp"
 #include "report/report.hpp"
 
@@ -110,14 +110,7 @@ std::string formula_lines(const std::vector<Formula>& formulas, const Physics& p
     rows.push_back(std::move(row));
   }
   std::string text = aligned(rows, widths);
-  if (std::ranges::find(formulas, map_code, &Formula::code) != formulas.end()) {
-    const contact::MapScatter off = contact::scatter_of_film_map();
-    text += fmt::format(
-        "  the fit is off by {:.1f} % in h_c and {:.1f} % in h_m (rms; {:.0f} and {:.0f} % at most) of solutions that "
-        "it "
-        "has not seen\n",
-        100.0 * off.rms_central, 100.0 * off.rms_minimum, 100.0 * off.largest_central, 100.0 * off.largest_minimum);
-  }
+  text += fitted_film_line(physics);
   if (const std::string why = formulas_left_out(groups); !why.empty()) text += "  " + why + "\n";
   return text;
 }

@@ -45,11 +45,14 @@ FilmCoefficients film_coefficients(const Physics& physics) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   FilmCoefficients found{unknown, unknown, unknown, unknown};
   const double alpha_bar = physics.groups.alpha_bar;
-  if (!std::isfinite(physics.p_h) || !(alpha_bar > 0.0)) return found;
+  if (alpha_bar == 0.0) found.L_star = found.L_film = 0.0;
+  if (!(alpha_bar > 0.0)) return found;
   const rheology::PressureCoefficients scaled = rheology::pressure_coefficients(physics.viscosity);
   if (!(scaled.alpha_star > 0.0)) return found;
-  found.alpha_star = scaled.alpha_star / physics.p_h;
-  found.alpha_film = scaled.alpha_film / physics.p_h;
+  if (std::isfinite(physics.p_h)) {
+    found.alpha_star = scaled.alpha_star / physics.p_h;
+    found.alpha_film = scaled.alpha_film / physics.p_h;
+  }
   found.L_star = physics.groups.L * scaled.alpha_star / alpha_bar;
   found.L_film = physics.groups.L * scaled.alpha_film / alpha_bar;
   return found;

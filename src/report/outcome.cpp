@@ -9,10 +9,10 @@
 
 #include "case/plausible.hpp"
 #include "contact/film_formulas.hpp"
-#include "contact/film_map.hpp"
 #include "contact/yield.hpp"
 #include "core/constants.hpp"
 #include "core/norms.hpp"
+#include "report/film_fit.hpp"
 #include "report/roughness.hpp"
 #include "rheology/range.hpp"
 
@@ -117,13 +117,9 @@ std::vector<Formula> published_formulas(const contact::Groups& groups) {
 
 }  // namespace
 
-std::vector<Formula> film_formulas(const contact::Groups& groups) {
-  std::vector<Formula> formulas = published_formulas(groups);
-  const double M = groups.M;
-  const contact::Ellipse& shape = groups.shape;
-  if (const std::optional<contact::MappedFilm> map = contact::film_map(M, groups.L, shape))
-    formulas.push_back({"fit to our own solutions", map_code, contact::H_from_moes_units(map->central, M, shape),
-                        contact::H_from_moes_units(map->minimum, M, shape)});
+std::vector<Formula> film_formulas(const Physics& physics) {
+  std::vector<Formula> formulas = published_formulas(physics.groups);
+  if (std::optional<Formula> fit = fitted_film(physics)) formulas.push_back(std::move(*fit));
   return formulas;
 }
 
@@ -146,7 +142,7 @@ Outcome outcome_of(const Case& input, const steady::Solution& solution) {
   outcome.Hm_moes = contact::H_to_moes_units(outcome.Hm.value, groups.M, groups.shape);
   outcome.hc = outcome.Hc * h_scale;
   outcome.hm = outcome.Hm.value * h_scale;
-  outcome.formulas = film_formulas(groups);
+  outcome.formulas = film_formulas(input.physics);
   outcome.regime = contact::regime_text(groups.M, groups.L, groups.shape);
   outcome.warnings = warnings_of(input.physics, solution, outcome.P_max.value);
   for (std::string& warning : surface_warnings(input.surfaces, solution.grid)) outcome.warnings.push_back(warning);

@@ -10,11 +10,9 @@ namespace ehl::program {
 
 Outcome outcome_of(const Case& input, const steady::Solution& solution);
 
-/// Code of the film that is fitted to our own solutions (contact/film_map.hpp) among the formulas.
-constexpr char map_code[] = "map";
-
-/// Published film formulas for a case, the same for `run` and `check`: those that were made for its shape.
-std::vector<Formula> film_formulas(const contact::Groups& groups);
+/// Film formulas for a case, the same for `run` and `check`: the published ones that were made for its shape, and the
+/// fit to our own solutions where it reaches (report/film_fit.hpp).
+std::vector<Formula> film_formulas(const Physics& physics);
 /// Which are not among them, and why; empty where none is missing.
 std::string formulas_left_out(const contact::Groups& groups);
 

@@ -126,7 +126,7 @@ std::string derived(const Case& input) {
   if (input.machine) text += machine_lines(*input.machine);
   if (physics.si) text += si_lines(*physics.si);
   text += group_lines(physics);
-  const std::vector<Formula> formulas = film_formulas(physics.groups);
+  const std::vector<Formula> formulas = film_formulas(physics);
   const std::optional<Roughness> roughness = roughness_of(input, formulas, std::nan(""));
   text += formula_lines(formulas, physics) + roughness_line(input, roughness);
   text += domain_lines(scene.grid, si_scales(physics));

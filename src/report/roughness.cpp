@@ -8,6 +8,7 @@
 
 #include "base/text_format.hpp"
 #include "case/touching.hpp"
+#include "report/film_fit.hpp"
 #include "report/outcome.hpp"
 
 namespace ehl::program {

@@ -38,7 +38,7 @@ void take(const std::vector<Quantity>& quantities, SweepRow& row) {
 void take_si(const Case& input, SiRow si, SweepRow& row) {
   if (!input.physics.si) return;
   si.physics = input.physics;
-  si.formulas = film_formulas(input.physics.groups);
+  si.formulas = film_formulas(input.physics);
   const bool line = contact::line(input.physics.groups.shape);
   take(quantities_of(si_columns(line ? Bodies::line : Bodies::elliptic, true), si), row);
 }

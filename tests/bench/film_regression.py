@@ -1,4 +1,7 @@
-"""The film of a point contact as a function of M, L and R_x/R_y: fitted to our own solutions, for modules/contact.
+"""The film of a point contact as a function of M, L* and R_x/R_y: fitted to our own solutions, for modules/contact.
+
+L* is Moes' L with alpha*, 1/alpha* = int_0^inf eta0/eta dp: one number for any viscosity law. The solutions to fit were
+made with one oil of Roelands, whose L is its slope at ambient pressure; alpha* of that oil converts it.
 
 python3 tests/bench/film_regression.py collect TABLE.csv...   the tables of `ehl sweep inputs/campaigns/film_map.ini`
                                                               into film_map.csv.gz (cases to fit)
@@ -11,7 +14,7 @@ python3 tests/bench/film_regression.py                        fits, and writes t
 With B the film of Nijenbanning, Venner and Moes (1994) and H_RI, H_EI, H_00, H_RP, H_EP its asymptotes,
     ln(H_c/B), ln(H_m/H_c) = sum c_ijk T_i(u) T_j(v) T_k(w),   i/n_u + j/n_v + k/n_w <= 1.2
     u = asinh(2 (ln(plateau/H_RI) - 0.3)), plateau^3 = (H_EI^-4 + H_00^-4)^(-3/4) + (H_RP^-8 + H_EP^-8)^(-3/8),
-    v = ln(1 + L), w = ln(R_x/R_y), each scaled to -1..1 on the range of the data and held at its ends beyond: there
+    v = ln(1 + L*), w = ln(R_x/R_y), each scaled to -1..1 on the range of the data and held at its ends beyond: there
 the film follows the powers of the asymptotes. In Moes' units.
 """
 
@@ -26,9 +29,11 @@ import numpy as np
 
 HERE = pathlib.Path(__file__).resolve().parent
 HOUSE = HERE.parents[1]
+OILS = HERE.parent / "reference" / "film_map_oils.csv"  # other oils: film_map_oils.py
 FITTED, HELD_OUT = HERE / "film_map.csv.gz", HERE.parent / "reference" / "film_map_held_out.csv"
 DEGREES = (12, 6, 4)
 BUDGET = 1.2
+SLOPE, EXPONENT, P0 = 2.2e-8, 0.68, 1.96e8  # of the oil of the fit: alpha, z and p0 of inputs/campaigns/film_map.ini
 COLUMNS = ["M", "radius_ratio", "L", "Hc", "error_Hc", "Hm", "error_Hm"]
 LARGEST_ERROR = 0.01
 NOTE = {
@@ -58,11 +63,27 @@ def collect(path, tables):
     print(f"{path.name}: {len(rows)} cases; {left} left out: not solved, or an error bar above {LARGEST_ERROR:g}")
 
 
-def read(path):
+def alpha_star(slope, z, p0):
+    """1/int eta0/eta dp of Roelands' law, by the trapezoidal rule in ln of the pressure: exact to rounding."""
+    at = np.linspace(-45.0, 15.0, 6001)
+    p = np.exp(at) / slope
+    fluidity = np.exp(-slope * p0 / z * np.expm1(z * np.log1p(p / p0)))
+    return 1.0 / float(np.sum(fluidity * p) * (at[1] - at[0]))
+
+
+def rows_of(path):
     data = path.read_bytes()
     text = (gzip.decompress(data) if path.suffix == ".gz" else data).decode()
-    rows = list(csv.DictReader(line for line in text.splitlines() if not line.startswith("#")))
-    return {column: np.array([float(row[column]) for row in rows]) for column in COLUMNS}
+    return list(csv.DictReader(line for line in text.splitlines() if not line.startswith("#")))
+
+
+def read(path, L="L"):
+    """L is L*: as the table has it, or converted from the slope of the oil of the fit."""
+    rows = rows_of(path)
+    data = {column: np.array([float(row[L if column == "L" else column]) for row in rows]) for column in COLUMNS}
+    if L == "L":
+        data["L"] *= alpha_star(SLOPE, EXPONENT, P0) / SLOPE
+    return data
 
 
 def moes_over_H(M, q):
@@ -179,7 +200,7 @@ def hamrock_dowson(M, L, q):
     return central / np.sqrt(2 * U), minimum / np.sqrt(2 * U)  # Moes' units
 
 
-def header(ranges, of_Hc, of_Hm, scatters):
+def header(ranges, of_Hc, of_Hm, scatters, oils):
     def numbers(values):
         lines = [", ".join(f"{value:.9g}" for value in values[n : n + 6]) for n in range(0, len(values), 6)]
         return ",\n    ".join(lines)
@@ -189,9 +210,13 @@ def header(ranges, of_Hc, of_Hm, scatters):
     text += f"inline constexpr double budget = {BUDGET};\n"
     text += "// Ranges of u, v, w.\ninline constexpr double low[3] = {" + ", ".join(f"{a:.17g}" for a, _ in ranges) + "};\n"
     text += "inline constexpr double high[3] = {" + ", ".join(f"{b:.17g}" for _, b in ranges) + "};\n"
-    text += "// Root mean square and largest deviation of cases that the fit has not seen.\n"
-    for name, (rms, most) in scatters.items():
-        text += f"inline constexpr double rms_{name} = {rms:.4f}, largest_{name} = {most:.4f};\n"
+    text += "// alpha* of the oil of the fit [1/Pa].\n"
+    text += f"inline constexpr double alpha_star = {alpha_star(SLOPE, EXPONENT, P0):.9g};\n"
+    for what, deviations in (("of solutions with the oil of the fit that it has not seen", scatters), ("of solutions with other oils", oils)):
+        text += f"// Root mean square and largest deviation {what}.\n"
+        of = "" if deviations is scatters else "oils_"
+        for name, (rms, most) in deviations.items():
+            text += f"inline constexpr double {of}rms_{name} = {rms:.4f}, {of}largest_{name} = {most:.4f};\n"
     for name, values in (("of_Hc", of_Hc), ("of_Hm", of_Hm)):
         text += f"// clang-format off\ninline constexpr double {name}[{len(values)}] = {{\n    {numbers(values)}}};\n// clang-format on\n"
     return text + "\n}  // namespace ehl::contact::film_map_data\n"
@@ -205,7 +230,7 @@ def picture(data, left_c, left_m):
 
     figure, axes = plt.subplots(2, 3, figsize=(11, 6), sharey=True, constrained_layout=True)
     for row, (left, name) in enumerate(((left_c, "$H_c$"), (left_m, "$H_m$"))):
-        for column, (of, label, log) in enumerate((("M", "M", True), ("L", "L", False), ("radius_ratio", "$R_x/R_y$", True))):
+        for column, (of, label, log) in enumerate((("M", "M", True), ("L", "L*", False), ("radius_ratio", "$R_x/R_y$", True))):
             at = axes[row][column]
             at.scatter(data[of], 100.0 * left, s=4, c=np.log(data["radius_ratio"]), cmap="viridis", linewidths=0)
             at.axhline(0.0, color="k", linewidth=0.5)
@@ -231,27 +256,39 @@ def main():
              *scatter(of_Hc + of_ratio - A @ (coefficients[0] + coefficients[1]))),
             ("fit", "cross-validated", len(of_Hc), *scatter(left_c), *scatter(left_c + left_ratio)),
             ("fit", "held out", len(held_c), *scatter(off_c), *scatter(off_c + off_ratio))]
+    others, names = read(OILS, "L_star"), [row["oil"] for row in rows_of(OILS)]
+    others_variables, others_c, others_ratio = targets(others)
+    O = matrix(others_variables, ranges)
+    others_c, others_m = others_c - O @ coefficients[0], others_c + others_ratio - O @ (coefficients[0] + coefficients[1])
+    oils = {"Hc": scatter(others_c), "Hm": scatter(others_m)}
+    rows.append(("fit", "other oils", len(names), *oils["Hc"], *oils["Hm"]))
+    for oil in dict.fromkeys(names):
+        of = np.array([name == oil for name in names])
+        rows.append(("fit", oil, int(of.sum()), *scatter(others_c[of]), *scatter(others_m[of])))
     scale = moes_over_H(held["M"], held["radius_ratio"])
-    B, _ = places(held["M"], held["L"], held["radius_ratio"])
+    # The published formulas take the slope, as a report gives it to them.
+    slope_L = held["L"] * SLOPE / alpha_star(SLOPE, EXPONENT, P0)
+    B, _ = places(held["M"], slope_L, held["radius_ratio"])
+    published = np.log(held["Hc"] * scale / B)
     along = held["radius_ratio"] <= 1.0
     nan = (float("nan"), float("nan"))
-    rows.append(("Nijenbanning Venner Moes 1994", "held out with R_x <= R_y", int(along.sum()), *scatter(held_c[along]), *nan))
-    hard = along & (held["M"] >= 20) & (held["M"] <= 1000) & (held["L"] >= 5) & (held["L"] <= 20)
-    for name, chosen in (("held out with R_x <= R_y, L >= 1", along & (held["L"] >= 1)),
+    rows.append(("Nijenbanning Venner Moes 1994", "held out with R_x <= R_y", int(along.sum()), *scatter(published[along]), *nan))
+    hard = along & (held["M"] >= 20) & (held["M"] <= 1000) & (slope_L >= 5) & (slope_L <= 20)
+    for name, chosen in (("held out with R_x <= R_y, L >= 1", along & (slope_L >= 1)),
                          ("those with M 20 to 1000, L 5 to 20", hard)):
-        films = hamrock_dowson(held["M"], held["L"], held["radius_ratio"])
+        films = hamrock_dowson(held["M"], slope_L, held["radius_ratio"])
         off = [np.log(held[film] * scale / of)[chosen] for film, of in zip(("Hc", "Hm"), films)]
         rows.append(("Hamrock Dowson 1977", name, int(chosen.sum()), *scatter(off[0]), *scatter(off[1])))
         rows.append(("fit", name, int(chosen.sum()), *scatter(off_c[chosen]), *scatter((off_c + off_ratio)[chosen])))
     with open(HERE / "film_regression.csv", "w", encoding="utf-8") as file:
         file.write("# Films by the fit to our own solutions and by published formulas, against solutions\n")
         file.write("# command: python3 tests/bench/film_regression.py\n")
-        file.write("# ln(solution/formula): root mean square and largest; cases: film_map.csv.gz, held out: film_map_held_out.csv\n")
+        file.write("# ln(solution/formula): root mean square and largest; cases: film_map.csv.gz, held out: film_map_held_out.csv, other oils: film_map_oils.csv\n")
         file.write("formula,cases,number,rms_Hc,largest_Hc,rms_Hm,largest_Hm\n")
         for row in rows:
             file.write(",".join([row[0], row[1].replace(",", ""), str(row[2]), *(f"{value:.4f}" for value in row[3:])]) + "\n")
     scatters = {"Hc": rows[2][3:5], "Hm": rows[2][5:7]}
-    (HOUSE / "modules/contact/film_map_coefficients.hpp").write_text(header(ranges, *coefficients, scatters))
+    (HOUSE / "modules/contact/film_map_coefficients.hpp").write_text(header(ranges, *coefficients, scatters, oils))
     picture(data, -left_c, -(left_c + left_ratio))
     print((HERE / "film_regression.csv").read_text())
 
