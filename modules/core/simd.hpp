@@ -1,6 +1,11 @@
 #pragma once
 // Doubles side by side: one lane per line of a batch. A vector type of the compiler, so plain arithmetic reads as for
-// one line.
+// one line. Its width, and so the size and alignment of every type made of it, differs from one processor level to the
+// next: only files that are compiled for each level may see it.
+#ifdef EHL_COMPILED_ONCE
+#error \
+    "core/simd.hpp is included by a file that is compiled once for every processor: keep types made of lanes in .cpp files and in headers that only files compiled for each level include"
+#endif
 #include <cstddef>
 #include <cstdint>
 #include <cstring>

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "fmg/relaxation.hpp"
+#include "fmg/thread_work.hpp"
 #include "reynolds/flux.hpp"
 
 namespace ehl::fmg {

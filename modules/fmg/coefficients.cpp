@@ -8,6 +8,7 @@
 #include "film/half_points.hpp"
 #include "fmg/hierarchy.hpp"
 #include "fmg/line_contact.hpp"
+#include "fmg/thread_work.hpp"
 #include "reynolds/flux.hpp"
 
 namespace ehl::fmg {

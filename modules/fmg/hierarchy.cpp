@@ -10,6 +10,7 @@
 #include "core/norms.hpp"
 #include "fmg/boundary.hpp"
 #include "fmg/line_relaxation.hpp"
+#include "fmg/thread_work.hpp"
 #include "kernel/influence.hpp"
 #include "reynolds/content.hpp"
 
@@ -46,12 +47,6 @@ line_solvers::FilmTerms film_terms(const core::Patch& grid, double elastic, cons
 OilFields oil_fields(const core::Patch& grid, bool anisotropic) {
   const core::Field zero(grid);
   return anisotropic ? OilFields{zero, zero, zero, zero} : OilFields{zero, zero, {}, {}};
-}
-
-std::vector<ThreadWork> for_threads(int threads, ThreadWork&& work) {
-  std::vector<ThreadWork> all(static_cast<std::size_t>(threads - 1), work);
-  all.push_back(std::move(work));
-  return all;
 }
 
 // The number of coarsenings that a user gives is meant for the finest grid: the others take as many as they hold.
@@ -91,7 +86,7 @@ Level make_level(const core::Patch& grid, bool finest, const Problem& problem, c
           .changes_of_kind = reynolds::conserves(problem.cavitation) ? zero() : core::Field(),
           .correction = zero(),
           .changes = {zero_changes(), zero_changes()},
-          .thread_work = for_threads(threads, std::move(work)),
+          .thread_work = WorkSpace(threads, std::move(work)),
           .deformation = mlmi::Deformation(grid, finest ? deformation : mlmi::fitting(deformation, grid), threads,
                                            problem.geometry.elastic),
           .film_terms = film_terms(grid, problem.geometry.elastic, parameters.relaxation),

@@ -12,8 +12,8 @@
 #include "film/half_points.hpp"
 #include "film/model.hpp"
 #include "fmg/parameters.hpp"
-#include "fmg/thread_work.hpp"
-#include "line_solvers/line_system.hpp"
+#include "fmg/work_space.hpp"
+#include "line_solvers/film_terms.hpp"
 #include "mlmi/deformation.hpp"
 #include "reynolds/far_field.hpp"
 #include "reynolds/residual.hpp"
@@ -123,7 +123,7 @@ struct Level {
   core::Field changes_of_kind;  ///< swinging.cpp
   core::Field correction;       ///< of P, on its way up
   LineChanges changes;          ///< empty where the lines are one (line_relaxation.hpp)
-  std::vector<ThreadWork> thread_work;  ///< made for the parameters' line solver and reach
+  WorkSpace thread_work;        ///< made for the parameters' line solver and reach
   mlmi::Deformation deformation;
   line_solvers::FilmTerms film_terms;
   std::vector<reynolds::FarPoint> boundary;  ///< boundary.hpp

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "line_solvers/line_system.hpp"
+#include "line_solvers/film_terms.hpp"
 
 namespace ehl::fmg {
 

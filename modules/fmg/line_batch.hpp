@@ -3,6 +3,7 @@
 #include <array>
 
 #include "fmg/hierarchy.hpp"
+#include "fmg/thread_work.hpp"
 
 namespace ehl::fmg {
 

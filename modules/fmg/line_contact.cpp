@@ -4,6 +4,7 @@
 #include <span>
 
 #include "film/half_points.hpp"
+#include "fmg/thread_work.hpp"
 #include "reynolds/flux.hpp"
 
 namespace ehl::fmg {

@@ -10,21 +10,11 @@
 #include <array>
 
 #include "core/simd.hpp"
+#include "line_solvers/film_terms.hpp"
 
 namespace ehl::line_solvers {
 
 using core::Lanes;
-
-/// Largest number of neighbours on each side whose elastic influence a line system can take in.
-inline constexpr int max_reach = 3;
-
-/// The elastic influence along a line, 2/pi^2 included, truncated behind `reach` neighbours (2 reach + 1 terms).
-struct FilmTerms {
-  int reach = 1;
-  std::array<double, max_reach + 1> K{};         ///< of a single change, by distance along the line
-  std::array<double, max_reach + 1> delta_K{};   ///< of a distributed change
-  std::array<double, max_reach + 1> K_across{};  ///< of a single change, on the lines beside it; not of a line contact
-};
 
 /// The Reynolds equation of one point in every line of the batch.
 template <std::size_t films>
@@ -89,13 +79,6 @@ inline void make_identity(BandRow<reach>& row, core::LaneMask mask) {
   }
   row.rhs = mask ? Lanes{} : row.rhs;
 }
-
-/// Where a pivot was too small to divide by. point = -1: nowhere.
-struct SmallPivot {
-  int point = -1;
-  int lane = 0;
-  double pivot = 0.0;
-};
 
 /// A pivot below this share of its row's largest coefficient counts as zero: nothing of the solution would be left.
 inline constexpr double smallest_pivot = 1e-13;

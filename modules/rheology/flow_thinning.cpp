@@ -1,10 +1,9 @@
-#include "rheology/flow_thinning.hpp"
-
 #include <array>
 #include <cmath>
 #include <type_traits>
 
 #include "rheology/elementary.hpp"
+#include "rheology/thinned_by_flow.hpp"
 
 namespace ehl::rheology {
 namespace {

@@ -6,7 +6,6 @@
 // of the pressure's flow over h. That flow is given, not the gradient g: flow/g then falls more slowly than the
 // flow grows, and a pass from flow to g and back settles.
 // limits: one viscosity across the film; the flow is odd in g, so that each direction has its own secant flow/g.
-#include "core/simd.hpp"
 #include "rheology/shear.hpp"
 
 namespace ehl::rheology {
@@ -17,17 +16,5 @@ struct FlowThinning {
   double k_m = 0.0;      ///< eta_0 u_m R/(a^2 tau_c) > 0: a film sheared by u_m, where H = 1 and eta_bar = 1
   double sliding = 0.0;  ///< |u1 - u2|/u_m
 };
-
-/// Over what sliding alone leaves (film_fluidity()).
-struct FlowThinned {
-  core::Lanes along, across;  ///< mobilities: secants flow/g
-  core::Lanes stress;         ///< mean stress of sliding
-};
-
-/// in: H fluidity > 0; mean velocities of the flow, of either sign. Gauss's rule of eight points and Newton's method
-/// for t and g: errors 1e-7 where g is below 6 tau_c, 3e-5 at 15. limits: a flow that shears by less than 1e-3 of tau_c
-/// counts as that: its thinning is below 1e-7.
-FlowThinned thinned_by_flow(const FlowThinning& thinning, core::Lanes H_fluidity, core::Lanes flow_x,
-                            core::Lanes flow_y);
 
 }  // namespace ehl::rheology

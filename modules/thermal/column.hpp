@@ -9,40 +9,15 @@
 // gradient g, because at a given gradient a column may have no solution. With moments of the fluidity I0 = int phi,
 // z_bar = int zeta phi/I0, M2 = 12 int s^2 phi.
 #include <array>
-#include <limits>
 
 #include "core/simd.hpp"
-#include "rheology/shear.hpp"
-#include "rheology/thermal_viscosity.hpp"
+#include "thermal/column_laws.hpp"
 
 namespace ehl::thermal {
 
 using core::Lanes;
 
-/// What fits into a column: 65 nodes resolve a Nahme number of 1e6.
-inline constexpr int most_nodes = 65;
 using Profile = std::array<Lanes, most_nodes>;
-
-/// The nodes zeta_k = k/intervals and the weights of integrals over them.
-struct Nodes {
-  int intervals = 0;
-  double step = 0.0;
-  std::array<double, most_nodes> zeta{};
-  std::array<double, most_nodes> simpson{};  ///< of the moments
-  std::array<double, most_nodes> heat{};     ///< with which the scheme's own balance of heat is exact; order 4 as well
-};
-/// in: intervals even, 4 to 64. errors: InputError.
-Nodes make_nodes(int intervals);
-
-/// The same for all columns.
-struct ColumnLaws {
-  rheology::ThermalViscosity viscosity;
-  rheology::ShearThinning thinning{rheology::Eyring{}, 0.0};  ///< k = 0: Newtonian
-  double sliding = 0.0;                                       ///< (u1 - u2)/u_m
-  double Br = 0.0;                                            ///< eta0 u_m^2/(k0 T0)
-  /// theta is kept between these two on the way to a solution.
-  double theta_least = -0.1, theta_most = 2.5;
-};
 
 /// What neighbours bring: a(theta_neighbour - theta) with a >= 0, over the layer of each node; the outermost have half
 /// a step. `carried` is the sum of a theta_neighbour of the neighbouring columns.
@@ -83,11 +58,6 @@ struct Columns {
   Profile D{}, dD{}, f{}, df{}, f_I0{}, f_M2{}, f_z{}, lower{}, diagonal{}, upper{}, right{}, by_I0{}, by_M2{}, by_z{};
   Profile P_of_node{}, log_eta_of_node{};
   Lanes a{}, b{}, c{}, a_slope{}, b_slope{}, c_slope{};  // f = scale phi (a + b s + c s^2); slopes in ln I0
-};
-
-struct Steps {
-  int most = 30;
-  double tolerance = 1e-12;  ///< on the change of theta
 };
 
 /// Newton's method for every column: fourth order in the step (Numerov), tridiagonal but for the three moments that

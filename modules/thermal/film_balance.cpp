@@ -1,11 +1,11 @@
 // Sums over the film: forces, heat, the hottest places.
-#include "thermal/film_temperature.hpp"
+#include "thermal/film_columns.hpp"
 
 namespace ehl::thermal {
 
-double FilmTemperature::theta(int i, int j, int k) const { return value(theta_, i, j, k); }
+double FilmColumns::theta(int i, int j, int k) const { return value(theta_, i, j, k); }
 
-Balance FilmTemperature::balance() const {
+Balance FilmColumns::balance() const {
   const core::Patch& patch = setup_.patch;
   Balance sum;
   double load = 0.0;

@@ -1,7 +1,7 @@
 // The heat that goes with the oil from column to column and from layer to layer.
 #include <algorithm>
 
-#include "thermal/film_temperature.hpp"
+#include "thermal/film_columns.hpp"
 
 namespace ehl::thermal {
 namespace {
@@ -24,14 +24,13 @@ Lanes positive(Lanes a) { return core::max(a, Lanes{}); }
 }  // namespace
 
 // The values at the lines before those of a batch.
-Lanes FilmTemperature::south(const std::vector<double>& f, int batch, int i, int k, Lanes outside) const {
+Lanes FilmColumns::south(const std::vector<double>& f, int batch, int i, int k, Lanes outside) const {
   const Lanes own = core::load(&f[index(batch, i, k)]);
   return core::moved_up(batch > 0 ? broadcast(f[index(batch - 1, i, k) + core::lanes - 1]) : outside, own);
 }
 
 // The values at the lines behind; beyond the last one `mirrored` times the image, or `outside`.
-Lanes FilmTemperature::north(const std::vector<double>& f, int batch, int i, int k, double mirrored,
-                             Lanes outside) const {
+Lanes FilmColumns::north(const std::vector<double>& f, int batch, int i, int k, double mirrored, Lanes outside) const {
   const core::Patch& patch = setup_.patch;
   const Lanes own = core::load(&f[index(batch, i, k)]);
   Lanes next = moved_down(own, batch + 1 < batches_ ? broadcast(f[index(batch + 1, i, k)]) : own);
@@ -44,7 +43,7 @@ Lanes FilmTemperature::north(const std::vector<double>& f, int batch, int i, int
 // Of the oil that enters at a line's first node the share that counts as new, at the temperature of the bath. Where oil
 // flows back the rest is as warm as the node but for what its temperature falls by in a cell: what goes through has
 // been among it for long (at the bath's temperature, 1 to 10 % of what enters, it left half of the mend).
-Lanes FilmTemperature::fresh_share(int batch) const {
+Lanes FilmColumns::fresh_share(int batch) const {
   const core::Patch& patch = setup_.patch;
   Lanes out{};
   for (int k = 0; k <= nodes_.intervals; ++k) out += positive(-core::load(&flow_x_[index(batch, 0, k)]));
@@ -54,7 +53,7 @@ Lanes FilmTemperature::fresh_share(int batch) const {
 
 // Upwind finite volumes around the nodes of the columns: what flows in brings the temperature of where it comes from.
 // The flow between two layers follows from continuity; what the columns' own flows lack of it is spread over the film.
-void FilmTemperature::carry(int batch, int i, bool downstream, Worker& worker) const {
+void FilmColumns::carry(int batch, int i, bool downstream, Worker& worker) const {
   const int j = batch * core::lanes;
   Columns& at = worker.at;
   at.carries = setup_.Pe > 0.0 || setup_.compression > 0.0;
@@ -111,7 +110,7 @@ void FilmTemperature::carry(int batch, int i, bool downstream, Worker& worker) c
 }
 
 // compression e T0 H^2 (u P_X + v P_Y), e of the middle of the film.
-void FilmTemperature::add_compression(int batch, int i, Worker& worker) const {
+void FilmColumns::add_compression(int batch, int i, Worker& worker) const {
   const int j = batch * core::lanes;
   Columns& at = worker.at;
   const auto n = static_cast<std::size_t>(nodes_.intervals);

@@ -5,7 +5,8 @@
 #include <cmath>
 
 #include "rheology/elementary.hpp"
-#include "thermal/film_temperature.hpp"
+#include "rheology/thinned_by_flow.hpp"
+#include "thermal/film_columns.hpp"
 
 namespace ehl::thermal {
 namespace {
@@ -33,7 +34,7 @@ double slope(const core::Patch& patch, const core::Field& P, int i, int j, bool 
 
 // in: of(field), theta_of(k): the values of these columns.
 template <class Of, class ThetaOf>
-void FilmTemperature::load(Of of, ThetaOf theta_of, Columns& at) const {
+void FilmColumns::load(Of of, ThetaOf theta_of, Columns& at) const {
   at.P = of(P_);
   at.H = of(H_);
   at.log_eta = of(log_eta_);
@@ -48,12 +49,12 @@ void FilmTemperature::load(Of of, ThetaOf theta_of, Columns& at) const {
   for (int k = 0; k <= nodes_.intervals; ++k) at.theta[static_cast<std::size_t>(k)] = theta_of(k);
 }
 
-void FilmTemperature::load(int batch, int i, const std::vector<double>& theta, Columns& at) const {
+void FilmColumns::load(int batch, int i, const std::vector<double>& theta, Columns& at) const {
   load([&](const core::Field& field) { return core::load(field.at_x(i) + batch * core::lanes); },
        [&](int k) { return core::load(&theta[index(batch, i, k)]); }, at);
 }
 
-void FilmTemperature::take(const core::Field& P, const core::Field& H, const core::Field* theta) {
+void FilmColumns::take(const core::Field& P, const core::Field& H, const core::Field* theta) {
   const core::Patch& patch = setup_.patch;
   const int count = setup_.threads;
   // The vectors of a line's last station reach behind the field; elsewhere they reach into the next station, whose
@@ -94,7 +95,7 @@ void FilmTemperature::take(const core::Field& P, const core::Field& H, const cor
 // Behind the film's end the oil goes on in streaks, as wide as it was thick there: shear heats them. A node at the end
 // that changes between wet and dry changes little of its heat; without the streaks it would cool down, get pressure,
 // warm up, and lose it again, from pass to pass. With theta given that is the width of the streaks.
-void FilmTemperature::fill(const core::Field* theta) {
+void FilmColumns::fill(const core::Field* theta) {
   const core::Patch& patch = setup_.patch;
   for (int j = 0; j <= patch.ny; ++j) {
     double end = 0.0;
@@ -110,7 +111,7 @@ void FilmTemperature::fill(const core::Field* theta) {
   }
 }
 
-int FilmTemperature::last_backflow() const {
+int FilmColumns::last_backflow() const {
   int last = -1;
   const core::Patch& patch = setup_.patch;
   for (int j = 0; j <= patch.ny; ++j)
@@ -124,7 +125,7 @@ int FilmTemperature::last_backflow() const {
 // with it at the viscosities of now: u = u_2 + (u_1 - u_2) int_0^zeta phi/I0 + driven (shape of int_0^zeta s phi).
 // in: of, put: the values of these columns in a field, put_node: of node k of theirs.
 template <class Of, class ThetaOf, class Put, class PutNode>
-void FilmTemperature::flows(Of of, ThetaOf theta_of, Put put, PutNode put_node, Worker& worker) {
+void FilmColumns::flows(Of of, ThetaOf theta_of, Put put, PutNode put_node, Worker& worker) {
   Columns& at = worker.at;
   load(of, theta_of, at);
   at.flow_x = at.flow_y = Lanes{};
@@ -178,7 +179,7 @@ void FilmTemperature::flows(Of of, ThetaOf theta_of, Put put, PutNode put_node, 
 }
 
 // A line's columns are not asked for each other's flows: those of stations in a row go side by side.
-void FilmTemperature::make_flows() {
+void FilmColumns::make_flows() {
   const core::Patch& patch = setup_.patch;
   const int count = setup_.threads;
   const bool line = patch.domain.line;

@@ -1,12 +1,12 @@
 // The surfaces of a column: what has flowed into the bodies upstream of it.
-#include "thermal/film_temperature.hpp"
+#include "thermal/film_columns.hpp"
 
 namespace ehl::thermal {
 
 using core::broadcast;
 
 // Of a line contact sum_m weights_m q_{i-m}, m = 1..i. in: q from the last node to the first.
-double FilmTemperature::marched(const std::vector<double>& weights, const std::vector<double>& upstream, int i) const {
+double FilmColumns::marched(const std::vector<double>& weights, const std::vector<double>& upstream, int i) const {
   const double* q = upstream.data() + (setup_.patch.nx - i);
   const double* w = weights.data();
   Lanes sums{};
@@ -19,14 +19,14 @@ double FilmTemperature::marched(const std::vector<double>& weights, const std::v
 }
 
 // What flows into the surfaces of a line's station i, where marched() finds it.
-void FilmTemperature::keep_fluxes(int i) {
+void FilmColumns::keep_fluxes(int i) {
   const auto place = static_cast<std::size_t>(setup_.patch.nx - i);
   upstream_1_[place] = q_1_(i, 1);
   upstream_2_[place] = q_2_(i, 1);
 }
 
 // The surfaces of a batch: what flowed into them upstream, and their own share.
-void FilmTemperature::surfaces(int batch, int i, Columns& at) const {
+void FilmColumns::surfaces(int batch, int i, Columns& at) const {
   const int j = batch * core::lanes;
   const auto surface = [&](const Body& body, const std::vector<double>& line, const core::Field& q,
                            const std::vector<double>& upstream, const std::vector<double>& before,

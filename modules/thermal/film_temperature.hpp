@@ -6,14 +6,14 @@
 //   Pe rho c H^2 (u theta_X + v theta_Y + across) = (k_bar theta_zeta)_zeta + heat of shear + heat of compression,
 //   theta_i = theta of the body + resistance_i G_i*q_i,  i = 1, 2: its surface (moving_source.hpp).
 #include <limits>
+#include <memory>
 #include <optional>
-#include <vector>
 
 #include "core/field.hpp"
 #include "rheology/flow_thinning.hpp"
+#include "rheology/shear.hpp"
 #include "rheology/thermal_properties.hpp"
-#include "thermal/column.hpp"
-#include "thermal/lagged_source.hpp"
+#include "rheology/thermal_viscosity.hpp"
 
 namespace ehl::thermal {
 
@@ -71,11 +71,18 @@ struct Balance {
   bool clipped = false;  ///< somewhere theta stood at a bound: no solution
 };
 
+class FilmColumns;
+
+/// The columns themselves stand in FilmColumns (film_columns.hpp). How they lie side by side depends on the level of
+/// the processor that a file is compiled for, and who uses this class may be compiled for every processor.
 class FilmTemperature {
  public:
   /// errors: InputError for a number of intervals that is none, a surface that moves against the entrainment, or one
   /// that stands still in a line contact.
   explicit FilmTemperature(const Setup& setup);
+  FilmTemperature(FilmTemperature&&) noexcept;
+  FilmTemperature& operator=(FilmTemperature&&) noexcept;
+  ~FilmTemperature();
 
   /// Begins with the temperatures of the grid of every second node, between its nodes by bilinear interpolation; and, a
   /// grid coarser still given, with a quarter of what changed from that one to the former: the errors are of order 2.
@@ -92,19 +99,18 @@ class FilmTemperature {
   double sweep(bool back = true);
 
   /// True where oil flows against the entrainment somewhere, as in an inlet that is wide.
-  bool flows_back() const { return back_to_ >= 0; }
-  const core::Field& I0() const { return I0_; }  ///< over the fluidity at T0
-  const core::Field& M2() const { return M2_; }  ///< likewise, with the density over that at T0
-  const core::Field& C() const { return C_; }    ///< factor of rho_bar H in the wedge
+  bool flows_back() const;
+  const core::Field& I0() const;  ///< over the fluidity at T0
+  const core::Field& M2() const;  ///< likewise, with the density over that at T0
+  const core::Field& C() const;   ///< factor of rho_bar H in the wedge
   /// What the pressure's own flow makes of both mobilities and of tau_m beyond that (rheology/flow_thinning.hpp).
-  const core::Field& more_x() const { return more_x_; }
-  const core::Field& more_y() const { return more_y_; }
-  const core::Field& less_tau() const { return less_tau_; }
-  const core::Field& tau_m() const { return tau_; }
-  const core::Field& q_1() const { return q_1_; }
-  const core::Field& q_2() const { return q_2_; }
-  /// theta of node k of the column (i, j), k = 0..intervals from surface 2. Not inline: how columns lie side by side
-  /// depends on the processor that a file is compiled for, and a caller may be compiled for every processor.
+  const core::Field& more_x() const;
+  const core::Field& more_y() const;
+  const core::Field& less_tau() const;
+  const core::Field& tau_m() const;
+  const core::Field& q_1() const;
+  const core::Field& q_2() const;
+  /// theta of node k of the column (i, j), k = 0..intervals from surface 2.
   double theta(int i, int j, int k) const;
   /// Speed along X there, of the last take(), in u_m. limits: not with Pe = 0 and compression = 0.
   double velocity(int i, int j, int k) const;
@@ -112,67 +118,7 @@ class FilmTemperature {
   std::size_t bytes() const;
 
  private:
-  // One batch of columns, with what convection and C ask of the density.
-  struct Worker {
-    Columns at;
-    Profile ratio, expansion;
-  };
-  // Where a batch of lines has node k of its columns at station i: a batch is one piece of memory, and its lines stand
-  // side by side.
-  std::size_t index(int batch, int i, int k) const {
-    return ((static_cast<std::size_t>(batch) * static_cast<std::size_t>(setup_.patch.nodes_x()) +
-             static_cast<std::size_t>(i)) *
-                static_cast<std::size_t>(nodes_.intervals + 1) +
-            static_cast<std::size_t>(k)) *
-           core::lanes;
-  }
-  // Where the column (i, j) has its node k. The lines of a line contact are alike, and make one batch however narrow
-  // the lanes are.
-  std::size_t place(int i, int j, int k) const {
-    return index(setup_.patch.domain.line ? 0 : j / core::lanes, i, k) + static_cast<std::size_t>(j % core::lanes);
-  }
-  double value(const std::vector<double>& f, int i, int j, int k) const { return f[place(i, j, k)]; }
-  void load(int batch, int i, const std::vector<double>& theta, Columns& at) const;
-  template <class Of, class ThetaOf>
-  void load(Of of, ThetaOf theta_of, Columns& at) const;
-  template <class Of, class ThetaOf, class Put, class PutNode>
-  void flows(Of of, ThetaOf theta_of, Put put, PutNode put_node, Worker& worker);
-  void make_flows();
-  void fill(const core::Field* theta);
-  int last_backflow() const;
-  void carry(int batch, int i, bool downstream, Worker& worker) const;
-  Lanes fresh_share(int batch) const;
-  void add_compression(int batch, int i, Worker& worker) const;
-  void surfaces(int batch, int i, Columns& at) const;
-  double marched(const std::vector<double>& weights, const std::vector<double>& upstream, int i) const;
-  void keep_fluxes(int i);
-  void store(int batch, int i, const Columns& at);
-  void store_moments(int batch, int i, Worker& worker);
-  double solve_batch(int batch, bool downstream, Worker& worker);
-  double sweep_through(bool downstream);
-  void apply_sources();
-  Lanes south(const std::vector<double>& f, int batch, int i, int k, Lanes outside) const;
-  Lanes north(const std::vector<double>& f, int batch, int i, int k, double mirrored, Lanes outside) const;
-
-  Setup setup_;
-  Nodes nodes_;
-  ColumnLaws laws_;
-  double u_1_, u_2_;
-  int batches_;
-  std::vector<double> theta_, before_;   // before_: of the sweep before
-  std::vector<double> flow_x_, flow_y_;  // rho_bar H u times the layer of a node
-  int back_to_ = -1;                     // last station where oil flows back
-  core::Field filled_;                   // share of the width that is sheared
-  core::Field oil_;                      // share of the gap that holds oil
-  core::Field P_, H_, log_eta_, rho_bar_, k_bar_, P_X_, P_Y_, driven_x_, driven_y_;
-  core::Field I0_, M2_, C_, more_x_, more_y_, less_tau_, tau_, q_1_, q_2_, heat_, carried_, clipped_, correction_1_,
-      correction_2_;
-  std::vector<double> line_1_, line_2_;
-  std::vector<double> before_1_, before_2_;  // likewise: what the bodies bring with them, per flux at the first node
-  std::vector<double> upstream_1_, upstream_2_;  // of a line contact q_1_ and q_2_, from the last node to the first
-  std::optional<LaggedSource> source_1_, source_2_;
-  std::vector<Worker> workers_;
-  std::vector<double> change_;  // per batch: no reduction depends on the threads
+  std::unique_ptr<FilmColumns> columns_;
 };
 
 }  // namespace ehl::thermal

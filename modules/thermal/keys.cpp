@@ -2,7 +2,7 @@
 
 #include "rheology/solids.hpp"
 #include "rheology/temperature.hpp"
-#include "thermal/column.hpp"
+#include "thermal/column_laws.hpp"
 
 namespace ehl::thermal {
 namespace {

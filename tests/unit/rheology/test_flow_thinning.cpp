@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "rheology/flow_thinning.hpp"
+#include "rheology/thinned_by_flow.hpp"
 
 using namespace ehl::rheology;
 using ehl::core::broadcast;

@@ -1,0 +1,39 @@
+#pragma once
+// What all columns of the energy equation have in common (column.hpp).
+#include <array>
+
+#include "rheology/shear.hpp"
+#include "rheology/thermal_viscosity.hpp"
+
+namespace ehl::thermal {
+
+/// What fits into a column: 65 nodes resolve a Nahme number of 1e6.
+inline constexpr int most_nodes = 65;
+
+/// The nodes zeta_k = k/intervals and the weights of integrals over them.
+struct Nodes {
+  int intervals = 0;
+  double step = 0.0;
+  std::array<double, most_nodes> zeta{};
+  std::array<double, most_nodes> simpson{};  ///< of the moments
+  std::array<double, most_nodes> heat{};     ///< with which the scheme's own balance of heat is exact; order 4 as well
+};
+/// in: intervals even, 4 to 64. errors: InputError.
+Nodes make_nodes(int intervals);
+
+/// The same for all columns.
+struct ColumnLaws {
+  rheology::ThermalViscosity viscosity;
+  rheology::ShearThinning thinning{rheology::Eyring{}, 0.0};  ///< k = 0: Newtonian
+  double sliding = 0.0;                                       ///< (u1 - u2)/u_m
+  double Br = 0.0;                                            ///< eta0 u_m^2/(k0 T0)
+  /// theta is kept between these two on the way to a solution.
+  double theta_least = -0.1, theta_most = 2.5;
+};
+
+struct Steps {
+  int most = 30;
+  double tolerance = 1e-12;  ///< on the change of theta
+};
+
+}  // namespace ehl::thermal

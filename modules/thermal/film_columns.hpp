@@ -1,0 +1,103 @@
+#pragma once
+// The columns of a film, batch by batch: what FilmTemperature is made of, with the same functions
+// (film_temperature.hpp).
+#include <optional>
+#include <vector>
+
+#include "core/field.hpp"
+#include "thermal/column.hpp"
+#include "thermal/film_temperature.hpp"
+#include "thermal/lagged_source.hpp"
+
+namespace ehl::thermal {
+
+class FilmColumns {
+ public:
+  explicit FilmColumns(const Setup& setup);
+
+  void start_from(const FilmColumns& coarse, const FilmColumns* coarser = nullptr);
+
+  void take(const core::Field& P, const core::Field& H, const core::Field* theta = nullptr);
+
+  double sweep(bool back = true);
+
+  bool flows_back() const { return back_to_ >= 0; }
+  const core::Field& I0() const { return I0_; }
+  const core::Field& M2() const { return M2_; }
+  const core::Field& C() const { return C_; }
+  const core::Field& more_x() const { return more_x_; }
+  const core::Field& more_y() const { return more_y_; }
+  const core::Field& less_tau() const { return less_tau_; }
+  const core::Field& tau_m() const { return tau_; }
+  const core::Field& q_1() const { return q_1_; }
+  const core::Field& q_2() const { return q_2_; }
+  double theta(int i, int j, int k) const;
+  double velocity(int i, int j, int k) const;
+  Balance balance() const;
+  std::size_t bytes() const;
+
+ private:
+  // One batch of columns, with what convection and C ask of the density.
+  struct Worker {
+    Columns at;
+    Profile ratio, expansion;
+  };
+  // Where a batch of lines has node k of its columns at station i: a batch is one piece of memory, and its lines stand
+  // side by side.
+  std::size_t index(int batch, int i, int k) const {
+    return ((static_cast<std::size_t>(batch) * static_cast<std::size_t>(setup_.patch.nodes_x()) +
+             static_cast<std::size_t>(i)) *
+                static_cast<std::size_t>(nodes_.intervals + 1) +
+            static_cast<std::size_t>(k)) *
+           core::lanes;
+  }
+  // Where the column (i, j) has its node k. The lines of a line contact are alike, and make one batch however narrow
+  // the lanes are.
+  std::size_t place(int i, int j, int k) const {
+    return index(setup_.patch.domain.line ? 0 : j / core::lanes, i, k) + static_cast<std::size_t>(j % core::lanes);
+  }
+  double value(const std::vector<double>& f, int i, int j, int k) const { return f[place(i, j, k)]; }
+  void load(int batch, int i, const std::vector<double>& theta, Columns& at) const;
+  template <class Of, class ThetaOf>
+  void load(Of of, ThetaOf theta_of, Columns& at) const;
+  template <class Of, class ThetaOf, class Put, class PutNode>
+  void flows(Of of, ThetaOf theta_of, Put put, PutNode put_node, Worker& worker);
+  void make_flows();
+  void fill(const core::Field* theta);
+  int last_backflow() const;
+  void carry(int batch, int i, bool downstream, Worker& worker) const;
+  Lanes fresh_share(int batch) const;
+  void add_compression(int batch, int i, Worker& worker) const;
+  void surfaces(int batch, int i, Columns& at) const;
+  double marched(const std::vector<double>& weights, const std::vector<double>& upstream, int i) const;
+  void keep_fluxes(int i);
+  void store(int batch, int i, const Columns& at);
+  void store_moments(int batch, int i, Worker& worker);
+  double solve_batch(int batch, bool downstream, Worker& worker);
+  double sweep_through(bool downstream);
+  void apply_sources();
+  Lanes south(const std::vector<double>& f, int batch, int i, int k, Lanes outside) const;
+  Lanes north(const std::vector<double>& f, int batch, int i, int k, double mirrored, Lanes outside) const;
+
+  Setup setup_;
+  Nodes nodes_;
+  ColumnLaws laws_;
+  double u_1_, u_2_;
+  int batches_;
+  std::vector<double> theta_, before_;   // before_: of the sweep before
+  std::vector<double> flow_x_, flow_y_;  // rho_bar H u times the layer of a node
+  int back_to_ = -1;                     // last station where oil flows back
+  core::Field filled_;                   // share of the width that is sheared
+  core::Field oil_;                      // share of the gap that holds oil
+  core::Field P_, H_, log_eta_, rho_bar_, k_bar_, P_X_, P_Y_, driven_x_, driven_y_;
+  core::Field I0_, M2_, C_, more_x_, more_y_, less_tau_, tau_, q_1_, q_2_, heat_, carried_, clipped_, correction_1_,
+      correction_2_;
+  std::vector<double> line_1_, line_2_;
+  std::vector<double> before_1_, before_2_;  // likewise: what the bodies bring with them, per flux at the first node
+  std::vector<double> upstream_1_, upstream_2_;  // of a line contact q_1_ and q_2_, from the last node to the first
+  std::optional<LaggedSource> source_1_, source_2_;
+  std::vector<Worker> workers_;
+  std::vector<double> change_;  // per batch: no reduction depends on the threads
+};
+
+}  // namespace ehl::thermal
