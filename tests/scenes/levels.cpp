@@ -87,6 +87,48 @@ BOOST_AUTO_TEST_CASE(the_best_is_taken_and_all_agree) {
   BOOST_TEST(seen >= 1);
 }
 
+// Decks of every kind converge on every level. Where an iteration stops by its criterion, as heat and steps in time do,
+// the results may differ by what the criterion leaves.
+BOOST_AUTO_TEST_CASE(every_kind_of_deck_on_every_level) {
+  struct Deck {
+    std::string name, options;
+    double tolerance;
+  };
+  constexpr double rounding = 1e-9, stopped = 1e-4;
+  const Deck decks[] = {{"venner1992_M50_L10", "--set grid.cells=128", rounding},
+                        {"line/M20_L5", "", rounding},
+                        {"thermal/line", "--set grid.cells=128", stopped},
+                        {"thermal/traction_curve", "--set grid.cells=64", stopped},
+                        {"thermal/starved", "--set grid.cells=64", stopped},
+                        {"starved/M50_L10", "--set grid.cells=64", stopped},
+                        {"line/starved", "", stopped},
+                        {"transient/load_step", "--set grid.cells=32 --set transient.end_time=0.5", stopped},
+                        {"friction/traction_eyring", "--set grid.cells=64", rounding},
+                        {"elliptic/aslant_M100_L10", "--set grid.cells=64", stopped},
+                        {"subsurface/dry_friction", "--set grid.cells=64", stopped}};
+  const support::TemporaryFolder folder;
+  for (std::size_t k = 0; k < levels().size(); ++k)
+    if (levels()[k].runs) move_program(folder / levels()[k].name, k);
+  for (const Deck& deck : decks) {
+    std::string first;
+    for (const Level& level : levels()) {
+      if (!level.runs) continue;
+      const support::Ended ended =
+          support::shell(folder, level.name + "/ehl run '" + EHL_INPUTS + "/" + deck.name + ".ini' " + deck.options +
+                                     " --json --quiet --threads 1 --overwrite --output r.h5");
+      BOOST_TEST(ended.status == 0,
+                 deck.name << " for " << level.name << " ends with " << ended.status << ": " << ended.err);
+      if (ended.status != 0) continue;
+      if (first.empty()) first = ended.out;
+      const char* const name = first.find("\"Hc\"") != std::string::npos ? "Hc" : "P_max";
+      const double difference = std::abs(member(ended.out, name) / member(first, name) - 1.0);
+      BOOST_TEST_MESSAGE(deck.name << " for " << level.name << ": " << name << " off the lowest level by " << difference
+                                   << " (" << deck.tolerance << ")");
+      BOOST_TEST(difference < deck.tolerance);
+    }
+  }
+}
+
 // The program where it was built: the level of its tests is the one it takes.
 BOOST_AUTO_TEST_CASE(the_built_program_takes_the_best) {
   const support::TemporaryFolder folder;
