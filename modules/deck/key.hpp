@@ -57,11 +57,12 @@ struct Section {
   std::string effect{};                  ///< name of the effect that it belongs to; empty: of every deck
 };
 
-/// Something people will look for that this version cannot do: a whole section (empty name) or a key.
+/// Something people will look for that this version cannot do: a whole section (empty name), a key, or a word of a key.
 struct Unavailable {
   std::string section{};
   std::string name{};
   std::string message{};
+  std::vector<std::string> words{};  ///< of a key that exists; empty: the key does not
 };
 
 /// Everything a deck may contain.

@@ -26,7 +26,7 @@ std::vector<std::string> section_names(const Catalogue& catalogue) {
 
 const Unavailable* find_unavailable(const Catalogue& catalogue, const std::string& section, const std::string& name) {
   for (const Unavailable& entry : catalogue.unavailable)
-    if (entry.section == section && entry.name == name) return &entry;
+    if (entry.section == section && entry.name == name && entry.words.empty()) return &entry;
   return nullptr;
 }
 
@@ -171,10 +171,15 @@ std::string complaint_about_number(const Key& key, const Value& value, double& n
   return "";
 }
 
-std::string complaint_about_words(const Key& key, const std::vector<std::string>& given) {
-  for (const std::string& word : given)
-    if (std::find(key.words.begin(), key.words.end(), word) == key.words.end())
-      return quoted(word) + " is unknown: " + did_you_mean(word, key.words) + "must be " + allowed(key);
+std::string complaint_about_words(const Catalogue& catalogue, const Key& key, const std::vector<std::string>& given) {
+  for (const std::string& word : given) {
+    if (std::ranges::find(key.words, word) != key.words.end()) continue;
+    for (const Unavailable& entry : catalogue.unavailable)
+      if (entry.section == key.section && entry.name == key.name &&
+          std::ranges::find(entry.words, word) != entry.words.end())
+        return entry.message;
+    return quoted(word) + " is unknown: " + did_you_mean(word, key.words) + "must be " + allowed(key);
+  }
   return "";
 }
 
@@ -187,10 +192,10 @@ void check_value(Deck& deck, const Key& key, Value& value) {
   } else if (key.type == Type::number || key.type == Type::integer) {
     complaint = complaint_about_number(key, value, value.number);
   } else if (key.type == Type::word) {
-    complaint = complaint_about_words(key, {value.text});
+    complaint = complaint_about_words(deck.catalogue, key, {value.text});
     cause = Cause::unknown_name;
   } else if (key.type == Type::words) {
-    complaint = complaint_about_words(key, split_words(value.text));
+    complaint = complaint_about_words(deck.catalogue, key, split_words(value.text));
     cause = Cause::unknown_name;
   } else if (std::any_of(value.text.begin(), value.text.end(), [](unsigned char c) { return c < ' '; })) {
     complaint = "must be text on one line";  // or the deck kept in the result would say something else

@@ -72,7 +72,9 @@ double share(const PathOfContact& path, double s, Sharing sharing) {
 Mesh mesh_at(const Gears& gears, const PathOfContact& path, double s, double omega1) {
   const double rho1 = s, rho2 = path.length_T1T2 - s;
   const double omega2 = omega1 * gears.teeth1 / gears.teeth2;
-  return {rho1, rho2, rho1 * rho2 / (rho1 + rho2), omega1 * rho1, omega2 * rho2};
+  // From the pitch point on, where the teeth roll: there the difference is zero, and not a rounding error.
+  const double u1 = omega1 * rho1, sliding = (omega1 + omega2) * (s - path.C);
+  return {rho1, rho2, rho1 * rho2 / (rho1 + rho2), u1, u1 - sliding};
 }
 
 }  // namespace ehl::machines

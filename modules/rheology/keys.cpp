@@ -69,9 +69,14 @@ double read_z(const deck::Part& lubricant, const Oil& oil) {
   const double z = oil.alpha * oil.p0 / roelands_log_ratio(oil.eta0);
   const deck::Key& key = *deck::find_key(lubricant.deck.catalogue, "lubricant", "z");
   if (!key.range.contains(z))
-    lubricant.complain("eta0", fmt::format("with alpha and p0 it means z = alpha p0/(ln eta0 + 9.67) = {:.4g}, which "
-                                           "must be {}: give z, or check eta0 [Pa s] and alpha [1/Pa]",
-                                           z, deck::allowed(key)));
+    lubricant.complain("eta0",
+                       fmt::format("with alpha and p0 it means z = alpha p0/(ln eta0 + 9.67) = {:.4g}, which "
+                                   "must be {}: {}check eta0 [Pa s] and alpha [1/Pa]",
+                                   z, deck::allowed(key),
+                                   z < key.range.lower ? "the viscosity of this liquid, as that of water, rises "
+                                                         "too little for Roelands' law: viscosity = barus, "
+                                                         "without z, or "
+                                                       : "give z, or "));
   lubricant.follow("z", z, "from eta0");
   return z;
 }

@@ -32,7 +32,7 @@ std::vector<deck::Key> grid_keys() {
              .example = "1.5"},
             {.name = "y_half",
              .default_note = "half the length of the domain, or a quarter more",
-             .range = {0.0, 1000.0, true, false},
+             .range = {0.0, 1e6, true, false},
              .remedy = remedy,
              .meaning = "Half width of the domain in Hertz radii, beyond the contact.",
              .source = "Venner and ten Napel 1992: -3 to 3",

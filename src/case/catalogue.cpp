@@ -1,6 +1,7 @@
 #include "case/catalogue.hpp"
 
 #include "case/effects.hpp"
+#include "case/unavailable.hpp"
 #include "contact/keys.hpp"
 #include "dry/keys.hpp"
 #include "fmg/keys.hpp"
@@ -43,7 +44,7 @@ deck::Catalogue collected() {
     if (!effect.keys) continue;
     all.keys = deck::together({all.keys, effect.keys()});
   }
-  all.unavailable = {{"surface", "", "there are two: write [surface1] or [surface2]"}};
+  all.unavailable = unavailable();
   return all;
 }
 

@@ -127,9 +127,12 @@ void check_derived(const deck::Part& contact, const Physics& physics) {
   for (const auto& [name, value] : {std::pair{"M", physics.groups.M}, {"L", physics.groups.L}}) {
     const deck::Key& key = *deck::find_key(contact.deck.catalogue, "contact", name);
     if (key.range.contains(value)) continue;
-    const std::string what =
-        fmt::format("with the other numbers it means {} = {:.4g}, which must be {}: check the units of all of them",
-                    name, value, deck::allowed(key));
+    const bool rigid = std::string(name) == "M" && value < key.range.lower;
+    const std::string what = fmt::format(
+        "with the other numbers it means {} = {:.4g}, which must be {}: {}", name, value, deck::allowed(key),
+        rigid ? "the load is so light that the bodies stay rigid, and their film follows in closed form (of a line "
+                "H = 2.45/M in Moes' units, Martin); if that is not so, check the units of all of them"
+              : "check the units of all of them");
     if (std::string(name) == "M")
       contact.complain(load_key(contact, physics.language), what);
     else if (!si)

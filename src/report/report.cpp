@@ -92,6 +92,10 @@ std::string summary(const Case& input, const Computed& computed) {
   if (const std::string why = why_incomplete(computed.in_time); !why.empty())
     text += (computed.in_time->report.end == transient::MarchEnd::failed ? "NOT CONVERGED: " : "NOT COMPLETE: ") + why +
             "; the films here are those of its steady start\n";
+  if (input.transient && input.transient->conditions.body && input.transient->conditions.body->gap)
+    text +=
+        "reference    the bodies start apart: this is the steady contact under the load of [contact], which gives the "
+        "scales and does not exist at time 0\n";
   text += film_lines(input, computed) + error_lines(input, solution);
   if (input.machine) text += machine_lines(*input.machine);
   if (physics.si) text += si_lines(*physics.si);

@@ -114,9 +114,11 @@ std::string read_table(const std::string& path, const Scales& scales, Profile& p
   const bool mirrored = std::abs(Y.front()) <= rounding * half;
   if (Y.back() < half * (1.0 - rounding) || (!mirrored && Y.front() > -half * (1.0 - rounding)))
     return fmt::format(
-        "{}: from y = {:.4g} to {:.4g} {}, and the roller reaches from {:.4g} to {:.4g}: give all of it, or one half "
-        "from y = 0 on",
-        path, Y.front() * unit_Y, Y.back() * unit_Y, unit, -half * unit_Y, half * unit_Y);
+        "{}: from y = {:.7g} to {:.7g} {}, and the roller reaches from {:.7g} to {:.7g}, {:.2g} {} further: give all "
+        "of "
+        "it, or one half from y = 0 on",
+        path, Y.front() * unit_Y, Y.back() * unit_Y, unit, -half * unit_Y, half * unit_Y,
+        std::max(half - Y.back(), mirrored ? 0.0 : Y.front() + half) * unit_Y, unit);
   condition(Y, H, mirrored, profile);
   const double first = Y.front(), last = Y.back();
   const auto curve =
