@@ -42,9 +42,9 @@ std::string indices(const std::string& words, const Places& places) {
       const std::size_t from = k + (braced ? 2 : 1);
       const std::size_t to = braced ? std::min(words.find('}', from), words.size())
                                     : from + std::max<std::size_t>(1, sequence_at(words, from));
-      const bool below = words[k] == '_';
-      text += (below ? places.below : places.above) + escaped(words.substr(from, to - from)) +
-              (below ? places.end_below : places.end_above);
+      const bool is_subscript = words[k] == '_';
+      text += (is_subscript ? places.below : places.above) + escaped(words.substr(from, to - from)) +
+              (is_subscript ? places.end_below : places.end_above);
       k = braced ? to : to - 1;
     } else {
       const std::size_t length = std::max<std::size_t>(1, sequence_at(words, k));

@@ -93,11 +93,11 @@ std::string ended_words(const ResultView& view) {
                                    : "was stopped before its end.";
 }
 
-std::string paragraphs(const std::string& lines, const std::string& style, const std::string& before) {
+std::string paragraphs(const std::string& lines, const std::string& css_class, const std::string& before) {
   std::string text;
   std::istringstream all(lines);
   for (std::string line; std::getline(all, line);)
-    if (!line.empty()) text += "<p class=\"" + style + "\">" + before + escaped(line) + "</p>\n";
+    if (!line.empty()) text += "<p class=\"" + css_class + "\">" + before + escaped(line) + "</p>\n";
   return text;
 }
 

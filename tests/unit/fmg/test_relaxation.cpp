@@ -149,7 +149,7 @@ BOOST_AUTO_TEST_CASE(elimination_and_decimation_agree_on_the_systems_of_the_rela
       level.P = start;
       fmg::update_film(hierarchy, level);
       relaxation.line_solver = fmg::LineSolver::decimation;
-      level.thread_work = {fmg::make_thread_work(level.grid, problem.film, relaxation)};
+      level.thread_work = fmg::WorkSpace(1, fmg::make_thread_work(level.grid, problem.film, relaxation));
       fmg::relax(hierarchy, level, relaxation);
       const double difference = ehl::core::max_abs_difference(level.P, eliminated);
       BOOST_TEST_MESSAGE("M = " << M << ", reach " << reach << ": " << difference << " (tolerance 1e-11)");

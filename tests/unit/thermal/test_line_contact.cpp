@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/errors.hpp"
+#include "thermal/source_convolution.hpp"
 #include "unit/thermal/base_case.hpp"
 
 using namespace ehl::thermal;
