@@ -38,9 +38,9 @@ struct MapScatter {
   double rms_central, largest_central;
   double rms_minimum, largest_minimum;
 };
-/// Of solutions with the oil of the fit, among them isoviscous ones (L* = 0).
+/// Deviations from solutions with the oil of the fit, among them isoviscous ones (L* = 0).
 MapScatter scatter_of_film_map();
-/// Of solutions with other compressible oils: by name, of data sheets, of other laws.
+/// Deviations from solutions with other compressible oils: by name, of data sheets, of other laws.
 /// source: tests/reference/film_map_oils.csv.
 MapScatter scatter_of_other_oils();
 

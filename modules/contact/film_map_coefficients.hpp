@@ -9,7 +9,7 @@ inline constexpr double low[3] = {-3.6023855233314959, 0, -2.3025850929940455};
 inline constexpr double high[3] = {4.0189839456746652, 3.193920558209745, 0.916290731874155};
 // alpha* of the oil of the fit [1/Pa].
 inline constexpr double alpha_star = 2.05777779e-08;
-// Root mean square and largest deviation of solutions with the oil of the fit that it has not seen.
+// Root mean square and largest deviation from solutions with the oil of the fit that were not used in it.
 inline constexpr double rms_Hc = 0.0060, largest_Hc = 0.0269;
 inline constexpr double rms_Hm = 0.0045, largest_Hm = 0.0199;
 // Root mean square and largest deviation of solutions with other oils.

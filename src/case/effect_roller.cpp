@@ -115,7 +115,7 @@ void compute(const Case& input, RunSettings& settings, Computed& computed) {
   scene.grid = computed.solution.grid;
   scene.accuracy = {};
   result.dry = dry_distribution(scene, computed.solution.converged);
-  // Of a contact that was not solved there is nothing to compare.
+  // A contact that was not solved has nothing to compare.
   std::optional<steady::Solution> coarser;
   result.solved = computed.solution.converged;
   if (result.solved) coarser = on_coarser_grid(scene, input.roller->trace.rough > 0.0, settings);

@@ -28,7 +28,7 @@ ReadHeights read_heights(const std::string& path, const std::string& dataset, do
 std::string too_few_points(int nx, int ny);
 
 /// Fills missing points, NaN, so that each is the mean of its neighbours: a plane stays one. Counts them.
-/// out: what is wrong: too many are missing to be told from the others; empty where nothing is.
+/// out: what is wrong: too many are missing to be filled from the others; empty where nothing is.
 std::string fill_missing(MapInFile& map);
 
 }  // namespace ehl::program

@@ -39,7 +39,7 @@ Axis axis_of(std::vector<double> x) {
   return regular ? axis : Axis{};
 }
 
-// Of the column that is called `axis`, "x [um]"; NaN: not stated.
+// The unit of the column that is called `axis`, "x [um]"; NaN: not stated.
 double stated_unit(const std::vector<std::string>& heading, char axis) {
   for (const std::string& line : heading) {
     Writing writing;

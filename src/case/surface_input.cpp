@@ -98,7 +98,7 @@ double settled(const deck::Part& part, const std::string& name, double given, do
   return stated / plain;
 }
 
-// Of the file and the deck together.
+// What the file and the deck say together.
 void settle_lengths(const deck::Part& part, const MapInFile& file, const surface::Units& units,
                     surface::MapInput& input) {
   input.unit = settled(part, "unit", input.unit, file.unit_m, units.height.in_SI);

@@ -212,7 +212,7 @@ def header(ranges, of_Hc, of_Hm, scatters, oils):
     text += "inline constexpr double high[3] = {" + ", ".join(f"{b:.17g}" for _, b in ranges) + "};\n"
     text += "// alpha* of the oil of the fit [1/Pa].\n"
     text += f"inline constexpr double alpha_star = {alpha_star(SLOPE, EXPONENT, P0):.9g};\n"
-    for what, deviations in (("of solutions with the oil of the fit that it has not seen", scatters), ("of solutions with other oils", oils)):
+    for what, deviations in (("from solutions with the oil of the fit that were not used in it", scatters), ("of solutions with other oils", oils)):
         text += f"// Root mean square and largest deviation {what}.\n"
         of = "" if deviations is scatters else "oils_"
         for name, (rms, most) in deviations.items():

@@ -43,7 +43,7 @@ void require_verified(const Report& report) {
   // A tenth of the discretization error is what the README promises of what the cycles leave.
   for (const char* film : {"Hc", "Hm"})
     BOOST_TEST(report.number(std::string("verification/algebraic_error_") + film) <=
-               0.1 * report.of_last_level(std::string("error_") + film));
+               0.1 * report.of_last_level(std::string("mesh_error_") + film));
 }
 
 std::string path_with_factor(const Report& report) {
@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(refinement_is_monotone_and_the_error_estimate_covers_it) {
         BOOST_TEST(first / second <= 6.0);
         for (std::size_t k = 0; k < 2; ++k) {
           const double change = std::abs(meshes[k + 1].number(film) / meshes[k].number(film) - 1.0);
-          const double estimate = meshes[k].of_last_level("error_" + film);
+          const double estimate = meshes[k].of_last_level("mesh_error_" + film);
           BOOST_TEST_MESSAGE("    on " << meshes[k].cells() << " cells: estimated error " << estimate
                                        << ", change to the next mesh " << change);
           BOOST_TEST(estimate >= change);
@@ -217,7 +217,7 @@ BOOST_AUTO_TEST_CASE(load_continuation_is_told_and_ends_where_the_direct_way_doe
   BOOST_TEST_MESSAGE(steps.size() << " loads; " << path_with_factor(report));
   for (const std::string film : {"Hc", "Hm"}) {
     const double apart = std::abs(report.number(film) / direct.number(film) - 1.0);
-    const double allowed = 0.1 * direct.of_last_level("error_" + film);
+    const double allowed = 0.1 * direct.of_last_level("mesh_error_" + film);
     BOOST_TEST_MESSAGE(film << " " << report.number(film) << ", directly " << direct.number(film) << ": apart by "
                             << apart << " (allowed " << allowed << ", what the cycles may leave)");
     BOOST_TEST(apart <= allowed);

@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(every_form_is_the_same_surface) {
     folder.write("d.ini", deck + "file = " + form.file + "\n" + form.keys);
     const support::Ended ended = support::ehl(folder, "check d.ini");
     BOOST_TEST(ended.status == 0, form.name << ": " << ended.err);
-    // The plane that is taken away tells the order of rows and points; 62 um are 0.5239 a.
+    // The plane that is taken away shows the order of rows and points; 62 um are 0.5239 a.
     for (const char* part : {"32 x 32 points on 0.524 x 0.524 a", "Sq 28.3 nm", "slopes 0.3 and -0.7 per point"})
       BOOST_TEST(support::contains(ended.out, part), form.name << ": " << part << " is missing in\n" << ended.out);
     BOOST_TEST(!support::contains(ended.out, "missing points"), form.name);

@@ -1,4 +1,4 @@
-// Traced rollers: roughness against the film, what is told of it, and that a contact that touches ends soon.
+// Traced rollers: roughness against the film, what is reported of it, and that a contact that touches ends soon.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(check_tells_the_roughness_beside_the_film) {
     const support::Ended ended = support::ehl(folder, "check d.ini");
     BOOST_TEST_REQUIRE(ended.status == 0, ended.err);
     const double told = after(ended.out, "roughness    Sq = "), lambda = after(ended.out, "lambda ratio ");
-    BOOST_TEST_MESSAGE("Rq " << Rq << ": told " << told << ", lambda ratio " << lambda);
+    BOOST_TEST_MESSAGE("Rq " << Rq << ": reported " << told << ", lambda ratio " << lambda);
     BOOST_TEST(std::abs(told / Rq - 1.0) < 0.05);
     BOOST_TEST(support::contains(ended.out, "warning: lambda ratio") == (lambda < 3.0), ended.out);
     BOOST_TEST(support::contains(ended.out, "they touch") == (lambda < 1.0), ended.out);

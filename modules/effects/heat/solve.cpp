@@ -43,7 +43,7 @@ struct Ladder {
   Result last{};
 };
 
-// Of the contact's load, the one that stands on the domain.
+// The part of the contact's load that the domain carries.
 double share_of_load(const fmg::Run& run, std::size_t l) {
   const core::Patch& patch = run.hierarchy.levels[l].grid;
   double sum = 0.0;
