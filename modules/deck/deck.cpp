@@ -39,7 +39,7 @@ std::string origin_of(const Deck& deck, const std::string& section) {
 Cause cause_of(const std::string& what) {
   if (what.starts_with("is missing")) return Cause::missing;
   if (what.find("has no influence") != std::string::npos) return Cause::idle;
-  return Cause::value;
+  return Cause::between;
 }
 
 }  // namespace
@@ -189,11 +189,11 @@ void add_error(Deck& deck, Cause cause, const std::string& text) {
 
 std::vector<std::string> first_causes(const Deck& deck) {
   const std::vector<Cause>& causes = deck.causes;
-  const bool unknown = std::ranges::find(causes, Cause::unknown_name) != causes.end();
-  const bool others = std::ranges::any_of(causes, [](Cause cause) { return cause != Cause::idle; });
+  const bool by_itself = std::ranges::find(causes, Cause::by_itself) != causes.end();
+  const bool missing = std::ranges::find(causes, Cause::missing) != causes.end();
   std::vector<std::string> errors;
   for (std::size_t k = 0; k < causes.size(); ++k)
-    if (!(causes[k] == Cause::missing && unknown) && !(causes[k] == Cause::idle && others))
+    if (!(causes[k] == Cause::missing && by_itself) && !(causes[k] == Cause::idle && (by_itself || missing)))
       errors.push_back(deck.errors[k]);
   return errors;
 }

@@ -26,9 +26,9 @@ struct Value {
   mutable bool read = false;
 };
 
-/// What an error comes from, for first_causes(). unknown_name: a section, key, or word that does not exist, or a line
-/// that cannot be read. idle: a key without influence.
-enum class Cause { value, unknown_name, missing, idle };
+/// What an error comes from, for first_causes(). by_itself: a section, key or word that does not exist, a value out of
+/// its range, or a line that cannot be read. between: a rule between keys. idle: a key without influence.
+enum class Cause { by_itself, between, missing, idle };
 
 struct Deck {
   std::string name{};
@@ -120,8 +120,8 @@ void complain(Deck& deck, const std::string& section, const std::string& name, c
 /// Adds an error with its cause.
 void add_error(Deck& deck, Cause cause, const std::string& text);
 
-/// The errors without those that may be the consequence of another one: what is missing beside an unknown name, which
-/// may be the one that is missing, and what is without influence beside any other error.
+/// The errors without those that may be the consequence of another one: what is missing beside an error by itself,
+/// which may be about the key that is missing, and what is without influence beside either of these.
 std::vector<std::string> first_causes(const Deck& deck);
 
 /// errors: core::InputError with the first causes, when there are any.

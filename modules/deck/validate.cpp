@@ -75,7 +75,7 @@ class Kind {
 };
 
 void check_headings(Deck& deck, const Document& document) {
-  Kind unknown{deck, Cause::unknown_name, "unknown sections"}, empty{deck, Cause::idle, "sections without a key"};
+  Kind unknown{deck, Cause::by_itself, "unknown sections"}, empty{deck, Cause::idle, "sections without a key"};
   std::set<std::string> with_keys;
   for (const Assignment& given : document.assignments) with_keys.insert(given.section);
   for (const Heading& heading : document.headings) {
@@ -120,8 +120,8 @@ Value untouched(const Key& key) {
 
 // Every assignment to its key.
 void take(Deck& deck, const std::vector<Assignment>& assignments) {
-  Kind unknown{deck, Cause::unknown_name, "unknown keys"}, twice{deck, Cause::value, "keys given twice"};
-  Kind not_there{deck, Cause::value, "keys to take out that are not there"};
+  Kind unknown{deck, Cause::by_itself, "unknown keys"}, twice{deck, Cause::between, "keys given twice"};
+  Kind not_there{deck, Cause::between, "keys to take out that are not there"};
   for (const Assignment& given : assignments) {
     const Key* key = find_key(deck.catalogue, given.section, given.name);
     if (key == nullptr) {
@@ -185,7 +185,6 @@ std::string complaint_about_words(const Catalogue& catalogue, const Key& key, co
 
 void check_value(Deck& deck, const Key& key, Value& value) {
   std::string complaint;
-  Cause cause = Cause::value;
   value.number = std::numeric_limits<double>::quiet_NaN();
   if (value.text.empty()) {
     complaint = "the value is missing: it must be " + allowed(key);
@@ -193,17 +192,15 @@ void check_value(Deck& deck, const Key& key, Value& value) {
     complaint = complaint_about_number(key, value, value.number);
   } else if (key.type == Type::word) {
     complaint = complaint_about_words(deck.catalogue, key, {value.text});
-    cause = Cause::unknown_name;
   } else if (key.type == Type::words) {
     complaint = complaint_about_words(deck.catalogue, key, split_words(value.text));
-    cause = Cause::unknown_name;
   } else if (std::any_of(value.text.begin(), value.text.end(), [](unsigned char c) { return c < ' '; })) {
     complaint = "must be text on one line";  // or the deck kept in the result would say something else
   } else if (!is_utf8(value.text)) {
     complaint = "must be text in UTF-8: save the deck in that encoding";
   }
   if (complaint.empty()) return;
-  complain(deck, key.section, key.name, complaint, cause);
+  complain(deck, key.section, key.name, complaint, Cause::by_itself);
   value.valid = false;
 }
 
@@ -235,7 +232,7 @@ Deck validate(const Document& document, const std::vector<Assignment>& overrides
   deck.name = document.name;
   deck.catalogue = catalogue;
   deck.headings = document.headings;
-  for (const std::string& error : document.errors) add_error(deck, Cause::unknown_name, error);
+  for (const std::string& error : document.errors) add_error(deck, Cause::by_itself, error);
   for (const Key& key : catalogue.keys) deck.values.push_back(untouched(key));
 
   check_headings(deck, document);

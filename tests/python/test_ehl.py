@@ -71,7 +71,7 @@ def test_ways_to_give_a_deck(tmp_path):
     assert len({float(one.Hc) for one in ways}) == 1
     assert ehl.run(deck).Hc != ways[0].Hc
     assert ehl.run(CIRCLE, output={"fields": None}).Hc == ways[0].Hc
-    with pytest.raises(ehl.InputError, match="not in the deck"):
+    with pytest.raises(ehl.InputError, match="the deck does not give this key"):
         ehl.run(CIRCLE, contact={"W": None})
     with pytest.raises(TypeError, match="section.key"):
         ehl.run(deck, M=20)

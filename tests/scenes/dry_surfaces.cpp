@@ -113,14 +113,8 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
       {"too small", dry + "[surface1]\nshape = dimple\nheight = 0.1\nwidth = 0.01\n", {"d.ini:8", "four cells"}},
       {"no height", dry + "[surface2]\nshape = ridge\nwidth = 1\n", {"[surface2] height", "is missing"}},
       {"no map", dry + "[surface2]\nshape = map\nunit = 1\ndx = 0.1\n", {"[surface2] file", "is missing"}},
-      {"a map with a hole",
-       dry + "[surface2]\nshape = map\nfile = m.csv\nunit = 1\ndx = 0.1\n",
-       {"d.ini:7", "m.csv:3", "number 4 is missing"}},
       {"in time", dry + dimple + "[transient]\nend_time = 1\n", {"end_time = 1", "no influence"}}};
   const support::TemporaryFolder folder;
-  std::string hole;
-  for (int k = 1; k <= 9; ++k) hole += k == 3 ? "1,2,3,,5,6,7,8,9\n" : "1,2,1,4,5,1,7,8,9\n";
-  folder.write("m.csv", hole);
   for (const support::Slip& slip : slips) support::check_refused(folder, slip);
   // Of a slip in a contact in metres nothing follows for what is given in metres.
   folder.write("d.ini", dry + steel + "radius_y = 0.02\n[surface1]\nshape = dimple\nheight_m = 1e-8\nwidth_m = 5e-5\n");

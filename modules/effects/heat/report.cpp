@@ -116,8 +116,8 @@ double mean_of(const thermal::FilmTemperature& film, const core::Patch& patch, c
 
 }  // namespace
 
-bool may_be_hottest(const std::vector<Row>& rows, double Row::*value, double Row::*behind) {
-  return !rows.empty() && foreseen(rows, behind) > rows.back().*value;
+bool hottest_under_spike(const std::vector<Row>& rows, double Row::*value, double Row::*behind) {
+  return !rows.empty() && rows.back().*behind >= rows.back().*value;
 }
 
 Solution report(const thermal::FilmTemperature& film, const core::Patch& patch, const core::Field& P,

@@ -4,9 +4,8 @@
 
 namespace ehl::heat {
 
-/// True where the highest temperature under a spike, as it grows from grid to grid, may get above that of all the film
-/// or surface. in: two rows or more; else false.
-bool may_be_hottest(const std::vector<Row>& rows, double Row::*value, double Row::*behind);
+/// True where the highest temperature of all the film or surface is that under the spike.
+bool hottest_under_spike(const std::vector<Row>& rows, double Row::*value, double Row::*behind);
 
 /// All of a solution but its film and its time. in: the temperature, pressure and film of the finest grid; rows of all
 /// grids.
