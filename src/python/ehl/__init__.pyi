@@ -338,7 +338,7 @@ class LubricantKeys(TypedDict, total=False):
     """Viscosity at the glass transition. (only with [lubricant] viscosity = yasutomi)
     default: none; allowed: a number >= 1000 and <= 1e+15 Pa s"""
     table: str | os.PathLike[str]
-    """A CSV file with columns p [Pa], rising from 0, eta [Pa s], rho [kg/m^3]; for viscosity = table, density = table or both. At least 4 rows, eta and rho > 0 and rising, up to more than p_h. Beside the deck, or where the program runs.
+    """A CSV file with columns p [Pa], rising from 0, eta [Pa s], rho [kg/m^3], or in the order and units of its heading, as p [MPa], eta [mPa s]; for viscosity = table, density = table or both. At least 4 rows, eta and rho > 0 and rising, up to more than p_h. Beside the deck, or where the program runs.
     default: none; allowed: any text"""
 
 class DomainKeys(TypedDict, total=False):
@@ -351,7 +351,7 @@ class DomainKeys(TypedDict, total=False):
     default: 1.5, or 3 for light loads; allowed: a number > 0 and <= 1000"""
     y_half: float | str
     """Half width of the domain in Hertz radii, beyond the contact.
-    default: half the length of the domain, or a quarter more; allowed: a number > 0 and <= 1000"""
+    default: half the length of the domain, or a quarter more; allowed: a number > 0 and <= 1e+06"""
     far_field: Literal["closed", "zero"]
     """Pressure on the boundary of the domain and load outside of it: those of nearly rigid bodies in closed form, or none, as in the paper. A load that jumps in time, or changes by more than twice its size in a/u_m, needs zero, and gets it where the deck leaves this open, as an ellipse by half of its load and a body that moves do.
     default: closed; allowed: one of closed, zero"""
@@ -485,7 +485,7 @@ class TransientKeys(TypedDict, total=False):
     """Time between two fields of P and H in the result. The numbers of every step are always kept. (only with [transient] end_time)
     default: none: the fields of the first and the last time; allowed: a number > 0"""
     load: str | os.PathLike[str]
-    """Load over that of [contact], at times: 'time:value ...', linear between them; the same time twice is a jump. Or a file .csv with two columns, where the program runs or beside the deck. (only with [transient] end_time)
+    """Load over that of [contact], at times: 'time:value ...', linear between them; the same time twice is a jump. Or a file .csv with the columns t and load, where the program runs or beside the deck; a heading may name the unit of t. (only with [transient] end_time)
     default: constant; allowed: any text"""
     load_wave: str | os.PathLike[str]
     """'amplitude period [start]': multiplies the load by 1 + amplitude sin(2 pi (t - start)/period). (only with [transient] end_time)
@@ -571,30 +571,45 @@ class Surface1Keys(TypedDict, total=False):
     at_rest: Literal["yes"]
     """Says of a steady contact given by M and L, or W, U and G, that it is this surface that stands still and the other one that moves. A contact in SI says it with u1 = 0 or u2 = 0. (only with [surface1] shape)
     default: none; allowed: one of yes"""
+    levelling: Literal["plane", "mean"]
+    """What is taken away of a map first: the plane of least squares, with the tilt under the instrument; or its mean alone. (only with [surface1] shape = map)
+    default: plane; allowed: one of plane, mean"""
+    longest_wave: float | str
+    """Cut-off wavelength, in Hertz radii, of a Gaussian filter that takes longer waves away. A wave of this length keeps half of its height. Without it all long waves stay. (only with [surface1] shape = map)
+    default: none; allowed: a number > 0"""
+    longest_wave_m: float | str
+    """The same in m, for a contact in SI. (only with [surface1] shape = map)
+    default: none; allowed: a number > 0 m"""
+    shortest_wave: float | str
+    """The same for shorter waves, which it takes away; without it all short waves stay. (only with [surface1] shape = map)
+    default: none; allowed: a number > 0"""
+    shortest_wave_m: float | str
+    """The same in m, for a contact in SI. (only with [surface1] shape = map)
+    default: none; allowed: a number > 0 m"""
     file: str | os.PathLike[str]
-    """The measured heights, counted from the body outwards: a .csv whose lines run along x, the first at the smallest y (numbers between commas, semicolons or blanks; a first line of words is a heading, # begins a comment), or a .h5 with a dataset in rows of constant y. At least 8 by 8 points, none missing. It is looked for where the program runs, then beside the deck. The plane of least squares is taken away; onto the mesh they come as means over its cells. (only with [surface1] shape = map)
+    """The measured heights, counted from the body outwards. Text (.csv, .txt, .dat, .asc, .xyz, .sdf): lines along x, the first at the smallest y, numbers between semicolons, tabs, commas or blanks, with decimal points or commas; or x, y, z in every line, the points of a regular grid in any order; or Gwyddion's text, ESRI's ASCII grid, SDF of ISO 25178-71 in ASCII. A first line of words is a heading, # begins a comment. Or a .h5 with a dataset in rows of constant y. At least 8 by 8 points; up to a fifth of them may be missing (an empty cell, NaN, BAD, ***) and is filled from its neighbours. It is looked for where the program runs, then beside the deck. It is levelled; onto the mesh it comes as means over the cells. (only with [surface1] shape = map)
     default: none; allowed: any text"""
     dataset: str | os.PathLike[str]
     """The dataset of a .h5. (only with [surface1] shape = map)
     default: height; allowed: any text"""
     unit: float | str
-    """Height of the number 1 in the file, in units of a^2/R, as H; unit_m = 1e-9 where the file is in nanometres. (only with [surface1] shape = map)
+    """Height of the number 1 in the file, in units of a^2/R, as H; unit_m = 1e-9 where the file is in nanometres. May be left out where the file states its unit. (only with [surface1] shape = map)
     default: none; allowed: a number > 0"""
     unit_m: float | str
     """The same in m, for a contact in SI. (only with [surface1] shape = map)
     default: none; allowed: a number > 0 m"""
     dx: float | str
-    """Distance between two points of a line of the file, in Hertz radii. (only with [surface1] shape = map)
+    """Distance between two points of a line of the file, in Hertz radii. May be left out where the file states it. (only with [surface1] shape = map)
     default: none; allowed: a number > 0"""
     dx_m: float | str
     """The same in m, for a contact in SI. (only with [surface1] shape = map)
     default: none; allowed: a number > 0 m"""
     dy: float | str
     """Distance between two lines of the file, in Hertz radii. (only with [surface1] shape = map)
-    default: that of dx; allowed: a number > 0"""
+    default: that of the file, or of dx; allowed: a number > 0"""
     dy_m: float | str
     """The same in m, for a contact in SI. (only with [surface1] shape = map)
-    default: that of dx; allowed: a number > 0 m"""
+    default: that of the file, or of dx; allowed: a number > 0 m"""
     taper: float | str
     """Share of the map's length along which its heights come down to zero at each of its edges, by a cosine; 0: they end as they are, in a step. (only with [surface1] shape = map)
     default: 0.1; allowed: a number >= 0 and <= 0.5"""
@@ -628,30 +643,45 @@ class Surface2Keys(TypedDict, total=False):
     at_rest: Literal["yes"]
     """Says of a steady contact given by M and L, or W, U and G, that it is this surface that stands still and the other one that moves. A contact in SI says it with u1 = 0 or u2 = 0. (only with [surface2] shape)
     default: none; allowed: one of yes"""
+    levelling: Literal["plane", "mean"]
+    """What is taken away of a map first: the plane of least squares, with the tilt under the instrument; or its mean alone. (only with [surface2] shape = map)
+    default: plane; allowed: one of plane, mean"""
+    longest_wave: float | str
+    """Cut-off wavelength, in Hertz radii, of a Gaussian filter that takes longer waves away. A wave of this length keeps half of its height. Without it all long waves stay. (only with [surface2] shape = map)
+    default: none; allowed: a number > 0"""
+    longest_wave_m: float | str
+    """The same in m, for a contact in SI. (only with [surface2] shape = map)
+    default: none; allowed: a number > 0 m"""
+    shortest_wave: float | str
+    """The same for shorter waves, which it takes away; without it all short waves stay. (only with [surface2] shape = map)
+    default: none; allowed: a number > 0"""
+    shortest_wave_m: float | str
+    """The same in m, for a contact in SI. (only with [surface2] shape = map)
+    default: none; allowed: a number > 0 m"""
     file: str | os.PathLike[str]
-    """The measured heights, counted from the body outwards: a .csv whose lines run along x, the first at the smallest y (numbers between commas, semicolons or blanks; a first line of words is a heading, # begins a comment), or a .h5 with a dataset in rows of constant y. At least 8 by 8 points, none missing. It is looked for where the program runs, then beside the deck. The plane of least squares is taken away; onto the mesh they come as means over its cells. (only with [surface2] shape = map)
+    """The measured heights, counted from the body outwards. Text (.csv, .txt, .dat, .asc, .xyz, .sdf): lines along x, the first at the smallest y, numbers between semicolons, tabs, commas or blanks, with decimal points or commas; or x, y, z in every line, the points of a regular grid in any order; or Gwyddion's text, ESRI's ASCII grid, SDF of ISO 25178-71 in ASCII. A first line of words is a heading, # begins a comment. Or a .h5 with a dataset in rows of constant y. At least 8 by 8 points; up to a fifth of them may be missing (an empty cell, NaN, BAD, ***) and is filled from its neighbours. It is looked for where the program runs, then beside the deck. It is levelled; onto the mesh it comes as means over the cells. (only with [surface2] shape = map)
     default: none; allowed: any text"""
     dataset: str | os.PathLike[str]
     """The dataset of a .h5. (only with [surface2] shape = map)
     default: height; allowed: any text"""
     unit: float | str
-    """Height of the number 1 in the file, in units of a^2/R, as H; unit_m = 1e-9 where the file is in nanometres. (only with [surface2] shape = map)
+    """Height of the number 1 in the file, in units of a^2/R, as H; unit_m = 1e-9 where the file is in nanometres. May be left out where the file states its unit. (only with [surface2] shape = map)
     default: none; allowed: a number > 0"""
     unit_m: float | str
     """The same in m, for a contact in SI. (only with [surface2] shape = map)
     default: none; allowed: a number > 0 m"""
     dx: float | str
-    """Distance between two points of a line of the file, in Hertz radii. (only with [surface2] shape = map)
+    """Distance between two points of a line of the file, in Hertz radii. May be left out where the file states it. (only with [surface2] shape = map)
     default: none; allowed: a number > 0"""
     dx_m: float | str
     """The same in m, for a contact in SI. (only with [surface2] shape = map)
     default: none; allowed: a number > 0 m"""
     dy: float | str
     """Distance between two lines of the file, in Hertz radii. (only with [surface2] shape = map)
-    default: that of dx; allowed: a number > 0"""
+    default: that of the file, or of dx; allowed: a number > 0"""
     dy_m: float | str
     """The same in m, for a contact in SI. (only with [surface2] shape = map)
-    default: that of dx; allowed: a number > 0 m"""
+    default: that of the file, or of dx; allowed: a number > 0 m"""
     taper: float | str
     """Share of the map's length along which its heights come down to zero at each of its edges, by a cosine; 0: they end as they are, in a step. (only with [surface2] shape = map)
     default: 0.1; allowed: a number >= 0 and <= 0.5"""
@@ -695,7 +725,7 @@ class SupplyKeys(TypedDict, total=False):
     """Oil that is brought to the inlet of a line contact, per length along y.
     default: none; allowed: a number > 0 m^2/s"""
     profile: str | os.PathLike[str]
-    """Layer across the track: a CSV with columns y and h, of both surfaces together, in metres; of a contact in M and L in units of X and H. It covers the width of the domain.
+    """Layer across the track: a CSV with columns y and h, of both surfaces together, in metres or the units of its heading, y [mm] and h [nm]; of a contact in M and L in units of X and H. It covers the width of the domain.
     default: none; allowed: any text"""
     passes: int
     """Contacts one after another on the same track: what leaves one is brought to the next. The result is the last of them, with a table of all.
@@ -871,8 +901,17 @@ class RollerKeys(TypedDict, total=False):
     design_load_N: float | str
     """The same in N, for a contact in SI. (only with [roller] profile = logarithmic)
     default: the load; allowed: a number > 0 N"""
+    shortest_wave: float | str
+    """Cut-off wavelength of a traced profile, in half widths a: a Gaussian filter takes shorter waves away. A wave of this length keeps half of its height; the form stays, to its ends. Without it the trace stays as it is. (only with [roller] profile = table)
+    default: none; allowed: a number > 0"""
+    shortest_wave_m: float | str
+    """The same in m, for a contact in SI. (only with [roller] profile = table)
+    default: none; allowed: a number > 0 m"""
+    levelling: Literal["none", "line"]
+    """What is taken away of a traced profile before it is used: none; line: the straight line of least squares, the tilt with which the roller lay below the stylus. (only with [roller] profile = table)
+    default: none; allowed: one of none, line"""
     file: str | os.PathLike[str]
-    """The profile as a table, y and how far the surface lies below the middle's there, in m; of a contact without units in a and a^2/R. At least four rows, y growing, from the middle or from one end to an end, not beyond ten times that; smooth between them. A table from the middle is mirrored. (only with [roller] profile = table)
+    """The profile as a table, y and how far the surface lies below the middle's there, in m; of a contact without units in a and a^2/R. A heading, y [mm] and drop [um], may name other units. At least four rows, y growing, from the middle or from one end to an end, not beyond ten times that; smooth between them. A table from the middle is mirrored. (only with [roller] profile = table)
     default: none; allowed: any text"""
     tilt: float | str
     """Misalignment: what the gap gains along y, dH/dY, a/R of an angle. The side y > 0 stands further off. A tenth of the roller must bear the load, cut into slices. (only with [roller] profile)
