@@ -161,12 +161,7 @@ Solution find_from(const Solution* flooded, const Scene& scene, const ProgressCa
   const bool once = !scene.one_start_only.empty();
   if (scene.continuation.path != Path::load) try_full_multigrid(scene, progress, search, flooded, by_load);
   if (!once || scene.continuation.path == Path::load) by_load();
-  if (scene.polish != Polish::off && !search.over()) {
-    if (!once)
-      try_newton(scene, progress, search);
-    else if (nodes_of(scene) <= most_nodes_of_two_rescues)
-      try_newton_after_cycles(scene, progress, search);
-  }
+  if (!once && scene.polish != Polish::off && !search.over()) try_newton(scene, progress, search);
   if (once && !search.best()) throw core::SolverError(scene.one_start_only + "; " + search.last_error());
   Solution solution = search.result();
   if (once && !solution.converged) solution.failed_check = scene.one_start_only;  // the record of attempts says the rest

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/json.hpp"
 #include "case/effects.hpp"
 #include "case/surface_input.hpp"
 #include "deck/text.hpp"
@@ -72,6 +73,25 @@ Needs expense(const Case& input) {
   return more;
 }
 
+// What became of each measured map, by the name of its section.
+nlohmann::ordered_json json(const Case& input, const Computed&) {
+  nlohmann::ordered_json report;
+  for (const CarriedSurface* one : carried(input.surfaces)) {
+    if (!one->map) continue;
+    const MapRecord& record = *one->map;
+    report[one->section] = {{"file", record.file},
+                            {"missing_points", record.filled},
+                            {"levelling", record.plane_taken ? "plane" : "mean"},
+                            {"mean_taken_away", record.plane.mean},
+                            {"slope_x_taken_away", record.plane.slope_x},
+                            {"slope_y_taken_away", record.plane.slope_y},
+                            {"Sq_levelled", record.rms_levelled},
+                            {"Sq", record.rms},
+                            {"Sa", record.mean}};
+  }
+  return report;
+}
+
 }  // namespace
 
 Effect surfaces_effect() {
@@ -94,6 +114,7 @@ Effect surfaces_effect() {
           [](const Case& input, const Computed& computed) {
             return surface_report(input.surfaces, input.physics, computed.solution.grid);
           },
+      .json = json,
       .seconds =
           [](const Computed& computed) {
             // At rest they are part of the steady contact, and evaluated once on each level.

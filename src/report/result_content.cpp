@@ -37,6 +37,8 @@ void add_resolution(const Case& input, const core::Grid& grid, std::vector<Quant
     const auto* map = std::get_if<surface::HeightMap>(&one->relief);
     if (!map) continue;
     const surface::Resolution left = surface::resolution(*map, grid);
+    list.push_back({one->section + "_missing_points", static_cast<double>(one->map->filled), "-",
+                    "of the map, filled from their neighbours"});
     list.push_back({one->section + "_variance_lost", left.variance_lost, "-", "share of the map's variance"});
     list.push_back({one->section + "_shortest_wave_x", left.shortest_wave_X, "a", "that the mesh holds along x"});
     list.push_back({one->section + "_shortest_wave_y", left.shortest_wave_Y, "a", "that the mesh holds along y"});

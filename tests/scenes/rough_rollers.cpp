@@ -13,7 +13,7 @@ namespace {
 // (20, 10), 30 half widths long; the smallest film of smooth surfaces is 0.07 a^2/R.
 const std::string deck =
     "[contact]\nkind = roller\nM = 20\nL = 10\nlength = 30\n[lubricant]\nalpha = 1.7e-8\nz = 0.6\n"
-    "[grid]\ncells = 64\n[roller]\nprofile = table\nfile = p.csv\n";
+    "[grid]\ncells = 128\n[roller]\nprofile = table\nfile = p.csv\n";
 
 // A crown and waves 0.6 and 0.9 a long, with their root mean square; a tilt.
 std::string trace(double Rq, double tilt = 0.0) {
@@ -22,7 +22,7 @@ std::string trace(double Rq, double tilt = 0.0) {
   text.precision(12);
   for (int k = -300; k <= 300; ++k) {
     const double y = 0.05 * k, pi = std::numbers::pi;
-    text << y << "," << y * y / 120.0 + Rq * (std::sin(2.0 * pi * y / 0.6) + std::cos(2.0 * pi * y / 0.9)) + tilt * y
+    text << y << "," << y * y / 60.0 + Rq * (std::sin(2.0 * pi * y / 0.6) + std::cos(2.0 * pi * y / 0.9)) + tilt * y
          << "\n";
   }
   return text.str();
@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(surfaces_that_touch_are_given_up_after_one_start) {
   const support::Ended ended = support::ehl(folder, "run d.ini --quiet");
   BOOST_TEST(ended.status == 3, ended.out + ended.err);
   BOOST_TEST(ended.says({"the surfaces touch", "lambda ratio", "not simulated", "[roller] shortest_wave"}), ended.err);
-  BOOST_TEST(count(ended.out, "tried before") <= 2, ended.out);
+  BOOST_TEST(count(ended.out, "tried before") == 1, ended.out);
   BOOST_TEST(support::contains(support::ehl(folder, "extract d.h5 /summary").out, "surfaces touch"));
   // With the filter they are apart.
   const support::Ended smooth = support::ehl(folder, "run d.ini --quiet --output s.h5 --set roller.shortest_wave=3");
