@@ -164,7 +164,8 @@ Solution find_from(const Solution* flooded, const Scene& scene, const ProgressCa
   if (!once && scene.polish != Polish::off && !search.over()) try_newton(scene, progress, search);
   if (once && !search.best()) throw core::SolverError(scene.one_start_only + "; " + search.last_error());
   Solution solution = search.result();
-  if (once && !solution.converged) solution.failed_check = scene.one_start_only;  // the record of attempts says the rest
+  if (once && !solution.converged)
+    solution.failed_check = scene.one_start_only;  // the record of attempts says the rest
   solution.continuation = std::move(steps);
   return solution;
 }

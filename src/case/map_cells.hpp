@@ -22,9 +22,9 @@ struct Writing {
 /// Lines between LF, CR LF or CR.
 std::vector<std::string> lines_of(const std::string& text);
 
-/// The separator of all lines of numbers together: between semicolons or tabs where there are some; between commas where they are no
-/// decimal commas; else between blanks. Commas are decimal where no number has a point, every comma stands between
-/// digits, and another separator is there.
+/// The separator of all lines of numbers together: between semicolons or tabs where there are some; between commas
+/// where they are no decimal commas; else between blanks. Commas are decimal where no number has a point, every comma
+/// stands between digits, and another separator is there.
 Writing writing_of(const std::vector<TextLine>& lines);
 
 /// The cells of a line, an empty one for what is missing between two separators.

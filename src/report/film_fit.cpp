@@ -44,10 +44,13 @@ std::string fitted_film_line(const Physics& physics) {
   const contact::Ellipse& shape = physics.groups.shape;
   if (contact::line(shape) || contact::roller(shape) || contact::gap(shape).aslant()) return {};
   const double L_star = film_coefficients(physics).L_star;
+  if (std::isnan(L_star)) return {};
   if (!contact::film_map(physics.groups.M, L_star, shape))
     return fmt::format("  fit to our own solutions: this contact, with L* = {:.4g}, is outside the fitted range, {}\n",
                        L_star, contact::range_of_film_map());
-  if (const double difference = density_difference(physics, L_star); !(std::abs(difference) <= other_density))
+  if (const double difference = density_difference(physics, L_star); std::isnan(difference))
+    return {};
+  else if (std::abs(difference) > other_density)
     return fmt::format(
         "  the accuracy of the fit is not known here: at p_h this oil is {:.0f} % {} than the oil of the fit\n",
         100.0 * std::abs(difference), difference > 0.0 ? "denser" : "less dense");

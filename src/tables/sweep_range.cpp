@@ -15,56 +15,14 @@
 #include "deck/text.hpp"
 #include "deck/text_table.hpp"
 #include "tables/csv.hpp"
+#include "tables/range_values.hpp"
 
 namespace ehl::program {
 namespace {
 
-constexpr std::size_t most_cases = 1000000;
 const std::string command_line = "command line";
 
 bool is_number(const deck::Key& key) { return key.type == deck::Type::number || key.type == deck::Type::integer; }
-
-std::vector<std::string> parts_between(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  std::size_t begin = 0;
-  for (std::size_t at = 0; at <= text.size(); ++at) {
-    if (at < text.size() && text[at] != separator) continue;
-    parts.push_back(deck::trimmed(text.substr(begin, at - begin)));
-    begin = at + 1;
-  }
-  return parts;
-}
-
-// in: "a:b:n" or "a:b:n:log".
-std::vector<std::string> values_of_range(const std::string& text, const std::string& said) {
-  const std::vector<std::string> parts = parts_between(text, ':');
-  const auto refuse_if = [&](bool wrong, const std::string& why) {
-    if (wrong) throw core::InputError(said + why);
-  };
-  refuse_if(parts.size() < 3 || parts.size() > 4, "'" + text + "': a range is a:b:n or a:b:n:log");
-  const auto number = [&](const std::string& part) {
-    const deck::ReadNumber read = deck::read_number(part);
-    refuse_if(read.status != deck::ReadNumber::Status::number,
-              "'" + part + "' is no number: a range is a:b:n or a:b:n:log");
-    return read.value;
-  };
-  const double a = number(parts[0]), b = number(parts[1]), n = number(parts[2]);
-  const bool logarithmic = parts.size() == 4;
-  refuse_if(logarithmic && parts[3] != "log", "'" + parts.back() + "' in '" + text + "': only log may follow a:b:n");
-  refuse_if(n != std::floor(n) || n < 2.0 || n > static_cast<double>(most_cases),
-            "n = " + parts[2] + " in '" + text + "': must be a whole number >= 2 and <= 1000000");
-  refuse_if(logarithmic && (a <= 0.0 || b <= 0.0), "'" + text + "': both ends of a logarithmic range must be > 0");
-  refuse_if(a == b, "'" + text + "': the ends of a range must differ");
-
-  std::vector<std::string> values{parts[0]};
-  for (double k = 1.0; k + 1.0 < n; ++k) {
-    const double t = k / (n - 1.0);
-    // Twelve digits: 20 and not 19.999999999999996.
-    values.push_back(fmt::format("{:.12g}", logarithmic ? a * std::pow(b / a, t) : a + (b - a) * t));
-  }
-  values.push_back(parts[1]);
-  return values;
-}
 
 // What the deck itself would say to this value of this key, alone; empty when it may be right.
 std::vector<std::string> complaints(const deck::Assignment& given, const deck::Catalogue& catalogue) {
@@ -153,9 +111,10 @@ void refuse_too_many(const std::vector<std::string>& texts, const deck::Catalogu
     cases *= count;
     factors += fmt::format("{}{:.10g}", factors.empty() ? "" : " x ", count);
   }
-  if (cases > static_cast<double>(most_cases))
+  if (cases > most_cases_of_sweep)
     throw core::InputError(fmt::format("command line: --vary makes {}{:.10g} cases: a sweep has at most {}",
-                                       texts.size() > 1 ? factors + " = " : std::string(), cases, most_cases));
+                                       texts.size() > 1 ? factors + " = " : std::string(), cases,
+                                       static_cast<std::size_t>(most_cases_of_sweep)));
 }
 
 }  // namespace
@@ -271,7 +230,7 @@ std::vector<Variation> parse_variations(const std::vector<std::string>& texts, c
   };
   if (!cases.empty()) add([&] { return read_cases(cases, catalogue); });
   for (const std::string& text : texts) add([&] { return parse_variation(text, catalogue); });
-  if (count > static_cast<double>(most_cases))
+  if (count > most_cases_of_sweep)
     errors.push_back(fmt::format("command line: {:.3g} cases: a sweep has at most 1000000", count));
   if (!errors.empty()) throw core::InputError(errors);
   return variations;
