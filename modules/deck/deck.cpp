@@ -190,11 +190,9 @@ void add_error(Deck& deck, Cause cause, const std::string& text) {
 std::vector<std::string> first_causes(const Deck& deck) {
   const std::vector<Cause>& causes = deck.causes;
   const bool by_itself = std::ranges::find(causes, Cause::by_itself) != causes.end();
-  const bool missing = std::ranges::find(causes, Cause::missing) != causes.end();
   std::vector<std::string> errors;
   for (std::size_t k = 0; k < causes.size(); ++k)
-    if (!(causes[k] == Cause::missing && by_itself) && !(causes[k] == Cause::idle && (by_itself || missing)))
-      errors.push_back(deck.errors[k]);
+    if (!by_itself || (causes[k] != Cause::missing && causes[k] != Cause::idle)) errors.push_back(deck.errors[k]);
   return errors;
 }
 

@@ -230,7 +230,8 @@ Solution solve_on_grid(const Scene& scene, const ProgressCallback& progress) {
   // A meniscus inside of the domain ends the inlet.
   if (!scene.supply && rough_domain_error(scene) > worth_a_look)
     solution.domain_error_Hc = estimate_domain_error(scene);
-  if (const std::string advice = advice_for_cutting_ends(scene, solution); !solution.converged && !advice.empty())
+  if (const std::string advice = advice_for_cutting_ends(scene, solution);
+      !solution.converged && scene.one_start_only.empty() && !advice.empty())
     solution.failed_check = advice;
   solution.error_bars = error_bars_of(scene, solution);
   solution.warnings = warnings_of(scene, solution);

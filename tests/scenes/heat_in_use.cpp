@@ -91,6 +91,11 @@ BOOST_AUTO_TEST_CASE(bars_of_friction_and_temperatures) {
       const double error = std::abs(number_at(coarse, "/thermal/" + name) / number_at(fine, "/thermal/" + name) - 1);
       const double bar = number_at(coarse, "/thermal/error_" + name);
       BOOST_TEST_MESSAGE(point << ": " << name << " " << error << " off, bar " << bar);
+      // Under a pressure spike that the mesh does not resolve the film has no bar, and says so.
+      if (name == "T_film_max" && std::isnan(bar)) {
+        BOOST_TEST(coarse.dump().find("T_film_max has no error bar") != std::string::npos);
+        continue;
+      }
       BOOST_TEST(error <= bar);
       BOOST_TEST(bar < 0.06);
     }
@@ -144,9 +149,9 @@ BOOST_AUTO_TEST_CASE(a_fit_finds_the_stress_that_made_the_curve) {
   BOOST_TEST(support::contains(scene.folder.read("made_traction_curve.svg"), "measured"));
 
   for (const auto& [name, text, words] :
-       {std::tuple{"per_cent", "5,0.03\n20,0.04\n", std::vector<std::string>{"per_cent.csv:1", "not in per cent"}},
+       {std::tuple{"per_cent", "5,0.03\n20,0.04\n", std::vector<std::string>{"per_cent.csv:1", "SRR [%]"}},
         {"one", "0.1,0.03\n", std::vector<std::string>{"1 points do not tell 1 constants"}},
-        {"odd", "0.1,0.03\n0.2,0.03,0.001\n", std::vector<std::string>{"odd.csv:2", "in none"}}}) {
+        {"odd", "0.1,0.03\n0.2,0.03,0.001\n", std::vector<std::string>{"odd.csv:2", "3 columns instead of 2"}}}) {
     scene.folder.write(std::string(name) + ".csv", text);
     const support::Ended refused =
         scene.ehl("fit d.ini --measured " + std::string(name) + ".csv --free shear.tau_0 --quiet");

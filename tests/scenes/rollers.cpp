@@ -188,7 +188,7 @@ BOOST_AUTO_TEST_CASE(a_table_is_the_profile_that_it_lists) {
   refused("-4,0\n0,0\n2,0.1\n9,0.3\n", "give all of it");
   refused("0,0\n4,0.1\n9,0.3\n", "at least four rows");
   refused("0,0\n4,0.1\n3,0.2\n9,0.3\n", "wrong.csv:3: y must grow");
-  refused("0,0\n4,a\n6,0.2\n9,0.3\n", "no finite number");
+  refused("0,0\n4,a\n6,0.2\n9,0.3\n", "drop = 'a' is no number");
   refused("0,0\n1,0.1\n60,0.2\n81,0.3\n",
           "from y = 0 to 81, more than ten times half of the roller, 8: y and the drop");
   refused("0,0\n1,2e6\n2,5e6\n9,1e9\n", "slices");

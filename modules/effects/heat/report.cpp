@@ -116,10 +116,6 @@ double mean_of(const thermal::FilmTemperature& film, const core::Patch& patch, c
 
 }  // namespace
 
-bool hottest_under_spike(const std::vector<Row>& rows, double Row::*value, double Row::*behind) {
-  return !rows.empty() && rows.back().*behind >= rows.back().*value;
-}
-
 Solution report(const thermal::FilmTemperature& film, const core::Patch& patch, const core::Field& P,
                 const core::Field& H, const thermal::Setup& setup, const thermal::Balance& balance,
                 std::vector<Row> rows) {

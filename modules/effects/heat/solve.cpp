@@ -208,14 +208,12 @@ Ladder found_by_some_cycle(const steady::Scene& scene, const thermal::Setup& set
 constexpr double share_of_warm_inlet = 0.03;
 
 // Under a spike that the mesh does not resolve the film is hotter on every finer grid, and no error follows from its
-// sequence. A surface is hardly warmed by the spike: it has no error only where its hottest place is there.
+// sequence. The surfaces are hardly warmed by the spike, and their errors contain what it may become.
 void judge_below_spike(const steady::ErrorBars& bars, Solution& result) {
   result.spike_unresolved = bars.spike_unresolved;
   if (!bars.spike_unresolved) return;
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   result.in_film.error = unknown;
-  if (hottest_under_spike(result.rows, &Row::surface_1, &Row::surface_1_behind)) result.on_1.error = unknown;
-  if (hottest_under_spike(result.rows, &Row::surface_2, &Row::surface_2_behind)) result.on_2.error = unknown;
 }
 
 void complete(const steady::Scene& scene, const steady::Solution& isothermal, bool film_is_cold, double warm_inlet,

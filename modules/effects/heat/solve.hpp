@@ -40,11 +40,11 @@ struct Solution {
   steady::Solution film{};  ///< with heat; the isothermal one where heat was not tried
   thermal::Balance balance{};
   Hottest in_film{}, on_1{}, on_2{};
-  double mean = 0.0;              ///< theta of the pressurised film, weighted with P
-  double C = 1.0;                 ///< at (0, 0): rho_bar H C is carried there
-  double inlet = 0.0;             ///< theta of the middle of the film at X = -1, Y = 0
-  double nahme = 0.0;             ///< largest beta tau_m |u1 - u2| h/k
-  bool spike_unresolved = false;  ///< error_bars.hpp: then in_film has no error, nor a surface hottest under the spike
+  double mean = 0.0;                                           ///< theta of the pressurised film, weighted with P
+  double C = 1.0;                                              ///< at (0, 0): rho_bar H C is carried there
+  double inlet = 0.0;                                          ///< theta of the middle of the film at X = -1, Y = 0
+  double nahme = 0.0;                                          ///< largest beta tau_m |u1 - u2| h/k
+  bool spike_unresolved = false;                               ///< error_bars.hpp: then in_film has no error
   double error_mu = std::numeric_limits<double>::quiet_NaN();  ///< relative, of the mesh
   Fields fields{};
   std::vector<Row> rows{};  ///< coarse to fine
