@@ -87,14 +87,14 @@ BOOST_AUTO_TEST_CASE(the_best_is_taken_and_all_agree) {
   BOOST_TEST(seen >= 1);
 }
 
-// Decks of every kind converge on every level. Where an iteration stops by its criterion, as heat and steps in time do,
-// the results may differ by what the criterion leaves.
+// Decks of every kind converge on every level and differ by rounding that the cycles grow. Where an iteration stops by
+// its criterion, as heat and steps in time do, the results may differ by what the criterion leaves.
 BOOST_AUTO_TEST_CASE(every_kind_of_deck_on_every_level) {
   struct Deck {
     std::string name, options;
     double tolerance;
   };
-  constexpr double rounding = 1e-9, stopped = 1e-4;
+  constexpr double rounding = 1e-7, stopped = 1e-4;
   const Deck decks[] = {{"venner1992_M50_L10", "--set grid.cells=128", rounding},
                         {"line/M20_L5", "", rounding},
                         {"thermal/line", "--set grid.cells=128", stopped},
