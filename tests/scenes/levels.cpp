@@ -87,24 +87,24 @@ BOOST_AUTO_TEST_CASE(the_best_is_taken_and_all_agree) {
   BOOST_TEST(seen >= 1);
 }
 
-// Decks of every kind converge on every level and differ by rounding that the cycles grow. Where an iteration stops by
-// its criterion, as heat and steps in time do, the results may differ by what the criterion leaves.
+// Decks of every kind converge on every level and differ by rounding that the cycles grow. A dry contact, whose
+// conjugate gradients stop at a tolerance, may differ by what that tolerance leaves.
 BOOST_AUTO_TEST_CASE(every_kind_of_deck_on_every_level) {
   struct Deck {
     std::string name, options;
     double tolerance;
   };
-  constexpr double rounding = 1e-7, stopped = 1e-4;
+  constexpr double rounding = 1e-10, stopped = 1e-7;
   const Deck decks[] = {{"venner1992_M50_L10", "--set grid.cells=128", rounding},
                         {"line/M20_L5", "", rounding},
-                        {"thermal/line", "--set grid.cells=128", stopped},
-                        {"thermal/traction_curve", "--set grid.cells=64", stopped},
-                        {"thermal/starved", "--set grid.cells=64", stopped},
-                        {"starved/M50_L10", "--set grid.cells=64", stopped},
-                        {"line/starved", "", stopped},
-                        {"transient/load_step", "--set grid.cells=32 --set transient.end_time=0.5", stopped},
+                        {"thermal/line", "--set grid.cells=128", rounding},
+                        {"thermal/traction_curve", "--set grid.cells=64", rounding},
+                        {"thermal/starved", "--set grid.cells=64", rounding},
+                        {"starved/M50_L10", "--set grid.cells=64", rounding},
+                        {"line/starved", "", rounding},
+                        {"transient/load_step", "--set grid.cells=32 --set transient.end_time=0.5", rounding},
                         {"friction/traction_eyring", "--set grid.cells=64", rounding},
-                        {"elliptic/aslant_M100_L10", "--set grid.cells=64", stopped},
+                        {"elliptic/aslant_M100_L10", "--set grid.cells=64", rounding},
                         {"subsurface/dry_friction", "--set grid.cells=64", stopped}};
   const support::TemporaryFolder folder;
   for (std::size_t k = 0; k < levels().size(); ++k)
