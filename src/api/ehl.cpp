@@ -1,4 +1,4 @@
-// The C interface over the same functions as the program's.
+// The C interface: it calls the same functions as the program.
 #include "api/ehl.h"
 
 #include <algorithm>
@@ -23,13 +23,13 @@ namespace {
 
 using namespace ehl::program;
 
-// The same numbers in both lists.
+// True if a status of the interface has the same number as that of the program.
 constexpr bool same(int of_interface, int of_program) { return of_interface == of_program; }
 static_assert(same(EHL_SOLVED, solved) && same(EHL_INTERNAL_FAILURE, internal_failure) &&
               same(EHL_WRONG_INPUT, wrong_input) && same(EHL_NOT_CONVERGED, not_converged) &&
               same(EHL_FILE_TROUBLE, file_trouble) && same(EHL_INTERRUPTED, interrupted));
 
-// in: what fills the result. out: nullptr only where there is no memory to say so.
+// in: fill: the function that fills the result. out: nullptr only if there is not even memory for an empty result.
 template <class Fill>
 ehl_result* filled(Fill fill) noexcept {
   auto* result = new (std::nothrow) ehl_result;
@@ -38,7 +38,7 @@ ehl_result* filled(Fill fill) noexcept {
     result->held.status = status;
     try {
       result->held.messages.emplace_back(message);
-    } catch (...) {  // no memory: the status alone
+    } catch (...) {  // no memory for the messages: only the status is set
     }
   };
   try {
@@ -53,13 +53,13 @@ ehl_result* filled(Fill fill) noexcept {
   return result;
 }
 
-// A result, or what stands for one where the caller has none.
+// The held result; if the caller passed NULL, an empty one with the status of an internal failure.
 const HeldResult& held_of(const ehl_result* result) {
   static const HeldResult none{.status = internal_failure};
   return result == nullptr ? none : result->held;
 }
 
-// errors: core::InputError where a text of the caller is missing.
+// errors: core::InputError if the caller passed NULL for a text that is needed.
 const char* demanded(const char* text, const char* name) {
   if (text == nullptr) throw ehl::core::InputError(std::string(name) + " is NULL: a text is needed");
   return text;
@@ -84,7 +84,7 @@ struct DeckSource {
 
 const char* kth(const std::vector<std::string>& list, size_t k) { return k < list.size() ? list[k].c_str() : nullptr; }
 
-// Attributes live in their entry.
+// The text that is returned belongs to the entry, and lives as long as the entry does.
 const char* attribute_in(const HeldEntry& held, const std::string& name, const char* otherwise) {
   const std::string* text = ehl::results::attribute(held.entry, name);
   return text == nullptr ? otherwise : text->c_str();

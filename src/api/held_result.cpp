@@ -19,7 +19,7 @@
 namespace ehl::program {
 namespace {
 
-// The HDF5 library is not for several threads at a time: it reads height maps, and reads and writes results.
+// The HDF5 library must not be called by several threads at once; it reads height maps, and reads and writes results.
 std::mutex files;
 
 void guarded(HeldResult& result, const std::function<void()>& work) try { work(); } catch (...) {
@@ -36,7 +36,7 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-// The numbers of several fields one behind the other.
+// Joins the values of all fields of an entry into one array.
 void gather(results::Entry& entry) {
   for (const core::Field* field : entry.fields) {
     const std::vector<double> rows = results::row_by_row(*field);
@@ -69,7 +69,7 @@ void hold_all(HeldResult& result, const results::Content& content) {
   for (results::Entry& entry : results::entries(content)) hold(result, std::move(entry));
 }
 
-// Three lines that are alike are shown as the file holds them.
+// A line contact may be solved as three equal grid lines; the interface shows the one line that the result file holds.
 const results::Content& as_kept(HeldResult& result) {
   const results::Content& content = *result.content;
   if (!content.grid.line || content.grid.ny == 0) return content;
@@ -93,7 +93,7 @@ void hold_below(HeldResult& result, const results::ResultFile& file, const std::
   for (const std::string& name : file.names(group)) {
     const std::string path = (group == "/" ? "" : group) + "/" + name;
     const results::ResultFile::Kind kind = file.kind(path);
-    if (path == results::plane_group("/transient/frames")) continue;  // the frames once more
+    if (path == results::plane_group("/transient/frames")) continue;  // a second copy of the frames
     results::Entry entry{.path = path};
     if (kind == results::ResultFile::Kind::numbers) entry = numbers_of(file, path);
     if (kind == results::ResultFile::Kind::text) {
@@ -186,7 +186,7 @@ int save(HeldResult& result, const std::string& path, bool overwrite) {
     result.messages.push_back(path + ": there is no result of a run to write");
     return wrong_input;
   }
-  HeldResult outcome;  // writing changes nothing in the result
+  HeldResult outcome;  // a copy, so that writing changes nothing in the result
   guarded(outcome, [&] {
     if (const std::string why = unfit_as_result(path); !why.empty()) throw core::InputError(why);
     const std::lock_guard lock(files);

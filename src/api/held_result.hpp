@@ -1,5 +1,5 @@
 #pragma once
-// What stands behind a result of the C interface.
+// The contents behind an `ehl_result` of the C interface.
 #include <deque>
 #include <functional>
 #include <map>
@@ -15,11 +15,11 @@
 
 namespace ehl::program {
 
-/// Numbers and texts that stay where they are until the result goes.
+/// An entry whose numbers and texts stay at the same address until the result is freed.
 struct HeldEntry {
   results::Entry entry{};
-  std::string error{};             ///< path of its error; empty: none
-  const double* values = nullptr;  ///< of numbers
+  std::string error{};             ///< path of the number that is its error; empty: it has none
+  const double* values = nullptr;  ///< values of a numeric entry
   std::ptrdiff_t strides[3] = {};
 };
 
@@ -31,22 +31,23 @@ struct HeldResult {
   std::string json{};
   std::deque<HeldEntry> entries{};
   std::map<std::string, const HeldEntry*> by_path{};
-  std::optional<results::Content> content{};  ///< of a case that was run
-  // What the entries and the content point to.
+  std::optional<results::Content> content{};  ///< the content of a case that was run
+  // The objects that the entries and the content point to.
   std::optional<Case> input{};
   Computed computed{};
   std::optional<results::OneLine> line{};
 };
 
-/// A case from a deck. in: its text, or nullptr: the file `name`. errors: core::InputError, core::FileError.
+/// The case of a deck. in: text: the deck; nullptr: the deck is read from the file `name`. errors: core::InputError,
+/// core::FileError.
 Case case_from(const char* text, const std::string& name, const std::vector<std::string>& overrides, int threads);
 
-/// Fill the result; what goes wrong is in it. None throws but std::bad_alloc.
+/// These three fill the result. An error is recorded in the result; only std::bad_alloc is thrown.
 void run_into(HeldResult& result, const std::function<Case()>& read, Progress::Listener listener);
 void check_into(HeldResult& result, const std::function<Case()>& read);
-/// in: number: of a case of a sweep with --keep.
+/// in: number: the number of a case in the file of a sweep with --keep.
 void open_into(HeldResult& result, const std::string& path, std::optional<std::size_t> number);
-/// Writes the file of a case that was run. out: the status.
+/// Writes the result file of a case that was run. out: the status.
 int save(HeldResult& result, const std::string& path, bool overwrite);
 
 }  // namespace ehl::program

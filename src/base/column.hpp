@@ -1,6 +1,6 @@
 #pragma once
-// One record per number: name, unit and meaning stand once, and JSON, the result file and the CSV tables take them from
-// there.
+// One record for each number of a table. Its name, unit and meaning are declared once; JSON, the result file and the
+// CSV tables take them from here.
 #include <functional>
 #include <string>
 #include <type_traits>
@@ -21,9 +21,11 @@ struct Column {
   std::string meaning{};
   bool whole = false;  ///< a count, or yes or no
   std::function<Value(const Row&)> get{};
-  std::function<void(Row&, const Value&)> set{};  ///< for rows that are read back; empty where it follows from others
+  std::function<void(Row&, const Value&)> set{};  ///< sets the value when rows are read back; empty if the value
+                                                  ///< follows from others
 
-  /// at: a member of the row, or a function of the row that gives the value or a reference to it (decltype(auto)).
+  /// in: at: a member of the row, or a function of the row that returns the value or a reference to it
+  /// (decltype(auto)).
   template <class At>
   Column(std::string name_, std::string unit_, std::string meaning_, At at)
       : name(std::move(name_)), unit(std::move(unit_)), meaning(std::move(meaning_)) {
@@ -36,7 +38,7 @@ struct Column {
   }
 };
 
-/// A member of a member: part(&StudyPoint::way, &StudyCase::cells).
+/// Access to a member of a member: part(&StudyPoint::way, &StudyCase::cells).
 template <class Row, class Whole, class Part>
 auto part(Whole Row::*whole, Part Whole::*member) {
   return [whole, member](auto& row) -> decltype(auto) { return ((row.*whole).*member); };

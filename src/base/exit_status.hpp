@@ -1,7 +1,7 @@
 #pragma once
 namespace ehl::program {
 
-/// What the program tells the shell: the one list.
+/// The exit statuses of the program; they are listed only here.
 enum ExitStatus : int {
   solved = 0,
   internal_failure = 1,

@@ -10,12 +10,12 @@ namespace ehl::program {
 
 using Json = nlohmann::ordered_json;
 
-/// A number that is not finite becomes null, which is how JSON says it.
+/// JSON has no infinity and no NaN: a number that is not finite becomes null.
 inline Json json_of(const Value& value) {
   return std::visit([](const auto& held) { return Json(held); }, value);
 }
 
-/// An object for each row.
+/// One JSON object per row.
 template <class Row>
 Json rows_json(const std::vector<Column<Row>>& columns, const std::vector<Row>& rows) {
   Json list = Json::array();
@@ -26,13 +26,14 @@ Json rows_json(const std::vector<Column<Row>>& columns, const std::vector<Row>& 
   return list;
 }
 
-/// Sets a member for each quantity that has one.
+/// Adds one member to the object for each quantity that has a value.
 void add(const std::vector<results::Quantity>& quantities, Json& object);
 
-/// The same in SI, "P_max_Pa" beside "P_max", of those that have a scale; nothing where there are no scales.
+/// Adds the quantities in SI, "P_max_Pa" in addition to "P_max", if their unit has a scale; adds nothing without
+/// scales.
 void add_in_SI(const std::vector<results::Quantity>& quantities, const std::optional<SiScales>& scales, Json& object);
 
-/// One line; bytes that are no UTF-8 become U+FFFD.
+/// The JSON on one line; bytes that are not UTF-8 become U+FFFD.
 std::string line_of(const Json& json);
 
 }  // namespace ehl::program

@@ -26,13 +26,13 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-// The number in a file; `otherwise` where there is none ("max").
+// The number that a file holds; `otherwise` if it holds none ("max").
 double number_in(const std::string& path, double otherwise) {
   double number = 0.0;
   return std::ifstream(path) >> number ? number : otherwise;
 }
 
-// The number after a word, as in /proc/meminfo.
+// The number that follows a word in a file, as in /proc/meminfo.
 double number_after(const std::string& path, const std::string& word, double otherwise) {
   std::ifstream file(path);
   double number = 0.0;
@@ -46,7 +46,7 @@ struct Memory {
   double used = 0.0;
 };
 
-// The control groups that this process is in, from its own up to the root: any of them may have the limit of a job.
+// The control groups of this process, from its own up to the root. Any of them may limit the memory of a job.
 std::vector<Memory> control_groups() {
   const std::string root = "/sys/fs/cgroup", older = root + "/memory";
   std::vector<Memory> all{
@@ -57,7 +57,7 @@ std::vector<Memory> control_groups() {
     if (line.starts_with("0::/")) path = line.substr(3);
   for (std::filesystem::path group = path; !group.empty(); group = group.parent_path()) {
     const std::string folder = root + group.string();
-    // Files that the system keeps in memory go when the memory is wanted.
+    // The system frees its cache of inactive files when memory is needed, so they do not count as used.
     all.push_back(
         {number_in(folder + "/memory.max", unlimited),
          number_in(folder + "/memory.current", 0.0) - number_after(folder + "/memory.stat", "inactive_file", 0.0)});

@@ -13,8 +13,8 @@
 namespace ehl::program {
 namespace {
 
-constexpr double bar_interval = 0.05;  // s: smooth for the eye
-constexpr double line_interval = 5.0;  // s: a log stays short
+constexpr double bar_interval = 0.05;  // s: the bar moves smoothly
+constexpr double line_interval = 5.0;  // s: a log file stays short
 constexpr int bar_width = 30;
 constexpr const char* clear_line = "\r\x1b[K";
 

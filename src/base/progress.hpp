@@ -1,32 +1,33 @@
 #pragma once
-// How far a run has come, on stderr.
+// The progress of a run, on stderr.
 #include <cstddef>
 #include <functional>
 #include <string>
 
 namespace ehl::program {
 
-/// On a terminal a bar that is drawn anew; otherwise a line every few seconds.
+/// On a terminal: a bar that is redrawn in place. Otherwise: one line every few seconds.
 class Progress {
  public:
-  /// Hears how far the work is and what goes on. out: false: stop.
+  /// Is called with the share of the work that is done and a text on the present step. out: false: stop.
   using Listener = std::function<bool(double fraction, const std::string& text)>;
 
   explicit Progress(bool quiet);
-  /// Says nothing itself.
+  /// Calls the listener and prints nothing.
   explicit Progress(Listener listener);
   ~Progress() { clear(); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// in: share of the work that is done; what goes on; whether it is shown soon after the last one too.
-  /// out: false when the user asked to stop.
+  /// in: the share of the work that is done; a text on the present step; at_once: show it even if the last one was
+  /// shown a moment ago.
+  /// out: false if the user asked to stop.
   bool show(double fraction, const std::string& text, bool at_once = false);
 
-  /// One of many cases has ended: a line that stays, with the bar below it.
+  /// Reports that one of many cases has ended, as a line that stays above the bar.
   void count(std::size_t done, std::size_t cases, const std::string& text);
 
-  /// Takes the bar away.
+  /// Removes the bar.
   void clear();
 
  private:

@@ -25,7 +25,7 @@ std::string film_text(double H, const SiScales& scales) {
 }
 
 std::string place_text(double X, double Y, const SiScales& scales) {
-  // Without the sign of a zero.
+  // A coordinate that rounds to zero is printed without a minus sign.
   const auto um = [&](double x) { return std::abs(x * scales.a) < 0.05e-6 ? 0.0 : 1e6 * scales.a * x; };
   return fmt::format("({:.1f}, {:.1f}) um", um(X), um(Y));
 }

@@ -1,11 +1,11 @@
 #pragma once
-// The units that a person reads who gave the contact in SI.
+// The units that a report uses if the contact is given in SI.
 #include <limits>
 #include <string>
 
 namespace ehl::program {
 
-/// What dimensionless numbers are made with; NaN where it is not known.
+/// The scales of the dimensionless numbers; NaN if a scale is not known.
 struct SiScales {
   double a = std::numeric_limits<double>::quiet_NaN();     ///< Hertz radius [m]
   double h = std::numeric_limits<double>::quiet_NaN();     ///< a^2/R [m]
@@ -15,14 +15,15 @@ struct SiScales {
 
 struct SiUnit {
   std::string name{};
-  double factor = 1.0;  ///< a number in the contact's unit times this is one in `name`
+  double factor = 1.0;  ///< a number in the unit of the contact times this factor is the number in `name`
 };
 
-/// um for places, nm for films, GPa for pressures, ms for times, um/s for what approaches. in: a unit of the result
-/// file, "a^2/R". out: a unit of no scale of the contact as it is; a factor of NaN where the scale is not known.
+/// The SI unit of a quantity: um for places, nm for films, GPa for pressures, ms for times, um/s for approach speeds.
+/// in: a unit of the result file, "a^2/R".
+/// out: a unit that has no scale of the contact is returned unchanged; the factor is NaN if the scale is not known.
 SiUnit si_unit(const std::string& unit, const SiScales& scales);
 
-/// A film, a place: "258.55 nm", "(42.0, -112.1) um". in: H, X and Y.
+/// A film thickness or a place as text: "258.55 nm", "(42.0, -112.1) um". in: H, X, Y: dimensionless.
 std::string film_text(double H, const SiScales& scales);
 std::string place_text(double X, double Y, const SiScales& scales);
 

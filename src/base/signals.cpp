@@ -7,7 +7,7 @@
 namespace ehl::program {
 namespace {
 
-// A signal handler takes no argument: the one variable of the program that outlives its function.
+// A signal handler takes no argument, so this flag is the one global variable of the program.
 std::atomic<bool> stop{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a handler may not wait");
 
@@ -20,10 +20,10 @@ void install_signal_handlers() {
   ::sigaction(SIGINT, &action, nullptr);
   ::sigaction(SIGTERM, &action, nullptr);
   ::sigaction(SIGUSR1, &action, nullptr);
-  // A limit of CPU time is reported again every second until the hard limit ends the process.
+  // The system reports that the limit of CPU time is reached every second, until the hard limit ends the process.
   action.sa_flags = 0;
   ::sigaction(SIGXCPU, &action, nullptr);
-  // A terminal that closes; nohup has the program ignore it, and then it goes on.
+  // The terminal was closed. nohup sets this signal to be ignored; it is then left ignored and the run goes on.
   struct sigaction before {};
   if (::sigaction(SIGHUP, nullptr, &before) == 0 && before.sa_handler != SIG_IGN) ::sigaction(SIGHUP, &action, nullptr);
   ::signal(SIGXFSZ, SIG_IGN);

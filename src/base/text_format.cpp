@@ -24,7 +24,7 @@ std::string pressure(double pascal) {
 }
 
 std::string pressure_in_GPa(double pascal) {
-  constexpr double soft = 0.01e9;  // rubber and plastics; steel and glass are at some tenths of a gigapascal
+  constexpr double soft = 0.01e9;  // Pa; rubber and plastics lie below it, steel and glass more than ten times above it
   return std::abs(pascal) < soft ? pressure(pascal) : fmt::format("{:.4g} GPa", pascal * 1e-9);
 }
 

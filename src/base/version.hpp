@@ -3,11 +3,11 @@
 
 namespace ehl::program {
 
-/// What was built, from which source, by what.
+/// The version of this build: its release, its source, and its compiler.
 struct Version {
   std::string number{};  ///< of the release
   std::string commit{};  ///< of the source; "unknown" outside a repository
-  bool dirty = false;    ///< the source had changes that no commit holds
+  bool dirty = false;    ///< the source contained changes that were not committed
   std::string compiler{};
 };
 Version version();
