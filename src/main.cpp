@@ -1,4 +1,4 @@
-// The program: takes the command line apart, runs one command, and turns what went wrong into a message and a status.
+// The program: parses the command line, runs one command, and turns an error into a message and an exit status.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -18,13 +18,14 @@ int reported(const Failure& failure) {
   return failure.status;
 }
 
-// Ends the process without what libraries do at its end: HDF5 crashes there after a lack of memory.
+// Ends the process without the exit functions of libraries: HDF5 crashes in its own after memory has run out.
 [[noreturn]] void end_at_once(int status) {
   std::fflush(nullptr);
   std::_Exit(status);
 }
 
-// An exception in a thread of a parallel loop cannot leave it: most of them are a lack of memory.
+// An exception in a thread of a parallel loop cannot leave that thread. Most of these exceptions mean that memory ran
+// out.
 [[noreturn]] void end_of_a_thread() {
   if (std::current_exception()) try {
       std::rethrow_exception(std::current_exception());

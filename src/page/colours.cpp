@@ -6,7 +6,7 @@
 namespace ehl::program {
 namespace {
 
-constexpr std::size_t shades = 120;  // and as many darker ones for lines
+constexpr std::size_t shades = 120;  // the table holds as many darker shades again, for the lines of equal value
 constexpr std::size_t no_number = 2 * shades;
 
 struct Stop {
@@ -71,7 +71,8 @@ std::vector<double> lines_of(const Axis& scale) {
 IndexedPicture coloured(const FieldOnGrid& field, const Axis& scale, Colours colours,
                         const std::vector<double>& lines) {
   IndexedPicture picture{field.x.values.size(), field.y.values.size(), table_of_colours(colours), {}};
-  // How many lines of equal value lie below a value. A plateau at a tick lies above it, not on both sides by rounding.
+  // The number of lines of equal value that lie below a value. A plateau exactly at a tick counts as above the tick
+  // everywhere, so that rounding does not draw a line through it.
   const double above = scale.logarithmic ? 0.0 : 2e-3 * (scale.to - scale.from);
   const auto band = [&](std::size_t i, std::size_t j) {
     return std::ranges::upper_bound(lines, field.at(i, j) + above);
@@ -99,7 +100,7 @@ IndexedPicture colour_scale(Colours colours) {
 FieldOnGrid drawn_part(const FieldOnGrid& field, const Window& window, std::size_t width) {
   const double shape = (window.top - window.bottom) / (window.right - window.left);
   const auto height = static_cast<std::size_t>(std::lround(static_cast<double>(width) * std::clamp(shape, 0.33, 1.4)));
-  // The middles of the points of the picture.
+  // The centres of the points of the picture.
   const auto middles = [](double from, double to, std::size_t count) {
     const double half = 0.5 * (to - from) / static_cast<double>(count);
     return spaced(from + half, to - half, count);

@@ -19,7 +19,7 @@ double share(const Axis& axis, double value) {
                           : (value - axis.from) / (axis.to - axis.from);
 }
 
-// 1, 2 or 5 times a power of ten.
+// The next number of the form 1, 2 or 5 times a power of ten.
 double round_step(double rough) {
   const double power = std::pow(10.0, std::floor(std::log10(rough)));
   const double lead = rough / power;
@@ -122,7 +122,7 @@ std::string Drawing::path(const std::vector<double>& x, const std::vector<double
       pen_up = true;
       continue;
     }
-    // What lies far outside is cut: some browsers lose their precision there.
+    // Points far outside are clamped: some browsers lose precision for large coordinates.
     text += (pen_up ? "M" : "L") + coordinate(px) + " " + coordinate(std::clamp(py, -2000.0, 3000.0));
     pen_up = false;
   }

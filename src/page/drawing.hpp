@@ -1,5 +1,5 @@
 #pragma once
-// A figure as SVG within a page: axes, curves, marks, pictures.
+// A figure as SVG within a page: axes, curves, symbols and pictures.
 #include <string>
 #include <vector>
 
@@ -9,30 +9,31 @@ struct Axis {
   double from = 0.0;
   double to = 1.0;
   bool logarithmic = false;
-  std::string words{};  ///< with indices (markup.hpp)
-  bool whole = false;   ///< counts: no ticks between whole numbers
+  std::string words{};  ///< may contain indices (markup.hpp)
+  bool whole = false;   ///< the values are counts: ticks only at whole numbers
 };
 
-/// From the least to the highest of the finite values, with room beside them; of a logarithm those above zero.
+/// An axis from the lowest to the highest finite value with some margin; a logarithmic axis uses only values above
+/// zero.
 Axis axis_of(const std::vector<double>& values, const std::string& words, bool logarithmic = false);
-/// The same from zero on.
+/// An axis from zero to the highest value.
 Axis axis_from_zero(double highest, const std::string& words);
-/// True where the values are above zero and the highest is at least `factor` times the least.
+/// True if all values are positive and the highest is at least `factor` times the lowest.
 bool spans(const std::vector<double>& values, double factor);
 
 struct Stroke {
   std::string colour = "#2166ac";
   double width = 1.6;
-  std::string dashes{};  ///< "5 3"; empty: a full line
+  std::string dashes{};  ///< "5 3"; empty: a solid line
 };
 
-/// The k-th of twelve colours that stay apart, those of the pictures of postprocess/.
+/// The k-th of twelve well-distinguished colours, which are those of the pictures of postprocess/.
 std::string curve_colour(std::size_t k);
 
-/// Where ticks stand, and what they are called.
+/// The position of a tick and its label.
 struct Tick {
   double at = 0.0;
-  std::string name{};  ///< empty: a small one
+  std::string name{};  ///< empty: a small tick without a label
 };
 std::vector<Tick> ticks_of(const Axis& axis);
 
@@ -41,28 +42,29 @@ class Drawing {
   /// in: width and height of the plotted part [px].
   Drawing(Axis x, Axis y, double width = 400.0, double height = 250.0);
 
-  /// Points that are not finite, or not above zero on a logarithm, break the line. mark: what a script calls it.
+  /// Points that are not finite, or not positive on a logarithmic axis, interrupt the line. mark: the name that a
+  /// script finds it by.
   void curve(const std::vector<double>& x, const std::vector<double>& y, const Stroke& stroke,
              const std::string& mark = "");
-  /// The same as the "d" of a path.
+  /// The curve as the "d" attribute of an SVG path.
   std::string path(const std::vector<double>& x, const std::vector<double>& y) const;
   void points(const std::vector<double>& x, const std::vector<double>& y, const std::string& colour,
               double radius = 3.0);
-  /// y - error to y + error; none where the error is not known or 0.
+  /// Error bars from y - error to y + error; none if the error is unknown or 0.
   void bars(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& errors,
             const std::string& colour);
-  /// A cross: what failed.
+  /// A cross, for a case that failed.
   void cross(double x, double y);
-  /// A PNG as a data URI, over the whole plotted part.
+  /// A PNG as a data URI; it fills the plotted part.
   void picture(const std::string& uri, const std::string& mark = "");
-  /// A line at x from bottom to top; over the middle of what is plotted.
+  /// A vertical line at x over the full height, drawn over the rest.
   void upright(double x, const Stroke& stroke, const std::string& mark = "");
-  /// in: words with indices; where they begin.
+  /// in: position of the left end of the text; the text, with indices.
   void words(double x, double y, const std::string& words);
-  /// A bar of colours at the right edge. in: its picture, its axis.
+  /// A colour bar at the right edge. in: its picture, its axis.
   void colour_bar(const std::string& uri, const Axis& axis);
 
-  /// in: what the figure shows, for those who cannot see it.
+  /// in: label: a description of the figure for readers who cannot see it.
   std::string svg(const std::string& label) const;
 
   double at_x(double value) const;
@@ -76,12 +78,12 @@ class Drawing {
 };
 
 struct LegendEntry {
-  std::string words{};  ///< with indices
+  std::string words{};  ///< may contain indices
   Stroke stroke{};
   bool point = false;
 };
 
-/// A figure with its legend and its caption. in: svg; caption: markup.
+/// A figure with its legend and caption. in: the SVG; caption: markup.
 std::string figure(const std::string& svg, const std::vector<LegendEntry>& legend, const std::string& caption);
 
 }  // namespace ehl::program

@@ -11,7 +11,7 @@ namespace {
 
 constexpr char replacement[] = "\xEF\xBF\xBD";
 
-// Length of the UTF-8 sequence at a place; 0 where there is none.
+// Length of the valid UTF-8 sequence at a position; 0 if there is none.
 std::size_t sequence_at(const std::string& text, std::size_t at) {
   const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0U; };
   const unsigned first = byte(at);
@@ -80,7 +80,7 @@ std::string escaped(const std::string& text) {
 std::string with_indices(const std::string& words) { return indices(words, {"<sub>", "</sub>", "<sup>", "</sup>"}); }
 
 std::string with_indices_svg(const std::string& words) {
-  // An index leaves the line, and the next letters come back to it.
+  // SVG has no subscripts: an index is shifted by dy, and the letters after it are shifted back.
   return indices(words, {R"(<tspan dy="3" font-size="75%">)", R"(</tspan><tspan dy="-3">&#8203;</tspan>)",
                          R"(<tspan dy="-4" font-size="75%">)", R"(</tspan><tspan dy="4">&#8203;</tspan>)"});
 }
@@ -95,7 +95,7 @@ std::string unit_words(const std::string& unit) {
 std::string digits(double value, double error) {
   if (!std::isfinite(value)) return "–";
   if (!(std::abs(error) > 0.0) || !std::isfinite(error) || value == 0.0) return fmt::format("{:.4g}", value);
-  // Two digits of the error and of the value, and no more than twelve of the value.
+  // Two digits of the smaller of error and value, but at most twelve digits of the value.
   const double places = 1.0 - std::floor(std::log10(std::min(std::abs(error), std::abs(value))));
   const double most = 12.0 - std::ceil(std::log10(std::abs(value)));
   if (places > most || std::abs(value) >= 1e6 || std::abs(value) < 1e-4) return fmt::format("{:.6g}", value);
@@ -134,7 +134,7 @@ std::string HtmlTable::text() const {
   for (const std::vector<std::string>& row : rows) {
     made += "<tr>";
     for (std::size_t k = 0; k < row.size(); ++k) {
-      // The last cell of a short row fills it.
+      // The last cell of a short row spans the remaining columns.
       const std::size_t wide = k + 1 == row.size() && row.size() < head.size() ? head.size() - k : 1;
       made += (wide > 1 ? fmt::format("<td colspan=\"{}\" class=\"words\">", wide) : "<td>") + row[k] + "</td>";
     }

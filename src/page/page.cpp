@@ -1,4 +1,4 @@
-// The page around its sections: heading, comparison, style, the script of the sliders.
+// The page around its sections: heading, comparison table, style, and the script of the sliders.
 #include <fmt/core.h>
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 namespace ehl::program {
 namespace {
 
-// Nothing is ever fetched, whatever a file may hold.
+// The browser must not load anything from elsewhere, whatever text a result file contains.
 constexpr char policy[] =
     "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'; base-uri 'none'; "
     "form-action 'none'";

@@ -11,7 +11,7 @@ void append_word(std::string& text, std::uint32_t word) {
   for (const int shift : {24, 16, 8, 0}) text += static_cast<char>((word >> shift) & 0xFFU);
 }
 
-// Length, name, content, and a checksum of the last two.
+// A PNG chunk: length, name, content, and a checksum of name and content.
 std::string chunk(const std::string& name, const std::string& content) {
   std::string made;
   append_word(made, static_cast<std::uint32_t>(content.size()));
@@ -50,12 +50,12 @@ std::string png_uri(const IndexedPicture& picture) {
   std::string header;
   append_word(header, static_cast<std::uint32_t>(picture.width));
   append_word(header, static_cast<std::uint32_t>(picture.height));
-  header += std::string("\x08\x03\x00\x00\x00", 5);  // eight bits, numbers of colours, no interlace
+  header += std::string("\x08\x03\x00\x00\x00", 5);  // eight bits per point, palette colours, no interlacing
   std::string colours, rows;
   for (const Rgb& colour : picture.colours)
     for (const std::uint8_t part : colour) colours += static_cast<char>(part);
   for (std::size_t j = 0; j < picture.height; ++j) {
-    rows += '\0';  // as it is
+    rows += '\0';  // filter 0: the row is stored unfiltered
     rows.append(picture.points.begin() + static_cast<std::ptrdiff_t>(j * picture.width),
                 picture.points.begin() + static_cast<std::ptrdiff_t>((j + 1) * picture.width));
   }

@@ -9,7 +9,7 @@ namespace ehl::program {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
-/// A picture whose points are numbers of colours.
+/// A picture whose points are indices into a table of colours.
 struct IndexedPicture {
   std::size_t width = 0;
   std::size_t height = 0;
@@ -17,7 +17,7 @@ struct IndexedPicture {
   std::vector<std::uint8_t> points{};  ///< row by row from the top
 };
 
-/// As a data URI. source: PNG specification, third edition (W3C). errors: std::runtime_error where zlib fails.
+/// The picture as a data URI. source: PNG specification, third edition (W3C). errors: std::runtime_error if zlib fails.
 std::string png_uri(const IndexedPicture& picture);
 
 }  // namespace ehl::program

@@ -1,4 +1,4 @@
-// Figures of a steady field: maps, lines, cycles, stresses, temperatures.
+// Figures of a steady field: maps, profiles, convergence of the cycles, stresses, temperatures.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -27,7 +27,7 @@ std::string unit_in_words(const FieldOnGrid& field) {
                                                                            : " [" + unit_words(field.field.unit) + "]";
 }
 
-// A map of a field over the contact's plane, with the scale of its own values.
+// A map of a field over the contact plane, with a scale that covers the values of this field alone.
 std::string own_map(const ResultView& view, const std::string& name, const std::string& words, Colours colours,
                     const std::string& caption) {
   const FieldOnGrid field = read_field(view.source, name, 0);
@@ -49,7 +49,7 @@ std::string film_map(const ResultView& view) {
   return figure(map_svg(view, drawn, window, scale, Colours::film, "Film thickness over the contact"), {}, caption);
 }
 
-// Values of a field along y = 0 within the window.
+// The values of a field along y = 0 within the window.
 std::vector<double> along(const FieldOnGrid& field, const std::vector<double>& xs) {
   const double y = std::clamp(0.0, std::min(field.y.values.front(), field.y.values.back()),
                               std::max(field.y.values.front(), field.y.values.back()));
@@ -122,7 +122,7 @@ std::string cycles_figure(const ResultView& view) {
                 "Convergence, cycle by cycle.");
 }
 
-// Below the surface the depth counts downwards.
+// The section below the surface; depth increases downwards.
 std::string stress_section(const ResultView& view) {
   const std::string name = "/subsurface/section/sigma_mises";
   if (!view.has(name)) return "";
@@ -179,7 +179,7 @@ std::string temperature_section(const ResultView& view) {
                 "Temperature rise across the film at y = 0.");
 }
 
-// What lies along a roller.
+// Pressure and film along the length of a roller.
 std::string roller_figures(const ResultView& view) {
   if (!view.has("/roller/y")) return "";
   const results::Array y = view.source.numbers("/roller/y");
@@ -187,7 +187,7 @@ std::string roller_figures(const ResultView& view) {
   for (const auto& [name, words] : {std::pair("P_max", view.pressure_words() + ", highest"),
                                     std::pair("H_min", view.film_words() + ", smallest")}) {
     const std::vector<double> values = view.source.numbers(std::string("/roller/") + name).values;
-    // Beside the ends there is no film to speak of.
+    // Where the pressure is zero, next to the ends, no film is drawn.
     std::vector<double> loaded;
     const std::vector<double> pressure = view.source.numbers("/roller/P_max").values;
     for (std::size_t k = 0; k < values.size() && k < pressure.size(); ++k)
@@ -203,7 +203,7 @@ std::string roller_figures(const ResultView& view) {
 
 std::string figures_of(const ResultView& view) {
   if (!view.has("/fields/P")) return "";
-  // The start of a run in time stands among its frames.
+  // For a run in time the figures of the start are among the frames.
   if (view.in_time) return cycles_figure(view);
   std::string text;
   const bool maps = !view.line && !view.has("/roller");

@@ -1,4 +1,4 @@
-// Frames of a run in time under a slider: a small script of the page puts them in place.
+// The frames of a run in time, with a slider: a small script of the page shows one frame at a time.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ struct Frames {
   Window window{};
 };
 
-// Frames that are shown: all, or as many as a page takes, evenly, the first and the last among them.
+// The frames shown: all, or at most `most_frames` at even intervals, with the first and the last among them.
 std::vector<std::size_t> chosen(std::size_t count) {
   std::vector<std::size_t> list;
   const std::size_t shown = std::min(count, most_frames);
@@ -31,7 +31,7 @@ Frames read_frames(const ResultView& view) {
   const std::vector<double> times = view.source.numbers("/transient/frames/time").values;
   Frames frames;
   const std::vector<std::size_t> list = chosen(times.size());
-  // The page stays below two megabytes: the more frames, the smaller their pictures.
+  // The pictures become smaller as the number of frames grows, so that the page stays small.
   const std::size_t width = list.size() > 30 ? 200 : 260;
   for (const std::size_t k : list) {
     frames.times.push_back(times[k]);
@@ -59,7 +59,7 @@ struct Strip {
   Json data{};
 };
 
-// The map and the line y = 0 of one quantity.
+// The map and the profile along y = 0 of one quantity.
 void add_quantity(const ResultView& view, const Frames& frames, const std::vector<FieldOnGrid>& fields,
                   const Axis& scale, bool film, Strip& strip) {
   if (fields.empty()) return;
@@ -88,7 +88,7 @@ void add_quantity(const ResultView& view, const Frames& frames, const std::vecto
              film ? "Film along y = 0." : "Pressure along y = 0.");
 }
 
-// Quantities at every step, with a line that follows the slider.
+// The quantities against time, with a vertical line that follows the slider.
 void add_history(const ResultView& view, const Frames& frames, Strip& strip) {
   const std::vector<double> times = view.source.numbers("/transient/time").values;
   const auto add = [&](const std::vector<std::pair<const char*, const char*>>& names, const std::string& words,
@@ -139,7 +139,7 @@ std::string frames_of(const ResultView& view) {
           escaped(strip.data["times"][0].get<std::string>()) + "</output></p>\n";
   if (all > frames.times.size())
     text += fmt::format("<p class=\"small\">{} of {} frames of the file.</p>\n", frames.times.size(), all);
-  // Numbers and pictures of our own: no text of the file.
+  // The data contain only numbers and pictures that this program made, so they need no escaping.
   return text + "<div class=\"figures\">\n" + strip.figures + "</div>\n<script type=\"application/json\">" +
          strip.data.dump() + "</script>\n</div>\n";
 }

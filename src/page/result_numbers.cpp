@@ -1,4 +1,4 @@
-// The numbers of a result, each with its error bar; what did not converge is marked.
+// The numbers of a result, each with its error bar; numbers that did not converge are marked.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -11,9 +11,9 @@ namespace ehl::program {
 namespace {
 
 struct Shown {
-  const char* name;   // in the file
-  const char* error;  // relative, in the file; empty: none is estimated
-  const char* words;  // with indices
+  const char* name;   // path in the file
+  const char* error;  // path of its relative error in the file; empty: none is estimated
+  const char* words;  // label, with indices
   const char* note = "";
 };
 
@@ -43,7 +43,7 @@ const std::vector<Shown>& shown_numbers() {
   return all;
 }
 
-// Where a number was found: "at (42.0, −112.1) µm".
+// The place of a number: "at (42.0, −112.1) µm".
 std::string place_of(const ResultView& view, const std::string& name) {
   if (name.starts_with("/summary/Hc")) return name.ends_with("_moes") ? "" : "(0, 0)";
   std::string base = name.ends_with("_best") ? name.substr(0, name.size() - 5) + "_fitted" : name;
@@ -76,7 +76,7 @@ std::vector<double> column_in_time(const ResultView& view, const std::string& na
   return view.has("/transient/" + name) ? view.source.numbers("/transient/" + name).values : std::vector<double>{};
 }
 
-// "version 0.1.0, commit 732df358, g++ 12.2.0".
+// The program that computed a result: "version 0.1.0, commit 732df358, g++ 12.2.0".
 std::string program_words(const ResultView& view) {
   const auto word = [&](const char* name) { return view.text(std::string("/provenance/") + name); };
   const std::string changed = word("dirty") == "true" ? ", with changes that no commit holds" : "";
@@ -84,9 +84,9 @@ std::string program_words(const ResultView& view) {
          word("compiler");
 }
 
-// Of a run in time before its end: "failed: the cycles did not converge."
+// Why a run in time ended early: "failed: the cycles did not converge."
 std::string ended_words(const ResultView& view) {
-  const std::string ended = view.text("/summary/transient_ended");  // not in files of earlier programs
+  const std::string ended = view.text("/summary/transient_ended");  // files of earlier versions lack it
   const std::string failed = "FAILED: ";
   return ended.starts_with(failed) ? "failed: " + ended.substr(failed.size()) + "."
          : view.has("/checkpoint") ? "was stopped before its end; `ehl resume` goes on with it."

@@ -1,4 +1,4 @@
-// The section on a result file.
+// The section of a page about one result file.
 #include <fmt/core.h>
 
 #include <cmath>

@@ -24,7 +24,7 @@ ResultView::ResultView(const std::string& path) : source(open_result(path)) {
 bool ResultView::has(const std::string& name) const { return source.file.kind(name) != Kind::missing; }
 
 results::Array ResultView::number(const std::string& name) const {
-  // Older files have in error_Hc the error of the mesh alone.
+  // In older files error_Hc is the error of the mesh alone.
   if (name == "/summary/error_Hc" && has("/summary/total_error_Hc")) return number("/summary/total_error_Hc");
   if (name == "/summary/error_Hm" && has("/summary/total_error_Hm")) return number("/summary/total_error_Hm");
   if (source.file.kind(name) == Kind::numbers && source.file.dims(name).empty()) return source.numbers(name);
@@ -56,7 +56,7 @@ Window contact_window(const ResultView& view, const FieldOnGrid& field) {
 }
 
 Axis film_scale(const ResultView& view, const std::vector<FieldOnGrid>& films) {
-  // Of the contact itself, half of a radius around its centre and its least film.
+  // The scale follows the film inside the contact: within half a Hertz radius of the centre, and at the minimum.
   std::vector<double> inside;
   double least = std::numeric_limits<double>::infinity();
   for (const FieldOnGrid& film : films)

@@ -1,34 +1,34 @@
 #pragma once
-// A page has a section for each file.
+// A page consists of one section for each file.
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace ehl::program {
 
-/// What the table that compares several files says of one.
+/// One row of the table that compares several files.
 struct Compared {
   std::string kind{};                ///< "run", "run in time", "sweep", "study"
-  std::vector<std::string> cells{};  ///< markup; of a result: those of `compared_columns`
+  std::vector<std::string> cells{};  ///< markup; for a result file: the cells of `compared_columns`
 };
 constexpr const char* compared_columns[] = {"M",     "L",       "load", "u_m", "central film", "smallest film",
                                             "p_max", "friction"};
 
 struct PageSection {
-  std::string title{};   ///< as it is in the file
-  std::string path{};    ///< of the file
-  std::string markup{};  ///< what stands below the heading
+  std::string title{};   ///< the title in the file
+  std::string path{};    ///< path of the file
+  std::string markup{};  ///< the content below the heading
   Compared compared{};
 };
 
-/// A section on a result file, or on the table of a sweep or a study. errors: core::FileError: it cannot be read, is no
-/// file of this program, is damaged.
+/// A section about a result file, or about the table of a sweep or a study. errors: core::FileError if the file cannot
+/// be read, is damaged, or was not written by this program.
 PageSection result_section(const std::string& path);
 PageSection sweep_section(const std::string& path);
 PageSection study_section(const std::string& path);
 PageSection time_study_section(const std::string& path);
 
-/// The whole page. in: its heading; empty: that of the only file, or one that counts them.
+/// The whole page. in: its heading; empty: the heading of the only section, or one that gives the number of files.
 std::string page_of(const std::string& heading, const std::vector<PageSection>& sections);
 
 }  // namespace ehl::program

@@ -1,4 +1,4 @@
-// The sections on the tables of studies: what accuracy costs, and at which order errors fall.
+// The sections about studies: error against cost, and the observed order of accuracy.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace ehl::program {
 namespace {
 
-// Rows by what tells their ways apart, each from coarse to fine.
+// The rows of each method (the columns `by`), each sorted from coarse to fine.
 std::vector<std::vector<std::size_t>> ways_of(const SweepData& table, const std::vector<std::string>& by,
                                               const std::string& along) {
   std::vector<std::vector<std::size_t>> ways = curves_by(table, by);
@@ -41,14 +41,14 @@ double reference_error(const SweepData& table, const std::string& name) {
   return read.status == deck::ReadNumber::Status::number ? read.value : std::nan("");
 }
 
-// "0.12 %", "< 0.006 %" below what the reference can tell.
+// An error: "0.12 %"; "< 0.006 %" if it is below the error of the reference.
 std::string error_words(const SweepData& table, std::size_t row, const std::string& name) {
   const double error = table.number(row, "deviation_" + name), known_to = reference_error(table, name);
   if (!std::isfinite(error)) return "–";
   return error < known_to ? fmt::format("&lt; {:.2g} %", 100.0 * known_to) : fmt::format("{:.2g} %", 100.0 * error);
 }
 
-// The observed order between two rows, where both errors can be told.
+// The observed order between two rows; a dash if one of the errors is below the error of the reference.
 std::string order_words(const SweepData& table, std::size_t coarse, std::size_t fine, const std::string& name,
                         const std::string& along) {
   const double known_to = reference_error(table, name);
@@ -92,7 +92,7 @@ std::string convergence_table(const SweepData& table, const std::vector<std::str
          "converged. –: no order can be told.</p>\n";
 }
 
-// Errors of a film against seconds or cells, one curve for each way.
+// Errors of a film against seconds or cells, one curve per method.
 std::string errors_figure(const SweepData& table, const std::vector<std::string>& by, const std::string& along,
                           const std::string& x, const std::string& words_x, const std::string& name) {
   const std::string column = "deviation_" + name;
@@ -117,7 +117,7 @@ std::string errors_figure(const SweepData& table, const std::vector<std::string>
         good.push_back(error.back());
       }
     }
-    // A colour for each scheme, dashes for what its ways differ in.
+    // The colour shows the scheme; the dashes distinguish the methods of one scheme.
     const std::string scheme = by.empty() ? "" : table.cell(way[0], by.front());
     const auto known = std::ranges::find(first, scheme);
     const auto colour = static_cast<std::size_t>(known - first.begin());

@@ -1,4 +1,4 @@
-// The section on the table of a sweep.
+// The section about the table of a sweep.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ std::string status_words(const SweepData& table) {
   return text;
 }
 
-// One quantity against the longest key, a curve for each choice of the other keys.
+// One quantity against the key with most values, one curve for each combination of the other keys.
 std::string curves_figure(const SweepData& table, const std::string& x, const std::vector<std::string>& by,
                           const std::string& y) {
   const std::vector<std::vector<std::size_t>> curves = curves_by(table, by);
@@ -114,7 +114,7 @@ std::string map_of_loads(const SweepData& table) {
       "Map of loads.");
 }
 
-// "57.4 ± 1.5", marked where it did not converge.
+// "57.4 ± 1.5"; marked if it did not converge.
 std::string cell_with_bar(const SweepData& table, std::size_t row, const std::string& column) {
   const double value = table.number(row, column);
   if (!solved(table, row)) return not_converged_cell("");

@@ -1,18 +1,18 @@
 #pragma once
-// What the lines above a table say of it.
+// The comment lines above a table.
 #include <string>
 
 #include "tables/sweep_data.hpp"
 
 namespace ehl::program {
 
-/// What follows "deck: " and the like; empty where there is no such line.
+/// The text after "NAME: " in a comment line; empty if there is no such line.
 std::string comment(const SweepData& table, const std::string& name);
 
-/// Deck, what was set and varied, program: a table of markup.
+/// Deck, fixed settings, varied keys and program, as a table in markup.
 std::string origin_of(const SweepData& table);
 
-/// All lines, folded away.
+/// All comment lines, collapsed.
 std::string comments_of(const SweepData& table);
 
 }  // namespace ehl::program

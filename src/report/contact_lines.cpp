@@ -16,14 +16,14 @@
 namespace ehl::program {
 namespace {
 
-// " +5.7 %"; empty where there is none.
+// A deviation, " +5.7 %"; empty if there is none.
 std::string deviation_text(double formula, double computed) {
   const double off = deviation(formula, computed);
   return std::isfinite(off) ? fmt::format("{:+.1f} %", 100.0 * off) : "";
 }
 
-// Rows below a head: the first column from the left, the others to the right. Wider than `widths` is a column with a
-// name or number that would run into its neighbour.
+// Rows with a heading: the first column is aligned left, the others right. A column becomes wider than `widths` if one
+// of its cells would touch its neighbour.
 std::string aligned(const std::vector<std::vector<std::string>>& rows, std::vector<std::size_t> widths) {
   for (std::size_t row = 1; row < rows.size(); ++row)
     for (std::size_t k = 0; k < rows[row].size(); ++k)

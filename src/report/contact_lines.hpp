@@ -1,5 +1,5 @@
 #pragma once
-// What is printed of the contact itself: its scales, its groups, the published films.
+// The printed lines about the contact itself: its scales, its groups, and the published film formulas.
 #include <limits>
 #include <string>
 #include <vector>
@@ -9,20 +9,20 @@
 
 namespace ehl::program {
 
-/// The bearing or the gears that the contact is of: each number with its formula.
+/// The bearing or the gears that contain the contact: each number with its formula.
 std::string machine_lines(const machines::Contact& machine);
-/// The contact in SI: load, radii, modulus, motion, oil, Hertz.
+/// The contact in SI: load, radii, elastic modulus, motion, oil, Hertz pressure and size.
 std::string si_lines(const SiInput& si);
-/// The dimensionless groups, the fluid, the regime.
+/// The dimensionless groups, the fluid and the lubrication regime.
 std::string group_lines(const Physics& physics);
 
-/// A line for each formula, in nm first where the contact is in SI; with its deviation from the film computed.
-/// in: that film, H; NaN before there is one.
+/// One line per formula, in nm first if the contact is in SI, with its deviation from the computed film.
+/// in: the computed film Hc and Hm; NaN before there is one.
 std::string formula_lines(const std::vector<Formula>& formulas, const Physics& physics,
                           double Hc = std::numeric_limits<double>::quiet_NaN(),
                           double Hm = std::numeric_limits<double>::quiet_NaN());
 
-/// The domain and the grid, in um first where there are scales.
+/// The domain and the grid, in um first if there are scales.
 std::string domain_lines(const core::Grid& grid, const std::optional<SiScales>& si);
 
 }  // namespace ehl::program

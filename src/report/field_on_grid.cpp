@@ -9,14 +9,14 @@
 namespace ehl::program {
 namespace {
 
-// The value at a place is the sum of weights times the values of `count` nodes from `first` on.
+// The value at a place is the weighted sum of the values of `count` nodes, beginning with node `first`.
 struct Stencil {
   std::size_t first = 0;
   std::size_t count = 0;
   std::array<double, 4> weights{};
 };
 
-// Lagrange's polynomial through the four nearest nodes; beside the boundary those that there are.
+// Lagrange interpolation through the four nearest nodes; through all of them if the grid has fewer.
 Stencil stencil_at(const std::vector<double>& nodes, double at) {
   Stencil made{0, std::min<std::size_t>(4, nodes.size()), {}};
   const auto right = static_cast<std::size_t>(std::ranges::upper_bound(nodes, at) - nodes.begin());
@@ -40,7 +40,7 @@ std::vector<double> spaced(double from, double to, std::size_t count) {
 }
 
 FieldOnGrid read_field(const ResultSource& source, const std::string& name, std::size_t step) {
-  // A plane has x and y, a section in depth x and z beside it.
+  // A plane has the axes x and y; a section in depth has x and z.
   const bool layers = source.file.dims(name).size() == 3;
   const std::string rows = !layers && source.file.axis(name, "z") != "" ? "z" : "y";
   FieldOnGrid read{layers ? source.frame(name, step) : source.numbers(name),
@@ -58,7 +58,7 @@ FieldOnGrid on_lines(const FieldOnGrid& field, const std::vector<double>& xs, co
   made.field.dims = {ys.size(), xs.size()};
   made.field.values.assign(xs.size() * ys.size(), 0.0);
   const double least = *std::ranges::min_element(field.field.values);
-  // Every row of the grid at the new x; then between the rows.
+  // First each row of the grid is interpolated along x, then the rows are interpolated along y.
   const std::size_t rows = field.y.values.size();
   std::vector<double> along_x(rows * xs.size(), 0.0);
   for (std::size_t i = 0; i < xs.size(); ++i) {

@@ -11,7 +11,8 @@
 namespace ehl::program {
 namespace {
 
-/// Largest difference of the densities at the Hertz pressure, relative, for which the accuracy of the fit is claimed:
+/// Largest relative difference of the densities at the Hertz pressure for which the accuracy of the fit is
+/// claimed:
 /// the oils of tests/reference/film_map_oils.csv stay below it. [bench: density_of_the_fit]
 constexpr double other_density = 0.05;
 
@@ -21,7 +22,7 @@ double density_at(const rheology::DensityLaw& law, double P) {
   return rho_bar;
 }
 
-// Density at the Hertz pressure over that of the oil of the fit at the same M and L*, less 1.
+// Density at the Hertz pressure, relative to that of the oil of the fit at the same M and L*, minus 1.
 double density_difference(const Physics& physics, double L_star) {
   const contact::Groups& groups = physics.groups;
   const double alpha_bar_star = groups.L > 0.0 ? groups.alpha_bar * L_star / groups.L : 0.0;

@@ -1,5 +1,5 @@
 #pragma once
-// The film that is fitted to our own solutions (contact/film_map.hpp) for a case, and what is said of its accuracy.
+// The film formula that is fitted to solutions of this program (contact/film_map.hpp), for one case, and its accuracy.
 #include <optional>
 #include <string>
 
@@ -8,14 +8,15 @@
 
 namespace ehl::program {
 
-/// Code of the fit among the formulas.
+/// The code of the fit in the list of formulas.
 constexpr char map_code[] = "map";
 
-/// The fit at the case's M and L*. out: nothing outside its range.
+/// The fit at M and L* of the case. out: nothing if the case lies outside the fitted range.
 std::optional<Formula> fitted_film(const Physics& physics);
 
-/// One line below the formulas: how far the fit is from solutions with other oils; that this is not known for an oil of
-/// another density; or that the case lies outside the fitted range. Empty for shapes that the fit is not made for.
+/// One line below the formulas. It gives the deviation of the fit from solutions with other oils, or says that this
+/// deviation is not known because the density of the oil differs, or that the case lies outside the fitted range. Empty
+/// for contact shapes without a fit.
 std::string fitted_film_line(const Physics& physics);
 
 }  // namespace ehl::program

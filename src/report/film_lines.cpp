@@ -10,10 +10,10 @@
 namespace ehl::program {
 namespace {
 
-// What would be printed as -0.0000.
+// A number that would be printed as -0.0000 becomes zero.
 double unsigned_zero(double x) { return std::abs(x) < 5e-5 ? 0.0 : x; }
 
-// "+- 0.4 %", or nothing where there is no estimate.
+// "+- 0.4 %"; empty if there is no estimate.
 std::string bar(double error) { return std::isfinite(error) ? " +- " + percent(error) : ""; }
 
 }  // namespace
@@ -25,7 +25,7 @@ std::string film_lines(const Case& input, const Computed& computed) {
   const std::optional<SiScales> si = si_scales(input.physics);
   const bool broke_off = !why_incomplete(computed.in_time).empty();
   const std::string mark = !solution.converged ? "  (NOT CONVERGED)" : broke_off ? "  (steady start)" : "";
-  // What the domain cuts off changes both alike.
+  // The error of the domain applies to both films.
   const double domain = std::abs(bars.domain);
   const bool by_weights = std::isfinite(bars.Hc_best.value);
   const steady::Estimate Hc = by_weights ? bars.Hc_best : steady::Estimate{outcome.Hc, bars.Hc.total()};
@@ -39,7 +39,7 @@ std::string film_lines(const Case& input, const Computed& computed) {
     if (!si) return std::string(label) + own;
     return label + (symbol + (" = " + film_text(H, *si))) + errors + ", at " + place_text(at.X, at.Y, *si) + "; " + own;
   };
-  // Of the nodes, as the fields have it.
+  // The values at the nodes, as in the stored fields; printed only if they differ from the best estimates.
   const auto beside = [&](const char* symbol, double H, double shown, double error) {
     if (H == shown) return std::string();
     const std::string own = fmt::format("H = {:.5f}", H);

@@ -1,5 +1,5 @@
 #pragma once
-// What is printed of the film and the pressure that were computed: in SI first where the contact is in SI.
+// The printed lines about the computed film and pressure; in SI first if the contact is in SI.
 #include <string>
 
 #include "case/computed.hpp"
@@ -7,13 +7,13 @@
 
 namespace ehl::program {
 
-/// Film at the centre, smallest film, highest pressure, each with its error bar.
+/// Central film, minimum film and maximum pressure, each with its error bar.
 std::string film_lines(const Case& input, const Computed& computed);
 
-/// The values without mesh, and what the errors are made of.
+/// The values extrapolated to mesh size zero, and the parts of the error bars.
 std::string error_lines(const Case& input, const steady::Solution& solution);
 
-/// What was checked of the final state; empty where nothing was.
+/// The checks of the final state; empty if there was none.
 std::string verified_lines(const Case& input, const steady::Verification& checked);
 
 }  // namespace ehl::program

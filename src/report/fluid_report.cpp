@@ -1,4 +1,4 @@
-// What is said about the oil.
+// The printed lines about the oil.
 #include <fmt/core.h>
 
 #include <cmath>

@@ -25,7 +25,7 @@ Place place(const core::Grid& grid, const core::Location& location) {
   return {location.value, grid.X(location.i), grid.Y(location.j)};
 }
 
-// The solution's own, and those that need the scales of the physical contact.
+// The warnings of the solution, and those that need the scales of the physical contact.
 std::vector<std::string> warnings_of(const Physics& physics, const steady::Solution& solution, double P_max) {
   std::vector<std::string> warnings = solution.warnings;
   const double eta0 = physics.si ? physics.si->contact.eta0 : unknown;
@@ -40,13 +40,13 @@ std::vector<std::string> warnings_of(const Physics& physics, const steady::Solut
   return warnings;
 }
 
-// Of surfaces that are still before the contact when the run in time ends.
+// Warns of surface features that have not reached the contact when the run in time ends.
 void warn_of_late(const Case& input, std::vector<std::string>& warnings) {
   if (!input.transient) return;
   const double inlet = -contact::extent(input.scene.shape).X;
   for (const CarriedSurface* one : carried(input.surfaces)) {
     const auto* feature = std::get_if<surface::Feature>(&one->relief);
-    if (feature && feature->angle != 0.0) continue;  // somewhere along its line it is there
+    if (feature && feature->angle != 0.0) continue;  // an oblique feature reaches the contact at some Y
     const double ahead = feature ? feature->width : 0.5 * std::get<surface::HeightMap>(one->relief).length_x();
     const Way way = way_of(*one, *input.transient);
     if (std::max(way.from, way.to) + ahead >= inlet) continue;
@@ -57,7 +57,7 @@ void warn_of_late(const Case& input, std::vector<std::string>& warnings) {
   }
 }
 
-// Of features that move: what a coarse mesh does to them as they go (modules/transient/README.md).
+// Warns of moving features on a mesh that is too coarse for them (modules/transient/README.md).
 void warn_of_coarse(const Case& input, std::vector<std::string>& warnings) {
   if (!input.transient) return;
   const core::Grid& grid = input.scene.grid;
@@ -95,8 +95,8 @@ std::vector<Formula> published_formulas(const contact::Groups& groups) {
                         contact::H_from_moes_units(contact::nijenbanning_venner_moes(M, groups.L, shape), M, shape),
                         unknown});
   if (!(groups.L > 0.0)) return formulas;
-  // In Moes' units the formulas hardly depend on U (h_c to the power of -0.013, h_m 0.003), so that a typical U
-  // serves where the deck gives M and L alone.
+  // In Moes' units the formulas depend on U only weakly (h_c ~ U^-0.013, h_m ~ U^0.003). A typical U is used if the
+  // deck gives only M and L.
   constexpr double typical_U = 1e-11;
   const bool assumed = std::isnan(groups.U);
   const contact::Groups full = assumed ? contact::from_moes(M, groups.L, typical_U, shape) : groups;
@@ -156,7 +156,7 @@ Outcome outcome_of(const Case& input, const steady::Solution& solution) {
   return outcome;
 }
 
-// The only place where the words of a method are read: the rest of the program and the plots go by the code.
+// Only this function interprets the wording of `solution.method`; the rest of the program and the plots use the code.
 std::string path_code(const steady::Solution& solution) {
   const std::string& method = solution.method;
   const std::string later = "full multigrid, start ";

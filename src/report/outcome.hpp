@@ -1,5 +1,5 @@
 #pragma once
-// The numbers that people ask a solution for.
+// The main numbers of a solution.
 #include <string>
 #include <vector>
 
@@ -10,14 +10,14 @@ namespace ehl::program {
 
 Outcome outcome_of(const Case& input, const steady::Solution& solution);
 
-/// Film formulas for a case, the same for `run` and `check`: the published ones that were made for its shape, and the
-/// fit to our own solutions where it reaches (report/film_fit.hpp).
+/// The film formulas for a case, the same for `run` and `check`: the published formulas made for its shape, and the fit
+/// to solutions of this program if the case is in its range (report/film_fit.hpp).
 std::vector<Formula> film_formulas(const Physics& physics);
-/// Which are not among them, and why; empty where none is missing.
+/// Which formulas are missing, and why; empty if none is missing.
 std::string formulas_left_out(const contact::Groups& groups);
 
-/// A word for the way that led to a solution, for scripts and plots: full-multigrid, full-multigrid-2 (from another
-/// start), load-continuation, newton, newton-after-cycles; none.
+/// The strategy that led to the solution, as a code for scripts and plots: full-multigrid, full-multigrid-2 (from
+/// another start), load-continuation, newton, newton-after-cycles; none.
 std::string path_code(const steady::Solution& solution);
 
 const char* name(reynolds::Wedge wedge);

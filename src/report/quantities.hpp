@@ -1,5 +1,5 @@
 #pragma once
-// The numbers of a solved case, each with its name, unit and meaning: what the report as JSON and the result file say.
+// The numbers of a solved case, each with name, unit and meaning, for the JSON report and the result file.
 #include "base/column.hpp"
 #include "report/outcome.hpp"
 
@@ -7,13 +7,13 @@ namespace ehl::program {
 
 using results::Quantity;
 
-/// Film, pressure and how well they are known.
+/// Film, pressure and their errors.
 std::vector<Quantity> film_quantities(const Case& input, const steady::Solution& solution, const Outcome& outcome);
-/// The checks of the final state, beside one another.
+/// The checks of the final state.
 std::vector<Quantity> verification_quantities(const steady::Verification& checked, const contact::Ellipse& shape);
-/// The groups of the contact and, where they are known, its scales in SI; the numbers of the bearing or the gears.
+/// The groups of the contact; its scales in SI if they are known; the numbers of the bearing or the gears.
 std::vector<Quantity> scale_quantities(const Case& input);
-/// Those last, "bearing_gamma", in a report as JSON members of "bearing".
+/// The numbers of the bearing or the gears alone, "bearing_gamma"; in a JSON report they are members of "bearing".
 std::vector<Quantity> machine_quantities(const machines::Contact& machine);
 
 std::vector<Column<steady::LevelRow>> level_columns();

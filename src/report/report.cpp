@@ -21,7 +21,7 @@ namespace {
 
 std::string nodes(int nx, int ny) { return fmt::format("{} x {}", nx + 1, ny + 1); }
 
-// The films of a row in SI, with the space that follows them; else nothing.
+// The films of a row in SI, followed by the space between columns; empty without scales.
 std::string columns_in_nm(double Hc, double Hm, const std::optional<SiScales>& si) {
   if (!si) return {};
   return fmt::format("{:>8}  {:>8}  ", known("{:.2f}", 1e9 * si->h * Hc), known("{:.2f}", 1e9 * si->h * Hm));
@@ -35,7 +35,7 @@ std::string level_table(const Case& input, const steady::Solution& solution) {
                      "      Hc        Hm  error(Hc)  error(Hm)  residual  load err  work units   seconds\n";
   const steady::ErrorBars& bars = solution.error_bars;
   for (const steady::LevelRow& row : solution.levels) {
-    // The finest grid's are those of its bars; a coarser one has but the grids below it.
+    // The errors of the finest grid are those of its error bars; a coarser grid is judged by the grids below it alone.
     const bool judged = &row == &solution.levels.back() && std::isfinite(bars.Hc_best.value);
     text += fmt::format("{:5}  {:>11}  {}{:8.5f}  {:8.5f}  {:>9}  {:>9}  {:8.0e}  {:8.0e}  {:10.1f}  {:8.3f}\n",
                         row.level, nodes(row.nx, row.ny), columns_in_nm(row.Hc, row.Hm, si), row.Hc, row.Hm,
@@ -65,7 +65,7 @@ std::string continuation_table(const Case& input, const steady::Solution& soluti
 
 namespace {
 
-// The way to the solution, and what did not lead to it.
+// The strategy that led to the solution, and the strategies that failed before it.
 std::string path(const steady::Solution& solution) {
   std::string text = "path         " + solution.method;
   if (std::isfinite(solution.cycle_factor))
@@ -88,7 +88,7 @@ std::string summary(const Case& input, const Computed& computed) {
   const Physics& physics = input.physics;
   std::string text = continuation_table(input, solution) + level_table(input, solution);
   if (!solution.converged) text += "NOT CONVERGED: " + solution.failed_check + "\n";
-  // The films below are of its start, and stand first.
+  // The films below belong to the steady start, so this message comes first.
   if (const std::string why = why_incomplete(computed.in_time); !why.empty())
     text += (computed.in_time->report.end == transient::MarchEnd::failed ? "NOT CONVERGED: " : "NOT COMPLETE: ") + why +
             "; the films here are those of its steady start\n";

@@ -10,7 +10,7 @@
 namespace ehl::program {
 namespace {
 
-// In SI where the contact is; a deviation is that of the formula from the film computed, over that.
+// Films are in SI if the contact is. deviation = (formula - computed film)/(computed film).
 std::vector<Column<Formula>> formula_columns(const Case& input, const Outcome& outcome) {
   std::vector<Column<Formula>> columns{{"name", "", "", &Formula::name},
                                        {"Hc", "a^2/R", "central film", &Formula::Hc},
@@ -66,7 +66,7 @@ std::string json_report(const Case& input, const Computed& computed) {
   const FilmCoefficients coefficients = film_coefficients(input.physics);
   Json report;
   add(film_quantities(input, solution, outcome), report);
-  // Those are of the steady start; who asks whether the run converged means all of it.
+  // The quantities above belong to the steady start, but "converged" means the whole run in time.
   if (const std::string why = why_incomplete(computed.in_time); !why.empty()) {
     report["converged"] = false;
     report["failed_check"] = why;

@@ -18,8 +18,8 @@ bool wanted(const Case& input, const std::string& field) {
   return std::find(input.fields.begin(), input.fields.end(), field) != input.fields.end();
 }
 
-// Where an accuracy was asked for, the deck of the result tells in remarks the grid that it led to: run again, it goes
-// the same way to the same solution.
+// If an accuracy was asked for, the deck of the result records the grid that was found for it, so that a new run of
+// this deck reproduces the solution.
 deck::Deck with_grid_of(const steady::Solution& solution, deck::Deck deck) {
   if (std::isnan(solution.accuracy.asked)) return deck;
   const std::string why = "found for the accuracy";
@@ -31,7 +31,7 @@ deck::Deck with_grid_of(const steady::Solution& solution, deck::Deck deck) {
   return deck;
 }
 
-// What the mesh holds of each measured map.
+// The resolution of each measured height map on the mesh.
 void add_resolution(const Case& input, const core::Grid& grid, std::vector<Quantity>& list) {
   for (const CarriedSurface* one : carried(input.surfaces)) {
     const auto* map = std::get_if<surface::HeightMap>(&one->relief);
@@ -105,7 +105,7 @@ results::Content result_content(const Case& input, const Computed& computed) {
   const steady::Solution& solution = computed.solution;
   const DerivedFields& derived = computed.derived;
   std::vector<Quantity> list = film_quantities(input, solution, computed.outcome);
-  // Those are of the steady start; the file says of all of the run in time whether it converged.
+  // The quantities belong to the steady start, but "converged" in the file means the whole run in time.
   if (const std::string why = why_incomplete(computed.in_time); !why.empty())
     for (Quantity& one : list) {
       if (one.name == "converged") one.value = false;

@@ -5,14 +5,13 @@
 
 namespace ehl::program {
 
-/// The density and the viscosity of a solution, those that the case wants to keep.
+/// The density and viscosity fields of a solution, as far as the case asks to save them.
 DerivedFields derived_fields(const Case& input, const steady::Solution& solution);
 
-/// What the result of any case holds: title, deck, provenance, grid; in the summary `numbers`, then warnings and what
-/// the surfaces carry.
+/// The content of any result: title, deck, provenance, grid, the summary (`numbers`), the warnings, and the surfaces.
 results::Content content_of(const Case& input, const Computed& computed, std::vector<results::Quantity> numbers);
 
-/// Everything the result file holds but what effects add. The content points to the fields of `computed`.
+/// The whole content of the result file except that of the effects. It points to the fields of `computed`.
 results::Content result_content(const Case& input, const Computed& computed);
 
 }  // namespace ehl::program

@@ -1,5 +1,5 @@
 #pragma once
-// A result file whose numbers come in the contact's units or, where that is asked for, in SI.
+// A result file whose numbers are returned in the units of the contact or in SI.
 #include <cstddef>
 #include <optional>
 
@@ -10,19 +10,19 @@ namespace ehl::program {
 
 struct ResultSource {
   results::ResultFile file;
-  std::optional<SiScales> si{};  ///< nothing: the file's own units
+  std::optional<SiScales> si{};  ///< empty: the numbers keep the units of the file
 
-  /// As those of the file; in SI the meaning says what was multiplied.
+  /// The numbers, in the units chosen; in SI the meaning names the factor.
   results::Array numbers(const std::string& name) const;
   results::Array frame(const std::string& name, std::size_t k) const;
   /// Unit and meaning without the values.
   results::Array described(const std::string& name) const;
 };
 
-/// A result file in its own units. in: number: of a case of a sweep with --keep. errors: core::FileError.
+/// A result file in its own units. in: number: the number of a case of a sweep with --keep. errors: core::FileError.
 ResultSource open_result(const std::string& path, std::optional<std::size_t> number = std::nullopt);
 
-/// The scales of a contact that is given in SI; nothing of another one. errors: core::FileError.
+/// The scales of a contact that is given in SI; empty for any other contact. errors: core::FileError.
 std::optional<SiScales> scales_of(const results::ResultFile& file);
 
 }  // namespace ehl::program

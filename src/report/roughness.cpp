@@ -14,9 +14,9 @@
 namespace ehl::program {
 namespace {
 
-/// Lambda ratio from which on the heights of the surfaces hardly meet. source: Tallian (1967), who counted contacts.
+/// Above this lambda ratio the asperities hardly touch. source: Tallian (1967), who counted asperity contacts.
 constexpr double full_film = 3.0;
-/// Below it the roughness exceeds the film.
+/// Below this lambda ratio the roughness exceeds the film.
 constexpr double touching_film = 1.0;
 
 std::string height(const Case& input, double H) {
@@ -28,7 +28,7 @@ std::string film(const Case& input, const Roughness& rough) {
   return "h_m " + height(input, rough.Hm) + (rough.from.empty() ? "" : " by " + rough.from + " for smooth surfaces");
 }
 
-// In a^2/R; 0: smooth, or not known.
+// Sq in units of a^2/R; 0 if the surface is smooth or its roughness is not known.
 double stated(double Sq, const SiInput& si) { return std::isnan(Sq) ? 0.0 : Sq / si.hertz.h_scale; }
 
 }  // namespace
@@ -41,7 +41,7 @@ std::optional<Roughness> roughness_of(const Case& input, const std::vector<Formu
   const std::vector<const CarriedSurface*> shapes = carried(input.surfaces);
   rough.Sq = std::hypot(rough.Sq, measured_roughness(input));
   if (!(rough.Sq > 0.0)) return std::nullopt;
-  // The fit to our own solutions where it reaches: the published films are off by a tenth.
+  // The fit to solutions of this program is preferred; it is more accurate than the published formulas.
   auto known = std::ranges::find(formulas, map_code, &Formula::code);
   if (known == formulas.end())
     known = std::ranges::find_if(formulas, [](const Formula& f) { return std::isfinite(f.Hm); });
