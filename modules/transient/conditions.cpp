@@ -7,14 +7,14 @@
 namespace ehl::transient {
 namespace {
 
-constexpr double longest_of_all = 0.1;       // the oil crosses the contact in 20 steps at least
-constexpr double share_of_vibration = 0.05;  // a twentieth of its period, as of a wave (schedule.cpp)
+constexpr double longest_of_all = 0.1;       // a surface needs at least 20 steps from -a to a
+constexpr double share_of_vibration = 0.05;  // 20 steps per period of free vibration, as for a wave (schedule.cpp)
 
-// Over the scene's, at speeds u1 and u2.
+// Supply over that of the scene, at the surface speeds u1 and u2.
 double supply_at(const Supply& supply, double T, double u1, double u2) {
   const double factor = value(supply.factor, T);
   const double speed = 0.5 * (u1 + u2);
-  if (!(speed > 0.0)) return factor;  // nothing comes in
+  if (!(speed > 0.0)) return factor;  // nothing flows in
   if (supply.is_flow) return factor / speed;
   return std::isnan(supply.layer1) ? factor : factor * (u1 * supply.layer1 + u2 * supply.layer2) / speed;
 }

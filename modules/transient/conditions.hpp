@@ -1,5 +1,5 @@
 #pragma once
-// What varies in time about a contact, and what follows from it for the steps.
+// The conditions of a contact that vary in time, and the time steps that resolve them.
 #include <limits>
 #include <optional>
 #include <vector>
@@ -10,49 +10,50 @@
 
 namespace ehl::transient {
 
-/// What is brought to the inlet, over what the scene's supply says.
+/// Oil supplied at the inlet, as a factor on the supply of the scene.
 struct Supply {
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
   Schedule factor{};
-  /// Of each surface, in units of the scene's supply, which they make together at speeds of 1; none: a layer that is
-  /// the same at all speeds.
+  /// Layer on each surface, in units of the scene's supply; at speeds of 1 both together make up that supply. NaN: the
+  /// total layer does not depend on the speeds.
   double layer1 = none, layer2 = none;
-  bool is_flow = false;  ///< oil per time, which a slower motion brings as a thicker layer
+  bool is_flow = false;  ///< factor is a volume flow: at a lower speed the layer is thicker
 };
 
-/// What varies. Time T = t u_m/a, u_m the entrainment speed that lambda of the scene is made with.
+/// What varies in time. T = t u_m/a, u_m the entrainment speed for which lambda of the scene was computed.
 struct Conditions {
-  Schedule load{};  ///< over the scene's
-  Schedule u1{};    ///< of surface 1 over u_m
+  Schedule load{};  ///< over the load of the scene
+  Schedule u1{};    ///< speed of surface 1 over u_m
   Schedule u2{};
   std::optional<surface::Relief> on_1{};
   std::optional<surface::Relief> on_2{};
-  std::optional<Body> body{};  ///< moves; absent: the load is imposed
+  std::optional<Body> body{};  ///< a body that moves; absent: the film carries the load at all times
   Supply supply{};
-  /// The oil of dry points is an unknown, though the inlet is full; where the scene has a supply it always is.
+  /// Q of cavitated nodes is an unknown even with a flooded inlet. If the scene has a supply, Q always is.
   bool conserves_mass = false;
 };
 
-/// Load, entrainment speed and supply at T.
+/// Load, entrainment speed and supply factor at T.
 Drive drive_at(const Conditions& conditions, double T);
 
-/// The course of the contact: the surfaces, each moved by the integral of its own speed; the body. The conditions must
-/// outlive it.
+/// The moving surfaces, each displaced by the integral of its own speed, and the body. The conditions must outlive the
+/// result.
 Course course_of(const Conditions& conditions);
 
-/// True where no surface disturbs the symmetry in Y.
+/// True if no moving surface breaks the symmetry in Y.
 bool symmetric(const Conditions& conditions);
 
-/// Times in [0, end] at which a step must end: jumps and corners of what varies, quarters of short
-/// ramps, and the end; rising.
+/// Times in (0, end] at which a time step must end: jumps, corners, the quarters of short ramps, and the end;
+/// ascending.
 std::vector<double> stops_of(const Conditions& conditions, double end);
 
-/// True where load, speed or supply jump at T.
+/// True if load, speed or supply jumps at T.
 bool jumps_at(const Conditions& conditions, double T, double end);
 
-/// Longest step that sees everything that varies: a quarter of a feature's width at its speed, of a map the longer of
-/// its own step and the mesh's, a quarter of a ramp, a twentieth of a period, that of a body's free vibration and the
-/// time to its impact too; a tenth of a feature-free time of 10.
+/// Longest time step that resolves everything that varies: a quarter of the time in which a feature moves by its width
+/// (for a measured map: by the longer of its own spacing and the mesh size), a quarter of a ramp, a twentieth of a
+/// period. With a body also a twentieth of its free vibration and of its time to impact. At most 0.1 and at most
+/// end/100.
 double longest_step(const Conditions& conditions, double end);
 
 }  // namespace ehl::transient

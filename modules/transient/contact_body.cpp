@@ -1,4 +1,4 @@
-// A body that moves upon the film.
+// Motion of the body above the film.
 #include "fmg/boundary.hpp"
 #include "transient/contact_dae.hpp"
 
@@ -16,7 +16,8 @@ void ContactDae::release(const Drive& drive) {
   spread_oil();
 }
 
-// V = yp_p + cj (H00 - H00_p), and V' likewise from V: the load that is wanted grows linearly with H00.
+// Both V = yp_p + cj (H00 - H00_p) and V' (from V by the same formula) are linear in H00, so the load that the film
+// must carry is linear in H00 as well.
 void ContactDae::move_body(const Stage& stage) {
   const Body& body = *course_.body;
   const double H00 = stage.y_predicted[2 * nodes_];
@@ -26,8 +27,8 @@ void ContactDae::move_body(const Stage& stage) {
   hierarchy_.load_line = {W_ * stage.cj * (body.mass * stage.cj + body.damping), H00};
 }
 
-// V and V' from the load that the film carries, so that the equation of motion holds to rounding. What the cycles and
-// the rounding of H00, times mass cj^2, have left stands in H00' = V instead.
+// V and V' follow from the load that the film carries, so the equation of motion holds to rounding. The remaining
+// algebraic error, and the rounding of H00 amplified by mass cj^2, appears in H00' = V instead.
 void ContactDae::take_velocity(const Stage& stage, const Drive& drive) {
   const Body& body = *course_.body;
   const double V_at_rest = stage.y_predicted[2 * nodes_ + 1] - stage.yp_predicted[2 * nodes_ + 1] / stage.cj;

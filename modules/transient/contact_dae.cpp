@@ -15,13 +15,13 @@
 namespace ehl::transient {
 namespace {
 
-/// Nodes within this many radii (or semi-axes) of the contact's centre make up the norm; those outside count as one
-/// hundredth: a mean over all nodes alike would not see a dimple.
+/// Nodes within this many Hertz radii (or semi-axes) of the centre make up the error norm. Nodes outside get a tenth of
+/// the weight: with equal weights the mean would hide the error at a dimple.
 constexpr double zone_radius = 1.5;
 constexpr double weight_outside = 0.1;
-/// Where mass is conserved, of dry nodes and those beside them.
+/// Further weight of cavitated nodes and their neighbours, where mass is conserved.
 constexpr double weight_at_edge = 0.01;
-/// Where bodies are nearly apart there is no deformation by which to hold the film while the load is put right.
+/// Lower bound of the central deformation used in balance_load(): bodies that are almost separated hardly deform.
 constexpr double least_yielding = 0.05;
 
 bool in_zone(const core::QuadraticForm& outline, const core::Patch& grid, int i, int j) {
@@ -54,8 +54,8 @@ ContactDae::ContactDae(fmg::Hierarchy& hierarchy, const Course& course, const Er
   for_nodes(grid, [&](int i, int j, std::size_t) { zone_ += in_zone(outline, grid, i, j) ? grid.lines(j) : 0.0; });
   if (!conserves_mass()) return;
   fmg::update_residual(hierarchy, hierarchy.finest());
-  // On a line as much flows out. Where more is supplied than goes through, its steady film is the flooded one: the thin
-  // layer that is supplied in time flows out of that inlet, not in.
+  // For a line contact the outflow equals the inflow and is the safer measure: if more oil is supplied than passes, the
+  // steady film is the flooded one, and the thin supplied layer leaves the domain through the inlet.
   const reynolds::OilBalance flow = fmg::oil_of(hierarchy, hierarchy.finest());
   inlet_ = grid.domain.line ? flow.out : flow.in;
 }
@@ -109,7 +109,8 @@ double ContactDae::carried() const {
   return (fmg::carried_load(level) + level.load_outside) / W_;
 }
 
-// A body that moves is not where the load says; what its load's change does to the film far away is left out.
+// A moving body is not in equilibrium with the load, so the far field follows the carried load. The rate of change of
+// that load is neglected.
 void ContactDae::take_motion(const Drive& drive, double approach) {
   const bool imposed = !course_.body;
   hierarchy_.far_motion = {
@@ -123,10 +124,10 @@ LoadBalance ContactDae::load_balance() const {
   return {carried_now / W_, course_.body ? std::abs(carried_now - wanted) / W_ : std::abs(carried_now / wanted - 1.0)};
 }
 
-// The cycles balance the load on the coarsest grid, a factor of some five per cycle. What is left is put into the
-// pressure by a common factor, and the film at the centre stays where it is by H00: the change of a load at a constant
-// film, nearly. H = H00 + rest, the deformation is what remains when geometry, surface and H00 are taken away. Where
-// the load grows with H00, the shift of H00 takes its part of the difference.
+// The cycles balance the load on the coarsest grid and reduce its error only gradually. The rest is corrected here by a
+// common factor 1 + share on P. The deformation grows by the same factor, and H00 is shifted so that the central film
+// stays the same: a change of load at almost constant film. If the required load depends on H00 (moving body, closed
+// far field), the shift of H00 contributes its part. Deformation = H - rigid gap(H00) - F.
 void ContactDae::balance_load() {
   fmg::Level& level = hierarchy_.finest();
   const core::Patch& grid = level.grid;
@@ -166,10 +167,10 @@ double ContactDae::least_film(std::span<const double> y) {
 void ContactDae::weights(std::span<const double> y, std::span<double> w) const {
   const core::Patch& grid = hierarchy_.levels.back().grid;
   const core::QuadraticForm& outline = hierarchy_.problem.geometry.outline;
-  // The mean over all unknowns becomes one over those of the zone, of the whole domain where the grid is half of it:
-  // the steps of time are the same.
+  // IDA takes the mean over all unknowns. This factor turns it into a mean over the zone of the whole domain, also
+  // where the grid covers only half of it, so both grids give the same time steps.
   const double inside = std::sqrt(static_cast<double>(size()) / (2.0 * zone_)) / control_.rtol;
-  constexpr double not_tested = 1e-30;  // of what follows the rest; IDA wants a weight above zero
+  constexpr double not_tested = 1e-30;  // for unknowns that follow from the others; IDA requires weights above zero
   for_nodes(grid, [&](int i, int j, std::size_t k) {
     const double of_place = in_zone(outline, grid, i, j) ? inside : weight_outside * inside;
     const double of_node = at_edge(y, i, j) ? weight_at_edge * of_place : of_place;

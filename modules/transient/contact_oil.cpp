@@ -1,4 +1,4 @@
-// The oil of a contact in time, where mass is conserved.
+// Oil balance of a contact in time, where mass is conserved.
 #include <algorithm>
 #include <cmath>
 
@@ -14,8 +14,9 @@ double ContactDae::content(int i, int j) const {
   return conserves_mass() ? level.content(i, j) : level.rho_bar(i, j) * level.H(i, j);
 }
 
-// Q of a node that the edge of the film passes bends there, and no step is short enough for it; what it errs is
-// conserved, and leaves with the node. Where y is dry, or the edge is near enough to come in a step.
+// True for cavitated nodes of y and for nodes so close that the film edge may reach them within a step. When the edge
+// passes a node, Q of that node has a kink that no step size resolves. The error is conservative and leaves with the
+// oil.
 bool ContactDae::at_edge(std::span<const double> y, int i, int j) const {
   if (!conserves_mass()) return false;
   const core::Patch& grid = hierarchy_.levels.back().grid;
@@ -29,7 +30,7 @@ bool ContactDae::at_edge(std::span<const double> y, int i, int j) const {
   return false;
 }
 
-// Between two steps Q of y is interpolated, and may pass what the gap takes.
+// IDA interpolates Q between two steps, and the result may exceed the full gap.
 void ContactDae::set_content(std::span<const double> y) {
   if (!conserves_mass()) return;
   fmg::Level& level = hierarchy_.finest();
@@ -51,7 +52,7 @@ void ContactDae::count_from_here(std::span<double> y) {
   y.back() = oil_by_flows_ = fmg::stored_oil(hierarchy_.levels.back());
 }
 
-// Upon a plate that a body comes to the layer lies as it is supplied.
+// Oil at rest below a body that approaches: the supplied layer.
 void ContactDae::spread_oil() {
   if (!conserves_mass()) return;
   fmg::Level& level = hierarchy_.finest();
@@ -61,8 +62,8 @@ void ContactDae::spread_oil() {
   core::fill_ghosts(level.grid, level.content);
 }
 
-// What the cycles have left in the rows of full nodes would add up from step to step. In an implicit step, whose
-// length is about 1/squeeze, it is an amount.
+// Without this correction the algebraic errors in the rows of full nodes would add up from step to step. The excess is
+// a flow; times the length of the implicit step, about 1/squeeze, it is an amount of oil.
 bool ContactDae::close_oil() {
   fmg::Level& level = hierarchy_.finest();
   fmg::balance_oil(hierarchy_, level, inlet_);

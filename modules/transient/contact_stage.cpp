@@ -1,4 +1,4 @@
-// One implicit step: by cycles, and of a line contact by Newton's method where they do not converge.
+// One implicit step, solved by multigrid cycles; for line contacts by Newton's method if the cycles do not converge.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,28 +15,28 @@
 namespace ehl::transient {
 namespace {
 
-/// The rate of a first cycle is taken to be no better than this, of later ones than that: measured are 0.10 to 0.29,
-/// at (50, 10) and (200, 10) on 65^2 and 129^2 for c = 10 to 10^8.
+/// Lower bounds of the convergence factor that enters the stopping criterion: for the first cycle and for later ones.
+/// [bench: transient_convergence_factor]
 constexpr double best_first_rate = 0.3;
 constexpr double best_rate = 0.1;
-/// Cycles that reduce the change by less than this do not converge, as many of them in a row: while points open and
-/// close, single ones do. Given up after one, a load from 1 to 3 within 0.01 does not end on 257^2, at (100, 0).
+/// Number of consecutive cycles with a factor above worst_rate after which the iteration stops. Single cycles may fail
+/// while nodes cavitate or refill. [bench: transient_patience]
 constexpr double worst_rate = 0.95;
 constexpr int patience = 3;
-/// Of the squeeze, above which the load is put right behind the last cycle only: what the common factor does to the
-/// film, times c, is more than what a cycle reduces, and it came anew with every cycle. On a line at any squeeze: the
-/// films are so thin that H00 then swings by 0.83 to 0.98 of itself from c = 1000 on, where without it 0.1 is left.
+/// For a squeeze coefficient c above this, the load is corrected after the last cycle only: the common factor changes
+/// the film, times c, by more than a cycle reduces. Line contacts are always treated so, because their H00 would
+/// oscillate. [bench: transient_strong_squeeze]
 constexpr double strong_squeeze = 1e4;
-/// Newton's steps, where the edge of the pressure runs past a node with each of them: nine in a row behind a load that
-/// jumps from 1 to 1.3, at (100, 10).
+/// This limit for Newton steps: while the pressure's edge moves by one node per step, no step reduces the change.
+/// [bench: transient_patience_of_newton]
 constexpr int patience_of_newton = 10;
-/// Stages that Newton's method solves before cycles are tried again: twice as many each time that they fail, up to
-/// this.
+/// Newton's method solves a number of implicit steps before cycles are tried again. The number doubles with each
+/// failure of the cycles, up to this bound.
 constexpr int most_by_newton = 32;
 
 }  // namespace
 
-// Norm of what the last cycle changed, as IDA measures it.
+// Norm of the last change, in IDA's weights.
 double ContactDae::change(const Stage& stage, double H00_before) {
   const fmg::Level& level = hierarchy_.finest();
   const std::span<const double> weights = stage.weights;
@@ -63,7 +63,7 @@ void ContactDae::cycle() {
   fmg::renew_boundary(hierarchy_, hierarchy_.finest());
 }
 
-// The predicted state and the terms of the stage.
+// Sets the predicted state and the coefficients of the implicit step.
 void ContactDae::begin(const Stage& stage, const Drive& drive) {
   fmg::Level& level = hierarchy_.finest();
   set_state(stage.T, drive, stage.y_predicted);
@@ -90,7 +90,7 @@ bool ContactDae::balanced_by_cycle(const Stage& stage) const {
   return !hierarchy_.levels.back().grid.domain.line && stage.cj < strong_squeeze;
 }
 
-// in: the rate that the first one is taken to have; out: as last measured.
+// measured: convergence factor; in: assumed for the first iteration, out: as last measured.
 StageResult ContactDae::iterate(const Stage& stage, Way way, double& measured) {
   fmg::Level& level = hierarchy_.finest();
   StageResult result{.solved = false};
@@ -125,7 +125,7 @@ StageResult ContactDae::iterate(const Stage& stage, Way way, double& measured) {
       if (conserves_mass()) fmg::update_residual(hierarchy_, level);
       result.solved = change(stage, H00_of_cycle) <= stage.tolerance;
     }
-    // A step whose oil cannot be closed is cycled on, and cut in the end.
+    // If the oil balance cannot be closed, the cycles go on, and in the end the time step is cut.
     if (result.solved && conserves_mass()) result.solved = close_oil();
     last = now;
     least = std::min(least, now);
@@ -136,7 +136,8 @@ StageResult ContactDae::iterate(const Stage& stage, Way way, double& measured) {
   return result;
 }
 
-// A state that cannot be cycled on, as one whose film the closed far field does not take, asks for a shorter step.
+// A state that the cycles cannot treat, such as a film outside the range of the closed far field, calls for a shorter
+// step.
 StageResult ContactDae::solve(const Stage& stage, const Drive& drive, std::span<double> correction) {
   try {
     return solved(stage, drive, correction);

@@ -1,4 +1,4 @@
-// What varies in time: the keys of [transient] that are schedules, and the whole of [body].
+// Keys of [transient] that are schedules, and all keys of [body].
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -70,7 +70,7 @@ std::vector<Key> body_keys() {
 
 namespace {
 
-// NaN where a cell is no number.
+// An entry is NaN if its cell is not a number.
 std::vector<double> numbers_in(const std::vector<std::string>& cells) {
   std::vector<double> numbers;
   for (const std::string& cell : cells) numbers.push_back(deck::read_number(cell).value);
@@ -114,7 +114,7 @@ std::vector<Schedule::Point> points_of_words(const deck::Part& part, const std::
   return points;
 }
 
-// A schedule in a/u_m. in: key; unit of time; value where the deck says nothing.
+// A schedule with times in a/u_m. in: key; unit of time; value if the deck gives none.
 Schedule schedule_of(const deck::Part& part, const std::string& key, double unit, double otherwise) {
   Schedule schedule;
   if (otherwise != 1.0) schedule.points = {{0.0, otherwise}};
@@ -159,7 +159,7 @@ void check_drive(const deck::Part& part, const Conditions& conditions, double en
   if (!body && !(least(conditions.load, end) > 0.0))
     part.complain(part.given("load_wave") ? "load_wave" : "load",
                   "the load must stay positive until the end: the bodies would part");
-  constexpr int samples = 4000;  // of the wave between the stops; a dip between two of them is not seen
+  constexpr int samples = 4000;  // times between the stops, for the wave; a shorter dip is not seen
   std::vector<double> times = stops_of(conditions, end);
   for (int k = 0; k <= samples; ++k) times.push_back(end * k / samples);
   const char* key = part.given("u1") || part.given("u1_wave") ? "u1" : "u2";
@@ -181,7 +181,7 @@ void check_drive(const deck::Part& part, const Conditions& conditions, double en
 std::optional<Body> read_body(deck::Deck& deck, const Scales& scales) {
   const double length = scales.radius, load = scales.load, u_m = scales.a / scales.time;
   Body body;
-  // True where the deck gives it.
+  // True if the deck gives the quantity.
   const auto take = [&](const char* name, const char* suffix, double unit, auto& quantity) {
     const double found = deck::number_in(deck, "body", name, {suffix, unit, scales.in_SI});
     if (std::isfinite(found)) quantity = found;

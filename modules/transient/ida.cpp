@@ -15,24 +15,25 @@
 namespace ehl::transient {
 namespace {
 
-/// Steps between two returns of IDASolve: it returns after every one.
+/// Number of internal steps is not bounded: IDASolve returns after every step.
 constexpr long unlimited = -1;
 
 std::span<double> values(N_Vector v) {
   return {N_VGetArrayPointer_Serial(v), static_cast<std::size_t>(N_VGetLength_Serial(v))};
 }
 
-/// What the callbacks see: C code lies between them and the caller, so an exception waits here until it is past it.
+/// State shared with the callbacks. C code lies between them and the caller, so exceptions are stored here and thrown
+/// again behind it.
 struct Calls {
   const DaeProblem& problem;
   std::exception_ptr error{};
-  std::string message{};  ///< IDA's last one
+  std::string message{};  ///< last message of IDA
   int cycles = 0;         ///< since the step began
-  int newton_steps = 0;   ///< likewise
-  int last_count = 0;     ///< of the last solution, of both
+  int newton_steps = 0;   ///< since the step began
+  int last_count = 0;     ///< iterations of the last solution, of both kinds
   double last_T = 0.0;
 
-  /// IDA's convention: 0 went well, positive try a shorter step, negative stop.
+  /// IDA's convention: 0 success, positive: try a shorter step, negative: stop.
   template <class Function>
   int guarded(int shorter, Function function) {
     try {
@@ -50,7 +51,7 @@ int weights(N_Vector y, N_Vector w, void* data) {
   Calls& c = calls(data);
   return c.guarded(-1, [&] {
     c.problem.weights(c.last_T, values(y), values(w));
-    // IDA trusts weights that a function gives it.
+    // IDA does not check the weights itself.
     return std::ranges::all_of(values(w), [](double weight) { return weight > 0.0 && std::isfinite(weight); });
   });
 }
@@ -63,10 +64,10 @@ int event(realtype T, N_Vector y, N_Vector, realtype* value, void* data) {
   });
 }
 
-/// IDA asks for a residual function and, with a nonlinear solver of the caller's, never calls it.
+/// IDA asks for a residual function but never calls it when the caller supplies the nonlinear solver.
 int no_residual(realtype, N_Vector, N_Vector, N_Vector, void*) { return -1; }
 
-/// Solves one stage; the last argument is IDA itself.
+/// Solves one implicit step; the last argument is IDA's memory.
 int solve_stage(SUNNonlinearSolver solver, N_Vector, N_Vector correction, N_Vector ewt, realtype tolerance, booleantype,
                 void* ida) {
   Calls& c = calls(solver->content);
@@ -82,7 +83,7 @@ int solve_stage(SUNNonlinearSolver solver, N_Vector, N_Vector correction, N_Vect
     c.last_count = result.cycles + result.newton_steps;
     c.cycles += result.cycles;
     c.newton_steps += result.newton_steps;
-    // A comparison with NaN is false: IDA's error test would pass.
+    // IDA's error test would accept NaN, because a comparison with NaN is false.
     return result.solved && std::ranges::all_of(values(correction), [](double v) { return std::isfinite(v); });
   });
 }
@@ -186,7 +187,7 @@ StepReport Ida::step(double T_stop) {
   own.calls.message.clear();
   own.calls.cycles = own.calls.newton_steps = 0;
   realtype T = 0.0;
-  int flag = IDASetStopTime(own.memory, T_stop);  // refused where it lies behind
+  int flag = IDASetStopTime(own.memory, T_stop);  // refused for a time that has passed
   if (flag == IDA_SUCCESS) flag = IDASolve(own.memory, T_stop, &T, own.y, own.yp, IDA_ONE_STEP);
   if (own.calls.error) std::rethrow_exception(own.calls.error);
   StepReport report{.T = T, .cycles = own.calls.cycles, .newton_steps = own.calls.newton_steps};
@@ -213,7 +214,7 @@ std::span<const double> Ida::yp() const { return values(implementation_->yp); }
 
 void Ida::interpolate(double T, std::span<double> y) const {
   Implementation& own = *implementation_;
-  // Of the two sides IDA refuses only the earlier one.
+  // IDAGetDky refuses only times before the last step, so later ones are refused here.
   realtype reached = 0.0;
   IDAGetCurrentTime(own.memory, &reached);
   const double rounding = 1e-14 * std::abs(reached);

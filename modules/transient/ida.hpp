@@ -1,5 +1,5 @@
 #pragma once
-// Variable order, variable step BDF by SUNDIALS IDA: the one place of this module that knows that library.
+// Integration by BDF of variable order and step (SUNDIALS IDA). Only ida.cpp includes that library.
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -9,31 +9,31 @@
 
 namespace ehl::transient {
 
-/// The implicit equations of one step as IDA poses them: find y and y' = yp_predicted + cj (y - y_predicted).
+/// The equations of one implicit step: find y and y' = yp_predicted + cj (y - y_predicted).
 struct Stage {
   double T = 0.0;
-  double cj = 0.0;  ///< 1/T: alpha/h
+  double cj = 0.0;  ///< alpha/h, in 1/T
   std::span<const double> y_predicted;
   std::span<const double> yp_predicted;
-  std::span<const double> weights;  ///< of the norm sqrt(mean((w v)^2)) in which IDA measures errors
-  double tolerance = 0.0;           ///< in that norm, for the error that the iteration leaves
+  std::span<const double> weights;  ///< w of the norm sqrt(mean((w v)^2)) in which IDA measures errors
+  double tolerance = 0.0;           ///< bound of the algebraic error, in that norm
 };
 
-/// What the solution of a stage came to.
+/// Outcome of one implicit step.
 struct StageResult {
   bool solved = true;  ///< false: the step must be shorter
   int cycles = 0;
   int newton_steps = 0;
 };
 
-/// What IDA is to integrate. What the functions throw passes through IDA unharmed.
+/// The system that IDA integrates. Exceptions of the functions reach the caller of Ida::step().
 struct DaeProblem {
   std::size_t size = 0;
-  /// Writes y - y_predicted.
+  /// Solves the step and writes y - y_predicted.
   std::function<StageResult(const Stage& stage, std::span<double> correction)> solve;
   /// Weights of the error norm at y, all positive.
   std::function<void(double T, std::span<const double> y, std::span<double> weights)> weights;
-  /// The step ends where this passes through zero from above; empty: nowhere.
+  /// The step ends where this function falls through zero; empty: no such event.
   std::function<double(double T, std::span<const double> y)> event;
 };
 
@@ -44,38 +44,37 @@ struct StepLimits {
   double shortest = 1e-12;
 };
 
-/// One accepted step, or the reason why there is none.
+/// One accepted step, or the reason why it failed.
 struct StepReport {
   enum class End { accepted, at_stop, at_event, failed };
   End end = End::accepted;
-  double T = 0.0;  ///< reached
+  double T = 0.0;  ///< time reached
   double length = 0.0;
   int order = 0;
   int cycles = 0;        ///< of all attempts at this step
-  int newton_steps = 0;  ///< likewise
-  int rejected = 0;      ///< attempts by the error test
-  int not_solved = 0;    ///< attempts by the iteration
-  std::string reason{};  ///< of a failure, in words
+  int newton_steps = 0;  ///< of all attempts at this step
+  int rejected = 0;      ///< attempts that failed the error test
+  int not_solved = 0;    ///< attempts whose equations were not solved
+  std::string reason{};  ///< why the step failed
 };
 
 /// Owns IDA's memory for one problem, which must outlive it.
 class Ida {
  public:
-  /// in: y and y' at T, consistent as far as the equations see them. errors: core::SolverError where IDA cannot be set
-  /// up (no memory).
+  /// in: y and y' at T, consistent. errors: core::SolverError if IDA cannot be set up (no memory).
   Ida(const DaeProblem& problem, const StepLimits& limits, double T, std::span<const double> y,
       std::span<const double> yp);
   ~Ida();
   Ida(const Ida&) = delete;
   Ida& operator=(const Ida&) = delete;
 
-  /// Starts anew from here, at order one.
+  /// Starts again from this state at order one.
   void restart(double T, std::span<const double> y, std::span<const double> yp, double first_step);
 
-  /// One step towards T_stop, which is never passed.
+  /// One step towards T_stop, which it never passes.
   StepReport step(double T_stop);
 
-  /// After a step: y and y' there.
+  /// y and y' after a step.
   std::span<const double> y() const;
   std::span<const double> yp() const;
 

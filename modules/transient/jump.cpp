@@ -6,11 +6,11 @@
 namespace ehl::transient {
 namespace {
 
-/// A first try: halved where the cycles do not follow, six times at most.
+/// First guess of the increments of load and speed; they are halved, down to this share, if the cycles do not converge.
 constexpr double largest_bit_of_load = 0.02;
 constexpr double largest_bit_of_speed = 0.1;
 constexpr double least_share_of_a_bit = 1.0 / 64.0;
-/// Of the step, in the norm of the weights: what IDA asks for.
+/// Tolerance of the step in IDA's weighted norm: IDA's own value for its nonlinear solver.
 constexpr double tolerance = 1.0 / 3.0;
 
 }  // namespace

@@ -1,19 +1,19 @@
 #pragma once
-// Across a jump of load or speed: short steps by backward Euler, before IDA goes on from a consistent state.
+// Jumps of load or speed: short backward Euler steps give IDA a consistent state to continue from.
 #include <vector>
 
 #include "transient/contact_dae.hpp"
 
 namespace ehl::transient {
 
-/// A step by backward Euler, y' = (y - old)/length.
+/// A backward Euler step, y' = (y - old)/length.
 struct EulerStep {
   double T = 0.0;  ///< at its end
   double length = 0.0;
   int cycles = 0;
   int newton_steps = 0;
   std::vector<double> old{};  ///< state at T - length
-  std::vector<double> y{};    ///< state at T; before it is solved, a guess
+  std::vector<double> y{};    ///< initial guess, then the state at T
   std::vector<double> yp{};
 };
 
@@ -21,18 +21,18 @@ inline StepReport report_of(const EulerStep& step) {
   return {.T = step.T, .length = step.length, .order = 1, .cycles = step.cycles, .newton_steps = step.newton_steps};
 }
 
-/// Solves the step under the drive at its end, the guess by the state before it. false where the cycles do not
-/// converge: y is still the guess.
+/// Solves the step under the drive at its end, from the guess in y. returns false if the cycles do not converge; y is
+/// then still the guess.
 bool solve_euler_step(ContactDae& dae, const Drive& drive, EulerStep& step);
 
-/// Parts, small enough for the cycles, of the way from one drive to another.
+/// Number of increments from one drive to another that are small enough for the cycles.
 int bits_between(const Drive& from, const Drive& to);
 
-/// A drive on the way; share from 0 to 1.
+/// Drive between two others; share from 0 to 1.
 Drive part_of_the_way(const Drive& from, const Drive& to, double share);
 
-/// Solves the step in which the drive goes from one to the other: bit by bit, in halves where the cycles do not follow.
-/// false where the cycles do not converge with the smallest bits.
+/// Solves a step in which the drive changes from one value to another, by increments that are halved if the cycles do
+/// not converge. returns false if they fail with the smallest increment.
 bool solve_step_across(ContactDae& dae, const Drive& from, const Drive& to, EulerStep& step);
 
 }  // namespace ehl::transient

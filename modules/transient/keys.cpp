@@ -120,7 +120,7 @@ std::vector<Place> read_probes(const deck::Part& output, const core::Grid& grid)
   return places;
 }
 
-// in: the longest step where the deck says nothing.
+// in: otherwise, the longest step if the deck gives none.
 void check_steps(const deck::Part& transient, const MarchParameters& march, double otherwise) {
   const double longest = std::isnan(march.longest_step) ? otherwise : march.longest_step;
   const double steps = std::ceil(march.end / longest);

@@ -22,14 +22,14 @@ namespace ehl::transient {
 namespace {
 
 constexpr double first_step = 1e-3;                  // at order one; IDA doubles it as its error test allows
-constexpr double shorter_behind_a_checkpoint = 0.1;  // the first step there, over the last one before it
-/// The step across a jump of load or speed: the pressure follows at once, the film hardly moves. As many in all let
-/// what the jump has stirred up die away, which IDA would follow with steps too short for the cycles.
+constexpr double shorter_behind_a_checkpoint = 0.1;  // first step after a checkpoint, over the last one before it
+/// Short steps after a jump of load or speed: within the first the pressure adapts and the film hardly moves, the
+/// others let fast disturbances decay, which IDA would follow with steps too short for the cycles.
 constexpr double micro_step = 1e-3;
 constexpr int micro_steps = 4;
 constexpr double rounding_of_time = 1e-14;  // relative; some fifty units in the last place
 
-/// The integration under way.
+/// One time integration.
 class March {
  public:
   March(fmg::Hierarchy& hierarchy, const Conditions& conditions, const MarchParameters& parameters,
@@ -66,7 +66,7 @@ class March {
   MarchReport run(const Checkpoint* from) {
     Checkpoint start = from ? *from : first_state(hierarchy_, dae_, conditions_);
     if (from) dae_.set_weight(from->weight);
-    // The squeeze multiplies what a change foretells of the film: that must be what the film then does.
+    // The relaxation multiplies its predicted change of the film by cj, so the prediction must be accurate.
     fmg::take_line_zero(hierarchy_, line_unit_);
     report_.T = start.T;
     report_.restarts = start.restarts;
@@ -76,7 +76,7 @@ class March {
     bool on = true;
     if (!from) {
       on = show({}) || stopped(MarchEnd::interrupted);
-      // An event is a change of sign, and there will be none.
+      // An event needs a change of sign, which a film that starts below the limit does not have.
       if (on && dae_.least_film(start.y) <= parameters_.stop_film) on = stopped(MarchEnd::film);
       show_frame(0.0);
       if (on && starts_moving()) on = set_off(*std::ranges::upper_bound(stops, 0.0), start);
@@ -101,7 +101,7 @@ class March {
   Drive drive(double T) const { return drive_at(conditions_, T); }
   double central_film() const { return judgement::value_at(hierarchy_.finest().grid, hierarchy_.finest().H, 0.0, 0.0); }
 
-  // Of errors. A body that flies towards the other will have a film of that order once it is there.
+  // Scale of the error test. An approaching body will have a film of this order at impact.
   double film_scale() const { return conditions_.body ? std::min(central_film(), 0.1) : central_film(); }
 
   bool reach(Ida& ida, double stop) {
@@ -123,9 +123,9 @@ class March {
     return true;
   }
 
-  // Behind a jump of load or speed pressure and film must be consistent again before IDA goes on: one very short step
-  // by the same equations, in which load and speed go from the old to the new values; a few more of them; and from
-  // there at order one. All of it before the next stop.
+  // After a jump of load or speed pressure and film must be made consistent before IDA continues. In one very short
+  // step load and speed go from the old to the new values; a few more short steps follow; then IDA starts at order one.
+  // All of them end before the next stop.
   bool cross(Ida& ida, double next_stop) {
     EulerStep step;
     step.y.assign(ida.y().begin(), ida.y().end());
@@ -139,7 +139,7 @@ class March {
     return conditions_.body && (conditions_.body->gap || conditions_.body->velocity != 0.0);
   }
 
-  // The same from a velocity at T = 0 that the pressure does not know yet. out: where IDA begins.
+  // Short steps for a body that starts with a velocity: the pressure at T = 0 is not consistent. out: IDA's start.
   bool set_off(double next_stop, Checkpoint& start) {
     EulerStep step;
     step.y = start.y;
@@ -150,7 +150,7 @@ class March {
     return true;
   }
 
-  // in: step.y, the state at report_.T, and the drive there. out: step, the last one.
+  // in: step.y, the state at report_.T, and the drive before. out: step, the last one.
   bool short_steps(EulerStep& step, Drive before, double length, double next_stop) {
     const double room = 0.5 * (next_stop - report_.T);
     const int count = std::clamp(static_cast<int>(room / length), 2, micro_steps);
@@ -160,7 +160,7 @@ class March {
       step.T = report_.T + step.length;
       step.cycles = step.newton_steps = 0;
       const Drive next = drive(step.T);
-      if (conditions_.body) before.load = next.load;  // the body's inertia takes it
+      if (conditions_.body) before.load = next.load;  // the inertia of the body takes the jump of the load
       const bool solved = k > 0 ? solve_euler_step(dae_, next, step) : solve_step_across(dae_, before, next, step);
       if (!solved) return fail("the cycles did not converge in the short steps behind a jump or a start");
       const auto interpolate = [&](double at) {
@@ -182,7 +182,7 @@ class March {
     observer_.checkpoint(std::move(at));
   }
 
-  // Counts and shows a step, the level holding its state.
+  // Counts and reports a step whose state the level holds.
   template <class Interpolate>
   bool accept(const StepReport& step, std::span<const double> y, Interpolate interpolate) {
     const double before = std::exchange(report_.T, step.T);
@@ -226,7 +226,7 @@ class March {
     return !observer_.row || observer_.row(row);
   }
 
-  // Frames up to report_.T, where the state is `now`; `interpolate` writes an earlier one to between_.
+  // Frames up to report_.T, whose state is `now`; `interpolate` writes an earlier state to between_.
   template <class Interpolate>
   void frames_between(double before, std::span<const double> now, Interpolate interpolate) {
     if (std::isnan(parameters_.output_interval) || !observer_.frame) return;

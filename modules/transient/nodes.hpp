@@ -5,7 +5,7 @@
 
 namespace ehl::transient {
 
-/// action(i, j, k) for all nodes, k their place in y.
+/// Calls action(i, j, k) for all nodes; k is the node's index in y.
 template <class Action>
 void for_nodes(const core::Patch& grid, Action action) {
   std::size_t k = 0;

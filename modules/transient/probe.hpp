@@ -1,5 +1,5 @@
 #pragma once
-// The contact at chosen points.
+// Pressure and film at chosen points.
 #include <vector>
 
 #include "core/field.hpp"
@@ -12,13 +12,13 @@ struct Place {
   double X = 0.0, Y = 0.0;
 };
 
-/// What a probe shows.
+/// Values at a probe.
 struct Probed {
   double P = 0.0, H = 0.0;
 };
 
-/// P and H at every place: of a node where there is one, else by bicubic interpolation, P no less than 0.
-/// in: the patch of the fields. limits: inside its domain.
+/// P and H at every place: nodal values at nodes, else bicubic interpolation with P >= 0. in: the patch of the fields.
+/// limits: the places lie in its domain.
 std::vector<Probed> probed_at(const core::Patch& grid, const core::Field& P, const core::Field& H,
                               const std::vector<Place>& places);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Tells from the rows of the steps when the contact has come to rest.
+// Detects from the rows of the time steps that the contact has become steady.
 #include <cmath>
 #include <vector>
 
@@ -7,14 +7,15 @@
 
 namespace ehl::transient {
 
-/// Hc, Hm and P_max have changed by less than a share for a time of 1. in: NaN: never asked, and nothing is kept.
+/// True once Hc, Hm and P_max have changed by less than a relative tolerance for a time of 1. in: the tolerance; NaN:
+/// disabled, no row is stored.
 class Rest {
  public:
   explicit Rest(double tolerance) : tolerance_(tolerance) {}
 
-  /// With this row, later than all before it, at rest?
+  /// Adds a row later than all before it. returns true if the contact is steady.
   bool reached(const StepRow& row) {
-    constexpr double window = 1.0;  // the oil crosses half of the contact: what moves must show in it
+    constexpr double window = 1.0;  // a surface moves by one Hertz radius in this time
     if (std::isnan(tolerance_)) return false;
     recent_.push_back(row);
     while (recent_.size() > 1 && recent_[1].T <= row.T - window) recent_.erase(recent_.begin());
@@ -25,7 +26,7 @@ class Rest {
 
  private:
   double tolerance_;
-  std::vector<StepRow> recent_{};  ///< of the last window
+  std::vector<StepRow> recent_{};  ///< rows of the last window
 };
 
 }  // namespace ehl::transient

@@ -8,13 +8,13 @@
 namespace ehl::transient {
 namespace {
 
-/// Where a line's logarithm is zero, in contact sizes: inside of the pressure a held film answers H00 wrongly. Of 55
-/// contacts (M = 1 to 2000, L = 0 to 15) under a load that swings, 4 carries more through than 8.
+/// Length at which the logarithm of the line kernel is zero, in contact sizes. Within the pressurised zone, relaxation
+/// at constant film would predict a wrong change of H00. [bench: transient_unit_of_line]
 constexpr double unit_of_line = 4.0;
 
-/// What single points around a point squeeze out of its film, H per P: a zone is as wide on any cells, so that with the
-/// 2 K_0 of point contacts cycles diverge on fine ones (L = 0, M >= 200, c > 1e5). Beside the cavitated region there is
-/// no zone: the 0.2 of point contacts, 20 times a line's K_0 at 1025 nodes, left 0.93 of an error there.
+/// Change of the film per change of P that Gauss-Seidel relaxation assumes for its neighbourhood, in H per P. The zone
+/// of such nodes has a fixed width, so the value must not scale with the cells. Next to the cavitated region there is
+/// no such zone and the value is zero. [bench: transient_far_squeeze_of_line]
 constexpr double far_squeeze_of_line = 0.2;
 
 }  // namespace
@@ -22,7 +22,7 @@ constexpr double far_squeeze_of_line = 0.2;
 steady::Scene scene_in_time(const steady::Scene& steady, const Conditions& conditions) {
   steady::Scene scene = steady;
   scene.use_symmetry = steady.use_symmetry && symmetric(conditions);
-  scene.multigrid.cycle = steady.multigrid.cycle.value_or(fmg::Cycle::V);  // from a predicted state V(2,1) is enough
+  scene.multigrid.cycle = steady.multigrid.cycle.value_or(fmg::Cycle::V);  // V(2,1) suffices for a predicted state
   scene.multigrid.pre = steady.multigrid.pre.value_or(2);
   scene.multigrid.post = steady.multigrid.post.value_or(1);
   if (conditions.conserves_mass && !scene.supply)

@@ -1,12 +1,12 @@
 #pragma once
-// The scene of a steady contact as it is computed in time.
+// The steady scene, prepared for time integration.
 #include "steady/scene.hpp"
 #include "transient/conditions.hpp"
 
 namespace ehl::transient {
 
-/// The same contact with the cycles that steps of time want, on half of the domain only where that stays so, and with a
-/// supply without end where mass is conserved and none was given.
+/// A copy of the scene with V(2,1) cycles by default, on half of the domain only if the conditions stay symmetric, and
+/// with an infinite supply if mass is conserved and the scene has none.
 steady::Scene scene_in_time(const steady::Scene& steady, const Conditions& conditions);
 
 }  // namespace ehl::transient

@@ -8,12 +8,12 @@
 namespace ehl::transient {
 namespace {
 
-constexpr int parts_of_a_ramp = 4;  // load_ramp.ini: Hc errs by 1.8e-4, at rtol 1e-3 and 1e-4 alike
-/// A ramp shorter than this and steeper (of the larger value, in a time of 1) is a jump: the film hardly moves
-/// meanwhile, and steps within it would be too short for the cycles.
+constexpr int parts_of_a_ramp = 4;  // time steps per ramp [bench: transient_parts_of_a_ramp]
+/// A ramp both shorter and steeper (relative to the larger value, per time of 1) than this counts as a jump: the film
+/// hardly moves within it, and steps that resolve it would be too short for the cycles.
 constexpr double time_of_a_jump = 1e-3;
 constexpr double steep = 50.0;
-constexpr double parts_of_a_period = 20.0;  // a chord of 18 degrees lies below a sine by 1.2 % of its amplitude
+constexpr double parts_of_a_period = 20.0;  // a chord of 18 degrees deviates from a sine by about 1 % of its amplitude
 
 double omega(const Schedule::Wave& wave) { return 2.0 * std::numbers::pi / wave.period; }
 
@@ -23,7 +23,7 @@ bool jumps_between(const Schedule::Point& a, const Schedule::Point& b) {
   return b.T == a.T ? change > 0.0 : b.T - a.T < time_of_a_jump && change > steep * larger * (b.T - a.T);
 }
 
-// Without the wave. At a jump the first of its points.
+// Value without the wave. At a jump, the value before it.
 double linear(const std::vector<Schedule::Point>& points, double T) {
   if (points.empty()) return 1.0;
   const auto after = std::ranges::lower_bound(points, T, {}, &Schedule::Point::T);
@@ -83,7 +83,8 @@ double least(const Schedule& schedule, double end) {
       largest = std::max(largest, point.value);
     }
   if (!schedule.wave || schedule.wave->start >= end) return smallest;
-  // The product is least in a corner; a wave larger than one turns the sign, of the largest value most.
+  // The product is smallest at a corner. A wave with an amplitude above one changes the sign, of the largest value
+  // most.
   const double amplitude = std::abs(schedule.wave->amplitude);
   return std::min({smallest * (1.0 - amplitude), smallest * (1.0 + amplitude), largest * (1.0 - amplitude)});
 }

@@ -1,12 +1,12 @@
 #pragma once
-// A number that varies in time as the deck says.
+// A quantity that varies in time, as given in the deck.
 #include <optional>
 #include <vector>
 
 namespace ehl::transient {
 
-/// Piecewise linear through the points, constant before the first and behind the last; two points at the same time are
-/// a jump. A wave multiplies all of it by 1 + amplitude sin(2 pi (T - start)/period) from its start on.
+/// Piecewise linear through the points, constant before the first and after the last; two points at the same time are a
+/// jump. From its start on, a wave multiplies the value by 1 + amplitude sin(2 pi (T - start)/period).
 struct Schedule {
   struct Point {
     double T = 0.0;
@@ -17,37 +17,37 @@ struct Schedule {
     double period = 1.0;
     double start = 0.0;
   };
-  std::vector<Point> points{};  ///< T never falls; none: 1 at all times
+  std::vector<Point> points{};  ///< T does not decrease; empty: 1 at all times
   std::optional<Wave> wave{};
 };
 
-/// Value at T; at a jump the value before it, so that a step of time that ends there sees what it came from.
+/// Value at T; at a jump the value before it, so that a time step which ends there sees the old value.
 double value(const Schedule& schedule, double T);
 
 /// Integral from 0 to T >= 0, exact.
 double integral(const Schedule& schedule, double T);
 
-/// Smallest value that it takes from 0 to `end`, or a little less.
+/// Lower bound of the value between 0 and `end`; the minimum itself except with a wave.
 double least(const Schedule& schedule, double end);
 
-/// Times in [0, end) at which the value jumps, rising; a change within less than 1e-3 at more than 50 in a time of 1,
-/// of the larger value, is a jump where it begins.
+/// Times in [0, end) at which the value jumps, ascending. A very short and steep ramp (schedule.cpp) is a jump at its
+/// start.
 std::vector<double> jumps(const Schedule& schedule, double end);
 
-/// Steepest slope that it has from 0 to `end`, or a little more; infinite where it jumps.
+/// Upper bound of the slope between 0 and `end`; infinite if the value jumps.
 double steepest(const Schedule& schedule, double end);
 
-/// Times in (0, end) at which only the slope jumps, rising.
+/// Times in (0, end) at which only the slope jumps, ascending.
 std::vector<double> corners(const Schedule& schedule, double end);
 
-/// Ramps shorter than this are seen by steps that must end at their quarters: all the others may be longer.
+/// Shorter ramps are resolved by steps that must end at their quarters, so that all other steps may be longer.
 inline constexpr double short_ramp = 0.04;
 
-/// Times before `end` at which a step must end for a short ramp: its quarters; rising for each ramp.
+/// Times before `end` at which a step must end because of a short ramp: its quarters, ascending within each ramp.
 std::vector<double> quarters(const Schedule& schedule, double end);
 
-/// Longest step of time in which the schedule can be seen, its short ramps apart: a quarter of the shortest ramp, a
-/// twentieth of the period of its wave; infinite where it is constant.
+/// Longest time step that resolves the schedule except its short ramps: a quarter of the shortest other ramp, a
+/// twentieth of the period of the wave; infinite for a constant.
 double resolving_step(const Schedule& schedule);
 
 }  // namespace ehl::transient

@@ -15,19 +15,21 @@
 namespace ehl::transient {
 namespace {
 
-/// Above it no state counts as solved, and no stalling residual as rounding.
+/// Bound of the relative residual of a solved state; below it, a residual that stagnates counts as rounding.
 constexpr double hopeless_residual = 1e-5;
-/// Of the load. Bodies far apart, with no pressure between them, leave no residual either.
+/// Largest relative error of the load. Separated bodies without pressure have no residual, only this error.
 constexpr double hopeless_load_error = 0.01;
-/// Twice what cycles that halve the residual take from one to settled_residual.
+/// Twice the number of cycles that a convergence factor of 1/2 needs from a residual of 1 to settled_residual.
 constexpr int most_settling_cycles = 60;
-/// Cycles that diverge begin again with less weight, as the steady ones do, and keep it for the steps of time.
+/// If the cycles diverge, they start again with stronger damping, as for the steady solution, and the time steps keep
+/// it.
 constexpr double less_weight = 0.8;
 constexpr double least_weight = 0.5;
-/// A V(2,1) cycle leaves 0.1 to 0.3 of the error: three leave 3 % of a bit at most, for the next one to begin with.
+/// Cycles per increment of load and speed: they reduce its error enough for the next increment. [bench:
+/// transient_cycles_per_bit]
 constexpr int cycles_per_bit = 3;
 
-// Residual after cycles at T = 0 without squeeze: `most` of them, or fewer where it is as small as rounding allows.
+// Residual after at most `most` cycles at T = 0 without squeeze; fewer if it is as small as rounding allows.
 double cycles_at_rest(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive& drive, int most) {
   dae.pose(0.0, drive, 0.0);
   fmg::update_film(hierarchy, hierarchy.finest());
@@ -44,7 +46,7 @@ double cycles_at_rest(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive& d
   return residual;
 }
 
-// Takes the state that is there to the one at rest. out: why it was not found; empty where it was.
+// Moves the current state to the steady state at T = 0. returns why that failed; empty if it succeeded.
 std::string way_to_rest(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive& start) {
   const int bits = bits_between(Drive{}, start);
   double residual = 0.0;
