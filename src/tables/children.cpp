@@ -22,11 +22,11 @@
 namespace ehl::program {
 namespace {
 
-constexpr int look_up_interval = 100;  // ms: for what a child says, and for a request to stop
-constexpr int look_up_blindly = 5;     // ms: where the system does not tell when a process ends
-constexpr char whole = '\n';           // the last byte of a text that arrived whole
+constexpr int look_up_interval = 100;  // ms: between two looks at the reports of the children and at a request to stop
+constexpr int look_up_blindly = 5;     // ms: the same if the system cannot notify the parent of the end of a process
+constexpr char whole = '\n';           // the last byte of a text that arrived completely
 
-/// Memory that a child shares with its parent: a sentence, which may be half a new and half an old one.
+/// Memory shared between a child and its parent. It holds one text, which may be read while it is half overwritten.
 class Board {
  public:
   Board() : memory_(::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {}
@@ -37,7 +37,7 @@ class Board {
   Board& operator=(const Board&) = delete;
 
   void write(const std::string& text) {
-    if (memory_ == MAP_FAILED) return;  // then nothing is said
+    if (memory_ == MAP_FAILED) return;  // without shared memory there are no reports
     std::strncpy(static_cast<char*>(memory_), text.c_str(), size - 1);
   }
   std::string read() const {
@@ -57,10 +57,10 @@ struct Child {
   int text = -1;  // a file in memory that the child writes
   double began = 0.0;
   std::shared_ptr<Board> board{};
-  int ends = -1;  // readable when the process has ended; -1 where the system has no such thing
+  int ends = -1;  // becomes readable when the process ends; -1 if the system does not support this
 };
 
-/// The children at work; none survives it.
+/// The working children; the destructor ends them all.
 class Children {
  public:
   Children() = default;
@@ -79,7 +79,7 @@ class Children {
 };
 
 [[noreturn]] void be_child(std::size_t task, int file, pid_t parent, Board& board, const ChildrenCalls& calls) {
-  // The parent decides what Ctrl-C means; a child that is told to end, ends.
+  // Only the parent handles Ctrl-C; a child ends when it receives SIGTERM.
   ::signal(SIGINT, SIG_IGN);
   ::signal(SIGTERM, SIG_DFL);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -96,7 +96,7 @@ class Children {
     status = 1;
   }
   if (::write(file, text.data(), text.size()) != static_cast<ssize_t>(text.size())) ::_exit(1);
-  ::_exit(status);  // not exit: buffers and exit functions are the parent's
+  ::_exit(status);  // not exit(): buffers and exit functions belong to the parent
 }
 
 Child start(std::size_t task, const ChildrenCalls& calls) {
@@ -138,7 +138,7 @@ ChildEnd end_of(const Child& child, int status) {
   return end;
 }
 
-// Until one of them has ended, or for some time.
+// Waits until a child has ended, but not longer than the interval.
 void wait_for_an_end(const Children& children) {
   std::vector<pollfd> ends;
   bool blind = false;
@@ -153,7 +153,7 @@ void take_ended(Children& children, const ChildrenCalls& calls) {
   for (std::size_t k = 0; k < children.working.size();) {
     const Child child = children.working[k];
     int status = 0;
-    // Where somebody had SIGCHLD ignored, the process leaves no status: then its text alone says how it ended.
+    // If SIGCHLD is ignored the process leaves no exit status; its text alone then shows how it ended.
     if (::waitpid(child.process, &status, WNOHANG) == 0) {
       ++k;
       continue;

@@ -1,5 +1,5 @@
 #pragma once
-// Independent tasks in processes of their own: one that dies takes nothing with it.
+// Independent tasks in child processes: a task that crashes does not end the others.
 #include <cstddef>
 #include <functional>
 #include <numeric>
@@ -15,16 +15,16 @@ namespace ehl::program {
 /// How a task ended.
 struct ChildEnd {
   std::size_t task = 0;
-  bool complete = false;  ///< the task returned, and its text arrived whole
+  bool complete = false;  ///< the task returned, and its text arrived completely
   std::string text{};     ///< what the task returned
-  int status = 0;         ///< as a shell gives it: 128 + signal when a signal ended the process
-  std::string reason{};   ///< why it is not complete
+  int status = 0;         ///< exit status as a shell reports it: 128 + signal if a signal ended the process
+  std::string reason{};   ///< why the task is not complete
 };
 
-/// What a task says of itself while it works; the last counts.
+/// Reports the present step of a task while it works; each report replaces the one before.
 using Say = std::function<void(const std::string&)>;
 
-/// The child that has been at work longest.
+/// The child that has been working longest.
 struct ChildAtWork {
   std::size_t task = 0;
   double seconds = 0.0;
@@ -32,21 +32,26 @@ struct ChildAtWork {
 };
 
 struct ChildrenCalls {
-  std::function<std::string(std::size_t, const Say&)> task{};  ///< in the child; may throw, crash or be killed
-  std::function<void(const ChildAtWork&)> waits{};             ///< in the parent, several times a second; may be empty
-  std::function<void(const ChildEnd&)> ended{};                ///< in the parent, in the order in which tasks end
-  std::function<bool()> stop{};  ///< in the parent, several times a second: true ends it all
+  std::function<std::string(std::size_t, const Say&)> task{};  ///< runs in the child; it may throw, crash or be killed
+  std::function<void(const ChildAtWork&)> waits{};             ///< runs in the parent, several
+                                                               ///< times a second; may be empty
+  std::function<void(const ChildEnd&)> ended{};                ///< runs in the parent, in the
+                                                               ///< order in which the tasks end
+  std::function<bool()> stop{};  ///< runs in the parent, several times a second; true stops all children
 };
 
-/// Runs the tasks, `at_once` at a time, each in a forked process with memory of its own. Ctrl-C reaches the parent
-/// only; when it stops, children that still work are killed and their tasks do not count as ended. A child outlives its
-/// parent by nothing. in: task numbers; at_once >= 1. No other thread may be running. out: false when it was stopped.
-/// errors: core::FileError when the system gives no process.
+/// Runs the tasks in forked processes, `at_once` at a time. Each process has its own memory. Only the parent
+/// receives Ctrl-C; when it stops, it kills the children that still work, and their tasks do not count as ended. A
+/// child ends when its parent ends.
+/// in: task numbers; at_once >= 1. No other thread may be running. out: false if it was stopped.
+/// errors: core::FileError if the system cannot create a process.
 bool run_in_children(const std::vector<std::size_t>& tasks, int at_once, const ChildrenCalls& calls);
 
-/// A row for each way, computed in children. A row has its way, a status and a reason, and comes back as the text that
-/// text_of(row) makes and read_text(text, row) reads. One whose process died has the status "failed" and the reason.
-/// in: ways; how many at a time; name: of a way, for people. errors: core::Interrupted; those above.
+/// One row per method of solution, computed in child processes. A row contains its method (`way`), a status and a
+/// reason. It is sent to the parent as the text that text_of(row) makes and read_text(text, row) reads. If a process
+/// died, its row has the status "failed" and the reason.
+/// in: the methods; how many run at a time; name: the name of a method for the reader. errors: core::Interrupted;
+/// core::FileError as above.
 template <class Row, class Way>
 std::vector<Row> computed_rows(const std::vector<Way>& ways, int at_once, bool quiet,
                                const std::function<Row(const Way&)>& compute,

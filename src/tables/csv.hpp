@@ -1,6 +1,6 @@
 #pragma once
-// The tables of `ehl sweep` and `ehl study` as CSV: what comments say where a table is from, and rows by their columns.
-// Only the last cell of a row, a sentence between quotes, may hold commas.
+// The tables of `ehl sweep` and `ehl study` as CSV: comments with the origin of the table, and rows with one cell per
+// column. Only the last cell of a row, a sentence in quotes, may contain commas.
 #include <string>
 #include <vector>
 
@@ -10,18 +10,18 @@
 
 namespace ehl::program {
 
-/// A number (the shortest text that reads back as it; NaN where it is not finite), a count, 1 or 0, or one word for
-/// every reader of tables: no comma, no quote, no comment, one line.
+/// A cell that every reader of tables understands: no comma, no quote, no comment sign, one line. A number is the
+/// shortest text that reads back as the same number, NaN if it is not finite; a count; 1 or 0; or one word.
 std::string csv_cell(const Value& value);
 
-/// The cells of a row, no more than there are columns; a sentence without its quotes.
+/// The cells of a row, at most `columns` of them; the sentence comes without its quotes.
 std::vector<std::string> csv_cells(const std::string& line, std::size_t columns);
 
-/// What a cell says, as a value of the same kind as `like`. errors: core::FileError.
+/// The value of a cell, of the same type as `like`. errors: core::FileError.
 Value csv_value(const std::string& cell, const Value& like);
 
-/// A row: its names, its values, of which the last is a sentence, and "# units: p_h [Pa], seconds [s]" of what is no
-/// pure number.
+/// The names and the values of a row; the last value is a sentence. The units of all quantities that are not pure
+/// numbers: "# units: p_h [Pa], seconds [s]".
 std::string csv_names(const std::vector<results::Quantity>& row);
 std::string csv_row(const std::vector<results::Quantity>& row);
 std::string csv_units(const std::vector<results::Quantity>& row);
@@ -32,7 +32,7 @@ std::string csv_text(const std::vector<Column<Row>>& columns, const Row& row) {
   return csv_row(quantities_of(columns, row));
 }
 
-/// The row again, without what follows from the rest. errors: core::FileError.
+/// The row that a line contains; quantities that follow from others are not set. errors: core::FileError.
 template <class Row>
 Row csv_read(const std::vector<Column<Row>>& columns, const std::string& line) try {
   Row row;
@@ -54,14 +54,14 @@ std::string csv_table(const std::string& comments, const std::vector<Column<Row>
   return text;
 }
 
-/// A whole table as a file. errors: core::FileError.
+/// Writes a whole table to a file. errors: core::FileError.
 void write_table(const std::string& path, const std::string& text, bool overwrite);
 
-/// "812 bytes, 6f0d...": enough to notice that a text is another one.
+/// "812 bytes, 6f0d...": this identifies a text.
 std::string size_and_hash(const std::string& text);
-/// "# deck text: 812 bytes, 6f0d...".
+/// The line that identifies the text of the deck: "# deck text: 812 bytes, 6f0d...".
 std::string deck_text_line(const std::string& deck_text);
-/// "# file: oil.csv: 812 bytes, 6f0d...", the same of a file that a deck names.
+/// The line that identifies a file named in the deck: "# file: oil.csv: 812 bytes, 6f0d...".
 std::string file_line(const deck::NamedFile& file);
 
 /// Version, commit and compiler of this program.

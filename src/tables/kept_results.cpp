@@ -21,14 +21,14 @@
 namespace ehl::program {
 namespace {
 
-// A record of the journal: this head, the name of the case, the bytes of its result.
+// The head of a record in the journal; the name of the case and the bytes of its result follow.
 struct Head {
   char mark[8];
   std::uint64_t name_bytes, image_bytes, hash;
 };
 constexpr std::uint64_t longest_name = 1 << 20;
 
-// Tells a record that was cut short or damaged.
+// The hash by which an incomplete or damaged record is recognised.
 std::uint64_t hash_of(const std::string& name, const std::string& image) { return deck::hash(image, deck::hash(name)); }
 
 bool read_at(int file, long long at, void* to, std::size_t bytes) {
@@ -57,7 +57,9 @@ std::string kept_result(const Case& input, FilmSolution&& found) {
   Progress silent(true);
   RunSettings settings{.progress = silent, .save = [](const auto&) {}};
   for (const Effect& effect : effects_of(input))
-    if (effect.compute && effect.stage != Stage::unknowns) effect.compute(input, settings, computed);  // but in time
+    if (effect.compute && effect.stage != Stage::unknowns)
+      effect.compute(input, settings, computed);  // effects in time are not computed in a
+                                                  // sweep
   results::Content content = result_content(input, computed);
   add_effects(input, computed, content);
   const std::vector<std::byte> image = results::image("the result of a case", content);
@@ -84,7 +86,7 @@ KeptResults::~KeptResults() {
   ::close(descriptor_);
 }
 
-// Up to the first record that is not whole: the sweep was killed while writing it.
+// Reads up to the first incomplete record: the sweep was killed while it wrote that one.
 void KeptResults::read_journal() {
   long long at = 0;
   Head head{};
@@ -124,7 +126,7 @@ void KeptResults::append(const std::string& name, const std::string& image) {
 
 void KeptResults::finish(const std::vector<std::pair<std::size_t, std::string>>& cases) {
   std::vector<results::Member> list;
-  bool same = in_journal_.empty();  // as the file that there is
+  bool same = in_journal_.empty();  // true if the existing file already holds exactly these results
   for (const auto& [number, name] : cases) {
     if (!has(name)) continue;
     list.push_back({number, name});

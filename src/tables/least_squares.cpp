@@ -13,16 +13,17 @@ namespace {
 using Vector = std::vector<double>;
 using Matrix = std::vector<Vector>;
 
-// Change of a logarithm for a slope: friction then changes by some per cent, a hundred times what its solutions leave.
+// Change of the logarithm of a parameter in a finite-difference slope. The change of friction is then large compared
+// with the iteration error of its solutions.
 constexpr double slope_step = 0.05;
 constexpr int most_rounds = 20;
-// No parameter changes by more than a factor of e at once.
+// Step limit: no parameter changes by more than a factor of e in one step.
 constexpr double most_step = 1.0;
-// A step this small beside the error of its parameter, or beside 1, moves nothing that counts.
+// A step is small if it is below this share of the error of its parameter, or below `small_step`.
 constexpr double small_beside_error = 0.05, small_step = 1e-4;
 constexpr double first_damping = 1e-3, damping_factor = 10.0, most_damping = 1e8;
 
-// By Gauss and Jordan; of symmetric positive matrices.
+// Gauss-Jordan elimination without pivoting, for symmetric positive definite matrices.
 Matrix inverse(Matrix m) {
   const std::size_t n = m.size();
   Matrix result(n, Vector(n, 0.0));
@@ -54,7 +55,7 @@ double squares(const std::vector<Measurement>& measured, const Vector& model) {
   return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
 }
 
-// The normal equations of a state: slopes' products, and what they say of the deviations.
+// The normal equations: products of the slopes, and the slopes times the deviations.
 struct Normal {
   Matrix products;
   Vector right;

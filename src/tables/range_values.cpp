@@ -43,7 +43,7 @@ std::vector<std::string> values_of_range(const std::string& text, const std::str
   std::vector<std::string> values{parts[0]};
   for (double k = 1.0; k + 1.0 < n; ++k) {
     const double t = k / (n - 1.0);
-    // Twelve digits: 20 and not 19.999999999999996.
+    // Twelve digits, so that rounding does not show: 20 instead of 19.999999999999996.
     values.push_back(fmt::format("{:.12g}", logarithmic ? a * std::pow(b / a, t) : a + (b - a) * t));
   }
   values.push_back(parts[1]);

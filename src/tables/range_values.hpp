@@ -1,5 +1,5 @@
 #pragma once
-// The values of a range, and the parts of a list.
+// The values of a range, and the elements of a list.
 #include <string>
 #include <vector>
 
@@ -7,11 +7,11 @@ namespace ehl::program {
 
 constexpr double most_cases_of_sweep = 1000000.0;
 
-/// The parts between separators, without blanks around them.
+/// The text between separators, without blanks at the ends.
 std::vector<std::string> parts_between(const std::string& text, char separator);
 
-/// The values of "a:b:n", evenly spaced, or of "a:b:n:log", with evenly spaced logarithms. in: what stands before a
-/// message. errors: core::InputError.
+/// The values of "a:b:n" (evenly spaced) or of "a:b:n:log" (evenly spaced logarithms). in: said: the beginning of an
+/// error message. errors: core::InputError.
 std::vector<std::string> values_of_range(const std::string& text, const std::string& said);
 
 }  // namespace ehl::program

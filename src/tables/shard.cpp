@@ -18,7 +18,7 @@ namespace {
 
 constexpr int none = -1;
 
-// none where the text is no whole number.
+// The whole number in a text; `none` if the text is not a whole number.
 int whole_number_in(const std::string& text) {
   int number = none;
   const char* end = text.data() + text.size();
@@ -91,12 +91,12 @@ std::vector<std::size_t> cases_of_shard(const std::vector<double>& seconds, cons
   std::vector<std::size_t> order(seconds.size()), own;
   std::iota(order.begin(), order.end(), std::size_t{0});
   if (order.size() > most_estimates) {
-    // The engine is fixed by the standard, and every machine finds the same order; std::shuffle is not.
+    // The standard defines this engine exactly, so every machine finds the same order; std::shuffle would not.
     std::mt19937_64 engine;  // NOLINT: always the same seed
     for (std::size_t k = order.size(); k > 1; --k) std::swap(order[k - 1], order[engine() % k]);
   }
   std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return seconds[a] > seconds[b]; });
-  // Seconds and cases that a shard has, and its number: the least comes first.
+  // Seconds, number of cases and index of a shard; the queue returns the smallest first.
   using Load = std::tuple<double, std::size_t, int>;
   std::priority_queue<Load, std::vector<Load>, std::greater<>> loads;
   for (int k = 1; k <= shard.count; ++k) loads.push({0.0, 0, k});

@@ -12,7 +12,7 @@ namespace {
 using core::unknown;
 constexpr double nm = 1e-9, um = 1e-6, GPa = 1e9;
 
-// In metres.
+// The film of a published formula [m].
 double by_formula(const SiRow& row, const std::string& code, double Formula::*film) {
   const auto found = std::ranges::find(row.formulas, code, &Formula::code);
   return found == row.formulas.end() || !row.physics.si ? unknown : (*found).*film * row.physics.si->hertz.h_scale;
@@ -28,7 +28,7 @@ void add_formula(const std::string& code, const std::string& name, double Formul
                      [=](const SiRow& row) { return deviation(by_formula(row, code, of_formula), row.*film); }});
 }
 
-// A number of the contact.
+// A column that holds a number of the contact.
 template <class Get>
 auto of_contact(Get get) {
   return [get](const SiRow& row) { return row.physics.si ? get(*row.physics.si) : unknown; };

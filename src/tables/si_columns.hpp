@@ -1,5 +1,5 @@
 #pragma once
-// What a table has of contacts in SI: films in nm, pressures in GPa, formulas beside them.
+// The columns of a table for contacts in SI: films in nm, pressures in GPa, and the published formulas.
 #include <limits>
 #include <optional>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace ehl::program {
 
-/// A case in SI and its film; NaN where there is none.
+/// A case in SI and its film; NaN if there is no film.
 struct SiRow {
   Physics physics{};
   std::vector<Formula> formulas{};
@@ -18,14 +18,14 @@ struct SiRow {
   double hc = std::numeric_limits<double>::quiet_NaN();  ///< [m]
   double hm = std::numeric_limits<double>::quiet_NaN();
   double p_max = std::numeric_limits<double>::quiet_NaN();     ///< [Pa]
-  double error_hc = std::numeric_limits<double>::quiet_NaN();  ///< relative, mesh and cycles
+  double error_hc = std::numeric_limits<double>::quiet_NaN();  ///< relative error, of mesh and iteration
   double error_hm = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// What the contacts of a table are: their formulas and loads have columns.
+/// The shape of the contacts in a table; it decides which formulas and loads have columns.
 enum class Bodies { circular, elliptic, line };
 
-/// in: whether surfaces are of a known roughness.
+/// in: rough: true if the roughness of the surfaces is known.
 std::vector<Column<SiRow>> si_columns(Bodies bodies, bool rough);
 
 }  // namespace ehl::program

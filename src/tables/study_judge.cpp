@@ -39,7 +39,7 @@ Extrapolated extrapolated(std::span<const double> values, double least_share) {
 Reference reference_of(std::span<const StudyPoint> solutions) {
   std::size_t first = solutions.size();
   while (first > 0 && solutions[first - 1].status == "converged") --first;
-  // A finest grid that did not converge is no reason to do without: the grids below it serve.
+  // If the finest grid did not converge, the coarser grids serve as the reference.
   if (first == solutions.size() && first > 1) return reference_of(solutions.first(first - 1));
   Reference reference;
   std::vector<double> Hc, Hm;

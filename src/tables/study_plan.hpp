@@ -1,5 +1,5 @@
 #pragma once
-// What a study computes: the same case over levels, wedge schemes, film evaluators and cycles.
+// The plan of a study: one case with several grids, wedge schemes, film evaluators and numbers of cycles.
 #include <functional>
 #include <string>
 #include <vector>
@@ -8,18 +8,18 @@
 
 namespace ehl::program {
 
-/// One way to solve the case. wedge: upstream1, upstream2, and upstream3 with face logmean_bounded. evaluator: mlmi4,
-/// mlmi6, mlmi8 (transfer order), fft, direct. cycles: "2W": two W cycles on every level and no more; "run": as `ehl
-/// run` does it, until its checks are content.
+/// One method of solving the case. wedge: upstream1, upstream2, upstream3 (the last with the face value
+/// logmean_bounded). evaluator: mlmi4, mlmi6, mlmi8 (transfer order), fft, direct. cycles: "2W": exactly two W cycles
+/// on every level; "run": as in `ehl run`, until all checks pass.
 struct StudyCase {
-  int cells = 0;  ///< of the finest grid, along x
+  int cells = 0;  ///< cells of the finest grid along x
   std::string wedge{};
   std::string evaluator{};
   std::string cycles{};
   bool operator==(const StudyCase&) const = default;
 };
 
-/// The lists that are combined.
+/// The lists whose combinations are computed.
 struct StudyPlan {
   std::vector<int> cells{};  ///< coarse to fine
   std::vector<std::string> wedges{};
@@ -27,15 +27,16 @@ struct StudyPlan {
   std::vector<std::string> cycles{};
 };
 
-/// Cells from a to b, each twice the one before. in: "a:b". errors: core::InputError: another form, or b is not a times
-/// a power of two.
+/// Cells from a to b, each twice the one before. in: "a:b". errors: core::InputError for another form, or if b is
+/// not a times a power of two.
 std::vector<int> levels_between(const std::string& text);
 
-/// The levels of a deck: its own cells, halved while 64 or more are left and the coarser grid is legal.
+/// The levels of a deck: its own cells, halved while at least 64 remain and the coarser grid is legal.
 std::vector<int> levels_of_deck(int cells, const std::function<bool(int)>& legal);
 
-/// The words of a list between commas. in: name of the option, the list, whether a word is allowed and how the allowed
-/// ones are told. errors: core::InputError: a word that is not allowed, twice the same, none.
+/// The words of a comma-separated list. in: name of the option; the list; whether a word is allowed; the allowed words
+/// as the error message lists them. errors: core::InputError for a word that is not allowed, a word given twice, or an
+/// empty list.
 std::vector<std::string> words_of_list(const std::string& option, const std::string& text,
                                        const std::function<bool(const std::string&)>& allowed, const std::string& told);
 
@@ -44,23 +45,23 @@ bool is_study_evaluator(const std::string& word);
 /// 1 to 99 cycles and their shape, V, W or F; or "run".
 bool is_study_cycles(const std::string& word);
 
-/// Nodes up to which the direct sum is affordable: a solution costs seconds there, and sixteen times as much per level.
+/// Largest number of nodes for the direct sum, whose cost rises by a factor of sixteen per level.
 constexpr double most_nodes_of_direct = 2e4;
 
-/// All combinations, coarse to fine; the direct sum only where it is affordable. in: the plan; nodes of a grid by its
-/// cells.
+/// All combinations, coarse to fine; the direct sum only on grids where it is affordable. in: the plan; nodes: the
+/// number of nodes of a grid with a given number of cells.
 std::vector<StudyCase> cases_of(const StudyPlan& plan, const std::function<double(int)>& nodes);
 
-/// The deck's case on a grid of `cells`, with its other settings. in: path, overrides (grid.cells among them is
-/// replaced), threads. errors: core::InputError.
+/// The case of the deck on a grid of `cells`, otherwise unchanged. in: path; overrides, of which grid.cells is
+/// replaced; threads. errors: core::InputError.
 Case case_on_grid(const std::string& path, const std::vector<std::string>& overrides, int cells, int threads);
 
-/// The same case by another way. For a fixed number of cycles the limit of cycles is that number, so that the solution
-/// ends unconverged where the checks would ask for more; everything else is the deck's.
+/// Sets the method in the scene. For a fixed number of cycles, this number becomes the limit of cycles, so that the
+/// solution ends unconverged if the checks need more. All other settings are those of the deck.
 void use_way(const StudyCase& way, steady::Scene& scene);
 
-/// The tasks, the whole list as often as each is repeated: the repetitions of one are far apart, so that a disturbance
-/// does not meet all of them.
+/// The list of tasks, repeated `times` times as a whole. The repetitions of one task are then far apart in time, and a
+/// disturbance of the machine does not affect all of them.
 template <class Way>
 std::vector<Way> repeated(const std::vector<Way>& ways, int times) {
   std::vector<Way> all;
@@ -68,7 +69,7 @@ std::vector<Way> repeated(const std::vector<Way>& ways, int times) {
   return all;
 }
 
-/// "upstream2, mlmi8, 2W".
+/// The name of a method, "upstream2, mlmi8, 2W".
 std::string name_of_way(const StudyCase& way);
 
 }  // namespace ehl::program

@@ -12,7 +12,7 @@
 namespace ehl::program {
 namespace {
 
-// Work of the levels below in units of the finest grid.
+// The work of all levels in units of the finest grid.
 double whole_work(const steady::Solution& solution) {
   const auto nodes = [](const steady::LevelRow& row) { return (row.nx + 1.0) * (row.ny + 1.0); };
   double work = 0.0;
@@ -26,7 +26,8 @@ void take(const steady::Solution& solution, StudyPoint& point) {
   if (solution.levels.empty()) return;
   const steady::LevelRow& finest = solution.levels.back();
   if (solution.converged) point.status = "converged";
-  // Cut off at the planned number of cycles with a film that can be looked at: as wanted, and not converged.
+  // A fixed number of cycles was asked for and is done, and the film is positive: the point counts
+  // although it is not converged.
   else if (point.way.cycles != "run" && solution.end == steady::CyclesEnd::limit && finest.Hm > 0.0)
     point.status = "stopped";
   point.nx = finest.nx;

@@ -17,12 +17,12 @@ std::string nodes_of(const StudyPoint& point) { return fmt::format("{} x {}", po
 
 std::string cells_of(const Reference& reference) { return fmt::format("{}", fmt::join(reference.cells, ", ")); }
 
-// The error, or the one below which nothing can be told.
+// An error; "< ..." if it is below the error of the reference.
 std::string error_text(double error, bool at_reference, const Extrapolated& reference) {
   return at_reference ? "< " + percent(reference.error) : percent(error);
 }
 
-// The films in nm, with the space that follows; nothing without scales.
+// The films in nm, followed by the space between columns; empty without scales.
 std::string in_nm(const StudyPoint& point, const std::optional<SiScales>& si) {
   if (!si) return {};
   const double to_nm = si_unit("a^2/R", *si).factor;
@@ -70,7 +70,7 @@ std::string accuracy_lines(const std::vector<StudyPoint>& points) {
   return text;
 }
 
-// The different values of a part of the ways, as they come.
+// The distinct values of one part of the methods, in order of appearance.
 template <class Part>
 std::vector<Part> distinct(const std::vector<StudyPoint>& points, Part StudyCase::*part) {
   std::vector<Part> found;
@@ -79,12 +79,13 @@ std::vector<Part> distinct(const std::vector<StudyPoint>& points, Part StudyCase
   return found;
 }
 
-// The program's own choice where it is among them.
+// `preferred`, the default of the program, if it is in the list; else the first word.
 std::string one_of(const std::vector<std::string>& words, const std::string& preferred) {
   return std::ranges::find(words, preferred) != words.end() ? preferred : words.front();
 }
 
-// A line per level. in: the way; the part of it that differs from cell to cell; a cell, also of an unknown point.
+// One line per level. in: the method; the part of it that varies along a line; the function that prints a cell, also
+// for a point without data.
 std::string by_level(const std::vector<StudyPoint>& points, StudyCase way, std::string StudyCase::*varied,
                      std::string (*cell)(const StudyPoint&)) {
   std::string text;
@@ -102,13 +103,13 @@ std::string by_level(const std::vector<StudyPoint>& points, StudyCase way, std::
   return text;
 }
 
-// What a film without convergence must carry.
+// The cells of the films; a film that did not converge is marked.
 std::string film_cells(const StudyPoint& point) {
   const char* mark = point.status.empty() || point.status == "converged" ? " " : "*";
   return fmt::format("  {:>12}  {:>12}", known("{:.5f}", point.Hm) + mark, known("{:.5f}", point.Hc) + mark);
 }
 
-// The paper's Table 1, by the most cycles of the lists and the default evaluator.
+// Arranged as Table 1 of the paper, for the largest number of cycles and the default evaluator.
 std::string film_by_level(const std::vector<StudyPoint>& points) {
   const StudyCase way{0, "", one_of(distinct(points, &StudyCase::evaluator), "mlmi8"),
                       one_of(distinct(points, &StudyCase::cycles), "2W")};
@@ -119,7 +120,7 @@ std::string film_by_level(const std::vector<StudyPoint>& points) {
   return text + "\n" + by_level(points, way, &StudyCase::wedge, film_cells);
 }
 
-// The paper's Table 2, for the first wedge and the default evaluator.
+// Arranged as Table 2 of the paper, for the first wedge and the default evaluator.
 std::string seconds_by_level(const std::vector<StudyPoint>& points) {
   const StudyCase way{0, points.front().way.wedge, one_of(distinct(points, &StudyCase::evaluator), "mlmi8"), ""};
   std::string text =

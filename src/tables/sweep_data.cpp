@@ -15,7 +15,7 @@
 namespace ehl::program {
 namespace {
 
-// "# units: h_c_nm [nm], seconds [s]".
+// Reads a line "# units: h_c_nm [nm], seconds [s]".
 std::map<std::string, std::string> units_of(const std::string& line) {
   std::map<std::string, std::string> units;
   for (std::size_t begin = 0, open = 0; (open = line.find(" [", begin)) != std::string::npos;) {
@@ -26,10 +26,10 @@ std::map<std::string, std::string> units_of(const std::string& line) {
   return units;
 }
 
-// "# ehl sweep, table ": what the tables of all versions begin with.
+// The beginning that tables of all versions have in common: "# ehl sweep, table ".
 std::string any_version(const std::string& mark) { return mark.substr(0, mark.rfind(' ') + 1); }
 
-// The names of today for the columns of table 1.
+// Gives the columns of table 1 their present names.
 void rename_older(const std::string& mark, SweepData& data) {
   const std::string before = "error_";
   for (std::string& column : data.columns) {
@@ -92,7 +92,7 @@ SweepData read_table(const std::string& path, const std::string& mark) {
 SweepData read_sweep(const std::string& path) {
   SweepData data = read_table(path, sweep_mark);
   data.varied.assign(data.columns.begin(), std::ranges::find(data.columns, "status"));
-  std::erase(data.varied, "case");  // of a shard
+  std::erase(data.varied, "case");  // the numbers of the cases of a shard
   const deck::Catalogue keys = catalogue();
   for (const std::string& name : data.varied) {
     const std::size_t dot = name.find('.');

@@ -19,9 +19,9 @@ namespace {
 
 struct Part {
   std::vector<std::string> programs{};
-  std::vector<std::string> head{};  ///< what all parts have in common, and the names of the columns
+  std::vector<std::string> head{};  ///< the lines that all parts have in common, and the names of the columns
   std::string shard{};              ///< "3/10 of 77 cases"
-  std::vector<std::string> rows{};  ///< with the numbers of their cases
+  std::vector<std::string> rows{};  ///< rows, each with the number of its case
 };
 
 Part read_part(const std::string& path) {
@@ -78,7 +78,8 @@ void check_same(const std::string& path, const Part& part, const std::string& fi
 MergedSweep merged_sweep(const std::vector<std::string>& paths) {
   std::vector<Part> parts;
   std::vector<std::string> programs;
-  std::map<std::size_t, std::pair<std::string, std::string>> rows;  // by case: the row, where it is
+  std::map<std::size_t, std::pair<std::string, std::string>> rows;  // for each case: its row, and
+                                                                    // the file that contains it
   for (const std::string& path : paths) {
     parts.push_back(read_part(path));
     check_same(path, parts.back(), paths[0], parts[0]);
@@ -89,7 +90,7 @@ MergedSweep merged_sweep(const std::vector<std::string>& paths) {
       const std::size_t comma = line.find(',');
       if (comma == std::string::npos || !line.ends_with('"')) throw core::FileError(damaged);
       const std::size_t number = whole_number(line.substr(0, comma), damaged);
-      // The last row of a case counts: one that failed is tried again.
+      // The last row of a case counts: a case that failed is computed again.
       const auto [found, is_new] = rows.try_emplace(number, line.substr(comma + 1), path);
       if (!is_new && found->second.second != path)
         throw core::FileError(fmt::format("{}: case {} is in {} too", path, number, found->second.second));

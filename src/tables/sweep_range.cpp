@@ -24,9 +24,9 @@ const std::string command_line = "command line";
 
 bool is_number(const deck::Key& key) { return key.type == deck::Type::number || key.type == deck::Type::integer; }
 
-// What the deck itself would say to this value of this key, alone; empty when it may be right.
+// The errors that the deck reports for this value of this key alone; empty if the value may be right.
 std::vector<std::string> complaints(const deck::Assignment& given, const deck::Catalogue& catalogue) {
-  // A number in the range of its key is right; to ask the deck takes long for a hundred thousand of them.
+  // A number within the range of its key is right. Reading the deck for each of many values would take too long.
   if (const deck::Key* key = deck::find_key(catalogue, given.section, given.name);
       key && key->type == deck::Type::number) {
     const deck::ReadNumber read = deck::read_number(given.value);
@@ -34,7 +34,7 @@ std::vector<std::string> complaints(const deck::Assignment& given, const deck::C
   }
   const deck::Deck judged = deck::validate({}, {given}, catalogue);
   if (deck::find_key(catalogue, given.section, given.name) == nullptr) return judged.errors;
-  // Whether the key has any influence depends on the rest of the case: each case says that for itself.
+  // Whether a key is used depends on the rest of the case; each case checks this itself.
   if (deck::value(judged, given.section, given.name).valid) return {};
   return judged.errors;
 }
@@ -58,7 +58,7 @@ void check_values(const Variation& variation, const deck::Catalogue& catalogue, 
   if (!errors.empty()) throw core::InputError(errors);
 }
 
-// in: "section.key". given: value and place that the message about an unknown key shows.
+// in: text: "section.key"; given: value and place for the message about an unknown key.
 Variation::Key key_of(const std::string& text, const deck::Assignment& given, const std::string& said,
                       const deck::Catalogue& catalogue) {
   const std::size_t point = text.find('.');
@@ -75,7 +75,7 @@ Variation::Key key_of(const std::string& text, const deck::Assignment& given, co
   return key;
 }
 
-// Values of keys that change together.
+// The values of one case, for keys that vary together.
 std::vector<std::string> values_together(const std::string& text, std::size_t keys, const std::string& said) {
   const std::vector<std::string> values = parts_between(text, ':');
   if (values.size() != keys)
@@ -84,7 +84,7 @@ std::vector<std::string> values_together(const std::string& text, std::size_t ke
   return values;
 }
 
-// How many values a --vary will have, without making them; 1 of what is refused later.
+// The number of values of a --vary, without creating them; 1 if the text will be refused later.
 double count_of_values(const std::string& text, const deck::Catalogue& catalogue) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) return 1.0;
@@ -102,7 +102,7 @@ double count_of_values(const std::string& text, const deck::Catalogue& catalogue
   return count;
 }
 
-// Before anything is made of so many.
+// Checks the number of cases before they are created.
 void refuse_too_many(const std::vector<std::string>& texts, const deck::Catalogue& catalogue) {
   double cases = 1.0;
   std::string factors;
@@ -146,7 +146,7 @@ Variation parse_variation(const std::string& text, const deck::Catalogue& catalo
 
 namespace {
 
-// A value of a column whose heading names a unit, in the unit of its key.
+// A value of a column with a unit in its heading, converted to the unit of the key.
 std::string in_unit_of_key(const std::string& cell, const deck::Conversion& conversion) {
   const deck::ReadNumber read = deck::read_number(cell);
   const bool plain = conversion.factor == 1.0 && conversion.offset == 0.0;
@@ -154,7 +154,7 @@ std::string in_unit_of_key(const std::string& cell, const deck::Conversion& conv
   return fmt::format("{:.15g}", conversion.factor * read.value + conversion.offset);
 }
 
-// The keys of a heading, and how the values below them are converted.
+// The keys in a heading, and the conversion of the values below them.
 std::vector<deck::Conversion> read_heading(const deck::TextTable& table, const deck::Catalogue& catalogue,
                                            Variation& variation) {
   std::vector<deck::Conversion> conversions;

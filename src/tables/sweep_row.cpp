@@ -27,14 +27,14 @@
 namespace ehl::program {
 namespace {
 
-// Those that the row has a column for.
+// Copies the quantities for which the row has a column.
 void take(const std::vector<Quantity>& quantities, SweepRow& row) {
   for (const Quantity& one : quantities)
     if (const auto column = std::ranges::find(row, one.name, &Quantity::name); column != row.end())
       column->value = one.value;
 }
 
-// in: the film, if there is one.
+// in: si: the film, if there is one.
 void take_si(const Case& input, SiRow si, SweepRow& row) {
   if (!input.physics.si) return;
   si.physics = input.physics;
@@ -62,7 +62,7 @@ void take_case(const Case& input, SweepRow& row) {
   in_row(row, "ny") = input.scene.grid.ny;
 }
 
-// in: the files that the sweep knows.
+// in: now: the files as they are; before: the files as the sweep recorded them.
 void check_unchanged(const std::vector<deck::NamedFile>& now, const std::vector<deck::NamedFile>& before) {
   for (const deck::NamedFile& file : now)
     if (std::ranges::find(before, deck::told(file), deck::told) == before.end())

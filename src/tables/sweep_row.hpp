@@ -1,5 +1,5 @@
 #pragma once
-// One case of a sweep: what is computed for it, and its row in the table.
+// One case of a sweep: its computation, and its row in the table.
 #include <functional>
 #include <string>
 #include <vector>
@@ -12,45 +12,47 @@ namespace ehl::program {
 
 struct SweepHeader;
 
-/// A value for every column. The first is the status: converged, not-converged, refused (the deck is wrong for this
-/// case), failed (the program); then the exit status that `ehl run` would end with. The films, the pressure and their
-/// errors are known only of a solution that converged. The last is the reason.
+/// One value per column. The first is the status: converged; not-converged; refused (the deck is wrong for this case);
+/// failed (an error of the program). The second is the exit status that `ehl run` would return. Films, pressure and
+/// their errors are known only if the case converged. The last is the reason.
 using SweepRow = std::vector<results::Quantity>;
 
-/// What the cases of a sweep have that not every case has: columns for it.
+/// The optional columns of a sweep: what its cases have in common.
 struct SweepKind {
   bool friction = false;
   bool thermal = false;
   bool starved = false;
   bool roller = false;
-  bool in_time = false;                      ///< has no column
-  bool stress = false;                       ///< likewise
-  bool timing = false;                       ///< seconds and memory, which are others each time
-  bool si = false;                           ///< nm, GPa and formulas beside them
-  Bodies bodies = Bodies::circular;          ///< looked at in SI only
-  bool rough = false;                        ///< likewise
-  std::vector<results::Quantity> machine{};  ///< the numbers of a bearing or of gears; their values are not looked at
+  bool in_time = false;                      ///< adds no column
+  bool stress = false;                       ///< adds no column
+  bool timing = false;                       ///< seconds and memory, which differ from run to run
+  bool si = false;                           ///< nm, GPa, and the published formulas
+  Bodies bodies = Bodies::circular;          ///< used only in SI
+  bool rough = false;                        ///< used only in SI
+  std::vector<results::Quantity> machine{};  ///< the numbers of a bearing or of gears; only
+                                             ///< their names and units are used
 };
 
-/// That of a deck with these overrides.
+/// The kind of sweep of a deck with these overrides.
 SweepKind kind_of_sweep(const std::string& path, const std::vector<std::string>& overrides);
 
-/// What the deck asks for and a row does not tell, a line each.
+/// The settings of the deck that a row does not report, one line each.
 std::vector<std::string> left_out(const SweepKind& kind);
 
-/// The row of a case of which nothing is known: its names and units are those of the table.
+/// An empty row, with the names and units of the table.
 SweepRow sweep_row(const SweepKind& kind);
 
-/// The value of a column. limits: there is one of this name.
+/// The value in a column. limits: a column of this name must exist.
 results::Value& in_row(SweepRow& row, const std::string& name);
 
-/// Solves one case with one thread. in: what the sweep is about (sweep_table.hpp): deck and files must still say what
-/// they said; overrides; where it says how far it has come. errors: none of the case's own: they are rows.
-/// core::Interrupted, std::bad_alloc and what nobody foresaw pass through.
+/// Solves one case with one thread. in: the sweep (sweep_table.hpp), whose deck and files must be unchanged; the
+/// overrides; say: reports progress.
+/// errors: an error of the case becomes a row. core::Interrupted, std::bad_alloc and
+/// unexpected exceptions pass through.
 SweepRow sweep_case(const SweepHeader& sweep, const std::vector<std::string>& overrides,
                     const std::function<void(const std::string&)>& say, std::string* kept = nullptr);
 
-/// The row of a solved case, converged or not. in: what the solver was given and gave back; an empty row.
+/// The row of a solved case, converged or not. in: the case, its solution, an empty row.
 SweepRow row_of_solution(const Case& input, const FilmSolution& found, SweepRow row);
 
 /// The row of a case without a solution.

@@ -25,7 +25,7 @@ namespace {
 const std::string vary_mark = "# vary: ";
 const std::string cases_mark = "# cases: ";
 
-// What makes a sweep this sweep.
+// The lines that identify a sweep.
 std::vector<std::string> identity(const SweepHeader& header) {
   std::vector<std::string> lines{deck_text_line(header.deck_text)};
   for (const deck::NamedFile& file : header.files) lines.push_back(file_line(file));
@@ -33,7 +33,7 @@ std::vector<std::string> identity(const SweepHeader& header) {
   return lines;
 }
 
-// Which cases it has.
+// The lines that define the cases of a sweep.
 std::vector<std::string> cases_of(const SweepHeader& header) {
   std::vector<std::string> lines;
   for (const Variation& variation : header.variations) {
@@ -87,7 +87,7 @@ std::string whole_header(const SweepHeader& header, const std::vector<std::strin
 
 const std::string remedy = ": give --overwrite to begin anew, or another --output";
 
-// A campaign's list of cases may be long.
+// Shortens the list of cases for a message; it may be very long.
 std::string shortened(const std::string& text) {
   constexpr std::size_t most = 160;
   return text.size() > most ? text.substr(0, most) + "..." : text;
@@ -180,7 +180,7 @@ void SweepTable::read(const std::string& content) {
     }
     has_columns = true;
     check_same(found, identity(header_));
-    // Other columns that vary are other cases; more values of the same columns are more cases.
+    // Other varied columns mean other cases; more values of the same columns mean more cases.
     if (line != columns) {
       check_same(found_cases, cases_of(header_));
       throw core::FileError(path_ + ": has other columns than this version writes" + remedy);
@@ -199,7 +199,7 @@ void SweepTable::read(const std::string& content) {
   if (lost_)
     throw core::FileError(path_ + ": this line is no row of the sweep: " + *lost_ +
                           ": remove it, give --overwrite to begin anew, or another --output");
-  // A killed sweep may leave half a line.
+  // Removes an incomplete last line, which a killed sweep may leave.
   if (::ftruncate(descriptor_, static_cast<off_t>(content.rfind('\n') + 1)) != 0)
     throw core::FileError(path_ + ": cannot be written: " + std::strerror(errno));
   if (new_program) write(std::string(program_mark) + header_.program + "\n");
@@ -222,7 +222,7 @@ void SweepTable::take_row(const std::string& line, const std::string& columns,
   const std::string row = cells.back();
   cells.pop_back();
   const auto found = cases.find(cells.empty() ? "" : deck::joined(cells, ",") + ",");
-  // The reason is the last column, and the only one that may hold commas.
+  // The reason is the last column, and the only one that may contain commas.
   const auto commas = [](const std::string& text) { return std::count(text.begin(), text.end(), ','); };
   if (found == cases.end() || !row.ends_with('"') || commas(line) < commas(columns)) {
     if (!lost_) lost_ = line.substr(0, 120);
@@ -232,7 +232,7 @@ void SweepTable::take_row(const std::string& line, const std::string& columns,
 }
 
 void SweepTable::write(const std::string& text) const {
-  // One call per row: readers see whole rows, and a full disk shows as a short count.
+  // One call per row: other readers then see only whole rows, and a full disk shows as a short count.
   const ssize_t written = ::write(descriptor_, text.data(), text.size());
   if (written == static_cast<ssize_t>(text.size())) return;
   throw core::FileError(path_ + ": cannot be written: " + (written < 0 ? std::strerror(errno) : "no room is left"));

@@ -1,5 +1,5 @@
 #pragma once
-// The table of a sweep: a CSV file that grows by whole rows, and that a sweep cut short goes on with.
+// The table of a sweep: a CSV file that grows by whole rows. An interrupted sweep continues it.
 #include <map>
 #include <optional>
 #include <string>
@@ -12,66 +12,68 @@
 
 namespace ehl::program {
 
-/// How the first line of every table begins. Table 1 had in error_Hc the error of the mesh alone, and numbers of
-/// warnings instead of their names.
+/// The beginning of the first line of every table. In table 1, error_Hc was the error of the mesh alone, and warnings
+/// were numbers instead of names.
 constexpr char sweep_mark[] = "# ehl sweep, table 2";
-/// How a line begins that names a program that worked on it.
+/// The beginning of a line that names a program that computed rows of this table.
 constexpr char program_mark[] = "# program: ";
-/// How the line of a table begins that has a part of the cases, and the column of their numbers.
+/// The beginning of the line that a table of one shard contains, and the column of the case numbers in it.
 constexpr char shard_mark[] = "# shard: ";
 constexpr char case_column[] = "case,";
 
-/// What a table is about. The same sweep is the same deck text, the same --set and --vary, and the same in the files
-/// that they name.
+/// The subject of a table. Two sweeps are the same if the deck text, --set, --vary, and the contents of the
+/// files they name are the same.
 struct SweepHeader {
   std::string program{};    ///< version, commit, compiler
-  std::string deck{};       ///< its path, for the reader
-  std::string deck_text{};  ///< what it says
+  std::string deck{};       ///< path of the deck, for the reader
+  std::string deck_text{};  ///< the text of the deck
   std::vector<std::string> set{};
   std::vector<Variation> variations{};
-  SweepKind kind{};                      ///< columns that not every sweep has
-  std::vector<deck::NamedFile> files{};  ///< that any of the cases names
-  Shard shard{};                         ///< of a table that has a part of the cases
+  SweepKind kind{};                      ///< the optional columns
+  std::vector<deck::NamedFile> files{};  ///< the files that any of the cases names
+  Shard shard{};                         ///< the part of the cases that this table holds
   int at_once = 1;                       ///< cases that share the memory
 };
 
-/// The files that the cases of a sweep name, sorted by name. in: path of the deck, --set, what varies.
-/// errors: core::FileError where one is missing.
+/// The files that the cases of a sweep name, sorted by name. in: path of the deck, --set, the variations. errors:
+/// core::FileError if a file is missing.
 std::vector<deck::NamedFile> files_of_cases(const std::string& path, const std::vector<std::string>& set,
                                             const std::vector<Variation>& variations);
 
-/// The header as lines of a file, each of which begins with #, but for the last, which names the columns.
+/// The heading of the file: lines that begin with #, and a last line with the names of the columns.
 std::string header_text(const SweepHeader& header);
 
-/// An open table, locked against a second sweep. Rows of a shard begin with the number of their case.
+/// An open table, locked against a second sweep. Each row of a shard begins with the number of its case.
 class SweepTable {
  public:
-  /// Opens or begins the table. A table of the same sweep with fewer values goes on with more. in: path; own: the cases
-  /// of the shard; overwrite: begin anew whatever the file holds.
-  /// errors: core::FileError: no room for a file there, in use by another sweep, a file of another kind or of another
-  /// sweep, a damaged row (a last line without its end is dropped: the sweep was killed while writing it).
+  /// Opens or creates the table. A table of the same sweep with fewer values is extended.
+  /// in: path; own: the cases of the shard; overwrite: discard the contents of the file.
+  /// errors: core::FileError if the file cannot be created, is in use by another sweep, is of another kind
+  /// or of another sweep, or has a damaged row. An incomplete last line is dropped: the sweep was killed
+  /// while it wrote that line.
   SweepTable(const std::string& path, const SweepHeader& header, const std::vector<std::size_t>& own, bool overwrite);
   ~SweepTable();
   SweepTable(const SweepTable&) = delete;
   SweepTable& operator=(const SweepTable&) = delete;
 
-  /// Adds the row of a case, whole, to the file. in: case number; its columns after the varied keys (sweep_row.hpp).
-  /// errors: core::FileError.
+  /// Appends the row of a case to the file in one call. in: number of the case; text: its columns after the varied keys
+  /// (sweep_row.hpp). errors: core::FileError.
   void append(std::size_t index, const std::string& text);
 
-  /// The rows in the order of the cases, in place of the file as it grew. errors: core::FileError.
+  /// Rewrites the file with the rows in the order of the cases. errors: core::FileError.
   void finish() const;
 
-  /// Cases without a row, and those whose row says `failed`: a process that died says nothing about its case.
+  /// The cases without a row and the cases that failed: a process that died has no result.
   std::vector<std::size_t> missing() const;
 
-  /// Whether the row of a case has this status.
+  /// True if the row of a case has this status.
   bool has_status(std::size_t index, const std::string& status) const { return rows_[index].starts_with(status + ","); }
 
-  /// A cell of the row of a case, by the name of its column, which is none of the varied keys; empty without a row.
+  /// One cell in the row of a case. in: the name of a column that is not a varied key. out:
+  /// empty if the case has no row.
   std::string cell(std::size_t index, const std::string& column) const;
 
-  /// Rows of this status.
+  /// The number of rows with this status.
   std::size_t count(const std::string& status) const;
 
  private:
@@ -86,10 +88,10 @@ class SweepTable {
   std::string path_;
   SweepHeader header_;
   std::vector<std::size_t> own_;
-  std::vector<std::string> rows_;      ///< one per case, after the varied keys; empty where there is none yet
-  SweepRow columns_;                   ///< their names
-  std::vector<std::string> programs_;  ///< the lines of all programs that worked on it
-  std::optional<std::string> lost_;    ///< a line that is the row of none of the cases
+  std::vector<std::string> rows_;      ///< one per case, without the varied keys; empty if the case has no row yet
+  SweepRow columns_;                   ///< the names of the columns
+  std::vector<std::string> programs_;  ///< the lines of all programs that computed rows
+  std::optional<std::string> lost_;    ///< a line that belongs to none of the cases
   int descriptor_ = -1;
 };
 

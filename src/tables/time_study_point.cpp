@@ -18,7 +18,7 @@
 namespace ehl::program {
 namespace {
 
-/// Of times.
+/// Tolerance for the comparison of two times.
 constexpr double rounding = 1e-9;
 
 TimeSample sample_of(const Case& input, const transient::Frame& frame) {
@@ -126,7 +126,7 @@ TimeStudyPoint measure_in_time(Case input, const TimeWay& way, int samples) {
   transient::Observer observer;
   if (samples > 0)
     observer.frame = [&](transient::Frame&& frame) {
-      // The last one may stand between the times of comparison, where the run ends before its end time.
+      // If the run ends early, its last frame may lie between two times of comparison; that frame is ignored.
       const double parts = frame.T / march.output_interval;
       if (std::abs(parts - std::round(parts)) < rounding * samples) point.samples.push_back(sample_of(input, frame));
     };

@@ -12,9 +12,9 @@
 namespace ehl::program {
 namespace {
 
-constexpr std::size_t relative_at_every_time = 3;  // Hc, Hm, P_max
+constexpr std::size_t relative_at_every_time = 3;  // the first three quantities: Hc, Hm, P_max
 
-// "1.4e-03", or the error of the reference below which nothing can be told.
+// An error, "1.4e-03"; "< ..." if it is below the error of the reference.
 std::string error_text(double error, double known_to) {
   return error < known_to ? "< " + known("{:.1e}", known_to) : known("{:.1e}", error);
 }
@@ -34,7 +34,7 @@ std::string columns_of_tolerances(std::size_t probes) {
   return text + "\n";
 }
 
-// What is not complete has a mark instead of errors.
+// One line of the report; a run that is not complete gets a mark instead of errors.
 std::string point_line(const TimeStudyPoint& point, const TimeReference& reference) {
   std::string text = fmt::format("{:8g}  {:6}  {:>11}  {:8}  {:10}  {:>8}", point.way.rtol, point.steps,
                                  known("{:.2f}", cycles_per_step(point)), point.rejected, point.not_solved,

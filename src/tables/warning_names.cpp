@@ -9,7 +9,7 @@ namespace {
 
 struct Name {
   const char* name;
-  const char* part;  // of the sentence: the first that it holds counts
+  const char* part;  // a part of the sentence; the first entry whose part occurs in it is used
 };
 
 constexpr Name names[] = {

@@ -1,19 +1,20 @@
 #pragma once
-// Warnings as words of a table.
+// The names of warnings in a table.
 #include <string>
 #include <vector>
 
 namespace ehl::program {
 
-/// The names of warnings, each once and in their order, with blanks between them: "mesh domain"; "none" where there is
-/// no warning, "other" for one that has no name. A name says what a warning is about and never changes; the sentences
-/// may. in: the sentences.
+/// The names of warnings, separated by blanks, each once, in the order of the sentences: "mesh domain"; "none" if there
+/// is no warning; "other" for a warning without a name. A name identifies the subject of a warning and never changes,
+/// whereas the sentence may. in: the sentences.
 std::string names_of_warnings(const std::vector<std::string>& sentences);
 
-/// The name of an estimated error of 100 % and more: the case converged, and says little.
+/// The name of the warning about an estimated error of 100 % or more: the case converged, but
+/// its numbers are not usable.
 constexpr char hardly_an_error[] = "error-100";
 
-/// The names and what they say, as a line of the head of a table.
+/// The names with their meanings, as one line of the heading of a table.
 std::string meaning_of_warnings();
 
 }  // namespace ehl::program

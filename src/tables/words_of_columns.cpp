@@ -10,7 +10,7 @@
 namespace ehl::program {
 namespace {
 
-// Letters that gnuplot would take for commands of its own.
+// Escapes characters that gnuplot would interpret.
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text)
@@ -23,7 +23,7 @@ std::string unit_of(const SweepData& table, const std::string& column) {
   return unit == table.units.end() ? "" : unit->second == "C" ? "°C" : unit->second;
 }
 
-// "2 MPa" for 2e6 Pa.
+// A number with an SI prefix: "2 MPa" for 2e6 Pa.
 std::string with_prefix(double number, const std::string& unit) {
   struct Prefix {
     const char* of;
@@ -40,7 +40,7 @@ std::string with_prefix(double number, const std::string& unit) {
   return fmt::format("{:.4g}{}{}", number, unit.empty() ? "" : " ", unit);
 }
 
-// The symbol of a key, for names of curves.
+// The symbol of a key, for the names of curves.
 std::string symbol_of(const std::string& column) {
   static const std::map<std::string, std::string> known{
       {"motion.u_m", "u_m"},       {"contact.load", "F"},     {"lubricant.eta0", "η_0"}, {"lubricant.temperature", "T"},

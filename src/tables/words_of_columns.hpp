@@ -1,5 +1,5 @@
 #pragma once
-// Columns of a sweep's table in the words of the field, in gnuplot's letters.
+// Labels for the columns of a sweep's table, written for gnuplot.
 #include <string>
 #include <vector>
 
@@ -7,16 +7,16 @@
 
 namespace ehl::program {
 
-/// "smallest film h_m", "central film h_c": without the unit.
+/// The label without unit: "smallest film h_m", "central film h_c".
 std::string words_for(const std::string& column);
 
-/// "entrainment speed u_m [m/s]".
+/// The label with unit: "entrainment speed u_m [m/s]".
 std::string with_unit(const SweepData& table, const std::string& column);
 
-/// Of an axis that several columns share.
+/// The label of an axis that several columns share.
 std::string words_of_all(const SweepData& table, const std::vector<std::string>& columns);
 
-/// "F = 20 N, pao4": what tells the curve of this row apart.
+/// The name of the curve that a row belongs to: "F = 20 N, pao4".
 std::string name_of_curve(const SweepData& table, const std::vector<std::string>& by, std::size_t row);
 
 }  // namespace ehl::program
