@@ -55,7 +55,8 @@ void check_operands(const Command& command, const std::vector<std::string>& give
     refuse(said + "'" + given[wanted.size()] + "' is one too many. Usage: " + usage(command));
 }
 
-// What the library calls by its name, "--set", or as it was typed, "-sett=3".
+// The name of an option without dashes and value, for both forms in which the library returns
+// it: "--set" and "-sett=3".
 std::string bare_name(const std::string& token) {
   const std::string name = token.substr(0, token.find('='));
   return name.substr(std::min(name.size(), name.find_first_not_of('-')));
@@ -63,7 +64,7 @@ std::string bare_name(const std::string& token) {
 
 po::parsed_options parsed(const Command& command, const std::vector<std::string>& words) try {
   using namespace po::command_line_style;
-  // No option is short: -x is an option that is not known, and not a file.
+  // There are no short options: -x is an unknown option and not a file.
   constexpr int style = (unix_style & ~allow_guessing) | allow_long_disguise;
   return po::command_line_parser(words).options(described(command)).style(style).allow_unregistered().run();
 } catch (const po::invalid_command_line_syntax& error) {
@@ -72,7 +73,7 @@ po::parsed_options parsed(const Command& command, const std::vector<std::string>
   if (error.kind() == po::invalid_syntax::extra_parameter) refuse("--" + name + " takes no value");
   refuse("--" + name + ": the value is missing" + (option == nullptr ? "" : ": " + option->argument));
 } catch (const po::error& error) {
-  refuse(error.what());  // "-=x"
+  refuse(error.what());  // for instance "-=x"
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// ehl extract: datasets as columns that gnuplot reads.
+// ehl extract: prints datasets as columns that gnuplot reads.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -17,7 +17,7 @@ using Kind = results::ResultFile::Kind;
 
 std::string column_number(double value) { return std::isnan(value) ? "nan" : deck::shortest(value); }
 
-// "P" -> /fields/P, "levels" -> /levels, "Hc" -> /summary/Hc, a path as it is.
+// The path of a dataset: "P" -> /fields/P, "levels" -> /levels, "Hc" -> /summary/Hc; a full path is unchanged.
 std::string full_name(const ResultSource& source, const std::string& name) {
   if (name.starts_with("/") && source.file.kind(name) != Kind::missing) return name;
   const std::vector<std::string> homes{"/",      "/fields/",    "/summary/",          "/scales/",    "/provenance/",
@@ -40,7 +40,7 @@ std::string header(const ResultSource& source, const std::string& name, const Fi
 std::string grid_columns(const FieldOnGrid& f, const std::string& column) {
   std::string text = "# x " + f.rows + " " + column + "\n";
   for (std::size_t j = 0; j < f.y.values.size(); ++j) {
-    if (j > 0) text += "\n";  // a blank line ends a scan
+    if (j > 0) text += "\n";  // gnuplot ends a scan at a blank line
     const std::string y = deck::shortest(f.y.values[j]);
     for (std::size_t i = 0; i < f.x.values.size(); ++i)
       text += deck::shortest(f.x.values[i]) + " " + y + " " + column_number(f.at(i, j)) + "\n";
@@ -91,7 +91,7 @@ std::size_t chosen_step(const Arguments& arguments, std::size_t count) {
   return static_cast<std::size_t>(read.value);
 }
 
-// A section at every time or depth: a block of lines "time position value" each, with a blank line between them.
+// A section at every time or depth: blocks of lines "time position value", separated by blank lines.
 std::string sections_in_time(const ResultSource& source, const std::string& name, const Arguments& arguments,
                              std::size_t count) {
   if (!arguments.has("along") && !arguments.has("at"))
@@ -117,7 +117,7 @@ std::string sections_in_time(const ResultSource& source, const std::string& name
   return text;
 }
 
-// A group of columns (levels, history); the last line of the header names them.
+// A group of columns (levels, history); the last line of the heading names the columns.
 std::string table(const ResultSource& source, const std::string& name) {
   std::istringstream order(source.file.attribute(name, "columns"));
   std::vector<results::Array> columns;
@@ -140,7 +140,7 @@ std::string table(const ResultSource& source, const std::string& name) {
   return text;
 }
 
-// A group of single values: one a line.
+// A group of single values, one per line.
 std::string list(const ResultSource& source, const std::string& name) {
   std::string text = "# name value unit meaning\n";
   for (const std::string& entry : source.file.names(name)) {
@@ -165,7 +165,7 @@ std::string columns(const ResultSource& source, const std::string& name) {
   return text;
 }
 
-// Of a sweep's results; nothing: the file is one result.
+// The number of the case in the results of a sweep; empty: the file is one result.
 std::optional<std::size_t> wanted_case(const Arguments& arguments) {
   if (!arguments.has("case")) return std::nullopt;
   constexpr int most = 999'999'999;

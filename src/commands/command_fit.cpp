@@ -1,4 +1,4 @@
-// ehl fit: constants of an oil from a measured traction curve.
+// ehl fit: fits constants of an oil to a measured traction curve.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::size_t most_free = 3;
 
-// What is fitted: the deck, the measured points, the free keys "shear.tau_0".
+// The task of the fit: the deck, the measured points, and the free keys "shear.tau_0".
 struct Task {
   SweepHeader header{};
   std::vector<MeasuredPoint> points{};
@@ -37,7 +37,7 @@ struct Task {
 
 std::vector<std::string> overrides_of(const Task& task, const std::vector<double>& parameters, double srr) {
   std::vector<std::string> overrides = task.header.set;
-  // What is fitted may be set for its start.
+  // A free key may also be set; this value is then the start of the fit.
   if (!parameters.empty())
     for (const std::string& key : task.free)
       std::erase_if(overrides, [&](const std::string& one) { return one.starts_with(key + "="); });
@@ -47,14 +47,14 @@ std::vector<std::string> overrides_of(const Task& task, const std::vector<double
   return overrides;
 }
 
-// mu as text; else why there is none.
+// The friction coefficient mu as text; if there is none, the reason.
 std::string solved_mu(const Task& task, const std::vector<double>& parameters, double srr, const Say& say) {
   SweepRow row = sweep_case(task.header, overrides_of(task, parameters, srr), say);
   if (csv_cell(in_row(row, "status")) != "converged") return csv_cell(in_row(row, "reason"));
   return csv_cell(in_row(row, "mu"));
 }
 
-// The friction of all points at all sets of parameters, in children.
+// The friction of all points for all sets of parameters, computed in child processes.
 std::vector<std::vector<double>> friction_of_all(const Task& task, const std::vector<std::vector<double>>& sets,
                                                  int round, std::string& reason) {
   const std::size_t points = task.points.size();
@@ -64,7 +64,8 @@ std::vector<std::vector<double>> friction_of_all(const Task& task, const std::ve
   std::iota(tasks.begin(), tasks.end(), std::size_t{0});
   Progress progress(task.quiet);
   std::size_t done = 0;
-  std::size_t first_without = tasks.size();  // by number, not the first or last to end: the message is always the same
+  std::size_t first_without = tasks.size();  // chosen by number and not by time of completion, so that
+                                             // the message is reproducible
   ChildrenCalls calls;
   calls.stop = stop_requested;
   calls.task = [&](std::size_t k, const Say& say) {
@@ -127,7 +128,7 @@ Task task_of(const Arguments& arguments) {
   return task;
 }
 
-// What the deck says of the free keys, where the fit begins.
+// The values of the free keys in the deck, where the fit begins.
 std::vector<double> start_of(const Task& task) {
   const deck::Deck deck = deck::read(task.header.deck, overrides_of(task, {}, task.points.back().srr), catalogue());
   std::vector<double> start;

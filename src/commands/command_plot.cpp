@@ -1,4 +1,4 @@
-// ehl plot: the gnuplot scripts of postprocess/, fed with a result or with the table of a sweep or a study.
+// ehl plot: runs the gnuplot scripts of postprocess/ with a result or with the table of a sweep or a study.
 #include <fmt/core.h>
 #include <sys/mman.h>
 #include <unistd.h>
@@ -32,10 +32,10 @@ namespace {
 
 namespace files = std::filesystem;
 
-// Whether the times of a deck are in seconds.
+// True if the times of a deck are in seconds.
 bool counts_in_seconds(const std::string& deck) { return deck.find("\ntime_unit = seconds") != std::string::npos; }
 
-// The field in time that --time asks for, else the last one: which, and its time in words.
+// The frame that --time asks for, else the last one: its number, and its time in words.
 std::vector<Setting> chosen_frame(const results::ResultFile& result, const Arguments& arguments) {
   const bool in_time = result.kind("/transient/frames/time") == results::ResultFile::Kind::numbers;
   if (!in_time && arguments.has("time")) refuse("--time: " + result.path() + " holds no run in time");
@@ -61,7 +61,7 @@ std::vector<Setting> chosen_frame(const results::ResultFile& result, const Argum
           {"when", seconds ? fmt::format("t = {:.4g} ms", 1e3 * shown) : fmt::format("T = {:.4g}", shown)}};
 }
 
-// Whether the bodies press on each other in the field that is shown: they may be apart.
+// True if there is any pressure in the field that is shown; the bodies may be separated.
 bool any_pressure(const results::ResultFile& result, const std::vector<Setting>& settings) {
   const std::string frames = "/transient/frames/P";
   const auto frame = std::ranges::find(settings, "frame", &Setting::name);
@@ -74,7 +74,7 @@ FigureSource result_source(const std::string& path, const Arguments& arguments) 
   const auto result = std::make_shared<results::ResultFile>(path);
   std::vector<Setting> settings = chosen_frame(*result, arguments);
   const bool pressed = any_pressure(*result, settings);
-  // A roller's map would be a strip twenty times as long as wide, or more.
+  // The map of a roller would be a strip many times as long as wide, so it is not drawn.
   const bool roller = result->kind("/roller") != results::ResultFile::Kind::missing;
   const bool map = result->dims("/grid/y").at(0) > 1 && !roller;
   const auto has = [result, pressed, map](const std::string& need) {
@@ -102,7 +102,7 @@ FigureSource table_source(const std::string& path, const Arguments& arguments) {
   return {{}, kind, has, table};
 }
 
-// The rows of a sweep as a figure wants them, in a file that gnuplot reads and that is gone with this process.
+// The rows of a sweep as a figure needs them, in a temporary file that gnuplot reads and that ends with this process.
 class ArrangedRows {
  public:
   ArrangedRows() : descriptor_(::memfd_create("rows", 0)) {
@@ -112,7 +112,7 @@ class ArrangedRows {
   ArrangedRows(const ArrangedRows&) = delete;
   ArrangedRows& operator=(const ArrangedRows&) = delete;
 
-  /// Replaces what it held. out: its name for gnuplot.
+  /// Replaces the contents. out: the file's name for gnuplot.
   std::string hold(const std::string& text) const {
     const bool done = ::ftruncate(descriptor_, 0) == 0 &&
                       ::pwrite(descriptor_, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
@@ -124,7 +124,8 @@ class ArrangedRows {
   int descriptor_;
 };
 
-// What a figure of a sweep wants: --x, --y and --by of `curves`; friction and film against the slide-roll ratio.
+// The curves of a figure: --x, --y and --by for `curves`; for the other figure, friction and film
+// against the slide-roll ratio.
 CurvesWanted curves_for(const Figure& figure, const SweepData& table, const Arguments& arguments) {
   if (figure.name == "curves") return chosen_curves(table, arguments);
   CurvesWanted wanted{

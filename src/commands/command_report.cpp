@@ -1,4 +1,4 @@
-// ehl report: results and tables as one page that needs nothing but a browser.
+// ehl report: writes results and tables as one page that needs only a browser.
 #include <filesystem>
 #include <span>
 
@@ -20,7 +20,7 @@ PageSection section_on(const std::string& path) {
   return mark == sweep_mark ? sweep_section(path) : mark == study_mark ? study_section(path) : time_study_section(path);
 }
 
-// Beside the first file, with its name.
+// The default name: that of the first file, in the same folder.
 std::string page_name(const Arguments& arguments) {
   std::filesystem::path beside = arguments.operands[0];
   beside.replace_extension();

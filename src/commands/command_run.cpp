@@ -21,16 +21,16 @@ namespace {
 struct Destination {
   std::string path;
   bool overwrite = false;
-  bool is_completed = false;  // a run in time goes on in this file
+  bool is_completed = false;  // the file holds a run in time that is continued
 };
 
-// Before the work, not after it.
+// Checks the files before the computation begins.
 Destination destination(const Arguments& arguments, const Case& input) {
   Destination to{arguments.value("output", input.output), arguments.has("overwrite")};
   if (const std::string why = unfit_as_result(to.path); !why.empty()) refuse(why + "; give another --output");
   std::vector<std::string> inputs = files_of(input);
   inputs.push_back(arguments.operands[0]);
-  // P and the gap of a dry contact; single precision for stresses in space.
+  // The fields are P and the gap for a dry contact; subsurface stresses are stored in single precision.
   std::size_t bytes = results::expected_bytes(input.scene.grid, input.dry ? 2 : input.fields.size());
   if (input.subsurface) {
     const core::Grid grid = subsurface::stress_grid(input.scene.grid, *input.subsurface);
@@ -48,7 +48,7 @@ int fail_without_solution(const Arguments& arguments, const Case& input, const s
   return not_converged;
 }
 
-// Solves the case; saves and says what came out.
+// Solves the case, saves the result and prints the report.
 int solve_and_write(const Arguments& arguments, const Case& input, const Destination& to, TransientResult before) {
   Computed computed;
   bool overwrite = to.overwrite, saved = false;
@@ -66,7 +66,7 @@ int solve_and_write(const Arguments& arguments, const Case& input, const Destina
     RunSettings settings{.progress = progress, .before = std::move(before), .save = save_so_far};
     solve_case(input, settings, computed);
   } catch (const core::SolverError& error) {
-    // A run in time has saved more than this; a file that was to be completed stays as it is.
+    // A run in time has already saved more than this, and a file that was to be continued must not be changed.
     if (to.is_completed || saved)
       return fail_without_solution(arguments, input, error.what(), to.path + " holds the run so far");
     const results::Content content = content_without_solution(input, computed, error.what());
@@ -76,7 +76,7 @@ int solve_and_write(const Arguments& arguments, const Case& input, const Destina
         to.path + (content.fields.empty() ? " holds the deck and this reason, and no film: there is none"
                                           : " holds the film as far as it was found, marked"));
   }
-  // First of all: what is behind standard output may be full, or gone.
+  // The file is written before the report is printed: standard output may be full or closed.
   write(whole_content(input, computed));
   print(arguments.has("json") ? solver_of(input).json(input, computed)
                               : printed(input, computed, arguments.has("profile")) + "result       " + to.path + "\n");
@@ -85,9 +85,11 @@ int solve_and_write(const Arguments& arguments, const Case& input, const Destina
   return ending.status;
 }
 
-// A run that goes on with another oil or load would be two runs in one file.
+// A run must not be continued with another oil or load.
 void check_same_files(const results::ResultFile& file, const Case& input) {
-  if (file.kind("/provenance/files") == results::ResultFile::Kind::missing) return;  // none, or an older version's
+  if (file.kind("/provenance/files") == results::ResultFile::Kind::missing)
+    return;  // no files were named, or an
+             // older version wrote the result
   const std::string before = "\n" + file.text("/provenance/files") + "\n";
   for (const deck::NamedFile& one : input.files)
     if (before.find("\n" + deck::told(one) + "\n") == std::string::npos)
@@ -114,7 +116,7 @@ int resume(const Arguments& arguments) {
   if (!input.transient) throw core::FileError(path + ": the file is damaged: its deck is of no run in time");
   check_fits(before, input, path);
   check_same_files(file, input);
-  // The result is read and written: it is completed in place.
+  // The result is both read and written: it is continued in place.
   results::check_files(files_of(input),
                        result_outputs(path, true, results::expected_bytes(input.scene.grid, input.fields.size())));
   return solve_and_write(arguments, input, {path, true, true}, std::move(before));

@@ -1,4 +1,4 @@
-// ehl study: what accuracy costs in time.
+// ehl study: accuracy against computing time.
 #include <algorithm>
 #include <cstdio>
 #include <functional>
@@ -20,11 +20,11 @@ namespace {
 
 constexpr double reference_tolerance = 1e-10;
 constexpr int reference_cycles = 200;
-/// The reference may be one level finer than what is studied up to 2049 x 2049 nodes: minutes.
+/// The reference may be one level finer than the studied grids if it has at most this many nodes.
 constexpr double most_nodes_of_reference = 5e6;
 constexpr std::size_t grids_of_reference = 3;
 
-// A case on a grid, without solving it.
+// Provides the case on each grid, without solving it.
 class Grids {
  public:
   Grids(const Arguments& arguments, int threads)
@@ -49,7 +49,7 @@ class Grids {
   int threads_;
 };
 
-// With heat, or where the pressure's own flow thins the oil, cycles are a part of passes: the runs decide how many.
+// With heat or flow thinning, the cycles are part of a fixed-point iteration, so their number is that of `ehl run`.
 std::string cycles_of(const Arguments& arguments, const Case& input) {
   const bool passes = input.heat || input.flow_thinning;
   const std::string cycles = arguments.value("cycles", passes ? "run" : "1V,2V,1W,2W,run");
@@ -73,7 +73,8 @@ StudyPlan plan_of(const Arguments& arguments, const Grids& grids, const Case& in
                         "a number and a shape, e.g. 2W (V, W or F), or run")};
 }
 
-// Coarse to fine: one level finer than the finest studied where that is affordable, and the grids below it.
+// Coarse to fine: the grids below the reference grid, which is one level finer than the studied
+// ones if that is affordable.
 std::vector<int> reference_grids(const Arguments& arguments, const Grids& grids, int finest) {
   int cells = finest;
   if (arguments.has("reference")) {
@@ -102,7 +103,7 @@ Case reference_case(const Grids& grids, int cells) {
   return input;
 }
 
-// Each way on its grid, measured once.
+// Each method on its grid, measured once.
 std::vector<StudyPoint> measured_once(const std::vector<StudyCase>& ways, int at_once, bool quiet,
                                       const std::function<Case(int cells)>& on_grid) {
   return computed_rows<StudyPoint, StudyCase>(
@@ -166,7 +167,7 @@ int study(const Arguments& arguments) {
   if (arguments.has("rtol"))
     throw core::InputError("command line: --rtol is for runs in time, and the deck has no [transient] end_time");
   const StudyPlan plan = plan_of(arguments, grids, input);
-  for (const int cells : plan.cells) grids.on(cells);  // complains before the work
+  for (const int cells : plan.cells) grids.on(cells);  // finds errors of the deck before the computation begins
   const std::vector<StudyCase> ways = cases_of(plan, [&](int cells) { return grids.nodes(cells); });
   if (ways.empty())
     throw core::InputError(

@@ -1,4 +1,4 @@
-// ehl sweep: many cases of one deck, one table.
+// ehl sweep: computes many cases of one deck and writes one table.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ std::string summary(const SweepTable& table, std::size_t cases, std::size_t kept
   return text;
 }
 
-// What the error bars of the cases that converged are worth; empty where all are below 10 %.
+// A remark on the error bars of the converged cases; empty if all are below 10 %.
 std::string summary_of_bars(const SweepTable& table, const std::vector<std::size_t>& own,
                             const std::function<std::string(std::size_t)>& name_of) {
   constexpr double large = 0.1, hardly_an_error = 1.0;
@@ -74,20 +74,20 @@ std::string summary_of_bars(const SweepTable& table, const std::vector<std::size
   return text;
 }
 
-// ", 40 s left", by the cases so far.
+// ", 40 s left", extrapolated from the cases that are done.
 std::string time_left(std::size_t done, std::size_t cases, double began) {
   if (done == 0) return "";
   const double left = (core::now() - began) * static_cast<double>(cases - done) / static_cast<double>(done);
   return ", " + about_seconds(left) + " left";
 }
 
-// The shard that the command line or the array of a scheduler asks for.
+// The shard that the command line or the job array of a scheduler asks for.
 Shard wanted_shard(const Arguments& arguments) {
   if (arguments.has("shard")) return parse_shard(arguments.value("shard", ""));
   return shard_of_array().value_or(Shard{});
 }
 
-// 0 of a case that will be refused.
+// The predicted time of a case; 0 if the case will be refused.
 double seconds_of_case(const std::string& deck, const std::vector<std::string>& overrides) try {
   return expected_needs(read_lubricated_case(deck, overrides, 1, "sweep")).seconds;
 } catch (const core::InputError&) {
@@ -96,7 +96,7 @@ double seconds_of_case(const std::string& deck, const std::vector<std::string>& 
 
 bool has_kept(const std::string& table) { return std::filesystem::exists(name_of_kept(table)); }
 
-// All that a sweep reads, and all that it writes or goes on with.
+// Checks all files that a sweep reads, writes or continues.
 void check_files(const Arguments& arguments, const SweepHeader& header, const std::string& table) {
   std::vector<std::string> inputs{header.deck};
   for (const deck::NamedFile& file : header.files) inputs.push_back(file.path);
@@ -174,7 +174,7 @@ int sweep(const Arguments& arguments) {
 
   const double began = core::now();
   std::vector<std::size_t> missing = table.missing();
-  if (kept) {  // rows of a sweep without --keep
+  if (kept) {  // needed for rows that an earlier sweep computed without --keep
     for (const std::size_t index : own)
       if (table.has_status(index, "converged") && !kept->has(name_of(index))) missing.push_back(index);
     std::ranges::sort(missing);
@@ -185,7 +185,7 @@ int sweep(const Arguments& arguments) {
   const SweepRow nothing_known = sweep_row(header.kind);
   ChildrenCalls calls;
   calls.stop = stop_requested;
-  // The row is one line; the result to keep follows it.
+  // The text is the row, which is one line, followed by the result to keep.
   calls.task = [&](std::size_t index, const Say& say) {
     std::string result;
     const std::string row = csv_row(sweep_case(header, overrides_of(index), say, kept ? &result : nullptr));
@@ -219,7 +219,7 @@ int sweep(const Arguments& arguments) {
   }
   print(summary(table, cases, cases - missing.size(), core::now() - began) + summary_of_bars(table, own, name_of) +
         "table        " + path + "\n" + (kept ? "results      " + kept->path() + "\n" : ""));
-  // By number, not the first to end: the message is the same each time.
+  // The refused case is chosen by number and not by time of completion, so that the message is reproducible.
   const auto refused = std::ranges::find_if(own, [&](std::size_t index) { return table.has_status(index, "refused"); });
   if (refused != own.end())
     std::fprintf(stderr, "ehl: refused, the first one: %s: %s\n", name_of(*refused).c_str(),

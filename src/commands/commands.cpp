@@ -1,4 +1,4 @@
-// The list of commands, the small ones among them, and what several of them need.
+// The list of commands, the short commands, and the functions that several commands share.
 #include "commands/commands.hpp"
 
 #include <cerrno>

@@ -3,11 +3,11 @@
 
 namespace ehl::program {
 
-/// All commands of this version: what each takes, its help, and its function.
+/// All commands of this version: their options, help texts and functions.
 const std::vector<Command>& commands();
 
 /// One function per command. out: the exit status (exit_status.hpp). errors: core::InputError, core::FileError,
-/// core::SolverError, core::Interrupted; main turns them into messages and exit statuses.
+/// core::SolverError, core::Interrupted; main() converts them to messages and exit statuses.
 int run(const Arguments& arguments);
 int check(const Arguments& arguments);
 int resume(const Arguments& arguments);
@@ -21,14 +21,14 @@ int keys(const Arguments& arguments);
 int help(const Arguments& arguments);
 int version(const Arguments& arguments);
 
-/// Number of threads that --threads asks for; the usable cores without it. errors: core::InputError.
+/// The number of threads that --threads asks for; by default all usable cores. errors: core::InputError.
 int requested_threads(const Arguments& arguments);
 
-/// Name of the table that a command writes: --output, or the name of the deck with "_<command>.csv".
-/// errors: core::InputError where it does not end with .csv.
+/// The name of the table that a command writes: --output, or the name of the deck with the ending "_<command>.csv".
+/// errors: core::InputError if the name does not end with .csv.
 std::string table_name(const Arguments& arguments);
 
-/// To stdout, and out of this process: a full disk behind it shows here. errors: core::FileError.
+/// Prints to stdout and flushes it, so that a full disk is noticed here. errors: core::FileError.
 void print(const std::string& text);
 
 }  // namespace ehl::program

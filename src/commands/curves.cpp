@@ -13,7 +13,7 @@
 namespace ehl::program {
 namespace {
 
-constexpr std::size_t most_curves = 12;  // as many as there are colours that the eye keeps apart
+constexpr std::size_t most_curves = 12;  // the number of colours that the eye can distinguish
 
 void check_column(const SweepData& table, const std::string& option, const std::string& column, bool numbers) {
   const std::string said = "--" + option + " " + column;
@@ -27,7 +27,7 @@ CurvesWanted defaults(const SweepData& table, std::string x) {
   CurvesWanted chosen{std::move(x), films(table), {}, ""};
   for (const std::string& key : table.varied)
     if (key != chosen.x && table.words(key).size() > 1) chosen.by.push_back(key);
-  // Both films of many curves are more than a picture holds.
+  // Two films for many curves would overload the picture; only the first is drawn.
   if (curves_by(table, chosen.by).size() > 3 && chosen.y.size() > 1) chosen.y.pop_back();
   return chosen;
 }
@@ -51,7 +51,7 @@ bool any(const SweepData& table, const std::vector<std::string>& y, const Publis
   return std::ranges::any_of(y, [&](const std::string& name) { return table.has(column_of(formula, name)); });
 }
 
-// The roughness where it is the same for all rows, to the rounding of its conversion; else 0.
+// The roughness if it is the same in all rows, apart from rounding; else 0.
 double one_roughness(const SweepData& table) {
   if (!table.has("Sq_nm")) return 0.0;
   double least = std::numeric_limits<double>::infinity(), most = 0.0;
@@ -67,7 +67,7 @@ double one_roughness(const SweepData& table) {
 
 bool makes_curves(const SweepData& table) {
   const std::string x = longest_key(table);
-  // Over sliding the film hardly changes, and stands below the friction.
+  // The film hardly depends on sliding and is shown below the friction instead.
   const bool traction = x == "motion.srr" && table.has("mu");
   return !x.empty() && !traction && !films(table).empty() &&
          curves_by(table, defaults(table, x).by).size() <= most_curves;

@@ -1,5 +1,5 @@
 #pragma once
-// A sweep as curves: a quantity against a swept key, one curve for each choice of the other keys.
+// A sweep as curves: a quantity against a varied key, one curve for each combination of the other keys.
 #include <string>
 #include <vector>
 
@@ -9,28 +9,28 @@
 
 namespace ehl::program {
 
-/// What is drawn. Empty: chosen (`chosen_curves`).
+/// The choice of curves; an empty member is chosen by `chosen_curves`.
 struct CurvesWanted {
-  std::string x{};                ///< a column of numbers
-  std::vector<std::string> y{};   ///< columns of numbers
-  std::vector<std::string> by{};  ///< columns whose words tell curves apart
-  std::string axes{};             ///< log or linear; empty: by the range of the values
+  std::string x{};                ///< a numeric column
+  std::vector<std::string> y{};   ///< numeric columns
+  std::vector<std::string> by{};  ///< columns whose values distinguish the curves
+  std::string axes{};             ///< log or linear; empty: chosen by the range of the values
 };
 
-/// The axes that --x, --y and --by name; where they do not: the swept key with most values (at least three), the films
-/// in SI where the table has them, all other swept keys. errors: core::InputError: a column that there is not or that
-/// has no numbers, more curves than colours.
+/// The choice given by --x, --y and --by. The defaults are: for x the varied key with most values (at least three); for
+/// y the films, in SI if the table has them; for by all other varied keys.
+/// errors: core::InputError for a column that does not exist or is not numeric, or for more curves than colours.
 CurvesWanted chosen_curves(const SweepData& table, const Arguments& arguments);
 
-/// True where a table makes curves without being told which.
+/// True if the default choice gives curves for a table.
 bool makes_curves(const SweepData& table);
 
 struct Curves {
-  std::string data{};  ///< for gnuplot: a block for each series, rows "x y error formula..." in the order of x
+  std::string data{};  ///< for gnuplot: one block per series, with rows "x y error formula..." in the order of x
   std::vector<Setting> settings{};
 };
 
-/// The converged rows as series: each curve of each quantity, with the error bars and the formulas that the table has.
+/// The converged rows as series: each quantity of each curve, with the error bars and the formulas of the table.
 Curves curves_of(const SweepData& table, const CurvesWanted& wanted);
 
 }  // namespace ehl::program

@@ -1,4 +1,4 @@
-// A contact without lubricant, from the case to what is printed and kept.
+// The dry contact: from the case to the printed report and the result file.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -19,9 +19,10 @@
 namespace ehl::program {
 namespace {
 
-constexpr double hertz_load = 2.0 * core::pi / 3.0;  // of P = sqrt(1 - r^2)
+constexpr double hertz_load = 2.0 * core::pi / 3.0;  // integral of P = sqrt(1 - r^2) over the contact
 
-// On each grid the error falls at an even pace, and the next takes four times as long.
+// Estimates the share of the work that is done: on each grid the error falls at a constant rate, and the next grid
+// costs four times as much.
 double fraction(const dry::Progress& now, double tolerance) {
   const double of_grid = std::clamp(std::log(now.error) / std::log(tolerance), 0.0, 1.0);
   return std::pow(4.0, -now.grids_left) * (0.25 + 0.75 * of_grid);
@@ -76,7 +77,7 @@ std::string table(const dry::Solution& solution, const std::optional<SiScales>& 
   return text;
 }
 
-// The number in SI before the one in units of the contact.
+// The number in SI, followed by the dimensionless number.
 std::string both(const std::string& in_SI, const std::string& own) { return in_SI.empty() ? own : in_SI + "; " + own; }
 
 std::string summary(const Case& input, const Computed& computed) {

@@ -8,14 +8,14 @@
 namespace ehl::program {
 namespace {
 
-constexpr int most_points = 4000;  // along x: more than a picture has pixels
+constexpr int most_points = 4000;  // along x; more points than the pixels of a picture
 
 struct Range {
   double from = 0.0;
   double to = 0.0;
 };
 
-// The part of a range "from:to" that lies on the lines of a grid; all of them where none is given.
+// The part of a range "from:to" that lies on the grid; the whole grid if no range is given.
 Range range_of(const std::string& text, const std::vector<double>& lines, const std::string& said) {
   const Range whole{lines.front(), lines.back()};
   if (text.empty()) return whole;

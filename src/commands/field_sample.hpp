@@ -1,11 +1,12 @@
 #pragma once
-// The part of a field that `ehl extract` is asked for.
+// The part of a field that `ehl extract` prints.
 #include "commands/arguments.hpp"
 #include "report/field_on_grid.hpp"
 
 namespace ehl::program {
 
-/// The line that --along and --at of `ehl extract` ask for. errors: core::InputError: no such axis, outside the domain.
+/// The line that --along and --at of `ehl extract` select. errors: core::InputError for an unknown axis or a
+/// place outside the domain.
 struct Section {
   bool along_x = true;
   double at = 0.0;
@@ -13,8 +14,8 @@ struct Section {
 Section wanted_section(const FieldOnGrid& field, const Arguments& arguments);
 bool is_section(const Arguments& arguments);
 
-/// What --sample and --window of `ehl extract` ask for; without them the field as it is.
-/// errors: core::InputError: no such number of points, a window that does not meet the domain.
+/// The field on the points that --sample and --window of `ehl extract` select; without these options the field itself.
+/// errors: core::InputError for a wrong number of points or a window outside the domain.
 FieldOnGrid sampled(const FieldOnGrid& field, const Arguments& arguments);
 
 }  // namespace ehl::program

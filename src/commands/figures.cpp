@@ -26,7 +26,7 @@ std::string told(const std::string& kind) {
   return "the table of a " + (kind == "time_study" ? "study of a run in time" : kind) + ", FILE.csv";
 }
 
-// The figure of this name, which must be one that draws this file.
+// The figure with this name, which must draw this kind of file.
 Figure named(const std::vector<Figure>& all, const std::string& name, const FigureSource& source) {
   const std::string said = "--figure " + name;
   const auto found = std::ranges::find(all, name, &Figure::name);
@@ -74,7 +74,8 @@ std::vector<Figure> figures_in(const std::string& folder) {
 std::string folder_of_scripts() {
   const char* own = std::getenv("EHL_POSTPROCESS");
   if (own != nullptr) return own;
-  // An installed program has its scripts beside it; one that was only built takes them from the source.
+  // An installed program has its scripts in a folder next to it; a program that was only built
+  // uses those of the source.
   const files::path installed = files::path(program_path()).parent_path() / EHL_POSTPROCESS_INSTALLED;
   std::error_code error;
   return files::is_directory(installed, error) ? installed.lexically_normal().string() : EHL_POSTPROCESS_FOLDER;

@@ -1,5 +1,5 @@
 #pragma once
-// The figures that postprocess/ draws, as their scripts describe them.
+// The figures that postprocess/ can draw, as described by the headings of their scripts.
 #include <functional>
 #include <memory>
 #include <string>
@@ -13,50 +13,50 @@ struct Figure {
   std::string name{};
   std::string title{};
   std::string script{};
-  std::vector<std::string> needs{};  ///< datasets without which there is nothing to draw; or what it draws instead,
-                                     ///< "sweep", "study" or "time_study", and columns without which there is nothing
-  bool movie = false;                ///< a GIF whatever the format
-  bool on_demand = false;            ///< only when asked for, as every movie
+  std::vector<std::string> needs{};  ///< the datasets that the figure needs; or the kind of table, "sweep", "study" or
+                                     ///< "time_study", followed by the columns that it needs
+  bool movie = false;                ///< the output is a GIF, whatever the format
+  bool on_demand = false;            ///< drawn only if asked for by name, as is every movie
   bool of_curves = false;            ///< draws the rows of a sweep as curves
 };
 
-/// A need of figures of a sweep: a swept key of three numbers or more, and not too many curves over it.
+/// A need of a figure of a sweep: a varied key with at least three numbers, and not too many curves.
 constexpr char curves_need[] = "curves";
 
-/// A need of figures of a result: a pressure that is not zero everywhere; bodies that are apart have none.
+/// A need of a figure of a result: a pressure that is not zero everywhere. It is zero if the bodies are separated.
 constexpr char pressure_need[] = "pressure";
 
-/// Likewise: fields over the contact's plane; a line contact has one line, a roller too many.
+/// A need of a figure of a result: fields over the contact plane. A line contact has none, and a roller is too long.
 constexpr char map_need[] = "map";
 
-/// A variable that a script finds: a text, or a number as text.
+/// A variable for a script: a text, or a number as text.
 struct Setting {
   std::string name{};
   std::string value{};
   bool is_text = true;
 };
 
-/// What there is to draw: what scripts are told about it, and whether it has what a figure needs.
+/// The data of the figures: the variables for the scripts, and the needs that the data meet.
 struct FigureSource {
   std::vector<Setting> settings{};
   std::string kind{};  ///< "result", "sweep", "study", "time_study"
   std::function<bool(const std::string&)> has{};
-  std::shared_ptr<const SweepData> table{};  ///< of a sweep
+  std::shared_ptr<const SweepData> table{};  ///< set for a sweep
 };
 
-/// A script is a figure when its first line says "# figure: title"; "# needs: name..." may follow, and "# movie",
-/// "# on demand" or "# curves". errors: core::FileError: no such folder, no figure in it.
+/// A script is a figure if its first line is "# figure: title". Lines "# needs: name...", "# movie", "# on demand" or
+/// "# curves" may follow. errors: core::FileError if the folder does not exist or contains no figure.
 std::vector<Figure> figures_in(const std::string& folder);
 
-/// Where the scripts are: EHL_POSTPROCESS, beside an installed program, or in the source.
+/// The folder of the scripts: EHL_POSTPROCESS, or the folder next to an installed program, or that of the source.
 std::string folder_of_scripts();
 
-/// The figures of these names, which must be some that draw this source; without names all that fit it and are not
-/// drawn on demand only. errors: core::InputError.
+/// The figures with these names, which must draw this source. Without names: all figures that fit the source and are
+/// not drawn on demand only. errors: core::InputError.
 std::vector<Figure> selected_figures(const std::vector<Figure>& all, const std::vector<std::string>& names,
                                      const FigureSource& source);
 
-/// Every figure with what it shows and needs, for people.
+/// A printed list of all figures with their contents and needs.
 std::string list_of_figures(const std::vector<Figure>& all);
 
 }  // namespace ehl::program

@@ -1,4 +1,4 @@
-// The film of a lubricated contact, from the case to what is printed and kept.
+// The lubricated contact: from the case to the printed report and the result file.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace ehl::program {
 namespace {
 
 std::string text_of(const steady::Progress& now) {
-  // A continuation solves for other loads first.
+  // A load continuation solves for other loads first.
   const std::string load = now.load_ratio == 1.0 ? "" : fmt::format("  load {:.3g} %", 100.0 * now.load_ratio);
   return fmt::format("{} x {}{}  cycle {}/{}  residual {:.1e}  Hc {:.4f}", now.nx + 1, now.ny + 1, load, now.cycle,
                      std::max(now.cycle, now.cycles), now.residual, now.Hc);

@@ -23,13 +23,13 @@ namespace {
 namespace files = std::filesystem;
 
 constexpr auto wake_interval = std::chrono::milliseconds(5);
-constexpr int not_started = 127;  // as a shell says it
+constexpr int not_started = 127;  // the status by which a shell reports that the program was not found
 
 [[noreturn]] void be_gnuplot(const std::string& settings, const std::string& script, pid_t parent) {
   ::signal(SIGPIPE, SIG_DFL);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(not_started);
-  ::setenv("LC_ALL", "C.UTF-8", 1);  // the scripts are in UTF-8, and their numbers have points, whatever the locale
+  ::setenv("LC_ALL", "C.UTF-8", 1);  // the scripts are in UTF-8 and need decimal points, whatever the locale is
   ::execlp("gnuplot", "gnuplot", "-e", settings.c_str(), script.c_str(), static_cast<char*>(nullptr));
   ::_exit(not_started);
 }
@@ -50,7 +50,7 @@ std::string no_pipe(const std::string& path) { return files::path(path).is_absol
 
 PlainNames::~PlainNames() {
   std::error_code error;
-  if (!folder_.empty()) files::remove_all(folder_, error);  // links go, not what they lead to
+  if (!folder_.empty()) files::remove_all(folder_, error);  // removes the links but not the files they point to
 }
 
 std::string PlainNames::of(const std::string& path, const std::string& link) {

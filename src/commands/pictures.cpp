@@ -12,7 +12,7 @@ namespace {
 
 namespace files = std::filesystem;
 
-constexpr double least_mm = 40.0, most_mm = 600.0;     // letters stay legible; paper of size A2
+constexpr double least_mm = 40.0, most_mm = 600.0;     // letters must stay legible; the largest paper is A2
 constexpr double least_px = 200.0, most_px = 10000.0;  // about the same on a screen
 
 bool any_movie(const std::vector<Figure>& figures) { return std::ranges::any_of(figures, &Figure::movie); }
@@ -36,7 +36,7 @@ std::string chosen_format(const Arguments& arguments, const std::vector<Figure>&
   return format;
 }
 
-// mm=85 or pixels=1200.
+// The size as settings: mm=85 or pixels=1200.
 std::vector<Setting> size_settings(const Arguments& arguments, const std::string& format, bool movie) {
   if (!arguments.has("width")) return {};
   const std::string width = arguments.value("width", "");

@@ -1,5 +1,5 @@
 #pragma once
-// What the pictures of `ehl plot` are: their format, size and names.
+// The format, size and names of the pictures of `ehl plot`.
 #include <string>
 #include <vector>
 
@@ -10,13 +10,13 @@ namespace ehl::program {
 
 struct Pictures {
   std::string format{};              ///< png, svg or pdf
-  std::vector<Setting> settings{};   ///< of the size, for the scripts
-  std::vector<std::string> names{};  ///< one for each figure
+  std::vector<Setting> settings{};   ///< the size, for the scripts
+  std::vector<std::string> names{};  ///< names of the files, one per figure
 };
 
-/// From --format, --width and --output. in: the figures that are drawn. errors: core::InputError: no such format or
-/// size, a movie in another format than GIF, a name that ends otherwise than the format, a
-/// folder that is none.
+/// The pictures for --format, --width and --output. in: the figures that are drawn. errors: core::InputError for an
+/// unknown format or size, a movie in a format other than GIF, a name whose ending contradicts the format, or a
+/// folder that is no folder.
 Pictures pictures_of(const Arguments& arguments, const std::vector<Figure>& figures);
 
 }  // namespace ehl::program

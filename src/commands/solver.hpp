@@ -1,5 +1,5 @@
 #pragma once
-// What is solved. The way from the deck to the result is the same for all (command_run.cpp).
+// The solver of a kind of contact. The steps from the deck to the result are the same for all kinds (command_run.cpp).
 #include <string>
 
 #include "case/effects.hpp"
@@ -7,18 +7,18 @@
 namespace ehl::program {
 
 struct Solver {
-  /// Fills all of the solution but what the effects add to it. errors: core::SolverError where there is nothing that
-  /// could be shown; core::Interrupted.
+  /// Computes the solution without its effects. errors: core::SolverError if there is nothing
+  /// to show; core::Interrupted.
   void (*solve)(const Case& input, Progress& progress, Computed& computed) = nullptr;
-  std::string (*derived)(const Case& input) = nullptr;  ///< what `ehl check` says
+  std::string (*derived)(const Case& input) = nullptr;  ///< the report of `ehl check`
   std::string (*summary)(const Case& input, const Computed& computed) = nullptr;
   std::string (*json)(const Case& input, const Computed& computed) = nullptr;
   results::Content (*content)(const Case& input, const Computed& computed) = nullptr;
 };
 
-/// The film of a lubricated contact.
+/// The solver of a lubricated contact.
 Solver film_solver();
-/// The contact without lubricant.
+/// The solver of a contact without lubricant.
 Solver dry_solver();
 
 }  // namespace ehl::program

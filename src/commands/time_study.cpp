@@ -20,10 +20,12 @@ namespace ehl::program {
 namespace {
 
 constexpr int samples = 400;
-/// The reference, beside the least tolerance studied and the longest step of the deck.
+/// The tolerance and the longest step of the reference run, relative to the smallest tolerance studied and to the
+/// longest step of the deck.
 constexpr double tighter = 0.1;
 constexpr double shorter = 1.0 / 16.0;
-/// The run that tells how well the reference is known, beside it.
+/// A second, coarser run, relative to the reference; the difference between the two shows how
+/// accurate the reference is.
 constexpr double coarser_rtol = 3.0;
 constexpr double coarser_step = 2.0;
 constexpr int most_steps = 100000000;
@@ -46,7 +48,7 @@ std::vector<double> tolerances(const Arguments& arguments) {
   return list;
 }
 
-// in: whether the film is looked at; then the time says nothing.
+// in: look: record the film at the times of comparison; the run is then not timed.
 std::vector<TimeStudyPoint> run_ways(const Case& input, const std::vector<TimeWay>& ways, bool look, int at_once,
                                      bool quiet) {
   return computed_rows<TimeStudyPoint, TimeWay>(
@@ -56,7 +58,7 @@ std::vector<TimeStudyPoint> run_ways(const Case& input, const std::vector<TimeWa
 
 TimeReference find_reference(Case input, double rtol, double longest_step, bool quiet) {
   input.scene.threads = usable_cores();
-  input.transient->parameters.most_steps = most_steps;  // the deck's are for its own tolerance
+  input.transient->parameters.most_steps = most_steps;  // the limit of the deck is meant for its own tolerance
   const TimeWay way{tighter * rtol, shorter * longest_step};
   const TimeWay coarser{coarser_rtol * way.rtol, coarser_step * way.longest_step};
   if (!quiet) std::fprintf(stderr, "ehl: the reference, and the run that tells how well it is known\n");
@@ -77,7 +79,7 @@ std::vector<TimeStudyPoint> measured(const Case& input, const std::vector<double
                  header.repeats);
   std::vector<TimeStudyPoint> points = run_ways(input, ways, true, header.jobs, quiet);
   for (TimeStudyPoint& point : points)
-    point.seconds = point.seconds_most = TimeStudyPoint::unknown;  // with the looking
+    point.seconds = point.seconds_most = TimeStudyPoint::unknown;  // the time includes recording and does not count
   const std::vector<TimeStudyPoint> timed = run_ways(input, repeated(ways, header.repeats), false, header.jobs, quiet);
   for (std::size_t k = 0; k < timed.size(); ++k) add_repetition(timed[k], points[k % points.size()]);
   return points;
