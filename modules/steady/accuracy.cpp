@@ -19,17 +19,18 @@
 namespace ehl::steady {
 namespace {
 
-/// Of the target, left to a domain that is free; the second where the first needs a domain that is forbidden.
+/// Shares of the target allowed for the error of a free domain; the second is tried if the first needs too large a
+/// domain.
 constexpr double shares_of_domain[] = {0.5, 0.7};
-/// A domain is made larger in steps of this, in thought.
+/// Step factor of the search for the size of the domain.
 constexpr double step_of_size = 1.01;
-/// Cells of the largest coarse solution that is spent on the domain.
+/// Most cells along x of the coarse solutions that estimate the error of the domain.
 constexpr int most_coarse_cells = 1024;
-/// In Hertz radii, and in units of contact_size: on longer ones the coarsest grids no longer hold the contact, and the
-/// cycles fail.
+/// Longest domain in Hertz radii, and in units of contact_size. On longer ones the coarsest grids no longer resolve the
+/// contact, and the cycles fail.
 constexpr double longest_domain = 200.0;
 constexpr double longest_in_contacts = 72.0;
-/// The foretold level is one more where it would leave more than this of what is allowed.
+/// Safety factor of the predicted level: the predicted error must be below this share of what is allowed.
 constexpr double sure = 0.95;
 constexpr double tolerance_of_coarse = 1e-6;
 
@@ -45,7 +46,7 @@ std::string gigabytes(double bytes) {
   return buffer;
 }
 
-// The film on a coarse mesh, solved well: Hc and the fitted minimum.
+// The scene on a coarse mesh, to be solved to a small residual: only Hc and the fitted minimum are needed.
 Scene coarse_scene(const Scene& scene, const core::Grid& grid) {
   Scene coarse = scene;
   coarse.grid = grid;
@@ -56,9 +57,8 @@ Scene coarse_scene(const Scene& scene, const core::Grid& grid) {
   return coarse;
 }
 
-// What a domain cuts off, relative to the film: pressure of the inlet, which falls with the third power of the size;
-// load of the far field, which falls with the first (domain_error.hpp). Never less than what falls with the square and
-// is told by doubling the domain once: three quarters of that are gained.
+// Error of a domain, relative to the film: `inlet` falls with the third power of the size, `load` with the first
+// (domain_error.hpp). `square` is a lower bound that falls with the second power, fitted to the first doubling alone.
 struct DomainError {
   double square = 0.0;
   double inlet = 0.0;
@@ -68,7 +68,8 @@ struct DomainError {
   }
 };
 
-// From what doubling gains, and doubling again; no second gain, no more than the square.
+// Error from the changes of the film when the domain is doubled once and twice; if the second change is unknown, from
+// `square` alone.
 DomainError domain_error(double gain, double next_gain) {
   const double square = 4.0 / 3.0 * gain;
   if (std::isnan(next_gain)) return {square, 0.0, 0.0};
@@ -81,7 +82,8 @@ double change(const LevelRow& from, const LevelRow& to, double LevelRow::*film) 
   return std::abs(to.*film / from.*film - 1.0);
 }
 double gain_of_Hc(const LevelRow& from, const LevelRow& to) { return change(from, to, &LevelRow::Hc); }
-// The nodes are the same; still, where the minimum moves on to another node, the node's film or the fitted one jumps.
+// The nodes are the same on both domains. If the minimum moves to another node, either the nodal or the fitted value
+// jumps, so the smaller change counts.
 double gain_of_Hm(const LevelRow& from, const LevelRow& to) {
   return std::min(change(from, to, &LevelRow::Hm), change(from, to, &LevelRow::Hm_fitted));
 }
@@ -95,7 +97,7 @@ std::vector<Scene> series_from(const Scene& scene, core::Grid grid) {
   return series;
 }
 
-// Of Hc or Hm, the worse; NaN where a solution fails.
+// The larger of the errors of Hc and Hm; NaN if a solution fails.
 DomainError domain_error(const std::vector<Scene>& series, const SolveOnGrid& solve_on_grid) {
   std::vector<LevelRow> rows;
   for (const Scene& coarse : series) {
@@ -111,13 +113,14 @@ DomainError domain_error(const std::vector<Scene>& series, const SolveOnGrid& so
   return {std::max(Hc.square, Hm.square), std::max(Hc.inlet, Hm.inlet), std::max(Hc.load, Hm.load)};
 }
 
-// On half as many cells; on those of the scene where so few have no solution, as at the ends of a roller.
+// Estimated on half as many cells; on the cells of the scene if the coarser mesh has no solution, as at the ends of a
+// roller.
 DomainError domain_error(const Scene& scene, const SolveOnGrid& solve_on_grid) {
   const DomainError coarse = domain_error(domain_series(scene), solve_on_grid);
   return std::isnan(coarse.square) ? domain_error(series_from(scene, scene.grid), solve_on_grid) : coarse;
 }
 
-// The next levels up to the grid of `finer`, from the solution on a coarser one.
+// Continues full multigrid from the solution on a coarser grid to the grid of `finer`.
 Solution refined(const Scene& finer, const Solution& coarser, const ProgressCallback& progress) {
   fmg::Run run = begin_climb(finer, {}, progress);
   std::size_t l = 0;
@@ -137,7 +140,7 @@ Solution refined(const Scene& finer, const Solution& coarser, const ProgressCall
 
 double worst(double Hc, double Hm) { return std::isnan(Hc + Hm) ? std::nan("") : std::max(Hc, Hm); }
 double plain_error(const ErrorBars& bars) { return worst(bars.Hc.total(), bars.Hm.total()); }
-// Of what is shown first.
+// Error of the values that are reported first.
 double best_error(const ErrorBars& bars) {
   const double best = worst(bars.Hc_best.error, bars.Hm_best.error);
   return std::isnan(best) ? plain_error(bars) : best;
@@ -146,8 +149,8 @@ double extrapolated_error(const ErrorBars& bars) {
   return worst(bars.Hc_extrapolated.error, bars.Hm_extrapolated.error);
 }
 
-// Cells of the level that will do for the values shown first, by the scheme's order; the next where the error is
-// unknown.
+// Predicted number of cells for the values that are reported first, by the order of the scheme; at least the next
+// level, also if the error is unknown.
 double foretold_cells(const Scene& scene, const Solution& solution, double allowed) {
   double error = best_error(solution.error_bars);
   double cells = solution.grid.nx;
@@ -158,7 +161,7 @@ double foretold_cells(const Scene& scene, const Solution& solution, double allow
   return cells;
 }
 
-// What forbids a grid; empty when nothing does.
+// The limit that a grid exceeds; empty if none.
 std::string forbidden(const Scene& scene, const core::Grid& grid) {
   if (grid.nx > scene.accuracy.most_cells)
     return "the level limit of " + std::to_string(scene.accuracy.most_cells) + " cells";
@@ -171,7 +174,8 @@ std::string forbidden(const Scene& scene, const core::Grid& grid) {
          gigabytes(target.most_nodes * target.bytes_per_node) + " of what is free)";
 }
 
-// The grid on the domain that leaves enough for the mesh; or that of the scene and what forbids a larger one.
+// The grid on a domain that leaves enough of the target for the mesh; else the grid of the scene and the limit that was
+// exceeded.
 std::pair<core::Grid, std::string> domain_for(const Scene& scene, const DomainError& error) {
   if (std::isnan(error.left(1.0))) return {scene.grid, "the error of the domain, which could not be estimated"};
   const double longest = std::min(longest_domain * contact::extent(scene.shape).X,
@@ -198,7 +202,7 @@ Solution on_finer_grid(const Scene& finer, const Solution& coarser, const SolveO
     Solution solution = refined(finer, coarser, progress);
     if (solution.converged) return solution;
   } catch (const core::SolverError&) {
-    // From the Hertz pressure then, by all ways that there are.
+    // Then by all strategies from the Hertz pressure.
   }
   return solve_on_grid(finer);
 }
@@ -222,7 +226,7 @@ Solution solve_to_accuracy(const Scene& asked, const SolveOnGrid& solve_on_grid,
     std::tie(scene.grid, stopped) = domain_for(asked, error);
     of_domain = error.left((scene.grid.X_b - scene.grid.X_a) / (asked.grid.X_b - asked.grid.X_a));
   }
-  // What stopped the domain is a reason to do no more than the mesh deserves.
+  // If the domain cannot be made large enough, the mesh is refined only to the target itself.
   const double allowed = stopped.empty() ? target - of_domain : target;
   Solution solution = solve_on_grid(scene);
   bool by_extrapolation = false;
@@ -250,7 +254,7 @@ Solution solve_to_accuracy(const Scene& asked, const SolveOnGrid& solve_on_grid,
     scene.grid = next;
     try {
       solution = climbs ? on_finer_grid(scene, solution, solve_on_grid, progress) : solve_on_grid(scene);
-    } catch (const core::Interrupted&) {  // what there is so far is a solution too
+    } catch (const core::Interrupted&) {  // the last solution is still valid
       scene.grid = solved;
       stopped = "an interruption";
       interrupted = true;

@@ -1,4 +1,4 @@
-// A domain, given or chosen, against what it cuts off.
+// Checks a domain, given or chosen, against the error that it causes.
 #include <fmt/format.h>
 
 #include "steady/domain_error.hpp"

@@ -13,14 +13,14 @@
 namespace ehl::steady {
 namespace {
 
-/// Mesh size of the first grid, in units of contact_size.
+/// Largest mesh size of the first grid, in units of contact_size.
 constexpr double largest_first_step = 0.4;
-/// A first grid with a step above so many widths of the zones in which the film is made does not see them. Of 42 loads,
-/// M = 1000 to 8000, L = 0 to 25, with both wedges, begun on 64 cells, 5 of the 44 runs with wider steps need a later
-/// start, of the others none.
+/// Largest mesh size of the first grid in units of film_zone: a coarser grid does not see the zones in which the film
+/// forms. [bench: widest_step]
 constexpr double widest_step = 2.5;
 
-/// The lower half where the scene is symmetric in Y and halving keeps all the levels, else all of the domain.
+/// The lower half of the domain if the scene is symmetric in Y and halving keeps all the levels, else all of the
+/// domain.
 core::Patch patch_to_compute_on(const Scene& scene, const fmg::Parameters& parameters) {
   const core::Grid& grid = scene.grid;
   if (grid.line) return grid;
@@ -32,13 +32,13 @@ core::Patch patch_to_compute_on(const Scene& scene, const fmg::Parameters& param
   return halves.size() == all.size() && halves.back().ny >= fewest_cells ? halves.front() : grid;
 }
 
-/// Cells along x of a first grid of so many on a circle's domain a few radii long. On the long ones of light loads it
-/// must still see the contact.
+/// Cells along x of a first grid for which `cells` are enough on the usual domain of a circular contact. On the longer
+/// domains of lightly loaded contacts the cells must still resolve the contact.
 int first_cells(int cells, const Scene& scene) {
   const double stretch = core::stretch(scene.grid);
   const double length = (scene.grid.X_b - scene.grid.X_a) / contact_size(scene.M, scene.L, scene.shape);
   const double slender = slenderness(scene.M, scene.L, scene.shape);
-  // Aslant the shorter axis costs cells in both directions: R_x/R_y = 0.005 to 0.2 start as surely on a quarter.
+  // For an oblique contact the shorter axis needs cells in both directions. [bench: first_cells_of_oblique_contacts]
   if (contact::gap(scene.shape).aslant()) cells /= 4;
   return std::max(static_cast<int>(cells * slender / stretch),
                   static_cast<int>(length / largest_first_step * slender / stretch));
@@ -56,19 +56,21 @@ std::optional<reynolds::FarField> far_field_of(const Scene& scene) {
 
 reynolds::Transport transport_of(const Scene& scene) {
   reynolds::Transport transport = scene.wedge;
-  transport.third_order_from *= scene.shape.p_h / scene.shape.a;  // the coupling by the film, as of the crossover
+  // The coupling by the film, as for the crossover.
+  transport.third_order_from *= scene.shape.p_h / scene.shape.a;
   return transport;
 }
 
-/// At X = 0, by the load of a line contact beyond its inlet: -(1/pi) integral of P ln|X| dX. Inside the domain it is
-/// nearly constant, and H00 takes it up; with it H00 would depend on the length of the inlet.
+/// Deformation at X = 0 by the load of a line contact upstream of its inlet: -(1/pi) integral of P ln|X| dX. Inside the
+/// domain it is nearly constant, so that H00 absorbs it; without this correction H00 would depend on the length of the
+/// inlet.
 double deformation_by_outside(const fmg::Hierarchy& hierarchy) {
   const fmg::Problem& problem = hierarchy.problem;
   const core::Grid& grid = hierarchy.levels.back().grid.domain;
   if (!grid.line || !problem.far_field) return 0.0;
   const reynolds::FarState state{
       .H00 = hierarchy.H00, .speed = 1.0 / hierarchy.far_motion.mobility, .flow = hierarchy.far_motion.flow};
-  constexpr int parts = 200;  // of X_a/X by the midpoint rule: 1e-5 of the deformation
+  constexpr int parts = 200;  // of X_a/X, by the midpoint rule
   double sum = 0.0;
   for (int k = 0; k < parts; ++k) {
     const double u = (k + 0.5) / parts;
@@ -91,8 +93,8 @@ bool held_by(int cells, const Scene& scene) {
 }
 
 double first_H00(const Scene& scene) {
-  // Beside a slender contact most of so thick a film has to leave, and what leaves pulls the film below zero; a thin
-  // one fills from the inlet. (20, 15) at R_x/R_y = 200 begins at the first start with a tenth, and not with all of it.
+  // Beside a slender contact most of a thick initial film has to leave, and the outflow pulls the film below zero; a
+  // thin film fills from the inlet. [bench: first_H00_of_slender_contacts]
   const double share = core::stretched(scene.grid) ? 0.1 : 1.0;
   return (scene.dry ? 0.0 : -scene.shape.approach) + share * expected_central_film(scene.M, scene.L, scene.shape);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// A full multigrid solution of a scene.
+// One full multigrid solution of a scene.
 #include "fmg/full_multigrid.hpp"
 #include "steady/cycle_choice.hpp"
 #include "steady/scene.hpp"
@@ -8,27 +8,30 @@
 
 namespace ehl::steady {
 
-/// True where so many cells, for a circular contact, hold the contact: begun on them the cycles find the film.
+/// True if a first grid of so many cells (counted for a circular contact) resolves the film zones well enough for the
+/// cycles to converge from it.
 bool held_by(int cells, const Scene& scene);
 
-/// The bodies of a scene as the multigrid needs them.
+/// The bodies of a scene in the form that the multigrid needs.
 fmg::Geometry geometry_of(const contact::Ellipse& shape);
-/// H00 to begin with: that of the dry contact and the film to expect.
+/// Initial H00: that of the dry contact plus the expected central film.
 double first_H00(const Scene& scene);
 
-/// True where one half of the scene's grid is computed: it is symmetric in Y, and halving keeps all its levels.
+/// True if only one half of the grid is computed: the scene is symmetric in Y, and the half grid can be coarsened as
+/// often as the whole one.
 bool on_one_half(const Scene& scene);
 
-/// Makes the grids. errors: core::InputError.
+/// Makes the grids and the plan of a full multigrid solve; computes nothing. errors: core::InputError.
 fmg::Run begin_climb(const Scene& scene, const Start& start, const ProgressCallback& progress);
 
-/// Newton's method behind the cycles where the scene asks for it; then the solution, converged or not.
-/// errors: core::Interrupted.
+/// Newton refinement after the cycles if the scene asks for it; then the solution, converged or not. errors:
+/// core::Interrupted.
 Solution end_climb(const Scene& scene, fmg::Run&& run);
-/// The solution, converged or not, that a run holds; with the errors by their weights where the scene asks for them.
+/// The solution that a run holds, converged or not, with adjoint error estimates if the scene asks for them.
 Solution solution_of(const Scene& scene, fmg::Run&& run);
 
-/// All of it, full multigrid in between. errors: core::SolverError where the cycles diverge; and as above.
+/// A full multigrid solve from begin to end. errors: core::SolverError if the cycles diverge; and those of
+/// begin_climb() and end_climb().
 Solution climb(const Scene& scene, const Start& start, const ProgressCallback& progress);
 
 }  // namespace ehl::steady

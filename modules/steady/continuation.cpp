@@ -17,20 +17,21 @@
 namespace ehl::steady {
 namespace {
 
-/// Relative residual and load error of an intermediate solution: a good start for the next one.
+/// Relative residual and load error that an intermediate solution must reach: a good start for the next one.
 constexpr double step_tolerance = 1e-4;
 constexpr int most_cycles_of_a_step = 25;
-/// Cycles of a step up to which the next one is longer.
+/// The next step is longer if a step took at most this many cycles.
 constexpr int few_cycles = 8;
 constexpr double longer = 1.5;
-constexpr double longest_step = 3.0;  // factor of load
+constexpr double longest_step = 3.0;  // factor on the load
 constexpr double shortest_step = 1.005;
-/// A grid holds the contact where its step is at most this many times the one that resolves the film.
+/// A grid resolves the contact if its mesh size is at most this multiple of resolving_step().
 constexpr double coarseness = 1.6;
-/// The first load where none is given: a hundredth of the scene's, but not so light that the domain would starve it.
+/// Default first load: a hundredth of the scene's, but not so light that the domain would starve it.
 constexpr double first_ratio = 0.01;
 constexpr double lightest_M = 20.0;
-/// A light load may not begin on the heavy one's cells: R_x/R_y = 100, (10, 15). Then heavier ones, up to this share.
+/// If the first load fails on the cells of the heavier one, a higher load is tried, up to this share of the scene's.
+/// [bench: next_first]
 constexpr double next_first = 3.0, heaviest_first = 0.5;
 
 struct Solved {
@@ -54,10 +55,9 @@ double first_M(const Scene& scene) {
   return std::max(first_ratio * scene.M, std::min(lightest, heaviest_first * scene.M));
 }
 
-// The last pressure, in Hertz's units, with H00 changed as the least film will: by the power of the load that led the
-// central film from the last but one to the last; at first as the published formula has it. (As the central film will,
-// the film beside a slender contact, 1/40 of it, is negative. A pressure predicted from the last two puts kinks where
-// spike and cavitation boundary have moved, and costs four times the cycles.)
+// Starting state for the next load: the last pressure in Hertz's units, and H00 changed by the expected change of the
+// minimum film. That change follows the power of the load fitted to the last two central films, or the published
+// formula at first. [bench: predict_H00]
 Solved predict(const std::optional<Solved>& previous, const Solved& last, double ln_M, const Scene& scene) {
   Solved guess{ln_M, last.state, 0.0, 0.0};
   const auto expected = [&](double of_ln_M) { return expected_central_film(std::exp(of_ln_M), scene.L, scene.shape); };
@@ -68,7 +68,7 @@ Solved predict(const std::optional<Solved>& previous, const Solved& last, double
   return guess;
 }
 
-/// A scene on the grid of level l, which is the finest then.
+/// The scene with the grid of level l as its finest.
 Scene on_level(const Scene& scene, const fmg::Hierarchy& hierarchy, std::size_t l) {
   Scene same = scene;
   same.grid = hierarchy.levels[l].grid.domain;
@@ -76,12 +76,13 @@ Scene on_level(const Scene& scene, const fmg::Hierarchy& hierarchy, std::size_t 
   return same;
 }
 
-// Cycles on the finest grid of a run for one load. in/out: caution, of a step that failed only the relaxation after the
-// correction.
+// Cycles for one load on the finest grid of a run. in/out: the damping; a failed step passes on only its relaxation
+// after the coarse grid correction.
 ContinuationStep solve_step(fmg::Run& run, double M, double load_ratio, fmg::Caution& caution) {
   ContinuationStep step{.M = M, .load_ratio = load_ratio};
   const fmg::CycleObserver observe = [&](int cycle, const judgement::Measures& now) -> fmg::DiscretizationError {
-    if (std::isfinite(now.Hc + now.Hm + now.residual)) {  // the last that were numbers, where the cycles diverge
+    // If the cycles diverge, these stay at the last finite values.
+    if (std::isfinite(now.Hc + now.Hm + now.residual)) {
       step.Hc = now.Hc;
       step.Hm = now.Hm;
       step.residual = now.residual;
@@ -104,7 +105,8 @@ std::string name_of_load(const Scene& scene, double ln_M) {
   return fmt::format("M = {:.4g} ({:.3g} % of the load)", M, 100.0 * M / scene.M);
 }
 
-// A first load that is chosen and not solved is tripled. in: the scene on the grid of the continuation.
+// The first solution. A default first load that is not solved is tripled. in: the scene on the grid of the
+// continuation.
 Solved solve_first_load(const Scene& scene, const std::function<Solution(const Scene& light)>& first_load,
                         std::vector<ContinuationStep>& steps) {
   const bool chosen = std::isnan(scene.continuation.load_ratio);
@@ -133,8 +135,8 @@ Solved solve_first_load(const Scene& scene, const std::function<Solution(const S
   }
 }
 
-// From load to load up to that of the scene, each on grids of its own. in: the scene on the grid of the continuation,
-// the first solution; fields are on the domain. out: the last solution.
+// Continues from load to load up to that of the scene; every load has grids of its own. in: the scene on the grid of
+// the continuation and the first solution; fields are on the domain. out: the last solution.
 Solved follow_load(const Scene& scene, const Start& start, const ProgressCallback& progress, Solved last,
                    std::vector<ContinuationStep>& steps, fmg::Caution& caution, core::PartTimes& times) {
   const double target = std::log(scene.M);
@@ -169,8 +171,8 @@ Solved follow_load(const Scene& scene, const Start& start, const ProgressCallbac
   return last;
 }
 
-// The next coarser grid at the load of the scene too, from the solution on level l: without it there would be no
-// estimate of the discretization error. Where it cannot hold the contact there is none.
+// Solves the next coarser grid too at the load of the scene, from the solution on level l, as the estimate of the
+// discretization error needs it. If that grid has no solution there is no estimate.
 void solve_level_below(fmg::Run& run, std::size_t l, const fmg::State& solved) {
   if (l == 0) return;
   fmg::State below{core::Field(run.hierarchy.levels[l - 1].grid), solved.H00};
@@ -186,7 +188,7 @@ void solve_level_below(fmg::Run& run, std::size_t l, const fmg::State& solved) {
   }
 }
 
-// The bodies keep their surfaces: with a' = s a, H' = h R/a'^2 and X' = x/a' it is S'(X') = S(s X')/s^2.
+// The bodies keep their surfaces: with a' = s a, H' = h R/a'^2 and X' = x/a' the relief is S'(X') = S(s X')/s^2.
 std::function<void(const core::Patch&, core::Field&)> scaled(
     std::function<void(const core::Patch&, core::Field&)> surface, double s) {
   if (!surface || s == 1.0) return surface;
@@ -211,9 +213,9 @@ Scene under_load(const Scene& scene, double M) {
   result.viscosity = rheology::rescaled(scene.viscosity, p_h_factor);
   result.density = rheology::rescaled(scene.density, p_h_factor);
   if (scene.thinning) result.thinning = rheology::rescaled(*scene.thinning, p_h_factor);
-  if (scene.supply && p_h_factor != 1.0)  // likewise of the same oil
+  if (scene.supply && p_h_factor != 1.0)  // the same layer of oil
     result.supply = [supply = scene.supply, s = p_h_factor](double Y) { return supply(s * Y) / (s * s); };
-  result.surface = scaled(scene.surface, p_h_factor);  // a and p_h both grow alike with the load
+  result.surface = scaled(scene.surface, p_h_factor);  // a and p_h have the same dependence on the load
   return result;
 }
 
@@ -223,7 +225,7 @@ Solution climb_by_load(const Scene& scene, const Start& start,
   fmg::Run run = begin_climb(scene, start, progress);
   const std::size_t l = level_that_holds(run.hierarchy, scene);
   run.plan.first = l;
-  run.plan.cycles = 0;  // no more than on the levels above
+  run.plan.cycles = 0;  // no more than on the finer levels
   run.caution = {.all = start.caution};
   const Scene on_grid = on_level(scene, run.hierarchy, l);
   const Solved last = follow_load(on_grid, start, progress, solve_first_load(on_grid, first_load, steps), steps,

@@ -7,18 +7,18 @@
 
 namespace ehl::steady {
 
-/// The scene under another load: speeds, materials, lubricant and radii as they are. M is proportional to the load, L
-/// does not depend on it; p_h goes with its cube root. The domain keeps its size in Hertz radii.
-/// in: M > 0.
+/// A scene with another load but the same speeds, materials, lubricant and radii. M is proportional to the load, L
+/// does not depend on it, and p_h is proportional to its cube root (square root for a line contact). The domain keeps
+/// its size in Hertz radii. in: M > 0.
 Scene under_load(const Scene& scene, double M);
 
-/// The solution by load continuation. On the first grid that holds the contact, or the finest: first_load() for the
-/// first load, three times as heavy a one where it is not solved and the deck does not say it; then one load after
-/// another, from the last pressure and an H00 that follows the film of the last two, cycles until the state is solved
-/// to a small residual. The step in ln M grows while the cycles are few and is halved where they fail. At the load of
-/// the scene the climb goes on to the finest grid.
-/// out: as climb(); steps has a row for every step, rejected ones included, also where an error is thrown.
-/// errors: core::SolverError where no first load can be solved, the steps become too small or too many, or a finer grid
+/// A solution by load continuation, on the first grid that resolves the contact or else the finest.
+/// First load: solved by first_load(); if it fails and the deck does not prescribe it, a load three times as high. Then
+/// one load after another, each by cycles to a small residual from the last pressure and an H00 predicted from the last
+/// two films. The step in ln M grows while few cycles are needed and is halved if the cycles fail. At the load of the
+/// scene the full multigrid continues to the finest grid.
+/// out: as climb(); `steps` has a row for every step, the rejected ones included, also if an error is thrown.
+/// errors: core::SolverError if no first load can be solved, the steps become too small or too many, or a finer grid
 /// diverges; core::Interrupted.
 Solution climb_by_load(const Scene& scene, const Start& start,
                        const std::function<Solution(const Scene& light)>& first_load, const ProgressCallback& progress,

@@ -1,34 +1,35 @@
 #pragma once
-// How the multigrid works on a scene: its cycles, weights and coarsest grid.
+// The choice of cycles, under-relaxation weights and coarsest grid for a scene.
 #include "fmg/parameters.hpp"
 #include "steady/scene.hpp"
 
 namespace ehl::steady {
 
-/// How a climb begins, and how cautious it is.
+/// How a full multigrid solve starts, and how strongly it is damped.
 struct Start {
-  int cells = 64;                 ///< along x on the first grid, at least
-  int sweeps = 20;                ///< relaxations of that grid alone, from the Hertz pressure
-  int cycles = 4;                 ///< cycles on that grid, at least
-  int coarsest = 32;              ///< cells along x of the coarsest grid of all cycles, at least
+  int cells = 64;                 ///< cells along x of the first grid, at least
+  int sweeps = 20;                ///< relaxations of the first grid alone, from the Hertz pressure
+  int cycles = 4;                 ///< cycles on the first grid, at least
+  int coarsest = 32;              ///< cells along x of the coarsest grid of every cycle, at least
   int balances = 10;              ///< relaxations with force balance on the coarsest grid
   double caution_at_first = 1.0;  ///< factor on all under-relaxation weights on the first grid
-  double caution = 1.0;           ///< and on the finer ones
-  bool across = false;            ///< relaxations along Y too from the first cycle on; of square cells
-  double coarseness = 0.0;        ///< the first grid's step, at most, over the one that resolves the film; 0: any
-  int pre = 0, post = 0;          ///< relaxations in a cycle, of a line; 0: as many as usual
+  double caution = 1.0;           ///< the same factor on the finer grids
+  bool across = false;            ///< Y sweeps from the first cycle on; square cells only
+  double coarseness = 0.0;        ///< largest mesh size of the first grid, in resolving_step(); 0: no limit
+  int pre = 0, post = 0;          ///< nu_1 and nu_2 for line contacts; 0: as usual
 };
 
-/// ln eta_bar in the Hertz pressure one film zone inside the contact's edge: how steeply epsilon falls there.
+/// ln eta_bar at the Hertz pressure one film zone inside the edge of the contact: how steeply epsilon falls there.
 double log_viscosity_at_edge(const Scene& scene);
 
-/// Factor to begin with on the weight where epsilon is steep: less than 1 where the viscosity rises so fast inside the
-/// contact's edge that full weights oscillate there.
+/// Initial factor on the under-relaxation weight where epsilon is steep. It is below 1 if the viscosity rises so fast
+/// inside the edge that full weights oscillate.
 double steep_caution(const Scene& scene);
 
-/// What the scene sets, and for the rest what its contact and cells ask for. Cycles that it leaves open are F(2,0) to
-/// the level of the discretization error, V(2,0) of a line; W(2,1) of stretched cells and towards a tolerance; nu_2 is
-/// 1 behind a steep edge. More relaxations of contacts long along the motion, and of heavy lines as the start has it.
+/// The multigrid parameters of a scene: those that the scene sets, the others chosen for its contact and cells.
+/// Cycle: F(2,0), or V(2,0) for line contacts, down to the level of the discretization error; W(2,1) on stretched cells
+/// and for a given tolerance. nu_2 = 1 if the edge is steep. Contacts elongated in the rolling direction get more
+/// relaxations, and so do heavily loaded line contacts, if `start` says so.
 fmg::Parameters parameters_of(const Scene& scene, const Start& start);
 
 }  // namespace ehl::steady

@@ -14,7 +14,7 @@ namespace ehl::steady {
 namespace {
 
 constexpr double tolerance = 1e-4;
-/// Cells along x of the scene's own domain in the two coarse solutions, at least.
+/// Least number of cells along x of the scene's own domain in the two coarse solutions.
 constexpr int fewest_cells = 32;
 
 double central_film(const Scene& scene) {
@@ -25,13 +25,13 @@ double central_film(const Scene& scene) {
   return solution.converged ? solution.levels.back().Hc : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// The film of a line contact grows with this power of alpha (Grubin 1949): what is missing of 1/alpha_bar, the
-/// pressure at which the oil becomes stiff, is missing of the film so many times.
+/// The film of a line contact grows with this power of alpha (Grubin 1949). A pressure that is missing at the inlet
+/// reduces the film by this multiple of its ratio to 1/alpha_bar, the pressure at which the oil becomes stiff.
 constexpr double grubin = 8.0 / 11.0;
 
-/// Of a line contact: the pressure that builds up before X_a, over lambda. dP/dX = lambda/H^2 where the pressure is
-/// small, H the gap of the dry contact, which at X_a = -2.5 is two thirds of the undeformed. With s = 1/|X| the
-/// integrand 1/(s H)^2 is smooth to s = 0, where it is 0: Simpson's rule. in: X_a < -1.
+/// Pressure that builds up upstream of X_a in a line contact, over lambda: the integral of dP/dX = lambda/H^2 at small
+/// pressure, with H the gap of the dry contact. With s = 1/|X| the integrand 1/(s H)^2 is smooth down to s = 0, where
+/// it is 0, so Simpson's rule applies. in: X_a < -1.
 double pressure_before(double X_a) {
   constexpr int parts = 32;
   const double step = 1.0 / (-X_a * parts);
@@ -45,7 +45,7 @@ double pressure_before(double X_a) {
   return sum * step / 3.0;
 }
 
-/// What the domain cuts off, as relative changes of Hc.
+/// The losses of a finite domain as relative changes of Hc.
 struct RoughError {
   double inlet;
   double load;
@@ -60,13 +60,13 @@ RoughError rough_error(double M, double L, const contact::Ellipse& shape, double
   const double power = 2.0 * std::min(1.0, rigid / contact::nijenbanning_venner_moes(M, L, shape));
   const double flatter = 0.25 / (gap.XX * gap.XX);
   const double alpha_bar = std::max(groups.alpha_bar, 10.0);
-  // Of a line dP/dX = lambda/H^2, far away P = (4/3) lambda/|X|^3.
+  // For a line contact dP/dX = lambda/H^2, and far away P = (4/3) lambda/|X|^3.
   if (contact::line(shape))
     return {length > 1.0 ? grubin * alpha_bar * groups.lambda * pressure_before(X_a) : 1.0,
             0.5 * power * 2.0 / 3.0 * groups.lambda / (length * length) / contact::load(contact::line_contact())};
   const double at_inlet = 0.5 * alpha_bar * 4.0 / 3.0 * groups.lambda / (length * length * length) * flatter;
-  // The far field (4/5) lambda cos(theta)/r^3 integrated from the boundary on: from x = X_a within the angle of the
-  // corner, from y = +-y_half beyond it. Of an ellipse with Y in a scale in which the undeformed gap is round.
+  // The far field (4/5) lambda cos(theta)/r^3 integrated outside the boundary: from x = X_a within the angle of the
+  // corner, from y = +-y_half beyond it. For an ellipse Y is scaled so that the undeformed gap is round.
   const double roundness = gap.YY / gap.XX;
   const double round_half = y_half * std::sqrt(roundness);
   const double corner = std::atan2(round_half, length);
@@ -86,25 +86,26 @@ RoughError rough_error(const Scene& scene) {
 double closed_reach(double M, double L, const contact::Ellipse& shape, double error) {
   const double film = expected_central_film(M, L, shape);
   const double lambda = contact::from_moes(M, L, shape).lambda;
-  // The closed form of a line leaves out that the load beyond the inlet deforms the bodies: measured at (2, 0), 3.5e-4
-  // of Hc at 4.6 half widths.
+  // The closed form of a line contact neglects that the load upstream of the inlet deforms the bodies. [bench:
+  // closed_reach_of_line]
   if (contact::line(shape)) return std::cbrt(0.02 * lambda / (film * error));
   const core::QuadraticForm gap = contact::gap(shape);
   double elastic;
   if (!gap.aslant()) {
-    // Past an ellipse that lies along the entrainment the far pressure is less, as in rough_error.
+    // The far pressure beside an ellipse along the entrainment is smaller, as in rough_error().
     const double roundness = gap.YY / gap.XX;
     const double strength = std::min(1.0, 5.0 / (3.0 + 2.0 * roundness) / std::sqrt(roundness));
     elastic = contact::extent(shape).X * std::pow(strength * lambda / (film * error), 0.2);
   } else {
-    // Across the longer axis as of an ellipse that lies across the entrainment, with its radius, of thrice as much, so
-    // that the bar of the domain holds at (20, 10), R_x/R_y = 0.2; along it to where the undeformed gap is as wide.
+    // Across the longer axis: the reach of an ellipse across the entrainment with this axis's radius, and three times
+    // its error, so that the error bar of the domain holds. Along the longer axis: to where the undeformed gap is as
+    // wide. [bench: closed_reach_of_oblique_contacts]
     const double shorter = contact::extent(shape).shorter;
     const double sharper = std::max(1.0, shape.radius_ratio);  // R_x over the smaller radius
     const double across = shorter * std::pow(3.0 * lambda / (film * sharper * shorter * error), 0.2);
     elastic = across * std::sqrt(0.5 * sharper / gap.least_along_X());
   }
-  // An elastic film does not rupture far away: the closed form has its lines right.
+  // An elastic film does not rupture far away, where the closed form has straight lines of rupture.
   const double rigid_film = std::max(0.0, film - 0.5 * shape.approach);
   constexpr double size_at_5e_5 = 8.0;
   const double rigid = size_at_5e_5 * std::sqrt(rigid_film / gap.least_along_X()) * std::pow(5e-5 / error, 0.2);
@@ -115,7 +116,7 @@ double rough_domain_error(const Scene& scene) {
   if (scene.far_field) {
     if (contact::line(scene.shape))
       return std::pow(closed_reach(scene.M, scene.L, scene.shape, 1.0) / -scene.grid.X_a, 3.0);
-    // At the sides in a scale in which the undeformed gap is round.
+    // The sides are measured in a scale in which the undeformed gap is round.
     const core::QuadraticForm gap = contact::gap(scene.shape);
     const double half_width = std::sqrt(gap.YY / gap.XX) * std::min(-scene.grid.Y_a, scene.grid.Y_b);
     const double reach = std::min(-scene.grid.X_a, 1.5 * half_width);
@@ -135,7 +136,7 @@ double chosen_outlet(double M, double L, const contact::Ellipse& shape, std::opt
 
 double chosen_half_width(double X_a, double X_b, const contact::Ellipse& shape, bool far_field_closed) {
   const double half_length = 0.5 * (X_b - X_a);
-  // Stretched cells need no whole sixteenths, and a quarter more changes Hc by 4e-5: R_x/R_y = 50, (20, 5).
+  // Stretched cells fit finer parts of the length and are not widened. [bench: wider_stretched_domain]
   const bool stretched = cell_aspect(shape) < 1.0;
   const double wider = far_field_closed && !stretched ? 1.25 : 1.0;
   if (contact::circular(shape)) return wider * half_length;
@@ -170,7 +171,7 @@ double chosen_inlet(double M, double L, double X_b, const contact::Ellipse& shap
 }
 
 double estimate_domain_error(const Scene& scene) {
-  // Light loads need long domains, too long for coarse grids; and there the rough estimate is the better one.
+  // Lightly loaded contacts need domains that are too long for coarse grids, and there the rough estimate is better.
   const RoughError rough = rough_error(scene);
   if (!scene.far_field && rough.load > rough.inlet) return 0.5 * rough.load;
   Scene coarse = scene;
@@ -189,7 +190,7 @@ double estimate_domain_error(const Scene& scene) {
   try {
     estimate = central_film(longer) / central_film(coarse) - 1.0;
   } catch (const core::SolverError&) {
-    // Coarse grids of a domain that ends at the contact may have no solution: the rough estimate is left.
+    // A domain that ends at the contact may have no solution on coarse grids; then the rough estimate is used.
   }
   return std::isfinite(estimate) ? estimate : rough_domain_error(scene);
 }

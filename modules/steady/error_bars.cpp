@@ -19,26 +19,27 @@
 namespace ehl::steady {
 namespace {
 
-/// Differences of P_max that fall by less than this from level to level do not converge as a smooth pressure's do.
+/// Largest ratio of successive differences of P_max that still counts as convergence of a smooth pressure.
 constexpr double falls = 0.7;
-/// Changes of P_max below this are rounding of the discrete solutions themselves.
+/// Relative changes of P_max below this are rounding of the discrete solutions.
 constexpr double at_rest = 1e-5;
 
 Estimate extrapolated(const std::vector<double>& values, double order, double unsure, double algebraic) {
   const judgement::Extrapolation result = judgement::extrapolate(values, order, unsure);
-  // An algebraic error of the last value enters the extrapolation with 1 + 1/(2^p - 1).
+  // An algebraic error of the last value enters the extrapolation with the factor 1 + 1/(2^p - 1).
   const double share = 1.0 + 1.0 / (std::exp2(order) - 1.0);
   return {result.value, result.relative_error + share * algebraic};
 }
 
-// Mesh size along X. Cells as much longer than wide as the contact itself are as good as square ones of their width.
+// Mesh size along X. Cells with the aspect ratio of the contact are as good as square cells of their width.
 double step_in_shape(const Scene& scene, int nx) {
   const contact::Extent reach = contact::extent(scene.shape);
   const double longer = std::clamp(reach.X / reach.Y, 1.0, core::stretch(scene.grid));
   return (scene.grid.X_b - scene.grid.X_a) / nx / longer;
 }
 
-// Of the mesh; where a row has no estimate of it, from that row alone. The node's distance from the minimum counts.
+// Mesh errors of a level; without an estimate from the grid sequence, a rough one from this level alone. The error of
+// the nodal Hm includes its difference from the fitted minimum.
 struct MeshError {
   double Hc;
   double Hm;
@@ -49,13 +50,13 @@ MeshError mesh_error(const Scene& scene, const LevelRow& row, double order) {
   if (std::isfinite(row.error_Hc)) return {row.error_Hc, row.error_Hm, row.error_Hm - of_node};
   const double step = step_in_shape(scene, row.nx);
   const double error = judgement::error_of_one_grid(step, row.Hm_fitted, order);
-  // Beside an ellipse the zone in which the film is thinnest is that of a circle's film of this height.
+  // Beside an ellipse the zone of the thinnest film is that of a circle's film of this thickness.
   const double error_Hm = judgement::error_of_one_grid(step, row.Hm_fitted / edge_steepness(scene.shape), order);
   return {error, error_Hm + of_node, error_Hm};
 }
 
-// A spike that has not settled grows with every grid, at (71, 13) on Barus' oil from 0.77 on 256 cells to 1.27 on 1024:
-// it may overtake the plateau within so many times what it rose by last.
+// A spike that has not settled grows with every grid. It may grow by this multiple of its last growth. [bench:
+// may_rise_by]
 constexpr double may_rise_by = 4.0;
 
 bool settles(const std::vector<double>& P) {
@@ -64,14 +65,12 @@ bool settles(const std::vector<double>& P) {
   return std::abs(P[n - 1] - P[n - 2]) <= std::max(falls * before, at_rest * P[n - 1]);
 }
 
-/// A smooth maximum is of second order; its node's distance from it, and what a spike beside it does, are not.
-/// measured: of order 2 nearly half of the bars on 256 cells are too small, of order 1 they are 12 times too wide in
-/// the median.
+/// Assumed order of convergence of P_max. A smooth maximum is of second order; its distance from the nearest node and a
+/// spike beside it lower that. [bench: order_of_P_max]
 constexpr double order_of_P_max = 1.5;
 
-/// A spike that the mesh does not show yet, where the oil would make one: the rim then has the dry contact's 0.8 of the
-/// plateau and little more. measured, 99 bars on 256 and 512 cells: the six that were wrong by 3 to 28 % are of such
-/// contacts, with ln eta_bar above 12.8; below 12.5 finer grids showed spikes that were lower than the plateau.
+/// A hidden spike: the pressure at the rim is below this share of the plateau, about as in the dry contact, but ln
+/// eta_bar at the dry contact's rim pressure exceeds a limit, so that the oil makes a spike. [bench: solid_at_rim]
 constexpr double rim_without_spike = 0.85, solid_at_rim = 12.0, dry_rim = 0.8;
 
 bool may_hide_spike(const rheology::ViscosityLaw& viscosity, double P_max, double P_rim) {
@@ -99,59 +98,58 @@ void judge_P_max(const Scene& scene, const std::vector<double>& P_max, const std
   if (overtakes) bars.P_max = std::max(bars.P_max, (P_rim[n - 1] + of_rim) / P_max[n - 1] - 1.0);
 }
 
-/// A sum over all grids that are still finer, of what falls with the order p from grid to grid.
+/// Sum over all finer grids of a change that falls with order p from grid to grid.
 double rest(double order) { return 1.0 / (std::exp2(order) - 1.0); }
 const double of_second_order = rest(2.0);
 const double of_wedge = rest(3.0);
 
-/// What the terms leave, each summed up over all finer grids by its order.
+/// The changes that the terms cause, each summed over all finer grids by its order.
 double of_pressure_and_film(const adjoint::Foretold& parts) {
   return (std::abs(parts.poiseuille) + std::abs(parts.film)) * of_second_order;
 }
 double of_wedge_alone(const adjoint::Foretold& parts) { return std::abs(parts.wedge) * of_wedge; }
 double disagreement(const adjoint::Foretold& parts, double seen) { return std::abs(parts.change() - seen); }
 
-/// What the levels say, the wedge's part by its own order.
+/// Remaining change by the grid sequence, with the wedge's part at its own order.
 double correction(const adjoint::Foretold& parts, double seen) {
   return seen * of_second_order - parts.wedge * (of_second_order - of_wedge);
 }
 
-// calibrated: 114 contacts (24 listed, 90 drawn: laws, ellipses), 128 to 512 cells, 283 values of each
-// (bench_coverage): of Hc 275 within, 2.0 times too wide in the median, of Hm 273, 2.9.
+// The shares below are calibrated on contacts of many laws and shapes. [bench: share_of_terms]
 
-/// Of Hc: what the levels say, and a share of the terms as if they knew nothing of each other.
+/// Error of Hc: the correction by the grid sequence, and a share of the terms added as if they were independent.
 constexpr double share_of_terms = 0.55;
 double mesh_error_of_Hc(const adjoint::Foretold& parts, double seen) {
   return std::abs(correction(parts, seen)) + share_of_terms * std::hypot(parts.poiseuille * of_second_order,
                                                                          parts.film * of_second_order,
                                                                          parts.wedge * of_wedge);
 }
-/// Of the fitted minimum: all terms whatever their signs, for its place on the weights' coarse grid is not quite that
-/// of the minimum, and a share of what the levels say against them; no less than what the levels say.
+/// Error of the fitted minimum: the sum of all terms without cancellation, because the minimum on the coarse grid of
+/// the adjoint solution lies at a slightly different place; at least the correction by the grid sequence. A share of
+/// the disagreement between the two is added. [bench: share_of_terms]
 constexpr double share_of_disagreement = 0.25;
 double mesh_error_of_Hm(const adjoint::Foretold& parts, double seen) {
   return std::max(std::abs(correction(parts, seen)), of_pressure_and_film(parts) + of_wedge_alone(parts)) +
          share_of_disagreement * disagreement(parts, seen);
 }
 
-/// What the cycles leave, by the residual: no sum of weights of a coarse grid sees what of it changes its sign from
-/// node to node better than to a tenth. measured: 90 of 92 values within, 3.7 times too wide in the median, and 0.03 of
-/// the mesh's bar; by the last cycle's change alone 58.
+/// Algebraic error by the residual. A residual that changes its sign from node to node is seen by the coarse adjoint
+/// solution only to this accuracy. [bench: share_of_scattered]
 constexpr double share_of_scattered = 0.1;
 double cycles_error_by_weights(const adjoint::Foretold& parts, double by_change) {
   return by_change + std::abs(parts.left) + share_of_scattered * std::abs(parts.scattered);
 }
 
-/// Unsure of Hc: the next order of what the terms leave, by the step over the zones in which the film is made; and a
-/// share of what the levels say against the weights. calibrated: as above, on 256 cells: 72 of 76 within, 3.1 times.
+/// Error of the extrapolated Hc: the next order of the terms, by the mesh size over the zone in which the film forms,
+/// and a share of the disagreement with the grid sequence. [bench: share_of_disagreement_extrapolated]
 constexpr double next_order = 2.0, share_of_disagreement_extrapolated = 0.17;
 Estimate Hc_by_weights(const adjoint::Foretold& parts, double value, double seen, double step, double algebraic) {
   const double error = next_order * step * (of_pressure_and_film(parts) + of_wedge_alone(parts)) +
                        share_of_disagreement_extrapolated * disagreement(parts, seen);
   return {value * (1.0 + correction(parts, seen)), error + (1.0 + of_second_order) * algebraic};
 }
-/// Of Hm: a share of the terms, and what the levels say against them. Likewise: 75 of 79, 3.3 times. (A bar that just
-/// holds 95 % of normally distributed errors is 2.9 times the median one.)
+/// Error of the extrapolated Hm: a share of the terms, and the disagreement with the grid sequence. [bench:
+/// share_of_terms_extrapolated]
 constexpr double share_of_terms_extrapolated = 0.6;
 Estimate Hm_by_weights(const adjoint::Foretold& parts, double value, double seen, double algebraic) {
   const double error = share_of_terms_extrapolated * (of_pressure_and_film(parts) + of_wedge_alone(parts)) +
@@ -159,10 +157,11 @@ Estimate Hm_by_weights(const adjoint::Foretold& parts, double value, double seen
   return {value * (1.0 + correction(parts, seen)), error + (1.0 + of_second_order) * algebraic};
 }
 
-/// Of a light contact the error is made where the pressure ruptures, which is no wider however thick the film.
+/// In a lightly loaded contact the error arises where the pressure ruptures, a zone that does not widen with the film.
 constexpr double widest_zone = 0.5;
-/// With the same sign. At M = 2 to 5 the edge of rupture, a cell off here or there, may turn it: the extrapolated value
-/// is then further off than the plain one, by ten times its bar, and the levels alone tell its error.
+/// True if the last two changes of Hc fall and have the same sign. At low loads the edge of rupture may turn the sign;
+/// the extrapolated value is then worse than the nodal one, and only the grid sequence gives its error. [bench:
+/// changes_fall]
 bool changes_fall(const std::vector<LevelRow>& levels) {
   const std::size_t n = levels.size();
   if (n < 3) return false;
@@ -170,10 +169,9 @@ bool changes_fall(const std::vector<LevelRow>& levels) {
   return change * before > 0.0 && std::abs(change) < std::abs(before);
 }
 
-/// The weights are those of a coarse grid. Where its film is zero and less they tell much too much: beside slender
-/// contacts 29 to 240 times the change to the finer grid, where the levels tell 1.2 to 3 times. measured: with and
-/// without this all 79 drawn bars of Hm hold (bench_coverage), and 22 of 22 of slender ones (elliptic_slender.py
-/// drawn).
+/// Upper bound on the adjoint estimate of Hm, in multiples of the grid sequence's. The adjoint solution is that of a
+/// coarse grid; if its film is zero or negative, as beside slender contacts, the adjoint estimate is far too large.
+/// [bench: most_of_levels]
 constexpr double most_of_levels = 3.0;
 
 Estimate narrower(const Estimate& plain, const Estimate& extrapolated) {
@@ -201,17 +199,15 @@ void judge_by_weights(const Scene& scene, const adjoint::Errors& errors, const s
   bars.Hm_best = narrower({last.Hm_fitted, bars.Hm_fitted.total()}, bars.Hm_extrapolated);
 }
 
-/// A line contact without what makes its errors others: a meniscus, heat, another scheme.
+/// True for a line contact without supply or further effects, with the third-order wedge.
 bool plain_line(const Scene& scene) {
   return scene.grid.line && !scene.supply && scene.effects.empty() && reynolds::third_order(scene.wedge);
 }
 
-/// Of a line contact the levels tell more than the weights, whose cells are wider than a spike: extrapolated by them Hm
-/// was further off in the median than it was on the mesh (0.25 % for 0.07 % on 1024 cells), and 61 of 390 bars were too
-/// narrow. By the levels, each taken for less than the scheme's order, 15 of 1440 bars of Hc and Hm: 180 lines, M = 2
-/// to 900, L = 0 to 23, 128 to 1024 cells against 8192; 5 to 6 times too wide in the median. A film may swing back, Hm
-/// beside a spike and Hc where changes of opposite sign meet: no error is less than a share of the one a level below,
-/// that of the order from level to level, but for a factor of 3. (Without it 25 of 720 bars of Hc.)
+/// Line contacts: the grid sequence estimates better than the adjoint solution, whose cells are wider than a spike.
+/// Each level counts with less than the scheme's order. The film may also change back, Hm beside a spike and Hc where
+/// changes of opposite sign cancel; therefore an error is at least a share of the one a level below, but at most three
+/// times its own estimate. [bench: order_of_Hc_of_line]
 constexpr double order_of_Hc_of_line = 1.5, least_share_of_Hc = 0.25;
 constexpr double order_of_Hm_of_line = 1.0, least_share_of_Hm = 0.5;
 constexpr double floor_of_Hm_of_line = 0.03;
@@ -236,10 +232,10 @@ void judge_line(const Scene& scene, const Solution& solution, ErrorBars& bars) {
   bars.Hm_best = {last.Hm_fitted, bars.Hm_fitted.total()};
 }
 
-/// measured: 29 contacts, half of them ellipses at any angle, on the chosen domain and one smaller by a fifth, against
-/// domains of twice the size: 61 of 61 within, 4.4 times too wide in the median, 23 at most.
+/// Safety factor on the adjoint estimate of the error of the domain. [bench: safety_of_domain]
 constexpr double safety_of_domain = 5.0;
-/// Of a line's closed domain, over the rough estimate. measured: M = 1 to 200, L = 0 to 25, against twice the length.
+/// Safety factor on the rough estimate for a line contact with the far field in closed form. [bench:
+/// safety_of_closed_line]
 constexpr double safety_of_closed_line = 3.0;
 
 double domain_error(const Scene& scene, const Solution& solution) {
@@ -270,7 +266,7 @@ ErrorBars error_bars_of(const Scene& scene, const Solution& solution) {
     bars.Hm_fitted_X = fitted.X;
     bars.Hm_fitted_Y = fitted.Y;
   }
-  // Beside a meniscus no order holds from level to level, and of a line no extrapolation's error does.
+  // Beside a meniscus the values have no fixed order, and for a line contact the extrapolation has no reliable error.
   if (!scene.supply && !plain_line(scene)) {
     bars.Hc_extrapolated = extrapolated(fmg::column(solution.levels, &LevelRow::Hc), order, judgement::unsure_of_Hc,
                                         checked.algebraic_error_Hc);

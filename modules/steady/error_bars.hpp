@@ -1,5 +1,5 @@
 #pragma once
-// How far the numbers of a solution are from those of the equations, part by part.
+// Estimated errors of the results, split into their parts.
 #include <limits>
 
 namespace ehl::steady {
@@ -7,16 +7,16 @@ namespace ehl::steady {
 struct Scene;
 struct Solution;
 
-/// Parts of a relative error, each an estimate; NaN where unknown.
+/// Parts of a relative error, each an estimate; NaN if unknown.
 struct ErrorBar {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  double discretization = unknown;  ///< of the mesh (error_estimate.hpp): from the levels; rough where there is one
-  double algebraic = unknown;       ///< what further cycles would change (checks.hpp)
+  double discretization = unknown;  ///< of the mesh (error_estimate.hpp), from the grid sequence; rough with one grid
+  double algebraic = unknown;       ///< what further cycles would change (judgement/stopping.hpp)
   /// The error on this domain: the sum of both.
   double total() const { return discretization + algebraic; }
 };
 
-/// A value with its error: relative, the cycles' part included.
+/// A value with its relative error, the algebraic part included.
 struct Estimate {
   double value = ErrorBar::unknown;
   double error = ErrorBar::unknown;
@@ -24,31 +24,32 @@ struct Estimate {
 
 struct ErrorBars {
   ErrorBar Hc{};
-  ErrorBar Hm{};         ///< of the smallest node: that of Hm_fitted, and how far the node is from the minimum
+  ErrorBar Hm{};         ///< of the smallest nodal value: the error of Hm_fitted plus the difference of the two
   ErrorBar Hm_fitted{};  ///< of Hm_fitted_value
-  double Hm_fitted_value = ErrorBar::unknown;  ///< minimum between the nodes (fitted_minimum.hpp), and where it is
+  double Hm_fitted_value = ErrorBar::unknown;  ///< minimum between the nodes (fitted_minimum.hpp), and its place
   double Hm_fitted_X = ErrorBar::unknown;
   double Hm_fitted_Y = ErrorBar::unknown;
-  Estimate Hc_extrapolated{};  ///< from the levels to a mesh of size zero on this domain
+  Estimate Hc_extrapolated{};  ///< extrapolated from the grid sequence to mesh size zero, on this domain
   Estimate Hm_extrapolated{};  ///< from Hm_fitted
-  /// Extrapolated or of the finest grid (of Hm the fitted one), whichever has the narrower bar: what is shown first.
-  /// Where the errors are by the weights, or of a line contact, whose bars earn it; else unknown.
+  /// The best estimate, which is reported first: the extrapolated value or that of the finest grid (for Hm the fitted
+  /// one), whichever has the smaller error. Known for adjoint error estimates and for line contacts.
   Estimate Hc_best{};
   Estimate Hm_best{};
-  /// Relative change of Hc or Hm for a domain without end; 0 where a meniscus ends the inlet. With the far field in
-  /// closed form: by the weights of the pressure on the boundary (adjoint/errors.hpp), of a line three times the rough
-  /// estimate. Else of Hc: Solution::domain_error_Hc where that is known, or the rough estimate, right within a factor
-  /// of about 2 (domain_error.hpp). No part of total().
+  /// Relative change of Hc or Hm on an infinite domain; 0 if a meniscus ends the inlet. With the far field in closed
+  /// form it is the adjoint estimate of the boundary pressure (adjoint/errors.hpp), for a line contact a multiple of
+  /// the rough estimate. Otherwise, for Hc, it is Solution::domain_error_Hc or the rough estimate, right within a
+  /// factor of about 2 (domain_error.hpp). Not part of total().
   double domain = ErrorBar::unknown;
-  double P_max = ErrorBar::unknown;  ///< relative error estimate of P_max; NaN where it does not converge
-  /// Differences of P_max between the levels fall, and no spike is about to overtake it. At a spike that no grid
-  /// resolves they grow: P_max then is a number of the mesh.
+  double P_max = ErrorBar::unknown;  ///< relative error estimate of P_max; NaN if it does not converge
+  /// True if the differences of P_max between the levels fall and no spike is about to exceed it. At a spike that no
+  /// grid resolves they grow, and P_max depends on the mesh.
   bool P_max_converging = false;
-  /// Or no spike is seen where the oil is as good as solid at the rim: a finer grid may show one.
+  /// True if no spike is visible but the oil at the rim is so viscous that a finer grid may show one.
   bool spike_unseen = false;
-  /// Share of the variance of rough surfaces that half as many cells lose, where it is so much that P_max has no error.
+  /// Share of the variance of rough surfaces that half as many cells lose; set if it is so large that P_max has no
+  /// error.
   double relief_unresolved = 0.0;
-  /// P_max has no error; or with less than three levels, which tell none, a spike is seen or may be unseen.
+  /// True if P_max has no error; with fewer than three levels, if a spike is visible or may be hidden.
   bool spike_unresolved = false;
 };
 

@@ -1,4 +1,4 @@
-// Domain and grid: their keys, what the deck says of them, and what is chosen for the contact where it is silent.
+// Domain and grid: their keys, how the deck is read, and the choices for what it leaves open.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -83,7 +83,7 @@ std::vector<deck::Key> grid_keys() {
 
 namespace {
 
-// The multigrid halves a grid as long as this many cells along x are left.
+// The multigrid halves a grid down to this many cells along x.
 constexpr int smallest_coarsest = 32;
 
 constexpr int fewest_chosen_cells = 256;
@@ -91,16 +91,18 @@ constexpr int most_chosen_cells = 1024;
 constexpr int most_cells_of_line = 8192;
 constexpr double most_nodes_of_ellipse = 5.0 * most_chosen_cells * most_chosen_cells;
 
-/// Where an accuracy is asked for, a closed domain leaves no more of it.
+/// With a required accuracy, the largest share of it for the error of a closed domain.
 constexpr double share_of_accuracy = 0.1;
 
 bool closed(const deck::Part& domain) { return domain.choice("far_field", {true, false}); }
 
 void choose_domain(const deck::Part& domain, double accuracy, const contact::Groups& groups, double wider) {
   std::optional<double> far_field;
-  const bool known = groups.M > 0.0 && groups.L >= 0.0;  // else a domain for a contact with an error in it
+  // With an error in the contact the domain has no meaning.
+  const bool known = groups.M > 0.0 && groups.L >= 0.0;
   if (closed(domain) && known)
-    far_field = std::fmin(error_of_closed_domain, share_of_accuracy * accuracy);  // a NaN is none
+    // fmin() ignores an accuracy that is NaN.
+    far_field = std::fmin(error_of_closed_domain, share_of_accuracy * accuracy);
   const bool roller = contact::roller(groups.shape);
   if (contact::line(groups.shape))
     domain.refuse({"y_half"}, roller ? "is half of the roller's length, where the gap ends: remove it"
@@ -119,9 +121,8 @@ void choose_domain(const deck::Part& domain, double accuracy, const contact::Gro
                                                : "as wide as long");
 }
 
-// So many cells along its shorter axis cost an ellipse aslant both along X and along Y: those that hold it, with a grid
-// below the finest to tell the error of the mesh from. Of R_x/R_y = 0.005, M = 1000, L = 15, 1024 cells leave 0.1 %
-// of Hc.
+// Least number of cells along x for an oblique ellipse: as many along its shorter axis in both directions as resolve
+// it, with one grid below the finest for the estimate of the mesh error. [bench: cells_on_circle]
 double fewest_aslant(double length, const contact::Groups& groups) {
   constexpr double cells_on_circle = 48.0;
   constexpr double per_contact_size = 5.0;
@@ -129,14 +130,14 @@ double fewest_aslant(double length, const contact::Groups& groups) {
   return std::max(cells_on_circle, per_contact_size * sizes) * slenderness(groups.M, groups.L, groups.shape);
 }
 
-// The level that resolves the film, for a deck that leaves it to the program.
+// Chooses the level that resolves the film if the deck leaves the cells open.
 void choose_cells(const deck::Part& grid, const deck::Part& domain, const contact::Groups& groups,
                   reynolds::Wedge wedge) {
   if (grid.given("cells")) return;
   const double length = domain.number("x_outlet") - domain.number("x_inlet");
   if (std::isnan(length)) return;
   int fewest = std::max(grid.integer("coarsest", fewest_chosen_cells), 1);
-  // A contact that is slender, or aslant, needs more along X to be seen as well.
+  // A slender or oblique contact needs more cells along X to be resolved at all.
   const double least = contact::gap(groups.shape).aslant()
                            ? fewest_aslant(length, groups)
                            : 0.5 * fewest_chosen_cells * slenderness(groups.M, groups.L, groups.shape);
@@ -155,7 +156,7 @@ void choose_cells(const deck::Part& grid, const deck::Part& domain, const contac
   grid.choose("cells", cells, cells < most ? "resolves the film" : "the most that is chosen unasked");
 }
 
-// How often the cells are halved, -1 when that does not lead to a coarse enough grid.
+// How often the cells can be halved; -1 if that does not end at a coarse enough grid.
 int halvings(int cells, int coarsest) {
   int count = 0;
   const auto goes_on = [&] { return coarsest > 0 ? cells > coarsest : cells / 2 >= smallest_coarsest; };
@@ -164,7 +165,7 @@ int halvings(int cells, int coarsest) {
   return coarse_enough ? count : -1;
 }
 
-// The largest number of cells, not above `most` where that is possible, that surely can be halved down far enough.
+// The largest number of cells, if possible not above `most`, that can be halved down to a coarsest grid.
 double good_cells(double most, int coarsest) {
   double cells = coarsest > 0 ? coarsest : 16.0;
   while (2.0 * cells <= most) cells *= 2.0;
@@ -181,7 +182,7 @@ AccuracyTarget read_accuracy(deck::Deck& deck) {
     grid.complain("accuracy",
                   "and cells are both given: keep one of them; accuracy finds the cells itself, and "
                   "--unset grid.cells takes them out of the deck");
-  // What the deck leaves open of the domain may grow.
+  // The part of the domain that the deck leaves open may grow.
   const deck::Part domain{deck, "domain"};
   target.domain_is_free = domain.given_of({"x_inlet", "y_half"}).empty() && !closed(domain);
   return target;
@@ -192,7 +193,8 @@ void choose_grid(deck::Deck& deck, const contact::Groups& groups, reynolds::Wedg
   choose_domain(domain, deck::Part{deck, "grid"}.number("accuracy"), groups, wider);
   choose_cells({deck, "grid"}, domain, groups, wedge);
   if (!deck::given(deck, "grid", "accuracy")) return;
-  // There the run but begins: an accuracy beside a grid that is given would be refused.
+  // The chosen grid is only the first to be tried: marked as following, since an accuracy beside a given grid is
+  // refused.
   mark_following(deck, "grid", "cells");
   for (const char* key : {"x_inlet", "x_outlet", "y_half"}) mark_following(deck, "domain", key);
 }
@@ -201,7 +203,7 @@ void check_contains(deck::Deck& deck, const contact::Ellipse& shape) {
   const deck::Part domain{deck, "domain"};
   const contact::Extent reach = contact::extent(shape);
   const auto check = [&](const char* key, double extent) {
-    // Nothing is NaN's size: what was refused is passed over.
+    // A refused value is NaN and passes this comparison.
     if (domain.given(key) && std::abs(domain.number(key)) <= extent)
       domain.complain(key,
                       fmt::format("the domain must contain the contact, which reaches to {:.4g} Hertz radii", extent));
@@ -221,12 +223,13 @@ GridInput read_grid(deck::Deck& deck, std::optional<double> size, double aspect,
   grid.X_b = domain.number("x_outlet");
   if (line) {
     grid = core::line_grid(grid.nx, grid.X_a, grid.X_b);
-    grid.ny = 0;  // nothing wrong so far
+    grid.ny = 0;  // no error so far
   } else {
     grid.Y_b = domain.number("y_half");
     grid.Y_a = -grid.Y_b;
   }
-  if (cells == 0 || std::isnan(grid.X_b - grid.X_a) || std::isnan(grid.Y_b)) return input;  // complained about already
+  // A missing or wrong value has already been reported.
+  if (cells == 0 || std::isnan(grid.X_b - grid.X_a) || std::isnan(grid.Y_b)) return input;
   const int levels = halvings(cells, coarsest);
   if (levels < 0) {
     const std::string of = coarsest > 0 ? "a multiple of the coarsest grid's " + std::to_string(coarsest) + " cells"
@@ -236,10 +239,10 @@ GridInput read_grid(deck::Deck& deck, std::optional<double> size, double aspect,
                                deck::shortest(2.0 * below));
     return input;
   }
-  // The domain that was chosen for a contact with an error in it tells nothing.
+  // A domain chosen for a contact with an error in it has no meaning.
   if (!size && !domain.given("x_inlet")) return input;
-  // Even on the coarsest grid, so that the line y = 0 is a line of every grid.
-  // Shorter cells are those of square ones, divided: the multigrid puts them together again.
+  // ny is even on the coarsest grid too, so that y = 0 is a line of every grid. Cells shorter along y are square cells
+  // divided along y; the multigrid merges them again.
   const double along_y = cells * (grid.Y_b - grid.Y_a) / (grid.X_b - grid.X_a) / std::max(1.0, aspect);
   const double pairs = std::max(1.0, std::round(std::ldexp(along_y, -levels - 1)));
   const double ny = std::ldexp(pairs, levels + 1) * std::max(1.0, 1.0 / aspect);
@@ -263,9 +266,8 @@ GridInput read_grid(deck::Deck& deck, std::optional<double> size, double aspect,
 }
 
 bool read_far_field(deck::Deck& deck, const contact::Ellipse& shape, double steepest_load, bool body_moves) {
-  // The oil outside carries such a change by squeeze, with pressures on the boundary at which the bodies are no longer
-  // rigid: at (50, 10) a load that rises by 3 in a/u_m is followed, one by 6 is not; of R_x/R_y = 0.02 one by 0.5 is,
-  // one by 1 is not, for the inlet is short beside the width.
+  // The oil outside the domain carries a change of load by squeeze, with boundary pressures at which the bodies are no
+  // longer rigid. Ellipses across the motion have a short inlet beside their width. [bench: too_steep]
   constexpr double too_steep = 2.0, too_steep_for_ellipses = 0.5;
   const bool steep = steepest_load > too_steep;
   const bool unsure = contact::circular(shape) ? steep : steepest_load > too_steep_for_ellipses;
@@ -276,7 +278,7 @@ bool read_far_field(deck::Deck& deck, const contact::Ellipse& shape, double stee
         fmt::format("the load of [transient] {}, and this far field follows no more than {:g} times the "
                     "contact's load within a/u_m: take zero",
                     std::isinf(steepest_load) ? "jumps" : fmt::format("changes by {:.3g}", steepest_load), too_steep));
-  // The load outside lags behind a body: by 2e-4 of it in vibration.ini, by 2 % in a light contact that is hit.
+  // The load outside the domain lags behind a moving body. [bench: far_field_of_moving_bodies]
   if (unsure || body_moves)
     domain.follow("far_field", std::string("zero"), unsure ? "the load changes fast in time" : "a body moves");
   return closed(domain);

@@ -8,38 +8,39 @@
 
 namespace ehl::steady {
 
-/// The deck's keys of [domain] and [grid].
+/// The keys of [domain] and [grid].
 std::vector<deck::Key> grid_keys();
-/// [grid] accuracy. in: the most nodes that the memory holds.
+/// Reads [grid] accuracy. out: most_nodes and bytes_per_node are left open.
 AccuracyTarget read_accuracy(deck::Deck& deck);
-/// Records in the deck the domain and the cells that it leaves open: domain_error.hpp, resolution.hpp.
-/// in: how many times as wide as Hertz' a contact is where its load is unevenly spread, for inlet and outlet.
+/// Records in the deck the domain and the cells that it leaves open (domain_error.hpp, resolution.hpp). in: wider, the
+/// factor on inlet and outlet for a load that is unevenly spread.
 void choose_grid(deck::Deck& deck, const contact::Groups& groups, reynolds::Wedge wedge, double wider = 1.0);
-/// Complains about a domain, as the deck gives it, that ends within the dry contact.
+/// Complains about a domain, given by the deck, that ends within the dry contact.
 void check_contains(deck::Deck& deck, const contact::Ellipse& shape);
-/// The finest grid, and the cells of the coarsest one along x; 0 where they are open.
+/// The finest grid, and the number of cells along x of the coarsest one; 0 if left open.
 struct GridInput {
   core::Grid finest{};
   int coarsest = 0;
 };
-/// in: size: contact_size(), nothing where the contact has an error in it, so that a domain chosen for it has no
-/// meaning; aspect: hy/hx to come near; line: of a line contact, one line of nodes. Complains about cells that cannot
-/// be halved and about those wider than half the size. out: ny = 0 where something is missing or wrong.
+/// Reads the grid. Complains about cells that cannot be halved down to a coarsest grid, and about cells wider than half
+/// of `size`. in: size, contact_size(), or nothing if the contact itself has an error, so that a domain chosen for it
+/// has no meaning; aspect, the hy/hx to approximate; line, true for a line contact, which has one line of nodes. out:
+/// ny = 0 if something is missing or wrong.
 GridInput read_grid(deck::Deck& deck, std::optional<double> size, double aspect = 1.0, bool line = false);
-/// [grid] errors: true for those by weights.
+/// Reads [grid] errors: true for adjoint error estimates.
 bool read_adjoint_errors(deck::Deck& deck);
-/// [domain] far_field: true for the closed form. in: the steepest slope of the load in time; it does not follow one
-/// above 2 in a/u_m, and complains. Where the deck leaves it open, an ellipse with one above 0.5 and what moves a body
-/// have none.
+/// Reads [domain] far_field: true for the closed form. in: steepest_load, the largest rate of change of the load, and
+/// whether a body moves. The closed form does not follow a rate above 2 in a/u_m: complains. If the deck leaves the far
+/// field open, ellipses with a rate above 0.5 and moving bodies get none.
 bool read_far_field(deck::Deck& deck, const contact::Ellipse& shape, double steepest_load, bool body_moves);
-/// Complains where the domain that was chosen cuts off half of the film, while the deck itself may ask for a starved
-/// one; and about a domain that ends where the far field in closed form means nothing.
+/// Complains if the chosen domain cuts off half of the film, because the deck itself may ask for a starved film; and if
+/// the domain ends where the far field in closed form has no meaning.
 void check_domain(deck::Deck& deck, const Scene& scene);
 
-/// Those of the path to the solution: [multigrid] polish and [continuation].
+/// The keys that choose the strategies: [multigrid] polish and [continuation].
 std::vector<deck::Key> path_keys();
 Polish read_polish(deck::Deck& deck);
-/// in: the contact's M; its load [N], "known" where the deck speaks SI or no language at all.
+/// in: the contact's M, and the load unit [N], "known" if the deck uses SI or no units at all.
 ContinuationParameters read_continuation(deck::Deck& deck, double M, const deck::PlainUnit& newton);
 
 }  // namespace ehl::steady

@@ -22,7 +22,7 @@ core::Grid with_cells(const core::Grid& grid, int nx) {
 
 core::Grid on_larger_domain(const core::Grid& grid, double factor, Sides sides) {
   const double wanted = factor * (grid.X_b - grid.X_a) * (1.0 - 1e-12);
-  int parts = 32;  // of which m lie upstream of 0
+  int parts = 32;  // m of these parts lie upstream of 0
   int m = 16;
   const auto length = [&] { return grid.X_b * parts / (parts - m); };
   for (; length() < wanted; ++m)

@@ -10,9 +10,9 @@ namespace ehl::steady {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-/// Order of the supply. [bench: order_of_supply]
+/// Assumed order of convergence of the supply. [bench: order_of_supply]
 constexpr double order_of_supply = 1.0;
-/// Passes whose supplies differ by less tell no derivative of the film.
+/// Passes whose supplies differ by less do not determine the derivative of the film.
 constexpr double least_difference = 0.05;
 
 double derivative(const std::vector<Pass>& passes, double Pass::*film) {

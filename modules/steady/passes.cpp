@@ -19,9 +19,9 @@
 namespace ehl::steady {
 namespace {
 
-/// Relative residual of a pass between the first and the last: what each leaves behind adds up.
+/// Relative residual of the passes between the first and the last: the errors of what each leaves behind add up.
 constexpr double tolerance_between = 1e-9;
-/// For its grids.
+/// Cells and coarsest grid for a pass that starts from the previous one.
 constexpr Start restart{.cells = 64, .coarsest = 32, .balances = 10};
 
 std::vector<double> fresh_layer(const Scene& scene) {
@@ -36,7 +36,7 @@ std::vector<double> left_behind(const Solution& solution) {
   return layer;
 }
 
-// Linear between the lines of the grid.
+// Linear interpolation between the lines of the grid.
 std::function<double(double Y)> supply_of(const core::Grid& grid, std::vector<double> layer) {
   return [grid, layer = std::make_shared<const std::vector<double>>(std::move(layer))](double Y) {
     const double at = std::clamp((Y - grid.Y_a) / grid.hy(), 0.0, static_cast<double>(grid.ny));
@@ -46,7 +46,7 @@ std::function<double(double Y)> supply_of(const core::Grid& grid, std::vector<do
   };
 }
 
-// Cycles from the state of the pass before.
+// Cycles from the state of the previous pass.
 Solution cycles_from(const Scene& scene, const Solution& before, const ProgressCallback& progress) {
   fmg::Run run = begin_climb(scene, restart, progress);
   const core::Patch& grid = run.hierarchy.finest().grid;
@@ -56,8 +56,9 @@ Solution cycles_from(const Scene& scene, const Solution& before, const ProgressC
   return solution_of(scene, std::move(run));
 }
 
-/// A node at an edge may find no state that agrees with both its neighbours', and swings between wet and dry. Its
-/// residual is that of one node, and oil is conserved all the same: up to so much of both the pass counts, and is told.
+/// Limits within which a pass with chattering nodes still counts, with a warning: a node at the edge of the film may be
+/// consistent neither as full nor as cavitated. Its residual is that of a single node, and oil is conserved. [bench:
+/// swinging_residual]
 constexpr double swinging_residual = 2e-2;
 constexpr double swinging_load_error = 1e-4;
 
@@ -87,7 +88,7 @@ Pass row_of(const Scene& scene, const Solution& solution, int number, double car
   return row;
 }
 
-// Of passes that take the same time.
+// The share of the progress of one pass; all passes count as equally long.
 ProgressCallback part_of(const ProgressCallback& progress, int pass, int passes) {
   return fmg::part_of(progress, (pass - 1.0) / passes, static_cast<double>(pass) / passes);
 }
@@ -96,7 +97,7 @@ ProgressCallback part_of(const ProgressCallback& progress, int pass, int passes)
 
 std::vector<double> next_layer(const Passes& rule, const std::vector<double>& left, const std::vector<double>& fresh) {
   std::vector<double> layer(left.size());
-  double sum = 0.0;  // by the trapezoidal rule
+  double sum = 0.0;  // trapezoidal rule
   for (std::size_t j = 0; j < left.size(); ++j) {
     layer[j] = rule.returning * left[j] + rule.renewed * fresh[j];
     sum += (j == 0 || j + 1 == left.size() ? 0.5 : 1.0) * layer[j];
@@ -106,8 +107,8 @@ std::vector<double> next_layer(const Passes& rule, const std::vector<double>& le
   return layer;
 }
 
-// From the state of the pass before. The set of dry nodes hardly changes: Newton's method takes two to four steps,
-// where cycles of thin layers take 10 to 40.
+// The set of cavitated nodes hardly changes between passes, so that Newton's method converges in a few steps. [bench:
+// go_on]
 std::optional<Solution> go_on(const Scene& scene, const Solution& before, const ProgressCallback& progress) {
   Scene next = scene;
   next.multigrid.tolerance = std::fmin(tolerance_between, scene.multigrid.tolerance);
@@ -120,7 +121,7 @@ std::optional<Solution> go_on(const Scene& scene, const Solution& before, const 
     Solution solution = cycles_from(next, before, progress);
     if (solution.converged || only_swings(solution)) return solution;
   } catch (const core::SolverError&) {
-    // From nothing then.
+    // Then without the previous solution.
   }
   return {};
 }
@@ -145,7 +146,7 @@ std::vector<double> supplies_on_half_the_cells(const Scene& scene, int passes, c
       solution = next ? std::move(next) : std::optional<Solution>(find(now, {}));
     }
   } catch (const core::SolverError&) {
-    // A mesh that has no solution says nothing of the passes from here on.
+    // A mesh without a solution says nothing about the remaining passes.
   }
   return supplies;
 }

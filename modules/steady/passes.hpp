@@ -1,5 +1,5 @@
 #pragma once
-// One contact after another on the same track: what leaves one is the supply of the next.
+// Several contacts on the same track: the layer that one leaves behind is the supply of the next.
 #include <functional>
 #include <optional>
 #include <vector>
@@ -10,31 +10,32 @@
 
 namespace ehl::steady {
 
-/// What the surfaces bring to the next pass: of `left`, what the last one left behind, and `fresh`, the scene's supply,
-/// the shares of scene.passes; then the differences across the track level out by their share. Levelling keeps the oil.
-/// in, out: per line of the domain.
+/// The layer that the surfaces bring to the next pass: the shares of scene.passes of `left`, which the last pass left
+/// behind, and of `fresh`, the scene's supply; then the differences across the track level out by their share, which
+/// conserves the oil. in, out: one value per line of the domain.
 std::vector<double> next_layer(const Passes& rule, const std::vector<double>& left, const std::vector<double>& fresh);
 
-/// Finds the solution of a scene from nothing.
+/// Finds the solution of a scene without a previous one.
 using FindSolution = std::function<Solution(const Scene& scene, const ProgressCallback& progress)>;
 
-/// Finds it from the solution of the pass before. out: converged, or one that only swings; else nothing.
+/// Finds the solution from that of the previous pass. out: a converged solution, or one in which only nodes at the edge
+/// of the film chatter; else nothing.
 using GoOn = std::function<std::optional<Solution>(const Scene& scene, const Solution& before,
                                                    const ProgressCallback& progress)>;
-/// That of isothermal contacts, by Newton's method or cycles.
+/// GoOn of isothermal contacts: by Newton's method or cycles.
 std::optional<Solution> go_on(const Scene& scene, const Solution& before, const ProgressCallback& progress);
 
-/// The supply on Y = 0 of each pass, on a mesh of half as many cells: what the loss of a pass misses for the mesh adds
-/// up from pass to pass, and the levels of the last pass do not show it. in: as below; passes >= 1.
-/// out: one value per pass, up to the first that this mesh does not solve; none where the cells cannot be halved.
+/// The supply on Y = 0 of each pass on half as many cells. The mesh error of a pass's loss adds up from pass to pass,
+/// which the levels of the last pass do not show. in: as below; passes >= 1.
+/// out: one value per pass, up to the first that this mesh does not solve; none if the cells cannot be halved.
 std::vector<double> supplies_on_half_the_cells(const Scene& scene, int passes, const FindSolution& find,
                                                const GoOn& go_on);
 
-/// All passes of a scene with a supply. The first and the last are found from nothing, so that the last has its levels
-/// and error bars; those between begin with the state of the one before. Ends with the first that does not converge.
+/// Solves all passes of a scene with a supply. The first and the last start without a previous solution, so that the
+/// last has levels and error bars; the others start from the previous pass. Stops at the first pass that does not
+/// converge. The passes are repeated on half as many cells for the error of the supply.
 /// in: carried_flooded, rho_bar H C at the centre of the flooded contact.
-/// out: the solution of the last pass, with a row for each, in which the error of its supply is; the passes are
-/// repeated on half as many cells for that.
+/// out: the solution of the last pass, with a row for each pass that includes the error of its supply.
 Solution solve_passes(const Scene& scene, double carried_flooded, const FindSolution& find, const GoOn& go_on,
                       const ProgressCallback& progress);
 

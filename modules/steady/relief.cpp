@@ -8,7 +8,7 @@
 namespace ehl::steady {
 namespace {
 
-/// Share of the variance that half as many cells may lose. [bench: relief_lost]
+/// Largest share of the variance that may be lost on half as many cells. [bench: relief_lost]
 constexpr double most_lost = 0.05;
 
 double variance(const Scene& scene, const core::Grid& grid) {

@@ -20,18 +20,19 @@ namespace {
 /// Relative residual on the grids below the finest: far below their discretization error.
 constexpr double tolerance_on_the_way = 1e-6;
 constexpr double tolerance_at_rounding = 1e-11;
-/// On 4096 cells of a line contact steps end at 4e-11 (M = 200, L = 25) and go no further.
+/// Residual below which a stalled iteration counts as solved to rounding. [bench: tolerance_of_rounding]
 constexpr double tolerance_of_rounding = 1e-9;
-/// From the Hertz pressure the number of steps grows with the number of cells.
+/// Most cells of a start from the Hertz pressure: the number of Newton steps grows with the number of cells.
 constexpr int finest_from_hertz = 128;
-/// Grids below the finest one that an estimate of its discretization error needs.
+/// Number of coarser grids that the estimate of the discretization error needs.
 constexpr std::size_t levels_of_an_estimate = 2;
 
 double final_tolerance(const Scene& scene) {
-  return std::fmin(tolerance_at_rounding, scene.multigrid.tolerance);  // that of a NaN and a number is the number
+  // fmin() ignores a tolerance that is NaN.
+  return std::fmin(tolerance_at_rounding, scene.multigrid.tolerance);
 }
 
-// Newton on level l with its row in the table of levels.
+// Newton's method on level l, with its row in the table of levels.
 newton::Result solve_level_by_newton(fmg::Run& run, std::size_t l, double tolerance) {
   const judgement::Measures start = fmg::measures_of(run.hierarchy, l);
   int steps = 0;
@@ -45,7 +46,8 @@ newton::Result solve_level_by_newton(fmg::Run& run, std::size_t l, double tolera
   return newton::solve(run.hierarchy, l, {.tolerance = tolerance, .tolerance_of_rounding = of_rounding}, progress);
 }
 
-// The checks of the finest grid on the state that Newton has left: no cycle foretells its error, the residual does.
+// Checks the state of the finest grid after Newton's method; its algebraic error is estimated from the residual, as
+// there is no last cycle.
 void judge(fmg::Run& run) {
   const std::size_t l = run.finest();
   fmg::Record& record = run.record;
@@ -66,7 +68,7 @@ void judge(fmg::Run& run) {
                                              : CyclesEnd::stalled;
 }
 
-// The same, of what Newton's method calls converged or not, for this reason.
+// Checks the state; if Newton's method did not converge, the solution fails with this reason.
 void judge(fmg::Run& run, bool newton_converged, const std::string& reason) {
   judge(run);
   if (newton_converged) return;
@@ -74,8 +76,8 @@ void judge(fmg::Run& run, bool newton_converged, const std::string& reason) {
   run.record.converged = false;
 }
 
-// What the cycles left below a finest grid that they did not solve says nothing about its discretization error: a new
-// table of levels, with the two grids below it solved too.
+// Replaces the table of levels. Coarse states below a finest grid that the cycles did not solve say nothing about its
+// discretization error, so the two grids below it are solved again from its solution.
 void solve_levels_below(fmg::Run& run) {
   run.record.levels.clear();
   const std::size_t finest = run.finest();
@@ -171,7 +173,7 @@ Solution climb_by_newton(const Scene& scene, const Start& start, const ProgressC
     run.record.levels.emplace_back();
     const newton::Result result =
         solve_level_by_newton(run, l, last_level ? final_tolerance(scene) : tolerance_on_the_way);
-    // A coarse film that is negative is no solution of the contact, and a good start for the next grid.
+    // A negative film on a coarse grid is no solution of the contact, but a good start for the next grid.
     solved = result.equations_met;
     steps = result.steps;
     last_reason = fmg::name_of_level(run.hierarchy, l) + ": " + result.reason;

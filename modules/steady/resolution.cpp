@@ -9,7 +9,7 @@
 
 namespace ehl::steady {
 namespace {
-/// A contact more than so many times as long along the motion as wide has cells, weights and grids of its own.
+/// Ratio of length to width above which a contact has cells, weights and grids of its own.
 constexpr double slender = 6.0;
 
 // contact_size() along the shorter axis.
@@ -22,15 +22,15 @@ double film_by_formula(double M, double L, const contact::Ellipse& shape) {
   return contact::H_from_moes_units(contact::nijenbanning_venner_moes(M, L, shape), M, shape);
 }
 
-// The film of the entrainment along one of the radii, `speed` of the whole.
+// The film of the entrainment along one of the radii; `speed` is the share of the whole speed.
 double film_along(double angle, double speed, double M, double L, const contact::Ellipse& shape) {
   contact::Ellipse straight = shape;
   straight.angle = angle;
   return film_by_formula(M * std::pow(speed, -0.75), L * std::pow(speed, 0.25), straight);
 }
 
-// The formula knows one radius along and one across. Of films that grow with the power n of the speed those of both
-// components make one of the power 2/n of each together: exactly so for a circle, whatever the angle.
+// The formula knows one radius along the motion and one across it. Films that grow with the power n of the speed are
+// combined as the power 2/n of each component's film, which is exact for a circle at any angle.
 double film_aslant(double M, double L, const contact::Ellipse& shape) {
   const double angle = shape.angle * core::pi / 180.0;
   const double x = std::abs(std::cos(angle)), y = std::abs(std::sin(angle));
@@ -50,7 +50,7 @@ double expected_central_film(double M, double L, const contact::Ellipse& shape) 
 
 double circular_load(double M, double L, const contact::Ellipse& shape) {
   if (contact::circular(shape)) return M;
-  // The film of a circular contact in a^2/R falls with the power 3/4 of the load where it is elastic.
+  // The film of an elastic circular contact in a^2/R falls with the power 3/4 of the load.
   const contact::AlongEntrainment along = contact::along_entrainment(shape, M, L);
   const double over_approach = expected_central_film(M, L, shape) / shape.approach;
   return along.M * std::pow(expected_central_film(along.M, along.L) / over_approach, 4.0 / 3.0);
@@ -64,7 +64,7 @@ double expected_least_film(double M, double L, const contact::Ellipse& shape) {
   const double isoviscous = std::pow(film.elastic_isoviscous, 8.0);
   const double piezoviscous = std::pow(film.elastic_piezoviscous, 8.0);
   const double at_50 = 0.6 + 0.3 * isoviscous / (isoviscous + piezoviscous);
-  // Beside a slender contact most of the lubricant escapes.
+  // Most of the lubricant escapes beside a slender contact.
   const double slender = std::pow(std::max(1.0, along.radius_ratio), -0.6);
   const double share = std::min(0.9, slender * at_50 * std::pow(circular_load(M, L, shape) / 50.0, -0.2));
   return expected_central_film(M, L, shape) * share;
@@ -80,8 +80,8 @@ double slenderness(double M, double L, const contact::Ellipse& shape) {
 }
 
 double edge_steepness(const contact::Ellipse& shape) {
-  // Near the edge, a distance s inside it, p = p_h sqrt(2 s/l) with the semi-axis l across the edge: the gap outside is
-  // proportional to the elastic factor over sqrt(l).
+  // At a distance s inside the edge p = p_h sqrt(2 s/l), where l is the semi-axis across the edge. The gap outside is
+  // therefore proportional to the elastic factor over sqrt(l).
   return shape.p_h / shape.a / std::sqrt(contact::extent(shape).shorter);
 }
 

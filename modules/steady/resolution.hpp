@@ -1,65 +1,61 @@
 #pragma once
-// How fine a grid must be, before anything is known of the solution but its load and shape. M and L are those of
-// contact/groups.hpp, with R_x; films and lengths are in a^2/R_x and a.
+// Estimates of film thickness and of the mesh size that resolves it, from load, speed and shape alone. M and L are
+// those of contact/groups.hpp, made with R_x; films are in a^2/R_x, lengths in a.
 #include "contact/ellipse.hpp"
 #include "reynolds/wedge.hpp"
 
 namespace ehl::steady {
 
-/// The central film H = h R/a^2 to expect: the formula of Nijenbanning, Venner and Moes, good to 15 %; aslant that of
-/// both components of the speed together, 8 to 25 % above our own solutions for R_x/R_y = 0.005 to 0.2 at 45 degrees,
-/// M = 20 to 1000.
+/// Expected central film H = h R/a^2 by the formula of Nijenbanning, Venner and Moes, good to 15 %. For an oblique
+/// contact the films of both components of the speed are combined; the result is up to 25 % too thick.
 /// in: M > 0, L >= 0.
 double expected_central_film(double M, double L, const contact::Ellipse& shape = {});
 
-/// The load M of the circular contact of the same oil and speed whose film is as thick over its mutual approach: how
-/// heavily loaded a contact of any shape is. in: M > 0, L >= 0. out: M itself for a circle.
+/// Load parameter M of the circular contact with the same oil and speed and the same ratio of film thickness to mutual
+/// approach. It measures how heavily a contact of any shape is loaded. in: M > 0, L >= 0. out: M itself for a circle.
 double circular_load(double M, double L, const contact::Ellipse& shape);
 
-/// The minimum film H = h R/a^2 to expect, within a factor 1.5: the central film of Nijenbanning, Venner and Moes
-/// times the share of it that our own solutions have at its thinnest, 0.6 (M/50)^(-1/5), half as much again where the
-/// lubricant is isoviscous, and at most 0.9. Of a line 0.8 of the central film: 0.79 to 0.89 for M = 2 to 50.
+/// Expected minimum film H = h R/a^2, within a factor of 1.5: the central film times min(0.9, s (M/50)^(-1/5)), with M
+/// of circular_load(). s is 0.6 for a piezoviscous and 0.9 for an isoviscous lubricant, fitted to own solutions, and
+/// smaller beside slender contacts. For a line contact it is 0.8 of the central film.
 /// in: M > 0, L >= 0 (contact/groups.hpp).
 double expected_least_film(double M, double L, const contact::Ellipse& shape = {});
 
-/// Size of the region where pressure is made, in Hertz radii: 1, or sqrt(2 Hc) where the film is so thick that the
-/// contact is nearly rigid; Hc by the same formula. Of an ellipse along X. in: M > 0, L >= 0.
+/// Half the length along X of the region of pressure, in Hertz radii: that of the dry contact, or sqrt(2 Hc) if the
+/// film is so thick that the bodies are nearly rigid. Hc is expected_central_film(). in: M > 0, L >= 0.
 double contact_size(double M, double L, const contact::Ellipse& shape = {});
 
-/// How much longer the region where pressure is made is along X than across its shorter side, flattened or nearly
-/// rigid: so many times more cells along X hold the contact as well as a circular one. out: >= 1; 1 for a circle.
+/// Length along X of the region of pressure over its shorter width, for flattened and nearly rigid bodies. This is the
+/// factor by which the contact needs more cells along X than a circle does. out: >= 1; 1 for a circle.
 double slenderness(double M, double L, const contact::Ellipse& shape);
 
-/// The gap beside the edge of the dry contact, which grows as the power 3/2 of the distance, over that beside a circle:
-/// where the edge is steepest, at the ends of the shorter axis. out: 1 for a circle.
+/// Steepness of the gap outside the edge of the dry contact, relative to a circle, where the edge is steepest: at the
+/// ends of the shorter axis. The gap grows as the power 3/2 of the distance. out: 1 for a circle.
 double edge_steepness(const contact::Ellipse& shape);
 
-/// Width of the zones at inlet and outlet in which the film is made, in Hertz radii: Hm^(2/3), Hm the film to expect,
-/// since the gap beside a flattened contact grows as the power 3/2 of the distance; where the edge is steepest.
-/// in: M > 0, L >= 0.
+/// Width, in Hertz radii, of the zones at inlet and outlet in which the film forms: (Hm/edge_steepness)^(2/3), where Hm
+/// is the expected minimum film, because the gap grows as the power 3/2 of the distance from the edge. in: M > 0, L >=
+/// 0.
 double film_zone(double M, double L, const contact::Ellipse& shape = {});
 
-/// Mesh size along X, in Hertz radii, that resolves the film: 0.3 film_zone and at most 0.4 of contact_size along the
-/// shorter axis; for the first-order wedge 0.2 and 0.2. The error of the second-order wedge is about 0.4
-/// (hx/film_zone)^2 in Hm. Of cells that are longer along X, the mesh size across. in: M > 0, L >= 0.
+/// Mesh size along X, in Hertz radii, that resolves the film: 0.3 film_zone, and at most 0.4 of contact_size along the
+/// shorter axis; 0.2 and 0.2 for the first-order wedge. For cells that are longer along X it is the mesh size along Y.
+/// order: the error of the second-order wedge in Hm is about 0.4 (hx/film_zone)^2. in: M > 0, L >= 0.
 double resolving_step(double M, double L, reynolds::Wedge wedge, const contact::Ellipse& shape = {});
 
-/// hy/hx of the cells. Of a contact that reaches more than seven times as far across the motion as along it, 2: along Y
-/// all changes slowly there. Of five such contacts (R_x/R_y = 0.03 and 0.01) Hc and Hm then move by less than 7e-5 of
-/// themselves, cycles leave less of the residual, and take half the time; with 4, one in five takes a second start.
-/// Of one that reaches more than six times as far along the motion, the largest of 1/2, 1/4, 1/8 that is 1.6 times as
-/// wide as the contact's own shape or more. In units of its own semi-axes such a contact is a circle: the strips at the
-/// sides, where the film is thinnest, get as many cells as the ends with cells of that shape. The spike at the outlet
-/// end wants more along X: R_x/R_y = 50, (20, 15), is solved with 1/4 and diverges there with 1/8. Not aslant, where
-/// the spike of the outlet crosses the lines: R_x/R_y = 37.8, (36.1, 11.8), leaves 0.3 per cycle at 1 to 5 degrees;
-/// with 1/8 and 1/4 0.31, 0.61, 0.67 at 1, 2, 3 degrees, and at 5 no end.
-/// out: 1 of all others.
+/// Aspect ratio hy/hx of the cells. [bench: cell_aspect]
+///   2 if the contact is more than seven times as wide as long in the rolling direction: it varies slowly along Y.
+///   1/4, 1/8 or 1/16 if it is more than six times as long as wide: the smallest of these that is not below the ratio
+///   of its axes. Scaled by its semi-axes such a contact is a circle, so that the strips at the sides, where the film
+///   is thinnest, get as many cells as the ends. 1 for all others, and for every oblique contact, whose spike crosses
+///   the grid lines.
 double cell_aspect(const contact::Ellipse& shape);
-/// More than six times as long along the motion, or aslant of it, as wide.
+/// True if the contact is elongated in the rolling direction: more than six times as long as wide, in line with the
+/// motion or oblique to it.
 bool long_along_motion(const contact::Ellipse& shape);
 
-/// Cells along x of at most this mesh size on this length of domain: `fewest`, doubled as often as it takes and as
-/// `most` allows.
+/// Cells along x: `fewest`, doubled until the mesh size on this length of domain is at most `step`, without exceeding
+/// `most`.
 int resolving_cells(double step, double length, int fewest, int most);
 
 }  // namespace ehl::steady

@@ -1,5 +1,5 @@
 #pragma once
-// What a steady computation gives back.
+// The results of a steady computation.
 #include <limits>
 #include <optional>
 #include <string>
@@ -23,17 +23,17 @@ using fmg::CyclesEnd;
 using fmg::LevelRow;
 using judgement::Verification;
 
-/// One way to the solution that was tried.
+/// One strategy that was tried.
 struct Attempt {
   std::string method;  ///< e.g. "full multigrid", "load continuation"
-  std::string reason;  ///< why it did not lead to a solution; empty where it did
+  std::string reason;  ///< why it failed; empty if it led to a solution
   double seconds = 0.0;
 };
 
 /// One step of a load continuation, the rejected ones included.
 struct ContinuationStep {
   double M = 0.0;
-  double load_ratio = 1.0;                               ///< to the load of the scene
+  double load_ratio = 1.0;                               ///< over the load of the scene
   double Hc = std::numeric_limits<double>::quiet_NaN();  ///< NaN: its first cycle diverged
   double Hm = std::numeric_limits<double>::quiet_NaN();
   double residual = std::numeric_limits<double>::quiet_NaN();
@@ -41,13 +41,13 @@ struct ContinuationStep {
   bool converged = false;
 };
 
-/// What became of the accuracy that was asked for.
+/// The outcome of a required accuracy.
 struct AccuracyReport {
   double asked = std::numeric_limits<double>::quiet_NaN();  ///< NaN: none
   bool met = false;
-  bool by_extrapolation = false;  ///< met by the extrapolated values, not by the plain ones
-  std::string stopped_by;         ///< empty when met: what stood in the way
-  bool interrupted = false;       ///< by the user: the solution is of the finest grid that was solved
+  bool by_extrapolation = false;  ///< met by the extrapolated values, not by the nodal ones
+  std::string stopped_by;         ///< the limit that prevented it; empty if met
+  bool interrupted = false;       ///< by the user: the solution is that of the finest grid solved so far
 };
 
 struct Solution {
@@ -55,37 +55,37 @@ struct Solution {
   core::Field P;
   core::Field H;
   double H00 = 0.0;
-  core::Field Q;                            ///< where the scene has a supply: the content, oil per area; else empty
+  core::Field Q;                            ///< oil content per area, if the scene has a supply; else empty
   core::Field theta;                        ///< Q/(rho_bar H)
-  reynolds::OilBalance oil;                 ///< likewise
-  double C_centre = 1.0;                    ///< rho_bar H C is carried at (0, 0): 1 without heat
-  int swinging_nodes = 0;                   ///< that found no state (fmg/swinging.hpp)
-  std::optional<Starvation> starvation;     ///< where the scene has a supply
-  std::vector<Pass> passes;                 ///< where the scene asks for more than one; the rest is of the last
-  std::vector<std::vector<double>> tracks;  ///< what each of them left behind, per line of the domain, in units of H
+  reynolds::OilBalance oil;                 ///< in, out and aside, if the scene has a supply
+  double C_centre = 1.0;                    ///< the flow at (0, 0) is rho_bar H C: 1 without heat
+  int swinging_nodes = 0;                   ///< number of chattering nodes
+  std::optional<Starvation> starvation;     ///< if the scene has a supply
+  std::vector<Pass> passes;                 ///< if the scene asks for several; all else is of the last one
+  std::vector<std::vector<double>> tracks;  ///< layer left by each pass, per line of the domain; in units of H
   bool converged = false;
-  std::string failed_check;      ///< empty when converged: else which level, which check, what to try
+  std::string failed_check;      ///< empty if converged; else the level, the check and what to try
   std::vector<LevelRow> levels;  ///< coarse to fine; the last is the result
   std::vector<CycleRow> history;
   core::PartTimes times;
-  std::string deformation;  ///< what evaluated the film, for the report
+  std::string deformation;  ///< the method that evaluated the film, for the report
   std::vector<std::string> warnings;
   double seconds = 0.0;
   CyclesEnd end = CyclesEnd::content;  ///< on the finest grid
-  std::string method;                  ///< of the attempt that led to what is shown
+  std::string method;                  ///< the strategy that led to this result
   std::vector<Attempt> attempts;
   std::vector<ContinuationStep> continuation;
   std::vector<newton::Step> newton;  ///< on the finest grid
-  std::string polish_failure;        ///< why Newton's method after the cycles did not reach rounding errors
-  /// Residual after a cycle over that before it, geometric mean of the cycles on the finest grid but the first; NaN
-  /// where there are fewer than two.
+  std::string polish_failure;        ///< why the Newton refinement did not reach rounding errors
+  /// Convergence factor: geometric mean, over all cycles on the finest grid but the first, of the residual after a
+  /// cycle over that before it; NaN with fewer than two cycles.
   double cycle_factor = std::numeric_limits<double>::quiet_NaN();
-  /// Relative growth of Hc on a domain twice as large; NaN where a rough bound said that it does not matter.
+  /// Relative growth of Hc on a domain twice as large; NaN if a rough bound showed that it does not matter.
   double domain_error_Hc = std::numeric_limits<double>::quiet_NaN();
   Verification verification;               ///< of the final state
-  std::optional<adjoint::Errors> adjoint;  ///< of the final state, where they were asked for and found
+  std::optional<adjoint::Errors> adjoint;  ///< of the final state, if requested and found
   ErrorBars error_bars;                    ///< of the final state
-  AccuracyReport accuracy;                 ///< where an accuracy was asked for
+  AccuracyReport accuracy;                 ///< if an accuracy was requested
 };
 
 }  // namespace ehl::steady

@@ -24,10 +24,10 @@
 namespace ehl::steady {
 namespace {
 
-/// A rough bound on the error of the domain above which two coarse solutions are spent on estimating it.
+/// Rough bound on the error of the domain above which two coarse solutions are made to estimate it.
 constexpr double worth_a_look = 0.01;
 
-/// The ways that were tried and the best that came out.
+/// The strategies that were tried, and the best result so far.
 class Search {
  public:
   void try_way(const std::string& method, const std::function<Solution()>& way) {
@@ -53,7 +53,7 @@ class Search {
   bool tried(const std::string& method) const {
     return std::ranges::any_of(attempts_, [&](const Attempt& one) { return one.method == method; });
   }
-  /// True when another way could not help: solved; stopped by the deck's limit of cycles; or the mesh has no solution.
+  /// True if no other strategy can help: solved, stopped by the deck's limit of cycles, or a mesh without a solution.
   bool over() const {
     return best_ && (best_->converged || best_->end == CyclesEnd::limit || best_->end == CyclesEnd::no_solution);
   }
@@ -78,14 +78,14 @@ class Search {
   std::string last_error_;
 };
 
-/// Nodes that swing leave 1e-4 and more; below this it is rounding that keeps cycles from a tolerance.
+/// Residual below which a stall is due to rounding and not to chattering nodes. [bench: stalled_residual]
 constexpr double stalled_residual = 1e-7;
 
 double nodes_of(const Scene& scene) { return static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y(); }
 
 constexpr const char* newton_after_cycles = "Newton-Krylov after the cycles";
 
-// A supply's meniscus may have no state that cycles find; Newton's method does.
+// The cycles may find no state for the meniscus of a supply; Newton's method does.
 void try_newton_after_cycles(const Scene& scene, const ProgressCallback& progress, Search& search) {
   if (scene.polish == Polish::off || (scene.polish == Polish::rescue && nodes_of(scene) > most_nodes_of_rescue)) return;
   if (search.best())
@@ -93,8 +93,9 @@ void try_newton_after_cycles(const Scene& scene, const ProgressCallback& progres
                    [&] { return rescue_by_newton(scene, usual_start(), *search.best(), progress); });
 }
 
-// A line lets through more oil on coarse grids than on the finest, or less: a supply near that fills the inlet of some
-// of them and not of others, and cycles diverge between them. The finest grid from its own flooded state instead.
+// Line contacts: a coarse grid lets more or less oil through than the finest, so that a supply near this flow fills the
+// inlet of some grids only and cycles diverge between them. Newton's method solves the finest grid from its own flooded
+// state.
 void try_newton_from(const Solution& flooded, const Scene& scene, const ProgressCallback& progress, Search& search) {
   if (scene.polish == Polish::off || nodes_of(scene) > most_nodes_of_rescue) return;
   Solution start = flooded;
@@ -103,21 +104,21 @@ void try_newton_from(const Solution& flooded, const Scene& scene, const Progress
                  [&] { return rescue_by_newton(scene, usual_start(), start, progress); });
 }
 
-// Oil beside a slender contact is nowhere near its place on a first grid, and no start brings it there: R_x/R_y = 20 on
-// 1024 cells, eight of them leave a residual of 9 in 70 s, and from a hundredth of the load it takes 8 s.
+// Beside a slender contact the oil on a first grid is far from its final place, and no start brings it there; load
+// continuation does. [bench: load_continuation_of_slender]
 bool oil_is_astray(const Scene& scene, const Search& search) {
   if (!scene.supply || scene.grid.line) return false;
   return search.best() ? !search.best()->levels.back().solved() : long_along_motion(scene.shape);
 }
 
-// in: the load continuation, for a contact that needs it first.
+// in: by_load, the load continuation, for a contact that needs it right after the first start.
 void try_full_multigrid(const Scene& scene, const ProgressCallback& progress, Search& search, const Solution* flooded,
                         const std::function<void()>& by_load) {
   const double slender = slenderness(scene.M, scene.L, scene.shape);
   int number = 0;
   for (const Start& start : starts_of(scene)) {
     const bool first = ++number == 1;
-    // A start for finer grids than the scene has brings nothing new.
+    // A start for finer grids than the scene has does not differ from the earlier ones.
     if (number > 2 && start.coarseness == 0.0 && start.cells * slender > scene.grid.nx * core::stretch(scene.grid))
       return;
     search.try_way(first ? "full multigrid" : "full multigrid, start " + std::to_string(number),
@@ -145,7 +146,7 @@ void try_newton(const Scene& scene, const ProgressCallback& progress, Search& se
   if (!search.over()) search.try_way("Newton-Krylov", [&] { return climb_by_newton(scene, usual_start(), progress); });
 }
 
-// By the first way that leads to one. in: the flooded solution of a starved line contact.
+// The solution by the first strategy that succeeds. in: the flooded solution of a starved line contact, or none.
 Solution find_from(const Solution* flooded, const Scene& scene, const ProgressCallback& progress) {
   Search search;
   std::vector<ContinuationStep> steps;
@@ -165,25 +166,26 @@ Solution find_from(const Solution* flooded, const Scene& scene, const ProgressCa
   if (once && !search.best()) throw core::SolverError(scene.one_start_only + "; " + search.last_error());
   Solution solution = search.result();
   if (once && !solution.converged)
-    solution.failed_check = scene.one_start_only;  // the record of attempts says the rest
+    // The record of attempts has the other reasons.
+    solution.failed_check = scene.one_start_only;
   solution.continuation = std::move(steps);
   return solution;
 }
 
 Solution find(const Scene& scene, const ProgressCallback& progress) { return find_from(nullptr, scene, progress); }
 
-// Of the time of both, that of the flooded contact: cycles converge half as fast beside a meniscus.
+// Share of the total time for the flooded contact: with a meniscus cycles converge half as fast.
 constexpr double share_of_flooded = 1.0 / 3.0;
 
 constexpr double brim = std::numeric_limits<double>::infinity();
 
-// On a line nothing flows aside: what the contact does not let through stays before it, until the gap is full as far as
-// the domain reaches. That is the flooded contact; from other states cycles fill the gap node by node.
+// On a line contact no oil flows aside: a supply above the flow through the contact fills the gap as far as the domain
+// reaches, which is the flooded contact. From other states the cycles would fill the gap node by node.
 bool more_than_goes_through(const Scene& scene, const Solution& flooded) {
   return scene.grid.line && flooded.converged && scene.supply(0.0) >= flooded.verification.flow_through;
 }
 
-// On a coarse grid the flooded film is another one: the same ratio of the supply to it.
+// Scales the supply on coarse grids by their own flooded film.
 std::function<double(int nx)> share_by_film(const Solution& flooded) {
   return [levels = flooded.levels](int nx) {
     for (const LevelRow& row : levels)
@@ -192,7 +194,7 @@ std::function<double(int nx)> share_by_film(const Solution& flooded) {
   };
 }
 
-// The flooded contact first, then the one with the supply.
+// Solves the flooded contact first, then the one with the supply.
 Solution find_starved(const Scene& scene, const ProgressCallback& progress) {
   const double began = core::now();
   Scene full = scene;
@@ -208,7 +210,7 @@ Solution find_starved(const Scene& scene, const ProgressCallback& progress) {
                           ? solve_passes(scene, carried_at_centre(scene, flooded), find, go_on, rest)
                           : find_from(scene.grid.line && flooded.converged ? &flooded : nullptr, starved, rest);
   if (!solution.converged && starved.supply_share) {
-    // Heavy lines: the same supply on all grids leads on where its ratio does not.
+    // For heavily loaded line contacts the same supply on all grids may converge if the scaled one does not.
     starved.supply_share = {};
     try {
       if (Solution other = find(starved, rest); other.converged) {
@@ -216,7 +218,7 @@ Solution find_starved(const Scene& scene, const ProgressCallback& progress) {
         solution = std::move(other);
       }
     } catch (const core::SolverError&) {
-      // The state that is there can be shown.
+      // The present state can still be reported.
     }
   }
   solution.starvation = starvation_of(scene, solution, flooded);
@@ -227,7 +229,7 @@ Solution find_starved(const Scene& scene, const ProgressCallback& progress) {
 Solution solve_on_grid(const Scene& scene, const ProgressCallback& progress) {
   const double began = core::now();
   Solution solution = scene.supply ? find_starved(scene, progress) : find(scene, progress);
-  // A meniscus inside of the domain ends the inlet.
+  // With a supply a meniscus inside the domain ends the inlet.
   if (!scene.supply && rough_domain_error(scene) > worth_a_look)
     solution.domain_error_Hc = estimate_domain_error(scene);
   if (const std::string advice = advice_for_cutting_ends(scene, solution);

@@ -7,8 +7,10 @@ namespace ehl::steady {
 using fmg::Progress;
 using fmg::ProgressCallback;
 
-/// Solves the steady contact problem (eqs. 1-3) by full multigrid. errors: core::InputError (grid), core::SolverError
-/// (non-finite values), core::Interrupted.
+/// Solves the steady contact problem (eqs. 1-3), or several passes of it, by full multigrid and, if that fails, by the
+/// other strategies of modules/steady/README.md. in: a complete scene. out: the best state that was found, converged or
+/// not.
+/// errors: core::InputError (grid), core::SolverError (no strategy led to a finite state), core::Interrupted.
 Solution solve(const Scene& scene, const ProgressCallback& progress = {});
 
 }  // namespace ehl::steady

@@ -8,8 +8,8 @@
 namespace ehl::steady {
 namespace {
 
-/// The first start is fast and right for most contacts. The later ones begin on a grid that holds the contact better,
-/// keep the coarsest grid finer, and are more cautious.
+/// The first start is fast and works for most contacts. The later ones begin on a finer grid, which resolves the
+/// contact better, keep a finer coarsest grid, and are more strongly damped.
 constexpr Start starts[] = {
     {.cells = 64, .sweeps = 20, .cycles = 6, .coarsest = 32, .balances = 10, .caution_at_first = 0.7, .caution = 1.0},
     {.cells = 64, .sweeps = 40, .cycles = 10, .coarsest = 32, .balances = 30, .caution_at_first = 0.5, .caution = 1.0},
@@ -18,19 +18,15 @@ constexpr Start starts[] = {
     {.cells = 128, .sweeps = 40, .cycles = 10, .coarsest = 64, .balances = 30, .caution_at_first = 0.7, .caution = 0.7},
     {.cells = 256, .sweeps = 80, .cycles = 10, .coarsest = 64, .balances = 30, .caution_at_first = 0.5, .caution = 0.7},
 };
-/// The first of them where the grid of the others does not hold the contact.
+/// The first start to try if the first grid of the earlier ones does not resolve the contact.
 constexpr std::size_t start_of_heavy = 2;
 
-/// The first of a line contact, where a finer first grid costs little: 128 cells are too wide for most of M = 1000 and
-/// 2000, L = 25. Of 77 loads on 1024 cells 73 begin at once, 64 without it, and take 0.9 of the work.
+/// The first start of a line contact, for which a finer first grid costs little. [bench: start_of_line]
 constexpr Start start_of_line = {
     .cells = 64, .sweeps = 40, .cycles = 6, .balances = 10, .caution_at_first = 0.5, .caution = 0.9, .coarseness = 9.0};
 
-/// Of a heavy line, whose zones coarse grids do not hold, with a steep edge: what these send up is far off, and takes
-/// more relaxations than usual. Of 91 such loads, M = 150 to 3200, L = 16 to 28 on 1024 cells, V(2,1) cycles with the
-/// start above begin 31 at once, all in 3.9 s; V(3,2) begin 77, V(4,4) 9 of the others, all in 1.2 s. Of the 42 with
-/// M = 250 to 2500, L = 17 to 26, one needs another start by V(3,4) with 16, 17 and 18 of ln eta_bar, three and four
-/// with 19 and 20.
+/// Heavily loaded line contacts with a steep edge: coarse grids do not resolve their film zones, so that the
+/// corrections are poor and more relaxations are needed. [bench: starts_of_heavy_lines]
 constexpr double steep_log_viscosity_of_line = 18.0;
 constexpr int most_relaxations = 4;
 constexpr Start start_of_heavy_line(int pre, int post) {
@@ -45,8 +41,8 @@ constexpr Start start_of_heavy_line(int pre, int post) {
 constexpr Start starts_of_heavy_lines[] = {start_of_heavy_line(3, 2),
                                            start_of_heavy_line(most_relaxations, most_relaxations)};
 
-/// For ellipses, where the film beside a slender or oblique heavy contact is too thin for the first grids of those:
-/// begun on a coarser one, the relaxations of the Hertz pressure themselves diverge.
+/// Ellipses: the film beside a heavily loaded slender or oblique contact is too thin for the first grids of the other
+/// starts. On a coarser grid the relaxations of the Hertz pressure themselves diverge.
 constexpr Start start_of_ellipse(double caution_at_first) {
   return {.cells = 128,
           .sweeps = 20,

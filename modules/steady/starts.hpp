@@ -1,5 +1,5 @@
 #pragma once
-// How a solution may begin.
+// The starts of a solution.
 #include <vector>
 
 #include "steady/cycle_choice.hpp"
@@ -10,9 +10,9 @@ namespace ehl::steady {
 /// Starts of the full multigrid from the Hertz pressure, in the order in which they are tried.
 std::vector<Start> starts_of(const Scene& scene);
 
-/// For Newton's method.
+/// The start for Newton's method.
 const Start& usual_start();
-/// For ways that do not begin with cycles from the Hertz pressure at full load.
+/// The start for strategies that do not begin with cycles from the Hertz pressure at full load.
 const Start& safe_start();
 
 }  // namespace ehl::steady

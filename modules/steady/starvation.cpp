@@ -29,7 +29,7 @@ double meniscus_on(const Solution& solution, int j) {
 Starvation starvation_of(const Scene& scene, const Solution& starved, const Solution& flooded) {
   const core::Grid& grid = starved.grid;
   Starvation result;
-  // What is told over a flooded contact that did not converge is no number.
+  // Ratios to a flooded contact that did not converge are unknown.
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   const double carried = flooded.converged ? carried_at_centre(scene, flooded) : unknown;
   result.supply_ratio = (starved.passes.empty() ? scene.supply(0.0) : starved.passes.back().supply) / carried;

@@ -1,5 +1,5 @@
 #pragma once
-// What a starved solution is beside the flooded one.
+// Comparison of a starved solution with the flooded one.
 #include "core/grid.hpp"
 
 namespace ehl::steady {
@@ -7,44 +7,44 @@ namespace ehl::steady {
 struct Scene;
 struct Solution;
 
-/// Q = rho_bar H at the centre; lengths in a, flows in rho0 u_m a^3/R, of a line in rho0 u_m a^2/R.
+/// Q = rho_bar H at the centre. Lengths are in a, flows in rho0 u_m a^3/R, for a line contact in rho0 u_m a^2/R.
 struct Starvation {
-  double supply_ratio = 0.0;  ///< r = H_oil/Q of the flooded contact, H_oil at Y = 0
+  double supply_ratio = 0.0;  ///< r = H_oil/Q of the flooded contact, H_oil on Y = 0
   double factor = 0.0;        ///< Q over that of the flooded contact
   double Hc_flooded = 0.0;
   double Hm_flooded = 0.0;
   bool flooded_converged = false;
   bool line = false;        ///< a line contact
-  double meniscus_X = 0.0;  ///< on Y = 0: where the inlet becomes full
+  double meniscus_X = 0.0;  ///< where the inlet becomes full on Y = 0
   int cells_to_inlet = 0;   ///< from the inlet boundary to the first full node of any line
-  double filled = 0.0;      ///< share of the inlet boundary where the gap takes no more
+  double filled = 0.0;      ///< share of the inlet boundary where the supply fills the gap
   double in = 0.0, through = 0.0, aside = 0.0;
-  double around() const { return in - aside - through; }  ///< by the outlet, beside the contact
+  double around() const { return in - aside - through; }  ///< past the contact, out by the outlet
   double imbalance = 0.0;                                 ///< (out + aside - in)/in
-  double seconds = 0.0;                                   ///< that the supply takes: all but the flooded contact
+  double seconds = 0.0;                                   ///< time for the supply: all but that of the flooded contact
 };
 
-/// One contact of several on the same track; the oil on y = 0 in units of H.
+/// One of several contacts on the same track; oil on y = 0 in units of H.
 struct Pass {
   int number = 1;
-  double supply = 0.0;        ///< brought
-  double supply_error = 0.0;  ///< relative, of the mesh of all passes before; NaN: not known (layer_error.hpp)
-  double left = 0.0;          ///< left behind
-  double supply_ratio = 0.0;  ///< over rho_bar H at the centre of the flooded contact
-  double factor = 0.0;        ///< rho_bar H at the centre over that
+  double supply = 0.0;        ///< layer that is brought
+  double supply_error = 0.0;  ///< relative, due to the mesh of all previous passes; NaN: not known (layer_error.hpp)
+  double left = 0.0;          ///< layer that is left behind
+  double supply_ratio = 0.0;  ///< supply over rho_bar H at the centre of the flooded contact
+  double factor = 0.0;        ///< rho_bar H at the centre over that of the flooded contact
   double Hc = 0.0, Hm = 0.0, P_max = 0.0;
   double meniscus_X = 0.0;
   double in = 0.0, aside = 0.0, imbalance = 0.0;
   int steps = 0;        ///< cycles on the finest grid, or Newton steps
-  int first_order = 0;  ///< nodes behind which the flux is (fmg/swinging.hpp)
+  int first_order = 0;  ///< chattering nodes, behind which the flux is of first order
   double residual = 0.0;
-  bool swings = false;  ///< a node at an edge finds no state (passes.cpp)
+  bool swings = false;  ///< true if nodes at the edge of the film chatter (passes.cpp)
 };
 
 /// rho_bar H C at the centre.
 double carried_at_centre(const Scene& scene, const Solution& solution);
-/// Where the inlet becomes full on line j: the cell of the last dry node before the pressure is filled from behind, as
-/// far as its content tells.
+/// X at which the inlet becomes full on line j: within the cell of the last node without pressure, in proportion to its
+/// oil content.
 double meniscus_on(const Solution& solution, int j);
 
 /// in: both solutions of one scene on one grid, with and without its supply.

@@ -9,14 +9,14 @@
 namespace ehl::steady {
 namespace {
 
-/// An estimated error above this says only that the film is far from resolved.
+/// An estimated error above this only shows that the film is far from resolved.
 constexpr double hardly_an_error = 1.0;
-/// Pressure beside a boundary, as a share of the largest, above which the boundary cuts into the contact.
+/// Pressure next to a boundary, relative to the maximum, above which the boundary cuts into the contact.
 constexpr double cut_off_pressure = 1e-3;
-/// Change of Hc on the double domain that is worth a word.
+/// Change of Hc on the double domain above which a warning is given.
 constexpr double starved = 0.01;
 
-/// Oil content, in units of H, below zero by more than rounding.
+/// Oil content in units of H: below minus this it is negative by more than rounding.
 constexpr double worth_a_word_of_content = 1e-6;
 
 std::string number(double value) {
@@ -66,7 +66,7 @@ void warn_of_supply(const Starvation& found, std::vector<std::string>& warnings)
                        " cells of the inlet boundary, which may hold it back; move x_inlet upstream");
   if (!found.flooded_converged)
     warnings.push_back("the flooded contact beside it did not converge: no starvation factor");
-  constexpr double thicker = 1.01;  // by what both mesh and cycles leave
+  constexpr double thicker = 1.01;  // above 1 by more than the mesh error and the algebraic error
   if (found.factor > thicker)
     warnings.push_back(
         "the starvation factor is above 1, which no film has: the mesh resolves neither film; use more cells");

@@ -1,5 +1,5 @@
 #pragma once
-// What a user must know about a solution that the checks let pass.
+// Warnings about a solution that the checks accept.
 #include <string>
 #include <vector>
 
@@ -8,23 +8,23 @@
 
 namespace ehl::steady {
 
-/// A film with a larger estimated error counts as not resolved.
+/// Estimated error above which a film counts as not resolved.
 inline constexpr double unresolved_film = 0.1;
 
-/// Cells along x that would bring an estimated error down to unresolved_film: `cells` doubled as often as the order of
-/// the wedge asks for, never less than once for an error above it. The scheme's order and not the observed one, which
-/// on a grid too coarse to hold the film says little.
-/// in: cells of the grid, relative error there. limits: an error above 100 % is no number to count with; it is taken as
-/// 100 %, and the cells are the fewest that may do.
+/// Number of cells along x that would bring an estimated error down to unresolved_film: `cells` doubled as often as the
+/// order of the wedge requires, at least once for an error above it. The theoretical order is used, because the
+/// observed one means little on a grid too coarse to resolve the film.
+/// in: cells of the grid, relative error there. limits: an error above 100 % is taken as 100 %; the result is then the
+/// least number that may suffice.
 int cells_that_resolve(int cells, double error, reynolds::Wedge wedge);
 
-/// What helps a roller whose film is negative at one of its ends: there its edge cuts through the film, on every mesh.
-/// out: empty where that is not so.
+/// Advice for a roller whose edge cuts through the film at one end, which gives a negative film on every mesh. out:
+/// empty if that is not so.
 std::string advice_for_cutting_ends(const Scene& scene, const Solution& solution);
 
-/// Warnings with numbers: film not resolved by the mesh (estimated error above 10 %, with the cells that would do; no
-/// estimate possible from a single level; a film that is negative between the nodes), inlet starved by the domain,
-/// outlet boundary inside the pressure region, pressure still carried at the sides. in: a solution of the scene whose
+/// Warnings, with numbers: a film not resolved by the mesh (estimated error above 10 %, with the cells that would
+/// suffice; no estimate from a single level; a film that is negative between the nodes), an inlet starved by the
+/// domain, an outlet boundary inside the pressure region, pressure at the sides. in: a solution of the scene whose
 /// levels, P and grid are complete.
 std::vector<std::string> warnings_of(const Scene& scene, const Solution& solution);
 
