@@ -25,8 +25,8 @@ constexpr int most_settling_cycles = 60;
 /// it.
 constexpr double less_weight = 0.8;
 constexpr double least_weight = 0.5;
-/// Cycles per increment of load and speed: they reduce its error enough for the next increment. [bench:
-/// transient_cycles_per_bit]
+/// Cycles per increment of load and speed: they reduce its error enough for the next increment.
+/// [bench: transient_cycles_per_bit]
 constexpr int cycles_per_bit = 3;
 
 // Residual after at most `most` cycles at T = 0 without squeeze; fewer if it is as small as rounding allows.

@@ -11,7 +11,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Points and weights of Gauss' rule on (0, 1).
+/// Points and weights of the Gauss rule on (0, 1).
 template <unsigned points>
 std::vector<std::pair<double, double>> gauss_points() {
   using Rule = boost::math::quadrature::gauss<double, points>;
@@ -23,8 +23,8 @@ std::vector<std::pair<double, double>> gauss_points() {
   return rule;
 }
 
-/// Heat falls upstream about as 1/X^2. The speed of a far field is the one that gives the pressure at the first node,
-/// in which this share of the heat's effect at that node counts: int u^2 u^2 du over int u^2 du.
+/// The effect of heat decays upstream about as u^2, u = X_a/X. The far field uses one speed, chosen to give the right
+/// pressure at the first node; the effect at that node enters it with this share: int u^2 u^2 du over int u^2 du.
 constexpr double share_upstream = 0.6;
 
 double oil_fluidity(const Film& film, double P) {
@@ -33,7 +33,7 @@ double oil_fluidity(const Film& film, double P) {
   return fluidity;
 }
 
-// The stress of sliding. warmth: fluidity over that of the oil at its supply temperature.
+// Stress of sliding. in: warmth, the fluidity over that at the supply temperature.
 double sliding_stress(const Film& film, const Parameters& parameters, double P, double H, double warmth) {
   if (parameters.stress == 0.0) return 0.0;
   double fluidity = oil_fluidity(film, P) * warmth;
@@ -54,7 +54,7 @@ Beyond beyond_line(const Film& film, const Parameters& parameters, double film_a
   const double warm_inlet = film.I0 ? std::log((*film.I0)(0, 1)) : 0.0;
   const double warm_outlet = film.I0 ? (*film.I0)(grid.nx, 1) : 1.0;
   Beyond sum;
-  // Up- and downstream X = boundary/u, from u = 1 at the boundary to u = boundary/meniscus, 0 where there is none.
+  // Substitution X = boundary/u on both sides: u = 1 at the boundary, boundary/meniscus at the meniscus (0 if none).
   const auto integrate = [&](int i, const auto& part) {
     const double boundary = grid.X(i), ends = std::min(1.0, std::abs(boundary) / parameters.meniscus);
     for (const auto& [share, weight] : rule) {
@@ -78,7 +78,7 @@ Beyond beyond_line(const Film& film, const Parameters& parameters, double film_a
   return sum;
 }
 
-/// In coordinates in which the undeformed gap is XX t^2: X = t cos(psi) - shear Y, Y = t scale sin(psi).
+/// Polar coordinates in which the undeformed gap is XX t^2: X = t cos(psi) - shear Y, Y = t scale sin(psi).
 class PointQuadrature {
  public:
   PointQuadrature(const Film& film, const Parameters& parameters, const std::vector<double>& film_at_end)
@@ -129,7 +129,7 @@ class PointQuadrature {
   }
   double P(double X, double Y) const { return outside_.field.P(outside_.field.at(X, Y), film(X, Y), outside_.state); }
 
-  // Angle between a wet and a dry direction where the film ruptures, by bisection.
+  // Angle of rupture between a direction with a full film and a cavitated one, by bisection.
   double rupture(double wet, double dry) const {
     for (int round = 0; round < 50; ++round) {
       const double between = 0.5 * (wet + dry);
@@ -139,8 +139,8 @@ class PointQuadrature {
     return 0.5 * (wet + dry);
   }
 
-  // Between the corners, where the distance to the boundary has a kink, the axes and the lines of rupture; each panel
-  // halved.
+  // Ends of the angular panels: corners of the domain, where the distance to the boundary has a kink, the axes and the
+  // angles of rupture. Each panel is then halved.
   std::vector<double> panels() const {
     std::vector<double> ends{0.0, 2.0 * pi, rupture_[0], rupture_[1]};
     for (int k = 1; k < 4; ++k) ends.push_back(0.5 * k * pi);
@@ -159,7 +159,7 @@ class PointQuadrature {
     return std::clamp(static_cast<int>(std::lround((Y - grid_.Y_a) / grid_.hy())), 0, grid_.ny);
   }
 
-  // The film where the pressure of this line along X has ended.
+  // Film at which the pressure ended on the line of constant Y.
   double film_at_end(double Y) const {
     const Direction to = direction(rupture_[Y > 0.0 ? 0 : 1]);
     const double X = to.X * Y / to.Y;
@@ -167,7 +167,7 @@ class PointQuadrature {
     return inside ? film_at_end_[static_cast<std::size_t>(line_at(Y))] : film(X, Y);
   }
 
-  // in: whether the direction is a wet one; weight, the area.
+  // in: wet, true if the film in this direction is full; weight, the area.
   void add(const Direction& to, double t, double nearest, bool wet, double weight, Beyond& sum) const {
     const double X = t * to.X, Y = t * to.Y, H = film(X, Y), returned = nearest / t;
     double warmth = 1.0;
@@ -191,7 +191,7 @@ class PointQuadrature {
   const Outside& outside_;
   const core::Grid& grid_;
   double shear_ = 0.0, scale_ = 1.0;
-  double rupture_[2] = {0.0, 0.0};  // psi where the wet directions begin and end
+  double rupture_[2] = {0.0, 0.0};  // the film is full for psi between these angles
 };
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace ehl::friction {
 namespace {
 
-/// Of the load, from which on a stress that no lubricant carries is worth a warning.
+/// Share of the load from which stresses that no lubricant carries cause a warning.
 constexpr double worth_a_warning = 0.01;
 
 // Weight of a node in the trapezoidal rule, without hx hy.
@@ -19,8 +19,7 @@ double weight(const core::Grid& grid, int i, int j) {
   return (i == 0 || i == grid.nx ? 0.5 : 1.0) * (j == 0 || j == grid.ny ? 0.5 : 1.0);
 }
 
-// Share of a node's cell that lies where oil fills the gap: 1/2 where the contour of the meniscus goes through its
-// middle.
+// Share of a node's cell that is filled with oil: 1/2 if the contour of the meniscus passes through the node.
 double share_of_oil(const Film& film, double meniscus, double X, double Y) {
   if (std::isinf(meniscus)) return 1.0;
   const auto& [XX, XY, YY] = film.gap;
@@ -36,7 +35,7 @@ double slope_of_P(const Film& film, int i, int j) {
   return (film.P(east, j) - film.P(west, j)) / ((east - west) * film.grid.hx());
 }
 
-// 1/eta_y of every node of one station.
+// 1/eta_y at all nodes of one column (constant X).
 struct Fluidity {
   explicit Fluidity(std::size_t nodes) : at_rest(nodes), along(nodes), across(nodes) {}
   void evaluate(const Film& film, int i) {
@@ -114,7 +113,7 @@ Friction friction_of(const Film& film, const Parameters& parameters) {
     }
   }
   if (parameters.aslant) result.side = side_force(film, parameters.slope);
-  // A line contact is summed over all lines of its grid, each as the whole of it.
+  // For a line contact each of the grid's lines counts as the whole contact, so the sums are divided by ny.
   const double nodes_per_area = grid.line ? grid.ny / grid.hx() : 1.0 / (grid.hx() * grid.hy());
   if (film.outside) {
     const Beyond outside = beyond(film, parameters, film_at_end);

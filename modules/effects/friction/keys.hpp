@@ -8,7 +8,7 @@ namespace ehl::friction {
 
 /// The deck keys of this effect: section [friction].
 std::vector<deck::Key> keys();
-/// What [friction] says; stress and slope follow from the contact.
+/// Reads [friction]; stress and slope follow from the contact and are set elsewhere.
 Parameters read(deck::Deck& deck);
 
 }  // namespace ehl::friction

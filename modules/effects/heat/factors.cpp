@@ -51,7 +51,7 @@ double Factors::take(const thermal::FilmTemperature& film, double weight) {
       mobility = mean(asked / film.I0()(i, j), mobility);
       across = mean(M2 * film.more_y()(i, j) / film.I0()(i, j), across);
       I0 = mean(film.I0()(i, j), I0);
-      // C may pass through zero where a surface stands still: no ratio of it.
+      // C is averaged arithmetically, because it may pass through zero if a surface stands still.
       C += weight * (film.C()(i, j) - C);
     }
   restrict_all();
@@ -76,7 +76,7 @@ void Factors::restrict_all() {
 film::CoefficientEffect Factors::effect(std::shared_ptr<const Factors> factors) {
   return [factors = std::move(factors)](const film::Station& station, const film::Factors& at) {
     const auto here = std::ranges::find(factors->grids_, station.grid, &GridFactors::grid);
-    if (here == factors->grids_.end()) return;  // a grid of another hierarchy, before the film has a temperature
+    if (here == factors->grids_.end()) return;  // a grid of another hierarchy, for which no temperature is known yet
     const auto multiply = [&](const core::Field& by, std::span<double> values) {
       const double* value = by.at_x(station.i) + (station.along ? 1 : 0);
       const std::ptrdiff_t next = station.along ? by.stride() : 1;

@@ -1,6 +1,6 @@
 #pragma once
-// What the film's temperature makes of the coefficients, on every grid: I0 on the fluidity, M2/I0 on what pressure
-// moves beyond that, times what its own flow thins; C on what the surfaces carry.
+// Factors by which temperature changes the coefficients, on every grid: I0 on the fluidity, M2/I0 (times the thinning
+// by the pressure flow) on the flow driven by pressure, and C on what the surfaces carry.
 #include <memory>
 #include <vector>
 
@@ -11,33 +11,34 @@
 
 namespace ehl::heat {
 
-/// Of one grid; 1 before anything is known.
+/// Factors on one grid; 1 until the temperature is known.
 struct GridFactors {
   core::Patch grid;
   core::Field fluidity, mobility, mobility_across, carried;
 };
 
-/// Of all grids of a hierarchy. They stay as they are while cycles run: a cycle has one operator.
+/// Factors on all grids of a hierarchy. They are constant while cycles run, so that a cycle has one operator.
 class Factors {
  public:
-  /// in: grids, the finest first, as fmg::grids_below() has them.
+  /// in: grids, the finest first, as from fmg::grids_below().
   explicit Factors(const std::vector<core::Patch>& grids);
-  /// The same with those of the grid of every second node, between its nodes by bilinear interpolation.
+  /// Factors on finer grids, by bilinear interpolation from the grid of every second node.
   Factors(const std::vector<core::Patch>& grids, const Factors& coarse);
 
-  /// Those of the film, as a geometric mean with those of before: ln f = weight ln f_film + (1 - weight) ln f. Coarser
-  /// grids by full weighting, C by injection. out: the largest change of ln M2 that the film asks for.
+  /// Weighted geometric mean of new and old factors: ln f = weight ln f_film + (1 - weight) ln f. Full weighting
+  /// carries I0 and M2/I0 to the coarser grids, injection carries C. returns the largest change of ln M2 that the film
+  /// requires.
   double take(const thermal::FilmTemperature& film, double weight);
-  /// Those before the last take().
+  /// Restores the factors from before the last take().
   void give_back();
 
-  /// For film::Model, of a station of any of the grids. It holds the factors: they live as long as it does.
+  /// The effect for film::Model, on any column or line of any of the grids. It shares ownership of the factors.
   static film::CoefficientEffect effect(std::shared_ptr<const Factors> factors);
 
  private:
   void restrict_all();
   std::vector<GridFactors> grids_;
-  GridFactors before_;  // of the finest
+  GridFactors before_;  // factors of the finest grid before the last take()
 };
 
 }  // namespace ehl::heat

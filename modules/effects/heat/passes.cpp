@@ -15,39 +15,38 @@ namespace {
 using judgement::LastCycle;
 using judgement::Measures;
 
-// Below this weight a pass changes too little to be worth one: 0.3 carried all of a map to 20 m/s, srr = 2, 1.5 GPa.
+// Smallest under-relaxation factor: below it a pass changes too little. [bench: heat_least_weight]
 constexpr double least_weight = 0.1;
-// Taken with a weight w, the change that the film asks for falls by w where the film does not answer. Where it falls
-// by less than half of that the next weight is smaller, else it is larger, up to 1.
+// With under-relaxation factor w, the required change falls by the factor 1 - w if the film does not react. If it falls
+// by less than half of that, w decreases, else it increases, up to 1.
 constexpr double half_of_it = 0.5, less = 0.7, more = 1.3;
-// What is left to change is the last change times q/(1 - q), q the factor from pass to pass of what the temperature
-// asks of the coefficients: that of the hottest film alone swings, and told 0.9 where nothing was wrong. Held between
-// these two.
+// Remaining change = last change times q/(1 - q). The contraction factor q is that of the required change of the
+// coefficients, which is smoother than that of the largest temperature, and is limited to this range.
+// [bench: heat_contraction_factor]
 constexpr double least_q = 0.25, most_q = 0.9;
-// Where the discretization error is not known: a single grid.
+// Assumed discretization error on a single grid.
 constexpr double unknown_error = 1e-2;
-// No estimate is trusted to be less.
+// Lower bound of every error estimate.
 constexpr double least_error = 1e-3;
-// A friction, and a rise in kelvin over T0, below which it counts as none.
+// Friction, and temperature rise over T0, below which a value counts as zero.
 constexpr double least_mu = 1e-6, least_theta = 1e-6;
-// Where no share of the temperature leads on: smaller weights of the relaxations, as the isothermal film may have
-// needed.
+// If no under-relaxation of the temperature helps: damping of the relaxation, as for a difficult isothermal film.
 constexpr double back_off = 0.8, least_caution = 0.5;
-// A pass ends with the cycle that leaves less than this of the residual, or with the last of so many.
+// A pass ends once its cycles have reduced the residual by this factor, or after most_cycles.
 constexpr double enough_of_a_pass = 0.5;
 constexpr int most_cycles = 4;
-// Where a temperature takes longer than this many passes it hangs in an inlet that recirculates: oil goes from line to
-// line there, one in a sweep.
+// From this pass on several sweeps are made: the remaining slow change comes from an inlet with recirculation, where
+// heat passes from line to line only once per sweep.
 constexpr int quick = 3, sweeps_when_slow = 3;
 constexpr double order = 2.0;  // of mu and temperatures, as of the film
 
-// The pass before, the factor behind it, and the q that is believed.
+// Previous pass, its contraction factor, and the q in use.
 struct Trail {
   Pass before;
   double factor = 0.5, q = 0.5;
 };
 
-// What is still to change of a number over what is allowed of it. least: below it the number counts as none.
+// Estimated remaining change of a quantity over the allowed one. in: least, below which its size counts as zero.
 double over_allowed(const Parameters& parameters, const Pass& now, const Trail& trail, double Pass::*value,
                     double least = 0.0) {
   std::vector<double> sequence;
@@ -62,8 +61,8 @@ double over_allowed(const Parameters& parameters, const Pass& now, const Trail& 
   return change * trail.q / (1.0 - trail.q) / size / allowed;
 }
 
-// Cycles with the factors as they are: one where it reduces the residual as it should, more where the cycles have to
-// become more careful first. out: false where they leave no film.
+// Runs cycles with constant factors: one if it reduces the residual enough, more if the damping must increase first.
+// returns false if they find no film.
 bool cycle(fmg::Run& run, std::size_t l, bool first, LastCycle& last) {
   fmg::Hierarchy& hierarchy = run.hierarchy;
   bool done = false;
@@ -71,7 +70,7 @@ bool cycle(fmg::Run& run, std::size_t l, bool first, LastCycle& last) {
     done = std::isfinite(now.residual) && now.Hm > 0.0;
     if (done) {
       fmg::enter(hierarchy, l, number, now, run.record);
-      constexpr int usual = 4;  // passes
+      constexpr int usual = 4;  // passes, for the progress report
       fmg::report(run, l, number, usual, now);
     }
     return fmg::DiscretizationError{};
@@ -102,7 +101,7 @@ Pass pass_of(const Measures& measures, const thermal::Balance& balance, const Tr
   return pass;
 }
 
-// What is still wrong after a pass; empty: nothing.
+// Criterion that a pass does not meet; empty if it meets all.
 std::string unmet_of(const Pass& pass, const thermal::Balance& balance, const LastCycle& last,
                      const Parameters& parameters) {
   if (pass.undone)
@@ -117,8 +116,8 @@ std::string unmet_of(const Pass& pass, const thermal::Balance& balance, const La
   return judgement::unmet_check(last, parameters.tolerance);
 }
 
-// Closes the balance of oil of a solution. in: the state before its pass. out: what is still wrong with it; empty:
-// nothing.
+// Closes the oil balance of a solution. in: the state before its pass. returns the criterion that is not met then;
+// empty if all are.
 std::string close_oil(fmg::Run& run, std::size_t l, const fmg::State& before, const Parameters& parameters,
                       LastCycle& last) {
   fmg::Hierarchy& hierarchy = run.hierarchy;
@@ -133,7 +132,7 @@ std::string close_oil(fmg::Run& run, std::size_t l, const fmg::State& before, co
   return fmg::close_or_leave(hierarchy, l, before, relaxation, last.after, judge).unmet;
 }
 
-// The temperature of the state, and what it makes of the coefficients. out: the change that it asks of them.
+// Updates temperature and factors from the state. returns the change of the coefficients that the film requires.
 double renew(fmg::Hierarchy& hierarchy, std::size_t l, int pass, thermal::FilmTemperature& film, Factors& factors,
              double weight, thermal::Balance& balance) {
   const core::ScopedTimer timer(hierarchy.times, core::Part::heat);
@@ -146,7 +145,8 @@ double renew(fmg::Hierarchy& hierarchy, std::size_t l, int pass, thermal::FilmTe
     film.take(level.P, level.H);
   }
   const bool slow = pass > quick;
-  // The inlet's own temperature changes little behind the first pass of a grid: swept upstream in every second one.
+  // Temperatures carried upstream in the inlet change slowly, so they are swept only in every second of the first
+  // passes.
   for (int sweep = 0; sweep < (slow ? sweeps_when_slow : 1); ++sweep) film.sweep(slow || pass % 2 == 1);
   balance = film.balance();
   return factors.take(film, weight);

@@ -1,6 +1,6 @@
 #pragma once
-// A steady contact with heat on one grid: the film's temperature and the cycles in turn, until neither changes the
-// other.
+// Fixed-point iteration for a steady contact with heat on one grid: film temperature and multigrid cycles alternate
+// until both are converged. One iteration is called a pass.
 #include <limits>
 #include <string>
 #include <vector>
@@ -12,42 +12,42 @@
 
 namespace ehl::heat {
 
-/// After a pass: a sweep of the film's temperature, and a cycle with what it makes of the coefficients.
+/// Result of a pass: a sweep of the film temperature, and cycles with the resulting coefficients.
 struct Pass {
   double Hc = 0.0, Hm = 0.0, mu = 0.0;
-  double theta = 0.0;   ///< largest of the film
-  double change = 0.0;  ///< largest of these four, relative, over what is allowed of it
-  double weight = 1.0;  ///< with which the factors were taken
-  bool undone = false;  ///< the film did not bear them
+  double theta = 0.0;   ///< largest temperature of the film
+  double change = 0.0;  ///< largest remaining change of these four, relative, over the allowed one
+  double weight = 1.0;  ///< under-relaxation factor of the coefficient factors
+  bool undone = false;  ///< rejected: the cycles found no film with these coefficients
 };
 
-/// When the passes end.
+/// Limits and stopping criterion of the passes.
 struct Parameters {
-  double first_weight = 1.0;  ///< of what the first pass's temperature asks of the coefficients
-  int most = 40;              ///< passes
-  /// Hc, Hm, mu and the hottest film change by less than this share of their discretization error.
+  double first_weight = 1.0;  ///< under-relaxation factor of the first pass
+  int most = 40;              ///< number of passes
+  /// Allowed remaining change of Hc, Hm, mu and the largest temperature, over their discretization errors.
   double share = 0.1;
-  double defect = 1e-3;       ///< of the balance of heat
-  std::vector<Pass> below{};  ///< the solutions on coarser grids, coarse to fine, which tell those errors
-  /// Relative residual and load error to reach; NaN: what the discretization error asks for.
+  double defect = 1e-3;       ///< allowed relative defect of the heat balance
+  std::vector<Pass> below{};  ///< solutions on coarser grids, coarse to fine, which give those errors
+  /// Required relative residual and load error; NaN: chosen from the discretization error.
   double tolerance = std::numeric_limits<double>::quiet_NaN();
-  /// Without solutions below: the relative error of all four. NaN: unknown.
+  /// Relative discretization error of all four without coarser solutions. NaN: unknown.
   double error = std::numeric_limits<double>::quiet_NaN();
-  /// Something may settle slowly below what changes quickly: the larger factor of the last two passes is believed.
+  /// Slowly settling parts may hide behind fast ones: use the larger contraction factor of the last two passes.
   bool slow = false;
 };
 
 struct Result {
   std::vector<Pass> passes{};
-  std::string unmet{};  ///< why it is no solution; empty where it is one
+  std::string unmet{};  ///< criterion that is not met; empty if converged
   thermal::Balance balance{};
 };
 
-/// From a state on level l, whose model has the factors' effect, to the thermal solution: criteria as above, and the
-/// checks of every steady solution (judgement/stopping.hpp). A pass that leaves no film is undone, and the factors are
-/// taken by half; likewise with less weight where the change they ask for does not fall. Enters the last row of the
-/// record. Rate measured: 0.1 to 0.3 per pass, 4 to 6 passes from an isothermal solution.
-/// limits: the rescue by Newton's method and load continuation are not tried. errors: core::Interrupted.
+/// Iterates from a state on level l, whose model has the factors' effect, to the thermal solution. Converged if the
+/// above criteria and the checks of every steady solution (judgement/stopping.hpp) hold. A pass that finds no film is
+/// undone and repeated with half the under-relaxation factor. The factor also falls if the required change does not
+/// fall. Updates the last row of the record.
+/// limits: neither the Newton fallback nor load continuation is available. errors: core::Interrupted.
 Result heat_up(fmg::Run& run, std::size_t l, thermal::FilmTemperature& film, Factors& factors,
                const Parameters& parameters);
 

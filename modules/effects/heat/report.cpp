@@ -10,11 +10,10 @@
 namespace ehl::heat {
 namespace {
 
-// Of friction and temperatures. Two grids tell no order, and by chance no error either where errors of both signs meet:
-// on 128 cells 103 of 112 bars hold by second order, 110 by first; on 256, by three grids, 107 by second and three
-// times narrower (tests/bench/heat_bars.csv).
+// Order of friction and temperatures assumed in the error estimate, with three grids and with two. With two grids no
+// order can be measured, and errors of opposite sign may cancel by chance. [bench: heat_order_of_two_grids]
 constexpr double order = 2.0, order_of_two_grids = 1.0;
-// The sequence's estimates are wider by this, and never less than that.
+// Safety factor on the estimates, and their lower bounds.
 constexpr double wider = 1.5, least_of_mu = 3e-4, least_of_temperature = 1e-3;
 
 double error_of(const std::vector<Row>& rows, double Row::*value) {
@@ -25,16 +24,17 @@ double error_of(const std::vector<Row>& rows, double Row::*value) {
   return std::isnan(told) ? told : std::max(told, value == &Row::mu ? least_of_mu : least_of_temperature);
 }
 
-// What the temperature under a spike may become on finer grids; NaN where there is none.
+// Temperature that a spike may reach on finer grids; NaN if it cannot be estimated.
 double foreseen(const std::vector<Row>& rows, double Row::*behind) {
-  constexpr double grows_on = 2.0;  // times its last step
+  constexpr double grows_on = 2.0;  // times the last increase
   if (rows.size() < 2) return NAN;
   const double last = rows.back().*behind, before = rows[rows.size() - 2].*behind;
   return last + grows_on * std::max(0.0, last - before);
 }
 
-// Relative error of a temperature. Where oil is hardly sheared a spike is hotter than all else once a grid resolves it;
-// on coarser grids it grows unseen below the hottest place, and the sequence of that says 1e-3 where 0.1 is missing.
+// Relative error of a temperature. If the film is hardly sheared, a pressure spike becomes the hottest place once a
+// grid resolves it. On coarser grids it is not yet the largest value, and the sequence of largest values hides its
+// growth.
 double error_of(const std::vector<Row>& rows, double Row::*value, double Row::*behind) {
   const double told = error_of(rows, value), under_spike = foreseen(rows, behind);
   return std::isnan(under_spike) ? told : std::max(told, under_spike / (rows.back().*value) - 1.0);
@@ -44,7 +44,7 @@ Hottest hottest(const core::Patch& patch, const thermal::Extreme& extreme, doubl
   return {extreme.theta, patch.X(extreme.i), patch.Y(extreme.j), error};
 }
 
-// The line of the patch at Y = 0.
+// Grid line at Y = 0.
 int middle_line(const core::Patch& patch) {
   const auto line = static_cast<int>(std::lround((0.0 - patch.domain.Y_a) / patch.hy()));
   return std::clamp(line, 0, patch.ny);
@@ -84,7 +84,7 @@ Fields fields_of(const thermal::FilmTemperature& film, const core::Patch& patch,
   return fields;
 }
 
-// Largest beta tau_m |u1 - u2| h/k, beta at the local pressure and the temperature of the middle.
+// Largest beta tau_m |u1 - u2| h/k, with beta at the local pressure and mid-film temperature.
 double nahme_of(const thermal::FilmTemperature& film, const core::Patch& patch, const core::Field& P,
                 const core::Field& H, const thermal::Setup& setup) {
   const auto nodes = static_cast<std::size_t>(patch.nodes_y());
@@ -103,7 +103,7 @@ double nahme_of(const thermal::FilmTemperature& film, const core::Patch& patch, 
   return largest;
 }
 
-// Of the middle of the film, weighted with the pressure.
+// Mid-film temperature averaged with the pressure as weight.
 double mean_of(const thermal::FilmTemperature& film, const core::Patch& patch, const core::Field& P, int middle) {
   double sum = 0.0, load = 0.0;
   for (int i = 0; i <= patch.nx; ++i)

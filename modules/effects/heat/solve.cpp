@@ -21,29 +21,30 @@
 namespace ehl::heat {
 namespace {
 
-// Grids below the finest one: what an estimate of the errors needs.
+// Number of coarser grids, as the error estimate needs.
 constexpr std::size_t grids_below = 2;
-// Along a line, on which coarse grids cost nothing, as many more as leave so many cells on the first: from 128 on and
-// more the isothermal film, above all a starved one, may be too far from the hot one for any cycle.
+// Line contacts, whose coarse grids are cheap, start on a grid of at most this many cells: on finer ones the isothermal
+// film, especially a starved one, may be too far from the thermal solution for the cycles to converge.
 constexpr int cells_of_first_line = 64;
-// On them: a good start for the next one, and an error that is estimated to a few per cent.
+// Tolerances on the coarser grids: enough for a good start and an error estimate.
 constexpr double residual_below = 1e-3, change_below = 2e-3;
-// On the first: an inlet that recirculates settles slowly, and on finer grids what is left of it changes by less in a
-// pass than is allowed. 2e-3 left 1.5e-3 of Hc and mu on 512 cells.
+// Tolerance on the first grid. An inlet with recirculation settles slowly; on finer grids its remaining change per pass
+// is below the allowed one and would stay. [bench: heat_change_of_first]
 constexpr double change_of_first = 3e-4;
 
+// The sequence of grids and the state of the iteration.
 struct Ladder {
-  steady::Scene scene;  // with the factors' effect
+  steady::Scene scene;  // with the effect of the factors
   fmg::Run run;
   std::shared_ptr<Factors> factors;
-  double first_weight = 1.0;  // of the first pass on the first grid
+  double first_weight = 1.0;  // under-relaxation factor of the first pass on the first grid
   std::vector<Pass> found{};  // coarse to fine
   std::vector<Row> rows{};
   std::optional<thermal::FilmTemperature> film{}, below{};
   Result last{};
 };
 
-// The part of the contact's load that the domain carries.
+// Share of the contact's load that the domain carries.
 double share_of_load(const fmg::Run& run, std::size_t l) {
   const core::Patch& patch = run.hierarchy.levels[l].grid;
   double sum = 0.0;
@@ -78,8 +79,8 @@ fmg::State injected(const fmg::Run& run, std::size_t l, const steady::Solution& 
   return {std::move(P), isothermal.H00};
 }
 
-// The hottest places downstream where the dry contact has less than this share of its largest pressure: there a spike
-// stands, if there is one.
+// Largest temperatures downstream where the dry contact pressure is below this share of its maximum: a spike, if there
+// is one, lies there.
 void look_behind(const thermal::FilmTemperature& film, const core::Patch& patch, const core::QuadraticForm& outline,
                  int intervals, Row& row) {
   constexpr double of_rim = 0.8;
@@ -94,7 +95,7 @@ void look_behind(const thermal::FilmTemperature& film, const core::Patch& patch,
   }
 }
 
-// The passes on one grid, from the state that is there.
+// Passes on one grid, from its current state.
 void pass_on(Ladder& ladder, std::size_t l, thermal::Setup setup) {
   fmg::Run& run = ladder.run;
   fmg::RowTimer timer(run);
@@ -133,7 +134,7 @@ void pass_on(Ladder& ladder, std::size_t l, thermal::Setup setup) {
   look_behind(*ladder.film, setup.patch, run.hierarchy.problem.geometry.outline, setup.intervals, ladder.rows.back());
 }
 
-// From grid `first` to the finest. out: true where that led to a solution.
+// From grid `first` to the finest. returns true if all grids converged.
 bool climb(Ladder& ladder, std::size_t first, const thermal::Setup& setup, const steady::Solution& isothermal) {
   fmg::Run& run = ladder.run;
   run.record.levels.clear();
@@ -176,7 +177,7 @@ std::size_t first_grid(const fmg::Run& run) {
   return first;
 }
 
-// Where a grid is too coarse for the heat, the next one begins.
+// If a grid is too coarse for the thermal solution, the sequence starts again on the next finer one.
 Ladder found(const steady::Scene& scene, const thermal::Setup& setup, const steady::Solution& isothermal,
              const steady::ProgressCallback& progress, double first_weight = 1.0) {
   Ladder ladder = begin(scene, progress);
@@ -188,8 +189,8 @@ Ladder found(const steady::Scene& scene, const thermal::Setup& setup, const stea
   return ladder;
 }
 
-// Along a line V cycles, the line's own, then F, with a quarter of the first temperature only: of 24 starved hot
-// contacts close to one another, on 512 to 4096 cells, V and F with all of it leave two unsolved.
+// Line contacts: V cycles first; if they fail, F cycles with this under-relaxation factor in the first pass.
+// [bench: heat_gentle]
 constexpr double gentle = 0.25;
 Ladder found_by_some_cycle(const steady::Scene& scene, const thermal::Setup& setup, const steady::Solution& isothermal,
                            const steady::ProgressCallback& progress) {
@@ -202,13 +203,13 @@ Ladder found_by_some_cycle(const steady::Scene& scene, const thermal::Setup& set
   return other.last.unmet.empty() ? std::move(other) : std::move(ladder);
 }
 
-// What Hc and Hm may change with a longer inlet, per ln of what heat makes of epsilon at the first node of a line: oil
-// that comes back from upstream is warmer, or colder, than its boundary condition has it. At 4.5 half widths the bar
-// holds 37 of 39 contacts, 1 to 15 m/s; the other two are nearly rigid (M = 3 and 1) and are given 8 by default.
+// Error of Hc and Hm from the length of the inlet, per |ln(epsilon/epsilon_cold)| at the first node of a line contact:
+// oil that returns from upstream is warmer or colder than the boundary condition assumes.
+// [bench: heat_share_of_warm_inlet]
 constexpr double share_of_warm_inlet = 0.03;
 
-// Under a spike that the mesh does not resolve the film is hotter on every finer grid, and no error follows from its
-// sequence. The surfaces are hardly warmed by the spike, and their errors contain what it may become.
+// An unresolved spike is hotter on each finer grid, so the sequence gives no error of the film temperature. The
+// surfaces are hardly heated by the spike, and their errors include its growth.
 void judge_below_spike(const steady::ErrorBars& bars, Solution& result) {
   result.spike_unresolved = bars.spike_unresolved;
   if (!bars.spike_unresolved) return;

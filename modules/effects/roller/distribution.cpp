@@ -8,7 +8,7 @@
 namespace ehl::roller {
 namespace {
 
-// Hertz' on a line contact with the mean load per length.
+// Integral of P over X of a line contact with the mean load per length.
 constexpr double mean_load = 0.5 * core::pi;
 
 Slice slice_at(const core::Grid& grid, const core::Field& P, const core::Field& H, int j) {
@@ -32,7 +32,7 @@ void add(const Slice& slice, End& end) {
 }  // namespace
 
 bool near_end(const core::Grid& grid, double Y) {
-  constexpr double outer = 0.8 * (1.0 - 1e-9);  // a line that lies there to rounding errors is one of them
+  constexpr double outer = 0.8 * (1.0 - 1e-9);  // includes a line at exactly 0.8, whatever the rounding
   return std::abs(Y) >= outer * grid.Y_b;
 }
 

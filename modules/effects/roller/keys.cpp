@@ -88,7 +88,7 @@ std::vector<Key> shape_keys() {
        .names_file = true}};
 }
 
-// What is wrong with the file; empty where nothing is.
+// Reads the table. returns what is wrong with the file; empty if nothing is.
 std::string read_table(const std::string& path, const Scales& scales, Profile& profile) {
   const double unit_Y = scales.in_SI ? scales.a : 1.0;
   const double unit_H = scales.in_SI ? scales.a * scales.a / scales.radius : 1.0;
@@ -127,7 +127,7 @@ std::string read_table(const std::string& path, const Scales& scales, Profile& p
   return {};
 }
 
-// A number that the shape cannot do without, in its plain unit.
+// Reads a number that the shape requires, in its dimensionless unit.
 double needed(const deck::Part& part, const std::string& name, const deck::PlainUnit& unit) {
   if (part.given_of({name, name + unit.suffix}).empty())
     part.complain(name, "is missing: give it, or " + name + unit.suffix + " for a contact in SI");

@@ -14,15 +14,17 @@ namespace {
 
 using Shape = Profile::Shape;
 
-constexpr double least_share = 0.1;   // of the length that bears: below, the mean load per length tells nothing
-constexpr double fewest_cells = 8.0;  // below an end that falls by the approach; with 7 the cycles diverge
+// Least share of the length that carries load: with less, the mean load per length is no useful scale.
+constexpr double least_share = 0.1;
+// Cells along an end within which the profile falls by the approach. [bench: roller_fewest_cells]
+constexpr double fewest_cells = 8.0;
 
-// As the deck gives it: in its plain unit or in SI.
+// Key as given in the deck: dimensionless or in SI.
 std::string given_key(const deck::Part& roller, const std::string& name, const std::string& suffix) {
   return roller.given(name) || !roller.given(name + suffix) ? name : name + suffix;
 }
 
-// The key that the profile follows from.
+// Key that determines the profile.
 std::string profile_key(const deck::Part& roller, const Profile& profile) {
   switch (profile.shape) {
     case Shape::straight: return given_key(roller, "end_radius", "_m");
@@ -33,7 +35,7 @@ std::string profile_key(const deck::Part& roller, const Profile& profile) {
   return "profile";
 }
 
-// Of the same number with and without units, where a/R is known: NaN complains of nothing.
+// Compares numbers in the same unit; a/R converts the lengths. If a/R is NaN, nothing is reported.
 void check_circles(const deck::Part& roller, const Scales& scales, const Profile& profile) {
   const double half = 0.5 * profile.length * scales.a_over_R, end = profile.end_length * scales.a_over_R;
   const char* units = "radii are over R_x, or with _m in metres";
@@ -60,7 +62,7 @@ void check_drop(const deck::Part& roller, const Scales& scales, const Profile& p
                                 over_R, scales.in_SI ? "metres" : "a and a^2/R"));
 }
 
-// Where the roller `is_right` without its tilt.
+// True if the roller without its tilt passes the check `is_right`.
 template <class Right>
 bool tilt_is_at_fault(const Profile& profile, Right is_right) {
   Profile upright = profile;
@@ -99,7 +101,7 @@ void check_width(const deck::Part& roller, const core::Grid& grid, const Profile
                   found.heaviest, found.widest, reach, tilt ? "less tilt" : "a profile that spreads the load"));
 }
 
-// Where the rounding has fallen by what the bodies approach each other it is beside the contact.
+// Where the rounded end has fallen by the approach of the bodies, the contact ends.
 void check_ends(const deck::Part& roller, const core::Grid& grid, const Profile& profile) {
   if (profile.shape != Shape::straight || !roller.deck.errors.empty()) return;
   const double fall = std::sqrt(2.0 * profile.end_radius * contact::roller_contact(profile.length).approach);

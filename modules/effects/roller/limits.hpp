@@ -1,5 +1,5 @@
 #pragma once
-// What no roller can be: profiles and tilts that come from wrong units.
+// Checks for impossible rollers: profiles and tilts that come from wrong units.
 #include "core/grid.hpp"
 #include "deck/deck.hpp"
 #include "effects/roller/keys.hpp"
@@ -7,11 +7,11 @@
 
 namespace ehl::roller {
 
-/// Complains in [roller] where a circle of the profile does not reach the end that it makes, where the profile falls by
-/// more than R, or where so little of the length bears the load that this is no roller.
+/// Reports in [roller]: a circular arc that does not reach its end, a profile that falls by more than R, a roller of
+/// whose length too little carries load.
 void check_profile(deck::Deck& deck, const Scales& scales, const Profile& profile);
-/// Where more of it bears in a place than the domain is wide enough for; and, of a grid that will not be refined, where
-/// it does not see the rounded ends.
+/// Reports a contact that is somewhere wider than the domain; and, for a grid that will not be refined, rounded ends
+/// that the mesh does not resolve.
 void check_on_grid(deck::Deck& deck, const core::Grid& grid, const Profile& profile);
 
 }  // namespace ehl::roller

@@ -1,5 +1,5 @@
 #pragma once
-// The shape of a roller along its axis: what the gap gains across the motion. Y in a, gaps in a^2/R.
+// Profile of a roller along its axis, as a contribution to the gap. Y in a, gaps in a^2/R.
 #include <functional>
 
 #include "core/field.hpp"
@@ -7,20 +7,20 @@
 
 namespace ehl::roller {
 
-/// What the deck asks of a traced profile, and what was found of it. Lengths in a, heights in a^2/R.
+/// Treatment of a measured profile and its results. Lengths in a, heights in a^2/R.
 struct Trace {
-  bool level = false;          ///< take the straight line of least squares away
-  double shortest_wave = 0.0;  ///< cut-off wavelength of the Gaussian filter; 0: the trace stays as it is
-  double slope = 0.0;          ///< dH/dY that was taken away
-  double rough = 0.0;          ///< Rq of waves up to longest_of_roughness (trace.hpp) that the profile carries
-  double rough_before = 0.0;   ///< the same before smoothing
+  bool level = false;          ///< subtract the least-squares line
+  double shortest_wave = 0.0;  ///< cut-off wavelength of the Gaussian filter; 0: no smoothing
+  double slope = 0.0;          ///< dH/dY that was subtracted
+  double rough = 0.0;          ///< Rq of the profile in waves up to longest_of_roughness (trace.hpp)
+  double rough_before = 0.0;   ///< Rq before smoothing
 };
 
 struct Profile {
   enum class Shape {
-    straight,     ///< over all but end_length at each end, which fall as (Y - Y_s)^2/(2 end_radius)
+    straight,     ///< straight, and at both ends over end_length falling as (Y - Y_s)^2/(2 end_radius)
     crowned,      ///< Y^2/(2 crown_radius)
-    logarithmic,  ///< Lundberg's, with the end of Johns and Gohar
+    logarithmic,  ///< Lundberg's profile with the end correction of Johns and Gohar
     table
   };
   Shape shape = Shape::logarithmic;
@@ -31,20 +31,20 @@ struct Profile {
   double design_load = 1.0;   ///< over the load
   std::function<double(double Y)> table{};
   Trace trace{};      ///< of a table
-  double tilt = 0.0;  ///< dH/dY: at Y > 0 the roller stands further off
+  double tilt = 0.0;  ///< dH/dY: the gap grows towards y > 0
 };
 
-/// How far the surface falls from that of a straight roller, 0 in the middle.
-/// logarithmic: under the design load Q the pressure is Hertz' on every slice of the dry contact but near the ends,
+/// Drop of the surface below that of a straight roller, 0 in the middle. logarithmic: under the design load Q every
+/// slice of the dry contact has Hertz' pressure, except near the ends:
 ///   (Q/4) ln 1/[1 - (1 - 0.6066 sqrt(Q)/length) (2 Y/length)^2],
-/// which is 2 F'/(pi E') ln(..) in SI. source: Lundberg 1939; Johns and Gohar 1981, who keep the end finite.
+/// in SI 2 F'/(pi E') ln(..). source: Lundberg 1939; Johns and Gohar 1981 (finite drop at the end).
 /// limits: |Y| <= length/2.
 double drop(const Profile& profile, double Y);
 
-/// Adds drop and tilt at the nodes.
+/// Adds drop and tilt to S at all nodes.
 void add_gap(const Profile& profile, const core::Patch& grid, core::Field& S);
 
-/// True where drop and tilt are those of -Y too.
+/// True if drop and tilt are symmetric in Y.
 bool symmetric(const Profile& profile);
 
 }  // namespace ehl::roller

@@ -9,7 +9,7 @@
 namespace ehl::roller {
 namespace {
 
-// Good enough to begin with: a hundredth of a thin film.
+// Tolerance of the dry start, well below the error that the oil film adds.
 constexpr double tolerance_of_start = 1e-4;
 
 }  // namespace

@@ -18,8 +18,8 @@ Bearing bearing(const Profile& profile) {
   }
   const double nearer_end = std::min(gap.front(), gap.back());
   std::ranges::sort(gap);
-  // The n slices that stand out most bear all of it: n approach - sum of their gaps = slices mean. More of them bear as
-  // long as the approach reaches the next one.
+  // If the n slices with the smallest gaps carry the load, n approach - sum of their gaps = slices mean. n grows as
+  // long as the approach exceeds the gap of the next slice.
   double sum = 0.0, approach = 0.0;
   int loaded = 0;
   do {

@@ -9,10 +9,10 @@
 namespace ehl::roller {
 namespace {
 
-/// Share of the length on which the roughness is measured: the ends fall, and lie outside of the contact.
+/// Share of the length on which the roughness is measured; the ends lie outside the contact.
 constexpr double inner = 0.8;
 
-// Slope of the straight line of least squares.
+// Slope of the least-squares line.
 double slope_of(const std::vector<double>& Y, const std::vector<double>& H) {
   double Y_mean = 0.0, H_mean = 0.0;
   const auto n = static_cast<double>(Y.size());
@@ -41,7 +41,7 @@ double roughness_of(const std::vector<double>& Y, const std::vector<double>& H, 
 
 void condition(const std::vector<double>& Y, std::vector<double>& H, bool mirrored, Profile& profile) {
   std::vector<double> all_Y = Y, all_H = H;
-  const std::size_t half = mirrored ? Y.size() - 1 : 0;  // points on the other side
+  const std::size_t half = mirrored ? Y.size() - 1 : 0;  // mirrored points
   for (std::size_t k = 0; k < half; ++k) {
     all_Y.insert(all_Y.begin(), -Y[k + 1]);
     all_H.insert(all_H.begin(), H[k + 1]);

@@ -14,10 +14,10 @@ double by_passes(double r, double gamma, int passes) {
 }
 
 double gamma_of(double r, double factor) {
-  constexpr double nothing = 0.01;  // nearer to r or 1 an error of the film of 0.5 % changes gamma by a half and more
+  constexpr double nothing = 0.01;  // closer to r or 1, gamma is ill-conditioned [bench: starvation_gamma_margin]
   constexpr double least = 0.5, most = 30.0;
   if (!(factor < (1.0 - nothing) * std::fmin(r, 1.0))) return std::numeric_limits<double>::quiet_NaN();
-  double below = least, above = most;  // by_supply grows with gamma
+  double below = least, above = most;  // by_supply() increases with gamma
   for (int step = 0; step < 60; ++step) {
     const double middle = 0.5 * (below + above);
     (by_supply(r, middle) < factor ? below : above) = middle;
@@ -35,7 +35,7 @@ double by_meniscus(double m, double Hc_flooded) {
 double lost_by_pass(const contact::Ellipse& shape, double lambda, const rheology::ViscosityLaw& viscosity,
                     const rheology::DensityLaw& density) {
   if (!contact::circular(shape) && shape.angle != 0.0) return std::numeric_limits<double>::quiet_NaN();
-  // The trapezoidal rule: the integrand is even and smooth about both ends.
+  // The trapezoidal rule converges fast here, because the integrand is even and smooth about both ends.
   constexpr std::size_t intervals = 400;
   constexpr double step = std::numbers::pi / intervals;
   std::array<double, intervals + 1> P{}, log_eta{}, rho{};
@@ -45,7 +45,7 @@ double lost_by_pass(const contact::Ellipse& shape, double lambda, const rheology
   double I = 0.0;
   for (std::size_t k = 0; k <= intervals; ++k)
     I += (k == 0 || k == intervals ? 0.5 : 1.0) * step * std::exp(-log_eta[k]) / (rho[k] * rho[k]);
-  // dP/dY = -Y/(b^2 sqrt(1 - X^2/a^2)) beside y = 0, with a and b in a: 1 and kappa.
+  // dP/dY = -Y/(b^2 sqrt(1 - X^2/a^2)) near y = 0, with the semi-axes 1 and kappa in units of a.
   return 2.0 * I / (lambda * shape.kappa * shape.kappa);
 }
 

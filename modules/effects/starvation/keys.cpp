@@ -7,7 +7,7 @@ namespace ehl::starvation {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::infinity();
-/// A thousand passes of 128 cells take minutes.
+/// Upper bound of the number of overrollings, each of which needs a solution. [bench: starvation_most_passes]
 constexpr double most_passes = 10000.0;
 
 }  // namespace
@@ -136,7 +136,7 @@ Input read(deck::Deck& deck, const Scales& scales) {
   if (supply.given("layer_m")) input.H_oil = layer / scales.height;
   if (supply.given("flow_m3_per_s")) input.H_oil = flow / (u_m * scales.width * scales.a) / scales.height;
   if (supply.given("flow_m2_per_s")) input.H_oil = supply.number("flow_m2_per_s") / u_m / scales.height;
-  // What leaves the contact on surface 1, and what of the supply is on it.
+  // Shares of surface 1 in the outflow and in the supply.
   const double on_1 = scales.in_SI ? scales.u1 / (scales.u1 + scales.u2) : 0.5;
   const double split = supply.given("split") ? supply.number("split") : on_1;
   double brought_on_1 = on_1;

@@ -8,8 +8,8 @@ namespace ehl::subsurface {
 
 /// The deck keys of this effect: section [subsurface].
 std::vector<deck::Key> keys();
-/// in: Poisson's ratio of body 1, for a deck that gives none here; NaN where it gives none at all; whether the friction
-/// of the contact is computed, which a deck that gives no traction here takes.
+/// in: nu1, Poisson's ratio of body 1, used unless the deck gives one here; NaN: not given; friction_is_computed: the
+/// computed friction is used unless the deck gives a traction here.
 Parameters read(deck::Deck& deck, double nu1, bool friction_is_computed);
 
 }  // namespace ehl::subsurface

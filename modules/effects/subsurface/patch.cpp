@@ -25,8 +25,8 @@ Stress over_corners(Corner corner, double x, double y, double z, double half_x, 
 
 // With V = int p/R and chi = int p ln(R + z) over the rectangle (Love):
 //   2 pi sigma_xx = 2 nu V_z - z V_xx - (1 - 2 nu) chi_xx,   2 pi sigma_zz = V_z - z V_zz,
-//   2 pi tau_xy = -(1 - 2 nu) chi_xy - z V_xy,               2 pi tau_xz = -z V_xz;
-// the terms below are the antiderivatives of V_z, V_xx, .. in u and v.
+//   2 pi tau_xy = -(1 - 2 nu) chi_xy - z V_xy,               2 pi tau_xz = -z V_xz.
+// The terms below are the antiderivatives of V_z, V_xx, .. in u and v.
 Stress normal_corner(double u, double v, double z, double nu) {
   const double R = std::sqrt(u * u + v * v + z * z);
   const double R_minus_z = (u * u + v * v) / (R + z);
@@ -34,7 +34,7 @@ Stress normal_corner(double u, double v, double z, double nu) {
   const double V_z = -std::atan2(u * v, z * R);
   const double z_V_xx = -u * v * z / (a * R);
   const double z_V_yy = -u * v * z / (b * R);
-  // atan(v/u) - atan(v z/(u R)), without the jump of either at u = 0.
+  // atan(v/u) - atan(v z/(u R)), written without the jump of either term at u = 0.
   const double chi_xx = std::atan2(u * v * R_minus_z, u * u * R + v * v * z);
   const double chi_yy = std::atan2(u * v * R_minus_z, v * v * R + u * u * z);
   const double compressible = 1.0 - 2.0 * nu;
@@ -48,14 +48,15 @@ Stress normal_corner(double u, double v, double z, double nu) {
   return s;
 }
 
-// With V as above of q, F = int q ln(R + z), F1 = int q (z ln(R + z) - R):
+// With V as above but of q, F = int q ln(R + z), F1 = int q (z ln(R + z) - R):
 //   2 pi sigma_xx = 2 (1 + nu) V_x + 2 nu F1_xxx - z F_xxx,   2 pi sigma_yy = 2 nu V_x + 2 nu F1_xyy - z F_xyy,
 //   2 pi sigma_zz = -z V_xz,   2 pi tau_xy = V_y + 2 nu F1_xxy - z F_xxy,
 //   2 pi tau_xz = V_z - z V_xx,   2 pi tau_yz = -z V_xy.
 Stress shear_corner(double u, double v, double z, double nu) {
   const double R = std::sqrt(u * u + v * v + z * z);
   const double a = u * u + z * z;
-  // ln(R + v) and ln(R + u) but for what the other corners take away; exact far to the negative side too.
+  // ln(R + v) and ln(R + u), except for terms that cancel in the sum over the corners; also accurate for large negative
+  // v, u.
   const double ln_R_v = std::asinh(v / std::sqrt(a));
   const double ln_R_u = std::asinh(u / std::sqrt(v * v + z * z));
   const double v_share = v / (R + z), u_share = u / (R + z);
@@ -80,7 +81,7 @@ Stress shear_patch(double x, double y, double z, double half_x, double half_y, d
 
 namespace {
 
-// The second invariant of the deviator.
+// Second invariant of the deviator.
 double J2(const Stress& s) {
   const double one = s[xx] - s[yy], two = s[yy] - s[zz], three = s[zz] - s[xx];
   return (one * one + two * two + three * three) / 6.0 + s[xy] * s[xy] + s[xz] * s[xz] + s[yz] * s[yz];
@@ -90,7 +91,7 @@ double J2(const Stress& s) {
 
 double mises(const Stress& stress) { return std::sqrt(3.0 * J2(stress)); }
 
-// The principal values of the deviator are 2 sqrt(J2/3) cos(angle + 2 pi k/3), k = -1, 0, 1, 0 <= angle <= pi/3.
+// Principal values of the deviator: 2 sqrt(J2/3) cos(angle + 2 pi k/3), k = -1, 0, 1, 0 <= angle <= pi/3.
 double largest_shear(const Stress& s) {
   const double second = J2(s);
   if (second == 0.0) return 0.0;

@@ -64,7 +64,7 @@ PlaneSum::PlaneSum(const core::Grid& grid, const core::Field& P, const Body& bod
   }
 }
 
-// The stress below a cell at offsets 0..nx, 0..ny; neighbouring cells share their corners.
+// Stress below a cell at the offsets 0..nx, 0..ny; neighbouring cells share their corners.
 void PlaneSum::fill_kernels(double z, Work& work) const {
   const bool sheared = body_.friction != 0.0;
   const int columns = grid_.nodes_y();
@@ -95,7 +95,8 @@ void PlaneSum::fill_kernels(double z, Work& work) const {
   }
 }
 
-// One row of the kernel around offset d_x, or -d_x, into the real buffer; the two loads have opposite parities in x.
+// Writes one row of the kernel, at offset d_x or -d_x, to the real buffer. Pressure and shear have opposite parities in
+// x.
 void PlaneSum::row_of_kernel(int component, int d_x, bool left, Work& work) const {
   const int columns = grid_.nodes_y();
   const double sign_x = left && normal_is_odd_in_x(component) ? -1.0 : 1.0;
@@ -134,7 +135,7 @@ void PlaneSum::transform_kernel(int component, Work& work) const {
   }
 }
 
-// The kernel's columns: transform, times P's spectrum, back; then the rows.
+// Transforms the columns of the kernel, multiplies by the spectrum of P, and transforms columns and rows back.
 void PlaneSum::sum(Work& work, core::Field& out) const {
   double* block = work.block_.data();
   double* transformed = work.transformed_.data();

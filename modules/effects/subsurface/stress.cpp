@@ -29,7 +29,7 @@ constexpr QuantityRecord records[quantities] = {
     {"tau_xz", "shear stress"},
     {"tau_yz", "shear stress"}};
 
-// Densest below the surface, where friction and pressure spikes act.
+// Exponent of the depths: planes are densest near the surface, where friction and pressure spikes act.
 constexpr double grading = 1.5;
 
 double value_of(Quantity quantity, const Stress& s) {
@@ -46,10 +46,10 @@ double value_of(Quantity quantity, const Stress& s) {
   return 0.0;
 }
 
-// Three values along an axis: positions and values; the middle one is the largest.
+// Parabola through three values along an axis, of which the middle one is the largest.
 struct Peak {
-  double shift = 0.0;  // from the middle
-  double rise = 0.0;   // above the middle
+  double shift = 0.0;  // of the maximum from the middle node
+  double rise = 0.0;   // of the maximum above the middle value
 };
 Peak parabola(double before, double after, double f_before, double f, double f_after) {
   const double a = f_before - f, b = f_after - f;  // at -before and +after
@@ -60,7 +60,7 @@ Peak parabola(double before, double after, double f_before, double f, double f_a
   return {shift, slope * shift + curvature * shift * shift};
 }
 
-// The first node that has the largest value.
+// The first node with the largest value.
 struct Best {
   int plane = 0;
   int i = 0;
@@ -90,8 +90,8 @@ void take_plane(const StressFields& stress, const core::Grid& grid, Quantity qua
     for (int j = 0; j < grid.nodes_y(); ++j) out(i, j) = value_of(quantity, stress_of(stress, i, j));
 }
 
-// Within so many cells of the surface the pressure is felt cell by cell: below a spike at (50, 10) the largest shear
-// stress there was 0.333, 0.374, 0.513 p_h on 129, 257, 513 nodes. Parabolas through such values overshoot.
+// Depth in cells within which the single cells of pressure are visible below a spike: the largest stress grows with the
+// mesh there, and parabolas overshoot. [bench: subsurface_felt]
 constexpr double felt = 2.0;
 double shallow(const core::Grid& grid) { return felt * (grid.line ? grid.hx() : std::max(grid.hx(), grid.hy())); }
 
@@ -123,7 +123,7 @@ Best best_of(const core::Grid& grid, const std::vector<core::Field>& planes) {
   return best;
 }
 
-// The two that the maxima are searched in, then what else is kept.
+// The two quantities whose maxima are reported, and the other ones to keep.
 std::vector<Quantity> computed(const Parameters& parameters) {
   std::vector<Quantity> list{sigma_mises, tau_max};
   for (const Quantity quantity : parameters.kept)
@@ -172,18 +172,18 @@ double expected_bytes(const core::Grid& contact, const Parameters& parameters, i
 
 double expected_seconds(const core::Grid& contact, const Parameters& parameters) {
   const core::Grid grid = stress_grid(contact, parameters);
-  constexpr double seconds_per_pair = 3e-9;  // of nodes, of a line contact
+  constexpr double seconds_per_pair = 3e-9;  // of nodes, for a line contact
   if (grid.line) return seconds_per_pair * parameters.planes * std::pow(grid.nodes_x(), 2);
-  constexpr double seconds_per_node_and_plane = 1.2e-6;  // one thread, 64 to 512 cells: 0.9e-6 to 1.3e-6
+  constexpr double seconds_per_node_and_plane = 1.2e-6;  // one thread [bench: subsurface_seconds]
   return seconds_per_node_and_plane * parameters.planes * static_cast<double>(grid.nodes_x()) * grid.nodes_y();
 }
 
 namespace {
 
-// One plane by the thread `t`. in: z; out: its stresses.
+// Computes one plane on thread `t`. in: z; out: its stresses.
 using Plane = std::function<void(double z, int t, StressFields& stress)>;
 
-// All planes, each by the thread that is free.
+// All planes; each goes to the next free thread.
 void compute(const Plane& evaluate, StressField& field, int line, int team, const Observer& observe) {
   const int planes = field.parameters.planes;
   int done = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// The stress field below a contact, from its pressure.
+// Stress field below a contact, from its pressure.
 #include <functional>
 #include <string>
 #include <vector>
@@ -10,73 +10,73 @@
 
 namespace ehl::subsurface {
 
-/// Everything that can be asked for: the two equivalent stresses, and the components.
+/// All quantities a deck can ask for: two equivalent stresses and the components.
 enum Quantity { sigma_mises, tau_max, sigma_x, sigma_y, sigma_z, tau_xy, tau_xz, tau_yz };
 inline constexpr int quantities = 8;
 /// Name in the deck and in the result.
 const char* name(Quantity quantity);
-/// What it is, for the result.
+/// Description in the result.
 const char* meaning(Quantity quantity);
 
 struct Parameters {
   double depth = 2.0;     ///< of the lowest plane [a]
-  int planes = 41;        ///< surface and lowest included
+  int planes = 41;        ///< including the surface and the lowest plane
   int most_cells = 128;   ///< along x
   double nu = 0.3;        ///< Poisson's ratio of the body
-  double friction = 0.0;  ///< shear traction on the body's surface along +x, over the pressure; NaN: to be computed
+  double friction = 0.0;  ///< shear traction on the surface along +x over the pressure; NaN: take the computed friction
   std::vector<Quantity> kept = {sigma_mises, tau_max};
 };
 
-/// The largest value of all nodes and planes, and of a parabola through the neighbours along each axis; within two
-/// cells of the surface that of the nodes.
+/// Largest value, by a parabola through the largest node and its neighbours along each axis. Within two cells of the
+/// surface it is the nodal value.
 struct Maximum {
   double value = 0.0;  ///< [p_h]
   double X = 0.0;      ///< [a]
   double Y = 0.0;
   double Z = 0.0;
-  double on_node = 0.0;  ///< largest value of the nodes
+  double on_node = 0.0;  ///< largest nodal value
 };
 
-/// A quantity in space: one field per plane.
+/// A quantity on all planes, one field per plane.
 struct Volume {
   Quantity quantity;
   std::vector<core::Field> planes;
 };
 
-/// Lengths in a, stresses in p_h; tension positive. The body lies at z >= 0, below the surface z = 0.
+/// Lengths in a, stresses in p_h; tension positive. The body occupies z >= 0.
 struct StressField {
   Parameters parameters;
   core::Grid grid;                   ///< of every plane
-  std::vector<double> depths;        ///< of the planes, from 0 on
-  std::vector<Volume> kept;          ///< what the parameters ask for
-  double section_Y = 0.0;            ///< where the section lies: Y = 0 or the line next to it
-  std::vector<core::Field> section;  ///< every quantity along x (first index) and depth (second)
+  std::vector<double> depths;        ///< of the planes, beginning with 0
+  std::vector<Volume> kept;          ///< quantities that the parameters ask for
+  double section_Y = 0.0;            ///< Y of the section: 0 or the nearest line
+  std::vector<core::Field> section;  ///< every quantity over x (first index) and depth (second)
   Maximum mises, shear;
   std::vector<std::string> warnings;
   double seconds = 0.0;
 };
 
-/// Depths of the planes, 0 = z_0 < .. < z_{n-1} = depth, z_k = depth (k/(n-1))^1.5: closer to each other at the
-/// surface.
+/// Depths of the planes, 0 = z_0 < .. < z_{n-1} = depth, z_k = depth (k/(n-1))^1.5: denser near the surface.
 std::vector<double> depths_of(const Parameters& parameters);
 
-/// The grid of the stresses: the contact's, halved until it has at most parameters.most_cells cells along x, as long as
-/// both numbers of cells are even.
+/// Grid of the stresses: that of the contact, coarsened until it has at most parameters.most_cells cells along x, as
+/// long as both numbers of cells are even.
 core::Grid stress_grid(const core::Patch& contact, const Parameters& parameters);
 
-/// Bytes that stress_below() takes, nearly.
+/// Approximate memory of stress_below() in bytes.
 double expected_bytes(const core::Grid& contact, const Parameters& parameters, int threads);
-/// Its seconds on one thread of a machine of the 2020s, nearly.
+/// Approximate time of stress_below() in seconds, on one thread.
 double expected_seconds(const core::Grid& contact, const Parameters& parameters);
 
-/// Told after every plane how many are done, by one thread at a time. Returns false when the user asked to stop.
+/// Called after each plane with the number of finished planes, by one thread at a time. Returns false if the user asked
+/// to stop.
 using Observer = std::function<bool(int planes_done)>;
 
-/// The stresses below P. in: P on the nodes of all of a domain; threads >= 1.
-/// Of a line contact those of plane strain, directly (strip.hpp), else by transforms (plane_sum.hpp).
-/// A coarser stress grid takes P by full weighting, which keeps the load. Each cell carries its node's pressure.
-/// order: 2 in the mesh size for z > 0 (patch.hpp, README.md); cost: 12 transforms of four times the nodes per plane.
-/// Same bits for any number of threads. errors: core::Interrupted.
+/// Stresses below P. in: P on the nodes of the whole domain; threads >= 1. Line contacts: plane strain by direct sums
+/// (strip.hpp); else Fourier transforms (plane_sum.hpp). A coarser stress grid takes P by full weighting, which
+/// conserves the load. Each cell carries its node's pressure.
+/// order: 2 in the mesh size for z > 0 (patch.hpp, README.md). cost: 12 transforms of four times the nodes per plane.
+/// The result does not depend on the number of threads. errors: core::Interrupted.
 StressField stress_below(const core::Grid& grid, const core::Field& P, const Parameters& parameters, int threads,
                          const Observer& observe = {});
 

@@ -8,7 +8,7 @@
 namespace ehl::subsurface {
 namespace {
 
-// The angle t of a corner's direction, its double's sine and cosine, and the logarithm of the distance.
+// Direction from a corner: angle t, sin 2t, cos 2t, and ln r.
 struct Direction {
   double t, sine, cosine, ln_r;
 };
@@ -17,7 +17,7 @@ Direction direction(double u, double z) {
   return {std::atan2(z, u), 2.0 * u * z / square, (u * u - z * z) / square, 0.5 * std::log(square)};
 }
 
-// Of a strip from -half_x to half_x: what its right corner has more than its left one.
+// Difference between the right and the left corner of a strip from -half_x to half_x.
 Direction between(double x, double z, double half_x) {
   const Direction right = direction(x - half_x, z), left = direction(x + half_x, z);
   return {right.t - left.t, right.sine - left.sine, right.cosine - left.cosine, right.ln_r - left.ln_r};

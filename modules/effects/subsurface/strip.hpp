@@ -1,7 +1,7 @@
 #pragma once
-// Stresses below a line contact: plane strain, strips of uniform load that have no end along y.
+// Stresses below a line contact (plane strain): uniformly loaded strips of infinite length along y.
 //
-// Axes, units and signs are those of patch.hpp: z >= 0 below the surface, tension positive.
+// Axes, units and signs as in patch.hpp: z >= 0 below the surface, tension positive.
 #include "core/field.hpp"
 #include "core/grid.hpp"
 #include "effects/subsurface/patch.hpp"
@@ -9,18 +9,18 @@
 
 namespace ehl::subsurface {
 
-/// Stress at (x, z) below a strip of 2 half_x around x = 0 under p = 1; with t the angle from +x of the direction from
-/// a corner, and corner(x - half_x) - corner(x + half_x):
+/// Stress at (x, z) below a strip of width 2 half_x around x = 0 under p = 1, as corner(x - half_x) - corner(x +
+/// half_x), t the angle of the direction from the corner, measured from +x:
 ///   2 pi sigma_xx = -(2 t + sin 2t),   2 pi sigma_zz = -(2 t - sin 2t),   2 pi tau_xz = cos 2t,
-/// sigma_yy = nu (sigma_xx + sigma_zz). in: z >= 0, z > 0 at x = +-half_x. source: Johnson, Contact Mechanics (1985),
+/// sigma_yy = nu (sigma_xx + sigma_zz). in: z >= 0; z > 0 at x = +-half_x. source: Johnson, Contact Mechanics (1985),
 /// section 2.5.
 Stress normal_strip(double x, double z, double half_x, double nu);
-/// The same under q = 1 along +x, with r the distance from a corner:
+/// Stress below the same strip under q = 1 along +x, r the distance from the corner:
 ///   2 pi sigma_xx = 4 ln r - cos 2t,   2 pi sigma_zz = cos 2t,   2 pi tau_xz = -(2 t + sin 2t).
 Stress shear_strip(double x, double z, double half_x, double nu);
 
-/// The plane at depth z below a line contact, cell by cell. in: grid.line; P on its nodes; a cell hx wide lies around
-/// every node and carries the node's pressure. out: on the grid's three lines.
+/// Stresses in the plane at depth z below a line contact, by direct summation. in: grid.line; P on its nodes; each node
+/// has a cell of width hx around it that carries its pressure. out: on the grid's three lines.
 /// cost: O(N^2) for N nodes, four products each.
 void stress_of_line(const core::Grid& grid, const core::Field& P, const Body& body, double z, StressFields& stress);
 
