@@ -7,16 +7,16 @@ namespace ehl::judgement {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-/// Factors of safety with two levels and with more. measured: bench_coverage, 24 contacts on 64 to 512 cells: the
-/// estimate held the error of Hc in 184 of 185 runs and that of Hm in 181; 1.25 is also Roache's of three grids.
+/// Safety factors with two levels and with more; 1.25 is also Roache's factor for three grids. [bench: safety]
 constexpr double safety_of_two = 1.5;
 constexpr double safety = 1.25;
-/// Error of the first-order wedge over h/Hm^(2/3): 0.10 to 0.42 were measured in Hc.
+/// Error of the first-order wedge over h/Hm^(2/3). [bench: first_order_share]
 constexpr double first_order_share = 0.35;
-/// Error of the second-order wedge over h^2/Hm^(4/3), at most; for one grid alone.
+/// Upper bound on the error of the second-order wedge over (h/Hm^(2/3))^2, for a single grid. [bench:
+/// error_of_one_grid]
 constexpr double second_order_share = 0.85;
 
-// A mesh size over the width of the zones in which the film is made; infinite for a film that is not positive.
+// Mesh size over the width of the zones in which the film forms; infinite for a film that is not positive.
 double step_in_zones(double h, double Hm) {
   return Hm > 0.0 ? h / std::pow(Hm, 2.0 / 3.0) : std::numeric_limits<double>::infinity();
 }
@@ -33,7 +33,7 @@ ErrorEstimate estimate_error(std::span<const double> values, double scheme_order
   const double lowest_order = 0.5 * scheme_order;
   if (n > 2) order = std::isfinite(observed) ? std::clamp(observed, lowest_order, scheme_order) : lowest_order;
   const double factor = n > 2 ? safety : safety_of_two;
-  // Changes that fall much faster than the scheme's are about to change their sign.
+  // Changes that fall much faster than the scheme's order are about to change sign.
   const double change =
       n > 2 ? std::max(std::abs(last_change), std::abs(values[n - 2] - values[n - 3]) / std::exp2(scheme_order + 1.0))
             : std::abs(last_change);

@@ -1,5 +1,5 @@
 #pragma once
-// The discretization error of a film thickness from the sequence of levels.
+// The discretization error of a film thickness, estimated from the sequence of grids.
 #include <limits>
 #include <span>
 
@@ -7,42 +7,39 @@ namespace ehl::judgement {
 
 struct ErrorEstimate {
   double relative_error = 0.0;  ///< |error of the last value / last value|; NaN with fewer than two values
-  double order = 0.0;           ///< observed order; NaN with fewer than three values or where it has no meaning
+  double order = 0.0;           ///< observed order; NaN with fewer than three values or if it has no meaning
 };
 
-/// Error of the last of several values, each from a grid of half the mesh size of the one before:
+/// Error of the last of several values, each from a grid with half the mesh size of the one before:
 ///   order p = log2((v_{k-1} - v_{k-2}) / (v_k - v_{k-1})),   error = s |v_k - v_{k-1}| / (2^p - 1).
-/// p is held between half the scheme's order and the scheme's order: a sequence that is not yet asymptotic, or whose
-/// differences change their sign, must not promise more than the scheme can give. With two values p is the scheme's
-/// order. A change that is less than 2^-(scheme's order + 1) of the one before counts as that much: differences that
-/// are about to change their sign are small by accident, and say nothing of the error. s is the safety factor, 1.25 for
-/// three values or more and 1.5 for two: the README of this module says what it was measured on. Never below `least`.
+/// p is kept between half the scheme's order and the scheme's order, because a sequence that is not yet asymptotic, or
+/// whose differences change sign, must not promise more than the scheme can give. With two values p is the scheme's
+/// order.
+/// The last change counts as at least 2^-(scheme's order + 1) of the one before: differences that are about to change
+/// sign are small by accident. s is the safety factor, 1.25 for three values or more and 1.5 for two. [bench: safety]
+/// out: never below `least`.
 ErrorEstimate estimate_error(std::span<const double> values, double scheme_order, double least = 0.0);
 
-/// Relative error below which the first-order wedge does not promise to be, 0.35 h/Hm^(2/3). Hm^(2/3) is the width of
-/// the zones in which the film is made (resolution.hpp); the error of Hc and Hm is 0.15 to 0.42 times h over it, with a
-/// second-order part of the other sign that hides it from the differences of coarse grids.
-/// in: h mesh size, Hm > 0 smallest film there. out: infinite for a film that is not positive.
+/// Lower bound on the relative error of the first-order wedge, 0.35 h/Hm^(2/3), where Hm^(2/3) is the width of the
+/// zones in which the film forms (steady/resolution.hpp). A second-order part of opposite sign may hide that error from
+/// the differences of coarse grids. [bench: first_order_share]
+/// in: h mesh size, Hm > 0 minimum film there. out: infinite for a film that is not positive.
 double first_order_floor(double h, double Hm);
 
-/// Relative error below which upstream3 does not promise to be, in units of (h/Hm^(2/3))^2: its errors of Hm change
-/// their sign from grid to grid, and the sequence may tell none. measured: bench_coverage's contacts on 128 to 512
-/// cells. The errors of the fitted Hm are 0.002 to 0.17, 0.05 in the median, of Hc 0.001 to 0.03 and above only where
-/// the sequence tells them.
+/// Lower bounds on the relative errors of upstream3, in units of (h/Hm^(2/3))^2. The errors of Hm change sign from grid
+/// to grid, so that the grid sequence may show none. [bench: third_order_floor]
 inline constexpr double third_order_floor_of_Hc = 0.01;
 inline constexpr double third_order_floor_of_Hm = 0.15;
 double third_order_floor(double h, double Hm, double share);
 
-/// Relative error of Hc and Hm on a grid that has none to be compared with, from the width of the zones in which the
-/// film is made: with s = h/Hm^(2/3), 0.85 s^2 for the second-order wedge and 0.35 s max(1, s) for the first-order one.
-/// in: as above. out: infinite for a film that is not positive. A rough bound: on 64 cells nine of ten errors are below
-/// it, half of them by more than a factor of 2.
+/// Rough bound on the relative error of Hc and Hm on a single grid. With s = h/Hm^(2/3) it is 0.85 s^2 for the
+/// second-order wedge and 0.35 s max(1, s) for the first-order one. [bench: error_of_one_grid]
+/// in: as above. out: infinite for a film that is not positive.
 double error_of_one_grid(double h, double Hm, double scheme_order);
 
-/// Relative errors of the last Hc and Hm, Hm between the nodes, where the inlet's meniscus lies anywhere in its cells
-/// on each level and the changes swing: of Hm the last change, or half of the one before, and what `safety` asks of the
-/// last change of Hc at order 2, with a fifth of Hm's. measured: r = 0.2 to 1.8 on 128 to 512 cells against 1024,
-/// 40 contacts for the rule and 16 others with it (tests/bench/starved_bars.csv).
+/// Relative errors of the last Hc and Hm (Hm between the nodes) with a meniscus at the inlet. Its place within a cell
+/// differs from level to level, so that the changes alternate. Hm: the last change, or half of the one before. Hc: the
+/// safety factor times a third of the last change, plus a fifth of the error of Hm. [bench: starved_bars]
 /// in: both of the same length. out: NaN with fewer than two values.
 struct FilmErrors {
   double Hc = 0.0, Hm = 0.0;
@@ -55,14 +52,14 @@ struct Extrapolation {
   double relative_error = unknown;
 };
 
-/// Of what an extrapolation adds, the share that is never trusted: for Hc, whose order comes out within a few
-/// hundredths, and for the fitted minimum, part of whose error depends on where between the nodes the minimum lies.
+/// Share of the correction by extrapolation that always counts as uncertain. The order of Hc is observed reliably; part
+/// of the error of the fitted minimum depends on where between the nodes the minimum lies.
 inline constexpr double unsure_of_Hc = 0.05;
 inline constexpr double unsure_of_Hm = 0.2;
 
-/// Richardson's v_k + (v_k - v_{k-1})/(2^p - 1), p the scheme's order; its error from what it changed since the
-/// extrapolation one level below, and at least the share `unsure` of what was added. NaN with fewer than three values,
-/// and where that error is as large as the value, or the value of the other sign: the levels then tell none.
+/// Richardson extrapolation v_k + (v_k - v_{k-1})/(2^p - 1), where p is the scheme's order. Its error is the change
+/// since the extrapolation one level below, but at least the share `unsure` of the correction. out: NaN with fewer than
+/// three values, if that error is as large as the value, or if the extrapolated value has the other sign.
 Extrapolation extrapolate(std::span<const double> values, double scheme_order, double unsure);
 
 }  // namespace ehl::judgement

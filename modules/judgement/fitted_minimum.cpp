@@ -8,11 +8,11 @@
 namespace ehl::judgement {
 namespace {
 
-/// Cells along x and y beyond which a fit is not followed. The valley of the film beside the contact is oblique and
-/// five times as long as wide: along it the smallest node is often a cell or two from the minimum.
+/// Cells along x and y beyond which a fit is rejected. The valley of the film beside the contact is oblique and much
+/// longer than wide: along it the smallest node is often a cell or two from the minimum.
 constexpr double reach = 2.5;
 
-/// A place near a node, in cells from it, and the film there.
+/// A point near a node, in cells from it, and the film there.
 struct Near {
   int i, j;
   double x = 0.0, y = 0.0;
@@ -25,7 +25,7 @@ std::optional<Near> minimum_of_paraboloid(const core::Patch& grid, const core::F
   const double g = 0.5 * (H(i + 1, j) - H(i - 1, j));
   const double k = 0.5 * (H(i, j + 1) - H(i, j - 1));
   const double a = H(i + 1, j) - 2.0 * H(i, j) + H(i - 1, j);
-  // Of a line contact nothing changes along Y.
+  // A line contact does not vary along Y.
   const double c = grid.domain.line ? 1.0 : H(i, j + 1) - 2.0 * H(i, j) + H(i, j - 1);
   const double b = 0.25 * (H(i + 1, j + 1) - H(i + 1, j - 1) - H(i - 1, j + 1) + H(i - 1, j - 1));
   const double determinant = a * c - b * b;
@@ -36,7 +36,8 @@ std::optional<Near> minimum_of_paraboloid(const core::Patch& grid, const core::F
   return Near{i, j, x, y, film(i, j) + 0.5 * (g * x + k * y)};
 }
 
-/// Through five nodes along a line: what each contributes t cells from the middle one, and its first two derivatives.
+/// Interpolation through five nodes along a line: the weight of each at t cells from the middle one, and its first two
+/// derivatives.
 struct Along {
   std::array<double, 5> value, slope, curvature;
 };
@@ -56,7 +57,7 @@ Along along(double t) {
   return at;
 }
 
-/// From the paraboloid's minimum on, by Newton's method; in the middle five nodes along x and y.
+/// Newton's method from the paraboloid's minimum; the point stays in the middle of the five nodes along x and y.
 std::optional<Near> minimum_of_quartic(const core::Patch& grid, const core::Field& film, const Near& begin) {
   constexpr int most_steps = 20;
   constexpr double longest_step = 0.5, at_rest = 1e-8;
@@ -97,7 +98,7 @@ struct Fit {
   Near at;
   bool quartic = false;
 };
-/// in: the smallest node.
+/// in: i, j, the smallest node.
 Fit fit(const core::Patch& grid, const core::Field& film, int i, int j) {
   const Near node{i, grid.domain.line ? 1 : j, 0.0, 0.0, film(i, j)};
   const std::optional<Near> paraboloid = minimum_of_paraboloid(grid, film, node.i, node.j);
@@ -114,7 +115,7 @@ FittedMinimum fitted_minimum(const core::Patch& grid, const core::Field& film, i
   return {at.value, grid.X(at.i) + at.x * grid.hx(), grid.Y(at.j) + at.y * grid.hy()};
 }
 
-// At a minimum the film is level: where that is does not matter to first order.
+// At a minimum the film is level, so that its place does not matter to first order.
 std::vector<NodeWeight> weights_of_fitted_minimum(const core::Patch& grid, const core::Field& film, int i, int j) {
   const auto [at, quartic] = fit(grid, film, i, j);
   const auto [x, y] = std::pair(at.x, at.y);

@@ -11,9 +11,9 @@
 namespace ehl::judgement {
 namespace {
 
-/// |X|, |Y|, in Hertz radii or half sides of the rectangle around the ellipse, up to which the contact is looked at for
-/// its mass balance: all of the thin film, the spike and the constrictions, and little of the inlet, through which a
-/// hundred or a thousand times more flows back and forth.
+/// |X| and |Y|, in half sides of the rectangle around the ellipse (Hertz radii for a circle), up to which mass balance
+/// is checked. The region contains all of the thin film, the spike and the constrictions, but little of the inlet,
+/// where far more oil flows back and forth.
 constexpr double contact_reach = 1.5;
 
 // Half the sides of the rectangle around an outline.
@@ -21,7 +21,7 @@ struct Sides {
   double X, Y;
 };
 Sides sides_of(const core::QuadraticForm& outline) {
-  if (outline.YY == 0.0) return {1.0 / std::sqrt(outline.XX), 0.5};  // a line contact: of its one line
+  if (outline.YY == 0.0) return {1.0 / std::sqrt(outline.XX), 0.5};  // for the single line of a line contact
   const double determinant = outline.XX * outline.YY - 0.25 * outline.XY * outline.XY;
   return {std::sqrt(outline.YY / determinant), std::sqrt(outline.XX / determinant)};
 }
@@ -31,7 +31,7 @@ struct Interpolation {
   std::array<double, 4> weights{};
 };
 
-// Lagrange's cubic through four nodes around the position t (in cells).
+// Cubic Lagrange interpolation through four nodes around the position t (in cells).
 Interpolation interpolation(double t, int cells) {
   if (std::abs(t - std::round(t)) < 1e-9) {
     const int node = static_cast<int>(std::round(t));
@@ -49,7 +49,7 @@ Interpolation interpolation(double t, int cells) {
   return result;
 }
 
-/// Spikes stand where the dry contact has less than this share of its largest pressure.
+/// A spike lies where the dry contact has less than this share of its largest pressure.
 constexpr double of_rim = 0.8;
 
 double largest_on_rim(const core::Patch& grid, const core::Field& P, const core::QuadraticForm& outline) {

@@ -9,29 +9,30 @@
 namespace ehl::judgement {
 namespace {
 
-/// Foretold algebraic error allowed in Hc and Hm, as a share of the estimated discretization error: a tenth is
-/// promised, and both numbers are estimates.
+/// Largest estimated algebraic error of Hc and Hm, as a share of the estimated discretization error. Both are
+/// estimates, so the limit is half of the promised tenth.
 constexpr double algebraic_share = 0.05;
 /// Largest relative residual and load error of a solution at the level of the discretization error.
 constexpr double loose_residual = 4e-3;
 constexpr double loose_load_error = 1e-4;
-/// Mass that may appear or vanish around the contact: a share of the discretization error of Hc, and what is always
-/// allowed; relative to the flow through the contact.
+/// Largest mass imbalance around the contact, relative to the flow through it: a share of the discretization error of
+/// Hc, but never less than the second number. [bench: flow_share]
 constexpr double flow_share = 0.25;
 constexpr double least_flow_licence = 1e-4;
-/// Largest residual, relative to the wedge term, of a cavitated node whose equation wants pressure.
+/// Largest complementarity violation: residual, relative to the wedge term, of a cavitated node that calls for
+/// pressure.
 constexpr double largest_dry_violation = 2e-2;
-/// Relative residual asked for where the discretization error is unknown.
+/// Required relative residual if the discretization error is unknown.
 constexpr double default_tolerance = 1e-6;
-/// No cycle is trusted to reduce the error by more, or by less, than this; Hm follows the residual with delay.
+/// Bounds on the convergence factor in the error estimate; Hm follows the residual with delay.
 constexpr double best_factor = 0.25;
 constexpr double worst_factor = 0.9;
-/// The start of a level may by chance be closer to the solution than what its first cycle leaves.
+/// Lower bound for the first cycle of a level, whose start may by chance be closer to the solution than its result.
 constexpr double best_factor_at_first = 0.5;
-/// Relative rounding noise of Hc and Hm.
+/// Relative rounding error of Hc and Hm.
 constexpr double rounding = 1e-11;
-/// The first grid has cycled enough when the last cycle changed Hc and Hm by less than this, a few hundredths of what
-/// such a grid is wrong by, at least after this many cycles.
+/// The cycles on the first grid may stop when the last one changed Hc and Hm by less than this, far less than such a
+/// grid's discretization error, after at least this many cycles.
 constexpr double settled_change = 1e-3;
 constexpr int fewest_first_cycles = 3;
 /// A state with this relative residual solves the equations, whatever else is wrong with it.
@@ -39,10 +40,10 @@ constexpr double solved_residual = 1e-5;
 
 std::string text(double value) { return std::isfinite(value) ? fmt::format("{:.2e}", value) : "not finite"; }
 
-// What no state may have, whatever else is asked.
+// Checks that every state must pass.
 std::string impossible(const Measures& now) {
   if (!std::isfinite(now.Hm + now.least_P)) return "the cycles diverged: the film or the pressure is not finite";
-  // At (0, 0) it may be interpolated.
+  // Hc may be an interpolated value.
   if (const double least = std::min(now.Hm, now.Hc); !(least > 0.0))
     return "the film is negative at its thinnest, H = " + text(least) +
            ": the mesh is too coarse for this contact; use more cells";

@@ -1,5 +1,5 @@
 #pragma once
-// When the cycles on a level are enough, and when a solution may be called converged.
+// When the cycles on a level may stop, and when a solution counts as converged.
 #include <limits>
 #include <string>
 
@@ -7,70 +7,69 @@
 
 namespace ehl::judgement {
 
-/// A larger discretization error than this is no licence to stop earlier: its estimate is too uncertain.
+/// Largest discretization error that the checks use: a larger estimate is too uncertain to stop earlier.
 inline constexpr double largest_licence = 0.05;
 
-/// Of the oil that comes in, where mass is conserved; rounding leaves 1e-13 on 513^2.
+/// Largest oil imbalance relative to the inflow, with mass conservation: far above rounding.
 inline constexpr double largest_oil_imbalance = 1e-10;
 
-/// Two states of the finest level, one cycle apart, and what is known of the discretization error there.
+/// Two states of the finest level, one cycle apart, and the estimated discretization error.
 struct LastCycle {
   Measures before;
   Measures after;
-  double error_Hc = 0.0;  ///< estimated relative discretization error; NaN where unknown
+  double error_Hc = 0.0;  ///< estimated relative discretization error; NaN if unknown
   double error_Hm = 0.0;
-  bool first = false;  ///< the first cycle after an interpolation: its change foretells little
+  bool first = false;  ///< true for the first cycle after an interpolation, whose change predicts little
 };
 
-/// What further cycles would still change in Hc or Hm, relative: the last cycle's change times q/(1 - q), q the factor
-/// by which that cycle reduced the residual, held between 0.25 (0.5 for a first cycle) and 0.9. in: value =
-/// &Measures::Hc or Hm.
+/// Estimated algebraic error of Hc or Hm, relative: the last cycle's change times q/(1 - q). q is the convergence
+/// factor of that cycle, kept between 0.25 and 0.9; for a first cycle it is at least 0.5. in: value = &Measures::Hc or
+/// &Measures::Hm.
 double foretold_error(const LastCycle& cycle, double Measures::*value);
 
-/// The first check that the state does not pass, as a sentence with numbers and a remedy; empty when it passes all.
+/// The first check that the state fails, as a sentence with numbers and a remedy; empty if it passes all.
 ///   Film positive and P >= 0 everywhere.
-///   With a tolerance, and with 1e-6 where the discretization error is unknown (one level): relative residual and load
-///   error at or below it. With tolerance NaN: residual and load error small (4e-3, 1e-4), and the algebraic error of
-///   Hc and Hm, as foretold_error has it, below a twentieth of the discretization error.
-///   No cavitated node that wants pressure, by more than 2e-2 of the wedge term.
-///   Mass conserved around the contact (Measures::flow_imbalance): to a quarter of the discretization error of Hc,
-///   or 1e-4 where that is smaller.
-/// The README of this module says what the limits were measured on.
+///   With a tolerance (1e-6 if the discretization error is unknown, as with one level): relative residual and load
+///   error at most the tolerance. With tolerance NaN: residual and load error at most 4e-3 and 1e-4, and the estimated
+///   algebraic error of Hc and Hm below a twentieth of the discretization error.
+///   Complementarity: no cavitated node that calls for pressure with a residual above 2e-2 of the wedge term.
+///   Mass conserved around the contact (Measures::flow_imbalance) to a quarter of the discretization error of Hc, or to
+///   1e-4 if that is larger.
 std::string unmet_check(const LastCycle& cycle, double tolerance);
 
-/// What is wrong with the oil of a steady film, likewise: it balances to 1e-10.
+/// The failed check of the oil balance of a steady film, as a sentence; empty if it balances to largest_oil_imbalance.
 std::string unmet_oil(const Measures& now);
 
-/// The same for a level below the finest, whose solution is only a start: positive film, and the algebraic error of Hc
-/// and Hm as above.
+/// The failed check of a level below the finest, whose solution is only a start: positive film, and the algebraic error
+/// of Hc and Hm as in unmet_check(); empty if it passes.
 std::string unmet_film(const LastCycle& cycle);
 
-/// What the cycles on a level are for.
+/// The purpose of the cycles on a level.
 enum class Aim {
-  first_start,  ///< the first grid, from which the others start: its film has settled
-  start,        ///< a level below the finest: its film, as unmet_film has it
-  solution,     ///< the finest: all checks, as unmet_check has it
-  residual      ///< residual and load error at or below the tolerance, and nothing else
+  first_start,  ///< the first grid, from which the finer ones start: its film has settled
+  start,        ///< a level below the finest: unmet_film()
+  solution,     ///< the finest level: all of unmet_check()
+  residual      ///< only residual and load error at most the tolerance
 };
 
-/// When to stop.
+/// The stopping criterion of the cycles.
 struct StoppingCriterion {
   Aim aim = Aim::solution;
-  int planned = 2;                                              ///< cycles at least; with a tolerance, none
-  int most = 60;                                                ///< cycles at most
+  int planned = 2;                                              ///< least number of cycles; none with a tolerance
+  int most = 60;                                                ///< largest number of cycles
   double tolerance = std::numeric_limits<double>::quiet_NaN();  ///< NaN: the level of the discretization error
   double of_start = std::numeric_limits<double>::infinity();    ///< largest relative residual of a start
 };
 
-/// More cycles cannot mend it: the equations are solved, by a film that is negative.
+/// True if further cycles cannot help: the equations are solved, but by a film that is negative.
 bool no_solution(const Measures& now);
 
 struct Verdict {
-  std::string unmet;  ///< what is wrong with the state; empty when nothing
+  std::string unmet;  ///< the check that failed, empty if none
   bool no_solution = false;
 };
 
-/// The criterion on the states before and after a cycle, numbered from 1.
+/// Applies the criterion to the states before and after a cycle, numbered from 1.
 Verdict judged(const StoppingCriterion& criterion, int cycle, const LastCycle& last);
 
 }  // namespace ehl::judgement
