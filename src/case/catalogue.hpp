@@ -3,8 +3,8 @@
 
 namespace ehl::program {
 
-/// Every key of this version, collected from the modules that use them and from the list of effects, and what people
-/// will look for in vain. Made once.
+/// All keys of this version, collected from the modules that use them and from the list of effects, and the features
+/// that users may look for but this version lacks. The catalogue is built once.
 const deck::Catalogue& catalogue();
 
 }  // namespace ehl::program

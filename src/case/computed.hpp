@@ -1,5 +1,5 @@
 #pragma once
-// What a run has computed.
+// The results of a run.
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,36 +15,36 @@
 
 namespace ehl::program {
 
-/// A value of a field and where it is, in Hertz radii.
+/// A value of a field and its place, in Hertz radii.
 struct Place {
   double value = 0.0;
   double X = 0.0;
   double Y = 0.0;
 };
 
-/// Central and minimum film by a published formula, as H = h R/a^2; NaN: the formula does not say.
+/// Central and minimum film of a published formula, as H = h R/a^2; NaN: the formula does not give it.
 struct Formula {
   std::string name{};
-  std::string code{};  ///< in names of columns: nvm, hd, chittenden
+  std::string code{};  ///< in the names of columns: nvm, hd, chittenden
   double Hc = 0.0;
   double Hm = 0.0;
 };
 
-/// Of a formula from the film computed, over that; NaN: one of them is unknown, or the film is below zero on too coarse
-/// a mesh.
+/// The relative deviation (formula - computed)/computed. NaN if one of them is unknown, or if the computed film is not
+/// positive because the mesh is too coarse.
 inline double deviation(double formula, double computed) {
   return computed > 0.0 ? formula / computed - 1.0 : core::unknown;
 }
 
-/// The film beside the roughness of the surfaces, in a^2/R.
+/// The film and the roughness of the surfaces, in a^2/R.
 struct Roughness {
-  double Sq = 0.0;     ///< root mean square of the heights of both surfaces together, sqrt(Sq1^2 + Sq2^2)
-  double Hm = 0.0;     ///< smallest film of smooth surfaces; NaN where nothing tells it
-  std::string from{};  ///< that film: empty where this solution is one of smooth surfaces, else the formula
+  double Sq = 0.0;     ///< root mean square height of both surfaces combined, sqrt(Sq1^2 + Sq2^2)
+  double Hm = 0.0;     ///< minimum film of smooth surfaces; NaN if it is not known
+  std::string from{};  ///< source of Hm: a formula; empty if Hm is that of this solution, whose surfaces are smooth
   double lambda_ratio() const { return Hm / Sq; }
 };
 
-/// NaN: not known in this case (nanometres of a dimensionless contact).
+/// NaN: not known in this case, such as a film in nanometres if the contact is dimensionless.
 struct Outcome {
   double Hc = 0.0;
   Place Hm{};
@@ -54,52 +54,53 @@ struct Outcome {
   double hc = 0.0;  ///< [m]
   double hm = 0.0;  ///< [m]
   std::vector<Formula> formulas{};
-  std::optional<Roughness> roughness{};  ///< nothing: none is stated or measured
+  std::optional<Roughness> roughness{};  ///< nothing: the roughness is neither stated nor measured
   std::string regime{};
   std::vector<std::string> warnings{};
 };
 
-/// Fields that are computed from the solution for the result only.
+/// Fields that are computed from the solution only for the result file.
 struct DerivedFields {
   core::Field rho_bar{};
   core::Field ln_eta_bar{};
-  core::Field S{};  ///< of surfaces at rest
+  core::Field S{};  ///< height of the surfaces at rest
 };
 
-/// A contact with heat, or with an oil that the pressure's own flow thins, beside the one without.
+/// The solution with heat, or with an oil that thins by the pressure flow, and numbers of the solution without it.
 struct HeatResult {
-  heat::Solution found{};  ///< but for the film, which is the contact's
-  double mu = 0.0;         ///< sliding friction over the load
+  heat::Solution found{};  ///< the solution except its film, which is that of the contact
+  double mu = 0.0;         ///< sliding friction divided by the load
   double mu_isothermal = 0.0;
-  bool unlikely = false, unlikely_isothermal = false;  ///< a stress that no oil carries (friction::unlikely)
-  std::vector<std::string> friction_warnings{};        ///< of mu
+  bool unlikely = false, unlikely_isothermal = false;  ///< the shear stress exceeds what an oil can
+                                                       ///< bear (friction::unlikely)
+  std::vector<std::string> friction_warnings{};        ///< warnings about mu
   double Hc_isothermal = 0.0, Hm_isothermal = 0.0;
 };
 
-/// Of the one that there is; nullptr: neither.
+/// The fields of whichever of the two exists; nullptr if neither does.
 inline const heat::Fields* fields_of_film(const std::optional<HeatResult>& heat,
                                           const std::optional<HeatResult>& flow) {
   return heat ? &heat->found.fields : (flow ? &flow->found.fields : nullptr);
 }
 
-/// How a roller carries its load; with oil, on the grid of half as many cells, and without oil.
+/// The load distribution of a roller: with oil, with oil on a grid of half as many cells, and without oil.
 struct RollerResult {
   roller::Distribution found{};
-  bool solved = true;  ///< the contact; else half as many cells are not tried
+  bool solved = true;  ///< the contact was solved; otherwise the coarser grid is not tried
   std::optional<roller::Distribution> coarser{};
   roller::Distribution dry{};
-  /// False where a spike may still grow, or hide between the nodes: what half as many cells say tells nothing of the
-  /// highest pressures and of the stresses.
+  /// False if a pressure spike may still grow or lie between the nodes. The coarser grid then gives no error bars for
+  /// the highest pressures and the stresses.
   bool pressures_settle = true;
-  /// Largest von Mises stress below the middle and below the ends, where [subsurface] is on, and on the coarser grid.
+  /// Largest von Mises stress below the middle and below the ends, if [subsurface] is on; also on the coarser grid.
   double mises_middle = 0.0, mises_end = 0.0;
   double mises_middle_coarser = 0.0, mises_end_coarser = 0.0;
   double seconds = 0.0;
 };
 
-/// The contact, and what each effect has added to it.
+/// The contact, and the results of each effect.
 struct Computed {
-  steady::Solution solution{};  ///< of a dry contact grid, P and whether it converged
+  steady::Solution solution{};  ///< for a dry contact only the grid, P and whether it converged
   std::optional<dry::Solution> dry{};
   Outcome outcome{};
   DerivedFields derived{};
@@ -109,7 +110,7 @@ struct Computed {
   std::optional<HeatResult> heat{};
   std::optional<RollerResult> roller{};
   std::optional<HeatResult> flow{};  ///< isothermal, with [shear] flow = on
-  double seconds = 0.0;              ///< of all of it
+  double seconds = 0.0;              ///< computing time of the whole run
 };
 
 }  // namespace ehl::program

@@ -13,13 +13,13 @@ namespace {
 using deck::complain;
 using deck::given;
 
-// A dry contact is the circle of radius 1; roughness spreads it a little.
+// A dry contact is a circle of radius 1; roughness makes it slightly larger.
 constexpr double chosen_edge = 1.5;
 constexpr int chosen_cells = 256;
 
 struct Meaningless {
   std::string section;
-  std::vector<std::string> keys;  // none: all of them
+  std::vector<std::string> keys;  // empty: all keys of the section
 };
 
 const std::vector<Meaningless> of_a_film = {

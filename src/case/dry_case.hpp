@@ -1,5 +1,5 @@
 #pragma once
-// The contact without lubricant: from the deck.
+// Reads a contact without lubricant from the deck.
 #include <optional>
 
 #include "case/physical_input.hpp"
@@ -10,14 +10,15 @@ namespace ehl::program {
 
 struct DryInput {
   dry::Parameters parameters{};
-  std::optional<ElasticContact> contact{};  ///< nothing: in units of Hertz' contact
+  std::optional<ElasticContact> contact{};  ///< nothing: the contact is dimensionless, in units of the Hertz contact
 };
 
-/// Nothing where the contact is lubricated. Else every key that speaks of a film is refused where it is given and
-/// dropped where it is a default, and domain and cells are chosen where they are open.
+/// Nothing if the contact is lubricated. For a dry contact, a key about the film is an error if it is given, and is
+/// dropped if it is a default; domain and cells are chosen if the deck leaves them open.
 std::optional<DryInput> dry_input(deck::Deck& deck);
 
-/// Its scales, for all that lies on or below it: no oil, no motion, no groups. Without a contact in SI: none.
+/// The scales of the contact, for everything that lies on it or below it. There is no oil, motion or dimensionless
+/// group. A contact that is not in SI has no scales.
 Physics dry_physics(const DryInput& input);
 
 }  // namespace ehl::program

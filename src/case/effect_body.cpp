@@ -1,4 +1,4 @@
-// A body that moves under the load and the film's pressure.
+// The effect `body`: a body that moves under the load and the film's pressure.
 #include <fmt/core.h>
 
 #include <numbers>

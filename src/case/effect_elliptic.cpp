@@ -1,4 +1,4 @@
-// Bodies of two radii each, and long ones.
+// The effect `elliptic`: bodies with two principal radii, and line contacts.
 #include <fmt/core.h>
 
 #include "case/effects.hpp"

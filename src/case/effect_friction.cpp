@@ -1,4 +1,4 @@
-// Friction on both surfaces.
+// The effect `friction`: friction on both surfaces.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ Needs expense(const Case& input) {
   return {.bytes = nodes * sizeof(double) * kept, .seconds = nodes * seconds_per_node};
 }
 
-// How far the oil goes.
+// The region in which friction is computed.
 std::string reach_of(const Case& input) {
   const double meniscus = input.friction->meniscus;
   if (std::isinf(meniscus)) return "as far as the gap goes";
@@ -105,7 +105,7 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
   content.summary.push_back({"friction_warnings", deck::joined(friction::warnings(f), "\n"), "", "one a line"});
 }
 
-// rho_bar H where the pressure is highest.
+// The mass flow rho_bar H at the pressure maximum, where the flow by the pressure gradient is zero.
 double flow_of(const steady::Scene& scene, const steady::Solution& solution) {
   const core::Location highest = core::maximum(solution.P);
   double rho_bar = 1.0;
@@ -113,14 +113,14 @@ double flow_of(const steady::Scene& scene, const steady::Solution& solution) {
   return rho_bar * solution.H(highest.i, highest.j);
 }
 
-// What goes on upstream of a line. Heat lets the same flow leave less pressure behind, as if all were slower: by so
-// much that the pressure at the first node is the one that the contact was solved with.
+// The state of the far field upstream of a line contact. Heat reduces the pressure there as a lower speed would, at the
+// same flow. The equivalent speed is the one with which the far field has the solved pressure at the first node.
 reynolds::FarState state_upstream(const reynolds::FarField& field, const steady::Scene& scene,
                                   const steady::Solution& solution, bool warm) {
   reynolds::FarState state{.H00 = solution.H00, .flow = flow_of(scene, solution)};
   const double there = solution.P(0, 1);
   if (!warm || there <= 0.0) return state;
-  constexpr int rounds = 30;  // a fixed point with a contraction factor of alpha P, which is small there
+  constexpr int rounds = 30;  // fixed-point iteration; its contraction factor is alpha P, which is small in the inlet
   for (int k = 0; k < rounds; ++k)
     if (const double P = field.P(field.at(solution.grid.X_a, 0.0), solution.H(0, 1), state); P > 0.0)
       state.speed *= there / P;

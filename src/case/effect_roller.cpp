@@ -1,4 +1,4 @@
-// Rollers of finite length.
+// The effect `roller`: rollers of finite length.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@
 namespace ehl::program {
 namespace {
 
-// What was done to a traced profile, and what it has of roughness.
+// The filters and the roughness of a traced profile.
 std::string trace_text(const Case& input) {
   const roller::Profile& profile = *input.roller;
   const roller::Trace& trace = profile.trace;
@@ -50,12 +50,12 @@ std::string asymmetry(const Case& input) {
   return roller::symmetric(*input.roller) ? "" : "the table of its profile";
 }
 
-// The grid of half as many cells, and the dry contact.
+// The cost of the grid of half as many cells; that of the dry contact is small.
 Needs expense(const Case& input) { return {.seconds = basic_needs(input.scene).seconds}; }
 
-constexpr int fewest_cells = 64;  // of a grid that the multigrid begins on
+constexpr int fewest_cells = 64;  // of the coarser grid, so that the multigrid method can start on it
 
-// in: traced, a profile that an instrument has traced: its roughness may keep the coarser grid from a solution.
+// in: traced: the profile was measured; its roughness may prevent a solution on the coarser grid.
 std::optional<steady::Solution> on_coarser_grid(steady::Scene scene, bool traced, RunSettings& settings) {
   if (scene.grid.nx < 2 * fewest_cells || scene.grid.nx % 2 != 0 || scene.grid.ny % 4 != 0) return std::nullopt;
   scene.grid = core::coarsened(scene.grid);
@@ -76,12 +76,13 @@ std::optional<steady::Solution> on_coarser_grid(steady::Scene scene, bool traced
 roller::Distribution dry_distribution(const steady::Scene& scene, bool solved) {
   const core::Patch grid = steady::on_one_half(scene) ? core::lower_half(scene.grid) : core::Patch(scene.grid);
   dry::Problem problem = roller::dry_problem(scene, grid);
-  problem.parameters.tolerance = solved ? 1e-6 : 1e-3;  // of films of 0.001 and more; else of none
+  problem.parameters.tolerance = solved ? 1e-6 : 1e-3;  // relative to the films of the solution; coarser if there is
+                                                        // no solution to compare with
   const dry::Solution dry = dry::solve(problem);
   return roller::distribution(dry.grid, dry.P, dry.H);
 }
 
-/// Largest von Mises stress of the nodes in the middle half of the length and near the ends.
+/// Largest von Mises stress at the nodes of the middle half of the length, and near the ends.
 struct Stresses {
   double middle = core::unknown, end = core::unknown;
 };
@@ -111,11 +112,11 @@ void compute(const Case& input, RunSettings& settings, Computed& computed) {
   const double began = core::now();
   RollerResult result{.found = roller::distribution(computed.solution.grid, computed.solution.P, computed.solution.H)};
   result.pressures_settle = computed.solution.error_bars.P_max_converging;
-  steady::Scene scene = input.scene;  // on the grid that an accuracy has led to
+  steady::Scene scene = input.scene;  // with the grid that was found for the accuracy
   scene.grid = computed.solution.grid;
   scene.accuracy = {};
   result.dry = dry_distribution(scene, computed.solution.converged);
-  // A contact that was not solved has nothing to compare.
+  // Without a solution of the contact, a coarser grid has nothing to compare with.
   std::optional<steady::Solution> coarser;
   result.solved = computed.solution.converged;
   if (result.solved) coarser = on_coarser_grid(scene, input.roller->trace.rough > 0.0, settings);

@@ -1,4 +1,4 @@
-// Oil that thins where it is sheared.
+// The effect `shear`: an oil that thins under shear.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -30,7 +30,7 @@ std::string what(const Case& input) {
 }
 
 std::string idle(const Case& input) {
-  // srr = 0 is a point of a traction curve.
+  // A traction curve may contain the point srr = 0.
   const bool one_of_a_curve = input.friction || input.heat || input.flow_thinning;
   if (input.scene.thinning->k == 0.0 && !one_of_a_curve)
     return "the surfaces do not slide (srr = 0), and the laws thin an oil that sliding shears: remove [shear], or give "
@@ -66,11 +66,12 @@ Json json(const Case& input, const Computed& computed) {
   return report;
 }
 
-// A second epsilon on every level, and the laws' roots and logarithms in every sweep; passes.
+// The cost: a second epsilon on every level, the roots and logarithms of the law in every sweep, and the
+// iterations for flow thinning.
 Needs expense(const Case& input) {
   const core::Grid& grid = input.scene.grid;
   constexpr double fields = 4.0 / 3.0;
-  const double share = input.flow_thinning && !input.heat ? 4.0 : 0.15;  // of the time of the basic model
+  const double share = input.flow_thinning && !input.heat ? 4.0 : 0.15;  // share of the time of the basic model
   return {.bytes = fields * sizeof(double) * grid.nodes_x() * grid.nodes_y(),
           .seconds = share * basic_needs(input.scene).seconds};
 }
@@ -91,7 +92,7 @@ Effect shear_effect() {
           .expense = expense,
           .summary = summary,
           .json = json,
-          // Sliding is part of every evaluation of the film: it has no clock of its own.
+          // Thinning by sliding is part of every evaluation of the film and has no time of its own.
           .seconds = [](const Computed& computed) { return computed.flow ? computed.flow->found.seconds : NAN; },
           .example = {"motion.srr=0.5", "contact.a_over_R=0.01", "shear.law=eyring", "shear.tau_0=5e6"}};
 }

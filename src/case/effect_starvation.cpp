@@ -1,4 +1,4 @@
-// Oil that is missing.
+// The effect `starvation`: an inlet that lacks oil.
 #include <fmt/core.h>
 
 #include "base/json.hpp"
@@ -20,7 +20,7 @@ std::string what(const Case& input) {
   return text + where + (passes > 1 ? fmt::format(", {} passes", passes) : "");
 }
 
-// The content on every level, the flooded contact beside it, and a steady one for every pass.
+// The cost: the oil content on every level, the flooded contact for comparison, and one steady contact per pass.
 Needs expense(const Case& input) {
   const core::Grid& grid = input.scene.grid;
   constexpr double fields = 4.0 / 3.0 + 2.0;

@@ -1,4 +1,4 @@
-// Stresses below the contact.
+// The effect `subsurface`: stresses below the contact.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ std::string nodes(const core::Grid& grid, std::size_t planes) {
   return fmt::format("{} x {} nodes on {} planes to depth ", grid.nodes_x(), grid.nodes_y(), planes);
 }
 
-// Whether the traction is the one that [friction] computes.
+// True if the traction is the friction computed by [friction].
 bool computes_friction(const Case& input) { return std::isnan(input.subsurface->friction); }
 
 std::string body(const Case& input, const Parameters& parameters) {
@@ -33,7 +33,7 @@ std::string body(const Case& input, const Parameters& parameters) {
   return fmt::format("Poisson's ratio {:.4g}, ", parameters.nu) + traction;
 }
 
-// Without the signs of zeros that rounding leaves.
+// A coordinate that rounding makes almost zero becomes zero, without a sign.
 double shown(double place) { return std::abs(place) < 5e-5 ? 0.0 : place; }
 
 std::string maximum_line(const char* label, const Maximum& maximum, const Physics& physics, const char* mark) {

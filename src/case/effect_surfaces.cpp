@@ -1,4 +1,4 @@
-// What the surfaces carry.
+// The effect `surfaces`: features, waviness and measured heights on the surfaces.
 #include <fmt/core.h>
 
 #include <limits>
@@ -14,8 +14,8 @@
 namespace ehl::program {
 namespace {
 
-// How high it is, of maps the rms, beside the film to expect of smooth surfaces: what cannot be pressed flat pierces
-// it.
+// The height of the feature (for a map its rms) relative to the expected film of smooth surfaces. A height that is not
+// flattened elastically penetrates the film.
 std::string over_film(const CarriedSurface& surface, const steady::Scene& scene) {
   const auto* feature = std::get_if<surface::Feature>(&surface.relief);
   const double height = feature ? feature->height : surface.map->rms;
@@ -39,7 +39,7 @@ std::string what(const Case& input) {
   return deck::joined(shapes, ", ");
 }
 
-// "ridge of surface1 at 30 degrees"
+// Why a surface is not symmetric: "ridge of surface1 at 30 degrees".
 std::string asymmetry_of(const CarriedSurface& one) {
   const auto* feature = std::get_if<surface::Feature>(&one.relief);
   const std::string name = one.shape + " of " + one.section;
@@ -55,25 +55,25 @@ std::string asymmetry(const Case& input) {
   return deck::joined(reasons, ", ");
 }
 
-// Evaluating the shape at every step; and where it is not symmetric, the other half of the domain, in time or at rest.
+// The cost: evaluating the shape in every step; if the shape is not symmetric in Y, also the other half of the domain.
 Needs expense(const Case& input) {
   const core::Grid& grid = input.scene.grid;
   const double nodes = static_cast<double>(grid.nodes_x()) * grid.nodes_y();
-  constexpr double share_of_a_step = 0.05;  // of the time that a step takes
-  constexpr double fields_at_rest = 2.0;    // the film equation's right-hand side, and S for the result
+  constexpr double share_of_a_step = 0.05;  // share of the time of a step
+  constexpr double fields_at_rest = 2.0;    // the right-hand side of the film equation, and S for the result
   if (!input.transient)
     return {.bytes = nodes * sizeof(double) * fields_at_rest,
             .seconds = asymmetry(input).empty() ? 0.0 : basic_needs(input.scene).seconds};
   const Needs one_half = transient_effect().expense(input);
   Needs more{.bytes = nodes * sizeof(double), .seconds = share_of_a_step * one_half.seconds};
   if (asymmetry(input).empty()) return more;
-  constexpr double doubles_of_history = 30.0;  // as those of effect_transient.cpp
+  constexpr double doubles_of_history = 30.0;  // the same value as in effect_transient.cpp
   more.bytes += nodes * sizeof(double) * doubles_of_history;
   more.seconds = 2.0 * more.seconds + one_half.seconds;
   return more;
 }
 
-// What became of each measured map, by the name of its section.
+// The processing of each measured map, by the name of its section.
 nlohmann::ordered_json json(const Case& input, const Computed&) {
   nlohmann::ordered_json report;
   for (const CarriedSurface* one : carried(input.surfaces)) {
@@ -117,7 +117,7 @@ Effect surfaces_effect() {
       .json = json,
       .seconds =
           [](const Computed& computed) {
-            // At rest they are part of the steady contact, and evaluated once on each level.
+            // At rest the surfaces are part of the steady contact and are evaluated once per level.
             return computed.in_time ? computed.in_time->report.seconds_of_surfaces
                                     : std::numeric_limits<double>::quiet_NaN();
           },

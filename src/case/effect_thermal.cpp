@@ -1,4 +1,4 @@
-// Heat in the film and in the bodies.
+// The effect `thermal`: heat in the film and in the bodies.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -36,10 +36,10 @@ std::string what(const Case& input) {
       name_of_solid(input, "solid2"), heat.beta, heat.k, heat.setup.intervals + 1);
 }
 
-// Columns of temperatures and flows, and some twenty fields; passes of a sweep and a cycle.
+// The cost: columns of temperatures and heat flows, other fields, and the iterations between the film and the heat.
 Needs expense(const Case& input) {
   const core::Grid& grid = input.scene.grid;
-  constexpr double in_a_batch = 8.0;  // a line contact has one of columns side by side
+  constexpr double in_a_batch = 8.0;  // a line contact holds one batch of columns
   const double nodes = grid.nodes_x() * (grid.line ? in_a_batch : 0.5 * grid.nodes_y());
   constexpr double columns = 4.0, fields = 40.0;
   const double times_isothermal = grid.line ? 13.0 : 5.0;
@@ -76,7 +76,9 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
     if (kept(input, one.name))
       content.fields.push_back({one.name, "K", std::string("temperature above T_oil: ") + one.meaning, one.field});
   for (results::Quantity& one : thermal_quantities(input, *computed.heat))
-    if (one.name != "mu" || !input.friction) content.summary.push_back(std::move(one));  // or the friction has it
+    if (one.name != "mu" || !input.friction)
+      content.summary.push_back(std::move(one));  // [friction], if present, has added mu
+                                                  // already
   if (kept(input, "section")) add_section(input, fields, content.section);
   content.summary.push_back(
       {"thermal_warnings", deck::joined(thermal_warnings(input, *computed.heat), "\n"), "", "one a line"});

@@ -1,4 +1,4 @@
-// Contacts in time.
+// The effect `transient`: contacts in time.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ std::string what(const Case& input) {
          (input.transient->conditions.conserves_mass ? "; mass is conserved where P = 0" : "");
 }
 
-// Whether measured heights come to the contact before the end.
+// True if measured heights reach the contact before the end.
 bool is_rough(const Case& input) {
   const auto comes = [&](const CarriedSurface* one) {
     const auto* map = std::get_if<surface::HeightMap>(&one->relief);
@@ -37,14 +37,16 @@ bool is_rough(const Case& input) {
 }
 
 Needs expense(const Case& input) {
-  // Of a contact that is symmetric in Y, per node of the whole domain.
-  constexpr double doubles_of_history = 30.0;  // IDA's vectors of P and Q
-  constexpr double doubles_of_frame = 5.0;     // P, H and their place in the file; measured at 128^2 and 256^2
+  // Per node of the whole domain, for a contact that is symmetric in Y. [bench: needs_in_time]
+  constexpr double doubles_of_history = 30.0;  // IDA's history of P and Q
+  constexpr double doubles_of_frame = 5.0;     // P, H and their copies in the file
   constexpr double seconds_per_node_and_step = 2.5e-7;
-  constexpr double seconds_of_coarse_grids = 1.5e-3;     // in each step; measured at 64^2 to 256^2
-  constexpr double seconds_per_node_and_frame = 5.5e-7;  // a film, and writing both; measured with a thousand
-  constexpr double shorter_steps = 3.0;  // than the longest, where what drives the contact varies; measured 1.3 to 7
-  constexpr double more_of_rough = 5.0;  // likewise, and twice the cycles in each; measured with 64 x 64 heights
+  constexpr double seconds_of_coarse_grids = 1.5e-3;     // in each step
+  constexpr double seconds_per_node_and_frame = 5.5e-7;  // computes a film and writes both fields
+  constexpr double shorter_steps = 3.0;                  // number of steps relative to steps of the longest size, if
+                                                         // load, speed or supply varies
+  constexpr double more_of_rough = 5.0;                  // the same for measured heights; the larger number of
+                                                         // cycles per step is included
   const core::Grid& grid = input.scene.grid;
   const double nodes = static_cast<double>(grid.nodes_x()) * grid.nodes_y();
   const transient::MarchParameters& march = input.transient->parameters;

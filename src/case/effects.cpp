@@ -29,7 +29,7 @@ double own_seconds(const Effect& effect, const Computed& computed) {
   return effect.seconds ? effect.seconds(computed) : unknown;
 }
 
-// "2 MB and 0.1 s more"
+// The additional cost of an effect: "2 MB and 0.1 s more".
 std::string cost(const Needs& more) {
   constexpr double shown_bytes = 5e5;
   if (more.bytes < shown_bytes && more.seconds == 0.0) return "less than 1 MB more";
@@ -48,7 +48,7 @@ const char* where(Stage stage) {
   return "after the solution";
 }
 
-// What is computed on, and if it is the whole domain, why.
+// Which part of the domain is computed; if it is the whole domain, the reason.
 std::string symmetry(const Case& input) {
   if (input.scene.grid.line) return "of a line contact, one line is computed";
   const std::vector<std::string> reasons = asymmetries(input);
@@ -91,7 +91,7 @@ std::vector<std::string> basic_model(const Case& input) {
   std::vector<std::string> words;
   for (const Effect& effect : effects())
     if (!effect.without.empty() && !effect.on(input)) words.push_back(effect.without);
-  // A roller is no ellipse, and no circle either; what it is stands with its own effect.
+  // A roller is neither circular nor elliptic; its own effect describes it.
   if (input.roller) std::erase(words, elliptic_effect().without);
   return words;
 }

@@ -1,10 +1,11 @@
 #pragma once
-// What a scene can call for beyond the basic model: one list, from which all that the program says and does about an
-// effect follows: the sections of the deck and their help, `ehl check`, the run, the table of times, the JSON, the
-// result. An effect that a case does not call for is asked whether it is on, and nothing else.
+// The effects: what a scene can contain beyond the basic model. Everything that the program prints and does about an
+// effect comes from this list: its sections of the deck and their help, `ehl check`, the run, the table of times, the
+// JSON, the result. For an effect that is off, only `on` is called (and `read`, which reads the deck).
 //
-// A new one: a file effect_<name>.cpp with its record, a line in effects(), its declaration below. What its section of
-// the deck says goes into the case by `read`: into the scene, or into an optional of its own in Case (scene.hpp).
+// To add an effect, write a file effect_<name>.cpp with its record, declare it below, and add it to
+// effects(). `read` stores the settings of its section of the deck in the case: in the scene, or in an
+// optional of its own in Case (scene.hpp).
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -20,11 +21,11 @@
 
 namespace ehl::program {
 
-/// How a run was asked for.
+/// The settings of a run.
 struct RunSettings {
   Progress& progress;
-  TransientResult before{};  ///< what was kept of a transient before: with a checkpoint it goes on from there
-  /// Writes the result so far: that of the contact, with what `add` adds to it.
+  TransientResult before{};  ///< an earlier run in time; if it has a checkpoint, the run continues from there
+  /// Writes the result so far: the content of the contact, and what `add` adds to it.
   std::function<void(const std::function<void(results::Content& content)>& add)> save{};
 };
 
@@ -33,52 +34,60 @@ struct KeyName {
   std::string name{};
 };
 
-/// Where an effect acts.
+/// The part of the solution that an effect acts on.
 enum class Stage {
-  coefficients,      ///< of the film: gap, viscosity, density
-  after_relaxation,  ///< on what follows the pressure from sweep to sweep
-  unknowns,          ///< it has unknowns of its own, or steps in time
-  after_solution     ///< on nothing: it follows from P and H
+  coefficients,      ///< on the coefficients of the film equations: gap, viscosity, density
+  after_relaxation,  ///< on quantities that follow the pressure from sweep to sweep
+  unknowns,          ///< the effect has unknowns of its own, or steps in time
+  after_solution     ///< on nothing: the effect is computed from P and H afterwards
 };
 
-/// One effect. A function that is not set has nothing to say or to do; all but `read` and `on` are called where it is
-/// on.
+/// One effect. A function that is not set does nothing. All functions except `read` and `on` are called
+/// only if the effect is on.
 struct Effect {
   std::string name{};
   std::string meaning{};
-  std::string (*name_here)(const Case& input) = nullptr;  ///< its name in this case, where that may be another
+  std::string (*name_here)(const Case& input) = nullptr;  ///< its name in this case, if that differs from `name`
   Stage stage = Stage::after_solution;
-  std::string without{};                                  ///< what the basic model has in its place: "steady"
-  std::vector<deck::Section> sections{};                  ///< of the deck, that belong to nothing else
-  std::vector<KeyName> callers{};                         ///< keys that call for it; effects() adds those of sections
-  KeyName costly{};                                       ///< key that governs its memory; none: a caller
-  std::vector<deck::Key> (*keys)() = nullptr;             ///< not set: they stand among those of another module
-  void (*read)(Case& input) = nullptr;                    ///< from the deck; complains there; the scene is made before
+  std::string without{};                                  ///< the word for the basic model
+                                                          ///< without this effect: "steady"
+  std::vector<deck::Section> sections{};                  ///< sections of the deck that belong to this effect alone
+  std::vector<KeyName> callers{};                         ///< keys that enable the effect; effects()
+                                                          ///< adds the keys of `sections`
+  KeyName costly{};                                       ///< the key that determines its
+                                                          ///< memory; empty: the first caller
+  std::vector<deck::Key> (*keys)() = nullptr;             ///< not set: the keys are declared by another module
+  void (*read)(Case& input) = nullptr;                    ///< reads the deck and reports errors in
+                                                          ///< it; the scene exists already
   bool (*on)(const Case& input) = nullptr;                ///< must be set
-  std::string (*what)(const Case& input) = nullptr;       ///< what there is of it in this case, must be set
-  std::string (*idle)(const Case& input) = nullptr;       ///< why it has no influence in this case; empty where it has
-  Needs (*expense)(const Case& input) = nullptr;          ///< beyond the case without it
-  std::string (*asymmetry)(const Case& input) = nullptr;  ///< why the case is not symmetric in Y; empty where it is
+  std::string (*what)(const Case& input) = nullptr;       ///< describes the effect in this case; must be set
+  std::string (*idle)(const Case& input) = nullptr;       ///< why the effect has no influence in
+                                                          ///< this case; empty if it has
+  Needs (*expense)(const Case& input) = nullptr;          ///< the cost in addition to the case without the effect
+  std::string (*asymmetry)(const Case& input) = nullptr;  ///< why the effect breaks the symmetry
+                                                          ///< in Y; empty if it does not
   void (*compute)(const Case& input, RunSettings& settings,
-                  Computed& computed) = nullptr;  ///< after the steady contact
+                  Computed& computed) = nullptr;  ///< called after the steady contact is solved
   std::string (*summary)(const Case& input, const Computed& computed) = nullptr;
-  nlohmann::ordered_json (*json)(const Case& input, const Computed& computed) = nullptr;  ///< the member of its name
+  nlohmann::ordered_json (*json)(const Case& input,
+                                 const Computed& computed) = nullptr;  ///< the JSON member with its name
   void (*add_content)(const Case& input, const Computed& computed, results::Content& content) = nullptr;
-  double (*seconds)(const Computed& computed) = nullptr;  ///< its own, that no other effect counts
-  std::vector<std::string> example{};                     ///< overrides that turn it on in a deck in M and L
-  std::string upon{};                                     ///< the effect that the example needs besides
+  double (*seconds)(const Computed& computed) = nullptr;  ///< its computing time, counted by no other effect
+  std::vector<std::string> example{};                     ///< overrides that enable it in a deck with M and L
+  std::string upon{};                                     ///< another effect that the example requires
 };
 
-/// The list, in the order in which they are computed and spoken of. A section without a meaning has its effect's.
+/// All effects, in the order of computation and of printing. A section without a meaning of its
+/// own gets that of its effect.
 const std::vector<Effect>& effects();
 
-/// Those that the case calls for.
+/// The effects that the case enables.
 std::vector<Effect> effects_of(const Case& input);
 
-/// What the deck says of each effect, into the case. Complains in its deck.
+/// Reads the settings of every effect into the case. Errors are added to its deck.
 void read_effects(Case& input);
 
-/// The entries of the list.
+/// The entries of the list, one per file effect_<name>.cpp.
 Effect elliptic_effect();
 Effect roller_effect();
 Effect transient_effect();
@@ -90,37 +99,38 @@ Effect subsurface_effect();
 Effect friction_effect();
 Effect thermal_effect();
 
-/// The friction of a solution, as the case asks for it or without the cavitated region. in: what heat and the flow's
-/// thinning make of the film, or nullptr.
+/// The friction of a solution, as the case asks for it, else without the cavitated region. in: film: the temperature
+/// and viscosity fields of heat or flow thinning, or nullptr.
 friction::Friction friction_of(const Case& input, const steady::Solution& solution, const heat::Fields* film);
-/// Its numbers, for the report as JSON, the result file and the tables.
+/// The numbers of the friction, for the JSON report, the result file and the tables.
 std::vector<results::Quantity> friction_quantities(const friction::Friction& found);
 
-/// "steady, smooth, ..., fully flooded": what the case leaves to the basic model.
+/// The words for the parts of the basic model that no effect replaces: "steady, smooth, ..., fully flooded".
 std::vector<std::string> basic_model(const Case& input);
 
-/// The keys of the deck that call for the effect, "[transient] end_time = 8"; with_place: and where they stand.
+/// The keys of the deck that enable the effect, "[transient] end_time = 8"; with_place: also where they stand.
 std::vector<std::string> called_by(const Case& input, const Effect& effect, bool with_place);
 
-/// Why the case is not symmetric in Y, an entry for each reason; none: one half of it can be computed.
+/// The reasons why the case is not symmetric in Y. Empty: only one half of the domain is computed.
 std::vector<std::string> asymmetries(const Case& input);
 
-/// Complains in the case's deck about every effect that was called for and has no influence.
+/// Adds an error to the deck for each effect that was enabled and has no influence.
 void refuse_idle(Case& input);
 
-/// Lines of `ehl check`: what is on, what it is in this case, why, and what it will cost; the symmetry in Y.
+/// The lines of `ehl check` about the effects: which are on, their description, reason and cost; the symmetry in Y.
 std::string effect_lines(const Case& input);
 
-/// Seconds and share of the basic model and of each effect; empty where there is none.
+/// Seconds and share of the basic model and of each effect; empty without effects.
 std::string effect_times(const Case& input, const Computed& computed);
 
-/// Adds to a report "effects": [{name, seconds, why, what}], and a member for each effect that has more to say.
+/// Adds to a report "effects": [{name, seconds, why, what}], and one member for each effect
+/// that has numbers of its own.
 void add_effects(const Case& input, const Computed& computed, nlohmann::ordered_json& report);
 
-/// /effects in the result file: name, seconds and why; none where there is no effect.
+/// The group /effects of the result file: name, seconds and reason; empty without effects.
 std::vector<results::EffectRow> effect_rows(const Case& input, const Computed& computed);
 
-/// Adds to a result what the effects keep there, and /effects.
+/// Adds the content of the effects and /effects to a result.
 void add_effects(const Case& input, const Computed& computed, results::Content& content);
 
 }  // namespace ehl::program

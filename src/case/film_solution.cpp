@@ -26,7 +26,7 @@ thermal::Setup setup_of(const Case& input) {
   return setup;
 }
 
-// Of the time of a film, isothermal and then with heat, that of the first. A starved film is solved flooded as well.
+// Shares of the progress: of the isothermal film in a film with heat, and of the starved film next to its flooded one.
 constexpr double share_of_isothermal = 0.2, share_of_starved = 0.6;
 
 steady::Solution flooded_with_heat(steady::Scene scene, const thermal::Setup& setup,
@@ -45,7 +45,7 @@ void take_friction(const Case& input, const steady::Solution& film, HeatResult& 
   result.friction_warnings = friction::warnings(friction);
 }
 
-// The isothermal film, then with heat; the isothermal one alone where there is none.
+// Solves the isothermal film, then the film with heat or flow thinning; only the former if it does not converge.
 FilmSolution solve_in_turn(const Case& input, const steady::Scene& scene, const steady::ProgressCallback& progress) {
   FilmSolution solution{.film = steady::solve(scene, fmg::part_of(progress, 0.0, share_of_isothermal))};
   if (!solution.film.converged) return solution;
@@ -66,17 +66,17 @@ FilmSolution solve_in_turn(const Case& input, const steady::Scene& scene, const 
   return solution;
 }
 
-// Contacts one after another on the track: the bodies come to each of them at their bulk temperatures. The first and
-// the last are solved in turn, those between from the hot contact before.
+// Contacts one after another on a track; the bodies enter each contact at their bulk temperature. The first and the
+// last start from an isothermal film, the others from the hot film of the contact before.
 FilmSolution solve_passes(const Case& input, const steady::Scene& scene, const steady::ProgressCallback& progress) {
   const double began = core::now();
   FilmSolution last;
-  bool went_on = false;  // `last` is this pass's already
+  bool went_on = false;  // true if `last` already holds the solution of this pass
   const auto alone = [](steady::Scene one) {
     one.passes = {};
     return one;
   };
-  // The passes on half as many cells, for the error of the layer, are not shown.
+  // The passes on half as many cells only serve the error of the layer and are not kept.
   const auto shown = [&](const steady::Scene& one) { return one.grid.nx == scene.grid.nx; };
   const auto find = [&](const steady::Scene& one, const steady::ProgressCallback& part) {
     FilmSolution found = solve_in_turn(input, alone(one), part);
@@ -129,7 +129,7 @@ FilmSolution solve_film(const Case& input, const steady::ProgressCallback& progr
   if (!input.heat || std::isnan(input.scene.accuracy.error)) return solve_scene(input, input.scene, progress);
   FilmSolution last;
   const auto solve_on_grid = [&](const steady::Scene& one) {
-    if (std::isnan(one.accuracy.error)) return steady::solve(one);  // for the error of the domain
+    if (std::isnan(one.accuracy.error)) return steady::solve(one);  // a solution for the error of the domain
     steady::Scene alone = one;
     alone.accuracy = {};
     last = solve_scene(input, alone, progress);

@@ -1,5 +1,5 @@
 #pragma once
-// The steady film of a lubricated contact, with heat where the case has it: what a run and a sweep solve alike.
+// Solves the steady film of a lubricated contact, with heat if the case has it, for runs and sweeps.
 #include <optional>
 
 #include "case/computed.hpp"
@@ -11,10 +11,10 @@ namespace ehl::program {
 struct FilmSolution {
   steady::Solution film{};
   std::optional<HeatResult> heat{};
-  std::optional<HeatResult> flow{};  ///< as in Computed
+  std::optional<HeatResult> flow{};  ///< the same as in Computed
 };
 
-/// errors: core::SolverError where there is nothing that could be shown; core::Interrupted.
+/// errors: core::SolverError if there is nothing to show; core::Interrupted.
 FilmSolution solve_film(const Case& input, const steady::ProgressCallback& progress);
 
 }  // namespace ehl::program

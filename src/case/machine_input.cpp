@@ -9,13 +9,13 @@
 namespace ehl::program {
 namespace {
 
-// What the deck says of the bodies, whatever they belong to.
+// True for the keys of the deck that describe the bodies; they are allowed with any machine.
 bool of_the_bodies(const deck::Key& key) {
   static const std::vector<std::string> names{"E1", "nu1", "E2", "nu2", "E_prime", "Sq1", "Sq2"};
   return key.section == "contact" && std::ranges::find(names, key.name) != names.end();
 }
 
-// Refused keys are taken for absent: what else could be said of them would only confuse.
+// A refused key is treated as absent, so that it causes no further messages.
 void refuse_contact(deck::Deck& deck, const machines::Contact& machine) {
   for (std::size_t k = 0; k < deck.values.size(); ++k) {
     const deck::Key& key = deck.catalogue.keys[k];

@@ -1,5 +1,5 @@
 #pragma once
-// The contact of a bearing or of gears: from the deck, into [contact] and [motion].
+// Converts the deck's [bearing] or [gear] to [contact] and [motion].
 #include <optional>
 
 #include "deck/deck.hpp"
@@ -7,8 +7,9 @@
 
 namespace ehl::program {
 
-/// Nothing where [case] kind names none. Else load, radii and speeds are recorded in the deck as [contact] and [motion]
-/// would give them, and those sections may hold what they do not settle: the bodies' moduli and roughness. Complains.
+/// Nothing if [case] kind names no machine. Otherwise load, radii and speeds are recorded in the deck as keys of
+/// [contact] and [motion]. In these sections the deck may still give what does not follow from the machine: moduli and
+/// roughness of the bodies. Errors are added to the deck.
 std::optional<machines::Contact> machine_input(deck::Deck& deck);
 
 }  // namespace ehl::program

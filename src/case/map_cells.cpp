@@ -27,7 +27,7 @@ bool says_missing(const std::string& cell) {
                              [&](const char* one) { return word == one; });
 }
 
-// Every comma has a digit on both sides, and no run of digits and commas has two of them.
+// True if every comma lies between two digits, and no number contains two commas.
 bool commas_are_decimal(const std::string& line) {
   int in_number = 0;
   for (std::size_t k = 0; k < line.size(); ++k) {
@@ -119,7 +119,7 @@ bool is_numbers(const std::string& line) {
     }();
     number |= status == ReadNumber::Status::number || status == ReadNumber::Status::trailing_text;
   }
-  // A first line of which one cell is a number is one of heights.
+  // A first line with one number among its cells is a row of heights, not a heading.
   return number || (cells.size() > 1 && std::ranges::all_of(cells, [](const std::string& cell) {
                       return cell.empty() || says_missing(cell);
                     }));

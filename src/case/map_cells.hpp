@@ -1,51 +1,53 @@
 #pragma once
-// Lines of numbers as instruments and spreadsheets write them.
+// Reads lines of numbers in the forms that instruments and spreadsheets write.
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace ehl::program {
 
-/// A line of the file that is no comment.
+/// A line of the file that is not a comment.
 struct TextLine {
-  int number = 0;  ///< from 1
+  int number = 0;  ///< line number, from 1
   std::string text{};
 };
 
-/// How a file writes its numbers.
+/// The format of the numbers in a file.
 struct Writing {
   char separator = ' ';        ///< ' ': blanks
-  bool decimal_comma = false;  ///< and no decimal point
-  bool at_end = false;         ///< a separator stands at the end of every line
+  bool decimal_comma = false;  ///< a comma instead of the decimal point
+  bool at_end = false;         ///< every line ends with a separator
 };
 
-/// Lines between LF, CR LF or CR.
+/// Splits a text at LF, CR LF or CR.
 std::vector<std::string> lines_of(const std::string& text);
 
-/// The separator of all lines of numbers together: between semicolons or tabs where there are some; between commas
-/// where they are no decimal commas; else between blanks. Commas are decimal where no number has a point, every comma
-/// stands between digits, and another separator is there.
+/// The format of all lines of numbers together. The separator is a semicolon or a tab if one occurs; else a comma,
+/// unless commas are decimal; else a blank. Commas are decimal if no number has a point, every comma lies between
+/// digits, and there is another separator.
 Writing writing_of(const std::vector<TextLine>& lines);
 
-/// The cells of a line, an empty one for what is missing between two separators.
+/// The cells of a line; an empty cell if nothing stands between two separators.
 std::vector<std::string> cells_of(const std::string& line, const Writing& writing);
 
-/// A number; NaN where the cell is empty or a word for a missing point (BAD, NaN, ***). wrong: what else it is.
+/// The number in a cell; NaN if the cell is empty or has a word for a missing point (BAD, NaN, ***). out: wrong:
+/// the cell, if it is neither.
 double height_of(const std::string& cell, const Writing& writing, std::string& wrong);
 
-/// True where every cell is a number or says that a point is missing.
+/// True if every cell is a number or marks a missing point.
 bool is_numbers(const std::string& line);
 
-/// "name: value", "name = value", "name value": name in lower case, value; both empty where the line is none of them.
+/// Splits "name: value", "name = value" or, with by_blank, "name value". out: the name in lower case, and the value;
+/// both empty for any other line.
 std::pair<std::string, std::string> entry_of(const std::string& line, bool by_blank);
 
-/// Metres of a unit: m, mm, um, µm, nm, pm, A; NaN: another word.
+/// The unit in metres: m, mm, um, µm, nm, pm, A; NaN for another word.
 double metres_of(const std::string& unit);
 
-/// "64 µm", "2e-6 m" in metres; NaN: no length.
+/// A length with its unit, "64 µm" or "2e-6 m", in metres; NaN if the text is no length.
 double length_of(const std::string& text);
 
-/// What stands in brackets, "z [nm]", "x (um)"; empty: nothing.
+/// The text in brackets, "z [nm]" or "x (um)"; empty if there are none.
 std::string in_brackets(const std::string& text);
 
 }  // namespace ehl::program

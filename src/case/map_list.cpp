@@ -12,7 +12,7 @@
 namespace ehl::program {
 namespace {
 
-/// Distance from its place on the grid, over the spacing, that a coordinate may have by rounding.
+/// Largest distance of a coordinate from its grid point, relative to the spacing, that counts as rounding.
 constexpr double off_grid = 0.1;
 
 struct Axis {
@@ -20,11 +20,11 @@ struct Axis {
   int points = 0;
 };
 
-// The grid that the coordinates stand on. out: points = 0 where they stand on none.
+// The regular grid of the coordinates. out: points = 0 if they form no regular grid.
 Axis axis_of(std::vector<double> x) {
   std::ranges::sort(x);
   const double range = x.back() - x.front();
-  // Spacing: the smallest distance that is none of rounding; then of all of them together.
+  // The spacing is the smallest distance that is not rounding; it is then refined with the whole range.
   constexpr double rounding = 1e-6;
   double least = range;
   for (std::size_t k = 1; k < x.size(); ++k)
@@ -39,7 +39,7 @@ Axis axis_of(std::vector<double> x) {
   return regular ? axis : Axis{};
 }
 
-// The unit of the column that is called `axis`, "x [um]"; NaN: not stated.
+// The unit of the column called `axis`, "x [um]"; NaN if it is not stated.
 double stated_unit(const std::vector<std::string>& heading, char axis) {
   for (const std::string& line : heading) {
     Writing writing;

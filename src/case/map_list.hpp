@@ -1,5 +1,5 @@
 #pragma once
-// Lists of x y z, the points of a regular grid in any order.
+// Reads lists of x y z, the points of a regular grid in any order.
 #include <string>
 #include <vector>
 
@@ -8,16 +8,16 @@
 
 namespace ehl::program {
 
-/// True where every line has three cells.
+/// True if every line has three cells.
 bool is_list(const std::vector<TextLine>& lines);
 
-/// The heights on the grid of the coordinates; points that are not listed are missing. in: lines of the heading, which
-/// may name the columns with their units, "x [um]"; dx_m as read_map_text() has it.
+/// The heights on the grid of the coordinates; points that are not listed are missing. in: lines of numbers; the
+/// heading, which may name the columns with their units, "x [um]"; name of the file; dx_m as for read_map_text().
 ReadHeights read_list(const std::vector<TextLine>& lines, const std::vector<std::string>& heading,
                       const std::string& name, double dx_m);
 
-/// Metres of the unit in which a file counts distances: that among m, mm, um and nm by which its distance of points is
-/// the deck's, to a hundredth; `otherwise` where the deck gives none, or none of them fits.
+/// The unit of the distances in a file, in metres: m, mm, um or nm, whichever makes the spacing of the file equal to
+/// that of the deck within one per cent; `otherwise` if the deck gives none or no unit fits.
 double unit_of_coordinates(double spacing, double dx_m, double otherwise);
 
 }  // namespace ehl::program

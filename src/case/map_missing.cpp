@@ -1,4 +1,4 @@
-// Points that an instrument did not see.
+// Fills points that an instrument could not measure.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,15 +11,16 @@
 namespace ehl::program {
 namespace {
 
-constexpr double most_missing = 0.2;  // of all points
-/// Relaxations of the missing points, and their change over the range of the heights that ends them.
+constexpr double most_missing = 0.2;  // share of all points
+/// Number of relaxations of the missing points, and the largest change, relative to the range
+/// of heights, that ends them.
 constexpr int most_sweeps = 2000;
 constexpr double settled = 1e-7;
 constexpr double over_relaxation = 1.7;
 
 using surface::Heights;
 
-// Sum and number of the neighbours that are known.
+// Sum and number of the known neighbours.
 std::pair<double, int> neighbours(const Heights& z, int k, int l) {
   double sum = 0.0;
   int known = 0;
@@ -35,7 +36,7 @@ std::pair<double, int> neighbours(const Heights& z, int k, int l) {
   return {sum, known};
 }
 
-// Each from those of its neighbours that are known already, from the edges of the holes inwards.
+// First guess: each missing point becomes the mean of its known neighbours, from the edges of the holes inwards.
 void begin_from_edges(Heights& z, std::vector<std::pair<int, int>> holes) {
   while (!holes.empty()) {
     std::vector<std::pair<int, int>> later;

@@ -13,16 +13,16 @@
 namespace ehl::program {
 namespace {
 
-constexpr std::size_t most_heights = 100'000'000;  // as of a map in HDF5
+constexpr std::size_t most_heights = 100'000'000;  // the same limit as for a map in HDF5
 
-// The heading of the file, and what follows it.
+// The heading of a file and the lines after it.
 struct MapText {
-  std::vector<std::string> heading{};  ///< comments too, without their #
-  std::vector<TextLine> lines{};       ///< of numbers
-  int blank = 0;                       ///< first blank line that stands between lines of numbers
+  std::vector<std::string> heading{};  ///< including comments, without their #
+  std::vector<TextLine> lines{};       ///< the lines of numbers
+  int blank = 0;                       ///< number of the first blank line between lines of numbers
 };
 
-// in: a heading that is one line of words, or lines of "name: value".
+// Separates the heading from the numbers. in: the heading is one line of words, or lines of "name: value".
 MapText divided(const std::string& text) {
   MapText divided;
   int number = 0, blank = 0;
@@ -31,7 +31,7 @@ MapText divided(const std::string& text) {
     ++number;
     const std::size_t hash = raw.find('#');
     if (hash != std::string::npos) divided.heading.push_back(deck::trimmed(raw.substr(hash + 1)));
-    // A tab at an end is a separator with nothing behind it.
+    // A tab at the end of a line is kept: it separates an empty cell.
     const std::string line = raw.substr(0, hash);
     if (deck::trimmed(line).empty()) {
       if (hash == std::string::npos && blank == 0 && !divided.lines.empty()) blank = number;
@@ -51,7 +51,7 @@ MapText divided(const std::string& text) {
   return divided;
 }
 
-// What Gwyddion and others write above the numbers. in: points along x and y.
+// Reads the headings of Gwyddion and other programs. in: map: its number of points along x and y must be set.
 void read_heading(const std::vector<std::string>& heading, MapInFile& map) {
   for (const std::string& line : heading) {
     const auto [name, value] = entry_of(line, false);
@@ -91,7 +91,7 @@ ReadHeights read_rows(const MapText& text, const std::string& name) {
   return map;
 }
 
-// All cells of all lines, whatever stands in a line. in: the number of them that is wanted.
+// Reads the cells of all lines, however many a line has. in: the number of cells expected.
 std::string read_cells(const std::vector<TextLine>& lines, const std::string& name, std::size_t wanted,
                        std::vector<double>& values) {
   const Writing writing = writing_of(lines);
@@ -116,7 +116,7 @@ struct Entries {
 
 bool is_count(double n) { return n >= 1.0 && n <= 1e8 && n == std::floor(n); }
 
-// ISO 25178-71: a heading of "name = value", the heights, and the end, each closed by a line with a star.
+// ISO 25178-71: a heading of "name = value", the heights, and a trailer, each ended by a line with a star.
 ReadHeights read_sdf(const std::vector<std::string>& lines, const std::string& name) {
   Entries heading;
   std::size_t n = 1;
@@ -135,7 +135,7 @@ ReadHeights read_sdf(const std::vector<std::string>& lines, const std::string& n
   return map;
 }
 
-// ESRI's ASCII grid: six lines of "name value", and rows from the largest y down.
+// ESRI's ASCII grid: six lines of "name value", then rows that begin with the largest y.
 ReadHeights read_esri(const std::vector<std::string>& lines, const std::string& name, double dx_m) {
   Entries heading;
   std::vector<TextLine> rows;

@@ -19,10 +19,10 @@ using deck::given;
 
 constexpr double giga = 1e9;
 
-// Seconds of a coarsest grid that is still a large one: it knows no other help than relaxation, and all ways are tried.
-// The sweeps were counted at 33 x 12001 nodes.
+// Seconds on the coarsest grid if that grid is still large. Relaxation alone converges slowly there, and all strategies
+// are tried. [bench: needs_of_coarsest]
 double seconds_of_coarsest(const steady::Scene& scene) {
-  constexpr double usual = 1e4;  // nodes; within what the cycles are counted to cost
+  constexpr double usual = 1e4;  // nodes; below this the estimate of the cycles includes the coarsest grid
   constexpr double sweeps = 2500.0;
   constexpr double seconds_per_node_and_sweep = 1e-7;
   const int wanted = scene.multigrid.coarsest_cells > 0 ? scene.multigrid.coarsest_cells
@@ -46,14 +46,14 @@ Needs with_effects(const Case& input, Needs needs) {
 
 Needs basic_needs(const steady::Scene& scene) {
   const double nodes = static_cast<double>(scene.grid.nodes_x()) * scene.grid.nodes_y();
-  // Measured at 257 x 257 to 2049 x 2049 nodes; the time of one thread of a machine of the 2020s.
+  // For one thread of a machine of the 2020s. [bench: needs_of_basic_model]
   const double doubles_per_node = steady::on_one_half(scene) ? 15.0 : 25.0;
   constexpr double program_itself = 1.5e7;  // bytes
   const double seconds_per_node_and_cycle = steady::on_one_half(scene) ? 2e-7 : 4e-7;
-  constexpr double more_cycles = 2.0;  // than planned: the checks on the finest grid ask for them
+  constexpr double more_cycles = 2.0;  // more than planned, because the checks on the finest grid may need them
   const double direct_pairs_per_second = steady::on_one_half(scene) ? 8e9 : 2e9;
   constexpr double evaluations_per_cycle = 8.0;
-  constexpr double newton_bytes_per_node = 2400.0;  // the sparse factors
+  constexpr double newton_bytes_per_node = 2400.0;  // the sparse factors of the Jacobian
   constexpr double newton_seconds_per_node = 4e-5;
   const fmg::Parameters& multigrid = scene.multigrid;
   const double cycles = std::isnan(multigrid.tolerance) ? more_cycles * multigrid.cycles : 10.0;
@@ -76,14 +76,15 @@ core::Grid foretold_grid(const steady::Scene& scene) {
   double allowed = scene.accuracy.error;
   if (std::isnan(allowed)) return grid;
   if (scene.accuracy.domain_is_free) {
-    allowed *= 0.5;  // as solve_to_accuracy() shares it
+    allowed *= 0.5;  // the same share as in solve_to_accuracy()
     const double size = std::sqrt(steady::rough_domain_error(scene) / allowed);
     if (size > 1.0) grid = steady::on_larger_domain(grid, size, steady::sides_of(scene));
   }
   const double zone = steady::film_zone(scene.M, scene.L, scene.shape);
   const auto error = [&] {
     const double h = grid.hx() / zone;
-    return scene.wedge == reynolds::Wedge::upstream1 ? 0.2 * h : 0.4 * h * h;  // resolving_step()
+    return scene.wedge == reynolds::Wedge::upstream1 ? 0.2 * h
+                                                     : 0.4 * h * h;  // the same estimate as in resolving_step()
   };
   while (error() > allowed && 2 * grid.nx <= scene.accuracy.most_cells) grid = core::refined(grid);
   return grid;
@@ -100,7 +101,7 @@ Needs expected_needs(const Case& input) {
 
 namespace {
 
-// The key of the deck that an effect's memory hangs on.
+// The key of the deck that determines the memory of an effect.
 KeyName key_of_memory(const deck::Deck& deck, const Effect& effect) {
   const KeyName& costly = effect.costly;
   if (!costly.name.empty() && given(deck, costly.section, costly.name)) return costly;

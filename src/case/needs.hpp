@@ -1,33 +1,34 @@
 #pragma once
-// What a case will need of the machine.
+// The memory and computing time that a case will need.
 #include "case/scene.hpp"
 
 namespace ehl::program {
 
-/// What the case will need, nearly: for `check`, and to refuse what cannot fit.
+/// Approximate needs of a case, for `ehl check`, and to refuse a case that does not fit into memory.
 struct Needs {
   double bytes = 0.0;
   double seconds = 0.0;
 };
 
-/// The grid that is given; or the one that an accuracy will lead to, within a level: by the error that a mesh has
-/// beside the zones where the film is made, and the rough error of the domain, which falls with the square of its size.
+/// The grid of the deck. If an accuracy is asked for, the grid that will be found for it, to within one level, from
+/// rough estimates of two errors: that of the mesh, from the cell size relative to the zone in which the film is
+/// formed, and that of the domain, which decreases with the square of its size.
 core::Grid foretold_grid(const steady::Scene& scene);
 
-/// Of the basic model alone, and with the effects that the case calls for. The seconds are those of a solution that the
-/// full multigrid finds at once, on a machine of the 2020s: right within a factor of 2.
+/// The needs of the basic model alone, and with the effects of the case. The time is that of a full multigrid solution
+/// at the first attempt on a machine of the 2020s, to within a factor of 2.
 Needs basic_needs(const steady::Scene& scene);
 Needs expected_needs(const Case& input);
 
-/// Share of the memory that is free when a case is read which the grids for an accuracy may take. The rest is left to
-/// other programs, and to what the estimate of the needs is off.
+/// The grids for an accuracy may take this share of the memory that is free when the case is read. The rest is for
+/// other programs and for the error of this estimate.
 constexpr double share_of_memory = 0.5;
 
-/// Where an accuracy is asked for: the nodes of the largest grid that it may lead to, from the bytes that a node takes
-/// with all effects of the case, and from free_memory().
+/// If an accuracy is asked for, sets the largest number of nodes that its grids may have, from the bytes per node with
+/// all effects of the case and from free_memory().
 void bound_accuracy(Case& input);
 
-/// Complains in the case's deck where the machine has not the memory for it.
+/// Adds an error to the deck if the machine lacks the memory for the case.
 void check_memory(Case& input);
 
 }  // namespace ehl::program

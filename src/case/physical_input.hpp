@@ -1,5 +1,5 @@
 #pragma once
-// From the deck's words about contact, motion and lubricant to groups, laws and scales.
+// Converts the contact, motion and lubricant of the deck to dimensionless groups, fluid laws and scales.
 #include <limits>
 #include <optional>
 
@@ -25,7 +25,7 @@ struct SiInput {
   double Sq2 = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// The load of all of a contact [N]; of a line contact per length [N/m].
+/// The total load of a contact [N]; for a line contact the load per length [N/m].
 inline double whole_load(const SiInput& si) {
   const contact::Ellipse& shape = si.contact.shape;
   return si.contact.load * (contact::roller(shape) ? shape.length * si.hertz.a : 1.0);
@@ -35,19 +35,19 @@ struct Physics {
   Language language = Language::none;
   contact::Groups groups{};
   std::optional<SiInput> si{};
-  double p_h = std::numeric_limits<double>::quiet_NaN();  ///< Hertz pressure [Pa]; NaN where only M and L are known
-  double srr = 0.0;                                       ///< (u1 - u2)/u_m
-  double a_over_R = std::numeric_limits<double>::quiet_NaN();  ///< NaN where only M and L are known
+  double p_h = std::numeric_limits<double>::quiet_NaN();       ///< Hertz pressure [Pa]; NaN if only M and L are known
+  double srr = 0.0;                                            ///< (u1 - u2)/u_m
+  double a_over_R = std::numeric_limits<double>::quiet_NaN();  ///< NaN if only M and L are known
   rheology::ViscosityLaw viscosity{};
   rheology::DensityLaw density{};
-  std::optional<rheology::AmbientOil> ambient{};  ///< an oil by its viscosities at two temperatures
+  std::optional<rheology::AmbientOil> ambient{};  ///< set for an oil given by its viscosities at two temperatures
 };
 
-/// What to read the dimensionless numbers of the case with; nothing where the contact is not in SI.
+/// The scales that convert the dimensionless numbers of the case to SI; nothing if the contact is not in SI.
 std::optional<SiScales> si_scales(const Physics& physics);
 
-/// Rules between the keys of [contact], [motion] and [lubricant]; what breaks them is added to deck.errors, and then
-/// nothing else in the result but the language has a meaning. Choices (Roelands' z, radius_y) are recorded in the deck.
+/// Checks the rules between the keys of [contact], [motion] and [lubricant]. Errors are added to deck.errors; then only
+/// `language` of the result is valid. Chosen values (Roelands' z, radius_y) are recorded in the deck.
 Physics physical_input(deck::Deck& deck);
 
 /// The elastic contact alone, for bodies without lubricant.
@@ -58,7 +58,8 @@ struct ElasticContact {
   contact::Hertz hertz{};
 };
 
-/// load, radius_x and the elastic data of [contact]; nothing where the deck gives none of them. Complains as above.
+/// Reads load, radius_x and the elastic data of [contact]; nothing if the deck gives none of them.
+/// Errors are added to the deck.
 std::optional<ElasticContact> elastic_contact(deck::Deck& deck);
 
 }  // namespace ehl::program

@@ -10,11 +10,11 @@
 namespace ehl::program {
 namespace {
 
-constexpr double thickest_oil = 100.0;     // Pa s; honey has ten
-constexpr double fastest_surface = 200.0;  // m/s; turbine bearings reach it
-constexpr double surface_at_rest = 2.0;    // slide-roll ratio; beyond it one surface moves backwards
-constexpr double edge_that_cuts = 0.8;     // of the mean load; 0.73 is solved, 0.89 on no mesh of 128 to 512 cells
-constexpr double thinnest_film = 1e-9;     // m; a molecule of oil
+constexpr double thickest_oil = 100.0;     // Pa s; ten times that of honey
+constexpr double fastest_surface = 200.0;  // m/s; reached in turbine bearings
+constexpr double surface_at_rest = 2.0;    // slide-roll ratio; above it one surface moves backwards
+constexpr double edge_that_cuts = 0.8;     // share of the mean load per length [bench: roller_edge_that_cuts]
+constexpr double thinnest_film = 1e-9;     // m; about one molecule of oil
 constexpr double thickest_film = 10e-6;    // m
 
 }  // namespace
@@ -47,8 +47,10 @@ std::vector<std::string> hardly_meant(const Case& input) {
 }
 
 std::vector<std::string> hardly_a_film(double h_c, double h_m) {
-  const double least = std::fmin(h_c, h_m);  // of those that are known
-  if (least <= 0.0) return {};               // no film: the report says elsewhere that it is not resolved
+  const double least = std::fmin(h_c, h_m);  // the smaller of the known values
+  if (least <= 0.0)
+    return {};  // there is no film; the report says elsewhere that
+                // the mesh does not resolve it
   if (least < thinnest_film)
     return {"the film is " + length(least) +
             " at its thinnest, thinner than a molecule of oil: mixed lubrication is likely, which is not solved"};

@@ -1,5 +1,5 @@
 #pragma once
-// Numbers that are possible, and hardly meant: a unit that was mistaken shows in them.
+// Warns of values that are possible but improbable, as they result from a wrong unit.
 #include <string>
 #include <vector>
 
@@ -7,10 +7,10 @@
 
 namespace ehl::program {
 
-/// Of speeds, viscosity and the ends of a roller, a sentence each with the number that gives it away.
+/// Warnings about speeds, viscosity and the ends of a roller, each with the value in question.
 std::vector<std::string> hardly_meant(const Case& input);
 
-/// Of a film, expected or solved. in: central and minimum film [m]; NaN: not known, and nothing is said.
+/// Warnings about a film, predicted or solved. in: central and minimum film [m]; NaN: not known, no warning.
 std::vector<std::string> hardly_a_film(double h_c, double h_m);
 
 }  // namespace ehl::program

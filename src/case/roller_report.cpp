@@ -14,13 +14,12 @@ using roller::Distribution;
 using roller::End;
 using roller::Slice;
 
-// That with the higher pressure.
+// The end with the higher pressure.
 const End& harder(const Distribution& found) { return found.upper.P > found.lower.P ? found.upper : found.lower; }
 double least_at_ends(const Distribution& found) { return std::min(found.lower.H, found.upper.H); }
 
-// Relative errors of values by those on half as many cells. Highest values are those of nodes, between which they hide
-// some 2e-4. measured, six rollers on 128 and 256 cells against 512: all of 60 within; the changes alone were wrong for
-// 3 of 24 pressures and, by factors of up to 3, for 5 of 12 films.
+// Relative errors from the values on half as many cells. `of_nodes` accounts for maxima between the
+// nodes. [bench: roller_bars]
 double bar_of_highest(double value, double coarser) {
   constexpr double of_nodes = 5e-4;
   return std::abs(value - coarser) / std::abs(value) + of_nodes;
@@ -112,7 +111,7 @@ std::vector<results::Quantity> roller_quantities(const Case& input, const Roller
 }
 
 std::vector<std::string> edge_warnings(const Distribution& found) {
-  constexpr double bears = 0.1;  // of the pressure in the middle
+  constexpr double bears = 0.1;  // share of the pressure in the middle
   const double at_ends = found.P_at_ends / found.middle.P_max;
   if (!(at_ends > bears)) return {};
   return {

@@ -30,10 +30,10 @@ namespace {
 using deck::complain;
 using deck::given;
 
-/// On the finest grid, where that is a large one. [tuning: most_cycles_where_they_touch]
+/// Limit of cycles on a large finest grid if the surfaces touch.
 constexpr int most_cycles_where_they_touch = 12;
 
-// The unit of loads that the deck gives in SI.
+// The unit of a load for a contact in SI.
 deck::PlainUnit newton_of(const Physics& physics) {
   const bool known = physics.language == Language::si || physics.language == Language::none;
   return {.in_SI = physics.si ? physics.si->contact.load : std::numeric_limits<double>::quiet_NaN(), .known = known};
@@ -47,7 +47,7 @@ void check_coarsenings(deck::Deck& deck, const steady::Scene& scene) {
                          most, scene.grid.nx, scene.grid.ny));
 }
 
-// What line contacts and rollers do not carry yet.
+// Refuses sections that are not available for line contacts or rollers.
 void refuse_sections(deck::Deck& deck, std::initializer_list<const char*> sections, const std::string& which) {
   for (const char* section : sections)
     for (const deck::Key& key : deck.catalogue.keys)
@@ -77,7 +77,7 @@ void refuse_beyond_line(deck::Deck& deck) {
   }
 }
 
-// The far field of a line has one flow, and in time the flow along it is not one.
+// The far field of a line contact assumes one uniform flow; in time the flow varies along the film.
 void settle_line_in_time(deck::Deck& deck) {
   if (!deck::called_for(deck, "transient")) return;
   const deck::Part domain{deck, "domain"};
@@ -86,7 +86,7 @@ void settle_line_in_time(deck::Deck& deck) {
   domain.follow("far_field", std::string("zero"), "a line contact in time");
 }
 
-// What the case and its result are called, and which fields are kept. in: path of the deck.
+// Reads the names of the case and of its result, and the fields to keep. in: path of the deck.
 void read_names(const std::string& path, Case& input) {
   const deck::Part title{input.deck, "case"}, output{input.deck, "output"};
   const std::string stem = std::filesystem::path(path).stem();

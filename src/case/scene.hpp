@@ -1,5 +1,5 @@
 #pragma once
-// From a deck to a case that can be solved.
+// Converts a deck to a case that can be solved.
 #include <string>
 #include <vector>
 
@@ -18,35 +18,36 @@ namespace ehl::program {
 
 struct Case {
   std::string title{};
-  deck::Deck deck{};  ///< with everything that was chosen
+  deck::Deck deck{};  ///< including all values that were chosen
   Physics physics{};
   steady::Scene scene{};
-  SurfaceInput surfaces{};                      ///< what they carry, in time or at rest
-  std::optional<transient::Input> transient{};  ///< nothing: steady
-  std::optional<DryInput> dry{};                ///< without lubricant: then the scene is but a grid
-  std::optional<machines::Contact> machine{};   ///< of a bearing or of gears, from which [contact] follows
+  SurfaceInput surfaces{};                      ///< the surfaces, moving or at rest
+  std::optional<transient::Input> transient{};  ///< nothing: the case is steady
+  std::optional<DryInput> dry{};                ///< set for a contact without lubricant; the scene
+                                                ///< then contains only a grid
+  std::optional<machines::Contact> machine{};   ///< the bearing or gears from which [contact] follows
   std::optional<subsurface::Parameters> subsurface{};
   std::optional<friction::Parameters> friction{};
   std::optional<HeatInput> heat{};
   std::optional<roller::Profile> roller{};
   std::optional<rheology::FlowThinning> flow_thinning{};  ///< [shear] flow = on
-  std::vector<std::string> fields{};                      ///< to keep in the result
-  std::string output{};                                   ///< result file that the deck names
-  std::vector<deck::NamedFile> files{};                   ///< that the deck names, and what they held
+  std::vector<std::string> fields{};                      ///< fields to keep in the result
+  std::string output{};                                   ///< the result file that the deck names
+  std::vector<deck::NamedFile> files{};                   ///< the files that the deck names, and their contents
 };
 
-/// The deck's keys of [case] title and [output], which are the program's own.
+/// The keys [case] title and [output], which belong to the program and to no module.
 std::vector<deck::Key> case_keys();
 
-/// Reads, validates and converts. in: path of the deck, overrides, number of threads.
-/// errors: core::InputError with every complaint about keys and about what they mean together.
+/// Reads, validates and converts a deck. in: path of the deck, overrides, number of threads. errors: core::InputError
+/// with all errors of the deck.
 Case read_case(const std::string& path, const std::vector<std::string>& overrides, int threads);
 
-/// The same for commands that compare films: a dry contact is refused. command: "study", "sweep".
+/// As read_case(), for commands that compare films: a dry contact is refused. in: command: "study" or "sweep".
 Case read_lubricated_case(const std::string& path, const std::vector<std::string>& overrides, int threads,
                           const std::string& command);
 
-/// The same of a deck that is read already; path: what names case and result where the deck does not.
+/// Converts a deck that was already read. in: path: used for the names of case and result if the deck gives none.
 Case case_of(deck::Deck understood, const std::string& path, int threads);
 
 }  // namespace ehl::program

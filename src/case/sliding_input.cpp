@@ -14,7 +14,7 @@ namespace {
 using deck::complain;
 using deck::given;
 
-// Complains where the case is none that the section is for. False where there are complaints at all.
+// Refuses the section for cases in which it is not available. Returns false if the deck has any errors.
 bool possible(deck::Deck& deck, const Physics& physics, const char* section, const char* key) {
   if (given(deck, "transient", "end_time"))
     complain(deck, section, key, "is for steady contacts: remove it, or [transient]");
@@ -26,10 +26,10 @@ bool possible(deck::Deck& deck, const Physics& physics, const char* section, con
   return deck.errors.empty();
 }
 
-// A difference of speeds that is but rounding is none.
+// A difference of speeds within rounding is set to zero.
 double without_rounding(double srr) { return std::abs(srr) < 1e-12 ? 0.0 : srr; }
 
-// What is not possible with the flow's thinning in this version.
+// Refuses what is not available with flow thinning.
 void check_passes(deck::Deck& deck, const Physics& physics) {
   const deck::Part shear{deck, "shear"};
   if (given(deck, "grid", "accuracy"))
@@ -40,7 +40,7 @@ void check_passes(deck::Deck& deck, const Physics& physics) {
     shear.complain("flow", "needs both surfaces to move with the entrainment or to stand, from srr = -2 to 2");
 }
 
-// What the deck says of the meniscus, where it may.
+// Reads the position of the meniscus, for the cases that allow one.
 void set_meniscus(deck::Deck& deck, const Physics& physics, const steady::Scene& scene,
                   friction::Parameters& parameters) {
   const deck::Part friction{deck, "friction"};

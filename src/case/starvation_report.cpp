@@ -17,7 +17,8 @@ using core::unknown;
 using steady::Pass;
 using steady::Starvation;
 
-constexpr double usual_gamma = 3.0;  // of r = 1 at M = 20 to 200; modules/effects/starvation/README.md
+/// Exponent gamma of starvation::by_supply near r = 1; modules/effects/starvation/README.md.
+constexpr double usual_gamma = 3.0;
 
 double meniscus_factor(const Case& input, const Starvation& found) {
   return !input.scene.grid.line && contact::circular(input.scene.shape)
@@ -30,7 +31,7 @@ double factor_by_supply(const Case& input, const Starvation& found) {
   return input.scene.grid.line ? std::fmin(r, 1.0) : starvation::by_supply(r, usual_gamma);
 }
 
-/// What is known of a layer that comes back as it left; else NaN.
+/// Formulas for passes over a track on which the layer returns unchanged; otherwise NaN.
 class PassFormulas {
  public:
   PassFormulas(const steady::Scene& scene, const Pass& first)
@@ -38,7 +39,7 @@ class PassFormulas {
         first_(first),
         lost_(starvation::lost_by_pass(scene.shape, scene.lambda, scene.viscosity, scene.density)) {}
 
-  /// Q behind a pass on y = 0 by van Zoelen.
+  /// The oil content Q on y = 0 after a pass, by van Zoelen's formula.
   double thin_layer(const Pass& pass) const {
     return holds_ ? 1.0 / std::sqrt(1.0 / (first_.supply * first_.supply) + pass.number * lost_) : unknown;
   }
@@ -57,7 +58,7 @@ std::string length_text(const Case& input, double X) {
                           : fmt::format("{:.3f} a", X);
 }
 
-// All of a few; of many those that a logarithmic axis shows evenly.
+// All passes if they are few; otherwise those at even intervals on a logarithmic axis.
 bool shown(int pass, int passes) {
   constexpr int few = 12;
   if (passes <= few || pass == passes || pass <= 3) return true;
@@ -92,7 +93,7 @@ std::string pass_table(const Case& input, const steady::Solution& solution) {
   return text;
 }
 
-// Of a line contact: nothing flows beside it or aside.
+// The line about the oil of a line contact, where no oil flows around the contact.
 std::string line_of_oil(const Case& input, const Starvation& found) {
   std::string text = fmt::format("             oil through the contact {:.6f} rho0 u_m a^2/R", found.through);
   if (input.physics.si) {

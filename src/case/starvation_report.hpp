@@ -1,5 +1,5 @@
 #pragma once
-// The numbers of a contact with a supply, for the report, JSON, the result file and the tables.
+// The numbers of a contact with a supply, for the report, the JSON, the result file and the tables.
 #include <string>
 #include <vector>
 
@@ -10,9 +10,9 @@
 namespace ehl::program {
 
 std::vector<results::Quantity> starvation_quantities(const Case& input, const steady::Solution& solution);
-/// Of the passes over one track, with formulas beside them.
+/// Columns for the passes over a track, with the published formulas.
 std::vector<Column<steady::Pass>> pass_columns(const Case& input, const steady::Solution& solution);
-/// What every pass left behind across the track: columns pass, y, layer.
+/// The layer across the track after every pass: columns pass, y, layer.
 results::Table table_of_tracks(const steady::Solution& solution);
 std::string starvation_summary(const Case& input, const Computed& computed);
 

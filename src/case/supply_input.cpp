@@ -17,7 +17,7 @@ struct Profile {
   std::vector<double> Y, H;
 };
 
-// Linear between its points.
+// Linear interpolation between the points of a profile.
 double at(const Profile& profile, double Y) {
   const auto behind = std::ranges::upper_bound(profile.Y, Y);
   if (behind == profile.Y.begin()) return profile.H.front();
@@ -36,7 +36,7 @@ bool even(const Profile& profile, double half_width) {
   });
 }
 
-// What is wrong with the file; empty where nothing is.
+// Reads the profile. out: an error message, else empty.
 std::string read_profile(const std::string& path, const starvation::Scales& scales, const core::Grid& grid,
                          Profile& profile) {
   const double unit_Y = scales.in_SI ? scales.a : 1.0, unit_H = scales.in_SI ? scales.height : 1.0;

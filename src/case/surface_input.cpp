@@ -22,14 +22,15 @@ namespace {
 using deck::given;
 using surface::Feature;
 
-/// A surface speed below this share of u_m is none: u_m (1 - srr/2) with srr = 2, but for rounding.
+/// A surface speed below this share of u_m is zero: with srr = 2, u_m (1 - srr/2) is zero up to rounding.
 constexpr double no_speed = 1e-12;
-/// Heights left of a map by levelling, over those that it came with, that are rounding.
+/// Heights that remain after levelling are rounding if they are below this share of the original heights.
 constexpr double no_heights = 1e-12;
-/// Largest gap on the grid, over the height of what makes it, that is no influence.
+/// A feature has no influence if it changes the gap at the nodes by less than this share of its height.
 constexpr double no_influence = 1e-9;
 
-// A place that the deck leaves open is chosen. in: how far before the inlet it begins where it moves.
+// The place of a feature; chosen if the deck leaves it open. in: before: distance from the inlet at
+// which a moving feature starts.
 double place_of(const deck::Part& surface, double X, const core::Grid& grid, double before, bool timed) {
   if (!std::isnan(X) || !std::isfinite(before)) return X;
   const double chosen = timed ? grid.X_a - before : 0.0;
@@ -51,7 +52,7 @@ CarriedSurface feature_of(const deck::Part& part, const surface::Input& input, c
   return {part.section, input.shape, feature, std::nullopt};
 }
 
-// Of a map, a spacing and a unit that are another one's. expected: film of smooth surfaces, in a^2/R; NaN: none.
+// Detects a wrong spacing or unit of a map. in: expected: film of smooth surfaces, in a^2/R; NaN: not known.
 void check_meant(const deck::Part& part, const surface::HeightMap& map, const core::Grid& grid, double rms,
                  double expected) {
   constexpr double fewest_cells = 8.0, most_domains = 100.0, most_films = 100.0;
@@ -75,12 +76,12 @@ void check_meant(const deck::Part& part, const surface::HeightMap& map, const co
                          rms, expected));
 }
 
-/// Relative difference between what a file states and what the deck gives that is none.
+/// Relative difference between file and deck that counts as equal.
 constexpr double same = 0.01;
 
-// A length of the map in its plain unit: that of the deck, else that which the file states in metres.
-// in: name of the key; its value, NaN: not given; stated: by the file, NaN: not; plain: the plain unit in metres, NaN:
-// not known.
+// A length of the map in its plain unit: the value of the deck, else the value that the file states in metres. in: name
+// of the key; given: its value, NaN: not given; stated: the value of the file, NaN: not stated; plain: the plain unit
+// in metres, NaN: not known.
 double settled(const deck::Part& part, const std::string& name, double given, double stated, double plain) {
   const std::string key = part.given(name) ? name : name + "_m";
   if (!part.given_of({name, name + "_m"}).empty()) {
@@ -98,7 +99,7 @@ double settled(const deck::Part& part, const std::string& name, double given, do
   return stated / plain;
 }
 
-// What the file and the deck say together.
+// Combines the lengths stated by the file and by the deck.
 void settle_lengths(const deck::Part& part, const MapInFile& file, const surface::Units& units,
                     surface::MapInput& input) {
   input.unit = settled(part, "unit", input.unit, file.unit_m, units.height.in_SI);
@@ -116,7 +117,7 @@ void settle_lengths(const deck::Part& part, const MapInFile& file, const surface
                     input.shortest_wave, reach));
 }
 
-// Levels and filters. out: heights in units of the file.
+// Removes the mean plane and applies the filters. out: heights in units of the file.
 void condition(const surface::MapInput& input, surface::Heights& heights, MapRecord& record) {
   record.plane_taken = input.plane;
   record.plane = input.plane ? surface::level(heights) : surface::level_mean(heights);
@@ -130,7 +131,7 @@ void condition(const surface::MapInput& input, surface::Heights& heights, MapRec
   if (input.shortest_wave > 0.0) heights = surface::long_waves(heights, input.dx, input.dy, input.shortest_wave);
 }
 
-// Nothing where something was complained about.
+// Reads a map; nothing if it has errors.
 std::optional<CarriedSurface> map_of(const deck::Part& part, surface::Input& input, const core::Grid& grid, bool timed,
                                      double expected, const surface::Units& units) {
   if (input.map->file.empty()) return std::nullopt;
@@ -163,14 +164,14 @@ std::optional<CarriedSurface> map_of(const deck::Part& part, surface::Input& inp
   return CarriedSurface{part.section, input.shape, std::move(map), std::move(record)};
 }
 
-// A steady film is that of surfaces that look the same at all times: one that is not smooth must stand.
+// In a steady film every surface must look the same at all times: a surface that is not smooth must be at rest.
 void check_at_rest(const deck::Part& part, const Physics& physics, bool timed) {
   const bool said = part.given("at_rest");
   if (timed) {
     if (said) part.complain("at_rest", "is for steady contacts: in time [transient] u1 and u2 say how it moves");
   } else if (physics.language == contact::Language::si) {
     if (said) part.complain("at_rest", "has no influence: [motion] says which surface stands; remove it");
-    if (!physics.si) return;  // complained about already
+    if (!physics.si) return;  // the error was reported already
     const double u = part.section == "surface1" ? physics.si->u1 : physics.si->u2;
     if (std::abs(u) > no_speed * physics.si->contact.u_s)
       part.complain("shape", "is on a surface that moves with " + deck::shortest(u) +
@@ -201,7 +202,7 @@ std::optional<CarriedSurface> carried_by(const deck::Part& part, const Physics& 
                                          Motion motion) {
   const bool timed = motion == Motion::in_time;
   surface::Units units;
-  // A contact in SI with an error in it has been complained about already.
+  // An error in a contact in SI was reported already.
   units.a.known = units.height.known = physics.language == contact::Language::si || given(part.deck, "contact", "load");
   if (physics.si) {
     units.a.in_SI = physics.si->hertz.a;
@@ -242,7 +243,7 @@ void let_stand(const SurfaceInput& surfaces, steady::Scene& scene) {
   if (all.empty()) return;
   scene.use_symmetry =
       scene.use_symmetry && std::ranges::all_of(all, [](const auto& one) { return surface::symmetric(one); });
-  // Scenes are copied, maps need not be.
+  // Scenes are copied; the copies share the maps.
   const auto shared = std::make_shared<const std::vector<surface::Relief>>(std::move(all));
   scene.surface = [shared](const core::Patch& grid, core::Field& S) {
     S.fill(0.0);

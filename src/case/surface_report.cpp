@@ -1,4 +1,4 @@
-// What is told about surfaces that are not smooth.
+// The printed lines about surfaces that are not smooth.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 /// Share of a map's variance that a mesh may lose without a warning.
 constexpr double worth_a_word = 0.1;
 
-// In SI first where the contact is; the other number beside it.
+// The length in SI, if it is known, followed by the dimensionless number.
 std::string both(const std::string& own, double metres) {
   return std::isfinite(metres) ? length(metres) + " (" + own + ")" : own;
 }

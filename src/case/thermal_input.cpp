@@ -17,7 +17,7 @@ namespace {
 using deck::complain;
 using deck::given;
 
-// What a contact with heat cannot be in this version.
+// Refuses what is not available for a contact with heat.
 void check_possible(deck::Deck& deck, const Physics& physics, const steady::Scene& scene) {
   const char* caller = given(deck, "thermal", "T_oil")    ? "T_oil"
                        : given(deck, "thermal", "solid1") ? "solid1"
@@ -56,7 +56,7 @@ thermal::Body body_of(const thermal::BodyInput& body, double u, double a, double
       .Pe = std::max(0.0, u) * a * body.rho * body.c / body.k, .resistance = k0 / (body.k * a), .theta = (T - T0) / T0};
 }
 
-// -d ln eta/dT at ambient pressure and T0.
+// beta = -d ln eta/dT at ambient pressure and T0.
 double beta_of(const rheology::ThermalViscosity& law, double T0) {
   constexpr std::array<double, 1> zero{};
   std::array<double, 1> D{}, slope{};

@@ -36,10 +36,11 @@ std::string hottest_text(const Case& input, const char* name, const heat::Hottes
                      place_text(at.X, at.Y, *si_scales(input.physics)));
 }
 
-// Peclet's number up to which lines overstate the temperature of a surface by more than a tenth: round a point heat
-// goes to the sides too.
+// Below these Peclet numbers, Carslaw and Jaeger's moving line source overestimates the surface temperature by more
+// than a tenth. The limit of point contacts is higher, because heat also flows sideways.
 constexpr double low_peclet = 10.0, low_peclet_of_line = 3.0;
-// beta tau du h/k over the intervals beyond which 17 nodes err by 1e-3: Nahme's number 1e4 of an exponential law.
+// Limit of beta tau du h/k per interval across the film, above which the nodes no longer resolve the temperature.
+// [bench: thermal_most_per_interval]
 constexpr double most_per_interval = 34.0 / 16.0;
 
 }  // namespace
@@ -102,7 +103,7 @@ std::vector<std::string> thermal_warnings(const Case& input, const HeatResult& h
   const HeatInput& in = *input.heat;
   const heat::Solution& found = heat.found;
   std::vector<std::string> list;
-  if (!input.friction) list = heat.friction_warnings;  // or the friction has it
+  if (!input.friction) list = heat.friction_warnings;  // [friction], if present, prints these warnings
   if (heat.unlikely_isothermal)
     list.push_back(
         fmt::format("thermal: mu_isothermal = {:.4g} belongs to shear stresses that no lubricant carries: it says "

@@ -1,5 +1,5 @@
 #pragma once
-// The numbers of a contact with heat, for the report, JSON, the result file and the tables.
+// The numbers of a contact with heat, for the report, the JSON, the result file and the tables.
 #include <string>
 #include <vector>
 
@@ -9,12 +9,13 @@
 
 namespace ehl::program {
 
-/// "W", or of a line contact "W/m".
+/// The unit of heat flow: "W"; "W/m" for a line contact.
 const char* unit_of_heat(bool line);
 std::vector<results::Quantity> thermal_quantities(const Case& input, const HeatResult& heat);
-/// Of the sequence of grids, in kelvin.
+/// Columns for the sequence of grids, with temperatures in kelvin.
 std::vector<Column<heat::Row>> thermal_columns(const HeatInput& input);
-/// What a user must know: temperatures beyond the laws, too few nodes across, surfaces at rest, lines at low speed.
+/// Warnings: temperatures outside the range of the laws, too few nodes across the film, surfaces at
+/// rest, low Peclet numbers.
 std::vector<std::string> thermal_warnings(const Case& input, const HeatResult& heat);
 std::string thermal_summary(const Case& input, const Computed& computed);
 

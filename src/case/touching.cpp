@@ -14,7 +14,7 @@
 namespace ehl::program {
 namespace {
 
-// In a^2/R; of one that the formulas give as h/R.
+// The minimum film of a formula, in a^2/R.
 double over_radius(const contact::FilmThickness& film, const contact::Groups& groups) {
   return contact::H_from_thickness_over_radius(film.minimum, groups.W, groups.shape);
 }
@@ -23,7 +23,7 @@ std::string height_text(const Case& input, double H) {
   return input.physics.si ? length(H * input.physics.si->hertz.h_scale) : fmt::format("{:.4g} a^2/R", H);
 }
 
-// What the mesh holds of it: waves shorter than its cells are averaged away.
+// The part of the roughness that the mesh resolves: waves shorter than a cell are averaged out.
 double roughness_on_mesh(const Case& input) {
   double Sq = input.roller ? input.roller->trace.rough : 0.0;
   for (const CarriedSurface* one : carried(input.surfaces))
@@ -49,7 +49,7 @@ double smallest_smooth_film(const contact::Groups& groups) {
   if (const auto fit = contact::film_map(groups.M, groups.L, shape))
     return contact::H_from_moes_units(fit->minimum, groups.M, shape);
   if (!(groups.L > 0.0)) return core::unknown;
-  constexpr double typical_U = 1e-11;  // in Moes' units the formulas hardly depend on it
+  constexpr double typical_U = 1e-11;  // in Moes' units the formulas depend on U only weakly
   const contact::Groups full = std::isnan(groups.U) ? contact::from_moes(groups.M, groups.L, typical_U, shape) : groups;
   if (contact::line(shape)) return over_radius(contact::dowson_higginson(full), full);
   if (contact::along_smaller_radius(shape)) return over_radius(contact::hamrock_dowson(full), full);

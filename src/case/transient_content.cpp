@@ -1,4 +1,4 @@
-// A transient in a result file, and back.
+// Writes a run in time to a result file, and reads it back.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,15 +14,15 @@ namespace {
 
 using transient::StepRow;
 
-/// What rows have beside what all have.
+/// The optional columns of the rows.
 struct RowKind {
-  bool body = false;    ///< one moves
-  bool oil = false;     ///< mass is conserved
-  bool line = false;    ///< of a line contact: its oil is that of a length across it
-  bool newton = false;  ///< Newton's steps are counted apart; not in files of earlier programs
+  bool body = false;    ///< a body moves
+  bool oil = false;     ///< oil mass is conserved
+  bool line = false;    ///< for a line contact the oil is counted per length
+  bool newton = false;  ///< Newton steps are counted separately; files of earlier versions lack this
 };
 
-// Of /transient, in order. in: the points that are looked at.
+// The columns of /transient, in order. in: the probes.
 std::vector<Column<StepRow>> step_columns(const RowKind& kind, const std::vector<transient::Place>& probes) {
   std::vector<Column<StepRow>> columns{{"time", "a/u_m", "time reached", &StepRow::T},
                                        {"Hc", "a^2/R", "film at (0,0)", &StepRow::Hc},
@@ -69,7 +69,7 @@ std::vector<Column<StepRow>> step_columns(const RowKind& kind, const std::vector
   return columns;
 }
 
-/// No pressure, film, time or derivative of a run comes near it: a larger number is none of this program's.
+/// Larger than any pressure, film, time or derivative of a run: a larger number was not written by this program.
 constexpr double largest_credible = 1e20;
 
 [[noreturn]] void damaged(const std::string& path, const std::string& what) {
@@ -87,7 +87,7 @@ std::string why_no_checkpoint(const results::ResultFile& file) {
   const std::string why = "command line: " + file.path() + " has no checkpoint: ";
   if (file.kind("/transient") != results::ResultFile::Kind::group) return why + "its case is steady";
   if (credible(file, "/summary/transient_completed") == std::vector{1.0}) return why + "its run is complete";
-  const std::string ended = "/summary/transient_ended";  // not in files of earlier programs
+  const std::string ended = "/summary/transient_ended";  // files of earlier versions lack it
   const bool told = file.kind(ended) == results::ResultFile::Kind::text;
   return file.numbers("/transient/time").values.size() > 1
              ? why + "nobody stopped its run, it ended where it could not go on" +
@@ -101,7 +101,7 @@ int whole(const std::string& path, const std::string& name, double value) {
   return static_cast<int>(value);
 }
 
-// The rows of the file; as many probes as it has.
+// The rows of the file, with all its probes.
 std::vector<StepRow> read_rows(const results::ResultFile& file) {
   const auto there = [&](const std::string& name) {
     return file.kind("/transient/" + name) == results::ResultFile::Kind::numbers;
@@ -182,7 +182,7 @@ TransientResult read_transient(const results::ResultFile& file) {
   };
   const std::vector<double> times = credible(file, "/transient/frames/time");
   const auto count = [&](const char* name) { return whole(file.path(), name, number(name)); };
-  const bool has_weight = file.kind("/checkpoint/weight") == Kind::numbers;  // files of earlier versions do not
+  const bool has_weight = file.kind("/checkpoint/weight") == Kind::numbers;  // files of earlier versions lack it
   result.checkpoint = transient::Checkpoint{number("time"),
                                             number("step"),
                                             count("frames"),
@@ -196,7 +196,7 @@ TransientResult read_transient(const results::ResultFile& file) {
     const results::Array array = file.frame(path, k);
     if (std::ranges::any_of(array.values, [](double value) { return !(std::abs(value) <= largest_credible); }))
       damaged(file.path(), path + " holds what is no field");
-    // A line contact, of which a file holds one line (results/one_line.hpp), is computed on three alike.
+    // The file holds one line of a line contact (results/one_line.hpp); the solver uses three equal lines.
     const std::size_t lines = array.dims[0];
     core::Grid grid{.nx = static_cast<int>(array.dims[1]) - 1, .ny = lines == 1 ? 2 : static_cast<int>(lines) - 1};
     core::Field read(grid);

@@ -1,5 +1,5 @@
 #pragma once
-// From the deck's [transient] to a march.
+// Converts the deck's [transient] to a run in time.
 #include <optional>
 
 #include "case/physical_input.hpp"
@@ -10,23 +10,22 @@
 
 namespace ehl::program {
 
-/// Nothing where the deck has no [transient]. Rules between keys are complained about in the deck.
-/// in: the physics of the case, what its surfaces carry, its finest grid. errors: core::FileError where a .csv that the
-/// deck names cannot be read.
+/// Nothing if the deck has no [transient]. Errors are added to the deck. in: the physics of the case, its surfaces, its
+/// finest grid. errors: core::FileError if a .csv file that the deck names cannot be read.
 std::optional<transient::Input> transient_input(deck::Deck& deck, const Physics& physics, const SurfaceInput& surfaces,
                                                 const core::Grid& grid);
 
-/// The steepest slope of the deck's load in time, in a/u_m; 0 where it is steady.
+/// The steepest slope of the deck's load in time, in units of u_m/a; 0 if the load is constant.
 double steepest_load(const deck::Deck& deck, const Physics& physics);
 
-/// X of the middle of what a surface carries, at time 0 and at the end.
+/// X of the centre of a surface's relief at time 0 and at the end.
 struct Way {
   double from = 0.0;
   double to = 0.0;
 };
 Way way_of(const CarriedSurface& surface, const transient::Input& input);
 
-/// "P at (0.7, 0.2)".
+/// The name of a probe, "P at (0.7, 0.2)".
 std::string name_of_probe(const char* quantity, const transient::Place& place);
 
 }  // namespace ehl::program

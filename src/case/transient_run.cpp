@@ -18,7 +18,7 @@ namespace {
 using transient::MarchEnd;
 using transient::StepRow;
 
-// Times as the deck gives them: in ms where it speaks of seconds.
+// The unit of printed times: ms if the deck gives times in seconds.
 SiUnit time_unit(const Case& input) {
   const std::optional<SiScales> si = si_scales(input.physics);
   return si && input.transient->in_seconds ? si_unit("a/u_m", *si) : SiUnit{"a/u_m", 1.0};
@@ -31,7 +31,7 @@ std::string text_of(const Case& input, const StepRow& row) {
                      row.Hc, row.Hm);
 }
 
-// The counts of all rows, those before a checkpoint included.
+// Sums the counters over all rows, including those before a checkpoint.
 void total(TransientResult& result) {
   transient::MarchReport& report = result.report;
   report.T = result.rows.back().T;
@@ -48,14 +48,14 @@ void total(TransientResult& result) {
   }
 }
 
-// A number of the rows: what it is called alone and in SI, and its unit there.
+// How a number of the rows is printed: its dimensionless name, its name in SI, and its SI unit.
 struct Told {
   std::string own{};
   std::string in_SI{};
   SiUnit unit{};
 };
 
-// From the least to the most of it. in: value, of a row.
+// One line with the smallest and largest value over time. in: value: the number of a row.
 template <class Value>
 std::string range_line(const Case& input, const Told& told, const std::vector<StepRow>& rows, Value value) {
   const StepRow& low = *std::ranges::min_element(rows, {}, value);
@@ -92,7 +92,7 @@ std::string range_lines(const Case& input, const std::vector<StepRow>& rows) {
   return text;
 }
 
-// Where mass is conserved.
+// The line about the conservation of oil mass.
 std::string oil_line(const TransientResult& result, bool line) {
   const transient::OilInTime &first = result.rows.front().oil, &last = result.rows.back().oil;
   return fmt::format(
@@ -102,7 +102,7 @@ std::string oil_line(const TransientResult& result, bool line) {
       last.lost);
 }
 
-// "time 0 to 0.5 a/u_m (0.1345 ms)", the deck's own unit first.
+// "time 0 to 0.5 a/u_m (0.1345 ms)", with the deck's own unit first.
 std::string time_text(const Case& input, double T) {
   const std::optional<SiScales> si = si_scales(input.physics);
   const std::string own = fmt::format("{:.6g} a/u_m", T);
@@ -129,7 +129,7 @@ TransientResult run_transient(const Case& input, const steady::Solution& start, 
   TransientResult result = std::move(before);
   const std::optional<transient::Checkpoint> from = std::move(result.checkpoint);
   result.checkpoint.reset();
-  result.report.end = MarchEnd::interrupted;  // so far
+  result.report.end = MarchEnd::interrupted;  // until the run has ended
   const transient::Input& march = *input.transient;
   if (!result.rows.empty() && result.rows.front().probed.size() != march.parameters.probes.size())
     throw core::FileError("the file is damaged: its rows have other probes than its deck");

@@ -1,5 +1,5 @@
 #pragma once
-// What people look for in a deck and this version does not have, each with the nearest thing that it has.
+// Features that users may look for in a deck but this version lacks, each with the nearest available feature.
 #include <vector>
 
 #include "deck/key.hpp"
