@@ -8,12 +8,12 @@
 namespace ehl::fmg {
 namespace {
 
-/// Of 2, 4 and 7 states 0.54, 0.49 and 0.54 are left per cycle of (20, 15) at R_x/R_y = 100.
+/// Number of stored states. [bench: krylov_states]
 constexpr std::size_t most = 4;
 
-/// The change that r asks of a pressure, r over the node's own answer; zero where it stays dry. (Of r itself the line
-/// beside the boundary, whose epsilon is the largest, outweighs the rim: a last relaxation would take it away, and
-/// combinations went back to the same state.)
+/// The pressure change that r asks for: r over its derivative by the node's own pressure; zero where the node stays
+/// cavitated. (In r itself the line next to the boundary, whose epsilon is the largest, outweighs the edge of the
+/// spike. Its error is removed by the next relaxation, and combinations return to the same state.)
 void write_asked(const Hierarchy& hierarchy, const Level& level, core::Field& asked) {
   if (asked.nodes_x() == 0) asked = core::Field(level.grid);
   const core::Patch& grid = level.grid;
@@ -47,7 +47,7 @@ bool Acceleration::combine(const Hierarchy& hierarchy, std::size_t l, State& com
   const core::Patch& grid = level.grid;
   write_asked(hierarchy, level, asked_);
   const auto states = static_cast<int>(kept_.size());
-  // The normal equations of the least squares; one order of the sums, whatever the threads.
+  // The normal equations of the least squares, summed in one order for any number of threads.
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(states, states);
   Eigen::VectorXd b = Eigen::VectorXd::Zero(states);
   std::vector<double> d(kept_.size());

@@ -14,33 +14,25 @@ namespace {
 
 using reynolds::Faces;
 
-/// The hybrid relaxation's crossover grows by this times (hx/hy)^2 where that is more than 1: of a change that is
-/// smooth across, K(0, 0) and K(0, 1) foretell ever less of what the film answers. With one epsilon everywhere cycles
-/// leave 0.3 at most; from a tenth of it on they diverge at hx = 8 hy (tests/convergence/test_model_problems.cpp).
-/// Where epsilon falls by orders from node to node zones of it are thin: e_max times e_max/e_min counts, where lines
-/// along X take its root. (20, 10) and (100, 15) at R_x/R_y = 20, (20, 15) at 50: 0.26, 0.43, 0.42 are left; with the
-/// root 0.25, 0.72, 0.34.
+/// The crossover of the hybrid relaxation is multiplied by share_of_stretch (hx/hy)^2 where that exceeds 1: for a
+/// change that is smooth along Y, K(0, 0) and K(0, 1) underestimate the response of the film more and more
+/// (tests/convergence/test_model_problems.cpp). The criterion is e_max (e_max/e_min), where the X sweep takes the root
+/// of the ratio: where epsilon varies by orders between nodes, its zones are thin. [bench: y_sweep_crossover]
 constexpr double share_of_stretch = 0.25;
 
-/// Lines along X have answered to the same residual just before, and a spike along a diagonal would be corrected twice.
-/// Of 1, 0.7, 0.5 and 0.3 cycles leave 0.21, 0.19, 0.22 and 0.25 of (1000, 15) at R_x/R_y = 5 and 45 degrees, 0.28,
-/// 0.32, 0.19 and 0.23 of (100, 15) at 20. Of 0.7 and 0.5 0.11 and 0.17 of (1000, 10) at 20, 0.20 and 0.25 at 50. Along
-/// the motion, on stretched cells, of 1 and 0.7 0.50 and 0.44 of (100, 15) at 20, when they are not accelerated.
+/// Damping of the Y sweep: the X sweep has already reduced this residual, and a spike along a diagonal would be
+/// corrected twice. [bench: y_sweep_damping]
 constexpr double weight_at_half_points = 0.7;
-/// Where epsilon at the nodes falls by orders to the next, on coarse grids, the mean of two overshoots what the finer
-/// grid lets through: of 0.7 and 0.5 0.72 and 0.61 are left of (20, 15) at 50, likewise. Where it does not, of 0.7
-/// 0.31 is left of the model problem at e = 30 on cells of hx = 8 hy, of 1 0.27.
+/// Damping where epsilon at the nodes varies by orders (coarse grids): the mean of two nodes overshoots what the finer
+/// grid lets through. [bench: y_sweep_damping_steep]
 constexpr double weight_where_steep = 0.5;
-/// At half points there likewise where it falls to less than this beside one node: the edge of a contact within a cell.
-/// With the whole weight (100, 15) at R_x/R_y = 200 and 45 degrees stood still at 1e-5, the lines beside its inlet
-/// swinging to and fro; now 0.24 is left per cycle.
+/// Ratio of e_min to e_max at a node below which this damping applies with epsilon at half points, too: the edge of a
+/// contact lies within a cell. Without it the lines next to the inlet chatter. [bench: y_sweep_edge]
 constexpr double fall_of_edge = 1e-4;
 
-/// On coarse grids the flux through the edge of a contact is the mean epsilon of a thick film outside times nearly all
-/// of the pressure inside, and follows the film that this pressure makes (line_batch.cpp). All of the edge changes at
-/// once: K(0, 0) and the kernels of some ten neighbours along it on both sides are twice K(0, 0). With epsilon held
-/// each relaxation of 128 cells left -3 of it: at 45 degrees cycles left 0.57 of (1000, 15) at R_x/R_y = 50, 0.40 at
-/// 100 and 0.58 at 200, with twice the relaxations of now, which leave 0.22, 0.21 and 0.21.
+/// Factor on K(0, 0) in the response of epsilon to the film at the edge of a contact on coarse grids (film_of_epsilon
+/// in line_batch.cpp says why epsilon must follow it). All of the edge changes at once, and the kernels along it sum to
+/// about twice K(0, 0). [bench: film_along_edge]
 constexpr double film_along_edge = 2.0;
 
 class StationAcross {
@@ -58,7 +50,7 @@ class StationAcross {
     crossover_ = std::max(1.0, share_of_stretch * stretch_ * stretch_) * crossover_on(hierarchy, level.grid, how);
   }
 
-  /// The tridiagonal system of station i, from the side to the last line.
+  /// Solves the tridiagonal system of column i, from the boundary to the last line.
   void relax(int i, ThreadWork& work) const {
     const core::Patch& grid = level_.grid;
     const int last = grid.last_line();
@@ -68,13 +60,13 @@ class StationAcross {
     for (int j = 1; j <= last; ++j) {
       row(j) = row_at(i, j, work);
       if (row(j).weight == 0.0) continue;
-      if (j == grid.ny) row(j).south += row(j).north;  // the axis: its neighbours are one
+      if (j == grid.ny) row(j).south += row(j).north;  // the axis of symmetry: both neighbours are the same line
       const double factor = row(j).south / row(j - 1).own;
       row(j).own -= factor * row(j - 1).north;
       row(j).r -= factor * row(j - 1).r;
     }
     double* P = level_.P.at_x(i);
-    double change = 0.0;  // of the line behind
+    double change = 0.0;  // of the next line
     for (int j = last; j >= 1; --j) {
       const double north = j == last ? 0.0 : row(j).north;
       change = -(row(j).r + north * change) / row(j).own;
@@ -88,7 +80,7 @@ class StationAcross {
     const auto [low, high] = range_of(e);
     return high * high > crossover_ * low;
   }
-  /// As ThreadWork::range_of: epsilon/(hx hy).
+  /// Least and largest epsilon/(hx hy), as ThreadWork::range_of.
   std::pair<double, double> range_of(const Faces<double>& e) const {
     return {std::min(stretch_ * std::min(e.west, e.east), std::min(e.south, e.north) / stretch_),
             std::max(stretch_ * std::max(e.west, e.east), std::max(e.south, e.north) / stretch_)};
@@ -135,7 +127,7 @@ class StationAcross {
     return row;
   }
 
-  // What r answers to the films of the dry nodes beside, by which epsilon goes as H^3.
+  // Derivative of r by the films of the cavitated nodes next to it, with epsilon proportional to H^3.
   double answer_to_film_of_edge(int i, int j, const Faces<double>& e) const {
     if (film_.given_epsilon) return 0.0;
     const auto of = [&](int k, int m, double face) {
@@ -145,7 +137,7 @@ class StationAcross {
     return of(i - 1, j, e.west) + of(i + 1, j, e.east) + of(i, j - 1, e.south) + of(i, j + 1, e.north);
   }
 
-  // The viscosity follows the pressures of the station, with epsilon at half points.
+  // Epsilon at half points: the viscosity follows the pressures of the column.
   void add_answers(int i, int j, const Faces<double>& e, RowAcross& row) const {
     const OilFields& oil = level_.oil;
     const bool thinned = oil.fluidity_across.nodes_x() > 0;
@@ -164,12 +156,12 @@ class StationAcross {
                e.east * (east.before - 1.0);
   }
 
-  // The same with epsilon at the nodes: of e (P_other - P) the half of it that the node gives.
+  // Epsilon at the nodes: it follows the pressures of the column. Each node gives half of the e in e (P_other - P).
   void add_slopes(int i, int j, const ThreadWork& work, RowAcross& row) const {
     const core::Field& P = level_.P;
     const auto slope = [](const std::vector<double>& slopes, int m) { return slopes[static_cast<std::size_t>(m)]; };
     const std::vector<double>& across = two_epsilons_ ? work.eps_across_P : work.eps_P;
-    const int north = j == level_.grid.ny ? j - 1 : j + 1;  // the axis: its neighbours are one
+    const int north = j == level_.grid.ny ? j - 1 : j + 1;  // the axis of symmetry: both neighbours are the same line
     const double to_south = half_.Y * (P(i, j) - P(i, j - 1)), to_north = half_.Y * (P(i, j) - P(i, j + 1));
     row.south += slope(across, j - 1) * to_south;
     row.north += slope(across, north) * to_north;

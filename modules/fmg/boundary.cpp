@@ -12,7 +12,7 @@
 namespace ehl::fmg {
 namespace {
 
-// action(i, j, share), the share of the node's cell that lies inside.
+// Calls action(i, j, share) at the boundary nodes; share is the part of the node's cell inside the domain.
 template <class Action>
 void for_boundary(const core::Patch& grid, Action action) {
   if (grid.domain.line) {
@@ -41,18 +41,19 @@ reynolds::FarState far_state(const Hierarchy& hierarchy, double H00) {
           .flow = motion.flow};
 }
 
-// Where the pressure is largest epsilon is least.
+// The flow where the pressure is largest and epsilon least.
 double flow_through_line(const Hierarchy& hierarchy, const Level& level) {
   const int top = core::maximum(level.P).i;
   const int i = std::clamp(top, 1, level.grid.nx - 2);
   return reynolds::flow_along(level.grid, fields(level), transport_on(hierarchy, level), i, 1);
 }
 
-/// Share of ln epsilon's change at the first node that counts upstream of it. Heat falls there about as X^-2, and what
-/// the pressure of the node is made of as X^-4: int u^2 u^2 du over int u^2 du.
+/// Share of the change of ln epsilon at the first node that counts for the oil upstream of it. Upstream the heating
+/// falls about as X^-2, and the integrand of the node's pressure as X^-4. With u = 1/|X| the share is the integral of
+/// u^2 u^2 over that of u^2.
 constexpr double share_upstream = 0.6;
 
-// With epsilon larger by this factor the same flow leaves so much less pressure behind.
+// Factor of the effects on epsilon upstream. The same flow builds up a pressure that is smaller by this factor.
 double mobility_upstream(const Hierarchy& hierarchy, Level& level) {
   const film::Model& model = hierarchy.problem.film;
   if (!along_one_line(hierarchy, level) || model.effects.empty()) return 1.0;
@@ -61,7 +62,7 @@ double mobility_upstream(const Hierarchy& hierarchy, Level& level) {
       share_upstream);
 }
 
-// The film of the bodies without what is on their surfaces.
+// The film without the surface relief.
 double smooth_film(const Level& level, int i, int j) {
   return level.H(i, j) - (level.F.nodes_x() > 0 ? level.F(i, j) : 0.0);
 }
@@ -83,7 +84,7 @@ std::vector<BoundaryNode> nodes_of_boundary(const core::Patch& grid) {
 
 FarSlopes far_slopes(const Hierarchy& hierarchy, const Level& level) {
   const reynolds::FarField& far_field = *hierarchy.problem.far_field;
-  constexpr double step = 1e-5;  // of films of order one: twice the digits that a difference loses are left
+  constexpr double step = 1e-5;  // about the cube root of rounding, for films of order one
   const auto slope = [&](auto value) { return (value(step) - value(-step)) / (2.0 * step); };
   const auto state = [&](double more) { return far_state(hierarchy, hierarchy.H00 + more); };
   FarSlopes slopes;

@@ -11,8 +11,8 @@ namespace {
 
 /// The part of a point's coupling to its neighbours that the elastic film provides, in units of epsilon/h^2.
 constexpr double elastic_coupling = 0.5;
-// epsilon on a coarse grid follows a falling film only down to this share of the finer grid's: a coarse film that
-// touches zero would cut the contact off from its surroundings.
+// Least share of the finer grid's film in epsilon on a coarse grid: a coarse film that falls to zero would cut the
+// contact off from its surroundings.
 constexpr double coarse_film_floor = 0.9;
 
 /// Shares of a residual that go to the four neighbours.
@@ -57,16 +57,16 @@ class Coupling {
   reynolds::HalfInverseSquares half_;
 };
 
-// The station of the finer grid that is station I of a coarser one.
+// The column of the finer grid that is column I of a coarser one.
 int finer_station(const Level& fine, const Level& coarse, int I) { return fine.grid.nx == coarse.grid.nx ? I : 2 * I; }
 
-// Which points beside the edge of the cavitated region.
+// The points next to cavitated ones that are left to relaxation: without residual and correction.
 reynolds::Neighbours left_to_relaxation(const Level& fine, const Level& coarse) {
   const bool across_alone = fine.grid.nx == coarse.grid.nx && !fine.grid.domain.line;
   return across_alone ? reynolds::Neighbours::across : reynolds::Neighbours::all;
 }
 
-// f of the coarse grid is the slack of the fine one, with the sign turned; the rest of it is added later.
+// f of the coarse grid begins as minus the slack of the fine one; the other terms are added later.
 void take_slack(reynolds::Cavitation cavitation, const Level& fine, Level& coarse) {
   coarse.f.fill(0.0);
   for (int I = 1; I < coarse.grid.nx; ++I)
@@ -77,8 +77,8 @@ void take_slack(reynolds::Cavitation cavitation, const Level& fine, Level& coars
     }
 }
 
-// Q is injected where the oil leaves room, as the pressure is there: f then makes of it what the coarse grid's march
-// gives, and how far such a point is from being full is its slack.
+// Q is injected where a node is not full, as the pressure is where it is full. f then makes the coarse grid's march
+// along X give this Q, and the slack of such a point is how far it is from being full.
 void restrict_content(const Level& fine, Level& coarse) {
   for (int J = 0; J <= coarse.grid.ny; ++J) {
     const int j = coarse.grid.finer_line(J);
@@ -118,7 +118,7 @@ void restrict_by_coupling(const Level& fine, const reynolds::Transport& transpor
     }
     return;
   }
-  // Residual of a point between two coarse columns, with what the centre points of its column give it.
+  // Residual of a point between two coarse columns, with the shares that it gets from the centre points of its column.
   const auto column_point = [&](int i, int j) {
     return r(i, j) + coupling.to_all(i, j - 1).north * r(i, j - 1) + coupling.to_all(i, j + 1).south * r(i, j + 1);
   };
@@ -138,15 +138,15 @@ void restrict_by_coupling(const Level& fine, const reynolds::Transport& transpor
   }
 }
 
-// By the coupling: stations that hold coarse points, with the boundary, from these; between two stations a point on a
-// line with coarse ones likewise, one in the middle of four from what stands around it.
+// Interpolation weighted by face conductances. Columns that hold coarse points are interpolated along Y. In the columns
+// between, points on a line with coarse points are interpolated along X, the others from their four neighbours.
 template <reynolds::Face face>
 void prolong_by_coupling(const Level& fine, const reynolds::Transport& transport, const core::Field& coarse,
                          int threads, core::Field& correction) {
   const Coupling<face> coupling(fine, elastic_coupling * reynolds::relative_strength(transport, fine.grid.hx()));
   const core::Patch& grid = fine.grid;
-  const int step = coarse.nodes_x() == correction.nodes_x() ? 1 : 2;  // from a station that holds some to the next
-  const int end_of_between = step == 1 ? 0 : grid.nx;                 // where each holds some, none is between
+  const int step = coarse.nodes_x() == correction.nodes_x() ? 1 : 2;  // between columns with coarse points
+  const int end_of_between = step == 1 ? 0 : grid.nx;                 // none between if all hold some
 #pragma omp parallel num_threads(threads) if (threads > 1)
   {
 #pragma omp for schedule(static)
@@ -172,13 +172,10 @@ void prolong_by_coupling(const Level& fine, const reynolds::Transport& transport
   }
 }
 
-// Bilinear, and where the top of a spike may have its flank on the next line, in proportion to the coupling with the
-// coarse points: linear where epsilon is constant. The coarse grid gives large changes to points that hardly answer, at
-// the top of the spike, and half of those is far too much for the point beside it, whose epsilon is orders larger.
-// Plain weights on stretched cells, R_x/R_y = 50, (20, 15): from grid to grid the residual at the outlet rises
-// fourfold, and the cycles diverge. Aslant, R_x/R_y = 37.8 at 5 degrees, (36.1, 11.8), 2048 cells: corrections raised
-// the residual five times, and 0.68 was left per cycle; now 0.33. Circles and ellipses along the axes take as many
-// cycles with either.
+// Bilinear; weighted by face conductances (linear where epsilon is constant) where the top of a spike may have its
+// flank on the next line: on stretched cells and in oblique contacts. There the coarse grid changes points at the top
+// of the spike by large amounts, which hardly matter to their own equations. Half of such a change is far too much for
+// a point next to them whose epsilon is orders larger. [bench: weighted_interpolation]
 void prolong_correction(const Hierarchy& hierarchy, const Level& fine, const core::Field& coarse,
                         core::Field& correction) {
   const int threads = hierarchy.threads_on(fine.grid);
@@ -252,7 +249,7 @@ void correct_from_coarse(Hierarchy& hierarchy, Level& coarse, Level& fine) {
     core::Field& correction = coarse.correction;
     core::set_nodes(coarse.grid, correction, [&](int i, int j) { return coarse.P(i, j) - coarse.P_restricted(i, j); });
     prolong_correction(hierarchy, fine, correction, fine.correction);
-    // Where no residual went down, no correction comes up.
+    // Points whose residual was not restricted get no correction.
     reynolds::drop_beside_dry(cavitation, fine.grid, fine.P, hierarchy.threads_on(fine.grid), fine.correction,
                               left_to_relaxation(fine, coarse));
     for (int i = 1; i < fine.grid.nx; ++i) {

@@ -1,4 +1,4 @@
-// The film of a level and the coefficients that are made of it.
+// The film of a level, and its coefficients.
 #include <omp.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace ehl::fmg {
 namespace {
 
-// One station of the field: epsilon, rho_bar and its slope from P and H.
+// One column (constant X): epsilon, rho_bar and its derivative from P and H.
 void coefficients_of_station(const film::Model& model, Level& level, int i, ThreadWork& work) {
   auto followed = std::as_const(level.H).station(i);
   if (corrects_finer(level)) {
@@ -35,7 +35,7 @@ void coefficients_of_station(const film::Model& model, Level& level, int i, Thre
   if (level.grid.domain.line) std::ranges::fill(level.eps_across.station(i), 0.0);
 }
 
-// The same where epsilon is made at half points: what it is made of, at the nodes of one station.
+// One column with epsilon at half points: the nodal values from which that is computed.
 void oil_of_station(const film::Model& model, Level& level, int i, ThreadWork& work) {
   OilFields& oil = level.oil;
   const auto of = [i](core::Field& field) { return field.nodes_x() > 0 ? field.station(i) : std::span<double>{}; };
@@ -50,7 +50,8 @@ void oil_of_station(const film::Model& model, Level& level, int i, ThreadWork& w
     if (field->nodes_x() > 0) core::fill_ghosts(level.grid, field->at_x(i));
 }
 
-// H of station k, on the way from station `beside` inwards to `behind` where the boundary has none.
+// H of column k; outside the domain extrapolated from the boundary column `beside` and the inner columns from `behind`
+// on.
 std::span<const double> film_at(const Level& level, int k, int beside, int behind, ThreadWork& work) {
   if (k >= 0 && k <= level.grid.nx) return level.H.station(k);
   const double* at = level.H.at_x(beside);
@@ -61,7 +62,7 @@ std::span<const double> film_at(const Level& level, int k, int beside, int behin
   return std::span<const double>(work.followed).first(nodes);
 }
 
-// epsilon between stations i and i + 1, from the nodes of the four around.
+// epsilon between columns i and i + 1, from the nodes of the four columns around.
 void epsilon_behind_station(const film::Between& how, Level& level, int i, ThreadWork& work) {
   const OilFields& oil = level.oil;
   const auto two = [i](const core::Field& field) { return std::array{field.station(i), field.station(i + 1)}; };
@@ -74,7 +75,7 @@ void epsilon_behind_station(const film::Between& how, Level& level, int i, Threa
   core::fill_ghosts(level.grid, level.eps.at_x(i));
 }
 
-// epsilon between the nodes of station i.
+// epsilon between the nodes of column i.
 void epsilon_on_station(const film::Between& how, Level& level, int i, ThreadWork& work) {
   const core::Patch& grid = level.grid;
   const OilFields& oil = level.oil;
@@ -115,7 +116,7 @@ void nodes_of_station(const film::Model& model, Level& level, int i, ThreadWork&
     coefficients_of_station(model, level, i, work);
 }
 
-// epsilon of the nodes of station i, whatever is kept of it.
+// epsilon at the nodes of column i, whether level.eps holds nodes or half points.
 std::span<const double> nodes_epsilon(double lambda, const Level& level, int i, std::vector<double>& work) {
   if (!at_half_points(level)) return level.eps.station(i);
   const auto nodes = static_cast<std::size_t>(level.grid.nodes_y());
@@ -139,14 +140,14 @@ void third_order_behind_station(const reynolds::Transport& transport, double lam
   core::fill_ghosts(grid, level.third_order.at_x(i));
 }
 
-// When all nodes have what is made of them for the faces between.
+// The values of the faces, once all nodes have theirs.
 void make_half_points(Hierarchy& hierarchy, Level& level) {
   const reynolds::Transport transport = transport_on(hierarchy, level);
   const bool third_order = reynolds::third_order(transport.wedge);
   if (!at_half_points(level) && !third_order) return;
   const film::Between how = between(hierarchy.problem);
   for_stations(hierarchy, level, [&](int i, ThreadWork& work) {
-    // The first face has no third node.
+    // The first face lacks a third node.
     if (third_order && i > 0 && i < level.grid.nx) third_order_behind_station(transport, how.lambda, level, i, work);
     if (!at_half_points(level)) return;
     if (i < level.grid.nx) epsilon_behind_station(how, level, i, work);

@@ -13,27 +13,26 @@
 namespace ehl::fmg {
 namespace {
 
-/// Relaxations of the coarsest grid in one cycle, all visits together, below which the force balance lags behind.
+/// Least number of relaxations of the coarsest grid in one cycle, all visits together; with fewer the force balance
+/// lags behind.
 constexpr int least_sweeps_per_cycle = 30;
 
-/// Relaxation takes a number of sweeps for the smoothest pressure that grows with the square of the cells; those that
-/// are asked for are enough for these. With as many on 48 to 64 cells cycles left 0.6 of the residual.
+/// Cells along X for which the given number of relaxations solves the coarsest grid. The smoothest pressure needs a
+/// number that grows with the square of the cells. [bench: cells_of_coarsest_sweeps]
 constexpr double cells_of_coarsest_sweeps = 32.0;
-/// Likewise across a slender contact: along X lines are solved whole, and the smoothest pressure of a long inlet lies
-/// across. On 24 lines cycles with as many sweeps as on 16 left 0.57 of it, as many as zebra lines leave of a quarter
-/// wave; with (24/16)^2 times as many 0.3 ((1000, 1) at R_x/R_y = 50).
+/// Lines for which it does on stretched cells. There lines along X are solved exactly, and the smoothest pressure of a
+/// long inlet varies along Y. [bench: lines_of_coarsest_sweeps]
 constexpr double lines_of_coarsest_sweeps = 16.0;
 
-/// A visit of the coarsest grid that leaves more than this share of what is unsolved is taken again with less weight. A
-/// new H00 may raise the residual a little: of 316 visits for ten loads from (5, 5) to (1000, 20) the worst left 1.9 of
-/// it. Relaxations that swing around the rim of a contact of few cells left 4 to 8 times as much, and cycles with them
-/// stood still (M >= 200, L <= 2).
+/// A visit of the coarsest grid that multiplies what is unsolved by more than `raised` is repeated with smaller
+/// weights. A new H00 may raise the residual a little; relaxations that oscillate around the edge of a contact of few
+/// cells raise it much more, and then the cycles stall. [bench: coarsest_raised]
 constexpr double raised = 2.0;
 constexpr double less_weight = 0.8;
 constexpr double least_weight = 0.5;
 
-/// The film at the centre may fall by this share of itself in one visit of the coarsest grid: a thick film's pressure
-/// answers late, and H00 would go on falling until the bodies meet ((10, 20): a load 20 times as large followed).
+/// Largest relative fall of the film at the centre in one visit of the coarsest grid. The pressure of a thick film
+/// reacts late, and without a limit H00 falls until the bodies meet. [bench: largest_fall]
 constexpr double largest_fall = 0.5;
 
 int visits_of_coarsest(Cycle kind, int l) {
@@ -41,13 +40,13 @@ int visits_of_coarsest(Cycle kind, int l) {
   return kind == Cycle::W ? 1 << (l - 1) : l;
 }
 
-/// A grid that is coarsened across X alone is corrected once, whatever the cycle: its corrector is half the work, and
-/// two such grids leave 0.21 of an error where two grids coarsened both ways leave 0.31.
+/// A grid that is coarsened along Y alone is corrected once, whatever the cycle: its corrector costs half as much as
+/// the grid itself, and one correction is enough. [bench: correct_once]
 bool once(const Level& fine, const Level& coarse) { return fine.grid.nx == coarse.grid.nx && !fine.grid.domain.line; }
 
-/// Sum of |r| where it asks for another pressure, over that of the transport term, and the missing share of the load:
-/// a visit that brings H00 to its load disturbs a residual that was small. (The root mean square of r sees the rim
-/// alone, where a visit may raise it and serve the cycle: of a roughness higher than the film a start more.)
+/// Sum of |r| of the nodes whose pressure may change, over the sum of the transport term, plus the relative defect of
+/// the load. (The load is included since a visit that corrects H00 disturbs a residual that was small. A root mean
+/// square would see the edge of the contact alone, where a useful visit may raise it.)
 double unsolved_share(Hierarchy& hierarchy, Level& level) {
   update_residual(hierarchy, level);
   const core::Patch& grid = level.grid;
@@ -71,7 +70,7 @@ double unsolved_share(Hierarchy& hierarchy, Level& level) {
 void visit_coarsest(Hierarchy& hierarchy, Level& level, int coarsest_sweeps, const Parameters& how) {
   const core::EnclosingTimer timer(hierarchy.times, core::Part::coarsest);
   const double before = unsolved_share(hierarchy, level);
-  core::copy(level.P, level.correction);  // a place to keep it: the correction is made later
+  core::copy(level.P, level.correction);  // a copy; this field is free until the correction is made
   const double H00 = hierarchy.H00;
   Parameters used = how;
   for (;;) {
@@ -107,7 +106,7 @@ void cycle(Hierarchy& hierarchy, Level& level, Cycle kind, int coarsest_sweeps, 
 void fas_cycle(Hierarchy& hierarchy, std::size_t l, const Parameters& how) {
   const Cycle kind = how.cycle.value_or(Cycle::W);
   Level& level = hierarchy.levels[l];
-  int below = 0;  // grids that are corrected as often as the kind of cycle says
+  int below = 0;  // grids that are corrected as often as the kind of cycle demands
   const Level* coarsest = &level;
   while (const Level* next = corrector_of(hierarchy, *coarsest)) {
     if (!once(*coarsest, *next)) ++below;
@@ -121,7 +120,7 @@ void fas_cycle(Hierarchy& hierarchy, std::size_t l, const Parameters& how) {
 }
 
 void relax_with_force_balance(Hierarchy& hierarchy, Level& level, int sweeps, const Parameters& how) {
-  // Where the load itself answers to H00, c is the share of that answer that is left to the pressure.
+  // Eq. (26) with the load at the new H00, where the load depends on H00.
   const double c = how.load_relaxation;
   const double share = c / (1.0 + c * (hierarchy.load_line.slope + hierarchy.outside_line.slope));
   const double Hc = judgement::value_at(level.grid, level.H, 0.0, 0.0);

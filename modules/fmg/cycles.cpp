@@ -16,13 +16,15 @@
 namespace ehl::fmg {
 namespace {
 
-/// A state this far from any solution will not come back.
+/// Relative residual from which cycles do not recover.
 constexpr double hopeless_residual = 1e3;
-/// Cycles that stall: this many since the last change of caution in which the residual does not even halve.
+/// Cycles stall if the residual does not even halve (hardly_less) in this many of them since the last change of
+/// damping.
 constexpr int patience = 6;
 constexpr double hardly_less = 0.5;
-/// A cycle that leaves more of the residual than this, and leaves it so high for the second time, is a reason for more
-/// caution; not the first two of a series, which still feel the interpolation, nor beside rounding errors.
+/// A poor cycle asks for more damping: its residual exceeds this share both of the residual one cycle before and of
+/// that two cycles before. The first settling_cycles after a change still feel the interpolation and do not count, nor
+/// do residuals near rounding.
 constexpr double poor_factor = 0.75;
 constexpr int settling_cycles = 2;
 constexpr double rounding_residual = 1e-10;
@@ -31,18 +33,18 @@ constexpr double least_steep = 0.6;
 constexpr double back_off_all = 0.8;
 constexpr double least_all = 0.5;
 
-/// On stretched cells the weight where epsilon is steep is small, for states far from the solution; a cycle that leaves
-/// less than this of the residual is a reason for more of it, a poor one takes that back for good: weights that rise
-/// and fall again disturb the combination of states. (20, 15) at R_x/R_y = 20 and 50, (1000, 15) at 100: 0.38, 0.45,
-/// 0.54 are left without, 0.31, 0.41, 0.53 with; where they rose again 0.31, 0.41, and the last did not converge.
+/// Growth of the steep weight on stretched cells, which is small at first for states far from the solution. A cycle
+/// with a convergence factor below good_factor multiplies it by the second number, up to the third in all. The first
+/// poor cycle ends the growth for good: weights that rise and fall spoil the Krylov acceleration. [bench:
+/// steep_weight_growth]
 constexpr double good_factor = 0.6;
 constexpr double bolder = 1.25;
 constexpr double boldest = 1.4;
 
-/// A meniscus on its way to its place is no reason for more caution, for so many cycles.
+/// During this many cycles a meniscus may still be moving to its position, which does not call for more damping.
 constexpr int on_its_way = 15;
 
-/// How many nodes are dry, where their oil is an unknown.
+/// Number of nodes that are not full in the mass-conserving cavitation model; 0 in the others.
 int dry_nodes(const Level& level, reynolds::Cavitation cavitation) {
   int count = 0;
   if (!reynolds::conserves(cavitation)) return count;
@@ -51,7 +53,7 @@ int dry_nodes(const Level& level, reynolds::Cavitation cavitation) {
   return count;
 }
 
-/// More caution; false when there is none left to take.
+/// Increases the damping by one step; false if it is at its limit.
 bool back_off(Caution& caution) {
   if (caution.steep * back_off_steep >= least_steep)
     caution.steep *= back_off_steep;
@@ -62,7 +64,7 @@ bool back_off(Caution& caution) {
   return true;
 }
 
-/// Factor on the steep weight of stretched cells.
+/// Growth factor of the steep weight on stretched cells.
 struct Boldness {
   double factor = 1.0;
   bool rises = true;
@@ -84,7 +86,7 @@ void go_back(Hierarchy& hierarchy, std::size_t l, const State& state) {
   renew_boundary(hierarchy, hierarchy.levels[l]);
 }
 
-// One cycle and the state behind it. out: how it diverged; empty where it did not.
+// One cycle, then the boundary and the measures of the new state. out: how it diverged; empty if it did not.
 std::string cycle(Hierarchy& hierarchy, std::size_t l, const Parameters& how, judgement::Measures& now) {
   try {
     fas_cycle(hierarchy, l, how);
@@ -96,7 +98,7 @@ std::string cycle(Hierarchy& hierarchy, std::size_t l, const Parameters& how, ju
   return now.residual < hopeless_residual && std::isfinite(now.Hc) ? "" : "the cycles diverge";
 }
 
-// The combination with the states before, where it leaves less of the residual.
+// Krylov acceleration: takes the combination with the earlier states if it has the smaller residual.
 void accelerate(Hierarchy& hierarchy, std::size_t l, Acceleration& before, judgement::Measures& now) {
   State combined;
   if (before.combine(hierarchy, l, combined)) {
@@ -134,7 +136,7 @@ judgement::Verdict close_or_leave(Hierarchy& hierarchy, std::size_t l, const Sta
   judgement::Verdict verdict;
   if (closed) verdict = look();
   if (verdict.unmet.empty()) verdict.unmet = judgement::unmet_oil(now);
-  // What was made rough in vain would raise the next residual too, and the next closing be in vain again.
+  // A correction that fails leaves rough errors, which would make the next one fail again.
   if (closed && !verdict.unmet.empty()) {
     go_back(hierarchy, l, unclosed);
     look();
@@ -150,7 +152,7 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
   Parameters how = cautious(hierarchy.parameters, needed);
   const State start = state_of(hierarchy, l);
   judgement::Measures before = measures_of(hierarchy, l);
-  std::vector<double> residuals;  // since the last change of caution
+  std::vector<double> residuals;  // since the last change of damping
   Boldness boldness;
   bool across = how.relaxation.across;
   const bool stretched = core::stretched(hierarchy.levels[l].grid);
@@ -167,7 +169,7 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
   int dry = dry_nodes(hierarchy.levels[l], cavitation), dry_before = dry;
   Acceleration states;
   bool accelerates = false;
-  double two_before = std::numeric_limits<double>::infinity();  // a residual
+  double two_before = std::numeric_limits<double>::infinity();  // residual two cycles before
   const bool closes = criterion.aim == judgement::Aim::solution && conserves_mass(hierarchy.levels[l]);
   State last;
   while (result.cycles < criterion.most) {
@@ -223,7 +225,7 @@ CyclesResult run_cycles(Hierarchy& hierarchy, std::size_t l, const judgement::St
                       now.residual > poor_factor * residuals[taken - 3] && now.residual > rounding_residual;
     const bool swings = (poor || stalled || to_and_fro) && criterion.aim == judgement::Aim::solution &&
                         may_swing(now.residual) && find_swinging(hierarchy, hierarchy.levels[l], how.relaxation) > 0;
-    if (swings) {  // no reason for more caution
+    if (swings) {  // damping does not cure chattering nodes
       now = measures_of(hierarchy, l);
       residuals = {now.residual};
     } else if (stalled) {

@@ -17,8 +17,9 @@ using judgement::Aim;
 using judgement::Measures;
 using judgement::StoppingCriterion;
 
-/// A meniscus moves by few cells a cycle, and the film in the contact hardly notes it: it comes to its place where
-/// cycles are cheap, by the residual, in so many times extra_cycles.
+/// A meniscus moves by few cells per cycle, and the film in the contact hardly shows it. It reaches its position on the
+/// levels below the finest, where cycles are cheap: they run until the relative residual is below at_its_place, with at
+/// most to_its_place times extra_cycles.
 constexpr double at_its_place = 1e-2;
 constexpr int to_its_place = 4;
 
@@ -41,8 +42,9 @@ StoppingCriterion criterion_of(const Run& run, std::size_t l) {
           .of_start = of_start};
 }
 
-/// Of the last row. A line begins on its finest grid where coarser ones do not see its film, and has no row to be
-/// compared with: the mesh's own bound, where that is as large as the film. It needs no residual of 1e-6.
+/// Discretization error of the last row. A line contact may start on its finest grid if coarser ones do not resolve its
+/// film, and then has no coarser solution to compare with. If the error bound of this mesh alone is at least as large
+/// as the film, it is returned instead: such a solution needs no small residual.
 DiscretizationError error_known_of(const Run& run, std::size_t l, double Hm) {
   const DiscretizationError known{run.record.levels.back().error_Hc, run.record.levels.back().error_Hm};
   const core::Patch& grid = run.hierarchy.levels[l].grid;
@@ -52,14 +54,14 @@ DiscretizationError error_known_of(const Run& run, std::size_t l, double Hm) {
   return bound < 1.0 ? known : DiscretizationError{bound, bound};
 }
 
-/// Geometric mean of the factors by which the cycles on one level reduced the residual, all but the first.
+/// Geometric mean of the convergence factors of the cycles on one level, all but the first.
 double mean_factor(const std::vector<double>& residuals) {
   if (residuals.size() < 2) return std::numeric_limits<double>::quiet_NaN();
   return std::pow(residuals.back() / residuals.front(), 1.0 / static_cast<double>(residuals.size() - 1));
 }
 
-/// A meniscus begins from a solution without one, and recedes with a supply that is reduced in steps: with steps of a
-/// half, or half as many cycles, thin layers between soft bodies end in a film that swings.
+/// The mass-conserving model starts from a flooded solution; the supply is then reduced in steps, and the meniscus
+/// recedes with it. [bench: supply_steps]
 void reduce_supply(Run& run) {
   constexpr int cycles_of_a_supply = 8;
   constexpr double next_supply = 0.7;
@@ -73,12 +75,12 @@ void reduce_supply(Run& run) {
     run.caution = result.caution;
   };
   cycles();
-  run.caution = run.plan.above;  // small weights keep a meniscus from its place
+  run.caution = run.plan.above;  // damped relaxations keep a meniscus from its position
   const double flooded = measures_of(hierarchy, l).Hc;
   double least = hierarchy.problem.supply(0.0);
   for (int j = 0; j <= level.grid.ny; ++j) least = std::min(least, hierarchy.problem.supply(level.grid.Y(j)));
   least *= share_of_supply(hierarchy, level);
-  constexpr double thin = 0.01;  // of the flooded film: thinner layers go through as they are
+  constexpr double thin = 0.01;  // of the flooded film: thinner layers pass through unchanged
   for (double supply = flooded; supply > std::max(least, thin * flooded); supply *= next_supply) {
     hierarchy.least_supply = supply;
     supply_oil(hierarchy, level);
@@ -111,10 +113,10 @@ void full_multigrid(Run& run) {
 void ascend(Run& run, std::size_t from) {
   Hierarchy& hierarchy = run.hierarchy;
   const double order = reynolds::order(hierarchy.problem.transport.wedge);
-  State two_below;  // without a pressure where there is none to foretell from
+  State two_below;  // empty if it must not be used for extrapolation
   for (std::size_t l = from + 1; l <= run.finest(); ++l) {
     RowTimer timer(run);
-    // A film that is negative on a coarse grid foretells nothing.
+    // A coarse solution with a negative film is not extrapolated.
     const bool holds = run.record.levels.back().Hm > 0.0;
     State below = state_of(hierarchy, l - 1);
     if (two_below.P.nodes_x() > 0 && holds)
@@ -133,7 +135,7 @@ void solve_level(Run& run, std::size_t l) {
   record.levels.emplace_back();
   std::vector<double> residuals;
   const CycleObserver observe = [&](int cycle, const Measures& now) -> DiscretizationError {
-    if (!residuals.empty() && record.history.back().cycle == cycle) {  // anew, its oil closed
+    if (!residuals.empty() && record.history.back().cycle == cycle) {  // again, after the global mass correction
       record.history.pop_back();
       residuals.pop_back();
     }

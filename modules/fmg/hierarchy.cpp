@@ -17,7 +17,7 @@
 namespace ehl::fmg {
 namespace {
 
-// Delta K by the shares of stretched cells. Near alone, where the differences keep their digits.
+// Delta K with the shares of stretched cells. Only for small d: far away the differences lose their digits.
 double stretched_influence(int d, const core::Patch& grid) {
   const auto K = [&](int d_x, int d_y) { return kernel::influence(d_x, d_y, grid.hx(), grid.hy()); };
   const DistributedShares share = distributed_shares(grid);
@@ -49,12 +49,12 @@ OilFields oil_fields(const core::Patch& grid, bool anisotropic) {
   return anisotropic ? OilFields{zero, zero, zero, zero} : OilFields{zero, zero, {}, {}};
 }
 
-// The number of coarsenings that a user gives is meant for the finest grid: the others take as many as they hold.
+// A number of coarsenings in the deck is meant for the finest grid; coarser grids take as many of them as fit.
 Level make_level(const core::Patch& grid, bool finest, const Problem& problem, const Parameters& parameters,
                  const mlmi::Parameters& deformation, int threads) {
   const auto zero = [&] { return core::Field(grid); };
   const auto only_below_the_finest = [&] { return finest ? core::Field() : core::Field(grid); };
-  // A colour has every second line, and one batch more for the lines beside its last one.
+  // A colour has every second line; one more batch holds the lines next to its last one.
   const int lines_of_a_colour = grid.ny / 2 + 2 * core::lanes;
   const bool along_line = relaxes_along_line(grid, parameters.relaxation, problem.cavitation);
   const auto zero_changes = [&] { return along_line ? core::Field() : core::Field(grid.nodes_x(), lines_of_a_colour); };
@@ -94,18 +94,18 @@ Level make_level(const core::Patch& grid, bool finest, const Problem& problem, c
           .corrector = {}};
 }
 
-/// Fewer lines than this on the patch of a slender contact do not hold it: R_x/R_y = 50, (20, 5), cells of 1/16 leave
-/// 0.5 per cycle with 4 and 0.15 with 8.
+/// Least number of lines of a correcting grid: fewer do not resolve an elongated contact. [bench: fewest_lines]
 constexpr int fewest_lines = 8;
 
-/// What grids_below goes down to along X.
+/// True if grids_below() coarsens this grid once more.
 bool goes_on(const core::Patch& grid, const Parameters& parameters) {
   const int wanted = parameters.coarsest_cells > 0 ? parameters.coarsest_cells : parameters.least_coarsest_cells;
   return grid.nx > wanted && grid.nx % 2 == 0 && grid.ny % 2 == 0 &&
          (parameters.coarsest_cells > 0 || grid.nx / 2 >= wanted);
 }
 
-/// The next of the grids that correct a level with stretched cells: half the lines until the cells are square.
+/// The next coarser of the grids that correct a level with stretched cells: half the lines until the cells are square,
+/// then half of both.
 std::optional<core::Patch> next_correcting(const core::Patch& grid, const Parameters& parameters) {
   if (grid.ny % 2 != 0 || grid.ny / 2 < fewest_lines) return std::nullopt;
   if (core::stretched(grid)) return core::coarsened_across(grid);
@@ -118,7 +118,8 @@ int index_of(const std::vector<Level>& levels, const core::Patch& grid) {
   return found == levels.end() ? -1 : static_cast<int>(found - levels.begin());
 }
 
-// Of two levels that differ by a factor of two the chains meet at the first square grid of the coarser one.
+// Two levels whose cells differ by a factor of two share their correcting grids from the first square grid of the
+// coarser level on.
 template <class MakeLevel>
 void make_grids_between(Hierarchy& hierarchy, MakeLevel make) {
   std::vector<Level>& between = hierarchy.between;

@@ -6,8 +6,9 @@
 
 namespace ehl::fmg {
 
-/// The deck's keys of [multigrid].
+/// The keys of the deck's section [multigrid].
 std::vector<deck::Key> keys();
+/// The values of these keys. errors: reported to the deck: an even kernel_terms; pre + post = 0.
 Parameters read(deck::Deck& deck);
 
 }  // namespace ehl::fmg

@@ -8,17 +8,17 @@
 namespace ehl::fmg {
 namespace {
 
-/// A row of nodes from boundary to boundary, or to a mirror.
+/// A row of nodes from boundary to boundary, or to the axis of symmetry.
 struct Row {
   explicit Row(int cells) : P(static_cast<std::size_t>(cells) + 1), e(P.size() - 1), change(P.size()) {}
   std::size_t last() const { return e.size(); }
 
   std::vector<double> P;
-  std::vector<double> e;       ///< what couples a node with the next
+  std::vector<double> e;       ///< conductance between a node and the next
   std::vector<double> change;  ///< in: at the ends
 };
 
-/// How far a change at the node goes, in nodes; 1/e is summed up over so many.
+/// How far a change at an end of the row reaches: the number of nodes, and the sum of 1/e up to there.
 struct Way {
   std::size_t nodes = 0;
   double resistance = 0.0;

@@ -1,14 +1,14 @@
 #pragma once
-// What a new pressure on the boundary does to the pressure inside.
+// Extension of a new boundary pressure into the domain.
 #include "fmg/hierarchy.hpp"
 
 namespace ehl::fmg {
 
-/// Leads changes of the pressure on the boundary on to the inside, where epsilon is large: along rows of nodes epsilon
-/// dP/dX of the change is the same everywhere, and the change falls to nothing where the film answers as strongly as
-/// the pressure beside it, or at the first dry node. First along Y, then what is left on the inlet and the outlet along
-/// X. in: level.correction, the changes, on the boundary alone; P, which has them there. Uses the correction inside.
-/// The film does not follow.
+/// Extends changes of the boundary pressure into the domain where epsilon is large. Along a row of nodes epsilon dP/dX
+/// of the change is constant, and the change falls to zero where the response of the film is as strong as the coupling
+/// to the next node, or at the first cavitated node. First along Y; then along X, with what this leaves of the changes
+/// on the inlet and the outlet. in: level.correction, the changes, on the boundary alone; P, which contains them there.
+/// out: P; the correction inside is overwritten, the film is not renewed.
 void lead_inward(const Hierarchy& hierarchy, Level& level);
 
 }  // namespace ehl::fmg

@@ -14,7 +14,7 @@ using core::Lanes;
 
 namespace {
 
-/// What the film does at a station: rho_bar, rho_bar H and d(rho_bar)/dP H.
+/// The film of a column: rho_bar, rho_bar H and d(rho_bar)/dP H.
 struct FilmStation {
   Lanes rho_bar, rho_H, slope_H;
 };
@@ -24,22 +24,20 @@ FilmStation film_station(const Level& level, int i, int j) {
   return {rho_bar, rho_bar * H, own_lines(level.drho_bar, i, j) * H};
 }
 
-/// What r answers to the films that epsilon is made of, by its third power: at the station, at those beside it, and on
-/// the two lines beside.
+/// Derivatives of r by the films in epsilon, which is proportional to H^3: the film of the column itself, of the
+/// columns next to it, and of the two lines next to this one.
 struct FilmOfEpsilon {
   Lanes own, west, east, across;
 };
-/// Across the lines, which change in turn, a part of it: of 1, 0.5 and 0.3 cycles leave 0.38, 0.36, 0.34 of (1000, 15)
-/// at R_x/R_y = 20, 0.55, 0.53, 0.24 of (100, 10) and 0.55, 0.54, 0.29 of (100, 5) at 100; with epsilon held 0.54,
-/// 0.62, 0.58.
+/// Share of the derivatives by the films of the neighbouring lines that the rows use, since these lines change in turn.
+/// [bench: share_of_lines_beside]
 constexpr double share_of_lines_beside = 0.3;
 
-/// On coarse grids the flux through the side of a slender contact is the mean epsilon of a thick film outside times
-/// nearly all of the pressure inside: that pressure is flux over epsilon, and epsilon follows the film that it makes.
-/// Relaxed with epsilon held, it overshoots by 3 P dH/dP/H: at R_x/R_y = 100, (100, 5), each sweep of the coarsest grid
-/// left -1.6 of it, with half the weights. At 45 degrees (1000, 10) at 20 left 0.31 per cycle, (100, 5) at 100 0.43;
-/// now 0.17 and 0.32, and (1000, 5) at 100 is solved.
-/// in: what poiseuille() takes: the factors of the faces, the pressures of the station and of those beside it.
+/// Derivatives of r by the film through epsilon. On coarse grids the flux through the side of an elongated contact is
+/// the mean epsilon, that of a thick film outside, times nearly all of the pressure inside: that pressure is flux over
+/// epsilon, and epsilon follows the film that it makes. Relaxed with epsilon held, it overshoots by 3 P dH/dP/H, and
+/// the coarsest grid diverges. [bench: epsilon_follows_film]
+/// in: the arguments of poiseuille(): the factors of the faces, the pressures of the column and of its neighbours.
 FilmOfEpsilon film_of_epsilon(const Level& level, int i, int j, const reynolds::HalfInverseSquares& half, Lanes P_west,
                               const Beside& P, Lanes P_east) {
   const Beside H = with_neighbours(level.H, i, j);
@@ -58,8 +56,8 @@ FilmOfEpsilon film_of_epsilon(const Level& level, int i, int j, const reynolds::
       .across = share_of_lines_beside * (slope(eps.south, H.south) * to_south + slope(eps.north, H.north) * to_north)};
 }
 
-/// Of smooth steady ellipses. Circles take the same cycles with it, but leave 0.67 instead of 0.50 with waves as high
-/// as the film ((50, 10), 128 cells), and very hot ones find no state. Of 77 lines (5, 20) loses its first start.
+/// True on the correcting grids of smooth steady ellipses. It slows down circular contacts with waves, and very hot
+/// ones and some line contacts find no solution with it. [bench: epsilon_follows_film]
 bool epsilon_follows_film(const Hierarchy& hierarchy, const Level& level) {
   const Problem& problem = hierarchy.problem;
   return corrects_finer(level) && !level.grid.domain.line && !problem.geometry.gap.round() && !problem.surface &&
@@ -116,7 +114,7 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
 
     line_solvers::PointEquation<form == Form::plain ? 3 : 4> point;
     FilmOfEpsilon of_epsilon{};
-    reynolds::PressureRow<Lanes> dr;  // with respect to the pressure changes: Poiseuille, and the wedge by its density
+    reynolds::PressureRow<Lanes> dr;  // by the pressure changes: Poiseuille terms, and the wedge through the density
     if constexpr (plain) {
       point.c = {c[0] * film0.rho_bar, c[1] * film1.rho_bar, c[2] * film2.rho_bar};
       if constexpr (follows) {
@@ -160,14 +158,14 @@ void LineBatch<reach, solver>::assemble(const Hierarchy& hierarchy, const Level&
         shares, dr, [d](int q) { return d[q]; }, work_.far_squeeze[k] * film0.rho_bar);
 
     line_solvers::BandRow<reach> row = line_solvers::eliminate_film<reach>(level.film_terms, point, d);
-    // delta_{i-3} reaches the density's part at i-2 through its distribution.
+    // delta_{i-3} changes the density at i-2 by its distribution.
     row.a[line_solvers::BandRow<reach>::lower - 3] += share * d[-3] * dr.far_west;
     if constexpr (follows)
       for (int q = -reach; q <= reach; ++q)
         row.a[static_cast<std::size_t>(line_solvers::BandRow<reach>::lower + q)] -=
             (1.0 - d[q]) * of_epsilon.across * level.film_terms.K_across[static_cast<std::size_t>(std::abs(q))];
     LaneMask fixed = outside;
-    // Otherwise the solution is no fixed point.
+    // Without these identity rows the solution would be no fixed point of the relaxation.
     fixed |= reynolds::stays_dry(cavitation, P.own, point.r);
     line_solvers::make_identity(row, fixed);
     take(i, row);
@@ -195,8 +193,8 @@ void LineBatch<reach, solver>::keep(Level& level, int batch, int i, Lanes delta,
   core::store(level.changes.distributed.at_x(i) + at, distributive * change);
 }
 
-// Of a steady line contact (line_relaxation.cpp tells why): what each pressure changes by in all, weighted, and nothing
-// that is to be distributed any more.
+// Steady line contacts: the weight goes on the whole change of each pressure, and nothing remains to be distributed
+// (see apply() in line_relaxation.cpp).
 template <int reach, LineSolver solver>
 void LineBatch<reach, solver>::weigh_pressures(Level& level, int batch) const {
   const int at = batch * core::lanes;

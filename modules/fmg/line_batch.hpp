@@ -24,23 +24,24 @@ inline core::LaneMask inside(int j0, const core::Patch& grid) {
   return (j >= 1) & (j <= grid.last_line());
 }
 
-/// From the coefficients of the pressure changes in a row to those of the deltas delta_{i-2} .. delta_{i+2}: the
-/// pressure change at k is delta_k - share (distributed_{k-1} + distributed_{k+1}), and the lines beside get the share
-/// across of a distributed one. in: d(q), whether point i + q distributes its change; `squeezed`, what it squeezes out
-/// of the film around it.
+/// Converts the coefficients of the pressure changes in a row into those of delta_{i-2} .. delta_{i+2}. The pressure
+/// change at k is delta_k - share (distributed_{k-1} + distributed_{k+1}); the neighbouring lines give up the Y share
+/// of a distributed change. in: d(q), 1 if point i + q distributes its change, else 0; `squeezed`, how much single
+/// changes around the point squeeze out of its film, per change of its own (ThreadWork::far_squeeze).
 template <class Distributive>
 inline std::array<core::Lanes, 5> coefficients_of_deltas(const DistributedShares& shares,
                                                          const reynolds::PressureRow<core::Lanes>& dr, Distributive d,
                                                          core::Lanes squeezed) {
   const double share = shares.along;
-  const double across = shares.across / share;  // 1 but of stretched cells
+  const double across = shares.across / share;  // 1 except on stretched cells
   return {share * d(-2) * dr.west - dr.far_west, share * d(-1) * (dr.far_west + dr.own) - dr.west,
           share * d(0) * (dr.west + dr.east + across * dr.south + across * dr.north) - dr.own - squeezed,
           share * d(1) * dr.own - dr.east, share * d(2) * dr.east};
 }
 
-/// The under-relaxation weight of a change. in: 1 where it is distributed; the coefficients of the half points around.
-/// Of a single one from `weight_single_steep` up to the full one as these come within a factor 2 of each other.
+/// Under-relaxation weight of a change: weight_distributed, or weight_single where the coefficients of the half points
+/// around are within a factor of 2, down to weight_single_steep as their ratio falls. in: 1 where the change is
+/// distributed, else 0; the range of the coefficients.
 inline core::Lanes weight_of_change(const RelaxationParameters& how, core::Lanes distributive,
                                     const ThreadWork::Range& around) {
   const double range = how.weight_single - how.weight_single_steep;
@@ -48,30 +49,32 @@ inline core::Lanes weight_of_change(const RelaxationParameters& how, core::Lanes
   return distributive > 0.0 ? core::broadcast(how.weight_distributed) : how.weight_single_steep + range * smooth;
 }
 
-/// A change of one pressure within RelaxationParameters::most_change.
+/// A change of one pressure, limited to RelaxationParameters::most_change.
 inline core::Lanes bounded(const RelaxationParameters& how, core::Lanes change) {
   const core::Lanes most = core::broadcast(how.most_change);
-  return core::max(-most, core::min(most, change));  // a NaN stays one
+  return core::max(-most, core::min(most, change));  // keeps a NaN
 }
 
-/// Holds a distributed change to what is there: no point gives more than its pressure. What goes below zero is cut off,
-/// while its neighbours keep what they were given: pressure out of nothing, which a strong squeeze answers by far more.
+/// Limits a distributed change so that no point gives away more than its pressure. Otherwise the projection cuts off
+/// what falls below zero, while the neighbours keep what they received: pressure from nothing, which a strong squeeze
+/// term amplifies.
 inline void hold_to_what_is_there(core::Lanes P, core::Lanes& delta, core::Lanes& distributed) {
   const core::LaneMask too_much = distributed < -P;
   delta = too_much ? -P : delta;
   distributed = too_much ? -P : distributed;
 }
 
-/// Of the rows: with epsilon at the nodes and a wedge of three weights; the same where epsilon follows the film; with
-/// everything; of the cavitation model that conserves mass.
+/// Kinds of rows: epsilon at the nodes and a wedge of three weights; the same with epsilon following the film; all
+/// terms; the mass-conserving cavitation model.
 enum class Form { plain, following_film, general, mass_conserving };
 
-/// What the line systems are made of, into the work space of one thread.
+/// Reads the coefficients of the line systems of a batch into the work space of one thread.
 class LineCoefficients {
  public:
   LineCoefficients(ThreadWork& work, const RelaxationParameters& how) : work_(work), how_(how) {}
 
-  /// epsilon/h^2 at the half points, what the viscosity answers, and which points distribute their change.
+  /// Reads epsilon/h^2 at the half points and the derivatives of the viscosity, and chooses the points that distribute
+  /// their change.
   void read(const Hierarchy& hierarchy, const Level& level, int j);
 
  private:
@@ -88,7 +91,7 @@ class LineBatch {
   /// in: work made for this reach and solver.
   LineBatch(ThreadWork& work, const RelaxationParameters& how) : work_(work), how_(how) {}
 
-  /// Solves the line systems of one batch and leaves the changes, under-relaxed, in level.changes.
+  /// Solves the line systems of one batch and writes the under-relaxed changes to level.changes.
   line_solvers::SmallPivot solve(const Hierarchy& hierarchy, Level& level, int colour, int batch);
 
  private:

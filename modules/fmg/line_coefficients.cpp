@@ -1,4 +1,4 @@
-// What the line systems of a batch are made of, and which points change alone.
+// The coefficients of the line systems of a batch, and which points are relaxed singly.
 #include <algorithm>
 #include <type_traits>
 
@@ -16,7 +16,7 @@ using core::Lanes;
 
 namespace {
 
-/// Lanes where the point itself or one of its four neighbours is dry.
+/// Lanes where the point itself or one of its four neighbours is cavitated.
 LaneMask beside_dry(reynolds::Cavitation cavitation, const core::Field& P, int i, int j) {
   const Beside here = with_neighbours(P, i, j);
   const Lanes least = core::min(core::min(own_lines(P, i - 1, j), own_lines(P, i + 1, j)),
@@ -96,8 +96,9 @@ void LineCoefficients::read_answers(const Level& level, int j) {
   const bool thinned = oil.fluidity_across.nodes_x() > 0;
   const core::Field& phi_across = thinned ? oil.fluidity_across : oil.fluidity;
   const core::Field& a_across = thinned ? oil.log_viscosity_across : oil.log_viscosity;
-  // The whole answer along the line, whose points are solved together. Across it a point at the top of a spike answers
-  // so little to its own pressure, and so much to that of its neighbours, that lines diverge with all of it.
+  // Share of the viscosity's derivatives by the pressures of neighbouring lines. Along a line, whose points are solved
+  // together, the row has all of them. A point at the top of a spike depends so little on its own pressure, and so much
+  // on those of its neighbours, that lines with the whole derivative across them diverge.
   constexpr double across = 0.3;
   Lanes phi = own_lines(oil.fluidity, 1, j);
   Lanes a = own_lines(oil.log_viscosity, 1, j);
@@ -165,7 +166,7 @@ void LineCoefficients::read(const Hierarchy& hierarchy, const Level& level, int 
       const auto k = static_cast<std::size_t>(i);
       const LaneMask by_epsilon = above_crossover(k);
       LaneMask single = by_epsilon;
-      // Beside the cavitated region too: what is cut off at P = 0 would leave half of a distributed change standing.
+      // Next to the cavitated region, too: where P is cut off at 0, the neighbours would keep their part of the change.
       single |= beside_dry(hierarchy.problem.cavitation, level.P, i, j);
       if constexpr (squeezed) work_.far_squeeze[k] = by_epsilon ? far_single : single ? far_beside : Lanes{};
       work_.distributive[k + ThreadWork::margin] = single ? Lanes{} : core::broadcast(1.0);
@@ -177,11 +178,10 @@ void LineCoefficients::read(const Hierarchy& hierarchy, const Level& level, int 
     else
       choose_for(std::false_type{}, above_crossover);
   };
-  // e_max sqrt(e_max/e_min) > crossover, without root and division; e_min = 0 makes it single unless e_max = 0 too. On
-  // stretched cells without the root. The top of a spike that runs along the lines would distribute half of its change
-  // to the flank beside it; what epsilon asks for there takes that back, and the film answers three times as much as
-  // foreseen. With the root cycles left 0.58, 0.52, 0.48 of (20, 15) and (20, 10) at R_x/R_y = 50, (100, 15) at 20;
-  // now 0.32, 0.33, 0.25, and of the first two with twice the crossover 0.20, 0.40.
+  // Single where e_max sqrt(e_max/e_min) > crossover, written without root and division; e_min = 0 makes a point single
+  // unless e_max = 0 too. On stretched cells without the root: the top of a spike that runs along the lines would
+  // distribute half of its change to the flank next to it, where epsilon takes that back, and the film changes far more
+  // than the row assumes. [bench: kind_on_stretched_cells]
   const bool stretched = core::stretched(grid);
   const auto above = [crossover, crossover2, stretched](Lanes largest, Lanes smallest) {
     const Lanes squared = largest * largest;
@@ -194,7 +194,8 @@ void LineCoefficients::read(const Hierarchy& hierarchy, const Level& level, int 
     });
     return;
   }
-  // That epsilon along X is another one than along Y is no jump: e_max and e_min in each direction by itself.
+  // With shear thinning epsilon along X differs from that along Y, which is no jump: e_max and e_min are taken in each
+  // direction separately.
   choose([&](std::size_t k) {
     const auto along = [&](Lanes e) { return stretch * e; };
     const auto across = [&](Lanes e) { return e / stretch; };

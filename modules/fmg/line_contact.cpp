@@ -18,7 +18,7 @@ void gather(const core::Field& field, std::vector<double>& along) {
   }
 }
 
-// What stands beside the one line of unknowns are copies of it.
+// The ghost lines on both sides of the one line of unknowns are copies of it.
 void scatter(std::span<const double> along, core::Field& field) {
   double* station = field.at_x(0);
   for (const double value : along) {
@@ -27,7 +27,7 @@ void scatter(std::span<const double> along, core::Field& field) {
   }
 }
 
-// The film that epsilon follows.
+// The film in epsilon: on a correcting grid at least the share H_floor of the finer grid's.
 void hold_film(const Level& level, std::vector<double>& H) {
   if (!corrects_finer(level)) return;
   for (std::size_t i = 0; i < H.size(); ++i)
@@ -55,7 +55,7 @@ void epsilon_behind_nodes(const film::Between& how, LineNodes& nodes, std::span<
 void third_order_behind_nodes(const reynolds::Transport& transport, std::span<const double> eps, Level& level) {
   const double hx = level.grid.hx();
   const reynolds::ThirdOrderShare share(transport, hx);
-  // The first face has no third node.
+  // The first face lacks a third node.
   for (int i = 1; i < level.grid.nx; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const double theta = transport.wedge == reynolds::Wedge::upstream3_inlet
@@ -82,7 +82,7 @@ bool along_one_line(const Hierarchy& hierarchy, const Level& level) {
 
 namespace {
 
-// in: P and H of the nodes side by side. The film that epsilon follows takes the place of H.
+// in: P and H of the nodes. H may be replaced by the film in epsilon.
 void coefficients_of_nodes(Hierarchy& hierarchy, Level& level) {
   const film::Model& model = hierarchy.problem.film;
   ThreadWork& work = level.thread_work.front();

@@ -4,13 +4,13 @@
 
 namespace ehl::fmg {
 
-/// True where the nodes of a line contact are taken side by side: not in the linear model problems.
+/// True if the nodes of a line contact are processed as one contiguous array; false in the linear model problems.
 bool along_one_line(const Hierarchy& hierarchy, const Level& level);
 
-/// What coefficients.cpp makes station by station, all along the line at once: the same bits. A station of a line has
-/// one node, and vector registers would stay empty.
+/// update_coefficients() of a line contact, all nodes at once, with the same bits as column by column (constant X): a
+/// column of a line contact has one node and would leave the vector registers empty.
 void coefficients_along_line(Hierarchy& hierarchy, Level& level);
-/// update_film() of it.
+/// update_film() of a line contact.
 void film_along_line(Hierarchy& hierarchy, Level& level);
 
 }  // namespace ehl::fmg

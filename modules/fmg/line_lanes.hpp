@@ -1,11 +1,11 @@
 #pragma once
-// What a batch of lines j, j+2, .. reads of a field at one station.
+// The values of a field on the lines j, j+2, .. of a batch in one column.
 #include "core/field.hpp"
 #include "core/simd.hpp"
 
 namespace ehl::fmg {
 
-/// The values of the lines, and of the lines beside them.
+/// The values of the lines, and of the lines before (south) and after (north) them.
 struct Beside {
   core::Lanes south, own, north;
 };

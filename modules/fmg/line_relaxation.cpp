@@ -15,14 +15,14 @@ namespace {
 using core::LaneMask;
 using core::Lanes;
 using Values = LineSystem::Values;
-using WedgeWeights = std::array<double, 3>;  // of a node and of two upstream
+using WedgeWeights = std::array<double, 3>;  // of a node and of the two upstream
 
-/// Node i of some values and those behind it, a vector of them.
+/// A vector of values, of node i and of those after it.
 Lanes at(const Values& values, int i) { return core::load(&values[static_cast<std::size_t>(i + LineSystem::margin)]); }
 void put(Values& values, int i, Lanes v) { core::store(&values[static_cast<std::size_t>(i + LineSystem::margin)], v); }
 double& one(Values& values, int i) { return values[static_cast<std::size_t>(i + LineSystem::margin)]; }
 
-/// Calls action(i) for vectors of nodes that together cover first .. last; what stands behind last is scratch.
+/// Calls action(i) for vectors of nodes that together cover first .. last; entries after last are scratch.
 template <class Action>
 void for_vectors(int first, int last, Action action) {
   for (int i = first; i <= last; i += core::lanes) action(i);
@@ -69,7 +69,7 @@ class AlongLine {
   void distribute();
   void apply();
 
-  /// The least and the largest epsilon/h^2 of the half points beside a node.
+  /// Least and largest epsilon/h^2 of the half points next to a node.
   ThreadWork::Range range_at(int i) const {
     const Lanes west = at(work_.west, i), east = at(work_.west, i + 1);
     return {core::min(west, east), core::max(west, east)};
@@ -87,8 +87,8 @@ class AlongLine {
   LineSystem& work_;
 };
 
-// Before the first node and behind the last stand zeros. What update_coefficients() has made stands side by side
-// already where it was made so: nobody else makes it.
+// Copies the fields into contiguous arrays, with zeros before the first node and after the last. What
+// update_coefficients() has stored in contiguous arrays is taken from there.
 template <int reach>
 void AlongLine<reach>::gather() {
   const auto take = [this](const core::Field& field, Values& values) {
@@ -140,7 +140,7 @@ void AlongLine<reach>::read_answers() {
   });
 }
 
-// As LineCoefficients::read() tells.
+// By the rule in LineCoefficients::read().
 template <int reach>
 void AlongLine<reach>::choose_kind() {
   const double squeeze = hierarchy_.transport.squeeze;
@@ -157,11 +157,11 @@ void AlongLine<reach>::choose_kind() {
     put(work_.distributive, i, single ? Lanes{} : core::broadcast(1.0));
     if (squeeze > 0.0) put(work_.far_squeeze, i, by_epsilon ? far_single : single ? far_beside : Lanes{});
   });
-  // Behind the last node of the line nothing is distributed.
+  // Nothing is distributed after the last node.
   for (int i = grid_.nx; i < grid_.nx + core::lanes; ++i) one(work_.distributive, i) = 0.0;
 }
 
-// The rows of a vector of nodes from i on, whose wedge has the weights c; line_batch.cpp has the steps.
+// The rows of a vector of nodes from i on, with the wedge weights c. The steps are those of line_batch.cpp.
 template <int reach>
 template <Form form>
 line_solvers::BandRow<reach> AlongLine<reach>::rows_from(int i, const WedgeWeights& c) const {
@@ -205,7 +205,7 @@ line_solvers::BandRow<reach> AlongLine<reach>::rows_from(int i, const WedgeWeigh
   return row;
 }
 
-// While the elimination of some rows waits from row to row, the next are made.
+// Assembles the next rows while the elimination of some rows, each of which waits for the one before, is in progress.
 template <int reach>
 template <Form form>
 line_solvers::SmallPivot AlongLine<reach>::solve_as() {
@@ -216,19 +216,19 @@ line_solvers::SmallPivot AlongLine<reach>::solve_as() {
     for (int k = 0; k < block; k += core::lanes) rows.put(k, rows_from<form>(first + k, c));
   };
   const int last = grid_.nx - 1;
-  const int blocks = (last - 1 + block) / (2 * block);  // from the first end
+  const int blocks = (last - 1 + block) / (2 * block);  // eliminated from the first end
   const int middle = 1 + blocks * block;
   const int steps = std::max(blocks, (last - middle + block - 1) / block);
   line_solvers::TwoEnded<reach> elimination(std::get<OneLineFactors<reach>>(work_.factors).data(), last);
   Block rows, rows_behind;
-  make(1, weights(1), rows);  // the wedge of the first node has weights of its own
+  make(1, weights(1), rows);  // the first node has its own wedge weights
   elimination.push_first(rows.row(0));
   const WedgeWeights c = weights(2);
   for (int step = 0; step < steps; ++step) {
     const int first = 2 + step * block, behind = last - (step + 1) * block + 1;
     make(first, c, rows);
     make(behind, c, rows_behind);
-    auto here = elimination;  // of these rows in registers: each waits for the one before it
+    auto here = elimination;  // a copy that stays in registers during this block
     for (int k = 0; k < block; ++k) {
       if (first + k <= middle) here.push_first(rows.row(k));
       if (behind + block - 1 - k > middle) here.push_last(rows_behind.row(block - 1 - k));
@@ -245,8 +245,8 @@ line_solvers::SmallPivot AlongLine<reach>::solve() {
   return general ? solve_as<Form::general>() : solve_as<Form::plain>();
 }
 
-// What is distributed: in time under-relaxed and held, as LineBatch does, for then a change must not be worth more to
-// one of its points than to another; steady as it is.
+// Splits off the distributed part of each change. In time both are under-relaxed and limited here, as in LineBatch,
+// since a change must count the same at all of its points. Steady, apply() does the under-relaxation.
 template <int reach>
 void AlongLine<reach>::distribute() {
   for_vectors(1, grid_.nx - 1, [&](int i) {
@@ -264,10 +264,10 @@ void AlongLine<reach>::distribute() {
   for (int i = grid_.nx; i < grid_.nx + core::lanes; ++i) one(work_.distributed, i) = 0.0;
 }
 
-// Eq. (15) of a line: half of a distributed change goes off each neighbour. Steady, the weights go on what a pressure
-// changes by in all. A smooth change is made of distributed ones that are far larger: with a weight on each of these,
-// and another one on single changes beside them, a twentieth of the large one was left where they meet, and stood still
-// from cycle to cycle. 77 loads took three times as long, and four of them Newton's method.
+// Eq. (15) of a line contact: each neighbour gives up half of a distributed change. In a steady problem the weight
+// multiplies the whole change of a pressure. A smooth change consists of distributed ones that are far larger. With a
+// weight on each of these, and another one on single changes next to them, an error remains where they meet, and cycles
+// stall. [bench: weight_of_pressures]
 template <int reach>
 void AlongLine<reach>::apply() {
   const double share = shares_.along;

@@ -1,17 +1,17 @@
 #pragma once
-// The relaxation of a line contact, its nodes side by side.
+// The relaxation of a line contact, whose nodes are stored as contiguous arrays.
 #include "fmg/hierarchy.hpp"
 
 namespace ehl::fmg {
 
-/// True where relax_along_line() can do it: by elimination, and without an unknown content, whose rows are made one
-/// after the other.
+/// True if relax_along_line() applies: a line contact, the elimination as line solver, and not the mass-conserving
+/// cavitation model, whose rows depend on the row before.
 bool relaxes_along_line(const core::Patch& grid, const RelaxationParameters& parameters,
                         reynolds::Cavitation cavitation);
 
-/// What line_batch.cpp does with many lines at once, with one: its rows are made along the line, some nodes in a
-/// vector, and its changes applied likewise. The elimination alone goes from node to node, from both ends of the line
-/// at once. in: work made for this reach.
+/// The relaxation of line_batch.cpp for a single line: the rows are assembled along the line, several nodes to a
+/// vector, and the changes are applied in the same manner. Only the elimination goes from node to node, from both ends
+/// of the line at once. in: work space made for this reach.
 template <int reach>
 line_solvers::SmallPivot relax_along_line(Hierarchy& hierarchy, Level& level, const RelaxationParameters& how);
 

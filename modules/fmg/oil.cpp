@@ -10,37 +10,39 @@
 namespace ehl::fmg {
 namespace {
 
-/// Of the flow. Rounding leaves 1e-14 on 65^2 and 1e-13 on 513^2.
+/// Largest mass defect over the flow; rounding is far below it. [bench: balanced_oil]
 constexpr double balanced = 5e-11;
-/// Of the content, of which an implicit step of time takes the squeeze: all nodes at once, not each.
+/// Implicit time step: largest further defect, over squeeze times all of the stored oil.
 constexpr double rounding = 1e-15;
-/// From 1e-5 of the flow the third step ends at rounding.
+/// Most steps of the secant method; half of them usually reach rounding.
 constexpr int most_steps = 6;
-/// Pressures of the inlet are below it: a hundredth of the load, and of what deforms the bodies.
+/// The correction by the inlet acts on pressures below this, which contribute little to the load and to the
+/// deformation.
 constexpr double of_inlet = 0.03;
-/// A first step along the line, far above rounding; and the most that the inlet's factor may be, that the film may
-/// move, as a share of it. (By the film alone Hc moved by 1e-4 at r = 2, where cycles had left 1e-6 in it.)
+/// First step of the factor on the inlet pressure, far above rounding; its largest value; and the largest relative
+/// change of the film. The inlet comes first because a correction by the film alone moves the film too far. [bench:
+/// inlet_factor]
 constexpr double first_factor = 1e-6;
 constexpr double largest_factor = 0.01;
 constexpr double longest_way = 1e-3;
-/// A first step back towards the state before the last cycle: a V cycle leaves a fifth of the excess, of the other
-/// sign.
+/// First step back towards the state before the last cycle, whose defect is larger and has the other sign. [bench:
+/// first_step_back]
 constexpr double first_step_back = -0.15;
 
 bool lacks(const Hierarchy& hierarchy, const Level& level, int i, int j) {
   return !reynolds::stays_dry(hierarchy.problem.cavitation, level.P(i, j), level.r(i, j));
 }
 
-/// A line of states: P + t dP, H + t dH, H00 + t dH00.
+/// A line of states: P + t dP, H + t dH, H00 + t dH00, with t from least to most.
 struct Way {
-  core::Field dP{};  ///< empty: the film alone
+  core::Field dP{};  ///< empty: H00 alone moves
   core::Field dH{};
   double dH00 = 0.0;
-  double first = 0.0;  ///< a step
+  double first = 0.0;  ///< first step
   double least = 0.0, most = 0.0;
 };
 
-// From this state back to another one. Between them no pressure is negative, and what is dry now stays so.
+// The line from this state back to an earlier one. Between them no pressure is negative, and cavitated nodes stay so.
 Way back_to(const State& before, Hierarchy& hierarchy, Level& level) {
   Way way{.dP = core::Field(level.grid),
           .dH = core::Field(level.grid),
@@ -59,7 +61,7 @@ Way back_to(const State& before, Hierarchy& hierarchy, Level& level) {
   return way;
 }
 
-// The pressure of the inlet by a factor, at the same load.
+// The line of states with a factor on the pressure of the inlet, at the same load.
 Way by_inlet(Hierarchy& hierarchy, Level& level) {
   Way way{.dP = core::Field(level.grid),
           .dH = core::Field(level.grid),
@@ -82,7 +84,8 @@ Way by_inlet(Hierarchy& hierarchy, Level& level) {
   return way;
 }
 
-// What a film that is thicker by 1 lets out and stores, nearly: where the pressure ends, and in every full node.
+// Derivative of the mass defect by the film thickness, nearly: outflow where the pressure ends, storage in every full
+// node.
 double answer_of_film(const Hierarchy& hierarchy, const Level& level) {
   const core::Patch& grid = level.grid;
   double lines = 0.0, nodes = 0.0;
@@ -114,7 +117,7 @@ void go(Hierarchy& hierarchy, Level& level, const Way& way, double t) {
   update_residual(hierarchy, level);
 }
 
-// True where the way leads to a balance; else all is as it was.
+// Secant method along a line of states. out: true if the oil balances; else the state is as before.
 bool balanced_along(Hierarchy& hierarchy, Level& level, const Way& way, double enough) {
   double excess = oil_from_nowhere(hierarchy, level);
   double t = 0.0, step = way.first;

@@ -1,5 +1,5 @@
 #pragma once
-// The balance of oil, of the cavitation model that conserves mass.
+// The global balance of oil in the mass-conserving cavitation model.
 #include <optional>
 
 #include "fmg/hierarchy.hpp"
@@ -7,30 +7,33 @@
 
 namespace ehl::fmg {
 
-/// Of the level behind update_residual().
+/// Flows of oil through the domain. in: the level after update_residual().
 reynolds::OilBalance oil_of(const Hierarchy& hierarchy, const Level& level);
 
-/// In all interior nodes, in rho0 a^4/R.
+/// The oil in all interior nodes, in rho0 a^4/R.
 double stored_oil(const Level& level);
 
-/// theta = Q/(rho_bar H) of the level behind update_residual().
+/// theta = Q/(rho_bar H). in: the level after update_residual().
 core::Field theta_of(const Level& level);
 
-/// What full nodes' rows lack, all together: oil that leaves the domain, or is stored there, and came from nowhere; in
-/// rho0 u_m a^3/R. in: the level behind update_residual().
+/// Global mass defect: the sum of the residuals of all full nodes, in rho0 u_m a^3/R. This oil leaves the domain, or is
+/// stored in it, without having come in. in: the level after update_residual().
 double oil_from_nowhere(const Hierarchy& hierarchy, const Level& level);
 
-/// Makes that zero within a share of `flow`, by default of that through the inlet. The rows of dry nodes hold exactly,
-/// so it is the sum of what cycles have left in those of full ones; one number puts it right, by Newton's method along
-/// a line. In a steady film the pressure of the inlet gets a common factor, and all the pressure another one for the
-/// same load: the residual stands beside the meniscus, the film in the contact hardly moves. In an implicit step of
-/// time H00 moves, by less than 1e-6. cost: a film and three times its coefficients and residual.
-/// out: true where it was made so; false where it was already, or neither is enough and all stays as it was.
+/// Global mass correction: reduces the mass defect to rounding, compared with `flow`, by default that through the
+/// inlet. The rows of cavitated nodes hold exactly, so the defect is what cycles have left in the rows of full nodes.
+/// One number is changed, by the secant method.
+///
+/// Steady: the pressure of the inlet gets a common factor, and all of the pressure another one for the same load. The
+/// residual that this causes lies next to the meniscus, and the film in the contact hardly moves. Implicit time step,
+/// or if that fails: H00 moves. cost: a film and some three evaluations of coefficients and residual. out: true if the
+/// state was corrected; false if it balanced already, or if neither correction is enough and the state is as before.
 bool balance_oil(Hierarchy& hierarchy, Level& level, std::optional<double> flow = {});
 
-/// The same for a steady film that is solved in all else: on the line through the states before and behind the last
-/// cycle, which leaves the excess of the other sign as a rule; else by balance_oil(), and once more behind a relaxation
-/// of what that has made rough beside the meniscus. cost: as above. out: true where the state moved.
+/// Global mass correction of a steady film that meets every other check. First along the line through the states before
+/// and after the last cycle, whose defects have opposite signs as a rule; else by balance_oil(), and again after a
+/// relaxation of the errors that it has caused next to the meniscus. cost: as balance_oil(). out: true if the state
+/// moved.
 bool close_oil(Hierarchy& hierarchy, Level& level, const State& before, const RelaxationParameters& relaxation);
 
 }  // namespace ehl::fmg

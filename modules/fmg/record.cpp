@@ -22,7 +22,8 @@ judgement::ErrorEstimate error_of(const Hierarchy& hierarchy, const Record& reco
         value == &LevelRow::Hc ? judgement::third_order_floor_of_Hc : judgement::third_order_floor_of_Hm;
     const double stretch = core::stretch(domain);
     double floor = judgement::third_order_floor(h / stretch, last.Hm_fitted, share);
-    // The strips of the least film lie across stretched cells; along them that of the ends is made.
+    // The side lobes are narrow along Y, the short side of stretched cells; the film at the ends depends on the long
+    // side.
     if (stretch > 1.0) floor = std::max(floor, judgement::third_order_floor(h, last.Hc, share));
     return judgement::estimate_error(values, 2.0, floor);
   }
@@ -30,7 +31,8 @@ judgement::ErrorEstimate error_of(const Hierarchy& hierarchy, const Record& reco
   return judgement::estimate_error(values, 1.0, judgement::first_order_floor(h, last.Hm_fitted));
 }
 
-// Of the mesh, of the last row, Hm between the nodes; beside a meniscus its swings take the place of an order.
+// Discretization errors of the last row, Hm between the nodes. With a meniscus the estimate by the scatter of the films
+// from grid to grid replaces that by an order; with a first-order wedge the larger of the two counts.
 judgement::FilmErrors film_errors(const Hierarchy& hierarchy, const Record& record,
                                   const judgement::ErrorEstimate& Hc) {
   const judgement::FilmErrors by_order{Hc.relative_error,
@@ -95,8 +97,8 @@ void enter(const Hierarchy& hierarchy, std::size_t l, int cycle, const judgement
 
 void report(const Run& run, std::size_t l, int cycle, int planned, const judgement::Measures& now, double load_ratio) {
   if (!run.progress) return;
-  // A cycle on the next level costs about four times as much. The checks may ask for more cycles than planned: the
-  // last part of the bar is theirs.
+  // A cycle on the next level costs about four times as much. The last part of the progress is for cycles beyond the
+  // planned ones, which the checks may ask for.
   constexpr double share_of_planned = 0.9;
   double whole = 0.0;
   double done = 0.0;

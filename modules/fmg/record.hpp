@@ -1,5 +1,5 @@
 #pragma once
-// What is written down and told while solutions are made.
+// Records and progress reports of a solve.
 #include <functional>
 #include <limits>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace ehl::fmg {
 
-/// One row per grid level as the full multigrid goes up: what accuracy costs in time.
+/// One row per grid level of the full multigrid solve: its accuracy and its cost.
 struct LevelRow {
   int level = 0;
   int nx = 0;  ///< cells
@@ -27,24 +27,24 @@ struct LevelRow {
   double residual = 0.0;    ///< relative residual of the Reynolds equation (root mean square over the wedge's)
   double load_error = 0.0;  ///< |h^2 sum P - load| / load, load 2 pi/3 of a circle
   int cycles = 0;
-  double work_units = 0.0;  ///< in residual + deformation evaluations on this level
+  double work_units = 0.0;  ///< in evaluations of residual and deformation on this level
   double seconds = 0.0;
 
-  /// False where the equation is missed by as much as its terms are worth, as where a coarse grid finds no way to a
-  /// meniscus: the films of such a state tell nothing of the error of finer grids.
+  /// False if the residual is as large as the terms of the equation, for example where a coarse grid does not find the
+  /// meniscus. The films of such a state say nothing about the error of finer grids.
   bool solved() const { return residual < 0.5; }
 };
 
-/// Of the rows that are solved, and of the last one.
+/// One member of all rows that are solved, and of the last row.
 std::vector<double> column(const std::vector<LevelRow>& rows, double LevelRow::*value);
 
 /// How a series of cycles ended.
 enum class CyclesEnd {
-  content,      ///< the checks had nothing against the state
+  content,      ///< converged: all checks are met
   limit,        ///< no more cycles were allowed; the residual was still falling
   stalled,      ///< the residual no longer fell
-  diverged,     ///< no finite state came out, with any caution
-  no_solution,  ///< the equations are solved, by a state that is none of the contact: the mesh is too coarse
+  diverged,     ///< no finite state with any damping
+  no_solution,  ///< the equations are solved by a state that is no contact's: the mesh is too coarse
 };
 
 /// One row per cycle on any level.
@@ -57,8 +57,8 @@ struct CycleRow {
   double Hm = 0.0;
 };
 
-/// Called after every cycle: progress for a person, and the moment at which a stop is possible.
-/// Returns false when the user asked to stop; the solver then throws core::Interrupted.
+/// Progress of a solve, passed to the callback after every cycle. The callback returns false when the user asked to
+/// stop; the solver then throws core::Interrupted.
 struct Progress {
   int level = 0;       ///< level being solved
   int levels = 0;      ///< levels in all
@@ -67,33 +67,33 @@ struct Progress {
   int nx = 0, ny = 0;  ///< cells of the level
   double residual = 0.0;
   double Hc = 0.0;
-  double fraction = 0.0;    ///< of the expected whole work, 0..1
-  double load_ratio = 1.0;  ///< load being solved for, over the scene's: a load continuation
+  double fraction = 0.0;    ///< share of the expected work that is done, 0..1
+  double load_ratio = 1.0;  ///< load being solved for, over the deck's (load continuation)
 };
 using ProgressCallback = std::function<bool(const Progress&)>;
-/// For work that is a part of the whole, from one fraction of it to another; none for none.
+/// Callback for a part of the work, from one fraction of the whole to another; empty if `whole` is.
 ProgressCallback part_of(const ProgressCallback& whole, double from, double to);
 
-/// What is known of the solutions so far. The last row of `levels` is of the level being solved.
+/// What is known of the solutions so far. The last row of `levels` belongs to the level being solved.
 struct Record {
   std::vector<LevelRow> levels{};  ///< coarse to fine
   std::vector<CycleRow> history{};
-  judgement::Verification verification{};  ///< of the state that was looked at last
-  // Of the finest level:
+  judgement::Verification verification{};  ///< of the last state that was judged
+  // The finest level alone:
   bool converged = false;
-  std::string failed_check{};  ///< empty when converged: else which level, which check, what to try
+  std::string failed_check{};  ///< empty if converged; else level, check and remedy
   CyclesEnd end = CyclesEnd::content;
   double cycle_factor = std::numeric_limits<double>::quiet_NaN();  ///< see steady::Solution
 };
 
 struct Run;
 
-/// Counts work units from here on.
+/// Restarts the count of work units.
 void forget_work(Hierarchy& hierarchy);
-/// Enters the measures of a level, as after this many cycles, in the record.
+/// Enters the measures of a level after `cycle` cycles in the record.
 void enter(const Hierarchy& hierarchy, std::size_t l, int cycle, const judgement::Measures& now, Record& record);
-/// Tells the progress of a level, for the problem's load or a share of it. errors: core::Interrupted where the answer
-/// is to stop.
+/// Reports the progress of a level, at the problem's load or a share of it. errors: core::Interrupted if the callback
+/// returns false.
 void report(const Run& run, std::size_t l, int cycle, int planned, const judgement::Measures& now,
             double load_ratio = 1.0);
 /// "level 3 (128 x 128 cells)".

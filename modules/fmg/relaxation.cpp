@@ -18,10 +18,10 @@ namespace {
 using core::LaneMask;
 using core::Lanes;
 
-// Applies the changes of one batch at station i to its own lines and to the line before each of them:
-// P_ij += delta_ij - (distributed_{i-1} + distributed_{i+1} + distributed_{j-1} + distributed_{j+1})/4 (eq. 15), of a
-// line contact half of the two along it, of stretched cells by DistributedShares, and holds the pressure to what is
-// allowed.
+// Applies the changes of one batch in column i to its own lines and to the line before each of them:
+// P_ij += delta_ij - (distributed_{i-1} + distributed_{i+1} + distributed_{j-1} + distributed_{j+1})/4 (eq. 15).
+// For a line contact half of the two along X, on stretched cells DistributedShares replace the quarters. Then the
+// pressure is projected on P >= 0 where the cavitation model demands it.
 void apply_changes(Level& level, int colour, int batch, reynolds::Cavitation cavitation, int i) {
   const core::Patch& grid = level.grid;
   const int j = first_line(colour, batch);
@@ -33,12 +33,12 @@ void apply_changes(Level& level, int colour, int batch, reynolds::Cavitation cav
   double* P = level.P.at_x(i) + j - 1;
   const Lanes low = core::load(P);
   const Lanes high = core::load(P + core::lanes);
-  // Behind the last line may stand what the other colour left there.
+  // Entries after the last line may be those of the other colour.
   Lanes own_lines = inside(j, grid) ? core::load(here) : Lanes{};
   // The distributed change of the line before the batch.
   const Lanes edge = core::broadcast(batch > 0 ? here[-1] : 0.0);
   const Lanes one_south = core::moved_up(edge, own_lines);
-  // Behind a mirror comes the image of the line before it.
+  // Beyond the axis of symmetry lies the image of the line before it.
   if (grid.north == core::Edge::mirror) own_lines = lines_from(j) == grid.ny + 1 ? one_south : own_lines;
   Lanes between = reynolds::projected(cavitation, core::evens(low, high) - share.across * (one_south + own_lines));
   Lanes own = reynolds::projected(cavitation, core::odds(low, high) + core::load(level.changes.delta.at_x(i) + k) -
@@ -58,7 +58,7 @@ std::string describe(const line_solvers::SmallPivot& small, int line, const core
   return text;
 }
 
-/// The small pivot that was met first: the first colour before the second, then by line, whichever thread it was.
+/// The first small pivot in the order of colours and lines, for any number of threads.
 struct FirstSmallPivot {
   line_solvers::SmallPivot pivot;
   int colour = 0;
@@ -76,7 +76,7 @@ struct FirstSmallPivot {
   }
 };
 
-/// Batches whose own lines, or lines before these, are interior lines.
+/// Batches with an interior line among their own lines or the lines before these.
 int batches_to_apply(const core::Patch& grid, int colour) {
   return (grid.last_line() + 1 - colour + 2 * core::lanes - 1) / (2 * core::lanes);
 }
@@ -104,8 +104,8 @@ void relax_lines(Hierarchy& hierarchy, Level& level, const RelaxationParameters&
         if (beside_axis) core::fill_ghosts(grid, level.P.at_x(i));
       }
     };
-    // The second colour follows one batch behind the first, while its lines are still in the cache: a batch of it
-    // needs the first colour's changes up to the line behind it, and nothing beyond.
+    // The second colour follows one batch behind the first, while its lines are still in the cache. A batch of it needs
+    // the first colour's changes up to the line after it, and none beyond.
     const int first = batches_to_apply(grid, 0);
     const int second = batches_to_apply(grid, 1);
     for (int batch = 0; batch < std::max(first, second + 1); ++batch) {

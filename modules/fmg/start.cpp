@@ -12,12 +12,12 @@
 namespace ehl::fmg {
 namespace {
 
-/// Relaxations between two corrections of H00 on a grid that is relaxed alone: long enough for the pressure to answer.
+/// Relaxations per correction of H00 on a grid that is relaxed alone: enough for the pressure to follow.
 constexpr int sweeps_per_balance = 4;
 
-/// With epsilon at half points the line systems follow the viscosity, and diverge from a state that is far from the
-/// equation's, as Newton's method does. So the first steps on a grid are with the mean: cycles from the Hertz pressure,
-/// relaxations behind the interpolation. Without them cycles multiplied the residual by 100 at L = 20.
+/// With epsilon at half points the line systems contain the derivatives of the viscosity, and diverge far from the
+/// solution, as Newton's method does. So the first steps on a grid use the mean of the nodes: this many cycles from the
+/// Hertz pressure, or the relaxations after an interpolation. [bench: cycles_from_hertz]
 constexpr int cycles_from_hertz = 4;
 
 template <class Steps>
@@ -46,7 +46,7 @@ void pose_original_problem(const Hierarchy& hierarchy, Level& level) {
   supply_oil(hierarchy, level);
 }
 
-// Mean of S, weighted with the pressure.
+// The mean of S, weighted with the pressure.
 double mean_surface(const Level& level) {
   double sum = 0.0;
   double weights = 0.0;
@@ -59,12 +59,11 @@ double mean_surface(const Level& level) {
   return weights > 0.0 ? sum / weights : 0.0;
 }
 
-/// Beside the contact the far field is no guess any more.
+/// Largest initial pressure outside the contact: near the contact the far field is no estimate.
 constexpr double a_little = 0.02;
 
-/// The far field of rigid bodies before any of it ruptures (reynolds/far_field.hpp has the one that does), P = -(c_X X
-/// + c_Y Y)/H^2: with the undeformed gap H = x A x, div(H^3 grad P) = lambda dH/dX gives (A + 2 tr(A)) c = lambda A
-/// e_X.
+/// The far field of rigid bodies without cavitation (reynolds/far_field.hpp has the one with it), P = -(c_X X + c_Y
+/// Y)/H^2: with the undeformed gap H = x A x, div(H^3 grad P) = lambda dH/dX gives (A + 2 tr(A)) c = lambda A e_X.
 class UnrupturedField {
  public:
   UnrupturedField(const core::QuadraticForm& gap, double lambda) : gap_(gap) {
@@ -86,16 +85,16 @@ class UnrupturedField {
   double c_X_, c_Y_;
 };
 
-/// 1 in the middle of the domain, falling to zero on its boundary, where the pressure is zero.
+/// 1 at the origin, falling to zero on the boundary, where the pressure is zero.
 double taper(const core::Grid& domain, double X, double Y) {
   const double x = X / (X < 0.0 ? domain.X_a : domain.X_b);
   const double y = Y / (Y < 0.0 ? domain.Y_a : domain.Y_b);
   return (1.0 - x * x) * (1.0 - y * y);
 }
 
-// Where the film ruptures beside an ellipse is far from the contact and along no line of constant X, and an edge of the
-// pressure goes forward by one cell in a relaxation, but back by as many as it takes: it begins too far downstream,
-// with the pressure of the far field everywhere and its sign turned where that is negative.
+// Initial pressure outside an elliptic contact. The film ruptures far from the contact and not along a line of constant
+// X. In relaxations an edge of the pressure advances by one cell per sweep, but recedes by any number of cells. So it
+// starts too far downstream, with the far field's pressure everywhere, its sign reversed where that is negative.
 void begin_outside(const Problem& problem, Level& level) {
   const UnrupturedField far(problem.geometry.gap, problem.film.lambda);
   const core::Grid& domain = level.grid.domain;
@@ -111,7 +110,7 @@ void begin_outside(const Problem& problem, Level& level) {
     }
 }
 
-// The dry contact's pressure, and the oil's beside it. out: H00 of it.
+// Starts from the pressure of the dry contact, and that of the oil around it. out: H00 of the dry contact.
 double begin_dry(const Problem& problem, Level& level) {
   const double H00 = problem.dry(level.grid, level.P);
   for (int i = 0; i <= level.grid.nx; ++i)
@@ -128,14 +127,14 @@ void start_from_hertz(Hierarchy& hierarchy, std::size_t l, double H00, int sweep
   pose_original_problem(hierarchy, level);
   const auto& [XX, XY, YY] = hierarchy.problem.geometry.outline;
   const std::optional<reynolds::FarField>& far_field = hierarchy.problem.far_field;
-  // Rigid bodies that do not meet: the far field goes on to the middle.
+  // Rigid bodies that do not touch: the far field extends to the centre.
   const bool apart = far_field && H00 > 0.0;
   for (int i = 1; i < level.grid.nx; ++i)
     for (int j = 1; j <= level.grid.last_line(); ++j) {
       const double X = level.grid.X(i);
       const double Y = level.grid.Y(j);
       const double inside = 1.0 - XX * X * X - (XY * X + YY * Y) * Y;
-      // Where the oil's viscosity rises too fast for the rigid bodies' pressure, that of the dry contact's middle.
+      // Where the viscosity rises too fast for rigid bodies (no P): the largest Hertz pressure.
       if (const double P =
               apart ? far_field->P(X, Y, rigid_gap(hierarchy.problem.geometry, level.grid, H00, i, j)) : 0.0;
           apart)
@@ -151,7 +150,7 @@ void start_from_hertz(Hierarchy& hierarchy, std::size_t l, double H00, int sweep
   hierarchy.H00 = hierarchy.problem.surface && !hierarchy.problem.dry ? H00 - mean_surface(level) : H00;
   update_film(hierarchy, level);
   renew_boundary(hierarchy, level);
-  // Along X alone: so far from a solution relaxation across, too, leads stretched cells away from it.
+  // X sweeps alone: this far from a solution Y sweeps on stretched cells lead away from it.
   const auto relax_alone = [&] {
     for (int sweep = 1; sweep <= sweeps; ++sweep) {
       if (sweep % sweeps_per_balance == 0) {
@@ -207,7 +206,7 @@ void start_from_two_coarser(Hierarchy& hierarchy, std::size_t l, const State& tw
   Level& below = hierarchy.levels[l - 1];
   core::Field coarser(below.grid);
   transfer::prolong_bicubic(hierarchy.levels[l - 2].grid, two_below.P, coarser);
-  // No pressure where the finer solution has none: the cavitated region is the finer one's.
+  // The cavitated region is that of the finer solution.
   for (int i = 1; i < below.grid.nx; ++i)
     for (int j = 1; j <= below.grid.last_line(); ++j) {
       double& P = below.P(i, j);

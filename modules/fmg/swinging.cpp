@@ -6,7 +6,7 @@
 
 namespace ehl::fmg {
 
-// `changes` of a node: how often its kind has changed, plus one, negative while it is dry; 0 before it was looked at.
+// changes_of_kind: one more than the number of changes, negative while the node is not full; 0 before its first visit.
 int mark_swinging(Level& level) {
   if (!conserves_mass(level)) return 0;
   int marked = 0;

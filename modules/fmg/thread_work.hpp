@@ -1,5 +1,5 @@
 #pragma once
-// Work space of one thread; owned by the level, so that no cycle allocates.
+// Work space of one thread. The level owns it, so that no cycle allocates.
 #include <variant>
 #include <vector>
 
@@ -18,11 +18,11 @@ namespace ehl::fmg {
 template <int reach>
 using EliminationFactors = std::vector<typename line_solvers::Elimination<reach>::Factors>;
 
-/// The nodes of a line contact side by side (line_contact.cpp); else empty.
+/// The nodes of a line contact as contiguous arrays (line_contact.cpp); else empty.
 struct LineNodes {
   std::vector<double> P, H, fluidity, log_viscosity, rho_bar, drho_bar, eps;
-  std::vector<double> H_around;                                   ///< with the film beyond both boundaries
-  std::vector<double> fluidity_across{}, log_viscosity_across{};  ///< of thinned oil, whose laws make them; not used
+  std::vector<double> H_around;                                   ///< H, with one value beyond each boundary
+  std::vector<double> fluidity_across{}, log_viscosity_across{};  ///< shear thinning: output of the laws, not used
 };
 LineNodes make_line_nodes(const core::Patch& grid, bool anisotropic);
 
@@ -32,22 +32,24 @@ using OneLineFactors = std::vector<typename line_solvers::TwoEnded<reach>::Facto
 /// The line system of a line contact, one value per node (line_relaxation.cpp); else empty.
 struct LineSystem {
   using Values = std::vector<double>;
-  /// Rows that are made together, on every processor: where the two ends of the elimination meet must not depend on it.
+  /// Rows that are assembled together, the same number on every processor: the result depends on where the two ends of
+  /// the elimination meet.
   static constexpr int block = 8;
   static_assert(block % core::lanes == 0);
-  /// Entries before the first node and behind the last: what the row of a last node reads beyond, in a block of them.
+  /// Entries before the first node and after the last, as far as the rows of the last block read.
   static constexpr int margin = block + line_solvers::max_reach + 2;
 
-  Values P, rho_bar, rho_H, slope_H, eps, third_order, f, fluidity, log_viscosity;  ///< of nodes; slope_H of rho_H by P
+  Values P, rho_bar, rho_H, slope_H, eps, third_order, f, fluidity,
+      log_viscosity;                    ///< at nodes; slope_H = drho_bar/dP H
   Values west;                          ///< epsilon/h^2 at the half point west of a node
-  Values answer_before, answer_behind;  ///< there, what the viscosity answers to the pressures beside it
+  Values answer_before, answer_behind;  ///< derivatives of the viscosity there (film::answers)
   Values distributive, far_squeeze;     ///< as in ThreadWork
   Values delta, distributed;
   std::variant<OneLineFactors<1>, OneLineFactors<2>, OneLineFactors<3>> factors;
 };
 LineSystem make_line_system(const core::Patch& grid, int reach);
 
-/// A row of the system of a station (across_relaxation.cpp); with weight 0 its node stays.
+/// A row of the Y sweep's system of a column (across_relaxation.cpp). A node with weight 0 keeps its pressure.
 struct RowAcross {
   double south = 0.0, own = 1.0, north = 0.0;  ///< d r/dP
   double r = 0.0;
@@ -58,27 +60,25 @@ struct ThreadWork {
   film::Buffers film;
   LineNodes line_nodes;
   LineSystem line_system;
-  /// One value per node of a station and one at each end: the film that epsilon follows on a coarse grid, or that of
-  /// half points.
+  /// One value per node of a column and one at each end: the film in epsilon on a coarse grid, or that of half points.
   std::vector<double> followed;
   std::vector<double> followed_behind;
-  std::vector<RowAcross> rows_across;  ///< of the nodes of a station; empty of a line
-  /// Likewise the slopes of epsilon by P and H; across where it is another one.
+  std::vector<RowAcross> rows_across;  ///< of the nodes of a column; empty for a line contact
+  /// Derivatives of epsilon by P and H at the nodes of a column; with _across those of epsilon along Y if it differs.
   std::vector<double> eps_P, eps_H, eps_across_P, eps_across_H;
 
-  // For the line systems of a batch; empty where there is a line_system:
-  /// Entries before and behind the points of a line in `distributive`.
+  // For the line systems of a batch; empty if line_system is used:
+  /// Entries of `distributive` before and after the points of a line.
   static constexpr int margin = line_solvers::max_reach + 2;
 
   /// epsilon/h^2 at the half point west of point i, i = 1..nx, and south and north of point i.
   std::vector<core::Lanes> west, south, north;
-  /// With epsilon at half points what the row of point i has beside that of epsilon held: the viscosity follows the
-  /// pressure.
+  /// Epsilon at half points: the terms in the row of point i that arise because the viscosity follows the pressure.
   std::vector<reynolds::PressureRow<core::Lanes>> answers;
-  /// What of its own part comes by the face to the west; likewise.
+  /// The part of answers[i].own that comes from the face to the west.
   std::vector<core::Lanes> answers_west;
-  /// The least and the largest of the half points around point i; of a line contact there are none across. Of stretched
-  /// cells, hx = stretch hy, epsilon/(hx hy): what each face has of one epsilon is then the same.
+  /// Least and largest epsilon/(hx hy) at the half points around point i; a line contact has none along Y. Divided so,
+  /// one epsilon gives the same number at every face of a stretched cell, hx = stretch hy.
   struct Range {
     core::Lanes low, high;
   };
@@ -92,15 +92,15 @@ struct ThreadWork {
   }
   /// 1 where point i distributes its change; zero outside the line.
   std::vector<core::Lanes> distributive;
-  /// What single changes around point i squeeze out of its film, per change of its own and density.
+  /// How much single changes around point i squeeze out of its film, per change of its own and per density.
   std::vector<core::Lanes> far_squeeze;
-  /// What the chosen solver needs: factors of the elimination, or the decimation's blocks.
+  /// Storage of the chosen line solver: factors of the elimination, or blocks of the decimation.
   std::variant<EliminationFactors<1>, EliminationFactors<2>, EliminationFactors<3>, line_solvers::Decimation<1>,
                line_solvers::Decimation<2>, line_solvers::Decimation<3>>
       solver;
 };
 
-/// in: parameters.reach 1, 2 or 3.
+/// Work space for one grid. in: parameters.reach 1, 2 or 3.
 ThreadWork make_thread_work(const core::Patch& grid, const film::Model& film, const RelaxationParameters& parameters,
                             reynolds::Cavitation cavitation = reynolds::Cavitation::nonnegative_pressure);
 

@@ -1,7 +1,7 @@
 #pragma once
 // The work space of a level, one part for each thread. Its types (thread_work.hpp) are as wide as the vector registers
-// of a processor level. Files that are compiled once for every processor see only that it exists: every copy of such a
-// type would have another size and another alignment.
+// of a processor level. Files that are compiled once for all processors see only an incomplete type, since each
+// processor level gives it another size and alignment.
 #include <cstddef>
 #include <memory>
 #include <vector>
