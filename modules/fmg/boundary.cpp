@@ -41,7 +41,7 @@ reynolds::FarState far_state(const Hierarchy& hierarchy, double H00) {
           .flow = motion.flow};
 }
 
-// The flow where the pressure is largest and epsilon least.
+// The flow where the pressure is largest and epsilon smallest.
 double flow_through_line(const Hierarchy& hierarchy, const Level& level) {
   const int top = core::maximum(level.P).i;
   const int i = std::clamp(top, 1, level.grid.nx - 2);

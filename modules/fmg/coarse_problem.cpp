@@ -174,7 +174,7 @@ void prolong_by_coupling(const Level& fine, const reynolds::Transport& transport
 
 // Bilinear; weighted by face conductances (linear where epsilon is constant) where the top of a spike may have its
 // flank on the next line: on stretched cells and in oblique contacts. There the coarse grid changes points at the top
-// of the spike by large amounts, which hardly matter to their own equations. Half of such a change is far too much for
+// of the spike by large amounts, since their own equations hardly respond. Half of such a change is far too much for
 // a point next to them whose epsilon is orders larger. [bench: weighted_interpolation]
 void prolong_correction(const Hierarchy& hierarchy, const Level& fine, const core::Field& coarse,
                         core::Field& correction) {

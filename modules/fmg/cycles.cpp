@@ -33,10 +33,10 @@ constexpr double least_steep = 0.6;
 constexpr double back_off_all = 0.8;
 constexpr double least_all = 0.5;
 
-/// Growth of the steep weight on stretched cells, which is small at first for states far from the solution. A cycle
-/// with a convergence factor below good_factor multiplies it by the second number, up to the third in all. The first
-/// poor cycle ends the growth for good: weights that rise and fall spoil the Krylov acceleration. [bench:
-/// steep_weight_growth]
+/// Growth of the steep weight on stretched cells, which is small at first for states far from the solution: the
+/// convergence factor below which a cycle multiplies the weight, the multiplier, and its limit. The first poor cycle
+/// ends the growth for good, since weights that rise and fall spoil the Krylov acceleration.
+/// [bench: steep_weight_growth]
 constexpr double good_factor = 0.6;
 constexpr double bolder = 1.25;
 constexpr double boldest = 1.4;

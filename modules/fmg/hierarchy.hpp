@@ -80,9 +80,9 @@ struct Scheme {
   reynolds::Face face = reynolds::Face::mean;
 };
 
-/// Shares of a distributed change that each neighbour along X and along Y gives up; the four of them sum to 1. A line
-/// contact has two neighbours. On stretched cells the shares are in proportion to 1/h^2: equal ones make lines amplify
-/// smooth errors (tests/convergence/test_smoothing.cpp).
+/// Shares of a distributed change that each neighbour along X and along Y gives up; the four of them sum to 1. A point
+/// of a line contact has two neighbours. On stretched cells the shares are in proportion to 1/h^2: equal ones make
+/// lines amplify smooth errors (tests/convergence/test_smoothing.cpp).
 struct DistributedShares {
   double along, across;
 };
@@ -99,8 +99,8 @@ struct Corrector {
   int index = -1;        ///< -1: none, the grid is the coarsest
 };
 
-/// One grid with its fields. P, both eps and r have their ghost lines filled at all times, H once its coefficients are
-/// made.
+/// One grid with its fields. P, both eps and r have their ghost lines filled at all times, H after its coefficients are
+/// evaluated.
 struct Level {
   core::Patch grid;
   core::Field P;

@@ -246,7 +246,7 @@ line_solvers::SmallPivot AlongLine<reach>::solve() {
 }
 
 // Splits off the distributed part of each change. In time both are under-relaxed and limited here, as in LineBatch,
-// since a change must count the same at all of its points. Steady, apply() does the under-relaxation.
+// since a change must count the same at all of its points. In a steady problem apply() does it.
 template <int reach>
 void AlongLine<reach>::distribute() {
   for_vectors(1, grid_.nx - 1, [&](int i) {

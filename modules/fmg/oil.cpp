@@ -20,13 +20,13 @@ constexpr int most_steps = 6;
 /// deformation.
 constexpr double of_inlet = 0.03;
 /// First step of the factor on the inlet pressure, far above rounding; its largest value; and the largest relative
-/// change of the film. The inlet comes first because a correction by the film alone moves the film too far. [bench:
-/// inlet_factor]
+/// change of the film. The inlet comes first because a correction by the film alone moves the film too far.
+/// [bench: inlet_factor]
 constexpr double first_factor = 1e-6;
 constexpr double largest_factor = 0.01;
 constexpr double longest_way = 1e-3;
-/// First step back towards the state before the last cycle, whose defect is larger and has the other sign. [bench:
-/// first_step_back]
+/// First step back towards the state before the last cycle, whose defect is larger and has the other sign.
+/// [bench: first_step_back]
 constexpr double first_step_back = -0.15;
 
 bool lacks(const Hierarchy& hierarchy, const Level& level, int i, int j) {

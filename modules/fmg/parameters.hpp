@@ -23,8 +23,8 @@ struct RelaxationParameters {
   /// in P, which is wrong where the change alters the viscosity by orders.
   double most_change = std::numeric_limits<double>::infinity();
   /// On square cells, too, a Y sweep relaxes the single points along Y (across_relaxation.hpp), with the film renewed
-  /// before it, which doubles the cost. Stretched cells always have a Y sweep, with the film of before the X sweep.
-  /// [bench: y_sweep]
+  /// before it, which doubles the cost. Stretched cells always have a Y sweep, with the film as it was before the X
+  /// sweep. [bench: y_sweep]
   bool across = false;
   /// X sweep before a Y sweep, square cells, epsilon at half points: factor on weight_single_steep.
   double steep_before_across = 1.0;
@@ -57,7 +57,7 @@ struct Parameters {
   /// Relative residual to reach on the finest grid; NaN: the algebraic error falls below the discretization error.
   double tolerance = std::numeric_limits<double>::quiet_NaN();
   int coarsest_cells = 0;         ///< cells along X of the coarsest grid; 0: chosen
-  int least_coarsest_cells = 32;  ///< least number of cells of a chosen one
+  int least_coarsest_cells = 32;  ///< least number of them where the program chooses
   int coarsest_sweeps = 10;       ///< least number of relaxations per visit of the coarsest grid, each with eq. (26)
   double load_relaxation = 0.1;   ///< c of eq. (26)
   int settling_sweeps = 2;        ///< relaxations of an interpolated solution, with epsilon as the mean of the nodes

@@ -44,7 +44,7 @@ enum class CyclesEnd {
   limit,        ///< no more cycles were allowed; the residual was still falling
   stalled,      ///< the residual no longer fell
   diverged,     ///< no finite state with any damping
-  no_solution,  ///< the equations are solved by a state that is no contact's: the mesh is too coarse
+  no_solution,  ///< the equations are solved by an unphysical state: the mesh is too coarse
 };
 
 /// One row per cycle on any level.

@@ -19,7 +19,7 @@ inline void start_from_hertz(Hierarchy& hierarchy, std::size_t l, double H00, in
 /// Makes levels[l] the level being solved, from a given state. in: P of the level's shape.
 void start_from_state(Hierarchy& hierarchy, std::size_t l, const State& start);
 
-/// Makes levels[l] the level being solved, from the solution on levels[l-1] by bicubic interpolation and P >= 0.
+/// Makes levels[l] the level being solved, from the solution on levels[l-1] by bicubic interpolation, with P >= 0.
 void start_from_coarser(Hierarchy& hierarchy, std::size_t l);
 
 /// Makes levels[l] the level being solved, by extrapolation from the solutions on levels[l-1] and levels[l-2]. Where
