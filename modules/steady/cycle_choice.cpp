@@ -98,16 +98,16 @@ constexpr double least_single_epsilon_of_line = 0.02;
 /// Under-relaxation of distributive changes on a line contact. [bench: weight_of_line]
 constexpr double weight_of_line = 0.8;
 
-/// Factor on all weights on stretched cells, where changes are distributed to two neighbours instead of four. [bench:
-/// weight_when_stretched]
+/// Factor on all weights on stretched cells, where changes are distributed to two neighbours instead of four.
+/// [bench: weight_when_stretched]
 constexpr double weight_when_stretched = 0.8;
 /// Further factor on stretched cells where epsilon is steep. [bench: steep_when_stretched]
 constexpr double steep_when_stretched = 0.6;
 
 /// Step limit: the largest pressure change of one relaxation, given as a change of ln eta with its slope at P = 0.
 /// Larger steps make the front of a spike alternate from line to line, because the X sweep holds epsilon fixed; the Y
-/// sweep then amplifies that. A line contact, whose points are solved together, needs no limit. [bench:
-/// most_change_of_log_viscosity]
+/// sweep then amplifies that. A line contact, whose points are solved together, needs no limit.
+/// [bench: most_change_of_log_viscosity]
 double most_change(const Scene& scene) {
   constexpr double most_change_of_log_viscosity = 6.0;
   if (scene.grid.line) return std::numeric_limits<double>::infinity();
@@ -137,8 +137,8 @@ fmg::Parameters parameters_of(const Scene& scene, const Start& start) {
   // Elongated oblique contacts get Y sweeps from the first cycle on. [bench: across_of_oblique_contacts]
   parameters.relaxation.across = (start.across || long_along_motion(scene.shape)) && !core::stretched(scene.grid);
   // If a Y sweep follows, the X sweep on square cells is not damped where epsilon is steep: damped, it amplifies the
-  // odd-even mode at the inlet edge. Coarse grids, which have epsilon at the nodes, keep the damping. [bench:
-  // steep_before_across]
+  // odd-even mode at the inlet edge. Coarse grids, which have epsilon at the nodes, keep the damping.
+  // [bench: steep_before_across]
   parameters.relaxation.steep_before_across = 1.0 / steep_caution(scene);
   if (contact::gap(scene.shape).aslant()) parameters.relaxation.coarse_before_across = coarse_before_across_aslant;
   parameters.least_coarsest_cells = std::max(parameters.least_coarsest_cells, coarsest_cells(scene, start));

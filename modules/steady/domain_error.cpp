@@ -86,8 +86,8 @@ RoughError rough_error(const Scene& scene) {
 double closed_reach(double M, double L, const contact::Ellipse& shape, double error) {
   const double film = expected_central_film(M, L, shape);
   const double lambda = contact::from_moes(M, L, shape).lambda;
-  // The closed form of a line contact neglects that the load upstream of the inlet deforms the bodies. [bench:
-  // closed_reach_of_line]
+  // The closed form of a line contact neglects that the load upstream of the inlet deforms the bodies.
+  // [bench: closed_reach_of_line]
   if (contact::line(shape)) return std::cbrt(0.02 * lambda / (film * error));
   const core::QuadraticForm gap = contact::gap(shape);
   double elastic;

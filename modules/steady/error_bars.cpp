@@ -55,8 +55,8 @@ MeshError mesh_error(const Scene& scene, const LevelRow& row, double order) {
   return {error, error_Hm + of_node, error_Hm};
 }
 
-// A spike that has not settled grows with every grid. It may grow by this multiple of its last growth. [bench:
-// may_rise_by]
+// A spike that has not settled grows with every grid. It may grow by this multiple of its last growth.
+// [bench: may_rise_by]
 constexpr double may_rise_by = 4.0;
 
 bool settles(const std::vector<double>& P) {
@@ -148,8 +148,8 @@ Estimate Hc_by_weights(const adjoint::Foretold& parts, double value, double seen
                        share_of_disagreement_extrapolated * disagreement(parts, seen);
   return {value * (1.0 + correction(parts, seen)), error + (1.0 + of_second_order) * algebraic};
 }
-/// Error of the extrapolated Hm: a share of the terms, and the disagreement with the grid sequence. [bench:
-/// share_of_terms_extrapolated]
+/// Error of the extrapolated Hm: a share of the terms, and the disagreement with the grid sequence.
+/// [bench: share_of_terms_extrapolated]
 constexpr double share_of_terms_extrapolated = 0.6;
 Estimate Hm_by_weights(const adjoint::Foretold& parts, double value, double seen, double algebraic) {
   const double error = share_of_terms_extrapolated * (of_pressure_and_film(parts) + of_wedge_alone(parts)) +
@@ -160,8 +160,8 @@ Estimate Hm_by_weights(const adjoint::Foretold& parts, double value, double seen
 /// In a lightly loaded contact the error arises where the pressure ruptures, a zone that does not widen with the film.
 constexpr double widest_zone = 0.5;
 /// True if the last two changes of Hc fall and have the same sign. At low loads the edge of rupture may turn the sign;
-/// the extrapolated value is then worse than the nodal one, and only the grid sequence gives its error. [bench:
-/// changes_fall]
+/// the extrapolated value is then worse than the nodal one, and only the grid sequence gives its error.
+/// [bench: changes_fall]
 bool changes_fall(const std::vector<LevelRow>& levels) {
   const std::size_t n = levels.size();
   if (n < 3) return false;
@@ -234,8 +234,8 @@ void judge_line(const Scene& scene, const Solution& solution, ErrorBars& bars) {
 
 /// Safety factor on the adjoint estimate of the error of the domain. [bench: safety_of_domain]
 constexpr double safety_of_domain = 5.0;
-/// Safety factor on the rough estimate for a line contact with the far field in closed form. [bench:
-/// safety_of_closed_line]
+/// Safety factor on the rough estimate for a line contact with the far field in closed form.
+/// [bench: safety_of_closed_line]
 constexpr double safety_of_closed_line = 3.0;
 
 double domain_error(const Scene& scene, const Solution& solution) {

@@ -57,8 +57,8 @@ Solution cycles_from(const Scene& scene, const Solution& before, const ProgressC
 }
 
 /// Limits within which a pass with chattering nodes still counts, with a warning: a node at the edge of the film may be
-/// consistent neither as full nor as cavitated. Its residual is that of a single node, and oil is conserved. [bench:
-/// swinging_residual]
+/// consistent neither as full nor as cavitated. Its residual is that of a single node, and oil is conserved.
+/// [bench: swinging_residual]
 constexpr double swinging_residual = 2e-2;
 constexpr double swinging_load_error = 1e-4;
 
@@ -107,8 +107,8 @@ std::vector<double> next_layer(const Passes& rule, const std::vector<double>& le
   return layer;
 }
 
-// The set of cavitated nodes hardly changes between passes, so that Newton's method converges in a few steps. [bench:
-// go_on]
+// The set of cavitated nodes hardly changes between passes, so that Newton's method converges in a few steps.
+// [bench: go_on]
 std::optional<Solution> go_on(const Scene& scene, const Solution& before, const ProgressCallback& progress) {
   Scene next = scene;
   next.multigrid.tolerance = std::fmin(tolerance_between, scene.multigrid.tolerance);

@@ -22,7 +22,7 @@ std::span<double> flat(Profile& profile, int nodes) {
 std::span<double> flat(Lanes& lanes) { return {reinterpret_cast<double*>(&lanes), core::lanes}; }
 std::span<const double> flat(const Lanes& lanes) { return {reinterpret_cast<const double*>(&lanes), core::lanes}; }
 
-// What a thinning law makes of the sliding at this I0, and how that changes with ln I0.
+// Sliding of a shear-thinning oil at the present I0, and its derivatives with respect to ln I0.
 void shear(const ColumnLaws& laws, Columns& at) {
   const Lanes I0 = at.I0 * at.fluidity, M2 = at.M2 * at.fluidity;
   Lanes along{}, across{};
@@ -37,7 +37,7 @@ void shear(const ColumnLaws& laws, Columns& at) {
   at.tau_m = limited ? at.limit : tau;
   at.unlimited = tau;
   const Lanes tau_slope = limited ? Lanes{} : -1.0 - y_slope;
-  // In the direction of sliding: tau_m and t_N are magnitudes.
+  // tau_m and t_N are magnitudes, so the flow is taken in the direction of sliding.
   const double direction = laws.sliding < 0.0 ? 12.0 : -12.0;
   const Lanes g_x = direction * at.flow_x / (at.H * M2 * at.mobility_x);
   const Lanes g_y = -12.0 * at.flow_y / (at.H * M2 * at.mobility_y);
@@ -64,14 +64,14 @@ void moments(const Nodes& nodes, Columns& at) {
   at.M2 = 12.0 * (two - at.z_bar * one);
 }
 
-// D, its slope and phi of the temperatures.
+// D, its slope, and phi at the present temperatures.
 void fluidities(const ColumnLaws& laws, int count, Columns& at) {
   rheology::log_viscosity_change(laws.viscosity, flat(at.P_of_node, count), flat(at.log_eta_of_node, count),
                                  flat(at.theta, count), flat(at.D, count), flat(at.dD, count));
   for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) at.phi[k] = rheology::exp(-at.D[k]);
 }
 
-// Moments, stresses, source f and its slope, phi given.
+// Moments, stresses, source f and its slope, at given phi.
 void sheared(const Nodes& nodes, const ColumnLaws& laws, Columns& at) {
   const int count = nodes.intervals + 1;
   moments(nodes, at);
@@ -155,7 +155,7 @@ Nodes make_nodes(int intervals) {
     throw core::InputError("nodes across the film: " + std::to_string(intervals + 1) + " must be odd, from 5 to " +
                            std::to_string(most_nodes));
   Nodes nodes{.intervals = intervals, .step = 1.0 / intervals};
-  // Numerov's mean over three nodes and the flux at the surface add up to these weights of Gregory.
+  // Numerov's mean over three nodes and the flux at the surface add up to Gregory's weights.
   constexpr std::array<double, 3> ends{3.0 / 8.0, 7.0 / 6.0, 23.0 / 24.0};
   for (int k = 0; k <= intervals; ++k) {
     const auto n = static_cast<std::size_t>(k);
@@ -166,7 +166,7 @@ Nodes make_nodes(int intervals) {
   }
   for (std::size_t k = 0; k < ends.size(); ++k)
     for (const std::size_t n : {k, static_cast<std::size_t>(intervals) - k})
-      nodes.heat[n] += nodes.step * (ends[k] - 1.0);  // five nodes: both ends act on the middle
+      nodes.heat[n] += nodes.step * (ends[k] - 1.0);  // with five nodes both ends contribute to the middle
   return nodes;
 }
 

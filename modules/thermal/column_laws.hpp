@@ -1,5 +1,5 @@
 #pragma once
-// What all columns of the energy equation have in common (column.hpp).
+// Data that all columns of the energy equation share (column.hpp).
 #include <array>
 
 #include "rheology/shear.hpp"
@@ -7,7 +7,7 @@
 
 namespace ehl::thermal {
 
-/// What fits into a column: 65 nodes resolve a Nahme number of 1e6.
+/// Size of the arrays of a column. [bench: thermal_most_nodes]
 inline constexpr int most_nodes = 65;
 
 /// The nodes zeta_k = k/intervals and the weights of integrals over them.
@@ -15,19 +15,19 @@ struct Nodes {
   int intervals = 0;
   double step = 0.0;
   std::array<double, most_nodes> zeta{};
-  std::array<double, most_nodes> simpson{};  ///< of the moments
-  std::array<double, most_nodes> heat{};     ///< with which the scheme's own balance of heat is exact; order 4 as well
+  std::array<double, most_nodes> simpson{};  ///< weights of the moments
+  std::array<double, most_nodes> heat{};     ///< weights that close the heat balance of the scheme exactly; order 4
 };
 /// in: intervals even, 4 to 64. errors: InputError.
 Nodes make_nodes(int intervals);
 
-/// The same for all columns.
+/// Data that all columns share.
 struct ColumnLaws {
   rheology::ThermalViscosity viscosity;
   rheology::ShearThinning thinning{rheology::Eyring{}, 0.0};  ///< k = 0: Newtonian
   double sliding = 0.0;                                       ///< (u1 - u2)/u_m
   double Br = 0.0;                                            ///< eta0 u_m^2/(k0 T0)
-  /// theta is kept between these two on the way to a solution.
+  /// Bounds of theta during the iteration.
   double theta_least = -0.1, theta_most = 2.5;
 };
 

@@ -18,7 +18,7 @@ Lanes wall_mean(const Nodes& nodes, const Profile& f, std::size_t wall, std::siz
   return (nodes.step / 24.0) * (7.0 * f[wall] + 6.0 * f[one] - f[two]);
 }
 
-// The row of a surface, theta - given - (self/H) H q = 0; `one` is its neighbour.
+// Row of a surface, theta - given - (self/H) H q = 0; `one` is its neighbour.
 void wall_row(const Nodes& nodes, Columns& at, std::size_t wall, std::size_t one, std::size_t two, Lanes given,
               Lanes self, Profile& off_diagonal) {
   const Lanes share = self / at.H;
@@ -26,7 +26,7 @@ void wall_row(const Nodes& nodes, Columns& at, std::size_t wall, std::size_t one
   const Lanes side = at.carries ? by.side[wall] : Lanes{};
   const Lanes inner = at.carries ? (wall == 0 ? by.above[wall] : by.below[wall]) : Lanes{};
   at.diagonal[wall] = 1.0 + share * (at.k_bar / nodes.step - (7.0 * nodes.step / 24.0) * at.df[wall] + side + inner);
-  // That of the third node is left to the next step: the row stays tridiagonal.
+  // The derivative with respect to the third node is neglected, so that the row stays tridiagonal.
   off_diagonal[wall] = -share * (at.k_bar / nodes.step + (6.0 * nodes.step / 24.0) * at.df[one] + inner);
   at.right[wall] = given + share * wall_flux(nodes, at, wall, one, two) - at.theta[wall];
   at.by_I0[wall] = -share * wall_mean(nodes, at.f_I0, wall, one, two);
@@ -65,7 +65,7 @@ void linearise(const Nodes& nodes, const ColumnLaws& laws, Columns& at) {
   wall_row(nodes, at, n, n - 1, n - 2, at.given_1, at.self_1, at.lower);
 }
 
-// Gauss without pivoting, four right-hand sides at once.
+// Gaussian elimination without pivoting, for four right-hand sides.
 void eliminate(const Nodes& nodes, Columns& at) {
   const auto n = static_cast<std::size_t>(nodes.intervals);
   const std::array sides{&at.right, &at.by_I0, &at.by_M2, &at.by_z};
@@ -83,7 +83,7 @@ void eliminate(const Nodes& nodes, Columns& at) {
   }
 }
 
-// Solves a system of three by Cramer's rule.
+// Solves a 3 x 3 system by Cramer's rule.
 std::array<Lanes, 3> solve_three(const std::array<std::array<Lanes, 3>, 3>& m, const std::array<Lanes, 3>& r) {
   const auto det = [](const auto& p, const auto& q, const auto& s) {
     return p[0] * (q[1] * s[2] - q[2] * s[1]) - p[1] * (q[0] * s[2] - q[2] * s[0]) + p[2] * (q[0] * s[1] - q[1] * s[0]);
@@ -94,8 +94,8 @@ std::array<Lanes, 3> solve_three(const std::array<std::array<Lanes, 3>, 3>& m, c
   return {det(r, two, three) * inverse, det(one, r, three) * inverse, det(one, two, r) * inverse};
 }
 
-// The change of theta into at.right: the tridiagonal solution, and what the changes of I0, M2 and z_bar make of it
-// (Sherman, Morrison, Woodbury).
+// Writes the Newton change of theta to at.right: the tridiagonal solution, corrected for the changes of I0, M2 and
+// z_bar (Sherman, Morrison, Woodbury).
 void newton_step(const Nodes& nodes, Columns& at) {
   eliminate(nodes, at);
   std::array<std::array<Lanes, 3>, 3> matrix{};
@@ -117,13 +117,13 @@ void newton_step(const Nodes& nodes, Columns& at) {
     at.right[k] -= change[0] * at.by_I0[k] + change[1] * at.by_M2[k] + change[2] * at.by_z[k];
 }
 
-// The change of theta into at.right, cut where the viscosity would change too much at once, and which columns are done
-// with it. theta takes the change of the columns that go on, and after the last step of the batch that of all. A column
-// that is done before the others waits at the temperatures of its last step, and is given the same change again: what
-// follows from it is then the same whatever columns stand beside it, on every width of the lanes.
+// Limits the change of theta in at.right where the viscosity would change too much. returns the columns that have
+// converged. theta takes the change of the other columns, and after the last step of the batch that of all. A converged
+// column waits at the temperatures before its last step and gets the same change again, so its result does not depend
+// on the other columns of the batch or on the number of lanes.
 LaneMask apply_step(const Nodes& nodes, const ColumnLaws& laws, Columns& at, LaneMask done, const Steps& steps,
                     int step) {
-  constexpr double most_change = 2.0;  // of ln eta: half an order of magnitude per step keeps Nahme = 1e4 on its way
+  constexpr double most_change = 2.0;  // of ln eta [bench: thermal_newton_most_change]
   Lanes largest_D{}, largest{};
   for (std::size_t k = 0; k <= static_cast<std::size_t>(nodes.intervals); ++k) {
     largest = core::max(largest, core::abs(at.right[k]));

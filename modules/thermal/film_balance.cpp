@@ -1,4 +1,4 @@
-// Sums over the film: forces, heat, the hottest places.
+// Sums over the film: forces, heat, largest temperatures.
 #include "thermal/film_columns.hpp"
 
 namespace ehl::thermal {

@@ -15,22 +15,23 @@ namespace {
 
 using core::broadcast;
 
-// A body slower than this has its history computed as one of this speed, and the difference to its own source, which is
-// lagged. At rest the lines know no end; at Pe = 2 they are as hot as the body at rest, within half.
+// For a body slower than this, the marched part is that of a line source at this speed, and the difference to its own
+// source is lagged by one sweep. At rest the line source has no limit; at this speed it is comparable to a body at
+// rest.
 constexpr double slowest_line = 2.0;
-// The change of theta in a column's last step of Newton. What is left of it is its square, 1e-4 of a temperature, and
-// less in every sweep: a film that settles takes one step per sweep.
+// Tolerance on the change of theta in the last Newton step of a column. The remaining error is about its square and
+// falls with every sweep; near convergence one step per sweep suffices. [bench: thermal_column_tolerance]
 constexpr Steps steps_of_column{.most = 20, .tolerance = 1e-3};
 
-// How a body answers: what is marched with the film, and what of its own source is left and lagged.
+// Response of a body: the part marched with the film, and the rest of its own source, which is lagged by one sweep.
 struct Answer {
   std::vector<double> marched{};
-  std::vector<double> before{};  // of a line contact: before_inlet.hpp
+  std::vector<double> before{};  // line contacts only (before_inlet.hpp)
   std::optional<LaggedSource> lagged{};
 };
 
-// In a line contact the marched part is the source itself: slow bodies feel there what lies far upstream of them, and
-// by lines the rest would be more than the whole.
+// Line contacts march the downstream part of the source itself. Slow bodies respond there to heat from far upstream,
+// and with line sources the lagged rest would exceed the whole.
 Answer answer_of(const Setup& setup, const Body& body) {
   if (body.resistance == 0.0) return {};
   const core::Grid& grid = setup.patch.domain;
@@ -61,7 +62,7 @@ Answer answer_of(const Setup& setup, const Body& body) {
   return answer;
 }
 
-// Below an endless strip a body at rest warms up for ever, as the logarithm of time.
+// Below an infinite strip the temperature of a body at rest grows without limit, as the logarithm of time.
 bool warms_for_ever(const Setup& setup, const Body& body) {
   return setup.patch.domain.line && body.Pe == 0.0 && body.resistance > 0.0;
 }
@@ -78,7 +79,7 @@ ColumnLaws laws_of(const Setup& setup) {
 }  // namespace
 
 Setup cold_setup(const rheology::ViscosityLaw& viscosity, const rheology::DensityLaw& density) {
-  constexpr double any = 1.0;  // temperature: nothing depends on it
+  constexpr double any = 1.0;  // no result depends on it
   return {.viscosity = viscosity,
           .thermal_viscosity = rheology::BarusOfT{any, rheology::Exponential{0.0}},
           .density = {any, density, rheology::Expansion{0.0}}};
@@ -177,7 +178,7 @@ void FilmColumns::store(int batch, int i, const Columns& at) {
   if (setup_.patch.domain.line) keep_fluxes(i);
 }
 
-// What the Reynolds side and the report take from a column.
+// Stores what the Reynolds equation and the report need of a column.
 void FilmColumns::store_moments(int batch, int i, Worker& worker) {
   const int j = batch * core::lanes;
   const Columns& at = worker.at;
@@ -185,8 +186,8 @@ void FilmColumns::store_moments(int batch, int i, Worker& worker) {
   const auto flat = [&](auto& profile) { return std::span(reinterpret_cast<double*>(profile.data()), count); };
   rheology::density_change(setup_.density, flat(worker.at.P_of_node), flat(worker.at.theta), flat(worker.ratio),
                            flat(worker.expansion));
-  // C = int rho u_c dzeta, of which int u_c is known exactly; phi by the trapezoidal rule, over its own integral: the
-  // profile ends at both surfaces, whichever of them is called the first.
+  // C = int rho u_c dzeta, where int u_c is known exactly. phi is integrated by the trapezoidal rule and divided by its
+  // own integral, so that the profile ends exactly at both surface velocities, whichever surface is surface 1.
   Lanes mean{}, excess{}, Phi{}, total{};
   for (std::size_t k = 1; k <= static_cast<std::size_t>(nodes_.intervals); ++k)
     total += (0.5 * nodes_.step) * (at.phi[k - 1] + at.phi[k]);
@@ -207,8 +208,8 @@ void FilmColumns::store_moments(int batch, int i, Worker& worker) {
   put(clipped_, at.clipped ? broadcast(1.0) : Lanes{});
 }
 
-// A batch of lines from one end of the domain to the other, or back from where oil flows back; nothing is asked of
-// other batches but what the sweep before left, so that they may go in any order.
+// Sweeps a batch of lines from one end of the domain to the other, or back from the last backflow. Other batches enter
+// only with values of the previous sweep, so the batches may be swept in any order.
 double FilmColumns::solve_batch(int batch, bool downstream, Worker& worker) {
   const core::Patch& patch = setup_.patch;
   Columns& at = worker.at;

@@ -1,5 +1,5 @@
 #pragma once
-// The columns of a film, batch by batch: what FilmTemperature is made of, with the same functions
+// Columns of a film, batch by batch: the implementation of FilmTemperature, with the same functions
 // (film_temperature.hpp).
 #include <optional>
 #include <vector>
@@ -37,13 +37,13 @@ class FilmColumns {
   std::size_t bytes() const;
 
  private:
-  // One batch of columns, with what convection and C ask of the density.
+  // One batch of columns, and density terms for convection and C.
   struct Worker {
     Columns at;
     Profile ratio, expansion;
   };
-  // Where a batch of lines has node k of its columns at station i: a batch is one piece of memory, and its lines stand
-  // side by side.
+  // Index of node k of the columns at position i, for a batch of grid lines. A batch is contiguous in memory; its lines
+  // are adjacent.
   std::size_t index(int batch, int i, int k) const {
     return ((static_cast<std::size_t>(batch) * static_cast<std::size_t>(setup_.patch.nodes_x()) +
              static_cast<std::size_t>(i)) *
@@ -51,8 +51,8 @@ class FilmColumns {
             static_cast<std::size_t>(k)) *
            core::lanes;
   }
-  // Where the column (i, j) has its node k. The lines of a line contact are alike, and make one batch however narrow
-  // the lanes are.
+  // Index of node k of column (i, j). All lines of a line contact are equal and form one batch, even if there are fewer
+  // lanes than lines.
   std::size_t place(int i, int j, int k) const {
     return index(setup_.patch.domain.line ? 0 : j / core::lanes, i, k) + static_cast<std::size_t>(j % core::lanes);
   }
@@ -84,20 +84,20 @@ class FilmColumns {
   ColumnLaws laws_;
   double u_1_, u_2_;
   int batches_;
-  std::vector<double> theta_, before_;   // before_: of the sweep before
-  std::vector<double> flow_x_, flow_y_;  // rho_bar H u times the layer of a node
-  int back_to_ = -1;                     // last station where oil flows back
+  std::vector<double> theta_, before_;   // before_: of the previous sweep
+  std::vector<double> flow_x_, flow_y_;  // rho_bar H u times the layer thickness of a node
+  int back_to_ = -1;                     // last position with backflow
   core::Field filled_;                   // share of the width that is sheared
-  core::Field oil_;                      // share of the gap that holds oil
+  core::Field oil_;                      // share of the gap that is filled with oil
   core::Field P_, H_, log_eta_, rho_bar_, k_bar_, P_X_, P_Y_, driven_x_, driven_y_;
   core::Field I0_, M2_, C_, more_x_, more_y_, less_tau_, tau_, q_1_, q_2_, heat_, carried_, clipped_, correction_1_,
       correction_2_;
   std::vector<double> line_1_, line_2_;
-  std::vector<double> before_1_, before_2_;  // likewise: what the bodies bring with them, per flux at the first node
-  std::vector<double> upstream_1_, upstream_2_;  // of a line contact q_1_ and q_2_, from the last node to the first
+  std::vector<double> before_1_, before_2_;      // of a line contact: before_inlet(), per flux at the first node
+  std::vector<double> upstream_1_, upstream_2_;  // q_1 and q_2 of a line contact, from the last node to the first
   std::optional<LaggedSource> source_1_, source_2_;
   std::vector<Worker> workers_;
-  std::vector<double> change_;  // per batch: no reduction depends on the threads
+  std::vector<double> change_;  // per batch, so that the maximum does not depend on the threads
 };
 
 }  // namespace ehl::thermal

@@ -1,4 +1,4 @@
-// The heat that goes with the oil from column to column and from layer to layer.
+// Convection of heat from column to column and from layer to layer.
 #include <algorithm>
 
 #include "thermal/film_columns.hpp"
@@ -8,10 +8,9 @@ namespace {
 
 using core::broadcast;
 
-// Oil that flows out of a line's domain against the entrainment comes back. What is made of heat upstream, as X^-2, is
-// carried by what recirculates, as X^2: its temperature falls as X^-3 far away, as X^-1 to X^-2 near the contact. Any
-// power from 1.5 to 3 leaves half of what Hc changes with a longer inlet where oil came back at the temperature of the
-// bath.
+// Decay of the temperature of oil that leaves a line contact's domain against the entrainment and returns. Heat is
+// generated upstream as X^-2 and carried by a recirculating flow that grows as X^2, so the temperature decays as X^-3
+// far away and as X^-1 to X^-2 near the contact. [bench: thermal_falls_upstream_as]
 constexpr double falls_upstream_as = 2.0;
 
 // v[1], v[2], .., after[0].
@@ -23,13 +22,13 @@ Lanes positive(Lanes a) { return core::max(a, Lanes{}); }
 
 }  // namespace
 
-// The values at the lines before those of a batch.
+// Values on the preceding lines (smaller Y).
 Lanes FilmColumns::south(const std::vector<double>& f, int batch, int i, int k, Lanes outside) const {
   const Lanes own = core::load(&f[index(batch, i, k)]);
   return core::moved_up(batch > 0 ? broadcast(f[index(batch - 1, i, k) + core::lanes - 1]) : outside, own);
 }
 
-// The values at the lines behind; beyond the last one `mirrored` times the image, or `outside`.
+// Values on the following lines (larger Y); beyond the last one `mirrored` times the mirror image, or `outside`.
 Lanes FilmColumns::north(const std::vector<double>& f, int batch, int i, int k, double mirrored, Lanes outside) const {
   const core::Patch& patch = setup_.patch;
   const Lanes own = core::load(&f[index(batch, i, k)]);
@@ -40,9 +39,9 @@ Lanes FilmColumns::north(const std::vector<double>& f, int batch, int i, int k, 
   return next;
 }
 
-// Of the oil that enters at a line's first node the share that counts as new, at the temperature of the bath. Where oil
-// flows back the rest is as warm as the node but for what its temperature falls by in a cell: what goes through has
-// been among it for long (at the bath's temperature, 1 to 10 % of what enters, it left half of the mend).
+// Share of the oil entering at the first node of a line contact that has the supply temperature. If oil flows back
+// there, the rest is as warm as the node, less the decay over one cell, because the throughflow has mixed with
+// recirculating oil for long. [bench: thermal_fresh_share]
 Lanes FilmColumns::fresh_share(int batch) const {
   const core::Patch& patch = setup_.patch;
   Lanes out{};
@@ -51,8 +50,8 @@ Lanes FilmColumns::fresh_share(int batch) const {
   return out > 0.0 ? broadcast(std::min(1.0, falls)) : broadcast(1.0);
 }
 
-// Upwind finite volumes around the nodes of the columns: what flows in brings the temperature of where it comes from.
-// The flow between two layers follows from continuity; what the columns' own flows lack of it is spread over the film.
+// Upwind finite volumes around the nodes of the columns: inflow carries the temperature of its origin. The flow between
+// two layers follows from continuity; the defect of the columns' own flows is spread over the film.
 void FilmColumns::carry(int batch, int i, bool downstream, Worker& worker) const {
   const int j = batch * core::lanes;
   Columns& at = worker.at;
@@ -95,7 +94,7 @@ void FilmColumns::carry(int batch, int i, bool downstream, Worker& worker) const
     }
     by.side[k] = scale * in;
     by.carried[k] = scale * brought;
-    by.below[k] = leaves;  // of the layer, for the flow between layers
+    by.below[k] = leaves;  // outflow of the layer, for the flow between layers
     by.compression[k] = Lanes{};
     defect += by.below[k];
   }
@@ -109,7 +108,7 @@ void FilmColumns::carry(int batch, int i, bool downstream, Worker& worker) const
   if (setup_.compression > 0.0) add_compression(batch, i, worker);
 }
 
-// compression e T0 H^2 (u P_X + v P_Y), e of the middle of the film.
+// compression e T0 H^2 (u P_X + v P_Y), with e at mid-film.
 void FilmColumns::add_compression(int batch, int i, Worker& worker) const {
   const int j = batch * core::lanes;
   Columns& at = worker.at;

@@ -1,4 +1,4 @@
-// What the film carries: velocities across it and flows from node to node.
+// Velocities across the film and flows from node to node.
 #include <omp.h>
 
 #include <algorithm>
@@ -13,12 +13,12 @@ namespace {
 
 using core::broadcast;
 
-// A film that counts as none: behind it nothing is sheared, and what is divided by it stays finite.
+// Lower bound of H, which keeps divisions by the film finite.
 constexpr double least_film = 1e-6;
-// Likewise a share of the gap: its columns are divided by it.
+// Lower bound of the filled share of the gap, by which columns are divided.
 constexpr double least_oil = 1e-4;
 
-// d/dX or d/dY between the neighbours that there are.
+// d/dX or d/dY, by central differences; one-sided at the boundary.
 double slope(const core::Patch& patch, const core::Field& P, int i, int j, bool along) {
   if (along) {
     const int west = std::max(i - 1, 0), east = std::min(i + 1, patch.nx);
@@ -32,7 +32,7 @@ double slope(const core::Patch& patch, const core::Field& P, int i, int j, bool 
 
 }  // namespace
 
-// in: of(field), theta_of(k): the values of these columns.
+// in: of(field), theta_of(k): values of these columns.
 template <class Of, class ThetaOf>
 void FilmColumns::load(Of of, ThetaOf theta_of, Columns& at) const {
   at.P = of(P_);
@@ -57,8 +57,8 @@ void FilmColumns::load(int batch, int i, const std::vector<double>& theta, Colum
 void FilmColumns::take(const core::Field& P, const core::Field& H, const core::Field* theta) {
   const core::Patch& patch = setup_.patch;
   const int count = setup_.threads;
-  // The vectors of a line's last station reach behind the field; elsewhere they reach into the next station, whose
-  // values are its own.
+  // At the last X position of a line contact vector loads reach beyond the lines; at the others they reach into the
+  // next position, which has its own values.
   const int widest = std::max(batches_ * core::lanes, patch.nodes_y());
 #pragma omp parallel for schedule(static) num_threads(count) if (count > 1)
   for (int i = 0; i <= patch.nx; ++i) {
@@ -92,9 +92,9 @@ void FilmColumns::take(const core::Field& P, const core::Field& H, const core::F
   back_to_ = setup_.Pe > 0.0 ? last_backflow() : -1;
 }
 
-// Behind the film's end the oil goes on in streaks, as wide as it was thick there: shear heats them. A node at the end
-// that changes between wet and dry changes little of its heat; without the streaks it would cool down, get pressure,
-// warm up, and lose it again, from pass to pass. With theta given that is the width of the streaks.
+// Downstream of the film oil continues in streaks that keep the film's thickness and are heated by shear. Without that
+// heat a node at the film edge would chatter: it would cool when cavitated, regain pressure, warm up and cavitate
+// again. If theta is given, it is the width of the streaks.
 void FilmColumns::fill(const core::Field* theta) {
   const core::Patch& patch = setup_.patch;
   for (int j = 0; j <= patch.ny; ++j) {
@@ -121,9 +121,9 @@ int FilmColumns::last_backflow() const {
   return last;
 }
 
-// The flow that pressure drives, as a mean velocity -(H^2/lambda) M2 F' P_X, and the velocities across the film that go
-// with it at the viscosities of now: u = u_2 + (u_1 - u_2) int_0^zeta phi/I0 + driven (shape of int_0^zeta s phi).
-// in: of, put: the values of these columns in a field, put_node: of node k of theirs.
+// Pressure flow as a mean velocity -(H^2/lambda) M2 F' P_X, and the velocities across the film at the present
+// viscosities: u = u_2 + (u_1 - u_2) int_0^zeta phi/I0 + driven (shape of int_0^zeta s phi).
+// in: of, put: read and write the values of these columns in a field; put_node: writes those of node k.
 template <class Of, class ThetaOf, class Put, class PutNode>
 void FilmColumns::flows(Of of, ThetaOf theta_of, Put put, PutNode put_node, Worker& worker) {
   Columns& at = worker.at;
@@ -140,8 +140,8 @@ void FilmColumns::flows(Of of, ThetaOf theta_of, Put put, PutNode put_node, Work
   if (setup_.flow_thinning) {
     const rheology::FlowThinned by =
         rheology::thinned_by_flow(*setup_.flow_thinning, at.H * at.I0 * at.fluidity, driven_x, driven_y);
-    // Where the limit acts the film flows at the viscosity limit/rate. Below this pressure the limit counts as that of
-    // it: measured ones do not vanish with p.
+    // Where the limiting stress acts, the film flows with the viscosity limit/rate. Below this pressure the limit is
+    // that of this pressure, because measured limiting stresses do not vanish with p.
     constexpr double least_P = 1e-3;
     const Lanes limit = (setup_.limit * setup_.stress_of_P) * core::max(at.P, broadcast(least_P));
     const Lanes over = core::max(broadcast(1.0), at.unlimited / limit);
@@ -151,7 +151,7 @@ void FilmColumns::flows(Of of, ThetaOf theta_of, Put put, PutNode put_node, Work
   }
   if (setup_.Pe == 0.0 && setup_.compression == 0.0) return;
 
-  // By the trapezoidal rule, with its own mean, so that the shapes end at the surfaces and carry what they must.
+  // The trapezoidal rule, divided by its own mean: the profiles end at the surface velocities and have the right flow.
   const auto n = static_cast<std::size_t>(nodes_.intervals);
   const double half = 0.5 * nodes_.step;
   Lanes total{}, moment{};
@@ -178,7 +178,7 @@ void FilmColumns::flows(Of of, ThetaOf theta_of, Put put, PutNode put_node, Work
   }
 }
 
-// A line's columns are not asked for each other's flows: those of stations in a row go side by side.
+// The flows of a line contact do not depend on each other, so the lanes hold successive positions along X.
 void FilmColumns::make_flows() {
   const core::Patch& patch = setup_.patch;
   const int count = setup_.threads;

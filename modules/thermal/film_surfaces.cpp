@@ -1,11 +1,11 @@
-// The surfaces of a column: what has flowed into the bodies upstream of it.
+// Surface temperatures of a column, from the heat that has entered the bodies upstream.
 #include "thermal/film_columns.hpp"
 
 namespace ehl::thermal {
 
 using core::broadcast;
 
-// Of a line contact sum_m weights_m q_{i-m}, m = 1..i. in: q from the last node to the first.
+// sum_m weights_m q_{i-m}, m = 1..i, of a line contact. in: q from the last node to the first.
 double FilmColumns::marched(const std::vector<double>& weights, const std::vector<double>& upstream, int i) const {
   const double* q = upstream.data() + (setup_.patch.nx - i);
   const double* w = weights.data();
@@ -18,14 +18,14 @@ double FilmColumns::marched(const std::vector<double>& weights, const std::vecto
   return sum;
 }
 
-// What flows into the surfaces of a line's station i, where marched() finds it.
+// Stores the fluxes into the surfaces at position i of a line contact for marched().
 void FilmColumns::keep_fluxes(int i) {
   const auto place = static_cast<std::size_t>(setup_.patch.nx - i);
   upstream_1_[place] = q_1_(i, 1);
   upstream_2_[place] = q_2_(i, 1);
 }
 
-// The surfaces of a batch: what flowed into them upstream, and their own share.
+// Surface conditions of a batch: temperature from the heat that entered upstream, and response to the own flux.
 void FilmColumns::surfaces(int batch, int i, Columns& at) const {
   const int j = batch * core::lanes;
   const auto surface = [&](const Body& body, const std::vector<double>& line, const core::Field& q,
@@ -37,7 +37,8 @@ void FilmColumns::surfaces(int batch, int i, Columns& at) const {
     if (!upstream.empty()) {
       given += marched(line, upstream, i);
       if (before.empty()) return;
-      // The first node answers to what it says of the body before it: lagged, slow bodies would swing.
+      // At the first node the heat from upstream responds to the node's own flux implicitly: lagged, slow bodies would
+      // oscillate.
       if (i == 0)
         self += before[0];
       else

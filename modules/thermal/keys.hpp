@@ -1,5 +1,5 @@
 #pragma once
-// What [thermal] says of the bodies and of the way in which the heat is computed.
+// Keys of [thermal] about the bodies and the method.
 #include <string>
 #include <vector>
 
@@ -17,13 +17,13 @@ struct Input {
   BodyInput body_1{}, body_2{};
   int intervals = 16;  ///< across the film
   bool convection = true, compression = true;
-  bool lines = false;                 ///< bodies by Carslaw and Jaeger's lines
-  std::vector<std::string> fields{};  ///< to keep in the result
+  bool lines = false;                 ///< line sources of Carslaw and Jaeger
+  std::vector<std::string> fields{};  ///< kept in the result
 };
 
-/// The deck's keys of [thermal] but those of the oil (rheology/thermal_keys.hpp).
+/// Keys of [thermal] except those of the oil (rheology/thermal_keys.hpp).
 std::vector<deck::Key> keys();
-/// [thermal] T_oil is known. What is missing or given twice is added to deck.errors.
+/// in: [thermal] T_oil is given. Reports missing and contradictory keys in deck.errors.
 Input read(deck::Deck& deck);
 
 }  // namespace ehl::thermal

@@ -6,8 +6,8 @@
 namespace ehl::thermal {
 namespace {
 
-constexpr double half = 0.5, most = 0.5;  // of a share
-constexpr double least_weight = 0.1;      // no answer is more than nine times what caused it
+constexpr double half = 0.5, most = 0.5;  // bounds of the ratio of two changes
+constexpr double least_weight = 0.1;      // lower bound of w
 
 }  // namespace
 
@@ -16,14 +16,14 @@ LaggedSource::LaggedSource(Source&& source, const core::Patch& patch)
 
 void LaggedSource::apply(const core::Field& q, core::Field& theta) {
   std::visit([&](auto& sum) { sum.apply(q, left_); }, source_);
-  double size_before = 0.0, along = 0.0;  // of what was left before, and of what is left now along it
+  double size_before = 0.0, along = 0.0;  // squared norm of the previous change, and the present change projected on it
   for (int i = 0; i < left_.nodes_x(); ++i)
     for (int j = 0; j < left_.nodes_y(); ++j) {
       const double left = left_(i, j) - theta(i, j), before = left_before_(i, j);
       size_before += before * before;
       along += before * left;
     }
-  const double share = along / size_before;  // of one mode: what is left of it is 1 - weight (1 + what S answers)
+  const double share = along / size_before;  // amplification of one mode, 1 - w (1 + response of S)
   const bool known = size_before > 0.0 && (share < -half || weight_ < 1.0);
   if (known) weight_ = std::clamp(weight_ / (1.0 - std::min(share, most)), least_weight, 1.0);
   for (int i = 0; i < left_.nodes_x(); ++i)

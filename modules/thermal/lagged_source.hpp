@@ -1,5 +1,5 @@
 #pragma once
-// What a body's own source adds to its surface beside what is marched with the film: taken from the sweep before.
+// Part of a body's source that is not marched with the film; it is computed from the fluxes of the previous sweep.
 #include <cstddef>
 
 #include "core/field.hpp"
@@ -7,15 +7,15 @@
 
 namespace ehl::thermal {
 
-/// theta <- theta + w (S q - theta), S the source. Heat that flows into a body warms it, and then less flows: of a body
-/// that hardly moves below a wide contact S answers by more than the film resists, and with w = 1 each sweep overshoots
-/// by more than the last. w is 1 until a sweep overshoots by more than half; from then on it is the weight that would
-/// have left nothing of one mode, as the last sweep tells.
+/// Under-relaxed fixed-point iteration theta <- theta + w (S q - theta), S the source. A warmer body takes up less
+/// heat. For an almost stationary body below a wide contact, S responds more strongly than the film resists, and with w
+/// = 1 the sweeps diverge. w is 1 until a sweep overshoots by more than half; from then on it is chosen to remove one
+/// mode exactly, with the amplification seen in the last sweep.
 class LaggedSource {
  public:
   LaggedSource(Source&& source, const core::Patch& patch);
 
-  /// in: q on the patch; theta as left by the call before, zero before the first. out: theta.
+  /// in: q on the patch; theta of the previous call, zero at first. out: theta.
   void apply(const core::Field& q, core::Field& theta);
 
   std::size_t bytes() const;

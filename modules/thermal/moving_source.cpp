@@ -9,13 +9,13 @@
 namespace ehl::thermal {
 namespace {
 
-// Beyond, erf is 1 to 1e-16.
+// Beyond this argument erf is 1 to rounding.
 constexpr double end_of_erf = 5.9;
 
-// A of cells d = first..last at one s: half the difference of erf between their edges, moved by `shift`.
+// A of the cells first..last at one s: half the difference of erf between the edges of a cell, displaced by `shift`.
 struct Shares {
-  int first = 0, last = -1;  // cells outside get less than rounding
-  std::vector<double> A{};   // of first..last, from A[0] on
+  int first = 0, last = -1;  // outside, A is below rounding
+  std::vector<double> A{};   // of first..last; A[0] belongs to first
 };
 
 void shares(double h, double s, double shift, int least, int most, Shares& out) {
@@ -34,8 +34,8 @@ struct Range {
   double begin, end;
 };
 
-// Panels of s on which Gauss' ten points are exact to 1e-7: growing with s, and no longer than an edge of the moving
-// cell takes to pass, 2 s in place, 1/Pe in s.
+// Panels of s on which the Gauss rule with ten points is accurate enough. They grow with s, but the edge of the moving
+// cell must not pass a diffusion length within a panel: 2 s in place, 1/Pe in s.
 Range next_panel(double s, double h, double Pe) {
   const double of_motion = Pe > 0.0 ? 2.0 / Pe : INFINITY;
   if (s == 0.0) return {0.0, std::min({h / 24.0, Pe > 0.0 ? std::sqrt(h / (8.0 * Pe)) : INFINITY, of_motion})};
@@ -60,7 +60,7 @@ SourceTable moving_source_table(int n_x, int n_y, double hx, double hy, double P
       for (int k = 0; k <= beside.last - beside.first; ++k) row[k] += factor * beside.A[static_cast<std::size_t>(k)];
     }
   };
-  // Until the last cell has been passed, or where nothing moves until the rest is known.
+  // Until the last cell has been passed or, at rest, until the remainder is known in closed form.
   const double at_rest = 1e6 * std::max(length, width);
   double s = 0.0;
   while (s < at_rest && Pe * s * s < length + 2.0 * end_of_erf * s) {
@@ -72,7 +72,7 @@ SourceTable moving_source_table(int n_x, int n_y, double hx, double hy, double P
             2.0 / std::sqrt(std::numbers::pi) * half * Gauss::weights()[k]);
     s = panel.end;
   }
-  // A_x A_y = hx hy/(4 pi s^2) of a source at rest; of one that moves it is over.
+  // Remainder: A_x A_y = hx hy/(4 pi s^2) for a source at rest; zero for a moving one.
   const double rest = s >= at_rest ? hx * hy / (2.0 * std::pow(std::numbers::pi, 1.5) * s) : 0.0;
   for (double& G : table.G) G += rest;
   return table;

@@ -13,7 +13,7 @@ constexpr int block_doubles = mlmi::ColumnTransform::doubles;
 
 std::size_t size(std::ptrdiff_t n) { return static_cast<std::size_t>(n); }
 
-// The product of two complex numbers, into the first of them.
+// Complex product, written to the second factor.
 void multiply(const double* by, double* number) {
   const double re = number[0], im = number[1];
   number[0] = by[0] * re - by[1] * im;
@@ -58,11 +58,11 @@ void SourceConvolution::prepare_spectrum(const SourceTable& table) {
     std::copy_n(worker.transformed.data(), length_rows_ * block_doubles,
                 spectrum_.data() + static_cast<std::ptrdiff_t>(b) * length_rows_ * block_doubles);
   }
-  // The columns behind the last frequency hold nothing and must stay so.
+  // Columns beyond the last frequency are zero and must stay zero.
   std::fill_n(half_.data(), half_.size(), 0.0);
 }
 
-// Transform along the rows, multiply by the kernel, transform back, for the columns of one block.
+// For one block of columns: transform along X, multiply by the kernel, transform back.
 void SourceConvolution::convolve_block(int b, Worker& worker) {
   double* block = worker.block.data();
   double* transformed = worker.transformed.data();
