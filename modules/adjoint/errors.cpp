@@ -14,9 +14,9 @@
 namespace ehl::adjoint {
 namespace {
 
-/// 64 x 80 cells are not: on 32 the weights of Hm do not find its minimum.
+/// Nodes above which the adjoint solution is made on a still coarser grid. [bench: many_nodes]
 constexpr double many_nodes = 6000.0;
-/// Of the weights: they are those of a coarse grid.
+/// Relative tolerance of the adjoint systems: a coarse grid's solution needs no more.
 constexpr double tolerance = 1e-2;
 
 struct Values {
@@ -28,7 +28,7 @@ Values values_of(const fmg::Level& level) {
           judgement::fitted_minimum(level.grid, level.H, least.i, least.j).value};
 }
 
-/// Two grids below the finest, or three; with few grids the coarsest.
+/// Two grids below the finest, or three; the coarsest if there are few grids.
 std::size_t level_of_weights(const fmg::Hierarchy& hierarchy) {
   const std::size_t finest = hierarchy.levels.size() - 1;
   if (finest < 3) return 0;
@@ -36,7 +36,7 @@ std::size_t level_of_weights(const fmg::Hierarchy& hierarchy) {
   return static_cast<double>(grid.nx) * grid.ny > many_nodes ? finest - 3 : finest - 2;
 }
 
-/// Weights of the nodes of a finer grid: those per area, interpolated.
+/// Transfers the adjoint solution to a finer grid by bilinear interpolation of its values per unit area.
 core::Field on_finer(const fmg::Hierarchy& hierarchy, std::size_t from, std::size_t to, const core::Field& weights) {
   const auto scaled = [&](std::size_t l, double power, core::Field field) {
     const core::Patch& grid = hierarchy.levels[l].grid;
@@ -54,7 +54,7 @@ core::Field on_finer(const fmg::Hierarchy& hierarchy, std::size_t from, std::siz
   return scaled(to, 1.0, std::move(now));
 }
 
-/// -(poiseuille/3 + wedge/7) per area and value: positive where the number comes out too large.
+/// -(poiseuille/3 + wedge/7) per area, relative to the value: positive where the number is too large.
 core::Field density(const fmg::Hierarchy& hierarchy, const core::Field& P, const core::Field& weights,
                     const Truncation& parts, double value) {
   const std::size_t finest = hierarchy.levels.size() - 1;
@@ -70,9 +70,9 @@ core::Field density(const fmg::Hierarchy& hierarchy, const core::Field& P, const
   return core::on_domain(hierarchy.levels[finest].grid, on_fine);
 }
 
-/// The closed form of the far field takes the deformation for that of a point load, and its lines of rupture for
-/// straight, which H00 bends: the pressure is wrong by what these are beside the rigid gap, taken round. measured: (2,
-/// 0), whose error falls with the third power of the domain and the part of its boundary with the first.
+/// Bound on the error from the closed far field. The closed form treats the deformation as that of a point load, and
+/// the lines of rupture as straight, although H00 bends them. The relative error of the pressure is the size of these
+/// two terms relative to the rigid gap, taken as round. [bench: share_of_H00]
 constexpr double share_of_H00 = 0.125;
 double domain_error(const fmg::Hierarchy& hierarchy, const fmg::Level& level, const Weights& weights) {
   const fmg::Problem& problem = hierarchy.problem;

@@ -1,5 +1,5 @@
 #pragma once
-// The errors of Hc and Hm that a solution has, foretold by the weights of what is left of its equations.
+// Adjoint (dual-weighted residual) estimates of the errors of Hc and Hm.
 #include <cstddef>
 #include <optional>
 
@@ -7,33 +7,33 @@
 
 namespace ehl::adjoint {
 
-/// Of one number, relative to it.
+/// Predicted changes of one number, relative to it.
 struct Foretold {
-  // What it changes from the grid of half as many cells to this one, by the terms that change it (truncation.hpp).
+  // Change from the grid of half as many cells to this one, by the terms that cause it (truncation.hpp).
   double poiseuille = 0.0;
   double wedge = 0.0;
-  double film = 0.0;       ///< the sum of P, and the fit of the minimum, included
-  double left = 0.0;       ///< the number less that of the solved equations, by the residual of the last cycle
-  double scattered = 0.0;  ///< the same without regard to sign: of a residual that changes its sign from node to node
-  /// What the far field on the boundary may be wrong by, whatever its sign; 0 where it is not closed.
+  double film = 0.0;       ///< the deformation, with the sum of P and the fit of the minimum
+  double left = 0.0;       ///< algebraic error, by the residual of the last cycle
+  double scattered = 0.0;  ///< sum of the absolute terms of `left`, of which the alternating part cancels there
+  /// Bound on the error from the far field on the boundary; 0 if that is not in closed form.
   double domain = 0.0;
   double change() const { return poiseuille + wedge + film; }
 };
 
 struct Errors {
   Foretold Hc, Hm;  ///< Hm: the fitted minimum
-  int cells = 0;    ///< along x of the grid of the weights
-  /// Where the error is made: what the pressure's terms and the wedge at a place do to the number, relative and per
-  /// unit area, by their orders. On the finest grid's domain; empty where no maps are asked for. (The deformation's
-  /// part is one with H00's and has no place.)
+  int cells = 0;    ///< cells along x of the grid of the adjoint solution
+  /// Maps of where the error arises: the contribution of the pressure terms and the wedge to the number, relative and
+  /// per unit area, each extrapolated by its order. On the finest grid's domain; empty if not requested. The
+  /// contribution of the deformation acts through H00 and has no place.
   core::Field map_Hc{}, map_Hm{};
   double seconds = 0.0;
 };
 
-/// Of the finest grid as it was solved. The weights are those of a grid with four times its mesh size, eight times
-/// where that has more than 6000 nodes: there they are larger by a fifth to a half, and cost a tenth of the cycles.
-/// None with a single grid, or where they are not found. out: the finest level and H00 as they were; those below have
-/// other states.
+/// Estimates the errors of the finest grid's present state. The adjoint solution is that of a grid with four times its
+/// mesh size, or eight times if that grid has many nodes. [bench: many_nodes]
+/// out: none with a single grid, or if the adjoint system is not solved. The finest level and H00 are unchanged; the
+/// states of the coarser levels are overwritten.
 std::optional<Errors> errors(fmg::Hierarchy& hierarchy, bool maps = false);
 
 }  // namespace ehl::adjoint

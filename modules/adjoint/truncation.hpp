@@ -1,22 +1,22 @@
 #pragma once
-// What the solution of a grid leaves of the equations of a coarser one.
+// Truncation error: the residual of a grid's solution in the equations of a coarser grid.
 #include <cstddef>
 
 #include "fmg/hierarchy.hpp"
 
 namespace ehl::adjoint {
 
-/// Parts of the coarse grid's residual at the finer solution; where P = 0 all of it is in the first. Times the weights
-/// of a number they sum up to what that number changes between the two grids.
+/// Parts of the coarse grid's residual at the finer grid's solution; where P = 0 all of it is in `poiseuille`. Their
+/// sum, weighted by the adjoint solution of a number, is the change of that number between the two grids.
 struct Truncation {
-  core::Field poiseuille;  ///< of the pressure's terms
-  core::Field wedge;       ///< of d(rho_bar H)/dX
-  core::Field film;        ///< of the deformation's quadrature, by what it changes in both
-  double load = 0.0;       ///< carried less wanted, of the sum of P
+  core::Field poiseuille;  ///< the pressure terms
+  core::Field wedge;       ///< the wedge, d(rho_bar H)/dX
+  core::Field film;        ///< the deformation's quadrature, through both terms
+  double load = 0.0;       ///< carried minus prescribed load, from the sum of P
 };
 
-/// out: levels[coarse] is the level being solved, in the state of levels[fine] at its nodes, with its own film.
-/// in: levels[fine] solved, with its film; coarse < fine.
+/// Computes the truncation error. in: levels[fine] solved, with its film; coarse < fine. out: levels[coarse] becomes
+/// the level being solved, in the state of levels[fine] at its nodes, with its own film.
 Truncation truncation(fmg::Hierarchy& hierarchy, std::size_t coarse, std::size_t fine);
 
 }  // namespace ehl::adjoint

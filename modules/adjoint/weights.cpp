@@ -22,8 +22,8 @@ Adjoint::Adjoint(fmg::Hierarchy& hierarchy, std::size_t l)
       deformed_(level_.grid) {
   std::vector<double> u(equations_.size());
   equations_.unknowns(u);
-  // The kinds of nodes to which the residual pushes them: the edge of cavitation lies a cell off where the state is not
-  // the solution.
+  // Each node counts as wet or cavitated according to its residual: the edge of cavitation is a cell off if the state
+  // is not the solution.
   const core::Patch& grid = level_.grid;
   for (int i = 1; i < grid.nx; ++i)
     for (int j = 1; j <= grid.last_line(); ++j) {
@@ -54,7 +54,7 @@ void Adjoint::scatter(const newton::Slopes& slopes, std::span<const double> x, c
     }
 }
 
-// K^T v. Where a node stands for its image too, the sum over the nodes with that weight is what K is symmetric in.
+// K^T v. A node that stands for its mirror image too has that weight in the inner product in which K is symmetric.
 void Adjoint::deform(core::Field& v) {
   const core::Patch& grid = level_.grid;
   const bool line = grid.domain.line;
@@ -68,8 +68,8 @@ void Adjoint::deform(core::Field& v) {
     for (int j = 0; j <= grid.ny; ++j) deformed_(i, j) *= line ? 1.0 : grid.lines(j);
 }
 
-// Unknowns: one for the equation of each interior node, that of the load, those of the boundary; likewise the rows: by
-// P inside, by H00, by P on the boundary.
+// Unknowns: one for the equation of each interior node, one for the load, and those of the boundary. Rows
+// correspondingly: derivatives by P inside, by H00, by P on the boundary.
 void Adjoint::product(std::span<const double> x, std::span<double> y) {
   const core::Patch& grid = level_.grid;
   const std::size_t last = equations_.size() - 1;

@@ -1,5 +1,5 @@
 #pragma once
-// How much what is left of the discrete equations, at each node, changes a number such as Hc or Hm.
+// Adjoint solutions: the derivative of a number such as Hc or Hm by the residual at each node.
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -15,33 +15,33 @@
 
 namespace ehl::adjoint {
 
-/// A number that is made of the film.
+/// A number that is a weighted sum of nodal films.
 using Number = std::vector<judgement::NodeWeight>;
 double value_of(const Number& number, const core::Field& film);
 
-/// To first order, a number of a state less the same of the solution is
-///   sum residual r + sum pressure P + load (carried - wanted) + sum boundary (P - P of the far field).
-/// Of the patch; a mirrored node counts for both.
+/// The adjoint solution of a number. To first order the number at a state minus that at the solution is
+///   sum residual r + sum pressure P + load (carried - prescribed) + sum boundary (P - P of the far field).
+/// Fields are on the patch; a mirrored node counts for both.
 struct Weights {
-  core::Field residual;  ///< where P > 0 in the solution, as it is foretold; else zero
-  core::Field pressure;  ///< where P = 0 there; else zero
+  core::Field residual;  ///< at nodes that have P > 0 in the predicted solution; else zero
+  core::Field pressure;  ///< at nodes that have P = 0 there; else zero
   double load = 0.0;
-  std::vector<double> boundary;  ///< in the order of fmg::nodes_of_boundary; none without a far field
+  std::vector<double> boundary;  ///< in the order of fmg::nodes_of_boundary; empty without a far field
 };
-/// The first three. in: r, P and carried - wanted load of the state.
+/// The sum of the first three terms. in: r, P and carried - prescribed load of the state.
 double left_over(const Weights& weights, const core::Field& r, const core::Field& P, double load);
 
-/// The transposed slope of a level's equations, complementarity, force balance and far field included: one linear
-/// system gives the weights of one number for all that may be left of the equations.
+/// The transposed Jacobian of a level's equations, with complementarity, force balance and far field: one linear system
+/// gives the adjoint solution of one number.
 class Adjoint {
  public:
-  /// in: levels[l] as the level being solved (fmg::start_from_state), r made; its state may be some way from the
-  /// solution, the weights are then wrong by as much to first order. cost: 17 evaluations of the equations without the
-  /// deformation, and a sparse LU.
+  /// in: levels[l] as the level being solved (fmg::start_from_state), with its residual. If its state is not the
+  /// solution the adjoint solution has an error of first order in the difference. cost: 17 evaluations of the equations
+  /// without the deformation, and a sparse LU.
   Adjoint(fmg::Hierarchy& hierarchy, std::size_t l);
 
-  /// Weights to a relative tolerance, by GMRES; none where it does not get there. K^T = K but for what the evaluator of
-  /// the deformation leaves of that. cost: 20 to 60 deformations.
+  /// The adjoint solution to a relative tolerance, by GMRES; none if the tolerance is not reached. K is taken as
+  /// symmetric, which holds up to the accuracy of its evaluation. cost: one deformation per iteration.
   std::optional<Weights> weights(const Number& number, double tolerance);
   int iterations() const { return iterations_; }
 

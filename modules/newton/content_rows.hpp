@@ -1,6 +1,7 @@
 #pragma once
-// Rows of the cavitation model that conserves mass, the content of dry nodes eliminated line by line: what flows behind
-// a dry node is what flows into it, and the next row has that in place of the node's own film.
+// Rows of the mass conserving cavitation model, with the oil content of dry (cavitated) nodes eliminated line by line:
+// the flux downstream of a dry node equals the flux into it, and the next row contains that flux instead of the node's
+// own film.
 #include <array>
 #include <vector>
 
@@ -9,16 +10,16 @@
 
 namespace ehl::newton {
 
-/// What the row of a node is made of.
+/// The coefficients of a node's row.
 struct ContentRow {
-  std::array<double, 4> weights;  ///< of rho_bar H at i, i-1, i-2, i+1
-  std::array<double, 3> behind;   ///< of rho_bar H at i, i-1, i+1 in the flux behind it, over U, if it is full
+  std::array<double, 4> weights;  ///< weights of rho_bar H at i, i-1, i-2, i+1
+  std::array<double, 3> behind;   ///< weights of rho_bar H at i, i-1, i+1 in the flux downstream of a full node, over U
   reynolds::ThirdOrder<double> theta;
-  bool dry;         ///< the node leaves room
-  bool behind_dry;  ///< the node before it does
+  bool dry;         ///< true if the node is not full
+  bool behind_dry;  ///< true if its upstream neighbour is not full
 };
 
-/// The rows of a level by the content that its last residual left.
+/// The rows of a level for the oil content after its last residual evaluation.
 class ContentRows {
  public:
   void make(const fmg::Level& level, const reynolds::Transport& transport);
@@ -26,15 +27,15 @@ class ContentRows {
     return rows_[static_cast<std::size_t>(i) * stride_ + static_cast<std::size_t>(j)];
   }
 
-  /// dr of all nodes. in: changes of rho_bar H and, with upstream3, of theta, else empty; d_inflow(i, j), that of what
-  /// flows in by pressure. out: take(i, j, dr).
+  /// Computes the change dr of the residual at all nodes. in: changes of rho_bar H and, with upstream3, of theta, else
+  /// empty; d_inflow(i, j), the change of the inflow by pressure. out: take(i, j, dr).
   template <class Inflow, class Take>
   void change(const fmg::Level& level, double per_step, const core::Field& dq, const core::Field& dtheta,
               Inflow d_inflow, Take take) const {
     const auto q = [&](int i, int j) { return level.rho_bar(i, j) * level.H(i, j); };
     for (int j = 1; j <= level.grid.last_line(); ++j) {
-      double flux = 0.0;   // change of what flows behind i-1, over U, where that is dry
-      double third = 0.0;  // of its third-order part where it is full
+      double flux = 0.0;   // change of the flux downstream of i-1, over U, if that node is dry
+      double third = 0.0;  // change of its third-order part if that node is full
       for (int i = 1; i < level.grid.nx; ++i) {
         const ContentRow& row = at(i, j);
         double third_here = 0.0;

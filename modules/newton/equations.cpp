@@ -209,7 +209,7 @@ void Equations::change_of_residual(const core::Field& dP, core::Field& dH, std::
       if (flows_across(j)) across_.change(i, j) = half_point_change(false, i, j, at);
     });
   if (switched()) change_third_order(at);
-  core::Field& dq = dH;  // d (rho_bar H) takes the place of dH once d eps has used it
+  core::Field& dq = dH;  // dH is no longer needed: its storage holds d (rho_bar H)
   for (int i = 0; i <= grid.nx; ++i)
     for (int j = 0; j <= grid.ny; ++j) dq(i, j) = dq_dP_(i, j) * dP(i, j) + level_.rho_bar(i, j) * dH(i, j);
   core::fill_ghosts(grid, along_.change);

@@ -19,13 +19,13 @@ std::span<double> values(N_Vector v) {
   return {N_VGetArrayPointer_Serial(v), static_cast<std::size_t>(N_VGetLength_Serial(v))};
 }
 
-/// C code lies between the functions and the caller, so what they throw waits here until it is past it.
+/// C code lies between the functions and the caller: an exception is stored here until control has returned from it.
 struct Calls {
   const LinearSystem& system;
   std::exception_ptr error;
 };
 
-/// 0: went well; the library stops at anything else.
+/// out: 0 on success; the library stops at any other value.
 template <class Function>
 int guarded(void* data, Function function) {
   Calls& calls = *static_cast<Calls*>(data);
@@ -49,7 +49,7 @@ int precondition(void* data, N_Vector v, N_Vector solved, realtype, int) {
   });
 }
 
-/// The library's objects, freed in the order that it needs.
+/// The library's objects, freed in the required order.
 struct Objects {
   SUNContext context = nullptr;
   N_Vector b = nullptr, x = nullptr;

@@ -1,11 +1,11 @@
 #pragma once
-// Flexible GMRES by SUNDIALS: the one place of this module that knows that library.
+// Flexible GMRES by SUNDIALS; no other file of this module uses that library.
 #include <functional>
 #include <span>
 
 namespace ehl::newton {
 
-/// A x = b as GMRES sees it. What the functions throw passes through the library unharmed.
+/// A linear system A x = b for GMRES. Exceptions of the functions pass through the library.
 struct LinearSystem {
   std::function<void(std::span<const double> v, std::span<double> Av)> product;
   /// v <- approximately A^-1 v.
@@ -14,13 +14,13 @@ struct LinearSystem {
 
 struct GmresResult {
   bool reduced = false;  ///< |b - A x| < |b|
-  bool reached = false;  ///< the tolerance
+  bool reached = false;  ///< the tolerance was reached
   int iterations = 0;
 };
 
-/// x with |b - A x| <= tolerance |b| in the Euclidean norm, from x = 0, preconditioned from the right; where it does
-/// not get so far within three times 30 iterations, as far as it got. Nothing is printed. errors: core::SolverError
-/// without enough memory.
+/// Solves A x = b by flexible GMRES from x = 0, preconditioned from the right, until |b - A x| <= tolerance |b| in the
+/// Euclidean norm. If that takes more than three times 30 iterations, x is the best that was reached. Nothing is
+/// printed. errors: core::SolverError if there is not enough memory.
 GmresResult gmres(const LinearSystem& system, std::span<const double> b, double tolerance, std::span<double> x);
 
 }  // namespace ehl::newton

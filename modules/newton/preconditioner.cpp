@@ -24,11 +24,11 @@ struct Box {
   int height() const { return j_last - j_first + 1; }
 };
 
-// Small enough to be dense.
+// A box of at most this size is eliminated as a dense block.
 constexpr int leaf = 3;
 
-/// Nested dissection of the rectangular grid: first one half, then the other, last the separator. A separator across X
-/// must be as thick as the wedge reaches upstream, one across Y one node.
+/// Nested dissection of the rectangular grid: first one half, then the other, last the separator. A separator of
+/// constant X must be as thick as the wedge reaches upstream; one of constant Y is one node thick.
 void dissect(const Box& box, int reach, const Equations& equations, std::vector<std::pair<int, int>>& order) {
   if (box.width() <= 0 || box.height() <= 0) return;
   const auto take = [&](const Box& part) {
@@ -54,13 +54,14 @@ void dissect(const Box& box, int reach, const Equations& equations, std::vector<
   take(separator);
 }
 
-/// The Jacobian of a line contact as a whole: the load and H00 first, then the nodes. A cavitated node's column is that
-/// of the identity: behind the last wet node none is kept, and the rows there take no part in the elimination.
+/// The full Jacobian of a line contact: the load and H00 first, then the nodes. The column of a cavitated node is that
+/// of the identity. Columns downstream of the last wet node are not stored, and their rows take no part in the
+/// elimination.
 template <class Number>
 class LineFactors {
  public:
   bool factor(Equations& equations, const Slopes& by_P, const Slopes& by_H);
-  /// v <- A^-1 v, the load last.
+  /// v <- A^-1 v, with the load as the last entry.
   void solve(std::span<double> v) const {
     Eigen::Map<Vector> all(v.data(), static_cast<Eigen::Index>(v.size()));
     const Column x = lu_->solve(head(all));
@@ -91,14 +92,14 @@ class LineFactors {
   }
 
   All matrix_;
-  Eigen::Index kept_ = 0;                                   // columns
-  std::optional<Eigen::PartialPivLU<Eigen::Ref<All>>> lu_;  // in the place of the first rows
+  Eigen::Index kept_ = 0;                                   // number of stored columns
+  std::optional<Eigen::PartialPivLU<Eigen::Ref<All>>> lu_;  // stored in the first rows of matrix_
 };
 
 template <class Number>
 bool LineFactors<Number>::factor(Equations& equations, const Slopes& by_P, const Slopes& by_H) {
   const core::Patch& grid = equations.grid();
-  // The film of a pressure at the first node: K by distance, from -nx to nx.
+  // The deformation by a pressure at the first node gives K by distance, from -nx to nx.
   core::Field first(grid), film(grid);
   std::ranges::fill(first.station(0), 1.0);
   equations.deform(first, film);
@@ -139,7 +140,7 @@ bool LineFactors<Number>::factor(Equations& equations, const Slopes& by_P, const
 struct Preconditioner::Implementation {
   Equations& equations;
   std::vector<std::pair<int, int>> order;  // wet nodes in the order of elimination
-  std::vector<int> place;                  // of a node in it; -1: cavitated
+  std::vector<int> place;                  // of a node in `order`; -1: cavitated
   Matrix matrix;
   Eigen::SparseLU<Matrix, Eigen::NaturalOrdering<int>> lu;
   Vector border;    // J~^-1 of the column of H00, without the load row
@@ -147,7 +148,7 @@ struct Preconditioner::Implementation {
   double schur = 0.0;
   Vector rhs, solution;
 
-  // Of a line contact, one of these:
+  // For a line contact one of these factorizations is used:
   LineFactors<double> line_factors;
   LineFactors<float> line_factors_single;
   const bool single;
@@ -160,7 +161,7 @@ struct Preconditioner::Implementation {
   }
   bool factor_sparse();
   Eigen::Index size() const { return static_cast<Eigen::Index>(order.size()); }
-  /// Place in u and F of the k-th node of the order.
+  /// Index in u and F of the k-th node of the order.
   std::size_t node(Eigen::Index k) const {
     const auto [i, j] = order[static_cast<std::size_t>(k)];
     return equations.index(i, j);
@@ -202,7 +203,8 @@ void Preconditioner::Implementation::assemble(Vector& column_of_H00) {
     };
     double& of_H00 = column_of_H00[static_cast<Eigen::Index>(row)];
     of_H00 = 0.0;
-    // The row of a node with these weights; that of a dry one before it, whose content is what flows in, has none.
+    // Adds the row of node k with these weights. Upstream dry nodes, whose outflow equals their inflow, are added
+    // without weights of their own film.
     const auto enter_row = [&](int k, const std::array<double, 4>& w) {
       const int upstream = std::max(k - 2, 0);
       const auto e = reynolds::faces_at(face, level.eps, fmg::eps_across(level), k, j, half);

@@ -5,11 +5,11 @@
 namespace ehl::newton {
 namespace {
 
-/// The nodes of one colour, i + 3 j modulo so many, are changed together: no two of them take part in the same
-/// equation. Of a line contact j does not count, and nodes beside the line take part in none.
+/// Nodes of one colour, i + 3 j modulo `count`, are changed together: no equation depends on two of them. For a line
+/// contact j does not count, and no equation depends on nodes beside the line.
 struct Colours {
   int count;
-  std::size_t nodes;  ///< of the stencil
+  std::size_t nodes;  ///< number of stencil nodes used
   bool line = false;
   int of(int i, int j) const { return line ? i % count : (i + 3 * j) % count; }
   bool sees(int dj) const { return !line || dj == 0; }

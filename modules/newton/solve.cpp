@@ -19,30 +19,31 @@
 namespace ehl::newton {
 namespace {
 
-/// A step this small, in units of p_h, is on its way in: solve its system accurately, and keep the factors.
+/// If the last step, in units of p_h, was smaller than this, the iteration is converging: the next system is solved
+/// accurately, and the factors are kept.
 constexpr double small_change = 0.02;
 constexpr double loose = 1e-2;
 constexpr double tight = 1e-5;
 constexpr double last_bit = 0.03;
-/// Old factors are used until they cost this many times the iterations that they took when they were new.
+/// Old factors are replaced when they need this many times the iterations that they needed when new.
 constexpr int worn_out = 2;
-/// Give up when the best state met is this many steps old; near the solution, this many.
+/// The iteration fails if the best state is this many steps old; near the solution, `patience_at_the_end`.
 constexpr int patience = 20;
 constexpr int patience_at_the_end = 5;
 constexpr double near = 1e-6;
 
-/// By what a state is judged.
+/// The numbers by which a state is judged.
 struct State {
   double residual = 0.0;    ///< of the complementarity problem, relative
   double load_error = 0.0;  ///< relative
   double Hc = 0.0;          ///< H at the node next to (0, 0)
   double Hm = 0.0;          ///< minimum of H over the nodes
-  double far_change = 0.0;  ///< of the far field since the step that led here: of a pressure, or of the load, relative
+  double far_change = 0.0;  ///< change of the far field since the last step: of a pressure, or of the load, relative
   double measure() const { return std::max({residual, load_error, far_change}); }
 };
 
-// A step holds the boundary and the load outside, which follow from the film; they change little with it, so that the
-// steps converge nearly as without them.
+// A step holds the boundary pressure and the load outside fixed. Both follow from the film but change little with it,
+// so that the steps converge nearly as fast as without a far field.
 State judge(fmg::Hierarchy& hierarchy, fmg::Level& level) {
   const core::EnclosingTimer timer(hierarchy.times, core::Part::checks);
   const double far_change = fmg::renew_boundary(hierarchy, level);
@@ -92,7 +93,7 @@ class NewtonIteration {
       result_.steps.push_back({state.residual, iterations_});
       if (stalls_at_an_edge(taken) && fmg::mark_swinging(level_) > 0) {
         state = judge(hierarchy_, level_);
-        best_.clear();  // of other equations
+        best_.clear();  // the equations have changed
       }
       remember(state);
       if (progress && !progress(result_.steps.back())) throw core::Interrupted();
@@ -109,7 +110,7 @@ class NewtonIteration {
   bool stalls_at_an_edge(int taken) const { return fmg::may_swing(best_measure_) && taken - best_step_ >= 2; }
   bool good(const State& state) const { return state.measure() <= parameters_.tolerance; }
 
-  /// One Newton step from the state given, shortened where it changes P or H00 too much. out: what went wrong.
+  /// One Newton step from the given state, shortened if it changes P or H00 too much. out: the reason of a failure.
   std::string step(const State& state) {
     equations_.unknowns(u_);
     equations_.residual(u_, minus_F_);
@@ -129,7 +130,7 @@ class NewtonIteration {
     return "";
   }
 
-  /// No tighter than what the step needs to end it all.
+  /// The linear tolerance is no tighter than what the last Newton step needs.
   double linear_tolerance(const State& state) const {
     if (!(last_change_ < small_change)) return loose;
     return std::clamp(last_bit * parameters_.tolerance / state.residual, tight, loose);
@@ -187,7 +188,7 @@ class NewtonIteration {
 
 }  // namespace
 
-// An absolute part, and a share of the film.
+// An absolute part, plus a share of the film.
 double longest_shift(double Hc) { return 0.1 + 0.3 * std::abs(Hc); }
 
 Result solve(fmg::Hierarchy& hierarchy, std::size_t l, const Parameters& parameters, const Progress& progress) {

@@ -11,9 +11,9 @@
 namespace ehl::newton {
 namespace {
 
-/// Of a linear system: a step then leaves a thousandth of what it takes away.
+/// Tolerance of the linear systems: a step then reduces the residual by up to three orders.
 constexpr double linear_tolerance = 1e-3;
-/// New factors cost as much as some 50 iterations at 1025 nodes, and serve a few dozen steps.
+/// New factors are made when the old ones need more iterations than this. [bench: worn_out_factors]
 constexpr int worn_out = 8;
 
 }  // namespace
@@ -34,7 +34,7 @@ bool Steps::factor() {
   return true;
 }
 
-// The rows of older factors have another scale.
+// Rescales the rows: those of older factors have another scale.
 void Steps::precondition(std::span<double> v) {
   for (std::size_t k = 0; k < scale_of_factors_.size(); ++k)
     if (equations_.wet(k)) v[k] *= scale_of_factors_[k] / equations_.scale(k);
@@ -51,7 +51,8 @@ bool Steps::take() {
   GmresResult solved;
   if (!scale_of_factors_.empty()) {
     solved = gmres(system, minus_F_, linear_tolerance, change_);
-    if (!solved.reached || solved.iterations > worn_out) scale_of_factors_.clear();  // for the next step, or this one
+    if (!solved.reached || solved.iterations > worn_out)
+      scale_of_factors_.clear();  // new factors now or in the next step
   }
   if (!solved.reached) {
     if (!factor()) return false;

@@ -1,5 +1,5 @@
 #pragma once
-// Newton's steps one by one, for a caller who judges the states himself: the implicit steps of time.
+// Single Newton steps, for a caller that judges the states itself: the implicit time steps.
 #include <vector>
 
 #include "fmg/hierarchy.hpp"
@@ -8,18 +8,18 @@
 
 namespace ehl::newton {
 
-/// Semismooth Newton steps on the finest level as it is posed: with right-hand sides f and F, with squeeze, with a load
-/// that grows with H00. The factors of one step serve the next ones, of later problems too, for as long as GMRES is
-/// quick with them. limits: no content as an unknown; a load above zero. cost: the factors of a line contact grow with
-/// the third power of its nodes, a step with their square.
+/// Semismooth Newton steps on the finest level as it is posed: with right-hand sides f and F, with squeeze, and with a
+/// load that grows with H00. The factors of one step are reused in later steps and problems as long as GMRES converges
+/// quickly with them. limits: the oil content is no unknown; positive load. cost: the factors of a line contact grow
+/// with the third power of its nodes, a step with their square.
 class Steps {
  public:
   /// in: a hierarchy that outlives this object.
   explicit Steps(fmg::Hierarchy& hierarchy);
 
-  /// From the state that the level holds to the next one, no pressure changed by more than 0.3 and the film at the
-  /// centre by no more than a share of itself; the far field follows. out: false where the linear system is not solved.
-  /// errors: core::SolverError of the far field.
+  /// One step from the level's state. It changes no pressure by more than 0.3 and the film at the centre by no more
+  /// than a share of itself; the far field is updated. out: false if the linear system is not solved. errors:
+  /// core::SolverError of the far field.
   bool take();
 
  private:
@@ -31,7 +31,7 @@ class Steps {
   Equations equations_;
   Preconditioner preconditioner_;
   std::vector<double> u_, minus_F_, change_;
-  std::vector<double> scale_of_factors_;  ///< of the rows; empty: no factors
+  std::vector<double> scale_of_factors_;  ///< row scales when the factors were made; empty: no factors
 };
 
 }  // namespace ehl::newton
