@@ -23,8 +23,9 @@ struct SiUnit {
 /// out: a unit that has no scale of the contact is returned unchanged; the factor is NaN if the scale is not known.
 SiUnit si_unit(const std::string& unit, const SiScales& scales);
 
-/// A film thickness or a place as text: "258.55 nm", "(42.0, -112.1) um". in: H, X, Y: dimensionless.
+/// A film thickness as text, "258.55 nm". in: H, dimensionless.
 std::string film_text(double H, const SiScales& scales);
+/// A place as text, "(42.0, -112.1) um". in: X and Y, dimensionless.
 std::string place_text(double X, double Y, const SiScales& scales);
 
 }  // namespace ehl::program

@@ -76,9 +76,7 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
     if (kept(input, one.name))
       content.fields.push_back({one.name, "K", std::string("temperature above T_oil: ") + one.meaning, one.field});
   for (results::Quantity& one : thermal_quantities(input, *computed.heat))
-    if (one.name != "mu" || !input.friction)
-      content.summary.push_back(std::move(one));  // [friction], if present, has added mu
-                                                  // already
+    if (one.name != "mu" || !input.friction) content.summary.push_back(std::move(one));  // or [friction] adds mu
   if (kept(input, "section")) add_section(input, fields, content.section);
   content.summary.push_back(
       {"thermal_warnings", deck::joined(thermal_warnings(input, *computed.heat), "\n"), "", "one a line"});
