@@ -1,5 +1,5 @@
 #pragma once
-// Scenes and limits that belong to the reference values.
+// Scenes and tolerances for the reference values.
 #include "contact/groups.hpp"
 #include "core/constants.hpp"
 #include "reference/circular_contact.hpp"
@@ -37,7 +37,7 @@ inline const reference::CircularLimit& limit_of(const reference::CircularContact
 
 inline std::string name_of(const reference::CircularContact& contact) {
   const char* fluid = contact.fluid == reference::Fluid::barus ? "Barus" : "Roelands";
-  std::string name = "(";  // not "(" + ...: g++ 12 warns of an overlap there that does not exist
+  std::string name = "(";  // not "(" + ...: g++ 12 warns falsely of an overlap there
   name +=
       std::to_string(static_cast<int>(contact.M)) + "," + std::to_string(static_cast<int>(contact.L)) + ") " + fluid;
   name += contact.wedge == reference::Wedge::upstream1 ? " upstream1 " : " upstream2 ";

@@ -1,4 +1,5 @@
-// What a wave in the film loses while the film only carries it, against the dispersion relation of the scheme.
+// The amplitude that a wave of the film loses while the film carries it, compared with the
+// dispersion relation of the scheme.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <complex>
@@ -19,14 +20,14 @@ const char* name(Wedge wedge) {
   return wedge == Wedge::upstream1 ? "upstream1" : wedge == Wedge::upstream2 ? "upstream2" : "upstream3";
 }
 
-/// Where the oil is as good as solid: there Q_T + Q_X = 0.
+/// The interval in which the viscosity is so high that Q_T + Q_X = 0.
 constexpr double from = -0.4, to = 0.4;
 constexpr int cells = 128;
 constexpr int frames_per_period = 16;
 
-/// What a cell leaves of a wave that enters with a real frequency: Q = e^(-i omega T) kappa^i with
+/// The amplitude ratio |kappa| per cell of a wave with a real frequency, Q = e^(-i omega T) kappa^i, where
 ///   -i theta + 1 - z = 0 (upstream1),  -i theta + 3/2 - 2 z + z^2/2 = 0 (upstream2),  z = 1/kappa, theta = omega h/U.
-/// upstream3 is upstream2 where the oil is as good as solid (epsilon/h^2 << 1).
+/// upstream3 reduces to upstream2 where the viscosity is very high (epsilon/h^2 << 1).
 double kept_by_a_cell(Wedge wedge, double theta) {
   const Complex z = wedge == Wedge::upstream1 ? Complex(1.0, -theta) : 2.0 - std::sqrt(Complex(1.0, 2.0 * theta));
   return 1.0 / std::abs(z);
@@ -35,11 +36,11 @@ double kept_by_a_cell(Wedge wedge, double theta) {
 struct Kept {
   double measured = 0.0;
   double scheme = 0.0;
-  double reached = 0.0;  ///< amplitude at `from` over that of the surface
+  double reached = 0.0;  ///< amplitude of the film at `from`, relative to that of the surface
 };
 
-/// Pure rolling at M = 100, L = 10: waves of the surface, and of the film with them, through the contact at U = 1. The
-/// amplitude at a node is the Fourier coefficient of rho_bar H over the last period.
+/// Pure rolling at M = 100, L = 10: waves of the surface pass through the contact with U = 1, and waves of the film
+/// with them. The amplitude at a node is the Fourier coefficient of rho_bar H over the last period.
 Kept kept(Wedge wedge, int cells_per_wave) {
   steady::Scene scene = marching_scene(cells, 100.0);
   scene.wedge = wedge;
@@ -48,7 +49,7 @@ Kept kept(Wedge wedge, int cells_per_wave) {
   const double height = 0.005;
   const transient::Conditions conditions{
       .on_1 = surface::Feature{.shape = surface::Feature::Shape::waviness, .height = height, .width = wave, .X = -1.5}};
-  // The first wave passes `to`, another one, then the period that is looked at.
+  // The first wave must pass `to`, then one more wave; the period after that is analysed.
   const double fill = std::ceil((to + 1.5) / wave + 1.0) * wave;
   const transient::MarchParameters parameters{
       .end = fill + wave, .rtol = 1e-5, .longest_step = wave / 40.0, .output_interval = wave / frames_per_period};
@@ -84,8 +85,8 @@ Kept kept(Wedge wedge, int cells_per_wave) {
 
 }  // namespace
 
-// The tolerance is the error of the time integration and what little flows through the plateau: 4e-4 and 6e-4 with
-// steps half as long. The losses of upstream2 at 20 and 30 cells are 5 and 1 %, those of upstream1 71 and 43 %.
+// The tolerance covers the error of the time integration and the small Poiseuille flow in the plateau. The losses of
+// upstream2 are small at these resolutions, those of upstream1 large.
 BOOST_AUTO_TEST_CASE(the_film_carries_a_wave_as_the_scheme_says) {
   for (const int cells_per_wave : {20, 30}) {
     const Kept second = kept(Wedge::upstream2, cells_per_wave);

@@ -1,4 +1,4 @@
-// epsilon at half points and the third-order wedge: an independent program's digits, order, no ripple.
+// epsilon at half points and the third-order wedge: the values of an independent program, the order, no oscillations.
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -37,7 +37,8 @@ double relative(double value, double reference) { return std::abs(value / refere
 
 }  // namespace
 
-// Solved by a program of its own (Newton's method, no multigrid) with third order upstream of X = 0; seven digits.
+// Values with seven digits from an independent program (Newton's method without multigrid), with
+// third order upstream of X = 0.
 BOOST_AUTO_TEST_CASE(the_digits_of_an_independent_program) {
   struct Known {
     Contact contact;
@@ -59,8 +60,8 @@ BOOST_AUTO_TEST_CASE(the_digits_of_an_independent_program) {
   }
 }
 
-// Where upstream2 and the mean of epsilon are 0.8 % (20, 5) and 3.6 % (100, 10) off in Hc on 128 cells, 0.6 and 4.3 %
-// in Hm. Hm is so close already on 64 cells that its error changes its sign on the way and shows no order.
+// The errors are far below those of upstream2 with the mean of epsilon. The order of Hm cannot be observed: its error
+// is already tiny on 64 cells and changes its sign as the mesh is refined.
 BOOST_AUTO_TEST_CASE(second_order_with_a_small_constant) {
   for (const Contact& contact : {Contact{20, 5, 0}, Contact{100, 10, 0}}) {
     std::array<steady::LevelRow, 3> rows;
@@ -80,7 +81,7 @@ BOOST_AUTO_TEST_CASE(second_order_with_a_small_constant) {
   }
 }
 
-// Third order everywhere gives 0.97, 1.06, 0.84, 1.76 from node to node ahead of this spike.
+// A wedge that is third order everywhere would oscillate from node to node ahead of this spike.
 BOOST_AUTO_TEST_CASE(no_ripple_ahead_of_the_spike) {
   for (const auto& [wedge, face] :
        {std::pair(Wedge::upstream3, Face::logmean_bounded), std::pair(Wedge::upstream3, Face::logmean),
@@ -91,7 +92,7 @@ BOOST_AUTO_TEST_CASE(no_ripple_ahead_of_the_spike) {
     int spike = 0;
     for (int i = 0; i <= solution.grid.nx; ++i)
       if (P(i, j) > P(spike, j)) spike = i;
-    int turns = 0;  // from falling to rising: once, between the middle and the spike
+    int turns = 0;  // changes from falling to rising: one, between the centre and the spike
     for (int i = 2; i <= spike; ++i) turns += P(i - 1, j) < P(i - 2, j) && P(i, j) > P(i - 1, j) ? 1 : 0;
     BOOST_TEST_MESSAGE("spike " << P(spike, j) << " at X = " << solution.grid.X(spike) << ", " << turns << " turns");
     BOOST_TEST(P(spike, j) > 1.2);

@@ -1,5 +1,5 @@
-// The error bars that a run tells, against its errors: 30 runs, held back when the estimates were made. The complete
-// count is made by tests/bench/bench_coverage.cpp.
+// The error bars of a run compared with its true errors. These 30 runs were not used in the development of the
+// estimates. The complete count is made by tests/bench/bench_coverage.cpp.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <initializer_list>
@@ -18,7 +18,8 @@ constexpr test::Point points[] = {{12, 6, 1.9e-8, 0.62, true},
                                   {110, 8, 1.9e-8, 0.62, true},
                                   {280, 16, 1.9e-8, 0.62, true},
                                   {750, 7, 1.9e-8, 0.62, true}};
-/// What is judged ends at 256 cells; the truth is of the second order's error there a few hundredths uncertain.
+/// The finest grid that is judged has 256 cells. The uncertainty of the reference is a few per cent of the
+/// second-order error on that grid.
 constexpr int coarse_truth = 384;
 constexpr int fine_truth = 512;
 constexpr double least_share = 0.9;

@@ -1,4 +1,4 @@
-// The estimate of what the domain cuts off against finer solutions on both domains.
+// The estimated error of the domain compared with solutions on larger domains.
 #include <boost/test/unit_test.hpp>
 #include <stdexcept>
 #include <string>
@@ -11,8 +11,8 @@
 
 using namespace ehl;
 
-// The estimate comes from grids of 32 and 64 cells, whose mesh error at M = 50 is a quarter of the film: it is to be
-// right within a factor of 2, and not too low by more than a quarter.
+// The estimate comes from grids of 32 and 64 cells, whose mesh error is large at M = 50. It must be correct within a
+// factor of 2, and not too low by more than a quarter.
 BOOST_AUTO_TEST_CASE(estimate_is_what_a_longer_and_wider_domain_gives) {
   for (const double M : {10.0, 20.0, 50.0}) {
     const reference::CircularContact contact{
@@ -30,7 +30,8 @@ BOOST_AUTO_TEST_CASE(estimate_is_what_a_longer_and_wider_domain_gives) {
   }
 }
 
-// Light and isoviscous: the load of the far field, foretold from the rigid body's, within a factor of 2.
+// Light isoviscous contacts: the load of the far field, estimated from the solution for rigid
+// bodies, within a factor of 2.
 BOOST_AUTO_TEST_CASE(light_loads_starve_for_another_reason) {
   for (const double M : {2.0, 5.0}) {
     steady::Scene scene;
@@ -50,8 +51,9 @@ BOOST_AUTO_TEST_CASE(light_loads_starve_for_another_reason) {
   }
 }
 
-// Of lines, on the domains that they get: with the gap of the dry contact and Grubin's power of alpha, against the far
-// field in closed form. With the undeformed gap and half the power it was told at 0.40 to 0.48 of its size.
+// Line contacts on the domains that they get. The estimate uses the gap of the dry contact and the exponent of alpha
+// in Grubin's formula; the reference uses the far field in closed form. An estimate with the undeformed gap is too low
+// by more than a factor of 2.
 BOOST_AUTO_TEST_CASE(lines_that_end_near_the_contact) {
   for (const auto& [M, L, X_a] :
        {std::tuple{20.0, 5.0, -2.5}, {10.0, 10.0, -3.8}, {50.0, 10.0, -2.5}, {200.0, 15.0, -2.5}}) {

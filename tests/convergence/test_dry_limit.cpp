@@ -1,4 +1,4 @@
-// As the speed falls, the pressure of the lubricated contact tends to that of the dry one.
+// As the speed decreases, the pressure of the lubricated contact tends to that of the dry contact.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
@@ -16,7 +16,7 @@ constexpr double load = 2.0 * std::numbers::pi / 3.0;
 constexpr double alpha = 2.2e-8;  // 1/Pa
 constexpr int cells = 256;
 
-// Thin films want a fine mesh, light loads a long inlet.
+// Thin films need a fine mesh, light loads a long inlet.
 core::Grid grid_for(double M) {
   if (M < 200.0) return {cells, cells, -4.5, 1.5, -3.0, 3.0};
   return {cells, cells, -2.5, 1.5, -2.0, 2.0};
@@ -55,7 +55,7 @@ core::Field dry_pressure(const core::Grid& grid) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_pressure_tends_to_the_dry_one_as_the_speed_falls) {
-  // At a given load and given bodies L falls with M^(-1/3), for both depend on the speed.
+  // For a given load and given bodies, L is proportional to M^(-1/3), because both depend on the speed.
   struct Path {
     double L;
     bool one_contact;

@@ -1,4 +1,4 @@
-// Elliptic contacts against independent programs, the limit of a line contact, and the published formula.
+// Elliptic contacts compared with independent programs, the limit of a line contact, and the published formula.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <optional>
@@ -16,7 +16,7 @@ using core::pi;
 
 namespace {
 
-// The domain that a deck without one gets, on these cells along X; the reference's oil.
+// The default domain of a deck, with this number of cells along X and the oil of the reference.
 steady::Scene scene_of(double M, double L, const contact::Ellipse& shape, int cells,
                        std::optional<double> far_field_error = {}) {
   steady::Scene scene;
@@ -35,14 +35,14 @@ steady::Scene scene_of(double M, double L, const contact::Ellipse& shape, int ce
   scene.grid = {cells, static_cast<int>(std::lround(cells * 2.0 * Y_b / (X_b - X_a))), X_a, X_b, -Y_b, Y_b};
   return scene;
 }
-/// With the scheme and the boundary that a deck has by default.
+/// The scene with the default scheme and boundary of a deck.
 steady::Scene default_scene_of(double M, double L, const contact::Ellipse& shape, int cells) {
   steady::Scene scene = scene_of(M, L, shape, cells, steady::error_of_closed_domain);
   scene.wedge = reynolds::Wedge::upstream3;
   scene.face = reynolds::Face::logmean_bounded;
   return scene;
 }
-/// R_x/R_y = 20 along the motion, on 512 cells four times as long as wide.
+/// R_x/R_y = 20, elongated in the rolling direction, on 512 cells that are four times as long as wide.
 steady::Scene stretched_scene_of(double M, double L) {
   steady::Scene scene = default_scene_of(M, L, contact::ellipse(20), 512);
   scene.grid.ny = scene.grid.ny / 32 * 32 * 4;
@@ -53,7 +53,7 @@ struct Film {
   double Hc;
   double Hm;
 };
-/// In Moes' units, extrapolated to mesh size zero.
+/// The film in Moes' units, extrapolated to mesh size zero.
 Film film_of(const steady::Scene& scene) {
   const steady::Solution solution = steady::solve(scene);
   BOOST_TEST(solution.converged, solution.failed_check);
@@ -70,8 +70,8 @@ void check(const char* what, double computed, double expected, double tolerance)
 
 }  // namespace
 
-// A program without multigrid, each value to 3 %. All four are those of a domain that ends three a upstream and 1.5 b
-// beside the axis: from there to an infinite one the film grows by 4 % at M = 100 and by 2 % at M = 300.
+// Values of a program without multigrid, accurate to 3 %. Its domain ends 3 a upstream and 1.5 b to the sides, which
+// makes the film a few per cent thinner than on an infinite domain.
 BOOST_AUTO_TEST_CASE(independent_program) {
   struct Row {
     double M, Hc, Hm, Hc_infinite, Hm_infinite;
@@ -89,9 +89,8 @@ BOOST_AUTO_TEST_CASE(independent_program) {
   }
 }
 
-// The discrete equations solved by another program to rounding: dense Newton in SI with its own ellipse, kernel and
-// frame of the bodies, on 64 x 64 cells that are not square. The same program has the circle's reference to every
-// digit.
+// The discrete equations solved to rounding by an independent program: a dense Newton method in SI with its own
+// ellipse, kernel and frame of reference. It reproduces all digits of the circular reference.
 BOOST_AUTO_TEST_CASE(exact_discrete_solutions) {
   struct Row {
     double M, ratio, angle, X_a, X_b, Y_b, Hc, Hm, H00, P_right, P_left;  ///< P at the nodes (40, 24) and (40, 40)
@@ -115,9 +114,9 @@ BOOST_AUTO_TEST_CASE(exact_discrete_solutions) {
   }
 }
 
-// The middle of a wide contact is a line contact of the same Hertz pressure. That one solved by another program, dense
-// Newton on 512 and 1024 cells and extrapolated: Hc and Hm in Moes' units of the point contact. At R_x/R_y = 0.05 the
-// point contact is still a little thinner, at 0.2 by 3 %.
+// The middle of a wide contact is a line contact with the same Hertz pressure. The reference is a line contact solved
+// by an independent program (dense Newton method, 512 and 1024 cells, extrapolated), with Hc and Hm in Moes' units of
+// the point contact. At finite R_x/R_y the point contact is slightly thinner.
 BOOST_AUTO_TEST_CASE(limit_of_a_line) {
   BOOST_TEST_MESSAGE("M = 100, L = 10, R_x/R_y = 0.05:");
   const Film light = film_of(scene_of(100, 10, contact::ellipse(0.05), 256));
@@ -134,10 +133,10 @@ BOOST_AUTO_TEST_CASE(limit_of_a_line) {
   BOOST_TEST(std::abs(1.0 - wider) < 0.5 * std::abs(1.0 - wide));
 }
 
-// Ever wider, on cells that are twice as long across: at R_x/R_y = 0.005 the middle is a line contact of M = 20, L = 5,
-// solved by a one-dimensional program to six digits, in H = h R/a^2. lambda = 3 pi^2/(8 M^2) and alpha_bar =
-// L (M/(2 pi))^(1/2) of the line are those of the point contact. On 256 cells the mesh leaves 0.45 % of Hc, 0.26 % of
-// Hm.
+// Very wide contacts, on cells that are twice as long in Y. At R_x/R_y = 0.005 the middle is a line contact with
+// M = 20, L = 5, which a one-dimensional program solved to six digits, in H = h R/a^2. The line's lambda = 3
+// pi^2/(8 M^2) and alpha_bar = L (M/(2 pi))^(1/2) are those of the point contact. The tolerance includes the
+// error of the mesh of 256 cells.
 BOOST_AUTO_TEST_CASE(limit_of_a_line_on_long_cells) {
   const contact::Ellipse shape = contact::ellipse(0.005);
   BOOST_TEST(steady::cell_aspect(shape) == 2.0);
@@ -157,8 +156,8 @@ BOOST_AUTO_TEST_CASE(limit_of_a_line_on_long_cells) {
   check("Hm", solution.levels.back().Hm, 2.568930 * pi / (8.0 * 20.0), 1e-2);
 }
 
-// A long ellipse aslant has the film that the component of the speed across it makes alone: that along it finds no
-// wedge. Each on the domain chosen for it, with the far field closed.
+// A long ellipse at an angle has the film of the velocity component across it; the component along it finds no wedge.
+// Each case is solved on the domain chosen for it, with the far field closed.
 BOOST_AUTO_TEST_CASE(aslant_and_its_component_across) {
   const auto film = [](double M, double L, double angle, double* expected) {
     const contact::Ellipse shape = contact::ellipse(0.005, angle);
@@ -180,8 +179,8 @@ BOOST_AUTO_TEST_CASE(aslant_and_its_component_across) {
   }
 }
 
-// Nijenbanning, Venner and Moes, to within 15 % where both its joining of the asymptotes and the fluid allow it: from
-// the elastic regime on, up to 1 GPa.
+// The formula of Nijenbanning, Venner and Moes, within 15 % where its interpolation between the asymptotes and its
+// fluid permit: from the elastic regime upward, and up to 1 GPa.
 BOOST_AUTO_TEST_CASE(formula_over_a_map) {
   for (const double ratio : {0.05, 0.2, 0.5, 1.0})
     for (const double M : {50.0, 300.0})
@@ -193,12 +192,12 @@ BOOST_AUTO_TEST_CASE(formula_over_a_map) {
       }
 }
 
-// As in the circular contact: the cycles reduce the residual as well for every lie and shape.
+// For every shape and orientation, the cycles reduce the residual as well as in the circular contact.
 BOOST_AUTO_TEST_CASE(convergence_of_the_cycles) {
   struct Case {
     double ratio, angle, M;
     int cells;
-    double most;  ///< a sixth above what they take
+    double most;  ///< upper limit of the convergence factor
   };
   for (const auto& [ratio, angle, M, cells, most] :
        {Case{0.05, 0, 100, 256, 0.27}, Case{0.2, 0, 1000, 256, 0.17}, Case{0.2, 45, 100, 512, 0.21},
@@ -215,8 +214,8 @@ BOOST_AUTO_TEST_CASE(convergence_of_the_cycles) {
   }
 }
 
-// The film beside a slender heavy contact is thin and its cavitated region ends far out along a curved line. Begun
-// without pressure there and on coarser grids it took 29 cycles, and on 4096 cells there was no solution.
+// Next to a slender, heavily loaded contact the film is thin, and its cavitated region ends far out along a curved
+// line. A start without pressure there made the cycles slow, or kept them from converging.
 BOOST_AUTO_TEST_CASE(a_slender_heavy_contact) {
   steady::Scene scene = scene_of(200, 10, contact::ellipse(20), 2048);
   scene.multigrid.tolerance = 1e-5;
@@ -228,8 +227,8 @@ BOOST_AUTO_TEST_CASE(a_slender_heavy_contact) {
   BOOST_TEST(last.Hm > 0.0);
 }
 
-// Six times as long along the motion as wide and more: cells of the contact's own shape, corrected across X alone until
-// they are square. The same film as on square cells of the same hy, to which hx adds less than the bars.
+// Contacts that are strongly elongated in the rolling direction use cells of the contact's own shape, coarsened in Y
+// only until they are square. The film is the same as on square cells with the same hy, within the error bars.
 BOOST_AUTO_TEST_CASE(a_slender_contact_on_stretched_cells) {
   const contact::Ellipse shape = contact::ellipse(20);
   BOOST_TEST(steady::cell_aspect(shape) == 0.25);
@@ -253,13 +252,13 @@ BOOST_AUTO_TEST_CASE(a_slender_contact_on_stretched_cells) {
         bars.Hm_fitted.total() + square.error_bars.Hm_fitted.total());
 }
 
-// At the rim of a heavy contact that lies aslant a spike's top and its flank are neighbours along X here, across there.
-// Lines along X alone leave 0.43 and 0.60 per cycle; at 200 0.32 is left where they change less than those across.
+// At the rim of a heavily loaded contact at an angle, the top of a pressure spike and its flank are neighbours along X
+// in some places and along Y in others. Relaxation of lines along X alone converges slowly.
 BOOST_AUTO_TEST_CASE(a_spike_along_an_aslant_rim) {
   struct Case {
     double ratio, M;
     int cells;
-    double most;  ///< a sixth above what they take
+    double most;  ///< upper limit of the convergence factor
   };
   for (const auto& [ratio, M, cells, most] :
        {Case{5, 100, 512, 0.24}, Case{5, 1000, 1024, 0.21}, Case{200, 20, 1024, 0.29}}) {
@@ -275,9 +274,10 @@ BOOST_AUTO_TEST_CASE(a_spike_along_an_aslant_rim) {
   }
 }
 
-// Beside slender contacts. What took the cycles of the last column: (2,1) relaxations; the inside that did not follow
-// the boundary; epsilon held on coarse grids, whose flux is that of the film outside times the pressure inside; aslant,
-// that flux in lines along Y; all corrections halved for single thin nodes; bilinear ones beside a spike's top.
+// Elongated contacts. `otherwise` is the number of cycles without one feature of the solver each: (3,2)
+// relaxations; an interior that follows the boundary; epsilon updated on coarse grids; at an angle, the flux of the
+// outer film in the Y sweep; a step limit for single thin nodes instead of all corrections; operator-dependent
+// interpolation next to a spike.
 BOOST_AUTO_TEST_CASE(cycles_beside_slender_contacts) {
   struct Case {
     double ratio, angle, M, L, tolerance;

@@ -1,5 +1,5 @@
-// The paper's ladder of model problems on the solver's own grids and cycles: how much of the error a V(2,1) or W(2,1)
-// cycle leaves.
+// The sequence of model problems in the paper, on the solver's own grids: the convergence factors of
+// V(2,1) and W(2,1) cycles.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <sstream>
@@ -30,8 +30,9 @@ double largest(const std::vector<double>& factors, std::size_t first) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(constant_epsilon_of_any_size) {
-  // Eqs. (9), (10), from the pure integral equation to Poisson's, on 128^2 ... 8^2. The paper reports "one order of
-  // magnitude" per V(2,1) or W(2,1). V cycles add up the errors of six grids, W cycles do not: 0.3 is asked of W.
+  // Eqs. (9), (10), from the pure integral equation to Poisson's, on 128^2 ... 8^2 cells. The paper reports "one order
+  // of magnitude" per V(2,1) or W(2,1) cycle. V cycles accumulate the errors of six grids, W cycles do not; the limit
+  // of 0.3 applies to W cycles.
   for (const double e :
        {0.0, 0.01, 0.03, 0.1, 0.3, 0.6, 1.0, 1.2, 1.4, 1.6, 2.2, 3.0, 5.0, 7.0, 10.0, 20.0, 100.0, 1e6})
     for (const Wedge wedge : wedges) {
@@ -54,8 +55,8 @@ BOOST_AUTO_TEST_CASE(constant_epsilon_does_not_depend_on_the_number_of_grids) {
 }
 
 BOOST_AUTO_TEST_CASE(varying_epsilon) {
-  // Eq. (20). The paper: a factor of 8 per cycle, 0.125. The edge of the circle, where epsilon jumps from 0 to 0.125
-  // and e = epsilon/h^2 from 0 to 0.003 n^2, is what limits it.
+  // Eq. (20). The paper reports a factor of 8 per cycle, that is 0.125. The limiting part is the edge of the circle,
+  // where epsilon jumps from 0 to 0.125.
   for (const Wedge wedge : wedges)
     for (const int n : {64, 128, 256}) {
       const std::vector<double> factors = error_factors(papers_epsilon(n, wedge, Cycle::W), 16);
@@ -72,8 +73,8 @@ BOOST_AUTO_TEST_CASE(varying_epsilon) {
 }
 
 BOOST_AUTO_TEST_CASE(constant_epsilon_on_stretched_cells_of_any_shape) {
-  // Coarsened across X alone until the cells are square. Two grids leave 0.21 at most (test_smoothing.cpp), on the
-  // square grids below 0.3 is asked of W cycles.
+  // Coarsening in Y only until the cells are square. The limit is that of square grids; test_smoothing.cpp
+  // checks the two-grid factor.
   for (const double stretch : {2.0, 4.0, 8.0})
     for (const double e : {0.0, 0.03, 0.3, 1.0, 3.0, 30.0, 1e6}) {
       const double W = late_factor(

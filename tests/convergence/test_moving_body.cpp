@@ -1,4 +1,4 @@
-// A body that moves: the exact squeeze of a rigid paraboloid, free vibration, impact and rebound.
+// A moving body: the exact squeeze film of a rigid paraboloid, free vibration, impact and rebound.
 #include <boost/test/unit_test.hpp>
 #include <numbers>
 
@@ -11,7 +11,7 @@ using namespace ehl::transient;
 
 namespace {
 
-/// Isoviscous and incompressible, n x n cells from -side to side.
+/// An isoviscous, incompressible oil on n x n cells from -side to side.
 steady::Scene plain_scene(int n, double side, double M) {
   steady::Scene scene = marching_scene(n, M, 0.0);
   scene.viscosity = rheology::Isoviscous{};
@@ -22,10 +22,10 @@ steady::Scene plain_scene(int n, double side, double M) {
 
 const Schedule none{.points = {{0.0, 0.0}}};
 
-/// Bodies apart, no rolling, no load but inertia.
+/// Separated bodies without rolling; the only load is inertia.
 Conditions flying(const Body& body) { return {.load = none, .u1 = none, .u2 = none, .body = body}; }
 
-/// From the bodies apart: what the steady state would be is not needed.
+/// Starts with separated bodies, for which no steady state is needed.
 Marched released(const steady::Scene& scene, const Conditions& conditions, const MarchParameters& parameters) {
   steady::Solution start;
   start.P = core::Field(scene.grid);
@@ -33,7 +33,7 @@ Marched released(const steady::Scene& scene, const Conditions& conditions, const
   return marched_from(start, scene, conditions, parameters);
 }
 
-/// Sum of eps |grad P|^2 over the domain, eps at half points the mean of the nodes: what the film turns into heat.
+/// The dissipation: the sum of eps |grad P|^2 over the domain, with eps at half points as the mean of the nodes.
 double dissipation(const steady::Scene& scene, const Frame& frame) {
   const core::Patch& grid = scene.grid;
   const auto eps = [&](int i, int j) { return std::pow(frame.H(i, j), 3) / scene.lambda; };
@@ -50,7 +50,7 @@ double dissipation(const steady::Scene& scene, const Frame& frame) {
   return sum * grid.hx() * grid.hy();
 }
 
-/// Largest |P(X, Y) - P(-X, Y)| over the largest P: 0 where nothing rolls.
+/// The largest |P(X, Y) - P(-X, Y)| relative to the largest P; 0 without rolling.
 double asymmetry(const core::Field& P) {
   const int nx = P.nodes_x() - 1;
   double largest = 0.0, difference = 0.0;
@@ -66,8 +66,8 @@ constexpr double W = 2.0 * std::numbers::pi / 3.0;
 
 }  // namespace
 
-// With a damping d as well mass V dV/dH + d V = -(3/4) lambda V/H: V = V_0 + (3/4)(lambda/mass) ln(H_0/H) +
-// (d/mass)(H_0 - H).
+// With a damping d the equation is mass V dV/dH + d V = -(3/4) lambda V/H, and V = V_0 + (3/4)(lambda/mass)
+// ln(H_0/H) + (d/mass)(H_0 - H).
 BOOST_AUTO_TEST_CASE(damping_takes_its_share) {
   const steady::Scene scene = plain_scene(256, 40.0, 5000.0);
   const Body body{.mass = 0.5 * scene.lambda, .damping = 1.5 * scene.lambda, .gap = 3.0, .velocity = -3.0};
@@ -92,15 +92,14 @@ BOOST_AUTO_TEST_CASE(damping_takes_its_share) {
                                         << "; V(H00) off by " << speed
                                         << " of V_0 (allowed 0.005), H00 - integral of V " << path
                                         << " (allowed 1e-4)");
-  BOOST_TEST(last.velocity > 0.5 * body.velocity);  // without damping it keeps five sixths
+  BOOST_TEST(last.velocity > 0.5 * body.velocity);  // most of the velocity remains
   BOOST_TEST(speed < 0.005);
   BOOST_TEST(path < 1e-4);
 }
 
-// With p = 3 eta_0 V R/h^2 the squeeze carries W_s = (pi/2) lambda |V|/H00 in the units of P and X, and
-// mass V dV/dH = -(3/4) lambda V/H has the solution V = V_0 + (3/4)(lambda/mass) ln(H_0/H): a body slowed down by its
-// film alone. Beyond the domain is 1/(1 + X^2/(2 H00)) of the force, 0.2 to 0.4 % of it here, and as much again by the
-// pressure that is zero on its edge.
+// With p = 3 eta_0 V R/h^2 the squeeze film carries W_s = (pi/2) lambda |V|/H00 in the units of P and X. A body that
+// only its film slows down obeys mass V dV/dH = -(3/4) lambda V/H, so V = V_0 + (3/4)(lambda/mass) ln(H_0/H). The share
+// 1/(1 + X^2/(2 H00)) of the force lies outside the domain, and P = 0 on its boundary removes about as much again.
 BOOST_AUTO_TEST_CASE(a_rigid_paraboloid_is_squeezed_by_the_exact_law) {
   const steady::Scene scene = plain_scene(512, 40.0, 5000.0);
   const Body body{.mass = 0.5 * scene.lambda, .gap = 3.0, .velocity = -3.0};
@@ -124,8 +123,8 @@ BOOST_AUTO_TEST_CASE(a_rigid_paraboloid_is_squeezed_by_the_exact_law) {
   BOOST_TEST(all.report.worst_load_error < 1e-6);
 }
 
-// With the far field in closed form a domain of 6 radii does what one of 40 does not quite do, on a fortieth of the
-// nodes: P on its edge is exact, and so is what lies outside. Pressures are 1e-4 here, hence the tolerance.
+// With the far field in closed form, a domain of 6 radii is more accurate than one of 40 radii without it: P on the
+// boundary and the force outside are exact. The tolerance is relative to very small pressures.
 BOOST_AUTO_TEST_CASE(likewise_on_a_small_domain_with_the_far_field) {
   double force[2] = {0.0, 0.0};
   for (const int finer : {0, 1}) {
@@ -147,9 +146,10 @@ BOOST_AUTO_TEST_CASE(likewise_on_a_small_domain_with_the_far_field) {
   BOOST_TEST(std::log2(force[0] / force[1]) > 1.8);
 }
 
-// mass W (V_0^2 - V_1^2)/2 is what the viscous film takes, sum of eps |grad P|^2 over space and time, when the bodies
-// are apart again and nothing is kept in their deformation; P (L(P) - H') = 0 in every node makes it exact on any grid.
-// Without a film Hertz's impact has the largest load (mass V^2/0.8)^(3/5) and gives all of the velocity back.
+// The kinetic energy mass W (V_0^2 - V_1^2)/2 that the body loses equals the dissipation, the sum of eps |grad P|^2
+// over space and time, once the bodies are separated again and no elastic energy remains. Since P (L(P) - H') = 0 at
+// every node, this is exact on any grid. Without a film, Hertzian impact has the largest load (mass V^2/0.8)^(3/5) and
+// returns the whole velocity.
 BOOST_AUTO_TEST_CASE(an_elastic_impact_loses_what_the_film_takes) {
   const steady::Scene scene = plain_scene(64, 5.0, 50.0);
   const Body body{.mass = 2.0, .gap = 1.0, .velocity = -1.0};
@@ -182,15 +182,15 @@ BOOST_AUTO_TEST_CASE(an_elastic_impact_loses_what_the_film_takes) {
   BOOST_TEST(std::abs(peak / hertz - 1.0) < 0.2);
 }
 
-// A kick to the body upon its film: the thin film of a high load hardly counts beside Hertz's spring,
-// mass Omega^2 = 3/2, and the rolling contact's own damping is small.
+// A velocity is imposed on the body. At high load the thin film contributes little compared with the Hertzian
+// stiffness, mass Omega^2 = 3/2, and the damping by the rolling contact is small.
 BOOST_AUTO_TEST_CASE(a_kicked_body_vibrates_upon_the_dry_contact) {
   const steady::Scene scene = marching_scene(64, 500.0, 10.0);
   const Body body{.mass = 0.05, .velocity = -0.05};
   const double period = 2.0 * std::numbers::pi / natural_frequency(body);
   const Marched all = marched(scene, {.body = body}, {.end = 2.2 * period});
   BOOST_REQUIRE_MESSAGE((all.report.end == MarchEnd::end_time), all.report.reason);
-  std::vector<double> turns;  // where the velocity changes its sign
+  std::vector<double> turns;  // times at which the velocity changes its sign
   for (std::size_t k = 1; k < all.rows.size(); ++k) {
     const StepRow& a = all.rows[k - 1];
     const StepRow& b = all.rows[k];

@@ -1,4 +1,4 @@
-// Newton's method from the Hertz pressure against the exactly converged solutions of an independent program.
+// Newton's method started from the Hertz pressure, compared with fully converged solutions of an independent program.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <stdexcept>
@@ -18,7 +18,7 @@ namespace {
 
 double relative(double value, double reference) { return std::abs(value / reference - 1.0); }
 
-/// 1e-6 relative, and half a unit of the seventh decimal in which the reference is printed.
+/// 1e-6 relative, plus half a unit of the seventh decimal, the last one that the reference gives.
 double allowed(double reference) { return 1e-6 + 0.5e-7 / std::abs(reference); }
 
 }  // namespace

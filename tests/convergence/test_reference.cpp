@@ -1,4 +1,4 @@
-// The steady solver against the exactly converged solutions of an independent program.
+// The steady solver compared with fully converged solutions of an independent program.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -13,19 +13,20 @@ using namespace ehl;
 
 namespace {
 
-constexpr int largest_grid = 256;  // the 512 and 1024 rows take minutes with sanitizers; their digits agree as well
+constexpr int largest_grid = 256;  // the rows with 512 and 1024 cells take minutes with sanitizers
 
 double relative(double value, double reference) { return std::abs(value / reference - 1.0); }
 
-/// 1e-6 relative, and half a unit of the seventh decimal in which the reference is printed.
+/// 1e-6 relative, plus half a unit of the seventh decimal, the last one that the reference gives.
 double allowed(double reference) { return 1e-6 + 0.5e-7 / std::abs(reference); }
 
-/// The size of a grid's discretization error: where it happens to cross zero, a quarter of the coarser grid's.
+/// The magnitude of a grid's discretization error. If it happens to be close to zero, a quarter of the
+/// coarser grid's error is used.
 double discretization_error(double value, double limit, double coarser) {
   return std::max(std::abs(value - limit), std::isnan(coarser) ? 0.0 : 0.25 * std::abs(coarser - limit));
 }
 
-/// Algebraic errors of a row as shares of the discretization errors of its grid.
+/// The algebraic errors of a row divided by the discretization errors of its grid.
 struct Shares {
   double Hc, Hm;
 };
@@ -86,7 +87,7 @@ BOOST_AUTO_TEST_CASE(default_film_evaluation_is_below_a_tenth_of_the_discretizat
   }
 }
 
-// The way up with its default cycles: every level is solved to the level of its discretization error.
+// Full multigrid with its default number of cycles solves every level to the magnitude of its discretization error.
 BOOST_AUTO_TEST_CASE(default_cycles_reach_the_discretization_error_on_every_level) {
   for (const reference::CircularContact& contact : reference::circular_contacts) {
     if (contact.n != largest_grid) continue;
@@ -110,7 +111,7 @@ BOOST_AUTO_TEST_CASE(default_cycles_reach_the_discretization_error_on_every_leve
   }
 }
 
-// The rate per cycle on the fine grid, down to rounding: the paper's "almost one order of magnitude".
+// The convergence factor on the fine grid, down to rounding: the paper's "almost one order of magnitude".
 BOOST_AUTO_TEST_CASE(every_cycle_at_M50_L10_gains_a_factor_of_five) {
   for (const reference::Wedge wedge : {reference::Wedge::upstream1, reference::Wedge::upstream2}) {
     reference::CircularContact contact{50, 10, reference::Fluid::roelands_z060, wedge, 256, 0, 0, 0, 0};

@@ -1,4 +1,4 @@
-// Rollers of finite length against the line contact, Lundberg's theory, and the strip of linearly growing load.
+// Rollers of finite length compared with the line contact, Lundberg's theory, and a strip with linearly varying load.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -34,7 +34,7 @@ steady::Scene scene_of(double M, double L, int cells, const contact::Ellipse& sh
   return scene;
 }
 
-/// Cells twice as long across.
+/// A roller on cells that are twice as long in Y.
 steady::Scene roller_scene(double M, double L, int cells, const Profile& profile) {
   steady::Scene scene = scene_of(M, L, cells, contact::roller_contact(profile.length));
   const double half = 0.5 * profile.length;
@@ -58,8 +58,8 @@ const roller::Slice& slice_at(const roller::Distribution& found, double Y) {
   return *std::ranges::min_element(found.slices, {}, [=](const roller::Slice& one) { return std::abs(one.Y - Y); });
 }
 
-// Under its design load a logarithmic profile carries the same load everywhere but at the ends, with Hertz' pressure of
-// the line contact: kernel, load and profile are each of another derivation.
+// Under its design load, a logarithmic profile gives a uniform load except at the ends, with the Hertz pressure of the
+// line contact. Kernel, load and profile have independent derivations.
 BOOST_AUTO_TEST_CASE(lundbergs_profile_carries_its_design_load_evenly) {
   const double length = 40.0;
   const roller::Distribution found = dry_roller(128, {.length = length});
@@ -67,14 +67,15 @@ BOOST_AUTO_TEST_CASE(lundbergs_profile_carries_its_design_load_evenly) {
     const roller::Slice& slice = slice_at(found, 0.5 * share * length);
     BOOST_TEST_MESSAGE("at " << share << ": load " << slice.load << ", P " << slice.P_max);
     BOOST_TEST(std::abs(slice.load - 1.0) < 0.02);
-    BOOST_TEST(std::abs(slice.P_max - 1.0) < (share < 0.85 ? 0.01 : 0.025));  // falls off one width from the end
+    BOOST_TEST(std::abs(slice.P_max - 1.0) < (share < 0.85 ? 0.01 : 0.025));  // the pressure falls within one width of
+                                                                              // the end
   }
 }
 
-// A strip (-l/2, l/2) that carries q = 1 + q_1 Y per length over the local Hertz width sinks on its axis by
-//   q [1/4 + ln(2)/2 + (1/4) ln(l^2 - 4 Y^2)] - (1/4) q ln q - q_1 Y/2,
-// so a tilt of the evenly loaded roller is q_1 = -tilt/C, C the factor of q_1 Y; its mean with the weight Y^2 is
-// C = ln(2)/2 - 1/2 + ln(l)/2 - 0.32009, and the resultant lies at q_1 l^2/12.
+// A strip (-l/2, l/2) with the load q = 1 + q_1 Y per length over the local Hertz width is displaced on its axis by
+//   q [1/4 + ln(2)/2 + (1/4) ln(l^2 - 4 Y^2)] - (1/4) q ln q - q_1 Y/2.
+// A tilt of the uniformly loaded roller therefore gives q_1 = -tilt/C, where C is the factor of q_1 Y. Its mean with
+// the weight Y^2 is C = ln(2)/2 - 1/2 + ln(l)/2 - 0.32009, and the resultant acts at q_1 l^2/12.
 BOOST_AUTO_TEST_CASE(a_small_tilt_moves_the_load_as_the_strip_of_linear_load) {
   const double length = 60.0, tilt = 0.002;
   const double C = 0.5 * std::numbers::ln2 - 0.5 + 0.5 * std::log(length) - 0.32009;
@@ -86,9 +87,9 @@ BOOST_AUTO_TEST_CASE(a_small_tilt_moves_the_load_as_the_strip_of_linear_load) {
   BOOST_TEST(std::abs(twice.load_centre / up.load_centre / 2.0 - 1.0) < 0.02);
 }
 
-// A crowned roller that bears within its length is Hertz' ellipse. With F = F' length the circle's a_c^3 = (3 pi/16)
-// length in a^3, and its p_c = (3/4) length/a_c^2 in p_h. Tilted, a circle is the same one moved by -tilt times its
-// radius.
+// A crowned roller that carries its load within its length is a Hertzian ellipse. With F = F' length, the
+// circle has a_c^3 = (3 pi/16) length in a^3, and p_c = (3/4) length/a_c^2 in p_h. A tilt moves the circle
+// by -tilt times its radius.
 BOOST_AUTO_TEST_CASE(a_crowned_roller_is_the_ellipse_of_hertz) {
   const double length = 30.0, radius = 40.0;
   const contact::Ellipse ellipse = contact::ellipse(1.0 / radius);
@@ -110,8 +111,8 @@ BOOST_AUTO_TEST_CASE(a_crowned_roller_is_the_ellipse_of_hertz) {
   }
 }
 
-// The film in the middle of a long roller is that of a line contact with the load that the middle carries; so is the
-// pressure. H in Moes' units does not know the load.
+// The film and the pressure in the middle of a long roller are those of a line contact under the load that the middle
+// carries. H in Moes' units does not depend on the load.
 BOOST_AUTO_TEST_CASE(the_middle_of_a_long_roller_is_a_line_contact) {
   const double M = 20.0, L = 5.0;
   for (const Profile& profile :
@@ -135,8 +136,8 @@ BOOST_AUTO_TEST_CASE(the_middle_of_a_long_roller_is_a_line_contact) {
   }
 }
 
-// What the slices carry is the load; and where the film is thin beside the deformation the pressure is the dry one's,
-// at the ends too.
+// The slices together carry the load. Where the film is thin compared with the deformation, the pressure is that of the
+// dry contact, also at the ends.
 BOOST_AUTO_TEST_CASE(the_pressure_of_a_heavy_roller_is_that_of_the_dry_one) {
   for (const Profile& profile :
        {Profile{.length = 30.0, .design_load = 2.0},
@@ -157,7 +158,7 @@ BOOST_AUTO_TEST_CASE(the_pressure_of_a_heavy_roller_is_that_of_the_dry_one) {
   }
 }
 
-// Turned the other way the solution is its image, and the moment its negative.
+// With the opposite tilt, the solution is mirrored and the moment changes its sign.
 BOOST_AUTO_TEST_CASE(the_opposite_tilt_mirrors_the_solution) {
   const auto solved = [](double tilt) {
     return steady::solve(roller_scene(20.0, 5.0, 128, {.length = 24.0, .design_load = 2.0, .tilt = tilt}));

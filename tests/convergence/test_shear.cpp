@@ -1,4 +1,4 @@
-// Contacts with oil that sliding thins, over meshes, loads and slide-roll ratios.
+// Contacts with a shear-thinning oil, over meshes, loads and slide-roll ratios.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -17,7 +17,7 @@ steady::Scene scene_of(double M, double L, int n) {
       M, L, M < 200 ? core::Grid{n, n, -4.5, 1.5, -3.0, 3.0} : core::Grid{n, n, -2.5, 1.5, -2.0, 2.0});
 }
 
-// eta_0 (u1 - u2) R/(a^2 tau_0) = lambda (a/R) srr/12 p_h/tau_0.
+// The dimensionless stress eta_0 (u1 - u2) R/(a^2 tau_0) = lambda (a/R) srr/12 p_h/tau_0.
 rheology::ShearThinning eyring(const steady::Scene& scene, double srr, double tau_0) {
   const double p_h = contact::from_moes(scene.M, scene.L).alpha_bar / 2.2e-8;
   return {rheology::Eyring{}, scene.lambda * a_over_R_of_p_h * p_h * srr / 12.0 * p_h / tau_0};
@@ -45,8 +45,8 @@ BOOST_AUTO_TEST_CASE(second_order_in_the_mesh) {
   }
 }
 
-// The film falls as sliding grows, and the more the lower Eyring's stress; the cycles stay as good as the Newtonian
-// ones of the same load, but for 0.05.
+// The film decreases with increasing sliding, the more the lower the Eyring stress. The convergence factors are at most
+// 0.05 above those of the Newtonian oil at the same load.
 BOOST_AUTO_TEST_CASE(films_and_cycles_over_loads_and_sliding) {
   for (const double M : {50.0, 200.0, 1000.0}) {
     steady::Scene scene = scene_of(M, 10, 128);
@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(films_and_cycles_over_loads_and_sliding) {
                                   << " per cycle (Newtonian " << newtonian.levels.back().Hc << ", "
                                   << newtonian.levels.back().cycles << ", " << newtonian.cycle_factor << ")");
         BOOST_TEST((solution.converged && solution.method == "full multigrid"));
-        // The centre of a coarse mesh knows it to a part in a thousand only.
+        // On a coarse mesh the central film is accurate to one part in a thousand only.
         BOOST_TEST(Hc < before * 1.001);
         before = Hc;
         worst = std::max(worst, solution.cycle_factor);

@@ -1,5 +1,5 @@
-// Smoothing rates: the local Fourier analysis against known values and against the paper's claims, and the line
-// relaxations as they are implemented against the analysis.
+// Smoothing factors: the local Fourier analysis compared with known values and with the statements of the paper, and
+// the implemented line relaxations compared with the analysis.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
@@ -20,7 +20,8 @@ constexpr double pi = std::numbers::pi;
 constexpr Wedge wedges[] = {Wedge::upstream1, Wedge::upstream2};
 const char* name(Wedge wedge) { return wedge == Wedge::upstream1 ? "upstream1" : "upstream2"; }
 
-// sum K cos(theta . d) over |d_x|, |d_y| < reach, the outer half fading so that the cut does not ring.
+// The sum of K cos(theta . d) over |d_x|, |d_y| < reach. The outer half is faded out, so that the truncation
+// does not cause oscillations.
 double lattice_sum(Frequency theta, int reach) {
   const kernel::InfluenceTable K = kernel::influence_table(reach, reach, 1.0, 1.0);
   const auto fading = [reach](int d) {
@@ -33,8 +34,9 @@ double lattice_sum(Frequency theta, int reach) {
   return 2.0 / (pi * pi) * sum;
 }
 
-// An error exp(i theta . (i, j)) under a Gaussian in the middle of a 256 x 256 grid: wide enough to have one frequency,
-// narrow enough to know nothing of the boundary. One sweep of the solver's relaxation, projected on the same packet.
+// An error exp(i theta . (i, j)) times a Gaussian in the middle of a 256 x 256 grid. The Gaussian is wide enough for a
+// sharp frequency and narrow enough to be independent of the boundary. One sweep of the solver's relaxation is
+// projected on the same wave packet.
 class PacketSweep {
  public:
   PacketSweep(double e, Wedge wedge, bool distributed, double stretch = 1.0)
@@ -53,10 +55,10 @@ class PacketSweep {
 
  private:
   static constexpr int cells = 256;
-  static constexpr double width = 24.0;  // of the packet [cells]
+  static constexpr double width = 24.0;  // width of the packet [cells]
 
   static ModelProblem problem(double e, Wedge wedge, bool distributed, double stretch) {
-    // A tiny epsilon stands for none where Gauss-Seidel is wanted: without any a point is always distributive.
+    // A tiny epsilon selects Gauss-Seidel relaxation; with epsilon = 0 a point would always be distributive.
     ModelProblem result =
         stretch == 1.0 ? constant_epsilon(std::max(e, 1e-9), cells, wedge, fmg::Cycle::V)
                        : constant_epsilon_on_stretched_cells(std::max(e, 1e-9), stretch, cells, wedge, fmg::Cycle::V);
@@ -121,23 +123,25 @@ BOOST_AUTO_TEST_CASE(the_papers_claims) {
     BOOST_TEST_MESSAGE(what << ": " << measured << ", expected " << expected << " +- " << tolerance);
     BOOST_TEST(std::abs(measured - expected) < tolerance);
   };
-  // Section 3.3.1: Gauss-Seidel lines 0.4 on Poisson; exactly 1/sqrt(5) for y-lines of the five-point stencil.
+  // Section 3.3.1: Gauss-Seidel lines have 0.4 on Poisson's equation; the exact value for y lines of the
+  // five-point stencil is 1/sqrt(5).
   for (const Wedge wedge : wedges) {
     near("Gauss-Seidel lines on Poisson, paper 0.4", analysis.analyse(papers_gauss_seidel, 1e6, wedge).smoothing,
          1.0 / std::sqrt(5.0), 0.01);
     near("Gauss-Seidel lines at e = 0.3", analysis.analyse(papers_gauss_seidel, 0.3, wedge).smoothing, 0.44, 0.01);
-    // "Below e = 0.3 low-frequency components are amplified": it is so up to e of about 3, harmless for a cycle from
-    // 0.6.
+    // "Below e = 0.3 low-frequency components are amplified": the analysis finds this up to e of about 3, but from 0.6
+    // upward a cycle tolerates it.
     BOOST_TEST(analysis.analyse(papers_gauss_seidel, 0.1, wedge).low > 5.0);
     BOOST_TEST(analysis.analyse(papers_gauss_seidel, 3.0, wedge).low < 1.1);
   }
-  // The paper's 0.6 of the distributive lines on Poisson is the error (0, pi). Its worst one is (pi/2, 0): 0.86.
+  // The paper's value of 0.6 for distributive lines on Poisson's equation belongs to the error (0, pi); the
+  // worst error is (pi/2, 0).
   const std::array<Mode, 2> zigzag = mode_pair({1e-6, 1e-6});
   near("distributive lines on Poisson, the error (0, pi), paper 0.6",
        std::abs(sweep_matrix(papers_distributive, 1e6, Wedge::upstream1, zigzag)[1][1]), 0.6, 1e-3);
   near("distributive lines on Poisson", analysis.analyse(papers_distributive, 1e6, Wedge::upstream1).smoothing, 0.86,
        0.01);
-  // "An order of magnitude per V(2,1) for e = 0": the two-grid factor is 0.17.
+  // The paper states "an order of magnitude per V(2,1) for e = 0"; the test checks the smoothing and two-grid factors.
   near("distributive lines at e = 0", analysis.analyse(papers_distributive, 0.0, Wedge::upstream1).smoothing, 0.556,
        0.01);
   near("distributive lines at e = 0, two grids", analysis.analyse(papers_distributive, 0.0, Wedge::upstream1).two_grid,
@@ -164,7 +168,7 @@ BOOST_AUTO_TEST_CASE(two_colours_make_distributive_lines_stable) {
 }
 
 BOOST_AUTO_TEST_CASE(relaxation_as_implemented) {
-  // Not closer to theta_x = 0: there a sweep's factor changes within the width of the packet's spectrum.
+  // Smaller theta_x would be unsuitable: the factor of a sweep varies within the spectral width of the packet.
   const LocalFourierAnalysis analysis(4);
   for (const bool distributed : {true, false})
     for (const Wedge wedge : wedges)
@@ -175,7 +179,7 @@ BOOST_AUTO_TEST_CASE(relaxation_as_implemented) {
         const Frequency slowest = analysis.analyse(relaxation, e, wedge).slowest;
         const double expected = smoothing_factor(sweep_matrix(relaxation, e, wedge, mode_pair(slowest)), slowest);
         const double measured = smoothing_factor(sweep.matrix(slowest), slowest);
-        double difference = 0.0;  // over all four entries, at three more groups of frequencies
+        double difference = 0.0;  // largest difference over the four entries, for three more groups of frequencies
         double entries = 0.0;
         for (const Frequency theta : {Frequency{0.5, 0.4}, {2.0, 0.5}, {2.9, 1.2}}) {
           const SweepMatrix truth = sweep_matrix(relaxation, e, wedge, mode_pair(theta));
@@ -201,7 +205,7 @@ BOOST_AUTO_TEST_CASE(stretched_cells_are_smoothed_across_alone) {
   for (const double stretch : {2.0, 4.0, 8.0, 16.0}) {
     const AnalysisAcross analysis(stretch, 8);
     for (const double e : {0.0, 0.03, 0.3, 1.0, 10.0}) {
-      // Which of the two a point is: RelaxationParameters::crossover.
+      // RelaxationParameters::crossover decides which of the two relaxations a point gets.
       const Analysis a = analysis.analyse(e < ours.crossover ? distributed : single, e, Wedge::upstream2);
       const Analysis quarters = analysis.analyse(by_quarters, e, Wedge::upstream2);
       BOOST_TEST_MESSAGE("hx = " << stretch << " hy, e " << e << ": across " << a.smoothing
@@ -213,7 +217,7 @@ BOOST_AUTO_TEST_CASE(stretched_cells_are_smoothed_across_alone) {
       BOOST_TEST(a.two_grid < 0.22);
       if (stretch >= 8.0 && e == 0.0) BOOST_TEST(quarters.low > 1.5);
     }
-    // What is smooth across and rough along: no grid coarsened both ways can follow.
+    // An error that is smooth in Y and rough in X: standard coarsening in both directions could not represent it.
     const std::array<Mode, 2> along = mode_pair({pi - 1e-6, 0.1}, stretch);
     LineRelaxation strong = single;
     strong.stretch = stretch;

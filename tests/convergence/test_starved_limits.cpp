@@ -1,5 +1,5 @@
-// Starved contacts at their limits: thin layers go through as they are, on circles and ellipses, thinned by shear or
-// not; the pressure is then the dry one.
+// Limits of starved contacts: thin layers pass unchanged through circular and elliptic contacts, with and without shear
+// thinning; the pressure is then that of the dry contact.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
@@ -23,7 +23,7 @@ steady::Scene scene_of(double M, double L, const core::Grid& grid, double H_oil)
   return scene;
 }
 
-// Isoviscous and incompressible, of which there are closed forms.
+// An isoviscous, incompressible oil, for which there are closed forms.
 steady::Scene plain_scene(const contact::Ellipse& shape, const core::Grid& grid, double H_oil) {
   steady::Scene scene = scene_of(20, 0, grid, H_oil);
   scene.viscosity = rheology::Isoviscous{};
@@ -33,7 +33,7 @@ steady::Scene plain_scene(const contact::Ellipse& shape, const core::Grid& grid,
   return scene;
 }
 
-// Mean of |P - P_dry| over the mean of P, both discrete.
+// The mean of |P - P_dry| relative to the mean of P; both solutions are discrete.
 double distance_from_dry(const steady::Solution& solution) {
   const core::Patch grid(solution.grid);
   const dry::Solution dry = dry::solve({grid, dry::smooth_gap(grid), 2.0 * pi / 3.0, {}, {}, 1});
@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(thin_layers_go_through_and_the_pressure_is_dry) {
   BOOST_TEST(before <= 0.01);
 }
 
-// Q^-2 grows by 2 pi/(lambda kappa^2) on y = 0.
+// Q^-2 increases by 2 pi/(lambda kappa^2) on y = 0.
 BOOST_AUTO_TEST_CASE(side_flow_of_thin_layers_in_ellipses) {
   for (const double ratio : {0.3, 3.0}) {
     const contact::Ellipse shape = contact::ellipse(ratio);
@@ -86,8 +86,8 @@ BOOST_AUTO_TEST_CASE(side_flow_of_thin_layers_in_ellipses) {
   }
 }
 
-// Across the sliding an Eyring oil flows as one of the viscosity eta asinh(S)/S, S = k/H: side flow grows by S/asinh S.
-// Its stress is asinh(S)/k over the Hertz circle.
+// Transverse to the sliding direction, an Eyring oil flows with the viscosity eta asinh(S)/S, S = k/H, so the side flow
+// increases by S/asinh S. The shear stress is asinh(S)/k over the Hertz circle.
 BOOST_AUTO_TEST_CASE(side_flow_and_friction_of_layers_thinned_by_shear) {
   constexpr double H_oil = 0.02, slip = 1e-3;  // eta_0 (u1 - u2) R/(a^2 p_h)
   double lost[2]{}, formula[2]{};

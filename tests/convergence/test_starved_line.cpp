@@ -1,5 +1,5 @@
-// Starved line contacts. Nothing flows aside, so that the flow is one number, the layer that is brought: the Reynolds
-// equation is integrated once by hand.
+// Starved line contacts. There is no side flow, so the mass flow is one number, that of the layer supplied, and the
+// Reynolds equation can be integrated once.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -25,10 +25,10 @@ double flow_of_flooded(double M, double L, int cells) {
   return steady::solve(scene_of(M, L, cells, 0.0)).verification.flow_through;
 }
 
-// dP/dX = lambda (H - q)/H^3 from the rupture on, where P = 0 and H = q, by the trapezoidal rule.
+// Integrates dP/dX = lambda (H - q)/H^3 from the rupture point, where P = 0 and H = q, by the trapezoidal rule.
 struct Integrated {
-  double largest_difference = 0.0;  // of P, from the meniscus' cell to the rupture
-  double meniscus = 0.0;            // where P is zero again
+  double largest_difference = 0.0;  // difference in P between the cell of the meniscus and the rupture point
+  double meniscus = 0.0;            // where P becomes zero again
 };
 Integrated integrate(const steady::Scene& scene, const steady::Solution& solution, double q) {
   const core::Grid& grid = solution.grid;
@@ -39,7 +39,7 @@ Integrated integrate(const steady::Scene& scene, const steady::Solution& solutio
   int i = grid.nx;
   while (solution.P(i, 1) <= 0.0) --i;
   while (solution.H(i, 1) > q) --i;
-  // Between i and i+1 the gap passes through q.
+  // The gap equals q between i and i+1.
   const double share = (q - solution.H(i, 1)) / (solution.H(i + 1, 1) - solution.H(i, 1));
   Integrated result;
   double P = -0.5 * share * grid.hx() * slope(i);
@@ -71,14 +71,15 @@ BOOST_AUTO_TEST_CASE(reynolds_equation_integrated_once) {
       last = exact.largest_difference;
       if (cells == 256) first = last;
     }
-    // Second order: a sixteenth, less what the meniscus in its cell adds or takes.
+    // Second order would give a sixteenth; the position of the meniscus within its cell changes
+    // this by a limited amount.
     BOOST_TEST(first / last >= 8.0);
     BOOST_TEST(last <= 2e-4);
   }
 }
 
-// Before the meniscus and behind the contact Q is what is brought; not in the node beside the film's edge, which tells
-// where in its cell that is.
+// Upstream of the meniscus and downstream of the contact, Q is that of the layer supplied. The node next to the edge of
+// the film is excluded: its Q depends on the position of the edge in the cell.
 BOOST_AUTO_TEST_CASE(the_flow_is_one_number) {
   for (const auto& [M, L] : {std::pair{5.0, 0.0}, std::pair{20.0, 5.0}, std::pair{20.0, 15.0}, std::pair{100.0, 10.0}})
     for (const double r : {0.1, 0.5, 0.9}) {
@@ -101,7 +102,7 @@ BOOST_AUTO_TEST_CASE(the_flow_is_one_number) {
     }
 }
 
-// rho_bar H at the centre is the layer, and the pressure the dry one.
+// rho_bar H at the centre equals that of the layer, and the pressure is that of the dry contact.
 BOOST_AUTO_TEST_CASE(thin_layers_below_hertz_pressure) {
   double before = 1.0;
   const double flooded = flow_of_flooded(20, 10, 512);
@@ -123,7 +124,7 @@ BOOST_AUTO_TEST_CASE(thin_layers_below_hertz_pressure) {
   }
 }
 
-// What does not go through stays in front: the flooded film.
+// Oil that cannot pass stays in front of the contact, and the film is flooded.
 BOOST_AUTO_TEST_CASE(more_than_goes_through) {
   for (const double M : {5.0, 100.0}) {
     const steady::Solution flooded = steady::solve(scene_of(M, 5, 512, 0.0));

@@ -1,4 +1,4 @@
-// The error of the time integration against its tolerance, and what a step costs.
+// The error of the time integration compared with its tolerance, and the cost of a step.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -15,7 +15,7 @@ using Points = std::vector<Schedule::Point>;
 
 namespace {
 
-/// The load rises by 30 % in 0.1; both surfaces stop in 0.5 and start again.
+/// A fast rise of the load. In the other case both surfaces stop and start again.
 const Conditions ramp{.load = {.points = Points{{0.1, 1}, {0.2, 1.3}}}};
 const Points stopping{{0.1, 1}, {0.6, 0}, {0.7, 0}, {1.2, 1}};
 const Conditions stop{.u1 = {.points = stopping}, .u2 = {.points = stopping}};
@@ -26,7 +26,7 @@ struct History {
   MarchReport report{};
 };
 
-/// At a hundred times, by the dense output: Hc, Hm, and P between the nodes at (0.7, 0.1).
+/// The history at a hundred times, by dense output: Hc, Hm, and P between the nodes at (0.7, 0.1).
 History history(const steady::Scene& scene, const steady::Solution& start, const Conditions& conditions, double rtol,
                 double longest_step) {
   History all;
@@ -50,9 +50,10 @@ double error(const std::vector<double>& values, const std::vector<double>& truth
 
 double cycles_per_step(const MarchReport& report) { return static_cast<double>(report.cycles) / report.steps; }
 
-/// Against a run of steps of at most 0.004 with a tolerance of 1e-6: falls with the tolerance, within 0.3 % at 1e-4.
+/// The reference uses steps of at most 0.004 and a tolerance of 1e-6. The error must decrease with the tolerance, and
+/// be at most 0.3 % at 1e-4.
 void check_order(const char* what, const Conditions& conditions) {
-  // The error in time is that of the march on any grid: the truth is a march on the same one.
+  // The error in time is the same on any grid, so the reference uses the same grid.
   const steady::Scene scene = marching_scene(64);
   const steady::Solution start = steady::solve(scene);
   const History truth = history(scene, start, conditions, 1e-6, 0.004);
@@ -63,7 +64,7 @@ void check_order(const char* what, const Conditions& conditions) {
     BOOST_TEST_MESSAGE(what << ", rtol " << rtol << ": Hc off by " << errors[0] << ", Hm " << errors[1]
                             << ", P at a point " << errors[2] << " in " << all.report.steps << " steps of "
                             << cycles_per_step(all.report) << " cycles (reference " << truth.report.steps << " steps)");
-    // Where the steps are as long as they may be at both tolerances, the errors are the same but for chance.
+    // If the steps of both tolerances have the longest allowed size, the errors differ only by chance.
     for (std::size_t k = 0; k < errors.size(); ++k) BOOST_TEST(errors[k] <= 1.1 * last[k]);
     BOOST_TEST(cycles_per_step(all.report) <= 2.0);
     if (rtol == 1e-4) BOOST_TEST((errors[0] <= 3e-3 && errors[1] <= 3e-3 && errors[2] <= 3e-3));

@@ -1,5 +1,5 @@
-// The same contact again and again on one track: discrete solutions of another program, the closed form of thin layers,
-// balance of oil.
+// Repeated passes over one track: discrete solutions of an independent program, the closed form for
+// thin layers, oil balance.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
@@ -24,9 +24,9 @@ steady::Scene scene_of(double M, double L, const core::Grid& grid, double H_oil,
 
 }  // namespace
 
-// A semismooth Newton solver elsewhere: (50, 10), 64 x 64 cells, a first layer of one flooded film.
+// An independent semismooth Newton solver: (50, 10), 64 x 64 cells; the first layer equals the flooded film.
 BOOST_AUTO_TEST_CASE(discrete_solutions_of_another_program) {
-  constexpr double Q_ff = 0.25075;  // rho_bar H at the centre, flooded: r = 1
+  constexpr double Q_ff = 0.25075;  // rho_bar H at the centre of the flooded contact, for r = 1
   const steady::Solution solution = steady::solve(scene_of(50, 10, {64, 64, -2.5, 1.5, -2.0, 2.0}, Q_ff, 4));
   const double factors[] = {0.7905, 0.6693, 0.5965, 0.5470};
   BOOST_TEST_REQUIRE(solution.passes.size() == 4U);
@@ -41,8 +41,8 @@ BOOST_AUTO_TEST_CASE(discrete_solutions_of_another_program) {
   }
 }
 
-// On y = 0 every pass adds 2 pi/lambda to Q^-2 of an isoviscous, incompressible oil; from some passes on Q falls as
-// n^-1/2.
+// On y = 0 each pass increases Q^-2 of an isoviscous, incompressible oil by 2 pi/lambda. After some
+// passes, Q decreases as n^-1/2.
 BOOST_AUTO_TEST_CASE(thin_layers_decay) {
   constexpr int passes = 100;
   constexpr double H_oil = 0.04;
@@ -70,8 +70,8 @@ BOOST_AUTO_TEST_CASE(thin_layers_decay) {
   BOOST_TEST(worst <= 0.01);
 }
 
-// What each pass loses too much or too little adds up, and the levels of the last pass know nothing of the passes
-// before: the bar of the last film holds nevertheless. The reference is the same track on 256 cells.
+// The errors of all passes accumulate, and the levels of the last pass do not show those of the earlier passes. The
+// error bar of the last film must include them. The reference is the same track on 256 cells.
 BOOST_AUTO_TEST_CASE(bars_contain_the_error_of_earlier_passes) {
   constexpr double H_oil = 0.2507, Hc_on_256_cells = 0.06930;
   const steady::Solution solution = steady::solve(scene_of(50, 10, {128, 128, -2.5, 1.5, -2.0, 2.0}, H_oil, 20));

@@ -1,4 +1,4 @@
-// What the checks and the warnings promise of the hardest contacts, against solutions of the same and of finer grids.
+// The checks and warnings for the most difficult contacts, compared with solutions on the same and on finer grids.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -26,8 +26,8 @@ double relative(double value, double reference) { return std::abs(value / refere
 
 }  // namespace
 
-// (5000,5) on 256 cells: the residual of this contact is dominated by its inlet, and its film seems to have settled
-// three cycles before it has. Only the mass balance around the contact tells: without it Hc is 5 % off, Hm 15 %.
+// (5000,5) on 256 cells: the residual is dominated by the inlet, and the film seems to have converged before it has.
+// Only the mass balance around the contact reveals this.
 BOOST_AUTO_TEST_CASE(a_film_that_only_seems_to_have_settled_is_not_called_converged) {
   steady::Scene scene = scene_of(5000.0, 5.0, 256);
   const steady::Solution first = steady::solve(scene);
@@ -44,8 +44,8 @@ BOOST_AUTO_TEST_CASE(a_film_that_only_seems_to_have_settled_is_not_called_conver
   BOOST_TEST(Hm < 0.02);
 }
 
-// (2000,5) on 256 cells is not resolved; on the cells that its warning names it is: both films there are within 10 % of
-// those of a mesh twice as fine, and of what those two extrapolate to.
+// (2000,5) is not resolved on 256 cells. On the number of cells that the warning recommends, both films agree within 10
+// % with those of a mesh twice as fine and with their extrapolation.
 BOOST_AUTO_TEST_CASE(the_cells_that_a_warning_names_resolve_the_film) {
   const steady::Solution coarse = steady::solve(scene_of(2000.0, 5.0, 256));
   const steady::LevelRow& row = coarse.levels.back();

@@ -61,7 +61,7 @@ def shown(page, script=""):
         name = page.with_name("probed_" + page.name)
         name.write_text(page.read_text().replace("</body>", "<script>" + script + "</script></body>"))
     log = page.with_suffix(".netlog.json")
-    # A proxy that is not there: no way out.
+    # The address of a proxy that does not exist: the browser cannot reach the network.
     done = subprocess.run(
         [BROWSER, "--headless", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr",
          "--proxy-server=127.0.0.1:9", "--disable-background-networking",
@@ -70,13 +70,14 @@ def shown(page, script=""):
     assert done.returncode == 0, done.stderr
     console = [line for line in done.stderr.splitlines() if "CONSOLE" in line]
     asked = set(re.findall(r'"url":"([^"]*)"', log.read_text()))
-    # What a browser asks its maker for by itself is no matter of the page.
+    # Requests of the browser to its vendor are not requests of the page.
     own = r"data:|chrome|about:|https?://[^/]*\.(google|googleapis|gstatic|gvt1)\.com/"
     return done.stdout, console, {url for url in asked if not re.match(own, url)}, name.as_uri()
 
 
-# Every picture is opened by the browser; then the title tells how many there were, and how many were good. The page's
-# load event waits for all of them, and the browser's text of the page for that event: no time limit is at work.
+# The browser decodes every picture; then the title of the page gives their number and the number of good
+# ones. The page's load event waits for all pictures, and the text of the page is read after that event,
+# so no time limit is needed.
 DECODE = """
 const pictures = [...document.querySelectorAll("image")].map((one) => {
   const picture = new Image(); picture.src = one.getAttribute("href"); return picture;
@@ -96,7 +97,7 @@ def test_a_page_is_silent_and_fetches_nothing(pages, kind):
     page = pages / (kind + ".html")
     text, console, asked, own = shown(page, DECODE)
     assert console == []
-    # Where this browser tells of files at all, only of the page itself.
+    # Some browsers report no file requests; a reported one must be the page itself.
     assert asked <= {own}
     assert page.stat().st_size < 2_000_000
     source = page.read_text()
@@ -111,7 +112,7 @@ def test_what_is_fetched_would_be_seen(pages):
     page.write_text((pages / "run.html").read_text().replace("<h1>", '<img src="http://127.0.0.1:9/x.png"><h1>'))
     _, console, _, _ = shown(page)
     assert any("Content Security Policy" in line for line in console)
-    # Without the policy the address is asked for.
+    # Without the policy the browser asks for the address.
     page.write_text(re.sub(r"<meta http-equiv[^>]*>", "", page.read_text()))
     _, _, asked, _ = shown(page)
     assert "http://127.0.0.1:9/x.png" in asked
@@ -124,7 +125,7 @@ def test_a_title_is_no_script(pages, kind):
     assert "&lt;script&gt;document.title" in text
 
 
-# Moves the slider to each frame: what is drawn then.
+# Moves the slider to each frame and records what is drawn.
 SLIDE = """
 const slider = document.querySelector(".frames input"), seen = [];
 for (let k = 0; k <= Number(slider.max); ++k) {

@@ -1,5 +1,5 @@
 #pragma once
-// What `ehl extract` prints, as numbers.
+// Reads the columns that `ehl extract` prints.
 #include <cstdlib>
 #include <sstream>
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace support {
 
-/// Rows of numbers under a header of "#".
+/// The rows of numbers below a heading whose lines begin with "#".
 inline std::vector<std::vector<double>> rows_of(const std::string& text) {
   std::vector<std::vector<double>> rows;
   std::istringstream lines(text);

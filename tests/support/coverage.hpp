@@ -1,9 +1,9 @@
 #pragma once
-// Error bars against errors: scenes, a truth from finer grids, and what a solution says of itself.
+// Compares error bars with true errors: the contacts, a reference from finer grids, and the bars of a solution.
 //
-// The truth of a contact is the film of the continuous problem on the same domain, for all schemes the same. It is made
-// of two solutions with upstream3, solved to 1e-7, on grids finer than any that is judged, extrapolated with the order
-// 2: no value that is judged, nor any that its error bar was made of, enters it.
+// The true film of a contact is that of the continuous problem on the same domain; it is the same for all schemes. It
+// is extrapolated with order 2 from two solutions with upstream3, converged to 1e-7, on grids finer than those that are
+// judged. It uses no value that is judged or that an error bar was derived from.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,17 +20,18 @@ namespace ehl::test {
 
 enum class Oil { roelands, barus, incompressible };
 
-/// A contact and its lubricant. Density of Dowson and Higginson, but for the oil that is incompressible.
+/// A contact and its lubricant. The density law is Dowson and Higginson's, except for the incompressible oil.
 struct Point {
   double M, L;
   double alpha;    ///< [1/Pa]
   double z;        ///< Roelands' exponent
-  bool held_back;  ///< played no part where the estimates were made
+  bool held_back;  ///< was not used in the development of the estimates
   Oil oil = Oil::roelands;
   double radius_ratio = 1.0, angle = 0.0;
 };
 
-/// On the domain that the program chooses, n cells along x. With the third-order wedge epsilon is made at half points.
+/// The scene on the domain that the program chooses, with n cells along X. With upstream3, epsilon is
+/// evaluated at half points.
 inline steady::Scene scene_of(const Point& point, reynolds::Wedge wedge, int n, bool far_field) {
   const contact::Groups groups =
       contact::from_moes(point.M, point.L, contact::ellipse(point.radius_ratio, point.angle));
@@ -59,7 +60,7 @@ inline steady::Scene scene_of(const Point& point, reynolds::Wedge wedge, int n, 
   return scene;
 }
 
-/// The row of the finest grid, solved to a relative residual. errors: std::runtime_error where that is not reached.
+/// The finest grid's row, solved to a relative residual. errors: std::runtime_error if the residual is not reached.
 inline steady::LevelRow solved(steady::Scene scene, double residual) {
   scene.multigrid.tolerance = residual;
   const steady::Solution solution = steady::solve(scene);
@@ -72,7 +73,7 @@ struct Film {
   double Hm = 0.0;
 };
 
-/// Second-order extrapolation from two grids, fine over coarse the ratio of their cells; Hm the fitted minimum.
+/// Second-order extrapolation from two grids with any ratio of cells; Hm is the fitted minimum.
 inline Film extrapolated(const steady::LevelRow& coarse, const steady::LevelRow& fine) {
   const double ratio = static_cast<double>(fine.nx) / coarse.nx;
   const double share = 1.0 / (ratio * ratio - 1.0);
@@ -89,16 +90,16 @@ inline Film truth_of(const Point& point, int coarse, int fine, bool far_field) {
   return extrapolated(row(coarse), row(fine));
 }
 
-/// One number with its error bar, and the error that it has; both relative to the number.
+/// A number with its error bar and its true error, both relative to the number.
 struct Judged {
   std::string_view name;
-  double estimate = 0.0;  ///< of mesh and cycles; NaN: the run tells none
+  double estimate = 0.0;  ///< of mesh and cycles; NaN: the run gives no estimate
   double error = 0.0;
   bool within() const { return error <= estimate; }
   double ratio() const { return estimate / error; }
 };
 
-/// What the error bars of a solution claim, and what is true.
+/// The error bars of a solution and the true errors.
 inline std::array<Judged, 5> judged(const steady::Solution& solution, const Film& truth) {
   const steady::ErrorBars& bars = solution.error_bars;
   const steady::LevelRow& row = solution.levels.back();

@@ -1,5 +1,5 @@
 #pragma once
-// Contacts with heat through the program, and what holds for all of them.
+// Runs contacts with heat through the program, and checks what holds for all of them.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <string>
@@ -9,12 +9,12 @@
 
 namespace support {
 
-/// A folder with the deck d.ini.
+/// A folder that contains the deck d.ini.
 struct HeatedScene {
   TemporaryFolder folder;
   explicit HeatedScene(const std::string& deck) { folder.write("d.ini", deck); }
   Ended ehl(const std::string& arguments) const { return support::ehl(folder, arguments); }
-  /// The report of a run. in: what is different from the deck.
+  /// The JSON report of a run. in: changes to the deck, as options.
   nlohmann::json run(const std::string& changes) const {
     const Ended ended = ehl("run d.ini --json --quiet --overwrite --output d.h5 " + changes);
     BOOST_TEST_REQUIRE(ended.status == 0, changes << ": " << ended.err);
@@ -28,14 +28,14 @@ inline void check_close(const std::string& name, double value, double reference,
   BOOST_TEST(std::abs(value / reference - 1) < tolerance);
 }
 
-/// The isothermal contact beside one with heat is that of the deck without [thermal], to the bit.
+/// The isothermal film of a run with heat equals that of the deck without [thermal] bit for bit.
 inline void check_isothermal_beside(const nlohmann::json& with, const nlohmann::json& without) {
   BOOST_TEST(number_at(with, "/thermal/Hc_isothermal") == number_at(without, "/Hc"));
   BOOST_TEST(number_at(with, "/thermal/Hm_isothermal") == number_at(without, "/Hm"));
   BOOST_TEST(number_at(with, "/thermal/mu_isothermal") == number_at(without, "/friction/mu"));
 }
 
-/// The same contact with its bodies swapped: the same film, the other sign of friction.
+/// If the bodies are swapped, the film stays the same and the friction changes its sign.
 inline void check_mirrored(const nlohmann::json& one, const nlohmann::json& other) {
   const auto same = [&](const char* name, const char* mirrored, double sign) {
     const double off = number_at(one, name) / (sign * number_at(other, mirrored)) - 1;
@@ -50,7 +50,8 @@ inline void check_mirrored(const nlohmann::json& one, const nlohmann::json& othe
   same("/thermal/heat_1", "/thermal/heat_2", 1);
 }
 
-/// Hardly any dependence on temperature, and no expansion: the change is in proportion to it, and goes with it. out:
+/// With a small dependence on temperature and no expansion, the loss of friction is proportional to beta. out: the
+/// smaller of two losses of friction.
 /// the smaller loss of friction.
 inline double check_little_change(const HeatedScene& scene) {
   const std::string bare = "--set thermal.expansion=0 --set thermal.compression=off --set thermal.beta=";

@@ -1,5 +1,5 @@
 #pragma once
-// A law of viscosity or density at one pressure.
+// Evaluates a law of viscosity or density at one pressure.
 #include <span>
 
 #include "rheology/laws.hpp"

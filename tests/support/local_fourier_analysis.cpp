@@ -17,7 +17,8 @@ double away(double theta) { return theta > 0.0 ? theta - pi : theta + pi; }
 
 double sinc(double t) { return t == 0.0 ? 1.0 : std::sin(t) / t; }
 
-// The terms of Poisson's sum alternate in sign and fall slowly: a weight that lets the outer half fade makes the rest
+// The terms of Poisson's sum alternate in sign and decay slowly. A weight that fades over the outer half makes the
+// truncation error negligible.
 // negligible.
 constexpr int terms = 24;
 double fading(int m, int last) {
@@ -48,13 +49,13 @@ Shares shares_of(const LineRelaxation& relaxation) {
   return {0.5 / (1.0 + across2), 0.5 * across2 / (1.0 + across2)};
 }
 
-// Pressure change per delta: 1 - (the shares of the four neighbours).
+// The pressure change caused by a unit delta: 1 minus the shares of the four neighbours.
 double distribution_symbol(const LineRelaxation& relaxation, Frequency theta) {
   const Shares share = shares_of(relaxation);
   return 1.0 - 2.0 * (share.along * std::cos(theta.x) + share.across * std::cos(theta.y));
 }
 
-// K or Delta K at distance d along the line.
+// The coefficient K, or its distributed form Delta K, at distance d along the line.
 double influence_on_line(const LineRelaxation& relaxation, int d) {
   const double hy = 1.0 / relaxation.stretch;
   const auto K = [hy](int a, int b) { return kernel::influence(a, b, 1.0, hy); };
@@ -62,10 +63,11 @@ double influence_on_line(const LineRelaxation& relaxation, int d) {
   return K(d, 0) - share.along * (K(d - 1, 0) + K(d + 1, 0)) - 2.0 * share.across * K(d, 1);
 }
 
-// The system of one line, eqs. (12)-(13) or (16)-(17): what the deltas of the line change in its own equations.
+// The symbol of the system of one line, eqs. (12)-(13) or (16)-(17): the effect of the line's
+// deltas on its own equations.
 Complex line_symbol(const LineRelaxation& relaxation, double e, reynolds::Wedge wedge, double theta_x) {
   const double cosine = std::cos(theta_x);
-  // A change of the line and what it takes from the two lines beside it.
+  // The change of the line itself, and the part that its neighbour lines take from it.
   const Shares share = shares_of(relaxation);
   const double on_line = 1.0 - 2.0 * share.along * cosine;
   const double beside = -share.across;
@@ -87,7 +89,7 @@ Matrix4 product(const Matrix4& a, const Matrix4& b) {
   return result;
 }
 
-// lim |T^n|^(1/n) with n = 2^20, by squaring; the norm is the largest entry.
+// The limit of |T^n|^(1/n), evaluated for n = 2^20 by repeated squaring. The norm is the largest entry.
 double spectral_radius(Matrix4 matrix) {
   constexpr int squarings = 20;
   double logarithm = 0.0;
@@ -115,7 +117,7 @@ Matrix4 sweep_of_harmonics(const LineRelaxation& relaxation, double e, reynolds:
   return all;
 }
 
-// I - P L_coarse^-1 R L
+// The coarse-grid correction I - P L_coarse^-1 R L.
 Matrix4 coarse_grid_correction(double e, reynolds::Wedge wedge, const Harmonics& harmonics) {
   const Complex coarse = equation_symbol(e, wedge, harmonics.coarse, 2.0);
   std::array<double, 4> transfer{};
@@ -136,7 +138,7 @@ Matrix4 coarse_grid_correction(double e, reynolds::Wedge wedge, const Harmonics&
 
 double kernel_symbol(Frequency theta, double stretch) {
   double sum = 0.0;
-  const int along = static_cast<int>(terms * stretch);  // as far out in both directions
+  const int along = static_cast<int>(terms * stretch);  // both directions reach equally far
   for (int m = -along; m <= along; ++m) {
     const double t_x = theta.x + 2.0 * pi * m;
     const double along_x = fading(m, along) * sinc(0.5 * t_x);
@@ -159,7 +161,7 @@ Complex equation_symbol(double e, reynolds::Wedge wedge, const Mode& at, double 
 SweepMatrix sweep_matrix(const LineRelaxation& relaxation, double e, reynolds::Wedge wedge,
                          const std::array<Mode, 2>& pair) {
   const Complex line = line_symbol(relaxation, e, wedge, pair[0].theta.x);
-  // For each of the two: the pressure change per delta, weight included, and the deltas that L answers with.
+  // For each frequency: the pressure change per delta, including the weight, and the change of L that the deltas cause.
   std::array<double, 2> change{};
   std::array<Complex, 2> poiseuille{};
   std::array<Complex, 2> film{};
@@ -171,14 +173,15 @@ SweepMatrix sweep_matrix(const LineRelaxation& relaxation, double e, reynolds::W
   SweepMatrix sweep{};
   if (relaxation.ordering != Ordering::two_colours) {
     for (std::size_t k = 0; k < 2; ++k) {
-      // The line before has already changed: e exp(-i theta_y) delta stands on the left.
+      // The preceding line has already changed, which adds e exp(-i theta_y) delta to the left-hand side.
       const bool after = relaxation.ordering == Ordering::lexicographic;
       const Complex before = after ? 1.0 + e * relaxation.stretch * std::polar(1.0, -pair[k].theta.y) / line : 1.0;
       sweep[k][k] = 1.0 - change[k] * (poiseuille[k] + film[k]) / before;
     }
     return sweep;
   }
-  // Restriction to the odd lines couples the two with +-1/2: (1 - (-1)^j)/2; to the even ones (1 + (-1)^j)/2.
+  // The restriction to the odd lines, (1 - (-1)^j)/2, couples the two frequencies with +-1/2; that to the
+  // even lines is (1 + (-1)^j)/2.
   for (std::size_t k = 0; k < 2; ++k)
     for (std::size_t from = 0; from < 2; ++from) {
       const double odd = k == from ? 0.5 : -0.5;
@@ -206,7 +209,7 @@ double smoothing_factor(const SweepMatrix& matrix, Frequency theta) {
 }
 
 LocalFourierAnalysis::LocalFourierAnalysis(int per_quarter) {
-  // theta_y -> -theta_y and the complex conjugate give the same: theta_x, theta_y > 0 say it all.
+  // theta_y -> -theta_y and complex conjugation change nothing, so theta_x, theta_y > 0 suffice.
   const double step = 0.5 * pi / per_quarter;
   for (int a = 0; a < per_quarter; ++a)
     for (int b = 0; b < per_quarter; ++b) {

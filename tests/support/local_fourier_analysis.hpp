@@ -1,12 +1,12 @@
 #pragma once
-// Local Fourier analysis of the line relaxations on the linear model problem of eq. (10), with the full discrete
-// kernel: what the relaxations and two grids should do far from boundaries.
+// Local Fourier analysis of the line relaxations for the linear model problem of eq. (10), with the full discrete
+// kernel. It predicts the convergence of relaxation and of two-grid cycles far from boundaries.
 //
 //   L(P) = e (P_W + P_E + P_S + P_N - 4 P) - wedge(K*P),   e = epsilon/h^2,   unit mesh size, K with 2/pi^2
 //
-// (the factors h of K and 1/h of the wedge cancel). Of cells that are s times as long along X as across, hx = s hy:
-// e = epsilon/(hx hy), e/s along X and e s across, hx the unit. An error exp(i(theta_x i + theta_y j)) is multiplied by
-// a number or, where two colours couple theta_y and theta_y + pi, by a matrix.
+// The factors h of K and 1/h of the wedge cancel. On stretched cells, hx = s hy and e = epsilon/(hx hy); the
+// coefficients are e/s along X and e s along Y, and hx is the unit of length. A sweep multiplies an error exp(i(theta_x
+// i + theta_y j)) by a number or, if two colours couple theta_y and theta_y + pi, by a matrix.
 #include <array>
 #include <complex>
 #include <vector>
@@ -16,19 +16,21 @@
 namespace ehl::tests {
 
 enum class Ordering {
-  simultaneous,   ///< Jacobi: every line sees the old pressure
-  lexicographic,  ///< line after line; each sees the new pressure of the one before in the Poiseuille terms
-  two_colours     ///< odd lines, then even ones with the new pressures of the first in the Poiseuille terms
+  simultaneous,   ///< Jacobi: all lines use the old pressure
+  lexicographic,  ///< Gauss-Seidel: the Poiseuille terms of a line use the new pressure of the preceding line
+  two_colours     ///< odd lines first; the Poiseuille terms of the even lines then use the new
+                  ///< pressures of the odd ones
 };
 
-/// In all orderings the film is renewed once, after the sweep.
+/// In all orderings the film thickness is updated once, after the sweep.
 struct LineRelaxation {
-  bool distributed = false;  ///< eq. (15): each change takes a quarter from the four neighbours
+  bool distributed = false;  ///< eq. (15): distributive relaxation, each change subtracts a
+                             ///< quarter from the four neighbours
   Ordering ordering = Ordering::two_colours;
   double weight = 1.0;
   int reach = 1;         ///< terms of the truncated film equation on each side
   double stretch = 1.0;  ///< hx/hy
-  /// A distributed change takes from its four neighbours in proportion to 1/h^2; else a quarter from each.
+  /// A distributed change subtracts from its neighbours in proportion to 1/h^2; if false, a quarter from each.
   bool by_mesh_size = true;
 };
 
@@ -42,25 +44,25 @@ struct Frequency {
 };
 
 using Complex = std::complex<double>;
-/// Acts on (theta, theta + (0, pi)): what one sweep does to the amplitudes of the two.
+/// The effect of one sweep on the amplitudes of the frequencies theta and theta + (0, pi).
 using SweepMatrix = std::array<std::array<Complex, 2>, 2>;
 
-/// Symbol of the influence coefficients of square cells of size 1 (eq. 6, 2/pi^2 included). K is 1/r averaged over a
-/// cell and sampled, so by Poisson's formula its symbol is
+/// Symbol of the influence coefficients for square cells of size 1 (eq. 6, with 2/pi^2). K is 1/r averaged over a cell
+/// and sampled, so Poisson's summation formula gives
 ///   (2/pi^2) sum_mn (2 pi/|t|) sinc(t_x/2) sinc(t_y/2),   t = theta + 2 pi (m, n).
-/// limits: theta not a multiple of 2 pi. accuracy: about 1e-6. Of stretched cells: |t| of (t_x, stretch t_y).
+/// limits: theta not a multiple of 2 pi. accuracy: about 1e-6. For stretched cells |t| is that of (t_x, stretch t_y).
 double kernel_symbol(Frequency theta, double stretch = 1.0);
 
-/// A frequency and the symbol of the kernel there, which costs far more than the rest.
+/// A frequency with the symbol of the kernel, which is expensive to compute.
 struct Mode {
   Frequency theta;
   double kernel = 0.0;
 };
 inline Mode mode(Frequency theta, double stretch = 1.0) { return {theta, kernel_symbol(theta, stretch)}; }
-/// theta and theta + (0, pi).
+/// The modes of theta and theta + (0, pi).
 std::array<Mode, 2> mode_pair(Frequency theta, double stretch = 1.0);
 
-/// Symbol of L. in: theta per cell of a grid with mesh size `cell` times the one of e.
+/// Symbol of L. in: theta, per cell of a grid whose mesh size is `cell` times that of e.
 Complex equation_symbol(double e, reynolds::Wedge wedge, const Mode& at, double cell = 1.0, double stretch = 1.0);
 
 SweepMatrix sweep_matrix(const LineRelaxation& relaxation, double e, reynolds::Wedge wedge,
@@ -68,24 +70,26 @@ SweepMatrix sweep_matrix(const LineRelaxation& relaxation, double e, reynolds::W
 
 double spectral_radius(const SweepMatrix& matrix);
 
-/// What one sweep leaves of the oscillating part of an error of the group theta, theta + (0, pi): the part that a grid
-/// of twice the mesh size cannot represent. in: |theta_x| <= pi, |theta_y| <= pi/2.
+/// The smoothing factor of one sweep for the frequencies theta and theta + (0, pi): the reduction of the part of the
+/// error that a grid with twice the mesh size cannot represent. in: |theta_x| <= pi, |theta_y| <= pi/2.
 double smoothing_factor(const SweepMatrix& matrix, Frequency theta);
 
 struct Analysis {
-  double smoothing = 0.0;  ///< mu: largest smoothing_factor
-  Frequency slowest;       ///< and where it is
-  double low = 0.0;        ///< largest factor on smooth errors
-  double two_grid = 0.0;   ///< largest factor of a two-grid cycle: full weighting, bilinear, coarse grid solved exactly
+  double smoothing = 0.0;  ///< mu: the largest smoothing factor
+  Frequency slowest;       ///< the frequency of the largest factor
+  double low = 0.0;        ///< largest amplification of smooth errors
+  double two_grid = 0.0;   ///< convergence factor of a two-grid cycle: full weighting, bilinear interpolation, exact
+                           ///< solution on the coarse grid
 };
 
-/// A frequency, the three companions that a grid of twice the mesh size takes for the same, and what they are there.
+/// A frequency and the three frequencies that alias with it on a grid with twice the mesh size,
+/// and their mode on that grid.
 struct Harmonics {
-  std::array<std::array<Mode, 2>, 2> pairs;  ///< theta_x low and high; in each theta_y low and high
+  std::array<std::array<Mode, 2>, 2> pairs;  ///< first index: theta_x low, high; second: theta_y low, high
   Mode coarse;
 };
 
-/// The analysis on the frequencies (k + 1/2) pi/(2 per_quarter) in each direction.
+/// The analysis over the frequencies (k + 1/2) pi/(2 per_quarter) in each direction.
 class LocalFourierAnalysis {
  public:
   explicit LocalFourierAnalysis(int per_quarter = 32);
@@ -95,8 +99,8 @@ class LocalFourierAnalysis {
   std::vector<Harmonics> all_;
 };
 
-/// The same of cycles whose coarse grid keeps all stations along X and every second line: smoothing is what a sweep
-/// leaves where theta_y is high, whatever theta_x; the two grids are cells of `stretch` and of half of it.
+/// The analysis of cycles that coarsen in Y only (semi-coarsening). The smoothing factor is then that of all
+/// frequencies with high theta_y. The fine cells have the ratio `stretch`, the coarse cells half of it.
 class AnalysisAcross {
  public:
   explicit AnalysisAcross(double stretch, int per_quarter = 24);
@@ -104,7 +108,7 @@ class AnalysisAcross {
 
  private:
   struct Pair {
-    std::array<Mode, 2> fine;  ///< theta_y low and high
+    std::array<Mode, 2> fine;  ///< theta_y low, high
     Mode coarse;
   };
   double stretch_;

@@ -7,7 +7,7 @@
 
 namespace ehl::tests {
 
-/// The lower half of a symmetric field, with ghost lines.
+/// The lower half of a symmetric field, including ghost lines.
 inline core::Field half_of(const core::Grid& whole, const core::Field& field) {
   const core::Patch half_grid = core::lower_half(whole);
   core::Field half = core::on_patch(half_grid, field);

@@ -77,7 +77,7 @@ std::vector<double> error_factors(const ModelProblem& problem, int cycles) {
 
   std::vector<double> factors;
   for (int k = 0; k < cycles; ++k) {
-    // The problem is linear: the error is brought back to size one, so that rounding never shows.
+    // The problem is linear, so the error is normalised after each cycle; rounding then never dominates.
     const double size = core::root_mean_square(level.P);
     for (int i = 1; i < level.grid.nx; ++i)
       for (int j = 1; j < level.grid.ny; ++j) level.P(i, j) /= size;

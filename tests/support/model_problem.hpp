@@ -1,5 +1,6 @@
 #pragma once
-// The linear model problems of the paper (eqs. 9, 10, 19, 20) on the solver's own grids, relaxation and cycles.
+// The linear model problems of the paper (eqs. 9, 10, 19, 20), with the grids, the relaxation and
+// the cycles of the solver.
 #include <functional>
 #include <vector>
 
@@ -10,17 +11,17 @@ namespace ehl::tests {
 struct ModelProblem {
   int cells = 128;  ///< along x and y, on [-4.5, 1.5] x [-3, 3]/stretch
   double stretch = 1.0;
-  int coarsest = 8;  ///< cells of the coarsest grid: the paper's
+  int coarsest = 8;  ///< cells of the coarsest grid, as in the paper
   std::function<double(double, double)> epsilon;
   reynolds::Wedge wedge = reynolds::Wedge::upstream1;
   fmg::Cycle cycle = fmg::Cycle::W;
   fmg::RelaxationParameters relaxation = linear_relaxation();
 
-  /// The relaxation of the solver without the under-relaxation that only the nonlinear problem needs.
+  /// The relaxation of the solver without the damping, which only the nonlinear problem needs.
   static fmg::RelaxationParameters linear_relaxation();
 };
 
-/// epsilon = e h^2 everywhere, h that of the finest grid.
+/// epsilon = e h^2 everywhere; h is the mesh size of the finest grid.
 ModelProblem constant_epsilon(double e, int cells, reynolds::Wedge wedge, fmg::Cycle cycle);
 
 /// epsilon = e hx hy everywhere, on cells of hx = stretch hy.
@@ -30,14 +31,15 @@ ModelProblem constant_epsilon_on_stretched_cells(double e, double stretch, int c
 /// Eq. (20): epsilon = (X^2 + Y^2)^3/8 outside the circle of radius 1, 0 inside.
 ModelProblem papers_epsilon(int cells, reynolds::Wedge wedge, fmg::Cycle cycle);
 
-/// Grids of the problem with f = 0 and the film's geometry taken away, so that P = 0 is the solution and P the error.
+/// Grids of the problem with f = 0 and without the geometry term of the film. P = 0 is then the
+/// solution, and P is the error.
 fmg::Hierarchy make_error_hierarchy(const ModelProblem& problem);
 
-/// What each V(2,1) or W(2,1) cycle leaves of the error (root mean square of P), from an error of random numbers (the
-/// same in every run).
+/// The convergence factor of each V(2,1) or W(2,1) cycle (root mean square of P). The initial error is random,
+/// but the same in every run.
 std::vector<double> error_factors(const ModelProblem& problem, int cycles);
 
-/// Geometric mean of the last `count` factors.
+/// The geometric mean of the last `count` factors.
 double late_factor(const std::vector<double>& factors, int count);
 
 }  // namespace ehl::tests

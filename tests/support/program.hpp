@@ -1,5 +1,5 @@
 #pragma once
-// Runs the built program as a user would.
+// Runs the built program as a user does.
 #include <sys/wait.h>
 
 #include <cstdlib>
@@ -11,11 +11,11 @@
 namespace support {
 
 struct Ended {
-  int status = -1;  ///< exit status; 128 + signal when a signal ended it
+  int status = -1;  ///< exit status; 128 + signal if a signal ended the program
   std::string out;
   std::string err;
 
-  /// True when the messages contain every part.
+  /// True if the messages contain all of the parts.
   bool says(const std::vector<std::string>& parts) const {
     for (const std::string& part : parts)
       if (err.find(part) == std::string::npos) return false;
@@ -23,7 +23,7 @@ struct Ended {
   }
 };
 
-/// Runs a command line in the shell, in the folder; stdout and stderr are caught.
+/// Runs a command line in the shell, in the folder, and captures stdout and stderr.
 inline Ended shell(const TemporaryFolder& folder, const std::string& command) {
   const TemporaryFolder caught;
   const std::string line = "cd '" + folder.path() + "' && { " + command + "\n} >'" + (caught / "out") + "' 2>'" +
@@ -36,7 +36,7 @@ inline Ended shell(const TemporaryFolder& folder, const std::string& command) {
   return ended;
 }
 
-/// Runs the program with these arguments, as the shell reads them.
+/// Runs the program with these arguments, which the shell parses.
 inline Ended ehl(const TemporaryFolder& folder, const std::string& arguments) {
   return shell(folder, std::string("'") + EHL_PROGRAM + "' " + arguments);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Random numbers for tests: the same on every machine.
+// Random numbers for tests, identical on every machine.
 #include <cstdint>
 #include <random>
 
@@ -10,7 +10,8 @@ namespace ehl::tests {
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
-  /// Uniform between low and high. The library's distributions differ between machines; 53 bits of the engine do not.
+  /// Uniform between low and high. The distributions of the library differ between machines, so 53 bits of the
+  /// engine are used directly.
   double between(double low, double high) {
     return low + (high - low) * (static_cast<double>(engine_() >> 11) / 9007199254740992.0);
   }
@@ -20,7 +21,7 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-/// Every node, the boundary included, uniform between low and high.
+/// A field with uniform random values between low and high at every node, including the boundary.
 inline core::Field random_field(const core::Patch& grid, Random& random, double low, double high) {
   core::Field field(grid);
   for (int i = 0; i <= grid.nx; ++i)

@@ -1,5 +1,5 @@
 #pragma once
-// Decks with one slip each, which the built program must refuse.
+// Decks with one mistake each, which the program must refuse.
 #include <boost/test/unit_test.hpp>
 #include <string>
 #include <vector>
@@ -11,10 +11,10 @@ namespace support {
 struct Slip {
   std::string name;
   std::string deck;
-  std::vector<std::string> parts;  ///< of the message
+  std::vector<std::string> parts;  ///< parts of the message
 };
 
-/// Both commands that read a deck must refuse it alike, and `run` must leave no file. in: what else the deck needs.
+/// Both `check` and `run` must refuse the deck with the same message, and `run` must leave no file.
 inline void check_refused(const TemporaryFolder& folder, const Slip& slip) {
   folder.write("d.ini", slip.deck);
   const std::size_t files = folder.entries();

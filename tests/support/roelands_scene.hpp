@@ -1,12 +1,12 @@
 #pragma once
-// The contact that most tests of the solvers begin with.
+// The contact that most solver tests use.
 #include "contact/groups.hpp"
 #include "steady/domain_error.hpp"
 #include "steady/scene.hpp"
 
 namespace ehl::tests {
 
-/// M and L with Roelands (z = 0.68, alpha = 2.2e-8 1/Pa) and Dowson-Higginson; isoviscous and incompressible at L = 0.
+/// M and L with Roelands (z = 0.68, alpha = 2.2e-8 1/Pa) and Dowson-Higginson; for L = 0 isoviscous and incompressible.
 inline steady::Scene roelands_scene(double M, double L, const core::Grid& grid, const contact::Ellipse& shape = {}) {
   steady::Scene scene;
   scene.shape = shape;
@@ -22,7 +22,7 @@ inline steady::Scene roelands_scene(double M, double L, const core::Grid& grid, 
   return scene;
 }
 
-/// The same of a line contact, by the default discretization.
+/// The corresponding line contact with the default discretization.
 inline steady::Scene roelands_line(double M, double L, const core::Grid& grid) {
   steady::Scene scene = roelands_scene(M, L, grid, contact::line_contact());
   scene.wedge = reynolds::Wedge::upstream3;
@@ -30,7 +30,7 @@ inline steady::Scene roelands_line(double M, double L, const core::Grid& grid) {
   scene.adjoint_errors = false;
   return scene;
 }
-/// On the domain that a deck with M and L gets.
+/// A line contact on the domain that a deck with M and L gets.
 inline steady::Scene open_line(double M, double L, int cells) {
   const contact::Ellipse line = contact::line_contact();
   const double X_b = steady::chosen_outlet(M, L, line, steady::error_of_closed_domain);

@@ -1,5 +1,5 @@
 #pragma once
-// A folder for one test, gone with it.
+// A folder for one test, which is removed after the test.
 #include <unistd.h>
 
 #include <filesystem>
@@ -29,7 +29,7 @@ class TemporaryFolder {
     std::ifstream file(path_ / name, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
   }
-  /// Number of entries, hidden ones too: a half file would be one.
+  /// The number of entries including hidden ones, which would reveal an incomplete file.
   int entries() const { return static_cast<int>(std::distance(std::filesystem::directory_iterator(path_), {})); }
   std::string path() const { return path_.string(); }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Texts that a program writes: parts of them, tables by the names of their columns, reasons of a refusal.
+// Texts that a program writes: their parts, tables by the names of their columns, the reason of a refusal.
 #include <algorithm>
 #include <map>
 #include <sstream>
@@ -14,7 +14,8 @@ inline bool contains(const std::string& text, const std::string& part) { return 
 /// A row of a table by the names of its columns.
 using NamedRow = std::map<std::string, std::string>;
 
-/// The rows of a CSV table, lines of "#" left out; the last column may hold commas, which are dropped.
+/// The rows of a CSV table without the lines that begin with "#". The last column may contain
+/// commas, which are dropped.
 inline std::vector<NamedRow> named_rows(const std::string& table) {
   std::vector<std::string> names;
   std::vector<NamedRow> rows;
@@ -34,7 +35,7 @@ inline std::vector<NamedRow> named_rows(const std::string& table) {
   return rows;
 }
 
-/// What the call throws says, "(none)" where it throws nothing.
+/// The message of the exception that the call throws; "(none)" if it throws none.
 template <class Error = std::runtime_error, class Call>
 std::string refusal(const Call& call) {
   try {
