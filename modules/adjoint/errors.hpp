@@ -14,7 +14,7 @@ struct Foretold {
   double wedge = 0.0;
   double film = 0.0;       ///< the deformation, with the sum of P and the fit of the minimum
   double left = 0.0;       ///< algebraic error, by the residual of the last cycle
-  double scattered = 0.0;  ///< sum of the absolute terms of `left`, of which the alternating part cancels there
+  double scattered = 0.0;  ///< sum of the absolute terms of `left`, in which an alternating residual cancels
   /// Bound on the error from the far field on the boundary; 0 if that is not in closed form.
   double domain = 0.0;
   double change() const { return poiseuille + wedge + film; }

@@ -19,8 +19,9 @@ inline constexpr std::array<std::pair<int, int>, 9> stencil{
 using Slopes = std::vector<std::array<double, stencil.size()>>;
 enum class By { pressure, film };
 
-/// Computes the derivatives by coloured differences. in: linearized equations. cost: 7 (pressure) or 10 (film)
-/// evaluations of the equations without the deformation; for a line contact 4 or 5.
+/// Computes the derivatives by probing the linearized equations, many nodes of one colour at a time. in: linearized
+/// equations. cost: 7 (pressure) or 10 (film) evaluations of the equations without the deformation; for a line
+/// contact 4 or 5.
 Slopes slopes(Equations& equations, By by);
 
 }  // namespace ehl::newton

@@ -14,7 +14,7 @@ bool held_by(int cells, const Scene& scene);
 
 /// The bodies of a scene in the form that the multigrid needs.
 fmg::Geometry geometry_of(const contact::Ellipse& shape);
-/// Initial H00: that of the dry contact plus the expected central film.
+/// Initial H00: that of the dry contact plus the expected central film, or plus a tenth of it on stretched cells.
 double first_H00(const Scene& scene);
 
 /// True if only one half of the grid is computed: the scene is symmetric in Y, and the half grid can be coarsened as

@@ -33,7 +33,7 @@ double closed_reach(double M, double L, const contact::Ellipse& shape, double er
 inline constexpr double error_of_closed_domain = 5e-5;
 
 /// Default inlet boundary: the shortest that keeps the inlet part of rough_domain_error() below 0.6 % (line contacts
-/// and rollers: 0.3 %) and the load part below 2 %, on a domain half as wide as long; with the far field in closed
+/// and rollers: 0.3 %) and the load part below 2 %, on a domain of the default width; with the far field in closed
 /// form, closed_reach() for the given error.
 /// The candidates keep (0,0) a node of every grid with a multiple of 32 cells: |X_a|/X_b = m/(32 - m), m = 20 .. 31,
 /// with 64 and 128 cells for longer domains, up to |X_a| = 200. For an ellipse these are multiples of its extent along

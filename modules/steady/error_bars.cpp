@@ -159,8 +159,8 @@ Estimate Hm_by_weights(const adjoint::Foretold& parts, double value, double seen
 
 /// In a lightly loaded contact the error arises where the pressure ruptures, a zone that does not widen with the film.
 constexpr double widest_zone = 0.5;
-/// True if the last two changes of Hc fall and have the same sign. At low loads the edge of rupture may turn the sign;
-/// the extrapolated value is then worse than the nodal one, and only the grid sequence gives its error.
+/// True if the last two changes of Hc have the same sign and decrease. At low loads the edge of rupture may turn the
+/// sign; the extrapolated value is then worse than the nodal one, and only the grid sequence gives its error.
 /// [bench: changes_fall]
 bool changes_fall(const std::vector<LevelRow>& levels) {
   const std::size_t n = levels.size();
@@ -205,7 +205,7 @@ bool plain_line(const Scene& scene) {
 }
 
 /// Line contacts: the grid sequence estimates better than the adjoint solution, whose cells are wider than a spike.
-/// Each level counts with less than the scheme's order. The film may also change back, Hm beside a spike and Hc where
+/// The assumed order is less than the scheme's. The film may also change back, Hm beside a spike and Hc where
 /// changes of opposite sign cancel; therefore an error is at least a share of the one a level below, but at most three
 /// times its own estimate. [bench: order_of_Hc_of_line]
 constexpr double order_of_Hc_of_line = 1.5, least_share_of_Hc = 0.25;

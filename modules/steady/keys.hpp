@@ -30,11 +30,12 @@ GridInput read_grid(deck::Deck& deck, std::optional<double> size, double aspect 
 /// Reads [grid] errors: true for adjoint error estimates.
 bool read_adjoint_errors(deck::Deck& deck);
 /// Reads [domain] far_field: true for the closed form. in: steepest_load, the largest rate of change of the load, and
-/// whether a body moves. The closed form does not follow a rate above 2 in a/u_m: complains. If the deck leaves the far
-/// field open, ellipses with a rate above 0.5 and moving bodies get none.
+/// whether a body moves. Complains if the deck asks for the closed form at a rate above 2 in a/u_m, which that form
+/// does not follow. If the deck leaves the far field open, it is zero above that rate (0.5 if the contact is not
+/// circular) and for moving bodies.
 bool read_far_field(deck::Deck& deck, const contact::Ellipse& shape, double steepest_load, bool body_moves);
-/// Complains if the chosen domain cuts off half of the film, because the deck itself may ask for a starved film; and if
-/// the domain ends where the far field in closed form has no meaning.
+/// Complains if the chosen domain cuts off half of the film; a domain that the deck gives may do so, because a starved
+/// film may be wanted. Complains too if the domain ends where the far field in closed form has no meaning.
 void check_domain(deck::Deck& deck, const Scene& scene);
 
 /// The keys that choose the strategies: [multigrid] polish and [continuation].

@@ -45,10 +45,10 @@ double resolving_step(double M, double L, reynolds::Wedge wedge, const contact::
 
 /// Aspect ratio hy/hx of the cells. [bench: cell_aspect]
 ///   2 if the contact is more than seven times as wide as long in the rolling direction: it varies slowly along Y.
-///   1/4, 1/8 or 1/16 if it is more than six times as long as wide: the smallest of these that is not below the ratio
-///   of its axes. Scaled by its semi-axes such a contact is a circle, so that the strips at the sides, where the film
-///   is thinnest, get as many cells as the ends. 1 for all others, and for every oblique contact, whose spike crosses
-///   the grid lines.
+///   1/4, 1/8 or 1/16 if it is more than six times as long as wide: the smallest of these that is not below the
+///   ratio of its axes. Scaled by its semi-axes such a contact is a circle, so that the strips at the sides, where
+///   the film is thinnest, get as many cells as the ends.
+///   1 for all others, and for every oblique contact, whose spike crosses the grid lines.
 double cell_aspect(const contact::Ellipse& shape);
 /// True if the contact is elongated in the rolling direction: more than six times as long as wide, in line with the
 /// motion or oblique to it.

@@ -19,7 +19,7 @@ struct Starvation {
   int cells_to_inlet = 0;   ///< from the inlet boundary to the first full node of any line
   double filled = 0.0;      ///< share of the inlet boundary where the supply fills the gap
   double in = 0.0, through = 0.0, aside = 0.0;
-  double around() const { return in - aside - through; }  ///< past the contact, out by the outlet
+  double around() const { return in - aside - through; }  ///< passes beside the contact and leaves by the outlet
   double imbalance = 0.0;                                 ///< (out + aside - in)/in
   double seconds = 0.0;                                   ///< time for the supply: all but that of the flooded contact
 };
