@@ -5,7 +5,7 @@
 namespace ehl::reynolds {
 namespace {
 
-// Of a line contact: in: P; out: r, of its nodes that are dry or beside one.
+// drop_beside_dry() for a line contact.
 void drop_along_line(const core::Patch& grid, const core::Field& P, core::Field& r) {
   const auto is_dry = [&](int i) { return P(i, 1) <= 0.0; };
   bool own = is_dry(1);
@@ -27,7 +27,7 @@ void drop_beside_dry(Cavitation model, const core::Patch& grid, const core::Fiel
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
   for (int i = 1; i < grid.nx; ++i) {
     const double* here = P.at_x(i);
-    // The boundary's zero is no cavitation: beside it the row itself is looked at twice.
+    // Zero pressure on the boundary is no cavitation: next to it the column itself takes the place of its neighbour.
     const double* west = of == Neighbours::all && i > 1 ? P.at_x(i - 1) : here;
     const double* east = of == Neighbours::all && i < grid.nx - 1 ? P.at_x(i + 1) : here;
     double* out = r.at_x(i);
@@ -41,7 +41,7 @@ void drop_beside_dry(Cavitation model, const core::Patch& grid, const core::Fiel
     bool own = south;
     const int last = grid.last_line();
     for (int j = 1; j <= last; ++j) {
-      const bool north = j < last ? dry_row(j + 1) : own;  // likewise
+      const bool north = j < last ? dry_row(j + 1) : own;  // the boundary, too
       if (south || own || north) out[j] = 0.0;
       south = own;
       own = north;

@@ -1,16 +1,18 @@
 #pragma once
-// The cavitation model that conserves mass: P >= 0, Q <= rho_bar H, P (rho_bar H - Q) = 0, with the content Q, the oil
-// between the surfaces per area. A point with P = 0 and Q < rho_bar H is dry; a full one has Q = rho_bar H.
+// The mass-conserving cavitation model: P >= 0, Q <= rho_bar H, P (rho_bar H - Q) = 0, with the oil content Q, the oil
+// between the surfaces per area. A full point has Q = rho_bar H; a cavitated one has P = 0 and Q < rho_bar H.
 //
 //   F_i = Poiseuille_i - U (Fl_{i+1/2} - Fl_{i-1/2})/hx,   Fl_{i+1/2} = Q_i + phi_i/2 (Q_i - Q_{i-1}),
 //   phi_i = 1 where i-1 is full, else 0 (upstream1: always 0);   Fl_{1/2} = (Q_0 + Q_1)/2 where 0 is full, else Q_0
 //
-// In an implicit step of time F_i loses c Q_i as well, and what is known of dQ/dT stands in f: a dry point keeps a part
-// of what flows into it. upstream3 adds its third-order flux, made of rho_bar H, where i-1 is full. So a row holds
-// nothing that depends on whether its own point is dry: what a point asks for is continuous as it changes its kind. (Of
-// other fluxes, that of upstream2 has no discrete solution at an inlet meniscus in two dimensions, its set of dry
-// points swings for ever; so does phi = 1 only where i and i-1 are full, at the edge of rupture.) Where a node swings
-// all the same, phi behind it is 0 (Fields::swings). Where all points are full this is the equation with rho_bar H.
+// In an implicit time step F_i also loses c Q_i, and the known part of dQ/dT is in f: a cavitated point keeps a part of
+// what flows into it. upstream3 adds its third-order flux, computed from rho_bar H, where i-1 is full.
+//
+// No row depends on whether its own point is full, so that its residual is continuous as the point changes between full
+// and cavitated. Other fluxes have no discrete solution, and their cavitated nodes chatter: that of upstream2 at an
+// inlet meniscus in two dimensions, and phi = 1 only where both i and i-1 are full at the edge of rupture. Where a node
+// chatters nevertheless, phi downstream of it is 0. Where all points are full this is the equation
+// with rho_bar H.
 #include <array>
 #include <span>
 
@@ -19,8 +21,8 @@
 
 namespace ehl::reynolds {
 
-/// One line of constant Y, or a batch of lines, from the inlet on: the content of a dry point follows from what flows
-/// into it, exactly. For every i = 1, 2, ..: residual(), then go_on().
+/// March along one line of constant Y, or along a batch of lines, from the inlet on. The content of a cavitated point
+/// follows exactly from what flows into it. For every i = 1, 2, ..: residual(), then go_on().
 template <class Number>
 class March {
  public:
@@ -38,9 +40,9 @@ class March {
         smooth1_(Q >= full),
         smooth2_(Q >= full) {}
 
-  /// r = f - L(P) of point i as if it were full; in a dry point r >= 0, and tells how much it lacks.
-  /// in: rho_bar H of i and i+1, theta of the faces west and east of i (flux.hpp; only with a third-order wedge), what
-  /// flows in by pressure, less f.
+  /// r = f - L(P) of point i as if it were full. In a cavitated point r >= 0, in proportion to how much oil it lacks.
+  /// in: rho_bar H of i and i+1; theta of the faces west and east of i (flux.hpp; only with a third-order wedge); the
+  /// inflow by pressure, less f.
   Number residual(Number full, Number east, const ThirdOrder<Number>& theta, Number inflow) {
     const Number none{};
     const Number half = none + 0.5;
@@ -54,7 +56,8 @@ class March {
     lead_ = lead;
     return per_step_ * (behind_ - flux_) - (inflow - squeeze_ * full);
   }
-  /// Weights of rho_bar H at i, i-1, i-2, i+1 in that row: 0 of dry points, which do not follow their gap.
+  /// Weights of rho_bar H at i, i-1, i-2, i+1 in that row; 0 for cavitated points, whose content does not depend on
+  /// their gap.
   std::array<Number, 4> weights() const {
     const Number none{};
     const Number west = theta_.west * (1.0 / 3.0);
@@ -64,28 +67,28 @@ class March {
             full1_ ? per_step_ * (east + 2.0 * west - own - lead_west_) : none,
             full1_ ? per_step_ * (lead_west_ - west) : none, per_step_ * east};
   }
-  /// Of rho_bar H at i, i-1, i+1 in what flows behind i if it is full, over U.
+  /// Weights of rho_bar H at i, i-1, i+1 in the flux downstream of i if i is full, over U.
   std::array<Number, 3> weights_behind() const {
     const Number third = theta_.east * (1.0 / 3.0);
     return {1.0 + lead_ - 2.0 * third, third - lead_, third};
   }
   /// theta of both faces, 0 where they carry no third-order flux.
   const ThirdOrder<Number>& third_order_share() const { return theta_; }
-  /// True where i-1 is dry: of what flows back into it from i by pressure a part comes along with its content.
+  /// True where i-1 is cavitated: what flows back into it from i by pressure partly returns with its content.
   Mask behind_dry() const {
     const Mask no = Number{} > 0.0;
     return first_row_ ? no : full1_ == no;
   }
-  /// That part: all of it in a steady film.
+  /// The part that returns: all of it in a steady film.
   Number part_that_returns() const { return returns_; }
 
-  /// On to the next point. in: true where P = 0; r of residual(); true where the flux behind the next one is of first
-  /// order though this one is full.
+  /// Goes on to the next point. in: true where P = 0; r of residual(); true where the flux downstream of the next point
+  /// is of first order although this one is full.
   void go_on(Number full, Mask without_pressure, Number r, Mask first_order = Mask{}) {
     const Number lost = without_pressure & (r > 0.0) ? r / of_content() : Number{};
     pass(full - lost, lost, first_order);
   }
-  /// The same with the content given. out: r with it.
+  /// Goes on to the next point with a given content. out: r with this content.
   Number go_on_with(Number full, Number Q, Number r, Mask first_order = Mask{}) {
     const Number lost = full - Q;
     const Number held = r - of_content() * lost;
@@ -93,11 +96,11 @@ class March {
     return held;
   }
 
-  Number Q() const { return Q_; }        ///< of the point last passed
-  Number flux() const { return flux_; }  ///< behind it, over U
+  Number Q() const { return Q_; }        ///< content of the last point
+  Number flux() const { return flux_; }  ///< flux downstream of it, over U
 
  private:
-  /// dr_i/dQ_i of a dry point.
+  /// dr_i/dQ_i of a cavitated point.
   Number of_content() const { return per_step_ * (1.0 + lead_ - first_) + squeeze_; }
 
   void pass(Number Q, Number lost, Mask first_order) {
@@ -113,38 +116,38 @@ class March {
   bool second_order_, third_order_;
   bool first_row_ = true;
   double per_step_, squeeze_;
-  Number Q_, flux_;                  // of i-1, and behind it
+  Number Q_, flux_;                  // of i-1, and downstream of it
   Mask full1_;                       // i-1
-  Mask smooth1_, smooth2_;           // i-1 and i-2: the flux behind the next one is of higher order
-  Number behind_{};                  // what flows behind i if it is full
+  Mask smooth1_, smooth2_;           // i-1 and i-2: the flux downstream of the next point is of higher order
+  Number behind_{};                  // flux downstream of i if i is full
   Number lead_{}, lead_west_{};      // phi/2 of i and i-1
-  Number first_{};                   // of the flux through the first face, the share of i = 1
-  Number returns_ = Number{} + 1.0;  // of what flows back into i-1
+  Number first_{};                   // share of i = 1 in the flux through the first face
+  Number returns_ = Number{} + 1.0;  // share of the back flow into i-1 that returns
   ThirdOrder<Number> theta_{};
 };
 
-/// The content of a level, and what comes in.
+/// The oil content of a level, and the supply.
 struct Content {
   core::Field& Q;
-  /// What the surfaces bring, per line: in the first column Q is that, or rho_bar H where it is less.
+  /// What the surfaces bring in, per line: in the first column Q is this, or rho_bar H if that is less.
   std::span<const double> supply;
 };
 
-/// residual() of this model: the content of dry points from what flows into them; r there is what they lack, r >= 0.
-/// out: Q, with ghost lines; on the edges along X what is supplied, as far as the gap takes it. limits: U > 0, or a
-/// squeeze. threads: result independent of their number.
+/// residual() of this model. The content of cavitated points follows from what flows into them; r there is proportional
+/// to what they lack, r >= 0. out: Q, with ghost lines; on the boundaries of constant Y it is the supply, as far as the
+/// gap takes it. limits: U > 0, or a squeeze. threads: the result is independent of their number.
 void residual(const core::Patch& grid, const Fields& state, const Content& content, const Transport& transport,
               int threads, core::Field& r);
-/// The same with the content held: r = f - L(P, Q).
+/// residual() with the content held: r = f - L(P, Q).
 void residual_of_content(const core::Patch& grid, const Fields& state, const Content& content,
                          const Transport& transport, int threads, core::Field& r);
 
-/// True where the flux behind the node next to this one is of first order though this one is full.
+/// True where the flux downstream of the next node is of first order although this node is full.
 inline bool first_order_behind(const Fields& state, int i, int j) {
   return i > 0 && state.swings != nullptr && (*state.swings)(i, j) > 0.0;
 }
-/// What the film carries through the face behind node i of a line, over U, by a content that is there.
-/// in: Q and rho_bar H of column k, theta of the face; true where it is of first order though i-1 is full.
+/// What the film carries through the face downstream of node i of a line, over U, with a given content. in: Q and
+/// rho_bar H of column k; theta of the face; true where the flux is of first order although i-1 is full.
 template <class Column, class Gap>
 double carried_content(Wedge wedge, int i, Column Q, Gap full, double theta, bool first_order) {
   if (i == 0) return Q(0) >= full(0) ? carried(wedge, 0, Q) : Q(0);

@@ -11,18 +11,19 @@
 namespace ehl::reynolds {
 namespace {
 
-/// Directions of the angular solution: its error is of second order, 1e-6 of f for a circle, 1e-4 at R_x/R_y = 20. It
-/// is begun on a few of them: from all directions wet, the lines of rupture move by hardly more than one in a round.
+/// Directions of the angular solution, whose error is of second order. [bench: far_field_directions] The first solution
+/// uses few of them: from a start with all directions wet the lines of rupture move by hardly more than one direction
+/// per iteration.
 constexpr int directions = 4096;
 constexpr int first_directions = 64;
 constexpr double step = 2.0 * std::numbers::pi / directions;
 
-/// Of a film that falls as 1/r, q = r^-5 f_2, (g^3 f_2')' - 5 g^3 f_2, over one that falls everywhere alike: f_2/f_1 of
-/// a circle without rupture, and about that of others.
+/// For a film whose approach falls as 1/r, q = r^-5 f_2 with (g^3 f_2')' - 5 g^3 f_2. This is f_2/f_1, f_1 that of a
+/// uniform approach, for a circle without rupture, and approximately for ellipses.
 constexpr double yielding = 8.0 / 5.0;
 
-/// The angular equation at the directions k = 0..n, the X axis downstream at both ends, where the film is ruptured:
-/// (g^3 f')' - power g^3 f = -source, multiplied by the step squared.
+/// The angular equation at the directions k = 0..n, with the downstream X axis, where the film is ruptured, at both
+/// ends: (g^3 f')' - power g^3 f = -source, multiplied by the square of the step.
 struct Angular {
   std::vector<double> beside;  ///< g^3 between k and k+1
   std::vector<double> own;     ///< diagonal
@@ -45,8 +46,7 @@ Angular angular_equation(const core::QuadraticForm& gap, int n, double power, So
   return equation;
 }
 
-/// Its solution on the directions that are wet, 0 on the others: elimination without pivoting, as the matrix is
-/// diagonally dominant.
+/// Solution on the wet directions, 0 on the others. Elimination without pivoting: the matrix is diagonally dominant.
 std::vector<double> solved_where_wet(const Angular& equation, const std::vector<bool>& wet) {
   const std::size_t n = wet.size();
   std::vector<double> share(n, 0.0);
@@ -62,8 +62,9 @@ std::vector<double> solved_where_wet(const Angular& equation, const std::vector<
   return f;
 }
 
-/// Complementarity by active sets: those directions that pull are taken out and those that press put back, which ends,
-/// as the matrix is one of non-negative type. in: a guess of the directions that are wet. out: those, and f.
+/// Complementarity by an active set method: wet directions with f <= 0 become dry, and dry ones with a positive source
+/// become wet. It ends since the matrix is an M-matrix. in: an estimate of the wet directions. out: the wet directions,
+/// and f.
 std::vector<double> solved_with_rupture(const Angular& equation, std::vector<bool>& wet) {
   for (std::size_t round = 0; round < wet.size(); ++round) {
     std::vector<double> f = solved_where_wet(equation, wet);
@@ -127,7 +128,7 @@ FarPoint FarField::toward(double cosine, double sine) const {
   const double at = phi / step;
   const int k = std::min(static_cast<int>(at), directions - 1);
   const double t = at - k;
-  // A cubic through four directions: straight pieces would have kinks that a fine grid sees.
+  // A cubic through four directions: linear interpolation has kinks that a fine grid resolves.
   const double weights[] = {-t * (t - 1.0) * (t - 2.0) / 6.0, (t + 1.0) * (t - 1.0) * (t - 2.0) / 2.0,
                             -(t + 1.0) * t * (t - 2.0) / 2.0, (t + 1.0) * t * (t - 1.0) / 6.0};
   FarPoint point{.unruptured = -(k_X_ * cosine + k_Y_ * sine)};
@@ -149,8 +150,9 @@ FarPoint FarField::at(double X, double Y) const {
   return point;
 }
 
-// The solutions without rupture, and what rupture adds to that of the wedge and takes from that of the squeeze. While
-// the bodies come near each other the first is a - b + b^2/a - ..., so that it is never less than nothing.
+// The solutions without rupture, plus what rupture adds to that of the wedge and takes from that of the squeeze. While
+// the bodies approach each other the correction by rupture is a^2/(a + b) = a - b + b^2/a - ..., which is never
+// negative.
 double FarField::P(const FarPoint& point, double H, const FarState& state) const {
   if (line()) return P_of_line(point.X, H, state);
   const double approach = state.approach - point.yielding * state.load_rate;
@@ -163,7 +165,7 @@ double FarField::P(const FarPoint& point, double H, const FarState& state) const
   return q_H2 > 0.0 ? pressure_.P(q_H2 / (H * H)) : 0.0;
 }
 
-// With s = X/u upstream of X the integrand is smooth, and goes as u^2 as u -> 0.
+// With u = X/s, s upstream of X, the integrand is smooth and goes as u^2 for u -> 0.
 double FarField::P_of_line(double X, double H, const FarState& state) const {
   if (X >= 0.0) return 0.0;
   static const auto rule = gauss_points<10>();
@@ -194,8 +196,8 @@ double FarField::rupture_angle() const {
   return std::numbers::pi - k * step;
 }
 
-// In polar coordinates with u = 1/r: the integrand, P u^-3, is smooth and goes to f as u -> 0. Panels between the
-// corners, where the distance to the boundary has a kink, the axes and the lines of rupture.
+// In polar coordinates with u = 1/r: the integrand, P u^-3, is smooth and tends to f as u -> 0. The panels end at the
+// corners of the domain, where the distance to the boundary has a kink, at the axes, and at the lines of rupture.
 void FarField::make_stations(const core::Grid& domain) {
   std::vector<double> ends{0.0, 2.0 * std::numbers::pi};
   for (const double X : {domain.X_a, domain.X_b})

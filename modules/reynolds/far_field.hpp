@@ -1,5 +1,5 @@
 #pragma once
-// The pressure far from the contact, where the bodies are as good as rigid, in closed form.
+// The pressure far from the contact, where the bodies are practically rigid, in closed form.
 #include <vector>
 
 #include "core/grid.hpp"
@@ -9,72 +9,75 @@
 
 namespace ehl::reynolds {
 
-/// What a far field follows from.
+/// The constants of a far field.
 struct FarFieldOf {
   core::QuadraticForm gap;  ///< of the undeformed bodies, g(phi) r^2
   double lambda = 1.0;      ///< eq. (5)
-  /// Of the load at r = 1: K*P -> deformation/r far away, 4/(3 pi) of a circle; of a line -deformation ln|X|, 1/2.
+  /// Coefficient of the deformation far away: K*P -> deformation/r, 4/(3 pi) for a circle; in a line contact K*P ->
+  /// -deformation ln|X|, 1/2.
   double deformation = 0.0;
-  rheology::ViscosityLaw viscosity;  ///< the oil's; its compression is left out
-  core::Grid domain{};               ///< holds the origin; for load_outside
+  rheology::ViscosityLaw viscosity;  ///< of the oil; its compressibility is neglected
+  core::Grid domain{};               ///< contains the origin; for load_outside()
 };
 
-/// What of it changes while a contact is solved, or in time.
+/// The quantities of a far field that change while a contact is solved, or in time.
 struct FarState {
   double H00 = 0.0;
   double speed = 1.0;      ///< U >= 0
   double approach = 0.0;   ///< -dH00/dT
-  double load = 1.0;       ///< that deforms the bodies, over the one of FarFieldOf::deformation
+  double load = 1.0;       ///< load that deforms the bodies, over that of FarFieldOf::deformation
   double load_rate = 0.0;  ///< its rate of change
-  double flow = 0.0;       ///< of oil through a line contact, rho_bar H where dP/dX = 0
+  double flow = 0.0;       ///< flow of oil through a line contact: rho_bar H where dP/dX = 0
 };
 
-/// What a point outside has of it, q H^2 per unit of U and of -dH00/dT.
+/// The data of one point outside: q H^2 per unit of U and of -dH00/dT.
 struct FarPoint {
   double wedge = 0.0;
-  double squeeze = 0.0;     ///< nothing where the wedge alone ruptures
-  double unruptured = 0.0;  ///< of the wedge, were there no rupture: less than the true one
-  double yielding = 0.0;    ///< of the film there while the load grows, as a part of an approach
-  double X = 0.0;           ///< its place, of a line contact alone
+  double squeeze = 0.0;     ///< 0 where the wedge alone ruptures the film
+  double unruptured = 0.0;  ///< `wedge` without rupture: a lower bound
+  double yielding = 0.0;    ///< reduction of the approach per rate of the load
+  double X = 0.0;           ///< position, line contacts only
 };
 
-/// With H = g(phi) r^2, g of any ellipse and angle, div(H^3 grad q) = lambda dH/dX (q the reduced pressure, dq =
-/// dP/eta_bar) and rupture, q >= 0, have the solution q = r^-3 f(phi): (g^3 f')' - 9 g^3 f = lambda s, s = dH/dX at
-/// r = 1, with f >= 0 complementary. For a circle f = lambda (0.8 cos phi + 0.00173 cosh 3 phi), phi from the upstream
-/// axis, up to 108.44 degrees. With the film that there is, H = H00 + g r^2 + deformation/r, q = f g^2 r/H^2: where
-/// nothing ruptures that solves the equation for any H00 without deformation. What the contact itself does is smaller
-/// by three powers of r. (The deformation's own next term, as r^-6, is of no use: the contact answers by one as r^-6.16
-/// of the opposite sign.)
-/// In time, right-hand side lambda (U dH/dX - V), V = -dH00/dT: to first order in V/(U r) q = r^-3 U f + r^-4 V f_1,
-/// (g^3 f_1')' - 8 g^3 f_1 = -lambda between the lines of rupture, f_1 = 0 on them. Without rupture both are
-/// elementary, q = (-U k.x + V c)/H^2 with (A + 2 tr(A)) k = lambda A e_X, c = lambda/(4 tr(A)) for H = x A x: a
-/// solution for any ratio of the two that is below the true one, and what q goes over to where V > 0 is large. While
-/// the load grows the film far away falls by less than H00: V is less by a term in 1/r. limits: H > 0 on the boundary
-/// and outside.
+/// Point contacts. With H = g(phi) r^2, g of any ellipse and angle, div(H^3 grad q) = lambda dH/dX (q the reduced
+/// pressure, dq = dP/eta_bar) with rupture, q >= 0, has the solution q = r^-3 f(phi): (g^3 f')' - 9 g^3 f = lambda s, s
+/// = dH/dX at r = 1, with complementary f >= 0. For a circle f = lambda (0.8 cos phi + 0.00173 cosh 3 phi), phi from
+/// the upstream axis, up to 108.44 degrees.
 ///
-/// A line contact, gap.YY = 0, has one flow, which what the contact does does not leave further away: upstream dq/dX =
-/// lambda U (H - flow)/H^3 is integrated from X = -infinity, with H = H00 + g X^2 - deformation ln|X|; downstream the
-/// film is ruptured. Steady alone.
+/// With the actual film, H = H00 + g r^2 + deformation/r, q = f g^2 r/H^2: where nothing ruptures this solves the
+/// equation for any H00 without deformation. The contribution of the contact itself is smaller by r^-3. (The next term
+/// of the deformation, as r^-6, is not used: the contact adds one as r^-6.16 of the opposite sign.)
+///
+/// In time, with right-hand side lambda (U dH/dX - V), V = -dH00/dT: to first order in V/(U r) q = r^-3 U f + r^-4 V
+/// f_1, (g^3 f_1')' - 8 g^3 f_1 = -lambda between the lines of rupture, f_1 = 0 on them. Without rupture q = (-U k.x +
+/// V c)/H^2 with (A + 2 tr(A)) k = lambda A e_X, c = lambda/(4 tr(A)) for H = x A x. This is a lower bound for any
+/// ratio of U and V, and the limit of q for large V > 0. While the load grows the film far away falls less than H00: V
+/// is smaller by a term in 1/r. limits: H > 0 on the boundary and outside.
+///
+/// Line contacts, gap.YY = 0, have one flow, and so the contribution of the contact does not decay with the distance.
+/// Upstream dq/dX = lambda U (H - flow)/H^3 is integrated from X = -infinity, with H = H00 + g X^2 - deformation ln|X|;
+/// downstream the film is ruptured. Steady only.
 class FarField {
  public:
   FarField() = default;
-  /// errors: core::SolverError where the rupture of the angular solution is not found.
+  /// errors: core::SolverError if the lines of rupture of the angular solution are not found.
   explicit FarField(const FarFieldOf& of);
 
-  /// Of a point, once; then P there from the film there. Zero where it is ruptured; NaN where the viscosity rises so
-  /// fast that no pressure has this reduced one: far too near. limits: not the origin.
+  /// at(): the data of a point, computed once. P(): the pressure there for a film H. It is zero where the film is
+  /// ruptured, and NaN where the viscosity rises so fast that no pressure has this reduced one, far too close to the
+  /// contact. limits: not the origin.
   FarPoint at(double X, double Y) const;
   double P(const FarPoint& point, double H, const FarState& state) const;
-  /// Steady.
+  /// The pressure of the default state, which is steady.
   double P(double X, double Y, double H) const { return P(at(X, Y), H, {}); }
-  /// Integral of P over all that lies outside the domain, in units of p_h a^2. cost: some 700 evaluations of P, half as
-  /// many where Y is even.
+  /// Integral of P over the plane outside the domain, in units of p_h a^2. cost: some 700 evaluations of P, half as
+  /// many if the problem is symmetric about Y = 0.
   double load_outside(const FarState& state) const;
-  /// Angle of the line behind which the film is ruptured, from the X axis upstream, on the side of positive Y.
+  /// Angle of the line downstream of which the film is ruptured, from the upstream X axis, on the side of positive Y.
   double rupture_angle() const;
 
  private:
-  struct Station {  ///< of the quadrature outside
+  struct Station {  ///< a point of the quadrature outside the domain
     FarPoint point;
     double gap, deformation, weight;
   };
@@ -86,7 +89,7 @@ class FarField {
 
   FarFieldOf of_{};
   double k_X_ = 0.0, k_Y_ = 0.0, c_ = 0.0;
-  std::vector<double> wedge_, squeeze_;  ///< f g^2 and f_1 g^2 from the X axis on, against the clock, once around
+  std::vector<double> wedge_, squeeze_;  ///< f g^2 and f_1 g^2, counterclockwise from the downstream X axis
   ReducedPressure pressure_;
   std::vector<Station> stations_;
 };

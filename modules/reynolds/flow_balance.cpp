@@ -8,7 +8,7 @@
 namespace ehl::reynolds {
 namespace {
 
-/// Of the place of a node, in cells: one that is meant to be on a limit is within it.
+/// Tolerance for the position of a node, in cells: a node that is meant to be on a limit counts as within it.
 constexpr double rounding = 1e-9;
 
 /// Fluxes per unit of length through the faces around a node.
@@ -87,7 +87,7 @@ FlowBalance flow_balance(const core::Patch& grid, const Fields& state, const Tra
   const double hy = grid.hy();
   const Range x = range(grid.domain.X_a, hx, grid.nx, reach.X);
   Range y = range(grid.domain.Y_a, hy, grid.domain.ny, reach.Y);
-  const bool goes_on = y.last > grid.last_line();  // behind the last line, by symmetry
+  const bool goes_on = y.last > grid.last_line();  // beyond the last line, by symmetry
   y.last = std::min(y.last, grid.last_line());
   FlowBalance balance;
   balance.through = flow_through_contact(grid, fluxes, reach.width);
@@ -106,8 +106,8 @@ FlowBalance flow_balance(const core::Patch& grid, const Fields& state, const Tra
       if (j == y.first || dry(cavitation, P[j - 1])) leaves(j, -hx * fluxes.along_y(i, j - 1));
       if (j == north_end || dry(cavitation, P[j + 1])) leaves(j, hx * fluxes.along_y(i, j));
     };
-    // Most stations cross no edge of the cavitated region: there only their two ends count, and on a line, across which
-    // nothing flows, none.
+    // Most columns cross no edge of the cavitated region. There only their two end nodes count, and in a line contact,
+    // which has no flow along Y, none.
     if (i > x.first && i < x.last && (y.last > y.first || grid.domain.line) && !any_dry(cavitation, west, P, east, y)) {
       if (grid.domain.line) continue;
       at(y.first);

@@ -1,8 +1,8 @@
 #pragma once
 // The discrete Reynolds equation (eq. 4), for a double or for a batch of lines at once. Its face flux
 //   F = U Q - eps dP/dX   along X,   - eps dP/dY   along Y,   Q = rho_bar H,
-// stands here and nowhere else: residual, rows of the relaxation and of Newton's method, weights of the transfers and
-// the balance of mass are made of it.
+// is defined here and nowhere else: the residual, the rows of the relaxation and of Newton's method, the weights of the
+// transfers and the balance of mass use it.
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -21,16 +21,15 @@ double carried(Wedge wedge, int i, Column q) {
   return i == 0 ? 0.5 * (q(0) + q(1)) : 1.5 * q(i) - 0.5 * q(i - 1);
 }
 
-/// epsilon at a face, times a factor: the arithmetic mean of the nodes' values (below eq. 4), or what is kept with the
-/// node before it.
-/// in: half_factor, half the factor; with 1/(2 h^2), what couples the two nodes.
+/// epsilon at a face, times a factor: the arithmetic mean of the values at the nodes (below eq. 4), or the half-point
+/// value that is stored with the node before the face. in: half_factor, half of the factor; 1/(2 h^2) gives the
+/// coupling of the nodes.
 template <class Number>
 Number conductance(Face face, Number before, Number behind, double half_factor) {
   return face == Face::mean ? (before + behind) * half_factor : before * (2.0 * half_factor);
 }
 
-/// How strongly a node is coupled through its four faces: epsilon/h^2 there. Along X and along Y with epsilons of
-/// their own, where these differ.
+/// Coupling of a node through its four faces: epsilon/h^2 there. epsilon along X and along Y may differ.
 template <class Number>
 struct Faces {
   Number west, east, south, north;
@@ -46,7 +45,7 @@ struct HalfInverseSquares {
   double X, Y;
 };
 
-/// The faces of node (i, j) of two fields, eps along X and eps_across along Y: the same field where they are one.
+/// The faces of node (i, j) from two fields, eps along X and eps_across along Y, which may be the same field.
 template <class Field>
 Faces<double> faces_at(Face face, const Field& eps, const Field& eps_across, int i, int j,
                        const HalfInverseSquares& half) {
@@ -55,14 +54,14 @@ Faces<double> faces_at(Face face, const Field& eps, const Field& eps_across, int
           conductance(face, eps_across(i, j), eps_across(i, j + 1), half.Y)};
 }
 
-/// What flows in through the four faces by pressure: sum of e (P_neighbour - P_centre).
+/// Inflow by pressure through the four faces: sum of e (P_neighbour - P_centre).
 template <class Number>
 Number poiseuille(const Faces<Number>& e, Number west, Number east, Number south, Number north, Number centre) {
   return e.west * (west - centre) + e.east * (east - centre) + e.south * (south - centre) + e.north * (north - centre);
 }
 
-/// Weights of Q at i, i-1, i-2 in U dQ/dX + c Q at column i >= 1: what the faces i+1/2 and i-1/2 carry, and the
-/// squeeze.
+/// Weights of Q at i, i-1, i-2 in U dQ/dX + c Q at column i >= 1: the difference of what the faces i+1/2 and i-1/2
+/// carry, and the squeeze.
 inline std::array<double, 3> transport_weights(const Transport& transport, int i, double hx) {
   const auto weight = [&](int column) {
     const auto one_there = [column](int k) { return k == column ? 1.0 : 0.0; };
@@ -78,9 +77,10 @@ Number transported(const std::array<double, 3>& c, Number own, Number west, Numb
   return c[0] * own + c[1] * west + c[2] * far_west;
 }
 
-/// The share theta of the third-order flux (2 Q_{i+1} + 5 Q_i - Q_{i-1})/6 at a face of upstream3: theta = e^2/(e^2 +
-/// 1) by the harmonic mean e of epsilon/hx^2 of its nodes, in units of what makes it half. Where only one of the nodes
-/// has so much the pressure of the other one, the top of a spike, hardly passes.
+/// Share theta of the third-order flux (2 Q_{i+1} + 5 Q_i - Q_{i-1})/6 at a face of upstream3: theta = e^2/(e^2 + 1),
+/// where e is the harmonic mean of epsilon/hx^2 of the two nodes, in units of the value at which theta is a half. The
+/// harmonic mean is small if one node has a small epsilon: the pressure there, at the top of a spike, hardly acts
+/// through the face.
 class ThirdOrderShare {
  public:
   ThirdOrderShare(const Transport& transport, double hx) {
@@ -91,10 +91,10 @@ class ThirdOrderShare {
     // e = 2 p/q, with one division.
     const double p = before * behind;
     const double q = before + behind;
-    constexpr double least = std::numeric_limits<double>::min();  // not 0/0
+    constexpr double least = std::numeric_limits<double>::min();  // avoids 0/0
     return 4.0 * p * p / (4.0 * p * p + square_ * q * q + least);
   }
-  /// Its change with theirs.
+  /// Change of theta with changes of epsilon at the two nodes.
   double change(double before, double behind, double dbefore, double dbehind) const {
     const double q = before + behind;
     if (q <= 0.0) return 0.0;
@@ -105,15 +105,15 @@ class ThirdOrderShare {
   }
 
  private:
-  double square_ = 0.0;  // of epsilon at which it is a half
+  double square_ = 0.0;  // square of the epsilon at which theta is a half
 };
-/// The same of upstream3_inlet. in: X of the face.
+/// theta of upstream3_inlet. in: X of the face.
 inline double third_order_in_inlet(double X) {
-  constexpr double blend = 0.2;  // X from all of it to none
+  constexpr double blend = 0.2;  // width of the transition, in X
   const double s = std::clamp(-X / blend, 0.0, 1.0);
   return s * s * (3.0 - 2.0 * s);
 }
-/// What it adds to the flux of upstream2. in: Q at i-1, i, i+1.
+/// What theta of the third-order flux adds to the flux of upstream2. in: Q at i-1, i, i+1.
 template <class Number>
 Number third_order_part(Number theta, Number west, Number own, Number east) {
   return theta * (1.0 / 3.0) * (east - 2.0 * own + west);
@@ -140,17 +140,16 @@ Number transported(const std::array<Weight, 4>& c, Number own, Number west, Numb
   return c[0] * own + c[1] * west + c[2] * far_west + c[3] * east;
 }
 
-/// How many times stronger the film's own change acts in a point's equation than in the steady one, on cells hx long.
-/// The squeeze counts several times: its kernel is K itself, whose far part a relaxation of single points leaves out,
-/// where the wedge has differences of K. Measured from c = 10 to 10^4 on 65^2 and 257^2 nodes: with a factor of 1 the
-/// cycles diverge from c = 3000 on, with 4 to 10 they leave 0.1 to 0.2 of the error everywhere.
+/// How many times stronger a change of the film acts in a point's equation than in the steady one, on cells of length
+/// hx. The squeeze counts several times (far_part): its kernel is K itself, whose far part a relaxation of single
+/// points leaves out, where the wedge has differences of K. [bench: far_part_of_squeeze]
 inline double relative_strength(const Transport& transport, double hx) {
   constexpr double far_part = 6.0;
   const double own = carried(transport.wedge, 2, [](int k) { return k == 2 ? 1.0 : 0.0; });
   return transport.speed + far_part * transport.squeeze * hx / own;
 }
 
-/// d r/dP of a node, r = U dQ/dX + c Q - poiseuille: with respect to its own pressure and those around it.
+/// d r/dP of a node, r = U dQ/dX + c Q - poiseuille: derivatives by its own pressure and by those around it.
 template <class Number>
 struct PressureRow {
   Number far_west, west, own, east, south, north;
@@ -162,7 +161,7 @@ PressureRow<Number> sum(const PressureRow<Number>& a, const PressureRow<Number>&
           a.east + b.east,         a.south + b.south, a.north + b.north};
 }
 
-/// The row with epsilon held. in: dQ/dP at i, i-1, i-2.
+/// The row of a wedge of three weights, with epsilon held. in: dQ/dP at i, i-1, i-2.
 template <class Number>
 PressureRow<Number> pressure_row(const std::array<double, 3>& c, const Faces<Number>& e, Number own, Number west,
                                  Number far_west) {
@@ -174,7 +173,7 @@ PressureRow<Number> pressure_row(const std::array<double, 3>& c, const Faces<Num
           .north = -e.north};
 }
 
-/// The same of upstream3. in: dQ/dP at i, i-1, i-2, i+1.
+/// The row of upstream3, with epsilon held. in: dQ/dP at i, i-1, i-2, i+1.
 template <class Number, class Weight>
 PressureRow<Number> pressure_row(const std::array<Weight, 4>& c, const Faces<Number>& e, Number own, Number west,
                                  Number far_west, Number east) {
@@ -186,7 +185,8 @@ PressureRow<Number> pressure_row(const std::array<Weight, 4>& c, const Faces<Num
           .north = -e.north};
 }
 
-/// The same with epsilon following the pressures. in: P around node (i, j); d eps/dP along X and along Y.
+/// Adds to a row that epsilon at the nodes follows the pressures. in: the row with epsilon held; P around node (i, j);
+/// d eps/dP along X and along Y.
 template <class Field>
 PressureRow<double> pressure_row(const PressureRow<double>& held, const Field& P, const Field& slope,
                                  const Field& slope_across, int i, int j, const HalfInverseSquares& half) {
@@ -200,7 +200,8 @@ PressureRow<double> pressure_row(const PressureRow<double>& held, const Field& P
           .north = held.north - steps.north * slope_across(i, j + 1)};
 }
 
-/// The same where epsilon is kept at half points: its slopes by the pressure of the node before and of the one behind.
+/// Adds to a row that epsilon at half points follows the pressures. in: the row with epsilon held; P around node (i,
+/// j); the derivatives of epsilon by the pressures of the nodes before and after the half point, along X and along Y.
 template <class Field>
 PressureRow<double> pressure_row(const PressureRow<double>& held, const Field& P, const Field& before,
                                  const Field& behind, const Field& before_across, const Field& behind_across, int i,
@@ -218,7 +219,7 @@ PressureRow<double> pressure_row(const PressureRow<double>& held, const Field& P
           .north = held.north - north * behind_across(i, j)};
 }
 
-/// poiseuille() of a field's values around node (i, j).
+/// poiseuille() of the pressures around node (i, j).
 template <class Field>
 double poiseuille_at(const Faces<double>& e, const Field& P, int i, int j) {
   return poiseuille(e, P(i - 1, j), P(i + 1, j), P(i, j - 1), P(i, j + 1), P(i, j));

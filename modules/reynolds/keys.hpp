@@ -6,7 +6,7 @@
 
 namespace ehl::reynolds {
 
-/// The deck's keys of [discretization].
+/// The keys of the deck's section [discretization], and their values.
 std::vector<deck::Key> keys();
 Wedge read(deck::Deck& deck);
 Face read_face(deck::Deck& deck);

@@ -8,15 +8,15 @@
 namespace ehl::reynolds {
 namespace {
 
-/// Intervals of the table, P = (k/intervals)^2: finer where pressures far away are.
+/// Intervals of the table, P = (k/intervals)^2: finer at the low pressures far from the contact.
 constexpr int intervals = 400;
-/// Where q rises by a smaller share from knot to knot, P is anything.
+/// Where q rises by a smaller share from knot to knot, it does not determine P any more.
 constexpr double hardly = 1e-6;
 
 }  // namespace
 
-// Some intervals at once: the law takes many pressures in less time than one after the other. The rule is asked for its
-// pressures first, and then given what they have.
+// Some intervals at once, since the law is faster for many pressures than for one after the other. A first call of the
+// quadrature rule collects its pressures, a second one gets their fluidities.
 ReducedPressure::ReducedPressure(const rheology::ViscosityLaw& viscosity) {
   if (std::holds_alternative<rheology::Isoviscous>(viscosity)) return;
   using Rule = boost::math::quadrature::gauss<double, 7>;
@@ -46,7 +46,7 @@ ReducedPressure::ReducedPressure(const rheology::ViscosityLaw& viscosity) {
 
 double ReducedPressure::P(double q) const {
   if (knots_.empty()) return q;
-  // P is not below q: that knot is not above the one wanted, and far away it is the one.
+  // P >= q, so this knot is not above the one that is wanted; far from the contact it is that one.
   auto k = static_cast<std::size_t>(intervals * std::sqrt(std::max(q, 0.0)));
   while (k + 1 < knots_.size() && knots_[k + 1].q <= q) ++k;
   if (k + 1 >= knots_.size()) return std::numeric_limits<double>::quiet_NaN();

@@ -10,7 +10,7 @@ namespace ehl::reynolds {
 
 namespace {
 
-// plain: epsilon at the nodes and no third-order flux, known when it is compiled.
+// plain: epsilon at the nodes and no third-order flux, known at compile time.
 template <bool plain>
 void residual_by(const core::Patch& grid, const Fields& state, const Transport& transport, int threads,
                  core::Field& r) {
@@ -64,7 +64,7 @@ void residual_by(const core::Patch& grid, const Fields& state, const Transport& 
   }
 }
 
-// The same of a line contact, whose nodes have none beside them: from node to node.
+// The residual of a line contact, from node to node along its one line.
 template <bool plain>
 void residual_along_line(const core::Patch& grid, const Fields& state, const Transport& transport, core::Field& r) {
   const HalfInverseSquares half(grid.hx(), grid.hy());
@@ -73,7 +73,7 @@ void residual_along_line(const core::Patch& grid, const Fields& state, const Tra
   const auto Q = [&](int i) { return state.rho_bar(i, 1) * state.H(i, 1); };
   const auto coupling = [&](int i) { return conductance(face, state.eps(i, 1), state.eps(i + 1, 1), half.X); };
   double west = coupling(0);
-  double Q2 = Q(0), Q1 = Q(0), Q0 = Q(1);  // the first node has none at i-2
+  double Q2 = Q(0), Q1 = Q(0), Q0 = Q(1);  // the first node has no node i-2
   std::array<double, 3> c{};
   for (int i = 1; i < grid.nx; ++i) {
     if (i <= 2) c = transport_weights(transport, i, grid.hx());
@@ -126,7 +126,7 @@ ResidualNorms residual_norms(const core::Patch& grid, const Fields& state, const
   const auto Q = [&](int i, int j) { return state.rho_bar(i, j) * state.H(i, j); };
   std::array<double, 3> c{};
   for (int i = 1; i < grid.nx; ++i) {
-    if (i <= 2) c = transport_weights(transport, i, grid.hx());  // from there on the same
+    if (i <= 2) c = transport_weights(transport, i, grid.hx());  // the same from i = 2 on
     const int upstream = std::max(i - 2, 0);
     double sum = 0.0;
     double wedge_sum = 0.0;
@@ -136,7 +136,7 @@ ResidualNorms residual_norms(const core::Patch& grid, const Fields& state, const
       // In a cavitated point L(P) <= f is allowed: only r < 0 violates. Written so that NaN goes through.
       const double violation = stays_dry(cavitation, state.P(i, j), r(i, j)) ? 0.0 : r(i, j);
       sum += lines * (violation * violation);
-      if (!(std::abs(violation) <= norms.largest) && !std::isnan(norms.largest))  // the first NaN stays
+      if (!(std::abs(violation) <= norms.largest) && !std::isnan(norms.largest))  // keeps the first NaN
         norms = {0.0, 0.0, std::abs(violation), i, j, norms.largest_dry, norms.least_P};
       if (cavitated) {
         norms.largest_dry = std::max(norms.largest_dry, std::abs(violation));
