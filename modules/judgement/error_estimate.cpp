@@ -12,8 +12,8 @@ constexpr double safety_of_two = 1.5;
 constexpr double safety = 1.25;
 /// Error of the first-order wedge over h/Hm^(2/3). [bench: first_order_share]
 constexpr double first_order_share = 0.35;
-/// Upper bound on the error of the second-order wedge over (h/Hm^(2/3))^2, for a single grid. [bench:
-/// error_of_one_grid]
+/// Upper bound on the error of the second-order wedge over (h/Hm^(2/3))^2, for a single grid.
+/// [bench: error_of_one_grid]
 constexpr double second_order_share = 0.85;
 
 // Mesh size over the width of the zones in which the film forms; infinite for a film that is not positive.

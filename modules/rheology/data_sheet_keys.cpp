@@ -1,4 +1,4 @@
-// What a data sheet says of an oil: kinematic viscosities, density, alpha*; and the temperature of the contact.
+// Keys of a data sheet: kinematic viscosities, density, alpha*; and the temperature of the contact.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -35,7 +35,7 @@ void check_oil_temperature(const deck::Part& lubricant, const std::string& name)
                                          coldest_oil, hottest_oil));
 }
 
-// Why alpha_star or alpha_temperature has no place here; empty where it has.
+// Reason why alpha_star or alpha_temperature is not allowed here; empty if it is.
 std::string why_no_alpha_star(const deck::Part& lubricant, const Oil& oil) {
   if (lubricant.given("alpha")) return "alpha is given as well: keep one of them";
   if (oil.viscosity != "barus" && oil.viscosity != "roelands")
@@ -44,7 +44,7 @@ std::string why_no_alpha_star(const deck::Part& lubricant, const Oil& oil) {
   return {};
 }
 
-// Roelands' law from alpha* at `T_alpha`, where the viscosity is eta_alpha; z is the same at every temperature.
+// Roelands' law from alpha* at `T_alpha`, where the viscosity is eta_alpha. z does not depend on the temperature.
 void set_roelands(const deck::Part& lubricant, double alpha_star, double eta_alpha, bool same_temperature, Oil& oil) {
   const deck::Key& key = *deck::find_key(lubricant.deck.catalogue, "lubricant", "z");
   const double z = roelands_z_of(alpha_star, oil.p0, eta_alpha);

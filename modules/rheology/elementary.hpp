@@ -1,9 +1,9 @@
 #pragma once
-// exp, expm1, log1p and the square root on a register full of values. The library's scalar functions keep the compiler
-// from vectorising the loops over a field's nodes, and the viscosity law is called for every node in every sweep.
+// exp, expm1, log1p and square root for a vector register of values. The scalar functions of the library prevent
+// vectorisation of the loops over nodes, and every sweep evaluates the viscosity at every node.
 //
-// All stay within 2 units in the last place of the exact value (tests/unit/rheology), return NaN for
-// NaN, and saturate as the scalar functions do: nothing is clipped in silence.
+// The error is below 2 units in the last place (tests/unit/rheology). NaN gives NaN, and the functions overflow and
+// underflow as the scalar ones do.
 #include <cmath>
 
 #include "core/simd.hpp"
@@ -21,7 +21,7 @@ inline Lanes value_of(Bits b) { return reinterpret_cast<Lanes>(b); }
 
 namespace elementary_detail {
 
-// ln 2 in two parts: the first has 32 bits, so n times it is exact for every exponent n that can occur.
+// ln 2 in two parts: the first has 32 bits, so its product with every possible exponent n is exact.
 inline constexpr double ln2_high = 0x1.62e42feep-1;
 inline constexpr double ln2_low = 1.9082149292705877e-10;
 inline constexpr double inverse_ln2 = 1.4426950408889634;
@@ -40,7 +40,8 @@ inline Lanes exp_tail(Lanes r) {
   return (c01 + r2 * c23) + r4 * ((c45 + r2 * c67) + r4 * c89);
 }
 
-/// [log((1+s)/(1-s)) - 2s]/s in powers of w = s^2 <= 0.0295, without the factor w. source: as above; 0.02 ulp.
+/// [log((1+s)/(1-s)) - 2s]/s in powers of w = s^2 <= 0.0295, without the factor w. source: as for exp_tail(); error
+/// 0.02 ulp.
 inline Lanes log_tail(Lanes w) {
   const Lanes w2 = w * w;
   const Lanes c01 = 0.666666666666667 + w * 0.3999999999989889;
@@ -65,18 +66,18 @@ inline Lanes power_of_two(Lanes n) { return value_of((bits_of(n + round_to_integ
 /// above 709.79 it is infinite. NaN gives NaN.
 inline Lanes exp(Lanes x) {
   namespace detail = elementary_detail;
-  // Beyond these bounds the result is 0 or infinite anyway; the comparison lets NaN pass.
+  // Beyond these bounds the result is 0 or infinite; the comparisons let NaN pass.
   x = x < -746.0 ? broadcast(-746.0) : x;
   x = x > 710.0 ? broadcast(710.0) : x;
   Lanes n, r;
   detail::split_exponent(x, n, r);
   const Lanes mantissa = 1.0 + (r + r * r * detail::exp_tail(r));
-  // In two steps, because 2^n itself leaves the range of doubles before e^x does.
+  // In two factors, because 2^n overflows before e^x does.
   const Lanes half = (n * 0.5 + detail::round_to_integer) - detail::round_to_integer;
   return (mantissa * detail::power_of_two(half)) * detail::power_of_two(n - half);
 }
 
-/// e^x - 1, accurate where x is small.
+/// e^x - 1, accurate for small x.
 /// limits: x = 0 gives exactly 0; below -40 it is -1. NaN gives NaN, above 709.79 it is infinite.
 inline Lanes expm1(Lanes x) {
   namespace detail = elementary_detail;
@@ -85,17 +86,17 @@ inline Lanes expm1(Lanes x) {
   Lanes n, r;
   detail::split_exponent(x, n, r);
   const Lanes tail = r * r * detail::exp_tail(r);
-  // Half the power of two at first: 2^1024 is not a double, but (2^1024 - 1)/2 is.
+  // Half the power of two first: 2^1024 is not a double, but (2^1024 - 1)/2 is.
   const Lanes half = detail::power_of_two(n - 1.0);
   return 2.0 * ((half - 0.5) + (half * r + half * tail));
 }
 
-/// ln(1 + u), accurate where u is small.
+/// ln(1 + u), accurate for small u.
 /// limits: u = 0 gives exactly 0; u = -1 gives -infinity; u < -1 and NaN give NaN; infinity stays.
 inline Lanes log1p(Lanes u) {
   namespace detail = elementary_detail;
   const Lanes x = 1.0 + u;
-  // What the addition lost (Knuth's two-sum); put back below, where it matters.
+  // Rounding error of the addition (Knuth's two-sum), added back below.
   const Lanes part = x - 1.0;
   const Lanes lost = (1.0 - (x - part)) + (u - part);
 

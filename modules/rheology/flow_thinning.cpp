@@ -8,10 +8,10 @@
 namespace ehl::rheology {
 namespace {
 
-// A stress over tau_c that thins by less than 1e-7.
+// Stress over tau_c below which thinning is below 1e-7.
 constexpr double no_stress = 1e-3;
 
-// Of Gauss and Legendre on [-1/2, 1/2]: half of the points, the others mirror them.
+// Gauss-Legendre points on [-1/2, 1/2]: one half; the other half is symmetric.
 struct Point {
   double s, weight;
 };
@@ -20,22 +20,22 @@ constexpr std::array<Point, 4> points{{{0.5 * 0.18343464249564980, 0.5 * 0.36268
                                        {0.5 * 0.79666647741362674, 0.5 * 0.22238103445337447},
                                        {0.5 * 0.96028985649753623, 0.5 * 0.10122853629037626}}};
 
-// Rate over stress, F/tau, and the slope F' at the stress tau > 0; rates in tau_c/eta.
+// F/tau and F' at the stress tau > 0; rates in tau_c/eta.
 struct Rate {
   Lanes secant, slope;
 };
 Rate rate_at(Eyring, Lanes tau) {
   const Lanes up = exp(tau), down = 1.0 / up;
-  const Lanes series = 1.0 + tau * tau * (1.0 / 6.0);  // to 1e-14 below 1e-3
+  const Lanes series = 1.0 + tau * tau * (1.0 / 6.0);  // error 1e-14 below 1e-3
   return {tau < no_stress ? series : 0.5 * (up - down) / tau, 0.5 * (up + down)};
 }
 Rate rate_at(const Carreau& law, Lanes tau) {
-  // ln tau = x + (n-1)/2 ln(1 + e^2x), x = ln rate: the slope is between n and 1, and Newton's method runs from the
-  // power law or from Newton's oil, whichever is larger, downwards.
+  // ln tau = x + (n-1)/2 ln(1 + e^2x), x = ln rate. The slope lies between n and 1, and Newton's method converges
+  // downwards from the larger of the power law and the Newtonian law.
   const Lanes log_tau = log1p(tau - 1.0);
   Lanes x = core::max(log_tau, log_tau / law.n);
   Lanes slope{};
-  constexpr int steps = 6;  // from the corner, where the start is worst, to 1e-12
+  constexpr int steps = 6;  // reaches 1e-12 from the transition, where the initial value is worst
   for (int step = 0; step <= steps; ++step) {
     const Lanes square = exp(2.0 * x);
     slope = 1.0 + (law.n - 1.0) * (square / (1.0 + square));
@@ -83,7 +83,7 @@ Equations equations_at(const Law& law, const Four& x) {
   return sum;
 }
 
-// The matrix is symmetric and positive: no pivots.
+// The matrix is symmetric and positive definite, so no pivoting is needed.
 Four solve_four(std::array<Four, 4> matrix, Four right) {
   for (std::size_t k = 0; k < 4; ++k) {
     const Lanes inverse = 1.0 / matrix[k][k];
@@ -100,7 +100,7 @@ Four solve_four(std::array<Four, 4> matrix, Four right) {
   return right;
 }
 
-// t and g for the mean rate and the moments given.
+// Solves for t and g at given mean rate and moments.
 template <class Law>
 Four stresses_of(const Law& law, const Four& right, Four x) {
   constexpr int most = 40;
@@ -110,7 +110,8 @@ Four stresses_of(const Law& law, const Four& right, Four x) {
     Four rest;
     for (std::size_t n = 0; n < 4; ++n) rest[n] = right[n] - at.left[n];
     const Four change = solve_four(at.slope, rest);
-    // The stress at the walls changes by no more than tau_c or half of itself: Eyring's rate grows by e with each.
+    // Step limit: the stress at the walls changes by at most tau_c or half of itself, because Eyring's rate grows
+    // exponentially.
     const auto at_wall = [](const Four& y) {
       return core::max(core::abs(y[0]) + 0.5 * core::abs(y[2]), core::abs(y[1]) + 0.5 * core::abs(y[3]));
     };
@@ -123,14 +124,14 @@ Four stresses_of(const Law& law, const Four& right, Four x) {
   return x;
 }
 
-// What is over what sliding alone leaves, for the rates in tau_c/eta.
+// Factors over thinning by sliding alone, for rates in tau_c/eta.
 template <class Law>
 FlowThinned thinned_under(const Law& law, Lanes sliding, Lanes flow_x, Lanes flow_y) {
   Lanes along, across, per_rate;
   const auto evaluate = [&](Lanes rate, auto write) {
     for (int lane = 0; lane < core::lanes; ++lane) write(lane, thinned(law, rate[lane]));
   };
-  sliding = core::max(sliding, broadcast(no_stress));  // the ratios are even in it
+  sliding = core::max(sliding, broadcast(no_stress));  // the factors are even in it
   evaluate(sliding, [&](int lane, const Thinned& alone) {
     along[lane] = 1.0 / alone.along;
     across[lane] = 1.0 / alone.across;
@@ -139,7 +140,7 @@ FlowThinned thinned_under(const Law& law, Lanes sliding, Lanes flow_x, Lanes flo
   if (core::all((flow_x <= least_x) & (flow_y <= least_y))) return {broadcast(1.0), broadcast(1.0), broadcast(1.0)};
   flow_x = core::max(flow_x, least_x);
   flow_y = core::max(flow_y, least_y);
-  // Begins with the one viscosity of the largest rate.
+  // Initial value: one viscosity, that at the largest rate.
   const Lanes at_wall = sliding + 6.0 * (flow_x + flow_y);
   evaluate(at_wall, [&](int lane, const Thinned& there) { per_rate[lane] = there.across; });
   const Four x = stresses_of(law, {sliding, Lanes{}, flow_x, flow_y},
@@ -150,7 +151,7 @@ FlowThinned thinned_under(const Law& law, Lanes sliding, Lanes flow_x, Lanes flo
 }  // namespace
 
 FlowThinned thinned_by_flow(const FlowThinning& thinning, Lanes H_fluidity, Lanes flow_x, Lanes flow_y) {
-  constexpr double largest_rate = 1e30;  // where the fluidity underflows
+  constexpr double largest_rate = 1e30;  // for a fluidity that underflows
   const Lanes k = core::min(thinning.k_m / H_fluidity, broadcast(largest_rate));
   return std::visit(
       [&](const auto& law) {

@@ -13,7 +13,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-// What [lubricant] temperature may be beside a fluid.
+// Checks [lubricant] temperature against the fluid.
 void check_temperature(const deck::Part& lubricant, const Fluid& fluid) {
   const std::string name(fluid.name);
   const std::string_view only = value_of(fluid, "temperature");
@@ -83,13 +83,13 @@ void demand(const deck::Part& lubricant, const Names& names, const std::string& 
 
 void choose_fluid(const deck::Part& lubricant) {
   const Fluid* fluid = find_fluid(lubricant.word("fluid"));
-  if (!fluid) return;  // none, or an unknown name that was complained about
+  if (!fluid) return;  // none, or an unknown name that was reported
   const std::string why = std::string("fluid = ").append(fluid->name);
   check_temperature(lubricant, *fluid);
   Names set{"temperature"};
   for (const FluidKey& key : fluid->keys) {
     if (key.name.empty()) break;
-    if (key.name == "temperature") continue;  // checked, and it need not stand in the deck
+    if (key.name == "temperature") continue;  // checked above; the deck need not give it
     set.emplace_back(key.name);
     settle(lubricant, set.back(), std::string(key.value), why);
   }
@@ -97,7 +97,7 @@ void choose_fluid(const deck::Part& lubricant) {
     const double z = roelands_z(lubricant.number("alpha"), lubricant.number("p0"), lubricant.number("eta0"));
     settle(lubricant, "z", deck::shortest(z), why);
   } else if (value_of(*fluid, "alpha_star").empty()) {
-    set.emplace_back("alpha");  // settled by the law, like the rest of what follows
+    set.emplace_back("alpha");  // set by the law, as are the other derived values
   }
   if (!value_of(*fluid, "kv40").empty()) set.emplace_back("eta0");
   if (lubricant.word("viscosity") == "roelands") set.emplace_back("z");

@@ -6,9 +6,9 @@
 namespace ehl::rheology {
 namespace {
 
-constexpr std::size_t fewest_rows = 4;  // one more than monotone_curve takes
+constexpr std::size_t fewest_rows = 4;  // one more than monotone_curve() needs
 
-// Empty where the row may follow those before it.
+// Reason why the row cannot follow the previous ones; empty if it can.
 std::string what_is_wrong(const FluidTable& table, double p, double eta, double rho, bool with_rho) {
   const auto text = [](double value) { return deck::shortest(value); };
   if (table.p.empty() && p != 0.0)

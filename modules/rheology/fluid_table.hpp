@@ -1,12 +1,12 @@
 #pragma once
-// A file of measured viscosity and density.
+// A file with measured viscosity and density.
 #include <string>
 #include <variant>
 #include <vector>
 
 namespace ehl::rheology {
 
-/// Columns of the table; a column that was not asked for may be missing.
+/// Columns of the table; a column that was not required may be empty.
 struct FluidTable {
   std::vector<double> p{};    ///< [Pa], rising from 0
   std::vector<double> eta{};  ///< [Pa s], > 0, rising

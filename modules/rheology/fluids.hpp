@@ -1,11 +1,11 @@
 #pragma once
-// Oils by name: what [lubricant] fluid = NAME stands for.
+// Oils by name, for [lubricant] fluid = NAME.
 #include <array>
 #include <string_view>
 
 namespace ehl::rheology {
 
-/// A key of [lubricant] and its value; both empty where a fluid has fewer of them.
+/// A key of [lubricant] and its value; both empty in unused entries.
 struct FluidKey {
   std::string_view name{};
   std::string_view value{};
@@ -13,19 +13,19 @@ struct FluidKey {
 
 struct Fluid {
   std::string_view name{};
-  std::string_view about{};   ///< what it is, and at which temperature; empty: the one before speaks for it
-  std::string_view source{};  ///< where its numbers are from; likewise
+  std::string_view about{};   ///< what it is, and at which temperature; empty: covered by the previous entry
+  std::string_view source{};  ///< source of its constants; empty: covered by the previous entry
   std::array<FluidKey, 8> keys{};
 };
 
-/// A Roelands oil known at one temperature, whose exponent follows from its viscosity, with Dowson and Higginson's
-/// density.
+/// A Roelands oil known at one temperature, with Dowson and Higginson's density; its exponent follows from its
+/// viscosity.
 constexpr std::array<FluidKey, 8> roelands_oil(std::string_view eta0, std::string_view alpha) {
   return {
       {{"viscosity", "roelands"}, {"eta0", eta0}, {"alpha", alpha}, {"p0", "1.96e8"}, {"density", "dowson-higginson"}}};
 }
 
-/// The same at any temperature, from kinematic viscosities at 40 and 100 C [mm^2/s], density at 15 C [kg/m^3] and
+/// A Roelands oil at any temperature, from kinematic viscosities at 40 and 100 C [mm^2/s], density at 15 C [kg/m^3] and
 /// alpha* at 40 C [1/Pa].
 constexpr std::array<FluidKey, 8> data_sheet_oil(std::string_view kv40, std::string_view kv100,
                                                  std::string_view density15, std::string_view alpha_star) {
@@ -39,18 +39,18 @@ constexpr std::array<FluidKey, 8> data_sheet_oil(std::string_view kv40, std::str
            {"density", "dowson-higginson"}}};
 }
 
-/// Where the deck gives no temperature for an oil that has one.
+/// Temperature used if the deck gives none for an oil defined at several.
 inline constexpr std::string_view temperature_of_grades = "40";
 
-// Gold's coefficients are secants of ln eta up to 0.2 GPa at 40 C: 9.904e-9 kv40^0.139 of paraffinic mineral oils,
-// 7.382e-9 kv40^0.1335 of polyalphaolefins [1/Pa]. alpha* is that of Roelands' law through them, z = 0.60 and 0.46 to
-// 0.48.
+// Gold's coefficients are secants of ln eta up to 0.2 GPa at 40 C [1/Pa]: 9.904e-9 kv40^0.139 for paraffinic mineral
+// oils, 7.382e-9 kv40^0.1335 for polyalphaolefins. alpha* is that of Roelands' law through these secants, with z = 0.60
+// and 0.46 to 0.48.
 constexpr Fluid grade(std::string_view name, std::string_view kv40, std::string_view kv100, std::string_view density15,
                       std::string_view alpha_star, std::string_view about = {}, std::string_view source = {}) {
   return {name, about, source, data_sheet_oil(kv40, kv100, density15, alpha_star)};
 }
 
-/// The fluids that come with the program.
+/// Fluids that are part of the program.
 inline constexpr std::array<Fluid, 15> fluids{{
     {"mourier", "oil of Mourier's experiment, at its temperature only",
      "Mourier, Mazuyer, Lubrecht and Donnet, Tribology International 39, 2006", roelands_oil("0.25", "22e-9")},
@@ -94,7 +94,7 @@ constexpr const Fluid* find_fluid(std::string_view name) {
   return nullptr;
 }
 
-/// The value that a fluid gives to a key; empty where it has none.
+/// Value that a fluid gives to a key; empty if it gives none.
 constexpr std::string_view value_of(const Fluid& fluid, std::string_view key) {
   for (const FluidKey& own : fluid.keys)
     if (own.name == key) return own.value;

@@ -58,14 +58,14 @@ std::vector<deck::Key> law_keys() {
   };
 }
 
-// Roelands' z as given, else from eta0 and recorded in the deck.
+// Roelands' z as given; else computed from eta0 and recorded in the deck.
 double read_z(const deck::Part& lubricant, const Oil& oil) {
   if (lubricant.given("z")) return lubricant.number("z");
   if (std::isnan(oil.eta0)) {
     lubricant.choose("z", usual_z, "a mineral oil; eta0 would tell it");
     return usual_z;
   }
-  // alpha p0/z = ln eta0 + 9.67 (Roelands): all oils meet at one point of the (p, ln eta) plane.
+  // alpha p0/z = ln eta0 + 9.67 (Roelands): the lines of all oils meet at one point of the (p, ln eta) plane.
   const double z = oil.alpha * oil.p0 / roelands_log_ratio(oil.eta0);
   const deck::Key& key = *deck::find_key(lubricant.deck.catalogue, "lubricant", "z");
   if (!key.range.contains(z))
@@ -100,11 +100,11 @@ Oil read(deck::Deck& deck) {
   oil.p0 = lubricant.number("p0");
   const bool by_name = lubricant.given("fluid");
   const bool own_eta0 = oil.viscosity == "yasutomi" || oil.viscosity == "table";
-  // A half or a wrong one too: it was complained about already.
+  // Also if given incompletely or wrongly, which has been reported already.
   oil.brings_eta0 = by_name || own_eta0 || !lubricant.given_of({"kv40", "kv100", "density15"}).empty();
   oil.brings_alpha = by_name || own_eta0 || oil.viscosity == "doolittle" || lubricant.given("alpha_star");
   read_alpha_star(lubricant, oil);
-  // Of numbers that were refused, z would be one more complaint.
+  // After refused numbers, a z computed from them would only add another error.
   if (oil.viscosity == "roelands" && std::isfinite(oil.alpha) && std::isnan(oil.z) && deck.errors.empty())
     oil.z = read_z(lubricant, oil);
   return oil;

@@ -13,9 +13,9 @@
 namespace ehl::rheology {
 namespace {
 
-// Dowson and Higginson: the density gains 34 % at infinite pressure.
+// Dowson and Higginson: the density increases by 34 % at infinite pressure.
 constexpr double compression = 0.34;
-// Values per round of the passes below: few enough to stay in the first-level cache.
+// Values per block of the loops below: a block fits into the first-level cache.
 constexpr std::size_t chunk = 64;
 
 void log_eta(Isoviscous, std::span<const double> P, std::span<double> out) {
@@ -24,12 +24,12 @@ void log_eta(Isoviscous, std::span<const double> P, std::span<double> out) {
 void log_eta(const Barus& law, std::span<const double> P, std::span<double> out) {
   apply(P, out, [&](Lanes p) { return law.alpha_bar * p; });
 }
-// In two passes: a loop with one elementary function in it overlaps its iterations, a loop with the chain of
-// two or three does not fit into the processor's window and takes half as long again.
+// In two loops: iterations of a loop with one elementary function overlap in the processor, those with a chain of two
+// or three do not.
 void log_eta(const Roelands& law, std::span<const double> P, std::span<double> out) {
   apply(P, out, [&](Lanes p) {
     const Lanes u = law.p_h_over_p0 * p;
-    // At the pole the power is 0 and the formula would give a harmless-looking number.
+    // At the pole the power is 0, and the formula would give a number that looks valid.
     return u > -1.0 ? law.z * log1p(u) : broadcast(NAN);
   });
   apply(out, out, [&](Lanes power) { return law.alpha_p0_over_z * expm1(power); });
@@ -80,7 +80,7 @@ void reciprocal_eta(Isoviscous, std::span<const double>, std::span<double> out) 
 bool all_zero(std::span<const double> P) {
   Bits seen{};
   const std::size_t whole = P.size() / core::lanes * core::lanes;
-  // Shifted by one bit: the sign of a zero does not matter.
+  // Shifted by one bit to ignore the sign of a zero.
   for (std::size_t k = 0; k < whole; k += core::lanes) seen |= bits_of(core::load(&P[k])) << 1;
   bool zero = true;
   for (int lane = 0; lane < core::lanes; ++lane) zero = zero && seen[lane] == 0;
@@ -88,7 +88,7 @@ bool all_zero(std::span<const double> P) {
   return zero;
 }
 
-// Calls f(P, out) for one chunk after the other.
+// Calls f(P, out) block by block.
 template <class Function>
 void in_chunks(std::span<const double> P, std::span<double> out, Function f) {
   for (std::size_t k = 0; k < P.size(); k += chunk) {
@@ -163,19 +163,18 @@ void density_slope(const DensityLaw& law, std::span<const double> P, std::span<d
 
 namespace {
 
-// fluidity_of(law, p, first, count): of the nodes first .. first + count - 1, their pressures p; none of them: at P =
-// 0.
+// fluidity_of(law, p, first, count): values of the nodes first .. first + count - 1, p their pressures; p empty: P = 0.
 template <class Fluidity>
 void properties_in_chunks(const ViscosityLaw& viscosity, const DensityLaw& density, std::span<const double> P,
                           std::span<double> rho_bar, Fluidity fluidity_of) {
-  // The density is visited chunk by chunk: all pairs of laws side by side would be five times the code.
+  // The density is visited block by block, because instantiating all pairs of laws would multiply the code.
   std::visit(
       [&](const auto& v) {
         for (std::size_t k = 0; k < P.size(); k += chunk) {
           const std::size_t count = std::min(chunk, P.size() - k);
           const auto p = P.subspan(k, count);
           const auto rho_out = rho_bar.subspan(k, count);
-          // Behind the exit everything is cavitated, a quarter of a usual domain: no exponentials for it.
+          // Downstream of the outlet everything is cavitated and needs no exponentials.
           if (all_zero(p)) {
             fluidity_of(v, std::span<const double>{}, k, count);
             std::ranges::fill(rho_out, 1.0);

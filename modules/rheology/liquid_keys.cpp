@@ -24,7 +24,7 @@ const Names bulk_modulus{"K0", "K0_prime"}, bulk_modulus_of_T{"K00", "beta_K"};
 const Names doolittle{"eta0", "doolittle_B", "doolittle_R0", "K0", "K0_prime"};
 const Names yasutomi{"temperature", "Tg0", "A1", "A2", "b1", "b2", "C1", "C2", "eta_g"};
 
-// K0 where it is given with its fall with temperature. source: Habchi, Finite Element Modeling of
+// K0 from its value and decay with temperature, if given so. source: Habchi, Finite Element Modeling of
 // Elastohydrodynamic Lubrication Problems, 2018.
 void read_bulk_modulus(const deck::Part& lubricant) {
   const double K00 = lubricant.number("K00"), beta_K = lubricant.number("beta_K");
@@ -35,7 +35,7 @@ void read_bulk_modulus(const deck::Part& lubricant) {
   settle_at_temperature(lubricant, "K0", K00 * std::exp(-beta_K * T), "K00 and beta_K");
 }
 
-// What the laws need, and what no law uses.
+// Reports constants that a law needs and that no law uses.
 void check_constants(const deck::Part& lubricant, const std::string& viscosity, const std::string& density) {
   if (viscosity == "doolittle") demand(lubricant, doolittle, "viscosity = doolittle");
   if (viscosity == "yasutomi") demand(lubricant, yasutomi, "viscosity = yasutomi");
@@ -125,7 +125,7 @@ Liquid read_liquid(const deck::Part& lubricant) {
   const std::string viscosity = lubricant.word("viscosity"), density = lubricant.word("density");
   const std::size_t complaints = lubricant.deck.errors.size();
   read_bulk_modulus(lubricant);
-  // Without it, that K0 is missing would be one more complaint.
+  // After an error there, a missing K0 would only add another one.
   if (lubricant.deck.errors.size() == complaints) check_constants(lubricant, viscosity, density);
   Liquid liquid;
   if (!lubricant.deck.errors.empty()) return liquid;

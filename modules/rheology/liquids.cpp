@@ -11,13 +11,13 @@ namespace {
 
 constexpr double ln_10 = 2.302585092994045684;
 
-// 1 - v of Tait's equation at u = p/K0. Below the end of the logarithm, at u = -1/(1 + K0'), NaN.
+// 1 - v of Tait's equation at u = p/K0; NaN for u <= -1/(1 + K0').
 Lanes compression(Lanes u, double K0_prime) {
   const double factor = 1.0 + K0_prime;
   return log1p(factor * u) / factor;
 }
 
-// d ln eta_bar/d(p/K0) of Doolittle's law where Tait's relative volume is v.
+// d ln eta_bar/d(p/K0) of Doolittle's law at Tait's relative volume v.
 template <class Number>
 Number doolittle_slope(double B, double R0, double K0_prime, Number u, Number v) {
   return B * R0 / ((v - R0) * (v - R0) * (1.0 + (1.0 + K0_prime) * u));
@@ -51,7 +51,7 @@ Yasutomi make_yasutomi(const YasutomiConstants& c, double p_h) {
   return law;
 }
 
-// ln eta_bar = B R0 (1 - v)/[(v - R0)(1 - R0)]: accurate where v is near one.
+// ln eta_bar = B R0 (1 - v)/[(v - R0)(1 - R0)]: accurate for v near one.
 void log_eta(const Doolittle& law, std::span<const double> P, std::span<double> out) {
   const double factor = law.B * law.R0 / (1.0 - law.R0);
   apply(P, out, [&](Lanes p) {
@@ -70,7 +70,7 @@ void log_eta_slope(const Doolittle& law, std::span<const double> P, std::span<do
   });
 }
 
-// With y = x0 - x: ln eta_bar = ln(10) C1 C2 y/[(C2 + x0)(C2 + x0 - y)], accurate where y is small.
+// With y = x0 - x: ln eta_bar = ln(10) C1 C2 y/[(C2 + x0)(C2 + x0 - y)], accurate for small y.
 void log_eta(const Yasutomi& law, std::span<const double> P, std::span<double> out) {
   const double factor = ln_10 * law.C1 * law.C2 / (law.C2 + law.x0);
   apply(P, out, [&](Lanes P_here) {

@@ -1,6 +1,6 @@
 #pragma once
-// Laws with the physics of liquids in them: density from an equation of state, viscosity from the free volume or from
-// the distance to the glass transition. Evaluated through laws.hpp.
+// Physical laws of liquids: density from an equation of state; viscosity from the free volume or from the distance to
+// the glass transition. Evaluated through laws.hpp.
 #include <span>
 
 namespace ehl::rheology {
@@ -12,28 +12,28 @@ struct Tait {
   double p_h_over_K0;  ///< p_h over the bulk modulus at ambient pressure
 };
 
-/// rho_bar = (1 + K0' p/K0)^(1/K0'): a bulk modulus that grows in proportion to the pressure. source: Murnaghan (1944).
+/// rho_bar = (1 + K0' p/K0)^(1/K0'): the bulk modulus grows linearly with the pressure. source: Murnaghan (1944).
 struct Murnaghan {
   double K0_prime;
   double p_h_over_K0;
 };
 
-/// ln eta_bar = B R0 [1/(v - R0) - 1/(1 - R0)] with Tait's relative volume v: the free volume left between occupied
-/// ones. From the pressure on where the oil is a glass (1e12 Pa s) along the tangent there, for v = R0 is a pole.
+/// ln eta_bar = B R0 [1/(v - R0) - 1/(1 - R0)], v Tait's relative volume: viscosity from the free volume. Above the
+/// pressure at which the oil is a glass (1e12 Pa s) the law continues along its tangent, because v = R0 is a pole.
 /// source: Doolittle (1951); with Tait's volume Cook et al. (1994).
 struct Doolittle {
   double B;
   double R0;           ///< occupied volume over the volume at ambient pressure, at the temperature of the contact
   double K0_prime;     ///< of Tait's equation
-  double p_h_over_K0;  ///< likewise
-  double u_glass;      ///< p/K0 of the glass
+  double p_h_over_K0;  ///< of Tait's equation
+  double u_glass;      ///< p/K0 at which the oil becomes a glass
   double log_glass;    ///< ln eta_bar there
   double slope_glass;  ///< d ln eta_bar/d(p/K0) there
 };
 
-/// ln(eta/eta_g) = -ln(10) C1 x/(C2 + x), x = (T - Tg) F, Tg = Tg0 + A1 ln(1 + A2 p), F = (1 + b1 p)^b2: viscosity by
-/// the distance to the glass transition (Williams, Landel, Ferry). From the transition on, x = 0, along the tangent.
-/// source: Yasutomi, Bair and Winer (1984), with the F of Bair, Mary, Bouscharain and Vergne (2013).
+/// ln(eta/eta_g) = -ln(10) C1 x/(C2 + x), x = (T - Tg) F, Tg = Tg0 + A1 ln(1 + A2 p), F = (1 + b1 p)^b2: viscosity from
+/// the distance to the glass transition (Williams, Landel, Ferry). Beyond the transition, x < 0, the law continues
+/// along its tangent. source: Yasutomi, Bair and Winer (1984); F of Bair, Mary, Bouscharain and Vergne (2013).
 struct Yasutomi {
   double x0;           ///< T - Tg0 [K]
   double A1;           ///< [K]
@@ -50,7 +50,7 @@ struct Yasutomi {
 
 /// Tait's equation for P = p/p_h. in: K0 [Pa] > 0, K0_prime > 0, p_h [Pa] >= 0.
 Tait make_tait(double K0, double K0_prime, double p_h);
-/// Murnaghan's. in: likewise.
+/// Murnaghan's equation for P = p/p_h. in: as for make_tait().
 Murnaghan make_murnaghan(double K0, double K0_prime, double p_h);
 
 struct DoolittleConstants {
@@ -64,7 +64,7 @@ struct DoolittleConstants {
 Doolittle make_doolittle(const DoolittleConstants& constants, double p_h);
 
 struct YasutomiConstants {
-  double T = 0.0;      ///< of the contact [C] > Tg0
+  double T = 0.0;      ///< temperature of the contact [C] > Tg0
   double Tg0 = 0.0;    ///< glass transition at ambient pressure [C]
   double A1 = 0.0;     ///< [K] > 0
   double A2 = 0.0;     ///< [1/Pa] > 0
@@ -76,10 +76,10 @@ struct YasutomiConstants {
 };
 /// Yasutomi's law for P = p/p_h. in: p_h [Pa] >= 0.
 Yasutomi make_yasutomi(const YasutomiConstants& constants, double p_h);
-/// The viscosity at ambient pressure that goes with it [Pa s].
+/// Viscosity at ambient pressure by that law [Pa s].
 double yasutomi_eta0(const YasutomiConstants& constants);
 
-// What laws.hpp visits: in P, out of the same length, not overlapping.
+// Functions that laws.hpp visits. in: P; out: same length, not overlapping.
 void log_eta(const Doolittle& law, std::span<const double> P, std::span<double> out);
 void log_eta(const Yasutomi& law, std::span<const double> P, std::span<double> out);
 void log_eta_slope(const Doolittle& law, std::span<const double> P, std::span<double> out);

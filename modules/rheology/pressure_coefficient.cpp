@@ -10,9 +10,10 @@
 namespace ehl::rheology {
 namespace {
 
-constexpr int most_panels = 20000;  // a guard: ln eta_bar rises by up to one in a panel, and at 40 the rest is nothing
+// Safeguard: ln eta_bar rises by up to one per panel, and beyond 40 the rest of the integral is negligible.
+constexpr int most_panels = 20000;
 
-// A pressure at which ln eta_bar is about one; infinite where there is none.
+// A pressure at which ln eta_bar is about one; infinite if there is none.
 double pressure_of_one(const ViscosityLaw& law) {
   double P = 1.0;
   for (int k = 0; k < 200 && log_viscosity_at(law, P) > 1.0; ++k) P *= 0.5;
@@ -36,19 +37,19 @@ double integral_of_fluidity(const ViscosityLaw& law, double scale, double end) {
     sum += GaussLegendre::integrate([&](double p) { return std::exp(-log_viscosity_at(law, p)); }, P, P + width);
     P += width;
     log_here += rise;
-    // What is left is about eta_bar^-1 over its logarithmic slope.
+    // The rest of the integral is about 1/eta_bar over the logarithmic slope.
     if (std::exp(-log_here) * width < 1e-17 * rise * sum) break;
     width *= 1.5;
   }
   return sum;
 }
 
-// Where a rising function passes zero, to rounding; NaN where it does not between the two.
+// Root of an increasing function, to rounding; NaN if it has none between the bounds.
 template <class Function>
 double root(Function f, double low, double high) {
   const double at_low = f(low), at_high = f(high);
   if (!(at_low <= 0.0 && at_high >= 0.0)) return std::numeric_limits<double>::quiet_NaN();
-  std::uintmax_t steps = 200;  // a guard: about 10 are taken
+  std::uintmax_t steps = 200;  // safeguard; about 10 are needed
   const auto found = boost::math::tools::toms748_solve(
       f, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(std::numeric_limits<double>::digits - 4),
       steps);
@@ -82,7 +83,7 @@ double roelands_alpha_of(double alpha_star, double p0, double z) {
   const auto miss = [&](double alpha) {
     return pressure_coefficients(make_roelands(alpha, p0, z, pascal)).alpha_star / alpha_star - 1.0;
   };
-  // [(1 + p/p0)^z - 1]/z is more than ln(1 + p/p0), with which alpha* = alpha - 1/p0. The lower end is for z > 1.
+  // [(1 + p/p0)^z - 1]/z exceeds ln(1 + p/p0), for which alpha* = alpha - 1/p0. The lower bound is for z > 1.
   return root(miss, 1e-4 * alpha_star, alpha_star + 1.0 / p0);
 }
 

@@ -59,7 +59,7 @@ void judge(const Roelands& law, const Loading& loading, std::vector<std::string>
         state, gigapascals(roelands_pressure)));
 }
 
-// From the glass on a law goes along its tangent, and says so.
+// Warns of a law that is continued along its tangent beyond the glass transition.
 void judge_glass(const char* law, double P_glass, double log_eta, const Loading& loading,
                  std::vector<std::string>& found) {
   if (!(loading.P_max > P_glass)) return;
@@ -95,7 +95,7 @@ void judge(const TabulatedDensity& law, const Loading& loading, std::vector<std:
   judge_table("density", *law.curve, law.p_h, loading, found);
 }
 
-// Equations of state of liquids hold far beyond the pressures of contacts.
+// Equations of state of liquids hold far beyond contact pressures.
 void judge(const Tait&, const Loading&, std::vector<std::string>&) {}
 void judge(const Murnaghan&, const Loading&, std::vector<std::string>&) {}
 

@@ -10,9 +10,9 @@
 namespace ehl::rheology {
 namespace {
 
-/// Below it asinh(s)/s is 1 - s^2/6 to the last bit.
+/// Below this asinh(s)/s is 1 - s^2/6 to the last bit.
 constexpr double small_s = 1e-4;
-/// A film that counts as zero: its fluidities stay finite, and H^3 times them is nothing.
+/// Lower bound of H that keeps the fluidities finite; H^3 times them is negligible.
 constexpr double least_film = 1e-30;
 
 struct Two {
@@ -21,7 +21,7 @@ struct Two {
 
 // B = H fluidity and m = sqrt(B^2 + k^2), so that s = k/B is never formed: B may be zero.
 Two fluidities(Eyring, double k, Lanes B, Lanes m) {
-  // asinh(k/B) = ln[(k + m)/B], of which 1 is taken out: m - B = k^2/(m + B).
+  // asinh(k/B) = ln[(k + m)/B] as log1p of the argument less 1, with m - B = k^2/(m + B).
   const Lanes stress = log1p(k * (1.0 + k / (m + B)) / B);
   return {m, stress > 0.0 ? k / stress : B};
 }
@@ -38,7 +38,7 @@ Two slopes(const Carreau& law, double k, Lanes B, Lanes m) {
   return {across + 2.0 * share - 2.0 * (B * B / (B * B + law.n * k * k)), across};
 }
 
-// f(B, m) for a register full at a time; the rest goes through padded copies.
+// f(B, m) for one register at a time; the remainder uses padded copies.
 template <class Function>
 void for_lanes(double k, std::span<const double> H, std::span<const double> fluidity, std::span<double> along,
                std::span<double> across, Function f) {

@@ -6,11 +6,11 @@
 
 namespace ehl::rheology {
 
-/// A shear law and the stress where thinning begins [Pa].
+/// A shear law and the stress at which thinning begins [Pa].
 struct Shear {
   ShearLaw law{};
   double stress = 0.0;
-  bool flow = false;  ///< the pressure's own flow thins too
+  bool flow = false;  ///< the pressure flow thins as well
 };
 
 /// The deck keys of [shear].

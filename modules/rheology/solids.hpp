@@ -15,7 +15,7 @@ struct Solid {
   std::string_view source;
 };
 
-/// The materials that come with the program, at room temperature. A thin coating is no half space of its own material:
+/// Materials that are part of the program, at room temperature. A thin coating is not a half-space of its own material:
 /// a body with DLC is its substrate, with another friction.
 inline constexpr std::array<Solid, 8> solids{{
     {"steel", 206e9, 0.30, 46.0, 470.0, 7850.0,
@@ -34,14 +34,14 @@ inline constexpr std::array<Solid, 8> solids{{
      "cemented with 6 % cobalt: typical, no single source; k = 70 to 100 by grade"},
 }};
 
-/// The solid of that name, or nullptr.
+/// Solid of that name, or nullptr.
 constexpr const Solid* find_solid(std::string_view name) {
   for (const Solid& solid : solids)
     if (solid.name == name) return &solid;
   return nullptr;
 }
 
-/// The same. errors: InputError with the list of names.
+/// Solid of that name. errors: InputError with the list of names.
 const Solid& solid_by_name(std::string_view name);
 
 }  // namespace ehl::rheology

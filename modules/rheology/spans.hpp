@@ -1,5 +1,5 @@
 #pragma once
-// How a law goes over a span: a register full of values at a time.
+// Evaluation of a law on a span, one vector register of values at a time.
 #include <array>
 #include <cstddef>
 #include <span>
@@ -8,8 +8,9 @@
 
 namespace ehl::rheology {
 
-/// out = f(in) for a register full at a time; the rest goes through a padded copy, so that a value never depends on
-/// where in the span it stands. in and out may be the same span. 0 is a legal argument of every f.
+/// out = f(in) for one register at a time; the remainder uses a padded copy, so that a value does not depend on its
+/// position
+/// in the span. in and out may be the same span. 0 must be a legal argument of f.
 template <class Function>
 void apply(std::span<const double> in, std::span<double> out, Function f) {
   constexpr std::size_t width = core::lanes;

@@ -7,18 +7,18 @@
 namespace ehl::rheology {
 namespace {
 
-// The slope at an end from the two intervals next to it: that of the parabola where it neither falls nor is so steep
-// that the cubic would overshoot, else that of the nearer interval. Never zero, or the curve would end there.
+// Slope at an end from its two nearest intervals: that of the parabola if it is positive and does not let the cubic
+// overshoot, else that of the nearest interval. It is never zero, because the curve is continued with it.
 double end_slope(double h_near, double h_far, double secant_near, double secant_far) {
   const double parabola = ((2.0 * h_near + h_far) * secant_near - h_near * secant_far) / (h_near + h_far);
   return parabola > 0.0 ? std::min(parabola, 3.0 * secant_near) : secant_near;
 }
 
-// The interval of an x inside the curve.
+// Interval that contains an x inside the curve.
 std::size_t interval(const Curve& curve, double x) {
   const auto box = std::min(static_cast<std::size_t>(x * curve.boxes_per_x), curve.first.size() - 1);
   auto k = static_cast<std::size_t>(curve.first[box]);
-  while (k > 0 && x < curve.x[k]) --k;  // the box of x is only right up to rounding
+  while (k > 0 && x < curve.x[k]) --k;  // the box of x is exact only up to rounding
   while (k + 2 < curve.x.size() && x >= curve.x[k + 1]) ++k;
   return k;
 }

@@ -5,7 +5,7 @@
 namespace ehl::rheology {
 namespace {
 
-// What ASTM D341 adds to nu + 0.7: nothing but below 2 mm^2/s.
+// Term that ASTM D341 adds to nu + 0.7; negligible above 2 mm^2/s.
 double low_viscosity_term(double nu) { return std::exp(-1.47 - 1.84 * nu - 0.51 * nu * nu); }
 
 double log_log_Z(double nu) { return std::log10(std::log10(nu + 0.7 + low_viscosity_term(nu))); }
@@ -21,8 +21,8 @@ Walther make_walther(double kv40, double kv100) {
 
 double kinematic_viscosity(const Walther& law, double T) {
   const double Z = std::pow(10.0, std::pow(10.0, law.A - law.B * std::log10(T + zero_celsius)));
-  // The standard's polynomial for nu of Z is an approximation: the equation itself contracts by 0.3 at 0.21 mm^2/s, by
-  // 0.003 at 2.
+  // The standard's polynomial nu(Z) is only approximate, so the equation itself is iterated. Its contraction factor is
+  // 0.3 at 0.21 mm^2/s and falls quickly with nu.
   double nu = Z - 0.7;
   constexpr int enough = 40;  // 0.3^40 = 1e-21
   for (int k = 0; k < enough; ++k) nu = Z - 0.7 - low_viscosity_term(nu);

@@ -15,21 +15,21 @@ using Names = std::vector<std::string>;
 
 const Names by_slope{"beta"}, by_second{"T_second", "eta_second"}, by_vogel{"vogel_B", "vogel_C"};
 const Names of_volume{"volume_expansion", "modulus_decay", "occupied_expansion"};
-// The usual density of a mineral oil where nothing tells it [kg/m^3].
+// Density of a typical mineral oil, used if no key gives one [kg/m^3].
 constexpr double usual_density = 870.0;
 
 bool has(const deck::Part& part, const std::string& name) {
   return deck::value(part.deck, part.section, name).origin != deck::Origin::absent;
 }
 
-// A number of each of the names, or NaN.
+// A number for each of the names, or NaN.
 std::vector<double> numbers(const deck::Part& part, const Names& names) {
   std::vector<double> list;
   for (const std::string& name : names) list.push_back(part.number(name));
   return list;
 }
 
-// Roelands: all oils meet where T = 138 K; S0 so that ln(eta/eta0) is what the second viscosity says.
+// Roelands: all oils meet at T = 138 K. S0 follows from the second viscosity.
 Houpert through_second(const deck::Part& thermal, double T0, double eta0, double T, double eta) {
   constexpr double pole = 138.0;
   const double A = roelands_log_ratio(eta0);
@@ -43,7 +43,7 @@ Houpert through_second(const deck::Part& thermal, double T0, double eta0, double
   return {-std::log(share) / std::log((T - pole) / (T0 - pole)), A};
 }
 
-// Of Barus and Roelands, from what the deck gives of it.
+// Ambient viscosity for Barus and Roelands, from the keys that the deck gives.
 std::optional<AmbientViscosity> ambient_of(const deck::Part& thermal, bool roelands, double T0) {
   const deck::Part lubricant{thermal.deck, "lubricant"};
   const double eta0 = lubricant.number("eta0");
@@ -77,7 +77,7 @@ std::optional<AmbientViscosity> ambient_of(const deck::Part& thermal, bool roela
   }
   if (&used == &by_second) return through_second(thermal, T0, eta0, second[0] + zero_celsius, second[1]);
   const double C = vogel[1] + zero_celsius;
-  constexpr double least_distance = 5.0;  // [K]: closer the viscosity grows without end
+  constexpr double least_distance = 5.0;  // [K]: closer to C the viscosity diverges
   if (!(T0 - C >= least_distance))
     thermal.complain("vogel_C", "must be at least 5 C below T_oil: there Vogel's viscosity has no end");
   return Vogel{vogel[0], C};

@@ -1,5 +1,5 @@
 #pragma once
-// What [thermal] says of the oil.
+// Keys of [thermal] about the oil.
 #include <vector>
 
 #include "deck/deck.hpp"
@@ -7,20 +7,20 @@
 
 namespace ehl::rheology {
 
-/// An oil whose temperature varies in the contact, in SI; what is open or wrong is NaN.
+/// An oil whose temperature varies in the contact, in SI; NaN: not given or wrong.
 struct WarmOil {
-  TemperatureConstants constants{};  ///< T0 is that of the oil that enters
+  TemperatureConstants constants{};  ///< T0 is the temperature of the oil at the inlet
   double k = 0.0;                    ///< [W/(m K)]
   double c = 0.0;                    ///< [J/(kg K)]
   double rho = 0.0;                  ///< [kg/m^3]
   double expansion = 0.0;            ///< [1/K]
-  bool follows_pressure = true;      ///< k and c by Larsson and Andersson; else the same everywhere
+  bool follows_pressure = true;      ///< k and c by Larsson and Andersson; else constant
 };
 
-/// The deck's keys of [thermal] about the oil.
+/// Keys of [thermal] about the oil.
 std::vector<deck::Key> warm_oil_keys();
-/// [lubricant] has been read: its temperature, kinematic viscosities and density are taken from there. What is missing,
-/// given twice or without influence, and a law of viscosity without temperature, is added to deck.errors.
+/// Reads them. in: [lubricant] has been read; its temperature, kinematic viscosities and density are used. Keys that
+/// are missing, given twice or without effect, and a viscosity law without temperature, are added to deck.errors.
 WarmOil read_warm_oil(deck::Deck& deck);
 
 }  // namespace ehl::rheology

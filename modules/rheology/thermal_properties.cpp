@@ -20,7 +20,7 @@ Density change(const ThermalDensity& law, const Expansion& by, Lanes P, Lanes th
   return {exp(-e * theta), e};
 }
 
-// rho_bar = (1 + K0' u)^(1/K0')/(1 + a dT) and 1/[(1 - c)(1 + a dT)], u = p/K0(T).
+// Murnaghan: rho_bar = (1 + K0' u)^(1/K0')/(1 + a dT); Tait: 1/[(1 - c)(1 + a dT)]; u = p/K0(T).
 Density change(const Murnaghan& at, const VolumeOfTemperature& volume, double T0, Lanes P, Lanes theta) {
   const Lanes dT = T0 * theta;
   const Lanes w0 = at.K0_prime * at.p_h_over_K0 * P;
@@ -43,7 +43,7 @@ Density change(const Tait& at, const VolumeOfTemperature& volume, double T0, Lan
   return {(1.0 - c0) / (left * expanded), T0 * (volume.a_V / expanded - growth)};
 }
 
-// f(P, theta, k) for a register full from k on; the rest goes through padded copies.
+// f(P, theta, k) for one register at a time from k on; the remainder uses padded copies.
 template <class Function>
 void in_registers(std::span<const double> P, std::span<const double> theta, std::span<double> out,
                   std::span<double> second, Function f) {

@@ -1,6 +1,6 @@
 #pragma once
-// Density, conductivity and heat capacity of the oil against pressure and temperature: what the energy equation of the
-// film asks for beside the viscosity. theta = (T - T0)/T0 as in thermal_viscosity.hpp.
+// Density, conductivity and heat capacity of the oil as functions of pressure and temperature, for the energy equation.
+// theta = (T - T0)/T0 as in thermal_viscosity.hpp.
 #include <span>
 #include <variant>
 
@@ -9,8 +9,8 @@
 
 namespace ehl::rheology {
 
-/// rho(P, theta) = rho(P) exp[-e(P) (T - T0)], e = e0 exp(-P decay): a coefficient of expansion that falls with
-/// pressure, e0 at ambient. decay = 0: the same everywhere. source: Larsson and Andersson 2000 for the decay.
+/// rho(P, theta) = rho(P) exp[-e(P) (T - T0)], e = e0 exp(-P decay): the expansion coefficient e falls with pressure.
+/// decay = 0: constant. source: Larsson and Andersson 2000 for the decay.
 struct Expansion {
   double e0;           ///< [1/K] >= 0
   double decay = 0.0;  ///< per p_h, >= 0
@@ -19,14 +19,14 @@ struct Expansion {
 struct EquationOfState {
   VolumeOfTemperature volume;
 };
-/// A density with its temperature.
+/// A density law with temperature.
 struct ThermalDensity {
   double T0;         ///< [K]
   DensityLaw at_T0;  ///< the isothermal law
   std::variant<Expansion, EquationOfState> expansion;
 };
 
-/// errors: InputError where the law has no equation of state with temperature, and one is asked for.
+/// errors: InputError if an equation of state is required but the law has none with temperature.
 ThermalDensity make_thermal_density(const DensityLaw& law, double T0,
                                     std::variant<Expansion, EquationOfState> expansion);
 ThermalDensity rescaled(const ThermalDensity& law, double factor);
@@ -35,7 +35,7 @@ ThermalDensity rescaled(const ThermalDensity& law, double factor);
 void density_change(const ThermalDensity& law, std::span<const double> P, std::span<const double> theta,
                     std::span<double> ratio, std::span<double> expansion);
 
-/// k and rho c, the same everywhere.
+/// Constant k and rho c.
 struct ConstantHeat {};
 /// k/k0 = 1 + 1.72 p/(1 + 0.54 p), rho c/(rho c)_0 = [1 + 0.47 p/(1 + 0.81 p)][1 + b (T - T0)],
 /// b = 9.3e-4 (1 + 1.4 p - 0.51 p^2), p in GPa: a paraffinic mineral oil, k0 = 0.137 W/(m K), rho c = 1.71e6 J/(m^3 K);
@@ -48,7 +48,7 @@ struct LarssonAndersson {
 using HeatLaw = std::variant<ConstantHeat, LarssonAndersson>;
 HeatLaw rescaled(const HeatLaw& law, double factor);
 
-/// k/k0. It depends on no temperature.
+/// k/k0, independent of the temperature.
 void conductivity(const HeatLaw& law, std::span<const double> P, std::span<double> k_bar);
 /// rho c/(rho c)_0.
 void heat_capacity(const HeatLaw& law, std::span<const double> P, std::span<const double> theta,

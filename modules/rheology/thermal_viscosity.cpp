@@ -13,14 +13,14 @@ namespace ehl::rheology {
 namespace {
 
 constexpr double ln_10 = 2.302585092994045684;
-// Where all of Roelands' oils have their pole [K].
+// Temperature at which all of Roelands' oils have their pole [K].
 constexpr double roelands_pole = 138.0;
 
 struct Change {
   Lanes D, slope;  ///< slope: dD/dtheta
 };
 
-// Of the viscosity at ambient pressure.
+// Change of the viscosity at ambient pressure.
 Change ambient_change(const Exponential& law, double T0, Lanes theta) {
   const double slope = -law.beta * T0;
   return {slope * theta, broadcast(slope)};
@@ -44,7 +44,7 @@ struct Kinematic {
 };
 Kinematic kinematic(Lanes Z) {
   Lanes nu = Z - 0.7, slope = broadcast(1.0);
-  // Newton: the exponential is below 0.23 and falls; three steps from nu = Z - 0.7 reach rounding at 0.21 mm^2/s.
+  // Newton's method: the exponential is below 0.23 and decreases, so a few steps from nu = Z - 0.7 reach rounding.
   for (int step = 0; step < 4; ++step) {
     const Lanes term = exp(-1.47 - nu * (1.84 + 0.51 * nu));
     slope = 1.0 - term * (1.84 + 1.02 * nu);
@@ -89,7 +89,7 @@ Change change(const DoolittleOfT& law, Lanes P, Lanes log_eta, Lanes theta) {
   const Lanes c0 = log1p(K * u0) / K;
   const Lanes dc = log1p(K * du / (1.0 + K * u0)) / K;
   const Lanes volume = 1.0 + a * dT;
-  // The changes of n and d are zero with theta.
+  // The changes of n and d vanish with theta.
   const Lanes n0 = c0, d0 = 1.0 - at.R0 - c0;
   const Lanes dn = dc * volume + (a * c0 - (a - e)) * dT;
   const Lanes dd = -dc + (a * (1.0 - c0 - dc) - at.R0 * e) * dT;
@@ -100,7 +100,7 @@ Change change(const DoolittleOfT& law, Lanes P, Lanes log_eta, Lanes theta) {
   const Lanes fluid = factor * (dn * d0 - n0 * dd) / (d0 * d);
   const Lanes fluid_slope = factor * (n_slope * d - (n0 + dn) * d_slope) / (d * d);
 
-  // The glass at this temperature: v_g with factor n/d = log_glass.
+  // Glass transition at this temperature: v_g with factor n/d = log_glass.
   const Lanes R = at.R0 * (1.0 + e * dT);
   const Lanes v_g = R + (1.0 + e * dT) / (at.log_glass / (at.B * at.R0) + 1.0 / (1.0 - at.R0));
   const Lanes K_u_g = expm1(K * (1.0 - v_g / volume));
@@ -109,7 +109,7 @@ Change change(const DoolittleOfT& law, Lanes P, Lanes log_eta, Lanes theta) {
   const Lanes d_g = v_g - R;
   const Lanes slope_g = factor * (1.0 + e * dT) * (1.0 - at.R0) * volume / (d_g * d_g * (1.0 + K_u_g));
   const Lanes beyond = at.log_glass + slope_g * (u - u_g);
-  // Along u at constant ln eta, and how the tangent turns.
+  // Derivative of u_g with T at constant ln eta, and rotation of the tangent.
   const Lanes v_g_slope = (at.R0 * e) + e * d_g / (1.0 + e * dT);
   const Lanes u_g_slope = (1.0 + K_u_g) * (v_g * a / volume - v_g_slope) / volume;
   const Lanes log_turn =
@@ -135,7 +135,7 @@ Change change(const YasutomiOfT& law, Lanes P, Lanes log_eta, Lanes theta) {
   const Lanes fluid = -factor * dx / (before * here);
   const Lanes fluid_slope = -factor * F / (here * here);
 
-  // The glass at this temperature: x = 0, where d ln eta/dx = -ln(10) C1/C2 and dx/dp = -F dTg/dp.
+  // Glass transition at this temperature: x = 0, with d ln eta/dx = -ln(10) C1/C2 and dx/dp = -F dTg/dp.
   const Lanes A2_p_g = expm1((at.x0 + dT) / at.A1);
   const Lanes p_g = A2_p_g / at.A2;
   const Lanes F_g = exp(at.b2 * log1p(at.b1 * p_g));
