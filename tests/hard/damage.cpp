@@ -1,4 +1,4 @@
-// Damage on purpose: what users mistype and what happens to files.
+// Deliberate damage: typing errors of users, and accidents that happen to files.
 #include <algorithm>
 #include <utility>
 
@@ -13,7 +13,7 @@ std::size_t place(Random& random, std::size_t size) {
 
 char any_byte(Random& random) { return static_cast<char>(whole(random, 1, 255)); }
 
-// One slip of the finger.
+// One typing error.
 void mistype(std::string& text, Random& random) {
   if (text.empty()) return;
   const std::size_t at = place(random, text.size());

@@ -16,11 +16,11 @@ struct Step {
 struct Report {
   int status = -1;  ///< exit status
   std::string err{};
-  nlohmann::json json{};  ///< null where nothing was reported
+  nlohmann::json json{};  ///< null if nothing was reported
 
-  /// A number by its path, "verification/Hm"; NaN where the report has null.
+  /// The number at a path, "verification/Hm"; NaN if the report has null there.
   double number(const std::string& path) const { return support::number_at(json, "/" + path); }
-  /// A word as it is, everything else as JSON; empty where there is none.
+  /// A text as it is, any other value as JSON; empty if there is none.
   std::string text(const std::string& name) const {
     const nlohmann::json value = json.is_object() ? json.value(name, nlohmann::json("")) : "";
     return value.is_string() ? value.get<std::string>() : value.dump();
@@ -29,7 +29,7 @@ struct Report {
     return support::number_at(json.at("levels").back(), "/" + name);
   }
   int cells() const { return static_cast<int>(of_last_level("nx")); }
-  /// The warning with this in it; empty when there is none.
+  /// The warning that contains this part; empty if there is none.
   std::string warning(const std::string& part) const {
     for (const std::string one : json.at("warnings"))
       if (one.find(part) != std::string::npos) return one;
@@ -42,7 +42,7 @@ struct Report {
   }
 };
 
-/// ehl run inputs/hard/NAME.ini with these overrides ("section.key=value").
+/// Runs `ehl run inputs/hard/NAME.ini` with these overrides ("section.key=value").
 inline Report run_deck(const std::string& name, const std::vector<std::string>& overrides = {}) {
   const support::TemporaryFolder folder;
   std::string arguments = std::string("run '") + EHL_INPUTS + "/hard/" + name + ".ini' --json --quiet --output r.h5";

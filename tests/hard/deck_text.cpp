@@ -1,4 +1,4 @@
-// A deck as text, its layout at random, and the list of keys read back from the program.
+// Writes a deck as text with a random layout, and reads the list of keys that the program prints.
 #include <algorithm>
 #include <sstream>
 
@@ -43,7 +43,7 @@ std::string deck_text(const std::vector<Entry>& entries, Random& random) {
       text += entry.name + " = " + entry.value + "\n";
       continue;
     }
-    // One draw at a time: the order within an expression is the compiler's.
+    // One random number per statement: within one expression the compiler chooses the order.
     if (random.chance(0.2)) {
       text += blanks(random);
       text += comment(random) + "\n";

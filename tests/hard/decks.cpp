@@ -1,4 +1,5 @@
-// The decks of inputs/hard through the program: converged, verified, and right by reference or by finer meshes.
+// The decks of inputs/hard through the program: they must converge, pass the checks, and agree with a
+// reference or with finer meshes.
 #include <algorithm>
 #include <array>
 #include <boost/test/unit_test.hpp>
@@ -15,7 +16,8 @@ namespace {
 using hard::Report;
 using hard::run_deck;
 
-/// A deck whose truth is its own refinement, on cells, 2 cells and 4 cells; the deck's choice is one of them where it
+/// A deck that is compared with its own refinement, on cells, 2 cells and 4 cells. The deck's own grid is one of
+/// them if it costs no more.
 /// costs nothing more.
 struct Refined {
   std::string deck;
@@ -24,11 +26,12 @@ struct Refined {
 const Refined refined[] = {
     {"M2_L0", 512},     {"M5_L25", 128},    {"M20_L20", 128},   {"M20_L25", 128},         {"M1000_L2", 256},
     {"M1000_L20", 128}, {"M2000_L25", 256}, {"M5000_L10", 256}, {"steel_ball_4GPa", 256}, {"mesh_aspect_M20_L10", 128}};
-/// Decks with a test of their own below; the map is the sweep's deck.
+/// Decks that have a test of their own below. The map is the deck of a sweep.
 const std::string others[] = {"load_continuation", "sharp_outlet_M50_L10_barus", "short_domain_M20_L10",
                               "stability_map"};
 
-/// Solved, and every number of the verification within the limits that the program promises (modules/steady/README.md).
+/// The case must be solved, and all checks of the final state must be within the limits that the program promises
+/// (modules/steady/README.md).
 void require_verified(const Report& report) {
   BOOST_TEST(report.status == 0, report.err);
   BOOST_TEST_REQUIRE(!report.json.empty());
@@ -40,7 +43,7 @@ void require_verified(const Report& report) {
   BOOST_TEST(report.number("verification/Hm") > 0.0);
   BOOST_TEST(report.number("verification/dry_violation") <= 2e-2);
   BOOST_TEST(std::abs(report.number("verification/flow_imbalance")) <= 1.25e-2);
-  // A tenth of the discretization error is what the README promises of what the cycles leave.
+  // The README promises an algebraic error of at most a tenth of the discretization error.
   for (const char* film : {"Hc", "Hm"})
     BOOST_TEST(report.number(std::string("verification/algebraic_error_") + film) <=
                0.1 * report.of_last_level(std::string("mesh_error_") + film));
@@ -62,17 +65,17 @@ BOOST_AUTO_TEST_CASE(every_deck_is_tested) {
   }
 }
 
-// With the second-order scheme and P = 0 on the boundary: halving the cells divides the change of Hc and Hm by 4.
-// Measured 2.96 to 4.5: the largest errors are not yet asymptotic, and the minimum sits on a node. The estimate at n
-// must cover the change to 2 n, and not by more than ten times (measured 1.2 to 5.6): an estimate that says 100 % of
-// everything would cover too.
+// With the second-order scheme and P = 0 on the boundary, halving the cells divides the change of Hc and Hm by about 4;
+// the largest errors are not yet asymptotic, and the minimum is that of a node. The estimate for n cells must cover the
+// change to 2 n cells, but by a factor of at most ten: otherwise an estimate of 100 % everywhere would pass.
 BOOST_AUTO_TEST_CASE(refinement_is_monotone_and_the_error_estimate_covers_it) {
   for (const Refined& one : refined) {
     BOOST_TEST_CONTEXT(one.deck) {
       const Report as_it_is = run_deck(one.deck);
       require_verified(as_it_is);
       if (as_it_is.json.empty()) continue;
-      // The defaults, which change by less than the second-order scheme errs, and not always to one side.
+      // With the default scheme, the changes are smaller than the errors of the second-order
+      // scheme, and their sign varies.
       const Report coarser = run_deck(one.deck, {"grid.cells=" + std::to_string(as_it_is.cells() / 2)});
       for (const std::string film : {"Hc", "Hm"}) {
         const double change = std::abs(as_it_is.number(film) / coarser.number(film) - 1.0);
@@ -111,7 +114,8 @@ BOOST_AUTO_TEST_CASE(refinement_is_monotone_and_the_error_estimate_covers_it) {
   }
 }
 
-// REFERENCE values of this grid, exactly converged by an independent program; half a unit of their last digit and 1e-6.
+// Reference values for this grid from an independent program, fully converged. The tolerance is half a unit of
+// the last digit, plus 1e-6.
 BOOST_AUTO_TEST_CASE(sharp_outlet_has_the_reference_digits) {
   const Report report = run_deck("sharp_outlet_M50_L10_barus");
   require_verified(report);
@@ -126,8 +130,8 @@ BOOST_AUTO_TEST_CASE(sharp_outlet_has_the_reference_digits) {
   }
 }
 
-// The warning names how much thicker the film is on a domain twice as long and wide, from coarse grids. Here that
-// domain itself is solved, with the same mesh size; 20 % of the number (measured 7 %) because the meshes differ.
+// The warning states how much thicker the film is on a domain twice as long and wide, estimated on coarse grids. The
+// test solves that domain with the same mesh size. The tolerance accounts for the different meshes.
 BOOST_AUTO_TEST_CASE(short_domain_is_called_starved_by_as_much_as_it_is) {
   const Report report = run_deck("short_domain_M20_L10");
   require_verified(report);
@@ -145,11 +149,11 @@ BOOST_AUTO_TEST_CASE(short_domain_is_called_starved_by_as_much_as_it_is) {
   BOOST_TEST(run_deck("M20_L20").warning("inlet starved by the domain") == "");
 }
 
-// Their coarsest grid shows the contact in a few cells, and relaxations swing there (the first three, where cycles left
-// 0.26 to 0.52 of the residual), or the film at the start is so thick that its pressure answers late (the last: a
-// second start was needed).
+// In the first three cases the coarsest grid resolves the contact with only a few cells, on which relaxation may
+// oscillate. In the last case the film at the start is so thick that the pressure responds late. None of this
+// may slow down the cycles.
 BOOST_AUTO_TEST_CASE(the_coarsest_grid_does_not_hold_up_the_cycles) {
-  constexpr double worst_factor = 0.23;  // measured 0.08 to 0.20
+  constexpr double worst_factor = 0.23;  // largest allowed convergence factor
   for (const auto& [M, L] : {std::pair{"1000", "2"}, {"410", "2.28"}, {"200", "0"}, {"10", "20"}}) {
     const Report report = run_deck("stability_map", {std::string("contact.M=") + M, std::string("contact.L=") + L,
                                                      "grid.cells=256", "multigrid.tolerance=1e-8"});
@@ -161,7 +165,7 @@ BOOST_AUTO_TEST_CASE(the_coarsest_grid_does_not_hold_up_the_cycles) {
   }
 }
 
-// In SI, and what a user must be told at this pressure.
+// A contact in SI, and the warnings that belong to this pressure.
 BOOST_AUTO_TEST_CASE(four_gigapascal_come_with_their_warnings) {
   const Report report = run_deck("steel_ball_4GPa", {"grid.cells=128"});
   require_verified(report);
@@ -175,7 +179,7 @@ BOOST_AUTO_TEST_CASE(four_gigapascal_come_with_their_warnings) {
   BOOST_TEST(report.warning("film not resolved by the mesh") != "");
 }
 
-// The equations at the nodes are solved, by a film that the nodes miss.
+// The equations at the nodes are solved, but the film is negative between them.
 BOOST_AUTO_TEST_CASE(a_film_that_is_negative_between_the_nodes_is_told) {
   const Report report =
       run_deck("stability_map", {"contact.M=100", "contact.L=5", "contact.radius_ratio=50", "grid.cells=128"});
@@ -186,7 +190,7 @@ BOOST_AUTO_TEST_CASE(a_film_that_is_negative_between_the_nodes_is_told) {
   BOOST_TEST(report.warning("the film is negative between the nodes") != "");
 }
 
-// Coarsened both ways, cycles diverge on these cells, and Newton's method had to solve the case.
+// Standard coarsening in both directions would diverge on these cells.
 BOOST_AUTO_TEST_CASE(cells_four_times_as_long_as_wide_take_cycles) {
   const Report report = run_deck("mesh_aspect_M20_L10", {"grid.cells=128"});
   require_verified(report);
@@ -202,7 +206,7 @@ BOOST_AUTO_TEST_CASE(cells_four_times_as_long_as_wide_take_cycles) {
   BOOST_TEST(finer.number("Hc") == 0.4185, boost::test_tools::tolerance(1e-3));
 }
 
-// M = 20 to 5000 in one run, told load by load, and the same end as the direct way.
+// M = 20 to 5000 in one run: every load is reported, and the result is that of a direct solution.
 BOOST_AUTO_TEST_CASE(load_continuation_is_told_and_ends_where_the_direct_way_does) {
   const Report report = run_deck("load_continuation");
   require_verified(report);

@@ -1,10 +1,10 @@
-// Random decks and damaged ones, the real program on each: it solves, refuses with a place, or says why it could not;
-// it never crashes, hangs, leaks, or calls a number converged that is none.
+// Runs the program on random and on damaged decks. Each run must solve the case, refuse it with a place, or say why it
+// failed. It must never crash, hang or leak, and never report a wrong number as converged.
 //
 //   test_fuzz -- [--cases N] [--seed S] [--jobs J] [--limit SECONDS] [--supplies SHARE] [--heat SHARE]
 //                [--lines SHARE] [--program PATH] [--verbose]
 //
-// Case k has the seed S + k, so that `--seed S+k --cases 1 --verbose` shows one case again, with its deck.
+// Case k has the seed S + k; `--seed S+k --cases 1 --verbose` repeats one case and prints its deck.
 #include <atomic>
 #include <boost/test/unit_test.hpp>
 #include <cstdlib>
@@ -71,12 +71,12 @@ Setting make_setting(const Options& options) {
   const Finished listing = run_program({setting.program, "keys"}, folder.path(), setting.environment, options.limit);
   BOOST_REQUIRE_MESSAGE(listing.status == 0, listing.err);
   setting.keys = read_known_keys(listing.out);
-  constexpr std::size_t at_least = 30;  // or the reader of the listing is wrong
+  constexpr std::size_t at_least = 30;  // fewer keys mean that the listing was not read correctly
   BOOST_REQUIRE(setting.keys.size() >= at_least);
   return setting;
 }
 
-/// Judges all cases, a few at a time; the order of the verdicts is that of the seeds.
+/// Judges all cases, a few at a time; the verdicts are in the order of the seeds.
 std::vector<Verdict> judge_all(const Options& options, const Setting& setting) {
   constexpr std::uint64_t every_fifth = 5;
   std::vector<Verdict> verdicts(options.cases);
@@ -91,7 +91,7 @@ std::vector<Verdict> judge_all(const Options& options, const Setting& setting) {
   return verdicts;
 }
 
-/// A reason without its numbers, so that like ones count together.
+/// A reason without its numbers, so that similar reasons are counted together.
 std::string kind_of(const std::string& reason) {
   std::string kind;
   for (const char c : reason.substr(0, reason.find(';')))
@@ -166,7 +166,7 @@ BOOST_AUTO_TEST_CASE(random_decks) {
     solved += verdict.end == End::solved ? 1 : 0;
   }
   print_figures(verdicts);
-  // A program that refuses everything would pass all the rest.
+  // A program that refuses every deck would pass all other checks.
   constexpr std::size_t many = 100;
   if (verdicts.size() >= many) BOOST_TEST(4 * solved > static_cast<int>(verdicts.size()));
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Scenes of the hard cases, and what is asked of two solutions that should be one.
+// Scenes of the hard cases, and the comparison of two solutions that should be equal.
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -16,7 +16,8 @@ struct Load {
   double M, L;
 };
 
-/// The scene of the reference tables (the same fluid and domains) at another load: Roelands z = 0.68, Dowson-Higginson;
+/// The scene of the reference tables (same fluid and domains) at another load: Roelands z = 0.68, Dowson-Higginson; the
+/// deformation is exact up to rounding; relative residual 1e-10.
 /// deformation exact but for rounding; a relative residual of 1e-10.
 inline ehl::steady::Scene scene(Load load, int n, ehl::reynolds::Wedge wedge = ehl::reynolds::Wedge::upstream2) {
   ehl::steady::Scene scene =
@@ -37,7 +38,7 @@ inline std::string name(const ehl::steady::Scene& scene) {
 
 inline double relative(double value, double reference) { return std::abs(value / reference - 1.0); }
 
-/// The largest of: relative differences of Hc and Hm, difference of H00 and of P at any node.
+/// The largest of: the relative differences of Hc and Hm, and the differences of H00 and of P at any node.
 inline double difference(const ehl::steady::Solution& a, const ehl::steady::Solution& b) {
   return std::max({std::abs(a.H00 - b.H00), relative(a.levels.back().Hc, b.levels.back().Hc),
                    relative(a.levels.back().Hm, b.levels.back().Hm), ehl::core::max_abs_difference(a.P, b.P)});

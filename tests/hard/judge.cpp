@@ -12,7 +12,7 @@
 namespace hard {
 namespace {
 
-constexpr double loose_residual = 2e-2;  // what the program itself asks for where the deck names no tolerance
+constexpr double loose_residual = 2e-2;  // the tolerance of the program if the deck gives none
 constexpr double loose_load_error = 1e-3;
 
 using support::contains;
@@ -65,7 +65,7 @@ class Judge {
     return with_overrides({"run", "d.ini", "--json", "--quiet", "--threads", threads, "--output", result});
   }
 
-  // Runs the program; what no run may do is judged here.
+  // Runs the program, and checks what must hold for every run.
   Finished ehl(std::vector<std::string> words, const std::string& name) {
     words.insert(words.begin(), setting_.program);
     const Finished ended = run_program(words, folder_.path(), setting_.environment, setting_.limit);
@@ -83,7 +83,7 @@ class Judge {
   static bool has_word(const std::string& text, const std::string& word) {
     std::string line;
     std::istringstream lines(text);
-    std::getline(lines, line);  // the title may hold anything
+    std::getline(lines, line);  // the title may contain any text
     for (std::string part; lines >> part;)
       if (part.substr(0, part.find_last_not_of(",:;") + 1) == word || part == "-" + word) return true;
     return false;
@@ -97,7 +97,7 @@ class Judge {
     double ny = 0.0;
     std::string by;
     stream >> nx >> by >> ny;
-    return by == "x" ? nx * ny : nx;  // of a line contact, one line
+    return by == "x" ? nx * ny : nx;  // a line contact has one line of nodes
   }
 
   void judge_solved(const Finished& ran) {
@@ -114,7 +114,7 @@ class Judge {
     for (const char* name : {"Hc", "Hm", "Hc_moes", "Hm_moes", "P_max", "H00", "residual", "load_error", "lambda"})
       expect(std::isfinite(value(name)),
              std::string("solved: ") + name + " is a number: " + json_member(ran.out, name));
-    // Hc is interpolated where (0,0) is no node, Hm is the smallest of the nodes.
+    // Hc is interpolated if (0,0) is no node, whereas Hm is the minimum over the nodes.
     constexpr double interpolation = 0.9;
     expect(value("Hm") > 0.0 && value("Hc") >= value("Hm") * interpolation,
            "solved: 0 < Hm <= Hc: " + json_member(ran.out, "Hm") + " and " + json_member(ran.out, "Hc"));
@@ -126,10 +126,10 @@ class Judge {
     verdict_.Hc = value("Hc");
     if (const std::string told_Hc = json_member(ran.out, "formulas/0/Hc"); !told_Hc.empty())
       verdict_.formula_ratio = verdict_.Hc / number(told_Hc);
-    // Without a warning the film is resolved and flooded, and the formula is good to 15 % there.
+    // Without a warning the film is resolved and fully flooded, and the formula should be good to 15 %.
     constexpr double least_ratio = 0.7;
     constexpr double largest_ratio = 1.4;
-    // It is told where it was made for the shape of the contact; it knows no supply.
+    // The formula is printed for the shapes that it was made for; it does not account for a supply.
     const bool told = contains(ran.out, "Nijenbanning") && json_member(ran.out, "starvation").empty();
     const bool near_formula = !told || (verdict_.formula_ratio > least_ratio && verdict_.formula_ratio < largest_ratio);
     const bool smooth = !contains(ran.out, "\"name\":\"surfaces\"");
@@ -142,7 +142,7 @@ class Judge {
     verdict_.faults.insert(verdict_.faults.end(), faults.begin(), faults.end());
   }
 
-  // The tolerance that the case asks for, 0 where it asks for none.
+  // The tolerance that the case asks for; 0 if it asks for none.
   double asked_tolerance() const {
     double asked = 0.0;
     for (const std::string& text : {verdict_.deck.text, joined_overrides()})
@@ -157,14 +157,14 @@ class Judge {
     return all;
   }
 
-  // A refusal names the place and the key, on lines that a terminal can show.
+  // A refusal names the place and the key, in lines that a terminal can show.
   void judge_refused(const Finished& ran, bool check_took_it) {
     verdict_.end = End::refused;
     verdict_.reason = ran.err;
     expect(ran.out.empty(), "refused: nothing on standard output: " + ran.out);
     expect(!ran.err.empty(), "refused: a message");
     expect(!check_took_it, "refused: check says the same: " + ran.err);
-    // Of a domain no shorter than the contact the far field may still mean nothing.
+    // The far field may be inapplicable although the domain is no shorter than the contact.
     const bool too_near = ran.err.find("closed form means nothing") != std::string::npos;
     expect(!verdict_.deck.ordinary || too_near, "an ordinary deck is taken: " + ran.err);
     constexpr std::size_t longest_line = 1000;
@@ -179,7 +179,7 @@ class Judge {
     expect(!std::filesystem::exists(folder_ / "r.h5"), "refused: no result file");
   }
 
-  // Of a file that the deck names.
+  // Judges the refusal of a file that the deck names.
   void judge_unreadable(const Finished& ran) {
     verdict_.end = End::refused;
     expect(contains(ran.err, ".csv") || contains(ran.err, "there is no such file"),
@@ -191,7 +191,7 @@ class Judge {
     verdict_.end = End::not_converged;
     verdict_.reason = json_member(ran.out, "failed_check");
     expect(support::is_json(ran.out), "not converged: the output is JSON: " + ran.out);
-    // The steady contact may be solved, and what follows in time not.
+    // The steady contact may be solved although the run in time failed.
     const bool in_time = json_member(ran.out, "transient/completed") == "false";
     if (in_time) verdict_.reason = json_member(ran.out, "transient/ended");
     expect(json_member(ran.out, "converged") == "false", "not converged: converged is false");
@@ -203,7 +203,8 @@ class Judge {
            "not converged: the result is marked: " + mark.out + mark.err);
   }
 
-  // The fields of the result file: as many numbers as nodes, finite, and the largest is the P_max of the report.
+  // Checks the fields of the result file: as many numbers as nodes, all finite, and the largest P
+  // is the P_max of the report.
   void read_back(const Finished& ran) {
     const Finished deck = ehl({"extract", "r.h5", "deck"}, "extract");
     folder_.write("own.ini", deck.out);
@@ -234,7 +235,7 @@ class Judge {
     expect(least == 0.0, "P is nowhere negative: " + std::to_string(least));
   }
 
-  // The deck of the result, on another number of threads: the same digits.
+  // Repeats the deck of the result with another number of threads: all digits must agree.
   void repeat_on_other_threads(const Finished& ran) {
     const std::string threads = verdict_.deck.threads == 1 ? "2" : "1";
     const Finished again =

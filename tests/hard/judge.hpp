@@ -1,5 +1,5 @@
 #pragma once
-// One random deck, the real program, and what can be held against it.
+// Runs the program on one random deck and judges the outcome.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -15,7 +15,7 @@ struct Setting {
   std::vector<std::string> environment{};
   Shares shares{};
   double limit = 60.0;                ///< seconds of one run
-  double most_nodes = 129.0 * 129.0;  ///< larger grids (damage can ask for one) are checked, not run
+  double most_nodes = 129.0 * 129.0;  ///< larger grids, which damage may ask for, are checked but not run
 };
 
 enum class End { solved, refused, not_converged, too_large, crashed, hung, other };
@@ -24,41 +24,41 @@ struct Verdict {
   std::uint64_t seed = 0;
   RandomDeck deck{};
   End end = End::other;
-  std::string reason{};               ///< what the program said when it refused or did not converge
-  std::vector<std::string> faults{};  ///< of the program; each begins with what was expected
+  std::string reason{};               ///< the program's reason for a refusal or for a solution that did not converge
+  std::vector<std::string> faults{};  ///< faults of the program; each begins with what was expected
   std::vector<std::string> warnings{};
   double seconds = 0.0;
-  double Hc = 0.0;             ///< where solved
-  double formula_ratio = 0.0;  ///< Hc over the published formula; where solved
-  std::string groups{};        ///< "M, L"; where the case was begun
+  double Hc = 0.0;             ///< set if the case was solved
+  double formula_ratio = 0.0;  ///< Hc divided by the published formula; set if the case was solved
+  std::string groups{};        ///< "M, L"; set if the solution was started
 };
 
-/// Makes the deck of a seed, runs the program on it and judges. in: setting; sampled: also reads the result file back
-/// and runs the case again on the other number of threads.
+/// Makes the deck of a seed, runs the program on it and judges the outcome. in: setting; sampled: also read the result
+/// file and repeat the case with another number of threads.
 Verdict judge(std::uint64_t seed, const Setting& setting, bool sampled);
 
-/// What is wrong with the report of a contact without lubricant that calls itself solved; an entry for each fault.
+/// The faults of the report of a dry contact that claims to be solved.
 std::vector<std::string> faults_of_dry(const std::string& json);
 
-/// The same of one in time; nothing where the report has no "transient".
+/// The faults of the report of a run in time; empty if it has no "transient".
 std::vector<std::string> faults_in_time(const std::string& json);
 
-/// What a run with friction must say of it; none where the result has none.
+/// The faults of the friction in a report; empty if it has none.
 std::vector<std::string> faults_of_friction(const std::string& json);
 
-/// The same of one with a supply.
+/// The faults of the starvation in a report; empty if it has none.
 std::vector<std::string> faults_of_starvation(const std::string& json);
 
-/// The same of heat.
+/// The faults of the heat in a report; empty if it has none.
 std::vector<std::string> faults_of_heat(const std::string& json);
 
-/// What is wrong with the columns that `ehl extract FILE transient` has printed. in: the steps that the report counts.
+/// The faults of the columns that `ehl extract FILE transient` prints. in: the number of steps in the report.
 std::vector<std::string> faults_of_rows(const std::string& columns, double steps);
 
-/// A number in a text, NaN where there is none.
+/// The number in a text; NaN if there is none.
 double number(const std::string& text);
 
-/// The value of a member as JSON, a text without its quotes; empty when there is none. in: its path, "friction/mu".
+/// The value of a member as JSON, a text without its quotes; empty if there is none. in: its path, "friction/mu".
 std::string json_member(const std::string& json, const std::string& path);
 
 }  // namespace hard

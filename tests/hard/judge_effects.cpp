@@ -1,4 +1,4 @@
-// What can be held against a run with more than a steady film in it.
+// Judges runs that contain more than a steady film.
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -8,7 +8,7 @@
 namespace hard {
 namespace {
 
-// Of bodies that fly the load is a difference of forces, over that of the contact.
+// If the bodies are separated, the load is a small difference of forces and is relative to the load of the contact.
 constexpr double loose_load_in_time = 1e-3;
 
 void expect(std::vector<std::string>& faults, bool holds, const std::string& what) {
@@ -45,7 +45,7 @@ std::vector<std::string> faults_of_friction(const std::string& json) {
   if (own.empty()) return faults;
   for (const char* name : {"mu", "mu_rolling", "mu_1", "mu_2", "mu_cavitated", "largest_stress"})
     expect_number(faults, own, name);
-  // What sliding does to one surface it does to the other; pressure on the slopes of the gap makes up the rest.
+  // Sliding acts on both surfaces with opposite signs; the pressure on the slopes of the gap is the remainder.
   const double mu = number(json_member(own, "mu"));
   const double halves = 0.5 * (number(json_member(own, "mu_2")) - number(json_member(own, "mu_1")));
   constexpr double rounding = 1e-9;
@@ -64,12 +64,12 @@ std::vector<std::string> faults_of_starvation(const std::string& json) {
   } else {
     for (const char* name : {"starvation_factor", "supply_ratio"}) expect_number(faults, own, name);
     const double factor = number(json_member(own, "starvation_factor"));
-    constexpr double thicker = 1.01;  // than the flooded film, by what both leave
+    constexpr double thicker = 1.01;  // the film may exceed the flooded film by the algebraic errors of both
     const bool told = json.find("the starvation factor is") != std::string::npos;
     expect(faults, factor > 0.0 && (factor <= thicker || told),
            "solved: less oil, less film: factor " + std::to_string(factor));
   }
-  constexpr double balanced = 1.0000001e-10;  // what a solution may have, and the digits of the report
+  constexpr double balanced = 1.0000001e-10;  // the limit for a solution, allowing for the digits of the report
   expect(faults, std::abs(number(json_member(own, "mass_imbalance"))) < balanced,
          "solved: oil is conserved: " + json_member(own, "mass_imbalance"));
   return faults;
@@ -81,10 +81,10 @@ std::vector<std::string> faults_of_heat(const std::string& json) {
   if (own.empty() || own == "null") return faults;
   for (const char* name : {"mu", "mu_isothermal", "T_film_max", "T1_max", "T2_max", "heat_1", "heat_2", "heat_made"})
     expect_number(faults, own, name);
-  constexpr double allowed = 1e-3;  // of the program itself
+  constexpr double allowed = 1e-3;  // the program's own limit
   expect(faults, std::abs(number(json_member(own, "heat_imbalance"))) <= allowed,
          "solved: heat balances: " + json_member(own, "heat_imbalance"));
-  // No surface is hotter than the film beside it.
+  // No surface is hotter than the adjacent film.
   const double film = number(json_member(own, "T_film_max"));
   for (const char* name : {"T1_max", "T2_max"})
     expect(faults, number(json_member(own, name)) <= film,
@@ -106,7 +106,8 @@ std::vector<std::string> faults_in_time(const std::string& json) {
   expect(faults, number(json_member(own, "worst_load_error")) < loose_load_in_time,
          "solved: the load holds at all times: " + json_member(own, "worst_load_error"));
   constexpr double balanced = 1.0000001e-10;
-  // Behind a jump the first steps are 1e-7 long, and rates made of them have the rounding of the content times 1e7.
+  // After a jump the first steps are about 1e-7 long; rates over such a step amplify the rounding
+  // of the oil content by 1e7.
   constexpr double rounding_of_rates = 1e-8;
   if (const std::string oil = json_member(own, "worst_oil_error"); !oil.empty())
     expect(faults, number(oil) <= balanced && std::abs(number(json_member(own, "oil_lost"))) <= rounding_of_rates,

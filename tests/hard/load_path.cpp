@@ -1,5 +1,5 @@
-// Load continuation from M = 20 to M = 5000: the same end as the direct way, every step told, and an honest end where
-// it cannot succeed. Newton's method after the cycles. A mesh on which no film is positive.
+// Load continuation from M = 20 to M = 5000: it ends at the directly computed solution, reports every step, and fails
+// with a reason if it cannot succeed. Newton's method after the cycles. A mesh on which no film is positive.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -26,7 +26,7 @@ steady::Scene heaviest(int n, Path path) {
   return scene;
 }
 
-/// Within the loads, each told, and shorter after a rejection.
+/// The loads stay within the range, each is reported, and a rejected step is followed by a shorter one.
 void require_sensible(const std::vector<steady::ContinuationStep>& steps, double last_M) {
   BOOST_TEST_REQUIRE(!steps.empty());
   BOOST_TEST(steps.front().M == first_M, boost::test_tools::tolerance(1e-12));
@@ -41,7 +41,7 @@ void require_sensible(const std::vector<steady::ContinuationStep>& steps, double
     BOOST_TEST(step.load_ratio == step.M / last_M, boost::test_tools::tolerance(1e-12));
     BOOST_TEST(step.cycles >= 1);
     if (!step.converged) {
-      // Half as far in ln M, from the same load.
+      // Half the step in ln M, from the same load.
       if (k + 1 < steps.size())
         BOOST_TEST(std::log(steps[k + 1].M / reached) == 0.5 * std::log(step.M / reached),
                    boost::test_tools::tolerance(1e-9));
@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(direct_and_by_continuation_the_end_is_the_same) {
   BOOST_TEST(apart > 0.0);
 }
 
-// Each load on the way is the problem of that load, as somebody would pose it by itself.
+// An intermediate load of the continuation has the same solution as that load by itself.
 BOOST_AUTO_TEST_CASE(a_load_on_the_way_is_solved_as_by_itself) {
   steady::Scene scene = hard::scene({400, 10}, 128);
   scene.continuation.path = Path::load;
@@ -95,8 +95,8 @@ BOOST_AUTO_TEST_CASE(a_load_on_the_way_is_solved_as_by_itself) {
   }
 }
 
-// Beside a slender contact the least film is 1/40 of the central one: an H00 that follows that one takes all of it, and
-// this path is one of 17 loads.
+// Next to a slender contact, the minimum film is a small fraction of the central film. A prediction of H00 from the
+// central film would exceed it, and the continuation would need many more loads.
 BOOST_AUTO_TEST_CASE(the_film_at_the_side_lives_from_load_to_load) {
   steady::Scene scene = tests::roelands_scene(200, 5, {512, 768, -2.5, 1.5, -0.3125, 0.3125}, contact::ellipse(50));
   scene.wedge = reynolds::Wedge::upstream3;
@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(a_continuation_that_runs_out_of_steps_says_where) {
   BOOST_TEST(said.find("M = 40") != std::string::npos);
 }
 
-// Every load up to the last has a solution on this mesh, the last one none: its film is negative.
+// All loads but the last have a solution on this mesh; for the last one the film is negative.
 BOOST_AUTO_TEST_CASE(a_mesh_too_coarse_is_not_cured_by_continuation) {
   for (const steady::Polish polish : {steady::Polish::rescue, steady::Polish::off}) {
     steady::Scene scene = heaviest(128, Path::load);
@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_CASE(a_mesh_too_coarse_is_not_cured_by_continuation) {
   }
 }
 
-// No film of these cells is positive: one attempt, whatever may be tried, and the reason is the mesh.
+// No film on these cells is positive: there must be a single attempt, and the reason must be the mesh.
 BOOST_AUTO_TEST_CASE(a_mesh_without_a_solution_is_named) {
   for (const int n : {64, 128, 256}) {
     steady::Scene scene = hard::scene({5000, 1}, n);
@@ -166,8 +166,8 @@ BOOST_AUTO_TEST_CASE(a_mesh_without_a_solution_is_named) {
   }
 }
 
-// Rounding errors instead of a tolerance, and nothing else changed: what the default stopping had left is below a
-// tenth of the discretization error, as promised.
+// Newton refinement to rounding errors, with all else unchanged, shows that the default stopping criterion leaves less
+// than a tenth of the discretization error.
 BOOST_AUTO_TEST_CASE(a_polish_reaches_rounding_errors) {
   for (const hard::Load load : {hard::Load{20, 20}, {200, 15}, {2000, 10}}) {
     steady::Scene scene = hard::scene(load, 256);
@@ -192,7 +192,7 @@ BOOST_AUTO_TEST_CASE(a_polish_reaches_rounding_errors) {
   }
 }
 
-// Cells eight times as long as wide: relaxation whose changes of ln eta knew no bound diverged from all eight starts.
+// On cells eight times as long as wide, relaxation diverges unless the changes of ln eta are limited.
 BOOST_AUTO_TEST_CASE(long_cells_are_solved_at_once) {
   steady::Scene scene = hard::scene({1000, 10}, 64);
   scene.grid.ny = 512;
@@ -204,10 +204,10 @@ BOOST_AUTO_TEST_CASE(long_cells_are_solved_at_once) {
   BOOST_TEST(solution.cycle_factor <= 0.7);
 }
 
-// Where the cycles cannot, another way must be found and told.
+// If the cycles fail, another strategy must succeed and be reported.
 BOOST_AUTO_TEST_CASE(newtons_method_saves_what_cycles_leave_unsolved) {
   steady::Scene scene = hard::scene({2000, 15}, 64);
-  scene.grid.ny = 512;  // likewise, too long for this film: the cycles stall
+  scene.grid.ny = 512;  // also too long for this film, so that the cycles stall
   scene.continuation.path = Path::off;
   const steady::Solution saved = steady::solve(scene);
   BOOST_TEST_MESSAGE(hard::name(scene) << ": " << saved.method << ", residual " << saved.levels.back().residual
@@ -227,7 +227,7 @@ BOOST_AUTO_TEST_CASE(newtons_method_saves_what_cycles_leave_unsolved) {
   BOOST_TEST(left.failed_check != "");
 }
 
-// With every other way forbidden there may be no state at all.
+// If all other strategies are forbidden, there may be no state to show.
 BOOST_AUTO_TEST_CASE(what_cannot_be_shown_is_an_error) {
   steady::Scene scene = hard::scene({1000, 0}, 64);
   scene.grid.ny = 1024;

@@ -10,14 +10,14 @@ namespace {
 
 using Entries = std::vector<Entry>;
 
-// Of the domain that the program chooses, at least as long as most.
+// The length of a domain that the program chooses; it is at least as long as most.
 constexpr double unknown_length = 48.0;
 
 enum class Language { moes, hamrock_dowson, si };
 
 std::string text(int value) { return std::to_string(value); }
 
-// Moes' groups of the case; also where the case is given in other words.
+// Moes' groups of the case, whatever the deck gives.
 struct Groups {
   double M = 0.0;
   double L = 0.0;
@@ -45,7 +45,7 @@ void add_lubricant(Entries& entries, Random& random, double L, bool si) {
   if (law == "roelands" && random.chance(0.1)) add("p0", written(random, log_between(random, 1e8, 4e8)));
 }
 
-// From M and L to W, U, G with a typical speed number.
+// Converts M and L to W, U, G with a typical speed number.
 void add_hamrock_dowson(Entries& entries, Random& random, const Groups& groups) {
   const double U = log_between(random, 1e-13, 1e-9);
   entries.push_back({"contact", "W", written(random, groups.M * std::pow(2.0 * U, 0.75))});
@@ -68,7 +68,7 @@ double add_elastic(Entries& entries, Random& random) {
   add("nu1", random.between(0.15, 0.49));
   add("E2", E2);
   add("nu2", random.between(0.15, 0.49));
-  return 2.2 / (1.0 / E1 + 1.0 / E2);  // nearly
+  return 2.2 / (1.0 / E1 + 1.0 / E2);  // approximately
 }
 
 void add_motion(Entries& entries, Random& random, double u_m) {
@@ -82,7 +82,7 @@ void add_motion(Entries& entries, Random& random, double u_m) {
   }
 }
 
-// Radii, speeds, solids and oils of real machines with the load that makes M; once in a while one number far away.
+// Radii, speeds, solids and oils of real machines, with the load that gives M. Occasionally one number is extreme.
 void add_si(Entries& entries, Random& random, double most_M) {
   const int strange = random.chance(0.1) ? whole(random, 0, 2) : -1;
   const double far = log_between(random, 1e-6, 1e6);
@@ -106,7 +106,7 @@ void add_contact(Entries& entries, Random& random, double most_M, bool& ordinary
       pick<Language>(random, {Language::moes, Language::moes, Language::hamrock_dowson, Language::si, Language::si});
   if (language == Language::si) {
     add_si(entries, random, most_M);
-    ordinary = false;  // any L can come out of it
+    ordinary = false;  // any L may result
     return;
   }
   const Groups groups = random_groups(random, most_M);
@@ -117,11 +117,11 @@ void add_contact(Entries& entries, Random& random, double most_M, bool& ordinary
     add_hamrock_dowson(entries, random, groups);
   }
   add_lubricant(entries, random, groups.L, false);
-  if (groups.L < 0.1) ordinary = ordinary && groups.L == 0.0;  // a Hertz pressure of next to nothing may be refused
+  if (groups.L < 0.1) ordinary = ordinary && groups.L == 0.0;  // a very low Hertz pressure may be refused
 }
 
-// Sometimes the program's own choice, sometimes starved, narrow or very long. in: share of cases that have an inlet of
-// their own. out: its length, nearly.
+// The domain: the program's own, or starved, narrow or very long. in: share of cases with a given inlet. out: its
+// approximate length.
 double add_domain(Entries& entries, Random& random, double share, bool& ordinary) {
   double length = unknown_length;
   if (random.chance(share)) {
@@ -142,7 +142,8 @@ double add_domain(Entries& entries, Random& random, double share, bool& ordinary
   return length;
 }
 
-// Mostly fine enough for the domain. in: most cells along either axis. out: cells along x.
+// The grid is fine enough for the domain in most cases. in: most: largest number of cells along an
+// axis. out: cells along x.
 int add_grid(Entries& entries, Random& random, double length, int most, bool& ordinary) {
   constexpr double widest_cell = 0.45;
   const bool with_coarsest = random.chance(0.3);
@@ -160,7 +161,7 @@ int add_grid(Entries& entries, Random& random, double length, int most, bool& or
 }
 
 void add_width(Entries& entries, Random& random, double length, int cells) {
-  // How long the program's own domain is, and with it how wide this may be, is not known here.
+  // The length of the program's own domain, which limits this width, is not known here.
   const auto is_inlet = [](const Entry& entry) { return entry.name == "x_inlet"; };
   if (std::ranges::none_of(entries, is_inlet) || !random.chance(0.5)) return;
   double half_width = random.between(1.5, 5.0);
@@ -172,7 +173,7 @@ void add_width(Entries& entries, Random& random, double length, int cells) {
 void add_deformation(Entries& entries, Random& random, int cells, bool& ordinary) {
   const auto add = [&](const char* name, const std::string& value) { entries.push_back({"deformation", name, value}); };
   if (random.chance(0.3)) return;
-  // The direct sum takes a minute on the largest of these grids.
+  // On the largest of these grids the direct sum would take a minute.
   const std::string method = cells <= 32 && random.chance(0.4) ? "direct" : random.chance(0.35) ? "fft" : "mlmi";
   add("method", method);
   if (method != "mlmi") return;
@@ -181,7 +182,7 @@ void add_deformation(Entries& entries, Random& random, int cells, bool& ordinary
   if (random.chance(0.2)) add("patch_across", text(whole(random, 1, 14)));
   if (random.chance(0.2)) {
     add("coarsenings", text(whole(random, 0, 6)));
-    ordinary = false;  // not every number fits every grid
+    ordinary = false;  // some numbers do not fit the grid
   }
   if (random.chance(0.2)) add("coarsest_sum", pick<std::string>(random, {"fft", "direct"}));
 }
@@ -218,7 +219,7 @@ void add_path(Entries& entries, Random& random, bool& ordinary) {
     add("continuation", si ? "load_start" : "M_start", written(random, log_between(random, 0.5, 200.0)));
   if (random.chance(0.3)) add("continuation", "step", written(random, random.between(1.1, 5.0)));
   if (random.chance(0.3)) add("continuation", "max_steps", text(whole(random, 1, 30)));
-  ordinary = ordinary && !si;  // a load beyond all limits as the first one
+  ordinary = ordinary && !si;  // the load may exceed all limits
 }
 
 }  // namespace
@@ -246,7 +247,7 @@ std::vector<Entry> random_case(Random& random, bool& ordinary) {
   ordinary = ordinary && smooth;
   if (!in_time && !at_rest && !smooth) return random_dry_case(random);
   Entries entries;
-  add_contact(entries, random, in_time ? 200.0 : 1e4, ordinary);  // heavier ones need finer grids
+  add_contact(entries, random, in_time ? 200.0 : 1e4, ordinary);  // higher loads need finer grids
   const bool si = entries.front().name == "radius_x";
   if (random.chance(0.5))
     entries.push_back(
@@ -269,7 +270,7 @@ std::vector<Entry> random_case(Random& random, bool& ordinary) {
 }
 
 RandomDeck random_deck(std::uint64_t seed, const std::vector<KnownKey>& keys, const Shares& shares) {
-  // Neighbouring seeds must not give neighbouring decks.
+  // Neighbouring seeds must give unrelated decks.
   Random random(seed * 0x9E3779B97F4A7C15ULL + 1);
   constexpr double share_of_damaged = 0.35;
   RandomDeck deck;

@@ -1,5 +1,5 @@
 #pragma once
-// Decks that nobody would think of: random physical cases, and random damage to their text.
+// Unexpected decks: random physical cases, and random damage to their text.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@ namespace hard {
 
 using ehl::tests::Random;
 
-/// A key of the program as `ehl keys` lists it.
+/// A key of the program, as `ehl keys` lists it.
 struct KnownKey {
   std::string section{};
   std::string name{};
@@ -25,17 +25,17 @@ struct Entry {
   std::string value{};
 };
 
-/// What lies beside a deck that names it.
+/// A file that a deck names.
 struct File {
   std::string name{};
   std::string text{};
 };
 
-/// Of all decks.
+/// Shares of all decks.
 struct Shares {
-  double supplies = 0.25;  ///< with a [supply]
-  double heat = 0.15;      ///< that become a usual contact with heat
-  double lines = 0.1;      ///< that become line contacts
+  double supplies = 0.25;  ///< share with a [supply]
+  double heat = 0.15;      ///< share that become a typical contact with heat
+  double lines = 0.1;      ///< share that become line contacts
 };
 
 struct RandomDeck {
@@ -43,60 +43,63 @@ struct RandomDeck {
   std::vector<File> files{};
   std::vector<std::string> overrides{};  ///< "section.key=value", for --set
   int threads = 1;
-  std::vector<std::string> damage{};  ///< what was done to it on purpose; empty: a deck in good faith
-  bool ordinary = false;              ///< a contact that must be taken: to refuse it is a fault of the program
+  std::vector<std::string> damage{};  ///< the damage that was done; empty: the deck is intact
+  bool ordinary = false;              ///< the program must accept the contact; a refusal is a fault
 };
 
-/// The same deck for the same seed and keys, on every machine. in: the keys that the program has, targets of the
-/// damage; the shares of the decks. Physical cases: M log-uniform 1 ... 1e4, L 0 ... 30, in three languages, grids up
-/// to 129 x 129 nodes, lines up to 1025.
+/// The deck of a seed, identical on every machine. in: keys: the keys of the program, which the damage may use; shares:
+/// the shares of the kinds of deck. Physical cases: M log-uniform in 1 ... 1e4, L in 0 ... 30, in three languages;
+/// grids up to 129 x 129 nodes, lines up to 1025.
 RandomDeck random_deck(std::uint64_t seed, const std::vector<KnownKey>& keys, const Shares& shares);
 
-/// A case in good faith: what a user may want, common or rare. ordinary: left true while nothing in it can be refused.
+/// A case that a user may want, common or rare. ordinary: stays true as long as nothing in it may be refused.
 std::vector<Entry> random_case(Random& random, bool& ordinary);
 
-/// [transient], and with it [body], surfaces that move and probes, each in some cases. si: the contact is given in SI.
+/// Adds [transient] and, in some cases, [body], moving surfaces and probes. si: the contact is given in SI.
 void add_in_time(std::vector<Entry>& entries, Random& random, bool si);
 
-/// A surface that stands still in a steady contact, or both.
+/// Adds one or both surfaces at rest to a steady contact.
 void add_at_rest(std::vector<Entry>& entries, Random& random, bool si);
 
-/// Now and then an ellipse, some of them aslant; drawn for itself, so that the other decks stay what they are.
+/// Makes some contacts elliptic, some of them at an angle. It has its own random numbers, so that the
+/// other decks do not change.
 void make_elliptic(std::vector<Entry>& entries, Random random, bool& ordinary);
 
-/// A share of decks becomes a line contact, most of them without what they had across the motion; likewise.
+/// Turns a share of decks into line contacts, most of them without keys about Y. It has its own random numbers.
 void make_line(std::vector<Entry>& entries, Random random, double share, bool& ordinary);
 
-/// Now and then an oil by name, by a table or by the laws of a liquid, one that thins, and friction; drawn for itself.
+/// Gives some decks an oil by name, by a table or by the laws of a liquid, shear thinning, or friction. It
+/// has its own random numbers.
 void vary_oil(std::vector<Entry>& entries, std::vector<File>& files, Random random, bool& ordinary);
 
-/// In a share of decks a [supply], some with passes, and what varies of it in time; likewise.
+/// Gives a share of decks a [supply], some with passes, some with a variation in time. It has its own random numbers.
 void vary_supply(std::vector<Entry>& entries, Random random, double share, bool& ordinary);
 
-/// A share of decks becomes a usual contact with heat, others have it now and then, or the pressure's flow that thins;
-/// drawn for itself.
+/// Turns a share of decks into typical contacts with heat, and occasionally adds heat or flow thinning to others. It
+/// has its own random numbers.
 void add_heat(std::vector<Entry>& entries, Random random, double share, bool& ordinary);
 
-/// Stresses below the contact; few planes, for the time.
+/// Adds stresses below the contact, with few planes to save time.
 void add_subsurface(std::vector<Entry>& entries, Random& random);
 
-/// A contact without lubricant, some with surfaces and with stresses below it.
+/// A dry contact, in some cases with surfaces and with stresses below it.
 std::vector<Entry> random_dry_case(Random& random);
 
 /// The files that the entries name: measured maps, tables of a load.
 std::vector<File> files_of(const std::vector<Entry>& entries, Random& random);
 
-/// As a text; layout: with comments, blanks, repeated headings, CRLF, a byte order mark, which all change nothing.
+/// The deck as text. layout: comments, blanks, repeated headings, CRLF and a byte-order mark, none of
+/// which changes the meaning.
 std::string deck_text(const std::vector<Entry>& entries, Random& random);
 
-/// Slips of a user: misspelt names, impossible values, keys lost, doubled, in the wrong section.
+/// Typing errors of a user: misspelt names, impossible values, keys missing, doubled, or in the wrong section.
 void damage_entries(std::vector<Entry>& entries, const std::vector<KnownKey>& keys, Random& random,
                     std::vector<std::string>& done);
 
-/// Accidents of a file: characters and lines lost, doubled, swapped; binary noise, very long lines, other encodings.
+/// Accidents of a file: characters and lines lost, doubled or swapped; binary noise, very long lines, other encodings.
 void damage_text(std::string& text, Random& random, std::vector<std::string>& done);
 
-/// A whole number between low and high, both included.
+/// A random whole number from low to high, both included.
 int whole(Random& random, int low, int high);
 
 /// Log-uniform between low and high.
@@ -107,7 +110,7 @@ Value pick(Random& random, const std::vector<Value>& values) {
   return values[static_cast<std::size_t>(whole(random, 0, static_cast<int>(values.size()) - 1))];
 }
 
-/// A number as a user might write it, with 3 to 9 digits.
+/// A number as a user may write it, with 3 to 9 digits.
 std::string written(Random& random, double value);
 
 }  // namespace hard

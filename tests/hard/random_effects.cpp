@@ -1,5 +1,5 @@
-// What a case may call for beyond the basic model, at random: runs in time, bodies that move, surfaces, probes, dry
-// contacts. Common values mostly, and now and then one far away.
+// Random effects: runs in time, moving bodies, surfaces, probes, dry contacts. Most values are
+// typical, a few are extreme.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,18 +11,19 @@ namespace {
 
 using Entries = std::vector<Entry>;
 
-// In its own range, or rarely anywhere between these.
+// A value in its typical range or, rarely, in the wider one.
 double sometimes_far(Random& random, double low, double high, double lowest, double highest) {
   return random.chance(0.1) ? log_between(random, lowest, highest) : log_between(random, low, high);
 }
 
-// Two numbers with a blank. One draw at a time: the order within an expression is the compiler's.
+// Two numbers separated by a blank. One random number per statement: within one expression the
+// compiler chooses the order.
 std::string two(Random& random, double first, double second) {
   const std::string text = written(random, first);
   return text + " " + written(random, second);
 }
 
-// "0:1 0.3:1 0.3:1.4": times that do not fall, jumps among them.
+// A schedule of "time:value" pairs. Times do not decrease; two equal ones are a jump.
 std::string schedule(Random& random, double end, double low, double high, double rarely) {
   std::string text;
   double T = random.chance(0.5) ? 0.0 : random.between(0.0, 0.5 * end);
@@ -85,7 +86,7 @@ void add_surfaces(Entries& entries, Random& random, bool stands_in_Moes) {
   if (!first || both) add_surface(entries, random, "surface2", stands_in_Moes);
 }
 
-// Of odd sizes, with a heading or without, with all the separators.
+// A map of unusual size, with or without a heading, with any separator.
 std::string random_map(Random& random) {
   const int along = random.chance(0.9) ? whole(random, 8, 70) : whole(random, 1, 400);
   const int across = random.chance(0.9) ? whole(random, 8, 70) : whole(random, 1, 100);
@@ -121,7 +122,7 @@ void add_in_time(std::vector<Entry>& entries, Random& random, bool si) {
   const bool moves = random.chance(0.35);
   const double mass = sometimes_far(random, 1e-3, 10.0, 1e-7, 1e7);
   double end = seconds ? log_between(random, 1e-6, 1e-2) : sometimes_far(random, 0.05, 1.5, 1e-9, 20.0);
-  if (moves && !seconds) end *= std::min(1.0, 30.0 * std::sqrt(mass));  // a few vibrations
+  if (moves && !seconds) end *= std::min(1.0, 30.0 * std::sqrt(mass));  // a few periods of vibration
   add("end_time", written(random, end));
   if (seconds) add("time_unit", "seconds");
   if (random.chance(0.4)) add("rtol", written(random, log_between(random, 1e-6, 5e-2)));
@@ -147,7 +148,7 @@ void add_in_time(std::vector<Entry>& entries, Random& random, bool si) {
                                                   "0 1.02", "99 0", "0, 0", "0 0,", "0 0 0", "nan 0", "1e-300 -0"})});
 }
 
-// Few planes, for the time.
+// Few planes, to save time.
 void add_subsurface(std::vector<Entry>& entries, Random& random) {
   const auto add = [&](const char* name, const std::string& value) { entries.push_back({"subsurface", name, value}); };
   add("depth", written(random, log_between(random, 0.02, 10.0)));
@@ -213,7 +214,7 @@ void make_elliptic(std::vector<Entry>& entries, Random random, bool& ordinary) {
 void make_line(std::vector<Entry>& entries, Random random, double share, bool& ordinary) {
   const bool dry = entries.front().section == "case";
   if (dry || !random.chance(share)) return;
-  ordinary = false;  // what points have and lines refuse stays now and then
+  ordinary = false;  // some decks keep what is allowed for points but refused for lines
   constexpr std::array of_points{"y_half", "radius_y",  "radius_ratio", "angle", "patch_across",
                                  "passes", "returning", "pass_time",    "y",     "probe"};
   const auto refused = [&](const Entry& entry) {

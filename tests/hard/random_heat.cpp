@@ -1,4 +1,4 @@
-// Heat and the thinning of the pressure's own flow, at random.
+// Random heat and flow thinning.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -16,7 +16,7 @@ bool any(const Entries& entries, Is is) {
   return std::ranges::any_of(entries, is);
 }
 
-// What neither goes with; now and then it is drawn all the same.
+// Heat and flow thinning are drawn only if they are available; occasionally they are drawn nevertheless.
 bool possible(const Entries& entries) {
   return entries.front().name == "radius_x" && !any(entries, [](const Entry& entry) {
            return entry.section == "transient" || (entry.name == "polish" && entry.value == "always");
@@ -27,14 +27,15 @@ bool starved(const Entries& entries) {
   return any(entries, [](const Entry& entry) { return entry.section == "supply"; });
 }
 
-// Oils that have no temperature, or their own.
+// True for oils without a temperature, or with one of their own.
 bool with_beta(const Entries& entries) {
   return !any(entries, [](const Entry& entry) {
     return entry.name == "fluid" || entry.value == "doolittle" || entry.value == "yasutomi" || entry.value == "table";
   });
 }
 
-// A ball or roller on steel at usual pressures and speeds: what is drawn without regard to heat seldom bears it.
+// A ball or roller on steel at typical pressures and speeds. A random contact that ignores heat seldom
+// has a solution with heat.
 Entries usual_contact(Random& random) {
   Entries entries;
   const auto add = [&](const char* section, const char* name, double value) {
@@ -62,7 +63,7 @@ Entries usual_contact(Random& random) {
 }  // namespace
 
 void add_heat(std::vector<Entry>& entries, Random random, double share, bool& ordinary) {
-  if (entries.front().section == "case") return;  // dry
+  if (entries.front().section == "case") return;  // a dry contact
   const bool usual = random.chance(share);
   if (usual) {
     Entries supply;

@@ -1,4 +1,4 @@
-// Oils beyond the three common laws, oils that thin, and friction, at random.
+// Random oils beyond the three common laws, shear thinning, and friction.
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +9,7 @@ namespace {
 
 using Entries = std::vector<Entry>;
 
-// A number that some oil has; now and then a few times that.
+// A value close to that of a real oil; occasionally several times that.
 double near(Random& random, double value) {
   return value * (random.chance(0.1) ? log_between(random, 0.2, 5.0) : random.between(0.9, 1.1));
 }
@@ -111,7 +111,7 @@ void add_friction(Entries& entries, Random& random) {
 }  // namespace
 
 void vary_oil(std::vector<Entry>& entries, std::vector<File>& files, Random random, bool& ordinary) {
-  if (entries.front().section == "case") return;  // dry
+  if (entries.front().section == "case") return;  // a dry contact
   const bool si = entries.front().name == "radius_x";
   const bool in_time = std::ranges::any_of(entries, [](const Entry& entry) { return entry.section == "transient"; });
   const auto vary = [&](double share, auto how) {

@@ -1,4 +1,4 @@
-// Oil that is missing, at random.
+// Random supplies of oil.
 #include <algorithm>
 
 #include "hard/random_deck.hpp"

@@ -1,4 +1,4 @@
-// A residual of 1e-10 at hard loads, in few cycles; and the digits of the independent solutions on the finer grids.
+// High loads reach a residual of 1e-10 in few cycles, and the finer grids have the digits of the independent solutions.
 #include <boost/test/unit_test.hpp>
 
 #include "hard/hard_scene.hpp"
@@ -8,11 +8,11 @@ using namespace ehl;
 
 namespace {
 
-// Measured on 256 x 256 cells, both wedges: 10 to 14 cycles, 0.13 to 0.22 each. Twice as many are a fault somewhere.
+// Both limits are about twice as large as on 256 x 256 cells with either wedge; more indicates a fault.
 constexpr int most_cycles = 28;
 constexpr double worst_factor = 0.4;
 
-// Half a unit of the seventh decimal in which the reference is printed, and 1e-6 relative.
+// Half a unit of the seventh decimal, the last one of the reference, plus 1e-6 relative.
 double allowed(double reference) { return 1e-6 + 0.5e-7 / std::abs(reference); }
 
 }  // namespace
@@ -36,13 +36,13 @@ BOOST_AUTO_TEST_CASE(residuals_fall_to_1e_10_by_the_first_start) {
         BOOST_TEST(last.load_error <= 1e-10);
         BOOST_TEST(last.cycles <= most_cycles);
         BOOST_TEST(solution.cycle_factor <= worst_factor);
-        // What thin films hide from the residual; measured 1e-12 to 9e-9 on the whole map.
+        // The mass balance of thin films, which the residual does not show.
         BOOST_TEST(std::abs(solution.verification.flow_imbalance) <= 1e-6);
       }
     }
 }
 
-// The coarser grids are those of tests/convergence.
+// The coarser grids are tested in tests/convergence.
 BOOST_AUTO_TEST_CASE(fine_grids_have_the_reference_digits) {
   for (const reference::CircularContact& contact : reference::circular_contacts) {
     if (contact.n != 512) continue;

@@ -1,4 +1,4 @@
-// Surfaces at rest up to twice the film high: how many cycles they take, and the same solution by Newton's method.
+// Surfaces at rest, up to twice as high as the film: the number of cycles, and the same solution by Newton's method.
 #include <boost/test/unit_test.hpp>
 
 #include "hard/hard_scene.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 struct Rough {
   hard::Load load;
-  double film;  ///< smooth, at the centre
+  double film;  ///< central film of the smooth contact
 };
 constexpr Rough contacts[] = {{{50, 10}, 0.21}, {{200, 10}, 0.079}};
 
@@ -39,8 +39,8 @@ double pressure_at_centre(const steady::Solution& solution) {
 
 }  // namespace
 
-// To the level of the discretization error the smooth contact takes two cycles on 256 cells. What stands in the gap at
-// the centre raises the pressure there, what is missing lowers it.
+// To the magnitude of the discretization error, a smooth contact needs two cycles on 256 cells. A ridge at the centre
+// raises the pressure there, a dent lowers it.
 BOOST_AUTO_TEST_CASE(cycles_with_waves_and_ridges_below_the_film) {
   for (const Rough& contact : contacts) {
     const double smooth = pressure_at_centre(steady::solve(hard::scene(contact.load, 256)));
@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(higher_than_the_film_by_cycles_and_by_newton) {
   for (const Rough& contact : contacts)
     for (const Shape shape : {Shape::waviness, Shape::ridge}) {
       steady::Scene scene = rough_scene(contact, shape, 1.2, 128);
-      scene.multigrid.tolerance = 1e-6;  // the cycles with waves this high stall below it
+      scene.multigrid.tolerance = 1e-6;  // with waves this high, the cycles stall below this residual
       const steady::Solution solution = steady::solve(scene);
       scene.polish = steady::Polish::always;
       const steady::Solution newton = steady::solve(scene);
@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(higher_than_the_film_by_cycles_and_by_newton) {
                          << newton.verification.residual << ", load " << newton.verification.load_error << ", flow "
                          << newton.verification.flow_imbalance << " in " << newton.newton.size() << " steps; apart by "
                          << apart);
-      BOOST_TEST(apart < 5e-5);  // what a residual of 1e-6 leaves in P: up to 2e-5
+      BOOST_TEST(apart < 5e-5);  // the error of P at a residual of 1e-6
       BOOST_TEST(std::abs(newton.verification.flow_imbalance) < 1e-9);
     }
 }

@@ -31,7 +31,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
 }
 
 std::vector<std::string> whole_environment(const std::vector<std::string>& added) {
-  std::vector<std::string> all = added;  // the first of two settings of a name counts
+  std::vector<std::string> all = added;  // if a name is set twice, the first setting counts
   for (char** setting = ::environ; *setting != nullptr; ++setting) all.emplace_back(*setting);
   return all;
 }
@@ -59,12 +59,12 @@ double cpu_seconds(pid_t process) {
   return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
 }
 
-// Waits for the end without burning time. On a machine with other work only its own seconds count, but a program that
-// sleeps must not last for ever. out: false when the limit came first.
+// Waits for the end without using processor time. On a busy machine only the program's own processor time counts, but a
+// program that sleeps is limited by the wall clock. out: false if a limit was reached first.
 bool ends_within(pid_t process, double limit) {
-  constexpr int slice = 500;             // milliseconds between looks at the clock
-  constexpr double waiting_factor = 10;  // by the clock on the wall
-  // The library of Debian 12 declares pidfd_open for C only.
+  constexpr int slice = 500;             // milliseconds between two looks at the clock
+  constexpr double waiting_factor = 10;  // limit of wall-clock time divided by that of processor time
+  // In Debian 12 the library declares pidfd_open only for C.
   const int descriptor = static_cast<int>(::syscall(SYS_pidfd_open, process, 0));
   if (descriptor < 0) throw std::system_error(errno, std::generic_category(), "pidfd_open");
   pollfd waiting{descriptor, POLLIN, 0};

@@ -1,8 +1,8 @@
 #pragma once
-// Exactly converged discrete solutions of the steady circular contact, computed by an independent program: semismooth
-// Newton-GMRES with the exact convolution, no multigrid; residual below 1e-9, digits stable to 1e-7 relative.
-// Discretization: eqs. (4)-(7) with arithmetic means of epsilon at half points, K exact for a constant pressure on each
-// cell, h^2 sum P = 2 pi/3; upstream2 falls back to upstream1 in the first interior column. p0 = 1.96e8 Pa.
+// Fully converged discrete solutions of the steady circular contact from an independent program: a semismooth
+// Newton-GMRES method with the exact convolution and without multigrid; residual below 1e-9, digits stable to 1e-7
+// relative. Discretization: eqs. (4)-(7) with arithmetic means of epsilon at half points, K exact for a constant
+// pressure on each cell, h^2 sum P = 2 pi/3; upstream2 is upstream1 in the first interior column. p0 = 1.96e8 Pa.
 #include "reynolds/wedge.hpp"
 
 namespace ehl::reference {
@@ -71,7 +71,7 @@ inline constexpr CircularContact circular_contacts[] = {
     {50, 10, Fluid::barus, Wedge::upstream2, 256, 0.2659092, 0.1431564, -0.7512240, 1.65490},
 };
 
-/// Limits h -> 0 on the same domains, extrapolated from both wedge schemes (the Barus ones from upstream2 alone).
+/// Limits h -> 0 on the same domains, extrapolated from both wedge schemes (for Barus from upstream2 alone).
 struct CircularLimit {
   double M, L;
   Fluid fluid;
