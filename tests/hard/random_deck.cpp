@@ -142,8 +142,7 @@ double add_domain(Entries& entries, Random& random, double share, bool& ordinary
   return length;
 }
 
-// The grid is fine enough for the domain in most cases. in: most: largest number of cells along an
-// axis. out: cells along x.
+// The grid, mostly fine enough for the domain. in: most: largest number of cells on an axis. out: cells along x.
 int add_grid(Entries& entries, Random& random, double length, int most, bool& ordinary) {
   constexpr double widest_cell = 0.45;
   const bool with_coarsest = random.chance(0.3);

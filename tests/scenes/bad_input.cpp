@@ -1,4 +1,4 @@
-// Bad input: exit status 2, and a message with file, line, key and remedy. Nothing is solved here.
+// Bad input gives exit status 2 and a message with file, line, key and remedy. Nothing is solved here.
 #include <unistd.h>
 
 #include <boost/test/unit_test.hpp>
@@ -194,12 +194,12 @@ BOOST_AUTO_TEST_CASE(all_slips_are_listed_at_once) {
   BOOST_TEST(ended.status == 2);
   for (const char* part : {"laod", "cells = 77", "viscosity = water"})
     BOOST_TEST(ended.says({part}), part << " is missing in\n" << ended.err);
-  // What may follow from these is said when they are mended.
+  // Errors that follow from these are reported only when these are corrected.
   folder.write("d.ini", "[contact]\nM = 50\n[grid]\ncells = 64\n[lubricant]\nviscosity = barus\n[thermal]\nk = 1\n");
   BOOST_TEST(support::ehl(folder, "check d.ini").says({"contact] L"}));
 }
 
-// No cells are too few for a domain that nobody chose.
+// If the contact has an error, no domain is chosen, so no message about too few cells may appear.
 BOOST_AUTO_TEST_CASE(a_slip_in_the_contact_says_nothing_of_the_mesh) {
   const support::TemporaryFolder folder;
   folder.write("d.ini", "[contact]\nload = 10\nradius_x = 0.01\nE_prime = 2e11\n[grid]\ncells = 64\n");
@@ -228,7 +228,7 @@ BOOST_AUTO_TEST_CASE(files_that_are_no_decks) {
   if (::geteuid() != 0) refused("locked.ini", "cannot be read: Permission denied");
 }
 
-// The contact has an error: no domain, no cells follow from it that a wave could be too short for.
+// If the contact has an error, no domain or grid follows from it, so no message about a short wave may appear.
 BOOST_AUTO_TEST_CASE(no_error_follows_from_another_one) {
   const support::TemporaryFolder folder;
   folder.write("d.ini", moes + "[motion]\nsrr = 2\n[surface2]\nshape = waviness\nheight = 0.01\nwidth = 0.4\n" + oil);

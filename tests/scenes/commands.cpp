@@ -1,4 +1,4 @@
-// The commands from end to end: what they print, which files they leave, how they end.
+// All commands from end to end: what they print, which files they leave, how they end.
 #include <hdf5.h>
 
 #include <boost/test/unit_test.hpp>
@@ -9,7 +9,7 @@
 
 namespace {
 
-// Solved in a tenth of a second.
+// This deck is solved within a tenth of a second.
 const std::string small =
     "[case]\ntitle = small\n[contact]\nM = 20\nL = 10\n[lubricant]\nalpha = 2.2e-8\nz = 0.68\n[domain]\nx_inlet = "
     "-4.5\ny_half = 3\n[grid]\ncells = 64\n";
@@ -34,7 +34,7 @@ BOOST_AUTO_TEST_CASE(run_prints_a_table_and_writes_a_result) {
     BOOST_TEST(contains(ended.out, part), part << " is missing in\n" << ended.out);
   BOOST_TEST(!contains(ended.out, "nan"));
   BOOST_TEST(contains(ended.err, "cycle"));
-  BOOST_TEST(scene.folder.entries() == 3);  // deck, d.h5, d.xmf
+  BOOST_TEST(scene.folder.entries() == 3);  // the deck, d.h5 and d.xmf
   BOOST_TEST(scene.ehl("run d.ini --overwrite --quiet").err.empty());
 }
 
@@ -46,7 +46,8 @@ BOOST_AUTO_TEST_CASE(json_is_json_and_nothing_else) {
   BOOST_TEST(contains(ended.out, "\"converged\":true"));
 }
 
-// Coarsenings are meant for the finest grid: six fit 64 cells, although not the 32 of the coarsest grid.
+// The number of coarsenings refers to the finest grid: six fit 64 cells, although they do not fit
+// the first grid of 32 cells.
 BOOST_AUTO_TEST_CASE(coarsenings_fit_the_finest_grid) {
   const Scene scene;
   const support::Ended most = scene.ehl("run d.ini --set deformation.coarsenings=6");
@@ -62,10 +63,10 @@ BOOST_AUTO_TEST_CASE(an_existing_result_is_kept) {
   BOOST_TEST(ended.status == 4);
   BOOST_TEST(ended.says({"d.h5: exists already", "--overwrite"}), ended.err);
   BOOST_TEST((scene.folder.read("d.h5") == precious));
-  BOOST_TEST(!contains(ended.err, "cycle"));  // refused before the work, not after it
+  BOOST_TEST(!contains(ended.err, "cycle"));  // refused before the computation
 }
 
-// What was understood is a deck again, also where a choice leaves other keys without influence.
+// The deck in the result is valid, even if a choice makes other keys unused.
 BOOST_AUTO_TEST_CASE(the_deck_in_the_result_is_a_deck) {
   const Scene scene;
   scene.folder.write("e.ini",
@@ -77,7 +78,7 @@ BOOST_AUTO_TEST_CASE(the_deck_in_the_result_is_a_deck) {
   BOOST_TEST(own.status == 0, own.err);
 }
 
-// REFERENCE: (20,10), Roelands z = 0.68, upstream2, n = 64, solved exactly: Hc = 0.4195678, Hm = 0.2866922.
+// Reference: (20,10), Roelands z = 0.68, upstream2, n = 64, fully converged: Hc = 0.4195678, Hm = 0.2866922.
 BOOST_AUTO_TEST_CASE(the_result_holds_the_published_film) {
   const Scene scene;
   const support::Ended ended = scene.ehl(
@@ -94,8 +95,8 @@ BOOST_AUTO_TEST_CASE(the_result_holds_the_published_film) {
   BOOST_TEST(value("converged") == 1.0);
 }
 
-// The deck in a result gives the same result, with any number of threads: of a grid given and of one found for an
-// accuracy, and of a slender ellipse, which gets a domain narrower than a circle.
+// The deck in a result gives the same result with any number of threads: for a grid that was given, for one found for
+// an accuracy, and for a slender ellipse, whose domain is narrower than that of a circle.
 BOOST_AUTO_TEST_CASE(the_deck_in_a_result_gives_the_same_result) {
   const Scene scene;
   const std::string slender =
@@ -134,7 +135,7 @@ BOOST_AUTO_TEST_CASE(not_converged) {
   BOOST_TEST(contains(json.out, "\"converged\":false"));
 }
 
-// Long enough to be interrupted in its middle; the shell sends what Ctrl-C sends.
+// The run is long enough to be interrupted; the shell sends the signal of Ctrl-C.
 BOOST_AUTO_TEST_CASE(interrupted) {
   const Scene scene;
   BOOST_REQUIRE(scene.ehl("run d.ini --quiet").status == 0);
@@ -146,7 +147,7 @@ BOOST_AUTO_TEST_CASE(interrupted) {
   BOOST_TEST(ended.status == 130, ended.status << "\n" << ended.err);
   BOOST_TEST(ended.says({"interrupted"}), ended.err);
   BOOST_TEST((scene.folder.read("d.h5") == old));
-  BOOST_TEST(scene.folder.entries() == 3);  // and the deck, and the .xmf
+  BOOST_TEST(scene.folder.entries() == 3);  // with the deck and the .xmf
 }
 
 BOOST_AUTO_TEST_CASE(files_that_cannot_be_written) {
@@ -156,12 +157,12 @@ BOOST_AUTO_TEST_CASE(files_that_cannot_be_written) {
     BOOST_TEST(ended.status == 4, output << " ends with " << ended.status);
     BOOST_TEST(ended.says({output, "cannot be written"}), ended.err);
   }
-  // A limit of 10 kB on the size of files stands for a full disk: it shows only while the result is written.
+  // A limit of 10 kB on the size of files acts like a full disk, which is noticed only when the result is written.
   const support::Ended full =
       support::shell(scene.folder, std::string("ulimit -f 10; '") + EHL_PROGRAM + "' run d.ini");
   BOOST_TEST(full.status == 4, full.err);
   BOOST_TEST(full.says({"d.h5: cannot be written: File too large"}), full.err);
-  BOOST_TEST(scene.folder.entries() == 1);  // no half file
+  BOOST_TEST(scene.folder.entries() == 1);  // no incomplete file
 
   const support::Ended pipe = support::shell(scene.folder, std::string("'") + EHL_PROGRAM + "' keys >/dev/full");
   BOOST_TEST(pipe.status == 4);
@@ -181,7 +182,7 @@ BOOST_AUTO_TEST_CASE(files_that_are_no_results) {
       BOOST_TEST(ended.status == 4, command << name << " ends with " << ended.status);
       BOOST_TEST(ended.says({name}), ended.err);
     }
-  // Damage in the middle of the numbers or the headers: any answer but a crash.
+  // Damage to the numbers or the headers: the program may do anything but crash.
   for (std::size_t at = 0; at < whole.size(); at += whole.size() / 60) {
     std::string damaged = whole;
     for (std::size_t k = at; k < std::min(at + 24, whole.size()); ++k) damaged[k] = '\xff';
@@ -200,7 +201,7 @@ BOOST_AUTO_TEST_CASE(extract) {
   BOOST_REQUIRE(scene.ehl("run d.ini").status == 0);
   const auto lines = [](const std::string& text) { return std::count(text.begin(), text.end(), '\n'); };
   const std::string whole = scene.ehl("extract d.h5 P").out;
-  BOOST_TEST(lines(whole) == 3 + 65 * 65 + 64);  // header, nodes, blank lines between scans
+  BOOST_TEST(lines(whole) == 3 + 65 * 65 + 64);  // heading, nodes, blank lines between scans
   BOOST_TEST(contains(whole, "\n# x y P\n-4.5 -3 0.000"));
   const std::string line = scene.ehl("extract d.h5 H --along y --at x=0.7").out;
   BOOST_TEST(contains(line, "# along y at x = 0.65625\n# y H\n-3 "), line.substr(0, 300));  // the nearest grid line
@@ -241,7 +242,7 @@ BOOST_AUTO_TEST_CASE(keys_and_check) {
   BOOST_TEST(own.status == 0, own.err);
   BOOST_TEST(contains(own.out, "M = 50, L = 10"));
   BOOST_TEST(contains(own.out, "alpha_bar = 13.42"));
-  // Mourier et al. 2006: the groups that the deck must lead to.
+  // Mourier et al. 2006: the groups of this deck.
   const std::string mourier =
       support::ehl(scene.folder, std::string("check '") + EHL_INPUTS + "/mourier2006_smooth.ini'").out;
   for (const char* part : {"M = 63.78", "L = 5.788", "z = 0.5205"}) BOOST_TEST(contains(mourier, part), mourier);

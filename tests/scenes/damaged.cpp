@@ -1,4 +1,4 @@
-// HDF5 files that were changed on purpose: maps that lie elsewhere, checkpoints of nobody's run.
+// HDF5 files that were changed deliberately: maps in other files, checkpoints that no run wrote.
 #include <hdf5.h>
 
 #include <boost/test/unit_test.hpp>
@@ -16,7 +16,7 @@ const std::string small =
 
 hid_t open_file(const std::string& path) { return H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT); }
 
-// Another number in place of one of a dataset.
+// Replaces one number of a dataset.
 void set(const std::string& path, const char* dataset, std::size_t at, double value) {
   const hid_t file = open_file(path), set = H5Dopen2(file, dataset, H5P_DEFAULT), space = H5Dget_space(set);
   std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
@@ -26,7 +26,7 @@ void set(const std::string& path, const char* dataset, std::size_t at, double va
   H5Sclose(space), H5Dclose(set), H5Fclose(file);
 }
 
-// A single number in place of a dataset.
+// Replaces a dataset by a single number.
 void replace(const std::string& path, const char* dataset, double value) {
   const hid_t file = open_file(path), space = H5Screate(H5S_SCALAR);
   H5Ldelete(file, dataset, H5P_DEFAULT);
@@ -65,7 +65,7 @@ void make_heights(hid_t file, hid_t space, hid_t properties) {
 
 BOOST_AUTO_TEST_SUITE(damaged)
 
-// A map from elsewhere must not make the program read other files.
+// A map that refers to another file must not make the program read that file.
 BOOST_AUTO_TEST_CASE(maps_lie_in_their_own_file) {
   const support::TemporaryFolder folder;
   folder.write("d.ini", small + "[surface1]\nshape = map\nfile = map.h5\nunit = 0.001\ndx = 0.1\nat_rest = yes\n");
@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(maps_lie_in_their_own_file) {
   refused("in other files");
 }
 
-// A view of what lies in the same file is read: our own files have one of every field in time.
+// A view of a dataset in the same file is read; the program's own files contain one for each field in time.
 BOOST_AUTO_TEST_CASE(views_of_their_own_file_are_read) {
   const support::TemporaryFolder folder;
   folder.write("d.ini", small + "[surface1]\nshape = map\nfile = map.h5\nunit = 0.001\ndx = 0.1\nat_rest = yes\n");
@@ -128,7 +128,7 @@ BOOST_AUTO_TEST_CASE(views_of_their_own_file_are_read) {
   BOOST_TEST((view_1 != numbers("P --step 2")));
 }
 
-// A checkpoint that is none of this program's is not gone on with, and the file stays as it is.
+// The program does not continue from a checkpoint that it did not write, and leaves the file unchanged.
 BOOST_AUTO_TEST_CASE(checkpoints_are_looked_at) {
   const support::TemporaryFolder folder;
   const std::string in_time = "[transient]\nend_time = 4\noutput_interval = 0.1\nload = swing.csv\n";
@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(checkpoints_are_looked_at) {
   for (const char* dataset : {"/transient/Hc", "/transient/frames/time", "/checkpoint/y", "/checkpoint/yp",
                               "/checkpoint/time", "/transient/frames/P", "/checkpoint/frames", "/transient/cycles"})
     for (const double value : {nan, 1e300, std::numeric_limits<double>::infinity()}) {
-      if (value != value && (dataset[12] == 'f' || dataset[11] == 'c')) continue;  // integers know no NaN
+      if (value != value && (dataset[12] == 'f' || dataset[11] == 'c')) continue;  // integers have no NaN
       reset();
       set(file, dataset, 1, value);
       refused("the file is damaged");
@@ -177,7 +177,7 @@ BOOST_AUTO_TEST_CASE(checkpoints_are_looked_at) {
   reset();
   set(file, "/checkpoint/weight", 0, 1.5);
   refused("the times of its checkpoint");
-  // Files of earlier versions hold no weight: their cycles had none.
+  // Files of earlier versions have no weight, because their cycles had none.
   reset();
   const hid_t old = open_file(file);
   H5Ldelete(old, "/checkpoint/weight", H5P_DEFAULT), H5Fclose(old);

@@ -1,4 +1,4 @@
-// Dry contacts that are not smooth, through the built program.
+// Dry contacts with surfaces that are not smooth, through the program.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
@@ -44,7 +44,8 @@ double largest_difference(const std::vector<std::vector<double>>& a, const std::
 
 BOOST_AUTO_TEST_SUITE(dry_surfaces)
 
-// A cos(2 pi x/w) pressed flat: Westergaard's pressure pi^2 A/(2 w), in units of p_h and a^2/R, upon Hertz'.
+// A wave A cos(2 pi x/w) that is pressed flat: Westergaard's pressure pi^2 A/(2 w), in units of p_h and a^2/R, is
+// added to the Hertz pressure.
 BOOST_AUTO_TEST_CASE(waves_pressed_flat) {
   constexpr double w = 0.375, p = 0.2;
   const double A = 2.0 * w * p / (std::numbers::pi * std::numbers::pi);
@@ -61,7 +62,7 @@ BOOST_AUTO_TEST_CASE(waves_pressed_flat) {
   BOOST_TEST_MESSAGE("amplitude of the pressure over Westergaard's " << amplitude / p << " (1 within 0.02)");
   BOOST_TEST(std::abs(amplitude / p - 1.0) < 0.02);
   BOOST_TEST(std::abs(gap[middle][1]) < 1e-7);
-  // The mean of a cell of h is sin(pi h/w)/(pi h/w) = 0.9936 of a wave of 16 cells.
+  // The mean of the wave over a cell is smaller by the factor sin(pi h/w)/(pi h/w), 0.9936 for 16 cells per wave.
   BOOST_TEST_MESSAGE("S in the middle over A " << S[middle][1] / A << " (0.9936)");
   BOOST_TEST(std::abs(S[middle][1] / A - 0.9936) < 1e-3);
   BOOST_TEST(support::ehl(folder, "extract smooth.h5 S").status == 2);
@@ -95,7 +96,7 @@ BOOST_AUTO_TEST_CASE(the_same_in_metres_and_from_its_own_deck) {
   BOOST_REQUIRE(support::ehl(folder, "run again.ini --threads 1").status == 0);
   for (const char* name : {"P", "gap", "S", "/subsurface/section/sigma_mises"})
     BOOST_TEST(largest_difference(field(folder, "metres.h5", name), field(folder, "again.h5", name)) == 0.0, name);
-  // A dimple of 0.02 that is pressed flat takes the pressure out of the middle: the stresses know of it.
+  // A dimple of 0.02 that is pressed flat reduces the pressure in the centre, and thus the stresses.
   const support::Ended checked = support::ehl(folder, "check metres.ini");
   for (const char* part :
        {"surfaces: dimple on surface1", "surface1     dimple, height 29.9 nm (0.02)", "subsurface: "})
@@ -116,7 +117,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
       {"in time", dry + dimple + "[transient]\nend_time = 1\n", {"end_time = 1", "no influence"}}};
   const support::TemporaryFolder folder;
   for (const support::Slip& slip : slips) support::check_refused(folder, slip);
-  // Of a slip in a contact in metres nothing follows for what is given in metres.
+  // An error in the contact causes no further errors about lengths in metres.
   folder.write("d.ini", dry + steel + "radius_y = 0.02\n[surface1]\nshape = dimple\nheight_m = 1e-8\nwidth_m = 5e-5\n");
   const support::Ended one = support::ehl(folder, "check d.ini");
   BOOST_TEST(one.status == 2);

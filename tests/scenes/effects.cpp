@@ -1,4 +1,4 @@
-// What a deck calls for, seen from outside: `ehl check`, the summary, the JSON, the result file.
+// The effects of a deck as a user sees them: `ehl check`, the summary, the JSON, the result file.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(check_says_what_is_on_and_why) {
     BOOST_TEST(contains(two, part), part << " is missing in\n" << two);
 }
 
-// A line is no ellipse, in `ehl check`, the summary and the JSON.
+// A line contact is not called an ellipse in `ehl check`, the summary and the JSON.
 BOOST_AUTO_TEST_CASE(a_line_is_called_a_line) {
   const Scene scene;
   scene.folder.write("line.ini",
@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(a_line_is_called_a_line) {
   for (const std::string& said : {told, text.out, json.out}) BOOST_TEST(!contains(said, "elliptic"), said);
 }
 
-// Absent effects leave no trace; present ones their name, seconds and reason.
+// An effect that is off leaves no trace; one that is on is listed with name, seconds and reason.
 BOOST_AUTO_TEST_CASE(results_name_the_effects_that_were_on) {
   const Scene scene;
   const support::Ended none = scene.ehl("run plain.ini --json --quiet");

@@ -1,5 +1,5 @@
-// Friction of an ellipse, along its axes and aslant, from end to end: in newtons, by sums that know nothing of the
-// program's scales.
+// Friction of an elliptic contact along its axes and at an angle, from end to end: in newtons, by sums that do not
+// use the program's scales.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
@@ -25,7 +25,7 @@ const std::string roelands =
     "viscosity = roelands\nalpha = 2e-8\nz = 0.6\ndensity = dowson-higginson\n[multigrid]\ntolerance = 1e-9\n"
     "[friction]\ncavitated = none\n";
 
-/// Hertz: a along R_x and p_h, by the complete elliptic integrals and bisection for kappa = b/a > 1.
+/// Hertz theory: a along R_x, and p_h, from complete elliptic integrals and bisection for kappa = b/a > 1.
 struct Hertz {
   double a, p_h;
 };
@@ -43,7 +43,7 @@ Hertz hertz(double load) {
   return {b / low, 1.5 * load / (std::numbers::pi * (b / low) * b)};
 }
 
-/// A result in metres and pascals.
+/// A result converted to metres and pascals.
 class InSi {
  public:
   InSi(const std::string& path, double load)
@@ -92,8 +92,8 @@ constexpr double angles[] = {0.0, 45.0, 90.0};
 
 BOOST_AUTO_TEST_SUITE(elliptic_friction)
 
-// At M = 0.5 the bodies are rigid to 3e-4 of the film: h = h_0 + xi^2/(2 R_x) + eta^2/(2 R_y), xi and eta along the
-// bodies' axes, and the friction of sliding is eta_0 (u1 - u2) times the integral of 1/h over the domain.
+// At M = 0.5 the bodies are practically rigid: h = h_0 + xi^2/(2 R_x) + eta^2/(2 R_y), with xi and eta along the axes
+// of the bodies. The sliding friction is eta_0 (u1 - u2) times the integral of 1/h over the domain.
 BOOST_AUTO_TEST_CASE(rigid_isoviscous_ellipse) {
   const Scene scene;
   const double load = 0.188;
@@ -118,12 +118,13 @@ BOOST_AUTO_TEST_CASE(rigid_isoviscous_ellipse) {
   }
 }
 
-// A loaded one: eta(p) (u1 - u2)/h summed over the nodes with pressure, and -(p/2) dh/dx, which is the integral of
-// (h/2) dp/dx by parts, over the load of the deck.
+// A loaded contact: the sum of eta(p) (u1 - u2)/h over the nodes with pressure, and the sum of -(p/2) dh/dx, which is
+// the integral of (h/2) dp/dx by parts, divided by the load of the deck.
 BOOST_AUTO_TEST_CASE(loaded_ellipse) {
   const Scene scene;
   const double load = 20.0;
-  const std::string whole = "[domain]\nfar_field = zero\n";  // no edge term in the integral by parts
+  const std::string whole = "[domain]\nfar_field = zero\n";  // without this, the integral by parts
+                                                             // would have a boundary term
   for (const double angle : angles) {
     const InSi found = scene.run(deck(load, R_x, R_y, angle, roelands) + whole + "[grid]\ncells = 256\n", load);
     double sliding = 0.0, rolling = 0.0, side = 0.0;
@@ -139,14 +140,14 @@ BOOST_AUTO_TEST_CASE(loaded_ellipse) {
       for (std::size_t j = 1; j + 1 < found.ny(); ++j)
         side += 0.5 * found.p(i, j) * (found.h(i, j + 1) - found.h(i, j - 1)) / (found.y(j + 1) - found.y(j - 1));
     BOOST_TEST_MESSAGE(angle << " degrees:");
-    // An ellipse along its axes has none.
+    // An ellipse along its axes has no side force.
     if (angle == 45.0) check("mu_side", found.summary("mu_side"), side * found.cell() / load, 1e-7);
     check("mu", found.summary("mu"), sliding * found.cell() / load, 1e-7);
     check("mu_rolling", found.summary("mu_rolling"), rolling * found.cell() / load, 1e-7);
   }
 }
 
-// The same bodies with R_y called R_x, turned by 90 degrees.
+// Two decks describe the same bodies: the second exchanges R_x and R_y and turns them by 90 degrees.
 BOOST_AUTO_TEST_CASE(one_contact_under_two_names) {
   const Scene scene;
   for (const double angle : {90.0, 45.0}) {
@@ -159,8 +160,8 @@ BOOST_AUTO_TEST_CASE(one_contact_under_two_names) {
   }
 }
 
-// Round a point H dP/dX falls as 1/r^2. Where nothing is known of the outside an inlet of twice the length adds as much
-// as its outer half has.
+// In a point contact H dP/dX falls as 1/r^2. Without a far field, doubling the length of the inlet adds as much as
+// its outer half contributed.
 BOOST_AUTO_TEST_CASE(rolling_friction_grows_with_the_inlet) {
   const Scene scene;
   const auto from = [&](const char* domain) {

@@ -1,4 +1,4 @@
-// What a command reads it never writes, and what it did not make it never replaces.
+// A command never writes to a file that it reads, and never replaces a file that it did not write.
 #include <boost/test/unit_test.hpp>
 #include <string>
 
@@ -14,7 +14,7 @@ struct Scene {
   support::TemporaryFolder folder;
   Scene() { folder.write("d.ini", small); }
   support::Ended ehl(const std::string& arguments) const { return support::ehl(folder, arguments); }
-  // Ends with status 4 and these words, and `name` holds what it held.
+  // The command ends with status 4 and this message, and the file `name` is unchanged.
   void keeps(const std::string& name, const std::string& arguments, const std::string& part) const {
     const std::string before = folder.read(name);
     const int files = folder.entries();
@@ -35,26 +35,26 @@ BOOST_AUTO_TEST_SUITE(files)
 
 BOOST_AUTO_TEST_CASE(a_sweep_keeps_its_inputs) {
   const Scene scene;
-  // Even a table of cases that looks like one of ours.
+  // This holds even for a table of cases that looks like a table of this program.
   scene.folder.write("c.csv", "# ehl sweep, table 1\ncontact.M\n20\n30\n");
   scene.keeps("c.csv", "sweep d.ini --cases c.csv --output c.csv --overwrite --quiet", read_by);
   scene.keeps("c.csv", "sweep d.ini --cases c.csv --output c.csv --quiet", read_by);
   support::shell(scene.folder, "ln c.csv hard.csv; ln -s c.csv soft.csv");
   scene.keeps("c.csv", "sweep d.ini --cases c.csv --output hard.csv --overwrite --quiet", read_by);
   scene.keeps("c.csv", "sweep d.ini --cases c.csv --output soft.csv --overwrite --quiet", read_by);
-  // The kept results would be map.h5, which the deck reads.
+  // The kept results would be written to map.h5, which the deck reads.
   BOOST_REQUIRE(scene.ehl("run d.ini --quiet --output map.h5").status == 0);
   scene.folder.write("rough.ini",
                      small + "[surface1]\nshape = map\nfile = map.h5\ndataset = /fields/H\nunit = 1e-3\ndx = 0.2\n");
   const std::string sweep = "sweep rough.ini --vary contact.M=20,30 --quiet --overwrite ";
   scene.keeps("map.h5", sweep + "--keep --output map.csv", read_by);
-  // A file that is no table or journal of this program is not replaced.
+  // A file that is neither a table nor a journal of this program is not replaced.
   scene.folder.write("notes.csv", "precious, 1\n");
   scene.keeps("notes.csv", "sweep d.ini --vary contact.M=20,30 --quiet --overwrite --output notes.csv", foreign);
   scene.keeps("notes.csv", "study d.ini --quiet --overwrite --output notes.csv", foreign);
   scene.folder.write("t.h5.part", "precious");
   scene.keeps("t.h5.part", "sweep d.ini --vary contact.M=20,30 --quiet --keep --output t.csv", foreign);
-  // A result of one run is no file of a sweep's results.
+  // The result of a single run is not a file of kept results.
   BOOST_REQUIRE(scene.ehl("run d.ini --quiet --output r.h5").status == 0);
   scene.keeps("r.h5", "sweep d.ini --vary contact.M=20,30 --quiet --keep --overwrite --output r.csv", foreign);
 }
@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(a_merge_keeps_its_parts_and_other_results) {
             .status == 0);
   const std::string merge = "sweep --merge t.1of2.csv t.2of2.csv --output ";
   scene.keeps("t.1of2.csv", merge + "t.1of2.csv --overwrite", read_by);
-  // The kept results of the whole would replace another file, which nobody asked for.
+  // The kept results of the whole sweep would replace another file, without being asked to.
   BOOST_REQUIRE(scene.ehl("run d.ini --quiet --output w.h5").status == 0);
   scene.keeps("w.h5", merge + "w.csv --overwrite", foreign);
   BOOST_TEST(scene.ehl(merge + "t.csv").status == 0);

@@ -1,4 +1,4 @@
-// Oils by name, laws of liquids and tables in decks: good ones against each other, bad ones with their message.
+// Oils by name, laws of liquids and tables in decks: valid ones are compared with each other, invalid ones are refused.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <cstdio>
@@ -19,7 +19,7 @@ const std::string yasutomi =
     "C1 = 16.09\nC2 = 17.38\neta_g = 1e12\n";
 const std::string moes = "[contact]\nM = 50\nL = 10\n[grid]\ncells = 64\n[lubricant]\n";
 
-// A table of Barus' law, alpha = 12 1/GPa, up to so many tenths of a gigapascal.
+// A table of Barus' law, alpha = 12 1/GPa, up to `rows` tenths of a gigapascal.
 std::string barus_table(int rows) {
   std::string text = "# Barus\np, eta, rho\n";
   for (int k = 0; k < rows; ++k) {
@@ -34,7 +34,7 @@ struct Slip {
   std::string name;
   std::string oil;
   std::string table;
-  std::vector<std::string> parts;  ///< of the message
+  std::vector<std::string> parts;  ///< parts of the message
 };
 
 void check_all(const std::string& before, const std::vector<Slip>& slips) {
@@ -49,7 +49,7 @@ double json_number(const std::string& json, const std::string& name) {
   return support::number_at(support::parsed(json), "/" + name);
 }
 
-// Of all levels.
+// The cycles on all levels together.
 int cycles_of(const std::string& json) {
   const nlohmann::json report = support::parsed(json);
   int sum = 0;
@@ -120,7 +120,7 @@ BOOST_AUTO_TEST_CASE(tables) {
               rows,
               {"d.ini:12", "table = t.csv", "no influence"}},
              {"another viscosity", oil + "eta0 = 1\n", barus_table(20), {"d.ini:12", "eta0 = 1", "0.0156 already"}}});
-  // The names and units of the heading count: the same film from every way of writing a table.
+  // The names and units in the heading count: every form of the table gives the same film.
   const support::TemporaryFolder folder;
   const std::string thin =
       "[contact]\nload = 20\nradius_x = 0.0127\nE_prime = 1.2e11\n[motion]\nu_m = 0.01\n" + ("[lubricant]\n" + both);
@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(tables) {
     BOOST_TEST(std::abs(h_c - 12.96) < 0.01);
   }
   folder.write("d.ini", contact + oil);
-  BOOST_TEST(support::ehl(folder, "check d.ini").status == 4);  // a file that is not there
+  BOOST_TEST(support::ehl(folder, "check d.ini").status == 4);  // a file that does not exist
 }
 
 BOOST_AUTO_TEST_CASE(mouriers_oil_is_the_deck_with_its_keys) {
@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(mouriers_oil_is_the_deck_with_its_keys) {
   BOOST_REQUIRE(support::ehl(folder, "run named.ini").status == 0);
   BOOST_REQUIRE(support::ehl(folder, "run keys.ini").status == 0);
   BOOST_TEST((pressures(folder, "named.h5") == pressures(folder, "keys.h5")), "the same bits");
-  // In the language of Moes, alpha gives the Hertz pressure, as with the keys.
+  // If the deck gives M and L, alpha determines the Hertz pressure, as for single keys.
   folder.write("named.ini", moes + "fluid = mourier\n");
   folder.write("keys.ini", moes + "viscosity = roelands\neta0 = 0.25\nalpha = 22e-9\n");
   BOOST_REQUIRE(support::ehl(folder, "run named.ini --overwrite").status == 0);
@@ -235,7 +235,8 @@ BOOST_AUTO_TEST_CASE(decks_of_the_inputs_are_taken) {
 }
 
 BOOST_AUTO_TEST_CASE(in_moes_groups_alpha_star_gives_the_pressure) {
-  // p_h = alpha_bar/alpha*, alpha_bar = (L/pi)(3M/2)^(1/3) = 13.42 at (50, 10); alpha* of squalane is 17.78 1/GPa.
+  // p_h = alpha_bar/alpha*, with alpha_bar = (L/pi)(3M/2)^(1/3) = 13.42 at (50, 10), and alpha* =
+  // 17.78 1/GPa for squalane.
   const support::TemporaryFolder folder;
   folder.write("d.ini", moes + "fluid = squalane\n");
   const support::Ended ended = support::ehl(folder, "run d.ini --json");

@@ -1,4 +1,4 @@
-// What other parts of the program say with the friction: heat, the stresses below the surface, tables and pages.
+// Friction in other parts of the program: heat, the stresses below the surface, tables and pages.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <string>
@@ -25,7 +25,7 @@ using Scene = support::HeatedScene;
 
 BOOST_AUTO_TEST_SUITE(friction_elsewhere)
 
-// A Newtonian oil at 1.3 GPa, whose isothermal friction no oil carries.
+// A Newtonian oil at 1.3 GPa, for which the isothermal shear stress is unrealistically high.
 BOOST_AUTO_TEST_CASE(heat_warns_of_stresses_that_no_oil_carries) {
   const Scene scene(ball + heat);
   const nlohmann::json found = scene.run("");
@@ -37,12 +37,12 @@ BOOST_AUTO_TEST_CASE(heat_warns_of_stresses_that_no_oil_carries) {
   BOOST_REQUIRE(scene.ehl("sweep d.ini --vary motion.srr=0.1 --overwrite").status == 0);
   const auto rows = support::named_rows(scene.folder.read("d_sweep.csv"));
   BOOST_TEST(rows[0].at("warnings") != "0");
-  // With a shear law there is nothing to be warned of.
+  // With a shear law there is no reason for the warning.
   scene.folder.write("d.ini", ball + heat + eyring);
   BOOST_TEST(!contains(scene.ehl("run d.ini --quiet --overwrite").out, "no oil carries it"));
 }
 
-// The stresses belong to the force on surface 1, which [friction] computes, and say so.
+// The stresses use the force on surface 1 that [friction] computes, and say so.
 BOOST_AUTO_TEST_CASE(stresses_below_take_the_computed_friction) {
   const std::string below = "[subsurface]\ndepth = 1\nplanes = 11\ncells = 64\n";
   const Scene scene(ball + eyring + "[friction]\ncavitated = striated\n" + below);
@@ -62,7 +62,7 @@ BOOST_AUTO_TEST_CASE(stresses_below_take_the_computed_friction) {
   BOOST_TEST(contains(scene.ehl("run d.ini --quiet --overwrite").out, "frictionless"));
 }
 
-// A friction coefficient below zero has an error bar like any other.
+// A negative friction coefficient has an error bar as well.
 BOOST_AUTO_TEST_CASE(pages_keep_the_bars_of_negative_friction) {
   const Scene scene(ball + heat + eyring);
   BOOST_REQUIRE(scene.ehl("sweep d.ini --vary motion.srr=-0.2,-0.1,-0.05 --set grid.cells=128 --overwrite").status ==
@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(pages_keep_the_bars_of_negative_friction) {
   BOOST_TEST(contains(page.substr(cell, page.find("</td>", cell) - cell), "±"), page.substr(cell, 60));
 }
 
-// The load of a roller is one per length, as in its file.
+// The load of a roller is per length, on the page as in the file.
 BOOST_AUTO_TEST_CASE(pages_have_the_unit_of_the_load) {
   const Scene scene(
       "[contact]\nkind = roller\nload = 300\nlength_m = 6e-3\nradius_x = 5e-3\nE_prime = 226e9\n[roller]\nprofile = "

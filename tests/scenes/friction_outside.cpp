@@ -1,5 +1,5 @@
-// Friction over the whole load, and that of the oil outside of the domain: exact solutions, and contacts whose domains
-// begin at two places.
+// The friction of the whole contact, including the oil outside the domain: exact solutions,
+// and contacts on two domains.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
@@ -26,7 +26,7 @@ struct Scene : support::HeatedScene {
   double rolling(const std::string& changes) const { return number_at(run(changes), "/friction/mu_rolling"); }
 };
 
-// Both coefficients of two domains of one contact.
+// Both coefficients of one contact, computed on two domains.
 void check_equal(const std::string& name, const nlohmann::json& one, const nlohmann::json& other, double tolerance) {
   for (const char* mu : {"mu", "mu_rolling"})
     check_close(name + ", " + mu, number_at(one, std::string("/friction/") + mu),
@@ -37,8 +37,8 @@ void check_equal(const std::string& name, const nlohmann::json& one, const nlohm
 
 BOOST_AUTO_TEST_SUITE(friction_outside)
 
-// T M = 1.4466, T = (1/2) integral of H dP/dX over the parabola without deformation, in units of which the load is
-// pi/2: mu_rolling is T over it, times a/R.
+// T M = 1.4466, where T = (1/2) integral of H dP/dX over the undeformed parabola, in units in which the load is pi/2.
+// mu_rolling is T divided by the load, times a/R.
 BOOST_AUTO_TEST_CASE(a_rigid_line_wherever_the_inlet_begins) {
   const Scene scene(rigid_line);
   constexpr double exact = 1.4466, M = 0.1, a_over_R = 0.01;
@@ -47,7 +47,7 @@ BOOST_AUTO_TEST_CASE(a_rigid_line_wherever_the_inlet_begins) {
     check_close(domain, scene.rolling(domain) / a_over_R * 0.5 * std::numbers::pi * M, exact, 2e-3);
 }
 
-// A meniscus within the domain, and outside of it.
+// A meniscus inside the domain, and one outside.
 BOOST_AUTO_TEST_CASE(a_rigid_line_up_to_a_meniscus) {
   const Scene scene(rigid_line + "meniscus = 40\n");
   check_equal("meniscus at -40", scene.run("--set domain.x_inlet=-30 --set grid.cells=1024"),
@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(points_on_two_domains) {
   }
 }
 
-// An ellipse at an angle has two lines of rupture of different directions.
+// An ellipse at an angle has two rupture lines of different directions.
 BOOST_AUTO_TEST_CASE(ellipses_on_two_domains) {
   const Scene scene("[contact]\nM = 10\nradius_ratio = 0.3\n" + oily);
   for (const char* angle : {"0", "30", "90"}) {
@@ -76,9 +76,10 @@ BOOST_AUTO_TEST_CASE(ellipses_on_two_domains) {
   }
 }
 
-// Far away the bodies are rigid, H = r^2/2 and P = r^-3 f(phi): between two menisci rolling friction grows by
-// (lambda/2) ln(S2/S1) times the integral of f cos(phi)/lambda, f = 0.8 cos(phi) + 0.00173 cosh(3 phi) up to the line
-// of rupture, and sliding friction in a gap full of oil by that of tau_0 (2/r^2), 4 pi tau_0 ln(S2/S1).
+// Far from the contact the bodies are rigid: H = r^2/2 and P = r^-3 f(phi). Between two menisci S1 and S2, rolling
+// friction increases by (lambda/2) ln(S2/S1) times the integral of f cos(phi)/lambda, where f = 0.8 cos(phi) +
+// 0.00173 cosh(3 phi) up to the rupture line. Sliding friction in a full gap increases by the integral of tau_0
+// (2/r^2), which is 4 pi tau_0 ln(S2/S1).
 BOOST_AUTO_TEST_CASE(between_two_menisci_of_a_rigid_ball) {
   const Scene scene("[contact]\nM = 1\nL = 0\n" + rigid);
   const nlohmann::json near = scene.run("--set friction.meniscus=1e3"), far = scene.run("--set friction.meniscus=1e5");
@@ -97,7 +98,7 @@ BOOST_AUTO_TEST_CASE(between_two_menisci_of_a_rigid_ball) {
               3e-3);
 }
 
-// The meniscus of an SI contact, in metres and in Hertz radii; and what is refused.
+// The meniscus of a contact in SI, in metres and in Hertz radii, and what is refused.
 BOOST_AUTO_TEST_CASE(keys_of_the_meniscus) {
   const Scene scene(
       "[contact]\nload = 1\nradius_x = 0.01\nE_prime = 2e11\n[motion]\nu_m = 1\nsrr = 0.1\n[lubricant]\neta0 = 0.05\n"

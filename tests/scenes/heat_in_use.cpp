@@ -1,4 +1,4 @@
-// Contacts with heat in use: far from the usual, fitted to a measured curve, drawn.
+// Contacts with heat in practice: unusual conditions, a fit to a measured curve, pictures.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <tuple>
@@ -23,7 +23,7 @@ struct Scene {
   support::TemporaryFolder folder;
   explicit Scene(const std::string& deck) { folder.write("d.ini", deck); }
   support::Ended ehl(const std::string& arguments) const { return support::ehl(folder, arguments); }
-  // in: what is different from the deck.
+  // in: changes to the deck.
   nlohmann::json run(const std::string& changes) const {
     const support::Ended ended = ehl("run d.ini --json --quiet --overwrite --output d.h5 " + changes);
     BOOST_TEST(ended.status == 0, changes << ": " << ended.err);
@@ -35,8 +35,8 @@ struct Scene {
 
 BOOST_AUTO_TEST_SUITE(heat_in_use)
 
-// Below a wide contact a body at rest answers by more than the film resists: taken whole from sweep to sweep it swung
-// ever further. One that creeps is as hot.
+// Below a wide contact, the surface temperature of a body at rest responds so strongly to the heat that the iteration
+// diverges without damping. A body that moves slowly is as hot.
 BOOST_AUTO_TEST_CASE(a_body_at_rest_below_a_wide_contact) {
   const Scene scene(deck_of("64"));
   const auto hottest = [&](const std::string& speeds) {
@@ -50,8 +50,8 @@ BOOST_AUTO_TEST_CASE(a_body_at_rest_below_a_wide_contact) {
   BOOST_TEST(std::abs(creeping / at_rest - 1.0) < 0.01);
 }
 
-// Points of a map over load, speed and sliding at which passes once swung between two states, lost the film, or waited
-// for an inlet that recirculates.
+// Points of a map over load, speed and sliding that are difficult for the fixed-point iteration between film and heat:
+// chattering, loss of the film, a recirculating inlet.
 BOOST_AUTO_TEST_CASE(far_from_the_base_case) {
   const Scene scene(deck_of("128"));
   for (const char* point : {"contact.load=4.59 --set motion.u_m=20 --set motion.srr=2",
@@ -66,8 +66,8 @@ BOOST_AUTO_TEST_CASE(far_from_the_base_case) {
   }
 }
 
-// A thick film whose inlet recirculates changes by little in a pass and by much in all: passes that go on for long
-// agree with those that end by themselves.
+// A thick film with a recirculating inlet changes little in each iteration, but much in total. Many iterations must
+// agree with the automatic stopping criterion.
 BOOST_AUTO_TEST_CASE(an_inlet_that_recirculates) {
   const Scene scene(
       "[contact]\nload = 14.2\nradius_x = 12.5e-3\nE_prime = 226e9\n[motion]\nu_m = 5.1\nsrr = 0.46\n"
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(an_inlet_that_recirculates) {
   }
 }
 
-// The errors that 128 cells tell of friction and surfaces hold against 512.
+// The error bars of friction and surface temperatures on 128 cells contain the result on 512 cells.
 BOOST_AUTO_TEST_CASE(bars_of_friction_and_temperatures) {
   const Scene scene(deck_of("128"));
   for (const std::string point :
@@ -91,7 +91,8 @@ BOOST_AUTO_TEST_CASE(bars_of_friction_and_temperatures) {
       const double error = std::abs(number_at(coarse, "/thermal/" + name) / number_at(fine, "/thermal/" + name) - 1);
       const double bar = number_at(coarse, "/thermal/error_" + name);
       BOOST_TEST_MESSAGE(point << ": " << name << " " << error << " off, bar " << bar);
-      // Under a pressure spike that the mesh does not resolve the film has no bar, and says so.
+      // Under a pressure spike that the mesh does not resolve, the film temperature has no error
+      // bar, and a warning says so.
       if (name == "T_film_max" && std::isnan(bar)) {
         BOOST_TEST(coarse.dump().find("T_film_max has no error bar") != std::string::npos);
         continue;
@@ -102,7 +103,7 @@ BOOST_AUTO_TEST_CASE(bars_of_friction_and_temperatures) {
   }
 }
 
-// Pure rolling is a point of a traction curve: the pressure's own flow thins the oil there too, cold or with heat.
+// Pure rolling is part of a traction curve: the pressure flow thins the oil there too, with and without heat.
 BOOST_AUTO_TEST_CASE(pure_rolling_with_the_flow_s_thinning) {
   const std::string thin = "--set shear.flow=on --set shear.tau_0=1e6 --set motion.srr=";
   const std::string cold = " --unset thermal.T_oil --unset thermal.beta --unset thermal.solid1 --unset thermal.solid2";
@@ -116,7 +117,7 @@ BOOST_AUTO_TEST_CASE(pure_rolling_with_the_flow_s_thinning) {
   BOOST_TEST(number_at(creeping, "/shear/mu") > 0.0);
   const nlohmann::json warm = scene.run(thin + "0");
   BOOST_TEST(number_at(warm, "/thermal/mu") == 0.0);
-  BOOST_TEST(number_at(warm, "/Hc") < Hc);  // the inlet is warm as well
+  BOOST_TEST(number_at(warm, "/Hc") < Hc);  // the inlet is heated as well
 
   for (const auto& [change, words] : {std::tuple{"--unset grid.cells --set grid.accuracy=0.01", "with [grid] accuracy"},
                                       {"--set multigrid.polish=always", "set polish = rescue"},
@@ -127,7 +128,7 @@ BOOST_AUTO_TEST_CASE(pure_rolling_with_the_flow_s_thinning) {
   }
 }
 
-// The friction of the program itself as the measured one: the stress that made it comes out.
+// The program's own friction serves as measured values: the fit must find the stress that produced them.
 BOOST_AUTO_TEST_CASE(a_fit_finds_the_stress_that_made_the_curve) {
   const Scene scene(deck_of("64"));
   BOOST_REQUIRE(scene.ehl("sweep d.ini --vary motion.srr=0.05,0.2,0.5,1 --output made.csv --threads 2").status == 0);
@@ -167,7 +168,7 @@ BOOST_AUTO_TEST_CASE(pictures_of_heat) {
   const support::Ended drawn = scene.ehl(
       "plot d.h5 --format svg --figure temperature_map --figure temperature_lines --figure temperature_section");
   BOOST_TEST(drawn.status == 0, drawn.err);
-  BOOST_TEST(drawn.err.empty(), drawn.err);  // no warning of gnuplot
+  BOOST_TEST(drawn.err.empty(), drawn.err);  // gnuplot prints no warning
   BOOST_REQUIRE(scene.ehl("sweep d.ini --vary motion.u_m=1,4 --vary motion.srr=0,0.3,1 --threads 2").status == 0);
   const support::Ended map = scene.ehl("plot d_sweep.csv --format svg --figure traction_map");
   BOOST_TEST(map.status == 0, map.err);

@@ -1,5 +1,5 @@
 // Line contacts with heat from end to end: balances, symmetries, the middle of a wide ellipse, slow surfaces, files,
-// tables, what is refused.
+// tables, and what is refused.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -39,29 +39,29 @@ BOOST_AUTO_TEST_CASE(heat_goes_where_it_is_told) {
   const Scene scene;
   const auto found = scene.run("--set friction.cavitated=none");
   const auto at = [&](const char* name) { return number_at(found, std::string("/thermal/") + name); };
-  // What the surfaces do to the film per length: sliding by 4 m/s, and both 10 m/s against the rolling friction. The
-  // heat that is made upstream of the domain is in no row.
+  // The power of the surfaces per length: sliding at 4 m/s, and both surfaces at 10 m/s against the rolling friction.
+  // The heat produced upstream of the domain is not included.
   const double rolling = number_at(found, "/friction/mu_rolling") - number_at(found, "/friction/mu_upstream");
   const double sliding = number_at(found, "/friction/mu") - number_at(found, "/friction/mu_beyond");
   const double work = 2e5 * (sliding * 4 + rolling * 20);
   check_close("heat made over the work of the surfaces", at("heat_made"), work, 0.02);
   BOOST_TEST(std::abs(at("heat_imbalance")) < 1e-3);
   check_close("heat led away", at("heat_1") + at("heat_2") + at("heat_carried"), at("heat_made"), 1e-3);
-  // The faster surface takes more of it and stays colder.
+  // The faster surface takes more heat and stays colder.
   BOOST_TEST(at("heat_1") > at("heat_2"));
   BOOST_TEST(at("T1_max") < at("T2_max"));
   BOOST_TEST(std::abs(at("mu") / number_at(found, "/friction/mu") - 1) < 1e-12);
-  // Flash temperatures by lines, as fast as these (Pe of 96 and 144) the same within 1 %.
+  // Flash temperatures by the moving line source differ by less than 1 % at these high Peclet numbers.
   const auto by_lines = scene.run("--set thermal.solids=lines");
   for (const char* surface : {"/thermal/T1_max", "/thermal/T2_max"})
     check_close(surface, number_at(found, surface), number_at(by_lines, surface), 0.01);
-  // In words too.
+  // The summary says so too.
   const support::Ended text = scene.ehl("run d.ini --quiet --overwrite --output d.h5");
   BOOST_TEST(support::contains(text.out, " W/m made"), text.out);
 }
 
-// Rolling friction of a hot inlet wherever the domain begins: what is upstream of it is hot as well. The tolerances are
-// a third of what an isothermal part upstream makes of them.
+// The rolling friction of a hot inlet must not depend on the domain: the oil upstream of it is hot as well. The
+// tolerances are a third of the error that an isothermal upstream part would cause.
 BOOST_AUTO_TEST_CASE(rolling_friction_of_a_hot_inlet_does_not_depend_on_the_domain) {
   const Scene scene(line + "[motion]\nu_m = 20\n[lubricant]\neta0 = 0.05\nalpha = 1.8e-8\n" + heat +
                     "[friction]\ncavitated = none\n");
@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(rolling_friction_of_a_hot_inlet_does_not_depend_on_the_doma
   check_close("from -4.5", rolling("--set domain.x_inlet=-4.5 --set grid.cells=512"), far, 0.015);
 }
 
-// The isothermal contact beside it is that of the deck without [thermal], to the bit.
+// The isothermal film of a run with heat equals that of the deck without [thermal] bit for bit.
 BOOST_AUTO_TEST_CASE(the_isothermal_contact_is_the_same) {
   const Scene hot, cold(line + motion + oil + shear + grid + "[friction]\ncavitated = none\n");
   support::check_isothermal_beside(hot.run(""), cold.run(""));
@@ -87,13 +87,13 @@ BOOST_AUTO_TEST_CASE(swapped_bodies_mirror_the_film) {
   support::check_mirrored(one, other);
 }
 
-// Hardly any dependence on temperature, and no expansion: the change is in proportion to it, and goes with it.
+// With a small dependence on temperature and no expansion, the change is proportional to it.
 BOOST_AUTO_TEST_CASE(little_change_is_in_proportion) {
   const Scene scene;
   support::check_little_change(scene);
 }
 
-// The middle of an ellipse with R_x/R_y = 0.01 is the line that carries as much there.
+// The middle of an ellipse with R_x/R_y = 0.01 is a line contact with the same load per length.
 BOOST_AUTO_TEST_CASE(the_middle_of_a_wide_ellipse) {
   const std::string rest = "[motion]\nu_m = 5\nsrr = 0.4\n" + oil + shear + "[friction]\ncavitated = none\n" + heat;
   const Scene wide("[contact]\nload = 350\nradius_x = 0.010\nradius_ratio = 0.01\nE_prime = 226.4e9\n" + rest +
@@ -122,8 +122,8 @@ BOOST_AUTO_TEST_CASE(the_middle_of_a_wide_ellipse) {
     check_close(name, number_at(found, name), number_at(ellipse, name), 0.015);
 }
 
-// An inlet that recirculates warms its oil, and slow bodies take up heat, before the first node: a domain that holds
-// four times as much of it is the truth. With oil of the bath and cold bodies there Hc was 1.5e-3 and 4.5e-3 too large.
+// A recirculating inlet warms its oil, and slow bodies take up heat, upstream of the first node. The reference is a
+// domain with four times the inlet. If this heat were neglected, Hc would be too large.
 BOOST_AUTO_TEST_CASE(what_lies_before_the_domain) {
   const Scene scene;
   const auto in_domain = [&](const std::string& more, const char* inlet, int cells) {
@@ -142,8 +142,9 @@ BOOST_AUTO_TEST_CASE(what_lies_before_the_domain) {
   }
 }
 
-// Slow sliding: on 256 cells the oil is hottest in the inlet, on finer ones in the spike, which 256 cells do not
-// resolve: the film has no error bar, and a warning. Those of the surfaces, which it hardly warms, stay narrow.
+// Slow sliding: on 256 cells the oil is hottest in the inlet, on finer grids under the pressure spike, which 256 cells
+// do not resolve. The film temperature therefore has no error bar but a warning. The spike hardly affects the surfaces,
+// whose error bars stay narrow.
 BOOST_AUTO_TEST_CASE(bars_of_a_spike_that_grows) {
   const Scene scene;
   const std::string deck =
@@ -166,12 +167,13 @@ BOOST_AUTO_TEST_CASE(bars_of_a_spike_that_grows) {
     BOOST_TEST(found.dump().find("T_film_max has no error bar") != std::string::npos);
   }
   for (const char* surface : {"T1_max", "T2_max"}) {
-    holds(coarse, surface, 0.1);  // what the cycles left comes with it
+    holds(coarse, surface, 0.1);  // includes the algebraic error
     holds(converged, surface, 0.05);
   }
 }
 
-// Bodies so slow (Pe of 0.05 and 2) that heat runs ahead of the contact: it settles, and as finer grids say.
+// The bodies are so slow (Pe of 0.05 and 2) that heat spreads upstream of the contact. The solution must converge
+// and agree with finer grids.
 BOOST_AUTO_TEST_CASE(slow_surfaces) {
   const Scene scene;
   const std::string slow = "--set motion.u_m=0.1 --set motion.srr=1.9 ";
@@ -184,19 +186,19 @@ BOOST_AUTO_TEST_CASE(slow_surfaces) {
 
 BOOST_AUTO_TEST_CASE(with_little_oil) {
   const Scene scene;
-  // Where oil may be missing the boundary has no pressure.
+  // With a supply, the boundary has no pressure.
   const auto flooded = scene.run("--set domain.far_field=zero"), thick = scene.run("--set supply.layer_m=1e-3");
   for (const char* name : {"/Hc", "/thermal/mu", "/thermal/T_film_max"})
     check_close(name, number_at(thick, name), number_at(flooded, name), 1e-3);
   const auto found = scene.run("--set supply.layer_m=300e-9");
   BOOST_TEST(std::abs(number_at(found, "/mass_imbalance")) <= 1e-10);
   BOOST_TEST(std::abs(number_at(found, "/thermal/heat_imbalance")) < 1e-3);
-  // Nothing flows aside.
+  // A line contact has no side flow.
   check_close("factor", number_at(found, "/starvation_factor"), number_at(found, "/starvation/supply_ratio"), 2e-3);
   BOOST_TEST(number_at(found, "/thermal/mu") > number_at(flooded, "/thermal/mu"));
 }
 
-// Grids below the finest lead on however fine that is: begun on 256 cells no cycle bore this contact's heat.
+// The coarser grids provide a start on any fine grid; a direct start on 256 cells would not converge with heat.
 BOOST_AUTO_TEST_CASE(with_little_oil_on_fine_grids) {
   const Scene scene;
   scene.folder.write(
@@ -221,13 +223,13 @@ BOOST_AUTO_TEST_CASE(results_and_tables_hold_it) {
   BOOST_TEST(T.size() == 257u);
   BOOST_TEST(*std::ranges::max_element(T) == number_at(found, "/thermal/T_film_max"));
   BOOST_TEST(file.numbers("/thermal_section/T").values.size() == 17u * 257u);
-  // u runs from u2 = 0.8 to u1 = 1.2 u_m.
+  // u varies from u2 = 0.8 to u1 = 1.2 u_m.
   const std::vector<double> u = file.numbers("/thermal_section/u").values;
   BOOST_TEST(u.front() == 0.8, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(u.back() == 1.2, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(file.numbers("/summary/heat_1").values.at(0) == number_at(found, "/thermal/heat_1"));
   BOOST_TEST(found["thermal"]["levels"].size() == 3u);
-  // A traction curve: friction falls where heat takes over.
+  // A traction curve: friction decreases where heat dominates.
   const support::Ended sweep = scene.ehl("sweep d.ini --vary motion.srr=0,0.02,0.1,0.4,1,1.8 --output t.csv");
   BOOST_TEST(sweep.status == 0, sweep.err);
   const std::string table = scene.folder.read("t.csv");
@@ -239,7 +241,7 @@ BOOST_AUTO_TEST_CASE(results_and_tables_hold_it) {
   BOOST_TEST((mu(1) < mu(2) && mu(2) > mu(3) && mu(3) > mu(4) && mu(4) > mu(5)), table);
 }
 
-// The pressure's own flow thins the oil too, with heat and without.
+// The pressure flow thins the oil too, with heat and without.
 BOOST_AUTO_TEST_CASE(with_flow_thinning) {
   const Scene scene;
   const auto plain = scene.run("--set shear.tau_0=3e6"),

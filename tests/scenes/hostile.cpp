@@ -1,4 +1,4 @@
-// What surrounds a run does its worst: outputs that cannot be printed, names that are commands, files that are pipes.
+// Hostile surroundings of a run: outputs that cannot be written, names that are commands, files that are pipes.
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
 
@@ -9,7 +9,7 @@ namespace {
 
 using support::contains;
 
-// Solved in a tenth of a second.
+// This deck is solved within a tenth of a second.
 const std::string small =
     "[case]\ntitle = small\n[contact]\nM = 20\nL = 10\n[lubricant]\nalpha = 2.2e-8\nz = 0.68\n[domain]\nx_inlet = "
     "-4.5\ny_half = 3\n[grid]\ncells = 64\n";
@@ -21,7 +21,7 @@ struct Scene {
   support::Ended ehl(const std::string& arguments) const { return support::ehl(folder, arguments); }
   support::Ended shell(const std::string& line) const { return support::shell(folder, line); }
   bool there(const std::string& name) const { return std::filesystem::exists(folder / name); }
-  // Is refused with this status and these words, and changes no file.
+  // The command is refused with this status and message, and changes no file.
   void refused(const std::string& arguments, int status, const std::vector<std::string>& parts) const {
     const int before = folder.entries();
     const support::Ended ended = ehl(arguments);
@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE(a_result_is_kept_where_nothing_can_be_printed) {
   }
 }
 
-// With standard error closed the table must not get its number, and the messages with it.
+// If standard error is closed, the table must not get its descriptor and receive the messages.
 BOOST_AUTO_TEST_CASE(closed_descriptors_are_no_files) {
   const Scene scene;
   scene.shell(program + "sweep d.ini --vary contact.M=20,30 --output s.csv >&- 2>&- <&-");
@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(names_of_files_and_titles_are_no_commands) {
   BOOST_TEST(!scene.there("pwned_centre_lines.png"));
 }
 
-// A program that is told to stop stops what it has started.
+// A program that is stopped ends the processes that it started.
 BOOST_AUTO_TEST_CASE(plot_ends_with_its_gnuplot) {
   if (!gnuplot_is_there) return;
   const Scene scene;
@@ -136,7 +136,7 @@ BOOST_AUTO_TEST_CASE(pipes_and_broken_files_are_refused) {
   refused("check t.ini", 4, "no regular file");
   refused("extract pipe.h5 P", 4, "no regular file");
   refused("plot pipe.csv", 4, "no regular file");
-  // A file that opens, and cannot be read: no table of no rows.
+  // A file that can be opened but not read must not count as an empty table.
   scene.shell("rm pipe.csv && ln -s /proc/self/mem pipe.csv");
   refused("check t.ini", 4, "cannot be read to its end");
 }
@@ -168,7 +168,7 @@ BOOST_AUTO_TEST_CASE(the_process_has_its_name) {
   BOOST_TEST(scene.shell(line).out == "ehl\n");
 }
 
-// A table that says something else than it seems to is refused.
+// A table whose meaning is ambiguous is refused.
 BOOST_AUTO_TEST_CASE(schedules_and_tables_mean_what_they_say) {
   const Scene scene;
   scene.folder.write("t.ini", small + "[transient]\nend_time = 0.2\nload = swing.csv\n");
@@ -180,11 +180,11 @@ BOOST_AUTO_TEST_CASE(schedules_and_tables_mean_what_they_say) {
   BOOST_TEST(load("\xEF\xBB\xBF"
                   "0, 1\n1, 1.1\n")
                  .status == 0);
-  // Without its first row the load would begin at 1.3.
+  // If the first row were skipped, the load would begin at 1.3.
   const support::Ended mark = scene.ehl("run t.ini --quiet --output a.h5");
   BOOST_TEST(mark.status == 0, mark.err);
   BOOST_TEST(contains(scene.ehl("extract a.h5 /transient/load").out, "\n1\n"));
-  // Decimal commas, trailing separators and milliseconds mean what they seem to.
+  // Decimal commas, trailing separators and milliseconds are understood.
   BOOST_TEST(load("0;1,0\n1;1,1\n2;1,2\n").status == 0);
   BOOST_TEST(load("0;1;\n1;1.1;\n").status == 0);
   BOOST_TEST(load("t [a/u_m];load [%]\n0;100\n1;110\n").status == 0);
@@ -204,7 +204,7 @@ BOOST_AUTO_TEST_CASE(schedules_and_tables_mean_what_they_say) {
   scene.refused("check o.ini", 2, {"oil.csv:1", "4 columns"});
 }
 
-// The same deck beside another table is another case.
+// A deck with a changed table is another case.
 BOOST_AUTO_TEST_CASE(files_belong_to_the_identity) {
   const Scene scene;
   scene.folder.write("t.ini", small.substr(0, small.find("alpha")) + "viscosity = table\ntable = oil.csv\n" +

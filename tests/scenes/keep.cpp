@@ -1,4 +1,4 @@
-// ehl sweep --keep: the result of each case in one file, whatever cuts the sweep short.
+// ehl sweep --keep: the result of every case in one file, even if the sweep is interrupted.
 #include <boost/test/unit_test.hpp>
 #include <string>
 
@@ -16,7 +16,7 @@ const std::string vary =
 std::string extracted(const support::TemporaryFolder& folder, const std::string& what) {
   const support::Ended ended = support::ehl(folder, "extract " + what);
   BOOST_TEST(ended.status == 0, ended.err);
-  // But for the name of the file, which is in the first line.
+  // Without the first line, which contains the name of the file.
   return ended.out.substr(ended.out.find('\n') + 1);
 }
 
@@ -33,7 +33,7 @@ BOOST_AUTO_TEST_CASE(every_case_is_the_result_of_a_run) {
   for (const std::string name : {"H", "P", "Hc"})
     BOOST_TEST(extracted(folder, "t.h5 " + name + " --case 7") == extracted(folder, "one.h5 " + name));
   BOOST_TEST(contains(extracted(folder, "t.h5 deck --case 7"), "M = 26"));
-  // More values: the cases have other numbers, and none is computed again.
+  // With more values the cases have other numbers, but none is computed again.
   const std::string more =
       "sweep d.ini --vary contact.M=2,5,12,19,26,33,40 --vary contact.L=2,5 --quiet --keep "
       "--output t.csv";
@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE(killed_at_any_moment_it_goes_on) {
   BOOST_REQUIRE(support::ehl(folder, vary + "whole.csv").status == 0);
   const std::string program = EHL_PROGRAM;
   for (const char* moment : {"0.05", "0.11", "0.17", "0.23", "0.31", "0.4"})
-    // Waited for: killed while it writes to disk a process is there a little longer, and what it left is still its own.
+    // The test waits for the killed process: while it writes to disk, it ends with a delay and keeps its files locked.
     support::shell(folder, "'" + program + "' " + vary + "cut.csv & sleep " + moment + "; kill -KILL $!; wait $!");
   const support::Ended ended = support::ehl(folder, vary + "cut.csv");
   BOOST_TEST_MESSAGE("after six kills: " << ended.out.substr(0, ended.out.find('\n')));

@@ -1,5 +1,5 @@
-// The same program with the numerics of every level of x86-64 that this processor runs: the best is taken unasked, and
-// all give the same film to rounding.
+// The program with the numerics of every x86-64 level that this processor supports: the best level is chosen by
+// default, and the films of all levels agree to rounding.
 #include <gnu/libc-version.h>
 
 #include <boost/test/unit_test.hpp>
@@ -17,7 +17,7 @@ namespace files = std::filesystem;
 struct Level {
   std::string name;
   bool runs;
-  std::string folder;  ///< of its library, below lib/
+  std::string folder;  ///< folder of the library, below lib/
 };
 
 std::vector<Level> levels() {
@@ -27,7 +27,7 @@ std::vector<Level> levels() {
           {"x86-64-v4", __builtin_cpu_supports("x86-64-v4") != 0, hwcaps + "x86-64-v4"}};
 }
 
-/// The program and its libraries, moved elsewhere; those above `highest` are left behind.
+/// Copies the program and its libraries to another folder, without the libraries above `highest`.
 void move_program(const files::path& to, std::size_t highest) {
   const files::path from = files::path(EHL_PROGRAM).parent_path();
   files::create_directories(to);
@@ -49,8 +49,8 @@ double member(const std::string& json, const std::string& name) {
 
 BOOST_AUTO_TEST_SUITE(every_level)
 
-// The vector units differ in fused multiply-add and in the order of sums, so the bound is that of rounding errors,
-// 1e-16, grown by the condition of the problem; 1e-15 is what was seen. Before glibc 2.33 the loader knew no levels.
+// The levels differ in fused multiply-add and in the order of sums. The bound is that of rounding errors, 1e-16,
+// multiplied by the condition of the problem. Before glibc 2.33 the loader did not know levels.
 BOOST_AUTO_TEST_CASE(the_best_is_taken_and_all_agree) {
   BOOST_TEST_MESSAGE("loader of glibc " << gnu_get_libc_version());
   constexpr double tolerance = 1e-12;
@@ -87,8 +87,8 @@ BOOST_AUTO_TEST_CASE(the_best_is_taken_and_all_agree) {
   BOOST_TEST(seen >= 1);
 }
 
-// Decks of every kind converge on every level and differ by rounding that the cycles grow. A dry contact, whose
-// conjugate gradients stop at a tolerance, may differ by what that tolerance leaves.
+// Decks of every kind converge on every level and differ only by amplified rounding. A dry contact may differ by the
+// tolerance of its conjugate gradients.
 BOOST_AUTO_TEST_CASE(every_kind_of_deck_on_every_level) {
   struct Deck {
     std::string name, options;
@@ -129,7 +129,7 @@ BOOST_AUTO_TEST_CASE(every_kind_of_deck_on_every_level) {
   }
 }
 
-// The program where it was built: the level of its tests is the one it takes.
+// The program in the build folder takes the level of its tests.
 BOOST_AUTO_TEST_CASE(the_built_program_takes_the_best) {
   const support::TemporaryFolder folder;
   std::string best;

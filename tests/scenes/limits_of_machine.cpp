@@ -1,4 +1,4 @@
-// What a machine or a batch system sets bounds to: memory, CPU time, folders.
+// Limits of a machine or a batch system: memory, CPU time, folders.
 #include <boost/test/unit_test.hpp>
 #include <string>
 
@@ -12,7 +12,7 @@ const std::string deck = "[contact]\nM = 20\nL = 10\n[lubricant]\nalpha = 2.2e-8
 
 }  // namespace
 
-// A lack of memory is a message and a status, in each thread and in each library; never a signal.
+// A lack of memory causes a message and a status, in every thread and every library, but never a signal.
 BOOST_AUTO_TEST_CASE(little_memory) {
   const support::TemporaryFolder folder;
   folder.write("d.ini", deck);
@@ -31,7 +31,7 @@ BOOST_AUTO_TEST_CASE(little_memory) {
     }
 }
 
-// A batch system's limit of CPU time: as Ctrl-C does, and a checkpoint of a run in time.
+// A batch system's limit of CPU time acts like Ctrl-C; a run in time writes a checkpoint.
 BOOST_AUTO_TEST_CASE(limit_of_cpu_time) {
   const support::TemporaryFolder folder;
   folder.write("d.ini", deck);

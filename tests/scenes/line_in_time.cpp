@@ -1,4 +1,4 @@
-// Line contacts in time through the program, beside what steady ones must be.
+// Line contacts in time through the program, compared with steady line contacts.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -51,7 +51,8 @@ void check_same(const std::vector<double>& row, const nlohmann::json& film, doub
 
 BOOST_AUTO_TEST_SUITE(line_in_time)
 
-// The half width goes with the root of the load: the end is the steady line of half the load, on the same nodes.
+// The half width is proportional to the square root of the load: the final state is the steady line contact at half
+// the load, on the same nodes.
 BOOST_AUTO_TEST_CASE(half_of_the_load) {
   const TemporaryFolder folder;
   const double root = std::sqrt(2.0);
@@ -66,8 +67,8 @@ BOOST_AUTO_TEST_CASE(half_of_the_load) {
   }
 }
 
-// Of these the cycles that settle the start may drive the bodies apart, where no pressure leaves no residual. The
-// steady far field is closed, that of the wave is zero: 0.2 %.
+// In some of these cases the first cycles may separate the bodies, and without pressure there is no residual. The far
+// field is closed in the steady state and zero in time, which causes the difference that is allowed.
 BOOST_AUTO_TEST_CASE(begins_with_the_steady_film) {
   const TemporaryFolder folder;
   const std::string light =
@@ -83,7 +84,7 @@ BOOST_AUTO_TEST_CASE(begins_with_the_steady_film) {
   }
 }
 
-// A ridge on a surface that stands while the other moves is in the steady film, and nothing changes.
+// A ridge on the surface at rest is part of the steady film, so nothing changes in time.
 BOOST_AUTO_TEST_CASE(a_ridge_at_rest) {
   const TemporaryFolder folder;
   const std::string smooth = contact(20, -4.5, 1.5);
@@ -92,7 +93,7 @@ BOOST_AUTO_TEST_CASE(a_ridge_at_rest) {
   BOOST_TEST(with["Hc"].get<double>() < 0.97 * steady(folder, smooth)["Hc"].get<double>());
   for (const std::vector<double>& row : in_time(folder, ridge, "end_time = 3\nu1 = 0:0\nu2 = 0:2\n").rows)
     check_same(row, with, 1.0, 1e-5);
-  // The deck of the result has the place across as well, which is 0.
+  // The deck of the result also gives the Y position of the ridge, which is 0.
   folder.write("own.ini", ehl(folder, "extract time.h5 deck").out);
   const Ended own = ehl(folder, "check own.ini");
   BOOST_TEST(own.status == 0, own.err);
@@ -102,8 +103,8 @@ BOOST_AUTO_TEST_CASE(a_ridge_at_rest) {
   BOOST_TEST(beside.says({"[surface1] y", "must be 0 in a line contact"}), beside.err);
 }
 
-// A film made in the inlet goes through the contact with the mean speed: here 1.2 times that of the start. The front
-// of the new film, half way between old and new, is looked at before and behind the centre.
+// A film formed in the inlet passes through the contact at the mean speed, here 1.2 times that of the start. The front
+// of the new film, where it is half way between old and new, is observed upstream and downstream of the centre.
 BOOST_AUTO_TEST_CASE(the_new_film_goes_with_the_mean_speed) {
   const TemporaryFolder folder;
   const std::string deck = contact(200, -2.5, 1.5) + "[output]\nprobe = -0.5 0, 0.5 0\n";

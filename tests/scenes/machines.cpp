@@ -1,5 +1,4 @@
-// Balls and rollers on their races, teeth of gears, and what cannot be a bearing or a pair of gears, through the built
-// program.
+// Balls and rollers on their races, gear teeth, and invalid bearings or gears, through the program.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -48,8 +47,8 @@ support::Ended checked(const std::string& machine) {
 
 BOOST_AUTO_TEST_SUITE(machines)
 
-// [bearing] is another way to write [contact] and [motion]: with the numbers by hand of tests/unit/machines there, the
-// run is the same to the last bit of what is printed. And the deck of the result says the same again.
+// [bearing] is another form of [contact] and [motion]: the run agrees with one that uses the numbers computed by hand
+// in tests/unit/machines. The deck of the result reproduces it exactly.
 BOOST_AUTO_TEST_CASE(a_ball_race_is_an_ordinary_contact) {
   const support::TemporaryFolder folder;
   const nlohmann::json race = run(folder, ball + rest);
@@ -64,15 +63,15 @@ BOOST_AUTO_TEST_CASE(a_ball_race_is_an_ordinary_contact) {
                       "radius_x = 3.7763519021739130e-3\nradius_y = 0.123825\n");
   for (const char* name : {"/Hc", "/Hm", "/p_h_Pa", "/hm_m"}) {
     BOOST_TEST_MESSAGE(name << " = " << support::number_at(race, name));
-    // The speed and the radius are products of rounded numbers: one unit in the last place of each.
+    // Speed and radius are products of rounded numbers, with an error of one unit in the last place each.
     BOOST_TEST(std::abs(support::number_at(plain, name) / support::number_at(race, name) - 1.0) < 1e-9, name);
     BOOST_TEST(support::number_at(again, name) == support::number_at(race, name), name);
   }
 }
 
-// With a profile rollers and teeth have ends: [contact] kind = roller of their length, load, radius and speed, by hand
-// 10 (1 - 0.2)/2 = 4 mm and pi/120 0.05 (1 - 0.2^2) 3000 = 1.2 pi m/s for the roller; at the pitch point the tooth's
-// are rho = 8 mm sin 20, 16 mm sin 20, torque/(8 mm cos 20) and 500 pi rho.
+// With a profile, rollers and teeth have ends and become [contact] kind = roller. By hand, the roller has the radius 10
+// (1 - 0.2)/2 = 4 mm and the speed pi/120 0.05 (1 - 0.2^2) 3000 = 1.2 pi m/s. At the pitch point, the teeth have rho =
+// 8 mm sin 20 and 16 mm sin 20, the force torque/(8 mm cos 20), and the speed 500 pi rho.
 BOOST_AUTO_TEST_CASE(with_a_profile_they_have_ends) {
   const support::TemporaryFolder folder;
   const double alpha = std::acos(-1.0) / 9.0;
@@ -113,7 +112,8 @@ BOOST_AUTO_TEST_CASE(a_radial_load_is_shared) {
     BOOST_TEST(contains(ended.out, part), part << " is missing in\n" << ended.out);
 }
 
-// Around the bearing: the ball's share of the load falls from below the load to the end of the loaded half.
+// Around the bearing, the load of a ball falls from its maximum under the radial load to zero at
+// the end of the loaded zone.
 BOOST_AUTO_TEST_CASE(a_sweep_goes_around) {
   const support::TemporaryFolder folder;
   folder.write("d.ini", radial + "elements = 9\n" + rest);
@@ -125,8 +125,8 @@ BOOST_AUTO_TEST_CASE(a_sweep_goes_around) {
     BOOST_TEST(contains(table, part), part << " is missing in\n" << table);
 }
 
-// The roller's and the teeth's numbers by hand: R = D (1 - gamma)/2, u = (pi/120) d_m (1 - gamma^2) n with gamma = 0.2;
-// at the pitch point rho = m z sin(alpha)/2, pure rolling, and the normal force torque/(m z cos(alpha)/2).
+// Rollers and teeth by hand: R = D (1 - gamma)/2, u = (pi/120) d_m (1 - gamma^2) n with gamma = 0.2; at the pitch point
+// rho = m z sin(alpha)/2, pure rolling, and the normal force torque/(m z cos(alpha)/2).
 BOOST_AUTO_TEST_CASE(rollers_and_teeth_are_line_contacts) {
   const support::TemporaryFolder folder;
   const auto line = [&](double load_per_length, double radius, double speed) {
@@ -149,8 +149,8 @@ BOOST_AUTO_TEST_CASE(rollers_and_teeth_are_line_contacts) {
     }
 }
 
-// Along the path of contact: films in nm with the formulas of a line contact, and its pictures without a word from
-// gnuplot, which a map of one line would not be.
+// Along the path of contact: films in nm with the formulas of a line contact. Its pictures cause no message from
+// gnuplot, as a map of a line contact would.
 BOOST_AUTO_TEST_CASE(teeth_along_their_path) {
   const support::TemporaryFolder folder;
   folder.write("d.ini", loaded_gear + rest);
@@ -170,7 +170,8 @@ BOOST_AUTO_TEST_CASE(teeth_along_their_path) {
   BOOST_TEST(contains(refused.err, "this file has no map"), refused.err);
 }
 
-// Contact ratio 2.476: two pairs of teeth touch everywhere, and each carries all where the deck says so.
+// With a contact ratio of 2.476 at least two pairs of teeth touch everywhere. Each carries the full
+// load if the deck says so.
 BOOST_AUTO_TEST_CASE(no_pair_is_alone) {
   const support::Ended ended = checked(
       "[case]\nkind = gear_mesh\n[gear]\nmodule = 4e-3\nface_width = 20e-3\nrpm1 = 1500\nteeth1 = 60\n"
@@ -182,7 +183,7 @@ BOOST_AUTO_TEST_CASE(no_pair_is_alone) {
     BOOST_TEST(!contains(ended.out, part), part << " stands in\n" << ended.out);
 }
 
-// An error about a number that follows from others names those, where they were given; and nothing is said beside it.
+// An error in a derived number names the numbers that were given, and causes no further errors.
 BOOST_AUTO_TEST_CASE(errors_name_what_was_given) {
   const support::TemporaryFolder folder;
   folder.write("gear.ini", loaded_gear + rest);
@@ -286,7 +287,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
                {"teeth1 = 8", "interference"})});
 }
 
-// What is wrong is told alone: no advice on an axial load, which a cylindrical roller does not carry.
+// The error is reported alone, without advice on an axial load, which a cylindrical roller does not carry.
 BOOST_AUTO_TEST_CASE(the_angle_of_a_roller_is_told_once) {
   const support::Ended ended = checked(
       "[case]\nkind = roller_race\n[bearing]\ndiameter = 10e-3\npitch_diameter = 50e-3\nlength = 10e-3\n"

@@ -1,4 +1,4 @@
-// Measured maps as instruments and spreadsheets write them: every form is the same surface.
+// Measured maps in the formats of instruments and spreadsheets: every format describes the same surface.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <functional>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr int n = 32;
 
-// A wave that is even about the middle and has no mean: levelling leaves all of it, and Sq = 40/sqrt(2) nm.
+// A wave that is even about the centre and has no mean: levelling does not change it, and Sq = 40/sqrt(2) nm.
 double height(int k, int l) {
   const double wave = 40.0 * std::cos(2.0 * std::numbers::pi * 4.0 * (k - 0.5 * (n - 1)) / n);
   return wave + 0.3 * k - 0.7 * l + 12.0;
@@ -37,7 +37,7 @@ std::string comma(std::string text) {
   return text;
 }
 
-// Rows with what stands between the cells, at the end of a line, and a factor on the heights.
+// Rows with a given separator, a given end of line, and a factor on the heights.
 std::string rows(const std::string& between, const std::string& end, double factor = 1.0, bool from_top = false) {
   std::string text;
   for (int row = 0; row < n; ++row)
@@ -46,7 +46,7 @@ std::string rows(const std::string& between, const std::string& end, double fact
   return text;
 }
 
-// With the points in another order than that of rows.
+// A list of the points in an order other than that of rows.
 std::string list(const std::string& between, double unit_of_xy, double unit_of_z) {
   std::string text;
   for (int m = 0; m < n * n; ++m) {
@@ -63,7 +63,7 @@ struct Form {
 };
 
 std::string with_missing(std::string text, const std::string& word) {
-  // The heights of points 5 to 12 of the third row.
+  // The heights of points 5 to 12 in the third row.
   std::size_t at = 0;
   for (int line = 0; line < 2; ++line) at = text.find('\n', at) + 1;
   for (int k = 0; k < 5; ++k) at = text.find(',', at) + 1;
@@ -113,7 +113,7 @@ BOOST_AUTO_TEST_CASE(every_form_is_the_same_surface) {
     folder.write("d.ini", deck + "file = " + form.file + "\n" + form.keys);
     const support::Ended ended = support::ehl(folder, "check d.ini");
     BOOST_TEST(ended.status == 0, form.name << ": " << ended.err);
-    // The plane that is taken away shows the order of rows and points; 62 um are 0.5239 a.
+    // The plane that is removed shows the order of rows and points; 62 um are 0.5239 a.
     for (const char* part : {"32 x 32 points on 0.524 x 0.524 a", "Sq 28.3 nm", form.slopes})
       BOOST_TEST(support::contains(ended.out, part), form.name << ": " << part << " is missing in\n" << ended.out);
     BOOST_TEST(!support::contains(ended.out, "missing points"), form.name);
@@ -169,7 +169,7 @@ BOOST_AUTO_TEST_CASE(what_contradicts_itself_is_refused) {
   for (const support::Slip& slip : slips) support::check_refused(folder, {slip.name, deck + slip.deck, slip.parts});
 }
 
-// The wave is 16 um long: a cut-off of its length leaves half of it, on either side.
+// The wave is 16 um long: a filter with this cut-off leaves half of it, whether it removes short or long waves.
 BOOST_AUTO_TEST_CASE(filters_leave_half_of_the_wave_at_their_cut_off) {
   const support::TemporaryFolder folder;
   folder.write("m.csv", rows(",", "\n"));
@@ -180,9 +180,9 @@ BOOST_AUTO_TEST_CASE(filters_leave_half_of_the_wave_at_their_cut_off) {
     BOOST_TEST(support::contains(ended.out, "Sq 28.3 nm"), ended.out);
     const double left = 1e0 * std::stod(ended.out.substr(ended.out.find("unit), Sq ") + 10));
     BOOST_TEST_MESSAGE(key << ": Sq " << left << " nm, wanted 14.1");
-    BOOST_TEST(std::abs(left - 14.14) < 0.6);  // the edges cut the filter's weights off
+    BOOST_TEST(std::abs(left - 14.14) < 0.6);  // the filter is truncated at the edges
   }
-  // Without levelling the tilt stays: 0.3 and 0.7 nm per point.
+  // Without levelling the tilt remains: 0.3 and 0.7 nm per point.
   const support::Ended mean = support::ehl(folder, "check d.ini --set surface2.levelling=mean");
   const double tilt = std::sqrt((0.09 + 0.49) * (n * n - 1) / 12.0);
   const double left = std::stod(mean.out.substr(mean.out.find("unit), Sq ") + 10));

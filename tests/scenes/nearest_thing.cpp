@@ -1,4 +1,4 @@
-// What this version does not have is answered with the nearest thing that it has; one mistake gives one error.
+// A feature that this version lacks is answered with the nearest one that it has, and one mistake gives one error.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <string>
@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(names_that_are_not_there) {
     check(mistake);
 }
 
-// A slip elsewhere in a data sheet: its other keys do act, once the slip is mended.
+// After an error elsewhere, the other keys of a data sheet are not called unused.
 BOOST_AUTO_TEST_CASE(a_slip_beside_a_data_sheet) {
   const std::string sheet =
       "[contact]\nload = 20\nradius_x = 0.01\nE_prime = 226e9\n[motion]\nu_m = 1\n[lubricant]\nkv40 = 68\nkv100 = 8.7\n"
@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(a_slip_beside_a_data_sheet) {
 }
 
 BOOST_AUTO_TEST_CASE(advice_that_helps) {
-  // Water: Roelands' law asks for more than its viscosity rises.
+  // Water: its viscosity rises too little with pressure for Roelands' law.
   const std::string water = "--set lubricant.eta0=1e-3 --set lubricant.alpha=6e-10";
   check({good, water, "as that of water, rises too little for Roelands' law: viscosity = barus"});
   const support::TemporaryFolder folder;

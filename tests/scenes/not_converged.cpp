@@ -1,4 +1,4 @@
-// Exit status 3: a result is written and marked, whatever stood in the way.
+// Exit status 3: whatever failed, a result is written and marked.
 #include <boost/test/unit_test.hpp>
 #include <string>
 
@@ -12,7 +12,7 @@ namespace {
 
 const std::string deck = "[contact]\nM = 20\nL = 10\n[lubricant]\nalpha = 2.2e-8\n";
 
-// A number or a text of the summary.
+// A number or a text in the summary.
 std::string in_summary(const support::TemporaryFolder& folder, const std::string& file, const std::string& name) {
   const support::Ended ended = support::ehl(folder, "extract " + file + " /summary/" + name);
   BOOST_TEST(ended.status == 0, ended.err);
@@ -24,8 +24,8 @@ std::string in_summary(const support::TemporaryFolder& folder, const std::string
 
 BOOST_AUTO_TEST_SUITE(not_converged)
 
-// The grids for an accuracy stop before they need more than half of what is free: here of what the shell allows, less
-// what the program itself takes.
+// The grids for an accuracy may use at most half of the free memory, which is here the limit of the shell minus
+// the memory of the program.
 BOOST_AUTO_TEST_CASE(an_accuracy_stops_before_the_memory_ends) {
   const support::TemporaryFolder folder;
   folder.write("d.ini", deck + "[grid]\naccuracy = 1e-5\n");
@@ -36,11 +36,11 @@ BOOST_AUTO_TEST_CASE(an_accuracy_stops_before_the_memory_ends) {
   BOOST_TEST(ended.says({"it was stopped by the memory for ", " cells (about ", " GB; this run may take "}), ended.err);
   BOOST_TEST(in_summary(folder, "r.h5", "converged") == "0");
   BOOST_TEST(contains(in_summary(folder, "r.h5", "failed_check"), "the memory for"));
-  // The best grid's film is in the file: it is known to 0.1 %.
+  // The film of the finest possible grid is in the file.
   BOOST_TEST(std::stod(in_summary(folder, "r.h5", "Hc")) == 0.43793, boost::test_tools::tolerance(1e-3));
 }
 
-// Where there is not even a film, the file has the deck and the reason.
+// If there is no film at all, the file contains the deck and the reason.
 BOOST_AUTO_TEST_CASE(without_a_film_the_reason_is_written) {
   const support::TemporaryFolder folder;
   folder.write(
@@ -54,7 +54,7 @@ BOOST_AUTO_TEST_CASE(without_a_film_the_reason_is_written) {
   BOOST_TEST(in_summary(folder, "r.h5", "converged") == "0");
   BOOST_TEST(contains(in_summary(folder, "r.h5", "failed_check"), "load continuation"));
   BOOST_TEST(contains(support::ehl(folder, "extract r.h5 deck").out, "max_steps = 1"));
-  // Readers say that there is no film, and none dies.
+  // Commands that read the result say that there is no film, and none crashes.
   BOOST_TEST(support::ehl(folder, "extract r.h5 P").status == 2);
   for (const char* command : {"plot r.h5", "report r.h5"}) {
     const support::Ended read = support::ehl(folder, command);

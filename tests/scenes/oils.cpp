@@ -1,5 +1,5 @@
-// Oils at a temperature: by name, by a data sheet, by alpha*; good decks against known numbers, bad ones with their
-// message.
+// Oils at a temperature: by name, by a data sheet, by alpha*. Valid decks are compared with known numbers,
+// invalid ones are refused.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -11,7 +11,7 @@ using ehl::results::ResultFile;
 
 namespace {
 
-// Steel ball of 3/4 inch on a glass disc, 20 N.
+// A steel ball of 3/4 inch on a glass disc, 20 N.
 const std::string ball =
     "[contact]\nload = 20\nradius_x = 9.525e-3\nE_prime = 124e9\n[motion]\nu_m = 0.5\n[grid]\ncells = "
     "64\n[lubricant]\n";
@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_SUITE(oils)
 
 BOOST_AUTO_TEST_CASE(a_grade_has_the_viscosity_of_its_name) {
   const support::TemporaryFolder folder;
-  // At 40 C unless the deck says another temperature; the densities are those at 15 C less 1.7 and 5.9 %.
+  // The default temperature is 40 C. The densities are 1.7 and 5.9 % below those at 15 C.
   const Said at_40 = run(folder, ball + "fluid = mineral-vg68\n");
   BOOST_TEST_MESSAGE("ISO VG 68 at 40 C: " << 1e3 * at_40.eta0 << " mPa s, " << at_40.rho0 << " kg/m^3");
   BOOST_TEST(at_40.temperature == 40);
@@ -54,7 +54,8 @@ BOOST_AUTO_TEST_CASE(a_grade_has_the_viscosity_of_its_name) {
   const Said at_100 = run(folder, ball + "fluid = mineral-vg68\ntemperature = 100\n");
   BOOST_TEST(near(at_100.rho0, 828, 2e-3));
   BOOST_TEST(near(at_100.eta0, 8.53e-6 * at_100.rho0, 1e-9));
-  // Roelands with one z: alpha in proportion to ln(eta0) + 9.67, alpha* some per cent less than that when it is thin.
+  // In Roelands' law with constant z, alpha is proportional to ln(eta0) + 9.67; alpha* is
+  // slightly smaller for thin oils.
   const double ratio = (std::log(at_100.eta0) + 9.67) / (std::log(at_40.eta0) + 9.67);
   BOOST_TEST(near(at_100.alpha_star / at_40.alpha_star, ratio, 0.06));
 }
@@ -70,10 +71,10 @@ BOOST_AUTO_TEST_CASE(alpha_star_comes_out_as_it_was_stated) {
     BOOST_TEST_MESSAGE(oil << "alpha* " << said.alpha_star / alpha_star - 1.0 << " off (tolerance 1e-9)");
     BOOST_TEST(near(said.alpha_star, alpha_star, 1e-9), oil);
   }
-  // Without a viscosity z is free, and the slope is found.
+  // Without a given viscosity, z is free and the slope is found.
   for (const char* z : {"", "z = 0.5\n"})
     BOOST_TEST(near(run(folder, moes + "alpha_star = 20e-9\n" + z).alpha_star, 20e-9, 1e-9));
-  // With M and L, p_h = alpha_bar/alpha*, as of every law that brings its own alpha*.
+  // With M and L, p_h = alpha_bar/alpha*, as for every law that has its own alpha*.
   const std::string check = support::ehl(folder, "check d.ini").out;
   BOOST_TEST(check.find("p_h = 671.2 MPa") != std::string::npos, check);
 }
@@ -100,8 +101,8 @@ BOOST_AUTO_TEST_CASE(the_deck_that_a_result_keeps_says_the_same_again) {
   }
 }
 
-// What follows from other keys is a remark there: at another temperature the oil is what the first deck says, and a
-// circle of another radius is a circle.
+// Values that follow from other keys are only remarks in the deck of a result. With another temperature, the oil is
+// that of the first deck, and a circle with another radius remains a circle.
 BOOST_AUTO_TEST_CASE(the_deck_that_a_result_keeps_may_be_changed) {
   const support::TemporaryFolder folder;
   const auto contact_and_oil = [&] {
@@ -122,7 +123,7 @@ BOOST_AUTO_TEST_CASE(the_deck_that_a_result_keeps_may_be_changed) {
 BOOST_AUTO_TEST_CASE(a_sweep_over_temperature_thins_the_film) {
   const support::TemporaryFolder folder;
   double last = 1e9;
-  for (const char* T : {"20", "40", "80", "100"}) {  // at 120 C 64 cells are too coarse for the film
+  for (const char* T : {"20", "40", "80", "100"}) {  // at 120 C 64 cells would be too coarse for the film
     const Said said = run(folder, ball + "fluid = pao8\ntemperature = " + T + "\n");
     BOOST_TEST(said.Hc < last);
     last = said.Hc;

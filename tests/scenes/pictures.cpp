@@ -1,4 +1,4 @@
-// `ehl plot` as people use it: every picture without a word from gnuplot, in SI, at a time, in a journal's size.
+// `ehl plot` in use: every picture without a message from gnuplot, in SI, at a given time, in the size of a journal.
 #include <boost/algorithm/string/replace.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -16,7 +16,7 @@ const std::string steel =
     "[case]\ntitle = steel 'ball' on glass\n[contact]\nload = 20\nradius_x = 0.010\nE_prime = 1.2e11\n[motion]\nu_m = "
     "0.5\n"
     "[lubricant]\neta0 = 0.08\nalpha = 2e-8\n[domain]\nx_inlet = -4\ny_half = 3\n[grid]\ncells = 64\n";
-// The load doubles: the film of the last field is another one than that of the start.
+// The load doubles, so the last field has another film than the start.
 const std::string in_time =
     " --set transient.end_time=1.2e-3 --set transient.time_unit=seconds "
     "--set transient.output_interval=4e-4 --set 'transient.load=0:1 5e-4:2'";
@@ -26,7 +26,7 @@ struct Scene {
   Scene() { folder.write("s.ini", steel); }
   support::Ended ehl(const std::string& arguments) const { return support::ehl(folder, arguments); }
 
-  // Draws, with no word from gnuplot.
+  // Draws a picture; gnuplot must print nothing.
   std::string drawn(const std::string& arguments) const {
     const support::Ended ended = ehl("plot " + arguments);
     BOOST_TEST(ended.status == 0, arguments);
@@ -49,14 +49,14 @@ struct Scene {
   }
 };
 
-// "h_c = 259 nm" of an interferogram: gnuplot writes subscripts as texts of their own.
+// "h_c = 259 nm" in an interferogram; gnuplot writes subscripts as separate texts.
 double film_said(const std::string& svg) {
   const std::size_t nm = svg.find(" nm");
   BOOST_REQUIRE(nm != std::string::npos);
   return std::stod(svg.substr(svg.rfind("= ", nm) + 2));
 }
 
-// The axis at the right is the film's, and only its marks begin where they are placed.
+// The right-hand axis is that of the film; only its labels are left-aligned at their position.
 int film_marks_below_zero(const std::string& svg) {
   int marks = 0;
   for (std::size_t at = svg.find("text-anchor=\"start\""); at != std::string::npos;
@@ -68,7 +68,7 @@ int film_marks_below_zero(const std::string& svg) {
   return marks;
 }
 
-// In points of 1/72 inch.
+// The width in points of 1/72 inch.
 double width_of_pdf(const std::string& pdf) {
   std::istringstream box(pdf.substr(pdf.find("/MediaBox [") + 11));
   double x0 = 0.0, y0 = 0.0, x1 = 0.0;
@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(every_figure_of_every_kind_of_result_is_drawn_in_its_units)
   BOOST_TEST(contains(si, "x [µm]"));
   BOOST_TEST(contains(si, "h [nm]"));
   BOOST_TEST(contains(scene.folder.read("w_centre_lines.svg"), "p [GPa]"));
-  // What only those want who look after the solver is drawn when it is asked for.
+  // Figures about the solver are drawn only if they are asked for.
   BOOST_TEST(scene.folder.read("m_level_ladder.svg").empty());
   BOOST_TEST(contains(scene.drawn("m.h5 --figure level_ladder --figure time_against_nodes"), "m_level_ladder.png"));
 }
@@ -122,7 +122,7 @@ BOOST_AUTO_TEST_CASE(a_run_in_time_shows_its_last_field_or_the_one_asked_for) {
   BOOST_REQUIRE(std::abs(start - last) > 5.0);
   const std::string svg = scene.folder.read("s_interferogram.svg");
   BOOST_TEST(contains(svg, "t = 1.2 ms"));
-  BOOST_TEST(std::abs(film_said(svg) - last) <= 0.51);  // said in whole nm
+  BOOST_TEST(std::abs(film_said(svg) - last) <= 0.51);  // printed in whole nm
   scene.drawn("s.h5 --figure interferogram --time 3.5e-4 --output then.svg");
   const std::string then = scene.folder.read("then.svg");
   BOOST_TEST(contains(then, "t = 0.4 ms"));
@@ -132,7 +132,8 @@ BOOST_AUTO_TEST_CASE(a_run_in_time_shows_its_last_field_or_the_one_asked_for) {
   BOOST_TEST(scene.folder.read("s_transient_movie.gif").starts_with("GIF89a"));
 }
 
-// Each says so in red, and a film below zero is seen: cut off at zero, the rest would look like a result.
+// Every figure carries a red note, and a negative film stays visible: cut off at zero, the rest would
+// look like a valid result.
 BOOST_AUTO_TEST_CASE(a_result_that_did_not_converge_says_so_on_every_figure) {
   const Scene scene;
   const std::string mark = "NOT CONVERGED";
@@ -156,8 +157,8 @@ BOOST_AUTO_TEST_CASE(a_result_that_did_not_converge_says_so_on_every_figure) {
   BOOST_TEST(film_marks_below_zero(scene.folder.read("s_centre_lines.svg")) == 0);
 }
 
-// Marks of many digits push the words beside them no further than the edge; half of the last mark stands beyond its
-// axis.
+// Tick labels with many digits push the label of the axis no further than the edge of the page. Half of the last tick
+// label lies beyond its axis.
 BOOST_AUTO_TEST_CASE(words_beside_long_marks_stay_on_the_page) {
   const Scene scene;
   scene.folder.write("t.csv",
@@ -167,19 +168,19 @@ BOOST_AUTO_TEST_CASE(words_beside_long_marks_stay_on_the_page) {
   for (const char* axes : {"linear", "log"}) {
     scene.drawn(std::string("t.csv --format svg --y h_c_nm --axes ") + axes);
     const std::string svg = scene.folder.read("t_curves.svg");
-    const double letter = 10.67;  // px, as high as a line
+    const double letter = 10.67;  // px, the height of a line
     const std::size_t turned = svg.find(" rotate(270)");
     BOOST_REQUIRE(turned != std::string::npos);
     BOOST_TEST(std::stod(svg.substr(svg.rfind("translate(", turned) + 10)) > letter, axes);
     const std::size_t last = svg.find("10000</tspan>");
     BOOST_REQUIRE(last != std::string::npos);
     const double width = std::stod(svg.substr(svg.find("width=\"") + 7));
-    const double half = 0.5 * 5 * 0.636 * letter;  // of five digits
+    const double half = 0.5 * 5 * 0.636 * letter;  // half the width of five digits
     BOOST_TEST(std::stod(svg.substr(svg.rfind("translate(", last) + 10)) + half < width, axes);
   }
 }
 
-// Bodies that are apart: no empty page of a pressure, and no label pushed off the page by long numbers.
+// Separated bodies: no empty page for the pressure, and no label pushed off the page by long numbers.
 BOOST_AUTO_TEST_CASE(bodies_that_are_apart_have_figures_of_their_own) {
   const Scene scene;
   BOOST_REQUIRE(
@@ -196,7 +197,7 @@ BOOST_AUTO_TEST_CASE(bodies_that_are_apart_have_figures_of_their_own) {
   BOOST_TEST(asked.says({"this file has no pressure"}), asked.err);
 }
 
-// 19 times as wide as long: its map has as many times the rows of places for labels.
+// The contact is 19 times as wide as long, and so is its map, including its grid of places for labels.
 BOOST_AUTO_TEST_CASE(a_slender_contact_has_its_contours) {
   const Scene scene;
   BOOST_REQUIRE(scene
@@ -207,7 +208,7 @@ BOOST_AUTO_TEST_CASE(a_slender_contact_has_its_contours) {
   BOOST_TEST(drawn == "r_film_contours.svg\nr_pressure_contours.svg\n");
 }
 
-// A table whose errors are not known: films without bars.
+// A table without known errors: the films have no error bars.
 BOOST_AUTO_TEST_CASE(a_sweep_without_error_bars_is_drawn) {
   const Scene scene;
   scene.folder.write("m.ini", "[contact]\nM = 20\nL = 10\n[lubricant]\nalpha = 2e-8\n[grid]\ncells = 64\n");
@@ -283,14 +284,14 @@ BOOST_AUTO_TEST_CASE(film_against_speed_is_one_picture_of_one_sweep) {
   for (const char* part : {"film thickness h [nm]", "Hamrock, Dowson 1977", "= 40 N"})
     BOOST_TEST(contains(svg, part), part);
   scene.drawn("s_sweep.csv --x contact.load --y lambda_ratio --by motion.u_m --axes linear");
-  // Friction: linear axes and per cent.
+  // Friction is drawn with linear axes and in per cent.
   BOOST_REQUIRE(scene
                     .ehl("sweep s.ini --vary motion.srr=0.01,0.1,0.5 --set shear.law=eyring --set shear.tau_0=5e6 "
                          "--set friction.cavitated=striated --output mtm.csv")
                     .status == 0);
   BOOST_TEST(scene.drawn("mtm.csv --format svg") == "mtm_traction_curve.svg\n");
   BOOST_TEST(contains(scene.folder.read("mtm_traction_curve.svg"), "[%]"));
-  // Numbers that are all zero have an axis too.
+  // Values that are all zero have an axis too.
   scene.folder.write("0.csv", "# ehl sweep, table 1\n# vary: motion.srr = 0\nmotion.srr,status,mu\n0,converged,0\n");
   BOOST_TEST(scene.drawn("0.csv --x motion.srr --y mu --format svg") == "0_curves.svg\n");
 }

@@ -1,4 +1,4 @@
-// Decks that are possible and hardly meant, and what `check` foretells of a run.
+// Decks with possible but improbable values, and the predictions of `ehl check`.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(a_key_can_be_taken_out) {
   BOOST_TEST(check("--unset cells").says({"write section.key"}));
 }
 
-// The fields that a run in time keeps cost memory and time: five doubles and half a microsecond for each node.
+// The fields that a run in time keeps need memory and time in proportion to the number of nodes.
 BOOST_AUTO_TEST_CASE(fields_of_a_run_in_time_are_foretold) {
   const support::TemporaryFolder folder;
   folder.write("d.ini", moes + "[grid]\ncells = 128\n[transient]\nend_time = 1\nload = 0:1 1:1.1\n");
@@ -103,7 +103,8 @@ BOOST_AUTO_TEST_CASE(fields_of_a_run_in_time_are_foretold) {
   BOOST_TEST(seconds - few_seconds == 5.5e-7 * nodes_and_fields, boost::test_tools::tolerance(two_digits));
 }
 
-// The grid that an accuracy leads to, within a level; its solution is told too where the run is stopped before it.
+// The grid for an accuracy, predicted to within one level. Its solution is reported even if the
+// run stops before that grid.
 BOOST_AUTO_TEST_CASE(an_accuracy_is_foretold_and_may_be_interrupted) {
   const support::TemporaryFolder folder;
   folder.write("d.ini", moes);

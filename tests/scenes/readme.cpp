@@ -1,10 +1,10 @@
-// The front page keeps its word: what a reader copies from README.md works and shows what the page says.
+// The front page is true: what a reader copies from README.md works and shows what the page says.
 //
-// The blocks of README.md, by the word behind their fence, in one folder and in their order:
+// The blocks of README.md, distinguished by the word after the fence, in one folder and in their order:
 //   ini      whose first line is "# NAME": written to NAME
-//   sh       every line is run, with the built program as `ehl` and inputs/ beside it; exit status 0
-//   output   every line is in what the sh block before it printed, to the digits shown; times excepted: the last column
-//            of the level table
+//   sh       every line is run with the built program as `ehl` and with the folder inputs/; exit status 0
+//   output   every line occurs in the output of the preceding sh block, to the digits shown; times, the last column of
+//            the level table, are excepted
 //   others   are not run: text has commands that install or take longer, python what needs packages of its own
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
@@ -45,7 +45,7 @@ void write_deck(const support::TemporaryFolder& folder, const Block& deck) {
   folder.write(first.substr(2), text);
 }
 
-/// What the commands print, or as much as they did before one failed.
+/// The output of the commands, up to the first one that failed.
 std::string run(const support::TemporaryFolder& folder, const Block& commands) {
   const std::string program = std::filesystem::path(EHL_PROGRAM).parent_path().string();
   std::string printed;
@@ -58,7 +58,7 @@ std::string run(const support::TemporaryFolder& folder, const Block& commands) {
   return printed;
 }
 
-/// The words of a line; of the level table, whose rows begin with a number, without the seconds at their end.
+/// The words of a line. For the level table, whose rows begin with a number, the seconds at the end are omitted.
 std::vector<std::string> words_of(const std::string& line) {
   std::istringstream stream(line);
   std::vector<std::string> words;
@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(the_readme_works_as_written) {
     }
   }
   BOOST_TEST_MESSAGE(decks << " decks, " << commands << " commands, " << outputs << " outputs");
-  // A fence that changes its word would silently drop its block.
+  // A fence with another word would silently drop its block.
   BOOST_TEST(decks >= 1);
   BOOST_TEST(commands >= 10);
   BOOST_TEST(outputs >= 1);

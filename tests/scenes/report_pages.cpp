@@ -1,5 +1,5 @@
-// `ehl report` as people use it: pages with the numbers of the files, each with its error bar; what did not converge is
-// marked; wrong files are refused.
+// `ehl report` in use: pages show the numbers of the files with their error bars, mark what did not converge,
+// and wrong files are refused.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <filesystem>
@@ -27,7 +27,7 @@ struct Scene {
     BOOST_TEST(ended.out == "page.html\n");
     return folder.read("page.html");
   }
-  // A number of the summary, in the contact's units or in SI.
+  // A number of the summary, dimensionless or in SI.
   double number(const std::string& file, const std::string& name) const {
     std::istringstream lines(ehl("extract " + file + " " + name).out);
     for (std::string line; std::getline(lines, line);)
@@ -41,7 +41,7 @@ struct Said {
   double bar = std::nan("");
 };
 
-// "<td>central film h<sub>c</sub></td><td>261.217 ± 0.095 nm</td>".
+// Reads "<td>central film h<sub>c</sub></td><td>261.217 ± 0.095 nm</td>".
 Said said_of(const std::string& page, const std::string& words) {
   const std::size_t cell = page.find("<td>", page.find("<td>" + words + "</td>") + 4);
   BOOST_REQUIRE(cell != std::string::npos);
@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(a_run_has_its_numbers_with_their_error_bars) {
     const double value = nm * scene.number("s.h5", line.value), bar = value * scene.number("s.h5", line.error);
     BOOST_TEST_MESSAGE(line.value << ": the page says " << said.value << " ± " << said.bar << ", the file " << value
                                   << " ± " << bar);
-    // Two digits of the bar are said, and the value to its last one.
+    // The bar has two digits, and the value has the same last digit.
     BOOST_TEST(std::abs(said.bar - bar) <= 0.051 * bar);
     BOOST_TEST(std::abs(said.value - value) <= 0.051 * bar);
   }
@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(what_did_not_converge_is_never_shown_as_if_it_had) {
   BOOST_TEST(!contains(page, "±</td>"));
   BOOST_TEST(!contains(page, "± 0"));
   BOOST_TEST(contains(page, "<td>central film, on this mesh</td><td><span class=\"bad\">not converged: "));
-  // Beside another file too.
+  // This also holds on a page with another file.
   BOOST_REQUIRE(scene.ehl("run s.ini --output good.h5").status == 0);
   const std::string both = scene.page("good.h5 s.h5");
   const std::string comparison = both.substr(both.find("Comparison"), both.find("</table>") - both.find("Comparison"));
@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(a_sweep_has_curves_rows_and_what_failed) {
   BOOST_TEST(contains(page, "6 cases, 6 converged"));
   for (const char* part : {"entrainment speed u", "F = 40 N", "Hamrock, Dowson 1977", "motion.u_m = 0.2,0.5,1"})
     BOOST_TEST(contains(page, part), part);
-  // One row loses its status: its films are gone from the table, and it is counted.
+  // One row loses its status: its films disappear from the table, and it is counted as not converged.
   std::string table = scene.folder.read("t.csv");
   const std::size_t first = table.find(",converged,");
   table.replace(first, std::string(",converged,").size(), ",not-converged,");
@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(a_sweep_has_curves_rows_and_what_failed) {
   BOOST_TEST(bars(lost) + 2 == bars(page));  // h_c and h_m of that row
 }
 
-// Second order: the error of upstream2 against the reference falls fourfold from grid to grid.
+// Second order: the error of upstream2 against the reference falls by a factor of four from grid to grid.
 BOOST_AUTO_TEST_CASE(a_study_has_the_observed_orders) {
   const Scene scene;
   scene.folder.write("m.ini", "[contact]\nM = 20\nL = 5\n[lubricant]\nalpha = 2e-8\n[domain]\nx_inlet = -4\n");
@@ -139,7 +139,7 @@ BOOST_AUTO_TEST_CASE(a_study_has_the_observed_orders) {
   double coarse = 0.0, fine = 0.0;
   for (const auto& row : rows)
     if (row.at("wedge") == "upstream2") (row.at("cells") == "64" ? coarse : fine) = std::stod(row.at("deviation_Hm"));
-  // The third row of this way, ninth cell.
+  // The third row of this method, ninth cell.
   std::size_t at = way;
   for (int row = 0; row < 2; ++row) at = page.find("<tr>", at + 1);
   for (int cell = 0; cell < 9; ++cell) at = page.find("<td>", at + 1);

@@ -1,4 +1,4 @@
-// Runs in time that are stopped or killed, and go on.
+// Runs in time that are stopped or killed, and then continued.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -21,7 +21,7 @@ const std::string swinging_line =
     "[contact]\nkind = line\nM = 50\nL = 10\n[lubricant]\nalpha = 1.7e-8\n[grid]\ncells = 1024\n[transient]\n"
     "rtol = 3e-5\nend_time = 6\noutput_interval = 0.2\nload_wave = 0.2 2\n";
 
-// Hc at T, linear between the rows.
+// Hc at time T, interpolated linearly between the rows.
 double Hc_at(const std::vector<std::vector<double>>& rows, double T) {
   const auto after = std::ranges::find_if(rows, [T](const auto& row) { return row[0] >= T; });
   if (after == rows.begin() || after == rows.end()) return rows.back()[1];
@@ -30,7 +30,7 @@ double Hc_at(const std::vector<std::vector<double>>& rows, double T) {
   return a[1] + (b[1] - a[1]) * (T - a[0]) / (b[0] - a[0]);
 }
 
-// Starts the program and sends the signal so many seconds later.
+// Starts the program and sends the signal after this number of seconds.
 support::Ended stopped(const support::TemporaryFolder& folder, const std::string& words, const std::string& signal,
                        double seconds) {
   std::ostringstream line;
@@ -51,8 +51,8 @@ Came between_two_steps(const support::Ended& ended) {
   return ended.status == 130 ? Came::in_time : Came::too_late;
 }
 
-// Stopped where it is wanted: on a busy machine the program is slower in one try than in the next, so the signal is
-// sent later where it came too soon and earlier where it came too late.
+// Stops the program at the wanted stage. On a busy machine its speed varies, so the signal is sent later if it came too
+// early, and earlier if it came too late.
 support::Ended stopped_where(const support::TemporaryFolder& folder, const std::string& words,
                              Came (*judged)(const support::Ended& ended)) {
   constexpr int most_tries = 60;
@@ -68,8 +68,8 @@ support::Ended stopped_where(const support::TemporaryFolder& folder, const std::
   return ended;
 }
 
-// Stopped and gone on twice: the film of the uninterrupted run, within what its tolerance allows (rtol 1e-4; the error
-// of such runs is a few 1e-4).
+// A run that is stopped and continued twice has the film of an uninterrupted run, within the
+// tolerance of the integration.
 void goes_on_to_the_same_film(const std::string& deck) {
   const support::TemporaryFolder folder;
   folder.write("d.ini", deck);
@@ -102,7 +102,7 @@ void goes_on_to_the_same_film(const std::string& deck) {
   BOOST_TEST(first < 6.0);
   BOOST_TEST(worst < 1e-3);
   BOOST_TEST(parts.back()[0] == 6.0);
-  // Every field is there once, at its time; those of before the stop are the same bits.
+  // Every field is stored once, at its time; those from before the stop are identical bit for bit.
   for (const char* field : {"P", "H"})
     BOOST_TEST((support::ehl(folder, std::string("extract whole.h5 --step 1 ") + field).out ==
                 support::ehl(folder, std::string("extract parts.h5 --step 1 ") + field).out));
@@ -119,8 +119,8 @@ BOOST_AUTO_TEST_SUITE(resume)
 BOOST_AUTO_TEST_CASE(a_point_contact_goes_on) { goes_on_to_the_same_film(swinging); }
 BOOST_AUTO_TEST_CASE(a_line_contact_goes_on) { goes_on_to_the_same_film(swinging_line); }
 
-// Killed at twenty moments and more, most of them while it writes: there is no file yet, or one that can be read and
-// resumed.
+// The program is killed at many moments, mostly while it writes. Then there is either no file or one that
+// can be read and continued.
 BOOST_AUTO_TEST_CASE(killed_at_any_moment_leaves_a_file_that_goes_on) {
   const support::TemporaryFolder folder;
   folder.write("d.ini", swinging + "[output]\ncheckpoint = 1e-3\n");
@@ -136,22 +136,23 @@ BOOST_AUTO_TEST_CASE(killed_at_any_moment_leaves_a_file_that_goes_on) {
   BOOST_TEST_MESSAGE(found << " of " << kills << " kills left a file");
   BOOST_TEST(found >= 10);
   BOOST_TEST(support::ehl(folder, "resume d.h5 --quiet").status == 0);
-  // Complete, it has no checkpoint left.
+  // A complete run has no checkpoint.
   BOOST_TEST(support::ehl(folder, "resume d.h5").says({"no checkpoint", "complete"}));
 }
 
-// Stopped while the steady contact it begins from is solved: there is no time to go on from, and the file says so.
+// The run is stopped while its steady start is solved: there is no time to continue from, and the file says so.
 BOOST_AUTO_TEST_CASE(stopped_before_the_first_step) {
   const support::TemporaryFolder folder;
   folder.write("d.ini", swinging);
-  // The steady contact has ten times the load of the first state: the way there takes longer than a signal is late.
+  // The steady contact has ten times the load of the first state, so that the solution takes
+  // longer than the signal's delay.
   const std::string lighter = " --set grid.cells=256 --set 'transient.load=0:0.1 1:0.1 2:0.2'";
   const support::Ended ended = stopped_where(folder, "run d.ini --quiet" + lighter, before_the_first_step);
   BOOST_TEST_REQUIRE(ended.says({"before the first step"}), ended.err);
   BOOST_TEST(support::ehl(folder, "resume d.h5").says({"stopped before the first step", "run its deck again"}));
 }
 
-// A load that lies in a file beside the deck, neither of them where the program runs, where the result is.
+// The load is in a file next to the deck; both are in a folder other than the working directory and the result.
 BOOST_AUTO_TEST_CASE(finds_the_files_of_the_deck_again) {
   const support::TemporaryFolder folder;
   BOOST_TEST_REQUIRE(support::shell(folder, "mkdir decks").status == 0);

@@ -1,4 +1,4 @@
-// [roller] as a user gives it: what is refused, tables, the same roller in two languages, what the result has of it.
+// [roller] in use: what is refused, tables, the same roller in SI and dimensionless, what the result contains.
 #include <unistd.h>
 
 #include <boost/test/unit_test.hpp>
@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(bad_input) {
       {"design load", whole + profile + "design_load = 11\n", {"design_load = 11", "10"}},
       {"design load in kN", si + profile + "design_load_N = 3e6\n", {"design_load_N", "3000 times the load"}},
       {"no table", whole + "[roller]\nprofile = table\n", {"[roller] file", "is missing"}},
-      // Half of 8 mm is one R_x: a circle smaller than that does not reach the ends.
+      // Half of 8 mm is one R_x: a circle of smaller radius does not reach the ends.
       {"crown in micrometres",
        si + crown + "crown_radius_m = 1e-9\n",
        {"d.ini:14", "2.5e-07 R_x", "length 1:", "metres"}},
@@ -75,7 +75,8 @@ BOOST_AUTO_TEST_CASE(bad_input) {
       {"round ball", whole + short_domain + crown + "crown_radius = 2\n", {"crown_radius = 2", "the mean", "x_outlet"}},
       {"corner", si + straight + "end_length_m = 1e-3\nend_radius_m = 0.9e-3\n", {"d.ini:15", "0.225", "0.25 long"}},
       {"edge", whole + straight + "end_length = 2\nend_radius = 1e-4\n", {"end_radius = 1e-4", "8 cells", "an edge"}},
-      // A wedge of sqrt(2 c 40/tilt) half widths, c = [1 + 2 ln(80)]/4: 2.794 with tilt = 25, less than a tenth of 40.
+      // The roller touches on a wedge of sqrt(2 c 40/tilt) half widths, c = [1 + 2 ln(80)]/4: 2.794 for tilt =
+      // 25, less than a tenth of 40.
       {"on its end", whole + profile + "tilt = 25\n", {"tilt = 25", "of the roller's 40", "less tilt"}},
       {"a tilted domain", whole + short_domain + profile + "tilt = -2\n", {"tilt = -2", "the mean", "less tilt"}},
       {"closed far field", whole + profile + "[domain]\nfar_field = closed\n", {"far_field = closed", "without ends"}},
@@ -87,7 +88,8 @@ BOOST_AUTO_TEST_CASE(bad_input) {
   });
 }
 
-// The domain grows along the motion alone, as the roller ends at its sides; the film is that of a longer and finer one.
+// For an accuracy the domain grows only along X, because the roller ends at its sides. The film is that of a longer
+// domain with a finer grid.
 BOOST_AUTO_TEST_CASE(to_an_accuracy) {
   const TemporaryFolder folder;
   const std::string profile = "[roller]\nprofile = crowned\ncrown_radius = 15\n";
@@ -110,15 +112,15 @@ BOOST_AUTO_TEST_CASE(to_an_accuracy) {
   }
 }
 
-// A crown bears in an ellipse wider than the line of the mean load: domain and film are chosen for it, and the ends
-// bear nothing. Without, the outlet lay inside of the contact and Hm was 11 to 44 % too small.
+// A crown carries its load in an ellipse that is wider than the line contact of the mean load. Domain and film are
+// chosen for it, and the ends carry nothing. If the domain ended inside the contact, Hm would be far too small.
 BOOST_AUTO_TEST_CASE(a_strong_crown_gets_a_wider_domain) {
   const TemporaryFolder folder;
   const std::string contact = "[contact]\nkind = roller\nM = 20\nL = 5\nlength = 40\n" + oil;
   const std::string crown = "[roller]\nprofile = crowned\ncrown_radius = 10\n";
   const nlohmann::json found = solved(folder, contact + crown, "--output found.h5");
   const auto x = rows_of(ehl(folder, "extract found.h5 /grid/x").out);
-  constexpr double hertz = 1.859;  // half width, of the ellipse of elliptic integrals
+  constexpr double hertz = 1.859;  // half width of the ellipse, by elliptic integrals
   BOOST_TEST(x.back()[0] > 1.3 * hertz);
   BOOST_TEST(-x.front()[0] > 1.3 * hertz);
   const nlohmann::json wider =
@@ -128,7 +130,7 @@ BOOST_AUTO_TEST_CASE(a_strong_crown_gets_a_wider_domain) {
   BOOST_TEST(std::abs(truth / Hm - 1.0) < bar);
 }
 
-// Of ends that bear: in all places where a user looks for warnings.
+// Loaded ends cause a warning in all places where a user looks for warnings.
 BOOST_AUTO_TEST_CASE(ends_that_bear_are_told) {
   const TemporaryFolder folder;
   const std::string deck = numbers + "[roller]\nprofile = logarithmic\ndesign_load = 1.2\n";
@@ -146,7 +148,7 @@ BOOST_AUTO_TEST_CASE(ends_that_bear_are_told) {
   BOOST_TEST(rows[1].at("warnings") == "none");
 }
 
-// Before anything is solved: of a crown that hardly falls.
+// A crown that hardly relieves the ends causes a warning before anything is solved.
 BOOST_AUTO_TEST_CASE(edges_that_cut_are_foretold) {
   const TemporaryFolder folder;
   for (const auto& [radius, cuts] : {std::pair{"500", true}, {"20", false}}) {
@@ -155,7 +157,7 @@ BOOST_AUTO_TEST_CASE(edges_that_cut_are_foretold) {
   }
 }
 
-// A table of the crown's parabola is the crown; one from the middle on is mirrored.
+// A table with the parabola of the crown equals the crown; a table that begins in the middle is mirrored.
 BOOST_AUTO_TEST_CASE(a_table_is_the_profile_that_it_lists) {
   const TemporaryFolder folder;
   std::string half, whole;
@@ -175,7 +177,7 @@ BOOST_AUTO_TEST_CASE(a_table_is_the_profile_that_it_lists) {
       BOOST_TEST(std::abs(read / given - 1.0) < 2e-3, file << " " << name << ": " << read << ", " << given);
     }
     BOOST_TEST(std::abs(table["Hc"].get<double>() / crown["Hc"].get<double>() - 1.0) <
-               2e-3);  // the spline is no parabola
+               2e-3);  // the spline is not exactly a parabola
   }
   const auto refused = [&](const std::string& rows, const std::string& what) {
     folder.write("wrong.csv", rows);
@@ -195,7 +197,7 @@ BOOST_AUTO_TEST_CASE(a_table_is_the_profile_that_it_lists) {
   refused("0,0,1\n4,0,1\n6,0.2,1\n9,0.3,1\n", "3 columns");
 }
 
-// F' = F/length and all that follows from it, by hand: a^2 = 8 F' R/(pi E'), the moment F y.
+// F' = F/length and derived numbers by hand: a^2 = 8 F' R/(pi E'), the moment F y.
 BOOST_AUTO_TEST_CASE(a_roller_in_SI) {
   const TemporaryFolder folder;
   const std::string bodies =
@@ -211,11 +213,11 @@ BOOST_AUTO_TEST_CASE(a_roller_in_SI) {
   BOOST_TEST(std::abs(roller["length_m"].get<double>() / 1.5e-3 - 1.0) < 1e-12);
   BOOST_TEST(std::abs(roller["moment"].get<double>() / (240.0 * roller["load_centre_m"].get<double>()) - 1.0) < 1e-12);
   BOOST_TEST(roller["moment"].get<double>() < 0.0);
-  // Its spike grows from grid to grid: no bar of pressures, which half as many cells told at a tenth and less.
+  // The pressure spike grows from grid to grid, so the pressures have no error bars.
   BOOST_TEST(found["P_max_converging"] == false);
   BOOST_TEST(roller["error_P_end"].is_null());
   BOOST_TEST(roller["error_H_end"].get<double>() < 0.3);
-  // The same without units: design load over the load, tilt in a/R.
+  // A dimensionless deck of this roller: the design load relative to the load, the tilt in a/R.
   const std::string groups = "[contact]\nkind = roller\nM = " + std::to_string(found["M"].get<double>()) +
                              "\nL = " + std::to_string(found["L"].get<double>()) +
                              "\nlength = " + std::to_string(1.5e-3 / a) + "\n[lubricant]\nalpha = 16e-9\nz = 0.6\n";
@@ -227,8 +229,8 @@ BOOST_AUTO_TEST_CASE(a_roller_in_SI) {
   }
 }
 
-// A table in mm is read as one in m, of which a roller holds but the first thousandth; one whose drops are in mm has
-// ends that lie beyond the roller.
+// A table in mm read as metres covers only the first thousandth of the roller. A table whose drops are in mm describes
+// ends that lie outside the roller.
 BOOST_AUTO_TEST_CASE(a_table_in_millimetres) {
   const TemporaryFolder folder;
   folder.write("case.ini",
@@ -246,7 +248,7 @@ BOOST_AUTO_TEST_CASE(a_table_in_millimetres) {
   }
 }
 
-// The deck of the result runs again to the same film, and all figures that fit are drawn.
+// The deck of the result gives the same film, and all suitable figures are drawn.
 BOOST_AUTO_TEST_CASE(the_result_is_drawn_and_runs_again) {
   const TemporaryFolder folder;
   const nlohmann::json first =

@@ -1,4 +1,4 @@
-// Traced rollers: roughness against the film, what is reported of it, and that a contact that touches ends soon.
+// Traced rollers: roughness and film, what is reported of them, and that a contact whose surfaces touch ends soon.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
@@ -10,12 +10,12 @@
 
 namespace {
 
-// (20, 10), 30 half widths long; the smallest film of smooth surfaces is 0.07 a^2/R.
+// (20, 10), 30 half widths long; the minimum film of smooth surfaces is 0.07 a^2/R.
 const std::string deck =
     "[contact]\nkind = roller\nM = 20\nL = 10\nlength = 30\n[lubricant]\nalpha = 1.7e-8\nz = 0.6\n"
     "[grid]\ncells = 128\n[roller]\nprofile = table\nfile = p.csv\n";
 
-// A crown and waves 0.6 and 0.9 a long, with their root mean square; a tilt.
+// A trace with a crown, waves 0.6 and 0.9 a long with their root mean square, and a tilt.
 std::string trace(double Rq, double tilt = 0.0) {
   std::ostringstream text;
   text << "y,drop\n";
@@ -69,14 +69,14 @@ BOOST_AUTO_TEST_CASE(surfaces_that_touch_are_given_up_after_one_start) {
   BOOST_TEST(ended.says({"the surfaces touch", "lambda ratio", "not simulated", "[roller] shortest_wave"}), ended.err);
   BOOST_TEST(count(ended.out, "tried before") == 1, ended.out);
   BOOST_TEST(support::contains(support::ehl(folder, "extract d.h5 /summary").out, "surfaces touch"));
-  // With the filter they are apart.
+  // With the filter the surfaces are separated.
   const support::Ended smooth = support::ehl(folder, "run d.ini --quiet --output s.h5 --set roller.shortest_wave=3");
   BOOST_TEST(smooth.status == 0, smooth.err);
   folder.write("p.csv", trace(0.02));
   BOOST_TEST(support::ehl(folder, "run d.ini --quiet --output r.h5").status == 0);
 }
 
-// Filtered by a cut-off of its length a wave keeps half; a tilt goes with the line of least squares.
+// A filter halves a wave with the length of its cut-off; the least-squares line removes a tilt.
 BOOST_AUTO_TEST_CASE(traces_are_filtered_and_levelled) {
   const support::TemporaryFolder folder;
   folder.write("d.ini", deck);

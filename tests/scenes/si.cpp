@@ -1,4 +1,4 @@
-// SI in, SI out: what a deck in SI shows, against Hertz' formulas in this file.
+// SI in, SI out: what a deck in SI shows, compared with the Hertz formulas in this file.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
@@ -14,7 +14,7 @@ namespace {
 using support::contains;
 
 constexpr double load = 20.0, radius = 0.010, E_prime = 1.2e11, u_m = 0.5;
-const double a = std::cbrt(3.0 * load * radius / (2.0 * E_prime));  // Hertz [m]
+const double a = std::cbrt(3.0 * load * radius / (2.0 * E_prime));  // Hertz radius [m]
 const double p_h = 3.0 * load / (2.0 * std::numbers::pi * a * a);   // [Pa]
 const double h_scale = a * a / radius;
 
@@ -32,7 +32,7 @@ struct Scene {
   support::Ended ehl(const std::string& arguments) const { return support::ehl(folder, arguments); }
 };
 
-// The rows of numbers below a header.
+// The rows of numbers below the heading.
 std::vector<std::vector<double>> rows_of(const std::string& text) {
   std::vector<std::vector<double>> rows;
   std::istringstream lines(text);
@@ -45,7 +45,7 @@ std::vector<std::vector<double>> rows_of(const std::string& text) {
   return rows;
 }
 
-// Each number of one table is `factors` times that of the other; to the rounding of a product.
+// Each number of one table equals that of the other times the factor of its column, to the rounding of a product.
 void check_scaled(const std::string& si, const std::string& own, const std::vector<double>& factors) {
   const auto scaled = rows_of(si), unscaled = rows_of(own);
   BOOST_REQUIRE(!unscaled.empty());
@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(extract_in_SI) {
   BOOST_TEST(contains(both("levels", {1, 1, 1, nm, nm, 0, 0, nm, GPa}), "nm"));
   BOOST_TEST(contains(both("transient", {ms, nm, nm, um, um, GPa, nm, 1, 1}), "# units: ms nm nm um um GPa nm"));
   BOOST_TEST(contains(both("Hc", {nm}), "[nm]"));
-  // --at is in um too; the line of the grid nearest to 50 um.
+  // --at is in um too; the grid line nearest to 50 um is taken.
   const double hx = rows_of(scene.ehl("extract s.h5 /grid/x --si").out)[1][0] + 4.0 * um;
   const std::string column = scene.ehl("extract s.h5 H --along y --at x=50 --si").out;
   const double at = std::stod(column.substr(column.find("at x = ") + 7));
@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(extract_in_SI_needs_SI) {
   BOOST_TEST(refused.says({"--si", "d.h5", "not given in SI"}), refused.err);
 }
 
-// The formula of Hamrock and Dowson for a circle, h/R, written out.
+// The formula of Hamrock and Dowson for a circle, h/R.
 double hamrock_dowson(double u, bool central) {
   const double U = 0.08 * u / (E_prime * radius), G = 2e-8 * E_prime, W = load / (E_prime * radius * radius);
   return central ? 2.69 * std::pow(U, 0.67) * std::pow(G, 0.53) * std::pow(W, -0.067) * (1.0 - 0.61 * std::exp(-0.73))
@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(sweep_in_SI) {
   BOOST_REQUIRE_MESSAGE(ended.status == 0, ended.err);
   const auto rows = support::named_rows(scene.folder.read("t.csv"));
   BOOST_REQUIRE(rows.size() == 2u);
-  constexpr double rounding = 1e-10;  // in per cent: of a few products
+  constexpr double rounding = 1e-10;  // in per cent, of a few products
   for (const support::NamedRow& row : rows) {
     const auto in = [&](const char* name) { return std::stod(row.at(name)); };
     const double u = in("motion.u_m");
@@ -125,8 +125,8 @@ BOOST_AUTO_TEST_CASE(sweep_in_SI) {
     BOOST_TEST(in("hd_h_c_nm") == 1e9 * radius * hamrock_dowson(u, true), boost::test_tools::tolerance(rounding));
     BOOST_TEST(in("hd_h_m_nm") == 1e9 * radius * hamrock_dowson(u, false), boost::test_tools::tolerance(rounding));
     BOOST_TEST(in("hd_h_c_deviation") == in("hd_h_c_nm") / in("h_c_nm") - 1.0, boost::test_tools::tolerance(1e-8));
-    BOOST_TEST(in("lambda_ratio") == in("h_m_nm") / 50.0, boost::test_tools::tolerance(rounding));  // 3, 4 and 5
-    // One bar, mesh and cycles, in both units.
+    BOOST_TEST(in("lambda_ratio") == in("h_m_nm") / 50.0, boost::test_tools::tolerance(rounding));  // Sq 30 and 40
+    // One error bar, for mesh and cycles, in both units.
     BOOST_TEST(in("h_c_error_nm") == in("error_Hc") * in("h_c_nm"), boost::test_tools::tolerance(rounding));
   }
 }
@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(a_sweep_without_units_has_none) {
                       "residual,load_error,cycle_factor,cycles,work_units,path,warnings,reason\n"));
 }
 
-// The number that follows a word in a text.
+// The number after a word in a text.
 double after(const std::string& text, const std::string& word) {
   const std::size_t at = text.find(word);
   BOOST_REQUIRE_MESSAGE(at != std::string::npos, word << " is missing in\n" << text);
@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(report_in_SI) {
   BOOST_REQUIRE_MESSAGE(ended.status == 0, ended.err);
   const auto json = support::parsed(scene.ehl("run s.ini --quiet --json --overwrite").out);
   const auto film = [&](const char* name) { return 1e9 * h_scale * support::number_at(json, name); };
-  constexpr double digits = 0.005;  // half of the last one printed
+  constexpr double digits = 0.005;  // half a unit of the last printed digit
   BOOST_TEST(std::abs(after(ended.out, "h_c = ") - film("/Hc")) <= digits);
   BOOST_TEST(std::abs(after(ended.out, "h_m = ") - film("/Hm")) <= digits);
   BOOST_TEST(std::abs(after(ended.out, "\np_max        ") - 1e-9 * p_h * support::number_at(json, "/P_max")) <= 5e-5);
@@ -251,7 +251,7 @@ BOOST_AUTO_TEST_CASE(roughness_of_a_map) {
       "surface2.unit_m=1e-9 --set surface2.dx_m=6e-6";
   const support::Ended ended = scene.ehl("check " + still);
   BOOST_REQUIRE_MESSAGE(ended.status == 0, ended.err);
-  // Two lines in eight 30 nm high, the others 10 nm deep: Sq = sqrt((900 + 3 x 100)/4) = 17.3 nm, Sa = 15 nm.
+  // Two of eight rows are 30 nm high, the others 10 nm deep: Sq = sqrt((900 + 3 x 100)/4) = 17.3 nm, Sa = 15 nm.
   BOOST_TEST(contains(ended.out, "Sq 17.3 nm ("), ended.out);
   BOOST_TEST(contains(ended.out, ", Sa 15.0 nm ("), ended.out);
   BOOST_TEST(contains(ended.out, "by fit to our own solutions for smooth surfaces"), ended.out);

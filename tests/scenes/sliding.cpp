@@ -1,4 +1,4 @@
-// Sliding from end to end: traction curves, what is refused, what the result holds.
+// Sliding from end to end: traction curves, what is refused, what the result contains.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <sstream>
@@ -50,8 +50,8 @@ double slope(const Curve& curve, std::size_t k) {
 
 BOOST_AUTO_TEST_SUITE(sliding)
 
-// d ln mu/d ln srr is 1 where sliding is slow. At its fast end tau = tau_0 asinh(s) grows by 1/ln(2 s) at each point,
-// and where the limiting stress acts not at all.
+// d ln mu/d ln srr is 1 at slow sliding. At the fast end tau = tau_0 asinh(s) grows by 1/ln(2 s) at each point, and not
+// at all where the limiting stress is reached.
 BOOST_AUTO_TEST_CASE(traction_curves) {
   const Scene scene;
   scene.folder.write("d.ini", ball + eyring + friction);
@@ -64,13 +64,13 @@ BOOST_AUTO_TEST_CASE(traction_curves) {
   BOOST_TEST(std::abs(slope(free, 0) - 1.0) < 1e-3);
   BOOST_TEST((slope(free, 2) > 0.1 && slope(free, 2) < 0.25));
   BOOST_TEST(free.Hc[3] < free.Hc[0]);
-  // Without the cavitated region, whose stress no limit holds.
+  // Without the cavitated region, whose stress the limit does not affect.
   BOOST_REQUIRE(scene.ehl(sweep + "--set friction.limit=0.02 --set friction.cavitated=none").status == 0);
   const Curve limited = curve_of(scene.folder.read("d_sweep.csv"));
   BOOST_TEST_MESSAGE("with a limit of 0.02: mu " << limited.mu[3] << ", slope " << slope(limited, 2));
   BOOST_TEST((limited.mu[3] < 0.02 && limited.mu[3] > 0.018));
   BOOST_TEST(slope(limited, 2) < 0.05);
-  BOOST_TEST(limited.Hc[3] == free.Hc[3]);  // it acts on the friction alone
+  BOOST_TEST(limited.Hc[3] == free.Hc[3]);  // the limit affects the friction alone
   BOOST_REQUIRE(scene.ehl("plot d_sweep.csv --format svg").status == 0);
   BOOST_TEST(contains(scene.folder.read("d_sweep_traction_curve.svg"), "friction coefficient"));
 }
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(the_result_holds_friction_where_asked) {
   BOOST_TEST(file.numbers("/summary/mu_1").values[0] == -(mu + rolling));
   BOOST_TEST((file.kind("/fields/tau1") != ResultFile::Kind::missing));
   BOOST_TEST((file.kind("/fields/tau2") != ResultFile::Kind::missing));
-  // The deck in the result leads to the same result.
+  // The deck in the result gives the same result.
   scene.folder.write("again.ini", file.text("/deck"));
   const support::Ended again = scene.ehl("run again.ini --quiet --overwrite --output again.h5");
   BOOST_REQUIRE_MESSAGE(again.status == 0, again.err);
@@ -98,12 +98,12 @@ BOOST_AUTO_TEST_CASE(the_result_holds_friction_where_asked) {
   const ResultFile none(scene.folder / "n.h5");
   for (const char* name : {"/summary/mu", "/fields/tau1", "/effects"})
     BOOST_TEST((none.kind(name) == ResultFile::Kind::missing), name);
-  // Newtonian oil at this pressure: the number comes with a warning.
+  // A Newtonian oil at this pressure: the number comes with a warning.
   const std::string newtonian = scene.ehl("run n.ini --overwrite --set friction.cavitated=full").out;
   BOOST_TEST(contains(newtonian, "which no lubricant carries"), newtonian);
 }
 
-// In M and L, with the ratio a/R that they leave open.
+// With M and L, which leave the ratio a/R open, so that it is given.
 BOOST_AUTO_TEST_CASE(contacts_in_M_and_L) {
   const Scene scene;
   scene.folder.write("m.ini", moes + eyring + friction);

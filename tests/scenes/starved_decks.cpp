@@ -1,4 +1,4 @@
-// [supply] as a user gives it: its units, what the result has of it, what is refused.
+// [supply] in use: its units, what the result contains, what is refused.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -28,7 +28,7 @@ face = mean
 cells = 64
 )";
 
-// 20 mm ball on glass: a = 134.5 um, a^2/R = 1.81 um.
+// A 20 mm ball on glass: a = 134.5 um, a^2/R = 1.81 um.
 const char* const in_SI = R"([contact]
 load = 20
 radius_x = 0.010
@@ -55,7 +55,7 @@ nlohmann::json solved(const TemporaryFolder& folder, const std::string& deck, co
   return nlohmann::json::parse(run.out);
 }
 
-// In the last row of a table whose header's last line names the columns.
+// The value in the last row of a table. The last line of its heading names the columns.
 double last_of_column(const std::string& table, const std::string& name) {
   std::istringstream lines(table);
   std::string header, last;
@@ -107,11 +107,11 @@ BOOST_AUTO_TEST_CASE(one_supply_in_all_its_units) {
   const double track = solved(folder, in_SI, "profile = track.csv\n")["Hc"];
   BOOST_TEST_MESSAGE("Hc " << one << ", " << faster << ", " << slower << ", " << flowing << ", " << track);
   for (const double other : {faster, slower, track}) BOOST_TEST(std::abs(other / one - 1.0) <= 1e-9);
-  BOOST_TEST(std::abs(flowing / one - 1.0) <= 1e-5);  // six digits of the flow
+  BOOST_TEST(std::abs(flowing / one - 1.0) <= 1e-5);  // the flow is printed with six digits
 }
 
-// What leaves a contact is brought to the next: the film falls from pass to pass, less where half of the oil is renewed
-// or the track levels out; oil is not lost but by the sides.
+// The oil that leaves a contact is brought to the next one. The film decreases from pass to pass; it decreases less if
+// half of the oil is renewed or the track levels out. Oil is lost only at the sides.
 BOOST_AUTO_TEST_CASE(passes_over_one_track) {
   const TemporaryFolder folder;
   const std::string supply = "H_oil = 0.3\npasses = 3\n";
@@ -150,7 +150,7 @@ BOOST_AUTO_TEST_CASE(passes_that_make_no_sense_are_refused) {
   refused(folder, contact, "H_oil = 0.2\npasses = 2\nreturning = surface1\nsplit = 1.4\n", "split");
 }
 
-// In time: layers that come with the speed of their own surface, oil that is counted, fields of the content.
+// In time: each layer moves with its own surface, the oil is balanced, and the fields include the oil content.
 BOOST_AUTO_TEST_CASE(supply_in_time) {
   const TemporaryFolder folder;
   const std::string slower = std::string(in_SI) +
@@ -171,16 +171,16 @@ BOOST_AUTO_TEST_CASE(supply_in_time) {
                0);
     ++k;
   }
-  // The deck in the result, from which a stopped run goes on.
+  // The deck in the result, from which a stopped run continues.
   folder.write("again.ini", ehl(folder, "extract both.h5 deck").out);
   const Ended again = ehl(folder, "check again.ini");
   BOOST_TEST(again.status == 0, again.err);
-  // u1 from 1.6 to 0.8: both layers bring 1.2/2 of what they did, the first alone 0.8/1.6.
+  // If u1 falls from 1.6 to 0.8, both layers bring 1.2/2 of their oil, the first alone 0.8/1.6.
   BOOST_TEST_MESSAGE("oil in: " << in[1] / in[0] << " (5/6 with equal oil at the start)");
   BOOST_TEST(std::abs(in[1] / in[0] - 5.0 / 6.0) <= 1e-3);
 }
 
-// Layers for which the gap at the inlet has no room: what is left out there at the start is no oil that was lost.
+// Layers too thick for the gap at the inlet: oil that does not fit at the start does not count as lost.
 BOOST_AUTO_TEST_CASE(oil_is_counted_from_the_first_state) {
   const TemporaryFolder folder;
   folder.write("full.ini",
@@ -195,7 +195,7 @@ BOOST_AUTO_TEST_CASE(oil_is_counted_from_the_first_state) {
   BOOST_TEST(std::abs(lost) <= 1e-10);
 }
 
-// The decks: a profile with time as well; oil from nowhere in no step.
+// The decks in inputs, including a profile with time: no step creates oil.
 BOOST_AUTO_TEST_CASE(decks_in_time_conserve_oil) {
   const TemporaryFolder folder;
   folder.write("track.csv", "y,h\n-3,0.15\n0,0.3\n1,0.2\n3,0.2\n");
@@ -240,8 +240,8 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
   BOOST_TEST(closed.says({"far_field", "oil is missing"}));
 }
 
-// Coarse grids, on which the oil does not find its place, tell nothing of the error; and one way to a solution is
-// found at once where no start leads to it.
+// Ellipses far from circular: coarse grids that do not capture the position of the oil give no error estimate, and a
+// solution is found at once although no standard start leads to it.
 BOOST_AUTO_TEST_CASE(ellipses_far_from_round) {
   const TemporaryFolder folder;
   const auto ellipse = [](const std::string& shape, int cells) {

@@ -1,4 +1,4 @@
-// Heat where oil is missing, from end to end.
+// Starved contacts with heat, from end to end.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -30,7 +30,8 @@ struct Scene : support::HeatedScene {
 
 }  // namespace
 
-// More oil than the domain takes: the flooded contact with heat, but for what a hot wake does through the bodies.
+// With more oil than the domain takes, the contact equals the flooded one with heat, except for the effect of a
+// hot wake through the bodies.
 BOOST_AUTO_TEST_CASE(a_thick_layer_is_a_full_inlet) {
   const Scene scene;
   const auto flooded = scene.run(""), thick = scene.run("--set supply.layer_m=1e-3");
@@ -56,21 +57,21 @@ BOOST_AUTO_TEST_CASE(little_oil) {
     BOOST_TEST(number_at(found, "/Hc") < before);
     BOOST_TEST(factor < r);
     before = number_at(found, "/Hc");
-    // A thin layer goes through as it is.
+    // A thin layer passes unchanged.
     if (r < 0.2) check_close("factor", factor, r, 5e-3);
   }
 }
 
 BOOST_AUTO_TEST_CASE(half_is_the_whole) {
   const Scene scene;
-  // Even to 1e-8: too uneven to be halved.
+  // The profile is uneven by 1e-8, which prevents the use of symmetry.
   scene.folder.write("track.csv", "y,h\n-1e-3,100e-9\n1e-3,100.000001e-9\n");
   const auto half = scene.run("--set supply.layer_m=100e-9"), whole = scene.run("--set supply.profile=track.csv");
   for (const char* name : {"/Hc", "/thermal/mu", "/thermal/T_film_max", "/thermal/heat_1"})
     check_close(name, number_at(whole, name), number_at(half, name), 1e-6);
 }
 
-// Four solutions follow one another here: cold and hot, with little oil and flooded. Progress tells the whole of them.
+// Four solutions follow one another: isothermal and hot, starved and flooded. The progress covers all of them.
 BOOST_AUTO_TEST_CASE(progress_never_goes_back) {
   const Scene scene;
   const support::Ended ended =
@@ -83,8 +84,8 @@ BOOST_AUTO_TEST_CASE(progress_never_goes_back) {
   BOOST_TEST(std::ranges::is_sorted(told), ended.err);
 }
 
-// The first pass is the contact alone; what one leaves, the next is given, and no more is lost than by the sides; the
-// last is what a contact alone makes of the layer that the one before has left.
+// The first pass is the contact alone. The oil that a pass leaves is supplied to the next one, and oil is lost only at
+// the sides. The last pass equals a single contact with the layer that the previous pass left.
 BOOST_AUTO_TEST_CASE(passes_over_one_track) {
   const Scene scene;
   const auto alone = scene.run("--set supply.layer_m=200e-9");

@@ -1,4 +1,4 @@
-// [supply] on line contacts as a user gives it, steady and in time.
+// [supply] on line contacts in use, steady and in time.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -44,7 +44,7 @@ void refused(const TemporaryFolder& folder, const std::string& more, const char*
 
 BOOST_AUTO_TEST_SUITE(starved_lines)
 
-// Of 200 nm at 5 m/s flow 1e-6 m^2/s; only u1 h1 + u2 h2 counts.
+// A layer of 200 nm at 5 m/s is a flow of 1e-6 m^2/s; only u1 h1 + u2 h2 counts.
 BOOST_AUTO_TEST_CASE(one_supply_in_all_its_units) {
   const TemporaryFolder folder;
   const nlohmann::json one = solved(folder, "[supply]\nlayer_m = 200e-9\n");
@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(one_supply_in_all_its_units) {
   BOOST_TEST(std::abs(found["supply_ratio"].get<double>() / found["factor_by_supply"].get<double>() - 1.0) <= 1e-12);
   BOOST_TEST(std::abs(found["starvation_factor"].get<double>() / found["factor_by_supply"].get<double>() - 1.0) <=
              1e-4);
-  // Three units of one flow, 1e-6 m^2/s.
+  // Three units of the same flow, 1e-6 m^2/s.
   const double scale = one["a_m"].get<double>() * one["a_m"].get<double>() / 0.010 * 5.0;
   BOOST_TEST(std::abs(found["oil_in"].get<double>() * scale / 1e-6 - 1.0) <= 1e-9);
   const Ended text = ehl(folder, "run case.ini --quiet --overwrite");
@@ -75,11 +75,11 @@ BOOST_AUTO_TEST_CASE(more_than_goes_through_is_told) {
   BOOST_TEST(std::abs(full["starvation_factor"].get<double>() - 1.0) <= 1e-4);
   BOOST_TEST(full["starvation"]["factor_by_supply"] == 1.0);
   BOOST_TEST(full.dump().find("the rest stays in front") != std::string::npos);
-  BOOST_TEST(full["error_parts"]["domain"].get<double>() > 5e-4);  // nothing ends the inlet but the domain
+  BOOST_TEST(full["error_parts"]["domain"].get<double>() > 5e-4);  // only the domain limits the inlet
   BOOST_TEST(solved(folder, "[supply]\nH_oil = 0.02\n")["error_parts"]["domain"] == 0.0);
 }
 
-// Oil is conserved where the load falls, and twice the layer is twice the film.
+// Oil is conserved while the load falls, and twice the layer gives twice the film.
 BOOST_AUTO_TEST_CASE(in_time) {
   const TemporaryFolder folder;
   const std::string layer = "[supply]\nH_oil = 0.02\n[transient]\nend_time = 12\n";

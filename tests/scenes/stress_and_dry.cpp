@@ -1,4 +1,4 @@
-// Stresses below the contact and contacts without lubricant, through the built program.
+// Stresses below the contact, and contacts without lubricant, through the program.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(dry_hertz_and_its_stresses) {
   BOOST_TEST(ended.err.empty(), ended.err);
   for (const char* part : {"p_max ", "0.4132 GPa", "approach", "von Mises", "tau_max", "conjugate gradients"})
     BOOST_TEST(contains(ended.out, part), part << " is missing in\n" << ended.out);
-  // Nothing that speaks of a film.
+  // Nothing about a film is printed.
   for (const char* part : {"Hc", "Moes", "fluid", "Hamrock"}) BOOST_TEST(!contains(ended.out, part), part);
   const double P_max = number(folder, "d.h5", "P_max"), H00 = number(folder, "d.h5", "H00");
   const double largest = number(folder, "d.h5", "/subsurface/largest_tau_max");
@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(the_stresses_in_a_file) {
   const support::TemporaryFolder folder;
   folder.write("d.ini", dry + stresses);
   BOOST_REQUIRE(support::ehl(folder, "run d.ini").status == 0);
-  // The axis, from the section and from the planes: -1/(1 + z^2) and the same numbers to single precision.
+  // On the axis, the section and the planes agree: -1/(1 + z^2), to single precision.
   const auto axis = rows_of(support::ehl(folder, "extract d.h5 /subsurface/section/sigma_z --along z --at x=0").out);
   const auto mises = rows_of(support::ehl(folder, "extract d.h5 /subsurface/section/sigma_mises --along z").out);
   BOOST_REQUIRE(axis.size() == 21U);
@@ -144,7 +144,7 @@ BOOST_AUTO_TEST_CASE(a_lubricated_contact_is_the_same_with_and_without) {
   BOOST_TEST(contains(checked.out, "65 x 65 nodes on 21 planes"), checked.out);
 }
 
-// Heavy and isoviscous, the pressure is that of Hertz but for its ends: tau_max = 0.3003 at 0.7862.
+// Heavily loaded and isoviscous, the pressure is that of Hertz except at its ends: tau_max = 0.3003 at z = 0.7862.
 BOOST_AUTO_TEST_CASE(below_a_line_contact) {
   const support::TemporaryFolder folder;
   folder.write("d.ini",
@@ -158,7 +158,7 @@ BOOST_AUTO_TEST_CASE(below_a_line_contact) {
   BOOST_TEST_MESSAGE("tau_max " << largest << " (0.3003) at " << depth << " (0.7862)");
   BOOST_TEST(std::abs(largest / 0.3003 - 1.0) < 0.003);
   BOOST_TEST(std::abs(depth / 0.7862 - 1.0) < 0.01);
-  // A file holds one line: as many values as nodes and planes.
+  // A file contains one line: as many values as nodes and planes.
   const auto rows = rows_of(support::ehl(folder, "extract d.h5 tau_max --along x --at y=0").out);
   const auto x = rows_of(support::ehl(folder, "extract d.h5 /subsurface/x").out);
   BOOST_TEST(rows.size() == 41U * x.size());
@@ -194,7 +194,7 @@ BOOST_AUTO_TEST_CASE(dry_without_convergence) {
   BOOST_TEST(json.status == 0);
   BOOST_TEST(support::is_json(json.out));
   BOOST_TEST(contains(json.out, "\"kind\":\"dry\""));
-  // What compares films has nothing to compare; a sweep keeps it as refused cases.
+  // Commands that compare films refuse a dry contact; a sweep records it as refused cases.
   const support::Ended study = support::ehl(folder, "study d.ini");
   BOOST_TEST(study.status == 2);
   BOOST_TEST(study.says({"kind = dry", "ehl study"}), study.err);

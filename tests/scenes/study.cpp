@@ -1,4 +1,4 @@
-// Studies from end to end: errors fall with the order of the scheme, the table reads back, the picture is drawn.
+// Studies from end to end: errors fall with the order of the scheme, the table can be read back, the picture is drawn.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <sstream>
@@ -41,7 +41,7 @@ BOOST_AUTO_TEST_CASE(errors_fall_with_the_order_of_the_scheme) {
     BOOST_TEST(contains(ended.out, part), part << " is missing in\n" << ended.out);
   BOOST_TEST(!contains(ended.out, "nan"));
 
-  // The limits of an independent program, where both schemes meet: 0.22051 +- 1e-5 and 0.13324 +- 6e-5.
+  // The limits of an independent program, on which both of its schemes agree.
   const std::string table = scene.folder.read("d_study.csv");
   const double Hc = said(table, "reference Hc");
   const double Hm = said(table, "reference Hm");
@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(errors_fall_with_the_order_of_the_scheme) {
       BOOST_TEST((errors[0] < 5e-3 && errors[2] < 3e-4));
       continue;
     }
-    // The first-order errors of the exactly converged solutions fall like h^0.6 and h^0.85 on these grids.
+    // The first-order errors of the converged solutions decrease with an exponent below 1 on these grids.
     for (std::size_t k = 1; k < 3; ++k) {
       const double order = std::log2(errors[k - 1] / errors[k]);
       BOOST_TEST_MESSAGE(wedge << ": error " << errors[k] << ", order " << order);
@@ -102,8 +102,8 @@ BOOST_AUTO_TEST_CASE(a_study_is_drawn_and_kept) {
   BOOST_TEST(scene.ehl(command + " --output t.csv --overwrite").status == 0);
 }
 
-// A deck in time: the error falls with the tolerance, the reference's own error is far below it, what did not come to
-// its end has a mark and no errors.
+// A deck in time: the error decreases with the tolerance, the error of the reference is far below it, and an incomplete
+// run has a mark instead of errors.
 BOOST_AUTO_TEST_CASE(a_run_in_time_is_studied_by_its_tolerance) {
   const Scene scene;
   const std::string timed = "[transient]\nend_time = 0.6\nload = 0.1:1 0.2:1.2\n[output]\nprobe = 0 0, 0.7 0.1\n";
@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE(a_run_in_time_is_studied_by_its_tolerance) {
 
 BOOST_AUTO_TEST_CASE(a_run_in_time_that_does_not_end_has_no_error) {
   const Scene scene;
-  // Enough steps at 1e-2 and not at 1e-4; the reference does not count them.
+  // The steps suffice at 1e-2 but not at 1e-4; the limit does not apply to the reference.
   scene.folder.write("t.ini", paper + "[transient]\nend_time = 0.6\nload = 0.1:1 0.2:1.2\nmax_steps = 130\n");
   const std::string command = "study t.ini --set grid.cells=64 --repeat 1 --quiet";
   const support::Ended ended = scene.ehl(command + " --rtol 1e-2,1e-4");

@@ -1,4 +1,4 @@
-// Surfaces at rest and measured maps through the built program: what is refused, what comes out, what the result holds.
+// Surfaces at rest and measured maps through the program: what is refused, what comes out, what the result contains.
 #include <hdf5.h>
 
 #include <boost/test/unit_test.hpp>
@@ -19,7 +19,7 @@ std::string steel(const std::string& motion) {
   return "[contact]\nload = 15\nradius_x = 0.0125\nE_prime = 110e9\n[lubricant]\neta0 = 0.25\nalpha = 22e-9\n" + grid +
          "[motion]\n" + motion;
 }
-const std::string standing = "u_m = 0.09\nsrr = 2\n";  // surface 2
+const std::string standing = "u_m = 0.09\nsrr = 2\n";  // surface 2 is at rest
 const std::string dimple = "shape = dimple\nheight = 0.05\nwidth = 0.5\n";
 const std::string map = "[surface2]\nshape = map\nfile = m.csv\nunit_m = 1e-9\ndx_m = 5e-6\n";
 
@@ -135,7 +135,8 @@ BOOST_AUTO_TEST_CASE(a_map_that_is_none_is_refused) {
   BOOST_TEST(support::ehl(folder, "check d.ini --set surface2.file=d.ini").says({".csv", ".h5"}));
 }
 
-// From text and from HDF5, in metres and in Hertz radii; from another folder; and the deck in the result once more.
+// A map from text and from HDF5, in metres and in Hertz radii, and from another folder; the deck in the
+// result gives the same film.
 BOOST_AUTO_TEST_CASE(a_map_stands_in_the_contact) {
   const support::TemporaryFolder folder;
   folder.write("m.csv", "# heights\nx, y\n" + csv(60, 50) + "\n\n");
@@ -154,8 +155,8 @@ BOOST_AUTO_TEST_CASE(a_map_stands_in_the_contact) {
   const double lost = number("d.h5 /summary/surface2_variance_lost");
   BOOST_TEST((lost > 0.0 && lost < 1.0));
   BOOST_TEST(std::abs(number("d.h5 /summary/surface2_shortest_wave_x") - 2.0 * 6.0 / 64) < 1e-12);
-  // What the gap gains is the other sign of the heights, and nothing of their plane: the waves are 40 nm high.
-  const double steps = number("d.h5 /scales/a") / 5e-6;  // of the map in a Hertz radius
+  // The gap changes by the negative heights without their plane; the waves are 40 nm high.
+  const double steps = number("d.h5 /scales/a") / 5e-6;  // points of the map per Hertz radius
   double most = 0.0, mean = 0.0, with_wave = 0.0, squares = 0.0, of_wave = 0.0;
   const auto S = rows_of(extract("d.h5 /fields/S").out);
   for (const auto& row : S) {
@@ -195,7 +196,7 @@ BOOST_AUTO_TEST_CASE(a_map_stands_in_the_contact) {
   const support::Ended outside =
       support::shell(folder, std::string("mkdir sub && cd sub && '") + EHL_PROGRAM + "' check ../d.ini");
   BOOST_TEST(outside.status == 0, outside.err);
-  // Too coarse for the map: said as a warning.
+  // A grid that is too coarse for the map causes a warning.
   const std::string coarse = support::ehl(folder, "run d.ini --quiet --output c.h5 --set surface2.dx_m=2.5e-6").out;
   BOOST_TEST(contains(coarse, "warning: the mesh loses"), coarse);
 }
@@ -208,14 +209,14 @@ BOOST_AUTO_TEST_CASE(a_dent_at_rest) {
   BOOST_TEST(contains(ended.out, "surface1     dimple, height 0.05"));
   BOOST_TEST(contains(support::ehl(folder, "check d.ini").out, "dimple on surface1, at rest"));
   BOOST_TEST(contains(support::ehl(folder, "extract d.h5 /summary").out, "dimple, height 0.05"));
-  // Absent: no word and no field of it.
+  // Without a map there is no text and no field about it.
   folder.write("s.ini", contact);
   const support::Ended smooth = support::ehl(folder, "run s.ini --quiet");
   BOOST_TEST(!contains(smooth.out, "surface"));
   BOOST_TEST(support::ehl(folder, "extract s.h5 /fields/S").status != 0);
 }
 
-// In time the map comes in with its surface, and goes.
+// In time the map enters with its surface, and leaves.
 BOOST_AUTO_TEST_CASE(a_map_moves_through) {
   const support::TemporaryFolder folder;
   folder.write("m.csv", csv(60, 50));

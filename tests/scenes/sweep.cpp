@@ -1,4 +1,4 @@
-// Sweeps from end to end: the table, what ends one case, what ends them all, and how a sweep goes on.
+// Sweeps from end to end: the table, what ends one case, what ends all of them, and how a sweep is continued.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <sstream>
@@ -9,7 +9,7 @@
 
 namespace {
 
-// Solved in a tenth of a second.
+// This deck is solved within a tenth of a second.
 const std::string small =
     "[contact]\nM = 20\nL = 10\n[lubricant]\nalpha = 2.2e-8\nz = 0.68\n[domain]\nx_inlet = -4.5\ny_half = 3\n"
     "[grid]\ncells = 64\n";
@@ -27,7 +27,7 @@ struct Scene {
   }
 };
 
-// Starts a sweep, waits until its table has `rows` lines that end a row, and sends a signal to it alone.
+// Starts a sweep, waits until its table has `rows` complete rows, and sends a signal to it.
 std::string cut_short(const std::string& arguments, int rows, const std::string& signal,
                       const std::string& table = "d_sweep.csv") {
   return std::string("'") + EHL_PROGRAM + "' " + arguments + " & pid=$!; for k in $(seq 500); do [ \"$(grep -c '\"$' " +
@@ -58,7 +58,7 @@ BOOST_AUTO_TEST_CASE(a_row_is_what_a_run_gives) {
   BOOST_TEST((rows[3].at("nx") == "64" && rows[3].at("status") == "converged" && rows[3].at("exit_status") == "0"));
   BOOST_TEST(scene.ehl("sweep d.ini --vary contact.M=20 --output one.csv --quiet").err.empty());
 
-  // Two grids: the errors by weights tell which value is the best.
+  // With two grids, the adjoint error estimates decide which value is the best one.
   const std::string finer = " --set contact.M=20 --set grid.cells=128 --quiet";
   BOOST_TEST(scene.ehl("sweep d.ini --vary contact.L=10 --output two.csv" + finer).status == 0);
   const Row two = scene.table("two.csv")[0];
@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(a_row_is_what_a_run_gives) {
   }
 }
 
-// A row has no place for a run in time and for stresses.
+// A row has no columns for a run in time or for stresses.
 BOOST_AUTO_TEST_CASE(what_a_row_leaves_out_is_told) {
   const Scene scene;
   const auto told = [&](const std::string& asked, const std::string& said) {
@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(what_a_row_leaves_out_is_told) {
   told(" --set subsurface.depth=1", "[subsurface]: the table has no stresses; --keep");
 }
 
-// Where every case is, the deck is wrong.
+// If all cases are refused, the deck is wrong.
 BOOST_AUTO_TEST_CASE(why_cases_are_refused_is_told) {
   const Scene scene;
   const support::Ended ended = scene.ehl("sweep d.ini --vary shear.tau_0=1e6,2e6 --quiet");
@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(why_cases_are_refused_is_told) {
   BOOST_TEST(contains(ended.err, "law"), ended.err);
 }
 
-// One case is refused, one does not converge, one process is ended (after two seconds of work): each is a row.
+// One case is refused, one does not converge, one process is killed after two seconds of work: each has a row.
 BOOST_AUTO_TEST_CASE(a_case_that_fails_is_a_row) {
   const Scene scene;
   const support::Ended ended =
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(a_case_that_fails_is_a_row) {
   BOOST_TEST(std::stod(row.at("residual")) > 1e-13);
   BOOST_TEST(row.at("reason").size() > 10);
 
-  // The process that died is tried again, and nothing else.
+  // Only the case whose process died is computed again.
   const support::Ended again = scene.ehl("sweep d.ini --vary grid.cells=64,77,1024 --set multigrid.tolerance=1e-9");
   BOOST_TEST(contains(again.out, "2 kept, 1 computed"), again.out);
   BOOST_TEST(scene.table()[2].at("status") == "converged");
@@ -140,17 +140,18 @@ BOOST_AUTO_TEST_CASE(a_sweep_cut_short_goes_on) {
     BOOST_TEST_MESSAGE(end.signal << " after " << done << " of 10 rows");
     BOOST_TEST((done >= 3 && done < 10), end.signal << ": " << done << " rows");
     if (end.status == 130) BOOST_TEST(cut.says({"interrupted: " + std::to_string(done) + " of 10"}), cut.err);
-    scene.folder.write("d_sweep.csv", scene.folder.read("d_sweep.csv") + "60,10,conv");  // half a row
+    scene.folder.write("d_sweep.csv", scene.folder.read("d_sweep.csv") + "60,10,conv");  // an incomplete row
     const support::Ended rest = scene.ehl(command);
     BOOST_TEST(rest.status == 0, rest.err);
     const std::string counts = std::to_string(done) + " kept, " + std::to_string(10 - done) + " computed";
     BOOST_TEST(contains(rest.out, counts), rest.out);
     BOOST_TEST(scene.folder.read("d_sweep.csv") == whole.folder.read("d_sweep.csv"));
-    BOOST_TEST(scene.folder.entries() == 2);  // nothing left behind
+    BOOST_TEST(scene.folder.entries() == 2);  // no other files remain
   }
 }
 
-// Three jobs, the first killed and begun again, the second by the variables of a Slurm array: the bytes of one run.
+// Three jobs, of which the first is killed and repeated, the second is configured by the variables of a Slurm array:
+// the merged table equals that of one run byte for byte.
 BOOST_AUTO_TEST_CASE(shards_make_one_table) {
   const Scene scene;
   const std::string sweep = "sweep d.ini --vary contact.M,contact.L=20:5,30:10 --vary grid.cells=32,64,128 --quiet ";
@@ -165,7 +166,7 @@ BOOST_AUTO_TEST_CASE(shards_make_one_table) {
   const support::Ended merged = scene.ehl("sweep --merge t.3of3.csv t.1of3.csv t.2of3.csv --output all.csv");
   BOOST_TEST(merged.status == 0, merged.err);
   BOOST_TEST(scene.folder.read("all.csv") == scene.folder.read("one.csv"));
-  // What was merged without all of them goes on as one run.
+  // A table that was merged without all parts can be continued as one run.
   BOOST_TEST(scene.ehl(sweep + "--output part.csv").status == 0);
   BOOST_TEST(scene.folder.read("part.csv") == scene.folder.read("one.csv"));
 }

@@ -1,4 +1,4 @@
-// What a sweep reports: error bars, names of warnings, refused cases.
+// The reports of a sweep: error bars, names of warnings, refused cases.
 #include <boost/test/unit_test.hpp>
 #include <string>
 
@@ -8,7 +8,7 @@
 
 namespace {
 
-// Solved in a tenth of a second.
+// This deck is solved within a tenth of a second.
 const std::string small =
     "[contact]\nM = 20\nL = 10\n[lubricant]\nalpha = 2.2e-8\nz = 0.68\n[domain]\nx_inlet = -4.5\ny_half = 3\n"
     "[grid]\ncells = 64\n";
@@ -30,7 +30,7 @@ struct Scene {
 
 BOOST_AUTO_TEST_SUITE(sweep_reports)
 
-// One name, one number: in the report, in the file and in the table; the part of the mesh has a name of its own.
+// One name means one number in the report, the file and the table; the error of the mesh alone has its own name.
 BOOST_AUTO_TEST_CASE(an_error_is_the_same_everywhere) {
   const Scene scene;
   const std::string cases = " --set contact.M=20 --set grid.cells=128 --set multigrid.max_cycles=3 --quiet";
@@ -54,7 +54,7 @@ BOOST_AUTO_TEST_CASE(an_error_is_the_same_everywhere) {
   }
 }
 
-// A film that is off by as much as it is thick has converged, and the sweep says so.
+// A film whose error is as large as the film itself has converged, but the sweep warns of it.
 BOOST_AUTO_TEST_CASE(poor_error_bars_are_told) {
   const Scene scene;
   const support::Ended ended = scene.ehl("sweep d.ini --vary contact.M=5,500 --set grid.cells=64 --quiet");
@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(poor_error_bars_are_told) {
   BOOST_TEST(std::stod(rows[1].at("error_Hc")) >= 1.0);
   BOOST_TEST(contains(rows[1].at("warnings"), "error-100"), rows[1].at("warnings"));
   BOOST_TEST(!contains(rows[0].at("warnings"), "error-100"), rows[0].at("warnings"));
-  // Names and no numbers, and every sentence has one.
+  // Warnings are names and not numbers, and every sentence has a name.
   scene.folder.write("oil.ini",
                      "[contact]\nload = 300\nradius_x = 10e-3\nE1 = 210e9\nE2 = 210e9\nnu1 = 0.3\nnu2 = 0.3\n"
                      "[motion]\nu_m = 10\n[lubricant]\neta0 = 0.04\nalpha = 2.2e-8\n[grid]\ncells = 64\n");
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(poor_error_bars_are_told) {
   }
 }
 
-// Which case ends first differs from run to run: the message names the first by number. Here it is slow to be refused.
+// The order in which cases end varies, so the message names the first refused case by number. Here that one is slow.
 BOOST_AUTO_TEST_CASE(the_first_refused_is_the_first_by_number) {
   const Scene scene;
   std::string heights;
@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(the_first_refused_is_the_first_by_number) {
   BOOST_TEST(contains(ended.err, "refused, the first one: surface1.file=large.csv: "), ended.err);
 }
 
-// Counted before a list is made of it.
+// The cases are counted before a list of them is made.
 BOOST_AUTO_TEST_CASE(too_many_cases_are_refused_at_once) {
   const Scene scene;
   const support::Ended ended = support::shell(

@@ -1,4 +1,5 @@
-// Contacts with heat from end to end: a second program's digits, balances, symmetries, limits, files, what is refused.
+// Contacts with heat from end to end: values of an independent program, balances, symmetries,
+// limits, files, what is refused.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -36,7 +37,7 @@ struct Scene : support::HeatedScene {
 
 BOOST_AUTO_TEST_SUITE(thermal)
 
-// Another program, columns of 16 intervals, bodies by lines, on the same grids.
+// An independent program with columns of 16 intervals and the moving line source in the bodies, on the same grids.
 BOOST_AUTO_TEST_CASE(ball_on_disc_of_another_program) {
   const Scene scene;
   struct Row {
@@ -66,16 +67,16 @@ BOOST_AUTO_TEST_CASE(heat_goes_where_it_is_told) {
   const Scene scene;
   const auto found = scene.run("--set grid.cells=128");
   const auto at = [&](const char* name) { return number_at(found, std::string("/thermal/") + name); };
-  // What sliding does by force: mu F du, 2 m/s. Beside it what pressure drives through the inlet: 0.07 W in pure
-  // rolling.
+  // The power of sliding is mu F du, with 2 m/s. In addition, the pressure flow in the inlet dissipates a small
+  // power, as in pure rolling.
   check_close("heat of sliding", at("heat_made"), at("mu") * 30 * 2, 0.05);
   BOOST_TEST(at("heat_made") > at("mu") * 60);
   BOOST_TEST(std::abs(at("heat_imbalance")) < 1e-3);
   check_close("heat led away", at("heat_1") + at("heat_2") + at("heat_carried"), at("heat_made"), 1e-3);
-  // The faster surface takes more of it and stays colder.
+  // The faster surface takes more heat and stays colder.
   BOOST_TEST(at("heat_1") > at("heat_2"));
   BOOST_TEST(at("T1_max") < at("T2_max"));
-  // Lines are hotter, up to 12 % at these Peclet numbers, 10 and 30.
+  // The moving line source gives higher temperatures at these Peclet numbers, 10 and 30.
   const auto lines = scene.run("--set grid.cells=128 --set thermal.solids=lines");
   for (const char* surface : {"/thermal/T1_max", "/thermal/T2_max"}) {
     const double ratio = number_at(found, surface) / number_at(lines, surface);
@@ -84,7 +85,7 @@ BOOST_AUTO_TEST_CASE(heat_goes_where_it_is_told) {
   }
 }
 
-// The isothermal contact beside it is that of the deck without [thermal], to the bit.
+// The isothermal film of a run with heat equals that of the deck without [thermal] bit for bit.
 BOOST_AUTO_TEST_CASE(the_isothermal_contact_is_the_same) {
   const Scene hot, cold(contact + motion + oil + method + "[friction]\ncavitated = none\n");
   support::check_isothermal_beside(hot.run(""), cold.run(""));
@@ -101,7 +102,7 @@ BOOST_AUTO_TEST_CASE(swapped_bodies_mirror_the_film) {
 BOOST_AUTO_TEST_CASE(limits) {
   const Scene scene;
   BOOST_TEST(support::check_little_change(scene) < 5e-3);
-  // An oil and bodies that lead all heat away.
+  // An oil and bodies that conduct all heat away.
   std::string metal = "--set thermal.k=10 --unset thermal.solid1 --unset thermal.solid2";
   for (const std::string n : {"1", "2"})
     metal += " --set thermal.k" + n + "=3000 --set thermal.c" + n + "=5000 --set thermal.rho" + n + "=25000";
@@ -110,8 +111,8 @@ BOOST_AUTO_TEST_CASE(limits) {
   check_close("mu", number_at(cool, "/thermal/mu"), number_at(cool, "/thermal/mu_isothermal"), 0.02);
 }
 
-// 2 GPa on few cells: the coarse grids do not bear the temperature, and the finest has it alone, solved or told not to
-// be. What is shown is of the finest grid: its hottest node stands in the field.
+// 2 GPa on few cells: the coarse grids have no solution with heat, so only the finest grid has one, or the run says
+// that it has not. The result is that of the finest grid: its maximum temperature occurs in the field.
 BOOST_AUTO_TEST_CASE(heavy_and_sliding) {
   const Scene scene;
   const support::Ended ended = scene.ehl(
@@ -125,19 +126,19 @@ BOOST_AUTO_TEST_CASE(heavy_and_sliding) {
   BOOST_TEST(*std::max_element(T.begin(), T.end()) == number_at(found, "/thermal/T_film_max"));
 }
 
-// A point of a traction curve like every other.
+// Pure rolling is part of a traction curve.
 BOOST_AUTO_TEST_CASE(pure_rolling) {
   const Scene scene;
   const auto found = scene.run("--set motion.srr=0");
   BOOST_TEST(number_at(found, "/thermal/mu") == 0.0);
   BOOST_TEST(number_at(found, "/thermal/mu_isothermal") == 0.0);
   check_close("surfaces", number_at(found, "/thermal/T1_max"), number_at(found, "/thermal/T2_max"), 1e-9);
-  // Inlet heating at 10 m/s, Newtonian; another program: 0.861 +- 1 %.
+  // Inlet heating at 10 m/s with a Newtonian oil; an independent program gives 0.861 +- 1 %.
   const auto fast = scene.run(
       "--unset shear.law --unset shear.tau_0 --set motion.srr=0 --set motion.u_m=10 --set domain.x_inlet=-7.5 "
       "--set domain.y_half=4.5 --set grid.cells=96");
   check_close("film", number_at(fast, "/thermal/film_reduction"), 0.861, 0.015);
-  // The formulas of a line's inlet take away more; L = 0.04 0.042 100/0.14 = 1.2.
+  // The formulas for the inlet of a line contact predict a larger reduction; L = 0.04 0.042 100/0.14 = 1.2.
   check_close("Wilson and Sheu", number_at(fast, "/thermal/wilson_sheu"), 1 / (1 + 0.241 * std::pow(1.2, 0.64)), 1e-6);
   check_close("Murch and Wilson", number_at(fast, "/thermal/murch_wilson"), 0.779, 2e-3);
 }
@@ -151,13 +152,13 @@ BOOST_AUTO_TEST_CASE(results_hold_it) {
   for (const double T : file.numbers("/fields/T_max").values) largest = std::max(largest, T);
   BOOST_TEST(largest == most);
   BOOST_TEST(file.numbers("/thermal_section/T").values.size() == 17u * 129u);
-  // u runs from u2 = 0.5 to u1 = 1.5 u_m.
+  // u varies from u2 = 0.5 to u1 = 1.5 u_m.
   const std::vector<double> u = file.numbers("/thermal_section/u").values;
   BOOST_TEST(u.front() == 0.5, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(u.back() == 1.5, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(file.numbers("/summary/heat_1").values.at(0) == number_at(found, "/thermal/heat_1"));
   BOOST_TEST(found["thermal"]["levels"].size() == 2u);
-  // The deck that it keeps is the same contact.
+  // The deck in the result is the same contact.
   scene.folder.write("again.ini", file.text("/deck"));
   const auto again = support::parsed(scene.ehl("run again.ini --json --quiet --output again.h5").out);
   BOOST_TEST(number_at(again, "/thermal/mu") == number_at(found, "/thermal/mu"));
@@ -202,7 +203,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_is_refused) {
       {"volume", thermal(warm + bodies + "occupied_expansion = 1e-4\n"), {"occupied_expansion", "no influence"}},
       {"section alone", contact + motion + oil + method + "[thermal]\nk = 0.14\n", {"T_oil or solid1"}},
   });
-  // All at once.
+  // All errors are reported together.
   support::check_refused(
       {{"all", thermal("T_oil = 313\nk = -1\nsolid1 = wood\nnodes = 2\n"), {"T_oil", "k = -1", "wood", "nodes"}}});
   const Scene scene;
@@ -211,7 +212,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_is_refused) {
   BOOST_TEST(study.says({"--cycles 1V,run", "passes"}), study.err);
 }
 
-// The error asked for holds against a run on four times the cells.
+// The accuracy asked for holds against a run with four times the cells.
 BOOST_AUTO_TEST_CASE(to_an_accuracy) {
   const Scene scene(contact + motion + oil +
                     "[domain]\nfar_field = zero\nx_inlet = -4.5\nx_outlet = 1.5\ny_half = 3\n" +
@@ -225,7 +226,7 @@ BOOST_AUTO_TEST_CASE(to_an_accuracy) {
   BOOST_TEST(number_at(found, "/thermal/Hc_isothermal") > 1.05 * number_at(found, "/Hc"));
 }
 
-// Films with heat: upstream2 is of second order, and closer than upstream1.
+// Films with heat: upstream2 is of second order and more accurate than upstream1.
 BOOST_AUTO_TEST_CASE(a_study_of_films_with_heat) {
   const Scene scene;
   const support::Ended ended = scene.ehl(
@@ -257,7 +258,7 @@ BOOST_AUTO_TEST_CASE(sweep_makes_a_traction_curve) {
   }
   BOOST_REQUIRE(mu.size() == 5u);
   BOOST_TEST(mu[0] == 0.0);
-  // The curve rises, has its maximum and falls; the film gets hotter all the way.
+  // The curve rises, has a maximum and falls; the film temperature rises monotonically.
   BOOST_TEST((mu[1] > 0.02 && mu[2] > mu[1] && mu[3] < mu[2] && mu[4] < mu[3]));
   for (std::size_t k = 1; k < film.size(); ++k) BOOST_TEST(film[k] > film[k - 1]);
 }

@@ -1,4 +1,4 @@
-// Transient decks through the built program: what is refused, what comes out, what the result file holds.
+// Decks in time through the program: what is refused, what comes out, what the result file contains.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
                                   contact + jump + "[domain]\nfar_field = closed\n",
                                   {"far_field = closed", "jumps", "take zero"}});
   folder.write("d.ini", contact + jump);
-  BOOST_TEST(contains(support::ehl(folder, "check d.ini").out, "[-4.5, 1.5] x [-3, 3]"));  // of zero, chosen for it
+  BOOST_TEST(contains(support::ehl(folder, "check d.ini").out, "[-4.5, 1.5] x [-3, 3]"));  // for far_field = zero
   folder.write("d.ini", contact + grid + timed + "load = none.csv\n");
   BOOST_TEST(support::ehl(folder, "run d.ini").status == 4);
   folder.write("d.ini", contact + "[grid]\naccuracy = 0.01\n" + timed);
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
   BOOST_TEST(accuracy.says({"accuracy", "steady"}));
 }
 
-// A load from a file, a dimple in metres, seconds: the same run as in Hertz radii and a/u_m.
+// A load from a file, a dimple in metres, and times in seconds give the same run as Hertz radii and a/u_m.
 BOOST_AUTO_TEST_CASE(units_agree) {
   const support::TemporaryFolder folder;
   const std::string fields = "[domain]\nx_inlet = -4.5\nx_outlet = 1.5\ny_half = 3\n[grid]\ncells = 64\n";
@@ -113,7 +113,8 @@ BOOST_AUTO_TEST_CASE(units_agree) {
   BOOST_TEST(std::abs(one.back()[7] - 1.1) < 1e-12);
 }
 
-// A dimple that starts before the inlet needs its time, and one that moves needs cells; others are no reason to warn.
+// Warnings about a dimple that starts too far upstream to arrive, and about a moving one on too few cells. Other
+// dimples cause no warning.
 BOOST_AUTO_TEST_CASE(a_feature_that_comes_late_or_is_coarse_is_told) {
   const support::TemporaryFolder folder;
   const std::string lines = "[surface1]\nshape = dimple\nheight = 0.02\nwidth = 0.5\n[transient]\nend_time = 0.3\n";
@@ -130,7 +131,7 @@ BOOST_AUTO_TEST_CASE(a_feature_that_comes_late_or_is_coarse_is_told) {
   BOOST_TEST(!contains(fine.out, "are wanted"));
 }
 
-// Every step's numbers, fields at the times asked for, and the words of the summary.
+// The numbers of every step, the fields at the times asked for, and the text of the summary.
 BOOST_AUTO_TEST_CASE(a_load_step_and_what_is_kept) {
   const support::TemporaryFolder folder;
   folder.write("d.ini", contact + grid + "[transient]\nend_time = 1\nload = 0.3:1 0.3:1.2\noutput_interval = 0.25\n");
@@ -152,7 +153,7 @@ BOOST_AUTO_TEST_CASE(a_load_step_and_what_is_kept) {
   BOOST_TEST_REQUIRE(times.size() == 5u);
   for (std::size_t k = 0; k < times.size(); ++k)
     BOOST_TEST(std::abs(times[k][0] - 0.25 * static_cast<double>(k)) < 1e-12);
-  // The field's smallest film at the last time is the last row's.
+  // The minimum film of the last field is that of the last row.
   double least = 1e9;
   for (const auto& row : rows_of(support::ehl(folder, "extract d.h5 /transient/frames/H --step 4").out))
     least = std::min(least, row.at(2));
@@ -162,11 +163,11 @@ BOOST_AUTO_TEST_CASE(a_load_step_and_what_is_kept) {
   const support::Ended refused = support::ehl(folder, "extract d.h5 /transient/frames/P --step 5");
   BOOST_TEST(refused.status == 2);
   BOOST_TEST(refused.says({"--step 5", "0 to 4"}));
-  // The deck in the result is the case again.
+  // The deck in the result describes the same case.
   BOOST_TEST(contains(support::ehl(folder, "extract d.h5 deck").out, "load = 0.3:1 0.3:1.2"));
 }
 
-// A run that cannot go on says so, ends with 3 and keeps what it has.
+// A run that cannot continue says so, ends with status 3 and keeps its results.
 BOOST_AUTO_TEST_CASE(too_few_steps) {
   const support::TemporaryFolder folder;
   folder.write("d.ini", contact + grid + "[transient]\nend_time = 1\nload = 1:1.1\nload_wave = 0.1 2\nmax_steps = 7\n");
@@ -174,7 +175,7 @@ BOOST_AUTO_TEST_CASE(too_few_steps) {
   BOOST_TEST(ended.status == 3);
   BOOST_TEST(ended.says({"the transient ended at time", "more than 7 steps"}));
   BOOST_TEST(contains(ended.out, "FAILED"));
-  // Before the films, which are those of the start.
+  // This precedes the films, which are those of the start.
   const std::string head = ended.out.substr(0, ended.out.find("\ncentre "));
   BOOST_TEST(contains(head, "\nNOT CONVERGED: the transient ended at time "), ended.out);
   BOOST_TEST(contains(head, ": more than 7 steps; the films here are those of its steady start"), ended.out);
@@ -194,8 +195,8 @@ BOOST_AUTO_TEST_CASE(too_few_steps) {
   BOOST_TEST(json["transient"]["completed"] == false);
 }
 
-// The probes' columns against the fields, on nodes and between them; the other columns are the same bits with and
-// without.
+// The columns of probes compared with the fields, at nodes and between them. The other columns are identical bit for
+// bit with and without probes.
 BOOST_AUTO_TEST_CASE(probes_show_the_fields) {
   const support::TemporaryFolder folder;
   const std::string deck = contact + grid +
@@ -204,7 +205,7 @@ BOOST_AUTO_TEST_CASE(probes_show_the_fields) {
   folder.write("d.ini", deck);
   BOOST_TEST_REQUIRE(support::ehl(folder, "run d.ini --quiet").status == 0);
   const auto plain = rows_of(support::ehl(folder, "extract d.h5 /transient").out);
-  // (0.75, -0.375) is node (56, 28); (0.7, 0.1) is none; the contact is symmetric in Y.
+  // The probes are nodes and points between nodes, and their mirror images in Y. Node (56, 28) is (0.75, -0.375).
   folder.write("p.ini", deck + "[output]\nprobe = 0 0, 0.75 -0.375, 0.75 0.375, 0.7 0.1, 0.7 -0.1, 1.45 0\n");
   const support::Ended ended = support::ehl(folder, "run p.ini --quiet");
   BOOST_TEST_REQUIRE(ended.status == 0, ended.err);
@@ -217,11 +218,11 @@ BOOST_AUTO_TEST_CASE(probes_show_the_fields) {
     BOOST_TEST_REQUIRE(rows[k].size() == plain[k].size() + 12u);
     for (std::size_t c = 0; c < plain[k].size(); ++c) BOOST_TEST(rows[k][c] == plain[k][c]);
     BOOST_TEST(rows[k][16] == rows[k][1]);   // H at the centre
-    BOOST_TEST(rows[k][17] == rows[k][19]);  // P at a node and its image
+    BOOST_TEST(rows[k][17] == rows[k][19]);  // P at a node and at its mirror image
     BOOST_TEST(std::abs(rows[k][21] - rows[k][23]) < 1e-12);
     BOOST_TEST(rows[k][25] == 0.0);  // cavitated
   }
-  // Between the nodes: the bilinear value of the four nodes around it, but for the curvature, h^2/8 P'' = 0.003.
+  // Between nodes: the bilinear value of the four surrounding nodes, up to the curvature term h^2/8 P'' = 0.003.
   for (const std::size_t quantity : {0u, 1u}) {
     const std::string name = quantity == 0 ? "P" : "H";
     double bilinear = 0.0, node = 0.0;
@@ -238,15 +239,16 @@ BOOST_AUTO_TEST_CASE(probes_show_the_fields) {
   }
 }
 
-// The disk is full while a run in time writes (the size of files stands for it): it ends with 4, says which file and
-// why, leaves nothing behind but the last good checkpoint, and goes on from that to the end when there is room again.
+// The disk becomes full while a run in time writes (a limit on the size of files has the same effect). The run
+// ends with status 4, names the file and the reason, leaves only the last good checkpoint, and continues from it
+// when there is space again.
 BOOST_AUTO_TEST_CASE(full_disk_keeps_the_last_checkpoint) {
   const support::TemporaryFolder folder;
   folder.write("d.ini", contact + grid +
                             "[transient]\nend_time = 2\nload_wave = 0.2 2\noutput_interval = 0.02\n[output]\n"
                             "checkpoint = 1e-3\nprobe = 0 0, 0.7 0.1\n");
   const std::string run = std::string("'") + EHL_PROGRAM + "' run d.ini --quiet";
-  // In blocks of 512 bytes: room for about ten of the hundred fields.
+  // Blocks of 512 bytes: enough for about ten of the hundred fields.
   const support::Ended ended = support::shell(folder, "ulimit -f 2000\n" + run);
   BOOST_TEST(ended.status == 4);
   BOOST_TEST(ended.says({"d.h5", "cannot be written", "File too large"}), ended.err);
@@ -259,7 +261,7 @@ BOOST_AUTO_TEST_CASE(full_disk_keeps_the_last_checkpoint) {
   BOOST_TEST(before.size() > 5u);
   BOOST_TEST((fields.size() > 1u && fields.size() < 101u));
   BOOST_TEST(rows_of(support::ehl(folder, "extract d.h5 /checkpoint/y").out).size() == 2u * 65u * 33u + 1u);
-  // The same again ends the same way and harms nothing.
+  // A repetition ends in the same way and does no harm.
   const std::string resume = std::string("'") + EHL_PROGRAM + "' resume d.h5 --quiet";
   BOOST_TEST(support::shell(folder, "ulimit -f 2000\n" + resume).status == 4);
   BOOST_TEST(rows_of(support::ehl(folder, "extract d.h5 /transient").out).size() >= before.size());

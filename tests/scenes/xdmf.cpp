@@ -1,4 +1,4 @@
-// The XDMF file beside a run in time, by readers that are not ours: the XDMF library, and VTK's where it is installed.
+// The XDMF file of a run in time, read by independent readers: the XDMF library, and VTK's reader if it is installed.
 #include <XdmfAttribute.hpp>
 #include <XdmfDomain.hpp>
 #include <XdmfGridCollection.hpp>
@@ -19,7 +19,7 @@ const std::string deck =
     "-3\nx_outlet = 1.5\ny_half = 2\n[grid]\ncells = 64\n"
     "[transient]\nend_time = 0.5\noutput_interval = 0.125\nload = 0:1 0.1:1 0.3:1.5\n";
 
-// Prints "time, P at some nodes" of every time, as VTK's reader has them.
+// Prints "time, P at some nodes" for every time, as read by VTK.
 const std::string vtk =
     "import sys\n"
     "from vtkmodules.vtkIOXdmf2 import vtkXdmfReader\n"
@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(the_library_reads_every_time) {
   BOOST_REQUIRE(times.size() == 5u);
   const auto domain = shared_dynamic_cast<XdmfDomain>(XdmfReader::New()->read(scene.folder / "d.xmf"));
   BOOST_REQUIRE(domain->getNumberGridCollections() == 1u);
-  BOOST_TEST(domain->getNumberRectilinearGrids() == 0u);  // the start stands among the times
+  BOOST_TEST(domain->getNumberRectilinearGrids() == 0u);  // the start is among the times
   const auto collection = domain->getGridCollection(0);
   BOOST_TEST(collection->getName() == "a <run> & its times");
   BOOST_REQUIRE(collection->getNumberRectilinearGrids() == times.size());
