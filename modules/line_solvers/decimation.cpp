@@ -16,7 +16,7 @@ Decimation<reach>::Decimation(int points) : points_(points) {
     levels_.push_back(std::move(level));
     if (count == 1) break;
   }
-  // Rows behind the last point read delta = 0.
+  // Rows after the last point give delta = 0.
   for (int i = points + 1; i <= blocks * width; ++i) {
     Row identity{};
     identity.a[Row::lower] = core::broadcast(1.0);
@@ -86,7 +86,7 @@ void Decimation<reach>::divide_by_middle(Level& level, std::size_t b, int points
   }
 }
 
-// Eliminates the blocks 1, 3, 5, ..: what is left couples 0, 2, 4, .. among themselves.
+// Eliminates the blocks 1, 3, 5, ..; the remaining system couples the blocks 0, 2, 4, ..
 template <int reach>
 void Decimation<reach>::reduce(Level& fine, Level& coarse, int points_per_block, SmallPivot& small) {
   const std::size_t n = fine.middle.size();

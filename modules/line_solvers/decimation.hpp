@@ -1,6 +1,7 @@
 #pragma once
-// Decimation: odd-even reduction of the band. Points are taken together in blocks as wide as the band, so that the
-// system is block tridiagonal; every second block is eliminated, again and again, until one is left, and then back.
+// Decimation: odd-even reduction of the band. Points are collected in blocks as wide as the band, which makes the
+// system block tridiagonal. Every second block is eliminated, repeatedly, until one is left; then the solution is
+// substituted back.
 #include <vector>
 
 #include "line_solvers/line_system.hpp"
@@ -22,9 +23,9 @@ class Decimation {
   /// Sets the row of point i = 1..points.
   void set(int i, const Row& row);
 
-  /// Solves for all delta; every row must be set again before the next solution. out: the first small pivot that was
-  /// met, if any, at its point. The order of elimination is not that of the points: another pivot than that of
-  /// Elimination may be the first.
+  /// Solves for all delta. Every row must be set again before the next solution. out: the first small pivot, if any,
+  /// with its point. Since the order of elimination is not that of the points, it may be another pivot than that of
+  /// Elimination.
   SmallPivot solve();
 
   /// The solution of point i; valid after solve().

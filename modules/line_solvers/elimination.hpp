@@ -1,33 +1,34 @@
 #pragma once
-// Gaussian elimination of the band, fed row by row: a row is assembled, eliminated and forgotten, so that only the
-// upper factors of a batch of lines, three or four numbers per point, ever go to memory.
+// Gaussian elimination of the band, row by row: a row is assembled, eliminated and forgotten, so that only the upper
+// factors of a batch of lines, three or four numbers per point, go to memory.
 #include <array>
 
 #include "line_solvers/line_system.hpp"
 
 namespace ehl::line_solvers {
 
-/// Eliminates the rows 1, 2, .. of the band as they come; delta is zero outside the line.
-/// No pivoting: rows of the relaxation are dominated by their diagonal or by the film term; a small pivot is reported.
-/// cost: lower (upper + 1) + 1 multiplications and 1/8 division per point and line.
+/// Eliminates the rows 1, 2, .. of the band as they come; delta is zero outside the line. No pivoting: the diagonal or
+/// the film term dominates the rows of the relaxation. A small pivot is reported.
+/// cost: lower (upper + 1) + 1 multiplications per point and line, and a division per point and batch.
 template <int reach>
 class Elimination {
   using Row = BandRow<reach>;
 
  public:
-  /// One point's upper factors: delta_i = g - sum u_q delta_{i+q}.
+  /// Upper factors of one point: delta_i = g - sum u_q delta_{i+q}.
   struct Factors {
     std::array<Lanes, static_cast<std::size_t>(Row::upper)> u;
     Lanes g;
   };
 
-  /// work: one entry per point, entries 1.. are used; owned by the caller and reused from batch to batch.
+  /// in: work, one entry per point, of which entries 1 .. are used; the caller owns it and reuses it from batch to
+  /// batch.
   explicit Elimination(Factors* work) : factors_(work) {}
 
   /// Takes the next row: its point number must be one higher than the last.
   void push(Row row) {
     const int i = ++last_;
-    // Columns i-lower .. i-1 are known in terms of later ones; substituting the earliest first fills no new column.
+    // Columns i-lower .. i-1 are known in terms of later ones. Substituting the earliest first fills no new column.
     for (int q = Row::lower; q >= 1; --q) {
       if (i - q < 1) continue;
       const Factors& earlier = factors_[i - q];
@@ -45,7 +46,7 @@ class Elimination {
     mine.g = row.rhs * inverse;
   }
 
-  /// Back from the last point: calls change(i, delta_i) for i = last .. 1.
+  /// Back substitution from the last point: calls change(i, delta_i) for i = last .. 1.
   template <class Change>
   void back_substitute(Change change) const {
     std::array<Lanes, static_cast<std::size_t>(Row::upper)> later{};

@@ -1,6 +1,6 @@
 #pragma once
-// Gaussian elimination of the band of one line, from both ends at once. Each row waits for the pivot of the one before
-// it; two chains of rows that do not wait for each other take half the time of one.
+// Gaussian elimination of the band of one line, from both ends at once. Each row waits for the pivot of the one before;
+// two independent chains of rows overlap and take about half the time of one.
 #include <algorithm>
 #include <array>
 
@@ -8,11 +8,11 @@
 
 namespace ehl::line_solvers {
 
-/// Some rows of a line, which come in vectors and go one by one.
+/// Some rows of a line, written as vectors of rows and read one by one.
 template <int reach, int rows>
 class RowBlock {
  public:
-  /// Those from k on.
+  /// Writes a vector of rows from k on.
   void put(int k, const BandRow<reach>& made) {
     const auto from = static_cast<std::size_t>(k);
     for (std::size_t q = 0; q < made.a.size(); ++q) core::store(&a_[q][from], made.a[q]);
@@ -31,29 +31,29 @@ class RowBlock {
   std::array<double, rows> rhs_;
 };
 
-/// Eliminates rows 1, 2, .. of the band from the first end and last, last - 1, .. from the other one, as they come;
-/// delta is zero outside the line. No pivoting; a small pivot is reported, as by Elimination.
-/// cost: a division per point, for which the next one at its end waits.
+/// Eliminates rows 1, 2, .. of the band from the first end, and rows last, last - 1, .. from the last end, as they
+/// come; delta is zero outside the line. No pivoting; a small pivot is reported, as by Elimination. cost: a division
+/// per point, for which the next row of the same end waits.
 template <int reach>
 class TwoEnded {
  public:
   using Row = BandRow<reach, double>;
 
-  /// Of one point: delta_i = g - sum u_q delta_{i+q}, or i-q from the last end.
+  /// Factors of one point: delta_i = g - sum u_q delta_{i+q}, or delta_{i-q} from the last end.
   struct Factors {
     std::array<double, Row::lower> u;
     double g;
   };
 
-  /// work: one entry per point, entries 1 .. last are used; owned by the caller.
+  /// in: work, one entry per point, of which entries 1 .. last are used; the caller owns it.
   TwoEnded(Factors* work, int last) : factors_(work), first_(0), last_(last + 1), end_(last) {}
 
-  /// The next row from the first end.
+  /// Eliminates the next row from the first end.
   void push_first(const Row& row) {
     ++first_;
     from_first_.push(row.a, row.rhs, {first_, 0, 0.0}, factors_[first_], small_pivot_);
   }
-  /// The next row from the last end.
+  /// Eliminates the next row from the last end.
   void push_last(const Row& row) {
     --last_;
     auto backwards = row.a;
@@ -61,10 +61,11 @@ class TwoEnded {
     from_last_.push(backwards, row.rhs, {last_, 0, 0.0}, factors_[last_], small_pivot_);
   }
 
-  /// Once every row is in: calls change(i, delta_i) for every point, from the middle on to both ends.
+  /// Back substitution after all rows: calls change(i, delta_i) for every point, from the middle to both ends.
   template <class Change>
   void substitute(Change change) {
-    // Where the ends meet, rows from the last end know only points before them: as rows they go in from the first end.
+    // Where the ends meet, rows from the last end contain only points before them; these rows are eliminated from the
+    // first end as well.
     for (int k = 0; k < Row::upper && last_ <= end_; ++k, ++last_) {
       const Factors& met = factors_[last_];
       Row row{};
@@ -95,8 +96,8 @@ class TwoEnded {
   const SmallPivot& small_pivot() const { return small_pivot_; }
 
  private:
-  /// Rows in the order of one march: `before` columns of points already known in terms of later ones, the point itself,
-  /// `behind` columns still to come.
+  /// Rows in the order of one direction: `before` columns of points already known in terms of later ones, the point
+  /// itself, `behind` columns of later points.
   template <int before, int behind>
   class Chain {
    public:
@@ -121,15 +122,16 @@ class TwoEnded {
     }
 
    private:
-    /// u and g of the last rows, the nearest first, where the next one finds them soonest. Zero before the first row.
+    /// u and g of the last rows, the nearest first, so that the next row finds them early. Zero before the first row.
     std::array<std::array<double, behind + 1>, before> recent_{};
   };
 
-  /// delta of a point beside known ones, the nearest first; it becomes the nearest.
+  /// delta of a point from the known ones next to it, the nearest first. It becomes the nearest of them.
   template <std::size_t known>
   static double unknown(const Factors& factors, std::array<double, known>& beside) {
     double delta = factors.g;
-    for (std::size_t t = known; t-- > 0;) delta -= factors.u[t] * beside[t];  // the nearest last: it came last
+    for (std::size_t t = known; t-- > 0;)
+      delta -= factors.u[t] * beside[t];  // the nearest last, since it was computed last
     for (std::size_t t = known - 1; t > 0; --t) beside[t] = beside[t - 1];
     beside[0] = delta;
     return delta;
