@@ -59,7 +59,7 @@ void prolong_bilinear(const core::Field& coarse, core::Field& fine, int threads)
 
 namespace {
 
-// The value half-way between `left` and the next node; value(k) gives node k of 0..last.
+// The value half-way between node `left` and the next one. in: value(k), the value at node k, k = 0..last.
 template <class Value>
 double half_way(Value value, int left, int last) {
   if (left == 0) return (5.0 * value(0) + 15.0 * value(1) - 5.0 * value(2) + value(3)) / 16.0;
@@ -81,7 +81,7 @@ void prolong_bicubic(const core::Patch& grid, const core::Field& coarse, core::F
       for (int j = 0; j < fine.nodes_y(); ++j) fine(i, j) = at(i, j);
     return;
   }
-  std::vector<double> row(static_cast<std::size_t>(coarse.nodes_y()));  // the station of the fine grid at coarse Y
+  std::vector<double> row(static_cast<std::size_t>(coarse.nodes_y()));  // one column of the fine grid at the coarse Y
   for (int i = 0; i < fine.nodes_x(); ++i) {
     for (int J = 0; J <= last_y; ++J) row[static_cast<std::size_t>(J)] = at(i, J);
     const auto along_y = [&](int J) { return row[static_cast<std::size_t>(J <= last_y ? J : grid.holder(J))]; };
