@@ -5,7 +5,7 @@
 
 namespace ehl::kernel {
 
-/// Nodes on (-1/2, 1/2) and weights that add up to 1.
+/// Nodes on (-1/2, 1/2) and weights with the sum 1.
 template <int points>
 struct GaussRule;
 
@@ -46,7 +46,7 @@ inline double integrate_over_cell(double X, double Y, double hx, double hy, Func
   return hx * hy * sum;
 }
 
-/// From how many cells of distance on the rules reach rounding error.
+/// Distances, in cells, from which on the rules with 6, 4 and 3 points are exact to rounding.
 inline constexpr double distance_for_6 = 6.0;
 inline constexpr double distance_for_4 = 32.0;
 inline constexpr double distance_for_3 = 160.0;

@@ -10,8 +10,8 @@
 namespace ehl::kernel {
 namespace {
 
-// ln[(s2 + r2)/(s1 + r1)] where r2^2 - r1^2 = s2^2 - s1^2: both differences are known exactly, so log1p keeps all
-// digits.
+// ln[(s2 + r2)/(s1 + r1)] where r2^2 - r1^2 = s2^2 - s1^2. Both differences are known without cancellation, so that
+// log1p keeps all digits.
 double log_ratio(double s1, double s2, double r1, double r2) {
   const double ds = s2 - s1;
   return std::log1p((ds + ds * (s1 + s2) / (r1 + r2)) / (s1 + r1));
@@ -27,7 +27,7 @@ double rectangle(double x1, double x2, double y1, double y2) {
   return sum;
 }
 
-// The cells that the observation point touches are cut along the axes: the closed form wants one quadrant.
+// The closed form holds for one quadrant: cells that contain an axis through the observation point are cut along it.
 double closed_form(int ax, int ay, double hx, double hy) {
   const double factor = (ax == 0 ? 2.0 : 1.0) * (ay == 0 ? 2.0 : 1.0);
   const double x1 = ax == 0 ? 0.0 : (ax - 0.5) * hx;
@@ -62,8 +62,8 @@ void fill_row(int dx, int every_y, int n, double hx, double hy, double* K) {
   fill_far<3>(X, hx, hy, every_y, three, n, K);
 }
 
-// f(x+h, y) + f(x-h, y) - 2 f(x, y) for f = 1/r. With s = x+h, x-h every difference of roots is written as the
-// difference of their squares over their sum; what remains has terms of the size of the result.
+// f(x+h, y) + f(x-h, y) - 2 f(x, y) for f = 1/r. Every difference of two roots is written as the difference of their
+// squares over their sum; the remaining terms are of the size of the result.
 double second_difference(double x, double y, double h) {
   const double r = std::hypot(x, y), rp = std::hypot(x + h, y), rm = std::hypot(x - h, y);
   const double ap = 1.0 / (r * rp * (r + rp)), am = 1.0 / (r * rm * (r + rm));
@@ -100,7 +100,7 @@ InfluenceTable influence_table(int n_x, int n_y, double hx, double hy, int every
 double distributed_influence(int d_x, int d_y, double hx, double hy) {
   const int ax = std::abs(d_x), ay = std::abs(d_y);
   const double X = ax * hx, Y = ay * hy, distance = std::hypot(X, Y) / std::max(hx, hy);
-  // One cell more than for K: the nearest neighbour must be far too.
+  // One cell more than for K, since the nearest neighbour must be far enough as well.
   if (distance >= distance_for_4 + 1.0) return integrate_difference<4>(X, Y, hx, hy);
   if (distance >= distance_for_6 + 1.0) return integrate_difference<6>(X, Y, hx, hy);
   const double neighbours = influence(ax + 1, ay, hx, hy) + influence(ax - 1, ay, hx, hy) +
@@ -110,7 +110,7 @@ double distributed_influence(int d_x, int d_y, double hx, double hy) {
 
 namespace {
 
-// The mean of ln x over the cell `far` cells away, x in cells.
+// The mean of ln x over the cell at a distance of `far` cells, x in cells.
 double mean_logarithm(int far) {
   if (far >= distance_for_6) {
     double sum = 0.0;
@@ -127,10 +127,10 @@ double line_influence_of(int far, double mean, double hx) {
   return far == 0 ? hx * (1.0 + std::numbers::ln2 - own) : -hx * (mean + own);
 }
 
-/// The means of the cells 1, 2, .., kept: they are the same on all grids.
+/// The means of the cells 1, 2, .., which are stored because they are the same on all grids.
 class Means {
  public:
-  /// Of the cells 0 (not used), every, .. n every.
+  /// Means of the cells 0 (not used), every, .. n every.
   std::vector<double> at_most(int n, int every) {
     const std::lock_guard lock(mutex_);
     for (int far = static_cast<int>(known_.size()); far <= n * every; ++far)
