@@ -10,7 +10,7 @@ namespace {
 
 using core::Lanes;
 
-// The change of fluidity_between() with the two logarithms.
+// Change of fluidity_between() with changes of the two ln eta_bar.
 double fluidity_change(const AroundHalfPoint<double>& at, const AroundHalfPoint<double>& change, double least) {
   const auto [phi0, phi1] = at.fluidity;
   const auto [da0, da1] = change.log_viscosity;
@@ -25,7 +25,7 @@ double fluidity_change(const AroundHalfPoint<double>& at, const AroundHalfPoint<
   return share * (f0 * da0 + f1 * da1) + of_bound;
 }
 
-// Some of the faces, their values side by side; `read` gives them.
+// epsilon at a vector of faces; `read` loads the values of a span for them.
 template <class Read>
 Lanes epsilon_of(const AroundLines& around, const Between& how, Read read) {
   const auto& [H, rho, phi, a] = around;

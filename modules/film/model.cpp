@@ -7,7 +7,8 @@
 namespace ehl::film {
 namespace {
 
-// Of a buffer what a station has: a line contact's buffers hold all of its nodes, its stations one line and two copies.
+// The part of a buffer that a column uses. The buffers of a line contact hold all of its nodes, its columns one node
+// and two copies.
 std::span<double> part(const Station& station, std::vector<double>& buffer) {
   return std::span<double>(buffer).first(std::min(buffer.size(), station.P.size()));
 }
@@ -98,7 +99,8 @@ void oil(const Model& model, const Station& station, Buffers& buffers, const Oil
     rheology::thin_log_viscosity(fluidity, out.fluidity_across, out.log_viscosity_across);
   }
   if (model.effects.empty()) return;
-  // Half points take the density from Q: what it carries more goes off the fluidity.
+  // Half points compute epsilon with rho_bar = Q/H, which contains the factor `carried`; so the fluidity is divided by
+  // it.
   const auto move = [&](const std::vector<double>& mobility, std::span<double> phi, std::span<double> log_eta) {
     for (std::size_t k = 0; k < phi.size(); ++k) {
       const double factor = mobility[k] / buffers.carried[k];
