@@ -1,5 +1,5 @@
 #pragma once
-// Work space: an aligned array of doubles, zero at birth, allocated once.
+// Work space: an aligned array of doubles, zero at construction, allocated once.
 #include <cstddef>
 
 #include "core/aligned_array.hpp"

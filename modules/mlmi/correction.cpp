@@ -10,14 +10,14 @@ namespace {
 int floor_half(int i) { return i >= 0 ? i / 2 : -((1 - i) / 2); }
 std::size_t index(int k) { return static_cast<std::size_t>(k); }
 
-// How far outside the patch the dropped part of the correction is added up [points]: it falls like d^-2p.
+// Distance outside the patch up to which the dropped part of the correction is summed [points]; it falls as d^-2p.
 constexpr int margin = 12;
 
 }  // namespace
 
 Axis coarsened(const Axis& fine, int order) {
   const int p = order / 2;
-  // An odd point 2J+1 takes J-p+1 ... J+p; the outermost odd points reach further than the outermost even ones.
+  // An odd point 2J+1 needs J-p+1 .. J+p; the outermost odd points need more than the outermost even ones.
   const int first_odd = fine.first % 2 == 0 ? fine.first + 1 : fine.first;
   const int last_odd = fine.last % 2 == 0 ? fine.last - 1 : fine.last;
   const int last = fine.end == core::Edge::mirror ? fine.last / 2 : floor_half(last_odd - 1) + p;
@@ -40,7 +40,7 @@ Correction correction(const Axis& along, const Axis& across, int order, int m1, 
     for (int k = 1; k <= p; ++k) error -= weights[index(k - 1)] * (K(d - (2 * k - 1), e) + K(d + (2 * k - 1), e));
     return factor * error;
   };
-  // What lies just outside the patch sets the scale of what is not worth keeping inside.
+  // Entries inside the patch are dropped if they are smaller than the largest one just outside it.
   double threshold = 0.0;
   for (int d = 0; d <= m1 + 1; ++d) threshold = std::max(threshold, std::abs(interpolation_error(d, m2 + 1)));
   for (int e = 0; e <= m2 + 1; ++e) threshold = std::max(threshold, std::abs(interpolation_error(m1 + 1, e)));
@@ -52,8 +52,8 @@ Correction correction(const Axis& along, const Axis& across, int order, int m1, 
     while (reach > 1 && std::abs(interpolation_error(reach, e)) < threshold) --reach;
     result.reach[index(e)] = reach;
   }
-  // Where u is smooth the dropped entries act through their sum alone, so the sum is put on the edge of the patch:
-  // separately for odd and even distances, because the even points of the grid see the odd distances only.
+  // Where u is smooth the dropped entries act through their sum alone, so the sum is added at the edge of the patch:
+  // separately for even and odd distances, because the even points of the grid use the odd distances only.
   double even = 0.0, odd = 0.0;
   for (int d = -rows; d <= rows; ++d)
     for (int e = -columns; e <= columns; ++e) {

@@ -13,14 +13,14 @@
 namespace ehl::mlmi {
 namespace {
 
-// Below this size starting a team of threads costs more than it saves.
+// Below this number of cells a team of threads costs more than it saves.
 constexpr int smallest_parallel = 256;
 
-// The smallest number of cells a coarsening may leave: fewer points than the interpolation spans make no sense.
+// Least number of cells after a coarsening: the interpolation must fit.
 constexpr int fewest_cells = 8;
-// Ten halvings in each direction, what 8192 cells can take. The deck's key says the same.
+// Ten halvings in each direction, the most that 8192 cells allow. The deck's key has the same limit.
 constexpr int coarsening_limit = 20;
-// Far beyond all that was measured, 9 x 4 and its neighbours. The deck's keys say the same.
+// Largest radius of a patch, far above the defaults. The deck's keys have the same limit.
 constexpr int largest_patch = 64;
 
 bool leaves_enough(const core::Grid& grid, int coarsenings) {
@@ -29,15 +29,16 @@ bool leaves_enough(const core::Grid& grid, int coarsenings) {
          (in_y == 0 || grid.ny >> in_y >= fewest_cells);
 }
 
-// Measured, README.md: the cheapest below the limits that 10 % of the discretization error set on every level, with a
-// margin of two to five for pressures with sharper features than the one it was measured with.
+// The cheapest choice whose error is below 10 % of the discretization error on every level, with a margin for pressures
+// with sharper features than the measured one (tests/bench/deformation_defaults.csv, deformation_order.csv).
 MultilevelChoice default_choice(const core::Grid& grid) {
   const int n = std::max(grid.nx, grid.ny);
   MultilevelChoice choice{.order = 8, .patch_along = 9, .patch_across = 4, .coarsenings = 4};
   if (n < 384) choice.patch_across = 3;
-  // Here the exact sum costs no more.
+  // On these grids the exact sum costs no more.
   if (n < 96 || grid.line) choice.coarsenings = 0;
-  // Coarsened along X first, as x and y take turns, a patch of stretched cells would be hx/hy times as wide across.
+  // Coarsenings alternate between X and Y, beginning with X: on stretched cells a patch would be hx/hy times as wide
+  // along Y.
   if (core::stretched(grid)) choice.coarsenings = 0;
   choice.coarsenings = std::min(choice.coarsenings, most_coarsenings(grid));
   return choice;
@@ -95,12 +96,12 @@ Parameters fitting(Parameters parameters, const core::Patch& coarser) {
 struct Deformation::Implementation {
   std::string description;
   std::optional<MultilevelSum> sum;
-  std::optional<LineSum> line_sum;  // of a line contact, instead
-  double of_unit = 0.0;             // what its unit of length adds, per sum of P
+  std::optional<LineSum> line_sum;  // line contacts use this one instead
+  double of_unit = 0.0;             // what the unit of length of a line contact adds, per sum of P
   core::Patch grid;
-  // For the sums that know no symmetry.
+  // For sums that do not use the symmetry.
   core::Field whole_P, whole_w;
-  std::vector<double> along_P, along_w;  // of a line contact
+  std::vector<double> along_P, along_w;  // line contacts only
 };
 
 Deformation::Deformation(const core::Patch& grid, const Parameters& parameters, int threads, double factor) {

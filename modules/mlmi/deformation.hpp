@@ -13,8 +13,7 @@ namespace ehl::mlmi {
 
 enum class Method { mlmi, fft, direct };
 
-/// How to evaluate the deformation. Zero or negative numbers mean: choose for the grid (the defaults measured in
-/// README.md).
+/// How to evaluate the deformation. Zero or negative numbers mean a choice by the program for the grid.
 struct Parameters {
   Method method = Method::mlmi;
   int order = 0;                 ///< transfer order 2p = 4, 6 or 8
@@ -22,23 +21,25 @@ struct Parameters {
   int patch_across = 0;          ///< correction patch radius m2 across it [fine points]
   int coarsenings = -1;          ///< number of semi-coarsenings before the coarsest sum
   bool coarsest_direct = false;  ///< coarsest sum directly instead of by FFT
-  double line_unit = 1.0;        ///< of a line contact: the length whose logarithm is zero, in a
+  double line_unit = 1.0;        ///< line contacts: length at which the logarithm is zero [a]
 };
 
-/// The most semi-coarsenings a grid allows: every direction that is coarsened keeps 8 cells.
+/// Largest number of semi-coarsenings that a grid allows: each coarsened direction keeps at least 8 cells.
 int most_coarsenings(const core::Grid& grid);
-/// For a grid coarser than the one that the parameters are meant for: with no more coarsenings than it allows.
+/// The parameters for a coarser grid than the one they are meant for, with no more coarsenings than it allows.
 Parameters fitting(Parameters parameters, const core::Patch& coarser);
 
-/// Eq. (6): the deformation of a circular contact in units of a^2/R for the pressure in units of p_h is this times K*P.
+/// Eq. (6): the deformation of a circular contact, in units of a^2/R for a pressure in units of p_h, is this factor
+/// times K*P.
 inline constexpr double circular_factor = 2.0 / (core::pi * core::pi);
 
-/// Evaluates w_ij = factor sum_kl K_ijkl P_kl on one grid; owns the tables, plans and work space.
-/// Not copyable; one evaluator serves one caller at a time. Grids of any size from 1 x 1 cells on, odd numbers too,
-/// hx != hy allowed; behind a mirror the sum goes over the images too, at half the cost, or on the whole where the
-/// numbers of cells do not allow that. Of a line contact the kernel is the logarithm, all coarsenings go along X, and
-/// all its lines get the sum. Same bits for any number of threads; grids below 256 cells per direction run on
-/// one.
+/// Evaluates w_ij = factor sum_kl K_ijkl P_kl on one grid. Owns the tables, plans and work space; not copyable; serves
+/// one caller at a time.
+///
+/// Grids have any size from 1 x 1 cells on, odd numbers too; hx != hy is allowed. With an axis of symmetry the sum
+/// includes the images at half of the cost, or goes over the whole domain if the numbers of cells do not allow that. In
+/// a line contact the kernel is the logarithm, all coarsenings go along X, and all stored lines get the sum. The result
+/// has the same bits for any number of threads; grids below 256 cells per direction use one.
 class Deformation {
  public:
   /// errors: core::InputError when the parameters do not fit the grid.
@@ -47,14 +48,14 @@ class Deformation {
   Deformation(Deformation&&) noexcept;
   Deformation& operator=(Deformation&&) noexcept;
 
-  /// w = K*P. in: P on the grid's nodes; boundary values take part in the sum. out: w on all nodes. Allocates nothing.
-  /// limits: P and w are fields of this grid (their padding is neither used nor kept) and not the same field.
+  /// w = factor K*P. in: P on the nodes of the grid; boundary values take part in the sum. out: w on all nodes.
+  /// Allocates nothing. limits: P and w are different fields of this grid; their padding is neither used nor kept.
   void evaluate(const core::Field& P, core::Field& w);
 
-  /// The same of a line contact, its nodes side by side. limits: P and w are not the same values.
+  /// w = factor K*P in a line contact, with the nodes as contiguous arrays. limits: P and w are different arrays.
   void evaluate_along(std::span<const double> P, std::span<double> w);
 
-  /// What was chosen, for the report: "mlmi, order 6, patch 9x3, 2 coarsenings, FFT on 129x129".
+  /// The method and its parameters, for the report: "mlmi, order 6, patch 9x3, 2 coarsenings, FFT on 129x129".
   std::string description() const;
   std::size_t bytes() const;
 

@@ -1,5 +1,5 @@
 #pragma once
-// The sum w = K*u over all pairs of points, term by term: the truth.
+// The sum w = K*u over all pairs of points, term by term: the reference of the tests.
 #include <cstddef>
 
 #include "kernel/influence.hpp"

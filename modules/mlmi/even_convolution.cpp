@@ -19,8 +19,8 @@ void put(Buffer& values, int k, double real, double imaginary) {
 
 }  // namespace
 
-// One point less than elsewhere is enough: the two largest distances, n - 1 and 1 - n, share a place, as K is even. Of
-// a grid of 2^k cells the length is a power of two.
+// The largest distances n - 1 and 1 - n share a place, as K is even, so that the padded length is one less than in two
+// dimensions. For a grid of 2^k cells it is a power of two.
 EvenConvolution::EvenConvolution(std::span<const double> kernel)
     : points_(kernel.size()),
       half_(padded_length(std::max(2, 2 * static_cast<int>(kernel.size()) - 2)) / 2),
@@ -29,8 +29,8 @@ EvenConvolution::EvenConvolution(std::span<const double> kernel)
       spectrum_(2 * at(half_)) {
   for (std::size_t d = 0; d < points_; ++d) line_[d] = line_[d > 0 ? 2 * at(half_) - d : 0] = kernel[d];
   transform_.forward(line_.data(), spectrum_.data());
-  // With a, b the transforms of the even and of the odd points and w = exp(-2 pi i k/length) the spectrum is a + w b at
-  // k and a - w b at half - k, as it is even; and real.
+  // Let a and b be the transforms of the even and of the odd points and w = exp(-2 pi i k/length). The spectrum, which
+  // is real and even, is a + w b at k and a - w b at half - k.
   for (int k = 0; k <= half_ / 2; ++k) {
     const std::complex<double> Z = number(spectrum_, k), other = std::conj(number(spectrum_, k > 0 ? half_ - k : 0));
     const std::complex<double> b = std::complex<double>(0.0, -0.5) * (Z - other);
@@ -39,9 +39,9 @@ EvenConvolution::EvenConvolution(std::span<const double> kernel)
   }
 }
 
-// With Z = a + i b there and w = exp(-2 pi i k/length) the product with the kernel's spectrum S has
+// With Z = a + i b and w = exp(-2 pi i k/length) the product with the spectrum of the kernel has
 //   a' = mean a + difference w b, b' = mean b + difference conj(w) a.
-// What is put is the conjugate of a' + i b': the transform back is the conjugate of that there.
+// The conjugate of a' + i b' is stored: the inverse transform is the conjugate of the forward transform of that.
 void EvenConvolution::multiply() {
   for (int k = 0; k <= half_ / 2; ++k) {
     const Factor& f = factors_[at(k)];

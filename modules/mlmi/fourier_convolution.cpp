@@ -18,7 +18,7 @@ bool is_zero(const double* row, int n) {
   return std::all_of(row, row + n, [](double v) { return v == 0.0; });
 }
 
-// Half-open range of the rows that hold anything.
+// Half-open range of the rows that are not zero.
 std::pair<int, int> occupied_rows(const double* u, std::ptrdiff_t stride, int rows, int columns) {
   int first = 0, last = rows;
   while (first < last && is_zero(u + first * stride, columns)) ++first;
@@ -54,8 +54,8 @@ FourierConvolution::FourierConvolution(const Shape& shape, const kernel::Influen
   prepare_spectrum(kernel, factor / (static_cast<double>(length_rows_) * length_columns_));
 }
 
-// K is even in both offsets, so its spectrum is real and even: rows 0..length/2 say everything. The numbers of a block
-// stand as multiply() takes them.
+// K is even in both offsets, so its spectrum is real and even, and rows 0..length/2 determine it. The numbers of a
+// block are stored in the order in which multiply() reads them.
 void FourierConvolution::prepare_spectrum(const kernel::InfluenceTable& kernel, double factor) {
   const int half_rows = length_rows_ / 2 + 1;
   const int table_rows = std::min(kernel.n_x + 1, shape_.rows);
@@ -71,7 +71,7 @@ void FourierConvolution::prepare_spectrum(const kernel::InfluenceTable& kernel, 
     }
     worker.row.forward(worker.real.data(), worker.complex.data());
     double* to = half_.data() + i * stride_;
-    // Without symmetry one real number serves the real and the imaginary part.
+    // Without symmetry the real and the imaginary part have one factor.
     for (int k = 0; k < numbers_; ++k) to[k] = worker.complex[size(shape_.even ? 2 * k : k - k % 2)];
   }
 #pragma omp parallel for schedule(static) num_threads(count) if (count > 1)
@@ -88,7 +88,7 @@ void FourierConvolution::prepare_spectrum(const kernel::InfluenceTable& kernel, 
     double* to = spectrum_.data() + static_cast<std::ptrdiff_t>(b) * half_rows * block_doubles;
     std::copy_n(worker.transformed.data(), half_rows * block_doubles, to);
   }
-  // The columns behind the last frequency hold nothing and must stay so.
+  // The columns after the last frequency must stay zero.
   std::fill_n(half_.data(), half_.size(), 0.0);
 }
 
@@ -121,8 +121,8 @@ void FourierConvolution::row_inverse(double* spectrum, Worker& worker, double* w
   std::reverse_copy(row, row + shape_.columns, w);
 }
 
-// A complex column Z is one column with the kernel's spectrum K, or of even rows two real ones, Z = A + iB, with K_A
-// and K_B: K_A A + i K_B B is (K_A + K_B)/2 Z_k + (K_A - K_B)/2 conj(Z_-k).
+// A complex column Z is one column with the spectrum K of the kernel; with even rows it is two real ones, Z = A + iB,
+// with K_A and K_B. Then K_A A + i K_B B = (K_A + K_B)/2 Z_k + (K_A - K_B)/2 conj(Z_-k).
 void FourierConvolution::multiply(const double* kernel, double* transformed) const {
   using core::Lanes, core::lanes;
   if (!shape_.even) {

@@ -1,5 +1,5 @@
 #pragma once
-// The sum w = K*u over all pairs of points by zero-padded Fourier transforms: exact up to rounding.
+// The sum w = K*u over all pairs of points by zero-padded Fourier transforms, exact to rounding.
 #include <cstddef>
 #include <vector>
 
@@ -12,18 +12,18 @@ namespace ehl::mlmi {
 /// The smallest even 2^a 3^b 5^c that is at least n.
 int padded_length(int n);
 
-/// w_ij = factor sum_kl K(i-k, j-l) u_kl for arrays of rows x columns points, the columns contiguous.
-/// Owns the real spectrum of the symmetric kernel, the plans and the work space.
-/// cost: O(N ln N); rows of u that are zero at both ends of the array are not transformed.
+/// w_ij = factor sum_kl K(i-k, j-l) u_kl for arrays of rows x columns points, the columns contiguous. Owns the real
+/// spectrum of the symmetric kernel, the plans and the work space. cost: O(N ln N); rows of u that are zero at both
+/// ends of the array are not transformed.
 ///
-/// Even: the last column is a plane of symmetry and the sum goes over the images of the others too. Rows that are
-/// even about it have real spectra, and two of these make one complex column for the transform across: half the work.
+/// Even: the last column is an axis of symmetry, and the sum includes the images of the others. Rows that are even
+/// about it have real spectra, and two of these make one complex column for the second transform: half of the work.
 class FourierConvolution {
  public:
   struct Shape {
     int rows = 0;
-    int columns = 0;    ///< that are stored
-    bool even = false;  ///< about the last column
+    int columns = 0;    ///< stored columns
+    bool even = false;  ///< symmetric about the last column
     /// Columns of the whole array.
     int all_columns() const { return even ? 2 * columns - 1 : columns; }
   };
@@ -36,7 +36,7 @@ class FourierConvolution {
   std::size_t bytes() const;
 
  private:
-  // What one thread needs for itself.
+  // Plans and work space of one thread.
   struct Worker {
     RealTransform row;
     ColumnTransform column;
@@ -50,11 +50,11 @@ class FourierConvolution {
 
   Shape shape_;
   int length_rows_, length_columns_;  // padded numbers of rows and columns
-  int numbers_;                       // doubles of a row's spectrum: complex, or real
-  int blocks_;                        // of ColumnTransform::columns complex columns
+  int numbers_;                       // doubles in the spectrum of a row, complex or real
+  int blocks_;                        // blocks of ColumnTransform::columns complex columns
   std::ptrdiff_t stride_;             // doubles per row of the half transformed array
-  Buffer half_;                       // rows x numbers: transformed along the columns only
-  Buffer spectrum_;                   // of the kernel, block by block, rows fastest within the half range
+  Buffer half_;                       // rows x numbers, with the rows transformed
+  Buffer spectrum_;                   // of the kernel, block by block; rows 0 .. length/2
   std::vector<Worker> workers_;
 };
 

@@ -1,13 +1,13 @@
 #pragma once
-// The only door to a library for discrete Fourier transforms. Two files can stand behind it: fourier_transform_fftw.cpp
-// (FFTW, when the build option EHL_FFTW is on) and fourier_transform_eigen.cpp (Eigen's transform).
-// Complex numbers are pairs of doubles, real part first. Nothing is normalised: forward then inverse multiplies by the
-// length. Arrays must start on a 64-byte boundary. An object serves one thread at a time.
+// The only access to a library for discrete Fourier transforms. One of two files implements it:
+// fourier_transform_fftw.cpp (FFTW, with the build option EHL_FFTW) or fourier_transform_eigen.cpp (Eigen's transform).
+// Complex numbers are pairs of doubles, real part first. Nothing is normalised: forward and then inverse multiplies by
+// the length. Arrays must start on a 64-byte boundary. An object serves one thread at a time.
 #include <memory>
 
 namespace ehl::mlmi {
 
-/// Name of the library behind the door.
+/// Name of the library.
 const char* fourier_library();
 
 /// Transforms of real rows of one length. limits: length even.
@@ -17,7 +17,7 @@ class RealTransform {
   ~RealTransform();
   RealTransform(RealTransform&&) noexcept;
   RealTransform& operator=(RealTransform&&) noexcept;
-  /// spectrum_k = sum_n row_n exp(-2 pi i k n/length), k = 0..length/2. in: row, length doubles.
+  /// spectrum_k = sum_n row_n exp(-2 pi i k n/length), k = 0..length/2. in: row of length doubles.
   void forward(const double* row, double* spectrum) const;
   /// row_n = sum_k spectrum_k exp(2 pi i k n/length) over the whole symmetric spectrum. The spectrum is destroyed.
   void inverse(double* spectrum, double* row) const;
@@ -46,8 +46,8 @@ class ComplexTransform {
 /// another (faster than in place). The input may be destroyed.
 class ColumnTransform {
  public:
-  static constexpr int columns = 8;            ///< two cache lines of a row are gathered and put back whole
-  static constexpr int doubles = 2 * columns;  ///< of a row of them, real and imaginary parts
+  static constexpr int columns = 8;            ///< a row of them is two cache lines
+  static constexpr int doubles = 2 * columns;  ///< doubles in a row of columns, real and imaginary parts
   explicit ColumnTransform(int length);
   ~ColumnTransform();
   ColumnTransform(ColumnTransform&&) noexcept;

@@ -1,4 +1,4 @@
-// Eigen's own transform (kissfft, free of the GPL) behind the door.
+// Fourier transforms by Eigen (kissfft, not under the GPL).
 #include <complex>
 #include <unsupported/Eigen/FFT>
 #include <vector>
@@ -21,7 +21,7 @@ struct RealTransform::Implementation {
 
 RealTransform::RealTransform(int length) : implementation_(std::make_unique<Implementation>()) {
   implementation_->length = length;
-  // The library builds its tables at the first call; they must not be built inside an evaluation.
+  // The library makes its tables at the first call, which must not be within an evaluation.
   std::vector<double> row(static_cast<std::size_t>(length));
   std::vector<double> spectrum(static_cast<std::size_t>(length) + 2);
   forward(row.data(), spectrum.data());
@@ -46,7 +46,7 @@ struct ComplexTransform::Implementation {
 ComplexTransform::ComplexTransform(int length) : implementation_(std::make_unique<Implementation>()) {
   implementation_->length = length;
   std::vector<double> from(2 * static_cast<std::size_t>(length)), to(from);
-  forward(from.data(), to.data());  // builds the tables
+  forward(from.data(), to.data());  // makes the tables
 }
 ComplexTransform::~ComplexTransform() = default;
 ComplexTransform::ComplexTransform(ComplexTransform&&) noexcept = default;

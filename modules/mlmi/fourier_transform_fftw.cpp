@@ -1,4 +1,4 @@
-// FFTW behind the door. FFTW is under the GPL: a program built with this file is too (README, Licence).
+// Fourier transforms by FFTW. It is under the GPL, and so is a program built with this file (README, Licence).
 #include <fftw3.h>
 
 #include <map>
@@ -10,10 +10,10 @@
 namespace ehl::mlmi {
 namespace {
 
-// The planner is the one part of FFTW that two threads must not enter together.
+// The planner is the only part of FFTW that two threads must not use at the same time.
 std::mutex planner;
 
-// FFTW_ESTIMATE times nothing: the same machine always gets the same plan and with it the same bits.
+// FFTW_ESTIMATE makes no timings: the same machine always gets the same plan, and so the same bits.
 constexpr unsigned flags = FFTW_ESTIMATE;
 
 fftw_complex* as_complex(double* p) { return reinterpret_cast<fftw_complex*>(p); }
@@ -31,12 +31,12 @@ struct Pair {
   Plan forward, inverse;
 };
 
-/// The plans of one kind by their length, as long as the program lives: planning takes as long as a hundred
-/// transforms, and contacts come one after another on grids of the same sizes. A plan may run on any arrays of the
-/// same alignment, in many threads at once.
+/// The plans of one kind by their length, kept until the program ends: a plan takes much longer than a transform, and
+/// contacts are solved one after another on grids of the same sizes. A plan may run on any arrays of the same
+/// alignment, in many threads at once.
 class Plans {
  public:
-  /// make(pair) plans what is not there yet.
+  /// The plans of one length; make(pair) makes them if they do not exist yet.
   template <class Make>
   const Pair& of(int length, Make make) {
     const std::lock_guard lock(planner);

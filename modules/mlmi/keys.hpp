@@ -6,7 +6,7 @@
 
 namespace ehl::mlmi {
 
-/// The deck's keys of [deformation].
+/// The keys of the deck's section [deformation], and their values.
 std::vector<deck::Key> keys();
 Parameters read(deck::Deck& deck);
 

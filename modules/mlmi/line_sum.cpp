@@ -12,16 +12,17 @@ namespace {
 
 std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
-// How far outside the patch the dropped part of the correction is added up [points]: it falls like d^-2p.
+// Distance outside the patch up to which the dropped part of the correction is summed [points]; it falls as d^-2p.
 constexpr int margin = 12;
 
-/// Vectors of sums that are kept in registers side by side; the last block, of a grid of 2^k cells, has one more.
+/// Vectors of sums that are kept in registers together; for a grid of 2^k cells the last block has one more.
 constexpr int block = 8;
 
-/// Up to so many points the exact sum is made term by term, in no more time than by a transform.
+/// Largest number of points for which the exact sum is computed term by term: it takes no longer than a transform.
 constexpr int most_direct = 65;
 
-// C = K - P K on its patch; the sum of what is dropped is kept, of odd and of even distances, in the middle.
+// C = K - P K on its patch. The sum of the dropped entries, separately of odd and of even distances, is added in the
+// middle.
 std::vector<double> correction_of(const Axis& axis, int order, int patch, double factor) {
   const int p = order / 2;
   const auto weights = midpoint_weights(order);
@@ -46,8 +47,9 @@ std::vector<double> correction_of(const Axis& axis, int order, int patch, double
   return C;
 }
 
-// w_i of `vectors` vectors from i = first on. in: K at K(0 - 0) of them, readable behind its last by as many; u of the
-// points begin .. end - 1. The order of the terms of each sum is that of k.
+// Sums w_i for `vectors` vectors of points. in: K, pointing at the distance from point 0 to the first of them, readable
+// beyond its last entry by as many; u at the points begin .. end - 1. The terms of each sum are added in the order of
+// k.
 template <int vectors>
 void sum_block(const double* K, const double* u, std::size_t begin, std::size_t end, double* w) {
   core::Lanes sums[vectors] = {};
@@ -106,7 +108,7 @@ void LineSum::interpolate(Level& coarse, Level& fine) const {
       sum += fine.correction[at(d + patch_)] * value_at(fine.axis, fine.u, i + d);
     return sum;
   };
-  // Even points see the odd distances alone.
+  // Even points use the odd distances alone.
   for (int J = coarse.axis.first; J <= coarse.axis.last; ++J)
     coarse.w[at(J - coarse.axis.first)] += corrected(2 * J, -patch_ + (patch_ + 1) % 2, 2);
   for (int i = fine.axis.first; i <= fine.axis.last; ++i) {
@@ -122,7 +124,7 @@ void LineSum::interpolate(Level& coarse, Level& fine) const {
   }
 }
 
-// Where there is no pressure at the ends there are no terms.
+// Zero pressures at both ends of the line are skipped.
 void LineSum::sum_directly(Level& level) const {
   const std::size_t points = level.u.size();
   std::size_t begin = 0, end = points;

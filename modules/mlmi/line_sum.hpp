@@ -1,6 +1,6 @@
 #pragma once
 // The sum w = K*u along one line, K the logarithmic kernel of a line contact: multilevel multi-integration as in two
-// dimensions (semi_coarsening.hpp has the notation), where every coarsening takes every second point.
+// dimensions (semi_coarsening.hpp defines the notation), with every coarsening along the line.
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace ehl::mlmi {
 
-/// w_i = factor sum_k K(i-k) u_k. Owns every level. limits: an axis from 0 on; of `choice` no patch_across.
+/// w_i = factor sum_k K(i-k) u_k. Owns every level. limits: an axis that begins at 0; patch_across is not used.
 class LineSum {
  public:
   LineSum(const Axis& axis, const MultilevelChoice& choice, double factor);
@@ -41,7 +41,7 @@ class LineSum {
 
   int order_, patch_;
   std::vector<Level> levels_;   // the finest first
-  std::vector<double> kernel_;  // factor K(d), d = 1 - n .. n - 1, of n coarsest points, of the direct sum; then zeros
+  std::vector<double> kernel_;  // of the direct sum over n points: factor K(d), d = 1 - n .. n - 1, then zeros
   std::optional<EvenConvolution> transformed_;  // else the direct sum
 };
 

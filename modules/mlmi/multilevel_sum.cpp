@@ -9,8 +9,8 @@ namespace {
 
 std::ptrdiff_t padded(int columns) { return (static_cast<std::ptrdiff_t>(columns) + 7) / 8 * 8; }
 
-// The kernel's interpolation error decays with the distance in units of the spacing that is being coarsened: the
-// patch covers the same distance across whatever the spacing there.
+// The interpolation error of the kernel decays with the distance in units of the spacing that is being coarsened, so
+// the patch covers the same distance in the other direction, whatever the spacing there.
 int points_across(int patch_across, const Axis& along, const Axis& across) {
   const double ratio = along.every * along.h / (across.every * across.h);
   return std::max(1, static_cast<int>(std::ceil(patch_across * ratio - 1e-9)));
@@ -25,8 +25,8 @@ bool holds_mirror(const Axis& y, const MultilevelChoice& choice) {
 MultilevelSum::MultilevelSum(const Axis& x, const Axis& y, const MultilevelChoice& choice, double factor, int threads) {
   Axis along = x, across = y;
   for (int l = 0; l < choice.coarsenings; ++l) {
-    // The dropped part of the kernel weighs in proportion to the spacing, the work falls with its square: deeper
-    // levels get larger patches.
+    // The dropped part of the kernel contributes in proportion to the spacing, and the work falls with its square:
+    // deeper levels get larger patches.
     const int pair = l / 2;
     const int m1 = choice.patch_along + 2 * pair;
     const int m2 = points_across(choice.patch_across + pair, along, across);

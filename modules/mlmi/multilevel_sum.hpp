@@ -20,33 +20,33 @@ struct MultilevelChoice {
   bool coarsest_direct = false;  ///< else by Fourier transform
 };
 
-/// True where MultilevelSum can take a mirror at the end of y.
+/// True if MultilevelSum can use an axis of symmetry at the end of y.
 bool holds_mirror(const Axis& y, const MultilevelChoice& choice);
 
-/// w_ij = factor sum_kl K(i-k, j-l) u_kl on x points x y points, y contiguous. Owns every level.
-/// limits: where y ends in a mirror, an even number of coarsenings, the coarsest sum by Fourier transform, and a last
-/// point that stays one through the coarsenings of y (holds_mirror). source: Brandt and Lubrecht, J. Comput. Phys. 90
-/// (1990) 348; semi-coarsening: Venner and Lubrecht, Multilevel Methods in Lubrication (2000).
+/// w_ij = factor sum_kl K(i-k, j-l) u_kl on x points x y points, y contiguous. Owns every level. limits: where y ends
+/// at an axis of symmetry, an even number of coarsenings, the coarsest sum by Fourier transform, and a last point that
+/// every coarsening of y keeps (holds_mirror). source: Brandt and Lubrecht, J. Comput. Phys. 90 (1990) 348;
+/// semi-coarsening: Venner and Lubrecht, Multilevel Methods in Lubrication (2000).
 class MultilevelSum {
  public:
   MultilevelSum(const Axis& x, const Axis& y, const MultilevelChoice& choice, double factor, int threads);
 
-  /// in: u, row of points_x i at u + i stride_u; rows allocated to a multiple of 8. out: w likewise; its columns are
-  /// written up to a multiple of 8.
+  /// w = factor K*u. in: u, row i at u + i stride_u, rows allocated to a multiple of 8. out: w in the same layout; its
+  /// columns are written up to a multiple of 8.
   void apply(const double* u, std::ptrdiff_t stride_u, double* w, std::ptrdiff_t stride_w);
 
   int coarsest_rows() const { return coarsest_rows_; }
-  /// Of the whole domain.
+  /// Columns of the coarsest grid in the whole domain.
   int coarsest_columns() const { return coarsest_columns_; }
   std::size_t bytes() const;
 
  private:
-  // The arrays one coarsening below the finest grid or deeper.
+  // The arrays of one coarse grid.
   struct Coarse {
     std::ptrdiff_t stride;
     Buffer u, w;
   };
-  std::vector<SemiCoarsening> steps_;  // from the finest down
+  std::vector<SemiCoarsening> steps_;  // the finest first
   std::vector<Coarse> grids_;          // grids_[l] belongs below steps_[l]
   int coarsest_rows_ = 0;
   int coarsest_columns_ = 0;

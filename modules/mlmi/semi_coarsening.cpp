@@ -13,13 +13,13 @@ namespace {
 using core::Lanes;
 using core::lanes;
 
-// Widest strip of columns treated at once [vectors]: its work space must stay in the first-level cache.
+// Widest strip of columns that is processed at once [vectors]: its work space must fit in the first-level cache.
 constexpr int widest = 4;
 constexpr int widest_columns = widest * lanes;
-// Coarse rows are transposed `lanes` at a time; 32 hold two groups and the reach of the interpolation.
+// Coarse rows are transposed `lanes` at a time; 32 rows contain two such groups and the reach of the interpolation.
 constexpr int coarse_ring_rows = 32;
 
-/// Where the value at point i stands: at its image behind a plane of symmetry.
+/// Index of the stored value of point i: that of its image if it lies beyond an axis of symmetry.
 int folded(const Axis& axis, int i) { return axis.end == core::Edge::mirror && i > axis.last ? 2 * axis.last - i : i; }
 
 int vectors(int columns) { return (columns + lanes - 1) / lanes; }
@@ -32,7 +32,7 @@ SemiCoarsening::SemiCoarsening(const Shape& shape, double factor, int threads)
       coarse_(coarsened(shape.along, shape.order)),
       weights_(midpoint_weights(shape.order)),
       correction_(correction(shape.along, shape.across, shape.order, shape.patch_along, shape.patch_across, factor)),
-      // The sweep holds what the odd row 2p-1 behind the newest even row still needs.
+      // The ring keeps the rows that the odd row 2p-1 behind the newest even row still needs.
       ring_rows_(2 * shape.patch_along + shape.order + 2),
       zero_row_(size(vectors(shape.across.points())) * lanes) {
   const int row = (shape.patch_across + 1) * widest_columns;
@@ -85,8 +85,9 @@ struct SemiCoarsening::Arrays {
   std::ptrdiff_t stride_w;
 };
 
-// A strip of `lanes` times `vectors` columns, swept along. Two rings of rows in the first-level cache: the source, with
-// the sums u(j-e) + u(j+e) that the correction, even in e, multiplies; and the coarse rows being corrected.
+// A strip of `lanes` times `vectors` columns, processed along the direction that is coarsened. Two rings of rows stay
+// in the first-level cache: the source, with the sums u(j-e) + u(j+e) that the correction, even in e, multiplies; and
+// the coarse rows that are being corrected.
 template <int vectors>
 class SemiCoarsening::Strip {
  public:
@@ -104,7 +105,7 @@ class SemiCoarsening::Strip {
         coarse_ring_(source_ring_ + ring_rows_ * row_size_),
         margin_(coarse_ring_ + coarse_ring_rows * width) {}
 
-  // Even points run p ahead of the odd points that are interpolated between them.
+  // Even points are processed p ahead of the odd points that are interpolated from them.
   void sweep() {
     const int p = shape_.order / 2, m1 = correction_.along;
     for (int i = lowest_; i < lowest_ + 2 * m1; ++i) load_source(i);
@@ -152,7 +153,7 @@ class SemiCoarsening::Strip {
 
   double* coarse_row(int J) { return coarse_ring_ + ((J - coarse_.first) % coarse_ring_rows) * width; }
 
-  // Coarse rows J..J+lanes-1.
+  // Loads the coarse rows J..J+lanes-1.
   void load_coarse(int J) {
     for (int v = 0; v < width; v += lanes) {
       Lanes in[lanes], out[lanes];
@@ -165,7 +166,7 @@ class SemiCoarsening::Strip {
     }
   }
 
-  // sum += correction at row i. Distances d = ..., -step, 0, step, ... or, with step 2, the odd ones.
+  // sum += correction at row i, over all distances (step 1) or over the odd ones (step 2).
   void add_correction(int i, int step, Row& sum) const {
     for (int e = 0; e <= correction_.across; ++e) {
       const int reach = correction_.reach[size(e)];
@@ -215,7 +216,7 @@ class SemiCoarsening::Strip {
   const Correction& correction_;
   const Arrays& arrays_;
   int first_column_, ring_rows_;
-  int lowest_;           // first row ever in the source ring
+  int lowest_;           // first row of all in the source ring
   int row_size_;         // doubles per row of the source ring
   double* source_ring_;  // ring_rows x (m2+1) x width
   double* coarse_ring_;  // coarse_ring_rows x width
@@ -229,7 +230,7 @@ void SemiCoarsening::interpolate(const double* coarse_w, std::ptrdiff_t stride_c
   const int threads = static_cast<int>(work_.size());
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
   for (int strip = 0; strip < strips; ++strip) {
-    // Strips of nearly equal width: a last one of a single column would cost as much as a full one.
+    // Strips of nearly equal width, since a last strip of one column would cost as much as a full one.
     const int begin = strip * total / strips, end = (strip + 1) * total / strips;
     Buffer& work = work_[size(omp_get_thread_num())];
     switch (end - begin) {

@@ -1,13 +1,13 @@
 #pragma once
-// One semi-coarsening of multilevel multi-integration: the sum on a grid from the sum on the grid that keeps every
-// second point in one direction (Brandt and Lubrecht 1990), by transfers in that direction only.
+// One semi-coarsening of multilevel multi-integration (Brandt and Lubrecht 1990): the sum on a grid from the sum on the
+// grid that keeps every second point in one direction, by transfers in that direction only.
 //
 // Notation in one direction, P the interpolation of order 2p from even points J to all points:
 //   anterpolation   u^H = P^T u                                            (K is smooth in its source point)
 //   even points     w_2I   = w^H_I               + sum_j C(2I - j) u_j     (j odd, |2I - j| <= m1)
 //   odd points      w_2I+1 = [P w^H corrected]   + sum_j C(2I+1 - j) u_j   (|2I+1 - j| <= m1)
-// with one and the same correction C = K - P K, the interpolation error of the kernel at distance d, which decays
-// like the 2p-th derivative of 1/r and is dropped outside a patch of |d| <= m1 points along and |e| <= m2 across.
+// with the same correction C = K - P K, the interpolation error of the kernel at distance d. It decays like the 2p-th
+// derivative of 1/r and is dropped outside a patch of |d| <= m1 points along and |e| <= m2 points across the direction.
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -17,18 +17,18 @@
 
 namespace ehl::mlmi {
 
-/// The points of one direction of one level: index `first` to `last` in units of `every` fine cells of size h.
-/// Coarse levels reach beyond the domain, because interpolation of order 2p next to its edge wants points outside.
+/// The points of one direction of one level: indices `first` to `last` in units of `every` fine cells of size h. Coarse
+/// levels extend beyond the domain, since interpolation of order 2p near its edge needs points outside.
 struct Axis {
   int first = 0;
   int last = 0;
   int every = 1;
   double h = 0.0;
-  core::Edge end = core::Edge::zero;  ///< a mirror: behind the last point come the images of the points before it
+  core::Edge end = core::Edge::zero;  ///< mirror: the images of the points follow the last one
   int points() const { return last - first + 1; }
 };
 
-/// Every second point, as far out as interpolation of order 2p to all points of the fine axis needs.
+/// Axis with every second point, extended as far as interpolation of order 2p to all points of the fine axis needs.
 /// limits: the last point of an axis that ends in a mirror is even.
 Axis coarsened(const Axis& fine, int order);
 
@@ -36,8 +36,8 @@ Axis coarsened(const Axis& fine, int order);
 std::array<double, 4> midpoint_weights(int order);
 
 /// The correction C(d, e), even in both offsets, on its patch. Entries inside the patch that are smaller than the
-/// largest one just outside are dropped too (every e has its own reach along); the sum of all that is dropped is kept,
-/// so that the correction of a constant is exact.
+/// largest one just outside are dropped as well, so that every e has its own reach along d. The sum of all dropped
+/// entries is kept, so that the correction of a constant is exact.
 struct Correction {
   int along = 0;           ///< m1
   int across = 0;          ///< m2
@@ -47,12 +47,13 @@ struct Correction {
   const double* row(int e) const { return C.data() + e * (2 * along + 1) + along; }
 };
 
-/// in: axes of the fine level; order 2p, m1 and m2; factor multiplies K. cost: some thousand kernel values.
+/// The correction of one coarsening. in: axes of the fine level; order 2p, m1 and m2; factor multiplies K. cost: some
+/// thousand kernel values.
 Correction correction(const Axis& along, const Axis& across, int order, int m1, int m2, double factor);
 
-/// The transfers between one level and the next coarser one, and the work space for them. The fine arrays hold the
-/// direction that is coarsened slow and the other one contiguous; the coarse arrays hold them the other way round, so
-/// that the next semi-coarsening, which takes the other direction, finds its own slow.
+/// The transfers between one level and the next coarser one, with their work space. In the fine arrays the direction
+/// that is coarsened is the slow one and the other is contiguous. The coarse arrays are transposed, so that the next
+/// semi-coarsening, in the other direction, has its own as the slow one.
 class SemiCoarsening {
  public:
   struct Shape {
@@ -64,8 +65,8 @@ class SemiCoarsening {
   };
   SemiCoarsening(const Shape& shape, double factor, int threads);
 
-  /// u^H = P^T u, transposed. in: u, along.points() rows; columns behind the last may be read, not used: a row must
-  /// be allocated to a multiple of 8. out: coarse_u, across.points() rows of coarse().points().
+  /// u^H = P^T u, transposed. in: u, along.points() rows, each allocated to a multiple of 8: columns after the last may
+  /// be read but are not used. out: coarse_u, across.points() rows of coarse().points().
   void anterpolate(const double* u, std::ptrdiff_t stride_u, double* coarse_u, std::ptrdiff_t stride_coarse) const;
 
   /// w from w^H (transposed) and the correction of u. Rows of w are written up to a multiple of 8 columns; rows of

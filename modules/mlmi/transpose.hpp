@@ -1,10 +1,10 @@
 #pragma once
-// As many rows as columns of numbers, as many as there are lanes, exchanged in registers.
+// Transposition of a square block of numbers in registers, as many rows and columns as there are lanes.
 #include "core/simd.hpp"
 
 namespace ehl::mlmi {
 
-/// Exchanges the blocks of `width` x `width` numbers off the diagonal of each block of twice that size.
+/// Exchanges the off-diagonal blocks of `width` x `width` numbers in each block of twice that size.
 template <int width>
 inline void transpose_blocks(core::Lanes (&rows)[core::lanes]) {
   using core::Lanes, core::lanes;
