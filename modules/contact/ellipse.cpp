@@ -16,8 +16,8 @@ namespace {
 
 using core::pi;
 
-/// The complete integrals at m = 1 - 1/kappa^2 as K = B + D and E = B + (1 - m) D: with these nothing cancels as the
-/// ellipse becomes a circle, and Carlson's forms take 1 - m itself.
+/// Complete elliptic integrals at m = 1 - 1/kappa^2 as K = B + D and E = B + (1 - m) D. With B and D there is no
+/// cancellation near the circle; Carlson's forms take 1 - m as argument.
 struct Integrals {
   double K;
   double B;  ///< (E - (1 - m) K)/m
@@ -30,7 +30,7 @@ Integrals integrals(double kappa) {
   return {K, K - D, D};
 }
 
-// Longer over shorter semi-axis, from R_s/R_e = [kappa^2 E - K]/[K - E] = kappa^2 B/D >= 1, near its 2/3rd power.
+// Longer over shorter semi-axis: root of kappa^2 B/D = R_s/R_e >= 1, close to (R_s/R_e)^(2/3).
 double kappa_of(double radius_ratio) {
   const auto excess = [&](double kappa) {
     const Integrals I = integrals(kappa);
@@ -46,7 +46,7 @@ struct Direction {
   double cosine;
   double sine;
 };
-// Exact along the axes, where the contact is symmetric.
+// Exact for entrainment along an axis, where the contact is symmetric.
 Direction direction(const Ellipse& shape) {
   if (shape.angle == 0.0 || circular(shape)) return {1.0, 0.0};
   if (std::abs(shape.angle) == 90.0) return {0.0, 1.0};
@@ -54,7 +54,7 @@ Direction direction(const Ellipse& shape) {
   return {std::cos(angle), std::sin(angle)};
 }
 
-// along x^2 + across y^2 in the frame of the entrainment.
+// along x^2 + across y^2, transformed to the frame of the entrainment.
 core::QuadraticForm turned(const Ellipse& shape, double along, double across) {
   const auto [c, s] = direction(shape);
   return {c * c * along + s * s * across, 2.0 * s * c * (across - along), s * s * along + c * c * across};

@@ -13,7 +13,7 @@ using std::pow;
 
 namespace {
 
-// The groups with R_e instead of R_x, R_x/R_e = q, and h/R_e in terms of h/R_x.
+// Groups based on R_e instead of R_x; q = R_x/R_e.
 struct Frame {
   double W, U, q, radius_ratio;
 };
@@ -79,7 +79,7 @@ double central_film_of_line(double M, double L) {
 
 }  // namespace
 
-// The sums are written so that a circle gives the digits of the fit: 1.691 is not the double nearest to 1 + 0.691.
+// The sums are written such that a circle gives the digits of the fit: 1.691 is not the double nearest to 1 + 0.691.
 Asymptotes asymptotes(double M, double L, double q) {
   if (q == 0.0) return asymptotes_of_line(M, L);
   const double elastic = 1.63 + 0.006 * std::log(q) + 0.63 * (pow(q, 4.0 / 7.0) - 1.0);
@@ -94,7 +94,7 @@ Asymptotes asymptotes(double M, double L, double q) {
 
 namespace {
 
-// Radius R_e, in Moes' units with it.
+// Central film in Moes' units based on R_e.
 double central_film(const AlongEntrainment& contact) {
   const double L = contact.L;
   const Asymptotes H = asymptotes(contact.M, L, contact.radius_ratio);
@@ -111,7 +111,7 @@ struct Candidate {
   double H;
 };
 
-// Two pairs compete: within a pair first the one that counts, then the one it passes into.
+// The two competing pairs; within a pair first the asymptote that counts, then the one into which it passes.
 struct Competition {
   std::array<Candidate, 2> governing;
   std::array<Candidate, 2> other;

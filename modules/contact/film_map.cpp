@@ -16,12 +16,12 @@ namespace data = film_map_data;
 namespace {
 
 constexpr double least_M = 0.2, most_M = 2000.0, most_L_star = 23.4, least_ratio = 0.1, most_ratio = 2.5;
-constexpr double rounding = 1e-9;  // a bound that was computed on the way into the entrainment's frame
+constexpr double rounding = 1e-9;  // tolerance for bounds computed in the frame of the entrainment
 
 constexpr int most_degree = std::max({data::degrees[0], data::degrees[1], data::degrees[2]});
 using Polynomials = std::array<double, most_degree + 1>;
 
-// T_0 to T_n of a variable, held at the ends of its range.
+// T_0 to T_n of a variable, clamped to the range of the fit.
 Polynomials chebyshev(int variable, double value) {
   const double low = data::low[variable], high = data::high[variable];
   const double t = std::clamp(2.0 * (value - low) / (high - low) - 1.0, -1.0, 1.0);
@@ -30,7 +30,7 @@ Polynomials chebyshev(int variable, double value) {
   return T;
 }
 
-// ln(plateau/H_RI): where the film leaves the rigid isoviscous asymptote.
+// ln(plateau/H_RI): transition from the rigid isoviscous asymptote.
 double beyond_rigid(const Asymptotes& H, double L) {
   const double elastic = std::pow(std::pow(H.elastic_isoviscous, -4.0) + std::pow(H.unloaded, -4.0), -0.75);
   const double piezoviscous =

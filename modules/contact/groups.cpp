@@ -10,13 +10,13 @@ namespace {
 
 using core::pi;
 
-// a/R = (3W/2)^(1/3) for a circle, and 3M/2 is the same in Moes' scaling; a/R = (8W/pi)^(1/2) for a line, likewise.
+// (a/R)^2 = (3W/2)^(2/3) for a circle and 8W/pi for a line; with M instead of W the same in Moes' scaling.
 double moes_scale(double M, const Ellipse& shape) {
   if (line(shape)) return 8.0 / pi * M;
   return std::pow(1.5 * M, 2.0 / 3.0) * (shape.a * shape.a);
 }
 
-// The power of 2U with which W goes into M.
+// Exponent of 2U in M = W (2U)^-exponent.
 double power_of_speed(const Ellipse& shape) { return line(shape) ? 0.5 : 0.75; }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #pragma once
-// The dimensionless groups of a contact and the conventions behind them.
+// Dimensionless groups of a contact, and the conventions on which they are based.
 //
-// THE CONVENTIONS. Every other place refers to these and never restates them.
+// CONVENTIONS. All other places refer to these and do not restate them.
 //   E'  = 2/[(1 - nu1^2)/E1 + (1 - nu2^2)/E2]       reduced modulus (contact/hertz.hpp)
 //   u_s = u1 + u2, u_m = u_s/2                      sum and mean of the surface speeds; entrainment is along +x
 //   R   = R_x                                       radius of the equivalent ball on a plane; of an elliptic contact
@@ -15,15 +15,15 @@
 //                        alpha_bar = alpha p_h = (L/pi)(3M/2)^(1/3)
 //   Line, F' the load per length: W = F'/(E' R), M = W (2U)^(-1/2), L as above; a = R (8W/pi)^(1/2), p_h = E' a/(4R),
 //                        lambda = 3 pi^2/(8 M^2), alpha_bar = L (M/(2 pi))^(1/2)
-// The last two of Venner of a circle; lambda over (a/a_c)^3 (p_h/p_c), alpha_bar times p_h/p_c for an ellipse, a_c and
-// p_c those of the circle (contact/ellipse.hpp). Three groups describe a contact with Barus' viscosity up to one: M and
-// L fix lambda and alpha_bar, and so the dimensionless solution, and with them the ratio of the radii and the angle of
-// an elliptic contact. W, U and G follow when one of them is known as well.
+// Both of Venner's are for a circle: for an ellipse lambda is divided by (a/a_c)^3 (p_h/p_c), alpha_bar multiplied by
+// p_h/p_c, with a_c and p_c of the circle (contact/ellipse.hpp). With Barus' viscosity, M and L determine lambda and
+// alpha_bar and thus the dimensionless solution; an elliptic contact also needs its ratio of radii and angle. W, U and
+// G follow if one of them is known as well.
 #include "contact/ellipse.hpp"
 
 namespace ehl::contact {
 
-/// All groups of one contact. W, U, G are NaN where only M and L are known.
+/// All groups of one contact. W, U, G are NaN if only M and L are known.
 struct Groups {
   double M;
   double L;
@@ -44,7 +44,7 @@ Groups from_hamrock_dowson(double W, double U, double G, const Ellipse& shape = 
 
 /// A contact in SI units.
 struct SiContact {
-  double load;     ///< F [N] > 0; of a line contact per length [N/m]
+  double load;     ///< F [N] > 0; for a line contact per length [N/m]
   double radius;   ///< R_x [m] > 0
   double E_prime;  ///< [Pa] > 0
   double u_s;      ///< u1 + u2 [m/s] > 0
@@ -54,17 +54,17 @@ struct SiContact {
 };
 /// out: all groups.
 Groups from_si(const SiContact& contact);
-/// The contact with these groups and a given radius R_x: the inverse of from_si.
+/// The contact with given groups and radius R_x: inverse of from_si().
 /// in: groups with W, U, G; radius [m], E_prime [Pa], eta0 [Pa s], all > 0.
 SiContact to_si(const Groups& groups, double radius, double E_prime, double eta0);
 
-/// p_h = alpha_bar/alpha [Pa]: the Hertz pressure that M and L mean for a lubricant. in: alpha [1/Pa] > 0.
+/// p_h = alpha_bar/alpha [Pa]: Hertz pressure for M, L and a lubricant. in: alpha [1/Pa] > 0.
 double hertz_pressure(const Groups& groups, double alpha);
 
-/// a/R of Hertz from W.
+/// a/R from W (Hertz).
 double relative_half_width(double W, const Ellipse& shape);
 
-/// H = h R/a^2 from Moes' H_M = (h/R)(2U)^(-1/2): H = H_M (3M/2)^(-2/3) (a_c/a)^2; of a line H_M pi/(8M).
+/// H = h R/a^2 from Moes' H_M = (h/R)(2U)^(-1/2): H = H_M (3M/2)^(-2/3) (a_c/a)^2; for a line contact H_M pi/(8M).
 double H_from_moes_units(double H_moes, double M, const Ellipse& shape = {});
 /// H_M = H (3M/2)^(2/3) (a/a_c)^2.
 double H_to_moes_units(double H, double M, const Ellipse& shape = {});

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr deck::Range positive{0.0, infinity, true, true};
-// Of machined surfaces; above it the number was meant in another unit [m].
+// Range for machined surfaces [m]; a larger value was probably meant in another unit.
 constexpr deck::Range roughness{0.0, 1e-4, true, false};
 
 std::vector<deck::Key> dimensionless_keys() {
@@ -152,7 +152,7 @@ Language language_of(const deck::Part& contact) {
                      "nu1, E2, nu2); of a line contact load_per_length",
                      deck::Cause::missing);
   if (spoken.size() == 1) return spoken[0].language;
-  // A stray key is told to go, not the three that it is added to.
+  // Advise to remove the one stray key, not the three complete ones.
   std::ranges::stable_sort(spoken, std::ranges::greater{}, [](const Choice& choice) { return choice.given.size(); });
   for (std::size_t k = 1; k < spoken.size(); ++k)
     contact.refuse(spoken[k].given, "the contact is given in two languages: " + deck::joined(spoken[0].given, ", ") +
@@ -161,10 +161,10 @@ Language language_of(const deck::Part& contact) {
   return Language::none;
 }
 
-// The kind is no word, which has been complained about: what the contact must have is not known.
+// True if `kind` is not a valid word, which has been reported; the required keys are then unknown.
 bool kind_is_refused(const deck::Part& contact) { return !deck::value(contact.deck, "contact", "kind").valid; }
 
-// Where the load stands.
+// Name of the key of the load.
 std::string load_name(const deck::Part& contact) { return is_line(contact.deck) ? "load_per_length" : "load"; }
 
 Bodies read_bodies(const deck::Part& contact) {
@@ -186,7 +186,7 @@ Bodies read_bodies(const deck::Part& contact) {
                          : reduced_modulus({number("E1"), number("nu1")}, {number("E2"), number("nu2")})};
 }
 
-// R_x/R_y, or NaN where a complaint is on its way. What follows from it is recorded in the deck.
+// R_x/R_y, or NaN after an error. Derived values are recorded in the deck.
 double read_radius_ratio(const deck::Part& contact, Language language) {
   const double ratio = contact.number("radius_ratio");
   const bool given = contact.given("radius_ratio");

@@ -8,21 +8,21 @@
 
 namespace ehl::contact {
 
-/// What a deck gives the contact in.
+/// Set of quantities by which a deck defines the contact.
 enum class Language { none, moes, hamrock_dowson, si };
 
 inline constexpr double silent = std::numeric_limits<double>::quiet_NaN();
 
-/// Elastic bodies that are pressed together.
+/// Elastic bodies pressed together.
 struct Bodies {
-  double load = silent;     ///< [N]; of a line contact [N/m]
+  double load = silent;     ///< [N]; for a line contact [N/m]
   double radius = silent;   ///< R_x [m]
   double E_prime = silent;  ///< [Pa]
 };
 
-/// [contact] and [motion]. What the language does not give is NaN.
+/// [contact] and [motion]; NaN for quantities that the deck does not define.
 struct Input {
-  Language language = Language::none;  ///< none: complained about
+  Language language = Language::none;  ///< none: an error has been reported
   double M = silent, L = silent;
   double W = silent, U = silent, G = silent;
   double a_over_R = silent;
@@ -34,21 +34,22 @@ struct Input {
   double srr = 0.0;
 };
 
-/// The deck's keys of [contact] and [motion].
+/// Keys of [contact] and [motion].
 std::vector<deck::Key> keys();
-/// in: the deck has what depends on sliding. Choices (radius_y, angle) are recorded in the deck.
+/// in: slides, true if the deck has a model that depends on sliding. Defaults (radius_y, angle) are recorded in the
+/// deck.
 Input read(deck::Deck& deck, bool slides);
-/// [contact] kind = line.
+/// True if [contact] kind = line.
 bool is_line(deck::Deck& deck);
-/// Of bodies without lubricant; nothing where the deck gives no contact in SI.
+/// Bodies of a contact without lubricant; nullopt if the deck defines no contact in SI.
 std::optional<Bodies> read_bodies(deck::Deck& deck);
 
-/// Those of [motion] among them. out: speeds and srr of the input.
+/// Keys of [motion]. out: speeds and srr of the input.
 std::vector<deck::Key> motion_keys();
 void read_motion(const deck::Part& motion, bool slides, Input& input);
 
-/// Those of a roller's length. out: the length in half widths, NaN where a complaint is on its way; the load of the
-/// input's bodies becomes that per length.
+/// Keys of a roller's length. out: length in half widths, NaN after an error; the load in `input` becomes a load per
+/// length.
 std::vector<deck::Key> length_keys();
 double read_length(const deck::Part& contact, Input& input);
 

@@ -1,4 +1,4 @@
-// The keys of [motion].
+// Keys of [motion].
 #include <cmath>
 
 #include "contact/keys.hpp"

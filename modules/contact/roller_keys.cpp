@@ -1,4 +1,4 @@
-// The length of a roller.
+// Length of a roller.
 #include <fmt/format.h>
 
 #include "contact/hertz.hpp"

@@ -6,7 +6,7 @@
 namespace ehl::dry {
 namespace {
 
-// f(i, j) of all nodes and how many nodes of the whole domain each stands for, in order.
+// Calls visit(i, j, n) for all nodes; n is the number of nodes of the whole domain that a node stands for.
 template <class Visit>
 void for_nodes(const core::Patch& grid, Visit visit) {
   for (int i = 0; i < grid.nodes_x(); ++i)
@@ -54,7 +54,7 @@ void ConjugateGradients::update_gap() {
   for_nodes(grid_, [&](int i, int j, double) {
     H_(i, j) += H00_;
     const double wrong = P_(i, j) > 0.0 ? std::abs(H_(i, j)) : -H_(i, j);
-    // Not std::max, which loses a NaN.
+    // std::max would lose a NaN.
     if (!(wrong <= error_)) error_ = wrong;
   });
 }

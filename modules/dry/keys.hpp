@@ -7,9 +7,9 @@
 
 namespace ehl::dry {
 
-/// The deck keys of the dry contact: [case] kind and section [dry].
+/// Keys of the dry contact: [case] kind and section [dry].
 std::vector<deck::Key> keys();
-/// Nothing where the contact is lubricated.
+/// Reads them; nullopt if the contact is lubricated.
 std::optional<Parameters> read(deck::Deck& deck);
 
 }  // namespace ehl::dry

@@ -11,10 +11,11 @@ namespace {
 using core::pi;
 constexpr double degree = pi / 180.0;
 
-// -1 of the inner race, which lies within the circle of the centres; +1 of the outer.
+// -1 for the inner race, which lies inside the circle of the centres; +1 for the outer.
 double side(const Bearing& bearing) { return bearing.race == Race::inner ? -1.0 : 1.0; }
 
-/// Forces of all elements along the load and across it, for a ring that moves by 1 in the direction theta, K = 1.
+/// Sums of the forces of all elements along and across the load, for a unit displacement in the direction theta and K =
+/// 1.
 struct Force {
   double along = 0.0;
   double across = 0.0;
@@ -24,7 +25,7 @@ double azimuth_of(const RadialLoad& load, int element) {
   return load.azimuth * degree + 2.0 * pi * element / load.elements;
 }
 
-// How far the ring comes towards an element; negative: it goes away.
+// Approach of the ring to an element; negative: it moves away.
 double approach(const RadialLoad& load, int element, double theta) {
   return std::cos(azimuth_of(load, element) - theta);
 }
@@ -73,8 +74,8 @@ double rolling_speed(const Bearing& bearing, const Turning& turning) {
 }
 
 std::vector<double> element_loads(const RadialLoad& load) {
-  // Of three elements or more one is approached by a ring that moves at right angles to the load, to either side: the
-  // force across changes its sign in between.
+  // A ring that moves at right angles to the load approaches at least one of three or more elements, so the force
+  // across the load changes sign between the two directions.
   constexpr int halvings = 60;  // pi/2^60 is less than the rounding of an angle
   double below = -0.5 * pi, above = 0.5 * pi;
   for (int k = 0; k < halvings; ++k) {
@@ -82,7 +83,7 @@ std::vector<double> element_loads(const RadialLoad& load) {
     (force(load, middle).across < 0.0 ? below : above) = middle;
   }
   const double stiffness = load.load / force(load, below).along;
-  constexpr double rounding = 1e-12;  // of an approach: at right angles to the motion it is none, but for that
+  constexpr double rounding = 1e-12;  // of an approach: at right angles to the motion it is zero up to rounding
   std::vector<double> loads;
   for (int j = 0; j < load.elements; ++j)
     loads.push_back(approach(load, j, below) > rounding ? stiffness * pressed(load, j, below) : 0.0);

@@ -1,4 +1,4 @@
-// [bearing]: its keys, and the numbers that follow from them.
+// Keys of [bearing], and the numbers that follow from them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -110,13 +110,13 @@ void check_load(const deck::Part& bearing, bool ball) {
   if (!load && !radial) bearing.complain("load", "is missing: give it, or radial_load and elements");
   if (!radial) return;
   bearing.demand({"elements"}, "how many balls or rollers carry the radial load");
-  if (ball && bearing.number("contact_angle") > 0.0)  // a roller has none, and is told so
+  if (ball && bearing.number("contact_angle") > 0.0)  // a roller has no contact angle, which is reported elsewhere
     bearing.complain("radial_load", "with a contact angle there is an axial load too: give load, that on the ball");
 }
 
 void check_space(const deck::Part& bearing, const Bearing& given) {
   const int elements = bearing.integer("elements", 0);
-  // For the inner race, which a bearing has whichever is asked for, and for more than one element.
+  // The pitch diameter must leave room for the inner race, which every bearing has, and for more than one element.
   if (!(given.diameter < given.pitch_diameter))
     bearing.complain("diameter", "leaves no room for a race within the circle of diameter pitch_diameter");
   else if (elements > 1 && given.diameter > given.pitch_diameter * std::sin(core::pi / elements))
@@ -124,7 +124,7 @@ void check_space(const deck::Part& bearing, const Bearing& given) {
                                              given.diameter, given.pitch_diameter));
 }
 
-// But for rounding: one of the speeds may follow from that of the cage.
+// True if both rings turn at the same speed, up to rounding, because one speed may have been computed from the cage's.
 bool turn_alike(const Turning& turning) {
   constexpr double rounding = 1e-12;
   return std::abs(turning.inner - turning.outer) <=
@@ -157,7 +157,7 @@ void add_speeds(const Bearing& given, const Turning& turning, std::vector<Number
   numbers.push_back({"u2", speed, "m/s", "u1, rolling without slip"});
 }
 
-// The share of a radial load, or the load itself.
+// Load of the element: its part of a radial load, or as given.
 double add_load(const deck::Part& bearing, bool ball, std::vector<Number>& numbers) {
   if (!bearing.given("radial_load")) return bearing.number("load");
   const RadialLoad radial{bearing.number("radial_load"), bearing.integer("elements", 0), bearing.number("azimuth"),

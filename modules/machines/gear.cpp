@@ -13,11 +13,10 @@ constexpr double degree = pi / 180.0;
 
 double involute(double angle) { return std::tan(angle) - angle; }
 
-// Newton's method on tan(angle) - angle, which is convex: from above it comes down to the root. NaN where there is
-// none.
+// Newton's method for tan(angle) - angle = value, a convex function: it converges from above. NaN if there is no root.
 double angle_of_involute(double value) {
   if (!(value > 0.0)) return core::unknown;
-  // inv(x) > x^3/3, so the root lies below this start; and below 90 degrees.
+  // inv(x) > x^3/3, so the root lies below this initial value, and below 90 degrees.
   double angle = std::min(std::cbrt(3.0 * value), std::atan(value + 0.5 * pi));
   for (double before = pi; angle < before;) {
     before = angle;
@@ -34,7 +33,7 @@ PathOfContact path_of_contact(const Gears& gears) {
   const double working_angle =
       shift == 0.0 ? alpha : angle_of_involute(involute(alpha) + 2.0 * std::tan(alpha) * shift / teeth);
   const auto base_radius = [&](int z) { return 0.5 * gears.module * z * std::cos(alpha); };
-  // Along the line of action from the base circle to the tip.
+  // Distance along the line of action from the base circle to the tip.
   const auto reach = [](double tip, double base) { return std::sqrt((tip - base) * (tip + base)); };
   PathOfContact path{};
   path.working_angle = working_angle / degree;
@@ -72,7 +71,7 @@ double share(const PathOfContact& path, double s, Sharing sharing) {
 Mesh mesh_at(const Gears& gears, const PathOfContact& path, double s, double omega1) {
   const double rho1 = s, rho2 = path.length_T1T2 - s;
   const double omega2 = omega1 * gears.teeth1 / gears.teeth2;
-  // From the pitch point on, where the teeth roll: there the difference is zero, and not a rounding error.
+  // The sliding speed is computed from the distance to the pitch point, so that it is exactly zero there.
   const double u1 = omega1 * rho1, sliding = (omega1 + omega2) * (s - path.C);
   return {rho1, rho2, rho1 * rho2 / (rho1 + rho2), u1, u1 - sliding};
 }

@@ -1,4 +1,4 @@
-// [gear]: its keys, and the numbers that follow from them.
+// Keys of [gear], and the numbers that follow from them.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -75,7 +75,7 @@ void demand_all(const deck::Part& gear) {
   if (!gear.given("power") && !gear.given("torque1")) gear.complain("power", "is missing: give it, or torque1");
 }
 
-// in: "1" or "2".
+// in: wheel, "1" or "2".
 void check_tip(const deck::Part& gear, const std::string& wheel, double thickness) {
   if (thickness > 0.0) return;
   const std::string shift = "shift" + wheel;
@@ -115,7 +115,7 @@ void check_path(const deck::Part& gear, const PathOfContact& path, bool shared) 
                               path.contact_ratio));
 }
 
-// in: the deck leaves the position open.
+// Checks the pitch point, which is the position if the deck gives none.
 void check_pitch_point(const deck::Part& gear, const PathOfContact& path) {
   if (path.C >= path.A && path.C <= path.E) return;
   gear.complain("position",
@@ -126,7 +126,7 @@ void check_pitch_point(const deck::Part& gear, const PathOfContact& path) {
 
 std::vector<Number> path_numbers(const PathOfContact& path) {
   const auto position = [&](double s) { return (s - path.A) / (path.E - path.A); };
-  const bool alone = path.contact_ratio < 2.0;  // and else two pairs touch at least
+  const bool alone = path.contact_ratio < 2.0;  // otherwise at least two pairs are always in contact
   return {{"working_angle", path.working_angle, "degrees",
            "inv(alpha_w) = inv(alpha) + 2 tan(alpha) (x1 + x2)/(z1 + z2), ISO 21771"},
           {"centre_distance", path.centre_distance, "m", "m (z1 + z2)/2 cos(alpha)/cos(alpha_w)"},
@@ -152,7 +152,7 @@ std::vector<Number> path_numbers(const PathOfContact& path) {
           {"position_pitch_point", position(path.C), "-", "s = base_radius1 tan(alpha_w)"}};
 }
 
-// in: where the teeth touch, from T1.
+// in: s, the contact point, from T1.
 std::vector<Number> mesh_numbers(const deck::Part& gear, const Gears& gears, const PathOfContact& path, double s) {
   const double omega1 = gear.number("rpm1") * core::pi / 30.0;
   const Mesh mesh = mesh_at(gears, path, s, omega1);

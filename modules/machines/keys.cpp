@@ -19,7 +19,7 @@ std::optional<Contact> read(deck::Deck& deck) {
   if (contact.numbers.empty()) {
     for (const char* name : {"load", "load_per_length", "radius_x", "u1", "u2"})
       contact.numbers.push_back({.name = name});
-    if (ball) contact.numbers.push_back({.name = "radius_y"});  // straight flanks have none
+    if (ball) contact.numbers.push_back({.name = "radius_y"});  // line contacts have none
   }
   for (Number& one : contact.numbers) one.value = core::unknown;
   return contact;

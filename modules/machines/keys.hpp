@@ -7,18 +7,19 @@
 
 namespace ehl::machines {
 
-/// The words of [case] kind for a contact of a machine element.
+/// Words of [case] kind for a contact of a machine element.
 inline constexpr char ball_race[] = "ball_race", roller_race[] = "roller_race", gear_mesh[] = "gear_mesh";
 
-/// The deck's keys of [bearing] and [gear].
+/// Keys of [bearing] and [gear].
 std::vector<deck::Key> keys();
 
-/// The contact that [case] kind names, its numbers in the order in which they follow from one another; among them, by
-/// the names of their keys, those of [contact] and [motion]. Complains, and where the deck has complaints at all their
-/// values are NaN. out: nothing where the kind is another one.
+/// The contact named by [case] kind, with its numbers in the order in which they follow from each other; those that
+/// replace keys of [contact] and [motion] have the names of these keys. Reports errors; if the deck has any, the values
+/// are NaN.
+/// out: nullopt for other kinds.
 std::optional<Contact> read(deck::Deck& deck);
 
-/// [bearing] and [gear] of these.
+/// Parts for [bearing] and [gear].
 std::vector<deck::Key> bearing_keys();
 std::vector<deck::Key> gear_keys();
 std::vector<Number> read_bearing(const deck::Part& bearing, bool ball);

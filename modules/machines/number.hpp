@@ -4,17 +4,17 @@
 
 namespace ehl::machines {
 
-/// A number of a machine element, as text, JSON and the result file tell it.
+/// A number of a machine element, for text, JSON and result file.
 struct Number {
   std::string name{};
   double value = 0.0;
   std::string unit{};     ///< "-" for a pure number
-  std::string formula{};  ///< how it was found, and by whom
+  std::string formula{};  ///< formula and its source
 };
 
-/// A contact of the element, in SI.
+/// Contact of a machine element, in SI.
 struct Contact {
-  std::string section{};  ///< of the deck, that it follows from: "bearing"
+  std::string section{};  ///< section of the deck from which it follows: "bearing"
   std::string what{};     ///< "ball on the inner race"
   std::vector<Number> numbers{};
 };

@@ -16,8 +16,8 @@ namespace ehl::newton {
 /// near part.
 class Preconditioner {
  public:
-  /// Precision of the dense factors of a line contact; single precision halves their cost. [bench:
-  /// precision_of_line_factors]
+  /// Precision of the dense factors of a line contact; single precision halves their cost.
+  /// [bench: precision_of_line_factors]
   enum class Precision { twice, single };
   /// Most unknowns for which the Jacobian of a line contact is built and factored as a whole. any_size serves callers
   /// that reuse the factors for many systems. [bench: most_dense]
