@@ -13,7 +13,7 @@ namespace ehl::fmg {
 /// even ones. Epsilon must follow the pressure: the flux down a flank that is one cell wide depends so strongly on the
 /// pressure at its foot that the sweep diverges with epsilon held.
 ///
-/// H is that of before the sweep. in: P, H and their coefficients. out: P; the caller renews the film.
+/// H stays as it is during the sweep. in: P, H and their coefficients. out: P; the caller renews the film.
 void relax_across(Hierarchy& hierarchy, Level& level, const RelaxationParameters& how);
 
 /// False for line contacts, in time, and with the mass-conserving cavitation model.

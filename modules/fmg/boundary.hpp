@@ -25,6 +25,7 @@ struct BoundaryNode {
   int i = 0, j = 0;
   double share = 0.0;
 };
+/// All boundary nodes, in the order of points_of_boundary().
 std::vector<BoundaryNode> nodes_of_boundary(const core::Patch& grid);
 
 /// Derivatives of the far field by the film on the boundary and by H00.

@@ -20,8 +20,8 @@ constexpr int least_sweeps_per_cycle = 30;
 /// Cells along X for which the given number of relaxations solves the coarsest grid. The smoothest pressure needs a
 /// number that grows with the square of the cells. [bench: cells_of_coarsest_sweeps]
 constexpr double cells_of_coarsest_sweeps = 32.0;
-/// Lines for which it does on stretched cells. There lines along X are solved exactly, and the smoothest pressure of a
-/// long inlet varies along Y. [bench: lines_of_coarsest_sweeps]
+/// Number of lines for which it does so on stretched cells. There lines along X are solved exactly, and the smoothest
+/// pressure of a long inlet varies along Y. [bench: lines_of_coarsest_sweeps]
 constexpr double lines_of_coarsest_sweeps = 16.0;
 
 /// A visit of the coarsest grid that multiplies what is unsolved by more than `raised` is repeated with smaller
@@ -64,7 +64,8 @@ double unsolved_share(Hierarchy& hierarchy, Level& level) {
   }
   const std::optional<double>& load = hierarchy.problem.load;
   const double missing = load ? std::abs(wanted_load(hierarchy, level) - carried_load(level)) / *load : 0.0;
-  return (residual == 0.0 ? 0.0 : residual / transported) + missing;  // nothing is transported where all is dry
+  return (residual == 0.0 ? 0.0 : residual / transported) +
+         missing;  // nothing is transported if all points are cavitated
 }
 
 void visit_coarsest(Hierarchy& hierarchy, Level& level, int coarsest_sweeps, const Parameters& how) {

@@ -18,6 +18,7 @@ struct Caution {
   double steep = 1.0;        ///< further factor on that of single changes where epsilon is steep
   bool relax_after = false;  ///< one relaxation after the correction if the parameters have none
 };
+/// The parameters with this damping.
 Parameters cautious(const Parameters& parameters, const Caution& caution);
 
 /// Estimated relative discretization error of a level; NaN where unknown.
@@ -39,7 +40,7 @@ struct CyclesResult {
 /// FAS cycles on level l, from its present state, until the criterion holds; with Aim::solution and the mass-conserving
 /// cavitation model until the global oil balance holds as well. Remedies:
 /// - a slow cycle (rough_factor): a relaxation after the correction if there is none, else on square cells a Y sweep;
-///   from then on Krylov acceleration (acceleration.hpp) [bench: krylov_states];
+///   from then on Krylov acceleration (acceleration.hpp), where can_relax_across() [bench: krylov_states];
 /// - a residual that rises or hardly falls: a smaller weight where epsilon is steep, then smaller weights everywhere;
 /// - a state that is not finite, or hopeless: back to the initial state, with smaller weights everywhere; if none of
 ///   them help, the level is left in its initial state;

@@ -147,7 +147,7 @@ struct LoadLine {
 /// load that deforms them, over the problem's, with its rate. Default: steady.
 struct FarMotion {
   double approach = 0.0;  ///< -dH00/dT where H00 = origin
-  double slope = 0.0;     ///< of dH00/dT with H00
+  double slope = 0.0;     ///< derivative of dH00/dT by H00
   double origin = 0.0;
   double load = 1.0;
   double load_rate = 0.0;
@@ -228,8 +228,8 @@ void supply_oil(const Hierarchy& hierarchy, Level& level);
 /// level.r = f - L(P); also level.content.
 void update_residual(Hierarchy& hierarchy, Level& level);
 
-/// Pressure that deforms the bodies and carries the load: that of the fluid. (In mixed lubrication it is the sum of the
-/// fluid's and the asperities' pressure; only the former appears in the Reynolds equation.)
+/// Pressure that deforms the bodies and carries the load: that of the fluid. (In mixed lubrication it would be the sum
+/// of the fluid's and the asperities' pressure; only the former appears in the Reynolds equation.)
 inline const core::Field& pressure_on_bodies(const Level& level) { return level.P; }
 
 /// hx hy sum P (left-hand side of eq. 7).
@@ -240,6 +240,7 @@ inline double wanted_load(const Hierarchy& hierarchy, const Level& level) {
   return level.load + along(hierarchy.load_line) + along(hierarchy.outside_line);
 }
 
+/// True if epsilon of this level is stored at half points.
 inline bool at_half_points(const Level& level) { return level.scheme.face != reynolds::Face::mean; }
 /// True if epsilon along Y is a separate field.
 inline bool two_epsilons(const Hierarchy& hierarchy, const Level& level) {
@@ -268,8 +269,10 @@ inline reynolds::Transport transport_on(const Hierarchy& hierarchy, const Level&
 
 /// True for a level that corrects a finer one, false for the level being solved.
 inline bool corrects_finer(const Level& level) { return level.H_floor != 0.0; }
+/// True if the level has the mass-conserving cavitation model.
 inline bool conserves_mass(const Level& level) { return level.content.nodes_x() > 0; }
 
+/// The fields of the Reynolds equation.
 inline reynolds::Fields fields(const Level& level) {
   return {level.P,
           level.H,

@@ -9,10 +9,12 @@ namespace ehl::fmg {
 struct Beside {
   core::Lanes south, own, north;
 };
+/// The values of the lines j, j+2, .. in column i.
 inline core::Lanes own_lines(const core::Field& field, int i, int j) {
   const double* p = field.at_x(i) + j;
   return core::evens(core::load(p), core::load(p + core::lanes));
 }
+/// The values of the lines j, j+2, .. in column i, and of the lines before and after each of them.
 inline Beside with_neighbours(const core::Field& field, int i, int j) {
   const double* p = field.at_x(i) + j;
   const core::Lanes low = core::load(p);

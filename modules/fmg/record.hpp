@@ -25,7 +25,7 @@ struct LevelRow {
   double P_max = 0.0;       ///< over the nodes
   double P_rim = 0.0;       ///< over those on the rim (judgement/measures.hpp)
   double residual = 0.0;    ///< relative residual of the Reynolds equation (root mean square over the wedge's)
-  double load_error = 0.0;  ///< |h^2 sum P - load| / load, load 2 pi/3 of a circle
+  double load_error = 0.0;  ///< |h^2 sum P - load| / load, load 2 pi/3 for a circular contact
   int cycles = 0;
   double work_units = 0.0;  ///< in evaluations of residual and deformation on this level
   double seconds = 0.0;

@@ -24,6 +24,7 @@ struct LineNodes {
   std::vector<double> H_around;                                   ///< H, with one value beyond each boundary
   std::vector<double> fluidity_across{}, log_viscosity_across{};  ///< shear thinning: output of the laws, not used
 };
+/// Empty unless the grid is that of a line contact.
 LineNodes make_line_nodes(const core::Patch& grid, bool anisotropic);
 
 template <int reach>

@@ -11,8 +11,7 @@
 // No row depends on whether its own point is full, so that its residual is continuous as the point changes between full
 // and cavitated. Other fluxes have no discrete solution, and their cavitated nodes chatter: that of upstream2 at an
 // inlet meniscus in two dimensions, and phi = 1 only where both i and i-1 are full at the edge of rupture. Where a node
-// chatters nevertheless, phi downstream of it is 0. Where all points are full this is the equation
-// with rho_bar H.
+// chatters nevertheless, phi downstream of it is 0. Where all points are full this is the equation with rho_bar H.
 #include <array>
 #include <span>
 

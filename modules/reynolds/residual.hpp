@@ -28,7 +28,7 @@ struct Fields {
 /// their number.
 void residual(const core::Patch& grid, const Fields& state, const Transport& transport, int threads, core::Field& r);
 
-/// How far the state is from solving the complementarity problem P >= 0, L(P) <= 0, P L(P) = 0.
+/// How far the state is from solving the complementarity problem P >= 0, L(P) <= f, P (L(P) - f) = 0.
 struct ResidualNorms {
   double root_mean_square = 0.0;  ///< over the interior: r where P > 0, the violation max(0, L(P) - f) where P = 0
   double wedge = 0.0;             ///< root mean square of the transport term where P > 0: the scale of the equation
