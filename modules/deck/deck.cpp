@@ -24,7 +24,7 @@ Value& value_of(Deck& deck, const std::string& section, const std::string& name)
   return deck.values[index_of(deck, section, name)];
 }
 
-// What a computed value is blamed on: a change on the command line, or else the whole section.
+// Origin of a computed value in messages: changes on the command line, else the whole section.
 std::string origin_of(const Deck& deck, const std::string& section) {
   std::vector<std::string> changed;
   for (std::size_t k = 0; k < deck.values.size(); ++k)
@@ -35,7 +35,7 @@ std::string origin_of(const Deck& deck, const std::string& section) {
   return (heading == deck.headings.end() ? deck.name : heading->place) + ": [" + section + "]: ";
 }
 
-// By the words with which such complaints begin everywhere.
+// Cause of an error from the standard beginning of its message.
 Cause cause_of(const std::string& what) {
   if (what.starts_with("is missing")) return Cause::missing;
   if (what.find("has no influence") != std::string::npos) return Cause::idle;
@@ -99,7 +99,7 @@ double number_in(Deck& deck, const std::string& section, const std::string& name
   else if (SI && !unit.known)
     complain(deck, section, in_SI, "is in SI and the contact is not given in SI: use " + name);
   if (plain || !SI) return number;
-  // Or the effective deck would tell the default, beside the number that was given instead of it.
+  // Otherwise the effective deck would show the default next to the number given instead.
   if (value(deck, section, name).origin == Origin::by_default) {
     choose(deck, section, name, number_in_SI / unit.in_SI, in_SI);
     mark_following(deck, section, name);

@@ -1,5 +1,5 @@
 #pragma once
-// A deck that was read against the catalogue of keys: one value per key, and every complaint about it.
+// A deck that has been checked against the catalogue of keys: one value per key, and all errors.
 #include <initializer_list>
 #include <limits>
 #include <string>
@@ -10,124 +10,125 @@
 
 namespace ehl::deck {
 
-/// Where the value of a key comes from. chosen: by the program, because the deck left it open.
+/// Origin of a value; chosen: by the program, because the deck does not give the key.
 enum class Origin { absent, by_default, given, chosen };
 
 struct Value {
   Origin origin = Origin::absent;
-  bool valid = true;     ///< false: given, but already complained about
+  bool valid = true;     ///< false: given, but an error has been reported
   std::string text{};    ///< as written
-  double number = 0.0;   ///< numbers and integers; NaN when absent or not valid
+  double number = 0.0;   ///< of numbers and integers; NaN if absent or invalid
   std::string place{};   ///< where it was given
-  std::string why{};     ///< how it was chosen
-  bool follows = false;  ///< chosen, and made anew from the deck's other keys whenever it is read
-  std::string from{};    ///< section whose keys stand for this one, which is as good as given; mostly none
-  /// Somebody has asked for the number or the text. Only a test looks: a key that nobody reads must not be declared.
+  std::string why{};     ///< reason of a chosen value
+  bool follows = false;  ///< chosen, and computed from other keys at every reading
+  std::string from{};    ///< section whose keys stand for this one, which then counts as given; usually empty
+  /// True if the number or text has been read. A test requires that every declared key is read.
   mutable bool read = false;
 };
 
-/// What an error comes from, for first_causes(). by_itself: a section, key or word that does not exist, a value out of
-/// its range, or a line that cannot be read. between: a rule between keys. idle: a key without influence.
+/// Kind of an error, for first_causes(). by_itself: an unknown section, key or word, a value out of range, or a line
+/// that cannot be read. between: a rule between keys. idle: a key without effect.
 enum class Cause { by_itself, between, missing, idle };
 
 struct Deck {
   std::string name{};
-  std::vector<std::string> folders{};  ///< where files that it names may lie, beside where the program runs
+  std::vector<std::string> folders{};  ///< where files named by the deck may lie, besides the current directory
   Catalogue catalogue{};
   std::vector<Value> values{};        ///< one per key of the catalogue
-  std::vector<Heading> headings{};    ///< the sections that the deck has
-  std::vector<std::string> errors{};  ///< complaints so far, each a complete message
+  std::vector<Heading> headings{};    ///< the sections of the deck
+  std::vector<std::string> errors{};  ///< complete messages
   std::vector<Cause> causes{};        ///< one per error
 };
 
-/// Reads a deck and checks every key by itself: known, once, readable, in range. Rules between keys belong to
-/// check_influence() and to those who use them; they add to `errors` by complain(), and throw_if_wrong() ends it.
-/// in: path of the deck, overrides "section.key=value", or "-section.key", which takes the key out. errors:
-/// core::InputError when the file cannot be read at all.
+/// Reads a deck and checks every key on its own: known, given once, readable, in range. Rules between keys are checked
+/// by check_influence() and by the readers of the keys; they add to `errors` with complain(), and throw_if_wrong() ends
+/// it.
+/// in: path of the deck; overrides "section.key=value", or "-section.key", which removes the key. errors:
+/// core::InputError if the file cannot be read.
 Deck read(const std::string& path, const std::vector<std::string>& overrides, const Catalogue& catalogue);
 
-/// The same of a text. path: what messages call it, beside which its files lie.
+/// Reads a deck from a text. in: path for messages; files named by the deck are looked for next to it.
 Deck read_text(const std::string& text, const std::string& path, const std::vector<std::string>& overrides,
                const Catalogue& catalogue);
 
-/// The same for a document already parsed.
+/// Checks a deck that has been parsed.
 Deck validate(const Document& document, const std::vector<Assignment>& overrides, const Catalogue& catalogue);
 
-/// The value of a key. errors: std::logic_error for a key that no module declared.
+/// The value of a key. errors: std::logic_error for a key that no module has declared.
 const Value& value(const Deck& deck, const std::string& section, const std::string& name);
 
-/// True when the deck or the command line gives the key, whether valid or not, or it is computed from other keys.
+/// True if the deck or the command line gives the key, valid or not, or if it is computed from other keys.
 bool given(const Deck& deck, const std::string& section, const std::string& name);
 
-/// True when the section is one of every deck, or the deck gives a key that calls for the section's effect.
+/// True if every deck has the section, or the deck gives a key that enables the effect of the section.
 bool called_for(const Deck& deck, const std::string& section);
 
-/// True when the key can act: its section is called for, and what the key needs beside it is there.
+/// True if the key has an effect: its section is enabled, and the key that it needs is given.
 bool has_influence(const Deck& deck, const Key& key);
 
-/// Number of a key: given, chosen or default; NaN when there is none or it was refused.
+/// Number of a key: given, chosen or default; NaN if there is none or it was refused.
 double number(const Deck& deck, const std::string& section, const std::string& name);
 
-/// The unit of a quantity that a deck may give plainly, as `name`, or in SI, as name + suffix.
+/// Unit of a quantity that a deck gives either dimensionless, as `name`, or in SI, as name + suffix.
 struct PlainUnit {
   std::string suffix{};
   double in_SI = std::numeric_limits<double>::quiet_NaN();
-  bool known = false;  ///< the deck gives, right or wrong, what in_SI follows from
+  bool known = false;  ///< the deck gives, correctly or not, the keys from which in_SI follows
 };
 
-/// Such a quantity in its plain unit. Complains where both are given, or the one in SI and the unit is not known. A
-/// default gives way to the one in SI. out: NaN where neither is there, or something is wrong.
+/// Such a quantity, dimensionless. Reports an error if both forms are given, or the SI form without a known unit. The
+/// SI form replaces a default. out: NaN if neither is given or after an error.
 double number_in(Deck& deck, const std::string& section, const std::string& name, const PlainUnit& unit);
 
-/// number() for a whole number. limits: `otherwise` when there is none or it was refused.
+/// number() for an integer. limits: `otherwise` if there is none or it was refused.
 int integer(const Deck& deck, const std::string& section, const std::string& name, int otherwise);
 
-/// Word or text of a key; empty when there is none or it was refused.
+/// Word or text of a key; empty if there is none or it was refused.
 std::string word(const Deck& deck, const std::string& section, const std::string& name);
 
-/// Several words.
+/// Words of a key.
 std::vector<std::string> words(const Deck& deck, const std::string& section, const std::string& name);
 
-/// Which of the key's words is given; the first where there is none or it was refused.
+/// Index of the given word among the words of the key; 0 if there is none or it was refused.
 std::size_t index_of_word(const Deck& deck, const std::string& section, const std::string& name);
 
-/// Records a value that the program chose for an open key, for the effective deck and the report.
+/// Records a value that the program has chosen for a key, for the effective deck and the report.
 void choose(Deck& deck, const std::string& section, const std::string& name, double number, const std::string& why);
 void choose(Deck& deck, const std::string& section, const std::string& name, const std::string& text,
             const std::string& why);
 
-/// Marks a value as one that follows from other keys, unless it is given: the effective deck tells it in a remark, so
-/// that the keys it follows from may be changed there.
+/// Marks a value that is not given as one that follows from other keys. The effective deck shows it in a comment, so
+/// that those other keys can be changed there.
 void mark_following(Deck& deck, const std::string& section, const std::string& name);
 
 /// Records a number that follows from keys of the section `from`, which stand for this one: it counts as given. in: NaN
-/// where something is wrong with them, and has been complained about.
+/// after an error in those keys.
 void compute(Deck& deck, const std::string& section, const std::string& name, double number, const std::string& from,
              const std::string& why);
-/// The same of a word, one of those that the key allows.
+/// Records a word in this way; it must be one of those that the key allows.
 void compute(Deck& deck, const std::string& section, const std::string& name, const char* word, const std::string& from,
              const std::string& why);
 
-/// Complains about every key that cannot act beside the others. To be called when compute() has said its words.
+/// Reports every key that has no effect in this deck. To be called after all compute() calls.
 void check_influence(Deck& deck);
 
-/// Adds the message "deck.ini:12: [grid] cells = 77: <what>". Of a number that was computed, what it follows from
-/// stands first: the keys of that section on the command line, or else its heading.
-/// The cause follows from the words: "is missing", "has no influence"; or it is said.
+/// Adds the message "deck.ini:12: [grid] cells = 77: <what>". For a computed number the message begins with its origin:
+/// the keys of that section on the command line, else the heading of the section. Without `cause`, the cause follows
+/// from the words "is missing" and "has no influence".
 void complain(Deck& deck, const std::string& section, const std::string& name, const std::string& what);
 void complain(Deck& deck, const std::string& section, const std::string& name, const std::string& what, Cause cause);
 
 /// Adds an error with its cause.
 void add_error(Deck& deck, Cause cause, const std::string& text);
 
-/// The errors without those that may be the consequence of another one: what is missing beside an error by itself,
-/// which may be about the key that is missing, and what is without influence beside either of these.
+/// Errors without those that may be consequences of others: missing keys are left out if there is an error by_itself,
+/// which may be about the missing key; keys without effect are left out if there is any other error of these two kinds.
 std::vector<std::string> first_causes(const Deck& deck);
 
-/// errors: core::InputError with the first causes, when there are any.
+/// errors: core::InputError with the first causes, if there are any.
 void throw_if_wrong(const Deck& deck);
 
-/// One section, as the module that declares its keys reads it: the functions above without deck and section.
+/// One section, for the module that declares its keys: the functions above without deck and section.
 struct Part {
   Deck& deck;
   std::string section;
@@ -140,7 +141,7 @@ struct Part {
   int integer(const std::string& name, int otherwise) const { return deck::integer(deck, section, name, otherwise); }
   std::string word(const std::string& name) const { return deck::word(deck, section, name); }
   std::vector<std::string> words(const std::string& name) const { return deck::words(deck, section, name); }
-  /// The value that stands for the word. in: values in the order of the words in the key's record.
+  /// The value that belongs to the given word. in: values in the order of the words of the key.
   template <class T>
   T choice(const std::string& name, std::initializer_list<T> values) const {
     return values.begin()[index_of_word(deck, section, name)];
@@ -148,11 +149,11 @@ struct Part {
   void choose(const std::string& name, const auto& value, const std::string& why) const {
     deck::choose(deck, section, name, value, why);
   }
-  /// choose() where the deck leaves the key open.
+  /// choose() if the deck does not give the key.
   void fill(const std::string& name, const auto& value, const std::string& why) const {
     if (!given(name)) choose(name, value, why);
   }
-  /// fill() with what follows from other keys.
+  /// fill() with a value that follows from other keys.
   void follow(const std::string& name, const auto& value, const std::string& why) const {
     fill(name, value, why);
     mark_following(deck, section, name);
@@ -164,7 +165,7 @@ struct Part {
 
   /// Those of the names that the deck gives.
   std::vector<std::string> given_of(const std::vector<std::string>& names) const;
-  /// Complains about each of the names that the deck does not give, or does.
+  /// Report each of the names that the deck does not give (demand) or gives (refuse).
   void demand(const std::vector<std::string>& names, const std::string& why) const;
   void refuse(const std::vector<std::string>& names, const std::string& why) const;
 };

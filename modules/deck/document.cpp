@@ -18,21 +18,21 @@ namespace {
 
 namespace options = boost::program_options;
 
-constexpr std::size_t largest_deck = 1 << 20;  // bytes; somebody named a result or a device
-constexpr std::size_t most_broken_lines = 20;  // listed; a file with more of them is hardly a deck
+constexpr std::size_t largest_deck = 1 << 20;  // bytes; a larger file is probably a result or a device
+constexpr std::size_t most_broken_lines = 20;  // number listed; a file with more of them is hardly a deck
 
-// Reads one line, neither blank nor a comment. out: what is wrong with it; empty where nothing is.
+// Parses one line that is neither blank nor a comment. returns what is wrong with it; empty if nothing is.
 std::string read_line(const std::string& line, const std::string& place, std::string& section, Document& document) {
   if (line[0] == '[') {
     const std::size_t end = line.find(']');
     const std::string name = trimmed(line.substr(1, end - 1));
     if (end + 1 == line.size() && name.empty()) return "a section heading without a name";
-    section = name;  // of a broken heading too, so that one slip is not reported again for every key below it
+    section = name;  // also for a broken heading, so that the keys below it are not reported
     if (end + 1 != line.size()) return quoted(line) + " is no heading: write [" + quotable(name) + "] alone on a line";
     document.headings.push_back({section, place});
     return {};
   }
-  // The library forgets the lines and stops at the first that it cannot read: it gets them one by one.
+  // The library stops at the first line that it cannot read, so it gets the lines one by one.
   std::istringstream stream(line);
   try {
     const auto read = options::parse_config_file(stream, {}, /*allow_unregistered=*/true).options.front();

@@ -1,11 +1,11 @@
 #pragma once
-// A deck as it was written: its assignments in order, each with the place where it stands.
+// A deck as written: its assignments in order, each with its place.
 #include <string>
 #include <vector>
 
 namespace ehl::deck {
 
-/// The place of what --set and --unset say.
+/// Place of assignments by --set and --unset.
 inline constexpr char on_command_line[] = "command line";
 
 /// One "name = value" line.
@@ -14,7 +14,7 @@ struct Assignment {
   std::string name{};
   std::string value{};   ///< without comment and surrounding blanks; may be empty
   std::string place{};   ///< "deck.ini:12" or on_command_line
-  bool removes = false;  ///< takes the key out of the deck instead
+  bool removes = false;  ///< removes the key from the deck
 };
 
 /// One "[section]" line.
@@ -24,22 +24,22 @@ struct Heading {
 };
 
 struct Document {
-  std::string name{};  ///< the file's name, for messages
+  std::string name{};  ///< name of the file, for messages
   std::vector<Heading> headings{};
   std::vector<Assignment> assignments{};
   std::vector<std::string> errors{};  ///< lines that are neither heading, assignment, comment nor blank
 };
 
-/// The text of a deck file. errors: core::InputError when it is missing, a directory, unreadable, empty, not text or
-/// larger than a megabyte.
+/// Text of a deck file. errors: core::InputError if it is missing, a directory, unreadable, empty, not text or larger
+/// than a megabyte.
 std::string load_text(const std::string& path);
 
-/// Reads the text of a deck. Comments run from # to the end of the line; a line that starts with ; is a comment too.
-/// in: text; name of the file for messages. errors: none thrown, all listed in the document.
+/// Parses the text of a deck. Comments run from # to the end of the line; a line that starts with ; is also a comment.
+/// in: text; name of the file for messages. errors: none thrown; all are listed in the document.
 Document parse(const std::string& text, const std::string& name);
 
-/// An assignment from the command line, "section.key=value", or "-section.key", which takes it out. errors:
-/// core::InputError when it has another form.
+/// An assignment from the command line: "section.key=value", or "-section.key", which removes the key. errors:
+/// core::InputError for any other form.
 Assignment parse_override(const std::string& text);
 
 }  // namespace ehl::deck

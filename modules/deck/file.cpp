@@ -17,7 +17,7 @@ namespace {
 
 namespace files = std::filesystem;
 
-constexpr std::uintmax_t largest_named_file = 4'000'000'000;  // bytes; a map of 10^8 heights with all their digits
+constexpr std::uintmax_t largest_named_file = 4'000'000'000;  // bytes; a map of 10^8 heights with all digits
 
 NamedFile read(const std::string& name, const std::string& path) {
   std::ifstream file = opened(path, largest_named_file);

@@ -1,5 +1,5 @@
 #pragma once
-// What a deck may say: one record per key, declared by the module that uses the key.
+// Keys of a deck: one record per key, declared by the module that uses it.
 #include <initializer_list>
 #include <limits>
 #include <string>
@@ -21,48 +21,47 @@ struct Range {
   }
 };
 
-/// A key that means something only beside another one, of its own section where none is named: given at all (no words),
-/// or one of these words.
+/// A key that has an effect only with another one, of the same section if none is named: with any value, or with one of
+/// these words.
 struct Condition {
   std::string name{};
   std::vector<std::string> words{};
   std::string section{};
 };
 
-/// One key of the deck. Everything the program says about a key, anywhere, is said from this record.
+/// One key of the deck. Everything that the program prints about a key comes from this record.
 struct Key {
   std::string section{};
   std::string name{};
   Type type = Type::number;
-  std::string default_text{};        ///< the default as the deck would write it; empty: none
-  std::string default_note{};        ///< how a value is found when there is no fixed default
+  std::string default_text{};        ///< the default as written in a deck; empty: none
+  std::string default_note{};        ///< how the value is determined without a fixed default
   std::string unit{};                ///< SI unit; empty: dimensionless or a word
   Range range{};                     ///< numbers and integers
-  std::vector<std::string> words{};  ///< the legal words of Type::word and Type::words
-  std::string remedy{};              ///< said when a value is outside the range
+  std::vector<std::string> words{};  ///< the allowed words of Type::word and Type::words
+  std::string remedy{};              ///< advice for a value outside the range
   std::string meaning{};
-  std::string source{};  ///< where the default (or the meaning) comes from
+  std::string source{};  ///< source of the default or of the meaning
   Condition needs{};
-  std::string example{};           ///< what the self-written deck shows where there is no default
-  bool names_file = false;         ///< a value that ends like a table or an HDF5 file is the name of one
-  bool example_is_active = false;  ///< the self-written deck uses the example instead of commenting it out
+  std::string example{};           ///< value in the generated deck if there is no default
+  bool names_file = false;         ///< a value with the ending of a table or HDF5 file names such a file
+  bool example_is_active = false;  ///< the generated deck uses the example instead of commenting it out
 };
 
-/// A section of the deck. Of an effect: the section without one of the keys that call for the effect has no influence,
-/// and is refused.
+/// A section of the deck. The section of an effect is refused unless one of the keys that enable the effect is given.
 struct Section {
   std::string name{};
   std::string meaning{};
-  std::vector<std::string> called_by{};  ///< keys of the section, one is enough; none: a section of every deck
-  std::string effect{};                  ///< name of the effect that it belongs to; empty: of every deck
+  std::vector<std::string> called_by{};  ///< keys of the section that enable it, one is enough; none: every deck has it
+  std::string effect{};                  ///< name of the effect; empty: every deck has the section
 };
 
-/// Something people will look for that this version cannot do: a whole section (empty name), a key, or a word of a key.
+/// A capability that this version lacks and users may look for: a section (empty name), a key, or a word of a key.
 struct Unavailable {
   std::string section{};
   std::string name{};
   std::string message{};
-  std::vector<std::string> words{};  ///< of a key that exists; empty: the key does not
+  std::vector<std::string> words{};  ///< words of an existing key; empty: the key does not exist
 };
 
 /// Everything a deck may contain.
@@ -72,16 +71,16 @@ struct Catalogue {
   std::vector<Unavailable> unavailable{};
 };
 
-/// Keys of one section. Each with words is of Type::word, unless it says that it takes several of them.
+/// Adds the section to keys. A key with words becomes Type::word, unless it is Type::words.
 std::vector<Key> in_section(const std::string& section, std::vector<Key> keys);
 
-/// The same keys, each only with another one where it does not say itself what it needs; that one stays free.
+/// Makes keys depend on `other`, except those that have their own condition and `other` itself.
 std::vector<Key> only_with(const Condition& other, std::vector<Key> keys);
 
-/// Lists of keys, one behind the other.
+/// Concatenates lists of keys.
 std::vector<Key> together(std::initializer_list<std::vector<Key>> lists);
 
-/// The key for the same quantity in SI, "<name><suffix>": one of both is given (deck::number_in reads them).
+/// Key for the same quantity in SI, "<name><suffix>"; a deck gives one of both (deck::number_in()).
 Key in_SI(Key plain, const std::string& suffix, const std::string& unit, const std::string& example);
 
 /// The record of a key, or nullptr.
@@ -90,10 +89,10 @@ const Key* find_key(const Catalogue& catalogue, const std::string& section, cons
 /// The record of a section, or nullptr.
 const Section* find_section(const Catalogue& catalogue, const std::string& name);
 
-/// The section of the key that `key` needs.
+/// Section of the key that `key` needs.
 const std::string& section_needed(const Key& key);
 
-/// "0 < value <= 1000 N", "one of V, W, F": what is allowed, for messages and for the list of keys.
+/// "0 < value <= 1000 N", "one of V, W, F": the allowed values, for messages and the list of keys.
 std::string allowed(const Key& key);
 
 }  // namespace ehl::deck

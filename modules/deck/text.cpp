@@ -32,7 +32,7 @@ std::string joined(const std::vector<std::string>& parts, const std::string& sep
 }
 
 std::string quotable(const std::string& text) {
-  constexpr std::size_t longest = 80;  // bytes: a line of a terminal
+  constexpr std::size_t longest = 80;  // bytes: one line of a terminal
   std::size_t kept = text.size();
   if (kept > longest) {
     kept = longest;
@@ -80,7 +80,7 @@ std::uint64_t hash(std::string_view text, std::uint64_t before) {
 }
 
 bool is_utf8(std::string_view text) {
-  constexpr std::uint32_t first_of_length[] = {0, 0, 0x80, 0x800, 0x10000};  // a longer form of a character is none
+  constexpr std::uint32_t first_of_length[] = {0, 0, 0x80, 0x800, 0x10000};  // overlong encodings are invalid
   constexpr std::uint32_t last = 0x10FFFF, surrogates = 0xD800, after_surrogates = 0xE000;
   for (std::size_t at = 0; at < text.size();) {
     const auto lead = static_cast<unsigned char>(text[at]);
@@ -114,7 +114,7 @@ ReadNumber read_number(const std::string& text) {
   for (const char* word : {"nan", "inf", "infinity"})
     if (unsigned_text == word) return {.status = ReadNumber::Status::not_finite};
 
-  // from_chars knows no plus sign and, unlike strtod, reads no hexadecimal and follows no locale.
+  // from_chars knows no plus sign and, unlike strtod, reads no hexadecimal numbers and ignores the locale.
   if (number.starts_with("+-")) return {};
   const char* first = number.data() + (number.starts_with("+") ? 1 : 0);
   const char* last = number.data() + number.size();
@@ -145,7 +145,7 @@ int edit_distance(const std::string& a, const std::string& b) {
 
 namespace {
 
-// Letters and digits alone, in lower case: what is left of "VG 68" and of mineral-vg68 where only the core is known.
+// Letters and digits in lower case, by which "VG 68" is found in mineral-vg68.
 std::string core_of(const std::string& text) {
   std::string core;
   for (const char c : text)
@@ -153,9 +153,9 @@ std::string core_of(const std::string& text) {
   return core;
 }
 
-// The shortest candidate that has the name in it; empty where none has, or the name is too short to mean one.
+// Shortest candidate that contains the name; empty if there is none, or if the name is too short to be specific.
 std::string containing(const std::string& name, const std::vector<std::string>& candidates) {
-  constexpr std::size_t telling = 3;  // "vg6", "pao"; two letters stand in every other word
+  constexpr std::size_t telling = 3;  // "vg6", "pao"; two letters occur in too many words
   const std::string core = core_of(name);
   std::string best;
   if (core.size() < telling) return best;
@@ -168,7 +168,7 @@ std::string containing(const std::string& name, const std::vector<std::string>& 
 }  // namespace
 
 std::string nearest(const std::string& name, const std::vector<std::string>& candidates) {
-  if (name.size() > 64) return "";  // no typing slip: and the distance of a megabyte of text would take for ever
+  if (name.size() > 64) return "";  // not a typing error, and the distance of a very long text is expensive
   std::string best;
   int best_distance = 0;
   for (const std::string& candidate : candidates) {
@@ -179,7 +179,7 @@ std::string nearest(const std::string& name, const std::vector<std::string>& can
     }
   }
   const int letters = static_cast<int>(std::max(name.size(), best.size()));
-  // A short name is nothing like another one as soon as half of it differs.
+  // A short name is not similar to another one if half of it differs.
   const bool near = best_distance <= std::max(2, letters / 3) && 2 * best_distance <= letters;
   return near ? best : containing(name, candidates);
 }

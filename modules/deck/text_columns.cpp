@@ -1,4 +1,4 @@
-// The columns of a table by the names and units of its heading.
+// Columns of a table, found by the names and units of its heading.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 constexpr std::uintmax_t largest_table = 100'000'000;  // bytes; a million rows
 constexpr std::size_t absent = std::numeric_limits<std::size_t>::max();
 
-// Names are alike but for letter case, blanks, _ and -.
+// Name without letter case, blanks, _, - and dots.
 std::string core_of(const std::string& name) {
   std::string core;
   for (const char c : name)
@@ -33,7 +33,7 @@ std::size_t column_named(const std::string& name, const std::vector<Column>& wan
   return absent;
 }
 
-// "p [Pa], eta [Pa s]", and for each unit what else it may be.
+// "p [Pa], eta [Pa s]": the columns that are allowed, for messages.
 std::string allowed(const std::vector<Column>& wanted) {
   std::string text;
   for (const Column& column : wanted) {
@@ -45,7 +45,7 @@ std::string allowed(const std::vector<Column>& wanted) {
   return text;
 }
 
-// What the heading says of one cell: which column, and how to convert it.
+// Meaning of one cell of the heading: its column, and the conversion of its unit.
 struct Place {
   std::size_t column = absent;
   Conversion conversion{};
@@ -74,7 +74,7 @@ Place place_of(const std::string& cell, const std::string& unit_below, const std
   return place;
 }
 
-// What is wrong, or empty. out: for each cell its column.
+// Columns by the heading. returns what is wrong, or empty. out: places, the column of each cell.
 std::string by_heading(const Row& heading, const Row& units, const std::vector<Column>& wanted,
                        std::vector<Place>& places) {
   std::vector<bool> named(wanted.size());
@@ -93,7 +93,7 @@ std::string by_heading(const Row& heading, const Row& units, const std::vector<C
   return "";
 }
 
-// Columns in the order in which they are asked for.
+// Columns in the order in which they were requested.
 std::string by_position(const TextTable& table, const std::vector<Column>& wanted, std::vector<Place>& places) {
   std::size_t least = 0, most = 0;
   for (std::size_t k = 0; k < wanted.size(); ++k) {
@@ -131,7 +131,7 @@ HeadingCell heading_cell(const std::string& cell) {
   const std::string text = trimmed(cell);
   for (const auto& [open, close] : {std::pair{'[', ']'}, std::pair{'(', ')'}}) {
     if (!text.ends_with(close)) continue;
-    // "(m K)" in "k [W/(m K)]" and "W/(m K)" nest.
+    // Brackets nest, as in "k [W/(m K)]".
     int depth = 0;
     for (std::size_t k = text.size(); k-- > 0;) {
       depth += text[k] == close ? 1 : text[k] == open ? -1 : 0;
@@ -166,7 +166,7 @@ ReadColumns read_columns(const std::string& path, const std::vector<Column>& wan
   if (!table.heading.cells.empty()) {
     wrong = by_heading(table.heading, table.units, wanted, places);
   } else {
-    // A comment that names the columns of the rows is their heading.
+    // A comment that names all columns of the rows is their heading.
     const auto names_columns = [&](const Row& remark) {
       return remark.cells.size() == table.rows.front().cells.size() &&
              std::ranges::all_of(remark.cells,

@@ -16,7 +16,7 @@ struct Line {
   std::string text{}, remark{};
 };
 
-// Position of the first `wanted` outside of quotes; npos: none.
+// Position of the first of the characters `wanted` outside quotes; npos: none.
 std::size_t outside_quotes(const std::string& text, const char* wanted, std::size_t from = 0) {
   bool quoted = false;
   for (std::size_t k = 0; k < text.size(); ++k) {
@@ -71,7 +71,7 @@ std::vector<std::string> cells_between(const std::string& text, char separator) 
 
 bool is_number(const std::string& cell) { return read_number(cell).status != ReadNumber::Status::not_a_number; }
 
-// "1,5 2,5": commas between digits in lines whose cells stand between blanks.
+// True for "1,5 2,5": decimal commas in a line whose cells are separated by blanks.
 bool has_decimal_commas_between_blanks(const std::string& text) {
   const std::vector<std::string> words = cells_between(text, ' ');
   return words.size() > 1 && std::ranges::all_of(words, [](const std::string& word) {
@@ -80,7 +80,7 @@ bool has_decimal_commas_between_blanks(const std::string& text) {
          });
 }
 
-// The separator of a file: the same in all of its lines.
+// Separator of a file, the same in all its lines.
 char separator_of(const std::vector<Line>& lines) {
   const auto any = [&](const char* which) {
     return std::ranges::any_of(lines,
@@ -101,7 +101,7 @@ bool is_heading_row(const std::vector<std::string>& cells) {
          std::ranges::any_of(cells, [](const std::string& cell) { return !cell.empty(); });
 }
 
-// Decimal commas as points. True where the cell had one.
+// Replaces a decimal comma by a point. returns true if the cell had one.
 bool to_points(std::string& cell) {
   if (std::ranges::count(cell, ',') != 1 || cell.find('.') != std::string::npos) return false;
   std::string pointed = cell;
@@ -123,7 +123,7 @@ void read_decimal_commas(TextTable& table) {
                           " has a decimal point: write all numbers of a file alike");
 }
 
-// An empty last cell of each row: a separator that ends the line.
+// Drops the empty last cell of each row after a trailing separator.
 void drop_trailing(TextTable& table) {
   const auto ends_empty = [](const Row& row) { return row.cells.size() > 1 && row.cells.back().empty(); };
   if (table.rows.empty() || !std::ranges::all_of(table.rows, ends_empty)) return;

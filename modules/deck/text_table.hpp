@@ -1,5 +1,5 @@
 #pragma once
-// Tables in text files as people's programs write them: spreadsheets, instruments, R, Python.
+// Tables in text files from spreadsheets, instruments, R and Python.
 #include <string>
 #include <variant>
 #include <vector>
@@ -8,55 +8,55 @@
 
 namespace ehl::deck {
 
-/// The cells of a file. Cells stand between semicolons, tabs, commas or blanks, whichever the whole file uses; a cell
-/// may be quoted. A comma beside another separator is a decimal comma and reads as a point here. Lines end with LF,
-/// CRLF or CR; an empty last cell that a trailing separator leaves is dropped; # begins a comment.
+/// Cells of a file. The separator is semicolon, tab, comma or blank, the same for the whole file; a cell may be quoted.
+/// A comma with another separator is a decimal comma and becomes a point. Lines end with LF, CRLF or CR. An empty last
+/// cell after a trailing separator is dropped. # begins a comment.
 struct TextTable {
-  Row heading{};               ///< the first line where none of its cells is a number; no cells: there is none
-  Row units{};                 ///< a line of units alone below the heading; no cells: there is none
-  std::vector<Row> remarks{};  ///< comments above the first row, which may hold the heading
+  Row heading{};               ///< the first line if none of its cells is a number; else without cells
+  Row units{};                 ///< a line with only units below the heading; else without cells
+  std::vector<Row> remarks{};  ///< comments above the first row, which may contain the heading
   std::vector<Row> rows{};
 };
 
-/// errors: core::FileError where the file cannot be read, is larger than `largest` bytes, holds a NUL character or is
-/// not text; decimal commas beside decimal points.
+/// errors: core::FileError if the file cannot be read, is larger than `largest` bytes, contains a NUL character, is not
+/// text, or mixes decimal commas and decimal points.
 TextTable read_text_table(const std::string& path, std::uintmax_t largest, const std::string& note = {});
 
-/// A cell of a heading, "eta [mPa s]", "SRR (%)", "p / MPa": the name and the unit; no unit: empty.
+/// A cell of a heading, "eta [mPa s]", "SRR (%)", "p / MPa": name, and unit or empty.
 struct HeadingCell {
   std::string name{};
   std::string unit{};
 };
 HeadingCell heading_cell(const std::string& cell);
 
-/// A column that a reader takes.
+/// A column that a reader requests.
 struct Column {
-  std::vector<std::string> names{};  ///< the first for messages; letter case, blanks, _ and - do not count
-  std::string unit{};  ///< of the values returned: an SI unit of units.hpp, or a scale's own name, "a/u_m"
+  std::vector<std::string> names{};  ///< the first for messages; letter case, blanks, _ and - are ignored
+  std::string unit{};  ///< of the returned values: an SI unit of units.hpp, or the name of a scale, "a/u_m"
   bool required = true;
   std::string meaning{};  ///< added in messages: "over that of [contact]"
 };
 
 struct ColumnRow {
   std::string place{};           ///< "oil.csv:12"
-  std::vector<double> values{};  ///< one per column that was asked for; NaN where the file does not have it
+  std::vector<double> values{};  ///< one per requested column; NaN if the file lacks it
 };
 
 struct ColumnTable {
-  std::vector<bool> present{};  ///< which columns the file has
+  std::vector<bool> present{};  ///< columns that the file has
   std::vector<ColumnRow> rows{};
 };
 
 /// The columns, or what is wrong with the file: "oil.csv:1: ...".
 using ReadColumns = std::variant<ColumnTable, std::string>;
 
-/// Numbers by the names and units of the file's heading, in any order, converted. Without a heading the columns stand
-/// in the order in which they are asked for and have the unit in which they are returned; so has a column whose heading
-/// names no unit. A heading in a comment counts where it names the columns asked for. errors: core::FileError as above.
+/// Reads columns by the names and units of the heading, in any order, and converts them. Without a heading the columns
+/// have the requested order and units; a column without unit in the heading has the requested unit. A comment counts as
+/// heading if it names the requested columns. errors: core::FileError as above.
 ReadColumns read_columns(const std::string& path, const std::vector<Column>& wanted, const std::string& note = {});
 
-/// A value of a column in the key's or column's unit. in: the cell; the unit of the heading, may be empty.
-/// out: factor and offset. what is wrong, or empty.
+/// Conversion of a unit. in: from, the unit of the heading, may be empty; to, the requested unit. out: factor and
+/// offset; wrong: what is wrong, or empty.
 struct Conversion {
   double factor = 1.0, offset = 0.0;
   std::string wrong{};

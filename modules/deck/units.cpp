@@ -79,7 +79,7 @@ constexpr Unit known[] = {
     {"percent", "-", 1e-2},
 };
 
-// Characters that stand for the same thing in the units of spreadsheets and instruments.
+// Different characters with the same meaning in units.
 std::string in_ascii(std::string_view text) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 12> same{{{"\u00b5", "u"},
                                                                                 {"\u03bc", "u"},
@@ -100,7 +100,7 @@ std::string in_ascii(std::string_view text) {
   return plain;
 }
 
-// "kg m^-3" and "kg*m-3" as "kg/m^3": one divisor that stands last with a negative power.
+// "kg m^-3" and "kg*m-3" as "kg/m^3": one divisor at the end with a negative power.
 std::string as_quotient(const std::string& text) {
   const std::size_t minus = text.rfind('-');
   if (minus == std::string::npos || minus + 2 != text.size()) return text;
@@ -113,7 +113,7 @@ std::string as_quotient(const std::string& text) {
   return above + "/" + base + (power == '1' ? "" : std::string("^") + power);
 }
 
-// Without what writers of units do as they please: blanks, signs of a product and of a power.
+// Text without blanks, product signs and power signs, which may be written in several ways.
 std::string core_of(std::string_view text) {
   std::string core;
   for (const char c : as_quotient(in_ascii(text)))

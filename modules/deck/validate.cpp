@@ -1,4 +1,4 @@
-// Every key by itself: is it known, given once, readable, in range? And does it have any influence beside the others?
+// Checks of single keys: known, given once, readable, in range; and whether they have an effect.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -49,9 +49,9 @@ std::string unknown_section(const Catalogue& catalogue, const std::string& name)
   return "unknown section: " + did_you_mean(name, sections) + "Sections are " + joined(sections, ", ");
 }
 
-constexpr std::size_t most_of_a_kind = 20;  // listed; who made more has made one mistake many times
+constexpr std::size_t most_of_a_kind = 20;  // number of errors of one kind that are listed
 
-/// Complaints of one kind, of which the first are said and the rest counted.
+/// Errors of one kind; the first ones are listed and the rest counted.
 class Kind {
  public:
   Kind(Deck& deck, Cause cause, std::string what) : deck_(deck), cause_(cause), what_(std::move(what)) {}
@@ -95,11 +95,11 @@ void check_headings(Deck& deck, const Document& document) {
   }
 }
 
-// What is said of a key that there is not.
+// Message about an unknown key.
 std::string about_unknown(const Deck& deck, const Assignment& given) {
   if (const Unavailable* unavailable = find_unavailable(deck.catalogue, given.section, given.name))
     return said(given) + unavailable->message;
-  std::string home;  // the section that does have a key of this name
+  std::string home;  // a section that has a key of this name
   for (const Key& key : deck.catalogue.keys)
     if (key.name == given.name) home = key.section;
   if (given.section.empty())
@@ -118,14 +118,14 @@ Value untouched(const Key& key) {
           .number = read_number(key.default_text).value};
 }
 
-// Every assignment to its key.
+// Assigns all values to their keys.
 void take(Deck& deck, const std::vector<Assignment>& assignments) {
   Kind unknown{deck, Cause::by_itself, "unknown keys"}, twice{deck, Cause::between, "keys given twice"};
   Kind not_there{deck, Cause::between, "keys to take out that are not there"};
   for (const Assignment& given : assignments) {
     const Key* key = find_key(deck.catalogue, given.section, given.name);
     if (key == nullptr) {
-      // A key below an unknown heading: the heading has been complained about.
+      // A key below an unknown heading is not reported again.
       const bool heading_is_unknown =
           find_section(deck.catalogue, given.section) == nullptr &&
           std::ranges::find(deck.headings, given.section, &Heading::section) != deck.headings.end() &&
@@ -195,7 +195,7 @@ void check_value(Deck& deck, const Key& key, Value& value) {
   } else if (key.type == Type::words) {
     complaint = complaint_about_words(deck.catalogue, key, split_words(value.text));
   } else if (std::any_of(value.text.begin(), value.text.end(), [](unsigned char c) { return c < ' '; })) {
-    complaint = "must be text on one line";  // or the deck kept in the result would say something else
+    complaint = "must be text on one line";  // otherwise the deck stored in the result would read differently
   } else if (!is_utf8(value.text)) {
     complaint = "must be text in UTF-8: save the deck in that encoding";
   }
@@ -204,7 +204,7 @@ void check_value(Deck& deck, const Key& key, Value& value) {
   value.valid = false;
 }
 
-// "z" says nothing to a Barus fluid: a key that cannot act is a misunderstanding, not a default.
+// A key without effect is an error, because the user expects one: "z" with a Barus fluid.
 void check_influence_of(Deck& deck, const Key& key) {
   if (!given(deck, key.section, key.name) || has_influence(deck, key)) return;
   const auto nothing_without = [&](const std::string& what) {

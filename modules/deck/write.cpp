@@ -9,7 +9,7 @@
 namespace ehl::deck {
 namespace {
 
-// Breaks a text into lines of about 110 characters, each after `indent`.
+// Breaks a text into lines of about 110 characters, each beginning with `indent`.
 std::string wrapped(const std::string& text, const std::string& indent) {
   constexpr std::size_t width = 110;
   std::string result;
@@ -55,12 +55,12 @@ std::string entry(const Key& key) {
   return text;
 }
 
-// A line of the self-written deck is active when it is the example's, or a default that may stand there.
+// A line of the generated deck is active if it has the example, or a default that is allowed there.
 bool active_in_example(const Catalogue& catalogue, const Key& key) {
   if (key.example_is_active) return true;
   if (key.default_text.empty()) return false;
   const Section* section = find_section(catalogue, key.section);
-  if (section != nullptr && !section->called_by.empty()) return false;  // no effect is on in the example
+  if (section != nullptr && !section->called_by.empty()) return false;  // no effect is enabled in the example
   if (key.needs.name.empty()) return true;
   const Key* other = find_key(catalogue, section_needed(key), key.needs.name);
   if (other == nullptr || key.needs.words.empty()) return false;
@@ -68,7 +68,7 @@ bool active_in_example(const Catalogue& catalogue, const Key& key) {
   return std::find(key.needs.words.begin(), key.needs.words.end(), text) != key.needs.words.end();
 }
 
-// What a section of an effect is, and what turns it on.
+// Description of a section, and for an effect what enables it.
 std::string about(const Section& section) {
   if (section.effect.empty()) return section.meaning;
   return section.meaning + " Effect " + section.effect + ": on with " + joined(section.called_by, " or ") +
@@ -81,7 +81,7 @@ void throw_unknown(const Catalogue& catalogue, const std::string& selection) {
   std::vector<std::string> names;
   for (const Section& section : catalogue.sections) names.push_back(section.name);
   for (const Key& key : catalogue.keys) names.push_back(key.section + "." + key.name);
-  for (const Key& key : catalogue.keys)  // "cells" alone: somebody forgot the section
+  for (const Key& key : catalogue.keys)  // "cells" alone: the section was omitted
     if (key.name == selection)
       throw core::InputError("keys: " + selection + ": did you mean " + key.section + "." + key.name + "?");
   const std::string near = nearest(selection, names);
@@ -131,12 +131,12 @@ std::string effective_deck(const Deck& deck) {
   std::string text;
   for (const Section& section : deck.catalogue.sections) {
     std::string lines;
-    bool any_active = false;  // a heading with nothing but remarks below it would be refused
+    bool any_active = false;  // a heading followed only by comments would be refused
     for (std::size_t k = 0; k < deck.catalogue.keys.size(); ++k) {
       const Key& key = deck.catalogue.keys[k];
       const Value& value = deck.values[k];
       if (key.section != section.name || value.origin == Origin::absent) continue;
-      // A default that cannot act would be refused when read again.
+      // A default without effect would be refused when read again.
       if (value.origin == Origin::by_default && !has_influence(deck, key)) continue;
       any_active = any_active || !value.follows;
       lines += (value.follows ? "# " : "") + key.name + " = " + value.text;

@@ -10,17 +10,16 @@ namespace ehl::surface {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-/// A step of time moves a feature by this part of its width at most. measured: bump at (50, 10), 129^2: Hc errs by
-/// 3e-4 at rtol 1e-4, by 8e-4 at 1e-3 and 1e-2, where these steps are what holds it. A quarter of a wave has as
-/// many parts as a width.
+/// Time steps per width of a feature, and per wave length: a quarter of a wave has as many steps as a width.
+/// [bench: surface_parts_of_a_width]
 constexpr double parts_of_a_width = 4.0;
 constexpr double parts_of_a_wave = 16.0;
-/// Mourier's shape is written in 1.2 times the radius of the cavity.
+/// Mourier's formula contains 1.2 times the radius of the cavity.
 constexpr double cavity_stretch = 1.2;
-/// Cosine of the angle of a line along X, but for rounding.
+/// A line whose angle has a smaller cosine is parallel to X, up to rounding.
 constexpr double along_X = 1e-12;
-/// Parts of a cell in its quadrature, each with Gauss' two points: at most this wide, in widths. Their mean
-/// errs by part^4 f''''/4320: 1e-5 of a feature's height, 9e-5 of a wave's. Enough of them for a cell of 16 widths.
+/// Largest width of a part of a cell in the quadrature with two Gauss points, in feature widths. The error of the mean
+/// is part^4 f''''/4320. most_parts suffices for a cell of 16 widths.
 constexpr double widest_part = 0.25;
 constexpr double widest_part_of_a_wave = 0.125;
 constexpr int most_parts = 64;
@@ -32,14 +31,14 @@ bool has_a_line(Feature::Shape shape) {
   return shape == Shape::ridge || shape == Shape::groove || shape == Shape::waviness;
 }
 
-// The first wave begins with a crest of the gap at the feature's middle; ahead of it, along X, they fade.
+// The first crest of the gap is at the centre of the feature; ahead of it, along X, the waves fade.
 double waves(const Feature& feature, double across, double dX) {
   const double ahead = dX / feature.width;
   const double wave = feature.height * std::cos(2.0 * pi * across / feature.width);
   return feature.front && ahead > 0.0 ? wave * std::pow(10.0, -10.0 * ahead * ahead) : wave;
 }
 
-// Gauss' points on a cell of the length h, from its middle.
+// Gauss points on a cell of length h, measured from its centre.
 std::vector<double> gauss_points(double h, double widest) {
   const int parts = std::clamp(static_cast<int>(std::ceil(h / widest)), 1, most_parts);
   const double part = h / parts;

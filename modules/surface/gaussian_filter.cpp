@@ -9,14 +9,14 @@
 namespace ehl::surface {
 namespace {
 
-/// Width of the weights over the cut-off with which half of a wave of that length passes; that of ISO 16610-31 for the
-/// second order, and sqrt(ln 2/pi) of ISO 16610-21 and -61.
+/// Width of the weights over the cut-off, for which a wave of that length passes with half of its amplitude: value of
+/// ISO 16610-31 for second order; sqrt(ln 2/pi) of ISO 16610-21 and -61.
 constexpr double width_of_parabolas = 0.7309;
 constexpr double width_of_means = 0.46971863934982566;
-/// Distance, in widths of the weights, beyond which they are below rounding errors of the sum.
+/// Distance in widths beyond which the weights are negligible.
 constexpr double reach = 3.0;
 
-// The length that each point stands for, by the trapezoidal rule.
+// Length that each point represents, by the trapezoidal rule.
 std::vector<double> shares(std::span<const double> x) {
   const std::size_t n = x.size();
   std::vector<double> result(n);
@@ -24,7 +24,8 @@ std::vector<double> shares(std::span<const double> x) {
   return result;
 }
 
-// Constant term of the parabola with these moments, by Cramer's rule; the mean where the points do not fix a parabola.
+// Constant term of the parabola with these moments, by Cramer's rule; the mean if the points do not determine a
+// parabola.
 double parabola_at_zero(const double (&m)[5], const double (&b)[3]) {
   const double minor0 = m[2] * m[4] - m[3] * m[3];
   const double minor1 = m[1] * m[4] - m[2] * m[3];
@@ -35,7 +36,7 @@ double parabola_at_zero(const double (&m)[5], const double (&b)[3]) {
   return (b[0] * minor0 - b[1] * minor1 + b[2] * minor2) / determinant;
 }
 
-// Weights of the points next to one, at its index 0 and on both sides alike; 1 alone where the cut-off is below a step.
+// Weights by distance in points, equal on both sides; only index 0 if the cut-off is below a step.
 std::vector<double> weights_of_means(double step, double cut_off, int most) {
   const double width = width_of_means * cut_off;
   std::vector<double> weights;
@@ -44,7 +45,7 @@ std::vector<double> weights_of_means(double step, double cut_off, int most) {
   return weights;
 }
 
-// Along one axis: n points, `stride` apart in `from`, and into `to`.
+// Weighted mean along one axis: n points with distance `stride` in `from` and `to`.
 void average(const std::vector<double>& weights, int n, std::size_t stride, const double* from, double* to) {
   const int side = static_cast<int>(weights.size()) - 1;
   for (int k = 0; k < n; ++k) {

@@ -7,10 +7,10 @@
 namespace ehl::surface {
 namespace {
 
-/// Difference between the halves of a map, over its largest height, that rounding may make.
+/// Largest difference between symmetric points, over the largest height, that counts as rounding.
 constexpr double rounding = 1e-12;
 
-// The factors of a taper along an axis of n points.
+// Factors of the taper along an axis of n points.
 std::vector<double> window(int n, double share) {
   const double margin = std::max(1.0, share * (n - 1));
   std::vector<double> factors;
@@ -23,7 +23,7 @@ std::vector<double> window(int n, double share) {
 
 }  // namespace
 
-// The middle as origin makes the three equations of least squares independent of each other.
+// With the origin at the centre, the three least-squares equations are independent.
 Plane level(Heights& heights) {
   const double mid_x = 0.5 * (heights.nx - 1);
   const double mid_y = 0.5 * (heights.ny - 1);

@@ -1,5 +1,5 @@
 #pragma once
-// A measured surface: heights on a grid of points, made ready to be carried by a smooth body.
+// A measured surface: heights on a grid of points, prepared for a smooth body.
 #include <cstddef>
 #include <vector>
 
@@ -19,45 +19,45 @@ struct Heights {
   }
 };
 
-/// mean + slope_x k + slope_y l, k and l counted from the middle of the map.
+/// mean + slope_x k + slope_y l, with k and l counted from the centre of the map.
 struct Plane {
   double mean = 0.0;
   double slope_x = 0.0;  ///< per point
   double slope_y = 0.0;
 };
 
-/// Takes away the plane of least squares and returns it: the bodies' approach and alignment belong to H00, not to the
-/// surface. limits: nx, ny >= 2. errors: exact but for rounding for a map that is a plane.
+/// Subtracts the least-squares plane and returns it; approach and alignment of the bodies belong to H00. limits: nx, ny
+/// >= 2. error: rounding for a map that is a plane.
 Plane level(Heights& heights);
 
-/// Takes the mean alone away and returns it, with slopes of 0.
+/// Subtracts only the mean and returns it, with slopes of 0.
 Plane level_mean(Heights& heights);
 
-/// Multiplies by (1 - cos(pi s))/2 where a point is a part s < 1 of the margin away from an edge, along both axes;
-/// margin = share of the map's length, at least one step. The map ends at zero and without a kink.
-/// in: 0 <= share <= 0.5; 0: nothing is done.
+/// Multiplies by (1 - cos(pi s))/2 at points whose distance to an edge is a part s < 1 of the margin, along both axes.
+/// margin = share of the length of the map, at least one step. The map then ends at zero with zero slope.
+/// in: 0 <= share <= 0.5; 0: no change.
 void taper(Heights& heights, double share);
 
-/// Root of the mean square, Sq of heights without mean.
+/// Root mean square, Sq of heights with zero mean.
 double rms(const Heights& heights);
 /// Mean of the absolute heights, Sa.
 double mean_height(const Heights& heights);
 
-/// A map as it is carried: lengths in Hertz radii, what the gap gains in a^2/R (the other sign of the height of the
-/// surface). Outside of the points it is zero.
+/// A map ready for use: lengths in Hertz radii, contribution to the gap in a^2/R (heights with opposite sign); zero
+/// outside the points.
 struct HeightMap {
   Heights gap{};
   double dx = 0.0;  ///< between the points
   double dy = 0.0;
-  double X = 0.0;  ///< of the middle at T = 0
+  double X = 0.0;  ///< of the centre at T = 0
   double Y = 0.0;
-  double step = 0.0;  ///< longest distance that it may move in one step of time
+  double step = 0.0;  ///< longest distance that it may move in one time step
 
   double length_x() const { return (gap.nx - 1) * dx; }
   double length_y() const { return (gap.ny - 1) * dy; }
 };
 
-/// True where S(X, Y) = S(X, -Y), but for rounding.
+/// True if S(X, Y) = S(X, -Y) up to rounding.
 bool symmetric(const HeightMap& map);
 
 }  // namespace ehl::surface

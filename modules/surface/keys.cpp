@@ -136,7 +136,7 @@ std::vector<Key> map_keys() {
   };
 }
 
-// One length of a surface, which it cannot do without.
+// A required length of a surface.
 double length_of(const deck::Part& surface, const std::string& name, const deck::PlainUnit& unit) {
   if (surface.given_of({name, name + unit.suffix}).empty())
     surface.complain(name, "is missing: give it, or " + name + unit.suffix + " for a contact in SI");

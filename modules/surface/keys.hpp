@@ -9,29 +9,29 @@
 
 namespace ehl::surface {
 
-/// Measured heights as the deck describes them, with lengths in a and heights in a^2/R.
+/// Measured heights as described in the deck; lengths in a, heights in a^2/R.
 struct MapInput {
-  std::string file{};     ///< empty: complained about
-  std::string dataset{};  ///< of a .h5
-  double unit = 0.0;      ///< height of the number 1 in the file; NaN: not given, as the next two
+  std::string file{};     ///< empty: an error has been reported
+  std::string dataset{};  ///< in an .h5 file
+  double unit = 0.0;      ///< height of the number 1 in the file; NaN: not given, also dx and dy
   double dx = 0.0, dy = 0.0;
   double taper = 0.0;
-  bool plane = true;           ///< levelling takes a plane away, else the mean alone
-  double longest_wave = 0.0;   ///< cut-off wavelength above which waves are taken away; 0: none are
-  double shortest_wave = 0.0;  ///< below which they are; 0: none are
+  bool plane = true;           ///< levelling subtracts a plane; false: only the mean
+  double longest_wave = 0.0;   ///< cut-off wavelength above which waves are removed; 0: none
+  double shortest_wave = 0.0;  ///< cut-off wavelength below which waves are removed; 0: none
 };
 
-/// What a surface carries: a feature, a map or, where the shape is empty, nothing.
+/// Relief of a surface: a feature, a map, or nothing if `shape` is empty.
 struct Input {
-  std::string shape{};               ///< as the deck calls it
-  std::optional<Feature> feature{};  ///< not yet at its place
+  std::string shape{};               ///< as in the deck
+  std::optional<Feature> feature{};  ///< without its position
   std::optional<MapInput> map{};
   bool at_rest = false;
-  double X = std::numeric_limits<double>::quiet_NaN();  ///< of the middle at T = 0; NaN: open
+  double X = std::numeric_limits<double>::quiet_NaN();  ///< of the centre at T = 0; NaN: not given
   double Y = 0.0;
 };
 
-/// Of lengths in the plane, and of heights.
+/// Units of lengths in the plane, and of heights.
 struct Units {
   deck::PlainUnit a{.suffix = "_m"};       ///< Hertz radius
   deck::PlainUnit height{.suffix = "_m"};  ///< a^2/R

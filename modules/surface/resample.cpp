@@ -7,7 +7,7 @@
 namespace ehl::surface {
 namespace {
 
-/// Points on each side that the cubic convolution takes.
+/// Points on each side that the cubic convolution uses.
 constexpr double reach = 2.0;
 
 // Integral from 0 to u of Keys' kernel, 1 - 5/2 u^2 + 3/2 u^3 up to 1 and 2 - 4 u + 5/2 u^2 - 1/2 u^3 up to 2.
@@ -21,13 +21,14 @@ double integral_of_kernel(double u) {
   return u < 0.0 ? -value : value;
 }
 
-/// Which points make up the mean over a cell, and with which weights.
+/// Points that contribute to the mean over a cell, and their weights.
 struct Mean {
   int first = 0;
   std::vector<double> weights{};
 };
 
-// in: the cell's middle and length in steps of the map, the first point at 0; points along the axis.
+// in: middle and cell, centre and length of the cell in steps of the map, with the first point at 0; points along the
+// axis.
 Mean mean_over_cell(double middle, double cell, int points) {
   Mean mean;
   mean.first = static_cast<int>(std::clamp(std::ceil(middle - 0.5 * cell - reach), 0.0, static_cast<double>(points)));
@@ -38,7 +39,7 @@ Mean mean_over_cell(double middle, double cell, int points) {
   return mean;
 }
 
-// The map's stations, averaged along y.
+// Averages the map along y, for each of its columns.
 void average_along_y(const Heights& heights, const Mean& mean, std::vector<double>& stations) {
   std::ranges::fill(stations, 0.0);
   for (std::size_t n = 0; n < mean.weights.size(); ++n)
