@@ -1,4 +1,4 @@
-// The weights of Hc and Hm against contacts that are solved again with something left of their equations.
+// The adjoint solutions of Hc and Hm, compared with contacts that are solved again with a disturbed right-hand side.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <string>
@@ -31,7 +31,7 @@ struct Case {
   double ratio = 1.0, angle = 0.0;
 };
 
-/// By Fourier transforms: K is symmetric to rounding.
+/// The deformation is computed by Fourier transforms, so K is symmetric to rounding.
 fmg::Run run_of(const Case& c, int first_cells) {
   steady::Scene scene = tests::roelands_scene(c.M, c.L, c.grid);
   const contact::Groups groups = contact::from_moes(c.M, c.L, contact::ellipse(c.ratio, c.angle));
@@ -109,7 +109,7 @@ const Case cases[] = {
 
 }  // namespace
 
-// What is left of the Reynolds equation, in patches of the inlet, the contact and its sides, and of the load.
+// Residuals of the Reynolds equation, in patches of the inlet, the contact and its sides, and a residual of the load.
 BOOST_AUTO_TEST_CASE(weights_foretell_what_a_right_hand_side_changes) {
   for (const Case& c : cases) {
     fmg::Run run = run_of(c, c.grid.nx);
@@ -167,7 +167,8 @@ BOOST_AUTO_TEST_CASE(weights_foretell_what_a_right_hand_side_changes) {
   }
 }
 
-// From the solution of one grid what Hc and Hm are on a grid of half as many cells, which is solved too.
+// From the solution of one grid, the adjoint predicts Hc and Hm of the grid with half as many
+// cells, which is solved too.
 BOOST_AUTO_TEST_CASE(truncation_times_weights_foretells_the_coarser_grid) {
   for (const Case& c : cases) {
     fmg::Run run = run_of(c, c.grid.nx);
@@ -198,7 +199,8 @@ BOOST_AUTO_TEST_CASE(truncation_times_weights_foretells_the_coarser_grid) {
       const double foretold = now - (injected.*value - change);
       const double changed = now - coarse_values.*value;
       BOOST_TEST_MESSAGE(c.name << ": " << name << " changes by " << changed / now << ", foretold " << foretold / now);
-      // To first order; what is left is the square of a few percent of the pressure, at a spike beside Hm.
+      // The prediction is of first order. The remainder is quadratic in the change of pressure, which is
+      // largest at a spike near Hm.
       BOOST_TEST(std::abs(foretold - changed) <= 0.04 * std::abs(changed) + second_order * now);
     };
     check("Hc", weights_Hc, &Values::Hc, 1e-4);
@@ -206,8 +208,8 @@ BOOST_AUTO_TEST_CASE(truncation_times_weights_foretells_the_coarser_grid) {
   }
 }
 
-// What default cycles leave of Hc and Hm, against the solved equations of the same grid; and nothing of the solution
-// has changed behind it.
+// The predicted algebraic errors of Hc and Hm after the default cycles, compared with the converged equations of the
+// same grid. The prediction must not change the solution.
 BOOST_AUTO_TEST_CASE(what_the_cycles_leave) {
   for (const Case& c : cases) {
     if (!reynolds::third_order(c.wedge)) continue;
@@ -222,7 +224,7 @@ BOOST_AUTO_TEST_CASE(what_the_cycles_leave) {
     BOOST_TEST(core::max_abs_difference(P, hierarchy.finest().P) == 0.0);
     BOOST_TEST(core::max_abs_difference(H, hierarchy.finest().H) == 0.0);
     BOOST_TEST(H00 == hierarchy.H00);
-    // The maps hold what the terms' parts say, but for a cell at the boundary.
+    // The error maps integrate to the parts of the error, except for one cell at the boundary.
     const auto integral = [&](const core::Field& map) {
       double sum = 0.0;
       for (int i = 0; i <= c.grid.nx; ++i)

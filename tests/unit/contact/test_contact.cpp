@@ -1,4 +1,4 @@
-// Hertz, the groups and the film formulas against published cases and exact relations.
+// Hertz theory, the groups and the film formulas, compared with published cases and exact relations.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <string>
@@ -20,7 +20,7 @@ void check_relative(const std::string& what, double computed, double expected, d
   BOOST_TEST(error <= tolerance);
 }
 
-// Half a unit of the last printed digit.
+// The tolerance is half a unit of the last printed digit.
 void check_digits(const std::string& what, double computed, double printed, double half_unit) {
   check_relative(what, computed, printed, half_unit / printed);
 }
@@ -38,7 +38,8 @@ BOOST_AUTO_TEST_CASE(the_case_of_venner_1992) {
 }
 
 BOOST_AUTO_TEST_CASE(steel_ball_on_glass) {
-  // Mourier et al. (2006). Their Hertz radius and pressure are rounded from slightly different moduli: 0.5 %.
+  // Mourier et al. (2006). Their Hertz radius and pressure are rounded from slightly different
+  // moduli, which explains 0.5 %.
   SiContact contact{};
   contact.load = 15.0;
   contact.radius = 12.5e-3;
@@ -52,7 +53,7 @@ BOOST_AUTO_TEST_CASE(steel_ball_on_glass) {
   const Hertz dry = hertz(contact.load, contact.radius, contact.E_prime);
   check_relative("a [um]", dry.a * 1e6, 136.5, 0.005);
   check_relative("p_h [MPa]", dry.p_h * 1e-6, 385.0, 0.006);
-  // The groups' own definitions, from the SI quantities.
+  // The definitions of the groups in terms of SI quantities.
   check_relative("alpha p_h", groups.alpha_bar, contact.alpha * dry.p_h, 1e-13);
   const double lambda =
       6 * contact.eta0 * contact.u_s * contact.radius * contact.radius / (dry.a * dry.a * dry.a * dry.p_h);
@@ -63,10 +64,10 @@ BOOST_AUTO_TEST_CASE(hertz_satisfies_its_own_equations) {
   const double load = 37.0, radius = 9.5e-3, E_prime = 226e9;
   const Hertz dry = hertz(load, radius, E_prime);
   check_relative("load from the pressure, 2/3 pi a^2 p_h", 2.0 / 3.0 * pi * dry.a * dry.a * dry.p_h, load, 1e-14);
-  // Hertz' pressure displaces the centre by pi p_h a/E' (both bodies together), which must be a^2/R.
+  // The Hertz pressure displaces the centre by pi p_h a/E' (both bodies together), which must equal a^2/R.
   check_relative("centre displacement", pi * dry.p_h * dry.a / E_prime, dry.approach, 1e-14);
   BOOST_TEST(dry.h_scale == dry.approach);
-  // Steel on steel and steel on a rigid body.
+  // Steel on steel, and steel on a rigid body.
   const Elastic steel{206e9, 0.3};
   check_relative("E' of steel on steel [GPa]", reduced_modulus(steel, steel) * 1e-9, 226.37, 1e-4);
   check_relative("E' on a rigid body", reduced_modulus(steel, {INFINITY, 0.3}), 2.0 * reduced_modulus(steel, steel),
@@ -98,8 +99,8 @@ BOOST_AUTO_TEST_CASE(film_formulas_at_three_loads) {
   struct Row {
     double M, central_nvm, central_hd, minimum_hd;
   };
-  // Moes' units, L = 10. Hamrock and Dowson's formula depends a little on U beside M and L: steel, E' = 226 GPa,
-  // alpha = 22/GPa.
+  // Moes' units, L = 10. The formula of Hamrock and Dowson depends weakly on U in addition to M and L: steel, E'
+  // = 226 GPa, alpha = 22/GPa.
   const double U = 0.5 * std::pow(10.0 / (22e-9 * 226e9), 4.0);
   for (const Row& row : {Row{20, 4.265, 4.54, 2.59}, Row{100, 4.13, 4.08, 2.31}, Row{500, 3.90, 3.66, 2.05}}) {
     const Groups groups = from_moes(row.M, 10.0, U);
@@ -112,7 +113,7 @@ BOOST_AUTO_TEST_CASE(film_formulas_at_three_loads) {
 }
 
 BOOST_AUTO_TEST_CASE(film_formula_tends_to_its_asymptotes) {
-  // Evaluated by hand, so that a slip in a coefficient shows.
+  // Evaluated by hand, so that a wrong coefficient is found.
   const Asymptotes one = asymptotes(1.0, 1.0);
   check_digits("H_RI(1)", one.rigid_isoviscous, 41.35, 0.005);
   check_digits("H_RP(1)", one.rigid_piezoviscous, 0.9089, 0.0005);
@@ -134,8 +135,8 @@ BOOST_AUTO_TEST_CASE(film_formula_tends_to_its_asymptotes) {
   BOOST_TEST(regime_text(1e5, 0.0) == "elastic isoviscous");
 }
 
-// A steel roller, R = 10 mm, 100 N/mm: b = sqrt(8 F' R/(pi E')) and p_h = 2 F'/(pi b) by hand, the groups by their
-// definitions in SI.
+// A steel roller, R = 10 mm, 100 N/mm: b = sqrt(8 F' R/(pi E')) and p_h = 2 F'/(pi b) by hand, and the groups
+// by their definitions in SI.
 BOOST_AUTO_TEST_CASE(a_line_contact_in_SI_and_in_groups) {
   const Ellipse shape = line_contact();
   const double load = 1e5, R = 0.01, E_prime = 2.2637e11, eta0 = 0.02, u_s = 4.0, alpha = 2e-8;
@@ -153,7 +154,7 @@ BOOST_AUTO_TEST_CASE(a_line_contact_in_SI_and_in_groups) {
   check_relative("load back", to_si(groups, R, E_prime, eta0).load, load, 1e-12);
 }
 
-// As printed beside solutions of another program: Moes' formula, and its four asymptotes far out.
+// Values printed with the solutions of an independent program: Moes' formula and its four asymptotes.
 BOOST_AUTO_TEST_CASE(moes_formula_of_a_line) {
   const Ellipse shape = line_contact();
   check_digits("(2, 0)", nijenbanning_venner_moes(2.0, 0.0, shape), 2.616, 5e-4);

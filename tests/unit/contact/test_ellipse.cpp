@@ -1,4 +1,4 @@
-// The exact Hertz ellipse, its place in the groups, and the film formulas of elliptic contacts.
+// The exact Hertz ellipse, its groups, and the film formulas of elliptic contacts.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <initializer_list>
@@ -26,9 +26,9 @@ double value(const QuadraticForm& form, double X, double Y) {
   return form.XX * X * X + form.XY * X * Y + form.YY * Y * Y;
 }
 
-// The integral of P/r over the dry contact seen from (X, Y) inside it, P = sqrt(1 - outline): along a chord with
-// P^2 = A - 2 B t - C t^2 that of P is pi (B^2 + A C)/(2 C^(3/2)); the sum over the directions converges as fast as
-// their number grows.
+// The integral of P/r over the dry contact for a point (X, Y) inside it, P = sqrt(1 - outline). Along a chord with P^2
+// = A - 2 B t - C t^2, the integral of P is pi (B^2 + A C)/(2 C^(3/2)). The sum over directions converges faster than
+// any power of their number.
 double integral_from(const QuadraticForm& form, double X, double Y) {
   constexpr int directions = 400;
   double sum = 0.0;
@@ -44,7 +44,8 @@ double integral_from(const QuadraticForm& form, double X, double Y) {
 
 }  // namespace
 
-// Solved with another program's elliptic integrals by bracketing; the first digits are those of the reference.
+// Solved by bracketing with the elliptic integrals of an independent program; the first digits
+// are those of the reference.
 BOOST_AUTO_TEST_CASE(semi_axes_of_given_radii) {
   struct Row {
     double radius_ratio, kappa;
@@ -65,12 +66,12 @@ BOOST_AUTO_TEST_CASE(transcendental_equation) {
     worst = std::max(worst, std::abs((kappa * kappa * E - K) / (K - E) / ratio - 1.0));
   }
   check("residual for R_y/R_x from 1.02 to 400", worst, 0.0, 1e-12);
-  // Near the circle kappa = (R_y/R_x)^(2/3) to first order; the integrals by themselves would cancel there.
+  // Near the circle kappa = (R_y/R_x)^(2/3) to first order; the integrals alone would suffer from cancellation there.
   check("(kappa - 1)/(R_y/R_x - 1) near the circle", (ellipse(1.0 / (1.0 + 1e-7)).kappa - 1.0) / 1e-7, 2.0 / 3.0, 1e-6);
 }
 
-// Inside a dry contact there is no gap: gap + elastic factor K*P = approach, and the pressure carries the load. Wide,
-// slender, nearly round, along the axes and aslant.
+// A dry contact has no gap inside: gap + elastic factor K*P = approach, and the pressure carries the load. Wide,
+// slender and nearly circular contacts, along the axes and at an angle.
 BOOST_AUTO_TEST_CASE(dry_contact_has_no_gap) {
   for (const double ratio : {0.005, 0.05, 0.3, 0.999, 1.0, 4.0, 20.0})
     for (const double angle : {0.0, 35.0, 90.0, -60.0}) {
@@ -89,7 +90,7 @@ BOOST_AUTO_TEST_CASE(dry_contact_has_no_gap) {
       check("largest gap inside", worst, 0.0, 1e-11);
       const double area = pi / std::sqrt(form.XX * form.YY - 0.25 * form.XY * form.XY);
       check("load", load(shape) / (2.0 / 3.0 * area), 1.0, 1e-12);
-      // The rectangle around it touches the outline.
+      // The circumscribed rectangle touches the outline.
       const Extent sides = extent(shape);
       check("reach along X", sides.X * sides.X * (form.XX - 0.25 * form.XY * form.XY / form.YY), 1.0, 1e-12);
       check("reach along Y", sides.Y * sides.Y * (form.YY - 0.25 * form.XY * form.XY / form.XX), 1.0, 1e-12);
@@ -130,7 +131,7 @@ BOOST_AUTO_TEST_CASE(a_circle_is_a_circle_to_the_last_digit) {
   BOOST_TEST((gap(ellipse(0.3, 90.0)).XY == 0.0 && gap(ellipse(0.3, -90.0)).XY == 0.0));
 }
 
-// R_x/R_y at an angle and R_y/R_x at 90 degrees less are one contact under two names.
+// R_x/R_y at an angle, and R_y/R_x at an angle smaller by 90 degrees, describe the same contact.
 BOOST_AUTO_TEST_CASE(one_contact_under_two_names) {
   for (const double angle : {90.0, 25.0}) {
     const SiContact one{40.0, 8e-3, 2.2e11, 1.6, 0.04, 2e-8, ellipse(0.35, angle)};
@@ -152,7 +153,7 @@ BOOST_AUTO_TEST_CASE(one_contact_under_two_names) {
   }
 }
 
-// Numbers worked out from the formulas as they stand in the header, by hand.
+// Numbers computed by hand from the formulas in the header.
 BOOST_AUTO_TEST_CASE(film_formulas_of_ellipses) {
   const Groups groups = from_moes(100.0, 10.0, 1e-11, ellipse(0.2));
   check("Nijenbanning, q = 0.2", nijenbanning_venner_moes(100.0, 10.0, groups.shape), 5.213725, 1e-6);

@@ -1,4 +1,4 @@
-// The film that is fitted to our own solutions: against solutions that no fit has seen, and in its limits.
+// The film formula fitted to solutions of this program: compared with solutions not used in the fit, and its limits.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <fstream>
@@ -18,7 +18,7 @@ struct Solved {
   double M, ratio, L, Hc, Hm;
 };
 
-// Of tests/reference/film_map_held_out.csv: M, radius_ratio, L, Hc, error_Hc, Hm, error_Hm.
+// Rows of tests/reference/film_map_held_out.csv: M, radius_ratio, L, Hc, error_Hc, Hm, error_Hm.
 std::vector<Solved> held_out() {
   std::ifstream file(EHL_HELD_OUT);
   std::vector<Solved> rows;
@@ -65,8 +65,8 @@ BOOST_AUTO_TEST_CASE(solutions_that_no_fit_has_seen) {
   BOOST_TEST(told.largest_minimum == most_m, boost::test_tools::tolerance(0.02));
 }
 
-// A circle under so little load that it is rigid, an oil without pressure's effect: M^2 H_M = 35.51, which the closed
-// form of the far field gives too; the centre is then the minimum.
+// A circular contact at such a low load that the bodies are rigid, with an isoviscous oil: M^2 H_M = 35.51, also the
+// result of the closed form of the far field. The minimum is then at the centre.
 BOOST_AUTO_TEST_CASE(the_rigid_limit) {
   const auto map = contact::film_map(0.2, 0.0, {});
   BOOST_TEST_MESSAGE("M^2 H_M = " << 0.04 * map->central
@@ -76,7 +76,7 @@ BOOST_AUTO_TEST_CASE(the_rigid_limit) {
 }
 
 BOOST_AUTO_TEST_CASE(the_same_contact_named_in_two_ways) {
-  // Entrainment along R_y of an ellipse is entrainment along R_x of the one with the radii exchanged.
+  // Entrainment along R_y of an ellipse equals entrainment along R_x of the ellipse with exchanged radii.
   const contact::Ellipse across = contact::ellipse(0.5, 90.0);
   const contact::AlongEntrainment at = contact::along_entrainment(across, 100.0, 10.0);
   const auto one = contact::film_map(100.0, 10.0, across);

@@ -1,4 +1,4 @@
-// The pressures at which bearing steel stops being elastic, from either side.
+// The pressures above which bearing steel yields, tested on both sides.
 #include <boost/test/unit_test.hpp>
 #include <limits>
 

@@ -1,4 +1,4 @@
-// The grid, the owning field, lanes side by side, errors.
+// The grid, the owning field, vector lanes, errors.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <cstdint>
@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(every_station_starts_on_a_cache_line_and_two_vectors_follow
       BOOST_TEST(on_cache_line(field.at_x(i)));
       BOOST_TEST(field.station(i).size() == static_cast<std::size_t>(nodes_y));
       for (const double value : field.station(i)) BOOST_TEST(value == 0.0);
-      // What a batch of lines may read behind the last node is there, and finite.
+      // The entries behind the last node, which a batch of lines may read, exist and are finite.
       for (int j = nodes_y; j < nodes_y + 2 * lanes; ++j) BOOST_TEST(field.at_x(i)[j] == 0.0);
     }
   }
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(copies_are_independent_and_take_the_shape) {
   Field same_shape(5, 9);
   const double* storage = same_shape.at_x(0);
   same_shape = original;
-  BOOST_TEST(same_shape.at_x(0) == storage);  // nothing is allocated inside a cycle
+  BOOST_TEST(same_shape.at_x(0) == storage);  // nothing is allocated within a cycle
   BOOST_TEST(is_numbered(same_shape));
   const Field& alias = same_shape;
   same_shape = alias;
@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(fields_of_a_line_contact_have_no_padding_and_are_copied_to_
     return there;
   };
   BOOST_TEST(is_there(packed));
-  // A batch of lines may read so far behind the last station.
+  // A batch of lines may read this far behind the last column.
   for (int j = 3; j < 1 + 2 * lanes; ++j) BOOST_TEST(std::isfinite(packed.at_x(6)[j]));
   Field padded(7, 3);
   copy(packed, padded);
@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE(evens_and_odds_come_apart_and_together_again) {
 
 BOOST_AUTO_TEST_CASE(lanes_load_store_and_compare_one_by_one) {
   const double numbers[9] = {1, -2, 3, -4, 5, -6, 7, -8, 9};
-  const Lanes v = load(numbers + 1);  // no alignment asked for
+  const Lanes v = load(numbers + 1);  // alignment is not required
   double back[lanes];
   store(back, v);
   for (int k = 0; k < lanes; ++k) {

@@ -1,4 +1,4 @@
-// The mirrored half of a grid against the whole.
+// The mirrored half of a grid compared with the whole grid.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 

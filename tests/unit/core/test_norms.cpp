@@ -33,7 +33,7 @@ BOOST_AUTO_TEST_CASE(sums_and_mean_squares_take_the_interior_alone) {
                             << " (tolerance 1e-15)");
   BOOST_TEST(sum_error < 1e-13);
   BOOST_TEST(rms_error < 1e-15);
-  // The boundary does not matter, whatever it holds.
+  // The values on the boundary have no effect.
   const double before = interior_sum(f);
   for (int i = 0; i <= grid.nx; ++i) f(i, 0) = f(i, grid.ny) = not_a_number;
   for (int j = 0; j <= grid.ny; ++j) f(0, j) = f(grid.nx, j) = not_a_number;
@@ -54,7 +54,7 @@ BOOST_AUTO_TEST_CASE(largest_magnitudes_include_the_boundary_and_let_nan_through
   g(grid.nx, grid.ny) = -2.0;
   BOOST_TEST(max_abs_difference(f, g) == 1.0);
   BOOST_TEST(max_abs_difference(f, f) == 0.0);
-  // A NaN shows wherever it stands, with larger numbers before and behind it.
+  // A NaN is found anywhere, with larger numbers before and after it.
   for (const auto& [i, j] : {std::pair{0, 0}, {11, 20}, {grid.nx, grid.ny}}) {
     Field broken = f;
     broken(3, 3) = broken(20, 30) = 9.0;

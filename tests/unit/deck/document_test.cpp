@@ -31,7 +31,7 @@ std::string refusal(const std::string& path) {
 
 BOOST_AUTO_TEST_SUITE(document)
 
-// The places are counted by hand in the text below.
+// The lines in the text below are counted by hand.
 BOOST_AUTO_TEST_CASE(every_assignment_knows_its_line) {
   const std::string text =
       "# a comment\n"

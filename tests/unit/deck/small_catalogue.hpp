@@ -1,5 +1,5 @@
 #pragma once
-// A little catalogue with one key of every kind, so that the tests of the deck do not depend on the physics.
+// A small catalogue with one key of each kind, so that the tests of the deck do not depend on the physics.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -87,7 +87,7 @@ inline ehl::deck::Deck read(const std::string& text, const std::vector<std::stri
   return deck;
 }
 
-/// True when one of the errors contains every part.
+/// True if one of the errors contains all of the parts.
 inline bool reports(const ehl::deck::Deck& deck, const std::vector<std::string>& parts) {
   return std::any_of(deck.errors.begin(), deck.errors.end(), [&](const std::string& error) {
     return std::all_of(parts.begin(), parts.end(),

@@ -1,4 +1,4 @@
-// Tables as people's programs write them: the same numbers from every way of writing, or a refusal.
+// Tables in the formats of common programs: every format gives the same numbers, or is refused.
 #include "deck/text_table.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(units) {
   BOOST_TEST(std::abs(fahrenheit.factor * 104.0 + fahrenheit.offset - 40.0) < 1e-12);
 }
 
-// Damaged files: read, or refused with the name of the file; never anything else.
+// Damaged files are read, or refused with the name of the file.
 BOOST_AUTO_TEST_CASE(damaged_files) {
   const Folder folder;
   const std::string sound = "p [MPa];eta [mPa s];rho [g/cm3]\n0;40;0,870\n100;250;0,912\n200;1200;0,941\n";

@@ -8,7 +8,7 @@ using namespace ehl::deck;
 
 BOOST_AUTO_TEST_SUITE(text)
 
-// Distances counted by hand; the swap of neighbours is one slip of the fingers, not two.
+// Distances counted by hand; exchanging two neighbouring letters is one error, not two.
 BOOST_AUTO_TEST_CASE(edit_distance_of_known_pairs) {
   BOOST_TEST(edit_distance("cells", "cells") == 0);
   BOOST_TEST(edit_distance("celsl", "cells") == 1);
@@ -18,7 +18,7 @@ BOOST_AUTO_TEST_CASE(edit_distance_of_known_pairs) {
   BOOST_TEST(edit_distance("", "abc") == 3);
 }
 
-// A distance is symmetric, and no longer than the longer word: for random words.
+// For random words: the distance is symmetric, and at most the length of the longer word.
 BOOST_AUTO_TEST_CASE(edit_distance_is_a_distance) {
   std::mt19937 random(7);
   const auto word = [&] {
@@ -65,14 +65,14 @@ BOOST_AUTO_TEST_CASE(numbers) {
   for (const char* text : {"", "steel", "-", "+-3", "nan(1)", "--2"}) BOOST_TEST((status(text) != Status::number));
 }
 
-// What a terminal would obey, or hide, must be seen; a message must stay readable.
+// Characters that a terminal would interpret or hide must become visible, and the message must stay readable.
 BOOST_AUTO_TEST_CASE(foreign_text_in_messages) {
   BOOST_TEST(quotable("M = 3 \xC2\xB5") == "M = 3 \xC2\xB5");
   BOOST_TEST(quotable("V\x01") == "V\\x01");
   BOOST_TEST(quotable("\x1b[31m\x7f\n") == "\\x1b[31m\\x7f\\x0a");
   BOOST_TEST(quotable(std::string(80, 'x')) == std::string(80, 'x'));
   BOOST_TEST(quotable(std::string(100000, 'x')) == std::string(80, 'x') + "... (100000 bytes)");
-  const std::string character = "\xE8\x96\x84";  // not cut in two
+  const std::string character = "\xE8\x96\x84";  // not split in the middle
   BOOST_TEST(quotable(std::string(79, 'x') + character) == std::string(79, 'x') + "... (82 bytes)");
 }
 

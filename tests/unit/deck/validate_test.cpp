@@ -23,7 +23,7 @@ BOOST_AUTO_TEST_CASE(a_good_deck) {
   BOOST_CHECK_THROW(deck::value(deck, "mesh", "nothing"), std::logic_error);
 }
 
-// What is wrong with a computed number is told where the keys stand that it follows from.
+// An error in a computed number is reported at the keys from which the number follows.
 BOOST_AUTO_TEST_CASE(computed_numbers_name_their_origin) {
   const auto said = [](const std::vector<std::string>& overrides) {
     deck::Deck deck = small::read("[mesh]\ncells = 32\n", overrides);
@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(computed_numbers_name_their_origin) {
              "command line: [mesh] length = 3: so [body] load = 0.1 ([mesh]: cells and length): is small\n");
 }
 
-// One line of the deck, and what its message must contain: place, key, what was given, remedy.
+// A line of the deck, and what its message must contain: place, key, value, remedy.
 BOOST_AUTO_TEST_CASE(each_slip_has_its_message) {
   struct Slip {
     const char* text;

@@ -27,7 +27,7 @@ BOOST_AUTO_TEST_CASE(the_commented_deck_is_a_valid_deck) {
   BOOST_TEST(contains(text, "\n# drag = 1\n"));
 }
 
-// Idempotent: the effective deck, read again, is itself.
+// The effective deck, read again, gives itself.
 BOOST_AUTO_TEST_CASE(the_effective_deck_gives_the_same_case) {
   deck::Deck deck = small::read("[body]\nload = 0.1\ntitle = x y\n[law]\nname = barus\n");
   deck::choose(deck, "mesh", "length", 10.0 / 3.0, "from the load");
@@ -37,13 +37,13 @@ BOOST_AUTO_TEST_CASE(the_effective_deck_gives_the_same_case) {
   BOOST_TEST(deck::number(again, "mesh", "length") == 10.0 / 3.0);
   BOOST_TEST(deck::word(again, "body", "title") == "x y");
   BOOST_TEST(contains(text, "chosen: from the load"));
-  BOOST_TEST(!contains(text, "z ="));  // a Barus fluid has none
+  BOOST_TEST(!contains(text, "z ="));  // a Barus fluid has no z
   deck::mark_following(deck, "mesh", "length");
   deck::mark_following(deck, "body", "load");
   const std::string following = deck::effective_deck(deck);
   BOOST_TEST(contains(following, "\n# length = 3.33333333333"), following);
   BOOST_TEST(contains(following, "  # follows: from the load\n"), following);
-  BOOST_TEST(contains(following, "\nload = 0.1"), following);  // given: it stays
+  BOOST_TEST(contains(following, "\nload = 0.1"), following);  // a value that was given stays
   for (const char* absent : {"[wind]", "angle", "drag"}) BOOST_TEST(!contains(text, absent), text);
   const std::string windy = deck::effective_deck(small::read("[wind]\nspeed = 3\n"));
   BOOST_TEST(contains(windy, "angle = 0  # default"), windy);

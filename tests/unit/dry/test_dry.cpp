@@ -1,4 +1,4 @@
-// The contact without lubricant against Hertz and, under a wavy surface, against Westergaard.
+// The dry contact compared with Hertz and, for a wavy surface, with Westergaard.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -49,7 +49,7 @@ dry::Problem wavy(int cells, double amplitude, double wavelength) {
   return problem;
 }
 
-// Amplitude of -cos(2 pi X/wavelength) in P along Y = 0, over the two waves in the middle.
+// The amplitude of -cos(2 pi X/wavelength) in P along Y = 0, over the two waves in the middle.
 double amplitude_of(const core::Patch& grid, const core::Field& P, double wavelength) {
   const int wave = static_cast<int>(std::lround(wavelength / grid.hx()));
   double sum = 0.0;
@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(the_pressure_tends_to_hertz) {
                             << order(&Errors::mean) << " (1.5, the square root at the edge)");
     BOOST_TEST(order(&Errors::approach) > 1.8);
     BOOST_TEST(order(&Errors::mean) > 1.3);
-    // The error of mlmi, of the size of a tenth of the mesh's, comes in with either sign.
+    // The error of mlmi, about a tenth of that of the mesh, may have either sign.
     BOOST_TEST(order(&Errors::center) > (method == mlmi::Method::fft ? 1.8 : 1.4));
     BOOST_TEST(errors[3].center < 5e-5);
     BOOST_TEST(errors[3].approach < 1e-5);
@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(signorini_holds_at_every_node) {
   BOOST_TEST(least_H >= -1e-8);
   BOOST_TEST(largest_product < 1.1e-8);
   BOOST_TEST(load_error < 1e-13);
-  // H is what the film equation says it is.
+  // H satisfies the film equation.
   mlmi::Deformation deformation(s.grid, {.method = mlmi::Method::direct}, 1);
   core::Field w(s.grid);
   deformation.evaluate(s.P, w);
@@ -115,9 +115,9 @@ BOOST_AUTO_TEST_CASE(signorini_holds_at_every_node) {
 }
 
 BOOST_AUTO_TEST_CASE(waviness_in_full_contact_is_westergaards) {
-  // A wave A cos(2 pi x/wavelength) that is pressed flat carries p* cos: p* = pi E' A/(2 wavelength) (Johnson, section
-  // 13.2, with E* = E'/2), in units of p_h and a^2/R: p* = pi^2 A/(2 wavelength). The contact's edge is some
-  // wavelengths away and disturbs it by less than 1e-3.
+  // A wave A cos(2 pi x/wavelength) that is pressed flat carries p* cos with p* = pi E' A/(2 wavelength) (Johnson,
+  // section 13.2, E* = E'/2); in units of p_h and a^2/R: p* = pi^2 A/(2 wavelength). The edge of the contact is several
+  // wavelengths away and has little influence.
   constexpr double wavelength = 0.25, star = 0.2, amplitude = 2.0 * wavelength * star / (pi * pi);
   double error[3] = {};
   for (int k = 0; k < 3; ++k) {
@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(waviness_in_full_contact_is_westergaards) {
 }
 
 BOOST_AUTO_TEST_CASE(waviness_above_the_mean_pressure_parts_the_surfaces) {
-  // Westergaard's wave is flat where the mean pressure reaches p*: here it is 1 at most.
+  // Westergaard's wave is flat where the mean pressure reaches p*; here the mean pressure is at most 1.
   constexpr double wavelength = 0.25;
   for (const double star : {0.7, 1.5}) {
     const dry::Solution s = dry::solve(wavy(160, 2.0 * wavelength * star / (pi * pi), wavelength));
@@ -157,7 +157,7 @@ BOOST_AUTO_TEST_CASE(waviness_above_the_mean_pressure_parts_the_surfaces) {
 
 BOOST_AUTO_TEST_CASE(half_a_domain_other_evaluators_and_threads_change_nothing) {
   const core::Grid grid = square(64);
-  // Solutions that end at a tolerance differ by what it leaves, so they are taken far beyond the default.
+  // The solutions must agree beyond their tolerance, so a much smaller tolerance than the default is used.
   const auto solved = [](dry::Problem problem) {
     problem.parameters.tolerance = 1e-11;
     return dry::solve(problem);

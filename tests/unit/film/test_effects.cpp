@@ -1,5 +1,5 @@
-// An effect at the stage of the coefficients: what it does to the fluidity, to epsilon and to what the wedge carries,
-// at the nodes and half-way between them.
+// An effect on the coefficients: its influence on the fluidity, on epsilon and on the mass that the wedge carries, at
+// the nodes and at half points.
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(an_effect_changes_fluidity_epsilon_and_flow) {
     BOOST_TEST(std::abs(behind.eps[k] / before.eps[k] - fluidity_factor * mobility_factor) < 1e-14);
     BOOST_TEST(std::abs(behind.rho[k] / before.rho[k] - carried_factor) < 1e-15);
     BOOST_TEST(std::abs(behind.drho[k] / before.drho[k] - carried_factor) < 1e-15);
-    // Between the nodes epsilon is rho times fluidity: the same factor.
+    // At half points, epsilon is rho times fluidity and has the same factor.
     const double between = behind.oil_rho[k] * behind.fluidity[k] / (before.oil_rho[k] * before.fluidity[k]);
     BOOST_TEST(std::abs(between - fluidity_factor * mobility_factor) < 1e-14);
     BOOST_TEST(std::abs(std::exp(-behind.log_viscosity[k]) / behind.fluidity[k] - 1) < 1e-13);
@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(an_effect_changes_fluidity_epsilon_and_flow) {
 }
 
 BOOST_AUTO_TEST_CASE(a_thinned_film_meets_the_changed_fluidity) {
-  // Eyring at three times the fluidity: eps_x = H^3 rho phi sqrt(1 + s^2), s = k/(H phi).
+  // Eyring with three times the fluidity: eps_x = H^3 rho phi sqrt(1 + s^2), s = k/(H phi).
   const Values before = values_of(true, false), behind = values_of(true, true);
   const std::array<double, nodes> P{0.1, 0.3, 0.6, 0.9}, H{0.2, 0.15, 0.12, 0.1};
   for (std::size_t k = 0; k < nodes; ++k) {

@@ -1,4 +1,4 @@
-// epsilon between two nodes: exact where the viscosity falls exponentially, third order in the film, its slopes.
+// epsilon at half points: exact for an exponential viscosity, third order in the film; its derivatives.
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -10,12 +10,12 @@ using ehl::film::AroundHalfPoint;
 
 namespace {
 
-/// Nodes of a Barus oil at the pressures given.
+/// Nodes of a Barus oil at the given pressures.
 AroundHalfPoint<double> barus(double alpha_P0, double alpha_P1, std::array<double, 4> H = {1.0, 1.0, 1.0, 1.0}) {
   return {H, {1.0, 1.0}, {std::exp(-alpha_P0), std::exp(-alpha_P1)}, {alpha_P0, alpha_P1}};
 }
 
-/// Mean of e^-a over a linear change of a, by Simpson's rule in many steps.
+/// The mean of e^-a for a linear change of a, by Simpson's rule with many intervals.
 double mean_fluidity(double a0, double a1) {
   constexpr int steps = 2000;
   double sum = 0.0;
@@ -26,7 +26,7 @@ double mean_fluidity(double a0, double a1) {
 
 }  // namespace
 
-// The flow of Barus' oil under any pressure is the difference of the reduced pressure: the mean fluidity over P.
+// The flow of a Barus oil is exactly the difference of the reduced pressures: the mean fluidity over P.
 BOOST_AUTO_TEST_CASE(the_logarithmic_mean_is_the_mean_of_an_exponential_fall) {
   double worst = 0.0;
   for (const double a0 : {0.0, 3.0, 12.0})
@@ -43,12 +43,12 @@ BOOST_AUTO_TEST_CASE(a_film_of_third_degree_is_met_and_none_falls_below_half_the
   BOOST_TEST(std::abs(ehl::film::film_between(std::array{film(-1.5), film(-0.5), film(0.5), film(1.5)}) - 2.0) < 1e-14);
   BOOST_TEST(ehl::film::film_between(std::array{9.0, 0.1, 0.1, 9.0}) == 0.05);
   BOOST_TEST(ehl::film::film_between(std::array{0.5, -1.0, -1.0, 0.5}) == 0.0);
-  // Beyond a boundary: the mean of the two.
+  // Next to a boundary: the mean of the two values.
   const double H = ehl::film::film_between(std::array{ehl::film::beyond_boundary(3.0, 2.0, 1.5), 3.0, 2.0, 1.5});
   BOOST_TEST(std::abs(H - 2.5) < 1e-15);
 }
 
-// What the flux eps (P_1 - P_0) answers to either pressure, by differences.
+// The derivatives of the flux eps (P_1 - P_0) with respect to both pressures, compared with differences.
 BOOST_AUTO_TEST_CASE(answers_are_the_slopes_of_the_flux_of_barus_oil) {
   constexpr double step = 1e-5;
   double worst = 0.0;
@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(answers_are_the_slopes_of_the_flux_of_barus_oil) {
     }
   BOOST_TEST_MESSAGE("largest error " << worst << " (tolerance 1e-8: a difference over 1e-5)");
   BOOST_TEST(worst < 1e-8);
-  // Of the bounded mean, below its bound, above it, and where it leads over (|d| of 4.5 to 9.9).
+  // The bounded mean: below the bound, above it, and in the transition (|d| from 4.5 to 9.9).
   worst = 0.0;
   for (const double d : {-12.0, -8.0, -5.0, -1.0, -0.005, 0.005, 3.0, 5.0, 6.0, 8.0, 9.0, 12.0}) {
     constexpr double least = 0.4, a0 = 1.0;
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(answers_are_the_slopes_of_the_flux_of_barus_oil) {
   BOOST_TEST((nothing.before == 100.0 && nothing.behind == 0.0));
 }
 
-// tanh(d/2)/(d/2) is the logarithmic mean over the mean: 0.6 at d = 3.03, 0.2 at d = 9.999.
+// The ratio of the logarithmic mean to the arithmetic mean is tanh(d/2)/(d/2): 0.6 at d = 3.03, 0.2 at d = 9.999.
 BOOST_AUTO_TEST_CASE(a_bounded_one_is_the_logarithmic_mean_down_to_its_bound_and_goes_over_without_a_kink) {
   const auto mean = [](double d) { return 0.5 * (std::exp(-1.0) + std::exp(-1.0 - d)); };
   const auto between = [](double d) { return ehl::film::fluidity_between(barus(1.0, 1.0 + d), 0.4); };
@@ -91,8 +91,8 @@ BOOST_AUTO_TEST_CASE(a_bounded_one_is_the_logarithmic_mean_down_to_its_bound_and
     const auto [before, behind] = ehl::film::answers(0.4, std::exp(-6.0), std::exp(-6.0 - d), 6.0, 6.0 + d);
     BOOST_TEST((before == 1.0 && behind == 1.0));
   }
-  // Neither a jump nor a kink: over d = 0.01 the slope of the share changes by no more than the curvature, 0.25,
-  // allows.
+  // The transition has neither a jump nor a kink: over d = 0.01, the slope of the ratio changes by no more than its
+  // curvature of 0.25 implies.
   double kink = 0.0;
   const auto share = [&](double d) { return between(d) / mean(d); };
   for (double d = 0.01; d < 14.0; d += 0.01)
@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(the_change_of_epsilon_is_its_slope) {
   for (int trial = 0; trial < 200; ++trial) {
     AroundHalfPoint<double> at{}, change{};
     const double spread = trial % 2 == 0 ? 0.004 : 3.0;
-    // A bound far from the logarithmic means of this spread, and one that most of them are below.
+    // One bound far above the ratios of this spread, and one above most of them.
     const ehl::film::Between how{2.0, trial % 3 == 0 ? 0.99 : 0.4};
     for (double& H : at.H) H = trial % 5 == 0 ? random.between(0.01, 3.0) : random.between(0.8, 1.2);
     for (double& dH : change.H) dH = random.between(-0.3, 0.3);

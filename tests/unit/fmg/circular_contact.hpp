@@ -1,5 +1,5 @@
 #pragma once
-// The circular contact as the multigrid sees it, and states of it to test with.
+// The circular contact as a multigrid problem, and test states for it.
 #include <cmath>
 
 #include "contact/groups.hpp"
@@ -23,8 +23,8 @@ inline fmg::Problem circular_contact(double M, double L, reynolds::Wedge wedge,
   return problem;
 }
 
-/// A state as in the middle of a solution, but rough: pressures with noise, a third of the nodes outside the contact
-/// cavitated, right-hand sides of both equations.
+/// A rough state as in the middle of a solution: pressures with noise, a third of the nodes outside the contact
+/// cavitated, and right-hand sides in both equations.
 inline void set_rough_state(fmg::Hierarchy& hierarchy, fmg::Level& level, Random& random) {
   const core::Patch& grid = level.grid;
   for (int i = 1; i < grid.nx; ++i)

@@ -59,15 +59,15 @@ class Sweep {
     return !(ehl::reynolds::ruptures(problem_.cavitation) && beside_cavitation(i, j)) && !single_by_epsilon(i, j);
   }
 
-  /// hx/hy of cells at least sqrt(2) times as long as wide; 1 of others.
+  /// hx/hy for cells at least sqrt(2) times as long as wide, else 1.
   double stretch() const {
     const double ratio = grid_.hx() / grid_.hy();
     return ratio > 1.41 ? ratio : 1.0;
   }
-  /// Of a distributed change, what a neighbour along X and one across give up: by 1/h^2 of such cells.
+  /// The shares that a distributed change takes from a neighbour along X and from one along Y, in proportion to 1/h^2.
   double along() const { return 0.5 / (1.0 + stretch() * stretch()); }
   double across() const { return 0.5 - along(); }
-  /// epsilon/(hx hy) of such cells.
+  /// epsilon/(hx hy) on stretched cells.
   Around scaled(const Around& e) const {
     const double s = stretch();
     return {e.west * s, e.east * s, e.south / s, e.north / s};
@@ -82,7 +82,7 @@ class Sweep {
            parameters_.crossover * ehl::reynolds::relative_strength(problem_.transport, grid_.hx());
   }
 
-  /// U dg/dX + c g at i for g given at i, i-1, i-2.
+  /// U dg/dX + c g at i, from g at i, i-1, i-2.
   template <class Function>
   double transported(Function g, int i) const {
     const ehl::reynolds::Transport& transport = problem_.transport;
@@ -97,12 +97,12 @@ class Sweep {
     const double poiseuille = e.west * (P(i - 1, j) - P(i, j)) + e.east * (P(i + 1, j) - P(i, j)) +
                               e.south * (P(i, j - 1) - P(i, j)) + e.north * (P(i, j + 1) - P(i, j));
     const double wedge = transported([&](int k) { return level_.rho_bar(k, j) * level_.H(k, j); }, i);
-    const double f = level_.f.nodes_x() > 0 ? level_.f(i, j) : 0.0;  // none on the finest level
+    const double f = level_.f.nodes_x() > 0 ? level_.f(i, j) : 0.0;  // the finest level has no right-hand side
     return f - poiseuille + wedge;
   }
 
-  /// How much the left-hand side at (i,j) changes for delta = 1 at (k,j). The line does not know of the boundary:
-  /// there, too, a distributed change counts as applied.
+  /// The change of the left-hand side at (i,j) for delta = 1 at (k,j). The line ignores the boundary: a distributed
+  /// change counts as applied there, too.
   double influence(int i, int k, int j, bool distributive) const {
     const auto pressure = [&](int m) { return m == k ? 1.0 : distributive && std::abs(m - k) == 1 ? -along() : 0.0; };
     const double beside = distributive && i == k ? -across() : 0.0;  // on the lines j-1 and j+1
@@ -119,7 +119,7 @@ class Sweep {
            (e.south + e.north) * (beside - pressure(i)) - transported(flow, i);
   }
 
-  /// What the single changes around a point squeeze out of its film, per change of its own.
+  /// The film that the Gauss-Seidel changes around a point displace, per change of the point itself.
   double far_squeeze(int i, int j) const {
     if (is_distributive(i, j)) return 0.0;
     const double film =
@@ -157,7 +157,7 @@ class Sweep {
     }
     result_.held += static_cast<int>(held.size());
     Eigen::VectorXd x = A.partialPivLu().solve(rhs);
-    for (const int i : held) x(i - 1) = 0.0;  // exactly: rounding would make them points that carry pressure
+    for (const int i : held) x(i - 1) = 0.0;  // exactly, so that rounding does not turn them into points with pressure
     for (int i = 1; i <= points; ++i) {
       const bool distributes = distributive[static_cast<std::size_t>(i)];
       const double change = weight(i, j, distributes) * x(i - 1);
@@ -165,7 +165,7 @@ class Sweep {
       result_.bounded += delta_(i, j) != change ? 1 : 0;
       if (distributes && ehl::reynolds::ruptures(problem_.cavitation) && problem_.transport.squeeze > 0.0 &&
           delta_(i, j) < -result_.P(i, j)) {
-        delta_(i, j) = -result_.P(i, j);  // no more than there is
+        delta_(i, j) = -result_.P(i, j);  // no more than the present pressure
         ++result_.withheld;
       }
       distributed_(i, j) = distributes ? delta_(i, j) : 0.0;

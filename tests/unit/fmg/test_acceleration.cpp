@@ -1,4 +1,4 @@
-// Combinations of states: exact where the equations are linear and the errors few.
+// Combination of states (Krylov acceleration): exact for linear equations with few error components.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <utility>
@@ -14,7 +14,7 @@ using ehl::core::Grid;
 
 namespace {
 
-/// Rigid bodies and epsilon = exp(steepness X); the state that is there when it ends solves the equations.
+/// Rigid bodies and epsilon = exp(steepness X). The state at the end solves the equations.
 fmg::Hierarchy solved(const Grid& grid, Random& random, double steepness = 0.0) {
   fmg::Problem problem;
   problem.film.given_epsilon = [steepness](double X, double) { return std::exp(steepness * X); };
@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(as_many_errors_as_states_are_taken_away) {
   BOOST_TEST(!acceleration.combine(hierarchy, 0, combined));
 }
 
-// With fewer states than errors the changes that the nodes ask for are least, r over what they answer, and not r.
+// With fewer states than error components, the changes r/coefficient at the nodes are minimised, and not r.
 BOOST_AUTO_TEST_CASE(nodes_count_by_what_they_ask_for) {
   const Grid grid{32, 24, -4.5, 1.5, -3, 3};
   Random random(6);

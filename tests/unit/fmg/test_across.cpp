@@ -1,4 +1,4 @@
-// Relaxation across X on stretched cells: a system that one pass solves, and what it leaves alone.
+// The Y sweep on stretched cells: linear systems are solved by one pass, and inactive nodes stay unchanged.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -26,7 +26,7 @@ fmg::Hierarchy on(const Patch& patch, const fmg::Problem& problem, int threads =
   return fmg::make_hierarchy(problem, parameters, {.method = ehl::mlmi::Method::fft}, patch, threads);
 }
 
-/// Rigid bodies and a given epsilon: the equations are linear, and no node's film answers.
+/// Rigid bodies and a given epsilon: the equations are linear, and the film does not depend on the pressure.
 fmg::Problem linear(double epsilon) {
   fmg::Problem problem;
   problem.film.given_epsilon = [epsilon](double X, double Y) { return epsilon * std::exp(X + 3.0 * Y); };
@@ -38,12 +38,13 @@ fmg::Problem linear(double epsilon) {
 
 }  // namespace
 
-/// The share of its change that a node makes: with epsilon at the nodes where it falls nowhere by orders, at half
-/// points.
+/// The damping of a node's change: none with epsilon at the nodes if it varies little, and less than 1
+/// with epsilon at half points.
 constexpr double at_nodes = 1.0, at_half_points = 0.7;
 
-/// What even stations, which come last, leave of the residual that they meet: the most by which it differs from
-/// 1 - weight of it, over the largest. Where P stays a node distributes its change; there is nothing to leave.
+/// The even columns are relaxed last. The result is the largest difference between the remaining residual and (1
+/// - weight) times the residual before, relative to the largest residual. Nodes with unchanged P distribute
+/// their change and are excluded.
 double left_but_for_the_weight(fmg::Hierarchy& hierarchy, double weight) {
   fmg::Level& level = hierarchy.finest();
   const Field before = level.P;
@@ -81,10 +82,10 @@ BOOST_AUTO_TEST_CASE(a_station_is_solved_whole) {
   BOOST_TEST(worst < 1e-11);
 }
 
-// The viscosity of Barus' oil follows the pressures, and epsilon with it: the rows are the slopes of the equations.
-// At half points from node to node by factors up to e^7, below the bound of the logarithmic mean and above, and not so
-// far that a change is held back; at the nodes by less than 2, likewise. Odd stations meet no residual: none changes
-// epsilon before the even ones.
+// The viscosity of a Barus oil, and thus epsilon, depends on the pressures: the rows are the derivatives of the
+// equations. At half points, epsilon varies from node to node by large factors, below and above the bound of the
+// logarithmic mean, but no change reaches the step limit; at the nodes it varies by less than 2. The odd columns have
+// no residual, so they do not change epsilon before the even ones.
 BOOST_AUTO_TEST_CASE(epsilon_follows_the_pressures_of_a_station) {
   for (const Face face : {Face::mean, Face::logmean_bounded}) {
     fmg::Problem problem = circular_contact(200, 10, Wedge::upstream2, face);
@@ -114,9 +115,9 @@ BOOST_AUTO_TEST_CASE(epsilon_follows_the_pressures_of_a_station) {
   }
 }
 
-// A straight edge aslant on square cells: nearly all of the pressure within one cell, oil in a film that opens outside
-// by three times within one cell. A residual that is the same on all of its nodes is to be answered, by the film that
-// they make together too, and not overshot.
+// A straight edge at an angle on square cells: the pressure rises within one cell, and outside the film opens by a
+// factor of three within one cell. A residual that is equal at all nodes of the edge must be reduced, including the
+// effect of their common film, without overshoot.
 BOOST_AUTO_TEST_CASE(the_edge_of_a_contact_is_not_overshot) {
   const Grid square{64, 64, -1, 1, -1, 1};
   fmg::Problem problem = circular_contact(1000, 15, Wedge::upstream2);
@@ -139,7 +140,7 @@ BOOST_AUTO_TEST_CASE(the_edge_of_a_contact_is_not_overshot) {
   const double asked = 1e-3;
   for (int i = 1; i < square.nx; ++i)
     for (int j = 1; j < square.ny; ++j) level.f(i, j) = -level.r(i, j);
-  const int edge = square.nx - 1;  // i + j of its last nodes
+  const int edge = square.nx - 1;  // i + j of the last nodes with pressure
   for (int i = 8; i <= edge - 8; ++i) level.f(i, edge - i) += asked;
   fmg::relax_across(hierarchy, level, hierarchy.parameters.relaxation);
   ehl::core::fill_ghosts(level.grid, level.P);

@@ -1,4 +1,4 @@
-// What goes down to the coarser grid, and the film.
+// The restriction of the problem to the coarser grid, and the film.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <vector>
@@ -19,7 +19,7 @@ using ehl::reynolds::Wedge;
 
 namespace {
 
-// The elastic film's part of the coupling, as coarse_problem.hpp states it.
+// The contribution of the elastic film to the coupling, as coarse_problem.hpp defines it.
 constexpr double elastic_coupling = 0.5;
 
 fmg::Hierarchy two_levels(const Patch& fine,
@@ -33,7 +33,8 @@ fmg::Hierarchy two_levels(const Patch& fine,
 
 const Grid fine_grid{20, 24, -3.0, 1.5, -2, 2};
 
-// Scatters r at one fine point to the coarse nodes, as the header says: what restrict_residual gathers.
+// Distributes r of one fine point to the coarse nodes as the header defines it;
+// restrict_residual is the transposed sum.
 class Scatter {
  public:
   explicit Scatter(const fmg::Level& fine) : fine_(fine), sums_(ehl::core::coarsened(fine.grid)) {}
@@ -52,7 +53,7 @@ class Scatter {
     to_nodes(i, j - 1, r * s / all);
     to_nodes(i, j + 1, r * n / all);
   }
-  /// Interior sums; the boundary's are dropped.
+  /// Sums at interior nodes; those on the boundary are dropped.
   double operator()(int I, int J) const { return sums_(I, J); }
 
  private:
@@ -141,12 +142,12 @@ BOOST_AUTO_TEST_CASE(strong_residuals_stay_on_their_side_of_a_jump) {
   fmg::Level& fine = hierarchy.levels[1];
   const Patch& grid = hierarchy.levels[0].grid;
   const double h2 = fine_grid.hx() * fine_grid.hx();
-  const double strong = 1e4;  // epsilon/h^2 for i <= 10, beyond it nothing
+  const double strong = 1e4;  // epsilon/h^2 for i <= 10; beyond that it is zero
   for (int i = 0; i <= fine_grid.nx; ++i)
     for (int j = 0; j <= fine_grid.ny; ++j) fine.eps(i, j) = i <= 10 ? strong * h2 : 0.0;
   Field restricted(grid);
 
-  fine.r(11, 12) = 1.0;  // the first point of the weak side: tied to the strong one by its western half point
+  fine.r(11, 12) = 1.0;  // the first point of the weak side is coupled to the strong side by its western half point
   fmg::restrict_residual(fine, hierarchy.problem.transport, 1, restricted);
   const double share = elastic_coupling / (strong / 2.0 + 2.0 * elastic_coupling);
   BOOST_TEST_MESSAGE("beyond the jump " << 4.0 * restricted(6, 6) << ", stated " << share << " (to 1e-12)");
@@ -163,7 +164,7 @@ BOOST_AUTO_TEST_CASE(strong_residuals_stay_on_their_side_of_a_jump) {
   BOOST_TEST(4.0 * beyond < 3.0 * share);
   BOOST_TEST(beyond > 0.0);
 
-  // And the strong side's own residuals: nothing at all passes the first weak point.
+  // Residuals of the strong side do not pass the first weak point.
   fine.r.fill(0.0);
   for (int j = 1; j < fine_grid.ny; ++j)
     for (int i = 1; i <= 10; ++i) fine.r(i, j) = 1.0;
@@ -199,8 +200,8 @@ BOOST_AUTO_TEST_CASE(the_film_is_equation_6) {
 }
 
 BOOST_AUTO_TEST_CASE(the_coarse_problem_starts_with_what_is_left_of_the_fine_one) {
-  // Full approximation: at the restricted state the coarse film is the fine one, and the coarse residuals of all three
-  // equations are the restricted fine ones. Without cavitation no residual is left out.
+  // Full approximation scheme: for the restricted state, the coarse film equals the fine film, and the coarse residuals
+  // of all three equations are the restricted fine residuals. Without cavitation, no residual is omitted.
   fmg::Hierarchy hierarchy = two_levels(fine_grid, ehl::reynolds::Cavitation::none);
   fmg::Level& fine = hierarchy.levels[1];
   fmg::Level& coarse = hierarchy.levels[0];
@@ -224,7 +225,7 @@ BOOST_AUTO_TEST_CASE(the_coarse_problem_starts_with_what_is_left_of_the_fine_one
   BOOST_TEST(residual < 1e-11);
   BOOST_TEST(std::abs(balance) < 1e-14);
 
-  // Nothing changed on the coarse grid: nothing changes on the fine one.
+  // If the coarse grid changes nothing, the fine grid does not change.
   const Field P = fine.P;
   fmg::correct_from_coarse(hierarchy, coarse, fine);
   BOOST_TEST(ehl::core::max_abs_difference(P, fine.P) == 0.0);

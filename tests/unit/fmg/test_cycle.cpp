@@ -1,4 +1,4 @@
-// A converged solution stays where it is; the number of threads changes no bit.
+// A converged solution does not change, and the number of threads changes no bit.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -23,7 +23,7 @@ double relative_residual(fmg::Hierarchy& hierarchy, fmg::Level& level) {
       .relative();
 }
 
-// The changes from 1e-12 of a residual: it is multiplied by how much P answers, below 1e3.
+// The changes that a residual of 1e-12 may cause; the pressure per residual is below 1e3.
 constexpr double still = 1e-9;
 
 void stays(const char* what, const fmg::Hierarchy& hierarchy, const Field& P, const Field& H, double H00) {
@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(a_solution_is_a_fixed_point_of_relaxation_and_cycles) {
       fmg::fas_cycle(hierarchy, finest);
       residual = relative_residual(hierarchy, level);
     }
-    for (int extra = 0; extra < 10; ++extra) fmg::fas_cycle(hierarchy, finest);  // the load, too
+    for (int extra = 0; extra < 10; ++extra) fmg::fas_cycle(hierarchy, finest);  // also for the load
     const double load = std::abs(fmg::carried_load(level) / level.load - 1.0);
     BOOST_TEST_MESSAGE((wedge == Wedge::upstream1 ? "upstream1: " : "upstream2: ")
                        << cycles << " W cycles, relative residual " << residual << ", load error " << load);
@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(a_solution_is_a_fixed_point_of_relaxation_and_cycles) {
                                      : "an F cycle",
             hierarchy, P, H, H00);
     }
-    // The relaxation's parameters change the way, not the solution.
+    // The parameters of the relaxation change the iteration but not the solution.
     back_to_the_solution();
     fmg::RelaxationParameters single;
     single.crossover = 1e-3;
@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(a_solution_is_a_fixed_point_of_relaxation_and_cycles) {
 
 BOOST_AUTO_TEST_CASE(two_threads_give_the_bits_of_one) {
   const Grid grid{256, 256, -4.5, 1.5, -3, 3};
-  // Up from 64 cells as a run does it: each level's start, cycles, and then one relaxation.
+  // From 64 cells upward as in a run: the start of each level, cycles, and then one relaxation.
   const auto hierarchy_for = [&](int threads) {
     fmg::Hierarchy hierarchy = fmg::make_hierarchy(circular_contact(50, 10, Wedge::upstream2), {}, {}, grid, threads);
     const std::size_t finest = hierarchy.levels.size() - 1;

@@ -1,4 +1,4 @@
-// Changes of the pressure on the boundary, led on to the inside, against solutions of div(epsilon grad) = 0.
+// Changes of the boundary pressure, extended to the interior, compared with solutions of div(epsilon grad) = 0.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -14,7 +14,7 @@ using ehl::core::Patch;
 
 namespace {
 
-// On cells that are not square, so that a mesh size along the wrong axis is seen.
+// The cells are not square, so that a mesh size along the wrong axis is noticed.
 const Grid grid{24, 32, -2.5, 1.5, -1.0, 1.0};
 
 fmg::Hierarchy wet(const Patch& patch) {
@@ -30,7 +30,7 @@ fmg::Hierarchy wet(const Patch& patch) {
 
 bool inside(const Patch& patch, int i, int j) { return i > 0 && i < patch.nx && j > 0 && j <= patch.last_line(); }
 
-// The largest difference of what is led inward from what is expected there, the boundary changed by `change`.
+// The largest difference between the extension of the boundary values `change` and the expected values.
 template <class Change, class Expected>
 double error_of(fmg::Hierarchy& hierarchy, Change change, Expected expected) {
   fmg::Level& level = hierarchy.finest();
@@ -47,7 +47,7 @@ double error_of(fmg::Hierarchy& hierarchy, Change change, Expected expected) {
   return error;
 }
 
-// What is the same on all rows along Y, the sides in X bring in by themselves, whatever was led along Y.
+// The part that is equal on all lines along Y comes from the sides in X, and not from the extension along Y.
 double wave(const Patch& patch, int i) { return std::sin(2.0 * patch.X(i)); }
 
 constexpr double tolerance = 1e-12;
@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(a_bilinear_change_stays_bilinear) {
   check("bilinear", error_of(hierarchy, change, change));
 }
 
-// Where epsilon grows as exp(2 Y), a change whose flow along Y is the same everywhere falls as exp(-2 Y).
+// For epsilon proportional to exp(2 Y), a change with constant flow along Y decreases as exp(-2 Y).
 BOOST_AUTO_TEST_CASE(the_flow_of_a_change_is_the_same_along_a_row) {
   fmg::Hierarchy hierarchy = wet(grid);
   fmg::Level& level = hierarchy.finest();
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(nothing_flows_through_a_mirror) {
   check("mirror", error_of(hierarchy, change, change));
 }
 
-// Beside a strip of dry nodes, and likewise beside one where the film answers more strongly than the pressure.
+// Next to a strip of cavitated nodes, and next to a strip where the film responds more strongly than the pressure.
 BOOST_AUTO_TEST_CASE(a_change_ends_where_pressure_does_not_rule) {
   constexpr int first = 12, last = 15;  // lines of the strip
   for (const bool dry : {true, false}) {
@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(a_change_ends_where_pressure_does_not_rule) {
     const Patch& patch = level.grid;
     for (int i = 0; i <= patch.nx; ++i)
       for (int j = first; j <= last; ++j) (dry ? level.P(i, j) : level.eps(i, j)) = 0.0;
-    // The face beside a node without epsilon has half of the others.
+    // The face next to a node without epsilon has half the epsilon of the others.
     const int end_south = dry ? first - 1 : first, end_north = dry ? last + 1 : last;
     const auto expected = [&](int i, int j) {
       const auto falls = [&](int from, int to) {

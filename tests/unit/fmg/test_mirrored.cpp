@@ -1,4 +1,4 @@
-// Relaxation, cycle and starts on the lower half of a symmetric domain against the whole.
+// Relaxation, cycle and starts on the lower half of a symmetric domain, compared with the whole domain.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <utility>
@@ -23,7 +23,7 @@ void make_symmetric(const Patch& grid, Field& field) {
     for (int j = 0; 2 * j < grid.ny; ++j) field(i, grid.ny - j) = field(i, j);
 }
 
-/// The same rough symmetric state on the finest level of both.
+/// Sets the same rough symmetric state on the finest level of both.
 void set_both(fmg::Hierarchy& whole, fmg::Hierarchy& half, std::uint64_t seed) {
   Random random(seed);
   fmg::Level& all = whole.finest();
@@ -40,7 +40,7 @@ void set_both(fmg::Hierarchy& whole, fmg::Hierarchy& half, std::uint64_t seed) {
   fmg::update_film(half, one);
 }
 
-/// upstream3 with epsilon at half points.
+/// upstream3 uses epsilon at half points.
 fmg::Hierarchy hierarchy_on(const Patch& grid, const fmg::Parameters& parameters, Wedge wedge, int threads = 1) {
   const Face face = wedge == Wedge::upstream3 ? Face::logmean_bounded : Face::mean;
   return fmg::make_hierarchy(circular_contact(20, 10, wedge, face), parameters, {.method = ehl::mlmi::Method::fft},
@@ -54,7 +54,7 @@ double difference_of_P(const fmg::Hierarchy& whole, const fmg::Hierarchy& half) 
 
 constexpr double tolerance = 1e-11;
 
-/// Of P and of the residual, which sees the image lines.
+/// Compares P and the residual, which depends on the image lines.
 void compare_levels(const char* when, fmg::Hierarchy& whole, fmg::Hierarchy& half, std::size_t l) {
   fmg::Level& all = whole.levels[l];
   fmg::Level& one = half.levels[l];
@@ -70,7 +70,7 @@ void compare_levels(const char* when, fmg::Hierarchy& whole, fmg::Hierarchy& hal
 
 }  // namespace
 
-// The axis in either colour and in every lane of a batch, at its beginning and at its end.
+// The axis is in either colour, and in every lane of a batch from the first to the last.
 BOOST_AUTO_TEST_CASE(a_sweep_of_the_half_is_the_sweep_of_the_whole) {
   double worst = 0.0;
   for (int ny = 8; ny <= 76; ny += 2)

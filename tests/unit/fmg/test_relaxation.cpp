@@ -1,4 +1,4 @@
-// The relaxation against the same sweep written point by point, its two line solvers against each other.
+// The relaxation compared with a sweep that is implemented point by point, and its two line solvers with each other.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -32,8 +32,8 @@ struct Counts {
   int single = 0, distributive = 0, held = 0, clipped = 0, bounded = 0, withheld = 0;
 };
 
-// Rounding of the residual, a few 1e-16 of its terms, divided by the same coefficients: a few 1e-16 of P again; the
-// line system adds its condition number.
+// The rounding of the residual, divided by the coefficients, is a few 1e-16 of P; the condition number of the
+// line system multiplies it.
 constexpr double tolerance = 1e-12;
 
 void compare_with_plain_sweep(const fmg::Problem& problem, const fmg::RelaxationParameters& relaxation,
@@ -44,7 +44,7 @@ void compare_with_plain_sweep(const fmg::Problem& problem, const fmg::Relaxation
   set_rough_state(hierarchy, level, random);
   const Field before = level.P;
   double error = 0.0;
-  // The second sweep starts from the work space of the first.
+  // The second sweep starts with the work space of the first.
   for (int sweep = 0; sweep < 2; ++sweep) {
     const PlainSweep plain = plain_sweep(problem, relaxation, level);
     counts.single += plain.single;
@@ -53,7 +53,7 @@ void compare_with_plain_sweep(const fmg::Problem& problem, const fmg::Relaxation
     counts.clipped += plain.clipped;
     counts.bounded += plain.bounded;
     counts.withheld += plain.withheld;
-    fmg::relax_pressure(hierarchy, level, relaxation);  // along X alone, on stretched cells too
+    fmg::relax_pressure(hierarchy, level, relaxation);  // along X only, on stretched cells too
     fmg::update_film(hierarchy, level);
     const double difference = ehl::core::max_abs_difference(level.P, plain.P) / ehl::core::max_abs(plain.P);
     error = difference <= error ? error : difference;
@@ -66,7 +66,7 @@ void compare_with_plain_sweep(const fmg::Problem& problem, const fmg::Relaxation
   BOOST_TEST(ehl::core::max_abs_difference(before, level.P) > 1e-3);
 }
 
-// Line counts that fill a batch, leave one line over or one missing, for either colour; hx != hy.
+// Numbers of lines that fill a batch, that leave one over, or that lack one, for either colour; hx != hy.
 const Grid grids[] = {{16, 16, -4.5, 1.5, -3, 3}, {16, 17, -4.5, 1.5, -3, 3},   {12, 18, -3.0, 1.5, -3, 3},
                       {14, 2, -3.0, 1.5, -1, 1},  {18, 34, -3.5, 1.5, -2, 2.5}, {16, 19, -3.0, 1.5, -2, 2}};
 
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(one_sweep_is_the_sweep_written_point_by_point) {
         relaxation.reach = reach;
         fmg::Problem problem = circular_contact(20, 10, wedge);
         compare_with_plain_sweep(problem, relaxation, grid, counts);
-        problem.transport = {wedge, 0.6, 5.0};  // one step of a transient
+        problem.transport = {wedge, 0.6, 5.0};  // one step in time
         compare_with_plain_sweep(problem, relaxation, grid, counts);
         problem.transport = {wedge, 0.0, 30.0};  // pure squeeze
         compare_with_plain_sweep(problem, relaxation, grid, counts);
@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(one_sweep_changes_no_pressure_by_more_than_allowed) {
   fmg::RelaxationParameters relaxation;
   relaxation.most_change = 0.02;
   compare_with_plain_sweep(problem, relaxation, grids[0], counts);
-  problem.transport = {Wedge::upstream2, 0.6, 5.0};  // one step of a transient
+  problem.transport = {Wedge::upstream2, 0.6, 5.0};  // one step in time
   compare_with_plain_sweep(problem, relaxation, grids[0], counts);
   BOOST_TEST_MESSAGE(counts.bounded << " changes bounded");
   BOOST_TEST(counts.bounded > 50);
@@ -117,14 +117,14 @@ BOOST_AUTO_TEST_CASE(one_sweep_without_cavitation_lets_pressures_be_negative) {
   Counts counts;
   fmg::Problem problem = circular_contact(20, 10, Wedge::upstream2);
   problem.cavitation = ehl::reynolds::Cavitation::none;
-  // Roelands' law has no value far below zero.
+  // Roelands' law has no value far below zero pressure.
   problem.film.viscosity = ehl::rheology::Isoviscous{};
   problem.film.density = ehl::rheology::Incompressible{};
   fmg::Hierarchy hierarchy = one_level(problem, {}, grids[0]);
   compare_with_plain_sweep(problem, {}, grids[0], counts);
   BOOST_TEST((counts.held == 0 && counts.clipped == 0));
 
-  // A model problem: epsilon given, all of one kind.
+  // A model problem with a given epsilon, so that all points have the same relaxation.
   for (const double eps : {1e-3, 10.0}) {
     counts = {};
     problem.film.given_epsilon = [eps](double, double) { return eps; };
@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(one_sweep_without_cavitation_lets_pressures_be_negative) {
 }
 
 BOOST_AUTO_TEST_CASE(elimination_and_decimation_agree_on_the_systems_of_the_relaxation) {
-  // Three sweeps from the dry contact: epsilon falls by orders of magnitude from the inlet to the centre.
+  // Three sweeps from the dry contact: epsilon decreases by orders of magnitude from the inlet to the centre.
   for (const double M : {50.0, 1000.0})
     for (const int reach : {1, 2, 3}) {
       fmg::RelaxationParameters relaxation;
@@ -168,7 +168,7 @@ void compare_line_with_batch(const fmg::Problem& problem, double squeeze, int ce
   Random random(static_cast<std::uint64_t>(cells));
   set_rough_state(hierarchy, level, random);
   ehl::core::fill_ghosts(level.grid, level.P);
-  // The work space of a batch is that of the model whose rows are made one after the other.
+  // The work space of a batch belongs to the film model whose rows are assembled one after another.
   const auto nodes = static_cast<std::size_t>(level.grid.nodes_x());
   fmg::ThreadWork work =
       fmg::make_thread_work(level.grid, problem.film, relaxation, ehl::reynolds::Cavitation::mass_conserving);
@@ -188,7 +188,7 @@ void compare_line_with_batch(const fmg::Problem& problem, double squeeze, int ce
   BOOST_TEST(difference < 1e-11, cells << " cells, reach " << reach << ", squeeze " << squeeze << ": " << difference);
 }
 
-// The same systems, solved from both ends and from one.
+// One system is solved from both ends of a line and from one end.
 BOOST_AUTO_TEST_CASE(nodes_of_a_line_side_by_side_are_relaxed_as_a_batch_of_lines) {
   using ehl::reynolds::Face;
   const ehl::contact::Ellipse shape = ehl::contact::line_contact();
@@ -198,7 +198,8 @@ BOOST_AUTO_TEST_CASE(nodes_of_a_line_side_by_side_are_relaxed_as_a_batch_of_line
     fmg::Problem problem = circular_contact(20, 10, wedge, face);
     problem.geometry = {ehl::contact::gap(shape), ehl::contact::outline(shape), ehl::contact::elastic_factor(shape)};
     for (const double squeeze : {0.0, 30.0})
-      for (const int cells : {16, 63, 256}) {  // vectors that end with the line, and before it
+      for (const int cells : {16, 63, 256}) {  // vectors that end exactly with the line, and
+                                               // vectors that extend beyond it
         compare_line_with_batch<1>(problem, squeeze, cells);
         compare_line_with_batch<2>(problem, squeeze, cells);
         compare_line_with_batch<3>(problem, squeeze, cells);
@@ -212,7 +213,7 @@ BOOST_AUTO_TEST_CASE(a_pivot_that_is_no_number_is_reported_with_its_line_and_poi
   Random random(1);
   set_rough_state(hierarchy, level, random);
   level.eps(9, 21) = std::numeric_limits<double>::quiet_NaN();
-  // Point 8 is the first whose half points see it.
+  // Point 8 is the first one whose half points depend on it.
   const auto names_the_point = [](const ehl::core::SolverError& error) {
     const std::string text = error.what();
     BOOST_TEST_MESSAGE(text);

@@ -1,4 +1,4 @@
-// Friction of films whose integrals are known: a rigid paraboloid with an isoviscous oil, films of constant height.
+// Friction of films with known integrals: a rigid paraboloid with an isoviscous oil, and films of constant height.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <functional>
@@ -32,12 +32,12 @@ struct Fields {
 
 const friction::Parameters plain{.stress = 0.03, .slope = 0.02, .cavitated = Cavitated::full};
 
-// The rectangle |X| <= A, |Y| <= B, not square, cells not square.
+// The rectangle |X| <= A, |Y| <= B; neither it nor its cells are square.
 constexpr double A = 2.0, B = 1.5, H0 = 0.3, c = -0.05;
 double paraboloid(double X, double Y) { return H0 + 0.5 * (X * X + Y * Y); }
 core::Grid rectangle(int n) { return {n, n / 2, -A, A, -B, B}; }
 
-// Of what is known in closed form along X, along Y by Simpson's rule: exact to rounding.
+// Integrates a closed form along X over Y by Simpson's rule, exact to rounding.
 double along_y(const std::function<double(double q)>& integral_along_x) {
   constexpr int n = 4000;
   double sum = 0.0;
@@ -50,8 +50,8 @@ double along_y(const std::function<double(double q)>& integral_along_x) {
 
 }  // namespace
 
-// The pressure of pure rolling on a rigid paraboloid, p = c X/H^2 (full Sommerfeld), upon one that keeps it above zero:
-// the load is that constant times the area. With q^2 = 2 H0 + Y^2:
+// Pure rolling on a rigid paraboloid: p = c X/H^2 (full Sommerfeld), plus a constant that keeps it positive. The load
+// is that constant times the area. With q^2 = 2 H0 + Y^2:
 //   integral of 1/H dX = (4/q) atan(A/q),
 //   integral of H dP/dX dX = [H P] - integral of X P dX = 4 c A/(A^2 + q^2) - 4 c [atan(A/q)/q - A/(A^2 + q^2)].
 BOOST_AUTO_TEST_CASE(rigid_isoviscous_paraboloid) {
@@ -100,14 +100,14 @@ BOOST_AUTO_TEST_CASE(forces_and_fields_agree) {
   BOOST_TEST_MESSAGE("forces by the fields " << tau1 / load << ", " << tau2 / load << "; " << f.on_1 << ", " << f.on_2);
   BOOST_TEST(std::abs(tau1 / load - f.on_1) < 1e-12);
   BOOST_TEST(std::abs(tau2 / load - f.on_2) < 1e-12);
-  // Sliding the other way: the same friction, the other way round.
+  // Sliding in the opposite direction gives the opposite friction.
   parameters.stress = -parameters.stress;
   BOOST_TEST(fields.friction(parameters).sliding == -f.sliding);
   BOOST_TEST(fields.friction(parameters).rolling == f.rolling);
   BOOST_TEST(fields.friction({.stress = 0.1, .slope = 0.02}).tau1.nodes_x() == 0);
 }
 
-// Where the limit acts everywhere, mu is the limit.
+// If the limiting stress is reached everywhere, mu equals the limit.
 BOOST_AUTO_TEST_CASE(the_limiting_stress) {
   const Fields fields(
       rectangle(32), [](double X, double) { return 2.0 + X / A; }, paraboloid);
@@ -139,7 +139,7 @@ BOOST_AUTO_TEST_CASE(parallel_plates_with_eyring) {
   BOOST_TEST(f.rolling == 0.0);
 }
 
-// P = 1 up to X = 0, H = 1 + X behind it: log(1 + A) of a full film, H_r (1 - 1/(1 + A)) of streamers.
+// P = 1 up to X = 0, then H = 1 + X: the integral is log(1 + A) for a full film, and H_r (1 - 1/(1 + A)) for streamers.
 BOOST_AUTO_TEST_CASE(the_cavitated_region) {
   const auto with = [](Cavitated kind, int n) {
     const Fields fields(
@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(the_cavitated_region) {
     double before = 0.0;
     for (const int n : {64, 128, 256}) {
       const friction::Friction f = with(kind, n);
-      // The load stands on the nodes X <= 0; the edge's own cell belongs to both sides.
+      // The load acts on the nodes X <= 0; the cell of the edge belongs to both sides.
       const double load = A + 0.5 * 2.0 * A / n;
       const double wet = A;
       const double error = std::abs(f.sliding * load / 0.1 - wet - exact);
@@ -164,7 +164,7 @@ BOOST_AUTO_TEST_CASE(the_cavitated_region) {
   }
 }
 
-// A load that is not all on the domain, oil that ends within it, and layers ahead of a starved film.
+// A load that is partly outside the domain, oil that ends inside the domain, and layers upstream of a starved film.
 BOOST_AUTO_TEST_CASE(the_load_of_the_contact_and_where_the_oil_ends) {
   const Fields fields(
       rectangle(128), [](double X, double) { return X > 0.0 ? 1.0 : 0.0; }, [](double, double) { return 0.5; });
@@ -176,7 +176,7 @@ BOOST_AUTO_TEST_CASE(the_load_of_the_contact_and_where_the_oil_ends) {
   };
   const double inside = 2.0 * A * B, whole = with(plain, [](friction::Film&) {});
   const double of_more = with(plain, [&](friction::Film& one) { one.load = 3.0 * inside; });
-  const double cell = fields.grid.hx() / A;  // of the edge belongs to neither side
+  const double cell = fields.grid.hx() / A;  // the cell of the edge belongs to neither side
   BOOST_TEST(std::abs(of_more / whole * 3.0 - 1.0) < cell);
   friction::Parameters parameters = plain;
   parameters.meniscus = 1.0;

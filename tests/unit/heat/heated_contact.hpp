@@ -1,5 +1,5 @@
 #pragma once
-// The base case solved with heat: the isothermal film, and passes behind it.
+// The base case solved with heat: the isothermal film, then the iterations between film and heat.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <memory>
@@ -31,7 +31,7 @@ struct Found {
   double Hc_cold = 0, Hm_cold = 0, Hc = 0, Hm = 0, mu = 0, film = 0, surface_1 = 0, surface_2 = 0, C_centre = 0;
   ehl::heat::Result result{};
 };
-/// change: what is different from the base case's heat. look: at the film's temperature and the level in the end.
+/// change: changes the heat of the base case. look: receives the film temperature and the level at the end.
 template <class Change, class Look>
 Found solve(const BaseCase& base, const ehl::core::Grid& grid, Change change, double share, Look look) {
   const ehl::core::Patch half = base.line ? ehl::core::Patch(grid) : ehl::core::lower_half(grid);

@@ -1,5 +1,6 @@
-// An oil that the pressure's own flow thins, without heat: the film of pure rolling, its order, the way from sliding to
-// pure rolling; the secants that the passes end with against the closed form at the gradient that there is.
+// An oil that thins by the pressure flow, without heat: the film in pure rolling, its order, the transition
+// from sliding to pure rolling; the secant fluidities at the end of the iteration, compared with the closed
+// form at the actual gradient.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <vector>
@@ -17,7 +18,7 @@ BaseCase thin_oil(double srr) {
   base.tau_0 = 1e6;
   return base;
 }
-// h dp/dx over tau_0 where H = 1 and dP/dX = 1.
+// h dp/dx divided by tau_0 for H = 1 and dP/dX = 1.
 double gradient_unit(const BaseCase& base) { return base.p_h() * base.a() / (base.R * base.tau_0); }
 
 auto thinned_by_flow(const BaseCase& base) {
@@ -28,7 +29,7 @@ auto thinned_by_flow(const BaseCase& base) {
   };
 }
 
-// 12 (flow/g) of Eyring's oil without sliding.
+// The mobility 12 (flow/g) of an Eyring oil without sliding.
 double mobility(double g) {
   return g < 1e-2 ? 1.0 + g * g / 40.0 : 12.0 / (g * g) * (std::cosh(g / 2) - 2 * std::sinh(g / 2) / g);
 }

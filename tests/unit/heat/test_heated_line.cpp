@@ -1,4 +1,4 @@
-// A line contact with heat, pressure and temperature together: no heat, no change; order of convergence.
+// A line contact with heat, with pressure and temperature coupled: without heat nothing changes; order of convergence.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -27,7 +27,7 @@ core::Grid grid(int cells) { return core::line_grid(cells, -4.5, 1.5); }
 
 }  // namespace
 
-// Nothing that heats, or bodies and an oil that lead all of it away: the isothermal film, to rounding.
+// Without any heat source, or if bodies and oil conduct all heat away, the film is isothermal to rounding.
 BOOST_AUTO_TEST_CASE(no_heat_is_the_isothermal_line) {
   BaseCase base = teeth();
   base.expansion = 0.0;
@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(second_order_along_a_line) {
     BOOST_TEST(order(&Found::mu) > 1.4);
     BOOST_TEST(order(&Found::Hc) > 1.6);
     BOOST_TEST(order(&Found::film) > 1.4);
-    // The hottest node of a surface: the place lies between nodes.
+    // The hottest point of a surface lies between nodes.
     for (double Found::*surface : {&Found::surface_1, &Found::surface_2})
       BOOST_TEST(std::abs(found[level].*surface / found[level - 1].*surface - 1) < 5e-3);
   }

@@ -1,5 +1,6 @@
-// A thermal contact, pressure and temperature together, against the digits of another program: friction, film and
-// temperatures of a ball on a disc, the film that inlet heating leaves; order of convergence; no heat, no change.
+// A contact with heat, with pressure and temperature coupled, compared with an independent program:
+// friction, film and temperatures of a ball on a disc, the film reduced by inlet heating; order of
+// convergence; without heat nothing changes.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -16,7 +17,8 @@ void nothing(thermal::Setup&) {}
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(ball_on_disc_with_lines) {
-  // Another program, 16 intervals across, on the same grids; bodies by Carslaw and Jaeger's lines.
+  // An independent program with 16 intervals across the film on the same grids; Carslaw and Jaeger's moving
+  // line source in the bodies.
   struct Row {
     double srr;
     int n;
@@ -49,8 +51,9 @@ BOOST_AUTO_TEST_CASE(ball_on_disc_with_lines) {
 }
 
 BOOST_AUTO_TEST_CASE(the_whole_source_cools_the_surfaces) {
-  // q0 sqrt(1 - r^2) on a circle, integrated in polar coordinates about the hottest point: 0.9674 of the lines at
-  // Pe = 29.8 (3 m/s), 0.9048 at 9.93 (1 m/s). The contact's flux is not quite that; mu and film answer little.
+  // A heat flux q0 sqrt(1 - r^2) on a circle, integrated in polar coordinates about the hottest point, gives 0.9674 of
+  // the line source at Pe = 29.8 (3 m/s) and 0.9048 at 9.93 (1 m/s). The flux of the contact differs slightly; mu and
+  // film depend weakly on it.
   const Found of_lines = solve(BaseCase{}, square(64), lines), whole = solve(BaseCase{}, square(64), nothing);
   const double ratio_1 = whole.surface_1 / of_lines.surface_1, ratio_2 = whole.surface_2 / of_lines.surface_2;
   BOOST_TEST_MESSAGE("surfaces " << whole.surface_1 << ", " << whole.surface_2 << " K, over those by lines " << ratio_1
@@ -63,7 +66,7 @@ BOOST_AUTO_TEST_CASE(the_whole_source_cools_the_surfaces) {
 }
 
 BOOST_AUTO_TEST_CASE(inlet_heating_of_pure_rolling) {
-  // 10 m/s: Hc .66948 -> .57628 in another program, +-1 %.
+  // 10 m/s: an independent program finds that Hc falls from .66948 to .57628, +-1 %.
   BaseCase base;
   base.srr = 0.0;
   base.u_m = 10.0;
@@ -88,7 +91,7 @@ BOOST_AUTO_TEST_CASE(second_order_with_heat) {
                                                << found[2].film << " K");
   BOOST_TEST(order(&Found::mu) > 1.4);
   BOOST_TEST(order(&Found::Hc) > 1.6);
-  // The hottest node: the place lies between nodes.
+  // The hottest point lies between nodes.
   BOOST_TEST(std::abs(found[2].film / found[1].film - 1) < 0.01);
 }
 
@@ -97,7 +100,7 @@ BOOST_AUTO_TEST_CASE(no_heat_is_the_isothermal_contact) {
   base.expansion = 0.0;
   for (const bool conducts_well : {false, true}) {
     const Found found = solve(base, square(64), [&](thermal::Setup& setup) {
-      // No heat at all; or all of it led away.
+      // Either there is no heat, or all of it is conducted away.
       if (conducts_well) {
         for (double* group : {&setup.Br, &setup.Pe, &setup.compression}) *group *= 1e-12;
         setup.body_1.resistance = setup.body_2.resistance = 0.0;
@@ -114,7 +117,7 @@ BOOST_AUTO_TEST_CASE(no_heat_is_the_isothermal_contact) {
 }
 
 BOOST_AUTO_TEST_CASE(fast_and_sliding) {
-  // Passes that have to be careful: every one settles, or says why not.
+  // Cases that need damping of the iteration: each must converge, or say why not.
   for (const auto& [u_m, srr] : {std::pair{7.0, 1.5}, {7.0, 2.0}, {20.0, 0.5}, {20.0, 1.5}}) {
     BaseCase base;
     base.u_m = u_m;

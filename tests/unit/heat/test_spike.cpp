@@ -9,8 +9,8 @@
 using namespace ehl;
 using support::BaseCase;
 
-// Pure rolling: the spike heats the oil by compression, 3.1 K on 512 cells and more on finer ones; 128 cells show only
-// the 1.4 K of the inlet, on all levels.
+// Pure rolling: the pressure spike heats the oil by compression, increasingly on finer grids. On 128 cells only the
+// heat of the inlet is visible, on all levels.
 BOOST_AUTO_TEST_CASE(no_error_bar_of_the_film_under_an_unresolved_spike) {
   BaseCase base;
   base.srr = 0.0;

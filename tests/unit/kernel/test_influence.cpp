@@ -1,5 +1,5 @@
-// Influence coefficients against the closed form in quadruple precision, against adaptive quadrature, and against
-// what is known about them on paper.
+// Influence coefficients compared with the closed form in quadruple precision, with adaptive quadrature, and
+// with analytical properties.
 #include <quadmath.h>
 
 #include <boost/test/unit_test.hpp>
@@ -14,7 +14,7 @@ namespace {
 using Quad = __float128;
 namespace kernel = ehl::kernel;
 
-// y asinh(x/|y|) + x asinh(y/|x|) is odd in x and in y, so that the four corners may lie in any quadrant.
+// y asinh(x/|y|) + x asinh(y/|x|) is odd in x and in y, so the four corners may lie in any quadrant.
 Quad antiderivative(Quad x, Quad y) { return y * asinhq(x / fabsq(y)) + x * asinhq(y / fabsq(x)); }
 
 Quad exact(int d_x, int d_y, double hx, double hy) {
@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(influence_agrees_with_quadruple_precision_near_and_far) {
 }
 
 BOOST_AUTO_TEST_CASE(influence_agrees_with_quadrature) {
-  // The truth above shares its antiderivative with the code; this one shares nothing.
+  // The reference above uses the same antiderivative as the code; this one is independent.
   double worst = 0.0;
   for (const auto& d : {std::pair{1, 0}, {0, 1}, {1, 1}, {3, 2}, {8, 5}}) {
     const double hx = 0.7, hy = 1.1;
@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(self_influence_of_square_and_rectangle) {
 }
 
 BOOST_AUTO_TEST_CASE(cells_add_up_to_a_larger_cell) {
-  // 3 x 3 cells of h are one cell of 3h.
+  // 3 x 3 cells of size h form one cell of size 3h.
   double sum = 0.0;
   for (int i = -1; i <= 1; ++i)
     for (int j = -1; j <= 1; ++j) sum += kernel::influence(3 * 2 + i, 3 * 4 + j, 0.1, 0.15);

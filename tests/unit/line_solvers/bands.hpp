@@ -15,14 +15,14 @@ namespace ehl::tests {
 using core::Lanes;
 using core::lanes;
 
-/// Rows 1..points in entries 1..points, as the solvers number them. Columns outside the line hold numbers that must not
-/// matter.
+/// Rows 1..points are entries 1..points, as in the solvers. Columns outside the line contain numbers
+/// that must have no effect.
 template <int reach>
 using Band = std::vector<line_solvers::BandRow<reach>>;
 
 inline int points_of(std::size_t entries) { return static_cast<int>(entries) - 1; }
 
-/// delta of every point: entry i holds all lines of the batch.
+/// The delta of every point: entry i holds all lines of the batch.
 using Deltas = std::vector<Lanes>;
 
 struct Solved {
@@ -40,7 +40,7 @@ Solved eliminate(const Band<reach>& band) {
   return solved;
 }
 
-/// Each line by itself, from both ends: so many rows from the first one.
+/// Solves each line from both ends, with the given number of rows from the first end.
 template <int reach>
 Solved eliminate_from_both_ends(const Band<reach>& band, int from_first) {
   using TwoEnded = line_solvers::TwoEnded<reach>;
@@ -77,7 +77,8 @@ Solved decimate(const Band<reach>& band) {
   return decimate(band, decimation);
 }
 
-/// Random coefficients, each line its own; the diagonal between 0.7 and 1.3 of the sum of the others, of either sign.
+/// Random coefficients, different for each line; the diagonal is 0.7 to 1.3 times the sum of the
+/// others, with either sign.
 template <int reach>
 Band<reach> random_band(int points, Random& random) {
   using Row = line_solvers::BandRow<reach>;
@@ -109,13 +110,14 @@ Eigen::MatrixXd matrix_of(const Band<reach>& band, int lane) {
   return A;
 }
 
-/// Largest difference between a dense solution of every line (column = lane) and deltas, relative to the largest value.
+/// The largest difference between a dense solution of every line (column = lane) and deltas,
+/// relative to the largest value.
 inline double difference(const Eigen::MatrixXd& truth, const Deltas& delta) {
   double largest = 0.0;
   for (int lane = 0; lane < lanes; ++lane)
     for (int i = 1; i <= truth.rows(); ++i) {
       const double error = std::abs(delta[static_cast<std::size_t>(i)][lane] - truth(i - 1, lane));
-      largest = error <= largest ? largest : error;  // NaN stays
+      largest = error <= largest ? largest : error;  // a NaN is kept
     }
   return largest / truth.cwiseAbs().maxCoeff();
 }

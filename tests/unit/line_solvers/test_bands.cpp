@@ -1,4 +1,4 @@
-// Elimination and decimation of the band against a dense solution with pivoting.
+// Elimination and decimation of the band, compared with a dense solution with pivoting.
 #include <boost/test/unit_test.hpp>
 #include <limits>
 
@@ -11,10 +11,10 @@ using ehl::line_solvers::SmallPivot;
 
 namespace {
 
-// Condition numbers of the random bands are below 1e3.
+// The condition numbers of the random bands are below 1e3.
 constexpr double tolerance = 1e-12;
 
-// Lengths below, at and above the block width of decimation, odd and even numbers of blocks.
+// Lengths below, at and above the block width of decimation, with odd and even numbers of blocks.
 constexpr int lengths[] = {1, 2, 3, 7, 8, 63, 255};
 
 template <int reach>
@@ -40,7 +40,7 @@ void compare_with_dense() {
       const Band<reach> band = random_band<reach>(points, random);
       const Eigen::MatrixXd truth = dense_solution<reach>(band);
       const Solved eliminated = eliminate<reach>(band);
-      // The same work space again and again: nothing may be left over from the system before.
+      // The work space is reused; nothing may remain of the previous system.
       const Solved decimated = decimate<reach>(band, decimation);
       BOOST_TEST(eliminated.small.point == -1);
       BOOST_TEST(decimated.small.point == -1);
@@ -72,7 +72,7 @@ void known_solution() {
   BOOST_TEST(decimation < tolerance);
 }
 
-// Points held at zero in some lanes: exactly zero there, and the other points solve the system without them.
+// Points held at zero in some lanes stay exactly zero, and the other points solve the system without them.
 template <int reach>
 void identity_rows() {
   Random random(17);
@@ -143,7 +143,7 @@ void pivots_that_cannot_be_divided_by() {
       }
     }
   constexpr int last = lanes - 1;
-  // 1 1; 1 1+d leaves the pivot d: lost in rounding below 1e-13, well above it not.
+  // The matrix 1 1; 1 1+d has the pivot d: below 1e-13 it is lost in rounding, well above it is not.
   Band<reach> pair(static_cast<std::size_t>(3));
   for (std::size_t i = 1; i <= 2; ++i) pair[i].a[diagonal] += 1.0;
   pair[1].a[diagonal + 1][last] = 1.0;
@@ -157,7 +157,7 @@ void pivots_that_cannot_be_divided_by() {
   }
 }
 
-// Every place where the ends can meet: also one end with no row at all, or fewer than a band's width.
+// All places where the two ends can meet, including an end without rows, or with fewer rows than the band width.
 template <int reach>
 void both_ends_meet() {
   Random random(200 + reach);

@@ -1,4 +1,4 @@
-// Eliminating the film equation against the system it came from: two unknowns per point, assembled and solved densely.
+// Elimination of the film equation, compared with the original system with two unknowns per point, solved densely.
 #include <boost/test/unit_test.hpp>
 
 #include "unit/line_solvers/bands.hpp"
@@ -11,7 +11,7 @@ using ehl::line_solvers::PointEquation;
 namespace {
 
 constexpr int points = 30;
-// Entries of `distributive` that lie outside the line on each side.
+// The number of entries of `distributive` that lie outside the line on each side.
 constexpr int margin = ehl::line_solvers::max_reach + 2;
 
 struct Line {
@@ -20,7 +20,7 @@ struct Line {
   std::vector<Lanes> distributive;      // point i at i + margin
 };
 
-/// share: of the points that distribute their change.
+/// share: the share of points with distributive relaxation.
 Line random_line(int reach, double share, Random& random) {
   Line line;
   line.film.reach = reach;
@@ -42,8 +42,8 @@ Line random_line(int reach, double share, Random& random) {
   return line;
 }
 
-/// Unknowns delta_1..delta_n and h_-1..h_n: the film also moves before the line's first point. Equations as in
-/// line_system.hpp.
+/// Unknowns delta_1..delta_n and h_-1..h_n: the film also changes upstream of the line's first point. The equations are
+/// those of line_system.hpp.
 Eigen::VectorXd solve_both_unknowns(const Line& line, int lane) {
   constexpr int first_h = -1;
   constexpr int films = points - first_h + 1;

@@ -15,7 +15,7 @@ void check(const char* what, double computed, double expected, double tolerance 
   BOOST_TEST(error <= tolerance, what << " = " << computed << ", expected " << expected);
 }
 
-// In mm. The second is the wheel pair of FZG's test, type C.
+// In mm. The second is the gear pair of the FZG test, type C.
 const Gears plain{4.0, 24, 48};
 const Gears fzg{4.5, 16, 24, 20.0, 0.1817, 0.1715};
 
@@ -42,21 +42,22 @@ BOOST_AUTO_TEST_CASE(path_by_hand) {
   check("D", path.D, path.A + 11.808525736374196876993);
 }
 
-// As published for the FZG test (DIN ISO 14635-1): centre distance 91.5 mm, working pressure angle 22.44 degrees, tips
-// 82.46 and 118.36 mm in diameter.
+// Published for the FZG test (DIN ISO 14635-1): centre distance 91.5 mm, working pressure angle 22.44 degrees, tip
+// diameters 82.46 and 118.36 mm.
 BOOST_AUTO_TEST_CASE(fzg_type_c) {
   const PathOfContact path = path_of_contact(fzg);
   check("centre distance", path.centre_distance, 91.5, 1e-5);
   check("working angle", path.working_angle, 22.44, 1e-4);
   check("tip 1", 2.0 * path.tip_radius1, 82.46, 1e-4);
   check("tip 2", 2.0 * path.tip_radius2, 118.36, 1e-4);
-  // The clearance between tip and root is that without shift: m (c* + h_a - h_a), the roots m (z/2 - 1.25 + x).
+  // The clearance between tip and root is that without profile shift, m (c* + h_a - h_a); the
+  // roots are m (z/2 - 1.25 + x).
   const double root2 = 4.5 * (12.0 - 1.25 + 0.1715);
   check("clearance", path.centre_distance - path.tip_radius1 - root2, 0.25 * 4.5);
 }
 
-// On the reference circle the tooth is as thick as its rack says, m (pi/2 + 2 x tan(alpha)); an addendum that ends it
-// there. Shifts that cancel leave the tips where they are.
+// On the reference circle the tooth thickness is that of the rack, m (pi/2 + 2 x tan(alpha)); the addendum here ends
+// the tooth on this circle. Profile shifts that cancel do not change the tips.
 BOOST_AUTO_TEST_CASE(thickness_of_teeth) {
   const Gears low{4.0, 30, 50, 20.0, 0.3, -0.3, -0.3};
   const double tangent = std::tan(ehl::core::pi / 9.0);
@@ -65,8 +66,8 @@ BOOST_AUTO_TEST_CASE(thickness_of_teeth) {
   check("wheel 2", path_of_contact(other).tip_thickness2, 4.0 * (0.5 * ehl::core::pi + 0.6 * tangent));
 }
 
-// At the pitch point nothing slides; elsewhere by (omega1 + omega2) times the distance from it, which is the speed of
-// one wheel against the other about that point. The curvatures add up to the length of T1T2.
+// Nothing slides at the pitch point. Elsewhere the sliding speed is (omega1 + omega2) times the distance from it, the
+// relative speed of the wheels about that point. The radii of curvature add up to the length of T1T2.
 BOOST_AUTO_TEST_CASE(sliding_along_the_path) {
   for (const Gears& gears : {plain, fzg}) {
     const PathOfContact path = path_of_contact(gears);
@@ -78,7 +79,7 @@ BOOST_AUTO_TEST_CASE(sliding_along_the_path) {
       check("rho1 + rho2", mesh.rho1 + mesh.rho2, path.length_T1T2);
       check("1/R", 1.0 / mesh.R, 1.0 / mesh.rho1 + 1.0 / mesh.rho2);
     }
-    // Both surfaces go as fast as the base circles past the line of action, whatever the distance: rho/r_b.
+    // Both surfaces move along the line of action with rho/r_b times the speed of the base circle.
     const Mesh pitch = mesh_at(gears, path, path.C, omega1);
     check("no sliding at the pitch point", (pitch.u1 - pitch.u2) / pitch.u1, 0.0);
     check("rolling at the pitch point", pitch.u1,
@@ -87,7 +88,7 @@ BOOST_AUTO_TEST_CASE(sliding_along_the_path) {
   }
 }
 
-// Wheels and positions change places: what one sees from A the other one sees from E.
+// With exchanged wheels, the position A becomes E and vice versa.
 BOOST_AUTO_TEST_CASE(swapped_wheels) {
   const Gears other{4.5, 24, 16, 20.0, 0.1715, 0.1817};
   const PathOfContact path = path_of_contact(fzg), back = path_of_contact(other);
@@ -98,7 +99,7 @@ BOOST_AUTO_TEST_CASE(swapped_wheels) {
   check("u2", there.u2, here.u1);
 }
 
-// Two pairs, one base pitch apart, carry the whole load together, and one pair alone carries it between B and D.
+// Two pairs, one base pitch apart, carry the whole load together; a single pair carries it between B and D.
 BOOST_AUTO_TEST_CASE(shares_sum_up_to_one) {
   const PathOfContact path = path_of_contact(plain);
   const auto of = [&](double s) { return share(path, s, Sharing::linear); };
@@ -116,7 +117,7 @@ BOOST_AUTO_TEST_CASE(shares_sum_up_to_one) {
 
 BOOST_AUTO_TEST_CASE(what_cannot_mesh) {
   BOOST_TEST(path_of_contact({4.0, 8, 100}).A < 0.0);                                      // interference
-  BOOST_TEST(std::isnan(path_of_contact({4.0, 24, 48, 20.0, -2.0, -2.0}).working_angle));  // teeth would overlap
+  BOOST_TEST(std::isnan(path_of_contact({4.0, 24, 48, 20.0, -2.0, -2.0}).working_angle));  // the teeth would overlap
 }
 
 BOOST_AUTO_TEST_SUITE_END()

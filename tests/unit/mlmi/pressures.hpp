@@ -1,5 +1,5 @@
 #pragma once
-// Pressures to test and to time the elastic deformation with, and how to compare two deformations.
+// Pressures for tests and timings of the elastic deformation, and the comparison of two deformations.
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +8,7 @@
 
 namespace ehl::tests {
 
-/// f(X, Y) on the nodes of the grid.
+/// f(X, Y) at the nodes of the grid.
 template <class Function>
 core::Field sampled(const core::Patch& grid, Function f) {
   core::Field field(grid);
@@ -17,8 +17,8 @@ core::Field sampled(const core::Patch& grid, Function f) {
   return field;
 }
 
-/// The pressure of a heavily loaded contact in outline: Hertz, a tail towards the inlet, a sharp ridge before the
-/// outlet, zero behind it.
+/// A pressure like that of a heavily loaded contact: Hertz, a tail towards the inlet, a sharp ridge
+/// before the outlet, then zero.
 inline double contact_pressure(double X, double Y) {
   const double r2 = X * X + Y * Y;
   const double hertz = std::sqrt(std::max(0.0, 1.0 - r2));
@@ -30,7 +30,7 @@ inline double contact_pressure(double X, double Y) {
   return std::max(hertz, tail) + ridge;
 }
 
-/// Numbers without any smoothness, all nodes non-zero, the same on every machine.
+/// Random numbers at all nodes, none zero, identical on every machine.
 inline core::Field rough(const core::Patch& grid) {
   core::Field field(grid);
   unsigned state = 12345u;
@@ -42,7 +42,7 @@ inline core::Field rough(const core::Patch& grid) {
   return field;
 }
 
-/// The deformation under P by the method that the parameters name.
+/// The deformation under P by the method in the parameters.
 inline core::Field deformation(const core::Patch& grid, const core::Field& P, const mlmi::Parameters& parameters,
                                int threads = 1) {
   core::Field w(grid);
@@ -50,7 +50,7 @@ inline core::Field deformation(const core::Patch& grid, const core::Field& P, co
   return w;
 }
 
-/// Largest difference of dw/dX (central differences) over the nodes.
+/// The largest difference of dw/dX (central differences) over the nodes.
 inline double slope_difference(const core::Patch& grid, const core::Field& a, const core::Field& b) {
   double largest = 0.0;
   for (int i = 1; i < grid.nx; ++i)

@@ -1,4 +1,4 @@
-// The direct sum against the half-space under a Hertz pressure, the Fourier sum against the direct one.
+// The direct sum compared with the half-space under a Hertz pressure, and the Fourier sum with the direct sum.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -25,8 +25,9 @@ double hertz(double X, double Y) { return std::sqrt(std::max(0.0, 1.0 - X * X - 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(direct_sum_converges_to_the_hertz_deformation) {
-  // (2/pi^2) K*sqrt(1-r^2) = 1 - r^2/2 inside the circle. The edge, where the pressure has an infinite slope, allows
-  // order 3/2, with a constant that depends on where the nodes fall: the mean over the circle and four grids smooth it.
+  // (2/pi^2) K*sqrt(1-r^2) = 1 - r^2/2 inside the circle. At the edge the pressure has an infinite slope, which
+  // limits the order to 3/2, with a constant that depends on the position of the nodes. The mean over the circle
+  // and four grids smooths this.
   double mean[4];
   for (int k = 0; k < 4; ++k) {
     const int n = 32 << k;
@@ -71,7 +72,7 @@ BOOST_AUTO_TEST_CASE(an_even_convolution_is_the_direct_sum) {
     }
     double largest = 0.0, error = 0.0;
     mlmi::EvenConvolution convolution(K);
-    for (int time = 0; time < 2; ++time) convolution.apply(u, w);  // nothing is left of the first
+    for (int time = 0; time < 2; ++time) convolution.apply(u, w);  // nothing remains of the first transform
     for (std::size_t i = 0; i < points; ++i) {
       for (std::size_t k = 0; k < points; ++k) truth[i] += K[i > k ? i - k : k - i] * u[k];
       largest = std::max(largest, std::abs(truth[i]));
@@ -82,7 +83,7 @@ BOOST_AUTO_TEST_CASE(an_even_convolution_is_the_direct_sum) {
   }
 }
 
-// -(1/pi) integral of sqrt(1 - s^2) ln|X - s| ds = 1/4 + ln(2)/2 - X^2/2 inside, and of every line alike.
+// -(1/pi) integral of sqrt(1 - s^2) ln|X - s| ds = 1/4 + ln(2)/2 - X^2/2 inside, equal on all lines.
 BOOST_AUTO_TEST_CASE(a_line_contact_deforms_as_hertz_said) {
   const Grid grid = ehl::core::line_grid(2048, -4.0, 2.0);
   Field P(grid), w(grid);
@@ -97,7 +98,7 @@ BOOST_AUTO_TEST_CASE(a_line_contact_deforms_as_hertz_said) {
         worst = std::max(worst, std::abs(w(i, 1) - (0.25 + 0.5 * std::numbers::ln2 - 0.5 * X * X)));
       BOOST_TEST_REQUIRE((w(i, 0) == w(i, 1) && w(i, 2) == w(i, 1)));
     }
-    BOOST_TEST_MESSAGE("largest error " << worst << " (tolerance 2e-4)");  // the edge allows order 3/2
+    BOOST_TEST_MESSAGE("largest error " << worst << " (tolerance 2e-4)");  // the edge limits the order to 3/2
     BOOST_TEST(worst < 2e-4);
   }
 }

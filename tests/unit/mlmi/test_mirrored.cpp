@@ -1,4 +1,4 @@
-// The deformation on the lower half of a symmetric domain against the sum over the whole.
+// The deformation on the lower half of a symmetric domain, compared with the sum over the whole domain.
 #include <boost/test/unit_test.hpp>
 
 #include "core/errors.hpp"
@@ -19,14 +19,15 @@ double difference_from_whole(const Grid& grid, const Parameters& parameters, int
   const SymmetricField P = symmetric_field(grid, random, 0.0, 1.0);
   const Field w = deformation(grid, P.whole, parameters, threads);
   const Field half = deformation(ehl::core::lower_half(grid), P.half, parameters, threads);
-  // Of the lower half: where a coarsening leaves the axis between two points, the multilevel sum over the whole is
-  // symmetric only up to its own error.
+  // Only the lower half is compared. If a coarsening puts the axis between two points, the multilevel sum over the
+  // whole domain is symmetric only to its own error.
   const double difference = ehl::core::max_abs_difference(half_of(grid, w), half) / ehl::core::max_abs(w);
   BOOST_TEST_MESSAGE(grid.nx << " x " << grid.ny << ": difference " << difference << " (tolerance 1e-13)");
   return difference;
 }
 
-// Axis on a line of every coarsening of y, of the first one only, of none; strips that end at, before and behind it.
+// The axis is on a line of every coarsening of y, of the first one only, or of none; strips
+// end at, before and after it.
 const Grid grids[] = {{48, 32, -3, 1.5, -1.5, 1.5}, {64, 64, -4.5, 1.5, -3, 3}, {40, 36, -3, 1.5, -2, 2},
                       {33, 50, -3, 1.5, -2, 2},     {32, 112, -1, 1, -3, 3},    {64, 72, -2, 2, -1, 1},
                       {128, 128, -4.5, 1.5, -3, 3}, {96, 16, -4, 2, -0.5, 0.5}};

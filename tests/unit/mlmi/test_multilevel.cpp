@@ -1,4 +1,4 @@
-// Multilevel multi-integration against the direct and the Fourier sum.
+// Multilevel multi-integration compared with the direct sum and the Fourier sum.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <cstdlib>
@@ -18,8 +18,8 @@ using mlmi::Deformation;
 using mlmi::Method;
 using mlmi::Parameters;
 
-// Every allocation of this program passes here. (noinline: the compiler would otherwise see malloc and free without the
-// operators around them and warn.)
+// All allocations of this program are counted here. (noinline: otherwise the compiler would see malloc and free without
+// the operators around them and warn.)
 namespace {
 long allocations = 0;
 }
@@ -38,7 +38,7 @@ double relative_error(const Field& w, const Field& truth) {
 
 bool same_bits(const Field& a, const Field& b) { return ehl::core::max_abs_difference(a, b) == 0.0; }
 
-// Inner product over all nodes.
+// The inner product over all nodes.
 double product(const Field& a, const Field& b) {
   double sum = 0.0;
   for (int i = 0; i < a.nodes_x(); ++i)
@@ -48,8 +48,9 @@ double product(const Field& a, const Field& b) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_patch_as_large_as_the_grid_makes_it_exact_for_any_pressure) {
-  // No smoothness, no zeros at the boundary: ghost points, parities and corrections must all be right. What remains are
-  // the far corners of the patch, trimmed because they are smaller than what lies outside it (some 1e-9 of the kernel).
+  // The pressure is rough and not zero on the boundary, so that ghost points, parities and corrections must all be
+  // correct. The remaining differences come from the far corners of the patch, which are omitted because they are
+  // smaller than the part outside the patch.
   for (const Grid& grid : {Grid{32, 32, -3, 3, -3, 3}, Grid{40, 16, -4, 2, -1, 1}, Grid{17, 35, -2, 2, -3, 3}}) {
     const Field P = ehl::tests::rough(grid);
     const Field truth = deformation(grid, P, {.method = Method::direct});
@@ -71,7 +72,7 @@ BOOST_AUTO_TEST_CASE(a_patch_as_large_as_the_grid_makes_it_exact_for_any_pressur
 }
 
 BOOST_AUTO_TEST_CASE(order_and_patch_buy_accuracy) {
-  // Measured at n = 64, with room for another processor's rounding.
+  // The tolerances belong to n = 64, with a margin for the rounding of other processors.
   const Grid grid{64, 64, -4.5, 1.5, -3.0, 3.0};
   const Field P = ehl::tests::sampled(grid, ehl::tests::contact_pressure);
   const Field truth = deformation(grid, P, {.method = Method::direct});
@@ -151,7 +152,7 @@ BOOST_AUTO_TEST_CASE(linear_symmetric_and_without_memory) {
       nonlinearity = std::max(nonlinearity, std::abs(w(i, j) - 2.0 * wP(i, j) + 3.0 * wQ(i, j)));
       asymmetry = std::max(asymmetry, std::abs(wP(i, j) - wP(i, grid.ny - j)));
     }
-  // (P, K Q) = (Q, K P) holds for the kernel; the multilevel sum keeps it to its own error.
+  // (P, K Q) = (Q, K P) holds for the kernel; the multilevel sum satisfies it to its own error.
   const double adjoint = std::abs(product(P, wQ) / product(Q, wP) - 1.0);
   BOOST_TEST_MESSAGE("nonlinearity " << nonlinearity << ", asymmetry in Y " << asymmetry
                                      << " (tolerance 1e-13), (P,KQ)/(Q,KP)-1 " << adjoint << " (tolerance 1e-5)");

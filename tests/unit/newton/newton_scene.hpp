@@ -1,5 +1,5 @@
 #pragma once
-// A circular contact on one grid, from the Hertz pressure: where Newton's method is asked to begin.
+// A circular contact on one grid, started from the Hertz pressure, for Newton's method.
 #include <cmath>
 
 #include "contact/film_formulas.hpp"
@@ -8,7 +8,7 @@
 
 namespace ehl::tests {
 
-/// Roelands (z = 0.68, alpha = 2.2e-8 1/Pa) and Dowson-Higginson, film by Fourier transforms: exact.
+/// Roelands (z = 0.68, alpha = 2.2e-8 1/Pa) and Dowson-Higginson; the deformation by Fourier transforms is exact.
 inline fmg::Hierarchy newton_hierarchy(double M, double L, const core::Patch& grid, int threads,
                                        reynolds::Wedge wedge = reynolds::Wedge::upstream2,
                                        std::optional<rheology::ShearThinning> thinning = {},
@@ -31,7 +31,7 @@ inline fmg::Hierarchy newton_hierarchy(double M, double L, const core::Patch& gr
   return fmg::make_hierarchy(problem, {}, deformation, grid, threads);
 }
 
-/// H00 that goes with the published central film.
+/// H00 for the published central film.
 inline double first_H00(double M, double L) {
   return -1.0 + contact::H_from_moes_units(contact::nijenbanning_venner_moes(M, L), M);
 }

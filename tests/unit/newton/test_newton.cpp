@@ -1,4 +1,4 @@
-// Newton's method for the steady problem: exact Jacobian, fast end, the cycles' solution, and honest failures.
+// Newton's method: exact Jacobian, quadratic convergence, the same solution as the cycles, and reported failures.
 #include <unistd.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ namespace {
 
 constexpr core::Grid square(int n) { return {n, n, -2.5, 1.5, -2.0, 2.0}; }
 
-/// Hertz pressure with noise inside, light pressures and cavitated nodes mixed outside; every number away from zero.
+/// The Hertz pressure with noise inside; low pressures and cavitated nodes mixed outside; no number is zero.
 std::vector<double> mixed_unknowns(const newton::Equations& equations, Random& random) {
   std::vector<double> u(equations.size());
   const core::Patch& grid = equations.grid();
@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE(jacobian_products_are_the_slope_of_the_residual) {
       {Wedge::upstream2, Face::mean, newtonian, 0.5},         {Wedge::upstream3, Face::mean, newtonian, 0.5},
       {Wedge::upstream3, Face::logmean_bounded, eyring, 0.5}};
   for (const auto& [wedge, face, thinning, supply] : schemes) {
-    // hx != hy: every factor in its place.
+    // hx != hy, so that a wrong factor is noticed.
     fmg::Hierarchy hierarchy =
         newton_hierarchy(50, 10, core::Grid{32, 24, -3.0, 1.5, -2.0, 2.0}, 1, wedge, thinning, face, supply);
     const std::size_t l = hierarchy.levels.size() - 1;
@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(jacobian_products_are_the_slope_of_the_residual) {
   }
 }
 
-// Without the deformation beyond its self term the factors would be the inverse: with it, GMRES has little left to do.
+// The factors would be the exact inverse without the deformation beyond its self term, so GMRES needs few iterations.
 BOOST_AUTO_TEST_CASE(preconditioner_solves_the_local_equations) {
   Random random(6);
   fmg::Hierarchy hierarchy = newton_hierarchy(50, 10, square(32), 1);
@@ -114,8 +114,8 @@ BOOST_AUTO_TEST_CASE(preconditioner_solves_the_local_equations) {
   equations.linearize(u);
   newton::Preconditioner preconditioner(equations);
   BOOST_REQUIRE(preconditioner.factor());
-  // A change of H00 alone has no deformation: its product with the exact Jacobian is one with the local one as well,
-  // but for the load row, which H00 does not enter.
+  // A change of H00 alone causes no deformation. Its product with the exact Jacobian therefore equals that with the
+  // local one, except in the load row, which does not contain H00.
   std::vector<double> v(u.size(), 0.0), product(u.size());
   v.back() = 0.01;
   equations.jacobian(v, product);
@@ -125,7 +125,7 @@ BOOST_AUTO_TEST_CASE(preconditioner_solves_the_local_equations) {
     if (equations.wet(k)) error = std::max(error, std::abs(product[k]));
   BOOST_TEST_MESSAGE("a change of H00 comes back with an error of " << error / 0.01 << " (allowed 1e-10)");
   BOOST_TEST(error <= 1e-10 * 0.01);
-  // The load row has no deformation either.
+  // The load row contains no deformation either.
   for (double& x : v) x = random.between(-1.0, 1.0);
   const double asked = v.back();
   preconditioner.solve(v);
@@ -159,19 +159,19 @@ BOOST_AUTO_TEST_CASE(from_hertz_to_the_solution_of_the_cycles) {
   BOOST_TEST(H_apart <= 1e-9);
   BOOST_TEST(std::abs(alone.H00 - cycles.H00) <= 1e-9);
 
-  // The end is quadratic, up to the 1e-5 to which the linear systems are solved: better than any cycle.
+  // The final convergence is quadratic, down to the accuracy of the linear solutions, and thus faster than any cycle.
   double best = 1.0;
   for (std::size_t k = 1; k < result.steps.size(); ++k)
     best = std::min(best, result.steps[k].residual / result.steps[k - 1].residual);
   BOOST_TEST_MESSAGE("the best step leaves " << best << " of the residual (allowed 1e-3)");
   BOOST_TEST(best <= 1e-3);
 
-  // From a solution there is nothing to do; from one that is a little off, little.
+  // A solution needs no step, and a slightly disturbed one needs few.
   BOOST_TEST(newton::solve(alone, l).steps.size() <= 1);
   fmg::fas_cycle(alone, l);
   BOOST_TEST(newton::solve(alone, l).steps.size() <= 2);
 
-  // The force balance alone can be off.
+  // Only the force balance is disturbed.
   alone.levels[l].load *= 1.0 + 1e-6;
   BOOST_TEST(newton::solve(alone, l).converged);
   BOOST_TEST(fmg::measures_of(alone, l).load_error <= 1e-11);
@@ -183,13 +183,13 @@ BOOST_AUTO_TEST_CASE(failures_are_told) {
     BOOST_TEST(!result.converged);
     BOOST_TEST(result.reason.find(word) != std::string::npos);
   };
-  // A grid whose discrete film is negative has no solution that means anything.
+  // A grid whose discrete film is negative has no meaningful solution.
   fmg::Hierarchy coarse = newton_hierarchy(1000, 10, square(32), 1);
   fmg::start_from_hertz(coarse, 0, first_H00(1000, 10), 0);
   const newton::Result negative = newton::solve(coarse, 0);
   tells(negative, "film");
   BOOST_TEST(negative.equations_met);
-  // Without pressure nothing depends on H00.
+  // Without pressure, nothing depends on H00.
   fmg::Hierarchy dry = newton_hierarchy(50, 10, square(32), 1);
   fmg::start_from_hertz(dry, 0, first_H00(50, 10), 0);
   dry.levels[0].P.fill(0.0);
@@ -197,7 +197,7 @@ BOOST_AUTO_TEST_CASE(failures_are_told) {
   dry.H00 = std::numeric_limits<double>::quiet_NaN();
   fmg::start_from_hertz(dry, 0, dry.H00, 0);
   tells(newton::solve(dry, 0), "not finite");
-  // Stopped early, after a step that made things worse: the best state met, with the film that belongs to it.
+  // Stopped early, after a step that increased the residual: the result is the best state so far with its film.
   fmg::Hierarchy stopped = newton_hierarchy(20, 10, core::Grid{64, 64, -4.5, 1.5, -3.0, 3.0}, 1);
   const std::size_t l = stopped.levels.size() - 1;
   fmg::start_from_hertz(stopped, l, first_H00(20, 10), 0);
@@ -210,11 +210,11 @@ BOOST_AUTO_TEST_CASE(failures_are_told) {
   const core::Field H = stopped.levels[l].H;
   fmg::update_film(stopped, stopped.levels[l]);
   BOOST_TEST(core::max_abs_difference(H, stopped.levels[l].H) == 0.0);
-  // The user's stop.
+  // The user asks to stop.
   int calls = 0;
   BOOST_CHECK_THROW(newton::solve(stopped, l, {}, [&](const newton::Step&) { return ++calls < 2; }), core::Interrupted);
   BOOST_TEST(calls == 2);
-  // A problem without force balance is another one.
+  // A problem without a force balance is a different one.
   fmg::Problem without_load = stopped.problem;
   without_load.load.reset();
   fmg::Hierarchy other = fmg::make_hierarchy(without_load, {}, {}, stopped.finest().grid, 1);
@@ -237,7 +237,7 @@ BOOST_AUTO_TEST_CASE(same_bits_with_one_and_two_threads) {
 
 namespace {
 
-/// The slope of u_k^2 at u.
+/// The derivative of u_k^2 at u.
 newton::LinearSystem slope_of_squares(const std::vector<double>& u) {
   return {[&u](std::span<const double> v, std::span<double> Av) {
             for (std::size_t k = 0; k < v.size(); ++k) Av[k] = 2.0 * u[k] * v[k];
@@ -245,7 +245,7 @@ newton::LinearSystem slope_of_squares(const std::vector<double>& u) {
           [](std::span<double>) {}};
 }
 
-/// What a function writes to the standard error stream, in bytes.
+/// The number of bytes that a function writes to standard error.
 long bytes_on_stderr(const std::function<void()>& function) {
   std::FILE* file = std::tmpfile();
   std::fflush(stderr);
@@ -268,7 +268,7 @@ BOOST_AUTO_TEST_CASE(gmres_takes_newton_steps_and_keeps_quiet) {
   for (int step = 0; step < 6; ++step) {
     for (std::size_t k = 0; k < u.size(); ++k) minus_F[k] = static_cast<double>(k + 1) - u[k] * u[k];
     newton::gmres(system, minus_F, 1e-12, d);
-    // Heron's rule is this Newton step in closed form.
+    // Heron's method is this Newton step in closed form.
     for (std::size_t k = 0; k < u.size(); ++k) {
       const double heron = 0.5 * (u[k] + static_cast<double>(k + 1) / u[k]);
       u[k] += d[k];

@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(slips) {
   BOOST_TEST(contains(refusal({"extract", "r.h5"}), "DATASET is missing"));
 }
 
-// Commands that do not work yet are not in the help; those that work are.
+// The help lists only commands that work.
 BOOST_AUTO_TEST_CASE(the_help_names_what_works) {
   const std::string help = program::help_text(program::commands(), "");
   for (const char* command : {"run", "check", "resume", "sweep", "study", "extract", "plot", "keys"})
@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(help_is_asked_for_anywhere) {
   BOOST_TEST(parse({"--version"}).command == "version");
 }
 
-// A command of the list can be called, is its own function, and is in the help with all its options.
+// Every command in the list can be called, has its own function, and appears in the help with all its options.
 BOOST_AUTO_TEST_CASE(every_command_is_dispatched) {
   std::set<int (*)(const Arguments&)> functions;
   std::set<std::string> names;

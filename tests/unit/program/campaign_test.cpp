@@ -1,4 +1,4 @@
-// Sweeps in many jobs: keys that change together, cases of a file, shards, and how they become one table.
+// Sweeps in many jobs: keys varied together, cases from a file, shards, and the merged table.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <numeric>
@@ -38,7 +38,7 @@ std::string row(const std::string& status) {
 
 BOOST_AUTO_TEST_SUITE(campaign)
 
-// Columns of older tables, in which one name had three meanings, are read by the names of today.
+// Older tables, in which one name had three meanings, are read with the present names.
 BOOST_AUTO_TEST_CASE(older_tables_are_read) {
   const support::TemporaryFolder folder;
   const auto columns = [&](const std::string& text) {
@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(older_tables_are_read) {
              boost::test_tools::per_element());
 }
 
-// Many cases are not estimated one by one in every job, and the parts still take nearly the same.
+// In a large sweep not every case is estimated in every job, but the parts still take nearly the same time.
 BOOST_AUTO_TEST_CASE(parts_of_many_cases) {
   const std::vector<std::size_t> values{20, 50, 40};
   const auto cost = [](std::size_t k) {
@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(parts_of_many_cases) {
   BOOST_TEST((estimates <= 111 && seconds.size() == 40000));
   for (const std::size_t k : {0, 1999, 12345, 39999})
     BOOST_TEST(seconds[k] / seconds[20777] == cost(k) / cost(20777), boost::test_tools::tolerance(1e-12));
-  // A table of cases has one variation, of which nothing is known: its parts differ by chance alone.
+  // A table of cases is one variation with unknown costs, so its parts differ only by chance.
   std::size_t few = 0;
   const std::vector<double> equal = program::foreseen_seconds({40000}, [&](std::size_t) { return ++few, 1.0; });
   BOOST_TEST(few <= 1);
@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(keys_change_together) {
     folder.write("w.csv", text);
     return refusal([&] { program::read_cases(folder / "w.csv", program::catalogue()); });
   };
-  // As spreadsheets, R and Python write them.
+  // Formats of spreadsheets, R and Python.
   for (const char* text : {"\"contact.M\",\"contact.L\"\n5,1\n20,2\n", "contact.M;contact.L\n5,0;1,0\n20,0;2,0\n"}) {
     folder.write("q.csv", text);
     const auto quoted = program::parse_variations({}, {}, program::catalogue(), folder / "q.csv");
@@ -125,7 +125,7 @@ BOOST_AUTO_TEST_CASE(keys_change_together) {
   BOOST_TEST(program::values_of_case(program::parse_variations({}, {}, program::catalogue(), folder / "q.csv"), 0) ==
                  (Texts{"20", "0.1"}),
              boost::test_tools::per_element());
-  // A table with a heading that means nothing was left out, and one case solved.
+  // A table with an unknown heading must be refused, and not be ignored.
   const auto refused = [&](const std::string& heading) {
     folder.write("w.csv", heading + "\n5,1\n");
     return refusal([&] { program::parse_variations({}, {}, program::catalogue(), folder / "w.csv"); });
@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE(keys_change_together) {
                       "'20' has 1 values for 2 keys"));
 }
 
-// Every case is in one shard, and all shards have nearly as much to do.
+// Every case is in exactly one shard, and all shards have nearly the same work.
 BOOST_AUTO_TEST_CASE(shards) {
   std::vector<double> seconds;
   for (int k = 0; k < 77; ++k) seconds.push_back(0.1 + (k * 37 % 77));
@@ -168,7 +168,8 @@ BOOST_AUTO_TEST_CASE(shards) {
     BOOST_TEST(contains(refusal([&] { program::parse_shard(wrong); }), "write i/N"), wrong);
 }
 
-// Shards filled in any order, one of them twice because a process died, make the bytes of one run; a table goes on with
+// Shards computed in any order, one of them twice because a process died, give the same bytes as one run; a table can
+// be extended by more values.
 // more values.
 BOOST_AUTO_TEST_CASE(shards_become_one_table) {
   const support::TemporaryFolder folder;

@@ -1,5 +1,4 @@
-// The list of effects against the deck: nothing belongs to two of them, and nothing is on that the deck did not call
-// for.
+// The list of effects and the deck: nothing belongs to two effects, and no effect is on unless the deck asks for it.
 #include "case/effects.hpp"
 
 #include <algorithm>
@@ -49,7 +48,7 @@ const program::Effect& find(const std::vector<program::Effect>& all, const std::
   return *std::ranges::find(all, name, &program::Effect::name);
 }
 
-// The overrides of an effect's example, with those of the effect that it needs.
+// The overrides of an effect's example, including those of the effect that it requires.
 std::vector<std::string> example_of(const std::vector<program::Effect>& all, const program::Effect& effect) {
   std::vector<std::string> overrides;
   if (!effect.upon.empty()) overrides = example_of(all, find(all, effect.upon));
@@ -86,8 +85,8 @@ BOOST_AUTO_TEST_CASE(every_entry_is_complete) {
     BOOST_TEST(!effect.callers.empty(), effect.name);
     for (const program::KeyName& key : effect.callers)
       BOOST_TEST((deck::find_key(catalogue, key.section, key.name) != nullptr), key.section << "." << key.name);
-    // What is computed from the solution comes after it; what is part of the film is computed with it, and what it adds
-    // to the solution tells its time.
+    // An effect that follows from the solution is computed after it. An effect that is part of the film is computed
+    // with it; if it adds to the solution, it reports its time.
     using program::Stage;
     BOOST_TEST((effect.stage != Stage::after_solution || effect.compute), effect.name);
     BOOST_TEST((effect.stage != Stage::coefficients || !effect.compute || effect.seconds), effect.name);
@@ -118,7 +117,7 @@ BOOST_AUTO_TEST_CASE(a_plain_deck_calls_for_none) {
   BOOST_TEST(report.dump() == "{\"effects\":[]}");
 }
 
-// Each is turned on by its example alone, and names keys that the deck does give.
+// Each example enables its effect, and its keys are in the deck.
 BOOST_AUTO_TEST_CASE(an_example_turns_its_effect_on) {
   const std::vector<program::Effect> all = program::effects();
   for (const program::Effect& effect : all) {
@@ -141,7 +140,7 @@ BOOST_AUTO_TEST_CASE(an_example_turns_its_effect_on) {
   }
 }
 
-// What is expected is the sum of what each says.
+// The total cost is the sum of the costs of the effects.
 BOOST_AUTO_TEST_CASE(expenses_add_up) {
   const std::vector<program::Effect> all = program::effects();
   for (const program::Effect& effect : all) {
@@ -159,7 +158,7 @@ BOOST_AUTO_TEST_CASE(expenses_add_up) {
   }
 }
 
-// A section of an effect without one of the keys that call for it: each of its other keys, and none at all.
+// A section of an effect without a key that enables it: with each of its other keys, and with none.
 BOOST_AUTO_TEST_CASE(a_section_without_influence_is_refused) {
   const deck::Catalogue catalogue = program::catalogue();
   for (const program::Effect& effect : program::effects())
@@ -194,7 +193,7 @@ BOOST_AUTO_TEST_CASE(what_breaks_the_symmetry_is_named) {
   BOOST_TEST(contains(program::effect_lines(with("surface2.angle=30")), "none in Y, the whole domain is computed"));
 }
 
-// 10 s, of which the transient took 6 and the shape of the surfaces 1 of those 6.
+// 10 s in total; the run in time took 6 of them, and the surfaces 1 of those 6.
 BOOST_AUTO_TEST_CASE(times_and_shares) {
   const std::vector<program::Effect> all = program::effects();
   const program::Case input = read(plain, example_of(all, find(all, "surfaces")));

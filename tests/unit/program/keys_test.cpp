@@ -1,5 +1,5 @@
-// Every key that the catalogue declares is read by somebody, in one of the decks that come with the program; and what
-// was understood of each of them is a deck again.
+// Every key in the catalogue is read in one of the decks that come with the program, and the
+// effective deck is valid again.
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
 #include <set>
@@ -13,13 +13,13 @@ using namespace ehl;
 
 namespace {
 
-// "section.key" of all that was asked for while the case was made.
+// The "section.key" of every key that was read while the case was made.
 void add_read(const deck::Deck& deck, std::set<std::string>& read) {
   for (std::size_t k = 0; k < deck.values.size(); ++k)
     if (deck.values[k].read) read.insert(deck.catalogue.keys[k].section + "." + deck.catalogue.keys[k].name);
 }
 
-// The deck that a result keeps: accepted where the first one lay, and of the same case to the last bit.
+// The deck that a result keeps is accepted in the folder of the first deck, and gives exactly the same case.
 void check_again(const std::string& path, const std::vector<std::string>& overrides = {}) {
   const program::Case once = program::read_case(path, overrides, 1);
   const std::string text = deck::effective_deck(once.deck);

@@ -1,4 +1,4 @@
-// Least squares against straight lines through the logarithm, whose errors are known in closed form, and a curve.
+// Least squares for straight lines, whose errors are known in closed form, and for a curve.
 #include "tables/least_squares.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -20,17 +20,17 @@ BOOST_AUTO_TEST_CASE(a_constant_is_the_mean) {
   };
   const Fit fit = least_squares(model, measured, {1.0});
   BOOST_TEST(fit.settled);
-  BOOST_TEST(std::abs(fit.parameters[0] - 3.0) < 0.05 * 0.91);  // a twentieth of the error is where it stops
-  // s = sqrt(10/3), s/sqrt(4) = 0.9129; the slope in the logarithm is taken over 5 %, which is 2.5 % off.
+  BOOST_TEST(std::abs(fit.parameters[0] - 3.0) < 0.05 * 0.91);  // the iteration stops at a twentieth of the error
+  // s = sqrt(10/3), s/sqrt(4) = 0.9129; the slope in the logarithm is a difference over 5 %, which makes it inexact.
   BOOST_TEST(std::abs(fit.errors[0] * fit.parameters[0] / 0.912871 - 1) < 0.04);
   BOOST_TEST(std::abs(fit.deviation - std::sqrt(2.5)) < 1e-2);
-  // Known errors of 1: sigma/sqrt(4) = 0.5, and more where the scatter says so.
+  // With known errors of 1, sigma/sqrt(4) = 0.5; the scatter may increase this.
   std::vector<Measurement> certain = measured;
   for (Measurement& one : certain) one.sigma = 10.0;
   BOOST_TEST(std::abs(least_squares(model, certain, {1.0}).errors[0] * 3.0 / 5.0 - 1) < 0.04);
 }
 
-// An Eyring curve far from the start: both constants come out, and so does that they go together.
+// An Eyring curve far from the start: the fit finds both constants and their correlation.
 BOOST_AUTO_TEST_CASE(a_curve_of_two_constants) {
   const std::vector<double> x{0.01, 0.03, 0.1, 0.3, 1.0, 2.0};
   const auto curve = [&](double a, double b, double at) { return a * std::asinh(at / b); };

@@ -1,4 +1,4 @@
-// What pictures are made of: fields between their nodes, and the rows of a sweep as curves.
+// The data of pictures: fields between their nodes, and the rows of a sweep as curves.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <functional>
@@ -20,7 +20,7 @@ namespace {
 
 using Function = std::function<double(double, double)>;
 
-// On lines that grow apart.
+// A field on lines with increasing distances.
 FieldOnGrid field_of(int nodes, const Function& function) {
   FieldOnGrid field;
   for (int i = 0; i < nodes; ++i) {
@@ -54,7 +54,7 @@ program::Arguments plotted(const std::vector<std::string>& words) {
   return program::parse_arguments(all, program::commands());
 }
 
-// Rows out of order, one without a solution.
+// The rows are unordered, and one has no solution.
 const std::string table = std::string(program::sweep_mark) +
                           "\n# vary: motion.u_m = 0.1,0.2,0.4\n# units: h_c_nm [nm], h_m_nm [nm]\n"
                           "motion.u_m,contact.load,status,h_c_nm,h_c_error_nm,h_m_nm,hd_h_c_nm,Sq_nm,reason\n"

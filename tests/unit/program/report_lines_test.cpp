@@ -1,4 +1,4 @@
-// Lines of the report whose numbers are unusual: large, negative or very small.
+// Lines of the report with unusual numbers: large, negative or very small.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <sstream>
@@ -24,7 +24,7 @@ program::Physics example_physics() {
 
 BOOST_AUTO_TEST_SUITE(report_lines)
 
-// "1994" and "3.602e+04" are two numbers, and no name shifts its row.
+// "1994" and "3.602e+04" are separate numbers, and no name shifts its row.
 BOOST_AUTO_TEST_CASE(columns_of_formulas_stand_apart) {
   const std::vector<program::Formula> formulas{{"Nijenbanning, Venner, Moes 1994", "nvm", 36020.0, -1.234e-7},
                                                {"Dowson, Higginson 1968; Toyoda 1979 (U = 1e-11)", "dh", 0.1, 0.2}};
@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(columns_of_formulas_stand_apart) {
   }
 }
 
-// A film below zero is one that the mesh does not resolve.
+// A negative film means that the mesh does not resolve it.
 BOOST_AUTO_TEST_CASE(nothing_is_told_of_a_film_below_zero) {
   program::Physics physics = example_physics();
   physics.si.emplace();

@@ -1,4 +1,4 @@
-// Reports on a solution that was made up, so that every number in them is known.
+// Reports on an artificial solution, of which every number is known.
 #include "report/report.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -120,7 +120,8 @@ BOOST_AUTO_TEST_CASE(a_number_that_did_not_converge_carries_the_mark) {
   BOOST_TEST(!contains(text(true), "nan"));
 }
 
-// The value with the narrowest bar first, that of the nodes beside it; without errors by weights the nodes alone.
+// The value with the narrowest error bar comes first, then that of the nodes; without adjoint
+// errors the latter is alone.
 BOOST_AUTO_TEST_CASE(the_closest_value_is_first) {
   const program::Case input = example_case();
   steady::Solution solution = example_solution(true);
@@ -210,7 +211,7 @@ BOOST_AUTO_TEST_CASE(verification_is_shown_with_its_numbers) {
   BOOST_TEST(value("largest_residual_x") == 0.75);
 }
 
-// What flows through a line contact is told per length.
+// The flow through a line contact is per length.
 BOOST_AUTO_TEST_CASE(flow_through_has_the_unit_of_the_contact) {
   const auto unit = [](const contact::Ellipse& shape) {
     for (const program::Quantity& one : program::verification_quantities({}, shape))
@@ -222,7 +223,7 @@ BOOST_AUTO_TEST_CASE(flow_through_has_the_unit_of_the_contact) {
   BOOST_TEST(unit(contact::line_contact()) == "rho0 u_m a^2/R");
 }
 
-// The words that modules/steady writes, and the codes that postprocess/ goes by.
+// The names of methods in modules/steady, and the codes that postprocess/ uses.
 BOOST_AUTO_TEST_CASE(every_way_has_a_code) {
   const auto code = [](const char* method) {
     steady::Solution solution;
@@ -237,7 +238,7 @@ BOOST_AUTO_TEST_CASE(every_way_has_a_code) {
   BOOST_TEST(code("Newton-Krylov after the cycles") == "newton-after-cycles");
 }
 
-// P_max is 0.5: 2 GPa with 4 GPa of Hertz.
+// P_max is 0.5: 2 GPa for a Hertz pressure of 4 GPa.
 BOOST_AUTO_TEST_CASE(warnings_that_need_the_scale_of_pressure) {
   program::Case input = example_case();
   input.physics.viscosity = rheology::make_barus(2e-8, 0.9e9);
@@ -266,7 +267,7 @@ BOOST_AUTO_TEST_CASE(json_texts) {
   BOOST_TEST(!support::is_json("[1,]"));
 }
 
-// ln eta_bar = alpha_bar P for Barus: 3 x 0.5 at the node of the pressure.
+// ln eta_bar = alpha_bar P for Barus: 3 x 0.5 at the node with pressure.
 BOOST_AUTO_TEST_CASE(result_content_keeps_what_the_deck_wants) {
   const program::Case input = example_case();
   const program::Computed computed = computed_of(input, example_solution(true));

@@ -1,4 +1,4 @@
-// From decks to what the solver gets, against numbers worked out elsewhere.
+// The conversion of decks to the input of the solver, compared with numbers computed elsewhere.
 #include "case/scene.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE(the_papers_case) {
   BOOST_TEST(input.scene.grid.ny == 256);
 }
 
-// Mourier et al. 2006: M = 63.78, L = 5.788, z = 0.5205; a = 136.7 um and p_h = 383 MPa by Hertz.
+// Mourier et al. 2006: M = 63.78, L = 5.788, z = 0.5205; Hertz: a = 136.7 um and p_h = 383 MPa.
 BOOST_AUTO_TEST_CASE(a_contact_in_si) {
   const program::Case input = read(
       "[contact]\nload = 15\nradius_x = 0.0125\nE_prime = 110e9\n[motion]\nu_m = 0.09\nsrr = 0.5\n"
@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(a_contact_in_si) {
   BOOST_TEST(input.physics.si->u2 == 0.0675, tolerance(1e-14));
 }
 
-// The three languages describe one contact: W, U, G of the SI case lead to the same groups.
+// The three languages describe one contact: W, U, G of the case in SI give the same groups.
 BOOST_AUTO_TEST_CASE(three_languages_one_contact) {
   const program::Case si = read(
       "[contact]\nload = 15\nradius_x = 0.0125\nE_prime = 110e9\n[motion]\nu1 = 0.09\nu2 = 0.09\n"
@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(three_languages_one_contact) {
   }
 }
 
-// An ellipse in SI and by its ratio; the angle; a domain and cells that fit it.
+// An ellipse in SI and by its ratio; the angle; a suitable domain and suitable cells.
 BOOST_AUTO_TEST_CASE(elliptic_contacts) {
   const std::string steel =
       "[contact]\nload = 15\nradius_x = 0.01\nE_prime = 110e9\n[motion]\nu_m = 0.09\nangle = 30\n"
@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(isoviscous_and_barus) {
              tolerance(1e-12));
 }
 
-// L = 0 with a piezoviscous lubricant: the limit, without a Hertz pressure.
+// L = 0 with a piezoviscous lubricant is a limit without a Hertz pressure.
 BOOST_AUTO_TEST_CASE(no_pressure_no_piezoviscosity) {
   const program::Case limit = read(moes, {"contact.L=0"});
   BOOST_TEST(std::get<rheology::Roelands>(limit.scene.viscosity).p_h_over_p0 == 0.0);
@@ -131,23 +131,24 @@ BOOST_AUTO_TEST_CASE(the_grid_follows_the_domain) {
   const program::Case heavy = read(moes, {"contact.M=1000", "domain.far_field=zero"});
   BOOST_TEST(heavy.scene.grid.X_a == -2.5);
   BOOST_TEST(heavy.scene.grid.Y_b == 2.0);
-  // What resolves the film (modules/steady): 256 cells for M = 50, more where the film is thinner.
+  // The number of cells that resolves the film (modules/steady): 256 for M = 50, more if the film is thinner.
   BOOST_TEST(read(moes).scene.grid.nx == 256);
   BOOST_TEST(heavy.scene.grid.nx == 512);
   BOOST_TEST(heavy.scene.grid.ny == 512);
   BOOST_TEST(read(moes, {"contact.M=5000"}).scene.grid.nx == 1024);
   BOOST_TEST(read(moes, {"grid.coarsest=24"}).scene.grid.nx == 384);
-  // The far field of a light load reaches further, and its film is so thick that it cavitates later.
+  // The far field of a light load extends further, and its film is so thick that it cavitates further downstream.
   const program::Case light = read(moes, {"contact.M=2", "contact.L=2", "domain.far_field=zero"});
   BOOST_TEST(light.scene.grid.X_a == -189.0);
   BOOST_TEST(light.scene.grid.X_b == 3.0);
   BOOST_TEST(light.scene.grid.Y_b == 96.0);
-  // In closed form it needs no place but that of the film: some eight times sqrt(2 Hc), Hc = 6.
+  // With the far field in closed form, the domain needs only the size of the film zone: some eight
+  // times sqrt(2 Hc), Hc = 6.
   const program::Case closed = read(moes, {"contact.M=2", "contact.L=2"});
   BOOST_TEST_MESSAGE("closed: X from " << closed.scene.grid.X_a << " to " << closed.scene.grid.X_b);
   BOOST_TEST((closed.scene.far_field && closed.scene.grid.X_a > -30.0 && closed.scene.grid.X_b > 10.0));
   const program::Case wide = read(moes, {"domain.y_half=4", "grid.cells=128", "domain.far_field=zero"});
-  // 128 x 8/6 = 170.7; on the coarsest grid (32) 42.7, nearest even number 42: 168.
+  // 128 x 8/6 = 170.7; on the coarsest grid (32) 42.7, of which 42 is the nearest even number: 168.
   BOOST_TEST(wide.scene.grid.ny == 168);
   BOOST_TEST(std::abs(wide.scene.grid.hy() / wide.scene.grid.hx() - 1.0) < 0.03);
   const program::Case odd = read(moes, {"grid.cells=96", "grid.coarsest=12"});
@@ -161,7 +162,7 @@ BOOST_AUTO_TEST_CASE(the_self_written_deck_is_the_papers_case) {
   BOOST_TEST(input.scene.grid.nx == 256);
 }
 
-// The deck in a result, read again, gives the same case to the last bit.
+// The deck in a result, read again, gives exactly the same case.
 BOOST_AUTO_TEST_CASE(the_effective_deck_gives_the_same_case) {
   const std::string si =
       "[contact]\nload = 15\nradius_x = 0.0125\nE1 = 206e9\nnu1 = 0.3\nE2 = 81e9\nnu2 = 0.208\n[motion]\nu1 = 0.1\nu2 "
@@ -178,7 +179,7 @@ BOOST_AUTO_TEST_CASE(the_effective_deck_gives_the_same_case) {
   }
 }
 
-// "mistakes to avoid": every key that the catalogue lists can be given without being called unknown.
+// Every key in the catalogue can be given without being called unknown.
 BOOST_AUTO_TEST_CASE(the_catalogue_is_sound) {
   const deck::Catalogue all = program::catalogue();
   for (const deck::Key& key : all.keys) {

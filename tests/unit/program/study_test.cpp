@@ -1,4 +1,4 @@
-// A study without solving: its reference value, its Pareto front, its rows and its lists.
+// A study without solving: its reference, its Pareto front, its rows and its lists.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -35,7 +35,7 @@ program::StudyPoint from_text(const std::string& text) {
 
 BOOST_AUTO_TEST_SUITE(study)
 
-// Exactly converged second-order films of an independent program, and the limits where both schemes meet.
+// Fully converged second-order films of an independent program, and the limits at which both schemes agree.
 BOOST_AUTO_TEST_CASE(the_extrapolated_film_is_the_limit) {
   struct Case {
     const char* name;
@@ -59,13 +59,13 @@ BOOST_AUTO_TEST_CASE(the_extrapolated_film_is_the_limit) {
       BOOST_TEST_MESSAGE(one.name << ", " << n << " grids: " << found.value << " off by " << off << ", allowed "
                                   << allowed);
       BOOST_TEST(off <= allowed, one.name << " of " << n << " grids");
-      // An error bar that is wide enough for anything says nothing: narrower than what it corrects.
+      // The error bar must be narrower than the correction; a bar of any width would be right.
       BOOST_TEST(found.error * found.value < std::abs(one.values[n - 1] - one.values[n - 2]), one.name);
     }
   BOOST_TEST(std::isnan(program::extrapolated({}, 0.05).value));
 }
 
-// v = 1 + h^2 exactly: the limit is 1, and the error is what is always left, a twentieth of the correction.
+// v = 1 + h^2 exactly: the limit is 1, and the error is its lower bound, a twentieth of the correction.
 BOOST_AUTO_TEST_CASE(chance_is_no_accuracy) {
   const std::vector<double> values{1.0 + 1.0 / 4, 1.0 + 1.0 / 16, 1.0 + 1.0 / 64};
   const program::Extrapolated found = program::extrapolated(values, 0.05);
@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(the_reference_needs_what_converged) {
   BOOST_TEST(program::reference_of(none).cells.size() < 2u);
 }
 
-// The limit is 1, known to 1e-3. Seconds, error, and whether nothing cheaper is as accurate:
+// The limit is 1 with an error of 1e-3. Columns: seconds, error, status, on the front or not.
 BOOST_AUTO_TEST_CASE(pareto_front) {
   program::Reference reference;
   reference.Hc = reference.Hm = {1.0, 1e-3};
@@ -103,15 +103,15 @@ BOOST_AUTO_TEST_CASE(pareto_front) {
   };
   const std::vector<Expected> all{
       {1.0, 0.10, "converged", true},       // the cheapest
-      {2.0, 0.10, "converged", false},      // as accurate and dearer
+      {2.0, 0.10, "converged", false},      // as accurate and more expensive
       {1.5, 0.05, "stopped", true},         // not converged, but with a film
       {1.4, 0.01, "not-converged", false},  // no film to judge
       {1.4, 0.01, "failed", false},         //
-      {3.0, 0.06, "converged", false},      // worse than a cheaper one
+      {3.0, 0.06, "converged", false},      // less accurate than a cheaper point
       {4.0, 0.02, "converged", true},       //
-      {4.0, 0.03, "converged", false},      // as dear and worse
-      {6.0, 5e-4, "converged", true},       // below what the reference can tell
-      {7.0, 1e-4, "converged", false},      // nothing can be told between these two
+      {4.0, 0.03, "converged", false},      // as expensive and less accurate
+      {6.0, 5e-4, "converged", true},       // below the error of the reference
+      {7.0, 1e-4, "converged", false},      // the reference cannot distinguish these two
   };
   std::vector<program::StudyPoint> points;
   for (const Expected& one : all) points.push_back(point(64, one.seconds, 1.0 + one.error, one.status));
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(pareto_front) {
   }
 }
 
-// A way whose error passes through zero on a coarse grid has not got there.
+// A method whose error passes through zero on a coarse grid has not reached the accuracy.
 BOOST_AUTO_TEST_CASE(an_accuracy_lasts) {
   program::Reference reference;
   reference.Hc = reference.Hm = {1.0, 1e-6};

@@ -1,4 +1,5 @@
-// What a sweep varies, the text of its rows, the head of its table, and its children: nothing is solved here.
+// The variations of a sweep, the text of its rows, the heading of its table, and its child
+// processes; nothing is solved.
 #include <signal.h>
 #include <unistd.h>
 
@@ -212,7 +213,7 @@ BOOST_AUTO_TEST_CASE(a_table_is_continued_or_refused) {
   };
   BOOST_TEST(contains(refusal(narrower), "'vary: contact.L = 1,2,3', this one 'vary: contact.L = 1,2'"));
   refused(header_of(vary, "[contact]\n# another text\n"), "deck text");
-  refused(header_of(vary, "[lubrict]\n"), "deck text");  // as long as the other
+  refused(header_of(vary, "[lubrict]\n"), "deck text");  // of the same length as the other text
   program::SweepHeader with_set = header_of(vary);
   with_set.set = {"grid.cells=64"};
   refused(with_set, "this one 'set: grid.cells=64'");
@@ -226,7 +227,7 @@ BOOST_AUTO_TEST_CASE(a_table_is_continued_or_refused) {
   BOOST_TEST(folder.read("t.csv") == program::header_text(header_of(vary)));
 }
 
-// A child that throws, crashes, is killed or just leaves is one result of its own; the others are not touched.
+// A child that throws, crashes, is killed or exits is one result; the other children are not affected.
 BOOST_AUTO_TEST_CASE(children_end_alone) {
   std::map<std::size_t, program::ChildEnd> ends;
   program::ChildrenCalls calls;
@@ -249,7 +250,7 @@ BOOST_AUTO_TEST_CASE(children_end_alone) {
   BOOST_TEST((!ends[4].complete && contains(ends[4].reason, "out of memory")));
 }
 
-// What a child says of itself reaches its parent while it works.
+// The report of a child reaches its parent while the child works.
 BOOST_AUTO_TEST_CASE(children_say_how_far_they_are) {
   std::string heard;
   program::ChildrenCalls calls;
@@ -261,7 +262,7 @@ BOOST_AUTO_TEST_CASE(children_say_how_far_they_are) {
     ::pause();
     return "";
   };
-  BOOST_TEST(!program::run_in_children({7}, 1, calls));  // ended when it was heard
+  BOOST_TEST(!program::run_in_children({7}, 1, calls));  // stopped when the report was received
 }
 
 BOOST_AUTO_TEST_CASE(children_are_stopped) {

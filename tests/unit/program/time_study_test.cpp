@@ -1,4 +1,4 @@
-// A study of a run in time without running: its errors, its rows, and what is not complete.
+// A study of a run in time without running: its errors, its rows, and incomplete runs.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -13,7 +13,7 @@ namespace {
 
 using support::contains;
 
-/// Hc = 2 + T, Hm = 1, P_max = 4 - T, P at a probe = T (1 - T), at T = 0, 0.25, ... 1; all times a factor.
+/// Hc = 2 + T, Hm = 1, P_max = 4 - T, P at a probe = T (1 - T), at T = 0, 0.25, ... 1; all multiplied by a factor.
 program::TimeStudyPoint made(double factor, double rtol = 1e-4) {
   program::TimeStudyPoint point;
   point.way = {rtol, 0.1};
@@ -53,12 +53,12 @@ BOOST_AUTO_TEST_CASE(errors_are_the_largest_over_the_run) {
   point.samples[1].values = {2.25 * 1.01, 1.0, 3.75, 0.1875 + 0.01};
   point.samples[4].values = {3.0 * 0.98, 1.0 + 1e-6, 3.0 * 1.005, 0.001};
   const std::vector<double> errors = program::errors_in_time(made(1.0), point);
-  // The probe's against its largest, 1/4: at T = 1 it reads 0, of which nothing is relative.
+  // The error at the probe is relative to its largest pressure, 1/4; at T = 1 the pressure is 0.
   const double expected[] = {0.02, 1e-6, 0.005, 0.01 / 0.25};
   BOOST_REQUIRE(errors.size() == 4u);
   for (std::size_t k = 0; k < 4; ++k) BOOST_TEST(std::abs(errors[k] / expected[k] - 1.0) < 1e-9);
   for (const double error : program::errors_in_time(made(1.0), made(1.0))) BOOST_TEST(error == 0.0);
-  // A run that what the deck says ended earlier: as far as both go.
+  // A run that stopped early is compared up to its end.
   point.samples.resize(3);
   BOOST_TEST(std::abs(program::errors_in_time(made(1.0), point)[0] / 0.01 - 1.0) < 1e-9);
 }
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(no_error_without_a_complete_run) {
   }
   program::TimeStudyPoint nothing;
   BOOST_TEST(program::errors_in_time(nothing, made(1.0)).empty());
-  // No pressure at the probe at any time: the error there is not known, and none where there is none in both.
+  // If the reference has no pressure at the probe, the error there is unknown; if both have none, it is zero.
   program::TimeStudyPoint dry = made(1.0);
   for (program::TimeSample& sample : dry.samples) sample.values[3] = 0.0;
   BOOST_TEST(std::isnan(program::errors_in_time(dry, made(1.0))[3]));
@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(the_table_says_what_it_is) {
                            ",status,deviation_Hc,deviation_Hm,deviation_P_max,deviation_P_1,reason\n",
                            "\n0.01,0.1,1,10,15,1.5,2,1,3,0.5,"})
     BOOST_TEST(contains(csv, part), part << " is missing in\n" << csv);
-  // Below what the reference is known to, 1e-5, nothing is told.
+  // Errors below that of the reference, 1e-5, are not printed.
   const std::string text = program::time_study_report({}, reference(), {good, best});
   BOOST_TEST(contains(text, "       1.0e-03       1.0e-03"), text);
   BOOST_TEST(contains(text, "     < 1.0e-05     < 1.0e-05"), text);

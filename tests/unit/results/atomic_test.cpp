@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(writes_and_replaces_only_on_request) {
   BOOST_TEST(folder.entries() == 1);
 }
 
-// A limit on the file size stands for a full disk: the write fails in the middle.
+// A limit on the file size has the effect of a full disk: the write fails in the middle.
 BOOST_AUTO_TEST_CASE(a_write_that_fails_leaves_the_old_file_and_no_half_one) {
   const support::TemporaryFolder folder;
   write(folder / "f", "old", false);
@@ -72,8 +72,8 @@ BOOST_AUTO_TEST_CASE(outputs_refused_before_the_work) {
   BOOST_TEST(folder.entries() == 1);
 }
 
-// What a command reads is never written, whatever leads to it; nor is a file of another kind than the one to be
-// written.
+// A file that the command reads is never written, by whatever path it is reached; nor is a file of a
+// kind other than the output.
 BOOST_AUTO_TEST_CASE(no_input_and_no_foreign_file_is_replaced) {
   using results::FileKind;
   const support::TemporaryFolder folder;
@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(no_input_and_no_foreign_file_is_replaced) {
 
   struct Kind {
     FileKind kind;
-    std::string own;  // how a file of this kind begins
+    std::string own;  // the beginning of a file of this kind
   };
   const Kind kinds[] = {{FileKind::table, "# ehl study in time, table 1\n"},
                         {FileKind::journal, "ehlkept1 and more"},
@@ -126,8 +126,8 @@ BOOST_AUTO_TEST_CASE(a_link_stays_and_its_file_is_replaced) {
   BOOST_TEST(contains(refusal<core::FileError>([&] { write(folder / "circle", "x", true); }), "symbolic links"));
 }
 
-// A killed process cannot take its temporary file away; the next one does. What another one writes stays, and what lies
-// in the way is not followed.
+// A killed process leaves its temporary file, which the next process removes. The file of another running process
+// stays, and links at this place are not followed.
 BOOST_AUTO_TEST_CASE(temporary_files_of_killed_runs_go) {
   const support::TemporaryFolder folder;
   const pid_t child = ::fork();

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// A field whose value tells its node: 1000 i + j. nx != ny, so that a transposed field shows.
+// The value at a node identifies it: 1000 i + j. nx != ny, so that a transposed field is noticed.
 struct Example {
   core::Grid grid{4, 2, -4.5, 1.5, -3.0, 3.0};
   core::Field field{grid};
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(what_is_written_is_read_back) {
   BOOST_CHECK_THROW(file.text("/grid/x"), core::FileError);
 }
 
-// Two runs of the same case differ in nothing but their provenance: the same content gives the same bytes.
+// Two runs of the same case differ only in their provenance: equal content gives equal bytes.
 BOOST_AUTO_TEST_CASE(the_same_content_gives_the_same_bytes) {
   const support::TemporaryFolder folder;
   const Example example;
@@ -100,11 +100,11 @@ BOOST_AUTO_TEST_CASE(the_same_content_gives_the_same_bytes) {
   H5O_info_t info{};
   H5Oget_info_by_name2(file, "/fields/P", &info, H5O_INFO_TIME, H5P_DEFAULT);
   H5Fclose(file);
-  BOOST_TEST(info.ctime == 0);  // no time of its own, which would differ a second later
+  BOOST_TEST(info.ctime == 0);  // no time stamp, which would differ a second later
   BOOST_TEST(folder.read("one.h5").size() < results::expected_bytes(example.grid, 1));
 }
 
-// Nor do the seconds of the clock enter through groups, the root or the file of a sweep's results.
+// Groups, the root and the file of a sweep's results have no time stamps either.
 BOOST_AUTO_TEST_CASE(no_object_has_a_time) {
   const support::TemporaryFolder folder;
   const Example example;
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(no_object_has_a_time) {
     H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_NATIVE, visit, nullptr, H5O_INFO_TIME);
     H5Fclose(file);
   }
-  // In another second.
+  // Waits for the next second.
   const std::time_t began = std::time(nullptr);
   while (std::time(nullptr) == began) ::usleep(20000);
   results::write(folder / "later.h5", example.content, false);

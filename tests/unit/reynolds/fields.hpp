@@ -1,5 +1,5 @@
 #pragma once
-// The fields of a Reynolds equation, owned.
+// The fields of a Reynolds equation, with their storage.
 #include <algorithm>
 
 #include "reynolds/residual.hpp"
@@ -9,7 +9,7 @@ namespace ehl::tests {
 
 struct Fields {
   core::Field P, H, rho_bar, eps, f;
-  core::Field third_order;  ///< theta at the faces behind the nodes along X
+  core::Field third_order;  ///< theta at the faces downstream of the nodes along X
   reynolds::Face face = reynolds::Face::mean;
   reynolds::Fields state() const { return {P, H, rho_bar, eps, f, eps, face, third_order}; }
 };
@@ -19,7 +19,7 @@ inline Fields zero_fields(const core::Patch& grid) {
           core::Field(grid), core::Field(grid), core::Field(grid)};
 }
 
-/// Values of every size that they have in a contact, without any smoothness; the boundary's too.
+/// Rough random fields with values of the sizes that occur in a contact, including the boundary.
 inline Fields random_fields(const core::Patch& grid, Random& random) {
   Fields fields{random_field(grid, random, -0.1, 1.0), random_field(grid, random, 0.0, 2.0),
                 random_field(grid, random, 1.0, 1.3),  random_field(grid, random, 0.0, 3.0),

@@ -1,5 +1,5 @@
-// The cavitation model that conserves mass, on given films: closed forms of rigid bearings with inlet menisci, rupture
-// and reformation.
+// The mass-conserving cavitation model for given films: closed forms of rigid bearings with an inlet
+// meniscus, rupture and reformation.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -18,15 +18,15 @@ namespace {
 
 constexpr double flooded = std::numeric_limits<double>::infinity();
 
-/// d(Q)/dx = d(eps dp/dx)/dx on n cells of [a, b], P given at both ends.
+/// d(Q)/dx = d(eps dp/dx)/dx on n cells of [a, b], with P given at both ends.
 struct Line {
   int n;
   double a, b;
-  std::function<double(double)> film;  ///< = Q where it is full
+  std::function<double(double)> film;  ///< equals Q where the gap is full
   Wedge wedge = Wedge::upstream2;
   double supply = flooded;
   double P_a = 0.0, P_b = 0.0;
-  double begin = -1e9, end = 1e9;  ///< wet between them to begin with
+  double begin = -1e9, end = 1e9;  ///< the nodes between these start wet
 
   double h() const { return (b - a) / n; }
   double x(int i) const { return a + i * h(); }
@@ -38,7 +38,7 @@ struct Solved {
   double load = 0.0;
 };
 
-/// Rows of the wet nodes, the dry ones eliminated; linear in P, whatever its sign.
+/// The rows of the wet nodes with the dry nodes eliminated; linear in P, whatever its sign.
 struct Marched {
   std::vector<double> r, Q, flux;
 };
@@ -46,7 +46,7 @@ Marched march(const Line& line, const std::vector<double>& P, const std::vector<
   const std::size_t nodes = P.size();
   Marched result{std::vector<double>(nodes), std::vector<double>(nodes), std::vector<double>(nodes)};
   const auto full = [&](int i) { return line.film(line.x(i)); };
-  // A step of the film lies between two nodes: what couples them is the series of both halves.
+  // A step of the film lies between two nodes; their coupling is the series of both halves.
   const auto e = [&](int i) {
     const double before = std::pow(full(i), 3), behind = std::pow(full(i + 1), 3);
     return 2.0 * before * behind / (before + behind) / (line.h() * line.h());
@@ -67,7 +67,7 @@ Marched march(const Line& line, const std::vector<double>& P, const std::vector<
   return result;
 }
 
-/// Gaussian elimination; the matrix holds the right-hand side behind its last column.
+/// Gaussian elimination; the right-hand side follows the last column of the matrix.
 std::vector<double> eliminate(std::vector<std::vector<double>> A) {
   const std::size_t n = A.size();
   for (std::size_t k = 0; k < n; ++k) {
@@ -90,7 +90,8 @@ std::vector<double> eliminate(std::vector<std::vector<double>> A) {
   return x;
 }
 
-/// Newton's method with the set of dry nodes: those with P < 0 become dry, those with more than the gap takes wet.
+/// Newton's method with an active set: nodes with P < 0 become dry, and dry nodes with more oil than
+/// the gap holds become wet.
 Solved solve(const Line& line) {
   const auto nodes = static_cast<std::size_t>(line.n) + 1;
   std::vector<char> wet(nodes, 1);
@@ -107,7 +108,7 @@ Solved solve(const Line& line) {
       if (wet[k]) unknowns.push_back(k);
     const Marched at = march(line, P, wet);
     std::vector<std::vector<double>> A(unknowns.size(), std::vector<double>(unknowns.size() + 1));
-    constexpr double little = 1e-7;  // so that no dry node becomes full
+    constexpr double little = 1e-7;  // small enough that no dry node becomes full
     for (std::size_t c = 0; c < unknowns.size(); ++c) {
       P[unknowns[c]] += little;
       const Marched one = march(line, P, wet);
@@ -137,12 +138,12 @@ Solved solve(const Line& line) {
   return result;
 }
 
-/// What residual() makes of the solution of a line: the largest r where P > 0, the largest overfull r where P = 0, and
-/// the largest difference of Q.
+/// Checks the solution of a line with residual(): the largest r where P > 0, the largest cavitation residual where P =
+/// 0, and the largest difference in Q.
 void check_with_residual(const Line& line, const Solved& solved) {
   core::Grid grid{line.n, 2, line.a, line.b, 0.0, 2.0};
   Fields fields = zero_fields(grid);
-  fields.face = reynolds::Face::logmean;  // epsilon of the face behind each node
+  fields.face = reynolds::Face::logmean;  // epsilon at the face downstream of each node
   core::Field across(grid), Q(grid), r(grid);
   for (int i = 0; i <= line.n; ++i)
     for (int j = 0; j <= 2; ++j) {
@@ -174,8 +175,8 @@ double ratio(const std::vector<double>& errors, std::size_t k) { return std::abs
 
 }  // namespace
 
-// h = 1 + x^2, supply c: the load is J = sin^2 f_i/2 + c cos^4 f_i/4 - sin^2 f_o/2 - c cos^4 f_o/4, tan^2 f_o = c - 1,
-// the meniscus at tan f_i with F(f_i) = F(f_o), F(f) = f/2 + sin 2f/4 - c (3f/8 + sin 2f/4 + sin 4f/32).
+// h = 1 + x^2 with the supply c: the load is J = sin^2 f_i/2 + c cos^4 f_i/4 - sin^2 f_o/2 - c cos^4 f_o/4, tan^2 f_o =
+// c - 1, and the meniscus is at tan f_i with F(f_i) = F(f_o), F(f) = f/2 + sin 2f/4 - c (3f/8 + sin 2f/4 + sin 4f/32).
 BOOST_AUTO_TEST_CASE(starved_rigid_parabola_is_of_second_order) {
   const struct {
     double c, xi_i, load_24;
@@ -197,7 +198,8 @@ BOOST_AUTO_TEST_CASE(starved_rigid_parabola_is_of_second_order) {
         BOOST_TEST(std::abs(line.x(first_wet(solved)) + xi_i) <= (wedge == Wedge::upstream2 ? 2.0 : 8.0) * line.h());
         if (n == 144) check_with_residual(line, solved);
       }
-      // Second order within the place of the meniscus in its cell: a factor of 16 over two halvings, 4 of first order.
+      // Second order gives a factor of 16 over two halvings, first order 4; the position of the meniscus in its
+      // cell changes this somewhat.
       const double gain = ratio(errors, 1) * ratio(errors, 2);
       BOOST_TEST_MESSAGE("c = " << c << ": the error falls by " << gain << " over two halvings");
       if (wedge == Wedge::upstream2)
@@ -207,8 +209,8 @@ BOOST_AUTO_TEST_CASE(starved_rigid_parabola_is_of_second_order) {
     }
 }
 
-// Two parabolic pads in a row, fed under pressure: rupture behind the first, a cavity, reformation at the second.
-// STARVED: P0 = 6 eta U l/h0^2; in units of it and of l the equation is that of h = 1 + xi^2 for each pad.
+// Two parabolic pads in a row, supplied under pressure: rupture behind the first, a cavity, reformation at the second.
+// In units of P0 = 6 eta U l/h0^2 and l, each pad has the equation of h = 1 + xi^2.
 BOOST_AUTO_TEST_CASE(twin_slider_ruptures_and_reforms_at_second_order) {
   const double h0 = 25.4e-6, h_max = 50.2e-6, pad = 76.2;  // m, m, mm
   const double l = 0.5 * pad / std::sqrt(h_max / h0 - 1.0);
@@ -244,14 +246,15 @@ BOOST_AUTO_TEST_CASE(twin_slider_ruptures_and_reforms_at_second_order) {
   BOOST_TEST(ratio(of_c, 1) * ratio(of_c, 2) >= 12.0);
 }
 
-// A pad 1.05 to 1 um with a pocket 1 um deep from 2 to 5 mm of 10: a cavity from the pocket's entry to 3.611263 mm.
+// A pad from 1.05 to 1 um with a pocket 1 um deep from 2 to 5 mm of 10 mm: a cavity from the edge of
+// the pocket to 3.611263 mm.
 BOOST_AUTO_TEST_CASE(pocket_cavitates_and_fills_again) {
   const double U = 1.0, eta = 0.01, length = 0.01;
   const double scale = 6.0 * eta * U * length / 1e-12;  // Pa, with h in um and x in lengths
   const auto film = [](double x) { return 1.05 - 0.05 * x + (x > 0.2 && x < 0.5 ? 1.0 : 0.0); };
   constexpr double exact = 35165.701, flow = 2.0 * 0.52296350239, end = 0.3611263;
   std::vector<double> errors;
-  for (const int n : {105, 205, 405}) {  // so that the steps lie half-way between nodes
+  for (const int n : {105, 205, 405}) {  // the steps of the film lie half-way between nodes
     const double half = 0.5 / n;
     const Line line{n,
                     0.0,
@@ -273,7 +276,7 @@ BOOST_AUTO_TEST_CASE(pocket_cavitates_and_fills_again) {
     BOOST_TEST(std::abs(Q / flow - 1.0) <= 2.0 / n);
     BOOST_TEST(std::abs(line.x(last_dry) - end) <= 3.0 * line.h());
   }
-  // First-order finite volumes elsewhere: 2.7 % on 400 cells.
+  // far more accurate than first-order finite volumes
   BOOST_TEST(std::abs(errors[0]) <= 4e-3);
   BOOST_TEST(std::abs(errors[2]) <= 1e-3);
 }

@@ -1,5 +1,5 @@
-// The cavitation model that conserves mass, in time: parallel plates that part and come together again in a bath of oil
-// (Optasanu and Bonneau; Ausas 2009). A film edge runs in from the bath through what the cavity has kept.
+// The mass-conserving cavitation model in time: parallel plates in an oil bath that separate and approach again
+// (Optasanu and Bonneau; Ausas 2009). The edge of the film moves inwards through the oil that remained in the cavity.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -14,7 +14,7 @@ using namespace ehl::tests;
 
 namespace {
 
-/// d(h^3 p_x)/dx = 2 dQ/dt on 0 < x < 1, in steps of backward Euler: d(h^3/2 p_x)/dx - c Q = -c Q_before.
+/// d(h^3 p_x)/dx = 2 dQ/dt on 0 < x < 1, with backward Euler steps: d(h^3/2 p_x)/dx - c Q = -c Q_before.
 constexpr double p_bath = 0.025;
 double gap(double t) { return 0.125 * std::cos(4.0 * std::numbers::pi * t) + 0.375; }
 
@@ -23,7 +23,7 @@ struct Plates {
   double dt;
   double t = 0.0;
   std::vector<double> P, Q;
-  double worst_sum = 0.0;  ///< of oil from nowhere in a step, per time; up to 1.6 flow in
+  double worst_sum = 0.0;  ///< largest rate of oil created in a step; the inflow is up to 1.6
   Plates(int cells, double step) : n(cells), dt(step) {
     P.assign(static_cast<std::size_t>(n) + 1, p_bath);
     Q.assign(P.size(), gap(0.0));
@@ -31,7 +31,7 @@ struct Plates {
   double hx() const { return 1.0 / n; }
 };
 
-/// r of full nodes, and Q, by what the line has before; f = -c Q_before.
+/// r of the full nodes, and Q, from upstream to downstream; f = -c Q_before.
 struct Rows {
   std::vector<double> r, Q;
 };
@@ -48,7 +48,7 @@ Rows rows_of(const Plates& plates, const std::vector<double>& P, double h) {
   return rows;
 }
 
-/// Where the set of wet nodes is known the rows are three neighbours in a line.
+/// For a known set of wet nodes, the rows form a tridiagonal system.
 void solve_wet(std::vector<double>& P, const std::vector<char>& wet, const std::vector<double>& lacks, double e) {
   std::vector<double> u(P.size(), 0.0), g(P.size(), 0.0);
   g[0] = P[0];
@@ -100,7 +100,7 @@ void step(Plates& plates) {
   }
 }
 
-/// Where the film from the bath ends: the first dry node is filled as far as its content tells.
+/// The edge of the film that begins at the bath; the first dry node is filled according to its oil content.
 double edge(const Plates& plates) {
   std::size_t k = 1;
   while (plates.P[k] > 0.0) ++k;
@@ -110,7 +110,7 @@ double edge(const Plates& plates) {
 
 struct Run {
   std::vector<double> edges;  ///< at the times asked for
-  double full_at = 0.0;       ///< when the cavity has gone
+  double full_at = 0.0;       ///< the time at which the cavity has disappeared
   double worst_sum = 0.0;
 };
 Run run(int n, double dt, const std::vector<double>& times) {
@@ -132,8 +132,8 @@ Run run(int n, double dt, const std::vector<double>& times) {
 
 }  // namespace
 
-// Exact: rupture at s = sqrt(p0 h^3/h') from t = 0.25008 on; then ds/dt = (p0 h^3/s - h' s)/(2 (h - h(t_r(s)))), t_r(x)
-// the time at which x ruptured; full again at 0.732390.
+// Exact solution: rupture at s = sqrt(p0 h^3/h') from t = 0.25008; then ds/dt = (p0 h^3/s - h' s)/(2 (h - h(t_r(s)))),
+// where t_r(x) is the time of rupture at x; full again at 0.732390.
 BOOST_AUTO_TEST_CASE(film_edge_runs_in_at_first_order_in_time) {
   const std::vector<double> times{0.4, 0.5, 0.6, 0.65, 0.7};
   const std::vector<double> exact{0.026781, 0.039087, 0.062777, 0.090792, 0.176938};
@@ -155,14 +155,15 @@ BOOST_AUTO_TEST_CASE(film_edge_runs_in_at_first_order_in_time) {
     BOOST_TEST(std::abs(found.full_at - exact_full) <= 2.0 * dt);
     BOOST_TEST(found.worst_sum <= 1e-10);
   }
-  // What the mesh errs is the same in all of them.
+  // The error of the mesh is the same in all of them.
   const double ratio = (errors[0] - errors[1]) / (errors[1] - errors[2]);
   BOOST_TEST_MESSAGE("errors at 0.4: " << errors[0] << ", " << errors[1] << ", " << errors[2]
                                        << "; their changes have a ratio of " << ratio << " (2 +- 0.3)");
   BOOST_TEST(std::abs(ratio - 2.0) <= 0.3);
 }
 
-// Over four halvings, within the place of the edge in its cell: a factor of 256, 16 of first order.
+// Over four halvings, second order gives a factor of 256 and first order 16; the position of the edge in its
+// cell changes this somewhat.
 BOOST_AUTO_TEST_CASE(film_edge_is_of_second_order_in_space) {
   constexpr double exact = 0.176938;
   const double coarse = run(25, 2.5e-4, {0.7}).edges.back() - exact;
@@ -172,7 +173,7 @@ BOOST_AUTO_TEST_CASE(film_edge_is_of_second_order_in_space) {
   BOOST_TEST(std::abs(coarse / fine) >= 150.0);
 }
 
-// The same rows from fields.
+// residual() gives the same rows.
 BOOST_AUTO_TEST_CASE(residual_has_the_rows_of_the_march_in_time) {
   Plates plates(60, 2e-3);
   while (plates.t < 0.5) step(plates);

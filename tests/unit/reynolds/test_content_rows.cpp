@@ -1,4 +1,4 @@
-// Rows and balance of the cavitation model that conserves mass, on fields without any smoothness.
+// Rows and oil balance of the mass-conserving cavitation model, for rough random fields.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
@@ -18,7 +18,7 @@ constexpr double flooded = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-// Where all points are full this is the equation with rho_bar H, and whatever P is, no oil is lost on the way.
+// If all points are full, the rows are those of the equation with rho_bar H, and no oil is lost for any P.
 BOOST_AUTO_TEST_CASE(full_points_have_the_rows_of_the_other_model_and_oil_is_conserved) {
   Random random(11);
   for (const core::Edge north : {core::Edge::zero, core::Edge::mirror}) {
@@ -41,7 +41,7 @@ BOOST_AUTO_TEST_CASE(full_points_have_the_rows_of_the_other_model_and_oil_is_con
       BOOST_TEST_MESSAGE("full: rows differ by " << worst << " (allowed 1e-11: rounding of eps/h^2)");
       BOOST_TEST(worst <= 1e-11);
 
-      // Random dry points: what comes in and what rows lack is what goes out.
+      // Random dry points: the inflow plus the residuals equals the outflow.
       for (int i = 0; i <= grid.nx; ++i)
         for (int j = 0; j <= grid.ny; ++j)
           if (i == 0 || i == grid.nx || j == 0 || j > grid.last_line() || fields.P(i, j) < 0.4) fields.P(i, j) = 0.0;

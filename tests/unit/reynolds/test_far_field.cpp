@@ -1,4 +1,4 @@
-// The far field against the equation that it solves, against the circle's in closed form, and against plain sums.
+// The far field compared with its equation, with the closed form for circles, and with plain sums.
 #include <boost/math/tools/roots.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -26,8 +26,8 @@ FarField isoviscous(const QuadraticForm& gap, double deformation = 0.0) {
   return FarField({.gap = gap, .lambda = lambda, .deformation = deformation, .viscosity = rheology::Isoviscous{}});
 }
 
-/// Largest residual of the discrete equation over the region from (-7, 1) to (-5, 3), over the wedge's largest term at
-/// U = 1.
+/// The largest residual of the discrete equation in the region from (-7, 1) to (-5, 3), relative to the
+/// largest wedge term for U = 1.
 double relative_residual(const QuadraticForm& gap, int cells, const reynolds::FarState& state = {}) {
   const Grid grid{cells, cells, -7.0, -5.0, 1.0, 3.0};
   const FarField far = isoviscous(gap);
@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(beside_a_circle_it_is_the_closed_form) {
   const double degrees = 180.0 / std::numbers::pi;
   BOOST_TEST_MESSAGE("rupture at " << far.rupture_angle() * degrees << " degrees, exactly " << rupture * degrees
                                    << "; c = " << c);
-  BOOST_TEST(std::abs(far.rupture_angle() - rupture) * degrees < 0.2);  // a direction is 0.09 degrees wide
+  BOOST_TEST(std::abs(far.rupture_angle() - rupture) * degrees < 0.2);  // the resolution in phi is 0.09 degrees
   double worst = 0.0;
   const double r = 5.0;
   for (double phi = -3.1; phi <= 3.1; phi += 0.1) {
@@ -84,8 +84,8 @@ BOOST_AUTO_TEST_CASE(its_residual_in_the_discrete_operator_falls_with_the_second
   }
 }
 
-// -L(P) = -dH/dT, for slow approach and leaving beside a wedge that ruptures, and for an approach that nothing
-// ruptures, with any H00. Where the far field is made of the wedge's directions, H00 is small beside the gap.
+// -L(P) = -dH/dT, for a slow approach and separation in addition to a wedge that ruptures, and for an approach without
+// rupture, for any H00. Where the far field consists of directions with a wedge, H00 is small compared with the gap.
 BOOST_AUTO_TEST_CASE(with_a_squeeze_as_well) {
   for (const QuadraticForm& gap : {circle, aslant, slender})
     for (const reynolds::FarState& state :
@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(with_a_squeeze_as_well) {
     }
 }
 
-// A circle that comes near, no rolling: P = lambda V/(4 H^2), whose integral over r from r_0 on is
+// A circular body that approaches without rolling: P = lambda V/(4 H^2), whose integral over r from r_0 is
 // lambda V/(4 (H00 + r_0^2/2)).
 BOOST_AUTO_TEST_CASE(pure_squeeze_is_the_elementary_solution) {
   const FarField far(
@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(pure_squeeze_is_the_elementary_solution) {
   const reynolds::FarState state{.H00 = 1.5, .speed = 0.0, .approach = 3.0};
   const double H = state.H00 + 0.5 * (4.0 + 1.0);
   BOOST_TEST(std::abs(far.P(far.at(2.0, -1.0), H, state) / (0.25 * lambda * 3.0 / (H * H)) - 1.0) < 1e-12);
-  // 4 times the integral over the angles within 45 degrees, where the boundary is at r = 2/cos phi.
+  // Four times the integral over the angles within 45 degrees, where the boundary is at r = 2/cos phi.
   double exact = 0.0;
   constexpr int n = 2000;
   for (int k = 0; k < n; ++k) {
@@ -120,7 +120,8 @@ BOOST_AUTO_TEST_CASE(pure_squeeze_is_the_elementary_solution) {
   BOOST_TEST(far.load_outside({.H00 = 1.5, .speed = 0.0, .approach = -3.0}) == 0.0);
 }
 
-// Sums over square frames outside, each twice as far as the one before, the rest beyond as 1/r; midpoint rule.
+// Sums over square frames outside the domain, each twice as large as the one before, with the rest
+// proportional to 1/r; midpoint rule.
 BOOST_AUTO_TEST_CASE(the_load_outside_is_the_sum_of_the_pressure_there) {
   const Grid domain{32, 32, -3.0, 2.0, -2.5, 2.5};
   const double H00 = -0.4;
@@ -135,7 +136,7 @@ BOOST_AUTO_TEST_CASE(the_load_outside_is_the_sum_of_the_pressure_there) {
     double sum = 0.0;
     double last_frame = 0.0;
     constexpr int n = 400;
-    // The frame between the domain times s and times 2 s.
+    // The frame between s times and 2 s times the domain.
     for (double s = 1.0; s < 200.0; s *= 2.0) {
       last_frame = 0.0;
       const double hx = 2.0 * s * (domain.X_b - domain.X_a) / n;
@@ -149,14 +150,14 @@ BOOST_AUTO_TEST_CASE(the_load_outside_is_the_sum_of_the_pressure_there) {
         }
       sum += last_frame;
     }
-    sum += last_frame;  // as much again, and half of it, and so on: P falls as r^-3
+    sum += last_frame;  // the remaining frames form a geometric series, because P decays as r^-3
     const double load = far.load_outside({.H00 = H00});
     BOOST_TEST_MESSAGE("load outside " << load << ", summed " << sum);
     BOOST_TEST(std::abs(load / sum - 1.0) < 1e-3);
   }
 }
 
-// Of Barus' oil q = (1 - exp(-alpha_bar P))/alpha_bar.
+// For a Barus oil q = (1 - exp(-alpha_bar P))/alpha_bar.
 BOOST_AUTO_TEST_CASE(viscosity_enters_by_the_reduced_pressure) {
   const double alpha_bar = 12.0;
   const FarField oil({.gap = circle, .lambda = lambda, .viscosity = rheology::Barus{alpha_bar}});
@@ -169,11 +170,11 @@ BOOST_AUTO_TEST_CASE(viscosity_enters_by_the_reduced_pressure) {
   BOOST_TEST(std::abs((1.0 - std::exp(-alpha_bar * P)) / alpha_bar / q - 1.0) < 1e-9);
   BOOST_TEST(P > 1.1 * q);
   BOOST_TEST_MESSAGE("off by " << (1.0 - std::exp(-alpha_bar * P)) / alpha_bar / q - 1.0);
-  // No pressure reaches q = 1/alpha_bar.
+  // q = 1/alpha_bar is not reached at any pressure.
   BOOST_TEST(std::isnan(oil.P(-1.5, 0.1, 1.0)));
 }
 
-// Without deformation q = -(lambda/3) X/H^2 has the flow 4/3 H00 and solves the equation exactly.
+// Without deformation, q = -(lambda/3) X/H^2 has the flow 4/3 H00 and satisfies the equation exactly.
 BOOST_AUTO_TEST_CASE(the_line_contact_has_its_exact_solution) {
   const Grid domain = ehl::core::line_grid(64, -3.0, 1.5);
   const FarField far({.gap = {0.5, 0.0, 0.0}, .lambda = lambda, .viscosity = rheology::Isoviscous{}, .domain = domain});

@@ -1,5 +1,5 @@
-// The balance of mass around the pressurised region: against the residual that it must add up to, and in a channel
-// whose flow is known.
+// The mass balance of the pressurised region: compared with the sum of the residuals, and for
+// a channel with known flow.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double everywhere = std::numeric_limits<double>::infinity();
 
-// hx hy sum of r over the nodes of the region.
+// hx hy times the sum of r over the nodes of the region.
 double sum_of_residuals(const Patch& grid, const Fields& fields, Wedge wedge, reynolds::Cavitation cavitation,
                         double reach) {
   Field r(grid);
@@ -33,8 +33,8 @@ double sum_of_residuals(const Patch& grid, const Fields& fields, Wedge wedge, re
 
 }  // namespace
 
-// The fluxes telescope: any pressure, any film, any shape of the region, cavities and islands included, gives the
-// same number by its edge as by its inside. hx = hy, hx < hy, hx > hy; nodes at +-1.5 and none there.
+// The fluxes telescope: for any pressure, film and region, including cavities and islands, the balance over the edge
+// equals that over the interior. hx = hy, hx < hy, hx > hy; with and without nodes at +-1.5.
 BOOST_AUTO_TEST_CASE(edge_and_inside_give_the_same_balance) {
   double worst = 0.0;
   for (const Grid& grid : {Grid{48, 48, -3, 3, -3, 3}, Grid{61, 22, -4.5, 1.5, -2, 2}, Grid{20, 70, -2.3, 1.4, -3, 3}})
@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(edge_and_inside_give_the_same_balance) {
   BOOST_TEST(worst < 1e-13);
 }
 
-// A channel of unit film and density with the pressure falling linearly along Y: 1 flows through each of its ends, and
+// A channel with unit film and density whose pressure decreases linearly along Y: a flow of 1 through each end, and
 // eps dP/dY through its sides.
 BOOST_AUTO_TEST_CASE(flow_of_a_channel) {
   const Grid grid{32, 40, -2, 2, -2, 2};
@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(flow_of_a_channel) {
   for (const Wedge wedge : {Wedge::upstream1, Wedge::upstream2}) {
     const reynolds::FlowBalance balance =
         reynolds::flow_balance(grid, fields.state(), wedge, reynolds::Cavitation::nonnegative_pressure, 1.0);
-    // The nodes within 1 stand for cells that reach half a step further.
+    // The nodes within 1 represent cells that extend half a step further.
     const double length = 2.0 + grid.hx();
     const double width = 2.0 + grid.hy();
     const double truth = 1.2 * width + 0.3 * 0.5 * length;
@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(flow_of_a_channel) {
     BOOST_TEST(std::abs(balance.through - 1.2 * width) < 1e-12);
     BOOST_TEST(std::abs(balance.imbalance()) < 1e-12);
   }
-  // A film that thins along X with the pressure unchanged loses mass, and by the amount that it thins.
+  // A film that becomes thinner along X at constant pressure loses mass accordingly.
   for (int i = 0; i <= grid.nx; ++i)
     for (int j = 0; j <= grid.ny; ++j) fields.H(i, j) = 1.0 - 0.01 * grid.X(i);
   const reynolds::FlowBalance thinning =

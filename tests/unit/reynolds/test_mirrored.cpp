@@ -1,4 +1,4 @@
-// The discrete equation on the lower half of a symmetric domain against the whole.
+// The discrete equation on the lower half of a symmetric domain, compared with the whole domain.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
@@ -16,7 +16,7 @@ using reynolds::Wedge;
 
 namespace {
 
-/// A random state on the whole domain and the same on its lower half.
+/// A random state on the whole domain, and the same state on its lower half.
 struct BothStates {
   explicit BothStates(const Grid& grid, Random& random)
       : whole(random_fields(grid, random)), half(zero_fields(ehl::core::lower_half(grid))) {

@@ -1,5 +1,5 @@
-// Order of accuracy of the discrete operator, slope and constant, on fields whose truncation error is known in closed
-// form.
+// Order of accuracy of the discrete operator, both the exponent and the constant, for fields with a
+// truncation error in closed form.
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -16,7 +16,7 @@ using reynolds::Wedge;
 namespace {
 
 // P = exp(mu X + nu Y), eps = exp(alpha X + beta Y), rho_bar H = exp(gamma X + delta Y): every derivative is a
-// multiple.
+// multiple of the function.
 constexpr double mu = 0.7, nu = -0.9, alpha = 1.1, beta = 0.6, gamma = -0.8, delta = 0.5;
 constexpr double growth_rho = 0.2;
 
@@ -35,8 +35,8 @@ Fields sampled_fields(const Patch& grid) {
   return fields;
 }
 
-// One direction of the Poiseuille terms for growth rates p of P and e of eps, in units of eps P: the value, and the
-// h^2 term of the discrete one. With half-point means the flux is F + h^2 (eps'' P'/8 + eps P'''/24), and its
+// The Poiseuille term in one direction, for growth rates p of P and e of eps, in units of eps P: its value,
+// and its h^2 error. With means at half points, the flux is F + h^2 (eps'' P'/8 + eps P'''/24), and the
 // difference adds h^2 F'''/24.
 double poiseuille(double p, double e) { return p * (p + e); }
 double poiseuille_error(double p, double e) {
@@ -44,8 +44,8 @@ double poiseuille_error(double p, double e) {
 }
 
 struct Errors {
-  double measured = 0.0;     ///< largest difference to the differential operator
-  double unexplained = 0.0;  ///< largest difference when the leading term is taken away too
+  double measured = 0.0;     ///< largest difference from the differential operator
+  double unexplained = 0.0;  ///< largest difference after subtraction of the leading error term
 };
 
 Errors errors(int n, Wedge wedge, bool with_poiseuille, bool with_wedge) {
@@ -58,7 +58,7 @@ Errors errors(int n, Wedge wedge, bool with_poiseuille, bool with_wedge) {
   const double hx = grid.hx();
   const double hy = grid.hy();
   Errors result;
-  for (int i = 2; i < grid.nx; ++i)  // column 1 has the first-order wedge: a test of its own
+  for (int i = 2; i < grid.nx; ++i)  // column 1 has the first-order wedge, which is tested separately
     for (int j = 1; j < grid.ny; ++j) {
       const double eps_P = fields.eps(i, j) * fields.P(i, j);
       const double flow = fields.rho_bar(i, j) * fields.H(i, j);
@@ -90,10 +90,10 @@ void check_order(const char* what, double order, Wedge wedge, bool with_poiseuil
   BOOST_TEST_MESSAGE(what << ": errors " << e[0].measured << ' ' << e[1].measured << ' ' << e[2].measured << ", order "
                           << slope << " (wanted " << order << " +- 0.1), beyond the leading term " << share
                           << " of it (tolerance 0.02)");
-  // The node of the largest error moves towards the corner with the grid, which takes a little off the slope.
+  // On finer grids the node with the largest error is closer to the corner, which reduces the slope slightly.
   BOOST_TEST(std::abs(slope - order) < 0.1);
   BOOST_TEST(share < 0.02);
-  // What the leading term leaves is of a higher order: the constant is right, not only nearly so.
+  // The remainder after the leading term is of higher order, so the constant is exact.
   BOOST_TEST(std::log2(e[1].unexplained / e[2].unexplained) > order + 0.8);
 }
 
@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(upstream1_is_of_first_order) { check_order("upstream1", 1.0
 
 BOOST_AUTO_TEST_CASE(upstream2_is_of_second_order) { check_order("upstream2", 2.0, Wedge::upstream2, false, true); }
 
-// Where epsilon/h^2 is large, as it is here on every grid: the share of second order is below 1e-3.
+// epsilon/h^2 is large on every grid, so that the share of second order is negligible.
 BOOST_AUTO_TEST_CASE(upstream3_is_of_third_order) { check_order("upstream3", 3.0, Wedge::upstream3, false, true); }
 
 BOOST_AUTO_TEST_CASE(whole_operator_has_the_order_of_its_wedge) {

@@ -1,4 +1,4 @@
-// The residual against eq. (4) written out, the coefficient epsilon, the complementarity norms.
+// The residual compared with eq. (4), the coefficient epsilon, and the norms of the complementarity problem.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-// Q carried through the face behind node i, and its share of third order.
+// Q through the face downstream of node i, with its share of third order.
 double carried_at(const Fields& s, const reynolds::Transport& transport, int i, int j) {
   const auto Q = [&](int k) { return s.rho_bar(k, j) * s.H(k, j); };
   if (transport.wedge == Wedge::upstream1) return Q(i);
@@ -80,11 +80,11 @@ BOOST_AUTO_TEST_CASE(residual_is_equation_4) {
     }
 }
 
-// theta = e^2/(1 + e^2), e the harmonic mean of epsilon/hx^2 over U.
+// theta = e^2/(1 + e^2), where e is the harmonic mean of epsilon/hx^2 divided by U.
 BOOST_AUTO_TEST_CASE(third_order_follows_the_weaker_of_two_nodes) {
   constexpr double hx = 0.1;
   const reynolds::ThirdOrderShare share(reynolds::Transport(Wedge::upstream3, 2.0, 0.0), hx);
-  const double half = 2.0 * hx * hx;  // epsilon at which it is a half
+  const double half = 2.0 * hx * hx;  // the epsilon that gives theta = 1/2
   BOOST_TEST(std::abs(share(half, half) - 0.5) < 1e-15);
   BOOST_TEST(std::abs(share(1e9 * half, half) - 0.8) < 1e-8);
   BOOST_TEST(share(1e9 * half, 1e-3 * half) < 4.1e-6);
@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(epsilon_is_equation_5_and_never_negative) {
   const double lambda = 0.3;
   const std::vector<double> H{0.0, -0.1, -1e-300, 0.2, 2.0, 0.5, 1e-4};
   const std::vector<double> rho_bar{1.0, 1.1, 1.2, 1.3, 1.0, 1.34, 1.0};
-  // eta_bar of 1, of 1e9, and one so large that 1/eta_bar has underflowed.
+  // eta_bar = 1, 1e9, and one so large that 1/eta_bar has underflowed.
   const std::vector<double> fluidity{1.0, 1.0, 1.0, 1e-9, 1.0, 0.0, 1.0};
   std::vector<double> eps(H.size(), not_a_number);
   ehl::film::epsilon(H, rho_bar, fluidity, lambda, eps);
@@ -145,11 +145,11 @@ BOOST_AUTO_TEST_CASE(norms_count_only_what_violates_complementarity) {
   fields.P(5, 5) = 0.0;
   fields.P(6, 5) = 0.0;
   Field r(grid);
-  r(5, 5) = 7.0;   // cavitated, L(P) < f: allowed
-  r(6, 5) = -2.0;  // cavitated, L(P) > f: not
-  r(3, 3) = 1.0;   // carries pressure: any residual counts
+  r(5, 5) = 7.0;   // cavitated, L(P) < f: satisfied
+  r(6, 5) = -2.0;  // cavitated, L(P) > f: violated
+  r(3, 3) = 1.0;   // with pressure: any residual counts
   r(8, 2) = -1.5;
-  r(0, 4) = 100.0;  // the boundary is no equation
+  r(0, 4) = 100.0;  // the boundary has no equation
   const double points = (grid.nx - 1) * (grid.ny - 1);
 
   const auto norms =
@@ -157,12 +157,13 @@ BOOST_AUTO_TEST_CASE(norms_count_only_what_violates_complementarity) {
   BOOST_TEST(std::abs(norms.root_mean_square - std::sqrt((4.0 + 1.0 + 2.25) / points)) < 1e-15);
   BOOST_TEST(norms.largest == 2.0);
   BOOST_TEST((norms.i == 6 && norms.j == 5));
-  // Without cavitation all count.
+  // Without cavitation all residuals count.
   const auto all = reynolds::residual_norms(grid, fields.state(), Wedge::upstream1, reynolds::Cavitation::none, r);
   BOOST_TEST(std::abs(all.root_mean_square - std::sqrt((49.0 + 4.0 + 1.0 + 2.25) / points)) < 1e-15);
   BOOST_TEST(all.largest == 7.0);
 
-  // The wedge: 0.3 but beside the denser node, where rho_bar H is 0.012 higher than without it; not where cavitated.
+  // The wedge term is 0.3, except next to the denser node, where rho_bar H is 0.012 higher;
+  // cavitated nodes do not count.
   const double up = 0.3 + 0.1 * 0.3 * grid.X(4) / grid.hx();
   const double down = 0.3 - 0.1 * 0.3 * grid.X(4) / grid.hx();
   const double wedge = std::sqrt((0.09 * (points - 4) + up * up + down * down) / (points - 2));

@@ -1,4 +1,4 @@
-// exp, expm1 and log1p against long double, over the whole range of doubles.
+// exp, expm1 and log1p compared with long double, over the whole range of doubles.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <functional>
@@ -16,7 +16,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double one(const std::function<Lanes(Lanes)>& f, double x) { return f(broadcast(x))[0]; }
 
-// Distance in units of the last place a double has at that size (subnormal numbers included).
+// The error in units of the last place of a double of this size, including subnormal numbers.
 double error_in_ulp(double computed, long double exact) {
   if (std::isinf(computed) && exact > std::numeric_limits<double>::max()) return 0.0;
   const double rounded = static_cast<double>(exact);
@@ -39,7 +39,7 @@ Worst worst_error(const std::vector<double>& points, const std::function<Lanes(L
   return worst;
 }
 
-// Points between a and b whose last bits are as good as random.
+// Points between a and b with practically random last bits.
 std::vector<double> spread(double a, double b, int count) {
   std::vector<double> points;
   for (int k = 0; k <= count; ++k) points.push_back(a + (b - a) * (k + 0.5 * std::sin(12.9898 * k)) / count);

@@ -1,5 +1,5 @@
-// A film sheared by sliding and by the flow that pressure drives: against closed forms of Eyring's law, against the
-// power law, and against stresses that are chosen first and integrated by Simpson's rule.
+// A film sheared by sliding and by pressure flow, compared with closed forms for Eyring's law, with the power law, and
+// with prescribed stresses integrated by Simpson's rule.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <vector>
@@ -22,7 +22,7 @@ Ratios at(const ShearLaw& law, double S, double Q_x, double Q_y) {
 }
 double off(double value, double exact) { return std::abs(value / exact - 1.0); }
 
-// F(tau) by bisection of tau = rate eta/eta_0.
+// F(tau), by bisection of tau = rate eta/eta_0.
 double rate_of(const ShearLaw& law, double tau) {
   double low = 0.0, high = 1.0;
   while (high * thinned(law, high).across < tau) high *= 2.0;
@@ -54,7 +54,7 @@ Moments moments(const ShearLaw& law, double t_x, double t_y, double g_x, double 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(eyring_closed_form) {
-  // sinh(t + s g) integrated: with sliding along the flow, and without.
+  // sinh(t + s g) integrated: with sliding along the flow, and without sliding.
   for (const double t : {0.0, 0.3, 3.0, 10.0})
     for (const double g : {0.1, 1.0, 6.0, 15.0}) {
       const double S = std::sinh(t) * std::sinh(g / 2) / (g / 2);
@@ -82,19 +82,19 @@ BOOST_AUTO_TEST_CASE(newtonian_limits) {
 }
 
 BOOST_AUTO_TEST_CASE(power_law_of_a_plane_flow) {
-  // Far above tau_c rate = tau^(1/n): Q = 2 g^(1/n) (1/2)^(2 + 1/n)/(2 + 1/n).
+  // Far above tau_c the law is rate = tau^(1/n): Q = 2 g^(1/n) (1/2)^(2 + 1/n)/(2 + 1/n).
   const double n = 0.4, g = 200.0, m = 1.0 / n;
   const double Q = 2 * std::pow(g, m) * std::pow(0.5, 2 + m) / (2 + m);
   const Ratios found = at(Carreau{n}, 0.0, Q, 0.0);
   BOOST_TEST_MESSAGE("mobility " << found.along << ", power law " << 12 * Q / g);
-  BOOST_TEST(off(found.along, 12 * Q / g) < 2e-3);  // the middle of the film is below tau_c
+  BOOST_TEST(off(found.along, 12 * Q / g) < 2e-3);  // in the middle of the film the stress is below tau_c
 }
 
 BOOST_AUTO_TEST_CASE(stresses_in_any_direction) {
   const std::vector<ShearLaw> laws{Eyring{}, Carreau{0.5}};
   for (const ShearLaw& law : laws)
     for (const auto& [t, g_x, g_y] : {std::array{0.0, 3.0, 4.0}, {2.0, 0.0, 6.0}, {2.0, 3.0, 4.0}, {6.0, 5.0, -8.0}}) {
-      double low = -20.0, high = 20.0;  // nothing slides across
+      double low = -20.0, high = 20.0;  // no sliding in the transverse direction
       for (int step = 0; step < 60; ++step) {
         const double middle = 0.5 * (low + high);
         (moments(law, t, middle, g_x, g_y).mean_y < 0.0 ? low : high) = middle;

@@ -1,4 +1,4 @@
-// The laws against their formulas in long double, their slopes against differences, and their limits.
+// The laws compared with their formulas in long double, their derivatives with differences, and their limits.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
@@ -12,19 +12,18 @@ using namespace ehl::rheology;
 namespace {
 
 constexpr double ulp = std::numeric_limits<double>::epsilon();
-constexpr double alpha = 1.7e-8;  // the mineral oil of the circular-contact papers
+constexpr double alpha = 1.7e-8;  // the mineral oil of the papers on circular contacts
 constexpr double p_h = 0.789e9;
 
 using support::value;
 
-// ln(eta_bar) from the constants the law holds, in long double.
+// ln(eta_bar) from the constants of the law, in long double.
 long double exact_log_eta(const Roelands& law, long double P) {
   const auto A = static_cast<long double>(law.alpha_p0_over_z);
   return A * std::expm1(static_cast<long double>(law.z) * std::log1p(static_cast<long double>(law.p_h_over_p0) * P));
 }
 
-// Slope by a five-point difference in long double would need the law in long double; in double its error is
-// about ulp/step + step^4.
+// The derivative by a five-point difference in double; its error is about ulp/step + step^4.
 template <class Law, class F>
 double difference(F f, const Law& law, double P) {
   const double h = 1e-3;
@@ -44,7 +43,7 @@ BOOST_AUTO_TEST_CASE(roelands_against_long_double) {
       const long double exact_fluidity = std::exp(-exact);
       worst_log =
           std::max(worst_log, std::abs(static_cast<double>((value(log_viscosity, law, P) - exact) / exact)) / ulp);
-      // A relative error e of the exponent is a relative error e*exponent of the fluidity.
+      // A relative error e of the exponent causes a relative error e*exponent of the fluidity.
       const double allowed = 4.0 + 4.0 * static_cast<double>(exact);
       const auto error = static_cast<double>(std::abs(value(fluidity, law, P) - exact_fluidity) / exact_fluidity) / ulp;
       worst_fluidity = std::max(worst_fluidity, error / allowed);
@@ -83,7 +82,7 @@ BOOST_AUTO_TEST_CASE(extreme_pressures_neither_overflow_nor_turn_into_nan) {
   }
   BOOST_TEST(value(fluidity, Barus{700.0}, 1.0) > 0.0);
   BOOST_TEST(value(fluidity, Barus{5000.0}, 1.0) == 0.0);
-  // 40 GPa: the exponent of Roelands' law itself passes 745.
+  // At 40 GPa the exponent of Roelands' law exceeds 745.
   const Roelands steep = make_roelands(4e-8, roelands_p0, 0.7, 4e10);
   BOOST_TEST(value(log_viscosity, steep, 1.0) > 0.0);
   BOOST_TEST(std::isfinite(value(log_viscosity, steep, 1.0)));
@@ -102,7 +101,8 @@ BOOST_AUTO_TEST_CASE(ambient_pressure_changes_nothing) {
 }
 
 BOOST_AUTO_TEST_CASE(roelands_becomes_barus) {
-  // p0 -> infinity at fixed alpha: ln eta = alpha p + (z-1) alpha p^2/(2 p0) + ..., so the gap falls as 1/p0.
+  // For p0 -> infinity at fixed alpha, ln eta = alpha p + (z-1) alpha p^2/(2 p0) + ..., so the
+  // difference decreases as 1/p0.
   const Barus barus = make_barus(alpha, p_h);
   double gap_before = 0.0;
   for (const double p0 : {1e12, 1e13, 1e14}) {
@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(roelands_exponent_of_a_known_oil) {
   const double z = roelands_z(22e-9, roelands_p0, 0.25);
   BOOST_TEST_MESSAGE("z = " << z << ", expected 0.5205 to the digits given");
   BOOST_TEST(std::abs(z - 0.5205) < 0.5e-4);
-  // Roelands' pole: whatever the oil, eta0 eta_bar -> exp(-9.67) at p = -p0.
+  // Roelands' pole: for any oil, eta0 eta_bar -> exp(-9.67) at p = -p0.
   const Roelands law = make_roelands(22e-9, roelands_p0, z, roelands_p0);
   BOOST_TEST(std::abs(std::log(0.25) + value(log_viscosity, law, -1.0 + 1e-15) - (-9.67)) < 1e-6);
   BOOST_CHECK_THROW(roelands_z(22e-9, roelands_p0, 5e-5), ehl::core::InputError);
@@ -157,7 +157,7 @@ BOOST_AUTO_TEST_CASE(dowson_higginson_values_and_limits) {
   BOOST_TEST(std::abs(value(density, make_dowson_higginson(5.9e8), 1.0) - 1.17) < 2 * ulp);
   BOOST_TEST(std::abs(value(density, make_dowson_higginson(1e9), 1.0) - 1.93 / 1.59) < 2 * ulp);
   BOOST_TEST(std::abs(value(density, make_dowson_higginson(1e9), 1e18) - 1.34) < 2 * ulp);
-  // At ambient pressure the slope is 0.34 p_h/B.
+  // At ambient pressure the derivative is 0.34 p_h/B.
   BOOST_TEST(std::abs(value(density_slope, make_dowson_higginson(1e9), 0.0) - 0.34 / 0.59) < 2 * ulp);
 }
 
@@ -180,13 +180,13 @@ BOOST_AUTO_TEST_CASE(a_value_depends_neither_on_length_nor_on_position) {
   const ViscosityLaw law = make_roelands(alpha, roelands_p0, 0.6, p_h);
   const DensityLaw rho = make_dowson_higginson(p_h);
   std::vector<double> P(333);
-  // Long stretches of zero between the bumps, so that whole chunks are skipped.
+  // There are long intervals of zero between the peaks, so that whole chunks are skipped.
   for (std::size_t k = 0; k < P.size(); ++k) P[k] = std::max(0.0, 1.3 * std::sin(0.021 * static_cast<double>(k)));
   for (std::size_t length = 0; length <= P.size(); length = length < 20 ? length + 1 : length + 31) {
     for (const std::size_t offset : {std::size_t{0}, std::size_t{1}, P.size() - length}) {
       if (offset + length > P.size()) continue;
       const auto part = std::span<const double>(P).subspan(offset, length);
-      // One guard value behind the end, which nobody may touch.
+      // A guard value behind the end, which must not be changed.
       std::vector<double> phi(length + 1, -7.0), dense(length + 1, -7.0), phi_alone(length + 1, -7.0);
       film_properties(law, rho, part, {phi.data(), length}, {dense.data(), length});
       fluidity(law, part, {phi_alone.data(), length});

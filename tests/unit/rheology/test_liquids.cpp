@@ -1,4 +1,4 @@
-// Laws of liquids against their closed forms in long double, their limits, and points known of real liquids.
+// Laws of liquids compared with their closed forms in long double, their limits, and values of real liquids.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <vector>
@@ -16,7 +16,7 @@ using Real = long double;
 
 using support::value;
 
-// Squalane at 40 C, an oil like Shell T9 at 25 C, and the lowest bulk modulus of oils.
+// Squalane at 40 C, an oil similar to Shell T9 at 25 C, and the lowest bulk modulus of oils.
 const DoolittleConstants squalane{4.71, 0.6568, 1.192e9, 11.74, 0.0156};
 const YasutomiConstants turbine_oil{25.0, -83.2, 188.95, 0.719e-9, 8.2e-9, -0.53, 16.09, 17.38, 1e12};
 
@@ -27,7 +27,7 @@ Real doolittle_formula(const DoolittleConstants& c, Real p) {
   return c.B * R0 * (1 / (v - R0) - 1 / (1 - R0));
 }
 
-// ln(eta/eta_g), as the papers write it.
+// ln(eta/eta_g), as in the papers.
 Real yasutomi_formula(const YasutomiConstants& c, Real p) {
   const Real Tg = c.Tg0 + c.A1 * std::log(1 + c.A2 * p), F = std::pow(1 + c.b1 * p, Real(c.b2));
   return -std::log(Real(10)) * c.C1 * (c.T - Tg) * F / (c.C2 + (c.T - Tg) * F);
@@ -47,7 +47,7 @@ BOOST_AUTO_TEST_CASE(doolittle_against_its_formula) {
   BOOST_TEST_MESSAGE("Doolittle up to " << P_glass << " GPa: relative error of ln eta " << worst
                                         << " (tolerance 1e-13)");
   BOOST_TEST(worst < 1e-13);
-  // There the oil is a glass: 1e12 Pa s by definition.
+  // At this pressure the oil is a glass, 1e12 Pa s by definition.
   const double eta = squalane.eta0 * std::exp(value(log_viscosity, law, P_glass));
   BOOST_TEST(std::abs(eta / glass_viscosity - 1.0) < 1e-11);
   BOOST_TEST(value(log_viscosity, law, 0.0) == 0.0);
@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(beyond_the_glass_the_tangent) {
 }
 
 BOOST_AUTO_TEST_CASE(equations_of_state_have_their_bulk_modulus) {
-  // K = rho dp/drho. Murnaghan: K0 + K0' p everywhere. Tait: K0 v [1 + (1 + K0') p/K0]; K0 and K0' at p = 0.
+  // K = rho dp/drho. Murnaghan: K0 + K0' p at all pressures. Tait: K0 v [1 + (1 + K0') p/K0], with K0 and K0' at p = 0.
   const double K0 = 1.3e9, K0_prime = 11.0;
   const DensityLaw tait = make_tait(K0, K0_prime, p_h), murnaghan = make_murnaghan(K0, K0_prime, p_h);
   double worst_tait = 0.0, worst_murnaghan = 0.0, worst_volume = 0.0;
@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(equations_of_state_have_their_bulk_modulus) {
   BOOST_TEST(worst_tait < 1e-13);
   BOOST_TEST(worst_murnaghan < 1e-13);
   BOOST_TEST(worst_volume < 1e-13);
-  // The same K0 and K0': they part with the third power of the pressure.
+  // With equal K0 and K0', the two laws differ by the third power of the pressure.
   const auto gap = [&](double P) { return value(density, murnaghan, P) - value(density, tait, P); };
   BOOST_TEST_MESSAGE("Murnaghan - Tait at 4 and 2 MPa: ratio " << gap(4e-3) / gap(2e-3) << ", third power 8");
   BOOST_TEST(std::abs(gap(4e-3) / gap(2e-3) - 8.0) < 0.5);
@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(equations_of_state_have_their_bulk_modulus) {
 }
 
 BOOST_AUTO_TEST_CASE(tait_is_near_dowson_and_higginson_where_that_was_fitted) {
-  // Both describe oils near room temperature; Dowson and Higginson's was fitted up to 0.4 GPa.
+  // Both describe oils near room temperature; the law of Dowson and Higginson was fitted up to 0.4 GPa.
   const DensityLaw tait = make_tait(1.3e9, 11.0, p_h), fitted = make_dowson_higginson(p_h);
   double worst = 0.0;
   for (int k = 1; k <= 40; ++k)
@@ -151,7 +151,8 @@ BOOST_AUTO_TEST_CASE(slopes_against_differences_from_0_to_4_GPa) {
                                       make_yasutomi(turbine_oil, p_h), make_tabulated_viscosity(p, eta, p_h)};
   const DensityLaw densities[] = {higginson, make_tait(1.2e9, 11.0, p_h), make_murnaghan(1.2e9, 11.0, p_h),
                                   make_tabulated_density(p, rho_column, p_h)};
-  // Second order, for tables and tangents have jumps in the second derivative: error h^2 f'''/6 or h f''/2 at a jump.
+  // Second order: tables and tangents have jumps in the second derivative, so the error is h^2
+  // f'''/6, or h f''/2 at a jump.
   constexpr double h = 1e-5;
   double worst = 0.0;
   const auto check = [&](auto f, auto df, const auto& law, double P) {
@@ -214,7 +215,7 @@ BOOST_AUTO_TEST_CASE(what_leaves_its_range_is_named) {
   }
 }
 
-// A grade may leave it to the first of its kind.
+// A grade may refer to the source of the first grade of its kind.
 BOOST_AUTO_TEST_CASE(every_fluid_names_its_source) {
   const auto kind = [](std::string_view name) { return name.substr(0, name.find_first_of("0123456789")); };
   std::string_view told;

@@ -1,4 +1,4 @@
-// Where the laws leave their pressures: on either side of every limit, and with the numbers that belong to it.
+// The pressure limits of the laws: on both sides of every limit, with the numbers in the warning.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <string>
@@ -21,10 +21,10 @@ bool one_says(const std::vector<std::string>& texts, const std::string& part) {
   return texts.size() == 1 && texts[0].find(part) != std::string::npos;
 }
 
-// ln(eta/eta0) of Roelands' law, written out.
+// ln(eta/eta0) of Roelands' law.
 double roelands(double p, double z) { return alpha * 1.96e8 / z * (std::pow(1.0 + p / 1.96e8, z) - 1.0); }
 
-// The pressure at which it has a value.
+// The pressure at which Roelands' law has a given ln(eta/eta0).
 double pressure_of(double log_eta, double z) {
   return 1.96e8 * (std::pow(1.0 + log_eta * z / (alpha * 1.96e8), 1.0 / z) - 1.0);
 }
@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE(barus_ends_at_half_a_gigapascal) {
   BOOST_TEST(one_says(beyond, "p_max = 0.501 GPa"));
   BOOST_TEST(one_says(beyond, "alpha_bar P = 11"));
   BOOST_TEST(one_says(beyond, "0.5 GPa"));
-  // Without a scale of pressure: by the viscosity, ln(eta/eta0) = alpha_bar P.
+  // Without a pressure scale the viscosity decides: ln(eta/eta0) = alpha_bar P.
   BOOST_TEST(found(Barus{8.0}, {.P_max = 9.99 / 8.0}).empty());
   BOOST_TEST(one_says(found(Barus{8.0}, {.P_max = 10.01 / 8.0}), "P = 1.25 p_h ln(eta/eta0) = 10"));
 }
@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE(roelands_ends_at_a_glass) {
   const double z = 0.68;
   const double p_h = 1e9;
   const Roelands law = make_roelands(alpha, 1.96e8, z, p_h);
-  // An oil of 0.1 Pa s is a glass of 1e12 Pa s at ln(1e13) = 29.93; without eta0 30 is taken.
+  // An oil of 0.1 Pa s is a glass of 1e12 Pa s at ln(1e13) = 29.93; without eta0, 30 is used.
   const double glass = pressure_of(std::log(1e13), z);
   BOOST_TEST_MESSAGE("glass at " << glass << " Pa, where ln(eta/eta0) is " << roelands(glass, z));
   BOOST_TEST(one_says(found(law, {.P_max = 1.001 * glass / p_h, .p_h = p_h, .eta0 = 0.1}), "is a glass"));
@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(roelands_ends_at_a_glass) {
   const double assumed = pressure_of(30.0, z);
   BOOST_TEST(one_says(found(law, {.P_max = 1.001 * assumed / p_h, .p_h = p_h}), "an eta0 of 0.1"));
   BOOST_TEST(one_says(found(law, {.P_max = 0.999 * assumed / p_h, .p_h = p_h}), "extrapolated"));
-  // A thick oil turns to glass before 2 GPa: eta0 = 1000 Pa s at ln(1e9) = 20.7.
+  // A thick oil becomes a glass below 2 GPa: eta0 = 1000 Pa s at ln(1e9) = 20.7.
   BOOST_TEST(one_says(found(law, {.P_max = 1.001e-9 * pressure_of(std::log(1e9), z), .p_h = p_h, .eta0 = 1000.0}),
                       "eta0 = 1e+03"));
 }
@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(pressures_nobody_measured_at_are_named) {
   };
   BOOST_TEST(density(1.99).empty());
   BOOST_TEST(one_says(density(2.01), "rho/rho0 = 1.26"));
-  // The limit is where the law has fallen 5 % behind Tait's equation.
+  // At the limit the law is 5 % below Tait's equation.
   const double tait = 1.0 / (1.0 - std::log(1.0 + 2.0 / 1.3 * 12.0) / 12.0);
   const double law_at_limit = (5.9 + 1.34 * 20.0) / (5.9 + 20.0);
   BOOST_TEST_MESSAGE("Tait " << tait << ", Dowson and Higginson " << law_at_limit << " at 2 GPa");

@@ -1,4 +1,4 @@
-// The shear laws against long double, their limits, and the film's fluidities against them.
+// The shear laws compared with long double, their limits, and the fluidities of the film.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
@@ -32,7 +32,7 @@ BOOST_AUTO_TEST_CASE(no_rate_no_thinning) {
   for (const ShearLaw& law : laws) {
     const Thinned at_rest = thinned(law, 0.0);
     BOOST_TEST((at_rest.along == 1.0 && at_rest.across == 1.0));
-    // Both differ from 1 by the square of s: Eyring's across by s^2/6.
+    // Both differ from 1 by a term in s^2; for Eyring transverse to sliding, this is s^2/6.
     double before = 1.0;
     for (const double s : {1e-1, 1e-2, 1e-3, 1e-5}) {
       const double away = 1.0 - thinned(law, s).across;
@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE(no_rate_no_thinning) {
   BOOST_TEST(relative(1.0 - thinned(Eyring{}, 1e-3).across, 1e-6 / 6.0) < 1e-6);
 }
 
-// Across the end of the series too.
+// Also beyond the range of the series.
 BOOST_AUTO_TEST_CASE(eyring_against_long_double) {
   double worst = 0.0;
   for (double s = 1e-9; s < 1e12; s *= 1.07) {
@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(eyring_against_long_double) {
   BOOST_TEST(worst < 4.0 * ulp);
 }
 
-// tau/tau_0 = s eta_y/eta -> ln(2 s): what is left is 1/(4 s^2).
+// tau/tau_0 = s eta_y/eta -> ln(2 s), with a remainder of 1/(4 s^2).
 BOOST_AUTO_TEST_CASE(eyring_grows_as_a_logarithm) {
   for (const double s : {1e2, 1e4, 1e8}) {
     const double stress = s * thinned(Eyring{}, s).across;
@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(the_film_follows_the_laws) {
   BOOST_TEST(worst < 1e-13);
 }
 
-// Each value by itself, whatever the length and the place.
+// Each value is independent of the length of the array and of its position.
 BOOST_AUTO_TEST_CASE(a_value_does_not_depend_on_its_neighbours) {
   for (const ShearLaw& law : laws)
     for (std::size_t length = 1; length < 20; ++length) {
@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE(little_sliding_is_newtonian) {
     }
 }
 
-// Oil that is glass, no film, a film below zero: finite; NaN stays.
+// Glassy oil, no film, a negative film: the result is finite; a NaN stays a NaN.
 BOOST_AUTO_TEST_CASE(the_ends_of_the_range) {
   for (const ShearLaw& law : laws) {
     for (const auto& [H, fluidity] : {std::pair{0.2, 0.0}, {0.2, 1e-300}, {0.0, 1.0}, {-0.5, 1e-5}, {0.0, 0.0}}) {
@@ -164,7 +164,7 @@ BOOST_AUTO_TEST_CASE(slopes_against_differences) {
   BOOST_TEST(worst < 1e-7);
 }
 
-// a^2 and, with it, the stress that sliding would cause: k = eta_0 du R/(a^2 tau_c).
+// The change of a^2 changes the stress that sliding would cause: k = eta_0 du R/(a^2 tau_c).
 BOOST_AUTO_TEST_CASE(rescaled_to_another_load) {
   BOOST_TEST(relative(rescaled({Eyring{}, 0.3}, 2.0).k, 0.075) < 2.0 * ulp);
 }

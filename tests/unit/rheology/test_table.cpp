@@ -17,7 +17,7 @@ double log_eta_at(const ViscosityLaw& law, double P) {
   return out;
 }
 
-// A table of the law every `step` GPa up to 3 GPa.
+// A table of the law with steps of `step` GPa up to 3 GPa.
 TabulatedViscosity tabulated(const ViscosityLaw& law, double step) {
   std::vector<double> p, eta;
   for (int k = 0; k * step < 3.0 + 0.5 * step; ++k) {
@@ -41,7 +41,7 @@ double worst_gap(const ViscosityLaw& a, const ViscosityLaw& b, double from, doub
 BOOST_AUTO_TEST_CASE(a_table_of_barus_is_barus) {
   const Barus barus{20.0};
   const TabulatedViscosity table = tabulated(barus, 0.25);
-  // ln eta is a straight line, which the curve follows; the table itself carries the rounding of exp and log.
+  // ln eta is a straight line, which the curve reproduces to the rounding of exp and log in the table.
   const double gap = worst_gap(barus, table, -0.05, 5.0);
   BOOST_TEST_MESSAGE("largest gap of ln eta " << gap << " (tolerance 1e-12)");
   BOOST_TEST(gap < 1e-12);
@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(a_table_of_roelands_converges_to_it) {
   for (const double step : {0.1, 0.05, 0.025}) {
     const double gap = worst_gap(roelands, tabulated(roelands, step), 0.3, 2.7);
     BOOST_TEST_MESSAGE("step " << step << " GPa: gap of ln eta " << gap << ", factor " << before / gap);
-    // Harmonic means of the slopes: second order for the slope, third for the value, at least a factor of 6 by halving.
+    // Slopes by harmonic means are of second order and values of third order, at least a factor of 6 per halving.
     if (before > 0.0) BOOST_TEST(before / gap > 6.0);
     before = gap;
   }
@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(a_table_of_roelands_converges_to_it) {
 }
 
 BOOST_AUTO_TEST_CASE(a_curve_stays_between_its_points) {
-  // Steps and plateaus that make a spline swing.
+  // Steps and plateaus on which a spline would oscillate.
   const std::vector<double> x{0.0, 0.1, 0.2, 1.0, 1.05, 2.0, 3.0}, y{0.0, 1.0, 1.001, 1.002, 9.0, 9.01, 9.5};
   const Curve curve = monotone_curve(x, y);
   double previous = 0.0, least_slope = 1e9, worst = 0.0;
@@ -76,14 +76,14 @@ BOOST_AUTO_TEST_CASE(a_curve_stays_between_its_points) {
     BOOST_REQUIRE(here >= previous);
     previous = here;
     least_slope = std::min(least_slope, slope(curve, at));
-    if (n % 50 == 0) continue;  // a point of the table: the second derivative jumps
+    if (n % 50 == 0) continue;  // at a point of the table the second derivative jumps
     worst = std::max(worst, std::abs((value(curve, at + 1e-6) - value(curve, at - 1e-6)) / 2e-6 - slope(curve, at)));
   }
   BOOST_TEST_MESSAGE("least slope " << least_slope << "; slope against difference " << worst << " (tolerance 1e-4)");
   BOOST_TEST(least_slope >= 0.0);
   BOOST_TEST(worst < 1e-4);
   for (std::size_t point = 0; point < x.size(); ++point) BOOST_TEST(value(curve, x[point]) == y[point]);
-  // Outside: straight on.
+  // Outside the table the curve is linear.
   BOOST_TEST(value(curve, 5.0) == 9.5 + 2.0 * slope(curve, 3.0));
   BOOST_TEST(value(curve, -1.0) == -slope(curve, 0.0));
   BOOST_TEST(std::isnan(value(curve, std::nan(""))));
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(coefficients_of_roelands_at_z_one_half_in_closed_form) {
                                << film << " (tolerance 1e-12)");
   BOOST_TEST(std::abs(star) < 1e-12);
   BOOST_TEST(std::abs(film) < 1e-12);
-  // z = 1 is Barus.
+  // z = 1 is Barus' law.
   const PressureCoefficients at_one = pressure_coefficients(make_roelands(alpha, roelands_p0, 1.0, p_h));
   BOOST_TEST(std::abs(at_one.alpha_star / (alpha * p_h) - 1.0) < 1e-12);
   BOOST_TEST(std::abs(at_one.alpha_film / (alpha * p_h) - 1.0) < 1e-12);
@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(the_scale_does_not_matter) {
 }
 
 BOOST_AUTO_TEST_CASE(squalane_has_the_known_coefficient) {
-  // alpha* of squalane at 40 C is 18 1/GPa, viscosity 15.6 mPa s.
+  // For squalane at 40 C, alpha* is 18 1/GPa and the viscosity 15.6 mPa s.
   const double alpha_star =
       pressure_coefficients(make_doolittle({4.71, 0.6568, 1.192e9, 11.74, 0.0156}, 1.0)).alpha_star;
   BOOST_TEST_MESSAGE("alpha* = " << 1e9 * alpha_star << " 1/GPa, known 18");

@@ -1,5 +1,5 @@
-// Oils at a temperature: ISO 3448, ASTM D341, D2270 and D1250 against their worked numbers, and Roelands' law whose
-// alpha* is stated.
+// Oils at a temperature: ISO 3448, ASTM D341, D2270 and D1250 compared with their worked examples, and
+// Roelands' law with a given alpha*.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <string>
@@ -17,8 +17,8 @@ double number_of(const Fluid& fluid, const char* key) {
   return ehl::deck::read_number(std::string(value_of(fluid, key))).value;
 }
 
-// ASTM D2270, procedure A and the polynomials of its annex for 4.4 to 40 mm^2/s: kinematic viscosities at 40 C of oils
-// with this kv100 and a viscosity index of 0 and of 100.
+// ASTM D2270, procedure A and the polynomials of its annex for 4.4 to 40 mm^2/s: the kinematic viscosities at 40 C of
+// oils with this kv100 and with viscosity indices of 0 and 100.
 struct Polynomials {
   double above, a, b, c, d, e, f;
 };
@@ -42,7 +42,7 @@ double viscosity_index(double kv40, double kv100) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(mineral_oils_are_the_grades_of_iso_3448) {
-  // The worked example of ASTM D2270: 73.30 and 8.86 mm^2/s make 92.43.
+  // The worked example of ASTM D2270: 73.30 and 8.86 mm^2/s give 92.43.
   BOOST_TEST(std::abs(viscosity_index(73.30, 8.86) - 92.43) < 0.05);
   for (const int grade : {32, 46, 68, 100, 150, 220, 320, 460}) {
     const Fluid* fluid = find_fluid("mineral-vg" + std::to_string(grade));
@@ -55,8 +55,8 @@ BOOST_AUTO_TEST_CASE(mineral_oils_are_the_grades_of_iso_3448) {
 }
 
 BOOST_AUTO_TEST_CASE(named_oils_have_golds_coefficient) {
-  // Gold et al., Journal of Synthetic Lubrication 18, 2001: ln(eta/eta0)/p up to 0.2 GPa. Roelands 1966: z of mineral
-  // oils is about 0.6.
+  // Gold et al., Journal of Synthetic Lubrication 18, 2001: ln(eta/eta0)/p up to 0.2 GPa. Roelands 1966: z of
+  // mineral oils is about 0.6.
   constexpr double p = 0.2e9;
   for (const Fluid& fluid : fluids) {
     if (value_of(fluid, "kv40").empty()) continue;
@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(walther_through_two_points) {
     double kv40, kv100, T, nu, digits;
     const char* source;
   };
-  // Public calculators of the standard; the last one has 273 for 273.15.
+  // Public calculators of the standard; the last one uses 273 instead of 273.15.
   for (const Example& e : {Example{404, 28, 60, 132.126, 5e-4, "olezol.com"},
                            {68, 8.8, 80, 14.85, 2e-3, "olezol.com"},
                            {32, 5.4, 80, 8.5, 6e-3, "scribd.com, 361017004"}}) {
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(walther_through_two_points) {
                               << e.nu << " (tolerance " << e.digits << ", its digits)");
     BOOST_TEST(std::abs(nu / e.nu - 1.0) < e.digits);
   }
-  // The two points come back, where the term for thin liquids counts as well.
+  // The law reproduces its two points, even where the term for thin liquids matters.
   for (const auto& [kv40, kv100] : {std::pair{460.0, 30.0}, {18.4, 4.1}, {1.5, 0.7}, {0.5, 0.21}}) {
     const Walther law = make_walther(kv40, kv100);
     BOOST_TEST(std::abs(kinematic_viscosity(law, 40) / kv40 - 1.0) < 1e-12);
@@ -120,7 +120,7 @@ BOOST_AUTO_TEST_CASE(roelands_law_of_a_stated_alpha_star) {
     BOOST_TEST(std::abs(z - 0.5) < 1e-11);
     BOOST_TEST(std::abs(slope * roelands_p0 / (0.5 * A) - 1.0) < 1e-11);
   }
-  // z = 1 is Barus; small and steep laws; no z makes a rock of an oil.
+  // z = 1 is Barus' law; small and large z; an alpha* that no z can give.
   BOOST_TEST(std::abs(roelands_alpha_of(20e-9, roelands_p0, 1.0) / 20e-9 - 1.0) < 1e-11);
   for (const double z : {0.05, 1.5})
     for (const double alpha_star : {1e-12, 1e-6}) {
@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(roelands_law_of_a_stated_alpha_star) {
 
 BOOST_AUTO_TEST_CASE(one_z_at_every_temperature) {
   // Viscosity [mPa s] and alpha [1/GPa] of mineral oils at 30, 60 and 100 C. source: Stachowiak and Batchelor,
-  // Engineering Tribology, Table 2.3. One z means alpha in proportion to ln(eta0) + 9.67.
+  // Engineering Tribology, Table 2.3. For constant z, alpha is proportional to ln(eta0) + 9.67.
   struct Measured {
     double eta[3], alpha[3];
   };

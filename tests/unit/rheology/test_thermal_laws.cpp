@@ -1,5 +1,5 @@
-// Laws of pressure and temperature: against the isothermal laws made for the other temperature, closed forms, slopes
-// against differences; exactly the isothermal law at its own temperature. Solids by name.
+// Laws of pressure and temperature: compared with the isothermal laws at the other temperature and with closed forms,
+// and their derivatives with differences; at its own temperature, each law is exactly isothermal. Solids by name.
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(slopes_against_differences) {
         worst = std::max(worst, std::abs(slope / difference - 1.0));
         BOOST_REQUIRE(slope < 0.0);
       }
-    // Rounding of D over the step, and the kink of the slope where the oil becomes a glass.
+    // The tolerance covers the rounding of D divided by the step, and the kink where the oil becomes a glass.
     const double tolerance = c.P_max > 2.0 ? 2e-5 : 1e-8;
     BOOST_TEST_MESSAGE(c.name << ": slope " << worst << " off (tolerance " << tolerance << ")");
     BOOST_TEST(worst < tolerance);
@@ -144,7 +144,7 @@ BOOST_AUTO_TEST_CASE(an_oil_at_another_temperature_is_the_isothermal_oil_of_ther
   warm.T = other;
   compare(make_thermal_viscosity(make_yasutomi(glassy, p_h), {T0}), make_yasutomi(glassy, p_h),
           make_yasutomi(warm, p_h), std::log(yasutomi_eta0(warm) / yasutomi_eta0(glassy)), "yasutomi");
-  // Doolittle: occupied volume over the volume at ambient pressure and 80 C.
+  // Doolittle: occupied volume relative to the volume at ambient pressure and 80 C.
   const double expanded = 1 + volume.a_V * 40, R = squalane.R0 * (1 + occupied * 40);
   DoolittleConstants hot = squalane;
   hot.R0 = R / expanded;
@@ -184,7 +184,7 @@ BOOST_AUTO_TEST_CASE(density_and_heat) {
       }
     }
   }
-  // Larsson and Andersson: k over that at ambient pressure 1.68, 2.12, 2.65, rho c 1.17, 1.26, 1.36 at 0.5, 1, 2 GPa.
+  // k and rho c relative to ambient pressure. source: Larsson and Andersson (2000).
   const std::array<double, 4> p{0.0, 0.5, 1.0, 2.0}, cold{};
   std::array<double, 4> k_bar{}, heat{};
   conductivity(LarssonAndersson{T0, 1.0}, p, k_bar);
