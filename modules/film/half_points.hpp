@@ -64,6 +64,7 @@ struct Answers {
   Number before, behind;
 };
 enum class LeastShare { held, follows };
+/// in: least, as Between::least; phi and a, 1/eta_bar and ln eta_bar, of the nodes before and after the half point.
 template <LeastShare bound = LeastShare::held, class Number>
 Answers<Number> answers(double least, Number phi0, Number phi1, Number a0, Number a1) {
   const Number d = a1 - a0;

@@ -46,7 +46,7 @@ struct Model {
 /// True if epsilon along Y differs from epsilon along X.
 inline bool anisotropic(const Model& model) { return model.thinning.has_value(); }
 
-/// Work space of one thread.
+/// Work space of one thread for columns of up to this many nodes, or for the nodes of a line contact.
 struct Buffers {
   std::vector<double> fluidity{}, along{}, across{}, slope{}, mobility{}, mobility_across{}, carried{};
 };
@@ -60,6 +60,7 @@ struct Coefficients {
   std::span<Number> rho_bar;     ///< Q/H
   std::span<Number> drho_bar;    ///< d rho_bar/dP
 };
+/// The coefficients of a column from its P and H. out: spans of its length.
 void coefficients(const Model& model, const Station& station, Buffers& buffers, const Coefficients<double>& out);
 
 /// Factor of the effects on epsilon along X at the first node of a column. cost: allocates.
@@ -73,7 +74,7 @@ struct Oil {
   std::span<Number> fluidity_across, log_viscosity_across;
   std::span<Number> rho_bar, drho_bar;
 };
-/// limits: not with given_epsilon.
+/// These values from P and H of a column. out: spans of its length. limits: not with given_epsilon.
 void oil(const Model& model, const Station& station, Buffers& buffers, const Oil<double>& out);
 
 /// Derivatives of ln eta_bar along X by P and H, and of that along Y if it differs.
@@ -81,6 +82,7 @@ struct OilSlopes {
   std::span<double> log_viscosity_P, log_viscosity_H;
   std::span<double> log_viscosity_across_P, log_viscosity_across_H;
 };
+/// These derivatives at the P and H of a column. limits: not with given_epsilon.
 void oil_slopes(const Model& model, const Station& station, Buffers& buffers, const OilSlopes& out);
 
 /// Derivatives of epsilon with P and H as independent variables; the last two if epsilon along Y differs.
@@ -88,7 +90,8 @@ struct Slopes {
   std::span<double> eps_P, eps_H;
   std::span<double> eps_across_P, eps_across_H;
 };
-/// in: the coefficients at the same P and H. limits: not with given_epsilon; d eps/dH is 0 where H <= 0.
+/// These derivatives for a column. in: the coefficients at the same P and H. limits: not with given_epsilon; d eps/dH
+/// is 0 where H <= 0.
 void slopes(const Model& model, const Station& station, const Coefficients<const double>& at, Buffers& buffers,
             const Slopes& out);
 

@@ -47,9 +47,9 @@ std::vector<double> correction_of(const Axis& axis, int order, int patch, double
   return C;
 }
 
-// Sums w_i for `vectors` vectors of points. in: K, pointing at the distance from point 0 to the first of them, readable
-// beyond its last entry by as many; u at the points begin .. end - 1. The terms of each sum are added in the order of
-// k.
+// Sums w_i for `vectors` vectors of points. in: K, a pointer to the kernel at the distance of the first of these points
+// from point 0, readable for as many entries beyond the last distance; u at the points begin .. end - 1. The terms of
+// each sum are added in the order of k.
 template <int vectors>
 void sum_block(const double* K, const double* u, std::size_t begin, std::size_t end, double* w) {
   core::Lanes sums[vectors] = {};

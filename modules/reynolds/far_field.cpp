@@ -18,8 +18,8 @@ constexpr int directions = 4096;
 constexpr int first_directions = 64;
 constexpr double step = 2.0 * std::numbers::pi / directions;
 
-/// For a film whose approach falls as 1/r, q = r^-5 f_2 with (g^3 f_2')' - 5 g^3 f_2. This is f_2/f_1, f_1 that of a
-/// uniform approach, for a circle without rupture, and approximately for ellipses.
+/// Effect of an approach that falls as 1/r, over that of a uniform one: f_2/f_1, where q = r^-5 f_2 and (g^3 f_2')' - 5
+/// g^3 f_2 is the left-hand side. The value is that of a circle without rupture, and approximately that of ellipses.
 constexpr double yielding = 8.0 / 5.0;
 
 /// The angular equation at the directions k = 0..n, with the downstream X axis, where the film is ruptured, at both
@@ -62,9 +62,9 @@ std::vector<double> solved_where_wet(const Angular& equation, const std::vector<
   return f;
 }
 
-/// Complementarity by an active set method: wet directions with f <= 0 become dry, and dry ones with a positive source
-/// become wet. It ends since the matrix is an M-matrix. in: an estimate of the wet directions. out: the wet directions,
-/// and f.
+/// Complementarity by an active set method: wet directions with f <= 0 become ruptured, and ruptured ones with a
+/// positive source become wet. It ends since the matrix is an M-matrix. in: an estimate of the wet directions. out: the
+/// wet directions, and f.
 std::vector<double> solved_with_rupture(const Angular& equation, std::vector<bool>& wet) {
   for (std::size_t round = 0; round < wet.size(); ++round) {
     std::vector<double> f = solved_where_wet(equation, wet);
