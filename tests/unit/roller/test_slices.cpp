@@ -1,4 +1,4 @@
-// A roller in slices against closed forms.
+// A roller divided into slices, compared with closed forms.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -10,7 +10,7 @@ using boost::test_tools::tolerance;
 
 namespace {
 
-constexpr double slice = 1.0 / 4000.0;  // of the length: what a length is known to
+constexpr double slice = 1.0 / 4000.0;  // of the length: the accuracy of a length
 
 Profile flat(double length) {
   return {.shape = Profile::Shape::straight, .length = length, .end_length = 0.0, .end_radius = 1.0};
@@ -20,9 +20,9 @@ Profile flat(double length) {
 
 BOOST_AUTO_TEST_SUITE(slices)
 
-// Below p = sqrt(1 - x^2) on a strip from -l/2 to l/2, H/(a^2/R) = (1/2 pi) int int p/r: for l much above 1 it is
-// (1/2 pi) int p 2 ln(l/|x|) dx, and by parts int sqrt(1 - x^2) ln|x| dx = -(pi/2)(ln 2 + 1/2). Here by the sum over x
-// of the exact integral over y, 2 asinh(l/(2 |x|)).
+// Under p = sqrt(1 - x^2) on a strip from -l/2 to l/2, H/(a^2/R) = (1/2 pi) int int p/r. For l much larger than 1 this
+// is (1/2 pi) int p 2 ln(l/|x|) dx, and by parts int sqrt(1 - x^2) ln|x| dx = -(pi/2)(ln 2 + 1/2). Here the exact
+// integral over y, 2 asinh(l/(2 |x|)), is summed over x.
 BOOST_AUTO_TEST_CASE(approach_of_a_line_contact) {
   for (const double length : {20.0, 100.0, 1000.0}) {
     constexpr int parts = 100000;
@@ -42,7 +42,7 @@ BOOST_AUTO_TEST_CASE(straight_roller_bears_everywhere) {
   BOOST_TEST(found.at_ends == 1.0, tolerance(1e-12));
 }
 
-// Hertz' ellipse of the same load: a^3 = (3/2) F R/E' of the circle, a^2 = (8/pi) F R/(E' length) of the line.
+// The Hertz ellipse with the same load: a^3 = (3/2) F R/E' for the circle, a^2 = (8/pi) F R/(E' length) for the line.
 BOOST_AUTO_TEST_CASE(half_width_of_a_crown) {
   for (const double length : {20.0, 40.0, 160.0})
     for (const double radius : {5.0, 10.0, 20.0, 50.0, 200.0}) {
@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(half_width_of_a_crown) {
     }
 }
 
-// A crown of radius r: with the approach d it bears to sqrt(2 r d) on both sides, (4/3) d sqrt(2 r d) = c length.
+// A crown with radius r carries load up to sqrt(2 r d) on both sides at the approach d: (4/3) d sqrt(2 r d) = c length.
 BOOST_AUTO_TEST_CASE(crown) {
   for (const double radius : {1.0, 10.0, 50.0}) {
     Profile profile = flat(60.0);
@@ -71,14 +71,14 @@ BOOST_AUTO_TEST_CASE(crown) {
     BOOST_TEST(found.length == 2.0 * std::sqrt(2.0 * radius * approach), tolerance(4.0 * slice * 60.0 / found.length));
     BOOST_TEST(found.heaviest == approach / mean, tolerance(1e-4));
     BOOST_TEST(found.at_ends == 0.0);
-    // A tilt moves the crown's lowest point by radius times tilt along it, and changes nothing else.
+    // A tilt moves the lowest point of the crown by radius times tilt, and changes nothing else.
     profile.tilt = 3.0 / radius;
     BOOST_TEST(bearing(profile).length == found.length, tolerance(4.0 * slice * 60.0 / found.length));
     BOOST_TEST(bearing(profile).heaviest == found.heaviest, tolerance(1e-3));
   }
 }
 
-// A straight roller that stands on its end: a wedge, tilt l^2/2 = c length.
+// A straight roller that touches with one end: the load is on a wedge, tilt l^2/2 = c length.
 BOOST_AUTO_TEST_CASE(wedge) {
   for (const double tilt : {0.5, -5.0}) {
     Profile profile = flat(60.0);

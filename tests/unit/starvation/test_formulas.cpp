@@ -1,4 +1,4 @@
-// Formulas of starved films against their limits and closed forms; what a surface brings to the next pass.
+// Formulas for starved films, compared with their limits and closed forms; the layer that the next pass receives.
 #include <boost/math/special_functions/bessel.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -12,7 +12,7 @@ using std::numbers::pi;
 
 namespace {
 
-// Modified Struve function of order 0, by its series.
+// The modified Struve function of order 0, by its series.
 double struve_l0(double x) {
   double term = 2.0 * x / pi, sum = 0.0;
   for (int k = 1; k < 200; ++k) {
@@ -28,14 +28,15 @@ double lost(const rheology::ViscosityLaw& law, const contact::Ellipse& shape = {
 
 }  // namespace
 
-// 2 pi of an isoviscous oil; 2 pi (I_0 - L_0)(alpha_bar) of Barus' oil; over kappa^2 of an ellipse.
+// The side flow: 2 pi for an isoviscous oil, 2 pi (I_0 - L_0)(alpha_bar) for a Barus oil, divided
+// by kappa^2 for an ellipse.
 BOOST_AUTO_TEST_CASE(thin_layers_lose_by_side_flow) {
   BOOST_TEST(std::abs(lost(rheology::Isoviscous{}) - 2.0 * pi) <= 1e-12);
   for (const double alpha_bar : {0.5, 3.0, 10.0}) {
     const double exact = 2.0 * pi * (boost::math::cyl_bessel_i(0, alpha_bar) - struve_l0(alpha_bar));
     const double found = lost(rheology::Barus{alpha_bar});
     BOOST_TEST_MESSAGE("alpha_bar = " << alpha_bar << ": " << found << ", exact " << exact << " (allowed 1e-3)");
-    BOOST_TEST(std::abs(found / exact - 1.0) <= 1e-3);  // 400 intervals, h^2 of the ends, where eta changes
+    BOOST_TEST(std::abs(found / exact - 1.0) <= 1e-3);  // 400 intervals; the error is h^2 at the ends, where eta varies
   }
   const contact::Ellipse wide = contact::ellipse(0.2);
   BOOST_TEST(std::abs(lost(rheology::Isoviscous{}, wide) * wide.kappa * wide.kappa - 2.0 * pi) <= 1e-12);
@@ -46,17 +47,17 @@ BOOST_AUTO_TEST_CASE(factors_and_their_limits) {
   BOOST_TEST(std::abs(starvation::by_supply(1.0, 3.0) - std::pow(0.5, 1.0 / 3.0)) <= 1e-15);
   BOOST_TEST(std::abs(starvation::by_supply(0.01, 3.0) / 0.01 - 1.0) <= 1e-6);
   BOOST_TEST(std::abs(starvation::by_supply(100.0, 3.0) - 1.0) <= 1e-6);
-  double r = 1.3;  // pass by pass
+  double r = 1.3;  // repeated for each pass
   for (int pass = 0; pass < 5; ++pass) r = starvation::by_supply(r, 2.7);
   BOOST_TEST(std::abs(starvation::by_passes(1.3, 2.7, 5) - r) <= 1e-14);
   BOOST_TEST(std::abs(starvation::gamma_of(0.7, starvation::by_supply(0.7, 3.4)) - 3.4) <= 1e-9);
   BOOST_TEST(std::isnan(starvation::gamma_of(0.1, 0.0999)));
-  // (50, 10), 128 x 128 cells: the meniscus at -1.25 a with a flooded film of 0.219 gives 0.624.
+  // A reference value for (50, 10) on 128 x 128 cells.
   BOOST_TEST(std::abs(starvation::by_meniscus(1.25, 0.219) - 0.624) <= 2e-3);
   BOOST_TEST(starvation::by_meniscus(3.0, 0.219) == 1.0);
 }
 
-// Oil is kept by levelling; the shares are those of the rule.
+// Levelling conserves the oil, and the shares follow the rule.
 BOOST_AUTO_TEST_CASE(the_layer_of_the_next_pass) {
   const std::vector<double> left{1.0, 0.25, 0.75, 3.0, 1.0}, fresh(5, 2.0);
   BOOST_TEST(steady::next_layer({}, left, fresh) == left);

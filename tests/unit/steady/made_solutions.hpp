@@ -1,5 +1,5 @@
 #pragma once
-// Solutions that are made up in no time: for what is done with solutions.
+// Artificial solutions, which cost no time, for tests of the functions that use solutions.
 #include <limits>
 #include <vector>
 
@@ -12,18 +12,18 @@ using namespace steady;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Made-up solutions: H = limit (1 + mesh h^2 + inlet/length^3 + load/length + kink), three levels of it; and what was
-/// asked for.
+/// Artificial solutions H = limit (1 + mesh h^2 + inlet/length^3 + load/length + kink) on three levels, and the
+/// record of the scenes asked for.
 struct Made {
-  double mesh = 0.5;          ///< relative error of Hc over h^2
-  double mesh_of_Hm = 2.0;    ///< over that of Hc
+  double mesh = 0.5;          ///< relative error of Hc divided by h^2
+  double mesh_of_Hm = 2.0;    ///< the same for Hm, divided by `mesh`
   double inlet = 0.0;         ///< relative error of Hc times length^3; negative: the film grows with the domain
   double load = 0.0;          ///< relative error of Hc times length
-  double domain_of_Hm = 1.0;  ///< over that of Hc
-  double kink_of_Hc = 0.0;    ///< relative disturbance of the level before the last
+  double domain_of_Hm = 1.0;  ///< error of the domain in Hm, divided by that in Hc
+  double kink_of_Hc = 0.0;    ///< relative disturbance of the second finest level
   double kink_of_Hm = 0.0;
   double algebraic = 0.0;    ///< relative error left by the cycles
-  int diverges_from = 1000;  ///< cells from which on no solution is found
+  int diverges_from = 1000;  ///< number of cells from which on there is no solution
   std::vector<Scene> asked{};
 
   Solution operator()(const Scene& scene) {
@@ -31,7 +31,7 @@ struct Made {
     Solution solution;
     solution.grid = scene.grid;
     solution.P = core::Field(scene.grid);
-    // A climb cannot go on from here: the next grid is made up too.
+    // There is no state to continue from, so the next grid is artificial too.
     solution.P.fill(unknown);
     solution.converged = scene.grid.nx < diverges_from;
     solution.failed_check = solution.converged ? "" : "made up to fail";
@@ -57,7 +57,7 @@ struct Made {
   }
 };
 
-/// h = 6/64 on the first grid: with mesh = 0.5 the estimate for Hm is 1.1 %, a quarter of that on every next grid.
+/// h = 6/64 on the first grid: for mesh = 0.5 the estimate for Hm is 1.1 %, and a quarter of that on every finer grid.
 inline Scene scene_for(double error) {
   const contact::Groups groups = contact::from_moes(20.0, 10.0);
   const double p_h = groups.alpha_bar / 2.2e-8;

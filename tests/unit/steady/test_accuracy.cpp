@@ -1,4 +1,4 @@
-// An accuracy instead of a grid: the ways on which a run ends, with solutions that are made up in no time.
+// An accuracy instead of a grid: all ways in which such a run may end, with artificial solutions.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <vector>
@@ -38,7 +38,8 @@ BOOST_AUTO_TEST_CASE(met_on_the_first_grid) {
   BOOST_TEST(of_Hc.asked.size() == 2u);
 }
 
-// A quarter per doubling is foretold, and what leaves more than 0.95 of the target is not risked: 64 -> 128 or 256.
+// The error is predicted to fall by a factor of four per halving. A level that would use more than 0.95 of the accuracy
+// is skipped: 64 -> 128 or 256.
 BOOST_AUTO_TEST_CASE(the_level_is_foretold) {
   const auto last = [](double target, reynolds::Wedge wedge) {
     Made made;
@@ -59,7 +60,7 @@ BOOST_AUTO_TEST_CASE(the_level_is_foretold) {
   BOOST_TEST(last(0.51 * first_error, reynolds::Wedge::upstream1) == 256);
 }
 
-// 2 h^2 of Hm is too much on the finest grid, h^2 of Hc is not: both must be right.
+// On the finest grid the 2 h^2 of Hm is too large although the h^2 of Hc is not: both films must be accurate enough.
 BOOST_AUTO_TEST_CASE(stopped_by_the_level_limit) {
   Made made;
   made.kink_of_Hc = 0.01;
@@ -70,11 +71,11 @@ BOOST_AUTO_TEST_CASE(stopped_by_the_level_limit) {
   BOOST_TEST_MESSAGE(solution.failed_check);
   BOOST_TEST(says(solution, "the accuracy 0.044 % was not reached, it was stopped by the level limit of 256 cells"));
   BOOST_TEST(says(solution, "of Hc 0.034 %, of Hm 0.069 % on 256 cells"));
-  // Where the foretold level is out of reach the way goes up one by one.
+  // If the predicted level exceeds the limit, the levels are solved one after another.
   BOOST_TEST(cells(made) == (std::vector<int>{64, 128, 256}), boost::test_tools::per_element());
 }
 
-// 129 x 129 nodes are allowed; one less are not.
+// 129 x 129 nodes are allowed in one case, and one node less in the other.
 BOOST_AUTO_TEST_CASE(stopped_by_memory) {
   for (const double less : {0.0, 1.0}) {
     Made made;
@@ -89,8 +90,8 @@ BOOST_AUTO_TEST_CASE(stopped_by_memory) {
   }
 }
 
-// Films of exactly second order: what is extrapolated is right to a fifth of what that adds to Hm, 0.16 of its error,
-// where that is beyond what the plain values can be brought to.
+// Films of exactly second order: the extrapolated value is accurate to a fifth of the correction, 0.16 of the error of
+// Hm. It is used if the plain values cannot reach the accuracy.
 BOOST_AUTO_TEST_CASE(met_by_extrapolation) {
   Made made;
   const Solution solution = run(scene_for(0.05 * first_error), made);
@@ -103,13 +104,13 @@ BOOST_AUTO_TEST_CASE(met_by_extrapolation) {
   Made once_more;
   BOOST_TEST(run(scene_for(0.03 * first_error), once_more).accuracy.by_extrapolation);
   BOOST_TEST(once_more.asked.back().grid.nx == 256);
-  // Within reach of the plain values nothing is extrapolated.
+  // If the plain values reach the accuracy, nothing is extrapolated.
   Made plain;
   BOOST_TEST(!run(scene_for(0.07 * first_error), plain).accuracy.by_extrapolation);
   BOOST_TEST(plain.asked.back().grid.nx == 256);
 }
 
-// Where the errors are by weights, the values that are shown first count.
+// With adjoint error estimates, the values that are printed first must reach the accuracy.
 BOOST_AUTO_TEST_CASE(met_by_what_is_shown_first) {
   for (const double share : {0.9, 1.1}) {
     Made made;
@@ -148,7 +149,7 @@ BOOST_AUTO_TEST_CASE(an_unconverged_run_is_not_met) {
   BOOST_TEST(second.grid.nx == 128);
 }
 
-// A grid without an estimate (one level) is followed by the next.
+// A grid without an error estimate (one level) is followed by the next one.
 BOOST_AUTO_TEST_CASE(an_unknown_error_is_not_small) {
   for (ErrorBar ErrorBars::*bar : {&ErrorBars::Hc, &ErrorBars::Hm}) {
     Made made;
@@ -172,7 +173,8 @@ BOOST_AUTO_TEST_CASE(warnings_are_those_of_the_last_grid) {
   BOOST_TEST(solution.warnings[0].find("not resolved") != std::string::npos);
 }
 
-// (0,0) a node of the grid with 64 cells too; cells no larger; no more than a rung of the ladder too long.
+// (0,0) is a node of the grid with 64 cells as well; the cells do not grow; the domain is at most one step of the
+// sequence of sizes too long.
 BOOST_AUTO_TEST_CASE(larger_domains) {
   const core::Grid grid{256, 128, -4.5, 1.5, -1.5, 1.5};
   for (const double factor : {1.0, 1.01, 1.5, 2.0, 3.0, 5.0, 8.0, 9.0, 17.0, 33.0, 60.0}) {
@@ -194,17 +196,17 @@ BOOST_AUTO_TEST_CASE(larger_domains) {
   BOOST_TEST(on_larger_domain(grid, 1.0).X_a == -4.5);
   BOOST_TEST(on_larger_domain(grid, 1.0).nx == 256);
   BOOST_TEST(on_larger_domain({64, 64, -1.5, 1.5, -1.5, 1.5}, 1.0).X_a == -1.5);
-  // Twice as long is twice the cells, whatever the rounding.
+  // Twice the length means twice the cells, whatever the rounding.
   for (int k = 1; k < 40; ++k) {
     const double X_b = 0.1 * k;
     BOOST_TEST(on_larger_domain({64, 64, -3.0 * X_b, X_b, -1.0, 1.0}, 2.0).nx == 128);
   }
-  BOOST_TEST(on_larger_domain(grid, 2.0).X_a == -10.5);  // 28 of 32 parts, 14 Hertz radii would do for no less
-  BOOST_TEST(on_larger_domain(grid, 8.5).X_a == -94.5);  // 63 of 64
+  BOOST_TEST(on_larger_domain(grid, 2.0).X_a == -10.5);  // 28 of 32 parts; 14 Hertz radii would suffice, but not less
+  BOOST_TEST(on_larger_domain(grid, 8.5).X_a == -94.5);  // 63 of 64 parts
 }
 
-// The real solver from the real start: 64 cells are 3 % off, 256 are not; and the climb from grid to grid keeps them
-// all.
+// The solver from a normal start: 64 cells are not accurate enough, 256 are. The solution continues from grid to
+// grid, and all levels are kept.
 BOOST_AUTO_TEST_CASE(the_climb_goes_on_from_the_last_solution) {
   int starts = 0;
   const SolveOnGrid solve_it = [&](const Scene& one) {
@@ -237,7 +239,7 @@ BOOST_AUTO_TEST_CASE(the_climb_goes_on_from_the_last_solution) {
   BOOST_TEST(std::abs(solution.levels.back().Hm / 0.29275 - 1.0) < 0.008);
 }
 
-// A climb that does not converge, for want of cycles, is replaced by all ways that there are.
+// If the continued solution does not converge, because of too few cycles, all strategies are tried.
 BOOST_AUTO_TEST_CASE(the_climb_that_fails_is_replaced) {
   int starts = 0;
   const SolveOnGrid solve_it = [&](const Scene& one) {

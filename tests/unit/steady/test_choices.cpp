@@ -1,4 +1,4 @@
-// What the program chooses by itself: domain, grid, first loads; and how cycles make themselves more cautious.
+// Choices of the program: domain, grid, first loads; and the damping that the cycles find by themselves.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
@@ -51,8 +51,8 @@ double density(const rheology::DensityLaw& law, double P) {
 
 BOOST_AUTO_TEST_SUITE(choices)
 
-// The rigid body's far field P = -(lambda/5) X/(r^2/2)^2 upstream of 0, integrated outside the rectangle by Simpson's
-// rule in rings. At M = 0.1 the contact is rigid: q = 2, and the inlet's own term is known.
+// The far field of rigid bodies, P = -(lambda/5) X/(r^2/2)^2 upstream of 0, integrated outside the rectangle in rings
+// by Simpson's rule. At M = 0.1 the contact is rigid: q = 2, and the term of the inlet is known.
 BOOST_AUTO_TEST_CASE(load_outside_the_domain) {
   const core::Grid grid{64, 64, -40.0, 2.0, -15.0, 15.0};
   const steady::Scene scene = scene_of(0.1, 0.0, grid);
@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(load_outside_the_domain) {
     const double at_side = 15.0 / std::abs(std::sin(theta));
     const double R = std::min(at_inlet, at_side);
     const double weight = k == 0 || k == directions ? 1.0 : k % 2 == 1 ? 4.0 : 2.0;
-    // integral of (lambda/5) r cos/(r^4/4) r dr from R on
+    // the integral of (lambda/5) r cos/(r^4/4) r dr from R to infinity
     outside += weight * 0.8 * scene.lambda * std::cos(theta) / R;
   }
   outside *= std::numbers::pi / directions / 3.0;
@@ -75,27 +75,28 @@ BOOST_AUTO_TEST_CASE(load_outside_the_domain) {
 }
 
 BOOST_AUTO_TEST_CASE(inlet_and_outlet) {
-  BOOST_TEST(steady::chosen_inlet(50, 10, 1.5) == -4.5);    // the paper's
-  BOOST_TEST(steady::chosen_inlet(1000, 10, 1.5) == -2.5);  // tight at high load
+  BOOST_TEST(steady::chosen_inlet(50, 10, 1.5) == -4.5);    // the domain of the paper
+  BOOST_TEST(steady::chosen_inlet(1000, 10, 1.5) == -2.5);  // a short inlet at high load
   BOOST_TEST(steady::chosen_outlet(50, 10) == 1.5);
   BOOST_TEST(steady::chosen_outlet(2, 0) == 3.0);
   double before = 0.0;
   for (const double M : {3000.0, 300.0, 100.0, 50.0, 30.0, 20.0, 10.0, 7.0, 5.0, 3.0, 2.0, 1.0, 0.3}) {
     const double X_b = steady::chosen_outlet(M, 5);
     const double X_a = steady::chosen_inlet(M, 5, X_b);
-    BOOST_TEST(X_a <= before);  // never shorter for a lighter load
+    BOOST_TEST(X_a <= before);  // a lighter load never has a shorter inlet
     BOOST_TEST(X_a >= -200.0);
     // (0,0) is a node of 256 cells.
     const double cell = (X_b - X_a) / 256.0;
     BOOST_TEST(std::abs(X_a / cell - std::round(X_a / cell)) < 1e-9);
     before = X_a;
-    // What it promises, on a domain half as wide as long, where 200 radii are enough for that: 0.6 % and 2 %.
+    // The accuracy that the choice of the domain promises, on a domain half as wide as long, as
+    // far as 200 radii permit it.
     const steady::Scene scene = scene_of(M, 5, {64, 64, X_a, X_b, -0.5 * (X_b - X_a), 0.5 * (X_b - X_a)});
     if (M > 3.0) BOOST_TEST(steady::rough_domain_error(scene) <= 0.026);
   }
 }
 
-// Against the continuum limits of the reference solutions.
+// Compared with the continuum limits of the reference solutions.
 BOOST_AUTO_TEST_CASE(expected_film) {
   for (const reference::CircularLimit& limit : reference::circular_limits) {
     if (limit.fluid == reference::Fluid::barus) continue;
@@ -117,11 +118,11 @@ BOOST_AUTO_TEST_CASE(cells) {
   BOOST_TEST(steady::resolving_cells(1e-6, 4.0, 384, 1000) == 768);
 }
 
-// The same oil at the same pressure in pascals, the same speed and bodies: only the load is another.
+// Only the load changes: the oil at a given pressure in pascals, the speed and the bodies stay the same.
 BOOST_AUTO_TEST_CASE(another_load) {
   const steady::Scene scene = scene_of(800, 12, {64, 64, -2.5, 1.5, -2.0, 2.0});
   const steady::Scene light = steady::under_load(scene, 100);
-  const double p_h_ratio = 0.5;  // the cube root of an eighth
+  const double p_h_ratio = 0.5;  // the cube root of one eighth
   BOOST_TEST(light.lambda == contact::from_moes(100, 12).lambda, tolerance(1e-14));
   BOOST_TEST(light.M == 100.0);
   BOOST_TEST(light.L == 12.0);
@@ -170,7 +171,7 @@ BOOST_AUTO_TEST_CASE(end_when_the_criterion_is_met) {
   BOOST_TEST(result.unmet.empty());
   BOOST_TEST(result.cycles < 15);
   BOOST_TEST(fmg::measures_of(hierarchy, finest).residual < 1e-8);
-  // An easy contact asks for none.
+  // An easy contact needs no damping.
   BOOST_TEST(result.caution.all == 1.0);
   BOOST_TEST(result.caution.steep == 1.0);
 }
@@ -180,13 +181,13 @@ BOOST_AUTO_TEST_CASE(end_at_the_limit_and_where_nothing_helps) {
   BOOST_TEST((limited.end == fmg::CyclesEnd::limit));
   BOOST_TEST(limited.cycles == 2);
   BOOST_TEST(limited.unmet.find("residual") != std::string::npos);
-  // At rounding errors the residual no longer falls.
+  // At the level of rounding errors the residual does not fall any more.
   const fmg::CyclesResult stalled = cycles_to(hierarchy, 0.0, 300);
   BOOST_TEST((stalled.end == fmg::CyclesEnd::stalled));
   BOOST_TEST(stalled.cycles < 60);
 }
 
-// (1000,10) on 32 x 32 cells: the equations are solved by a film that is negative.
+// (1000,10) on 32 x 32 cells: the solution of the equations has a negative film.
 BOOST_AUTO_TEST_CASE(end_where_the_mesh_has_no_solution) {
   fmg::Hierarchy coarse = tests::newton_hierarchy(1000, 10, core::Grid{32, 32, -4.5, 1.5, -3.0, 3.0}, 1);
   fmg::start_from_hertz(coarse, 0, tests::first_H00(1000, 10), 0);
@@ -195,15 +196,15 @@ BOOST_AUTO_TEST_CASE(end_where_the_mesh_has_no_solution) {
   const fmg::CyclesResult none = fmg::run_cycles(coarse, 0, {.planned = 1, .most = 9}, {}, nobody);
   BOOST_TEST((none.end == fmg::CyclesEnd::no_solution));
   BOOST_TEST(none.cycles == 1);
-  // Newton's method says the same, so that no other way is tried.
+  // Newton's method finds the same, so no other strategy is tried.
   const steady::Solution by_newton =
       steady::climb_by_newton(scene_of(1000, 10, {32, 32, -4.5, 1.5, -3.0, 3.0}), {.cells = 32}, {});
   BOOST_TEST((by_newton.end == fmg::CyclesEnd::no_solution));
   BOOST_TEST(!by_newton.converged);
 }
 
-// Weights that are too large by far: the cycles lower them, and end at the same solution. Where they are 1.6 times too
-// large the combination of states is enough.
+// With weights that are far too large, the cycles increase the damping and reach the same solution. If the weights are
+// only slightly too large, the Krylov acceleration suffices.
 BOOST_AUTO_TEST_CASE(too_large_weights_are_lowered) {
   fmg::Hierarchy hasty = hierarchy_with(2.0);
   fmg::start_from_state(hasty, finest, fmg::state_of(hierarchy, finest));
@@ -212,10 +213,11 @@ BOOST_AUTO_TEST_CASE(too_large_weights_are_lowered) {
                                 << " cycles");
   BOOST_TEST((result.end == fmg::CyclesEnd::content));
   BOOST_TEST(result.caution.all < 1.0);
-  BOOST_TEST(hasty.H00 == -0.7864794, tolerance(2e-2));  // the reference's; z and alpha differ a little
+  BOOST_TEST(hasty.H00 == -0.7864794, tolerance(2e-2));  // the value of the reference, with
+                                                         // slightly different z and alpha
 }
 
-// No weights will do: the end is told, and the state is finite.
+// If no damping helps, the end is reported and the state is finite.
 BOOST_AUTO_TEST_CASE(divergence_is_an_answer) {
   fmg::Hierarchy wild = hierarchy_with(30.0);
   fmg::start_from_state(wild, finest, fmg::state_of(hierarchy, finest));

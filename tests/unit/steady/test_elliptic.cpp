@@ -1,4 +1,5 @@
-// Elliptic contacts against the equations in SI, in the bodies' own frame; the same contact under other names.
+// Elliptic contacts compared with the equations in SI and in the frame of the bodies; one
+// contact described in two ways.
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -51,8 +52,8 @@ double cell_integral(double x, double y, double hx, double hy) {
 
 }  // namespace
 
-// A solution in metres and pascals: the film of two bodies of radii R_x and R_y, turned, by a sum over all cells; the
-// load; and the Reynolds equation in the direction of entrainment.
+// A solution in metres and pascals: the film between two bodies of radii R_x and R_y, at an angle, by a sum over all
+// cells; the load; and the Reynolds equation in the direction of entrainment.
 BOOST_AUTO_TEST_CASE(equations_in_si) {
   const contact::SiContact si{12.0, 9e-3, 2.1e11, 0.9, 0.08, alpha, contact::ellipse(0.4, 30.0)};
   const contact::Groups groups = contact::from_si(si);
@@ -108,7 +109,7 @@ BOOST_AUTO_TEST_CASE(equations_in_si) {
   check("Reynolds equation, residual over the wedge", std::sqrt(sum / wedge_sum), 1e-9);
 }
 
-// R_x/R_y at an angle is R_y/R_x at 90 degrees less, with the scales of the other radius.
+// R_x/R_y at an angle equals R_y/R_x at an angle smaller by 90 degrees, with the scales of the other radius.
 BOOST_AUTO_TEST_CASE(one_contact_under_two_names) {
   for (const double angle : {90.0, 30.0}) {
     const contact::SiContact one{12.0, 9e-3, 2.1e11, 0.9, 0.08, alpha, contact::ellipse(0.4, angle)};
@@ -131,7 +132,7 @@ BOOST_AUTO_TEST_CASE(one_contact_under_two_names) {
     BOOST_TEST_MESSAGE(angle << " degrees:");
     check("difference of P", core::max_abs_difference(a.P, b.P), 1e-7);
     check("difference of H", H, 1e-7);
-    // What is chosen for them is the same domain and mesh.
+    // The domain and the mesh chosen for them are the same.
     const double outlet = steady::chosen_outlet(groups_1.M, groups_1.L, one.shape);
     check("outlet", std::abs(steady::chosen_outlet(groups_2.M, groups_2.L, other.shape) / (outlet * length) - 1),
           1e-12);
@@ -151,7 +152,7 @@ BOOST_AUTO_TEST_CASE(one_contact_under_two_names) {
   }
 }
 
-// The film moves with the ratio as it should, and nothing jumps at the circle.
+// The film varies smoothly with the ratio, without a jump at the circle.
 BOOST_AUTO_TEST_CASE(nearly_a_circle) {
   const core::Grid grid{64, 64, -4.5, 1.5, -3.0, 3.0};
   const auto film = [&](double ratio, double angle) {
@@ -184,7 +185,8 @@ BOOST_AUTO_TEST_CASE(half_of_a_symmetric_ellipse) {
   }
 }
 
-// The rough estimate of what a domain cuts off: its two parts against integrals of the far field they are made from.
+// The rough estimate of the domain error: its two parts compared with integrals of the far field
+// that they are derived from.
 BOOST_AUTO_TEST_CASE(domain_of_an_ellipse) {
   // Along the axes: P = -c X/H^2 with c = lambda/(3 + 2 B/A), H = A X^2 + B Y^2, outside the rectangle.
   const contact::Groups groups = contact::from_moes(1.0, 0.0, contact::ellipse(0.2));
@@ -197,7 +199,7 @@ BOOST_AUTO_TEST_CASE(domain_of_an_ellipse) {
   const double c = groups.lambda / (3.0 + 2.0 * A.YY / A.XX);
   double outside = 0.0;
   constexpr int n = 20000;
-  for (int k = 0; k < n; ++k) {  // directions upstream; the integral along the ray from the boundary on by hand
+  for (int k = 0; k < n; ++k) {  // directions upstream; the integral along each ray from the boundary in closed form
     const double theta = core::pi * ((k + 0.5) / n - 0.5);
     const double boundary = std::min(40.0 / std::cos(theta), 60.0 / std::abs(std::sin(theta)));
     const double round = A.XX * std::pow(std::cos(theta), 2) + A.YY * std::pow(std::sin(theta), 2);
@@ -212,8 +214,8 @@ BOOST_AUTO_TEST_CASE(domain_of_an_ellipse) {
   BOOST_TEST(std::abs(steady::rough_domain_error(scene) / expected - 1.0) < 1e-4);
 }
 
-// Weights begin lower where ln eta_bar, in the Hertz pressure one film zone inside the edge, is above 20. Of Barus' oil
-// it is alpha p = alpha_bar P.
+// Stronger damping is used from the start if ln eta_bar exceeds 20 at the Hertz pressure one film zone inside the edge.
+// For a Barus oil ln eta_bar = alpha p = alpha_bar P.
 BOOST_AUTO_TEST_CASE(a_steep_edge_is_one_of_this_pressure) {
   const auto caution = [](const contact::Ellipse& shape, double log_viscosity) {
     steady::Scene scene = scene_of(contact::from_moes(200, 20, shape), {64, 64, -4.5, 1.5, -3.0, 3.0});

@@ -1,5 +1,4 @@
-// What a solution says of its own errors: estimates from sequences of levels, the minimum between the nodes, error
-// bars.
+// The errors that a solution reports: estimates from sequences of levels, the minimum between the nodes, error bars.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
@@ -19,7 +18,7 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// limit + error 2^(-order k), k = 0, 1, ...
+/// The sequence limit + error 2^(-order k), k = 0, 1, ...
 std::vector<double> sequence(double limit, double error, double order, int count) {
   std::vector<double> values;
   for (int k = 0; k < count; ++k) values.push_back(limit + error * std::exp2(-order * k));
@@ -30,7 +29,8 @@ std::vector<double> sequence(double limit, double error, double order, int count
 
 BOOST_AUTO_TEST_SUITE(estimates)
 
-// s |d| / (2^p - 1) / |v|: s = 1.5 with two values, 1.25 with three and more; p as observed inside [order/2, order].
+// s |d| / (2^p - 1) / |v|: s = 1.5 for two values, 1.25 for three and more; p is the observed order,
+// limited to [order/2, order].
 BOOST_AUTO_TEST_CASE(by_hand) {
   const auto error = [](const std::vector<double>& values, double order) {
     return estimate_error(values, order).relative_error;
@@ -40,14 +40,14 @@ BOOST_AUTO_TEST_CASE(by_hand) {
   // Differences 0.3 and 0.1: p = log2(3), 2^p - 1 = 2.
   BOOST_TEST(error({0.8, 0.5, 0.4}, 2.0) == 1.25 * 0.1 / 2.0 / 0.4, tolerance(1e-12));
   BOOST_TEST(estimate_error(std::vector{0.8, 0.5, 0.4}, 2.0).order == std::log2(3.0), tolerance(1e-12));
-  // Too good, too slow, turning, resting.
+  // Too fast, too slow, changing direction, constant.
   BOOST_TEST(error({1.5, 0.5, 0.4}, 2.0) == 1.25 * 0.125 / 3.0 / 0.4, tolerance(1e-12));
   BOOST_TEST(error({0.6, 0.5, 0.4}, 2.0) == 1.25 * 0.1 / 1.0 / 0.4, tolerance(1e-12));
   BOOST_TEST(error({0.6, 0.5, 0.4}, 1.0) == 1.25 * 0.1 / (std::sqrt(2.0) - 1.0) / 0.4, tolerance(1e-12));
   BOOST_TEST(error({0.3, 0.5, 0.4}, 2.0) == 1.25 * 0.1 / 1.0 / 0.4, tolerance(1e-12));
   BOOST_TEST(error({0.5, 0.4, 0.4}, 2.0) == 1.25 * 0.0125 / 1.0 / 0.4, tolerance(1e-12));
   BOOST_TEST(error({0.4, 0.4, 0.4}, 2.0) == 0.0);
-  // Only the last three count; a rising film and one that ends negative are judged by size.
+  // Only the last three values count; a rising film and one that becomes negative are judged by their magnitude.
   BOOST_TEST(error({7.0, 0.8, 0.5, 0.4}, 2.0) == 1.25 * 0.1 / 2.0 / 0.4, tolerance(1e-12));
   BOOST_TEST(error({0.3, 0.4}, 2.0) == 1.5 * 0.1 / 3.0 / 0.4, tolerance(1e-12));
   BOOST_TEST(error({-0.3, -0.4}, 2.0) == 1.5 * 0.1 / 3.0 / 0.4, tolerance(1e-12));
@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(extrapolation_is_exact_for_its_order) {
       const Extrapolation result = extrapolate(values, order, 0.05);
       BOOST_TEST_MESSAGE("order " << order << ": " << result.value << " +- " << result.relative_error);
       BOOST_TEST(result.value == 0.2, tolerance(1e-12));
-      // What is left is a twentieth of what was added.
+      // The remaining error is a twentieth of the correction.
       BOOST_TEST(result.relative_error == 0.05 * (values.back() - 0.2) / 0.2, tolerance(1e-10));
     }
 }
@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(extrapolation_is_as_sure_as_it_is_steady) {
   const Extrapolation two = extrapolate(std::vector{0.5, 0.4}, 2.0, 0.05);
   BOOST_TEST(std::isnan(two.value));
   BOOST_TEST(std::isnan(two.relative_error));
-  // What would be of the other sign, or as unsure as large.
+  // Extrapolated values with the opposite sign, or with an error as large as the value.
   BOOST_TEST(std::isnan(extrapolate(std::vector{0.8, 0.7, 0.1}, 2.0, 0.05).value));
   BOOST_TEST(std::isnan(extrapolate(std::vector{0.1, 0.9, 0.4}, 2.0, 0.05).value));
   BOOST_TEST(extrapolate(std::vector{0.8, 0.7, 0.5}, 2.0, 0.05).value == 0.5 - 0.2 / 3.0, tolerance(1e-12));
@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(parts_and_their_sums) {
   BOOST_TEST(bars.Hm.discretization == 0.05);
   BOOST_TEST(bars.Hm.algebraic == 2e-3);
   BOOST_TEST(bars.Hm.total() == 0.052, tolerance(1e-12));
-  // The node is 0.0025 of 0.2525 above the minimum: that part is the node's alone.
+  // The node is 0.0025 of 0.2525 above the minimum; this part belongs to the value at the node alone.
   BOOST_TEST(bars.Hm_fitted.discretization == 0.05 - 0.0025 / 0.2525, tolerance(1e-12));
   BOOST_TEST(bars.Hm_fitted.algebraic == 2e-3);
   BOOST_TEST(bars.Hm_fitted_value == 0.25);
@@ -160,8 +160,8 @@ BOOST_AUTO_TEST_CASE(parts_and_their_sums) {
   BOOST_TEST(bars.domain == 0.004);
 }
 
-// Hc 0.5, 0.44, 0.425: of second order around 0.42. Hm_fitted 0.31, 0.26, 0.25: 0.25 - 0.01/3, before 0.26 - 0.05/3.
-// The cycles' error counts 4/3 times; with the first-order wedge twice.
+// Hc 0.5, 0.44, 0.425: second order around 0.42. Hm_fitted 0.31, 0.26, 0.25: 0.25 - 0.01/3, one level before 0.26 -
+// 0.05/3. The algebraic error is multiplied by 4/3; for the first-order wedge by 2.
 BOOST_AUTO_TEST_CASE(extrapolated_values) {
   const Solution solution = three_levels(1.0, 1.1, 1.15);
   const ErrorBars second = error_bars_of(Scene{}, solution);
@@ -169,7 +169,7 @@ BOOST_AUTO_TEST_CASE(extrapolated_values) {
   BOOST_TEST(second.Hc_extrapolated.error == 0.05 * 0.005 / 0.42 + 4.0 / 3.0 * 1e-3, tolerance(1e-10));
   const double Hm = 0.25 - 0.01 / 3.0;
   BOOST_TEST(second.Hm_extrapolated.value == Hm, tolerance(1e-12));
-  // Of a steady one a fifth of what was added is not trusted: 0.4, 0.28, 0.25 around 0.24.
+  // For a steady sequence, a fifth of the correction remains uncertain.
   Solution steady = solution;
   for (const std::size_t k : {0u, 1u, 2u})
     steady.levels[k].Hm_fitted = 0.24 + 0.16 * std::exp2(-2.0 * static_cast<double>(k));
@@ -183,7 +183,8 @@ BOOST_AUTO_TEST_CASE(extrapolated_values) {
   BOOST_TEST(first.Hc_extrapolated.error == (0.41 - 0.38) / 0.41 + 2.0 * 1e-3, tolerance(1e-10));
 }
 
-// Differences that fall to 0.7 or less: first order and no better is believed. At a spike they grow.
+// Differences that fall by a factor of 0.7 or less are taken to be of first order at most. At a
+// spike the differences grow.
 BOOST_AUTO_TEST_CASE(largest_pressure) {
   const auto bars = [](double P_1, double P_2, double P_3) {
     return error_bars_of(Scene{}, three_levels(P_1, P_2, P_3));
@@ -198,13 +199,14 @@ BOOST_AUTO_TEST_CASE(largest_pressure) {
     BOOST_TEST(!bars(1.0, 1.1, last).P_max_converging);
     BOOST_TEST(std::isnan(bars(1.0, 1.1, last).P_max));
   }
-  // At rest: changes below 1e-5 of it.
+  // The pressure is constant if its changes are below 1e-5 of it.
   BOOST_TEST(bars(1.0, 1.0, 1.0 + 0.9e-5).P_max_converging);
   BOOST_TEST(!bars(1.0, 1.0, 1.0 + 1.1e-5).P_max_converging);
   BOOST_TEST(bars(2.0, 2.0, 2.0 + 1.8e-5).P_max_converging);
 }
 
-// A plateau at rest beside a spike. Settled, it rises by 1.25 times its last change; else by four times that.
+// A constant plateau and a spike next to it. If the spike has settled, it may rise by 1.25 times its last
+// change, otherwise by four times.
 BOOST_AUTO_TEST_CASE(a_spike_that_overtakes_the_plateau) {
   const auto bars = [](double P_1, double P_2, double P_3) {
     Solution solution = three_levels(1.02, 1.02, 1.02);
@@ -221,7 +223,8 @@ BOOST_AUTO_TEST_CASE(a_spike_that_overtakes_the_plateau) {
   BOOST_TEST(bars(0.9, 0.91, 0.915).P_max == 0.0);
 }
 
-// ln eta_bar = alpha_bar P of Barus' oil, 12.8 or 8 at P = 0.8. A rim that the dry contact has, or a spike on it.
+// ln eta_bar = alpha_bar P for a Barus oil, 12.8 or 8 at P = 0.8. The pressure at the rim is that of the dry
+// contact, or contains a spike.
 BOOST_AUTO_TEST_CASE(a_spike_that_is_not_seen) {
   const auto bars = [](double alpha_bar, double P_rim) {
     Solution solution = three_levels(1.02, 1.02, 1.02);
@@ -256,7 +259,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_known) {
   BOOST_TEST(std::isnan(error_bars_of(Scene{}, no_cycles).Hc.total()));
 }
 
-// A row without an estimate has that of its mesh size; h = 6/60, Hm = 0.125.
+// A row without an estimate gets that of its mesh size; h = 6/60, Hm = 0.125.
 BOOST_AUTO_TEST_CASE(one_level) {
   Solution one = three_levels(1.0, 1.1, 1.15);
   one.levels = {row(0.5, 0.128, 0.125, 1.0)};
@@ -273,7 +276,7 @@ BOOST_AUTO_TEST_CASE(one_level) {
   BOOST_TEST(error_bars_of(scene, one).Hc.discretization == 0.35 * 0.4, tolerance(1e-12));
 }
 
-// Where nothing was computed, what the far field says (domain_error.hpp).
+// If the domain error was not computed, the rough estimate from the far field is used (domain_error.hpp).
 BOOST_AUTO_TEST_CASE(domain_by_the_rough_estimate) {
   Scene scene;
   scene.M = 20.0;

@@ -1,4 +1,4 @@
-// Contacts on domains with the far field in closed form: what they have in common with the contact without a boundary.
+// Contacts on domains with the far field in closed form: they must agree with a contact on an unbounded domain.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -60,8 +60,8 @@ BOOST_AUTO_TEST_CASE(half_of_a_domain_gives_the_same_film) {
   }
 }
 
-// An ellipse of R_x/R_y = 0.2 at 45 degrees, where the boundary is a line of every direction of its far field.
-// The domain that a deck gets which leaves it open, and half of it.
+// The default domain of a deck, and half of it. For an ellipse with R_x/R_y = 0.2 at 45 degrees, the boundary contains
+// all directions of its far field.
 BOOST_AUTO_TEST_CASE(half_of_the_domain_that_is_chosen_gives_the_same_film) {
   struct Case {
     double M, L;
@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(half_of_the_domain_that_is_chosen_gives_the_same_film) {
     const double X_b = steady::chosen_outlet(M, L, {}, error), X_a = steady::chosen_inlet(M, L, X_b, {}, error);
     const double Y = steady::chosen_half_width(X_a, X_b, {}, true);
     const double h = (X_b - X_a) / cells;
-    // Half of it in cells of the same size, behind the contact as much as must be.
+    // Half of the domain in cells of the same size, with the necessary length downstream of the contact.
     int nx = 64;
     while (0.5 * X_a + nx * h < std::max(1.2, 0.5 * X_b)) nx += 32;
     const core::Grid all{cells, 5 * cells / 4, X_a, X_b, -Y, Y};
@@ -105,8 +105,8 @@ BOOST_AUTO_TEST_CASE(likewise_beside_an_ellipse_aslant) {
   require_close(small.levels.back().Hc, large.levels.back().Hc, 2e-3, "Hc");
 }
 
-// What a run says of its domain holds what a domain of twice the size changes, and is not far above. The rule in M and
-// L that stood in its place said a fifth of it at (2, 0), and 700 times as much beside R_x/R_y = 5.
+// The reported error of the domain must contain the change for a domain of twice the size, without being far larger. A
+// rule in M and L alone could not satisfy both.
 BOOST_AUTO_TEST_CASE(the_bar_of_the_domain_holds) {
   struct Case {
     double M, L, ratio, angle, size;
@@ -141,14 +141,14 @@ BOOST_AUTO_TEST_CASE(the_bar_of_the_domain_holds) {
   }
 }
 
-// With rigid bodies and Reynolds' rupture M^2 H = 35.53 +- 0.01 (Moes' H).
+// For rigid bodies and Reynolds' rupture condition, M^2 H = 35.53 +- 0.01 (Moes' H).
 BOOST_AUTO_TEST_CASE(the_film_of_a_light_load_is_the_rigid_limit) {
   const steady::Solution solution = solved(closed_scene(1, 0, {256, 336, -40, 20, -40, 40}));
   const double H = contact::H_to_moes_units(solution.error_bars.Hc_extrapolated.value, 1, {});
   require_close(H, 35.53, 3e-3, "M^2 Hc and the rigid limit");
 }
 
-// One half of the domain, and two threads, as the whole one with one thread.
+// Half of the domain with two threads gives the same result as the whole domain with one thread.
 BOOST_AUTO_TEST_CASE(one_half_and_two_threads_do_the_same) {
   steady::Scene scene = closed_scene(20, 10, {128, 128, -3, 1.5, -2.25, 2.25});
   const steady::Solution half = solved(scene);
@@ -161,8 +161,8 @@ BOOST_AUTO_TEST_CASE(one_half_and_two_threads_do_the_same) {
   require_close(half.levels.back().Hc, whole.levels.back().Hc, 1e-9, "half and whole");
 }
 
-// What the cycles leave of it, and Newton's method does not: the boundary has the pressure that the closed form gives
-// for the film there, and inside and outside carry the load together.
+// The cycles satisfy these conditions approximately, Newton's method exactly: the pressure on the boundary is that of
+// the closed form for the film there, and the regions inside and outside the domain together carry the load.
 BOOST_AUTO_TEST_CASE(newton_returns_a_state_that_closes) {
   steady::Scene scene = closed_scene(5, 5, {64, 64, -6, 3, -4.5, 4.5});
   scene.multigrid.tolerance = 1e-4;

@@ -1,4 +1,4 @@
-// The smallest film between the nodes.
+// The minimum film between the nodes.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -29,7 +29,7 @@ constexpr core::Grid small_grid{8, 10, -1.0, 1.0, -1.0, 1.0};
 
 }  // namespace
 
-// An oblique valley, its minimum between the nodes: exact.
+// An oblique valley with its minimum between the nodes is reproduced exactly.
 BOOST_AUTO_TEST_CASE(exact_for_a_paraboloid) {
   for (const double X : {0.03, -0.11})
     for (const double Y : {0.46, -0.32}) {
@@ -48,8 +48,8 @@ BOOST_AUTO_TEST_CASE(exact_for_a_paraboloid) {
     }
 }
 
-// A film 1 + ... with all derivatives, its minimum at 36 places between the nodes: the largest error falls with the
-// fifth power of the mesh size, that of the node with the second. The weights of the nodes make the same value.
+// A film with all derivatives and its minimum at 36 places between the nodes: the largest error decreases with the
+// fifth power of the mesh size, that of the node with the second. The weights of the nodes give the same value.
 BOOST_AUTO_TEST_CASE(fifth_order_for_a_smooth_film) {
   double before = 0.0;
   for (const int n : {8, 16, 32, 64}) {
@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(node_itself_where_there_is_no_paraboloid) {
     return fitted.value == field(i, j) && std::abs(fitted.X - small_grid.X(i)) < rounding &&
            std::abs(fitted.Y - small_grid.Y(j)) < rounding;
   };
-  // Beside each of the four boundaries the paraboloid is used, on them it is not.
+  // Next to each of the four boundaries the paraboloid is used, on the boundaries it is not.
   const auto bowl = [](double X, double Y) {
     return [=](double x, double y) { return 1.0 + (x - X) * (x - X) + (y - Y) * (y - Y); };
   };
@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(node_itself_where_there_is_no_paraboloid) {
   BOOST_TEST(is_node(bowl(0.95, 0.05), 8, 5));
   BOOST_TEST(is_node(bowl(0.05, -0.95), 4, 0));
   BOOST_TEST(is_node(bowl(0.05, 0.95), 4, 10));
-  // Whatever stands where the neighbours beyond the sides would be.
+  // The values beyond the sides have no effect.
   for (const double Y : {-0.95, 0.95}) {
     const int j = Y < 0.0 ? 0 : small_grid.ny;
     core::Field field = film(small_grid, bowl(0.05, Y));
@@ -113,7 +113,7 @@ BOOST_AUTO_TEST_CASE(node_itself_where_there_is_no_paraboloid) {
   BOOST_TEST(!is_node(bowl(0.73, 0.05), 7, 5));
   BOOST_TEST(!is_node(bowl(0.05, -0.79), 4, 1));
   BOOST_TEST(!is_node(bowl(0.05, 0.79), 4, 9));
-  // A summit, a saddle, a saddle whose second differences along x and y are positive, a valley without an end, a plane.
+  // A maximum, a saddle, a saddle with positive second differences along x and y, a valley without an end, a plane.
   BOOST_TEST(is_node([](double x, double y) { return 1.0 - (x - 0.05) * (x - 0.05) - y * y; }, 4, 5));
   BOOST_TEST(is_node([](double x, double y) { return 1.0 + (x - 0.05) * (x - 0.05) - y * y; }, 4, 5));
   BOOST_TEST(is_node([](double x, double y) { return 1.0 - (x - 0.05) * (x - 0.05) + y * y; }, 4, 5));
@@ -125,7 +125,7 @@ BOOST_AUTO_TEST_CASE(node_itself_where_there_is_no_paraboloid) {
   BOOST_TEST(std::abs(none.X) < rounding);
 }
 
-// 2.5 cells away along x or y, either way; cells are 0.25 and 0.2.
+// The minimum of the paraboloid lies some cells away along x or y, in either direction.
 BOOST_AUTO_TEST_CASE(not_followed_far) {
   const auto followed = [](double cells_x, double cells_y) {
     const double X = 0.25 * cells_x;

@@ -19,7 +19,7 @@ Scene free_scene(double error) {
   return scene;
 }
 
-// So light that a domain of 200 Hertz radii is 72 times the size of its contact.
+// The load is so light that a domain of 200 Hertz radii is 72 times the size of the contact zone.
 Scene light_free_scene(double error) {
   Scene scene = free_scene(error);
   scene.M = 2.0;
@@ -29,8 +29,8 @@ Scene light_free_scene(double error) {
 
 }  // namespace
 
-// The inlet loses 1 % at a length of 6, of which doubling gains 7/8; taken for 3/4 that is 1.17 %. Half of the target
-// of 0.4 % wants 2.42 times the length; the ladder's next is 1.5 * 32/3 = 16, 2.67 times.
+// The inlet error e decreases with length^-3, so doubling the length removes 7/8 e. The estimate takes this for 3/4,
+// that is (7/6) e, and asks for sqrt(estimate/(accuracy/2)) times the length; the next size is 1.5 * 32/3 = 16.
 BOOST_AUTO_TEST_CASE(it_grows_until_half_of_the_target_is_left) {
   Made made;
   made.mesh = 0.05;
@@ -38,7 +38,8 @@ BOOST_AUTO_TEST_CASE(it_grows_until_half_of_the_target_is_left) {
   const Solution solution = run(free_scene(0.004), made);
   BOOST_TEST(solution.accuracy.met);
   BOOST_REQUIRE(made.asked.size() >= 4u);
-  // Coarse ones, solved well, for the domain itself, its double and that one's; none asks for an accuracy.
+  // Three coarse solutions, well converged: the domain itself, its double, and the double of that;
+  // none asks for an accuracy.
   for (const std::size_t k : {0u, 1u, 2u}) {
     BOOST_TEST(std::isnan(made.asked[k].accuracy.error));
     BOOST_TEST(made.asked[k].multigrid.tolerance == 1e-6);
@@ -64,7 +65,8 @@ BOOST_AUTO_TEST_CASE(it_grows_until_half_of_the_target_is_left) {
   BOOST_TEST(solution.accuracy.asked == 0.004);
 }
 
-// Load that is missing falls with the first power: 1 % at a length of 6 and half of 0.4 % want 30 of it, the ladder 48.
+// An error of missing load decreases with the first power: from 1 % at a length of 6, half of 0.4 % needs a length
+// of 30; the next size is 48.
 BOOST_AUTO_TEST_CASE(missing_load_falls_slowly) {
   Made made;
   made.diverges_from = 10000;
@@ -74,7 +76,7 @@ BOOST_AUTO_TEST_CASE(missing_load_falls_slowly) {
   BOOST_TEST(solution.accuracy.met);
   BOOST_TEST(solution.grid.X_a == -46.5);
   BOOST_TEST(solution.domain_error_Hc == 0.01 / 8.0, tolerance(0.02));
-  // 0.4 % by the inlet and 0.6 % by the load, at sixteen times the length: told apart.
+  // 0.4 % from the inlet and 0.6 % from the load, at sixteen times the length: the two parts are separated.
   Made both;
   both.diverges_from = 10000;
   both.mesh = 0.001;
@@ -84,8 +86,8 @@ BOOST_AUTO_TEST_CASE(missing_load_falls_slowly) {
   BOOST_TEST(run(light_free_scene(0.0012), both).domain_error_Hc == 0.006 / 16.0 + 0.004 / 4096.0, tolerance(0.02));
 }
 
-// Half of 0.4 % for the domain wants a length of 48 and 512 cells; with 256 allowed 0.7 of it are taken, for which 24
-// will do; with 128 nothing will.
+// If the domain may use half of 0.4 %, it needs a length of 48 and 512 cells. If 256 cells are allowed, it may use 0.7,
+// for which 24 suffices; with 128 cells there is no solution.
 BOOST_AUTO_TEST_CASE(more_for_the_domain_where_half_is_too_little) {
   const auto length = [](int most_cells) {
     Made made;
@@ -102,7 +104,7 @@ BOOST_AUTO_TEST_CASE(more_for_the_domain_where_half_is_too_little) {
   BOOST_TEST(length(128) == 6.0, tolerance(1e-12));
 }
 
-// Each part from the film that has more of it: Hm ten times the load that Hc misses.
+// Each part is taken from the film in which it is larger: here the load error of Hm is ten times that of Hc.
 BOOST_AUTO_TEST_CASE(parts_of_the_worse_film) {
   const auto error = [](double inlet, double load) {
     Made made;
@@ -116,7 +118,8 @@ BOOST_AUTO_TEST_CASE(parts_of_the_worse_film) {
   BOOST_TEST(error(0.001, 0.001) == 0.02, tolerance(0.03));
 }
 
-// What falls faster than the third power misses no load; a domain of any length may stay where its error is small.
+// An error that decreases faster than the third power has no part from the load. A domain of any length is
+// kept if its error is small.
 BOOST_AUTO_TEST_CASE(no_load_less_than_none) {
   Made made;
   int size = 0;
@@ -135,7 +138,7 @@ BOOST_AUTO_TEST_CASE(no_load_less_than_none) {
   BOOST_TEST(solution.grid.X_a == -10.5);
 }
 
-// Four times the domain is looked at on up to 1024 cells.
+// Four times the domain is tried with up to 1024 cells.
 BOOST_AUTO_TEST_CASE(cells_spent_on_the_domain) {
   for (const int cells : {512, 1024}) {
     Made made;
@@ -147,7 +150,8 @@ BOOST_AUTO_TEST_CASE(cells_spent_on_the_domain) {
   }
 }
 
-// 0.36 % of the domain: of the target of 0.8 % less than half; of what is left, 0.44 %, the mesh must have less.
+// An error of the domain of 0.36 % is less than half of the accuracy of 0.8 %; the mesh must use less
+// than the remaining 0.44 %.
 BOOST_AUTO_TEST_CASE(the_mesh_has_what_the_domain_leaves) {
   const auto last = [](double estimate_of_mesh) {
     Made made;
@@ -161,7 +165,7 @@ BOOST_AUTO_TEST_CASE(the_mesh_has_what_the_domain_leaves) {
   BOOST_TEST(last(0.0046) == 128);
 }
 
-// Of Hc and Hm, the larger; of a film that grows and of one that shrinks.
+// The larger error of Hc and Hm counts, for films that grow and that shrink.
 BOOST_AUTO_TEST_CASE(the_worse_of_both_films_tells_the_domain) {
   const auto error = [](double domain, double domain_of_Hm) {
     Made made;
@@ -176,7 +180,7 @@ BOOST_AUTO_TEST_CASE(the_worse_of_both_films_tells_the_domain) {
   }
 }
 
-// The smallest node, or the fitted minimum, on the second or third domain jumps by 5 %: no error of the domain.
+// A jump of the smallest node or of the fitted minimum by 5 % on the second or third domain is no error of the domain.
 BOOST_AUTO_TEST_CASE(a_minimum_that_jumps_is_no_loss) {
   for (double LevelRow::*film : {&LevelRow::Hm, &LevelRow::Hm_fitted})
     for (const std::size_t jumps : {2u, 3u}) {
@@ -193,7 +197,8 @@ BOOST_AUTO_TEST_CASE(a_minimum_that_jumps_is_no_loss) {
     }
 }
 
-// 10 % lost at a length of 6, and 20 times that wanted: the ladder's next is 192, 190.5 of it upstream.
+// An error of 10 % at a length of 6 and an accuracy of a twentieth of it: the next size is 192, of
+// which 190.5 are upstream.
 BOOST_AUTO_TEST_CASE(up_to_200_radii) {
   Made made;
   made.diverges_from = 10000;
@@ -213,7 +218,7 @@ BOOST_AUTO_TEST_CASE(half_the_cells_tell_the_domain) {
   scene.grid.nx = scene.grid.ny = 256;
   run(scene, made);
   BOOST_TEST(cells(made) == (std::vector<int>{128, 256, 512, 256}), boost::test_tools::per_element());
-  // A domain that is larger than it need be stays.
+  // A domain larger than necessary is kept.
   BOOST_TEST(made.asked[3].grid.X_a == -4.5);
 }
 
@@ -222,19 +227,19 @@ BOOST_AUTO_TEST_CASE(what_stops_the_domain_stops_the_run) {
     const Solution solution = run(scene, made);
     BOOST_TEST(!solution.converged);
     BOOST_TEST(!solution.accuracy.met);
-    // It is still solved, on the domain that was there.
+    // The case is solved nevertheless, on the domain of the deck.
     BOOST_TEST(solution.grid.X_a == -4.5);
     BOOST_TEST_MESSAGE(solution.failed_check);
     return solution.accuracy.stopped_by;
   };
-  // 10 % lost at 6 radii: 1e-4 wants 45 times the length.
+  // The inlet error at 6 radii is so large that the accuracy needs a domain far longer than 200 radii.
   Made far;
   far.mesh = 1e-4;
   far.inlet = -0.1 * 216.0;
   BOOST_TEST(stopped(light_free_scene(1e-4), far) ==
              "the length of the domain: more than 200 Hertz radii would be needed");
   BOOST_TEST(stopped(free_scene(1e-4), far) == "the length of the domain: more than 72 Hertz radii would be needed");
-  // And no other limit takes its place.
+  // No other limit is reported instead.
   Made both;
   both.mesh = 1.0;
   both.inlet = -0.1 * 216.0;
@@ -255,7 +260,7 @@ BOOST_AUTO_TEST_CASE(what_stops_the_domain_stops_the_run) {
   BOOST_TEST(stopped(scene, memory) == "the memory for 512 cells");
 }
 
-// The smaller domain, the larger one, or both are without a solution.
+// The smaller domain, the larger one, or both have no solution.
 BOOST_AUTO_TEST_CASE(a_domain_without_an_estimate) {
   for (const char* fails : {"small", "large", "both"}) {
     const SolveOnGrid solve = [&](const Scene& one) {
@@ -273,7 +278,8 @@ BOOST_AUTO_TEST_CASE(a_domain_without_an_estimate) {
   }
 }
 
-// The double domain has the same cells whatever the inlet: a mesh that differs would count as a domain that does.
+// The doubled domain has the same cells whatever the inlet: otherwise a different mesh would count
+// as an error of the domain.
 BOOST_AUTO_TEST_CASE(the_mesh_does_not_count_as_domain) {
   for (const double X_a : {-4.5, -1.5 * 21.0 / 11.0}) {
     Made made;

@@ -1,4 +1,4 @@
-// How a solution is judged: error estimate, checks, interpolation, warnings.
+// The judgement of a solution: error estimate, checks, interpolation, warnings.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
@@ -33,7 +33,7 @@ LastCycle good_cycle() {
 
 }  // namespace
 
-// The safety factor of three levels and more is 1.25.
+// The safety factor for three and more levels is 1.25.
 BOOST_AUTO_TEST_CASE(error_of_an_asymptotic_sequence_is_its_error) {
   for (const double order : {1.0, 2.0}) {
     const std::vector<double> values = sequence(0.2, 0.04, order, 4);
@@ -45,13 +45,14 @@ BOOST_AUTO_TEST_CASE(error_of_an_asymptotic_sequence_is_its_error) {
   }
 }
 
-// Changes of Hm of .02 and .002, of Hc of .01 and .003, all over 1: half of .02 counts, and 1.25 .003/3 + .01/5.
+// Changes of Hm of .02 and .002, and of Hc of .01 and .003, relative to 1: for Hm half of .02 counts,
+// for Hc 1.25 .003/3 + .01/5.
 BOOST_AUTO_TEST_CASE(changes_that_swing_beside_a_meniscus) {
   const std::vector<double> Hc{1.013, 1.003, 1.0}, Hm{1.018, 0.998, 1.0};
   const FilmErrors errors = errors_beside_meniscus(Hc, Hm);
   BOOST_TEST(std::abs(errors.Hm - 0.01) < 1e-12);
   BOOST_TEST(std::abs(errors.Hc - 0.00325) < 1e-12);
-  // Of two levels more is asked.
+  // The safety factors for two levels are larger.
   const FilmErrors of_two = errors_beside_meniscus(std::span(Hc).last(2), std::span(Hm).last(2));
   BOOST_TEST(std::abs(of_two.Hm - 1.5 * 0.002) < 1e-12);
   BOOST_TEST(std::abs(of_two.Hc - (1.5 * 0.003 / 3.0 + 0.2 * 0.003)) < 1e-12);
@@ -59,12 +60,12 @@ BOOST_AUTO_TEST_CASE(changes_that_swing_beside_a_meniscus) {
 }
 
 BOOST_AUTO_TEST_CASE(error_estimate_is_cautious_where_the_sequence_is_not_asymptotic) {
-  // Observed order 4 with a second-order scheme: no better than second order is believed, and no change
-  // that is less than an eighth of the one before.
+  // Observed order 4 with a second-order scheme: at most second order is assumed, and a change of at least an
+  // eighth of the one before.
   const std::vector<double> too_good = sequence(0.2, 0.04, 4.0, 3);
   const double step = std::abs(too_good[2] - too_good[1]);
   BOOST_TEST(std::abs(estimate_error(too_good, 2.0).relative_error - 1.25 * 2.0 * step / 3.0 / too_good[2]) < 1e-12);
-  // Differences of changing sign: no order, more than the last step.
+  // Differences with alternating signs have no order; the error is at least the last difference.
   const std::vector<double> turning{0.20, 0.21, 0.205};
   BOOST_TEST(estimate_error(turning, 2.0).relative_error >= 0.005 / 0.205);
   BOOST_TEST(std::isnan(estimate_error(turning, 2.0).order));
@@ -99,7 +100,8 @@ BOOST_AUTO_TEST_CASE(each_check_can_fail) {
   fails([](LastCycle& c) { c.after.least_P = -1e-9; }, 1e-3, "pressure is negative");
   fails([](LastCycle& c) { c.after.dry_violation = 0.021; }, unknown, "wants pressure");
   fails([](LastCycle& c) { c.after.dry_violation = unknown; }, 1e-3, "wants pressure");
-  // A quarter of the discretization error of Hc, 0.02; of 0.05 where that is larger or not known; 1e-4 at least.
+  // The limit is a quarter of the discretization error of Hc, 0.02; a quarter of 0.05 if that error is larger or
+  // unknown; but at least 1e-4.
   fails([](LastCycle& c) { c.after.flow_imbalance = -0.0051; }, unknown, "mass");
   fails([](LastCycle& c) { c.after.flow_imbalance = 0.0051; }, 1e-3, "mass");
   fails([](LastCycle& c) { c.after.flow_imbalance = unknown; }, unknown, "mass");
@@ -122,7 +124,7 @@ BOOST_AUTO_TEST_CASE(each_check_can_fail) {
         c.error_Hc = 1e-6;
       },
       1e-3);
-  // A cycle that hardly reduces the residual foretells a long way to go.
+  // A cycle that hardly reduces the residual means a large remaining change.
   fails([](LastCycle& c) { c.before.residual = 1.05e-4; }, unknown, "Hc");
 }
 
@@ -153,7 +155,7 @@ BOOST_AUTO_TEST_CASE(warnings_name_what_is_wrong) {
   };
   solution.error_bars.Hm.discretization = 0.3;
   BOOST_TEST(warned("not resolved"));
-  // 0.3 is 0.075 after one halving of the mesh with the second order, and after two with the first.
+  // 0.3 becomes 0.075 after one halving of the mesh for second order, and after two for first order.
   solution.levels.back().nx = 96;
   BOOST_TEST(warned("192 would bring"));
   Scene first_order;

@@ -1,4 +1,4 @@
-// The error that earlier passes leave in the film of the last one.
+// The error that earlier passes cause in the film of the last pass.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <vector>
@@ -22,7 +22,7 @@ std::vector<Pass> passes_of(const std::vector<double>& supplies, double power) {
 
 }  // namespace
 
-// 2 % between both meshes: with two levels and first order 3 %, and what a pass had the later ones keep.
+// 2 % between the two meshes give 3 % for two levels and first order; later passes inherit the error of a pass.
 BOOST_AUTO_TEST_CASE(errors_add_up_from_pass_to_pass) {
   std::vector<Pass> passes = passes_of({1.0, 0.8, 0.5, 0.4}, 0.5);
   steady::judge_layers({1.0, 0.81, 0.51, 0.4}, passes);
@@ -41,7 +41,7 @@ BOOST_AUTO_TEST_CASE(errors_add_up_from_pass_to_pass) {
   BOOST_TEST(std::abs(bars.Hm.discretization - 0.05) < 1e-12);
 }
 
-// Layers that hardly change tell no derivative: the film is in proportion to them at most.
+// If the layers hardly change, no derivative can be formed; the film is then at most proportional to the layer.
 BOOST_AUTO_TEST_CASE(film_in_proportion_where_layers_stay) {
   std::vector<Pass> passes = passes_of({1.0, 0.99, 0.98}, 0.5);
   steady::judge_layers({1.0, 0.98, 0.97}, passes);

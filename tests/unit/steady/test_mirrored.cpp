@@ -1,4 +1,4 @@
-// Solutions computed on one half of a symmetric domain against those on the whole.
+// Solutions computed on one half of a symmetric domain, compared with those on the whole domain.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -41,7 +41,7 @@ void compare(steady::Scene scene, const char* what, double tolerance) {
     BOOST_TEST(std::abs(a.Hm_fitted / b.Hm_fitted - 1.0) < tolerance);
     BOOST_TEST(std::abs(a.work_units / b.work_units - 1.0) < 1e-12);
   }
-  // The preconditioner knows of the images too: as many iterations, give or take rounding.
+  // The preconditioner contains the image terms too, so the number of iterations is the same up to rounding.
   BOOST_REQUIRE(half.newton.size() == whole.newton.size());
   for (std::size_t k = 0; k < half.newton.size(); ++k)
     BOOST_TEST(std::abs(half.newton[k].linear_iterations - whole.newton[k].linear_iterations) <= 1);
@@ -52,7 +52,7 @@ void compare(steady::Scene scene, const char* what, double tolerance) {
 
 BOOST_AUTO_TEST_CASE(full_multigrid_on_the_half) {
   compare(contact_scene(50, 10, {128, 128, -4.5, 1.5, -3, 3}), "(50,10)", 1e-10);
-  // 80/64 of the width: the axis is on a line of the first coarse grid of the film's evaluation only.
+  // 80/64 of the width: the axis is on a line of only the first coarse grid of the film evaluation.
   compare(contact_scene(20, 5, {64, 80, -4.5, 1.5, -3.75, 3.75}), "(20,5), 64 x 80", 1e-10);
 }
 

@@ -1,4 +1,4 @@
-// Contacts with oil that sliding thins: their equation written out plainly, Newton's Jacobian, the Newtonian limit.
+// Contacts with a shear-thinning oil: their equation evaluated directly, Newton's Jacobian, the Newtonian limit.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <vector>
@@ -16,11 +16,11 @@ using rheology::ShearThinning;
 
 namespace {
 
-/// Strong thinning: eta rate is up to 1e3 times the law's stress in the contact.
+/// Strong thinning: in the contact, eta times the rate is up to 1e3 times the characteristic stress of the law.
 const std::vector<ShearThinning> thinnings{{rheology::Eyring{}, 5e-3}, {rheology::Carreau{0.46}, 5e-3}};
 
 steady::Scene scene_of(double M, double L, int n) {
-  // Not square cells: every factor in its place.
+  // The cells are not square, so that a wrong factor is noticed.
   steady::Scene scene = tests::roelands_scene(M, L, {n, n, -2.5, 1.5, -2.5, 2.5});
   scene.multigrid.tolerance = 1e-9;
   return scene;
@@ -30,7 +30,7 @@ struct Epsilons {
   core::Field along, across, rho_bar;
 };
 
-// rho_bar H^3/(eta lambda) with the law's own eta, point by point.
+// rho_bar H^3/(eta lambda) with the effective eta of the law, point by point.
 Epsilons plain_epsilons(const steady::Scene& scene, const steady::Solution& solution) {
   Epsilons eps{core::Field(scene.grid), core::Field(scene.grid), core::Field(scene.grid)};
   const auto nodes = static_cast<std::size_t>(scene.grid.nodes_y());
@@ -49,7 +49,7 @@ Epsilons plain_epsilons(const steady::Scene& scene, const steady::Solution& solu
   return eps;
 }
 
-// Root mean square of eq. (4) over the wet interior, over that of the wedge.
+// The root mean square of eq. (4) over the wet interior, relative to that of the wedge.
 double plain_residual(const steady::Scene& scene, const steady::Solution& solution) {
   const Epsilons eps = plain_epsilons(scene, solution);
   const double hx = scene.grid.hx(), hy = scene.grid.hy();
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(the_solution_meets_the_equation_written_out) {
 
 BOOST_AUTO_TEST_CASE(jacobian_products_are_the_slope_of_the_residual) {
   tests::Random random(5);
-  // And on a mirrored grid, whose images it must know.
+  // Also on a mirrored grid with its image lines.
   constexpr core::Grid whole{32, 24, -3.0, 1.5, -2.0, 2.0};
   for (const core::Patch& grid : {core::Patch(whole), core::lower_half(whole)})
     for (const ShearThinning& thinning : thinnings) {
@@ -122,13 +122,13 @@ BOOST_AUTO_TEST_CASE(jacobian_products_are_the_slope_of_the_residual) {
     }
 }
 
-// Few Newton steps from the cycles' solution to rounding, and few inner iterations: the preconditioner knows both
-// epsilons. On one half of the domain and on the whole of it: the same.
+// From the solution of the cycles, few Newton steps with few inner iterations reach rounding, because the
+// preconditioner contains both epsilons. The half domain and the whole domain agree.
 BOOST_AUTO_TEST_CASE(newton_on_the_half_and_on_the_whole) {
   steady::Scene scene = scene_of(100, 10, 64);
   scene.thinning = thinnings[0];
   scene.polish = steady::Polish::always;
-  scene.multigrid.tolerance = 1e-2;  // something is left for Newton
+  scene.multigrid.tolerance = 1e-2;  // leaves some work for Newton's method
   const steady::Solution half = steady::solve(scene);
   scene.use_symmetry = false;
   const steady::Solution whole = steady::solve(scene);
@@ -144,7 +144,7 @@ BOOST_AUTO_TEST_CASE(newton_on_the_half_and_on_the_whole) {
   BOOST_TEST((half.newton.size() <= 4u && half.newton.back().residual < 1e-11 && most <= 30));
 }
 
-// The law's stress without bounds is no law; and a continuation in load takes the sliding along.
+// For a very large characteristic stress the law is Newtonian, and a load continuation keeps the sliding speed.
 BOOST_AUTO_TEST_CASE(the_newtonian_limit_and_continuation) {
   steady::Scene scene = scene_of(100, 10, 64);
   scene.polish = steady::Polish::always;  // down to rounding
@@ -164,6 +164,6 @@ BOOST_AUTO_TEST_CASE(the_newtonian_limit_and_continuation) {
   const double H = core::max_abs_difference(direct.H, led.H);
   BOOST_TEST_MESSAGE("load continuation against the direct way: H " << H << " (tolerance 1e-8)");
   BOOST_TEST((led.converged && H < 1e-8));
-  // Eight times the load: p_h and a are doubled, and k goes with 1/a^2.
+  // For eight times the load, p_h and a are doubled, and k changes with 1/a^2.
   BOOST_TEST(std::abs(steady::under_load(scene, 8.0 * scene.M).thinning->k / scene.thinning->k - 0.25) < 1e-14);
 }

@@ -1,4 +1,4 @@
-// Surfaces at rest in a steady contact, against contacts whose solution is known otherwise.
+// Surfaces at rest in a steady contact, compared with contacts of known solution.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -36,8 +36,8 @@ constexpr core::Grid square{64, 64, -2.5, 1.5, -2, 2};
 double dent(double X, double Y) { return 0.05 * std::exp(-((X + 0.2) * (X + 0.2) + Y * Y) / 0.09); }
 double dent_aside(double X, double Y) { return dent(X, Y - 0.3); }
 
-/// The smooth contact whose curvature is q times that of (M, L), from the other one's units into those of (M, L).
-/// R' = R/q: a' = a q^(-1/3), p_h' = p_h q^(2/3), a'^2/R' = a^2/R q^(1/3); M' = M q^(5/4), L' = L q^(1/4).
+/// A smooth contact with q times the curvature of (M, L), converted to the units of (M, L). R' = R/q: a' = a q^(-1/3),
+/// p_h' = p_h q^(2/3), a'^2/R' = a^2/R q^(1/3); M' = M q^(5/4), L' = L q^(1/4).
 struct Curved {
   double q;
   double length() const { return std::cbrt(q); }
@@ -71,7 +71,7 @@ void compare_with_curved(steady::Scene (*change)(steady::Scene), const char* wha
     BOOST_TEST(P < tolerance);
     BOOST_TEST(Hc < tolerance);
     BOOST_TEST(Hm < tolerance);
-    // The coarse grids on the way up are those of the same contact, not of the smooth one.
+    // The coarse grids belong to the same contact, and not to the smooth one.
     BOOST_REQUIRE(one.levels.size() == other.levels.size());
     for (std::size_t k = 0; k < one.levels.size(); ++k)
       BOOST_TEST(std::abs(one.levels[k].Hc / (other.levels[k].Hc * curved.length()) - 1.0) < 2e-3);
@@ -80,7 +80,7 @@ void compare_with_curved(steady::Scene (*change)(steady::Scene), const char* wha
 
 }  // namespace
 
-// S = (q - 1)(X^2 + Y^2)/2 makes a ball of another radius: the discrete problems are the same but for their units.
+// S = (q - 1)(X^2 + Y^2)/2 gives a ball of another radius: the discrete problems are the same except for their units.
 BOOST_AUTO_TEST_CASE(a_surface_that_is_a_ball_of_another_radius) {
   compare_with_curved(
       [](steady::Scene scene) {
@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(a_surface_that_is_a_ball_of_another_radius) {
       "load continuation", 1e-7);
 }
 
-// A constant S is nothing but another H00; a dent far wider than the contact nearly so.
+// A constant S only shifts H00; a dent far wider than the contact does so approximately.
 BOOST_AUTO_TEST_CASE(a_constant_moves_the_bodies_and_nothing_else) {
   const steady::Scene smooth = contact_scene(50, 10, square);
   steady::Scene shifted = smooth;
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(a_constant_moves_the_bodies_and_nothing_else) {
   BOOST_TEST(H < 1e-8);
   BOOST_TEST(P < 1e-7);
   BOOST_TEST(std::abs(b.H00 - a.H00 + 0.7) < 1e-8);
-  // Its curvature is 1.4e-4 of the ball's; Hc goes with the power 0.13 or so of it, in H a little more.
+  // The curvature of the dent is 1.4e-4 of the ball's curvature; Hc depends on it with a power of about 0.13.
   BOOST_TEST(std::abs(c.levels.back().Hc / a.levels.back().Hc - 1.0) < 2e-4);
   BOOST_TEST(std::abs(c.H00 - a.H00 + 0.7) < 1e-3);
 }
@@ -155,14 +155,14 @@ BOOST_AUTO_TEST_CASE(half_and_whole_domain_with_a_dent) {
   BOOST_TEST_MESSAGE("P apart by " << P << ", H by " << H << " (tolerance 1e-10)");
   BOOST_TEST(P < 1e-10);
   BOOST_TEST(H < 1e-10);
-  // The dent is seen at all: less in the film, whose flow along x it hardly changes, than in the pressure.
+  // The dent has an influence: less on the film, whose flow along x it hardly changes, than on the pressure.
   scene.surface = {};
   const steady::Solution smooth = steady::solve(scene);
   BOOST_TEST(core::max_abs_difference(whole.H, smooth.H) > 2e-3);
   BOOST_TEST(core::max_abs_difference(whole.P, smooth.P) > 0.05);
 }
 
-// Under another load the bodies are the same ones: S in metres at the same place in metres.
+// Under another load the bodies are the same: S in metres is unchanged at the same place in metres.
 BOOST_AUTO_TEST_CASE(a_lighter_load_meets_the_same_surface) {
   steady::Scene scene = contact_scene(200, 10, square);
   scene.surface = surface_of(dent_aside);

@@ -1,4 +1,4 @@
-// What a mesh does not resolve: spikes, rough surfaces.
+// What a mesh does not resolve: spikes and rough surfaces.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
@@ -11,7 +11,7 @@
 
 using namespace ehl;
 
-// Two levels tell no error of P_max: a spike that is seen, or may be hidden, then counts as not resolved.
+// Two levels give no error of P_max; a spike that is visible, or may be hidden, then counts as unresolved.
 BOOST_AUTO_TEST_CASE(a_spike_on_two_levels) {
   const auto unresolved = [](double alpha_bar, double P_rim) {
     steady::Solution solution;
@@ -26,7 +26,7 @@ BOOST_AUTO_TEST_CASE(a_spike_on_two_levels) {
   BOOST_TEST(!unresolved(10.0, 0.82));
 }
 
-// Waves as means over cells: of n cells per wave half as many lose 1 - cos^2(pi/n) of the variance.
+// Waves as means over cells: with half of n cells per wave, 1 - cos^2(pi/n) of the variance is lost.
 BOOST_AUTO_TEST_CASE(waves_that_half_the_cells_lose) {
   for (const int cells_per_wave : {8, 32}) {
     steady::Scene scene;

@@ -1,4 +1,4 @@
-// The numbers behind "converged": at a solution, beside one, and in states that only look like one.
+// The numbers behind "converged": at a solution, close to one, and in states that only resemble one.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -23,7 +23,7 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-// (20,10), Roelands z = 0.68, Dowson-Higginson, on cells that are 1.5 times longer than wide.
+// (20,10), Roelands z = 0.68, Dowson-Higginson, on cells that are 1.5 times as long as wide.
 Scene scene_of(reynolds::Wedge wedge) {
   const contact::Groups groups = contact::from_moes(20.0, 10.0);
   const double p_h = contact::hertz_pressure(groups, 2.2e-8);
@@ -40,7 +40,7 @@ Scene scene_of(reynolds::Wedge wedge) {
   return scene;
 }
 
-// A pressure and H00 judged anew: film, coefficients and residual of a hierarchy that no cycle has touched.
+// Evaluates a pressure and H00 independently: film, coefficients and residual of a hierarchy without cycles.
 Measures judged_anew(const Scene& scene, const core::Field& P, double H00) {
   const fmg::Problem problem{.film = {.lambda = scene.lambda, .viscosity = scene.viscosity, .density = scene.density},
                              .transport = scene.wedge};
@@ -53,7 +53,7 @@ Measures judged_anew(const Scene& scene, const core::Field& P, double H00) {
   return fmg::measures_of(hierarchy, hierarchy.levels.size() - 1);
 }
 
-// The state as the last of two cycles that changed nothing any more.
+// Judges the state as the last of two cycles without any change.
 std::string unmet(const Measures& state) {
   const std::string text = unmet_check({state, state, 0.02, 0.02}, unknown);
   BOOST_TEST_MESSAGE(text);
@@ -75,20 +75,20 @@ BOOST_AUTO_TEST_CASE(mass_is_conserved_where_the_equation_is_solved) {
                                    << " in all (1e-9)");
     BOOST_TEST(checked.residual <= 1e-12);
     BOOST_TEST(std::abs(checked.flow_imbalance) < 1e-11);
-    // Through the inlet some hundred times more flows back and forth than through the contact.
+    // In the inlet the flow in both directions is some hundred times the flow through the contact.
     BOOST_TEST(std::abs(checked.flow_imbalance_whole) < 1e-9);
     BOOST_TEST(checked.least_P == 0.0);
     BOOST_TEST(checked.dry_violation < 1e-10);
     BOOST_TEST(checked.Hm == solution.levels.back().Hm);
     BOOST_TEST(checked.residual == solution.levels.back().residual);
-    // The film that the flow is made of is the film of this pressure.
+    // The film in the flow balance belongs to this pressure.
     const Measures anew = judged_anew(scene, solution.P, solution.H00);
     BOOST_TEST(std::abs(anew.flow_through / checked.flow_through - 1.0) < 1e-11);
     BOOST_TEST(std::abs(anew.flow_imbalance) < 1e-10);
   }
 }
 
-// A pressure that carries the load but is not the solution: the same, one cell too far downstream.
+// A pressure that carries the load but is not the solution: the solution shifted by one cell downstream.
 BOOST_AUTO_TEST_CASE(a_wrong_pressure_that_keeps_the_load_loses_mass) {
   const Scene scene = scene_of(reynolds::Wedge::upstream2);
   const Solution solution = solve(scene);
@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(a_wrong_pressure_that_keeps_the_load_loses_mass) {
                                    << state.flow_imbalance << " (allowed 5e-3)");
   BOOST_TEST(state.load_error < 1e-3);
   BOOST_TEST(std::abs(state.flow_imbalance) > 5e-3);
-  Measures quiet = state;  // as if the average residual and the load told nothing
+  Measures quiet = state;  // as if the average residual and the load were satisfied
   quiet.residual = 1e-3;
   quiet.load_error = 0.0;
   quiet.dry_violation = 0.0;
@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(complementarity_is_checked_on_both_sides) {
   const Measures good = judged_anew(scene, solution.P, solution.H00);
   BOOST_TEST(unmet(good).empty());
 
-  // A hole of no pressure where the contact carries most: the equation there wants pressure.
+  // A hole without pressure in the middle of the contact: a cavitation residual.
   core::Field hole;
   hole = solution.P;
   const int i = static_cast<int>(std::lround(-grid.X_a / grid.hx()));
@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE(complementarity_is_checked_on_both_sides) {
   seen.dry_violation = dry.dry_violation;
   BOOST_TEST(contains(unmet(seen), "wants pressure"));
 
-  // Suction behind the exit.
+  // Negative pressure downstream of the exit.
   core::Field suction;
   suction = solution.P;
   suction(grid.nx - 4, grid.ny / 2) = -1e-6;
@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE(verification_says_what_was_checked) {
   cycle.before = {.Hc = 0.202, .Hm = 0.104, .residual = 1e-3};
   cycle.after = {.Hc = 0.200, .Hm = 0.100, .residual = 5e-4, .Hm_X = 0.3, .largest_residual = 0.02};
   const Verification checked = verification_of(cycle);
-  // The residual was halved: what the cycles still have to go is what the last one went.
+  // The residual was halved, so the remaining change equals the last change.
   BOOST_TEST(checked.change_Hc == 0.01, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(checked.algebraic_error_Hc == 0.01, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(checked.algebraic_error_Hm == 0.04, boost::test_tools::tolerance(1e-12));
@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(verification_says_what_was_checked) {
   BOOST_TEST(std::isnan(Verification{}.residual));
 }
 
-// REFERENCE: the same contact on 1024 cells has P_max = 1.273, at its spike.
+// Reference: on 1024 cells this contact has P_max = 1.273, at its spike.
 BOOST_AUTO_TEST_CASE(a_spike_below_the_plateau_of_a_coarse_grid) {
   Scene scene = tests::roelands_scene(71, 13, {256, 256, -4.5, 1.5, -3.0, 3.0});
   const double p_h = contact::from_moes(71, 13).alpha_bar / 1e-8;

@@ -1,4 +1,4 @@
-// Error bars of a solution whose errors are foretold by weights.
+// Error bars of a solution with adjoint error estimates.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -24,7 +24,8 @@ Solution three_levels() {
 
 }  // namespace
 
-// Parts 0.03, 0.07, 0.003 of a change of 0.1 that the levels tell too, or as 0.13; 0.002 left, 0.01 of it scattered.
+// The parts of the adjoint estimate are slightly larger than the change between the levels for Hc, and smaller for Hm.
+// The cycles leave an error, of which a part is scattered.
 BOOST_AUTO_TEST_CASE(by_weights) {
   Solution solution = three_levels();
   const adjoint::Foretold parts{-0.03, -0.07, 0.003, -0.002, 0.01, 0.0005};
@@ -45,7 +46,7 @@ BOOST_AUTO_TEST_CASE(by_weights) {
   BOOST_TEST(bars.Hc.discretization == -correction + 0.55 * terms, tolerance(1e-10));
   BOOST_TEST(bars.Hc.algebraic == 1e-3 + 0.002 + 0.001, tolerance(1e-10));
   const double all = 0.03 / 3.0 + 0.07 / 7.0 + 0.003 / 3.0;
-  // Hm: the correction is the largest.
+  // For Hm the correction is the largest part.
   const double of_Hm = -0.127 / 3.0 + 0.07 * (1.0 / 3.0 - 1.0 / 7.0);
   BOOST_TEST(bars.Hm_fitted.discretization == -of_Hm + 0.03 / 4.0, tolerance(1e-10));
   const double value = last.Hc * (1.0 + correction);
@@ -60,7 +61,7 @@ BOOST_AUTO_TEST_CASE(by_weights) {
              tolerance(1e-10));
 }
 
-// Changes of Hc of one sign that fall, or not: the levels alone then tell what is extrapolated, if they can.
+// If the changes of Hc have one sign and decrease, the levels alone give the extrapolated value.
 BOOST_AUTO_TEST_CASE(extrapolated_where_the_changes_fall) {
   for (const double first : {0.5, 0.448, 0.43}) {
     Solution solution = three_levels();
@@ -74,7 +75,7 @@ BOOST_AUTO_TEST_CASE(extrapolated_where_the_changes_fall) {
   }
 }
 
-// The terms cancel, and the levels tell nothing: the terms then, as independent ones for Hc.
+// The terms cancel, and the levels show no change: the terms then count, for Hc as if they were independent.
 BOOST_AUTO_TEST_CASE(by_weights_that_cancel) {
   Solution solution = three_levels();
   solution.adjoint.emplace();
@@ -86,7 +87,8 @@ BOOST_AUTO_TEST_CASE(by_weights_that_cancel) {
   const double terms = std::sqrt(0.01 * 0.01 + 0.04 * 0.04 / 9.0 + 0.01 * 0.01);
   BOOST_TEST(bars.Hc.discretization == correction + 0.55 * terms, tolerance(1e-10));
   BOOST_TEST(bars.Hm_fitted.discretization == 0.07 / 3.0 + 0.01, tolerance(1e-10));
-  // What the levels tell: 0.018, less the node's distance from the minimum; thrice that holds the weights back.
+  // The levels give 0.018 minus the distance of the node from the minimum; three times that
+  // limits the adjoint estimate.
   solution.levels[2].error_Hm = 0.018;
   const double of_node = 0.0025 / 0.2525;
   BOOST_TEST(error_bars_of(Scene{}, solution).Hm_fitted.discretization == 3.0 * (0.018 - of_node), tolerance(1e-10));

@@ -1,4 +1,4 @@
-// The closed forms below one rectangle against quadrature of the point loads, and against mechanics.
+// The closed forms below one rectangle, compared with quadrature of point loads and with mechanics.
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -56,7 +56,7 @@ Stress cerruti(double x, double y, double z) {
   return s;
 }
 
-// Over the rectangle by Gauss' rule of 5 points on 24 x 24 pieces.
+// Integral over the rectangle by Gauss' rule with 5 points on 24 x 24 pieces.
 Stress integrated(const std::function<Stress(double, double, double)>& point_load, const Point& p) {
   constexpr std::array<double, 5> at{-0.9061798459386640, -0.5384693101056831, 0.0, 0.5384693101056831,
                                      0.9061798459386640};
@@ -80,7 +80,7 @@ Stress integrated(const std::function<Stress(double, double, double)>& point_loa
 Stress normal(double x, double y, double z) { return normal_patch(x, y, z, half_x, half_y, nu); }
 Stress shear(double x, double y, double z) { return shear_patch(x, y, z, half_x, half_y, nu); }
 
-// d/d(axis) by the central difference of sixth order.
+// The derivative along an axis, by a central difference of sixth order.
 double derivative(const std::function<double(double, double, double)>& f, const Point& p, int axis) {
   constexpr double step = 0.01;
   const auto at = [&](int k) {
@@ -105,7 +105,7 @@ double largest_divergence(Stress (*field)(double, double, double)) {
   return largest;
 }
 
-// Beltrami and Michell: the trace is harmonic where no body force acts.
+// Beltrami and Michell: without body forces the trace is harmonic.
 double largest_laplacian_of_trace(Stress (*field)(double, double, double)) {
   const auto trace = [&](double x, double y, double z) {
     const Stress s = field(x, y, z);
@@ -124,7 +124,7 @@ double largest_laplacian_of_trace(Stress (*field)(double, double, double)) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(both_loads_against_quadrature_of_the_point_loads) {
-  // Rounding; the quadrature itself is exact to that at a depth of 0.3.
+  // The tolerance is that of rounding, to which the quadrature is exact at a depth of 0.3.
   constexpr double tolerance = 1e-13;
   double of_normal = 0.0, of_shear = 0.0;
   for (const Point& p : points) {
@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(both_loads_against_quadrature_of_the_point_loads) {
 }
 
 BOOST_AUTO_TEST_CASE(the_vertical_stress_below_a_corner_is_newmarks) {
-  // Newmark 1935, as in every handbook of foundations.
+  // Newmark 1935, as in handbooks of foundation engineering.
   for (const double z : {0.1, 0.7, 3.0}) {
     const double a = 2.0 * half_x, b = 2.0 * half_y, R = std::sqrt(a * a + b * b + z * z);
     const double truth =
@@ -160,13 +160,14 @@ BOOST_AUTO_TEST_CASE(the_surface_carries_the_load_and_nothing_else) {
     BOOST_TEST(std::abs(n[xz]) + std::abs(n[yz]) < tolerance);
     BOOST_TEST(std::abs(q[xz] + load) < tolerance);
     BOOST_TEST(std::abs(q[zz]) + std::abs(q[yz]) < tolerance);
-    // At the surface sigma_xx + sigma_yy = -(1 + 2 nu) p: the plane strains of a pressed surface.
+    // At the surface sigma_xx + sigma_yy = -(1 + 2 nu) p, because the surface strains are those of plane strain.
     BOOST_TEST(std::abs(n[xx] + n[yy] + (1.0 + 2.0 * nu) * load) < tolerance);
   }
 }
 
 BOOST_AUTO_TEST_CASE(the_stresses_are_in_equilibrium_and_compatible) {
-  // The differences of sixth order leave (0.01/0.3)^6 and rounding over the step, twice for the Laplacian.
+  // The error of the differences is (0.01/0.3)^6, plus the rounding divided by the step, for
+  // the Laplacian by its square.
   using Field = Stress (*)(double, double, double);
   for (const auto& [field, load] : {std::pair<Field, const char*>{normal, "pressure"}, {shear, "shear"}}) {
     const double divergence = largest_divergence(field), laplacian = largest_laplacian_of_trace(field);
@@ -177,7 +178,7 @@ BOOST_AUTO_TEST_CASE(the_stresses_are_in_equilibrium_and_compatible) {
 }
 
 BOOST_AUTO_TEST_CASE(far_away_nothing_is_lost_to_rounding) {
-  // A hundred patches away the patch is a point load, but for (size/distance)^2.
+  // At a distance of a hundred patches, the patch acts as a point load, with an error of (size/distance)^2.
   constexpr double area = 4.0 * half_x * half_y;
   double largest = 0.0;
   for (const Point& p : {Point{70.0, 0.1, 5.0}, Point{-60.0, 40.0, 3.0}, Point{-0.1, -80.0, 10.0}}) {
@@ -200,7 +201,7 @@ BOOST_AUTO_TEST_CASE(the_equivalent_stresses) {
   BOOST_TEST(std::abs(mises({0.0, 0.0, 0.0, 0.3, 0.0, 0.0}) - 0.3 * std::sqrt(3.0)) < tolerance);
   BOOST_TEST(std::abs(largest_shear({0.0, 0.0, 0.0, 0.0, 0.3, 0.0}) - 0.3) < tolerance);
   BOOST_TEST(largest_shear({-2.0, -2.0, -2.0, 0.0, 0.0, 0.0}) == 0.0);
-  // diag(3, 1, -2) turned by 0.4 about z and 0.9 about x: both know no axes.
+  // diag(3, 1, -2) rotated by 0.4 about z and 0.9 about x: both results are independent of the axes.
   const double c = std::cos(0.4), s = std::sin(0.4), C = std::cos(0.9), S = std::sin(0.9);
   const double a = 3.0 * c * c + s * s, b = 3.0 * s * s + c * c, ab = 2.0 * c * s;
   const Stress turned{a, b * C * C - 2.0 * S * S, b * S * S - 2.0 * C * C, ab * C, ab * S, (b + 2.0) * S * C};

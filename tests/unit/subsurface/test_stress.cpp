@@ -1,4 +1,4 @@
-// The field below a contact: the sum, Hertz' stresses, equilibrium of the whole.
+// The stress field below a contact: the sum, Hertz's stresses, and equilibrium.
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -27,14 +27,14 @@ core::Field hertz(const core::Grid& grid) {
 
 core::Grid square(int cells, double half) { return {cells, cells, -half, half, -half, half}; }
 
-// REFERENCE: Johnson, Contact Mechanics (1985), eqs. (3.45): on the axis, in p_h and a.
+// Reference: Johnson, Contact Mechanics (1985), eqs. (3.45): on the axis, in p_h and a.
 double hertz_sigma_z(double z) { return -1.0 / (1.0 + z * z); }
 double hertz_sigma_r(double z, double nu) {
   const double angle = z == 0.0 ? 0.0 : z * std::atan(1.0 / z);
   return -(1.0 + nu) * (1.0 - angle) + 0.5 / (1.0 + z * z);
 }
 
-// Largest error of the stresses on the axis down to depth 2.
+// The largest error of the stresses on the axis down to a depth of 2.
 double error_on_axis(int cells, double nu) {
   const core::Grid grid = square(cells, 1.25);
   const core::Field P = hertz(grid);
@@ -121,7 +121,7 @@ BOOST_AUTO_TEST_CASE(hertz_on_the_axis) {
     const double order = std::log2(error[0] / error[2]) / 2.0;
     BOOST_TEST_MESSAGE("nu " << nu << ": errors of 40, 80, 160 cells over 2.5 a: " << error[0] << " " << error[1] << " "
                              << error[2] << " p_h; order " << order);
-    // The sampled ellipse loses the square root at its edge: h^1.5 at the least, in a sum that is uneven in h.
+    // The sampled ellipse has a square root at its edge, which limits the order to 1.5, for a sum with odd powers of h.
     BOOST_TEST(order > 1.4);
     BOOST_TEST(error[2] < 0.001);
   }
@@ -156,8 +156,8 @@ BOOST_AUTO_TEST_CASE(hertz_surface_outside_the_contact) {
 }
 
 BOOST_AUTO_TEST_CASE(hertz_shear_at_the_surface) {
-  // Inside the contact q = P adds sigma_xx = -(pi/8)(4 + nu) x (Hamilton 1983; Johnson, section 7.1). A cell's constant
-  // load misses the slope of its own: first order, at the surface only.
+  // Inside the contact, q = P adds sigma_xx = -(pi/8)(4 + nu) x (Hamilton 1983; Johnson, section 7.1). The constant
+  // load of a cell neglects its slope: first order, at the surface only.
   constexpr double nu = 0.3;
   double error[3] = {};
   for (int k = 0; k < 3; ++k) {
@@ -175,7 +175,7 @@ BOOST_AUTO_TEST_CASE(hertz_shear_at_the_surface) {
 }
 
 BOOST_AUTO_TEST_CASE(every_plane_carries_the_load) {
-  // Outside r = L a point load leaves (z/L)^3 of its own sigma_zz, and a shear 3 z/(2 L) of its own tau_xz.
+  // Outside r = L, a point load has the share (z/L)^3 of its sigma_zz, and a shear load 3 z/(2 L) of its tau_xz.
   const core::Grid grid = square(160, 10.0);
   const core::Field P = hertz(grid);
   double load = 0.0;
@@ -203,7 +203,7 @@ BOOST_AUTO_TEST_CASE(every_plane_carries_the_load) {
 }
 
 BOOST_AUTO_TEST_CASE(the_field_of_an_uneven_pressure_is_in_equilibrium) {
-  // Central differences along the nodes and between planes: what they leave of div sigma falls with h^2.
+  // Central differences along the nodes and between planes: the remainder of div sigma decreases with h^2.
   double left[3] = {};
   for (int k = 0; k < 3; ++k) {
     const core::Grid grid = square(24 << k, 1.2);
@@ -247,7 +247,7 @@ BOOST_AUTO_TEST_CASE(threads_and_what_is_kept_change_nothing) {
   BOOST_TEST((one.kept.size() == 2 && other.kept.size() == 1 && other.kept[0].quantity == tau_xz));
   for (std::size_t k = 0; k < 7; ++k)
     BOOST_TEST(core::max_abs_difference(one.kept[1].planes[k], three.kept[1].planes[k]) == 0.0);
-  // The section is the volume's line y = 0.
+  // The section is the line y = 0 of the volume.
   BOOST_TEST(one.section_Y == 0.0);
   for (int i = 0; i <= grid.nx; ++i) BOOST_TEST(one.section[sigma_mises](i, 4) == one.kept[0].planes[4](i, 16));
   BOOST_TEST(one.depths.front() == 0.0);
@@ -263,16 +263,16 @@ BOOST_AUTO_TEST_CASE(a_coarser_grid_keeps_the_load_and_nearly_the_maximum) {
   const StressField field = stress_below(grid, P, parameters, 1);
   BOOST_TEST_MESSAGE("64 of 256 cells: mises " << field.mises.value << " (0.6200 +- 0.5 %)");
   BOOST_TEST(std::abs(field.mises.value / 0.62 - 1.0) < 0.005);
-  // What alternates from node to node is gone, and takes no load with it.
+  // The part that alternates from node to node disappears without changing the load.
   core::Field uneven_P = P;
   for (int i = 0; i < grid.nodes_x(); ++i)
     for (int j = 0; j < grid.nodes_y(); ++j) uneven_P(i, j) *= (i + j) % 2 == 0 ? 1.5 : 0.5;
   const double alternating = stress_below(grid, uneven_P, parameters, 1).mises.value;
   BOOST_TEST_MESSAGE("with every second node half: " << alternating);
   BOOST_TEST(std::abs(alternating / field.mises.value - 1.0) < 1e-4);
-  // Odd numbers of cells end the halving.
+  // An odd number of cells ends the halving.
   BOOST_TEST(stress_grid(core::Grid{96, 50, -1.0, 1.0, -0.5, 0.5}, {.most_cells = 10}).nx == 48);
-  // Half of a mirrored domain is none of a plane.
+  // Half of a mirrored domain is not halved again in the plane.
   BOOST_TEST(stress_grid(core::lower_half(grid), parameters).ny == 64);
 }
 
@@ -290,7 +290,7 @@ BOOST_AUTO_TEST_CASE(a_depth_that_misses_the_maximum_is_told) {
   BOOST_TEST(field.warnings.size() == 2);
 }
 
-// Beside the surface stresses follow the pressure cell by cell: no parabola through them.
+// Near the surface the stresses follow the pressure of each cell, so no parabola is fitted.
 BOOST_AUTO_TEST_CASE(the_largest_value_near_the_surface_is_that_of_a_node) {
   const core::Grid grid = square(64, 1.5);
   core::Field P = hertz(grid);

@@ -18,7 +18,7 @@ core::Field hertz(const core::Grid& grid) {
   return P;
 }
 
-// REFERENCE: McEwen (1949); Johnson, Contact Mechanics (1985), eqs. (4.49). in: z > 0; lengths in a, stresses in p_h.
+// Reference: McEwen (1949); Johnson, Contact Mechanics (1985), eqs. (4.49). in: z > 0; lengths in a, stresses in p_h.
 Stress mc_ewen(double x, double z, double nu) {
   const double b = 1.0 - x * x + z * z, root = std::sqrt(b * b + 4.0 * x * x * z * z);
   const double m = std::sqrt(0.5 * (root + b));
@@ -50,7 +50,7 @@ double error_below_hertz(int cells) {
 
 }  // namespace
 
-// Its ends leave a difference of 1 over its length.
+// The difference caused by its ends is the reciprocal of its length.
 BOOST_AUTO_TEST_CASE(a_strip_is_a_very_long_patch) {
   constexpr double half_x = 0.03, half_y = 1e6, nu = 0.31, tolerance = 2e-8;
   double difference = 0.0;
@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(all_of_the_field_below_hertz_line_contact) {
   const double order = 0.5 * std::log2(coarse / fine);
   BOOST_TEST_MESSAGE("errors of 80, 160, 320 cells over 2.5 a " << coarse << " " << middle << " " << fine << ", order "
                                                                 << order);
-  // As below a sphere: the sampled edge leaves h^1.5.
+  // As below a sphere, the sampled edge limits the order to 1.5.
   BOOST_TEST(order > 1.4);
   BOOST_TEST(fine < 1e-3);
 }
@@ -86,14 +86,14 @@ BOOST_AUTO_TEST_CASE(the_largest_shear_of_hertz_line_contact) {
   BOOST_TEST(std::abs(field.shear.value - 0.30028) < 3e-4);
   BOOST_TEST(std::abs(field.shear.Z - 0.7862) < 2e-3);
   BOOST_TEST(std::abs(field.shear.X) < 1e-10);
-  // Of the closed form on the axis, nu = 0.3.
+  // Compared with the closed form on the axis, nu = 0.3.
   BOOST_TEST(std::abs(field.mises.value - mises(mc_ewen(0.0, field.mises.Z, 0.3))) < 5e-4);
   BOOST_TEST(field.warnings.empty());
   BOOST_TEST((field.section_Y == 0.0 && field.shear.Y == 0.0));
 }
 
-// q = P adds sigma_xx = -2 x at the surface inside the contact (Johnson, section 7.1), of constant loads on cells with
-// first order.
+// q = P adds sigma_xx = -2 x at the surface inside the contact (Johnson, section 7.1); with constant loads on cells
+// the error is of first order.
 BOOST_AUTO_TEST_CASE(friction_on_hertz_line_contact) {
   double error[2] = {};
   for (int k = 0; k < 2; ++k) {

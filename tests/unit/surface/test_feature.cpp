@@ -1,4 +1,4 @@
-// The shapes that surfaces carry through the contact, against their formulas.
+// The features that surfaces carry through the contact, compared with their formulas.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double degree = pi / 180.0;
-/// Of formulas written in another way.
+/// for formulas in a different form
 constexpr double rounding = 1e-15;
 
 constexpr Shape all_shapes[] = {Shape::dimple, Shape::bump,     Shape::ridge,
@@ -47,7 +47,7 @@ core::Field gap_field(const Feature& feature, const core::Patch& grid, double di
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(round_shapes_have_their_height_and_width) {
-  // Half the depth at width sqrt(ln 2), 1/e of it at the width; the angle means nothing.
+  // Half the depth at the width times sqrt(ln 2), 1/e of it at the width; the angle has no effect.
   const double half = 0.3 * std::sqrt(std::log(2.0));
   const Feature dimple{.shape = Shape::dimple, .height = 0.2, .width = 0.3, .angle = 0.4};
   compare("dimple", dimple,
@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(round_shapes_have_their_height_and_width) {
 BOOST_AUTO_TEST_CASE(lines_run_at_their_angle) {
   const double half = 0.3 * std::sqrt(std::log(2.0));
   for (const double angle : {0.0, 30.0 * degree, 90.0 * degree, -45.0 * degree}) {
-    // The unit vector along the line, which leaves the Y axis by the angle, and the one across.
+    // The unit vector along the feature, at this angle from the Y axis, and the one transverse to it.
     const double along_x = -std::sin(angle), along_y = std::cos(angle);
     const double across_x = std::cos(angle), across_y = std::sin(angle);
     std::vector<At> expected;
@@ -112,21 +112,21 @@ BOOST_AUTO_TEST_CASE(features_move_with_their_surface_and_add_up) {
   const core::Grid grid{32, 24, -2.5, 1.5, -1.5, 1.5};
   for (const Shape shape : all_shapes) {
     Feature feature{.shape = shape, .height = 0.2, .width = 0.4, .angle = 0.5, .X = -1.25, .Y = 0.25};
-    // The middle of a feature that has moved by 1 is at X = -0.25: a node, where it is as high as at its start.
+    // The centre of a feature that has moved by 1 is at X = -0.25: a node, where its height is that of the start.
     const core::Field S = gap_field(feature, grid, 1.0);
     const double sign = shape == Shape::bump || shape == Shape::ridge ? -1.0 : 1.0;
     BOOST_TEST(grid.X(18) == -0.25);
     BOOST_TEST(grid.Y(14) == 0.25);
     BOOST_TEST(S(18, 14) == sign * 0.2);
     BOOST_TEST((core::max_abs(S) == 0.2));
-    // Moving is the same as having begun elsewhere, and as a shift by whole cells.
+    // A feature that has moved equals one that started elsewhere, and equals the field shifted by whole cells.
     const core::Field before = gap_field(feature, grid, 0.5);
     double shifted = 0.0;
     for (int i = 4; i <= grid.nx; ++i)
       for (int j = 0; j <= grid.ny; ++j) shifted = std::max(shifted, std::abs(S(i, j) - before(i - 4, j)));
     feature.X += 1.0;
     const double begun = core::max_abs_difference(S, gap_field(feature, grid, 0.0));
-    // Added to what is there.
+    // The gap is added to the existing field.
     core::Field twice = S;
     add_gap(feature, grid, 0.0, twice);
     double added = 0.0;
@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(symmetric_features_are_those_whose_gap_is_symmetric) {
                                        << apart << " (symmetric: below 1e-14), "
                                        << (symmetric(feature) ? "symmetric" : "not symmetric"));
         BOOST_TEST(symmetric(feature) == is_symmetric);
-        BOOST_TEST((is_symmetric || apart > 1e-2));  // no doubtful cases
+        BOOST_TEST((is_symmetric || apart > 1e-2));  // no case is ambiguous
       }
 }
 
@@ -166,7 +166,7 @@ BOOST_AUTO_TEST_CASE(resolving_distances) {
   for (const Shape shape : {Shape::dimple, Shape::bump, Shape::cavity}) BOOST_TEST(distance(shape, 90.0) == 0.2);
   for (const Shape shape : {Shape::ridge, Shape::groove}) {
     BOOST_TEST(distance(shape, 0.0) == 0.2);
-    BOOST_TEST(std::abs(distance(shape, -60.0) - 0.4) <= rounding);  // twice as long along X
+    BOOST_TEST(std::abs(distance(shape, -60.0) - 0.4) <= rounding);  // the domain is twice as long along X
     BOOST_TEST(distance(shape, 90.0) == std::numeric_limits<double>::infinity());
   }
   BOOST_TEST(distance(Shape::waviness, 0.0) == 0.05);
@@ -178,8 +178,8 @@ BOOST_AUTO_TEST_CASE(waves_without_a_front_stand_everywhere) {
   compare("waves", waves, {{0, 0, 0.1}, {0.25, 1, -0.1}, {0.5, 0, 0.1}, {2, 0, 0.1}, {-5, 3, 0.1}});
 }
 
-// The mean over a cell of a wave is the wave times sin(pi h/w)/(pi h/w) in each direction, of a Gauss bell a product of
-// error functions; from cells a twentieth of the width to three times it.
+// The mean of a wave over a cell is the wave times sin(pi h/w)/(pi h/w) in each direction; that of a Gaussian bell is a
+// product of error functions. Cells range from a twentieth of the width to three times the width.
 BOOST_AUTO_TEST_CASE(means_over_cells) {
   const Feature waves{.shape = Shape::waviness, .height = 0.1, .width = 0.5, .angle = 30.0 * degree, .front = false};
   const Feature dimple{.shape = Shape::dimple, .height = 0.1, .width = 0.5, .X = 0.13, .Y = -0.21};

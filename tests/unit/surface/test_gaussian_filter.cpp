@@ -1,4 +1,4 @@
-// Gaussian filters: a wave of the cut-off's length keeps half, and the form of a roller passes.
+// Gaussian filters: a wave with the length of the cut-off is halved, and the form of a roller is not changed.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Amplitude of cos(2 pi x/length) that is left at x = 0, the middle of a trace of points of uneven distance.
+// The remaining amplitude of cos(2 pi x/length) at x = 0, the middle of a trace with unequal distances.
 double left_of(double length, double cut_off) {
   std::vector<double> x, z;
   for (int k = -400; k <= 400; ++k) x.push_back(0.02 * k + 0.004 * std::sin(1.7 * k));

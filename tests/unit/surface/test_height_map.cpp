@@ -1,4 +1,4 @@
-// Measured maps: the plane that is taken away, the taper, symmetry.
+// Measured maps: the plane that is removed, the taper, symmetry.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
@@ -29,7 +29,7 @@ double largest(const Heights& heights) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_plane_is_taken_away_to_the_last_bit_of_it) {
-  // Odd and even numbers of points, so that the middle is a point and is none.
+  // Odd and even numbers of points, so that the centre is a point in one case and not in the other.
   Heights plane = heights_of(31, 18, [](int k, int l) { return 7.0 + 0.25 * (k - 15) - 0.5 * (l - 8.5); });
   const Plane taken = level(plane);
   BOOST_TEST_MESSAGE("mean " << taken.mean << ", slopes " << taken.slope_x << ", " << taken.slope_y << "; left "
@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(what_is_left_is_orthogonal_to_every_plane) {
   BOOST_TEST(std::abs(sum) < 1e-9);
   BOOST_TEST(std::abs(with_x) < 1e-9);
   BOOST_TEST(std::abs(with_y) < 1e-9);
-  // A second time there is nothing to take away.
+  // A second levelling removes nothing.
   const Heights once = heights;
   level(heights);
   double apart = 0.0;
@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(what_is_left_is_orthogonal_to_every_plane) {
 }
 
 BOOST_AUTO_TEST_CASE(a_taper_ends_at_zero_and_leaves_the_inside_alone) {
-  // 41 x 21 points, a quarter of each side: ten steps along x and five along y.
+  // 41 x 21 points with a quarter of each side tapered: ten steps along x and five along y.
   Heights ones = heights_of(41, 21, [](int, int) { return 1.0; });
   taper(ones, 0.25);
   double worst = 0.0;
@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(a_taper_ends_at_zero_and_leaves_the_inside_alone) {
 }
 
 BOOST_AUTO_TEST_CASE(root_of_the_mean_square_of_a_wave) {
-  // Over whole waves the mean square of a cos is a^2/2.
+  // Over whole waves the mean square of a cosine is a^2/2.
   const Heights wave = heights_of(64, 16, [](int k, int) { return 3.0 * std::cos(2.0 * pi * k / 16.0); });
   BOOST_TEST(std::abs(rms(wave) - 3.0 / std::numbers::sqrt2) < 1e-14);
 }

@@ -1,4 +1,4 @@
-// Maps on meshes: exact means of polynomials, the factor left of a wave, its motion, and what is lost.
+// Maps on meshes: exact means of polynomials, the amplitude of a wave, its motion, and the variance lost.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// A map whose middle is at (X, Y), with gap = function of the coordinates.
+/// A map with its centre at (X, Y) and gap = function of the coordinates.
 template <class Function>
 HeightMap map_of(int nx, int ny, double dx, double dy, double X, double Y, Function function) {
   HeightMap map{
@@ -33,7 +33,7 @@ core::Field on_mesh(const HeightMap& map, const core::Patch& grid, double distan
 
 double sinc(double x) { return std::sin(x) / x; }
 
-/// What Keys' cubic convolution leaves of a wave of n points: its kernel's transform, by Simpson's rule.
+/// The factor of a wave with n points under Keys' cubic convolution: the transform of its kernel, by Simpson's rule.
 double factor_of_keys(double n) {
   const auto kernel = [](double u) {
     return u < 1.0 ? 1.0 - 2.5 * u * u + 1.5 * u * u * u : 2.0 - 4.0 * u + 2.5 * u * u - 0.5 * u * u * u;
@@ -50,8 +50,8 @@ double factor_of_keys(double n) {
 
 }  // namespace
 
-// The mean of p over a cell is p + h^2/24 (p_XX + p_YY) for a polynomial of degree two in each variable but for its
-// highest term: exact inside the map, on meshes finer, coarser and much coarser than it, hx != hy.
+// The mean of p over a cell is p + h^2/24 (p_XX + p_YY) for a polynomial of degree two in each variable without its
+// highest term. It must be exact inside the map, on finer, coarser and much coarser meshes, hx != hy.
 BOOST_AUTO_TEST_CASE(means_of_polynomials_are_exact) {
   const auto p = [](double X, double Y) { return 0.3 + 0.7 * X - 0.2 * Y + 1.1 * X * X - 0.6 * X * Y + 0.4 * Y * Y; };
   const HeightMap map = map_of(90, 70, 0.037, 0.051, 0.11, -0.23, p);
@@ -68,18 +68,19 @@ BOOST_AUTO_TEST_CASE(means_of_polynomials_are_exact) {
   }
 }
 
-// A wave of n points per length, on a mesh with h: what is left is Keys' factor times that of the mean over a cell.
+// A wave with n points per length on a mesh of size h: the amplitude factor is that of Keys times
+// that of the mean over a cell.
 BOOST_AUTO_TEST_CASE(a_wave_keeps_its_factor) {
   constexpr double wave = 0.5;
   for (const double cells : {20.0, 4.0, 2.5, 0.8}) {
     const double h = wave / cells;
     const core::Grid grid{24, 16, -12 * h, 12 * h, -8 * h, 8 * h};
-    const double dx = wave / 10.0;  // ten points to a wave
+    const double dx = wave / 10.0;  // ten points per wave
     const auto points = static_cast<int>(30.0 * h / dx) + 40;
     const HeightMap map =
         map_of(points, points, dx, dx, 0.0, 0.0, [&](double X, double) { return std::cos(2.0 * pi * X / wave); });
     const core::Field S = on_mesh(map, grid);
-    // Beside the wave the convolution leaves waves of 9 and 11 points' length, of the order (1/10)^3 together.
+    // The convolution also creates waves of 9 and 11 points' length, together of the order (1/10)^3.
     const double factor = factor_of_keys(10.0) * sinc(pi / cells);
     double sum = 0.0, squares = 0.0, worst = 0.0;
     for (int i = 0; i <= grid.nx; ++i) {
@@ -100,7 +101,7 @@ BOOST_AUTO_TEST_CASE(a_map_moves_with_its_surface_smoothly) {
     return std::exp(-20.0 * (X + 0.2) * (X + 0.2) - 20.0 * (Y - 0.1) * (Y - 0.1));
   });
   const core::Grid grid{64, 48, -2.0, 2.0, -1.5, 1.5};
-  // Moved by whole cells it is the same field shifted; moved out of the domain nothing is left.
+  // If the map is moved by whole cells, the field is shifted; if it leaves the domain, nothing remains.
   const core::Field before = on_mesh(map, grid);
   const core::Field after = on_mesh(map, grid, 8 * grid.hx());
   double apart = 0.0;
@@ -109,7 +110,7 @@ BOOST_AUTO_TEST_CASE(a_map_moves_with_its_surface_smoothly) {
   BOOST_TEST(apart < 1e-15);
   BOOST_TEST(core::max_abs(on_mesh(map, grid, 10.0)) == 0.0);
   BOOST_TEST(core::max_abs(on_mesh(map, grid, -1e6)) == 0.0);
-  // Two continuous derivatives with the distance: across a point of the map the second difference jumps by O(e).
+  // Two continuous derivatives with respect to the distance: at a point of the map the second difference jumps by O(e).
   const auto at = [&](double distance) { return on_mesh(map, grid, distance)(30, 24); };
   const auto second = [&](double distance, double e) {
     return (at(distance + e) - 2.0 * at(distance) + at(distance - e)) / (e * e);
@@ -124,7 +125,8 @@ BOOST_AUTO_TEST_CASE(a_map_moves_with_its_surface_smoothly) {
   BOOST_TEST(jump < 0.1 * largest);
 }
 
-// Two waves, whole numbers of them on a map without edges that matter: the share of variance is that of the factors.
+// Two waves, whole numbers of them on a map with negligible edges: the lost share of the variance
+// follows from the factors.
 BOOST_AUTO_TEST_CASE(lost_variance_of_two_waves) {
   constexpr double dx = 0.01;
   constexpr int points = 1600;
@@ -132,17 +134,17 @@ BOOST_AUTO_TEST_CASE(lost_variance_of_two_waves) {
     return 1.0 * std::cos(2.0 * pi * X / 0.4) + 0.5 * std::cos(2.0 * pi * X / 0.05);
   };
   const HeightMap map = map_of(points, 12, dx, 10.0, 0.0, 0.0, waves);
-  const core::Grid grid{64, 16, -1.5, 1.5, -1e-3, 1e-3};  // hx = 0.046875: the short wave has hardly more than a cell
+  const core::Grid grid{64, 16, -1.5, 1.5, -1e-3, 1e-3};  // hx = 0.046875: the short wave is hardly longer than a cell
   const double a = factor_of_keys(40.0) * sinc(pi * grid.hx() / 0.4);
   const double b = factor_of_keys(5.0) * sinc(pi * grid.hx() / 0.05);
   const double exact = 1.0 - (a * a + 0.25 * b * b) / 1.25;
   const Resolution left = resolution(map, grid);
   BOOST_TEST_MESSAGE("variance lost " << left.variance_lost << ", exact " << exact << "; shortest wave "
                                       << left.shortest_wave_X << ", " << left.shortest_wave_Y);
-  // The map's ends, where the means fade into nothing, are hx/length = 3e-3 of it.
+  // The ends of the map, where the means fade to zero, are hx/length = 3e-3 of it.
   BOOST_TEST(std::abs(left.variance_lost - exact) < 4e-3);
   BOOST_TEST(left.shortest_wave_X == 2.0 * grid.hx());
-  BOOST_TEST(left.shortest_wave_Y == 20.0);  // the map's own points are farther apart
+  BOOST_TEST(left.shortest_wave_Y == 20.0);  // the points of the map are farther apart
   const core::Grid fine{1024, 16, -1.5, 1.5, -1e-3, 1e-3};
   BOOST_TEST_MESSAGE("on a fine mesh " << resolution(map, fine).variance_lost);
   BOOST_TEST(resolution(map, fine).variance_lost < 0.02);

@@ -1,6 +1,6 @@
 #pragma once
-// A steel ball on a steel disc, 30 N, 2 m/s, an oil of 0.04 Pa s at 40 C with Eyring's 5 MPa: inputs/friction/
-// traction_eyring.ini with heat.
+// A steel ball on a steel disc, 30 N, 2 m/s, an oil of 0.04 Pa s at 40 C with an Eyring stress of 5 MPa:
+// inputs/friction/traction_eyring.ini with heat.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -29,7 +29,7 @@ struct BaseCase {
   ehl::thermal::Body body(const Steel& steel, double u) const {
     return {.Pe = u * a() * steel.rho * steel.c / steel.k, .resistance = k * R / (steel.k * a())};
   }
-  /// All of the heat: conduction, convection, compression.
+  /// All heat terms: conduction, convection, compression.
   ehl::thermal::Setup setup(const ehl::core::Patch& patch) const {
     namespace rheology = ehl::rheology;
     const double z = rheology::roelands_z(alpha, rheology::roelands_p0, eta0);
@@ -61,7 +61,7 @@ inline ehl::core::Field filled(const ehl::core::Patch& patch, auto f) {
 }
 inline double hertz(double x, double y) { return std::sqrt(std::max(0.0, 1 - x * x - y * y)); }
 
-/// Sweeps until theta changes by less than the tolerance. out: how many.
+/// Repeats sweeps until theta changes by less than the tolerance. out: the number of sweeps.
 inline int settle(ehl::thermal::FilmTemperature& film, double tolerance, int most = 200) {
   int sweeps = 1;
   while (film.sweep() > tolerance && sweeps < most) ++sweeps;

@@ -1,5 +1,5 @@
-// A column of the film against the closed forms of sheared films with eta = eta_s exp(-beta (T - T_s)): sliding between
-// walls of one temperature or two, any shear law, rolling; the order; the balance of heat.
+// A column of the film, compared with closed forms for sheared films with eta = eta_s exp(-beta (T - T_s)): sliding
+// between walls of equal or different temperatures, any shear law, rolling; the order; the heat balance.
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <boost/test/unit_test.hpp>
@@ -15,7 +15,7 @@ using ehl::core::broadcast;
 
 namespace {
 
-// T0 = 1, beta = 1: theta is beta (T - T_s), and Br sliding^2 the Nahme number where H = 1.
+// T0 = 1, beta = 1: theta is beta (T - T_s), and Br sliding^2 is the Nahme number for H = 1.
 ColumnLaws exponential(double Na) {
   return {.viscosity = rheology::make_thermal_viscosity(rheology::Barus{0.0}, {1.0, rheology::Exponential{1.0}}),
           .sliding = 1.0,
@@ -82,7 +82,7 @@ Errors errors_of_couette(double Na, int intervals) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(sliding_between_walls_of_one_temperature) {
-  // The closed form against its digits in long arithmetic.
+  // The closed form, checked with its digits in extended arithmetic.
   const Couette at_100 = couette(100);
   BOOST_TEST(std::abs(at_100.rise - 2.6026896854) < 1e-9);
   BOOST_TEST(std::abs(at_100.tau - 0.1520691993) < 1e-9);
@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(sliding_between_walls_of_one_temperature) {
     BOOST_TEST(std::abs(e.M2) < tolerance);
     BOOST_TEST(e.steps <= 15);
   }
-  // Hotter than any film.
+  // Nahme numbers beyond those of any film.
   for (const double Na : {1e5, 1e6}) BOOST_TEST(errors_of_couette(Na, 64).steps <= 30);
 }
 
@@ -180,14 +180,14 @@ BOOST_AUTO_TEST_CASE(walls_of_two_temperatures) {
     BOOST_TEST_MESSAGE("Na = " << row.Na << ", D = " << row.D << ": stress " << off[0] << ", z_bar " << off[1]
                                << ", M2 " << off[2] << " off (tolerance 1e-4)");
     for (const double e : off) BOOST_TEST(std::abs(e) < 1e-4);
-    // The hottest place lies between nodes.
+    // The hottest point lies between nodes.
     BOOST_TEST(largest(nodes, c) < row.theta_most * (1 + 1e-4));
     BOOST_TEST(largest(nodes, c) > row.theta_most * 0.99);
     if (std::isnan(row.slope_0)) continue;
     BOOST_TEST(std::abs(c.q_2[0] - row.slope_0) < 3e-4 * std::abs(row.slope_0));
     BOOST_TEST(std::abs(-c.q_1[0] - row.slope_1) < 1e-3 * std::abs(row.slope_0));
   }
-  // Nothing slides: linear, I0 = e - 1, z_bar = 1/(e - 1).
+  // No sliding: a linear temperature, I0 = e - 1, z_bar = 1/(e - 1).
   Columns c = column(0, 1, nodes);
   solve(nodes, exponential(0), c, {});
   BOOST_TEST(std::abs(c.I0[0] / std::expm1(1.0) - 1) < 1e-6);
@@ -198,7 +198,7 @@ BOOST_AUTO_TEST_CASE(rolling_heats_the_inlet) {
   struct Row {
     double Fw, M2, rise;
   };
-  // The gap passes a given flow: no table value beyond what a column at a given gradient would survive.
+  // The gap carries a given flow; with a given gradient, a column has no solution at some of these values.
   constexpr Row rows[] = {{0.01, 1.004284, 0.007480}, {0.1, 1.042693, 0.073058},  {1, 1.414529, 0.599644},
                           {10, 4.623425, 2.538178},   {100, 29.791564, 5.294946}, {1000, 231.620577, 8.057514}};
   for (const Row& row : rows)
@@ -212,7 +212,7 @@ BOOST_AUTO_TEST_CASE(rolling_heats_the_inlet) {
       const double M2 = c.M2[0] / row.M2 - 1, rise = largest(nodes, c) / row.rise - 1;
       BOOST_TEST_MESSAGE("Fw = " << row.Fw << ", " << intervals + 1 << " nodes: 1/R " << M2 << ", rise " << rise
                                  << " off, " << steps << " steps");
-      // The two hottest places lie between nodes, by which the largest of the nodes is too low.
+      // The two hottest points lie between nodes, so the largest value at the nodes is too low.
       const double tolerance = row.Fw <= 100 ? 1e-4 : 2e-3;
       BOOST_TEST(std::abs(M2) < (intervals == 16 ? tolerance : tolerance / 4));
       BOOST_TEST(std::abs(rise) < (intervals == 16 ? 2 * tolerance : tolerance / 4));
@@ -221,7 +221,8 @@ BOOST_AUTO_TEST_CASE(rolling_heats_the_inlet) {
 }
 
 BOOST_AUTO_TEST_CASE(heat_balances_to_rounding) {
-  // Sliding, flows along and across, surfaces that answer to their heat, oil that carries some of it up and down.
+  // Sliding, flow along and transverse to it, surfaces that respond to their heat, and oil that
+  // carries heat up and down.
   const Nodes nodes = make_nodes(16);
   ColumnLaws laws = exponential(30);
   laws.thinning = {rheology::Eyring{}, 2.0};
@@ -244,13 +245,14 @@ BOOST_AUTO_TEST_CASE(heat_balances_to_rounding) {
   BOOST_TEST_MESSAGE("q1 + q2 + carried off - made: " << gap << " of what is made (tolerance 1e-12), " << steps
                                                       << " steps");
   BOOST_TEST(std::abs(gap) < 1e-12);
-  // The surfaces are where their heat puts them.
+  // The surface temperatures follow from the heat.
   BOOST_TEST(std::abs((c.theta[0] - c.given_2 - c.self_2 * c.q_2)[0]) < 1e-11);
   BOOST_TEST(std::abs((c.theta[16] - c.given_1 - c.self_1 * c.q_1)[0]) < 1e-11);
 }
 
-// Beside columns with other Nahme numbers, which take more steps or fewer, and with a coarse tolerance, as in a film:
-// results must not depend on how many columns a processor takes together. With a single step most are not done.
+// Columns next to others with different Nahme numbers, which need more or fewer steps, with a coarse tolerance as
+// in a film: the results must not depend on the number of columns that a processor treats together. With a single
+// step most are not converged.
 BOOST_AUTO_TEST_CASE(a_column_does_not_see_those_beside_it) {
   const Nodes nodes = make_nodes(16);
   ColumnLaws laws = exponential(1.0);

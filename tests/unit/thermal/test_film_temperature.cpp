@@ -1,5 +1,5 @@
-// The film's energy equation with two moving bodies at a given pressure and film: heat that two bodies share, plug flow
-// in a slot, compression, the balance of heat, mirrored bodies, threads.
+// The energy equation of the film with two moving bodies, for a given pressure and film: heat shared by two bodies,
+// plug flow in a slot, compression, the heat balance, mirrored bodies, threads.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -16,7 +16,7 @@ using support::BaseCase, support::filled, support::hertz, support::settle;
 
 namespace {
 
-// A film with walls at one temperature and a viscosity that does not change: a slot.
+// A film with walls at one temperature and constant viscosity, that is a slot.
 Setup slot(const Patch& patch) {
   const ehl::rheology::ViscosityLaw viscosity = ehl::rheology::Barus{0.0};
   return {
@@ -37,8 +37,8 @@ Field ones(const Patch& patch) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(two_bodies_share_the_heat) {
-  // Q = 1 from X = 0 on: q1 = E/2 + (1 - E) s1/(s1 + s2), E = erfcx[sqrt(pi) (b1 + b2) sqrt X], s = 1/b, b the rise of
-  // a surface in q sqrt(X)/sqrt(pi).
+  // For a heat source Q = 1 from X = 0: q1 = E/2 + (1 - E) s1/(s1 + s2), E = erfcx[sqrt(pi) (b1 + b2) sqrt X], s = 1/b,
+  // where b is the temperature rise of a surface in q sqrt(X)/sqrt(pi).
   constexpr double u_1 = 1.5, u_2 = 0.5, stress = 2.0;  // stress: Pe = u 20
   double before = 0.0;
   for (const int cells : {40, 80, 160}) {
@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(two_bodies_share_the_heat) {
 }
 
 BOOST_AUTO_TEST_CASE(plug_flow_in_a_slot) {
-  // Oil of theta = 1 enters: mean = sum 8/((2k+1)^2 pi^2) exp[-(2k+1)^2 pi^2 x], x = X/Pe.
+  // Oil with theta = 1 enters: mean = sum 8/((2k+1)^2 pi^2) exp[-(2k+1)^2 pi^2 x], x = X/Pe.
   constexpr double exact[] = {0.7743241666, 0.4959121798, 0.3021180938, 0.1125971252}, at[] = {0.01, 0.05, 0.1, 0.2};
   double error[4][2] = {}, extrapolated = 0.0;
   for (const int level : {0, 1}) {
@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(plug_flow_in_a_slot) {
 }
 
 BOOST_AUTO_TEST_CASE(streaks_in_a_slot) {
-  // Streaks that fill a share of the width are each a slot: the same temperatures, and that share of the heat.
+  // Streaks that fill a share of the width each act as a slot: the same temperatures, and that share of the heat.
   constexpr double share = 0.3;
   const Grid grid{100, 2, 0.0, 0.2, 0.0, 1.0};
   Setup setup = slot(grid);
@@ -132,7 +132,7 @@ BOOST_AUTO_TEST_CASE(streaks_in_a_slot) {
 }
 
 BOOST_AUTO_TEST_CASE(compression_heats) {
-  // Nothing conducts: T = T0 exp[e p/(rho c)], 313.15 K, 6.5e-4 1/K, 1.72e6 J/(m^3 K), 0.9349 GPa: +132.702 K.
+  // No conduction: T = T0 exp[e p/(rho c)], 313.15 K, 6.5e-4 1/K, 1.72e6 J/(m^3 K), 0.9349 GPa: +132.702 K.
   constexpr double T0 = 313.15, e = 6.5e-4, rho_c = 1.72e6, p = 0.9349e9, conduction = 1e-7;
   double rise[2] = {};
   for (const int level : {0, 1}) {
@@ -144,7 +144,7 @@ BOOST_AUTO_TEST_CASE(compression_heats) {
     setup.Pe = rho_c / conduction;
     setup.compression = p / T0 / conduction;
     FilmTemperature film(setup);
-    // A pressure whose central differences add up to that of the end: second order.
+    // A pressure whose central differences add up to its final value: second order.
     film.take(filled(grid, [](double x, double) { return x * x * (3 - 2 * x); }), ones(grid));
     settle(film, 1e-10);
     rise[level] = T0 * film.theta(cells, 1, 8);
@@ -157,7 +157,7 @@ BOOST_AUTO_TEST_CASE(compression_heats) {
 
 namespace {
 
-// A film as in a contact: flat inside, wide in front of it, with a flow that pressure drives.
+// A film like that of a contact: flat inside, with a wide inlet, and with pressure flow.
 struct Contact {
   Field P, H;
 };
@@ -198,7 +198,7 @@ BOOST_AUTO_TEST_CASE(heat_balances) {
   BOOST_TEST(std::abs(sum.defect) < 1e-8);
   BOOST_TEST(sum.heat > 0.0);
   BOOST_TEST(!sum.clipped);
-  // One half is the whole.
+  // The half domain gives the same result.
   BOOST_TEST(std::abs(sum_half.friction / sum.friction - 1) < 1e-8);
   double gap = 0.0;
   for (int i = 0; i <= half.nx; ++i)
@@ -249,7 +249,7 @@ BOOST_AUTO_TEST_CASE(no_heat_no_change) {
     setup.theta_oil = setup.body_1.theta = setup.body_2.theta = theta;
     FilmTemperature film(setup);
     film.take(c.P, c.H);
-    BOOST_TEST(film.flows_back());  // oil comes from everywhere, and is as warm as the film
+    BOOST_TEST(film.flows_back());  // oil enters from all sides with the temperature of the film
     BOOST_TEST(film.sweep() < 1e-15);
     for (int i = 0; i <= grid.nx; ++i)
       for (int j = 0; j <= grid.ny; ++j) {
@@ -260,7 +260,7 @@ BOOST_AUTO_TEST_CASE(no_heat_no_change) {
         BOOST_REQUIRE(std::abs(film.C()(i, j) - 1) < 1e-15);
       }
   }
-  // A warm film moves more, and is lighter.
+  // A warm film has a larger mobility and a lower density.
   Setup setup = base.setup(grid);
   setup.theta_oil = setup.body_1.theta = setup.body_2.theta = 0.1;
   FilmTemperature film(setup);
@@ -279,7 +279,7 @@ BOOST_AUTO_TEST_CASE(a_surface_that_moves_against_the_entrainment_is_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(a_limiting_stress_acts_on_the_flow) {
-  // Eyring's stress asinh(k)/k of what a Newtonian oil has, cut off at limit P: the flow meets limit/rate.
+  // Eyring's stress is asinh(k)/k of the Newtonian stress, limited to limit P: the flow has the viscosity limit/rate.
   const Grid grid{8, 8, 0.0, 1.0, 0.0, 1.0};
   constexpr double sliding = 0.5, k_m = 20.0;
   for (const double limit : {0.01, 1.0}) {

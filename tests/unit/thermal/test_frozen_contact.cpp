@@ -1,5 +1,5 @@
-// A frozen contact, P = sqrt(1 - r^2) and a film of 370 nm, against the digits of another program: friction and
-// temperatures, with convection and without; the whole source of the bodies beside lines.
+// A frozen contact, P = sqrt(1 - r^2) with a film of 370 nm, compared with an independent program: friction and
+// temperatures, with and without convection; the full source in the bodies and the moving line source.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -13,7 +13,7 @@ using support::BaseCase, support::filled, support::hertz, support::settle;
 
 namespace {
 
-// P = sqrt(1 - r^2), h = 370 nm everywhere, no flow by pressure.
+// P = sqrt(1 - r^2), h = 370 nm everywhere, no pressure flow.
 struct Frozen {
   double mu = 0, mu_isothermal = 0, centre = 0, largest = 0, surface_1 = 0, surface_2 = 0, centre_1 = 0, centre_2 = 0;
   int sweeps = 0;
@@ -62,7 +62,8 @@ Frozen frozen(int cells_per_radius, bool convection, bool lines, int intervals =
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(frozen_contact) {
-  // Reference: another program, 64 cells per radius, 32 intervals across; last digit uncertain.
+  // Reference: an independent program with 64 cells per radius and 32 intervals across the film;
+  // the last digit is uncertain.
   const Frozen found = frozen(64, false, true);
   struct Row {
     const char* name;
@@ -92,7 +93,8 @@ BOOST_AUTO_TEST_CASE(frozen_contact_with_convection) {
 }
 
 BOOST_AUTO_TEST_CASE(the_whole_source_is_cooler_than_lines) {
-  // Pe of the surfaces 10 to 30: Hertz' circle 0.905 to 0.97 of the lines (moving_source).
+  // Surface Peclet numbers of 10 to 30: on a Hertzian circle the rise is 0.905 to 0.97 of the
+  // line source (moving_source).
   const Frozen lines = frozen(32, false, true), whole = frozen(32, false, false);
   BOOST_TEST_MESSAGE("surfaces " << whole.surface_1 << ", " << whole.surface_2 << " K, by lines " << lines.surface_1
                                  << ", " << lines.surface_2 << "; mu " << whole.mu << " and " << lines.mu << "; "

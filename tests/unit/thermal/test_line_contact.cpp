@@ -1,4 +1,4 @@
-// Heat of a line contact: bands on a moving half space, and a frozen film on its one line.
+// Heat of a line contact: bands on a moving half space, and a frozen film on its single line.
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/special_functions/bessel.hpp>
 #include <boost/test/unit_test.hpp>
@@ -25,7 +25,7 @@ double elliptic(double x) { return std::sqrt(std::max(0.0, 1.0 - x * x)); }
 struct Hottest {
   double theta = 0.0, X = 0.0;  // in q0 sqrt(l/(pi rho c k u))
 };
-// On 64 cells per diameter, of which a flux has the mean; the edges of the band are faces of cells.
+// 64 cells per diameter, each with the mean of the flux; the edges of the band are faces of cells.
 Hottest hottest(double (*flux)(double), double Pe) {
   constexpr double h = 2.0 / 64;
   const Patch patch(line_grid(95, -1.5 + h / 2, 1.5 - h / 2));
@@ -48,7 +48,7 @@ Hottest hottest(double (*flux)(double), double Pe) {
   return found;
 }
 
-// P = sqrt(1 - X^2) and 370 nm everywhere; nothing but conduction and shear.
+// P = sqrt(1 - X^2) and 370 nm everywhere; only conduction and shear.
 Setup frozen(const Patch& patch) {
   Setup setup = BaseCase{}.setup(patch);
   setup.pressure_flow = false;
@@ -63,9 +63,9 @@ void settle_frozen(FilmTemperature& film, const Patch& patch) {
 
 }  // namespace
 
-// Carslaw and Jaeger: 2 sqrt 2 at the trailing edge of a uniform band, 2.18830667 at X = 0.652230 of an elliptic one.
+// Carslaw and Jaeger: 2 sqrt 2 at the trailing edge of a uniform band, 2.18830667 at X = 0.652230 of an elliptic band.
 BOOST_AUTO_TEST_CASE(bands_at_high_speed) {
-  constexpr double Pe = 1e5, cell = 2.0 / 64;  // a body this fast hardly leads heat along
+  constexpr double Pe = 1e5, cell = 2.0 / 64;  // at this speed a body hardly conducts heat along X
   const Hottest of_elliptic = hottest(elliptic, Pe), of_uniform = hottest(uniform, Pe);
   const double off_elliptic = of_elliptic.theta / 2.18830667 - 1;
   const double off_uniform = of_uniform.theta / (2 * std::numbers::sqrt2) - 1;
@@ -77,8 +77,8 @@ BOOST_AUTO_TEST_CASE(bands_at_high_speed) {
   BOOST_TEST(std::abs(of_uniform.X - 1.0) < cell);
 }
 
-// The largest rise over that at high speed: the uniform band by two quadratures, the elliptic one by another of
-// 1/pi int q exp(Pe s/2) K0(Pe |s|/2) dX'.
+// The largest rise relative to that at high speed: the uniform band by two quadratures, the elliptic band by another
+// quadrature of 1/pi int q exp(Pe s/2) K0(Pe |s|/2) dX'.
 BOOST_AUTO_TEST_CASE(bands_at_any_speed) {
   struct Row {
     double Pe, uniform, elliptic;
@@ -99,8 +99,8 @@ BOOST_AUTO_TEST_CASE(bands_at_any_speed) {
   }
 }
 
-// Heat and surfaces agree: k theta = 1/pi int q exp(Pe s/2) K0(Pe |s|/2) dX', q linear between the nodes and upstream
-// of the first one q_0 (X_a/X)^3, by quadrature.
+// Heat and surface temperatures agree: k theta = 1/pi int q exp(Pe s/2) K0(Pe |s|/2) dX', by quadrature, with q linear
+// between the nodes, and q_0 (X_a/X)^3 upstream of the first node.
 BOOST_AUTO_TEST_CASE(surfaces_of_a_frozen_film) {
   const Patch patch(line_grid(256, -1.5, 1.5));
   Setup setup = frozen(patch);
@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(surfaces_of_a_frozen_film) {
 }
 
 BOOST_AUTO_TEST_CASE(begun_from_a_coarser_grid) {
-  // From the settled temperature of every second node a sweep has less to change than from a cold film.
+  // Starting from the converged temperature at every second node, a sweep changes less than from an isothermal film.
   const Patch fine(line_grid(128, -1.5, 1.5)), coarse = ehl::core::coarsened(fine);
   FilmTemperature below(frozen(coarse)), film(frozen(fine)), cold(frozen(fine));
   settle_frozen(below, coarse);

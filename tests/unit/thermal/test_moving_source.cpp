@@ -1,5 +1,5 @@
-// Flash temperatures of a moving half space against closed forms: lines (Carslaw and Jaeger), a body at rest (the
-// elastic kernel, the uniform circle), and any speed between them.
+// Flash temperatures of a moving half space compared with closed forms: the moving line source (Carslaw and Jaeger), a
+// body at rest (the elastic kernel, the uniform circle), and any speed in between.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <functional>
@@ -23,7 +23,7 @@ using Flux = std::function<double(double, double)>;
 double uniform_circle(double x, double y) { return x * x + y * y <= 1 ? 1.0 : 0.0; }
 double hertz_circle(double x, double y) { return std::sqrt(std::max(0.0, 1 - x * x - y * y)); }
 
-// The mean of the flux over each cell, by points inside it.
+// The mean of the flux over each cell, from points inside it.
 Field sampled(const Patch& patch, const Flux& flux) {
   constexpr int points = 8;
   Field q(patch);
@@ -40,7 +40,7 @@ Field sampled(const Patch& patch, const Flux& flux) {
 struct Rise {
   double largest = 0.0, mean = 0.0, centre = 0.0;
 };
-// cells: per diameter.
+// in: cells per diameter.
 Rise rise(const Flux& flux, double Pe, int cells, bool half = false) {
   const Grid grid{cells * 3 / 2, cells * 3 / 2, -1.5, 1.5, -1.5, 1.5};
   const Patch patch = half ? ehl::core::lower_half(grid) : Patch(grid);
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(at_rest_it_is_the_elastic_kernel) {
 }
 
 BOOST_AUTO_TEST_CASE(the_table_against_the_kernel_far_from_the_cell) {
-  // Beyond a few cells the cell acts as its centre; Pe h << 1.
+  // At a distance of a few cells, the cell acts as a point source at its centre; Pe h << 1.
   const double h = 0.01;
   for (const double Pe : {0.5, 5.0, 20.0}) {
     const SourceTable table = moving_source_table(100, 100, h, h, Pe);
@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(the_table_against_the_kernel_far_from_the_cell) {
 }
 
 BOOST_AUTO_TEST_CASE(fast_it_is_lines) {
-  // A strip as wide as the table: the sum across is Carslaw and Jaeger's cell, 2 [sqrt(m + 1/2) - sqrt(m - 1/2)].
+  // A strip as wide as the table: its sum along Y is Carslaw and Jaeger's cell, 2 [sqrt(m + 1/2) - sqrt(m - 1/2)].
   const double h = 0.05;
   for (const double Pe : {1e4, 1e5}) {
     const SourceTable table = moving_source_table(40, 20, h, h, Pe);
@@ -110,8 +110,8 @@ BOOST_AUTO_TEST_CASE(fast_it_is_lines) {
 }
 
 BOOST_AUTO_TEST_CASE(flash_temperatures_of_lines) {
-  // In q0 sqrt(l/(pi rho c k u)): uniform, 2 sqrt 2 at the trailing edge, mean 4 sqrt 2/3; q0 sqrt(1 - X^2): 2.18830667
-  // at X = 0.652230, centre 1.74803837, mean 1.50849447.
+  // In q0 sqrt(l/(pi rho c k u)): uniform flux 2 sqrt 2 at the trailing edge, mean 4 sqrt 2/3; q0 sqrt(1 - X^2):
+  // 2.18830667 at X = 0.652230, centre 1.74803837, mean 1.50849447.
   for (const int cells : {32, 64, 128}) {
     const double h = 2.0 / cells;
     const std::vector<double> w = line_weights(cells, h, 1 / pi);
@@ -135,7 +135,7 @@ BOOST_AUTO_TEST_CASE(flash_temperatures_of_lines) {
   }
 }
 
-// Truth: 1/pi int exp(Pe s/2) K0(Pe |s|/2) dx' by quadrature, the same from the source that passes (two programs).
+// Reference: 1/pi int exp(Pe s/2) K0(Pe |s|/2) dx' by quadrature, confirmed by a source that passes (two programs).
 BOOST_AUTO_TEST_CASE(an_endless_strip_at_any_speed) {
   constexpr double speeds[] = {1, 2, 5, 10, 20, 50, 100};
   constexpr double largest[] = {1.304172, 0.991850, 0.666883, 0.484640, 0.348500, 0.223137, 0.158561};
@@ -158,7 +158,7 @@ BOOST_AUTO_TEST_CASE(an_endless_strip_at_any_speed) {
 }
 
 BOOST_AUTO_TEST_CASE(a_circle_at_rest) {
-  // Uniform: q a/k at the centre, mean 8/(3 pi).
+  // Uniform flux: q a/k at the centre, mean 8/(3 pi).
   const Rise found = rise(uniform_circle, 0.0, 64);
   BOOST_TEST_MESSAGE("centre " << found.centre - 1 << ", mean " << found.mean / (8 / (3 * pi)) - 1
                                << " off (tolerance 5e-3)");
@@ -167,7 +167,7 @@ BOOST_AUTO_TEST_CASE(a_circle_at_rest) {
 }
 
 BOOST_AUTO_TEST_CASE(circles_at_any_speed) {
-  // The largest rise over that of lines, 2.18830667 and 2 sqrt 2 in q0 sqrt(a/(pi rho c k u)).
+  // The largest rise relative to that of the line source, 2.18830667 and 2 sqrt 2 in q0 sqrt(a/(pi rho c k u)).
   constexpr double speeds[] = {2, 5, 10, 20, 50, 100};
   constexpr double hertz[] = {0.670, 0.825, 0.905, 0.951, 0.980, 0.990};
   constexpr double uniform[] = {0.649, 0.808, 0.897, 0.948, 0.977, 0.988};

@@ -1,4 +1,4 @@
-// Restriction and prolongation: what they reproduce exactly, their orders, and that one is the other's transpose.
+// Restriction and prolongation: what they reproduce exactly, their orders, and that they are transposes of each other.
 #include <algorithm>
 #include <array>
 #include <boost/test/unit_test.hpp>
@@ -29,7 +29,7 @@ Field sampled(const Patch& grid, Function f) {
   return field;
 }
 
-// All X^a Y^b with a, b <= degree, random coefficients.
+// All X^a Y^b with a, b <= degree and random coefficients.
 struct Polynomial {
   int degree;
   std::array<std::array<double, 4>, 4> c{};
@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(full_weighting_keeps_bilinear_functions_and_lifts_curved_on
   const double error = ehl::core::max_abs_difference(coarse, sampled(grid, f));
   BOOST_TEST_MESSAGE("full weighting of a bilinear function: " << error << " (tolerance 1e-15)");
   BOOST_TEST(error < 1e-15);
-  // A curved function comes out higher by h^2/4 of its second derivatives: 6 along x, 4 along y.
+  // A curved function is increased by h^2/4 times its second derivatives: 6 along x, 4 along y.
   const auto curved = [](double X, double Y) { return 3.0 * X * X + 2.0 * Y * Y; };
   const double rise = (6.0 * fine_grid.hx() * fine_grid.hx() + 4.0 * fine_grid.hy() * fine_grid.hy()) / 4.0;
   transfer::restrict_full_weighting(grid, sampled(fine_grid, curved), coarse);
@@ -113,7 +113,8 @@ BOOST_AUTO_TEST_CASE(full_weighting_keeps_bilinear_functions_and_lifts_curved_on
 }
 
 BOOST_AUTO_TEST_CASE(full_weighting_is_the_transpose_of_bilinear_interpolation) {
-  // Every pair of an interior coarse node and a fine node: the weight down is a quarter of the weight up, exactly.
+  // For every pair of an interior coarse node and a fine node, the restriction weight is exactly a quarter
+  // of the prolongation weight.
   const Grid fine{12, 8, 0, 1, 0, 1};
   const Grid coarse = coarsened(fine);
   double largest = 0.0;
@@ -145,7 +146,7 @@ BOOST_AUTO_TEST_CASE(bilinear_interpolation_is_exact_for_bilinear_functions_and_
   BOOST_TEST_MESSAGE("bilinear function: " << error << " (tolerance 1e-15)");
   BOOST_TEST(error < 1e-15);
   BOOST_TEST(prolongation_error(fine_grid, bilinear, Polynomial(2, random)) > 1e-3);
-  // Midway between nodes h apart: h^2/8 of both second derivatives, 4 f and 2.25 f.
+  // Midway between nodes at a distance h, the error is h^2/8 of both second derivatives, 4 f and 2.25 f.
   check_order("bilinear", bilinear, 2.0, (4.0 + 2.25) / 8.0);
 }
 
@@ -167,8 +168,8 @@ BOOST_AUTO_TEST_CASE(bicubic_interpolation_is_exact_for_bicubic_functions_and_of
   const double smallest = prolongation_error(Grid{6, 6, -1, 1, -1, 1}, bicubic, Polynomial(3, random));
   BOOST_TEST_MESSAGE("four nodes each way, the fewest allowed: " << smallest);
   BOOST_TEST(smallest < 1e-13);
-  // Beside the boundary the error is the largest: (1/2)(1/2)(3/2)(5/2)/24 h^4 = 5/128 of a fourth derivative, against
-  // 3/128 inside. Its largest values: 16 f along x; 1.5^4 f along y.
+  // Next to the boundary the error is largest: (1/2)(1/2)(3/2)(5/2)/24 h^4 = 5/128 of a fourth derivative, compared
+  // with 3/128 inside. The largest values are 16 f along x and 1.5^4 f along y.
   std::array<double, 3> edge{};
   for (int k = 0; k < 3; ++k) {
     const Grid grid{32 << k, 32 << k, -1, 1, -1, 1};
@@ -179,7 +180,7 @@ BOOST_AUTO_TEST_CASE(bicubic_interpolation_is_exact_for_bicubic_functions_and_of
                                  << " (to 1e-6)");
     BOOST_TEST(std::abs(edge[static_cast<std::size_t>(k)] / theory - 1.0) < 1e-6);
   }
-  // Inside, away from the boundary's weights, the smooth function's largest error is 3/128 of both fourth derivatives.
+  // Away from the boundary, the largest error for the smooth function is 3/128 of both fourth derivatives.
   const auto interior_error = [](int n) {
     const Grid grid{n, n, -1, 1, -1, 1};
     Field fine(grid);
@@ -244,7 +245,7 @@ BOOST_AUTO_TEST_CASE(across_alone_stations_are_kept) {
   BOOST_TEST(ehl::core::max_abs_difference(injected, coarse) < 1e-14);
   BOOST_TEST(ehl::core::max_abs_difference(weighted, coarse) < 1e-14);
   BOOST_TEST(ehl::core::max_abs_difference(back, fine) < 1e-14);
-  // What alternates along Y is averaged out, what alternates along X is not.
+  // A part that alternates along Y is averaged out, one that alternates along X is not.
   const auto swings = [](double X, double) {
     return std::cos(std::numbers::pi * (X - fine_grid.X_a) / fine_grid.hx());
   };

@@ -1,5 +1,5 @@
 #pragma once
-// A light contact on a coarse grid, marched in time, and all that comes out.
+// A light contact on a coarse grid, integrated in time, and its results.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -15,7 +15,7 @@ inline steady::Scene marching_scene(int n, double M = 50.0, double L = 10.0) {
   return roelands_scene(M, L, {n, n, -2.5, 1.5, -2.0, 2.0});
 }
 
-/// All that a march gives.
+/// All results of a run in time.
 struct Marched {
   transient::MarchReport report{};
   std::vector<transient::StepRow> rows{};
@@ -36,13 +36,13 @@ inline Marched marched_from(const steady::Solution& start, const steady::Scene& 
   return all;
 }
 
-/// From the steady solution of the scene, solved first.
+/// Starts from the steady solution of the scene, which is computed first.
 inline Marched marched(const steady::Scene& scene, const transient::Conditions& conditions,
                        const transient::MarchParameters& parameters) {
   return marched_from(steady::solve(scene), scene, conditions, parameters);
 }
 
-/// Largest relative difference of a value of the rows to one.
+/// The largest relative difference between a value of the rows and a given value.
 template <class Value>
 double largest_difference(const std::vector<transient::StepRow>& rows, double to, Value value) {
   double largest = 0.0;

@@ -1,4 +1,4 @@
-// What varies about a contact: drive and surfaces at a time, and what the steps must see.
+// The conditions of a contact in time: speeds, load and surfaces at a time, and the times at which steps must end.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -15,7 +15,7 @@ using Times = std::vector<double>;
 
 namespace {
 
-/// Surface 1 stops in a time of 2, surface 2 jumps from 1 to 3 at T = 1.
+/// Surface 1 stops within a time of 2, surface 2 jumps from 1 to 3 at T = 1.
 Conditions sliding() {
   Conditions conditions;
   conditions.load.points = {{0.5, 1}, {0.5, 1.3}, {4, 1.3}};
@@ -43,8 +43,8 @@ BOOST_AUTO_TEST_CASE(every_surface_moves_with_its_own_speed) {
   const Course course = course_of(conditions);
   const core::Grid grid{32, 16, -2.5, 1.5, -1, 1};
   core::Field S(grid);
-  S.fill(7.0);  // written, not added to
-  // Surface 1 has moved by 2T - T^2/2 until it stops, surface 2 by T, and by 3 (T - 1) more behind its jump.
+  S.fill(7.0);  // overwritten, not added to
+  // Surface 1 has moved by 2T - T^2/2 until it stops, surface 2 by T, plus 3 (T - 1) after its jump.
   const struct { double T, one, two; } expected[] = {{0, 0, 0}, {1, 1.5, 1}, {1.5, 1.875, 2.5}, {3, 2, 7}};
   for (const auto& at : expected) {
     course.surface(grid, at.T, S);
@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(steps_end_at_jumps_and_corners) {
   BOOST_TEST(stops_of(sliding(), 9.0) == (Times{0.5, 1, 2, 4, 9}));
   for (const double T : {0.5, 1.0}) BOOST_TEST(jumps_at(sliding(), T, 9.0));
   for (const double T : {0.0, 2.0, 4.0, 9.0}) BOOST_TEST(!jumps_at(sliding(), T, 9.0));
-  // Where two schedules jump together, one stop.
+  // If two schedules jump at the same time, there is one stop.
   Conditions together = sliding();
   together.load.points = {{1, 1}, {1, 2}};
   BOOST_TEST(stops_of(together, 3.0) == (Times{1, 2, 3}));
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(the_longest_step_sees_all_that_varies) {
   BOOST_TEST(close(longest_step(ramp, 100.0), 0.05));
   const Conditions wave{.u2 = {.wave = Schedule::Wave{0.2, 1.0, 0.0}}};
   BOOST_TEST(close(longest_step(wave, 100.0), 0.05));
-  // A quarter of the width at the fastest speed of its own surface; of a standing one, any.
+  // A quarter of the width at the highest speed of its surface; for a surface at rest there is no limit.
   Conditions fast{.u1 = {.points = Points{{0, 1}, {1, 1}, {1, 4}}}};
   fast.on_1 = Feature{.shape = Feature::Shape::dimple, .height = 0.1, .width = 0.4};
   BOOST_TEST(close(longest_step(fast, 100.0), 0.1 / 4.0));
@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(one_feature_aside_makes_the_contact_unsymmetric) {
   BOOST_TEST(symmetric(Conditions{}));
 }
 
-// A map moves by its own speed, at most by its step in one step of time.
+// A map moves with its own speed, by at most its point distance in one time step.
 BOOST_AUTO_TEST_CASE(a_measured_map_is_carried_like_a_feature) {
   ehl::surface::HeightMap map{
       .gap = {9, 9, std::vector<double>(81, 0.0)}, .dx = 0.1, .dy = 0.1, .X = -1.0, .Y = 0.0, .step = 0.05};
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(a_measured_map_is_carried_like_a_feature) {
   BOOST_TEST(symmetric(conditions));
   BOOST_TEST(longest_step(conditions, 100.0) == 0.05 / 2.0);
   const Course course = course_of(conditions);
-  // The point at the middle has moved to -1 + (1 + 2)/2 = 0.5 after T = 1, a node of a fine mesh.
+  // The centre has moved to -1 + (1 + 2)/2 = 0.5 at T = 1, a node of a fine mesh.
   const core::Grid grid{400, 8, -2.0, 2.0, -0.04, 0.04};
   core::Field S(grid);
   course.surface(grid, 1.0, S);

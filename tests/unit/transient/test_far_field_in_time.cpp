@@ -1,4 +1,4 @@
-// A contact in time with the far field in closed form: what the size of the domain must not change.
+// A contact in time with the far field in closed form: the result must not depend on the size of the domain.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -34,8 +34,8 @@ BOOST_AUTO_TEST_CASE(a_steady_contact_stays_where_it_is) {
   BOOST_TEST(all.report.worst_load_error <= 1e-6);
 }
 
-// A load that rises by a half within half a time unit: the bodies come near each other, and oil is squeezed out of the
-// gap outside. The domain of the paper's kind, P = 0 on its boundary, is off by percents.
+// A load that rises by a half within half a time unit: the bodies approach, and oil is squeezed out of the gap outside
+// the domain. With P = 0 on the boundary, as in the paper, the error would be several per cent.
 BOOST_AUTO_TEST_CASE(half_of_the_domain_gives_the_same_film_while_the_load_rises) {
   const Conditions rises{.load = {.points = Points{{0.5, 1}, {1.0, 1.5}}}};
   const MarchParameters parameters{.end = 2.0, .rtol = 1e-5, .longest_step = 0.05, .output_interval = 0.25};

@@ -1,8 +1,8 @@
-// The integrator's adapter alone, on a small system with an exact solution.
+// The adapter of the integrator alone, with a small system that has an exact solution.
 //
 //   y1' = -y2,   y2 = y1^2,   y3' = -20 (y3 - sin T) + cos T:   y1 = 1/(1 + T),  y2 = y1^2,  y3 = sin T
 //
-// Every stage is solved in closed form, so that all that is seen is the adapter and the integrator.
+// Every stage is solved in closed form, so that only the adapter and the integrator cause errors.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -56,7 +56,7 @@ double error_at(double T, std::span<const double> y) {
 }
 
 struct Run {
-  double error = 0.0;  ///< largest of all steps
+  double error = 0.0;  ///< largest error over all steps
   int steps = 0, highest_order = 0;
   double longest = 0.0, first = 0.0;
 };
@@ -132,7 +132,7 @@ BOOST_AUTO_TEST_CASE(steps_end_exactly_at_every_stop) {
     BOOST_TEST((step.end == End::at_stop));
     BOOST_TEST(step.T == stop);
     BOOST_TEST(error_at(stop, ida.y()) <= 5e-5);
-    // y' of the differential unknowns belongs to y.
+    // y' of the differential unknowns is consistent with y.
     BOOST_TEST(std::abs(ida.yp()[0] + ida.y()[0] * ida.y()[0]) <= 1e-4);
   }
   const StepReport behind = ida.step(1.0);
@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_CASE(steps_end_exactly_at_every_stop) {
 }
 
 BOOST_AUTO_TEST_CASE(events_are_found_from_above_only) {
-  // sin T passes 1/2 upwards at pi/6, downwards at 5 pi/6.
+  // sin T passes 1/2 upwards at pi/6, and downwards at 5 pi/6.
   DaeProblem problem = problem_with(1e-9);
   problem.event = [](double, std::span<const double> y) { return y[2] - 0.5; };
   Ida ida(problem, {}, 0.0, exact(0.0), slope(0.0));
@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(events_are_found_from_above_only) {
   BOOST_TEST(error <= 1e-6);
   BOOST_TEST(std::abs(ida.y()[2] - 0.5) <= 1e-6);
   BOOST_TEST(error_at(step.T, ida.y()) <= 1e-6);
-  // It goes on behind it.
+  // The integration continues after the event.
   step = ida.step(5.0);
   BOOST_TEST((step.end == End::accepted));
   BOOST_TEST(step.T > 5.0 * pi / 6.0);

@@ -1,4 +1,4 @@
-// The integrator's adapter where something goes wrong: stages unsolved, tests failed, exceptions.
+// The adapter of the integrator in case of failures: unsolved stages, failed error tests, exceptions.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -33,10 +33,10 @@ const std::vector<double> one{1.0}, minus_one{-1.0};
 
 struct Failure {
   std::string reason;
-  int calls = 0;  ///< of the solution of a stage, in the step that failed
+  int calls = 0;  ///< calls of the solution of a stage in the step that failed
 };
 
-/// Steps by this solution of the stages until one fails, after ten good ones.
+/// Takes ten successful steps, then steps with this solution of the stages until one fails.
 Failure failure_of(const std::function<StageResult(int call, const Stage&, std::span<double>)>& solve) {
   DaeProblem problem = decay();
   int calls = 0;
@@ -62,7 +62,7 @@ Failure failure_of(const std::function<StageResult(int call, const Stage&, std::
 
 BOOST_AUTO_TEST_CASE(an_unsolved_stage_makes_the_step_shorter) {
   DaeProblem problem = decay();
-  std::vector<double> lengths;  // T of each attempt, in the step that begins at `from`
+  std::vector<double> lengths;  // T of each attempt in the step that begins at `from`
   double from = 0.0;
   int fail = -1;
   problem.solve = [&](const Stage& stage, std::span<double> correction) {
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(an_unsolved_stage_makes_the_step_shorter) {
   BOOST_TEST(step.not_solved == 1);
   BOOST_TEST(step.cycles == 8 + step.rejected);
   BOOST_TEST(std::abs(ida.y()[0] - std::exp(-step.T)) < 1e-3);
-  // Counted once.
+  // The failure is counted once.
   const StepReport next = ida.step(5.0);
   BOOST_TEST(next.not_solved == 0);
   BOOST_TEST(next.cycles == 1 + next.rejected);
@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(weights_that_are_not_positive_are_told) {
 }
 
 BOOST_AUTO_TEST_CASE(exceptions_pass_through_the_library) {
-  // From each of the three functions, in the first step and in a later one.
+  // An exception from each of the three functions, in the first step and in a later one.
   for (const int calls_before : {0, 5})
     for (const std::string where : {"solve", "weights", "event"}) {
       DaeProblem problem = decay();

@@ -37,15 +37,15 @@ BOOST_AUTO_TEST_CASE(a_line_comes_to_the_steady_film_of_its_speed) {
   then.lambda *= 1.3;
   const double first = off(all.rows.front(), steady_film(scene)), last = off(all.rows.back(), steady_film(then));
   BOOST_TEST_MESSAGE(all.report.steps << " steps; off the steady films by " << first << " and " << last << " (1e-5)");
-  // H00 is that of lengths in a, whatever the march computes with.
+  // H00 refers to lengths in a, whatever unit the run uses internally.
   BOOST_TEST(std::abs(all.rows.back().H00 - steady::solve(then).H00) < 1e-4);
   BOOST_TEST(first < 1e-5);
   BOOST_TEST(last < 1e-5);
 }
 
-// Squeeze alone between rigid bodies, H = H_0 + X^2/2: (H^3 P')' = lambda H_0' has P = -lambda H_0'/(2 H^2), the load
-// pi/2 = -lambda H_0' pi sqrt(2)/(4 H_0^1.5), so that 1/sqrt(H_0) grows by T/(sqrt(2) lambda). What is
-// left of their elasticity goes out with 1/H_0.
+// Pure squeeze between rigid bodies, H = H_0 + X^2/2: (H^3 P')' = lambda H_0' has P = -lambda H_0'/(2 H^2) and the
+// load pi/2 = -lambda H_0' pi sqrt(2)/(4 H_0^1.5), so 1/sqrt(H_0) grows by T/(sqrt(2) lambda). The influence of
+// elasticity decreases with 1/H_0.
 BOOST_AUTO_TEST_CASE(rigid_cylinders_that_only_squeeze) {
   constexpr double stopped = 5.0;
   const steady::Scene scene = roelands_line(0.05, 0, core::line_grid(256, -240, 240));
@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(rigid_cylinders_that_only_squeeze) {
   BOOST_TEST(std::abs(error) < 0.004);
 }
 
-// A ridge that rides through the contact leaves it as it was; where mass is conserved, oil neither comes nor goes.
+// After a ridge has passed through, the contact is unchanged; with mass conservation, no oil appears or disappears.
 BOOST_AUTO_TEST_CASE(a_ridge_rides_through_a_line) {
   const steady::Scene scene = roelands_line(20, 5, core::line_grid(256, -4.5, 1.5));
   const surface::Feature ridge{
@@ -79,8 +79,8 @@ BOOST_AUTO_TEST_CASE(a_ridge_rides_through_a_line) {
   }
 }
 
-/// The steady film at another load, by what the march has for its units: the half width goes with the root of the load,
-/// so that these are the same nodes.
+/// The steady film at another load in the units of the run. The half width is proportional to the square root of the
+/// load, so that the nodes are the same.
 steady::LevelRow film_of_load(double factor, double M, double L, const core::Grid& grid) {
   const double root = std::sqrt(factor);
   steady::Scene scene = roelands_line(factor * M, L, core::line_grid(grid.nx, grid.X_a / root, grid.X_b / root));
@@ -91,8 +91,8 @@ steady::LevelRow film_of_load(double factor, double M, double L, const core::Gri
   return film;
 }
 
-// Heavy and hardly piezoviscous, its film is thin and its edge steep: cycles that swung there made three times the work
-// and ten times the steps of it.
+// A heavily loaded, weakly piezoviscous line contact has a thin film and a steep pressure edge, where chattering cycles
+// would need many more steps.
 BOOST_AUTO_TEST_CASE(a_heavy_line_whose_load_falls) {
   steady::Scene scene = roelands_line(200, 2, core::line_grid(1024, -2.5, 1.5));
   scene.far_field = false;
@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(a_heavy_line_whose_load_falls) {
   BOOST_TEST(all.report.cycles < 2 * all.report.steps);
 }
 
-// A load that jumps makes pressure far outside, whose edge then runs inwards: what cycles do not solve.
+// A jump of the load creates pressure far outside, whose edge then moves inwards; this needs the Newton fallback.
 BOOST_AUTO_TEST_CASE(a_jump_of_the_load_on_a_heavy_line) {
   steady::Scene scene = roelands_line(100, 10, core::line_grid(256, -2.5, 1.5));
   scene.far_field = false;
@@ -117,15 +117,15 @@ BOOST_AUTO_TEST_CASE(a_jump_of_the_load_on_a_heavy_line) {
   BOOST_TEST_MESSAGE(all.report.steps << " steps, " << all.report.cycles << " cycles and " << all.report.newton_steps
                                       << " steps of Newton's method; off by " << last << " (1e-4)");
   BOOST_TEST(last < 1e-4);
-  // Each counted as what it is.
+  // Newton steps are counted separately.
   int newton_steps = 0;
   for (const StepRow& row : all.rows) newton_steps += row.newton_steps;
   BOOST_TEST(newton_steps > 0);
   BOOST_TEST(newton_steps == all.report.newton_steps);
 }
 
-// A steady film solves the implicit step whose state before is that film: f = -c Q. From another pressure and another
-// film Newton's steps come back to it.
+// A steady film is also the solution of an implicit step from that film: f = -c Q. From another pressure and film,
+// Newton's steps return to it.
 BOOST_AUTO_TEST_CASE(newtons_steps_solve_an_implicit_step) {
   steady::Scene scene = roelands_line(20, 5, core::line_grid(256, -4.5, 1.5));
   scene.far_field = false;

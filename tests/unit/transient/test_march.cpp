@@ -1,4 +1,4 @@
-// A contact in time: what must not change, what must come back, and what must be the same.
+// A contact in time: what must not change, what must return, and what must agree.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
@@ -18,14 +18,14 @@ namespace {
 double Hc_of(const StepRow& row) { return row.Hc; }
 double Hm_of(const StepRow& row) { return row.Hm; }
 
-/// The frame's load over that of the scene, by the trapezoidal rule: the pressure vanishes on the boundary.
+/// The load of the frame relative to that of the scene, by the trapezoidal rule; the pressure is zero on the boundary.
 double carried(const steady::Scene& scene, const Frame& frame) {
   return core::interior_sum(frame.P) * scene.grid.hx() * scene.grid.hy() / (2.0 * std::numbers::pi / 3.0);
 }
 
 const Feature dimple{.shape = Feature::Shape::dimple, .height = 0.05, .width = 0.5, .X = -1.5};
 
-/// What holds for every march that comes to its end.
+/// Checks for every run that reaches its end.
 void check_complete(const char* what, const Marched& all, double end) {
   double load_error = 0.0;
   int steps = 0, cycles = 0;
@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(a_steady_contact_stays_where_it_is) {
   const steady::Scene scene = marching_scene(64);
   const Marched all = marched(scene, {}, {.end = 20.0});
   check_complete("constant", all, 20.0);
-  // A step of the cycles that did nothing would leave the first row; the solution of the steady solver is the truth.
+  // Cycles without any effect would keep the first row, so the reference is the steady solver.
   steady::Scene exact = scene;
   exact.multigrid.tolerance = 1e-10;
   const steady::Solution steady = steady::solve(exact);
@@ -113,15 +113,15 @@ BOOST_AUTO_TEST_CASE(whatever_varies_is_followed_to_the_end) {
   const Marched dent = marched(scene, {.on_1 = dimple}, {.end = 2.0, .longest_step = 0.05});
   check_complete("dimple on surface 1", dent, 2.0);
   BOOST_TEST(largest_difference(dent.rows, dent.rows.front().Hc, Hc_of) > 0.05);
-  // Two jumps closer than the steps behind one, the second as close to the end.
+  // Two jumps that are closer than the first steps after a jump, the second equally close to the end.
   const Points close{{0.05, 1}, {0.05, 1.05}, {0.0505, 1.05}, {0.0505, 1}};
   const Marched quick = marched(scene, {.load = {.points = close}}, {.end = 0.051, .longest_step = 0.01});
   check_complete("two jumps", quick, 0.051);
   BOOST_TEST(quick.report.restarts == 2);
 }
 
-// Isoviscous oil behind the contact fills the gap, without pressure. Pressed together, all of it at once carries: the
-// cycles of a short step must find which points do, where c K is as strong as epsilon/h^2.
+// Isoviscous oil fills the gap downstream of the contact without pressure. When the bodies approach, all of it carries
+// load at once. The cycles of a short step, in which c K is as large as epsilon/h^2, must find the nodes with pressure.
 BOOST_AUTO_TEST_CASE(a_load_that_doubles_in_a_twentieth_comes_to_its_own_steady_film) {
   const auto isoviscous = [](double M, double scale) {
     steady::Scene scene = roelands_scene(M, 1.0, {64, 64, -3.5 / scale, 2.0 / scale, -2.75 / scale, 2.75 / scale});
@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(a_load_that_doubles_in_a_twentieth_comes_to_its_own_steady_
   const Points doubled{{0.1, 1}, {0.15, 2}};
   const Marched all = marched(isoviscous(30.0, 1.0), {.load = {.points = doubled}}, {.end = 6.0});
   check_complete("isoviscous, load 1 to 2", all, 6.0);
-  // The same contact in the units of twice the load: M doubles, lengths by a, films by a^2/R.
+  // The contact of the final state in the units of twice the load: M doubles, lengths scale with a, films with a^2/R.
   const double a = std::cbrt(2.0);
   steady::Scene twice = isoviscous(60.0, a);
   twice.multigrid.tolerance = 1e-9;
@@ -183,7 +183,8 @@ BOOST_AUTO_TEST_CASE(a_mirrored_dimple_gives_the_mirrored_contact) {
 
 BOOST_AUTO_TEST_CASE(half_of_the_domain_is_the_whole) {
   steady::Scene scene = marching_scene(64);
-  // Nothing that dries and wets nodes: where rounding decides when, the steps part, by less than their tolerance.
+  // No node cavitates or refills: if rounding decided the time of this, the steps would differ by
+  // less than their tolerance.
   const Conditions conditions{.on_1 = dimple};
   const Marched half = marched(scene, conditions, {.end = 0.8, .longest_step = 0.02});
   scene.use_symmetry = false;

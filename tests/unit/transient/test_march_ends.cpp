@@ -1,4 +1,4 @@
-// A contact in time: accuracy, what comes out, and how it ends.
+// A contact in time: accuracy, output, and the ways in which a run ends.
 #include <boost/test/unit_test.hpp>
 #include <stdexcept>
 #include <string>
@@ -15,7 +15,7 @@ using Points = std::vector<Schedule::Point>;
 
 namespace {
 
-/// The load rises by a fifth in a time of 0.4, while a dimple of surface 2 enters.
+/// The load rises by a fifth within a time of 0.4, while a dimple on surface 2 enters.
 const Conditions busy{.load = {.points = Points{{0.1, 1}, {0.5, 1.2}}},
                       .on_2 = Feature{.shape = Feature::Shape::dimple, .height = 0.05, .width = 0.5, .X = -1.5}};
 
@@ -28,7 +28,7 @@ std::vector<double> central_films(const steady::Scene& scene, const Marched& all
   return Hc;
 }
 
-/// Each frame is of its time: its central film lies between those of the rows around it.
+/// Each frame belongs to its time: its central film lies between those of the neighbouring rows.
 void check_frames_against_rows(const steady::Scene& scene, const Marched& all) {
   const std::vector<double> Hc = central_films(scene, all);
   double worst = 0.0;
@@ -78,17 +78,17 @@ BOOST_AUTO_TEST_CASE(frames_come_at_the_times_asked_for) {
   const Marched all = marched(scene, busy, {.end = 0.5, .longest_step = 0.01, .output_interval = 0.166});
   std::vector<double> times;
   for (const Frame& frame : all.frames) times.push_back(frame.T);
-  // The last two within one step.
+  // The last two are within one step.
   const std::vector<double> asked{0.0, 0.166, 0.332, 0.498, 0.5};
   BOOST_REQUIRE(times.size() == asked.size());
   for (std::size_t k = 0; k < asked.size(); ++k) BOOST_TEST(std::abs(times[k] - asked[k]) <= 1e-14);
   BOOST_TEST(times.back() == 0.5);
   check_frames_against_rows(scene, all);
   BOOST_TEST((all.frames[1].P.nodes_y() == scene.grid.nodes_y()));
-  // First and last only; the end a multiple of the interval, no frame twice.
+  // The first and the last frame only; if the end is a multiple of the interval, no frame occurs twice.
   BOOST_TEST(marched(scene, {}, {.end = 0.1}).frames.size() == 2U);
   BOOST_TEST(marched(scene, {}, {.end = 0.3, .output_interval = 0.1}).frames.size() == 4U);
-  // Around a jump as well, within the steps that cross it.
+  // Also around a jump, within the steps that cross it.
   const Conditions jump{.load = {.points = Points{{0.005, 1}, {0.005, 1.03}}}};
   const Marched around = marched(scene, jump, {.end = 0.01, .output_interval = 0.0005});
   BOOST_TEST(around.frames.size() == 21U);
@@ -109,9 +109,9 @@ BOOST_AUTO_TEST_CASE(it_ends_where_the_film_is_as_thin_as_asked) {
   BOOST_TEST(all.rows.back().load_error <= 1e-6);
   BOOST_TEST(all.frames.back().T == all.report.T);
   BOOST_TEST(std::abs(core::minimum(all.frames.back().H).value / 0.1 - 1.0) <= 1e-4);
-  // Before that it was nowhere as thin.
+  // At earlier times the film was thicker.
   for (std::size_t k = 0; k + 1 < all.rows.size(); ++k) BOOST_TEST(all.rows[k].Hm > 0.1);
-  // A film that is as thin from the start is no reason to go on.
+  // A film that is thin from the start stops the run at once.
   const Marched at_once = marched(scene, conditions, {.end = 3.0, .stop_film = 1.01 * all.rows.front().Hm});
   BOOST_TEST((at_once.report.end == MarchEnd::film));
   BOOST_TEST(at_once.report.T == 0.0);
@@ -129,7 +129,7 @@ BOOST_AUTO_TEST_CASE(it_ends_where_nothing_changes_any_more) {
   BOOST_TEST(all.report.T > 2.0);
   BOOST_TEST(all.report.T < 20.0);
   BOOST_TEST(change <= 1e-4);
-  // That nothing changes takes a time of 1 to know.
+  // Steadiness is detected over a time of 1.
   const double at_once = marched(marching_scene(64), {}, {.end = 5.0, .stop_steady = 1e-4}).report.T;
   BOOST_TEST((at_once >= 1.0 && at_once < 1.2));
 }
@@ -152,9 +152,9 @@ BOOST_AUTO_TEST_CASE(limits_failures_and_interruptions_are_told) {
     BOOST_TEST(rows == wanted);
     BOOST_TEST(report.steps == wanted - 1);
   }
-  // Without anybody watching.
+  // Without an observer.
   BOOST_TEST((march(scene, start, {}, {.end = 0.1}, {}).end == MarchEnd::end_time));
-  // What the observer throws comes out.
+  // An exception of the observer is passed on.
   const Observer throwing{
       .row = [](const StepRow& row) -> bool { return row.T == 0.0 ? true : throw std::runtime_error("mine"); },
       .frame = {}};
@@ -163,7 +163,7 @@ BOOST_AUTO_TEST_CASE(limits_failures_and_interruptions_are_told) {
 
 BOOST_AUTO_TEST_CASE(same_bits_with_one_and_two_threads) {
   steady::Scene scene = marching_scene(256);
-  scene.use_symmetry = false;  // halves are too small for threads
+  scene.use_symmetry = false;  // half domains are too small for several threads
   const steady::Solution start = steady::solve(scene);
   std::vector<Frame> last;
   for (const int threads : {1, 2}) {

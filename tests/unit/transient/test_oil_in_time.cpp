@@ -1,4 +1,4 @@
-// Contacts in time where mass is conserved: the oil is counted, and what is known of their end.
+// Contacts in time with mass conservation: the oil balance, and known final states.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -19,7 +19,7 @@ steady::Scene starved_scene(double H_oil) {
   return scene;
 }
 
-/// What must hold at every step.
+/// Checks that must hold at every step.
 void check_oil(const char* what, const Marched& all, double end) {
   double nowhere = 0.0, lost = 0.0, load = 0.0;
   for (const StepRow& row : all.rows) {
@@ -54,8 +54,8 @@ BOOST_AUTO_TEST_CASE(a_steady_supply_stays_steady) {
   BOOST_TEST(off <= 2e-5);
 }
 
-// A supply that falls to 0.6 within a time of 2 ends in the steady film of that supply, and the half of the domain does
-// what all of it does.
+// A supply that falls to 0.6 within a time of 2 ends in the steady film of that supply. The half domain
+// and the whole domain agree.
 BOOST_AUTO_TEST_CASE(a_supply_that_falls_ends_in_its_steady_film) {
   steady::Scene scene = starved_scene(0.25);
   const Conditions falls{.supply = {.factor = {.points = Points{{0, 1}, {2, 0.6}}}}};
@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(a_supply_that_falls_ends_in_its_steady_film) {
   BOOST_TEST(theta <= 5e-5);
 }
 
-// A load that jumps presses on what is behind the contact; less oil than the gap holds gives way.
+// A jump of the load presses on the film downstream of the contact; a gap that is not full does not resist.
 BOOST_AUTO_TEST_CASE(oil_is_conserved_while_load_and_speed_change) {
   steady::Scene flooded = marching_scene(64);
   flooded.far_field = false;
@@ -87,8 +87,8 @@ BOOST_AUTO_TEST_CASE(oil_is_conserved_while_load_and_speed_change) {
             marched(starved_scene(0.25), {.u1 = {.points = stop}, .u2 = {.points = stop}}, {.end = 4.0}), 4.0);
 }
 
-// A ball falls on a plate with a layer of oil that is thinner than the gap: no pressure before the ball is at the
-// layer, nothing flows anywhere, and as the layer is thin the impact is the dry one.
+// A ball falls on a plate with a layer of oil thinner than the gap. There is no pressure before the ball meets the
+// layer, and no flow. Since the layer is thin, the impact is that of a dry ball.
 BOOST_AUTO_TEST_CASE(a_ball_falls_on_a_thin_layer) {
   constexpr double layer = 0.05, gap = 1.0, speed = 2.0;
   const Points none{{0, 0}};
@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(a_ball_falls_on_a_thin_layer) {
     changed = std::max(changed, std::abs(row.oil.stored / oil - 1.0));
     carried = std::max(carried, row.carried);
   }
-  // Of mass V^2/2 = (2/5) W (-H00)^(5/2) of a dry ball, carried = (-H00)^(3/2).
+  // For a dry ball, mass V^2/2 = (2/5) W (-H00)^(5/2), and the load is (-H00)^(3/2).
   const double dry = std::pow(5.0 / 4.0, 0.6);
   BOOST_TEST_MESSAGE("first pressure at T = " << met << " (" << (gap - layer) / speed << ", a step later), oil " << oil
                                               << " changes by " << changed << ", from nowhere " << nowhere
@@ -116,8 +116,8 @@ BOOST_AUTO_TEST_CASE(a_ball_falls_on_a_thin_layer) {
   BOOST_TEST((carried / dry <= 1.0 && carried / dry >= 0.94));
 }
 
-// The steady film of a line that is brought more than goes through is the flooded one: in time the layer stands before
-// a full inlet, and moves in where the load falls.
+// If a line contact is supplied with more oil than passes through it, its steady film is the flooded one. In time, the
+// layer stays in front of a full inlet, and moves in when the load falls.
 BOOST_AUTO_TEST_CASE(more_than_goes_through_a_line) {
   steady::Scene scene = roelands_line(6, 0, core::line_grid(256, -4.5, 1.5));
   scene.far_field = false;

@@ -1,4 +1,4 @@
-// What varies in time: values, exact integrals, and what the steps are told of them.
+// Schedules in time: values, exact integrals, and the times at which steps must end.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -21,7 +21,7 @@ const std::vector<double> nowhere{};
 /// Four points with a ramp up to 2, a jump down to 1 and a ramp to 3.
 const Schedule ramps{.points = {{1, 0}, {3, 2}, {3, 1}, {5, 3}}};
 
-/// Ramps and jumps between -1 and 2 in [-1, 9]; a wave in half of them.
+/// Ramps and jumps between -1 and 2 in [-1, 9]; half of the schedules have a wave.
 Schedule random_schedule(Random& random) {
   Schedule schedule;
   double T = random.between(-1.0, 1.0);
@@ -35,7 +35,7 @@ Schedule random_schedule(Random& random) {
   return schedule;
 }
 
-/// Pieces of [0, end] between the times at which a schedule is not smooth.
+/// The pieces of [0, end] between the times at which a schedule is not smooth.
 std::vector<double> knots_of(const Schedule& schedule, double end) {
   std::vector<double> knots{0.0, end};
   for (const Schedule::Point& point : schedule.points) knots.push_back(std::clamp(point.T, 0.0, end));
@@ -44,7 +44,7 @@ std::vector<double> knots_of(const Schedule& schedule, double end) {
   return knots;
 }
 
-/// Midpoint rule, which never sees the value at a jump: of second order in the cell.
+/// Midpoint rule, which never uses the value at a jump; second order in the cell size.
 double quadrature(const Schedule& schedule, double end) {
   constexpr int cells = 2000;
   double sum = 0.0;
@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE(values_at_between_before_and_behind_points) {
     BOOST_TEST_MESSAGE("value " << value(ramps, at.T) << " at " << at.T << " (exact " << at.value << ")");
     BOOST_TEST(value(ramps, at.T) == at.value);
   }
-  // Left-continuous: at a jump, what was before it; and at once behind it, what comes.
+  // At a jump, the value is that before the jump; immediately after it, the new one.
   BOOST_TEST(std::abs(value(ramps, std::nextafter(3.0, 4.0)) - 1.0) < 1e-14);
   const Schedule at_start{.points = {{0, 1.3}, {0, 1}}};
   BOOST_TEST(value(at_start, 0.0) == 1.3);
@@ -97,8 +97,8 @@ BOOST_AUTO_TEST_CASE(a_wave_multiplies_from_its_start_on) {
 BOOST_AUTO_TEST_CASE(integrals_in_closed_form) {
   Schedule from_start = ramps;
   from_start.wave = Schedule::Wave{0.5, 2.0, 0.0};
-  // Integral of 2t (1 + sin(pi t)/2) from 0 to 1: 1 + 1/pi; constant 2 afterwards: 2 (T - 1) + [cos(pi) - cos(pi
-  // T)]/pi.
+  // The integral of 2t (1 + sin(pi t)/2) from 0 to 1 is 1 + 1/pi; with the constant 2 afterwards it is 2 (T - 1) +
+  // [cos(pi) - cos(pi T)]/pi.
   const Schedule ramped{.points = {{0, 0}, {1, 2}}, .wave = Schedule::Wave{0.5, 2.0, -4.0}};
   const struct {
     const char* what;
@@ -130,7 +130,8 @@ BOOST_AUTO_TEST_CASE(integrals_of_random_schedules_against_a_quadrature) {
     const double end = random.between(0.0, 10.0);
     worst = std::max(worst, std::abs(integral(schedule, end) - quadrature(schedule, end)));
   }
-  // Midpoint rule: end w^2 h^2/24 times the size of the value, at w = 2 pi/0.3 and pieces of h = 1/1000.
+  // Midpoint rule: the error is end w^2 h^2/24 times the magnitude of the value, for w = 2 pi/0.3
+  // and pieces of h = 1/1000.
   BOOST_TEST_MESSAGE("largest difference " << worst << " (allowed 1e-5: the quadrature)");
   BOOST_TEST(worst <= 1e-5);
 }
@@ -140,13 +141,13 @@ BOOST_AUTO_TEST_CASE(jumps_and_corners) {
   BOOST_TEST(corners({}, 10.0) == nowhere);
   BOOST_TEST(jumps(ramps, 10.0) == std::vector<double>{3});
   BOOST_TEST(corners(ramps, 10.0) == (std::vector<double>{1, 5}));
-  BOOST_TEST(jumps(ramps, 3.0) == nowhere);  // at the end there is nothing behind it
+  BOOST_TEST(jumps(ramps, 3.0) == nowhere);  // a jump at the end has no effect
   BOOST_TEST(corners(ramps, 5.0) == std::vector<double>{1});
   const Schedule many{.points = {{-1, 0}, {-1, 5}, {0, 1.3}, {0, 1}, {2, 1}, {2, 1}, {4, 1}, {4, 2}, {4, 3}, {9, 3}},
                       .wave = Schedule::Wave{0.1, 1.0, 6.0}};
   BOOST_TEST(jumps(many, 8.0) == (std::vector<double>{0, 4}));
   BOOST_TEST(corners(many, 8.0) == (std::vector<double>{2, 6}));
-  // Where the wave begins at a jump it is the jump that counts; a step ends there anyway.
+  // A wave that begins at a jump adds no stop, because a step ends there anyway.
   const Schedule together{.points = {{1, 1}, {1, 2}}, .wave = Schedule::Wave{0.1, 1.0, 1.0}};
   BOOST_TEST(jumps(together, 8.0) == std::vector<double>{1});
   BOOST_TEST(corners(together, 8.0) == nowhere);
@@ -156,8 +157,8 @@ BOOST_AUTO_TEST_CASE(least_is_below_every_value_and_reached_without_a_wave) {
   BOOST_TEST(least({}, 5.0) == 1.0);
   BOOST_TEST(least(ramps, 10.0) == 0.0);
   BOOST_TEST(least({.points = {{0, 1.3}, {0, 1}}}, 5.0) == 1.0);
-  BOOST_TEST(least({.points = {{0, 1.3}, {0, 1}, {1, 2}}}, 5.0) == 1.0);  // taken just behind T = 0
-  BOOST_TEST(least({.points = {{0, 3}, {4, 1}}}, 2.0) == 2.0);            // the ramp goes on behind the end
+  BOOST_TEST(least({.points = {{0, 1.3}, {0, 1}, {1, 2}}}, 5.0) == 1.0);  // the value just after T = 0
+  BOOST_TEST(least({.points = {{0, 3}, {4, 1}}}, 2.0) == 2.0);            // the ramp continues beyond the end
   BOOST_TEST(least({.points = {{0, 3}, {2, 3}, {2, 1}}}, 2.0) == 3.0);
   BOOST_TEST(std::abs(least({.wave = Schedule::Wave{0.3, 4.0, 1.0}}, 10.0) - 0.7) < 1e-15);
   BOOST_TEST(least({.wave = Schedule::Wave{0.3, 4.0, 1.0}}, 1.0) == 1.0);
@@ -183,14 +184,14 @@ BOOST_AUTO_TEST_CASE(least_is_below_every_value_and_reached_without_a_wave) {
   BOOST_TEST(gap <= 1e-12);
 }
 
-// A ramp within a time in which the film does not move is a jump where it begins, and its end is no corner.
+// A ramp within a time in which the film does not change counts as a jump at its beginning, and its end is no corner.
 BOOST_AUTO_TEST_CASE(the_steepest_slope) {
   const Schedule ramps{.points = {{1, 1}, {1.5, 2}, {2, 2}, {4, -2}}};
   BOOST_TEST(steepest({}, 10.0) == 0.0);
   BOOST_TEST(steepest(ramps, 10.0) == 2.0);
-  BOOST_TEST(steepest(ramps, 1.0) == 0.0);  // before all of them
+  BOOST_TEST(steepest(ramps, 1.0) == 0.0);  // before all ramps
   BOOST_TEST(std::isinf(steepest({.points = {{1, 1}, {1, 2}}}, 10.0)));
-  BOOST_TEST(std::isinf(steepest({.points = {{1, 1}, {1.0005, 2}}}, 10.0)));  // as good as a jump
+  BOOST_TEST(std::isinf(steepest({.points = {{1, 1}, {1.0005, 2}}}, 10.0)));  // equivalent to a jump
   const double two_pi = 2.0 * std::numbers::pi;
   BOOST_TEST(std::abs(steepest({.wave = Schedule::Wave{0.3, 2.0, 0.0}}, 10.0) - 0.15 * two_pi) < 1e-14);
 }
@@ -204,7 +205,7 @@ BOOST_AUTO_TEST_CASE(steep_ramps_are_jumps) {
   BOOST_TEST(corners(slow, 10.0) == (std::vector<double>{1, 1.0005, 2}));
 }
 
-// A short ramp has stops of its own and does not shorten all other steps.
+// A short ramp has its own stops and does not shorten the other steps.
 BOOST_AUTO_TEST_CASE(short_ramps) {
   const Schedule ramp{.points = {{0, 1}, {1, 1}, {1.015625, 2}, {3, 2}, {5, 1}}};
   BOOST_TEST(quarters(ramp, 10.0) == (std::vector<double>{1.00390625, 1.0078125, 1.01171875}));
