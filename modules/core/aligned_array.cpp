@@ -10,16 +10,16 @@
 
 namespace ehl::core {
 namespace {
-// Both of x86-64 [bytes]; on other processors they cost alignment only.
+// Values for x86-64 [bytes]; on other processors they only affect the alignment.
 constexpr std::size_t cache_line = 64;
 constexpr std::size_t huge_page = std::size_t{1} << 21;
 
 #ifdef __linux__
-/// Arrays from this size on are worth the call.
+/// Size from which huge pages are requested.
 constexpr std::size_t large = std::size_t{1} << 16;
 
-// The whole of the huge pages that the array touches, its neighbours share the first and the last of them; and those of
-// a next array as large, before the allocator writes there. A wish: refusal costs speed only.
+// Requests huge pages for all pages that the array touches, of which it shares the first and the last with its
+// neighbours, and for a next array of the same size before the allocator writes there. A refusal costs only speed.
 void wish_for_huge_pages(double* p, std::size_t bytes) {
   const auto address = reinterpret_cast<std::uintptr_t>(p);
   const std::uintptr_t begin = address / huge_page * huge_page;

@@ -5,7 +5,7 @@
 namespace ehl::core {
 
 inline constexpr double pi = std::numbers::pi;
-/// Not known, and told as such.
+/// A value that is not known, and is printed as such.
 inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace ehl::core

@@ -9,7 +9,7 @@ std::string joined(const std::vector<std::string>& messages) {
 }
 }  // namespace
 
-// An error without a message would look like none where messages are collected.
+// An error without a message would go unnoticed where messages are collected.
 InputError::InputError(std::vector<std::string> messages)
     : std::runtime_error(joined(messages)), messages_(std::move(messages)) {
   if (messages_.empty())

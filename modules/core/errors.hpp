@@ -1,5 +1,5 @@
 #pragma once
-// The errors a caller can act on. Not converging is a result, not an exception.
+// Errors to which a caller can react. A solution that does not converge is a result, not an exception.
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -17,13 +17,13 @@ class InputError : public std::runtime_error {
   std::vector<std::string> messages_;
 };
 
-/// A file could not be read or written: which file, what was tried, why.
+/// A file could not be read or written. The message names the file, the attempt and the reason.
 class FileError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The numbers left the range in which the method means anything: a non-finite value, a zero pivot.
+/// The numbers are outside the range of the method: a non-finite value or a zero pivot.
 class SolverError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -4,19 +4,19 @@
 
 namespace ehl::core {
 namespace {
-constexpr int doubles_per_line = 8;    // a cache line, and the widest vector
-constexpr int doubles_per_vector = 4;  // of most processors
+constexpr int doubles_per_line = 8;    // a cache line, also the widest vector
+constexpr int doubles_per_vector = 4;  // vector of most processors
 
 int rounded_up(int n, int unit) { return (n + unit - 1) / unit * unit; }
 
-// Two vectors of padding at least: the last batch of lines may read past ny.
+// At least two vectors of padding, because the last batch of lines may read past ny.
 std::ptrdiff_t padded(int nodes_y) { return rounded_up(nodes_y, doubles_per_line) + 2 * doubles_per_line; }
 
 std::size_t count(int nodes_x, std::ptrdiff_t stride) {
   return static_cast<std::size_t>(nodes_x) * static_cast<std::size_t>(stride);
 }
 
-// Without padding a batch reads what the next stations have, and past the end of the field at the last one.
+// Without padding a batch reads values of the next columns, and beyond the last column past the end of the field.
 std::size_t behind_last_station(std::ptrdiff_t stride) { return stride < doubles_per_line ? 3 * doubles_per_line : 0; }
 }  // namespace
 

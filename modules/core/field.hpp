@@ -1,5 +1,5 @@
 #pragma once
-// The owning two-dimensional field: one value per node, aligned for the vector units.
+// Two-dimensional field: one value per node, aligned for the vector units.
 #include <cstddef>
 #include <span>
 
@@ -8,16 +8,16 @@
 
 namespace ehl::core {
 
-/// One double per node of a grid, zero at birth. Storage runs along y (j) fastest: the line relaxation solves
-/// lines of constant Y, many lines j at once, one in each lane of a vector register, so neighbouring lines
-/// must be neighbours in memory. Every station i starts on a 64-byte boundary; the padding behind j = ny holds no
-/// information, but for the ghost lines.
+/// One double per node of a grid, initially zero. j (Y) is the fastest index in storage: the line relaxation solves
+/// many lines of constant Y at once, one in each lane of a vector register, so neighbouring lines must be adjacent in
+/// memory. Every column (constant i) starts on a 64-byte boundary; of the padding behind j = ny only the ghost lines
+/// have meaning.
 class Field {
  public:
   Field() = default;
-  /// in: nodes_x, nodes_y >= 1 numbers of nodes. errors: std::bad_alloc.
+  /// in: numbers of nodes >= 1. errors: std::bad_alloc.
   Field(int nodes_x, int nodes_y);
-  /// Of a line contact without padding beside its three lines: a whole field stays in the nearest caches.
+  /// For a line contact without padding next to its three lines, so that a whole field stays in the nearest caches.
   explicit Field(const Patch& patch);
   Field(const Field& other);
   Field& operator=(const Field& other);
@@ -27,22 +27,22 @@ class Field {
 
   int nodes_x() const { return nodes_x_; }
   int nodes_y() const { return nodes_y_; }
-  /// Doubles from station i to station i+1.
+  /// Doubles from column i to column i+1.
   std::ptrdiff_t stride() const { return stride_; }
 
   double& operator()(int i, int j) { return data_[i * stride_ + j]; }
   double operator()(int i, int j) const { return data_[i * stride_ + j]; }
 
-  /// The values at X_i for j = 0..ny.
+  /// Values at X_i for j = 0..ny.
   std::span<double> station(int i) { return {data_.get() + i * stride_, static_cast<std::size_t>(nodes_y_)}; }
   std::span<const double> station(int i) const {
     return {data_.get() + i * stride_, static_cast<std::size_t>(nodes_y_)};
   }
-  /// First value at X_i, for inner loops.
+  /// Pointer to the first value at X_i, for inner loops.
   double* at_x(int i) { return data_.get() + i * stride_; }
   const double* at_x(int i) const { return data_.get() + i * stride_; }
 
-  /// Sets every value; does nothing to an empty field.
+  /// Sets all values; does nothing to an empty field.
   void fill(double value);
 
  private:
@@ -57,13 +57,13 @@ class Field {
 /// to <- from. limits: same shape.
 void copy(const Field& from, Field& to);
 
-/// Sets the three lines of a line contact at one station, and the place beside them that every field has: one store.
+/// Sets the three lines of a line contact in one column, and the padding next to them that every field has: one store.
 inline void fill_lines(double* station, double value) {
   constexpr int lines = 4;
   for (int j = 0; j < lines; ++j) station[j] = value;
 }
 
-/// f_ij = value(i, j) at all nodes of the patch; of a line contact that of the one line of unknowns, on all three.
+/// f_ij = value(i, j) at all nodes of the patch; for a line contact value(i, 1) on all three lines.
 template <class Value>
 void set_nodes(const Patch& patch, Field& f, Value value) {
   for (int i = 0; i <= patch.nx; ++i) {
@@ -75,10 +75,10 @@ void set_nodes(const Patch& patch, Field& f, Value value) {
   }
 }
 
-/// How many ghost lines stand behind a mirror.
+/// Number of ghost lines behind a mirror.
 inline constexpr int ghost_lines = 2;
-/// Fills the ghost lines of one station, behind a mirror f_{ny+k} = f_{ny-k}, k = 1, 2; of a line contact both lines
-/// beside the one of the unknowns. limits: ny >= 2.
+/// Fills the ghost lines of one column: behind a mirror f_{ny+k} = f_{ny-k}, k = 1, 2; for a line contact the two
+/// copies of the line of unknowns. limits: ny >= 2.
 inline void fill_ghosts(const Patch& patch, double* station) {
   if (patch.north == Edge::zero) return;
   if (patch.north == Edge::uniform) {
@@ -87,13 +87,13 @@ inline void fill_ghosts(const Patch& patch, double* station) {
   }
   for (int k = 1; k <= ghost_lines; ++k) station[patch.ny + k] = station[patch.ny - k];
 }
-/// The same of all stations.
+/// Fills the ghost lines of all columns.
 void fill_ghosts(const Patch& patch, Field& f);
 
-/// What a patch holds of a field on its domain; ghost lines are not filled.
+/// The part of a field on the domain that lies on the patch; ghost lines are not filled.
 Field on_patch(const Patch& patch, const Field& on_domain);
 void copy_to_patch(const Patch& patch, const Field& on_domain, Field& on_patch);
-/// A field of a patch on the whole of its domain.
+/// A field of a patch, extended to its whole domain.
 Field on_domain(const Patch& patch, const Field& on_patch);
 void copy_to_domain(const Patch& patch, const Field& on_patch, Field& on_domain);
 

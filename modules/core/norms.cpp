@@ -6,7 +6,7 @@
 namespace ehl::core {
 namespace {
 
-// One partial sum per station, added in order of the stations: the result cannot depend on the threads.
+// One partial sum per column, added in a fixed order, so the result cannot depend on the threads.
 template <class Term>
 double sum_over_interior(const Field& f, Term term) {
   double total = 0.0;

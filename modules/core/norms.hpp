@@ -1,21 +1,21 @@
 #pragma once
-// Norms and sums over the interior nodes, in a fixed order: the same bits for any number of threads.
+// Norms and sums in a fixed order: the result does not depend on the number of threads.
 #include "core/field.hpp"
 
 namespace ehl::core {
 
-/// sum over the interior nodes of f. order of summation: along y within a station, then the stations in order.
+/// Sum of f over the interior nodes. order of summation: along y within a column, then over the columns.
 double interior_sum(const Field& f);
-/// The same over the interior of the patch's domain, images included.
+/// Sum over the interior of the patch's domain, mirror images included.
 double interior_sum(const Patch& patch, const Field& f);
 
-/// sqrt(mean over the interior nodes of f^2).
+/// sqrt(mean of f^2 over the interior nodes).
 double root_mean_square(const Field& f);
 
-/// max |f| over all nodes; NaN where one is met, so that it shows.
+/// max |f| over all nodes; NaN if there is one.
 double max_abs(const Field& f);
 
-/// max |f - g| over all nodes; NaN where one is met. limits: same shape.
+/// max |f - g| over all nodes; NaN if there is one. limits: same shape.
 double max_abs_difference(const Field& f, const Field& g);
 
 struct Location {
@@ -24,9 +24,9 @@ struct Location {
   double value = 0.0;
 };
 
-/// The smallest value over all nodes and the first node (in storage order) that has it.
+/// Smallest value over all nodes, and the first node in storage order that has it.
 Location minimum(const Field& f);
-/// The largest value over all nodes and the first node (in storage order) that has it.
+/// Largest value over all nodes, and the first node in storage order that has it.
 Location maximum(const Field& f);
 
 }  // namespace ehl::core

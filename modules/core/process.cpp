@@ -14,8 +14,8 @@ namespace ehl::core {
 
 namespace {
 
-// A file that is opened while 0, 1 or 2 is free would get that number, and with it what is printed. What reads or
-// writes there still sees an error, but for messages, which go nowhere.
+// A file opened while 0, 1 or 2 is free would get that number and receive the output. Reads and writes there still
+// report errors, except for messages, which are lost.
 void occupy_standard_descriptors() {
   constexpr int modes[] = {O_WRONLY, O_RDONLY, O_WRONLY};
   for (int number = 0; number < 3; ++number)
@@ -28,12 +28,12 @@ void prepare_process(char** words) {
   occupy_standard_descriptors();
   const bool decided = ::getenv("OMP_WAIT_POLICY") != nullptr || ::getenv("GOMP_SPINCOUNT") != nullptr;
   if (!decided && ::setenv("GOMP_SPINCOUNT", "3000", 1) == 0)
-    ::execv("/proc/self/exe", words);  // comes back only where it is impossible; then it is merely slow
+    ::execv("/proc/self/exe", words);  // returns only if it fails; the program is then merely slower
   const char* const slash = ::strrchr(words[0], '/');
   ::prctl(PR_SET_NAME, slash == nullptr ? words[0] : slash + 1);  // it was started as /proc/self/exe
 #ifdef __GLIBC__
   constexpr int megabyte = 1 << 20;
-  ::mallopt(M_MMAP_THRESHOLD, 32 * megabyte);  // the largest that is heard
+  ::mallopt(M_MMAP_THRESHOLD, 32 * megabyte);  // largest value that is accepted
   ::mallopt(M_TRIM_THRESHOLD, 256 * megabyte);
   ::mallopt(M_TOP_PAD, 32 * megabyte);
 #endif

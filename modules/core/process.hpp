@@ -1,17 +1,16 @@
 #pragma once
-// How the process of a program that solves contacts waits for its threads and takes its memory. Speed only.
+// Settings of the process for waiting threads and memory. They affect only speed.
 
 namespace ehl::core {
 
-/// For main() to call first, with its argument vector. Standard input, output and error that are closed are occupied,
-/// so that no other file takes their place; the process has the program's name. And two wishes that the system's
-/// libraries read when a process begins or never hear otherwise:
-///   threads that wait spin for a tenth of a millisecond before they sleep. OpenMP's own spin for milliseconds, which
-///   on a machine with other work makes two threads many times slower than one; sleeping at once costs as much as a
-///   loop over a small grid. OpenMP reads it before main(): the program is started once more, in the same process,
-///   unless OMP_WAIT_POLICY or GOMP_SPINCOUNT is set already;
-///   arrays of up to 32 MiB are taken side by side out of one piece of memory, so that those smaller than a huge page
-///   come to lie on huge pages too (aligned_array.hpp), and what was given back stays for the next.
+/// To be called first in main(), with its argument vector. Closed standard input, output and error are occupied, so
+/// that no other file takes their numbers; the process gets the program's name. Two further settings:
+/// - Waiting threads spin for about a tenth of a millisecond before they sleep. The default of OpenMP is much longer,
+///   which on a busy machine makes two threads slower than one; sleeping at once costs as much as a loop over a small
+///   grid. OpenMP reads this setting before main(), so the program is started again in the same process, unless
+///   OMP_WAIT_POLICY or GOMP_SPINCOUNT is set.
+/// - Arrays of up to 32 MiB come from one region of memory, so that arrays smaller than a huge page also lie on huge
+///   pages (aligned_array.hpp), and released memory is kept for the next arrays.
 void prepare_process(char** words);
 
 }  // namespace ehl::core

@@ -2,7 +2,7 @@
 
 namespace ehl::core {
 
-// The compiler says what it was told, so this cannot differ from what the other files of the library were built for.
+// The compiler's own macros are used, so this cannot differ from the level of the other files of the library.
 const char* processor_level() {
 #if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512CD__) && defined(__AVX512DQ__) && \
     defined(__AVX512VL__)

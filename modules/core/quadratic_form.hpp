@@ -1,7 +1,7 @@
 #pragma once
 namespace ehl::core {
 
-/// XX X^2 + XY X Y + YY Y^2: a gap or the outline of an ellipse, of any direction.
+/// XX X^2 + XY X Y + YY Y^2: a gap or the outline of an ellipse, in any direction.
 struct QuadraticForm {
   double XX;
   double XY;
@@ -10,7 +10,7 @@ struct QuadraticForm {
   bool round() const { return !aslant() && XX == YY; }
   bool aslant() const { return XY != 0.0; }
   double at(double X, double Y) const { return XX * X * X + (XY * X + YY * Y) * Y; }
-  /// On the line X = 1: a region within a contour reaches sqrt(contour/least_along_X()) along X.
+  /// Minimum on the line X = 1: a region inside a contour reaches sqrt(contour/least_along_X()) along X.
   double least_along_X() const { return aslant() ? XX - 0.25 * XY * XY / YY : XX; }
 };
 

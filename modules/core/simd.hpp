@@ -1,7 +1,7 @@
 #pragma once
-// Doubles side by side: one lane per line of a batch. A vector type of the compiler, so plain arithmetic reads as for
-// one line. Its width, and so the size and alignment of every type made of it, differs from one processor level to the
-// next: only files that are compiled for each level may see it.
+// Vector of doubles: one lane per line of a batch. It is a vector type of the compiler, so arithmetic reads as for a
+// single line. Its width, and with it size and alignment of every type made of it, depends on the processor level: only
+// files compiled for each level may include this header.
 #ifdef EHL_COMPILED_ONCE
 #error \
     "core/simd.hpp is included by a file that is compiled once for every processor: keep types made of lanes in .cpp files and in headers that only files compiled for each level include"
@@ -13,9 +13,8 @@
 
 namespace ehl::core {
 
-// As wide as the processor's registers. The compiler keeps a wider type in memory, and every operation on it goes
-// through memory: eight lanes with AVX2 made a whole solution four times slower. Every line goes its own way, so the
-// width does not change a result.
+// As wide as the processor's registers. For a wider type the compiler goes through memory in every operation, which is
+// much slower. Lines are independent, so the width does not change a result. [bench: simd_lanes]
 #if defined(__AVX512F__)
 inline constexpr int lanes = 8;
 #elif defined(__AVX__)
@@ -24,7 +23,7 @@ inline constexpr int lanes = 4;
 inline constexpr int lanes = 2;
 #endif
 using Lanes [[gnu::vector_size(lanes * sizeof(double))]] = double;
-/// What comparing two Lanes gives: all bits set where true. `mask ? a : b` selects lane by lane.
+/// Result of comparing two Lanes: all bits set where true. `mask ? a : b` selects per lane.
 using LaneMask [[gnu::vector_size(lanes * sizeof(double))]] = std::int64_t;
 
 inline Lanes load(const double* p) {
@@ -44,13 +43,13 @@ inline bool all(LaneMask mask) {
   return together != 0;
 }
 
-// The same of one number.
+// The functions above for a single number.
 inline double max(double a, double b) { return a > b ? a : b; }
 inline double min(double a, double b) { return a < b ? a : b; }
 inline double abs(double a) { return __builtin_fabs(a); }
 inline bool all(bool mask) { return mask; }
 
-/// rule(0), rule(1), ..: which element goes into each lane, for __builtin_shuffle.
+/// rule(0), rule(1), ..: the source element of each lane, for __builtin_shuffle.
 template <class Rule>
 inline LaneMask lanes_by(Rule rule) {
   return [rule]<std::size_t... lane>(std::index_sequence<lane...>) {
@@ -59,21 +58,21 @@ inline LaneMask lanes_by(Rule rule) {
   (std::make_index_sequence<lanes>{});
 }
 
-/// Every second of 2 x lanes elements in a row, from the first and from the second on: the lines of the two colours.
+/// Every second of 2 x lanes elements, beginning with the first or with the second: the lines of the two colours.
 inline Lanes evens(Lanes low, Lanes high) {
   return __builtin_shuffle(low, high, lanes_by([](int k) { return 2 * k; }));
 }
 inline Lanes odds(Lanes low, Lanes high) {
   return __builtin_shuffle(low, high, lanes_by([](int k) { return 2 * k + 1; }));
 }
-/// The inverse: the first and the second half of a0 b0 a1 b1 ..
+/// Inverse of evens() and odds(): the first and the second half of a0 b0 a1 b1 ..
 inline Lanes interleaved_low(Lanes a, Lanes b) {
   return __builtin_shuffle(a, b, lanes_by([](int k) { return k / 2 + k % 2 * lanes; }));
 }
 inline Lanes interleaved_high(Lanes a, Lanes b) {
   return __builtin_shuffle(a, b, lanes_by([](int k) { return lanes / 2 + k / 2 + k % 2 * lanes; }));
 }
-/// before[0], v[0], v[1], ..: every lane one further.
+/// before[0], v[0], v[1], ..: all lanes shifted by one.
 inline Lanes moved_up(Lanes before, Lanes v) {
   return __builtin_shuffle(before, v, lanes_by([](int k) { return k == 0 ? 0 : lanes + k - 1; }));
 }

@@ -1,12 +1,12 @@
 #pragma once
-// Vectors of neighbouring lines on their way into a field.
+// Storing vectors of neighbouring lines in a field.
 #include "core/field.hpp"
 #include "core/simd.hpp"
 
 namespace ehl::core {
 
-/// Values of the lines j, j + 1, .. at station i. Of a line contact, j <= 1, that of the one line of unknowns on all
-/// three: its stations stand so close that a wide vector would reach into the next ones.
+/// Stores the lines j, j + 1, .. of column i. For a line contact (j <= 1) the value of the one line of unknowns goes to
+/// all three lines, because a wide vector would overwrite the next columns.
 inline void store_lines(const Patch& patch, Field& field, int i, int j, Lanes values) {
   if (patch.domain.line)
     fill_lines(field.at_x(i), values[1 - j]);

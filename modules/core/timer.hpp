@@ -1,17 +1,17 @@
 #pragma once
-// Wall-clock time per named part of the work.
+// Wall-clock time per part of the work.
 #include <array>
 #include <chrono>
 #include <cstddef>
 
 namespace ehl::core {
 
-/// Seconds since some fixed moment.
+/// Seconds since some fixed time.
 inline double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// The parts of the solver whose share of the time is reported.
+/// Parts of the solver whose time is reported.
 enum class Part : std::size_t {
   deformation,
   coefficients,
@@ -26,21 +26,21 @@ enum class Part : std::size_t {
   count
 };
 
-/// Name of a part as the report prints it.
+/// Name of a part in the report.
 const char* name(Part part);
 
-/// Seconds spent in each part. Plain data: whoever works adds to it.
+/// Seconds spent in each part.
 struct PartTimes {
   std::array<double, static_cast<std::size_t>(Part::count)> seconds{};
-  bool enclosed = false;  ///< in a part that takes all: what it calls need not look at the clock
+  bool enclosed = false;  ///< an enclosing part is running; the functions that it calls do not measure
   double& operator[](Part part) { return seconds[static_cast<std::size_t>(part)]; }
   double operator[](Part part) const { return seconds[static_cast<std::size_t>(part)]; }
 };
 
-/// what += more, part by part.
+/// what += more, for each part.
 void add(const PartTimes& more, PartTimes& what);
 
-/// Adds the seconds from its birth to its death to one part.
+/// Adds the seconds of its lifetime to one part.
 class ScopedTimer {
  public:
   ScopedTimer(PartTimes& times, Part part) : times_(times), part_(part), start_(times.enclosed ? 0.0 : now()) {}
@@ -56,7 +56,7 @@ class ScopedTimer {
   double start_;
 };
 
-/// The same for all that happens meanwhile, whatever parts it calls itself.
+/// Adds all seconds of its lifetime to one part, including those of functions that have their own timers.
 class EnclosingTimer {
  public:
   EnclosingTimer(PartTimes& times, Part part)

@@ -121,8 +121,8 @@ void complain(Deck& deck, const std::string& section, const std::string& name, c
 /// Adds an error with its cause.
 void add_error(Deck& deck, Cause cause, const std::string& text);
 
-/// Errors without those that may be consequences of others: missing keys are left out if there is an error by_itself,
-/// which may be about the missing key; keys without effect are left out if there is any other error of these two kinds.
+/// Errors without those that may be consequences of others: if there is an error by_itself, missing keys and keys
+/// without effect are left out.
 std::vector<std::string> first_causes(const Deck& deck);
 
 /// errors: core::InputError with the first causes, if there are any.

@@ -31,7 +31,7 @@ files::path folder_of(const std::string& path) {
 
 constexpr char beginning[] = ".", ending[] = ".part";
 
-// The process whose temporary file of this path has this name; -1: it is none.
+// Process that owns a temporary file of this path; -1 if the name is not one of a temporary file.
 pid_t owner(const std::string& path, const std::string& name) {
   const std::string before = beginning + files::path(path).filename().string() + ".";
   if (!name.starts_with(before) || !name.ends_with(ending)) return -1;
@@ -50,7 +50,7 @@ std::string temporary_name(const std::string& path) {
 
 namespace {
 
-// Removes the temporary files of runs that were killed: their process is gone, and so is its lock.
+// Removes temporary files of killed runs: their process and its lock no longer exist.
 void clean(const std::string& path) {
   std::error_code error;
   for (const files::directory_entry& entry : files::directory_iterator(folder_of(path), error)) {
@@ -64,9 +64,9 @@ void clean(const std::string& path) {
   }
 }
 
-// The file that a name stands for: of a symbolic link what it leads to, so that the link stays.
+// Target of a symbolic link, so that the link stays; any other path is returned unchanged.
 std::string followed(const std::string& path) {
-  constexpr int most_links = 40;  // as the kernel
+  constexpr int most_links = 40;  // limit of the kernel
   std::error_code error;
   files::path target = path;
   for (int links = 0; files::is_symlink(files::symlink_status(target, error)); ++links) {
@@ -84,12 +84,12 @@ void refuse_what_is_no_file(const std::string& path, const files::file_status& s
     throw core::FileError(path + ": cannot be written: this is no regular file");
 }
 
-/// A file under a name of its own that disappears unless it is given the final name.
+/// A file under a temporary name; it is removed unless it is renamed to the final name.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const std::string& path)
       : path_(path), target_(followed(path)), name_(temporary_name(target_)) {
-    // Nobody else's file, and through no link that lies there.
+    // Never an existing file, and never through a link.
     const auto open = [this] {
       return ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     };
@@ -99,7 +99,7 @@ class TemporaryFile {
       descriptor_ = open();
     }
     if (descriptor_ < 0) fail(path_, "cannot be written", errno);
-    ::flock(descriptor_, LOCK_EX | LOCK_NB);  // says that it is in use; goes with the process
+    ::flock(descriptor_, LOCK_EX | LOCK_NB);  // marks the file as in use; released with the process
   }
   ~TemporaryFile() {
     if (descriptor_ < 0) return;
@@ -116,7 +116,7 @@ class TemporaryFile {
       if (written < 0) fail(path_, "cannot be written", errno);
       bytes = bytes.subspan(static_cast<std::size_t>(written));
     }
-    // Some file systems discover a full disk only here.
+    // Some file systems report a full disk only here.
     if (::fsync(descriptor_) != 0 && errno != EINVAL) fail(path_, "cannot be written", errno);
   }
 
@@ -125,7 +125,7 @@ class TemporaryFile {
     refuse_what_is_no_file(path_, files::symlink_status(target_, error));
     int status = -1;
     if (!overwrite) {
-      // The file may have appeared while the case was being solved.
+      // The file may have been created during the computation.
       status = ::renameat2(AT_FDCWD, name_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE);
       if (status != 0 && errno == EEXIST) fail(path_, "appeared in the meantime and is not overwritten", EEXIST);
       const bool unsupported = status != 0 && (errno == EINVAL || errno == ENOSYS);
@@ -136,8 +136,8 @@ class TemporaryFile {
   }
 
  private:
-  std::string path_;    // as it was given
-  std::string target_;  // what it stands for
+  std::string path_;    // as given
+  std::string target_;  // target of links
   std::string name_;
   int descriptor_ = -1;
 };
@@ -159,7 +159,7 @@ void check_writable(const std::string& path, bool overwrite, std::size_t bytes) 
   TemporaryFile probe(path);
 
   struct statvfs disk {};
-  if (::statvfs(folder.c_str(), &disk) != 0) return;  // then the writing itself will tell
+  if (::statvfs(folder.c_str(), &disk) != 0) return;  // writing will report the problem
   const double room = static_cast<double>(disk.f_bavail) * static_cast<double>(disk.f_frsize);
   constexpr double mega = 1e6;
   if (room < static_cast<double>(bytes))
@@ -174,7 +174,7 @@ void write_atomically(const std::string& path, std::span<const std::byte> bytes,
   file.rename(overwrite);
   const int folder = ::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (folder < 0) return;
-  ::fsync(folder);  // the new name, too, survives a power cut; not every file system can, and nothing is lost if not
+  ::fsync(folder);  // makes the new name durable; not supported by all file systems
   ::close(folder);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Files appear whole or not at all.
+// Files are written completely or not at all.
 #include <cstddef>
 #include <span>
 #include <string>
@@ -7,19 +7,19 @@
 
 namespace ehl::results {
 
-/// Refuses, before any work is done, an output that could not be written in the end.
-/// in: path, of a symbolic link the file that it leads to is meant; overwrite an existing regular file; bytes that will
-/// be needed. errors: core::FileError: it exists, is no regular file, its folder is missing or not writable, the disk
-/// has no room. What a command reads and what it may replace: check_files() in outputs.hpp.
+/// Checks, before any work is done, that the output can be written.
+/// in: path (of a symbolic link, the target counts); overwrite: an existing regular file may be replaced; bytes needed.
+/// errors: core::FileError if it exists, is not a regular file, its folder is missing or not writable, or the disk is
+/// full. check_files() in outputs.hpp checks what a command reads and may replace.
 void check_writable(const std::string& path, bool overwrite, std::size_t bytes);
 
-/// Writes to a new file beside the path, makes sure it has reached the disk, and renames it: whoever looks sees the old
-/// file or the new one, and a failure leaves nothing behind. What a killed process left, ".NAME.PID.part", goes with
-/// the next check_writable() of the same path. A symbolic link stays, and the file that it leads to is replaced.
-/// errors: core::FileError with the system's reason.
+/// Writes to a new file next to the path, waits until it is on disk, and renames it. Other programs see either the old
+/// or the new file, and a failure leaves nothing behind. The temporary file of a killed process, ".NAME.PID.part", is
+/// removed by the next check_writable() of the same path. A symbolic link stays, and its target is replaced.
+/// errors: core::FileError with the reason given by the system.
 void write_atomically(const std::string& path, std::span<const std::byte> bytes, bool overwrite);
 
-/// ".NAME.PID.part" beside the file: what check_writable() cleans up when this process was killed.
+/// ".NAME.PID.part" next to the file, which check_writable() removes if this process was killed.
 std::string temporary_name(const std::string& path);
 
 }  // namespace ehl::results

@@ -22,7 +22,7 @@ Handle opened(const std::string& path) {
   return file;
 }
 
-// A result file that lies in memory.
+// Opens a result file in memory.
 Handle opened(const std::vector<std::byte>& image, const std::string& cannot) {
   const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, cannot);
   check(H5Pset_fapl_core(access, 1 << 20, false), cannot);
@@ -46,7 +46,7 @@ void fill(const std::string& name, const std::string& cannot, const std::vector<
     const std::string there = from.image.empty() ? member_name(from.number) : "/";
     const std::string here = member_name(one.number);
     check(H5Ocopy(origin, there.c_str(), file, here.c_str(), H5P_DEFAULT, H5P_DEFAULT), cannot + " " + here);
-    if (from.image.empty()) continue;  // a member has its name already
+    if (from.image.empty()) continue;  // a member of a collection already has its name
     const Handle made = checked(H5Gopen2(file, here.c_str(), H5P_DEFAULT), H5Gclose, cannot);
     add_text_attribute(made, "case", one.name, cannot);
   }

@@ -1,5 +1,5 @@
 #pragma once
-// What a result file holds, as plain data: the writer knows no physics, it knows names, units and numbers.
+// Contents of a result file as plain data: the writer knows no physics, only names, units and numbers.
 #include <limits>
 #include <string>
 #include <variant>
@@ -10,13 +10,13 @@
 
 namespace ehl::results {
 
-/// What the attribute `format` of a result file says.
+/// Attribute `format` of a result file.
 constexpr char result_format[] = "ehl result";
 
-/// What is known of a case: a number (NaN: not known in this case, and then not written), a count, yes or no, a word.
+/// Value of a quantity: a number (NaN: not known, and not written), a count, yes or no, or a word.
 using Value = std::variant<double, int, bool, std::string>;
 
-/// As a double; NaN for a word.
+/// The value as a double; NaN for a word.
 inline double number(const Value& value) {
   if (const auto* real = std::get_if<double>(&value)) return *real;
   if (const auto* count = std::get_if<int>(&value)) return *count;
@@ -24,14 +24,14 @@ inline double number(const Value& value) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-/// One value with its unit and meaning.
+/// A value with unit and meaning.
 struct Quantity {
-  std::string name{};  ///< in the file; empty: it is not kept there
+  std::string name{};  ///< in the file; empty: not stored there
   Value value{};
   std::string unit{};  ///< "-" for a pure number
   std::string meaning{};
-  std::string json{};   ///< path in a report as JSON, where it is another one: "verification/least_P"
-  std::string error{};  ///< name of the quantity beside it that is its estimated error
+  std::string json{};   ///< path in the JSON report if it differs: "verification/least_P"
+  std::string error{};  ///< name of another quantity, which is its estimated error
 };
 constexpr char not_in_json[] = "-";
 
@@ -46,10 +46,10 @@ struct Column {
 struct Table {
   std::string name{};
   std::string meaning{};
-  std::vector<Column> columns{};  ///< all of the same length
+  std::vector<Column> columns{};  ///< all of equal length
 };
 
-/// A field on the nodes of the grid; the pointer is only looked at while writing.
+/// A field at the nodes of the grid; the pointer is used only while writing.
 struct NamedField {
   std::string name{};
   std::string unit{};
@@ -62,37 +62,37 @@ struct Series {
   std::string name{};
   std::string unit{};
   std::string meaning{};
-  std::vector<const core::Field*> fields{};  ///< one for each time; looked at while writing
-  bool single = false;                       ///< kept with single precision, seven digits: half the file
+  std::vector<const core::Field*> fields{};  ///< one per time; used only while writing
+  bool single = false;                       ///< stored in single precision, half the size
 };
 struct Frames {
-  std::string group{};  ///< "/transient/frames", below a table's group; empty: none
+  std::string group{};  ///< "/transient/frames", inside the group of a table; empty: none
   std::vector<double> times{};
   std::vector<Series> series{};
 };
 
-/// Fields on a section along x and across it.
+/// Fields on a section along x and across the film.
 struct Section {
   std::string group{};  ///< "/thermal_section"; empty: none
   std::string meaning{};
   Column across{};                   ///< z of the group
-  std::vector<NamedField> fields{};  ///< stations of the grid x across
+  std::vector<NamedField> fields{};  ///< nodes along x by nodes across
 };
 
-/// Fields in space: planes of a grid of their own at several depths, and a section across them.
+/// Fields in space: planes at several depths on their own grid, and a section across them.
 struct Volume {
   std::string group{};  ///< "/subsurface"; empty: none
   std::string meaning{};
-  std::string warnings{};        ///< one a line
+  std::string warnings{};        ///< one per line
   core::Grid grid{};             ///< of the planes: x and y of the group
   std::vector<double> depths{};  ///< z of the group
-  std::vector<Series> series{};  ///< one field for each depth
+  std::vector<Series> series{};  ///< one field per depth
   std::string section_meaning{};
-  std::vector<NamedField> section{};  ///< along x and depth, in the group's "section"; as many depths
+  std::vector<NamedField> section{};  ///< along x and depth, in the group "section"; same depths
   std::vector<Quantity> numbers{};
 };
 
-/// Numbers and arrays of any lengths in one group.
+/// Numbers and arrays of any length in one group.
 struct Loose {
   std::string group{};  ///< "/checkpoint"; empty: none
   std::string meaning{};
@@ -103,9 +103,9 @@ struct Loose {
 /// An effect of the case: its seconds under its name in /effects, the rest as attributes.
 struct EffectRow {
   std::string name{};
-  double seconds = 0.0;  ///< NaN where it has no clock of its own
+  double seconds = 0.0;  ///< NaN if its time is not measured separately
   std::string what{};
-  std::string why{};  ///< the keys of the deck that called for it
+  std::string why{};  ///< keys of the deck that enabled it
 };
 
 struct Content {
@@ -121,7 +121,7 @@ struct Content {
   Loose checkpoint{};
   Volume volume{};
   Section section{};
-  std::vector<EffectRow> effects{};  ///< none: no group
+  std::vector<EffectRow> effects{};  ///< empty: no group
 };
 
 }  // namespace ehl::results

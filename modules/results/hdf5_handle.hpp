@@ -1,5 +1,5 @@
 #pragma once
-// The only place where an HDF5 identifier is held. For the sources of this module alone.
+// Owner of HDF5 identifiers, for the source files of this module only.
 #include <hdf5.h>
 
 #include <new>
@@ -34,12 +34,12 @@ class Handle {
   Close close_;
 };
 
-/// Keeps the library from printing its error stack while it lives; the stack itself stays readable.
-/// errors: std::bad_alloc where there is no memory for the library.
+/// Suppresses the printing of the library's error stack during its lifetime; the stack stays readable.
+/// errors: std::bad_alloc if there is no memory for the library.
 class QuietErrors {
  public:
   QuietErrors() {
-    // The library ends the process where its own set-up finds no memory.
+    // The library aborts the process if its initialization finds no memory, so memory is checked before.
     constexpr std::size_t needed_by_set_up = 16U << 20;
     ::operator delete(::operator new(needed_by_set_up));
     if (H5open() < 0) throw std::bad_alloc();
@@ -55,37 +55,36 @@ class QuietErrors {
   void* data_ = nullptr;
 };
 
-/// The innermost, most telling entry of the library's error stack ("truncated file: eof = ...").
+/// Innermost and most specific entry of the library's error stack ("truncated file: eof = ...").
 inline std::string library_reason() {
   std::string reason;
   const auto keep_last = [](unsigned, const H5E_error2_t* error, void* data) -> herr_t {
     if (error->desc != nullptr && *error->desc != '\0') *static_cast<std::string*>(data) = error->desc;
     return 0;
   };
-  // Downward: from the interface the program called to the place where it went wrong.
+  // Downward: from the called function to the place of the error.
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, keep_last, &reason);
   return reason.empty() ? "the HDF5 library gives no reason" : reason;
 }
 
-/// The handle, or core::FileError "<what>: <reason>".
+/// The handle; errors: core::FileError "<what>: <reason>".
 inline Handle checked(hid_t id, Handle::Close close, const std::string& what) {
   if (id < 0) throw core::FileError(what + ": " + library_reason());
   return {id, close};
 }
 
-/// Properties of an object that is made, by the class of the object: without the times of making and changing it, so
-/// that the same content gives the same bytes at any time.
+/// Creation properties for a class of objects, without time stamps, so that equal contents give equal bytes.
 inline Handle creation(hid_t object_class, const std::string& cannot) {
   Handle properties = checked(H5Pcreate(object_class), H5Pclose, cannot);
   if (H5Pset_obj_track_times(properties, false) < 0) throw core::FileError(cannot + ": " + library_reason());
   return properties;
 }
 
-/// The name under which the library keeps a file in memory alone. Below a file nothing can lie: the library looks for a
-/// file of the name, and would read the whole of one that is there.
+/// Name of a file that the library keeps only in memory. Nothing can exist below a file such as /dev/null; the library
+/// would read an existing file of the same name.
 constexpr char name_in_memory[] = "/dev/null/result in memory";
 
-/// A file opened for reading. errors: core::FileError: missing, a directory, no HDF5 file, truncated.
+/// Opens a file for reading. errors: core::FileError: missing, a directory, not HDF5, truncated.
 Handle open_hdf5(const std::string& path);
 
 inline void check(herr_t status, const std::string& what) {
@@ -96,14 +95,14 @@ struct Dataset {
   Handle set;
   Handle space;
   Handle type;
-  std::vector<hsize_t> dims;  ///< none: a single value
+  std::vector<hsize_t> dims;  ///< empty: a single value
 };
-/// in: how the message of an error begins. errors: core::FileError.
+/// in: cannot, the beginning of error messages. errors: core::FileError.
 Dataset open_dataset(hid_t file, const std::string& name, const std::string& cannot);
 
-/// A text as an attribute. in: how the message of an error begins. errors: core::FileError.
+/// Adds a text attribute. in: cannot, the beginning of error messages. errors: core::FileError.
 void add_text_attribute(hid_t object, const std::string& name, const std::string& text, const std::string& cannot);
-/// A text attribute of an object in a file; empty where it has none.
+/// A text attribute of an object in a file; empty if there is none.
 std::string text_attribute(hid_t file, const std::string& object, const std::string& name);
 
 }  // namespace ehl::results

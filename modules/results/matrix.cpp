@@ -18,7 +18,7 @@ Array read_matrix(const std::string& path, const std::string& dataset) {
   if (kind != H5T_FLOAT && kind != H5T_INTEGER) throw core::FileError(cannot + ": it holds no numbers");
   if (dims.size() != 2)
     throw core::FileError(cannot + ": it has " + std::to_string(dims.size()) + " dimensions and must have two");
-  // A damaged header can promise any number; a compressed dataset may hold more than its size on disk tells.
+  // A damaged header can state any size, and a compressed dataset may exceed its size on disk.
   if (dims[1] > 0 && dims[0] > most_numbers / dims[1])
     throw core::FileError(cannot + ": it has more than 10^8 numbers");
   Array array;

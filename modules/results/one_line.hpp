@@ -1,12 +1,12 @@
 #pragma once
-// A line contact is computed on three lines that are alike; a file holds one.
+// A line contact is computed on three equal lines; a file has one.
 #include <deque>
 
 #include "results/content.hpp"
 
 namespace ehl::results {
 
-/// The content with the one line y = 0 of its fields, which stand in `kept`.
+/// Content whose fields have only the line y = 0; `kept` owns these fields.
 struct OneLine {
   explicit OneLine(const Content& content);
   OneLine(const OneLine&) = delete;

@@ -27,7 +27,7 @@ std::string beginning_of(const std::string& path) {
   return text;
 }
 
-// The attribute `format` of an HDF5 file; empty where it is none or cannot be read.
+// Attribute `format` of an HDF5 file; empty if there is none or it cannot be read.
 std::string format_of(const std::string& path) try {
   const QuietErrors quiet;
   return text_attribute(open_hdf5(path), "/", "format");
@@ -42,7 +42,7 @@ bool is_picture(const std::string& text) {
 }
 
 bool is_page(const std::string& path, const std::string& start) {
-  // A page ends with who wrote it.
+  // A page names its writer at its end.
   if (!start.starts_with("<!DOCTYPE html>")) return false;
   std::ifstream file(path, std::ios::binary);
   std::string line;
@@ -72,7 +72,7 @@ std::string foreign_to(FileKind kind, const std::string& path) {
   }
   const std::string text = beginning_of(path);
   switch (kind) {
-    case FileKind::journal:  // of which a kill may leave less than its mark
+    case FileKind::journal:  // after a kill it may be shorter than its mark
       return unless(std::string_view(journal_mark).starts_with(text.substr(0, sizeof journal_mark - 1)),
                     "is no journal of kept results");
     case FileKind::xdmf: return unless(text.find("<Xdmf") != std::string::npos, "is no XDMF file");

@@ -20,7 +20,8 @@ Handle open_hdf5(const std::string& path) {
   errno = 0;
   if (!std::ifstream(path)) throw core::FileError(path + ": cannot be read: " + std::strerror(errno));
   const QuietErrors quiet;
-  // A file from elsewhere must not make the program read others: no link leads out of it. Unknown from the second time.
+  // A foreign file must not make the program read other files, so external links are disabled. From the second call on
+  // the link class is unknown, and the call does nothing.
   H5Lunregister(H5L_TYPE_EXTERNAL);
   if (H5Fis_hdf5(path.c_str()) == 0) throw core::FileError(path + ": cannot be read: this is no HDF5 file");
   return checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path + ": cannot be read");
@@ -28,7 +29,7 @@ Handle open_hdf5(const std::string& path) {
 
 namespace {
 
-// Whether numbers come out of other files; a view of the same file's is none of them.
+// True if the numbers come from other files; views of data in the same file are allowed.
 bool lies_elsewhere(hid_t layout) {
   if (H5Pget_external_count(layout) > 0) return true;
   std::size_t sources = 0;
@@ -59,7 +60,7 @@ Dataset open_dataset(hid_t file, const std::string& name, const std::string& can
 
 namespace {
 
-// A text in an attribute or a dataset, of fixed or variable length. in: a function that reads into memory.
+// Text of an attribute or a dataset, of fixed or variable length. in: read, a function that reads into memory.
 template <class Read>
 std::string read_text(hid_t type, Read read) {
   if (H5Tis_variable_str(type) > 0) {
@@ -78,7 +79,7 @@ std::string read_text(hid_t type, Read read) {
 
 struct ResultFile::Implementation {
   std::string path;
-  std::string root;  // of the result: empty, or a member of a collection
+  std::string root;  // path of the result: empty, or a member of a collection
   Handle file;
 
   std::string full(const std::string& name) const { return name == "/" && !root.empty() ? root : root + name; }
@@ -125,7 +126,7 @@ std::vector<std::string> ResultFile::names(const std::string& group) const {
     static_cast<std::vector<std::string>*>(data)->emplace_back(name);
     return 0;
   };
-  // In the file's own order: for another one the library follows an index that may be damaged.
+  // In the native order: for any other the library follows an index that may be damaged.
   check(H5Literate(opened, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, keep, &found), implementation_->cannot(group));
   std::ranges::sort(found);
   return found;
@@ -134,11 +135,11 @@ std::vector<std::string> ResultFile::names(const std::string& group) const {
 namespace {
 
 hsize_t bytes_stored(hid_t set, hid_t layout) {
-  constexpr hsize_t most_of_deflate = 1032;  // what its format can make of a byte
+  constexpr hsize_t most_of_deflate = 1032;  // largest compression ratio of the format
   return (H5Pget_nfilters(layout) > 0 ? most_of_deflate : 1) * H5Dget_storage_size(set);
 }
 
-// What a dataset can hold by the room that it takes; a view takes none, and shows what its sources hold.
+// Upper bound of the bytes of a dataset from its stored size. A view stores nothing, so its sources count.
 hsize_t bytes_behind(hid_t file, hid_t set, const std::string& cannot) {
   const Handle layout = checked(H5Dget_create_plist(set), H5Pclose, cannot);
   std::size_t sources = 0;
@@ -165,7 +166,7 @@ Array ResultFile::numbers(const std::string& name) const {
   if (kind != H5T_FLOAT && kind != H5T_INTEGER) throw core::FileError(cannot + ": it holds no numbers");
   if (dims.size() > 2) throw core::FileError(cannot + ": it has " + std::to_string(dims.size()) + " dimensions");
   const hssize_t points = H5Sget_simple_extent_npoints(space);
-  // A damaged header can promise more numbers than the file holds: do not reserve memory for a promise.
+  // A damaged header can state more numbers than the file has, so no memory is reserved before this check.
   const hsize_t stored = bytes_behind(implementation_->file, set, cannot);
   if (points < 0 || (points > 0 && stored / H5Tget_size(type) < static_cast<hsize_t>(points)))
     throw core::FileError(cannot + ": the file is damaged: it holds fewer numbers than it says");
@@ -200,7 +201,7 @@ Array ResultFile::frame(const std::string& name, std::size_t k) const {
     throw core::FileError(cannot + ": it has no field number " + std::to_string(k));
   Array array;
   array.dims = {lengths[1], lengths[2]};
-  // A damaged header can promise more numbers than there is memory for: the grid has told how many there are.
+  // A damaged header can state more numbers than fit into memory, so the dimensions are compared with the grid.
   const std::string x = axis(name, "x"), y = axis(name, "y");
   const auto fits = [&](const std::string& axis, hsize_t length) {
     return !axis.empty() && dims(axis) == std::vector<std::size_t>{length};

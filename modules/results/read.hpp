@@ -1,5 +1,5 @@
 #pragma once
-// Reading a result file back.
+// Reading of result files.
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -10,17 +10,17 @@ namespace ehl::results {
 
 /// A dataset of numbers.
 struct Array {
-  std::vector<std::size_t> dims{};  ///< none: a single number
+  std::vector<std::size_t> dims{};  ///< empty: a single number
   std::vector<double> values{};     ///< last dimension fastest
   std::string unit{};
   std::string meaning{};
 };
 
-/// An open result file; closed when it goes.
+/// An open result file; closed by the destructor.
 class ResultFile {
  public:
-  /// errors: core::FileError: missing, truncated, no HDF5, or HDF5 but no result of this program.
   /// in: number: of a case in a file with the kept results of a sweep; its groups are then those of a result file.
+  /// errors: core::FileError: missing, truncated, not HDF5, or not a result of this program.
   explicit ResultFile(const std::string& path, std::optional<std::size_t> number = std::nullopt);
   ~ResultFile();
   ResultFile(ResultFile&&) noexcept;
@@ -34,18 +34,18 @@ class ResultFile {
   /// Names directly below a group, sorted. errors: core::FileError.
   std::vector<std::string> names(const std::string& group) const;
 
-  /// errors: core::FileError when there is no such dataset or it cannot be read.
+  /// errors: core::FileError if there is no such dataset or it cannot be read.
   Array numbers(const std::string& name) const;
-  /// Name of the axis "x", "y", "z" or "time" of a field: the one beside it, or for x and y the one of /grid.
-  /// out: empty where there is none.
+  /// Path of the axis "x", "y", "z" or "time" of a field: in the same group, or for x and y that of /grid; empty if
+  /// there is none.
   std::string axis(const std::string& field, const std::string& name) const;
-  /// Number k of the fields in a dataset (time or depth, y, x), as (y, x). errors: as above; k out of range.
+  /// Field number k of a dataset (time or depth, y, x), as (y, x). errors: as above; k out of range.
   Array frame(const std::string& name, std::size_t k) const;
-  /// Lengths of a dataset; empty for a single number.
+  /// Dimensions of a dataset; empty for a single number.
   std::vector<std::size_t> dims(const std::string& name) const;
   std::string text(const std::string& name) const;
 
-  /// A text attribute of an object; empty when it has none.
+  /// A text attribute of an object; empty if there is none.
   std::string attribute(const std::string& object, const std::string& name) const;
 
  private:

@@ -12,8 +12,8 @@
 namespace ehl::results {
 namespace {
 
-// Of fixed length: texts of variable length lie in a heap without checksum, where one wrong byte of a damaged file
-// can crash its reader.
+// Texts have a fixed length: HDF5 stores those of variable length in a heap without checksum, where one wrong byte of a
+// damaged file can crash a reader.
 Handle text_type(const std::string& text, const std::string& cannot) {
   Handle type = checked(H5Tcopy(H5T_C_S1), H5Tclose, cannot);
   check(H5Tset_size(type, text.size() + 1), cannot);
@@ -94,7 +94,7 @@ void numbers(const Writer& writer, const Entry& entry) {
   describe(writer, made, entry);
 }
 
-// One field after the other into (time, y, x), each a compressed piece of its own.
+// Writes one field after the other to (time, y, x), each as one compressed chunk.
 void series(const Writer& writer, const Entry& entry) {
   const std::string cannot = writer.cannot(entry.path);
   const std::vector<hsize_t> dims = lengths_of(entry);
@@ -116,8 +116,8 @@ void series(const Writer& writer, const Entry& entry) {
   describe(writer, made, entry);
 }
 
-// Every field of a series again as (y, x), a view that takes no room: readers of XDMF take planes of a dataset in
-// different orders, and whole datasets alike.
+// Adds every field of a series as a view (y, x) without data: readers of XDMF disagree on planes of a dataset, but not
+// on whole datasets.
 void planes(const Writer& writer, const std::string& group_name, const std::string& name, const Entry& entry) {
   const std::string cannot = writer.cannot(entry.path);
   const std::vector<hsize_t> dims = lengths_of(entry);
@@ -155,8 +155,8 @@ void everything(const Writer& writer, const Content& content) {
 
 }  // namespace
 
-// HDF5 reports a full disk as late as in the close, and then cannot be closed any more; so
-// it never sees the disk, and the bytes go there by plain system calls whose every failure can be answered.
+// HDF5 may report a full disk as late as in the close and then cannot close the file. So it writes only to memory, and
+// system calls whose errors can be handled write the bytes to disk.
 std::vector<std::byte> image(const std::string& path, const Content& content) {
   if (content.grid.line && content.grid.ny > 0) return image(path, OneLine(content).content);
   const QuietErrors quiet;
@@ -164,14 +164,13 @@ std::vector<std::byte> image(const std::string& path, const Content& content) {
   const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, cannot);
   const std::size_t block = std::max<std::size_t>(1 << 16, expected_bytes(content.grid, content.fields.size()) / 8);
   check(H5Pset_fapl_core(access, block, false), cannot);
-  // The format of HDF5 1.8 puts a checksum on all that describes the data, and every reader of today knows it; the
-  // views of fields in time are of 1.10.
+  // The format of HDF5 1.8 has checksums on all metadata and is widely readable; views need that of 1.10.
   check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V110), cannot);
   const Handle root = creation(H5P_FILE_CREATE, cannot);
   const Handle file = checked(H5Fcreate(name_in_memory, H5F_ACC_TRUNC, root, access), H5Fclose, cannot);
   everything({file, path}, content);
   check(H5Fflush(file, H5F_SCOPE_GLOBAL), cannot);
-  // The memory of the driver itself: H5Fget_file_image clears a flag in its copy and forgets the checksum over it.
+  // The driver's own memory is copied: H5Fget_file_image clears a flag in its copy without updating the checksum.
   const ssize_t size = H5Fget_file_image(file, nullptr, 0);
   check(size < 0 ? -1 : 0, cannot);
   void** memory = nullptr;
@@ -183,7 +182,7 @@ std::vector<std::byte> image(const std::string& path, const Content& content) {
 
 std::size_t expected_bytes(const core::Grid& nodes, std::size_t fields) {
   const auto points = static_cast<std::size_t>(nodes.nodes_x()) * static_cast<std::size_t>(nodes.nodes_y());
-  return 100000 + fields * points * sizeof(double);  // the first for deck, tables, provenance
+  return 100000 + fields * points * sizeof(double);  // the constant is for deck, tables and provenance
 }
 
 void write(const std::string& path, const Content& content, bool overwrite) {

@@ -21,10 +21,10 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-// Texts that grids of one result share.
+// Texts shared by all grids of a result.
 struct Texts {
   std::string file{};  // name of the HDF5 file
-  std::string x{};     // lengths
+  std::string x{};     // dimensions
   std::string y{};
 };
 
