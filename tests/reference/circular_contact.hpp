@@ -23,7 +23,7 @@ struct CircularContact {
   double Hc, Hm, H00, P_max;
 };
 
-/// Domain [-4.5, 1.5] x [-3, 3] for M < 200, [-2.5, 1.5] x [-2, 2] from there on.
+/// The domain is [-4.5, 1.5] x [-3, 3] for M < 200, and [-2.5, 1.5] x [-2, 2] for M >= 200.
 inline constexpr CircularContact circular_contacts[] = {
     {50, 10, Fluid::roelands_z060, Wedge::upstream1, 64, 0.2383353, 0.1408380, -0.7624608, 1.03036},
     {50, 10, Fluid::roelands_z060, Wedge::upstream1, 128, 0.2319077, 0.1386783, -0.7658594, 1.02473},

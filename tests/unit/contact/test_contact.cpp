@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(round_trips) {
   check_relative("U through SI", si.U, there.U, 1e-14);
   check_relative("G through SI", si.G, there.G, 1e-14);
   check_relative("H", H_from_moes_units(H_to_moes_units(0.3, 50.0), 50.0), 0.3, 1e-15);
-  // The same film in the three scalings.
+  // The three scalings give one film.
   const SiContact contact = to_si(there, 0.0125, 117e9, 0.04);
   const Hertz dry = hertz(contact.load, contact.radius, contact.E_prime);
   const double h = 0.2 * dry.h_scale;

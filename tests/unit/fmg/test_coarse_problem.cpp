@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(strong_residuals_stay_on_their_side_of_a_jump) {
   BOOST_TEST(std::abs(4.0 * restricted(5, 6) - (1.0 - share)) < 1e-15);
   BOOST_TEST(restricted(7, 6) == 0.0);
 
-  // The same between coarse rows: first to the four neighbours, then as above.
+  // Between coarse rows, the residual goes first to the four neighbours, then as above.
   fine.r.fill(0.0);
   fine.r(11, 13) = 1.0;
   fmg::restrict_residual(fine, hierarchy.problem.transport, 1, restricted);

@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(yasutomi_against_its_formula) {
 }
 
 BOOST_AUTO_TEST_CASE(the_universal_constants_of_williams_landel_and_ferry) {
-  // log10 of the shift 50 K above Tg with 17.44 and 51.6: -8.58 (Williams, Landel and Ferry 1955).
+  // log10 of the shift 50 K above Tg, for the universal constants. source: Williams, Landel and Ferry (1955).
   YasutomiConstants universal = turbine_oil;
   universal.C1 = 17.44;
   universal.C2 = 51.6;
