@@ -1,4 +1,4 @@
-# figure: pressure and film (dry: gap) along the line y = 0, and Hertz' pressure
+# figure: pressure and film (dry contact: gap) along the line y = 0, and the Hertz pressure
 # needs: /fields/P
 figure = "centre_lines"
 here = system(sprintf("dirname '%s'", ARG0))
@@ -19,9 +19,9 @@ set y2tics textcolor rgb blue
 set xtics steps_of(right - left)
 set xrange [left:right]
 P_top = 1.12 * (P_max_y > p_h ? P_max_y : p_h)
-# The film has about a third of the height in the contact, and leaves at the top outside it.
+# Inside the contact, the film takes about a third of the height; outside, it leaves the panel at the top.
 film_top = H_median > 0.02 * F_max ? 3.5 * H_median : F_max
-# A gap of zero lies on the axis, and would be hidden by it. Both zeros are at one height.
+# A gap of zero would be hidden by the axis, so the axis begins slightly below zero. Both zeros are at the same height.
 stats line(film, left, right) using 2 nooutput prefix "L"
 under = greater(dry ? 0.03 : 0, -below_zero(L_min) / film_top)
 set yrange [-under * P_top:P_top]

@@ -1,5 +1,5 @@
-# Shared by the maps: $contours of a field in steps from low to highest, and in $labels one place for each level: where
-# the field is flattest and no other label is near.
+# Shared by the maps: $contours of a field in steps from lowest to highest, and in $labels one place for each level:
+# where the field is flattest and no other label is near.
 set contour base
 unset surface
 set cntrparam levels incremental step * ceil(low / step + 1e-9), step, highest
@@ -9,7 +9,7 @@ unset table
 unset contour
 
 coarse = 40
-# As many rows as the contact is long.
+# The number of rows is proportional to the length of the contact.
 stats field(name, coarse) matrix nonuniform using 3 nooutput prefix "G"
 array flat[G_records]
 k = 0
@@ -20,7 +20,7 @@ node(i, j) = flat[1 + within(j, rows) * coarse + within(i, coarse)]
 slope(i, j) = abs(node(i + 1, j) - node(i - 1, j)) + abs(node(i, j + 1) - node(i, j - 1))
 at_i(x) = int((x - left) / (right - left) * (coarse - 1) + 0.5)
 at_j(y) = int((y - bottom) / (right - left) * (coarse - 1) + 0.5)
-# A label is 8 mm wide: closer than 9 mm is near, and so is the edge.
+# A label is 8 mm wide: other labels and the edge must be 9 mm away.
 near = m(9) * (right - left) / (wide - m(33))
 on_edge(x, y) = x - left < near / 2 || right - x < near / 2 || y - bottom < near / 4 || 2 * far + bottom - y < near / 4
 crowded(x, y, n) = n < 1 ? 0 : ((x - X[n])**2 + 2 * (y - Y[n])**2 < near**2 ? 1 : crowded(x, y, n - 1))

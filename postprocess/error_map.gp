@@ -1,11 +1,12 @@
-# figure: where the mesh's errors of Hc and Hm are made: too large in red, too small in blue
+# figure: where the errors of Hc and Hm by the mesh originate: film too thick in red, too thin in blue
 # needs: /fields/error_Hc /fields/error_Hm map
 figure = "error_map"
 here = system(sprintf("dirname '%s'", ARG0))
 wide = 180
 load here."/result.gp"
 load here."/window.gp"
-# Two maps side by side. Colours by the square root, each map by its own largest value.
+# Two maps next to each other. The colours are proportional to the square root, each map relative
+# to its own largest value.
 half = (wide - m(edge)) / 2
 high = (half - m(16)) * 2 * far / (right - left) + m(14 + top)
 stats field("error_Hc", 300) matrix nonuniform using 3 nooutput prefix "C"

@@ -1,4 +1,4 @@
-# figure: film and oil left on a track against the number of passes, with the closed form of thin layers; the track
+# figure: film and oil on a track against the number of passes, with the closed form for thin layers; the track
 # needs: /passes /tracks
 figure = "film_against_passes"
 here = system(sprintf("dirname '%s'", ARG0))
@@ -18,14 +18,14 @@ eval page
 set multiplot
 below = panel + m(24)
 eval box(m(14), m(4), below, m(top + 7))
-# From few passes on the axes are logarithmic: the closed form falls as n^-1/2.
+# Unless there are few passes, the axes are logarithmic: the closed form decreases as n^-1/2.
 n_min = 0.9
 n_max = 1.15 * N_max
 set xrange [n_min:n_max]
 eval "set logscale x; ".log_marks("x", 1, N_max)
 low = 0.85 * M_min
 highest = 1.15 * (L_max > C_max ? L_max : C_max)
-# A film below zero has no logarithm.
+# A negative film has no logarithm.
 set yrange [low > 0 ? low : below_zero(M_min):highest]
 if (low > 0) { eval "set logscale y; ".log_marks("y", low, highest) }
 set xlabel "passes n" offset 0, 0.4
@@ -37,7 +37,7 @@ plot table("passes") using "pass":"left" with points pt 7 ps 0.8 lc rgb blue tit
      table("passes") using "pass":"Hc" with points pt 6 ps 0.8 lc rgb red title "centre", \
      table("passes") using "pass":"Hm" with points pt 4 ps 0.8 lc rgb green title "minimum"
 
-# The track behind 1, 2, 5, 10, 20 .. passes and the last.
+# The track after 1, 2, 5, 10, 20 .. passes, and after the last.
 unset label 100
 unset logscale
 unset key

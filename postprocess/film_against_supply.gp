@@ -1,4 +1,4 @@
-# figure: the starved film over the flooded one against the supply, with Chevalier's formula for point contacts
+# figure: the starved film relative to the flooded film against the supply, with Chevalier's formula for point contacts
 # needs: sweep supply_ratio starvation_factor
 #
 # From a table of 'ehl sweep' over a key of [supply].

@@ -1,7 +1,7 @@
 # Shared by transient_history and transient_body: the panel of the film.
 set format x ""
 set ylabel axis_H offset 1, 0
-# Bodies that come from afar would flatten the film to a line.
+# Widely separated bodies would make the film appear as a flat line.
 stats table("transient") using "Hc" nooutput prefix "C"
 stats table("transient") using "Hm" nooutput prefix "M"
 if (M_min > 0 && C_max > 20 * M_min) { set logscale y; set format y "10^{%L}"; set yrange [*:*]; set ylabel axis_H offset 0, 0 } else { set yrange [below_zero(M_min):0 < *] }

@@ -1,5 +1,6 @@
-# Shared by the figures of films in time: a range of colours or of an axis for all times. Lines of the film within the
-# contact are in `map`, "time place film". Films that differ by much, of bodies that come from afar, on logarithms.
+# Shared by the figures of films in time: one range of colours, or of an axis, for all times. The lines of the film
+# within the contact are in `map`, "time place film". Films that differ strongly, as those of widely separated
+# bodies, get a logarithmic scale.
 stats map using (abs($2) <= 0.9 * reach_x ? $3 : NaN) nooutput prefix "F"
 stats map using 3 nooutput prefix "N"
 far_apart = N_min > 0 && (F_max > 15 * F_median || F_median > 8 * F_min)

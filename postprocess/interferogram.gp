@@ -6,17 +6,17 @@ load here."/result.gp"
 edge = 4
 load here."/window.gp"
 
-# Nanometres of what H is read in. A dimensionless case has no colours of its own: shown as if h_c were 250 nm.
+# The film in nanometres. Dimensionless results are drawn assuming h_c = 250 nm.
 film_nm = si ? 1.0 : 250.0 / abs(centre("H"))
-# Beyond the fringes of a lamp a laser shows them: one colour.
+# Films too thick for the fringes of a lamp are shown as with a laser, in one colour.
 laser = film_nm * centre("H") > 1800
 note = si ? sprintf("h_c = %.0f nm%s", centre("H"), laser ? ", in light of 630 nm" : "") : \
     sprintf("colours as if h_c = %.0f nm", film_nm * centre("H"))
 if (number("/summary/Hm") < 0) { note = note.", red: below zero" }
-# Two beams, reflected at the coated glass and at the steel, path 2 n h with n = 1.5; the contrast fades as the light of
-# a lamp loses its coherence. Dark where the film is thin.
+# Two beams, reflected at the coated glass and at the steel, with a path difference of 2 n h, n = 1.5. The contrast
+# decreases with the film because of the limited coherence of the lamp. Thin films are dark.
 visibility(h) = laser ? 1 : exp(-(h / 900.0)**2)
-# A film below zero has no fringes: light would show it as one above.
+# A negative film gets no fringes: they would show it as a positive one.
 shade(h, wavelength) = h < 0 ? (wavelength < 630 ? 30 : 178) : laser && wavelength < 630 ? 0 : \
     int(127.5 * (1 - visibility(h) * cos(4 * pi * 1.5 * h / wavelength)))
 
@@ -30,7 +30,7 @@ set xtics steps_of(right - left)
 set ytics steps_of(2 * far)
 set xlabel axis_along offset 0, 0.4
 set ylabel axis_Y offset label_Y, 0
-# Oil ends where it no longer fills the gap.
+# The edge of the oil is where the gap is no longer full.
 starved = found("/fields/theta") ne ""
 if (starved) {
   set contour base

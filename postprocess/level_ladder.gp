@@ -9,9 +9,9 @@ load here."/result.gp"
 set datafile columnheaders
 stats table("levels") using "nx" nooutput prefix "N"
 stats table("levels") using "Hm" nooutput prefix "M"
-# Older files called the error of the mesh an error.
+# In older files, the error of the mesh had another name.
 bar = system(read."/levels | grep -c mesh_error_Hc") eq "0" ? "error_" : "mesh_error_"
-# A film below zero has infinite errors.
+# A negative film has an infinite error.
 estimates = int(system(read."/levels/".bar."Hc | sed '/^#/d' | grep -vcE 'nan|inf'"))
 high = 80 * stretch + m(top)
 half = (high - m(top + 19)) / 2
@@ -34,7 +34,7 @@ set xlabel "cells along x" offset 0, 0.4
 set logscale y
 set format y "%g %%"
 set ylabel "estimated error" offset 0.5, 0
-# A single level has no estimate: say so, and give the axis a range that gnuplot can draw.
+# A single level has no estimate: this is printed, and the axis gets a range that gnuplot can draw.
 set yrange [*:*]
 if (estimates == 0) {
   set yrange [0.01:100]

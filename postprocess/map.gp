@@ -2,7 +2,7 @@
 load here."/window.gp"
 stats field(name, 500) matrix nonuniform using 3 nooutput prefix "F"
 low = name eq "P" ? 0 : F_min
-# Outside the contact the film grows without end: what is thicker than this is pale.
+# Outside the contact the film grows without bound; films thicker than this are pale.
 thick = 1.7 * abs(centre(name))
 highest = exists("most") ? most : name eq "P" || F_max < thick ? F_max : thick
 flat_field = !(highest > low)

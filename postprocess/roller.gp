@@ -1,4 +1,4 @@
-# figure: load per length, highest pressure and film along a roller, with and without oil
+# figure: load per length, maximum pressure and film along a roller, with and without oil
 # needs: /roller /roller_dry
 figure = "roller"
 here = system(sprintf("dirname '%s'", ARG0))
@@ -18,7 +18,7 @@ high = 2 * panel + m(top + 49)
 eval page
 set multiplot
 eval box(m(16), m(14), panel + m(24), m(top + 16))
-# A film that falls below zero does so at the ends, where the frame would hide it.
+# A film that becomes negative does so at the ends, where the frame would hide it.
 beside = L_min < 0 ? 0.02 * (Y_max - Y_min) : 0
 set xrange [Y_min - beside:Y_max + beside]
 set xtics steps_along(Y_min, Y_max, wide - m(30)) format ""
@@ -33,7 +33,7 @@ plot table("roller") using "y":"P_max" with lines lw 1.4 lc rgb red title "highe
      table("roller_dry") using "y":"P_max" with lines lw 0.9 dt 2 lc rgb red title "dry", \
      table("roller") using "y":"load" axes x1y2 with lines lw 1.0 lc rgb grey title "load"
 
-# The gap opens without bound where the profile falls: twice the middle's film is enough to see.
+# The gap grows without bound where the profile falls; the axis ends at twice the film in the middle.
 unset label 100
 unset y2tics
 unset y2label

@@ -32,7 +32,7 @@ set format x "%g"
 set ylabel axis_H
 set ytics steps_of(H_max > wet + S_max - S_min ? H_max : wet + S_max - S_min)
 tallest = 1.15 * (H_max > wet + S_max - S_min ? H_max : wet + S_max - S_min)
-# A gap of zero lies on the axis, and would be hidden by it.
+# A gap of zero would be hidden by the axis, so the axis begins slightly below zero.
 set yrange [-greater(dry ? 0.03 * tallest : 0, -below_zero(L_min)):tallest]
 plot line(name, left, right) using 1:2 with lines lw 1 lc rgb blue title name eq "H" ? "film" : "gap", \
      line("S", left, right) using 1:(shape($2)) with lines lw 0.8 dt (1, 2) lc rgb grey title "undeformed"

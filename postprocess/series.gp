@@ -1,6 +1,6 @@
-# Shared by the figures that draw the rows of a sweep as curves. `ehl plot` arranges them: in `data` a block for each curve
-# of each quantity, rows "x y error formula_1 formula_2 formula_3"; how many there are in curves, quantities, lost (cases
-# without a solution); their names in curve_1, quantity_1, formula_1 and so on.
+# Shared by the figures that draw the rows of a sweep as curves. `ehl plot` prepares the variables: `data` has one block
+# for each curve of each quantity, with rows "x y error formula_1 formula_2 formula_3"; curves, quantities and lost
+# (cases without a solution) are numbers; the names are in curve_1, quantity_1, formula_1 and so on.
 if (!exists("data")) exit error "the rows of a table are arranged by: ehl plot TABLE.csv"
 name(kind, k) = value(sprintf("%s_%d", kind, k))
 series = curves * quantities
@@ -13,7 +13,7 @@ longest = 0
 do for [k = 1:curves] { longest = strlen(name("curve", k)) > longest ? strlen(name("curve", k)) : longest }
 do for [k = 1:quantities] { longest = quantities > 1 && strlen(name("quantity", k)) > longest ? strlen(name("quantity", k)) : longest }
 do for [k = 1:3] { longest = strlen(name("formula", k)) > longest ? strlen(name("formula", k)) : longest }
-# Ranges with the formulas and the error bars in them.
+# Ranges that include the formulas and the error bars.
 low_of(a, b) = a < b ? a : b
 high_of(a, b) = a > b ? a : b
 stats data using 1 nooutput prefix "A"
@@ -28,11 +28,11 @@ do for [f = 1:3] { if (name("formula", f) ne "") {
   y_min = low_of(y_min, F_min)
   y_max = high_of(y_max, F_max)
 } }
-# Of numbers that are all the same, zero or below, as far as something can be drawn in.
+# A range that can be drawn, for values that are all equal, zero or negative.
 reaching(low, high) = high > 0 ? high : (low < 0 ? 0 : 1)
 x_max = reaching(x_min, x_max)
 y_max = reaching(y_min, y_max)
-# An axis is logarithmic where its values span a factor of 4, unless --axes says.
+# An axis is logarithmic if its values span a factor of 4, unless --axes is given.
 if (!exists("axes")) axes = ""
 logarithmic(low, high) = axes eq "linear" || low <= 0 ? 0 : axes eq "log" || high >= 4 * low
 step_along(which, low, high) = which eq "x" ? steps_along(low, high, wide - m(20)) : steps_of(high - low)
@@ -40,7 +40,8 @@ axis(which, low, high) = logarithmic(low, high) ? \
     sprintf("set logscale %s; set %srange [%g:%g]; ", which, which, low / 1.25, high * 1.25).log_marks(which, low, high) : \
     sprintf("set %stics %g; set %srange [%g:%g]", which, step_along(which, low < 0 ? low : 0, high), which, \
         low < 0 ? low - 0.05 * (high - low) : 0, high + 0.05 * (high - (low < 0 ? low : 0)))
-# Letters of the longest mark of such an axis, and the mm of those beyond the n that a panel has room for.
+# The number of letters in the longest tick label of such an axis, and the additional mm if it exceeds the n letters
+# that a panel has space for.
 decade_of(x) = 10.0**floor(log10(x))
 longest_decade(d, last) = d > last ? 0 : greater(letters_in(10.0**d) - 1, longest_decade(d + 1, last))
 longest_on(low, high) = logarithmic(low, high) ? \

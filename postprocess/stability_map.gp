@@ -1,10 +1,10 @@
 # figure: the map of loads: convergence factor, work and path over M and L, for each wedge
 # needs: sweep contact.M contact.L
 #
-# From a table of 'ehl sweep' that varies contact.M, contact.L and, as it likes, discretization.wedge:
+# From a table of 'ehl sweep' that varies contact.M, contact.L and, optionally, discretization.wedge:
 #   gnuplot -e "table='stability_map.csv'" postprocess/stability_map.gp
 figure = "stability_map"
-wide = 190.0  # a journal's two columns
+wide = 190.0  # two columns of a journal
 if (exists("table")) file = table
 here = system(sprintf("dirname '%s'", ARG0))
 load here."/common.gp"
@@ -21,7 +21,7 @@ if (title eq "") title = "Map of loads".(said("set: ") eq "" ? "" : ": ".said("s
 
 set datafile separator comma
 set datafile columnheaders
-# The values stand side by side on the axes, whatever their distance.
+# The values are evenly spaced on the axes, whatever their distance.
 place(list, v, k) = k > words(list) ? NaN : (real(word(list, k)) == v ? k : place(list, v, k + 1))
 X(wedge) = wedge eq "every" || stringcolumn("discretization.wedge") eq wedge ? place(Ms, column("contact.M"), 1) : NaN
 Y(key) = place(Ls, column(key), 1)
@@ -29,15 +29,15 @@ Y(key) = place(Ls, column(key), 1)
 is(status) = stringcolumn("status") eq status
 X_if(status, wedge) = is(status) ? X(wedge) : NaN
 mark(none) = is("not-converged") ? "×" : (is("refused") ? "–" : (is("failed") ? "!" : none))
-# Fewer than two cycles have no factor.
+# With fewer than two cycles there is no convergence factor.
 known(name) = stringcolumn(name) ne "NaN"
 shown(name, form) = is("converged") ? (known(name) ? sprintf(form, column(name)) : "n/a") : mark("")
 ink(name, low, high) = known(name) && (column(name) < low || column(name) > high) ? 0xffffff : 0x222222
 rgb_of(hex) = int("0x".substr(hex, 2, 7))
 grey_not_converged = "#a0a0a0"
-# A solution of the equations on a grid that does not hold the contact: the star says so.
+# A star marks a solution on a grid that does not resolve the contact.
 star(none) = known("error_Hm") && column("error_Hm") > 0.1 ? "*" : none
-# Direct: the full multigrid from its first start.
+# Direct: full multigrid from its first start.
 kind(path) = path[1:6] eq "newton" ? 4 : (path eq "load-continuation" ? 3 : (path eq "full-multigrid" ? 1 : 2))
 path_colours = "#7cc4ee #33b08b #f0b429 #d98cb3"
 colour_of(path) = rgb_of(word(path_colours, kind(path)))
@@ -60,7 +60,7 @@ unset key
 set tics scale 0 nomirror
 set xrange [0.5:words(Ms) + 0.5]
 set yrange [0.5:words(Ls) + 0.5]
-set xtics ("" 0) font ",7"  # four digits side by side do not touch
+set xtics ("" 0) font ",7"  # small letters, so that four digits next to each other do not touch
 do for [k = 1:words(Ms)] { set xtics add (word(Ms, k) k) }
 set style fill solid 1.0 border rgb "white"
 
@@ -83,7 +83,7 @@ do for [row = 1:3] {
       set colorbox user origin right(k) + 0.012, bottom(row) size 0.016, top(row) - bottom(row)
     }
     if (row == 1) {
-      # White at 0.2, the aim.
+      # White is 0.2, the desired convergence factor.
       set palette defined (0 '#2166ac', 0.1 '#92c5de', 0.2 '#f7f7f7', 0.5 '#f4a582', 0.8 '#b2182b', 1 '#67001f')
       set cbrange [0:1]
       set cbtics (0, 0.1, 0.2, 0.5, 1)

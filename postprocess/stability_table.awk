@@ -1,8 +1,9 @@
 # The map of loads as a table in Markdown: M along the rows, L along the columns, for each wedge.
 #   awk -f postprocess/stability_table.awk stability_map.csv
-# In a cell: convergence factor per cycle, work units on the finest grid; then s: a later start, c: load continuation, N: Newton.
-# A star: the estimated error of Hm is above 10 %, the grid too coarse for the contact.
-# Not converged, refused and failed cases are in words, and never as numbers.
+# A cell contains the convergence factor and the work units on the finest grid; then s: a later start, c:
+# load continuation, N: Newton.
+# A star means that the estimated error of Hm exceeds 10 %: the grid is too coarse for the contact.
+# Cases that did not converge, were refused or failed are given in words and never as numbers.
 function letter(path) {
   if (path ~ /^newton/) return " N"
   if (path == "load-continuation") return " c"

@@ -1,4 +1,4 @@
-# figure: the stress of von Mises below the contact, in the section y = 0
+# figure: the von Mises stress below the contact, in the section y = 0
 # needs: /subsurface/section/sigma_mises /fields/P
 figure = "subsurface_stress"
 here = system(sprintf("dirname '%s'", ARG0))
@@ -13,7 +13,7 @@ bottom = 0
 far = D_max / 2
 stats field(name, 500) matrix nonuniform using 3 nooutput prefix "F"
 stats line("P", left, right) using 2 nooutput prefix "P"
-# Label and mark of the largest value of all; open where it lies off this section.
+# Label and symbol of the global maximum; the symbol is open if the maximum lies outside this section.
 where_to(axis) = number("/subsurface/largest_sigma_mises_".axis)
 x = where_to("x")
 y = where_to("y")

@@ -1,4 +1,4 @@
-# figure: temperatures along y = 0 above that of the oil: hottest layer and middle of the film, both surfaces; pressure
+# figure: temperatures along y = 0 above that of the oil: maximum and middle of the film, both surfaces; pressure
 # needs: /fields/T_mid /fields/T_max /fields/T1 /fields/T2
 figure = "temperature_lines"
 here = system(sprintf("dirname '%s'", ARG0))

@@ -1,4 +1,4 @@
-# figure: the temperature of the middle of the film above that of the oil
+# figure: the temperature in the middle of the film above that of the oil
 # needs: /fields/T_mid map
 figure = "temperature_map"
 here = system(sprintf("dirname '%s'", ARG0))

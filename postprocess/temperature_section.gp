@@ -8,7 +8,7 @@ left = -1.8 * reach_x
 stats "< ".read."P --along x" using 1 nooutput prefix "A"
 right = A_max < 1.6 * reach_x ? A_max : 1.6 * reach_x
 section(name) = "< ".read."/thermal_section/".name." --matrix"
-# Beyond the window: what lies between the others.
+# Values outside the window are replaced by one within the range of the others.
 stats section("T") matrix nonuniform using ($1 >= left && $1 <= right ? $3 : 0) nooutput prefix "T"
 stats section("u") matrix nonuniform using ($1 >= left && $1 <= right ? $3 : 1) nooutput prefix "U"
 panel = 34 * stretch

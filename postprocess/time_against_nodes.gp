@@ -11,7 +11,7 @@ eval page
 eval box(m(14), m(4), m(10), m(top))
 set datafile columnheaders
 nodes(nx, ny) = (nx + 1.0) * (ny + 1.0)
-# The full multigrid reaches a level after all coarser ones: the time of a solution on a level is the sum so far.
+# Full multigrid reaches a level after all coarser levels: the time of a solution on a level is the sum so far.
 sum = 0.0
 running(s) = (sum = sum + s, sum)
 set table $times
@@ -20,7 +20,7 @@ unset table
 unset datafile columnheaders
 stats $times using 1 nooutput prefix "N"
 stats $times using 2 nooutput prefix "T"
-# Both lines pass through the finest level; the coarsest is solved to the end and costs more than its share.
+# Both lines pass through the finest level; the coarsest level is converged fully and costs more than its share.
 n0 = N_max
 t0 = T_max
 

@@ -1,4 +1,4 @@
-# figure: what accuracy costs in a run in time: largest error over the run against seconds, tolerance and steps
+# figure: accuracy against cost in a run in time: largest error over the run against seconds, tolerance and steps
 # needs: time_study
 #
 # From a table of 'ehl study' of a deck with [transient]:
@@ -11,9 +11,9 @@ load here."/common.gp"
 
 said(key) = system(sprintf("sed -n 's/^# %s: //p' '%s' | head -n 1", key, file))
 if (said("reference error Hc") eq "") exit error file.": this is no table of 'ehl study' of a run in time"
-# "Hc Hm P_max P_1 ...": they reach a shell, so none but names.
+# "Hc Hm P_max P_1 ...": these are passed to a shell, so only names are allowed.
 quantities = system(sprintf("sed -n 's/^# reference error \\([A-Za-z0-9_]*\\): .*/\\1/p' '%s' | tr '\\n' ' '", file))
-# Older tables called a deviation from the reference an error.
+# In older tables, a deviation from the reference was called an error.
 before = system(sprintf("grep -c '^rtol.*,deviation_' '%s'", file)) eq "0" ? "error_" : "deviation_"
 limit(name) = real(said("reference error ".name))
 told(name) = name eq "Hc" ? "H_c" : (name eq "Hm" ? "H_m" : (name eq "P_max" ? "P_{max}" : said("probe ".name[3:*])))
@@ -72,7 +72,7 @@ do for [panel = 1:3] {
        for [k = 1:words(quantities)] percent(limit(word(quantities, k))) with lines dt 3 lw 0.8 lc rgb colour(k)
 }
 
-# The key below the panels.
+# The key of the curves, below the panels.
 unset xlabel
 unset ylabel
 unset tics

@@ -6,11 +6,11 @@ here = system(sprintf("dirname '%s'", ARG0))
 load here."/common.gp"
 load here."/series.gp"
 
-# Series 1 to `curves` are the friction, the others the film. --axes log shows small slide-roll ratios.
+# Series 1 to `curves` are friction, the others films. --axes log shows small slide-roll ratios.
 stats data index 0:curves - 1 using (abs($1)):(abs($2)) nooutput prefix "M"
 stats data index curves:series - 1 using 2 nooutput prefix "H"
 percent(x) = 100 * abs(x)
-# Measured points, "srr mu standard_error", where ehl plot --measured gives them.
+# Measured points, "srr mu standard_error", given by ehl plot --measured.
 with_points = exists("measured")
 $none << EOD
 NaN NaN NaN

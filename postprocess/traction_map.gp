@@ -8,7 +8,7 @@ load here."/common.gp"
 
 varied(key) = system(sprintf("sed -n 's/^# vary: %s = //p' '%s'", key, file))
 if (varied("motion[.]srr") eq "" || varied("motion[.]u_m") eq "") exit error file.": varies not both motion.srr and motion.u_m"
-# Rows "u_m srr mu" of converged cases, a scan for each speed.
+# Rows "u_m srr mu" of converged cases, one scan per speed.
 $map << EOD
 EOD
 rows = "< awk -F, '/^#/ {next} !n {for (k = 1; k <= NF; ++k) c[$k] = k; n = 1; next} \

@@ -1,4 +1,4 @@
-# figure: a body that moves: film, load that the film carries, and the velocity of the body
+# figure: a moving body: film, load that the film carries, and the velocity of the body
 # needs: /transient/velocity
 figure = "transient_body"
 here = system(sprintf("dirname '%s'", ARG0))

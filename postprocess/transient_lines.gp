@@ -17,7 +17,7 @@ map = sprintf("< %s/transient/frames/H --along x --at y=0 --sample 100 --window=
 load here."/film_scale.gp"
 panels = 2
 high = 84 * stretch + m(top + 20)
-top = top + 8  # the key has three rows
+top = top + 8  # the key of the curves has three rows
 eval page
 set multiplot
 set xtics steps_of(right - left)

@@ -25,6 +25,6 @@ if (!far_apart) { set cbtics steps_of(highest - low) }
 eval bar(m(11), m(top))
 eval "set palette ".film_colours
 set view map
-# Times may lie at any distance from each other.
+# The times need not be evenly spaced.
 set pm3d map interpolate 1, 4
 splot map using 2:(T($1)):3 with pm3d notitle

@@ -1,7 +1,7 @@
-# figure: film over the contact as time goes on, an animated GIF
+# figure: film over the contact in time, an animated GIF
 # needs: /transient/frames/H map
 # movie
-# With frames_in='FOLDER' every frame is a PNG there, too: 0000.png and on.
+# With frames_in='FOLDER', every frame is also saved as a PNG in that folder: 0000.png and so on.
 figure = "transient_movie"
 here = system(sprintf("dirname '%s'", ARG0))
 gif = exists("output") ? output : figure.".gif"

@@ -1,4 +1,4 @@
-# figure: the steps of time that were taken: length, order, cycles
+# figure: the time steps: length, order, cycles
 # needs: /transient
 # on demand
 figure = "transient_steps"

@@ -1,19 +1,18 @@
-# figure: what accuracy costs: error against seconds, one front per wedge, with the seconds to 1, 0.1 and 0.01 %
+# figure: accuracy against cost: error against seconds, one front per wedge, with the seconds to 1, 0.1 and 0.01 %
 # needs: study
 #
 # From a table of 'ehl study':
 #   gnuplot -e "table='venner1992_M50_L10_study.csv'" postprocess/work_precision.gp
 figure = "work_precision"
-wide = 190.0  # a journal's two columns
+wide = 190.0  # two columns of a journal
 if (exists("table")) file = table
 here = system(sprintf("dirname '%s'", ARG0))
 load here."/common.gp"
 
 said(key) = system(sprintf("sed -n 's/^# %s: //p' '%s' | head -n 1", key, file))
 if (said("reference Hc") eq "") exit error file.": this is no table of 'ehl study'"
-# Older tables called a deviation from the reference an error.
-# The rows with a film that can be looked at, as "wedge,seconds,error of Hc, of Hm, nodes": errors in per cent, not below
-# that of the reference.
+# In older tables, a deviation from the reference was called an error. The rows with a film to judge, as
+# "wedge,seconds,error of Hc, of Hm, nodes"; errors are in per cent, and not below that of the reference.
 limit(name) = 100.0 * real(said("reference error ".name))
 rows = sprintf("awk -F, -v OFS=, '/^#/ {next} !(\"nx\" in at) {for (k = 1; k <= NF; ++k) {sub(/^error_/, \"deviation_\", $k); at[$k] = k}; next} \
 function low(e, least) {return e > least ? e : least} $at[\"status\"] == \"converged\" || $at[\"status\"] == \"stopped\" \
@@ -21,10 +20,11 @@ function low(e, least) {return e > least ? e : least} $at[\"status\"] == \"conve
 ($at[\"nx\"] + 1) * ($at[\"ny\"] + 1)}' '%s'", limit("Hc"), limit("Hm"), file)
 wedges = system(rows." | awk -F, '!seen[$1]++ {printf \"%s \", $1}'")
 of(w) = "< ".rows." | awk -F, '$1 == \"".w."\"'"
-# Nothing cheaper is as accurate: seconds, error, nodes. column: 3 of Hc, 4 of Hm.
+# The Pareto front: points without a cheaper point of the same accuracy. Columns: seconds, error, nodes.
+# column: 3 for Hc, 4 for Hm.
 front(w, column) = rows.sprintf(" | awk -F, '$1 == \"%s\"' | sort -t, -g -k2 | awk -F, -v OFS=, \
 'NR == 1 || $%d < e {e = $%d; print $2, e, $5}'", w, column, column)
-# The seconds after which the front has an error of e %; nothing where it does not get there.
+# The seconds after which the front has an error of e %; empty if it does not reach this error.
 seconds_to(w, column, e) = system(front(w, column).sprintf(" | awk -F, '$2 <= %g {print $1; exit}'", e))
 if (title eq "") title = said("title")
 
@@ -63,7 +63,7 @@ do for [panel = 1:2] {
     unset label 10 * k + d + 200
     at = seconds_to(word(wedges, k), panel + 2, 10.0**(1 - d))
     if (at ne "") {
-      last = k == words(wedges)  # one below its line, the others above
+      last = k == words(wedges)  # the last label is below its line, the others above
       set label 10 * k + d + 200 sprintf("%.2g s", real(at)) at first real(at), first 10.0**(1 - d) left \
           offset (last ? -5.5 : 0.4), (last ? -0.5 : 0.5) tc rgb colour(word(wedges, k)) font ",7"
     }
