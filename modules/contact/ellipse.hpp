@@ -24,12 +24,14 @@ struct Ellipse {
 /// exact circle for any angle. source: Hertz (1881); Johnson, Contact Mechanics (1985), section 4.2.
 Ellipse ellipse(double radius_ratio, double angle = 0.0);
 
+/// True for a circular contact.
 inline bool circular(const Ellipse& shape) { return shape.radius_ratio == 1.0; }
 
 /// Contact of long parallel cylinders, R_y infinite. a is the half width, 8 F' R_x/(pi E') = a^2 with the load per
 /// length F'; p_h = 2 F'/(pi a). The deformation is -(1/pi) integral of P ln|X - X'| dX'; with lengths in a in the
 /// logarithm the approach is 1/4 + ln(2)/2. The ratio p_h to that of a circle is that of the elastic factors.
 Ellipse line_contact();
+/// True for a line contact.
 inline bool line(const Ellipse& shape) { return shape.radius_ratio == 0.0; }
 
 /// A finite part of a line contact, `length` long in a. Groups and scales are those of the line contact with the mean
@@ -37,6 +39,7 @@ inline bool line(const Ellipse& shape) { return shape.radius_ratio == 0.0; }
 /// that at the middle under the same pressure everywhere: (1/2) ln(length) more than for the line, up to 1/length^2.
 /// in: length > 2.
 Ellipse roller_contact(double length);
+/// True for a roller.
 inline bool roller(const Ellipse& shape) { return shape.length > 0.0; }
 
 /// Frame of the entrainment: X along it, lengths in a. With x along R_x and y along R_y

@@ -46,6 +46,7 @@ std::optional<Bodies> read_bodies(deck::Deck& deck);
 
 /// Keys of [motion]. out: speeds and srr of the input.
 std::vector<deck::Key> motion_keys();
+/// Reads [motion] into `input`. in: slides, as for read(). Errors are added to the deck.
 void read_motion(const deck::Part& motion, bool slides, Input& input);
 
 /// Keys of a roller's length. out: length in half widths, NaN after an error; the load in `input` becomes a load per

@@ -18,6 +18,7 @@ double max_abs(const Field& f);
 /// max |f - g| over all nodes; NaN if there is one. limits: same shape.
 double max_abs_difference(const Field& f, const Field& g);
 
+/// A node and its value.
 struct Location {
   int i = 0;
   int j = 0;

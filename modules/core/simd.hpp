@@ -26,6 +26,7 @@ using Lanes [[gnu::vector_size(lanes * sizeof(double))]] = double;
 /// Result of comparing two Lanes: all bits set where true. `mask ? a : b` selects per lane.
 using LaneMask [[gnu::vector_size(lanes * sizeof(double))]] = std::int64_t;
 
+/// Loads, stores and constants. `p` needs no alignment.
 inline Lanes load(const double* p) {
   Lanes v;
   std::memcpy(&v, p, sizeof v);
@@ -34,6 +35,7 @@ inline Lanes load(const double* p) {
 inline void store(double* p, Lanes v) { std::memcpy(p, &v, sizeof v); }
 inline Lanes broadcast(double s) { return Lanes{} + s; }
 
+/// Functions per lane; all() is true if all lanes are.
 inline Lanes max(Lanes a, Lanes b) { return a > b ? a : b; }
 inline Lanes min(Lanes a, Lanes b) { return a < b ? a : b; }
 inline Lanes abs(Lanes a) { return a < 0.0 ? -a : a; }

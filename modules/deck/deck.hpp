@@ -13,6 +13,7 @@ namespace ehl::deck {
 /// Origin of a value; chosen: by the program, because the deck does not give the key.
 enum class Origin { absent, by_default, given, chosen };
 
+/// Value of a key.
 struct Value {
   Origin origin = Origin::absent;
   bool valid = true;     ///< false: given, but an error has been reported
@@ -30,6 +31,7 @@ struct Value {
 /// that cannot be read. between: a rule between keys. idle: a key without effect.
 enum class Cause { by_itself, between, missing, idle };
 
+/// A deck that has been read.
 struct Deck {
   std::string name{};
   std::vector<std::string> folders{};  ///< where files named by the deck may lie, besides the current directory

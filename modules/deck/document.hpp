@@ -23,6 +23,7 @@ struct Heading {
   std::string place{};
 };
 
+/// All assignments and headings of a deck, in order.
 struct Document {
   std::string name{};  ///< name of the file, for messages
   std::vector<Heading> headings{};

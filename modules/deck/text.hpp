@@ -11,6 +11,7 @@ namespace ehl::deck {
 /// Text without blanks, tabs and carriage returns at both ends.
 std::string trimmed(std::string_view text);
 
+/// The parts with the separator between them.
 std::string joined(const std::vector<std::string>& parts, const std::string& separator);
 
 /// Text from outside, made safe for messages: control characters as \\x1b, because a terminal would obey or hide them,

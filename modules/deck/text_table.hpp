@@ -37,11 +37,13 @@ struct Column {
   std::string meaning{};  ///< added in messages: "over that of [contact]"
 };
 
+/// The requested values of one row.
 struct ColumnRow {
   std::string place{};           ///< "oil.csv:12"
   std::vector<double> values{};  ///< one per requested column; NaN if the file lacks it
 };
 
+/// The requested columns of a table.
 struct ColumnTable {
   std::vector<bool> present{};  ///< columns that the file has
   std::vector<ColumnRow> rows{};

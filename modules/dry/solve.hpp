@@ -15,12 +15,14 @@
 
 namespace ehl::dry {
 
+/// Tolerance, iteration limit and coarsest grid of the solver.
 struct Parameters {
   double tolerance = 1e-8;   ///< largest |H| where P > 0 and largest overlap where P = 0 [a^2/R]
   int max_iterations = 500;  ///< on each grid
   int coarsest_cells = 0;    ///< along x; 0: coarsen while at least 32 cells remain
 };
 
+/// A dry contact on a grid.
 struct Problem {
   core::Patch grid;  ///< the finest grid; half of the domain if G is even in Y
   core::Field gap;   ///< G at its nodes
@@ -75,6 +77,7 @@ using Observer = std::function<bool(const Progress&)>;
 /// finest.
 /// order: 1.5 or better in the mesh size for a smooth contact. cost: two evaluations of K*P per iteration; the number
 /// of iterations grows by about a constant with each finer grid.
+/// limits: waves on a surface need about eight cells per wave length. [bench: dry_cells_per_wave]
 /// source: Polonsky and Keer 1999, with the load maintained by scaling.
 /// errors: core::InputError if the evaluator of K*P refuses the grid; core::SolverError if a number is not finite;
 /// core::Interrupted.

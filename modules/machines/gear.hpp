@@ -8,6 +8,7 @@
 
 namespace ehl::machines {
 
+/// Data of a gear pair, as listed above.
 struct Gears {
   double module;  ///< [m]
   int teeth1;

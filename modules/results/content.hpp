@@ -35,6 +35,7 @@ struct Quantity {
 };
 constexpr char not_in_json[] = "-";
 
+/// One column of a table, or an array, with unit and meaning.
 struct Column {
   std::string name{};
   std::string unit{};
@@ -43,6 +44,7 @@ struct Column {
   std::vector<double> values{};
 };
 
+/// A table, one group of the file.
 struct Table {
   std::string name{};
   std::string meaning{};
@@ -65,6 +67,7 @@ struct Series {
   std::vector<const core::Field*> fields{};  ///< one per time; used only while writing
   bool single = false;                       ///< stored in single precision, half the size
 };
+/// Fields at several times.
 struct Frames {
   std::string group{};  ///< "/transient/frames", inside the group of a table; empty: none
   std::vector<double> times{};
@@ -108,6 +111,7 @@ struct EffectRow {
   std::string why{};  ///< keys of the deck that enabled it
 };
 
+/// All contents of a result file.
 struct Content {
   std::string title{};
   std::string deck{};  ///< the effective deck

@@ -10,6 +10,7 @@
 
 namespace ehl::results {
 
+/// One group, text or array of numbers of a result.
 struct Entry {
   enum class Kind { group, text, numbers };
 

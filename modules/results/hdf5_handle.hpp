@@ -87,10 +87,12 @@ constexpr char name_in_memory[] = "/dev/null/result in memory";
 /// Opens a file for reading. errors: core::FileError: missing, a directory, not HDF5, truncated.
 Handle open_hdf5(const std::string& path);
 
+/// errors: core::FileError "<what>: <reason>" if the status of a library call is negative.
 inline void check(herr_t status, const std::string& what) {
   if (status < 0) throw core::FileError(what + ": " + library_reason());
 }
 
+/// An open dataset with its shape and type.
 struct Dataset {
   Handle set;
   Handle space;

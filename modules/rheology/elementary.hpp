@@ -16,6 +16,7 @@ using core::Lanes;
 /// The 64-bit patterns that encode the values.
 using Bits [[gnu::vector_size(sizeof(Lanes))]] = unsigned long long;
 
+/// Reinterpretation of the bits, without conversion.
 inline Bits bits_of(Lanes x) { return reinterpret_cast<Bits>(x); }
 inline Lanes value_of(Bits b) { return reinterpret_cast<Lanes>(b); }
 

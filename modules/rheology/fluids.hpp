@@ -11,6 +11,7 @@ struct FluidKey {
   std::string_view value{};
 };
 
+/// An oil by name: the keys of [lubricant] that it sets, and the source of their values.
 struct Fluid {
   std::string_view name{};
   std::string_view about{};   ///< what it is, and at which temperature; empty: covered by the previous entry

@@ -53,6 +53,7 @@ Tait make_tait(double K0, double K0_prime, double p_h);
 /// Murnaghan's equation for P = p/p_h. in: as for make_tait().
 Murnaghan make_murnaghan(double K0, double K0_prime, double p_h);
 
+/// Constants of Doolittle's law.
 struct DoolittleConstants {
   double B = 0.0;         ///< > 0
   double R0 = 0.0;        ///< 0 < R0 < 1
@@ -63,6 +64,7 @@ struct DoolittleConstants {
 /// Doolittle's law for P = p/p_h. in: p_h [Pa] >= 0.
 Doolittle make_doolittle(const DoolittleConstants& constants, double p_h);
 
+/// Constants of Yasutomi's law.
 struct YasutomiConstants {
   double T = 0.0;      ///< temperature of the contact [C] > Tg0
   double Tg0 = 0.0;    ///< glass transition at ambient pressure [C]

@@ -15,6 +15,7 @@ struct Shear {
 
 /// The deck keys of [shear].
 std::vector<deck::Key> shear_keys();
+/// Reads [shear]; errors are added to the deck. in: the deck gives a law.
 Shear read_shear(deck::Deck& deck);
 
 }  // namespace ehl::rheology

@@ -5,6 +5,7 @@
 
 namespace ehl::rheology {
 
+/// Material of a body, at room temperature.
 struct Solid {
   std::string_view name;
   double E;    ///< Young's modulus [Pa]

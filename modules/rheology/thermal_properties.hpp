@@ -29,6 +29,7 @@ struct ThermalDensity {
 /// errors: InputError if an equation of state is required but the law has none with temperature.
 ThermalDensity make_thermal_density(const DensityLaw& law, double T0,
                                     std::variant<Expansion, EquationOfState> expansion);
+/// This law with p_h multiplied by `factor`.
 ThermalDensity rescaled(const ThermalDensity& law, double factor);
 
 /// ratio = rho(P, theta)/rho(P, 0), exactly 1 at theta = 0; expansion = -d ln rho/dtheta = e T0.
@@ -46,6 +47,7 @@ struct LarssonAndersson {
   double p_h_in_GPa;
 };
 using HeatLaw = std::variant<ConstantHeat, LarssonAndersson>;
+/// This law with p_h multiplied by `factor`.
 HeatLaw rescaled(const HeatLaw& law, double factor);
 
 /// k/k0, independent of the temperature.

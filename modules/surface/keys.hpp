@@ -39,6 +39,7 @@ struct Units {
 
 /// Keys of [surface1] and [surface2].
 std::vector<deck::Key> keys();
+/// Reads the relief of one surface. in: section, "surface1" or "surface2". Errors are added to the deck.
 Input read(deck::Deck& deck, const std::string& section, const Units& units);
 
 }  // namespace ehl::surface

@@ -31,6 +31,7 @@ struct ColumnLaws {
   double theta_least = -0.1, theta_most = 2.5;
 };
 
+/// Limits of Newton's method for a column.
 struct Steps {
   int most = 30;
   double tolerance = 1e-12;  ///< on the change of theta

@@ -11,6 +11,7 @@
 
 namespace ehl::thermal {
 
+/// See FilmTemperature for the public functions.
 class FilmColumns {
  public:
   explicit FilmColumns(const Setup& setup);

@@ -17,6 +17,7 @@
 
 namespace ehl::thermal {
 
+/// A body below or above the film, as a moving half-space.
 struct Body {
   double Pe = 0.0;          ///< u a/kappa >= 0
   double resistance = 0.0;  ///< k0 R/(k a); 0: surface temperature theta

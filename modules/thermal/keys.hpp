@@ -13,6 +13,7 @@ struct BodyInput {
   double k = 0.0, c = 0.0, rho = 0.0;  ///< [W/(m K)], [J/(kg K)], [kg/m^3]
 };
 
+/// What [thermal] says about the bodies and the method.
 struct Input {
   BodyInput body_1{}, body_2{};
   int intervals = 16;  ///< across the film

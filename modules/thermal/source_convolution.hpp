@@ -64,6 +64,7 @@ class LineConvolution {
 
 /// The kind of sum that suits a patch.
 using Source = std::variant<SourceConvolution, LineConvolution>;
+/// The sum for a patch: LineConvolution for a line contact, else SourceConvolution. in: table, see their constructors.
 Source make_source(const core::Patch& patch, const SourceTable& table, int threads);
 
 }  // namespace ehl::thermal

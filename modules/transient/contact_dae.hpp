@@ -30,6 +30,7 @@ struct Course {
   std::optional<Body> body{};
 };
 
+/// Tolerances of the time integration, and the iteration limit of one implicit step.
 struct ErrorControl {
   double rtol = 1e-4;
   double P_scale = 0.1;  ///< absolute tolerance below this pressure: rtol P_scale
@@ -37,6 +38,7 @@ struct ErrorControl {
   int most_cycles = 30;  ///< per implicit step, before the time step is cut
 };
 
+/// Balance of the forces on the film at one time.
 struct LoadBalance {
   double carried = 0.0;  ///< load that the film carries, over W
   double error = 0.0;    ///< carried load less required load, over the required load; with a body, over W

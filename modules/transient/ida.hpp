@@ -37,6 +37,7 @@ struct DaeProblem {
   std::function<double(double T, std::span<const double> y)> event;
 };
 
+/// Limits of order and step length for IDA; times in T.
 struct StepLimits {
   int max_order = 5;
   double first = 0.0;  ///< length of the first step; 0: IDA's choice

@@ -17,6 +17,7 @@ struct EulerStep {
   std::vector<double> yp{};
 };
 
+/// The row of a backward Euler step in the report, as for a step of order one by IDA.
 inline StepReport report_of(const EulerStep& step) {
   return {.T = step.T, .length = step.length, .order = 1, .cycles = step.cycles, .newton_steps = step.newton_steps};
 }

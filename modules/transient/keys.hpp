@@ -40,12 +40,14 @@ double steepest_load(const deck::Deck& deck, const Scales& scales);
 
 /// Keys of the schedules. in: unit of time in a/u_m.
 std::vector<deck::Key> drive_keys();
+/// Reads the schedules into `conditions`. in: unit of time in a/u_m. Errors are added to the deck.
 void read_drive(const deck::Part& transient, double unit, const Scales& scales, Conditions& conditions);
 /// Reports a load or speed that no time integration can follow.
 void check_drive(const deck::Part& transient, const Conditions& conditions, double end);
 
 /// Keys of [body]; nullopt if the load is imposed.
 std::vector<deck::Key> body_keys();
+/// Reads [body]. returns nullopt if the deck gives no mass; errors are added to the deck.
 std::optional<Body> read_body(deck::Deck& deck, const Scales& scales);
 
 }  // namespace ehl::transient

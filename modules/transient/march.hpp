@@ -13,6 +13,7 @@
 
 namespace ehl::transient {
 
+/// Parameters of a time integration; times in T.
 struct MarchParameters {
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
   double end = 0.0;
@@ -73,6 +74,7 @@ struct Observer {
 
 enum class MarchEnd { end_time, film, steady, failed, interrupted };
 
+/// Result of a time integration: why it ended, its counters and times.
 struct MarchReport {
   MarchEnd end = MarchEnd::end_time;
   double T = 0.0;

@@ -30,6 +30,7 @@ enum class Cavitated {
 /// Largest ratio of limiting shear stress to pressure known for lubricants. source: REFERENCE, 0.03 to 0.12.
 inline constexpr double largest_limit = 0.12;
 
+/// Parameters of the friction; stresses in p_h, lengths in a.
 struct Parameters {
   double stress = 0.0;  ///< eta_0 (u1 - u2) R/(a^2 p_h): tau_m/p_h where H = 1 and eta_bar = 1; signed
   double slope = 0.0;   ///< a/R

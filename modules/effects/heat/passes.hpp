@@ -37,6 +37,7 @@ struct Parameters {
   bool slow = false;
 };
 
+/// Result of the thermal iteration on one grid.
 struct Result {
   std::vector<Pass> passes{};
   std::string unmet{};  ///< criterion that is not met; empty if converged

@@ -34,7 +34,7 @@ double foreseen(const std::vector<Row>& rows, double Row::*behind) {
 
 // Relative error of a temperature. If the film is hardly sheared, a pressure spike becomes the hottest place once a
 // grid resolves it. On coarser grids it is not yet the largest value, and the sequence of largest values hides its
-// growth.
+// growth. [bench: heat_behind_spike]
 double error_of(const std::vector<Row>& rows, double Row::*value, double Row::*behind) {
   const double told = error_of(rows, value), under_spike = foreseen(rows, behind);
   return std::isnan(under_spike) ? told : std::max(told, under_spike / (rows.back().*value) - 1.0);

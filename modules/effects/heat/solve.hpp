@@ -36,6 +36,7 @@ struct Fields {
   core::Field section_T, section_u;  ///< columns x nodes across the film, at Y = 0; u in u_m
 };
 
+/// A thermal solution: film, heat balance, temperatures with errors, and the sequence of grids.
 struct Solution {
   steady::Solution film{};  ///< with heat; the isothermal solution if none was attempted
   thermal::Balance balance{};

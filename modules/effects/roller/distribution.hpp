@@ -24,6 +24,7 @@ struct End {
   double H_Y = 0.0;
 };
 
+/// Distribution along the whole roller.
 struct Distribution {
   std::vector<Slice> slices;  ///< from the lower end (Y < 0) to the upper
   Slice middle;

@@ -19,6 +19,7 @@ struct Scales {
   bool in_SI = false;
 };
 
+/// Keys of [roller].
 std::vector<deck::Key> keys();
 /// Reports keys that contradict each other and tables that do not describe a roller.
 Profile read(deck::Deck& deck, const Scales& scales);

@@ -16,6 +16,7 @@ struct Trace {
   double rough_before = 0.0;   ///< Rq before smoothing
 };
 
+/// Profile of a roller: its shape with the parameters of that shape, and its tilt. Lengths in a, heights in a^2/R.
 struct Profile {
   enum class Shape {
     straight,     ///< straight, and at both ends over end_length falling as (Y - Y_s)^2/(2 end_radius)

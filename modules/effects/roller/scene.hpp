@@ -7,7 +7,8 @@
 namespace ehl::roller {
 
 /// Adds the profile to the surfaces of the scene and makes the scene start from the dry contact, because Hertz'
-/// pressure along the whole length is far from the solution. in: a scene with contact::roller_contact() and its grid.
+/// pressure along the whole length is far from the solution. [bench: roller_dry_start]
+/// in: a scene with contact::roller_contact() and its grid.
 void lay(const Profile& profile, steady::Scene& scene);
 
 /// Dry contact of such a scene on a grid. The contact may extend to the ends.

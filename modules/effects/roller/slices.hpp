@@ -4,6 +4,7 @@
 
 namespace ehl::roller {
 
+/// Load distribution of a roller by the slice model.
 struct Bearing {
   double length;    ///< of the slices that carry load [a]
   double heaviest;  ///< load per length of the most heavily loaded slice, over the mean

@@ -18,6 +18,7 @@ double gamma_of(double r, double factor);
 /// meniscus, ((m - 1)/(m* - 1))^0.29. limits: circular contacts; much too thick for m - 1 < 0.25. source: Hamrock and
 /// Dowson (1977).
 double flooded_inlet(double Hc_flooded);
+/// The film factor for a meniscus at -m a: 1 for m >= m*, 0 for m <= 1. in: Hc_flooded in H.
 double by_meniscus(double m, double Hc_flooded);
 
 /// Increase of Q^-2 per overrolling of a thin layer on y = 0, by side flow in the Hertz pressure: 2 I/(lambda kappa^2),

@@ -34,6 +34,7 @@ struct Input {
   double levelled = 0.0;   ///< share of the differences across the track that levels out between two overrollings
 };
 
+/// Keys of [supply].
 std::vector<deck::Key> keys();
 /// Keys that give a supply: one of them, or both layers.
 const std::vector<std::string>& ways();

@@ -18,6 +18,7 @@ const char* name(Quantity quantity);
 /// Description in the result.
 const char* meaning(Quantity quantity);
 
+/// What is computed: planes, resolution, material and traction.
 struct Parameters {
   double depth = 2.0;     ///< of the lowest plane [a]
   int planes = 41;        ///< including the surface and the lowest plane
