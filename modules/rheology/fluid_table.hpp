@@ -16,8 +16,8 @@ struct FluidTable {
 /// The table, or what is wrong with it: "oil.csv:12: ...".
 using ReadTable = std::variant<FluidTable, std::string>;
 
-/// The columns p, eta and where wanted rho of a text file, by the names and units of its heading; without a heading in
-/// this order, in Pa, Pa s and kg/m^3 (deck/text_table.hpp). errors: core::FileError where the file cannot be read.
+/// Reads the columns p, eta and, if required, rho by the names and units of the heading; without a heading in this
+/// order and in Pa, Pa s and kg/m^3 (deck/text_table.hpp). errors: core::FileError if the file cannot be read.
 ReadTable read_fluid_table(const std::string& path, bool with_rho);
 
 }  // namespace ehl::rheology

@@ -92,9 +92,9 @@ void FilmColumns::take(const core::Field& P, const core::Field& H, const core::F
   back_to_ = setup_.Pe > 0.0 ? last_backflow() : -1;
 }
 
-// Downstream of the film oil continues in streaks that keep the film's thickness and are heated by shear. Without that
-// heat a node at the film edge would chatter: it would cool when cavitated, regain pressure, warm up and cavitate
-// again. If theta is given, it is the width of the streaks.
+// Downstream of the film oil continues in streaks, which fill the share H_r/H of the width (H_r the film at its edge)
+// and are heated by shear. Without that heat a node at the film edge would chatter: it would cool when cavitated,
+// regain pressure, warm up and cavitate again. If theta is given, it is the width of the streaks.
 void FilmColumns::fill(const core::Field* theta) {
   const core::Patch& patch = setup_.patch;
   for (int j = 0; j <= patch.ny; ++j) {

@@ -26,10 +26,11 @@ struct SourceTable {
 };
 
 /// Green's function of an instantaneous source, integrated over the cell in closed form and over s = sqrt(time) by
-/// Gauss quadrature: G = 2/sqrt(pi) int A_x(s) A_y(s) ds, A_x = [erf((X - Pe s^2 + hx/2)/2s) - erf((X - Pe s^2 -
-/// hx/2)/2s)]/2; A_y has Pe = 0. All offsets share the nodes s; entries that a node s does not reach cost nothing. hy =
-/// INFINITY: infinite strips (A_y = 1), n_y = 0; they need Pe > 0, because at rest there is no steady state.
-/// in: Pe >= 0. error: 1e-6 of the largest entry; of a flash temperature: [bench: thermal_cells_of_source].
+/// Gauss quadrature:
+///   G = 2/sqrt(pi) int A_x(s) A_y(s) ds,   A_x = [erf((X - Pe s^2 + hx/2)/2s) - erf((X - Pe s^2 - hx/2)/2s)]/2,
+/// and A_y in the same way with Pe = 0. All offsets share the nodes s; entries that a node s does not reach cost
+/// nothing. hy = INFINITY: infinite strips (A_y = 1), n_y = 0; they need Pe > 0, because at rest there is no steady
+/// state. in: Pe >= 0. error: 1e-6 of the largest entry; of a flash temperature: [bench: thermal_cells_of_source].
 SourceTable moving_source_table(int n_x, int n_y, double hx, double hy, double Pe);
 
 /// Weights for line sources (Carslaw and Jaeger) with a flux linear between nodes: theta_i = sum_m w_m q_{i-m}, m =

@@ -43,7 +43,7 @@ Course course_of(const Conditions& conditions);
 /// True if no moving surface breaks the symmetry in Y.
 bool symmetric(const Conditions& conditions);
 
-/// Times in (0, end] at which a time step must end: jumps, corners, the quarters of short ramps, and the end;
+/// Times in [0, end] at which a time step must end: jumps, corners, the quarters of short ramps, and the end;
 /// ascending.
 std::vector<double> stops_of(const Conditions& conditions, double end);
 

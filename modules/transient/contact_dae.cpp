@@ -19,7 +19,7 @@ namespace {
 /// the weight: with equal weights the mean would hide the error at a dimple.
 constexpr double zone_radius = 1.5;
 constexpr double weight_outside = 0.1;
-/// Further weight of cavitated nodes and their neighbours, where mass is conserved.
+/// Additional factor on the weight of cavitated nodes and their neighbours, where mass is conserved.
 constexpr double weight_at_edge = 0.01;
 /// Lower bound of the central deformation used in balance_load(): bodies that are almost separated hardly deform.
 constexpr double least_yielding = 0.05;

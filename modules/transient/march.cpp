@@ -259,8 +259,8 @@ class March {
   }
 
   fmg::Hierarchy& hierarchy_;
-  double of_unit_;    ///< what a line's unit of length takes from H00, per load
-  double line_unit_;  ///< that unit
+  double of_unit_;    ///< line contact: shift of H00 by the unit of length in the logarithm, per load
+  double line_unit_;  ///< that unit of length
   const Conditions& conditions_;
   const MarchParameters& parameters_;
   const Observer& observer_;

@@ -14,8 +14,8 @@ enum Component { xx, yy, zz, xy, xz, yz };
 inline constexpr std::size_t components = 6;
 using Stress = std::array<double, components>;
 
-/// Contribution of one corner: the stress below a rectangle is the sum over its four corners of sign * corner(x -
-/// x_corner, y - y_corner, z), with sign + for the corners (left, lower) and (right, upper).
+/// Contribution of one corner. The stress below a rectangle is the sum over its four corners of
+///   sign * corner(x - x_corner, y - y_corner, z),   sign = + for the corners (left, lower) and (right, upper).
 /// in: u, v: offsets from the corner; z >= 0; u, v != 0 if z = 0; nu: Poisson's ratio. out: stresses times 2 pi.
 /// limits: each component is even or odd in u and in v, except for terms that cancel in the sum over the corners.
 /// source: Love 1929 (potentials of a uniformly loaded rectangle), integrated from Boussinesq's point load.
