@@ -21,8 +21,7 @@ struct Column {
   std::string meaning{};
   bool whole = false;  ///< a count, or yes or no
   std::function<Value(const Row&)> get{};
-  std::function<void(Row&, const Value&)> set{};  ///< sets the value when rows are read back; empty if the value
-                                                  ///< follows from others
+  std::function<void(Row&, const Value&)> set{};  ///< for rows that are read back; empty if derived
 
   /// in: at: a member of the row, or a function of the row that returns the value or a reference to it
   /// (decltype(auto)).

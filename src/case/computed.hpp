@@ -71,8 +71,7 @@ struct HeatResult {
   heat::Solution found{};  ///< the solution except its film, which is that of the contact
   double mu = 0.0;         ///< sliding friction divided by the load
   double mu_isothermal = 0.0;
-  bool unlikely = false, unlikely_isothermal = false;  ///< the shear stress exceeds what an oil can
-                                                       ///< bear (friction::unlikely)
+  bool unlikely = false, unlikely_isothermal = false;  ///< stress too high for an oil (friction::unlikely)
   std::vector<std::string> friction_warnings{};        ///< warnings about mu
   double Hc_isothermal = 0.0, Hm_isothermal = 0.0;
 };

@@ -76,8 +76,7 @@ std::optional<steady::Solution> on_coarser_grid(steady::Scene scene, bool traced
 roller::Distribution dry_distribution(const steady::Scene& scene, bool solved) {
   const core::Patch grid = steady::on_one_half(scene) ? core::lower_half(scene.grid) : core::Patch(scene.grid);
   dry::Problem problem = roller::dry_problem(scene, grid);
-  problem.parameters.tolerance = solved ? 1e-6 : 1e-3;  // relative to the films of the solution; coarser if there is
-                                                        // no solution to compare with
+  problem.parameters.tolerance = solved ? 1e-6 : 1e-3;  // without a film to compare with, it is coarser
   const dry::Solution dry = dry::solve(problem);
   return roller::distribution(dry.grid, dry.P, dry.H);
 }

@@ -43,10 +43,8 @@ Needs expense(const Case& input) {
   constexpr double seconds_per_node_and_step = 2.5e-7;
   constexpr double seconds_of_coarse_grids = 1.5e-3;     // in each step
   constexpr double seconds_per_node_and_frame = 5.5e-7;  // computes a film and writes both fields
-  constexpr double shorter_steps = 3.0;                  // number of steps relative to steps of the longest size, if
-                                                         // load, speed or supply varies
-  constexpr double more_of_rough = 5.0;                  // the same for measured heights; the larger number of
-                                                         // cycles per step is included
+  constexpr double shorter_steps = 3.0;                  // if load, speed or supply varies: steps over longest steps
+  constexpr double more_of_rough = 5.0;                  // for measured heights, with more cycles per step
   const core::Grid& grid = input.scene.grid;
   const double nodes = static_cast<double>(grid.nodes_x()) * grid.nodes_y();
   const transient::MarchParameters& march = input.transient->parameters;

@@ -49,28 +49,21 @@ struct Effect {
   std::string meaning{};
   std::string (*name_here)(const Case& input) = nullptr;  ///< its name in this case, if that differs from `name`
   Stage stage = Stage::after_solution;
-  std::string without{};                                  ///< the word for the basic model
-                                                          ///< without this effect: "steady"
+  std::string without{};                                  ///< the basic model without this effect: "steady"
   std::vector<deck::Section> sections{};                  ///< sections of the deck that belong to this effect alone
-  std::vector<KeyName> callers{};                         ///< keys that enable the effect; effects()
-                                                          ///< adds the keys of `sections`
-  KeyName costly{};                                       ///< the key that determines its
-                                                          ///< memory; empty: the first caller
+  std::vector<KeyName> callers{};                         ///< keys that enable it; effects() adds those of sections
+  KeyName costly{};                                       ///< key that determines its memory; empty: first caller
   std::vector<deck::Key> (*keys)() = nullptr;             ///< not set: the keys are declared by another module
-  void (*read)(Case& input) = nullptr;                    ///< reads the deck and reports errors in
-                                                          ///< it; the scene exists already
+  void (*read)(Case& input) = nullptr;                    ///< reads the deck and reports its errors; scene exists
   bool (*on)(const Case& input) = nullptr;                ///< must be set
   std::string (*what)(const Case& input) = nullptr;       ///< describes the effect in this case; must be set
-  std::string (*idle)(const Case& input) = nullptr;       ///< why the effect has no influence in
-                                                          ///< this case; empty if it has
+  std::string (*idle)(const Case& input) = nullptr;       ///< why it has no influence here; empty if it has one
   Needs (*expense)(const Case& input) = nullptr;          ///< the cost in addition to the case without the effect
-  std::string (*asymmetry)(const Case& input) = nullptr;  ///< why the effect breaks the symmetry
-                                                          ///< in Y; empty if it does not
+  std::string (*asymmetry)(const Case& input) = nullptr;  ///< why it breaks the symmetry in Y; empty if not
   void (*compute)(const Case& input, RunSettings& settings,
                   Computed& computed) = nullptr;  ///< called after the steady contact is solved
   std::string (*summary)(const Case& input, const Computed& computed) = nullptr;
-  nlohmann::ordered_json (*json)(const Case& input,
-                                 const Computed& computed) = nullptr;  ///< the JSON member with its name
+  nlohmann::ordered_json (*json)(const Case& input, const Computed& computed) = nullptr;  ///< JSON member of its name
   void (*add_content)(const Case& input, const Computed& computed, results::Content& content) = nullptr;
   double (*seconds)(const Computed& computed) = nullptr;  ///< its computing time, counted by no other effect
   std::vector<std::string> example{};                     ///< overrides that enable it in a deck with M and L

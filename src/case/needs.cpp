@@ -83,8 +83,8 @@ core::Grid foretold_grid(const steady::Scene& scene) {
   const double zone = steady::film_zone(scene.M, scene.L, scene.shape);
   const auto error = [&] {
     const double h = grid.hx() / zone;
-    return scene.wedge == reynolds::Wedge::upstream1 ? 0.2 * h
-                                                     : 0.4 * h * h;  // the same estimate as in resolving_step()
+    // as in resolving_step()
+    return scene.wedge == reynolds::Wedge::upstream1 ? 0.2 * h : 0.4 * h * h;
   };
   while (error() > allowed && 2 * grid.nx <= scene.accuracy.most_cells) grid = core::refined(grid);
   return grid;

@@ -14,10 +14,10 @@ namespace {
 
 using contact::Language;
 
-// Hertz pressures beyond these come from wrong units [Pa].
+// A Hertz pressure outside this range results from a wrong unit [Pa].
 constexpr double least_p_h = 1e3, most_p_h = 1e12;
 
-// in: the key to blame.
+// in: key: the key that the error is reported at.
 void check_pressure(const deck::Part& contact, const char* key, double p_h) {
   if (!(p_h >= least_p_h && p_h <= most_p_h))
     contact.complain(key, fmt::format("with the other numbers it means a Hertz pressure of {:.3g} Pa: check the units "
@@ -25,20 +25,20 @@ void check_pressure(const deck::Part& contact, const char* key, double p_h) {
                                       p_h));
 }
 
-// The key of the load.
+// The key that gives the load.
 const char* load_key(const deck::Part& contact, Language language) {
   if (language == Language::moes) return "M";
   if (language == Language::hamrock_dowson) return "W";
   return contact::is_line(contact.deck) ? "load_per_length" : "load";
 }
 
-// Beyond, the bodies are no half-spaces; it comes from moduli in MPa, or from a load that is too large.
+// Above this ratio the bodies are no half-spaces: the moduli are in MPa, or the load is too large.
 constexpr double largest_a_over_R = 1.0 / 3.0;
-constexpr double least_modulus = 1e6;  // Pa; soft rubber. Steel in MPa is 2e5
+constexpr double least_modulus = 1e6;  // Pa, that of soft rubber; steel with its modulus in MPa has 2e5
 
 void check_size(const deck::Part& contact, const Physics& physics) {
   const contact::Ellipse& shape = physics.groups.shape;
-  const double a_over_R = physics.a_over_R * std::max(1.0, shape.kappa * shape.radius_ratio);  // b over R_y
+  const double a_over_R = physics.a_over_R * std::max(1.0, shape.kappa * shape.radius_ratio);  // b relative to R_y
   if (!(a_over_R > largest_a_over_R)) return;
   if (physics.language == Language::si && physics.si->contact.E_prime >= least_modulus) {
     contact.complain(load_key(contact, physics.language),
@@ -57,7 +57,7 @@ void check_size(const deck::Part& contact, const Physics& physics) {
                                     a_over_R));
 }
 
-// What the oil must have, and what has no influence, beside a contact in this language.
+// Checks what the oil must have, and what has no influence, for a contact in this language.
 void check_lubricant(deck::Deck& deck, const contact::Input& contact, const rheology::Oil& oil) {
   if (contact.language == Language::none || oil.viscosity.empty()) return;
   const deck::Part lubricant{deck, "lubricant"};
@@ -86,7 +86,7 @@ void check_lubricant(deck::Deck& deck, const contact::Input& contact, const rheo
                                          " needs the Hertz pressure, p_h = alpha_bar/alpha");
 }
 
-// A table must cover the pressures.
+// The table of an oil must cover the pressures of the contact.
 void check_reach(deck::Deck& deck, const rheology::Oil& oil, double p_h) {
   if (p_h > oil.liquid.table_end)
     complain(deck, "lubricant", "table",
@@ -119,7 +119,7 @@ contact::Groups groups_of(const contact::Input& input, const Physics& physics) {
   return contact::from_si(physics.si->contact);
 }
 
-// M and L that follow from other numbers are held against the same ranges as M and L given. L does not know the load.
+// M and L that follow from other numbers must be in the same ranges as given ones. L does not depend on the load.
 void check_derived(const deck::Part& contact, const Physics& physics) {
   if (physics.language == Language::moes) return;
   const deck::Part lubricant{contact.deck, "lubricant"};
@@ -145,7 +145,7 @@ void check_derived(const deck::Part& contact, const Physics& physics) {
 }
 
 void set_laws(const rheology::Oil& oil, Physics& physics) {
-  // L = 0 with a piezoviscous lubricant is the limit of a contact so soft that no pressure arises.
+  // L = 0 with a piezoviscous lubricant is the limit of a contact so soft that the pressure is negligible.
   const double p_h = physics.groups.alpha_bar > 0.0 || physics.si ? physics.p_h : 0.0;
   if (oil.viscosity == "isoviscous") physics.viscosity = rheology::Isoviscous{};
   if (oil.viscosity == "barus") physics.viscosity = rheology::Barus{physics.groups.alpha_bar};
@@ -178,7 +178,7 @@ Physics physical_input(deck::Deck& deck) {
 
   if (physics.language == Language::si) {
     physics.si = si_input(contact, oil);
-    // A table that ends too early, in the wrong unit maybe, makes L wrong too.
+    // A table that ends at too low a pressure, possibly because of a wrong unit, also makes L wrong.
     if (physics.si->hertz.p_h < most_p_h) check_reach(deck, oil, physics.si->hertz.p_h);
     if (!deck.errors.empty()) return physics;
   }

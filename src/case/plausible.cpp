@@ -48,9 +48,8 @@ std::vector<std::string> hardly_meant(const Case& input) {
 
 std::vector<std::string> hardly_a_film(double h_c, double h_m) {
   const double least = std::fmin(h_c, h_m);  // the smaller of the known values
-  if (least <= 0.0)
-    return {};  // there is no film; the report says elsewhere that
-                // the mesh does not resolve it
+  // Without a film, the report says elsewhere that the mesh does not resolve it.
+  if (least <= 0.0) return {};
   if (least < thinnest_film)
     return {"the film is " + length(least) +
             " at its thinnest, thinner than a molecule of oil: mixed lubrication is likely, which is not solved"};

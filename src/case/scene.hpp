@@ -23,8 +23,7 @@ struct Case {
   steady::Scene scene{};
   SurfaceInput surfaces{};                      ///< the surfaces, moving or at rest
   std::optional<transient::Input> transient{};  ///< nothing: the case is steady
-  std::optional<DryInput> dry{};                ///< set for a contact without lubricant; the scene
-                                                ///< then contains only a grid
+  std::optional<DryInput> dry{};                ///< without lubricant; the scene is then only a grid
   std::optional<machines::Contact> machine{};   ///< the bearing or gears from which [contact] follows
   std::optional<subsurface::Parameters> subsurface{};
   std::optional<friction::Parameters> friction{};

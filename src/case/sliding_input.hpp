@@ -24,8 +24,7 @@ double stress_of_sliding(const Physics& physics);
 /// Nothing if the deck has no [shear] or has errors already. Errors are added to the deck.
 struct ShearInput {
   rheology::ShearThinning sliding;
-  std::optional<rheology::FlowThinning> flow{};  ///< nothing: thinning by the pressure flow is
-                                                 ///< included only to first order
+  std::optional<rheology::FlowThinning> flow{};  ///< nothing: flow thinning only to first order
 };
 std::optional<ShearInput> shear_input(deck::Deck& deck, const Physics& physics);
 

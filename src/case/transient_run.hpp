@@ -18,8 +18,7 @@ struct TransientResult {
   std::vector<transient::StepRow> rows{};
   std::vector<transient::Frame> frames{};
   transient::MarchReport report{};
-  std::optional<transient::Checkpoint> checkpoint{};  ///< the state from which an incomplete run continues;
-                                                      ///< empty if the run is complete
+  std::optional<transient::Checkpoint> checkpoint{};  ///< where an incomplete run continues; else empty
 };
 
 /// Starts from the steady solution of the case or, if `before` has a checkpoint, continues from there and keeps

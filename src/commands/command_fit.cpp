@@ -64,8 +64,7 @@ std::vector<std::vector<double>> friction_of_all(const Task& task, const std::ve
   std::iota(tasks.begin(), tasks.end(), std::size_t{0});
   Progress progress(task.quiet);
   std::size_t done = 0;
-  std::size_t first_without = tasks.size();  // chosen by number and not by time of completion, so that
-                                             // the message is reproducible
+  std::size_t first_without = tasks.size();  // by number, so that the message is reproducible
   ChildrenCalls calls;
   calls.stop = stop_requested;
   calls.task = [&](std::size_t k, const Say& say) {

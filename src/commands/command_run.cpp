@@ -87,9 +87,8 @@ int solve_and_write(const Arguments& arguments, const Case& input, const Destina
 
 // A run must not be continued with another oil or load.
 void check_same_files(const results::ResultFile& file, const Case& input) {
-  if (file.kind("/provenance/files") == results::ResultFile::Kind::missing)
-    return;  // no files were named, or an
-             // older version wrote the result
+  // No files were named, or an older version wrote the result.
+  if (file.kind("/provenance/files") == results::ResultFile::Kind::missing) return;
   const std::string before = "\n" + file.text("/provenance/files") + "\n";
   for (const deck::NamedFile& one : input.files)
     if (before.find("\n" + deck::told(one) + "\n") == std::string::npos)

@@ -31,8 +31,7 @@ struct HtmlTable {
   std::string caption{};                         ///< markup
   std::vector<std::string> head{};               ///< markup
   std::vector<std::vector<std::string>> rows{};  ///< markup
-  std::string style{};                           ///< CSS class; "numbers": all cells but the first are aligned to the
-                                                 ///< right
+  std::string style{};                           ///< CSS class; "numbers": aligns all but the first right
 
   std::string text() const;
 };

@@ -33,10 +33,8 @@ struct ChildAtWork {
 
 struct ChildrenCalls {
   std::function<std::string(std::size_t, const Say&)> task{};  ///< runs in the child; it may throw, crash or be killed
-  std::function<void(const ChildAtWork&)> waits{};             ///< runs in the parent, several
-                                                               ///< times a second; may be empty
-  std::function<void(const ChildEnd&)> ended{};                ///< runs in the parent, in the
-                                                               ///< order in which the tasks end
+  std::function<void(const ChildAtWork&)> waits{};             ///< in the parent, several times a second; may be empty
+  std::function<void(const ChildEnd&)> ended{};                ///< in the parent, in the order of completion
   std::function<bool()> stop{};  ///< runs in the parent, several times a second; true stops all children
 };
 

@@ -57,9 +57,8 @@ std::string kept_result(const Case& input, FilmSolution&& found) {
   Progress silent(true);
   RunSettings settings{.progress = silent, .save = [](const auto&) {}};
   for (const Effect& effect : effects_of(input))
-    if (effect.compute && effect.stage != Stage::unknowns)
-      effect.compute(input, settings, computed);  // effects in time are not computed in a
-                                                  // sweep
+    // Effects in time are not computed in a sweep.
+    if (effect.compute && effect.stage != Stage::unknowns) effect.compute(input, settings, computed);
   results::Content content = result_content(input, computed);
   add_effects(input, computed, content);
   const std::vector<std::byte> image = results::image("the result of a case", content);

@@ -78,8 +78,7 @@ void check_same(const std::string& path, const Part& part, const std::string& fi
 MergedSweep merged_sweep(const std::vector<std::string>& paths) {
   std::vector<Part> parts;
   std::vector<std::string> programs;
-  std::map<std::size_t, std::pair<std::string, std::string>> rows;  // for each case: its row, and
-                                                                    // the file that contains it
+  std::map<std::size_t, std::pair<std::string, std::string>> rows;  // per case: its row and its file
   for (const std::string& path : paths) {
     parts.push_back(read_part(path));
     check_same(path, parts.back(), paths[0], parts[0]);

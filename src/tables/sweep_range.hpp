@@ -15,8 +15,7 @@ struct Variation {
   };
   std::vector<Key> keys{};
   std::vector<std::vector<std::string>> values{};  ///< for each case, one value per key
-  std::string file{};                              ///< for --cases: the line of the table's heading
-                                                   ///< about this file; else empty
+  std::string file{};                              ///< --cases: line of the heading about this file
 };
 std::string name_of(const Variation::Key& key);
 

@@ -29,8 +29,7 @@ struct SweepKind {
   bool si = false;                           ///< nm, GPa, and the published formulas
   Bodies bodies = Bodies::circular;          ///< used only in SI
   bool rough = false;                        ///< used only in SI
-  std::vector<results::Quantity> machine{};  ///< the numbers of a bearing or of gears; only
-                                             ///< their names and units are used
+  std::vector<results::Quantity> machine{};  ///< a bearing or gears; only names and units are used
 };
 
 /// The kind of sweep of a deck with these overrides.

@@ -274,10 +274,9 @@ BOOST_AUTO_TEST_CASE(a_spike_along_an_aslant_rim) {
   }
 }
 
-// Elongated contacts. `otherwise` is the number of cycles without one feature of the solver each: (3,2)
+// Elongated contacts. `otherwise` is the number of cycles without one feature of the solver each: more than (2,1)
 // relaxations; an interior that follows the boundary; epsilon updated on coarse grids; at an angle, the flux of the
-// outer film in the Y sweep; a step limit for single thin nodes instead of all corrections; operator-dependent
-// interpolation next to a spike.
+// outer film in the Y sweep; a limit for single thin nodes alone; operator-dependent interpolation next to a spike.
 BOOST_AUTO_TEST_CASE(cycles_beside_slender_contacts) {
   struct Case {
     double ratio, angle, M, L, tolerance;

@@ -67,8 +67,7 @@ BOOST_AUTO_TEST_CASE(lundbergs_profile_carries_its_design_load_evenly) {
     const roller::Slice& slice = slice_at(found, 0.5 * share * length);
     BOOST_TEST_MESSAGE("at " << share << ": load " << slice.load << ", P " << slice.P_max);
     BOOST_TEST(std::abs(slice.load - 1.0) < 0.02);
-    BOOST_TEST(std::abs(slice.P_max - 1.0) < (share < 0.85 ? 0.01 : 0.025));  // the pressure falls within one width of
-                                                                              // the end
+    BOOST_TEST(std::abs(slice.P_max - 1.0) < (share < 0.85 ? 0.01 : 0.025));  // it falls near the end
   }
 }
 

@@ -18,7 +18,6 @@ using hard::run_deck;
 
 /// A deck that is compared with its own refinement, on cells, 2 cells and 4 cells. The deck's own grid is one of
 /// them if it costs no more.
-/// costs nothing more.
 struct Refined {
   std::string deck;
   int cells;

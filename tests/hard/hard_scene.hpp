@@ -18,7 +18,6 @@ struct Load {
 
 /// The scene of the reference tables (same fluid and domains) at another load: Roelands z = 0.68, Dowson-Higginson; the
 /// deformation is exact up to rounding; relative residual 1e-10.
-/// deformation exact but for rounding; a relative residual of 1e-10.
 inline ehl::steady::Scene scene(Load load, int n, ehl::reynolds::Wedge wedge = ehl::reynolds::Wedge::upstream2) {
   ehl::steady::Scene scene =
       ehl::test::scene_of({load.M, load.L, ehl::reference::Fluid::roelands_z068, wedge, n, 0.0, 0.0, 0.0, 0.0});

@@ -123,8 +123,7 @@ BOOST_AUTO_TEST_CASE(rigid_isoviscous_ellipse) {
 BOOST_AUTO_TEST_CASE(loaded_ellipse) {
   const Scene scene;
   const double load = 20.0;
-  const std::string whole = "[domain]\nfar_field = zero\n";  // without this, the integral by parts
-                                                             // would have a boundary term
+  const std::string whole = "[domain]\nfar_field = zero\n";  // else the integral has a boundary term
   for (const double angle : angles) {
     const InSi found = scene.run(deck(load, R_x, R_y, angle, roelands) + whole + "[grid]\ncells = 256\n", load);
     double sliding = 0.0, rolling = 0.0, side = 0.0;

@@ -52,7 +52,6 @@ inline void check_mirrored(const nlohmann::json& one, const nlohmann::json& othe
 
 /// With a small dependence on temperature and no expansion, the loss of friction is proportional to beta. out: the
 /// smaller of two losses of friction.
-/// the smaller loss of friction.
 inline double check_little_change(const HeatedScene& scene) {
   const std::string bare = "--set thermal.expansion=0 --set thermal.compression=off --set thermal.beta=";
   const auto loss = [](const nlohmann::json& found) {

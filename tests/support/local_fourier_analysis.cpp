@@ -19,7 +19,6 @@ double sinc(double t) { return t == 0.0 ? 1.0 : std::sin(t) / t; }
 
 // The terms of Poisson's sum alternate in sign and decay slowly. A weight that fades over the outer half makes the
 // truncation error negligible.
-// negligible.
 constexpr int terms = 24;
 double fading(int m, int last) {
   const int outer = std::abs(m) - last / 2;

@@ -198,8 +198,7 @@ BOOST_AUTO_TEST_CASE(nodes_of_a_line_side_by_side_are_relaxed_as_a_batch_of_line
     fmg::Problem problem = circular_contact(20, 10, wedge, face);
     problem.geometry = {ehl::contact::gap(shape), ehl::contact::outline(shape), ehl::contact::elastic_factor(shape)};
     for (const double squeeze : {0.0, 30.0})
-      for (const int cells : {16, 63, 256}) {  // vectors that end exactly with the line, and
-                                               // vectors that extend beyond it
+      for (const int cells : {16, 63, 256}) {  // vectors that end with the line, or beyond it
         compare_line_with_batch<1>(problem, squeeze, cells);
         compare_line_with_batch<2>(problem, squeeze, cells);
         compare_line_with_batch<3>(problem, squeeze, cells);

@@ -170,7 +170,6 @@ BOOST_AUTO_TEST_CASE(shards) {
 
 // Shards computed in any order, one of them twice because a process died, give the same bytes as one run; a table can
 // be extended by more values.
-// more values.
 BOOST_AUTO_TEST_CASE(shards_become_one_table) {
   const support::TemporaryFolder folder;
   const Texts vary{"contact.M=5,20", "contact.L=1,2,3"};

@@ -213,8 +213,7 @@ BOOST_AUTO_TEST_CASE(too_large_weights_are_lowered) {
                                 << " cycles");
   BOOST_TEST((result.end == fmg::CyclesEnd::content));
   BOOST_TEST(result.caution.all < 1.0);
-  BOOST_TEST(hasty.H00 == -0.7864794, tolerance(2e-2));  // the value of the reference, with
-                                                         // slightly different z and alpha
+  BOOST_TEST(hasty.H00 == -0.7864794, tolerance(2e-2));  // reference; z and alpha differ slightly
 }
 
 // If no damping helps, the end is reported and the state is finite.
