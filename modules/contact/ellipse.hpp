@@ -66,9 +66,9 @@ double relative_load(const Ellipse& shape);
 /// Load in units of p_h a^2: (2 pi/3) kappa; for a line (pi/2) p_h a per length; for a roller (pi/2) length.
 double load(const Ellipse& shape);
 
-/// M and L based on R_e, the radius along the entrainment, instead of R_x; R_s is the radius across it: 1/R_e =
-/// cos^2/R_x + sin^2/R_y, 1/R_s = sin^2/R_x + cos^2/R_y. A film in Moes' units based on R_e, times `film`, is one based
-/// on R_x.
+/// M and L based on R_e, the radius along the entrainment, instead of R_x; R_s is the radius across it:
+///   1/R_e = cos^2/R_x + sin^2/R_y,   1/R_s = sin^2/R_x + cos^2/R_y.
+/// A film in Moes' units based on R_e, times `film`, is one based on R_x.
 struct AlongEntrainment {
   double M;
   double L;

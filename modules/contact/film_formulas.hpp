@@ -52,25 +52,27 @@ struct Asymptotes {
 ///   H_EI = 3.18 (1 + 0.006 ln q + 0.63 q^(4/7))^(-14/25) q^(-1/15) M^(-2/15)
 ///   H_EP = 1.48 (1 + 0.006 ln q + 0.63 q^(4/7))^(-7/20) q^(-1/24) M^(-1/12) L^(3/4)      H_00 = 1.8 q^-1
 /// in: M > 0, L >= 0, both based on R_e; q > 0. limits: fitted for q <= 1. source: Nijenbanning, Venner and Moes
-/// (1994), as quoted in the EHL literature. q = 0, a line contact, with its own M:
+/// (1994), as quoted in the EHL literature.
+/// For q = 0, a line contact, with its own M:
 ///   H_RI = 3 M^-1     H_RP = 1.287 L^(2/3)     H_EI = 2.621 M^(-1/5)     H_EP = 1.311 M^(-1/8) L^(3/4)
 /// source: Moes (1992), Optimum similarity analysis, as quoted in the EHL literature. The exact coefficient of H_RI is
 /// 2.45.
 Asymptotes asymptotes(double M, double L, double radius_ratio = 1.0);
 
-/// H_M = {[H_RI^(3/2) + (H_EI^-4 + H_00^-4)^(-3/8)]^(2s/3) + (H_RP^-8 + H_EP^-8)^(-s/8)}^(1/s), s = 1.5 [1 + exp(-1.2
-/// H_EI/H_EP)].
+/// Central film by joining the asymptotes:
+///   H_M = {[H_RI^(3/2) + (H_EI^-4 + H_00^-4)^(-3/8)]^(2s/3) + (H_RP^-8 + H_EP^-8)^(-s/8)}^(1/s),
+///   s = 1.5 [1 + exp(-1.2 H_EI/H_EP)];
+/// for a line contact, with its own asymptotes (source: Moes (1992), as quoted in the EHL literature):
+///   H_M = {(H_RI^(7/3) + H_EI^(7/3))^(3s/7) + (H_RP^(-7/2) + H_EP^(-7/2))^(-2s/7)}^(1/s),
+///   s = [7 + 8 exp(-2 H_EI/H_RI)]/5.
 /// in: M > 0, L >= 0, based on R_x. out: central film in Moes' units based on R_x. limits: L = 0 gives the isoviscous
 /// part; fitted for R_e <= R_s, an extrapolation otherwise. source: as for asymptotes().
 double nijenbanning_venner_moes(double M, double L, const Ellipse& shape = {});
 
-/// Line contact, with the asymptotes above: H_M = {(H_RI^(7/3) + H_EI^(7/3))^(3s/7) + (H_RP^(-7/2) +
-/// H_EP^(-7/2))^(-2s/7)}^(1/s), s = [7 + 8 exp(-2 H_EI/H_RI)]/5. source: Moes (1992), as quoted in the EHL literature.
-/// nijenbanning_venner_moes() returns it for a line contact.
-
-/// Film of a line contact: h_c/R = 3.06 U^0.69 G^0.56 W^-0.10, h_m/R = 2.65 U^0.7 G^0.54 W^-0.13. in: groups of a line
-/// contact. limits: hard contacts of steel and mineral oil; meaningless for G = 0. source: Dowson and Higginson (1968)
-/// for the minimum, Dowson and Toyoda (1979) for the centre, as quoted in the EHL literature.
+/// Film of a line contact:
+///   h_c/R = 3.06 U^0.69 G^0.56 W^-0.10,   h_m/R = 2.65 U^0.7 G^0.54 W^-0.13.
+/// in: groups of a line contact. limits: hard contacts of steel and mineral oil; meaningless for G = 0. source: Dowson
+/// and Higginson (1968) for the minimum, Dowson and Toyoda (1979) for the centre, as quoted in the EHL literature.
 FilmThickness dowson_higginson(const Groups& groups);
 
 /// The asymptote that determines the central film.

@@ -14,8 +14,8 @@ constexpr double degree = pi / 180.0;
 // -1 for the inner race, which lies inside the circle of the centres; +1 for the outer.
 double side(const Bearing& bearing) { return bearing.race == Race::inner ? -1.0 : 1.0; }
 
-/// Sums of the forces of all elements along and across the load, for a unit displacement in the direction theta and K =
-/// 1.
+/// Sums of the forces of all elements along and across the load, for K = 1 and a ring displaced by 1 in the direction
+/// theta.
 struct Force {
   double along = 0.0;
   double across = 0.0;

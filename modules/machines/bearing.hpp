@@ -62,8 +62,9 @@ struct RadialLoad {
   double exponent = exponent_of_balls;
 };
 
-/// Static equilibrium. The ring moves by delta in the direction theta; an element at psi_j is compressed by delta_j =
-/// delta cos(psi_j - theta) and carries Q_j = K delta_j^n if delta_j > 0, else nothing:
+/// Static equilibrium. The ring moves by delta in the direction theta; an element at psi_j is compressed by
+///   delta_j = delta cos(psi_j - theta)
+/// and carries Q_j = K delta_j^n if delta_j > 0, else nothing:
 ///   sum Q_j cos(psi_j) = F_r,   sum Q_j sin(psi_j) = 0.
 /// The second equation has one solution theta, because the potential of the forces is convex; the first gives K
 /// delta^n.

@@ -23,8 +23,9 @@ Walther make_walther(double kv40, double kv100);
 /// Kinematic viscosity [mm^2/s] at T [C]; reproduces kv40 and kv100 to rounding.
 double kinematic_viscosity(const Walther& law, double T);
 
-/// Density of a lubricating oil [kg/m^3] at T [C] from that at 15 C [kg/m^3]: rho15 exp[-a dT (1 + 0.8 a dT)], a =
-/// 0.6278/rho15 per kelvin. limits: petroleum oils; for synthetic ones within 1 % up to 150 C.
+/// Density of a lubricating oil [kg/m^3] at T [C] from that at 15 C [kg/m^3]:
+///   rho15 exp[-a dT (1 + 0.8 a dT)],   a = 0.6278/rho15 per kelvin.
+/// limits: petroleum oils; for synthetic ones within 1 % up to 150 C.
 /// source: ASTM D1250 (API MPMS 11.1, table 54D, 1980).
 double oil_density(double density15, double T);
 

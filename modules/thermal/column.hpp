@@ -7,8 +7,9 @@
 //
 // with phi = 1/eta_bar(P, theta), s = zeta - z_bar; stresses in eta0 u_m R/a^2, velocities in u_m. Sliding shears each
 // column with one stress tau_m = S(t_N), t_N = (u1 - u2)/(u_m H I0). The pressure flow is held as a flow, not as a
-// gradient g, because a column may have no solution at a given gradient. Moments of the fluidity: I0 = int phi, z_bar =
-// int zeta phi/I0, M2 = 12 int s^2 phi.
+// gradient g, because a column may have no solution at a given gradient. Moments of the fluidity:
+//
+//   I0 = int phi,   z_bar = int zeta phi/I0,   M2 = 12 int s^2 phi.
 #include <array>
 
 #include "core/simd.hpp"

@@ -33,8 +33,8 @@ struct SourceTable {
 /// state. in: Pe >= 0. error: 1e-6 of the largest entry; of a flash temperature: [bench: thermal_cells_of_source].
 SourceTable moving_source_table(int n_x, int n_y, double hx, double hy, double Pe);
 
-/// Weights for line sources (Carslaw and Jaeger) with a flux linear between nodes: theta_i = sum_m w_m q_{i-m}, m =
-/// 0..n.
+/// Weights for line sources (Carslaw and Jaeger) with a flux linear between nodes:
+///   theta_i = sum_m w_m q_{i-m}, m = 0..n.
 /// in: Pe > 0. order: 2 for smooth q, 1.5 if q begins with a jump.
 std::vector<double> line_weights(int n, double hx, double Pe);
 

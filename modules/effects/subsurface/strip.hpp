@@ -9,8 +9,8 @@
 
 namespace ehl::subsurface {
 
-/// Stress at (x, z) below a strip of width 2 half_x around x = 0 under p = 1, as corner(x - half_x) - corner(x +
-/// half_x), t the angle of the direction from the corner, measured from +x:
+/// Stress at (x, z) below a strip of width 2 half_x around x = 0 under p = 1: corner(x - half_x) - corner(x + half_x).
+/// With t the angle of the direction from the corner, measured from +x, a corner contributes
 ///   2 pi sigma_xx = -(2 t + sin 2t),   2 pi sigma_zz = -(2 t - sin 2t),   2 pi tau_xz = cos 2t,
 /// sigma_yy = nu (sigma_xx + sigma_zz). in: z >= 0; z > 0 at x = +-half_x. source: Johnson, Contact Mechanics (1985),
 /// section 2.5.
