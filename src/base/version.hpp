@@ -10,6 +10,7 @@ struct Version {
   bool dirty = false;    ///< the source contained changes that were not committed
   std::string compiler{};
 };
+/// The version of this program, written when it was built.
 Version version();
 
 }  // namespace ehl::program

@@ -9,11 +9,13 @@
 
 namespace ehl::program {
 
+/// The distribution along the roller as quantities and as a table: one row per slice.
 std::vector<results::Quantity> roller_quantities(const Case& input, const RollerResult& result);
 std::vector<Column<roller::Slice>> slice_columns();
 /// Warnings about loaded ends, where the assumption of half-spaces fails. In a sweep, which computes no coarser grid,
 /// these are the only warnings about a roller.
 std::vector<std::string> edge_warnings(const roller::Distribution& found);
+/// All warnings about a roller, and its part of the summary.
 std::vector<std::string> roller_warnings(const RollerResult& result);
 std::string roller_summary(const Case& input, const Computed& computed);
 

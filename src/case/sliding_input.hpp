@@ -26,6 +26,7 @@ struct ShearInput {
   rheology::ShearThinning sliding;
   std::optional<rheology::FlowThinning> flow{};  ///< nothing: flow thinning only to first order
 };
+/// The thinning by sliding, k = eta_0 (u1 - u2) R/(a^2 tau_c), and by the pressure flow if [shear] flow = on.
 std::optional<ShearInput> shear_input(deck::Deck& deck, const Physics& physics);
 
 /// True if the far field continues outside the domain, and the gap is full of oil there.

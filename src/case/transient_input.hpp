@@ -23,6 +23,7 @@ struct Way {
   double from = 0.0;
   double to = 0.0;
 };
+/// The path of a surface during a run in time.
 Way way_of(const CarriedSurface& surface, const transient::Input& input);
 
 /// The name of a probe, "P at (0.7, 0.2)".

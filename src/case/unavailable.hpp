@@ -6,6 +6,7 @@
 
 namespace ehl::program {
 
+/// The list of these features, for the catalogue of keys.
 std::vector<deck::Unavailable> unavailable();
 
 }  // namespace ehl::program

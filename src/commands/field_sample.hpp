@@ -12,6 +12,7 @@ struct Section {
   double at = 0.0;
 };
 Section wanted_section(const FieldOnGrid& field, const Arguments& arguments);
+/// True if --along or --at was given.
 bool is_section(const Arguments& arguments);
 
 /// The field on the points that --sample and --window of `ehl extract` select; without these options the field itself.

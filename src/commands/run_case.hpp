@@ -9,6 +9,7 @@
 
 namespace ehl::program {
 
+/// The solver for the kind of contact of the case.
 Solver solver_of(const Case& input);
 
 /// Solves the case into `computed`: first the contact, then the effects.

@@ -35,6 +35,7 @@ struct Tick {
   double at = 0.0;
   std::string name{};  ///< empty: a small tick without a label
 };
+/// The ticks of an axis, from its lower to its upper end.
 std::vector<Tick> ticks_of(const Axis& axis);
 
 class Drawing {

@@ -8,6 +8,7 @@
 
 namespace ehl::program {
 
+/// Film, pressure, their places, formulas, roughness and warnings of a solution; in SI if the case has scales.
 Outcome outcome_of(const Case& input, const steady::Solution& solution);
 
 /// The film formulas for a case, the same for `run` and `check`: the published formulas made for its shape, and the fit
@@ -20,6 +21,7 @@ std::string formulas_left_out(const contact::Groups& groups);
 /// another start), load-continuation, newton, newton-after-cycles; none.
 std::string path_code(const steady::Solution& solution);
 
+/// The names of a wedge, a face value and a deformation method in decks.
 const char* name(reynolds::Wedge wedge);
 const char* name(reynolds::Face face);
 const char* name(mlmi::Method method);

@@ -16,6 +16,7 @@ std::vector<Quantity> scale_quantities(const Case& input);
 /// The numbers of the bearing or the gears alone, "bearing_gamma"; in a JSON report they are members of "bearing".
 std::vector<Quantity> machine_quantities(const machines::Contact& machine);
 
+/// The columns of the tables of levels, cycles and load continuation.
 std::vector<Column<steady::LevelRow>> level_columns();
 std::vector<Column<steady::CycleRow>> cycle_columns();
 std::vector<Column<steady::ContinuationStep>> continuation_columns();

@@ -32,6 +32,7 @@ struct FilmCoefficients {
   double L_star = 0.0;      ///< Moes' L computed with alpha* instead of alpha
   double L_film = 0.0;      ///< Moes' L computed with alpha_film
 };
+/// L_star = L alpha*/alpha and L_film = L alpha_film/alpha. out: NaN for each coefficient that the law does not have.
 FilmCoefficients film_coefficients(const Physics& physics);
 
 /// The line of the summary about these coefficients; empty if there are none.

@@ -40,6 +40,7 @@ std::vector<int> levels_of_deck(int cells, const std::function<bool(int)>& legal
 std::vector<std::string> words_of_list(const std::string& option, const std::string& text,
                                        const std::function<bool(const std::string&)>& allowed, const std::string& told);
 
+/// True for the wedges and the evaluators listed at StudyCase.
 bool is_study_wedge(const std::string& word);
 bool is_study_evaluator(const std::string& word);
 /// 1 to 99 cycles and their shape, V, W or F; or "run".

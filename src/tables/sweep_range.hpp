@@ -17,6 +17,7 @@ struct Variation {
   std::vector<std::vector<std::string>> values{};  ///< for each case, one value per key
   std::string file{};                              ///< --cases: line of the heading about this file
 };
+/// The key as "section.key".
 std::string name_of(const Variation::Key& key);
 
 /// Reads "section.key=LIST". LIST: values separated by commas. If the key is a number, an element may also be a:b:n (n

@@ -49,11 +49,13 @@ void read_text(const std::string& text, TimeStudyPoint& point);
 /// errors: core::Interrupted. A run that ends early is not an error but a status.
 TimeStudyPoint measure_in_time(Case input, const TimeWay& way, int samples);
 
+/// The mean number of cycles per time step.
 double cycles_per_step(const TimeStudyPoint& point);
 
 /// The name of a run, "rtol 0.001, steps of at most 0.05".
 std::string name_of_way(const TimeWay& way);
 
+/// True if the run reached its end.
 bool is_complete(const TimeStudyPoint& point);
 
 }  // namespace ehl::program
