@@ -1,5 +1,5 @@
-# Writes version.cpp at every build, so that a result always names the commit it came from; the file is touched only
-# when its text changes.
+# Writes version.cpp at every build, so that a result always names its commit. The file changes
+# only if its text changes.
 #   cmake -DSOURCE=<source folder> -DNUMBER=<version> -DOUTPUT=<file> -P version.cmake
 find_package(Git QUIET)
 set(commit "unknown")

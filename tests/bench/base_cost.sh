@@ -1,9 +1,10 @@
 #!/bin/sh
-# What a case without effects costs with two builds of the program, before and after a change: instructions counted by
-# valgrind, memory, and whether the results are the same bits. For builds of the same level; valgrind knows no AVX-512.
+# The cost of a case without effects for two builds of the program, before and after a change: instructions counted by
+# valgrind, memory, and whether the results agree bit for bit. Both builds must have the same processor level; valgrind
+# does not support AVX-512.
 #   base_cost.sh OLD/ehl NEW/ehl [DECK]
 set -eu
-# Without it the program sets it and starts itself anew, which valgrind does not follow.
+# If it is not set, the program sets it and restarts itself, which valgrind does not follow.
 export GOMP_SPINCOUNT=3000
 old=$(realpath "$1")
 new=$(realpath "$2")
@@ -32,7 +33,7 @@ instructions() {
   valgrind --tool=callgrind --callgrind-out-file=/dev/null "$1" run small.ini --threads 1 --quiet --output "$2.h5" 2>&1 |
     sed -n 's/.*Collected : *//p'
 }
-# The least of five: the system's own share of it varies.
+# The least of five runs, because the share of the system varies.
 memory() {
   for _ in 1 2 3 4 5; do
     "$1" run small.ini --threads 1 --quiet --json --overwrite --output memory.h5 |

@@ -1,9 +1,11 @@
-// Are the error bars right? Runs as a deck has them by default (upstream3, closed far field, errors by weights) on 128
-// to 512 cells against solutions on 512 and 1024 of the same domain (tests/support/coverage.hpp), against the same
-// cells cycled to rounding, and against a domain of twice the size. Prints error_bars.csv, then error_bars_missed.csv.
+// Counts how many error bars are right. Runs with the default settings of a deck (upstream3, closed far field, adjoint
+// errors) on 128 to 512 cells are compared with solutions on 512 and 1024 cells of the same domain
+// (tests/support/coverage.hpp), with the same cells converged to rounding, and with a domain of twice the size. Prints
+// error_bars.csv, then error_bars_missed.csv.
 //   bench_coverage [listed | random]
-//   listed: 24 contacts, on which the bars were calibrated (with 90 drawn by the seeds 20261122, 777001, 777002);
-//   random: 30 drawn by a seed that was not looked at then
+//   listed: 24 contacts, which were used to calibrate the bars (with 90 random ones of the seeds
+//   20261122, 777001, 777002);
+//   random: 30 contacts of a seed that was not used in the calibration
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -36,14 +38,14 @@ constexpr test::Point listed[] = {
 constexpr std::uint64_t seed = 777003;
 constexpr int count_of_random = 30;
 constexpr int judged_cells[] = {128, 256, 512};
-/// The grid that a deck gets, and one that is coarser by half, are judged; so are finer ones.
+/// The grid of a deck, one that is coarser by a factor of two, and finer ones are judged.
 constexpr double widest_step = 2.0;
 constexpr int truth_cells = 1024;
-/// Of the solutions that tell what further cycles would have changed, and what a larger domain does.
+/// The residual of the solutions that show the remaining change by further cycles, and the change by a larger domain.
 constexpr double residual_of_converged = 1e-9;
 
-/// M = 5 to 800, L = 1 to 18, half of them ellipses, a quarter of those aslant; a quarter each Barus' and
-/// incompressible.
+/// M = 5 to 800, L = 1 to 18; half of the contacts are elliptic, a quarter of those at an angle. A quarter have Barus'
+/// law, and a quarter are incompressible.
 std::vector<test::Point> drawn() {
   tests::Random random(seed);
   std::vector<test::Point> points;
@@ -55,7 +57,9 @@ std::vector<test::Point> drawn() {
     if (k % 4 == 3) one.angle = angle;
     if (k % 4 == 1) one.oil = test::Oil::barus;
     if (k % 4 == 2) one.oil = test::Oil::incompressible;
-    if (one.oil == test::Oil::barus) one.L = 0.5 * (1.0 + one.L);  // above 9 its viscosities are beyond all oils
+    if (one.oil == test::Oil::barus)
+      one.L = 0.5 * (1.0 + one.L);  // at higher L, the viscosities of Barus' law
+                                    // exceed those of real oils
     points.push_back(one);
   }
   return points;
@@ -68,7 +72,7 @@ struct Row {
 };
 struct Result {
   std::vector<Row> rows;
-  std::vector<std::string> without;  ///< what did not converge
+  std::vector<std::string> without;  ///< the cases that did not converge
 };
 
 steady::Scene plain(const test::Point& point, int n) {
@@ -97,7 +101,7 @@ void judge_run(const test::Point& point, int n, const test::Film& truth, double 
     std::fprintf(stderr, "   %d %s: %.3g of %.3g\n", n, one.name.data(), one.error, one.estimate);
     result.rows.push_back({&point, n, one});
   };
-  // What is extrapolated from the half of the truth's cells is as good as the truth.
+  // Values extrapolated from half of the reference's cells are as accurate as the reference, and are not judged.
   for (const test::Judged& one : test::judged(solution, truth))
     if (4 * n <= truth_cells || !one.name.ends_with("extrapolated")) judge(one);
   judge({"P_max", bars.P_max, apart(row.P_max, P_max)});
@@ -136,7 +140,7 @@ void judge_contact(const test::Point& point, Result& result) {
   }
 }
 
-/// "within,of,median" of the bar over the error.
+/// "within,of,median" of the bar divided by the error.
 std::string share_of(const Result& result, const std::function<bool(const Row&)>& counts) {
   std::vector<double> ratios;
   for (const Row& row : result.rows)

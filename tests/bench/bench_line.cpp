@@ -1,5 +1,5 @@
-// What a steady line contact costs: milliseconds of one thread, whole and by its parts, the least of many runs in one
-// process; the first run beside them. Prints CSV.
+// Cost of a steady line contact: milliseconds of one thread for the whole solution and for its parts, the least of many
+// runs in one process, and the first run. Prints CSV.
 //   bench_line [--runs N] [--cells N] [M L]...
 #include <algorithm>
 #include <cstdio>
@@ -23,15 +23,15 @@ double cpu_milliseconds() {
   return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
-/// The least of all runs, each by itself: on a busy machine no run has them all.
+/// The least of all runs for each number separately: on a busy machine no single run has the least of all.
 struct Least {
   double value = std::numeric_limits<double>::infinity();
   void meet(double other) { value = std::min(value, other); }
 };
 
 struct Cost {
-  Least whole, set_up, coarser, finest;  ///< the first by the processor's clock, its parts by that on the wall
-  double first = 0.0;                    ///< run
+  Least whole, set_up, coarser, finest;  ///< the first in processor time, its parts in wall-clock time
+  double first = 0.0;                    ///< the first run
   steady::Solution solution;
 };
 

@@ -1,5 +1,5 @@
-// What a line system costs by elimination and by decimation, and its share of a relaxation sweep: the tables of
-// line_solvers.csv, line_solvers_in_sweep.csv.
+// Cost of a line system by elimination and by decimation, and its share of a relaxation sweep: the tables
+// line_solvers.csv and line_solvers_in_sweep.csv.
 #include <algorithm>
 #include <cstdio>
 #include <vector>
@@ -22,7 +22,7 @@ using ehl::line_solvers::Elimination;
 
 namespace {
 
-// Rows come from a ring that stays in the first-level cache, as rows assembled on the fly do.
+// The rows come from a ring that stays in the first-level cache, as do rows that are assembled on the fly.
 constexpr std::size_t ring = 32;
 
 template <int reach>
@@ -38,7 +38,7 @@ std::vector<BandRow<reach>> rows() {
   return all;
 }
 
-/// Best time of one call, in ns per point of one line (a call does a batch).
+/// The best time of one call, in ns per point of one line; a call solves a batch of lines.
 template <class Solve>
 double ns_per_point(int points, Solve solve) {
   double best = 1e9;
@@ -78,12 +78,13 @@ Costs costs(int points) {
       })};
 }
 
-/// Best time of a sweep [ns per node], and of its line relaxation alone: coefficients, assembly, solution, application.
+/// The best time of a sweep [ns per node], and of its line relaxation alone: coefficients,
+/// assembly, solution, application.
 struct SweepCost {
   double sweep = 1e9, lines = 1e9;
 };
 
-/// Sweeps from the same pressure again and again.
+/// Repeats sweeps from the same pressure.
 SweepCost sweep_cost(fmg::Hierarchy& hierarchy, const fmg::RelaxationParameters& how, const Field& P) {
   fmg::Level& level = hierarchy.finest();
   SweepCost best;
@@ -107,7 +108,7 @@ fmg::Hierarchy contact(int n, const fmg::Parameters& parameters) {
                              {n, n, -4.5, 1.5, -3, 3}, 1);
 }
 
-/// A solution by full multigrid: two cycles per level.
+/// A full multigrid solution with two cycles per level.
 fmg::Hierarchy solved(int n) {
   fmg::Hierarchy hierarchy = contact(n, {});
   std::size_t start = 0;

@@ -1,4 +1,4 @@
-// What the elastic deformation costs and how accurate it is: deformation_defaults.csv and deformation_order.csv.
+// Cost and accuracy of the elastic deformation: deformation_defaults.csv and deformation_order.csv.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -18,7 +18,7 @@ using ehl::core::Grid;
 using ehl::core::Patch;
 
 namespace {
-// Best of several evaluations, seconds.
+// The best of several evaluations, in seconds.
 double cost(mlmi::Deformation& evaluator, const Field& P, Field& w) {
   double best = 1e9;
   for (double spent = 0.0; spent < 0.3;) {
@@ -31,7 +31,7 @@ double cost(mlmi::Deformation& evaluator, const Field& P, Field& w) {
   return best;
 }
 
-// The same on the lower half of the domain, of a pressure that is symmetric in Y.
+// The cost on the lower half of the domain, for a pressure that is symmetric in Y.
 double cost_of_half(const Patch& grid, const mlmi::Parameters& parameters, int threads, const Field& P) {
   mlmi::Deformation evaluator(ehl::core::lower_half(grid), parameters, threads);
   const Field half = ehl::tests::half_of(grid, P);

@@ -1,5 +1,5 @@
-// The paper's ladder of model problems as tables: what the local Fourier analysis promises, what the cycles do. The
-// tables smoothing_analysis.csv and model_problem_*.csv.
+// The sequence of model problems in the paper as tables: the prediction of the local Fourier analysis and the measured
+// convergence. Prints smoothing_analysis.csv and model_problem_*.csv.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

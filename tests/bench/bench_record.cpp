@@ -1,5 +1,5 @@
-// What a solution costs, as a row per case in a file that is kept: seconds, work units, memory, threads, and the ratio
-// to yardsticks measured in the same run, so that rows of different machines can be compared.
+// Records the cost of a solution, one row per case: seconds, work units, memory, threads, and the ratio to reference
+// workloads measured in the same run, so that rows of different machines can be compared.
 //   bench_record [--runs N] [--most-cells N] [--into FILE.csv]
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -47,12 +47,12 @@ steady::Scene scene_of(const Contact& contact, int cells, int threads) {
   return scene;
 }
 
-/// The plain numbers of a series of runs: what comes through the pipe from the process that ran it.
+/// The numbers of a series of runs, as they pass through the pipe from the process of a run.
 struct Series {
-  double least = 1e9;     ///< seconds, set-up included
+  double least = 1e9;     ///< seconds, including set-up
   double greatest = 0.0;  ///< seconds of the slowest run
   double work_units = 0.0;
-  double all_work_units = 0.0;  ///< of all levels, in those of the finest
+  double all_work_units = 0.0;  ///< of all levels, in units of the finest
   double Hc = 0.0, error_Hc = 0.0, algebraic = 0.0;
   double megabytes = 0.0;
   bool converged = false;
@@ -75,7 +75,7 @@ void add_run(const Contact& contact, int cells, int threads, Series& series) {
   series.converged = solution.converged;
 }
 
-/// Every run in a process of its own: it takes its memory anew, and the peak of the memory is that of this case alone.
+/// Each run has a process of its own, which allocates its memory afresh, so that the peak memory is that of this case.
 void add_run_in_own_process(const Contact& contact, int cells, int threads, Series& series) {
   int ends[2];
   if (::pipe(ends) != 0) std::exit(1);
@@ -176,7 +176,7 @@ int main(int argc, char** argv) {
   for (const Contact& contact : contacts) {
     double before[2] = {0.0, 0.0};
     for (int cells = 128; cells <= most_cells; cells *= 2) {
-      // In turns, so that both meet the same moods of the machine.
+      // The two alternate, so that disturbances of the machine affect both.
       std::array<Series, 2> series;
       for (int run = 0; run < (cells > 1024 ? std::min(runs, 3) : runs); ++run)
         for (const int threads : {1, 2})

@@ -1,5 +1,5 @@
-// What a solution costs: seconds against the mesh, threads, evaluators of the film, shares of the parts; and the
-// paper's two tables rebuilt. Prints Markdown; seconds are the least of several runs.
+// Cost of a solution: seconds against mesh, threads and film evaluators, shares of the parts, and the paper's two
+// tables. Prints Markdown; seconds are the least of several runs.
 //   bench_solver [cost | film | paper]...
 #include <sys/resource.h>
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double alpha_stated = 1.7e-8;
 constexpr double alpha_table1 = 2.2e-8;
-/// L that goes with Table 1: alpha = 2.2e-8 1/Pa at the stated p_h.
+/// The L that belongs to Table 1: alpha = 2.2e-8 1/Pa at the stated p_h.
 constexpr double L_table1 = 10.0 * alpha_table1 / alpha_stated;
 
 steady::Scene scene(double L, double alpha, int n, reynolds::Wedge wedge, int threads) {
@@ -84,7 +84,7 @@ void film() {
     input.deformation.method = mlmi::Method::fft;
     exact = steady::solve(input).levels.back().Hc;
     for (const mlmi::Method method : {mlmi::Method::mlmi, mlmi::Method::fft, mlmi::Method::direct}) {
-      if (method == mlmi::Method::direct && n > 256) continue;  // minutes
+      if (method == mlmi::Method::direct && n > 256) continue;  // takes minutes
       input.deformation.method = method;
       const steady::Solution solution = fastest(input, method == mlmi::Method::direct ? 1 : 3);
       if (method == mlmi::Method::mlmi) mlmi_seconds = solution.seconds;

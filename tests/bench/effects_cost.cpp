@@ -1,5 +1,5 @@
-// What each effect of the list costs, on and off: the same small deck with the overrides that the effect's record
-// names. Seconds, memory and datasets beyond the case without it, as a table in Markdown.
+// Cost of each effect: a small deck with the overrides of the effect's example. Prints seconds, memory and datasets
+// beyond those of the case without it, as a table in Markdown.
 //   effects_cost [CELLS [RUNS]]
 #include <sys/resource.h>
 
@@ -38,7 +38,7 @@ void list_datasets(const results::ResultFile& file, const std::string& group, st
   }
 }
 
-// Processor time of all that was run and has ended: it depends less than the clock on who else works here.
+// Processor time of all child processes that have ended; it depends less on other work than wall-clock time.
 double processor_seconds() {
   rusage used{};
   getrusage(RUSAGE_CHILDREN, &used);

@@ -33,7 +33,7 @@ OILS = HERE.parent / "reference" / "film_map_oils.csv"  # other oils: film_map_o
 FITTED, HELD_OUT = HERE / "film_map.csv.gz", HERE.parent / "reference" / "film_map_held_out.csv"
 DEGREES = (12, 6, 4)
 BUDGET = 1.2
-SLOPE, EXPONENT, P0 = 2.2e-8, 0.68, 1.96e8  # of the oil of the fit: alpha, z and p0 of inputs/campaigns/film_map.ini
+SLOPE, EXPONENT, P0 = 2.2e-8, 0.68, 1.96e8  # for the oil of the fit: alpha, z and p0 of inputs/campaigns/film_map.ini
 COLUMNS = ["M", "radius_ratio", "L", "Hc", "error_Hc", "Hm", "error_Hm"]
 LARGEST_ERROR = 0.01
 NOTE = {
@@ -105,7 +105,7 @@ def elliptic(m):
 def hertz(q):
     """kappa = b/a, and a/R_x over (3 W/2)^(1/3), of the gap x^2/2R_x + q y^2/2R_x; W = F/(E' R_x^2)."""
 
-    def curvatures(kappa):  # of Hertz' pressure's deformation along x and y, in a common unit
+    def curvatures(kappa):  # of the deformation by the Hertz pressure along x and y, in a common unit
         if abs(kappa - 1.0) < 1e-9:
             return math.pi / 4.0, math.pi / 4.0
         m = 1.0 - kappa**2 if kappa < 1.0 else 1.0 - kappa**-2
@@ -266,7 +266,7 @@ def main():
         of = np.array([name == oil for name in names])
         rows.append(("fit", oil, int(of.sum()), *scatter(others_c[of]), *scatter(others_m[of])))
     scale = moes_over_H(held["M"], held["radius_ratio"])
-    # The published formulas take the slope, as a report gives it to them.
+    # The published formulas use the slope alpha, as in a report.
     slope_L = held["L"] * SLOPE / alpha_star(SLOPE, EXPONENT, P0)
     B, _ = places(held["M"], slope_L, held["radius_ratio"])
     published = np.log(held["Hc"] * scale / B)

@@ -16,7 +16,7 @@ import sys
 
 E_PRIME = 226e9
 HEAT = ("mu", "T_film_max", "T1_max", "T2_max")
-# With what a value is compared, and the grids: of a film the node's least lies above the least between the nodes.
+# The value that each film is compared with; the smallest node lies above the minimum between the nodes.
 FILM = {"Hc": "Hc", "Hm": "Hm_fitted", "Hm_fitted": "Hm_fitted", "Hc_extrapolated": "Hc", "Hm_extrapolated": "Hm_fitted"}
 GRIDS = {"point": ((128, 256), 512), "line": ((128, 256, 512), 2048)}
 
@@ -90,7 +90,7 @@ def main(program, folder, seed=1, number=16, kind="point"):
         for cells in grids if fine not in bad else ():
             for value, is_now, bar, true in with_bars(kind, of[cells], of[fine]) if cells not in bad else ():
                 error = abs(is_now / true - 1)
-                if bar is None:  # the grids below it were not solved
+                if bar is None:  # the coarser grids were not solved
                     print(f"# {k}: no bar of {value} on {cells}")
                     continue
                 conditions = f"{p_h / 1e9:.2f},{float(told['u_m']):.2f},{float(told['srr']):.3f}"

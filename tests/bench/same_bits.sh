@@ -1,6 +1,6 @@
 #!/bin/bash
-# Do two builds of the program give the same bits? Solves decks with both (one thread) and compares H00, P, H and, in
-# time, the history. For builds of the same processor level.
+# Checks that two builds of the program give the same bits: solves decks with both (one thread) and compares H00, P, H
+# and, in time, the history. Both builds must have the same processor level.
 #   same_bits.sh OLD/ehl NEW/ehl [case...]      exit status 1 where a case differs
 set -u
 old=$(realpath "$1")
@@ -10,7 +10,7 @@ inputs=$(realpath "$(dirname "$0")/../../inputs")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-# name, deck, what is set; --accuracy first: the mesh and the domain are left to the program
+# name, deck, overrides; --accuracy first: the program chooses mesh and domain
 cases() {
   cat <<'TABLE'
 default venner1992_M50_L10.ini
@@ -57,7 +57,7 @@ dent transient/dent_M1000_L10.ini --set grid.cells=128 --set transient.end_time=
 accuracy venner1992_M50_L10.ini --accuracy
 TABLE
 }
-solve() { # program, name, deck, options: result and history as text
+solve() { # arguments: program, name, deck, options; prints result and history as text
   local program=$1 name=$2 deck=$3
   shift 3
   if [ "${1:-}" = --accuracy ]; then

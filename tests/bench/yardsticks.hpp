@@ -1,5 +1,5 @@
 #pragma once
-// Times of work that every machine can do, measured beside a benchmark.
+// Times of reference workloads that every machine can run, measured together with a benchmark.
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
@@ -13,11 +13,11 @@
 namespace ehl::tests {
 
 struct Yardsticks {
-  double fft_seconds = 0.0;    ///< forward and inverse real transform of a 513 x 513 grid padded to twice its size
+  double fft_seconds = 0.0;    ///< forward and inverse real transform of a 513 x 513 grid, padded to twice its size
   double copy_GB_per_s = 0.0;  ///< bytes copied per second, large arrays
 };
 
-/// One thread; the least of some runs.
+/// Measures with one thread; the least of some runs.
 inline Yardsticks measure_yardsticks(int runs) {
   Yardsticks result{.fft_seconds = 1e9};
   constexpr int nodes = 513;
@@ -58,7 +58,8 @@ inline Yardsticks measure_yardsticks(int runs) {
     const double began = core::now();
     std::memcpy(to.data(), from.data(), doubles * sizeof(double));
     const double seconds = core::now() - began;
-    from[static_cast<std::size_t>(run)] = to[static_cast<std::size_t>(run + 1)];  // the copy is used
+    from[static_cast<std::size_t>(run)] =
+        to[static_cast<std::size_t>(run + 1)];  // so that the copy is not optimised away
     result.copy_GB_per_s = std::max(result.copy_GB_per_s, 1e-9 * doubles * sizeof(double) / seconds);
   }
   return result;

@@ -1,5 +1,5 @@
 #!/bin/bash
-# What the house measures, as a table: to be held against an earlier commit.
+# Prints measures of the source tree as a table, for comparison with an earlier commit.
 #   tests/structure/count.sh
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -10,10 +10,10 @@ count() { grep -rE --include='*.[ch]pp' "$@" | wc -l || true; }
 row "lines, modules and src" "$(sources modules src | xargs cat | wc -l)"
 row "lines, tests" "$(sources tests | xargs cat | wc -l)"
 row "files, modules and src" "$(sources modules src | wc -l)"
-# "a/x.cpp includes b/y.hpp" is one arrow from a to b, however often.
+# All includes from module a in module b count as one dependency.
 row "arrows between modules" "$(grep -rHoE --include='*.[ch]pp' '^#include "(effects/)?[a-z_]+' modules |
   sed -E 's#^modules/((effects/)?[a-z_]+)/[^:]*:\#include "#\1 #' | awk '$1 != $2' | sort -u | wc -l)"
-# As clang-format lays it out, a function ends with a brace in the first column.
+# In the layout of clang-format, a function ends with a brace in the first column.
 row "functions over 60 lines" "$(sources modules src | xargs awk '
   FNR == 1 { start = 0 }
   /^[A-Za-z].*\{$/ && !/^(namespace|struct|class|enum|union)/ { start = FNR }

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Are all C++ files laid out as .clang-format says? Exit status 77, skipped: there is no clang-format 14.
+# Checks the layout of all C++ files against .clang-format. Exit status 77 (skipped) if clang-format 14 is missing.
 set -u
 cd "$(dirname "$0")/../.."
 for format in clang-format-14 clang-format; do

@@ -25,13 +25,13 @@ std::string without_comments(const std::string& cmake_text) {
 
 constexpr std::string_view effects_folder = "effects/";
 
-// The module that a path below modules/ belongs to: its first folder, or an effect's two.
+// The module of a path below modules/: its first folder, or for an effect its first two.
 std::string module_of(const std::string& path) {
   const std::size_t from = path.starts_with(effects_folder) ? effects_folder.size() : 0;
   return path.substr(0, path.find('/', from));
 }
 
-// A library, how its headers begin, the modules through which it comes in, and where given the files.
+// A library, the beginning of its header names, the modules that may include it and, if given, the files.
 struct Door {
   std::string library;
   std::vector<std::string> prefixes;
@@ -197,7 +197,8 @@ std::vector<std::string> include_offences(const std::vector<Module>& modules, co
 }
 
 std::vector<std::string> wing_offences(const std::vector<SourceFile>& files) {
-  const std::vector<std::string> wings = {"base", "case", "report", "tables", "page", "commands"};  // from below
+  const std::vector<std::string> wings = {"base",   "case", "report",
+                                          "tables", "page", "commands"};  // from the lowest to the highest
   const auto height = [&](const std::string& path) {
     return std::ranges::find(wings, path.substr(0, path.find('/'))) - wings.begin();
   };

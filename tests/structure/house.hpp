@@ -1,5 +1,5 @@
 #pragma once
-// Reads the source tree as text: the dependency list and who includes what.
+// Reads the source tree as text: the dependency list and the includes.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -11,7 +11,7 @@ struct Module {
   std::vector<std::string> depends;
 };
 
-/// The ehl_add_module(...) calls of a CMake file, in order. Comments do not count.
+/// The ehl_add_module(...) calls of a CMake file, in order; comments are ignored.
 std::vector<Module> read_modules(const std::string& cmake_text);
 
 struct Include {
@@ -35,22 +35,22 @@ std::vector<SourceFile> read_sources(const std::filesystem::path& root, const st
 
 // Each of the following returns one line per offence: file, line, what is wrong.
 
-/// Dependencies that are not declared above the module that names them.
+/// Dependencies that are not declared before the module that names them.
 std::vector<std::string> order_offences(const std::vector<Module>& modules);
 /// Quoted includes of modules that the owner does not declare. src and tests may include every module.
 std::vector<std::string> include_offences(const std::vector<Module>& modules, const std::vector<SourceFile>& files);
-/// Effects that a module below them includes or depends on, and modules declared behind an effect.
+/// Effects that a module below them includes or depends on, and modules declared after an effect.
 std::vector<std::string> effect_offences(const std::vector<Module>& modules, const std::vector<SourceFile>& files);
-/// Includes of a file in src/<wing>/ that point up: the wings are main.cpp, commands, tables, report, case, base.
+/// Includes from a folder of src/ into a higher one: from top to bottom main.cpp, commands, tables, report, case, base.
 std::vector<std::string> wing_offences(const std::vector<SourceFile>& files);
-/// Headers of a library outside the modules that are its only doors.
+/// Headers of a library included by modules that may not use it.
 std::vector<std::string> door_offences(const std::vector<SourceFile>& files);
 
-/// Files of modules/ that form a part of the discrete Reynolds operator outside the file where it stands, one path
-/// each: weights of the wedge, means of epsilon between nodes.
+/// Files of modules/ that implement a part of the discrete Reynolds operator outside its file, one path each: weights
+/// of the wedge, means of epsilon between nodes.
 std::vector<std::string> operator_offences(const std::vector<SourceFile>& files, const std::string& home);
 
-/// True where the word stands alone, not as a part of a longer one.
+/// True if the word occurs on its own, and not as a part of a longer one.
 bool has_word(const std::string& text, const std::string& word);
 std::string read_text(const std::filesystem::path& path);
 /// The number of lines.

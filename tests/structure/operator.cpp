@@ -1,4 +1,4 @@
-// The discrete Reynolds operator stands in one file: whoever forms a part of it elsewhere is found by how it looks.
+// The discrete Reynolds operator is implemented in one file only; typical expressions reveal a second implementation.
 #include <regex>
 
 #include "structure/house.hpp"

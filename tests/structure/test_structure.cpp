@@ -1,4 +1,4 @@
-// The house as built against the house as drawn: layers, doors, sizes.
+// The rules of the source tree: dependencies, use of libraries, sizes.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(the_reader_knows_effects) {
   BOOST_TEST(include_offences(modules, {undeclared, from_below}).size() == 2);
   BOOST_TEST(effect_offences(modules, {neighbour, undeclared, program}).empty());
   BOOST_TEST(effect_offences(modules, {from_below}).size() == 1);
-  // A declaration does not make it right.
+  // Declaring a forbidden dependency does not make it legal.
   const std::vector<Module> upside_down = {{"core", {}}, {"effects/heat", {"core"}}, {"steady", {"effects/heat"}}};
   BOOST_TEST(effect_offences(upside_down, {}).size() == 2);
 }
@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(every_folder_is_a_declared_module_and_every_source_is_built
   report(offences);
 }
 
-// The tests may look behind a door: a result file is best checked with the library itself.
+// Tests may use these libraries: a result file is best checked with the HDF5 library itself.
 BOOST_AUTO_TEST_CASE(libraries_come_in_through_their_doors) {
   report(door_offences(read_sources(root, "modules")));
   report(door_offences(read_sources(root, "src")));
@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(files_stay_short) {
   report(offences);
 }
 
-// A page that grows is a page that nobody reads. The theory may be longer, and so may tables that are generated.
+// Limits the length of pages. The theory and generated tables may be longer.
 BOOST_AUTO_TEST_CASE(pages_stay_short) {
   std::vector<std::string> offences;
   const auto check = [&](const fs::path& page, int most_lines, std::ptrdiff_t most_words) {
@@ -201,7 +201,7 @@ BOOST_AUTO_TEST_CASE(every_module_says_what_it_is) {
 }
 
 BOOST_AUTO_TEST_CASE(nothing_is_left_for_later) {
-  // Put together here, so that this file does not find itself.
+  // Composed here, so that this file does not find its own text.
   const std::vector<std::string> reminders = {std::string("TO") + "DO", std::string("FIX") + "ME"};
   BOOST_TEST(has_word("// " + reminders[0] + ": later", reminders[0]));
   BOOST_TEST(!has_word(reminders[0] + "S", reminders[0]));

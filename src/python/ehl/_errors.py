@@ -9,10 +9,10 @@ class EhlError(Exception):
     def __init__(self, messages, result=None):
         super().__init__("\n".join(messages))
         self.messages = list(messages)
-        #: What there is of the case, for a look at what went wrong: no solution. None where there is nothing.
+        #: The partial result, for diagnosis; it is no solution. None if nothing was computed.
         self.result = result
 
-    def __reduce__(self):  # to another process it goes without its result
+    def __reduce__(self):  # a pickled exception loses its result
         return type(self), (self.messages,)
 
 

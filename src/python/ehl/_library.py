@@ -54,7 +54,8 @@ def find_file(name, variable):
 
 
 def _load(path):
-    # OpenMP reads how its threads wait when it is loaded: as the program, they spin for a tenth of a millisecond.
+    # OpenMP reads the waiting policy of its threads when it is loaded: as in the program, they spin for
+    # a tenth of a millisecond.
     waits = {"OMP_WAIT_POLICY", "GOMP_SPINCOUNT"} & os.environ.keys()
     if not waits:
         os.environ["GOMP_SPINCOUNT"] = "3000"

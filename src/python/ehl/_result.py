@@ -25,7 +25,7 @@ class Quantity(float):
     def __getnewargs__(self):
         return float(self), self.name, self.unit, self.meaning, self.error
 
-    def __getstate__(self):  # all of it is in the arguments
+    def __getstate__(self):  # all of the state is in the arguments
         return None
 
     @property

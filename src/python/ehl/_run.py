@@ -24,7 +24,7 @@ class _Listener:
         try:
             if self.function is not None and self.function(fraction, text.decode("utf-8", "replace")) is False:
                 self.stopped = True
-        except BaseException as error:  # it cannot pass through C: run() raises it again
+        except BaseException as error:  # an exception cannot pass through C: run() raises it again
             self.raised = error
         return int(self.stopped or self.raised is not None)
 

@@ -65,7 +65,8 @@ def _finished(command, quiet):
                 if not quiet and line.startswith("ehl: ") and "/" in line.split(" ", 2)[1]:
                     print(line.removeprefix("ehl: "), end="")
         except KeyboardInterrupt:
-            # From a terminal Ctrl-C has reached the program too, and a second one would end it before it has saved.
+            # At a terminal, the program has received Ctrl-C too; a second one would end it before
+            # it has saved its results.
             process.send_signal(signal.SIGUSR1)
             process.wait()
             raise
