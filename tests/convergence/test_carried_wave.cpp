@@ -8,6 +8,8 @@
 #include "rheology/laws.hpp"
 #include "unit/transient/marching.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_carried_wave)
+
 using namespace ehl;
 using namespace ehl::tests;
 using reynolds::Wedge;
@@ -100,3 +102,5 @@ BOOST_AUTO_TEST_CASE(the_film_carries_a_wave_as_the_scheme_says) {
     BOOST_TEST(first.reached < 0.65 * second.reached);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

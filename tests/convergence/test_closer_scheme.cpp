@@ -7,6 +7,8 @@
 #include "convergence/circular_scene.hpp"
 #include "steady/solve.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_closer_scheme)
+
 using namespace ehl;
 using reynolds::Face;
 using reynolds::Wedge;
@@ -99,3 +101,5 @@ BOOST_AUTO_TEST_CASE(no_ripple_ahead_of_the_spike) {
     BOOST_TEST(turns == 1);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

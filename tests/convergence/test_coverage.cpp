@@ -9,6 +9,8 @@
 
 #include "support/coverage.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_coverage)
+
 using namespace ehl;
 
 namespace {
@@ -66,3 +68,5 @@ BOOST_AUTO_TEST_CASE(from_the_levels) {
 }
 
 BOOST_AUTO_TEST_CASE(by_weights) { nine_of_ten_are_within({reynolds::Wedge::upstream3}, true, 4.0); }
+
+BOOST_AUTO_TEST_SUITE_END()

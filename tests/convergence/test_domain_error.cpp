@@ -9,6 +9,8 @@
 #include "steady/solve.hpp"
 #include "support/roelands_scene.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_domain_error)
+
 using namespace ehl;
 
 // The estimate comes from grids of 32 and 64 cells, whose mesh error is large at M = 50. It must be correct within a
@@ -67,3 +69,5 @@ BOOST_AUTO_TEST_CASE(lines_that_end_near_the_contact) {
     BOOST_TEST(rough > 0.75 * truth);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 #include "dry/solve.hpp"
 #include "steady/solve.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_dry_limit)
+
 using namespace ehl;
 
 namespace {
@@ -74,3 +76,5 @@ BOOST_AUTO_TEST_CASE(the_pressure_tends_to_the_dry_one_as_the_speed_falls) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

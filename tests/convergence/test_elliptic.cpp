@@ -11,6 +11,8 @@
 #include "steady/resolution.hpp"
 #include "steady/solve.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_elliptic)
+
 using namespace ehl;
 using core::pi;
 
@@ -297,3 +299,5 @@ BOOST_AUTO_TEST_CASE(cycles_beside_slender_contacts) {
     BOOST_TEST(cycles <= most);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -12,6 +12,8 @@
 #include "steady/solve.hpp"
 #include "support/roelands_scene.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_line)
+
 namespace {
 
 using namespace ehl;
@@ -260,3 +262,5 @@ BOOST_AUTO_TEST_CASE(a_grid_that_does_not_see_the_film_needs_no_small_residual) 
   BOOST_TEST(solution.levels.back().work_units <= 165.0);
   BOOST_TEST(left <= 0.0025);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

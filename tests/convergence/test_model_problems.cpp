@@ -6,6 +6,8 @@
 
 #include "support/model_problem.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_model_problems)
+
 using namespace ehl;
 using namespace ehl::tests;
 using fmg::Cycle;
@@ -83,3 +85,5 @@ BOOST_AUTO_TEST_CASE(constant_epsilon_on_stretched_cells_of_any_shape) {
       BOOST_TEST(W < 0.3);
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,6 +5,8 @@
 #include "fmg/hierarchy.hpp"
 #include "unit/transient/marching.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_moving_body)
+
 using namespace ehl;
 using namespace ehl::tests;
 using namespace ehl::transient;
@@ -202,3 +204,5 @@ BOOST_AUTO_TEST_CASE(a_kicked_body_vibrates_upon_the_dry_contact) {
                                    << measured << ", upon the dry contact " << period << " (allowed 1.5 %)");
   BOOST_TEST(std::abs(measured / period - 1.0) < 0.015);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -12,6 +12,8 @@
 #include "judgement/measures.hpp"
 #include "newton/solve.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_newton_reference)
+
 using namespace ehl;
 
 namespace {
@@ -54,3 +56,5 @@ BOOST_AUTO_TEST_CASE(newton_from_hertz_gives_the_reference_digits) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 #include "convergence/circular_scene.hpp"
 #include "steady/solve.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_reference)
+
 using namespace ehl;
 
 namespace {
@@ -153,3 +155,5 @@ BOOST_AUTO_TEST_CASE(same_bits_with_one_and_two_threads) {
   BOOST_TEST(different == 0);
   BOOST_TEST(one.H00 == two.H00);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

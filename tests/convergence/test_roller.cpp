@@ -9,6 +9,8 @@
 #include "effects/roller/scene.hpp"
 #include "steady/solve.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_roller)
+
 namespace {
 
 using namespace ehl;
@@ -182,3 +184,5 @@ BOOST_AUTO_TEST_CASE(the_opposite_tilt_mirrors_the_solution) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,8 @@
 #include "steady/solve.hpp"
 #include "support/roelands_scene.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_shear)
+
 using namespace ehl;
 
 namespace {
@@ -75,3 +77,5 @@ BOOST_AUTO_TEST_CASE(films_and_cycles_over_loads_and_sliding) {
     BOOST_TEST(worst <= newtonian.cycle_factor + 0.05);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

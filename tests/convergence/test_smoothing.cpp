@@ -10,6 +10,8 @@
 #include "support/local_fourier_analysis.hpp"
 #include "support/model_problem.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_smoothing)
+
 using namespace ehl;
 using namespace ehl::tests;
 using reynolds::Wedge;
@@ -249,3 +251,5 @@ BOOST_AUTO_TEST_CASE(relaxation_of_stretched_cells_as_implemented) {
         BOOST_TEST(difference < 0.05 * entries);
       }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -12,6 +12,8 @@
 #include "steady/solve.hpp"
 #include "support/roelands_scene.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_starved)
+
 using namespace ehl;
 using reynolds::Face;
 using reynolds::Wedge;
@@ -244,3 +246,5 @@ BOOST_AUTO_TEST_CASE(no_solution_without_a_balance) {
     BOOST_TEST(std::abs(solution.oil.imbalance()) <= 1e-10);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

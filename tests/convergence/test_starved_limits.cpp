@@ -10,6 +10,8 @@
 #include "steady/solve.hpp"
 #include "support/roelands_scene.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_starved_limits)
+
 using namespace ehl;
 using std::numbers::pi;
 
@@ -113,3 +115,5 @@ BOOST_AUTO_TEST_CASE(side_flow_and_friction_of_layers_thinned_by_shear) {
   }
   BOOST_TEST(std::abs(lost[1] / lost[0] / (formula[1] / formula[0]) - 1.0) <= 0.02);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

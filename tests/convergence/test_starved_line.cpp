@@ -10,6 +10,8 @@
 #include "steady/solve.hpp"
 #include "support/roelands_scene.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_starved_line)
+
 using namespace ehl;
 
 namespace {
@@ -139,3 +141,5 @@ BOOST_AUTO_TEST_CASE(more_than_goes_through) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 #include "judgement/measures.hpp"
 #include "unit/transient/marching.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_time_accuracy)
+
 using namespace ehl;
 using namespace ehl::tests;
 using namespace ehl::transient;
@@ -94,3 +96,5 @@ BOOST_AUTO_TEST_CASE(two_cycles_a_step_at_most) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

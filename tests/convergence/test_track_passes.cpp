@@ -10,6 +10,8 @@
 #include "steady/solve.hpp"
 #include "support/roelands_scene.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_track_passes)
+
 using namespace ehl;
 
 namespace {
@@ -82,3 +84,5 @@ BOOST_AUTO_TEST_CASE(bars_contain_the_error_of_earlier_passes) {
   BOOST_TEST(off > of_last_pass);
   BOOST_TEST(off <= bar);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 #include "steady/solve.hpp"
 #include "steady/warnings.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_verification)
+
 using namespace ehl;
 
 namespace {
@@ -68,3 +70,5 @@ BOOST_AUTO_TEST_CASE(the_cells_that_a_warning_names_resolve_the_film) {
     BOOST_TEST(relative(on_named, limit) < 0.1);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

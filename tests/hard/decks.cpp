@@ -11,6 +11,8 @@
 
 #include "hard/deck_run.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_hard_decks)
+
 namespace {
 
 using hard::Report;
@@ -236,3 +238,5 @@ BOOST_AUTO_TEST_CASE(a_continuation_without_enough_steps_is_not_converged) {
   BOOST_TEST(report.text("failed_check").find("2 steps (max_steps) reached M = 40") != std::string::npos);
   BOOST_TEST(report.err.find("2 steps (max_steps) reached M = 40") != std::string::npos);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

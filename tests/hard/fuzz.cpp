@@ -153,7 +153,7 @@ void print_figures(const std::vector<Verdict>& verdicts) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(fuzz)
+BOOST_AUTO_TEST_SUITE(test_fuzz)
 
 BOOST_AUTO_TEST_CASE(random_decks) {
   const Options options = read_options();

@@ -12,6 +12,8 @@
 #include "steady/solve.hpp"
 #include "support/roelands_scene.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_hard_load_path)
+
 using namespace ehl;
 using Path = steady::ContinuationParameters::Path;
 
@@ -238,3 +240,5 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_shown_is_an_error) {
     return std::string(error.what()).find("no other way led to a state") != std::string::npos;
   });
 }
+
+BOOST_AUTO_TEST_SUITE_END()

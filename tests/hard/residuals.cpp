@@ -4,6 +4,8 @@
 #include "hard/hard_scene.hpp"
 #include "steady/solve.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_hard_residuals)
+
 using namespace ehl;
 
 namespace {
@@ -67,3 +69,5 @@ BOOST_AUTO_TEST_CASE(fine_grids_have_the_reference_digits) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,6 +5,8 @@
 #include "steady/solve.hpp"
 #include "surface/feature.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_hard_rough)
+
 using namespace ehl;
 using surface::Feature;
 using Shape = Feature::Shape;
@@ -83,3 +85,5 @@ BOOST_AUTO_TEST_CASE(higher_than_the_film_by_cycles_and_by_newton) {
       BOOST_TEST(std::abs(newton.verification.flow_imbalance) < 1e-9);
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 #include "steady/continuation.hpp"
 #include "steady/rescue.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_hard_same_solution)
+
 using namespace ehl;
 
 namespace {
@@ -126,3 +128,5 @@ BOOST_AUTO_TEST_CASE(oblong_cells_agree_with_square_ones) {
     BOOST_TEST(Hm_apart <= allowed);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -15,7 +15,7 @@ const std::string steel =
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(bad_input)
+BOOST_AUTO_TEST_SUITE(test_bad_input)
 
 BOOST_AUTO_TEST_CASE(names_and_values) {
   support::check_refused({

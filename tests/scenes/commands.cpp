@@ -24,7 +24,7 @@ struct Scene {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(commands)
+BOOST_AUTO_TEST_SUITE(test_commands)
 
 BOOST_AUTO_TEST_CASE(run_prints_a_table_and_writes_a_result) {
   const Scene scene;

@@ -63,7 +63,7 @@ void make_heights(hid_t file, hid_t space, hid_t properties) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(damaged)
+BOOST_AUTO_TEST_SUITE(test_damaged)
 
 // A map that refers to another file must not make the program read that file.
 BOOST_AUTO_TEST_CASE(maps_lie_in_their_own_file) {

@@ -42,7 +42,7 @@ double largest_difference(const std::vector<std::vector<double>>& a, const std::
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(dry_surfaces)
+BOOST_AUTO_TEST_SUITE(test_dry_surfaces)
 
 // A wave A cos(2 pi x/w) that is pressed flat: Westergaard's pressure pi^2 A/(2 w), in units of p_h and a^2/R, is
 // added to the Hertz pressure.

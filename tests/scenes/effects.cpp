@@ -31,7 +31,7 @@ struct Scene {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(effects)
+BOOST_AUTO_TEST_SUITE(test_effects)
 
 BOOST_AUTO_TEST_CASE(check_says_what_is_on_and_why) {
   const Scene scene;

@@ -90,7 +90,7 @@ constexpr double angles[] = {0.0, 45.0, 90.0};
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(elliptic_friction)
+BOOST_AUTO_TEST_SUITE(test_elliptic_friction)
 
 // At M = 0.5 the bodies are practically rigid: h = h_0 + xi^2/(2 R_x) + eta^2/(2 R_y), with xi and eta along the axes
 // of the bodies. The sliding friction is eta_0 (u1 - u2) times the integral of 1/h over the domain.

@@ -31,7 +31,7 @@ const std::string foreign = "never overwritten";
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(files)
+BOOST_AUTO_TEST_SUITE(test_files)
 
 BOOST_AUTO_TEST_CASE(a_sweep_keeps_its_inputs) {
   const Scene scene;

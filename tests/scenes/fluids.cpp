@@ -63,7 +63,7 @@ std::vector<double> pressures(const support::TemporaryFolder& folder, const std:
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(fluids)
+BOOST_AUTO_TEST_SUITE(test_fluids)
 
 BOOST_AUTO_TEST_CASE(names_and_contradictions) {
   check_all(

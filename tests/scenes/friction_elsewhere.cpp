@@ -23,7 +23,7 @@ using Scene = support::HeatedScene;
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(friction_elsewhere)
+BOOST_AUTO_TEST_SUITE(test_friction_elsewhere)
 
 // A Newtonian oil at 1.3 GPa, for which the isothermal shear stress is unrealistically high.
 BOOST_AUTO_TEST_CASE(heat_warns_of_stresses_that_no_oil_carries) {

@@ -35,7 +35,7 @@ void check_equal(const std::string& name, const nlohmann::json& one, const nlohm
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(friction_outside)
+BOOST_AUTO_TEST_SUITE(test_friction_outside)
 
 // T M = 1.4466, where T = (1/2) integral of H dP/dX over the undeformed parabola, in units in which the load is pi/2.
 // mu_rolling is T divided by the load, times a/R.

@@ -33,7 +33,7 @@ struct Scene {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(heat_in_use)
+BOOST_AUTO_TEST_SUITE(test_heat_in_use)
 
 // Below a wide contact, the surface temperature of a body at rest responds so strongly to the heat that the iteration
 // diverges without damping. A body that moves slowly is as hot.

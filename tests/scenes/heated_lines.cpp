@@ -33,7 +33,7 @@ struct Scene : support::HeatedScene {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(heated_lines)
+BOOST_AUTO_TEST_SUITE(test_heated_lines)
 
 BOOST_AUTO_TEST_CASE(heat_goes_where_it_is_told) {
   const Scene scene;

@@ -35,7 +35,7 @@ const bool gnuplot_is_there = std::system("command -v gnuplot >/dev/null") == 0;
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(hostile)
+BOOST_AUTO_TEST_SUITE(test_hostile)
 
 BOOST_AUTO_TEST_CASE(a_result_is_kept_where_nothing_can_be_printed) {
   const Scene scene;

@@ -22,7 +22,7 @@ std::string extracted(const support::TemporaryFolder& folder, const std::string&
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(keep)
+BOOST_AUTO_TEST_SUITE(test_keep)
 
 BOOST_AUTO_TEST_CASE(every_case_is_the_result_of_a_run) {
   const support::TemporaryFolder folder;

@@ -47,7 +47,7 @@ double member(const std::string& json, const std::string& name) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(every_level)
+BOOST_AUTO_TEST_SUITE(test_levels)
 
 // The levels differ in fused multiply-add and in the order of sums. The bound is that of rounding errors, 1e-16,
 // multiplied by the condition of the problem. Before glibc 2.33 the loader did not know levels.

@@ -5,6 +5,8 @@
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_limits_of_machine)
+
 namespace {
 
 const std::string program = std::string("'") + EHL_PROGRAM + "' ";
@@ -71,3 +73,5 @@ BOOST_AUTO_TEST_CASE(a_free_key_that_there_is_not) {
     BOOST_TEST(ended.says({std::string("--free ") + key, "no such key"}), ended.err);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -49,7 +49,7 @@ void check_same(const std::vector<double>& row, const nlohmann::json& film, doub
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(line_in_time)
+BOOST_AUTO_TEST_SUITE(test_line_in_time)
 
 // The half width is proportional to the square root of the load: the final state is the steady line contact at half
 // the load, on the same nodes.

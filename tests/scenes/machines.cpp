@@ -45,7 +45,7 @@ support::Ended checked(const std::string& machine) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(machines)
+BOOST_AUTO_TEST_SUITE(test_machines)
 
 // [bearing] is another form of [contact] and [motion]: the run agrees with one that uses the numbers computed by hand
 // in tests/unit/machines. The deck of the result reproduces it exactly.

@@ -77,7 +77,7 @@ std::string with_missing(std::string text, const std::string& word) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(map_files)
+BOOST_AUTO_TEST_SUITE(test_map_files)
 
 BOOST_AUTO_TEST_CASE(every_form_is_the_same_surface) {
   const std::string gwyddion = "# Channel: Z\n# Width: 64 \xC2\xB5m\n# Height: 64 \xC2\xB5m\n# Value units: nm\n";

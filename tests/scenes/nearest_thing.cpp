@@ -6,6 +6,8 @@
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_nearest_thing)
+
 namespace {
 
 const std::string good =
@@ -67,3 +69,5 @@ BOOST_AUTO_TEST_CASE(advice_that_helps) {
        "u_m = 1.41939\n[lubricant]\neta0 = 0.01381\nalpha = 16e-9\n",
        "", "so light that the bodies stay rigid"});
 }
+
+BOOST_AUTO_TEST_SUITE_END()

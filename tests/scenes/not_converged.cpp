@@ -22,7 +22,7 @@ std::string in_summary(const support::TemporaryFolder& folder, const std::string
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(not_converged)
+BOOST_AUTO_TEST_SUITE(test_not_converged)
 
 // The grids for an accuracy may use at most half of the free memory, which is here the limit of the shell minus
 // the memory of the program.

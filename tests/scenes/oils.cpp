@@ -41,7 +41,7 @@ bool near(double value, double known, double tolerance) { return std::abs(value 
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(oils)
+BOOST_AUTO_TEST_SUITE(test_oils)
 
 BOOST_AUTO_TEST_CASE(a_grade_has_the_viscosity_of_its_name) {
   const support::TemporaryFolder folder;

@@ -84,7 +84,7 @@ int width_of_png(const std::string& png) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(pictures)
+BOOST_AUTO_TEST_SUITE(test_pictures)
 
 BOOST_AUTO_TEST_CASE(every_figure_of_every_kind_of_result_is_drawn_in_its_units) {
   const Scene scene;

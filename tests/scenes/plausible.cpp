@@ -27,7 +27,7 @@ std::string heights() {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(plausible)
+BOOST_AUTO_TEST_SUITE(test_plausible)
 
 BOOST_AUTO_TEST_CASE(units_that_were_mistaken_are_told) {
   const support::TemporaryFolder folder;

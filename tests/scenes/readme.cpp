@@ -15,6 +15,8 @@
 
 #include "support/program.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_readme)
+
 namespace {
 
 struct Block {
@@ -102,3 +104,5 @@ BOOST_AUTO_TEST_CASE(the_readme_works_as_written) {
   BOOST_TEST(commands >= 10);
   BOOST_TEST(outputs >= 1);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -51,7 +51,7 @@ Said said_of(const std::string& page, const std::string& words) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(report_pages)
+BOOST_AUTO_TEST_SUITE(test_report_pages)
 
 BOOST_AUTO_TEST_CASE(a_run_has_its_numbers_with_their_error_bars) {
   const Scene scene;

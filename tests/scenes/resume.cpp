@@ -114,7 +114,7 @@ void goes_on_to_the_same_film(const std::string& deck) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(resume)
+BOOST_AUTO_TEST_SUITE(test_resume)
 
 BOOST_AUTO_TEST_CASE(a_point_contact_goes_on) { goes_on_to_the_same_film(swinging); }
 BOOST_AUTO_TEST_CASE(a_line_contact_goes_on) { goes_on_to_the_same_film(swinging_line); }

@@ -27,7 +27,7 @@ nlohmann::json solved(const TemporaryFolder& folder, const std::string& deck, co
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(rollers)
+BOOST_AUTO_TEST_SUITE(test_rollers)
 
 BOOST_AUTO_TEST_CASE(bad_input) {
   const std::string roller = "[contact]\nkind = roller\n", profile = "[roller]\nprofile = logarithmic\n";

@@ -41,7 +41,7 @@ int count(const std::string& text, const std::string& words) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(rough_rollers)
+BOOST_AUTO_TEST_SUITE(test_rough_rollers)
 
 BOOST_AUTO_TEST_CASE(check_tells_the_roughness_beside_the_film) {
   const support::TemporaryFolder folder;

@@ -61,7 +61,7 @@ void check_scaled(const std::string& si, const std::string& own, const std::vect
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(si)
+BOOST_AUTO_TEST_SUITE(test_si)
 
 BOOST_AUTO_TEST_CASE(extract_in_SI) {
   const Scene scene;

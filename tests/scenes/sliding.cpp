@@ -48,7 +48,7 @@ double slope(const Curve& curve, std::size_t k) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(sliding)
+BOOST_AUTO_TEST_SUITE(test_sliding)
 
 // d ln mu/d ln srr is 1 at slow sliding. At the fast end tau = tau_0 asinh(s) grows by 1/ln(2 s) at each point, and not
 // at all where the limiting stress is reached.

@@ -7,6 +7,8 @@
 
 #include "support/program.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_starved_decks)
+
 using namespace support;
 
 namespace {
@@ -258,3 +260,5 @@ BOOST_AUTO_TEST_CASE(ellipses_far_from_round) {
       solved(folder, ellipse("load = 100\nradius_x = 0.2\nradius_y = 0.01\n", 256), "layer_m = 1e-7\n");
   BOOST_TEST(slender["attempts"].size() <= 3u);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -11,6 +11,8 @@
 #include "support/json.hpp"
 #include "support/program.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_starved_heat)
+
 using support::check_close;
 using support::number_at;
 
@@ -135,3 +137,5 @@ BOOST_AUTO_TEST_CASE(passes_with_fresh_oil) {
   BOOST_TEST(number_at(renewed, "/Hc") < number_at(track[0], "/Hc"));
   check_close("levelled", number_at(levelled, "/Hc"), number_at(track[0], "/Hc"), 1e-3);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -42,7 +42,7 @@ void refused(const TemporaryFolder& folder, const std::string& more, const char*
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(starved_lines)
+BOOST_AUTO_TEST_SUITE(test_starved_lines)
 
 // A layer of 200 nm at 5 m/s is a flow of 1e-6 m^2/s; only u1 h1 + u2 h2 counts.
 BOOST_AUTO_TEST_CASE(one_supply_in_all_its_units) {

@@ -32,7 +32,7 @@ std::string values(const support::TemporaryFolder& folder, const std::string& fi
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(stress_and_dry)
+BOOST_AUTO_TEST_SUITE(test_stress_and_dry)
 
 BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
   support::check_refused({

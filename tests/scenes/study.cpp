@@ -30,7 +30,7 @@ struct Scene {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(study)
+BOOST_AUTO_TEST_SUITE(test_study)
 
 BOOST_AUTO_TEST_CASE(errors_fall_with_the_order_of_the_scheme) {
   const Scene scene;

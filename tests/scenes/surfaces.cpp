@@ -65,7 +65,7 @@ using support::contains;
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(surfaces)
+BOOST_AUTO_TEST_SUITE(test_surfaces)
 
 BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
   const std::string at_rest = contact + "[surface2]\nat_rest = yes\n";

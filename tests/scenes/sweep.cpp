@@ -37,7 +37,7 @@ std::string cut_short(const std::string& arguments, int rows, const std::string&
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(sweep)
+BOOST_AUTO_TEST_SUITE(test_sweep)
 
 BOOST_AUTO_TEST_CASE(a_row_is_what_a_run_gives) {
   const Scene scene;

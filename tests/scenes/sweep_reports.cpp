@@ -28,7 +28,7 @@ struct Scene {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(sweep_reports)
+BOOST_AUTO_TEST_SUITE(test_sweep_reports)
 
 // One name means one number in the report, the file and the table; the error of the mesh alone has its own name.
 BOOST_AUTO_TEST_CASE(an_error_is_the_same_everywhere) {

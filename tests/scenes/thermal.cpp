@@ -35,7 +35,7 @@ struct Scene : support::HeatedScene {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(thermal)
+BOOST_AUTO_TEST_SUITE(test_thermal)
 
 // An independent program with columns of 16 intervals and the moving line source in the bodies, on the same grids.
 BOOST_AUTO_TEST_CASE(ball_on_disc_of_another_program) {

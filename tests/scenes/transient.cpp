@@ -23,7 +23,7 @@ using support::contains;
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(transient)
+BOOST_AUTO_TEST_SUITE(test_transient)
 
 BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
   const std::string timed = "[transient]\nend_time = 1\n";

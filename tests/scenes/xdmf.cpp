@@ -43,7 +43,7 @@ struct Scene {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(xdmf)
+BOOST_AUTO_TEST_SUITE(test_xdmf)
 
 BOOST_AUTO_TEST_CASE(the_library_reads_every_time) {
   const Scene scene;

@@ -9,6 +9,8 @@
 
 #include "structure/house.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_structure)
+
 namespace fs = std::filesystem;
 using namespace house;
 
@@ -236,3 +238,5 @@ BOOST_AUTO_TEST_CASE(the_discrete_operator_stands_in_one_file) {
   for (const std::string& path : operator_offences(read_sources(root, "modules"), home))
     BOOST_ERROR(path << " forms a part of the discrete operator, which stands in " << home);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

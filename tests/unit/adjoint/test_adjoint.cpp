@@ -17,6 +17,8 @@
 #include "steady/climb.hpp"
 #include "support/roelands_scene.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_adjoint)
+
 using namespace ehl;
 
 namespace {
@@ -249,3 +251,5 @@ BOOST_AUTO_TEST_CASE(what_the_cycles_leave) {
     check("Hm", errors->Hm, left.Hm, solved.Hm, run.record.verification.algebraic_error_Hm);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 #include "contact/hertz.hpp"
 #include "core/constants.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_contact)
+
 using namespace ehl::contact;
 using ehl::core::pi;
 
@@ -163,3 +165,5 @@ BOOST_AUTO_TEST_CASE(moes_formula_of_a_line) {
   check_relative("rigid isoviscous", nijenbanning_venner_moes(1e-3, 0.0, shape), 3e3, 0.01);
   check_relative("elastic isoviscous", nijenbanning_venner_moes(1e5, 0.0, shape), 0.2621, 0.01);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

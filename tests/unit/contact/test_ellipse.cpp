@@ -9,6 +9,8 @@
 #include "contact/hertz.hpp"
 #include "core/constants.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_contact_ellipse)
+
 using namespace ehl::contact;
 using ehl::core::pi;
 using ehl::core::QuadraticForm;
@@ -170,3 +172,5 @@ BOOST_AUTO_TEST_CASE(film_formulas_of_ellipses) {
   BOOST_TEST((!near_chittenden(ellipse(5.0)) && !near_chittenden(ellipse(0.2, 45.0))));
   BOOST_TEST(!along_smaller_radius(ellipse(0.2, 10.0)));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -35,7 +35,7 @@ std::vector<Solved> held_out() {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(film_map)
+BOOST_AUTO_TEST_SUITE(test_contact_film_map)
 
 BOOST_AUTO_TEST_CASE(solutions_that_no_fit_has_seen) {
   const std::vector<Solved> rows = held_out();

@@ -4,6 +4,8 @@
 
 #include "contact/yield.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_contact_yield)
+
 using ehl::contact::beyond_yield;
 
 BOOST_AUTO_TEST_CASE(steel_is_named_beyond_its_yield_and_not_before) {
@@ -21,3 +23,5 @@ BOOST_AUTO_TEST_CASE(steel_is_named_beyond_its_yield_and_not_before) {
   BOOST_TEST(says(4.19e9, "beyond the yield"));
   BOOST_TEST(says(4.21e9, "p_h = 4.21 GPa is beyond steel"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -13,6 +13,8 @@
 #include "core/simd.hpp"
 #include "core/timer.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_core_field)
+
 using namespace ehl::core;
 
 namespace {
@@ -192,3 +194,5 @@ BOOST_AUTO_TEST_CASE(time_goes_to_the_part_that_spent_it) {
   for (std::size_t k = 0; k < static_cast<std::size_t>(Part::count); ++k)
     BOOST_TEST(name(static_cast<Part>(k)) != std::string("?"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,6 +4,8 @@
 
 #include "support/mirrored.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_core_mirrored)
+
 using namespace ehl::core;
 using namespace ehl::tests;
 
@@ -53,3 +55,5 @@ BOOST_AUTO_TEST_CASE(sums_count_every_line_of_the_whole) {
     BOOST_TEST(lines == grid.ny - 1.0);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

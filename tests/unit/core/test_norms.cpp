@@ -6,6 +6,8 @@
 #include "core/norms.hpp"
 #include "support/random.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_core_norms)
+
 using namespace ehl::core;
 using ehl::tests::Random;
 using ehl::tests::random_field;
@@ -77,3 +79,5 @@ BOOST_AUTO_TEST_CASE(extremes_are_found_at_their_first_node) {
   f(0, 2) = 0.0;
   BOOST_TEST((maximum(f).i == grid.nx && maximum(f).j == grid.ny));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -29,7 +29,7 @@ std::string refusal(const std::string& path) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(document)
+BOOST_AUTO_TEST_SUITE(test_deck_document)
 
 // The lines in the text below are counted by hand.
 BOOST_AUTO_TEST_CASE(every_assignment_knows_its_line) {

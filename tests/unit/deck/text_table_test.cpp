@@ -10,6 +10,8 @@
 #include "deck/units.hpp"
 #include "support/temporary_folder.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_deck_text_table)
+
 using namespace ehl;
 
 namespace {
@@ -131,3 +133,5 @@ BOOST_AUTO_TEST_CASE(damaged_files) {
   BOOST_TEST_MESSAGE("of 400 damaged tables " << refused << " are refused, the others read");
   BOOST_TEST(refused > 100);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,7 +6,7 @@
 
 using namespace ehl::deck;
 
-BOOST_AUTO_TEST_SUITE(text)
+BOOST_AUTO_TEST_SUITE(test_deck_text)
 
 // Distances counted by hand; exchanging two neighbouring letters is one error, not two.
 BOOST_AUTO_TEST_CASE(edit_distance_of_known_pairs) {

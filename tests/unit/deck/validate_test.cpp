@@ -6,7 +6,7 @@
 
 using namespace ehl;
 
-BOOST_AUTO_TEST_SUITE(validation)
+BOOST_AUTO_TEST_SUITE(test_deck_validate)
 
 BOOST_AUTO_TEST_CASE(a_good_deck) {
   const deck::Deck deck = small::read("[body]\nload = 15\n[law]\nname = barus\n");

@@ -12,7 +12,7 @@ namespace {
 using support::contains;
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(writing)
+BOOST_AUTO_TEST_SUITE(test_deck_write)
 
 BOOST_AUTO_TEST_CASE(the_commented_deck_is_a_valid_deck) {
   const std::string text = deck::commented_deck(small::catalogue());

@@ -9,6 +9,8 @@
 #include "core/norms.hpp"
 #include "dry/solve.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_dry)
+
 using namespace ehl;
 
 namespace {
@@ -192,3 +194,5 @@ BOOST_AUTO_TEST_CASE(what_does_not_converge_says_so) {
   broken.gap(5, 5) = std::nan("");
   BOOST_CHECK_THROW(dry::solve(broken), core::SolverError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 
 #include "film/model.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_film_effects)
+
 using namespace ehl;
 
 namespace {
@@ -77,3 +79,5 @@ BOOST_AUTO_TEST_CASE(a_thinned_film_meets_the_changed_fluidity) {
                         mobility_factor * along) < 1e-12);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,8 @@
 #include "film/half_points.hpp"
 #include "support/random.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_half_points)
+
 using ehl::film::AroundHalfPoint;
 
 namespace {
@@ -136,3 +138,5 @@ BOOST_AUTO_TEST_CASE(the_change_of_epsilon_is_its_slope) {
   BOOST_TEST_MESSAGE("largest error " << worst << " of epsilon (tolerance 1e-7: a difference over 1e-5)");
   BOOST_TEST(worst < 1e-7);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,8 @@
 #include "fmg/acceleration.hpp"
 #include "unit/fmg/circular_contact.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_fmg_acceleration)
+
 using namespace ehl::tests;
 namespace fmg = ehl::fmg;
 using ehl::core::Field;
@@ -103,3 +105,5 @@ BOOST_AUTO_TEST_CASE(nodes_count_by_what_they_ask_for) {
   BOOST_TEST_MESSAGE("alpha " << alpha << ", off by " << worst << " (at most 1e-12)");
   BOOST_TEST(worst < 1e-12);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

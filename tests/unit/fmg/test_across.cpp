@@ -7,6 +7,8 @@
 #include "support/mirrored.hpp"
 #include "unit/fmg/circular_contact.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_fmg_across)
+
 using namespace ehl::tests;
 namespace fmg = ehl::fmg;
 using ehl::core::Field;
@@ -215,3 +217,5 @@ BOOST_AUTO_TEST_CASE(half_of_a_symmetric_contact_and_threads) {
     BOOST_TEST(ehl::core::max_abs_difference(all.P, shared.finest().P) == 0.0);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,8 @@
 #include "transfer/transfer.hpp"
 #include "unit/fmg/circular_contact.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_fmg_coarse_problem)
+
 using namespace ehl::tests;
 namespace fmg = ehl::fmg;
 using ehl::core::Field;
@@ -230,3 +232,5 @@ BOOST_AUTO_TEST_CASE(the_coarse_problem_starts_with_what_is_left_of_the_fine_one
   fmg::correct_from_coarse(hierarchy, coarse, fine);
   BOOST_TEST(ehl::core::max_abs_difference(P, fine.P) == 0.0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 #include "fmg/relaxation.hpp"
 #include "unit/fmg/circular_contact.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_fmg_cycle)
+
 using namespace ehl::tests;
 namespace fmg = ehl::fmg;
 using ehl::core::Field;
@@ -130,3 +132,5 @@ BOOST_AUTO_TEST_CASE(two_threads_give_the_bits_of_one) {
   BOOST_TEST(one.H00 == two.H00);
   BOOST_TEST(std::isfinite(ehl::core::max_abs(one.finest().P)));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

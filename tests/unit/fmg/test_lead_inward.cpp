@@ -7,6 +7,8 @@
 #include "fmg/lead_inward.hpp"
 #include "unit/fmg/circular_contact.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_fmg_lead_inward)
+
 using namespace ehl::tests;
 namespace fmg = ehl::fmg;
 using ehl::core::Grid;
@@ -120,3 +122,5 @@ BOOST_AUTO_TEST_CASE(no_pressure_falls_below_zero) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

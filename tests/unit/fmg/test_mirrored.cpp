@@ -8,6 +8,8 @@
 #include "support/mirrored.hpp"
 #include "unit/fmg/circular_contact.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_fmg_mirrored)
+
 using namespace ehl::tests;
 namespace fmg = ehl::fmg;
 using ehl::core::Field;
@@ -147,3 +149,5 @@ BOOST_AUTO_TEST_CASE(two_threads_give_the_same_bits_on_the_half) {
     BOOST_TEST(one.H00 == two.H00);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

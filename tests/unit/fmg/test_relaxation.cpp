@@ -12,6 +12,8 @@
 #include "unit/fmg/circular_contact.hpp"
 #include "unit/fmg/plain_sweep.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_fmg_relaxation)
+
 using namespace ehl::tests;
 namespace fmg = ehl::fmg;
 using ehl::core::Field;
@@ -220,3 +222,5 @@ BOOST_AUTO_TEST_CASE(a_pivot_that_is_no_number_is_reported_with_its_line_and_poi
   };
   BOOST_CHECK_EXCEPTION(fmg::relax(hierarchy, level), ehl::core::SolverError, names_the_point);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

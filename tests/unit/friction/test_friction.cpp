@@ -6,6 +6,8 @@
 #include "core/norms.hpp"
 #include "effects/friction/friction.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_friction)
+
 using namespace ehl;
 using friction::Cavitated;
 
@@ -190,3 +192,5 @@ BOOST_AUTO_TEST_CASE(the_load_of_the_contact_and_where_the_oil_ends) {
   const double flooded = with(parameters, [](friction::Film&) {});
   BOOST_TEST(std::abs(2.0 * starved / flooded - 1.0) < cell);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

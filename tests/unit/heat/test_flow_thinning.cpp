@@ -7,6 +7,8 @@
 
 #include "unit/heat/heated_contact.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_heat_flow_thinning)
+
 using namespace ehl;
 using support::BaseCase, support::Found, support::solve, support::square;
 
@@ -95,3 +97,5 @@ BOOST_AUTO_TEST_CASE(a_newtonian_oil_answers_nothing) {
   const Found found = solve(base, square(64), thinned_by_flow(base), 1e-3);
   BOOST_TEST(std::abs(found.Hc / found.Hc_cold - 1) < 1e-5);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

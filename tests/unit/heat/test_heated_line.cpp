@@ -6,6 +6,8 @@
 #include "steady/solve.hpp"
 #include "unit/heat/heated_contact.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_heat_heated_line)
+
 using namespace ehl;
 using support::BaseCase, support::Found, support::solve;
 
@@ -80,3 +82,5 @@ BOOST_AUTO_TEST_CASE(second_order_along_a_line) {
       BOOST_TEST(std::abs(found[level].*surface / found[level - 1].*surface - 1) < 5e-3);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

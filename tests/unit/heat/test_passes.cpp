@@ -6,6 +6,8 @@
 
 #include "unit/heat/heated_contact.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_heat_passes)
+
 using namespace ehl;
 using support::BaseCase, support::Found, support::solve, support::square;
 
@@ -132,3 +134,5 @@ BOOST_AUTO_TEST_CASE(fast_and_sliding) {
     BOOST_TEST(found.Hm > 0.0);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,8 @@
 #include "steady/solve.hpp"
 #include "unit/heat/heated_contact.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_heat_spike)
+
 using namespace ehl;
 using support::BaseCase;
 
@@ -28,3 +30,5 @@ BOOST_AUTO_TEST_CASE(no_error_bar_of_the_film_under_an_unresolved_spike) {
   BOOST_TEST(std::isnan(warm.in_film.error));
   BOOST_TEST(std::isfinite(warm.on_1.error));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

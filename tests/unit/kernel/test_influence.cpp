@@ -10,6 +10,8 @@
 
 #include "kernel/influence.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_kernel)
+
 namespace {
 using Quad = __float128;
 namespace kernel = ehl::kernel;
@@ -154,3 +156,5 @@ BOOST_AUTO_TEST_CASE(the_logarithm_of_a_line_contact) {
   // The second difference of -ln x is 1/x^2.
   BOOST_TEST(std::abs(kernel::distributed_line_influence(500, h) / (-0.5 * h / (500.0 * 500.0)) - 1.0) < 1e-5);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

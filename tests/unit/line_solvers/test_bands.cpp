@@ -4,6 +4,8 @@
 
 #include "unit/line_solvers/bands.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_line_solvers_bands)
+
 using namespace ehl::tests;
 using ehl::line_solvers::BandRow;
 using ehl::line_solvers::Decimation;
@@ -213,3 +215,5 @@ BOOST_AUTO_TEST_CASE(bad_pivots_are_reported_where_they_are) {
   pivots_that_cannot_be_divided_by<2>();
   pivots_that_cannot_be_divided_by<3>();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,6 +3,8 @@
 
 #include "unit/line_solvers/bands.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_line_solvers_film)
+
 using namespace ehl::tests;
 using ehl::line_solvers::BandRow;
 using ehl::line_solvers::FilmTerms;
@@ -97,3 +99,5 @@ BOOST_AUTO_TEST_CASE(the_band_without_the_film_has_the_solution_of_the_full_syst
     compare<3>(share);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

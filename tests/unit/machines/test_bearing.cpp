@@ -24,7 +24,7 @@ const Bearing outer{9.525, 46.0, 0.0, Race::outer};
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(bearing)
+BOOST_AUTO_TEST_SUITE(test_bearing_gear)
 
 // By hand, with 30 digits of `bc`:
 //   gamma = 9.525/46 = 0.2070652173913043478

@@ -21,7 +21,7 @@ const Gears fzg{4.5, 16, 24, 20.0, 0.1817, 0.1715};
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(gear)
+BOOST_AUTO_TEST_SUITE(test_bearing_gear)
 
 // By hand, with 30 digits of `bc`: base circles 48 cos 20, 96 cos 20; tips 52 and 100; T1T2 = 144 sin 20.
 BOOST_AUTO_TEST_CASE(path_by_hand) {

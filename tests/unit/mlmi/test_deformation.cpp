@@ -11,6 +11,8 @@
 #include "mlmi/even_convolution.hpp"
 #include "unit/mlmi/pressures.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_deformation)
+
 namespace mlmi = ehl::mlmi;
 using ehl::core::Field;
 using ehl::core::Grid;
@@ -117,3 +119,5 @@ BOOST_AUTO_TEST_CASE(multilevel_sums_along_a_line_are_the_direct_sum) {
     BOOST_TEST(error < tolerance);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

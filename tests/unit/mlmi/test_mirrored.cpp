@@ -5,6 +5,8 @@
 #include "support/mirrored.hpp"
 #include "unit/mlmi/pressures.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_mlmi_mirrored)
+
 using namespace ehl::tests;
 using ehl::core::Field;
 using ehl::core::Grid;
@@ -71,3 +73,5 @@ BOOST_AUTO_TEST_CASE(two_threads_give_the_same_bits_on_the_half) {
     BOOST_TEST(ehl::core::max_abs_difference(one, two) == 0.0);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,8 @@
 #include "mlmi/deformation.hpp"
 #include "unit/mlmi/pressures.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_multilevel)
+
 namespace mlmi = ehl::mlmi;
 using ehl::core::Field;
 using ehl::core::Grid;
@@ -193,3 +195,5 @@ BOOST_AUTO_TEST_CASE(wrong_parameters_are_refused) {
              "mlmi, order 6, patch 9x3, 2 coarsenings, FFT on 37x21");
   BOOST_TEST(Deformation(grid, {}, 1).bytes() > 0u);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

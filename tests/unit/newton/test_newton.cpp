@@ -23,6 +23,8 @@
 #include "support/random.hpp"
 #include "unit/newton/newton_scene.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_newton)
+
 using namespace ehl;
 using judgement::Measures;
 using namespace ehl::tests;
@@ -298,3 +300,5 @@ BOOST_AUTO_TEST_CASE(gmres_takes_newton_steps_and_keeps_quiet) {
   throwing.product = [](std::span<const double>, std::span<double>) { throw std::runtime_error("mine"); };
   BOOST_CHECK_THROW(newton::gmres(throwing, b, 1e-10, d), std::runtime_error);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

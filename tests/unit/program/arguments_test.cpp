@@ -23,7 +23,7 @@ using support::contains;
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(arguments)
+BOOST_AUTO_TEST_SUITE(test_program_arguments)
 
 BOOST_AUTO_TEST_CASE(options_and_operands) {
   const Arguments given = parse({"run", "--set", "a.b=1", "d.ini", "--set=c.d=-2", "--threads", "2", "--json"});

@@ -36,7 +36,7 @@ std::string row(const std::string& status) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(campaign)
+BOOST_AUTO_TEST_SUITE(test_program_campaign)
 
 // Older tables, in which one name had three meanings, are read with the present names.
 BOOST_AUTO_TEST_CASE(older_tables_are_read) {

@@ -58,7 +58,7 @@ std::vector<std::string> example_of(const std::vector<program::Effect>& all, con
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(effects)
+BOOST_AUTO_TEST_SUITE(test_program_effects)
 
 BOOST_AUTO_TEST_CASE(a_section_belongs_to_every_deck_or_to_one_effect) {
   const std::set<std::string> of_every_deck{"case", "contact",        "motion",      "lubricant", "domain",

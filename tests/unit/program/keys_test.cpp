@@ -37,7 +37,7 @@ void check_again(const std::string& path, const std::vector<std::string>& overri
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(keys)
+BOOST_AUTO_TEST_SUITE(test_program_keys)
 
 BOOST_AUTO_TEST_CASE(every_declared_key_is_read) {
   std::set<std::string> read;

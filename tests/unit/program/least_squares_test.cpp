@@ -8,7 +8,7 @@
 
 using namespace ehl::program;
 
-BOOST_AUTO_TEST_SUITE(least_squares_fit)
+BOOST_AUTO_TEST_SUITE(test_program_least_squares)
 
 // y = a: the mean, and sigma/sqrt(N).
 BOOST_AUTO_TEST_CASE(a_constant_is_the_mean) {

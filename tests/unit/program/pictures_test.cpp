@@ -75,7 +75,7 @@ std::string setting(const program::Curves& curves, const std::string& name) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(pictures)
+BOOST_AUTO_TEST_SUITE(test_program_pictures)
 
 BOOST_AUTO_TEST_CASE(cubics_are_exact_between_the_nodes) {
   const double error =

@@ -22,7 +22,7 @@ program::Physics example_physics() {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(report_lines)
+BOOST_AUTO_TEST_SUITE(test_program_report)
 
 // "1994" and "3.602e+04" are separate numbers, and no name shifts its row.
 BOOST_AUTO_TEST_CASE(columns_of_formulas_stand_apart) {

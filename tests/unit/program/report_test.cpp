@@ -87,7 +87,7 @@ program::Computed computed_of(const program::Case& input, const steady::Solution
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(report)
+BOOST_AUTO_TEST_SUITE(test_program_report)
 
 BOOST_AUTO_TEST_CASE(outcome_finds_values_and_places) {
   const program::Case input = example_case();

@@ -23,7 +23,7 @@ const std::string moes = "[contact]\nM = 50\nL = 10\n[lubricant]\nalpha = 1.7e-8
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(scene)
+BOOST_AUTO_TEST_SUITE(test_program_scene)
 
 // M = 50, L = 10: alpha_bar = 13.42, lambda = 0.0596 (Venner and ten Napel 1992).
 BOOST_AUTO_TEST_CASE(the_papers_case) {

@@ -33,7 +33,7 @@ program::StudyPoint from_text(const std::string& text) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(study)
+BOOST_AUTO_TEST_SUITE(test_program_study)
 
 // Fully converged second-order films of an independent program, and the limits at which both schemes agree.
 BOOST_AUTO_TEST_CASE(the_extrapolated_film_is_the_limit) {

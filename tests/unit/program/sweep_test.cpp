@@ -49,7 +49,7 @@ std::string row(const std::string& status) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(sweep)
+BOOST_AUTO_TEST_SUITE(test_program_sweep)
 
 BOOST_AUTO_TEST_CASE(lists) {
   BOOST_TEST(values("contact.M=2,5, 1e1") == (Texts{"2", "5", "1e1"}), boost::test_tools::per_element());

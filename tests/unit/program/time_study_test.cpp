@@ -46,7 +46,7 @@ program::TimeStudyPoint from_text(const std::string& text) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(time_study)
+BOOST_AUTO_TEST_SUITE(test_program_time_study)
 
 BOOST_AUTO_TEST_CASE(errors_are_the_largest_over_the_run) {
   program::TimeStudyPoint point = made(1.0);

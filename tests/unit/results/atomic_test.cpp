@@ -24,7 +24,7 @@ using support::refusal;
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(atomic_file)
+BOOST_AUTO_TEST_SUITE(test_results_atomic)
 
 BOOST_AUTO_TEST_CASE(writes_and_replaces_only_on_request) {
   const support::TemporaryFolder folder;

@@ -51,7 +51,7 @@ std::string refusal(const std::string& path) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(result_file)
+BOOST_AUTO_TEST_SUITE(test_results_file)
 
 BOOST_AUTO_TEST_CASE(what_is_written_is_read_back) {
   const support::TemporaryFolder folder;

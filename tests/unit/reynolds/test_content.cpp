@@ -10,6 +10,8 @@
 #include "reynolds/content.hpp"
 #include "unit/reynolds/fields.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_reynolds_content)
+
 using namespace ehl;
 using namespace ehl::tests;
 using reynolds::Wedge;
@@ -280,3 +282,5 @@ BOOST_AUTO_TEST_CASE(pocket_cavitates_and_fills_again) {
   BOOST_TEST(std::abs(errors[0]) <= 4e-3);
   BOOST_TEST(std::abs(errors[2]) <= 1e-3);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 #include "reynolds/content.hpp"
 #include "unit/reynolds/fields.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_reynolds_content)
+
 using namespace ehl;
 using namespace ehl::tests;
 
@@ -205,3 +207,5 @@ BOOST_AUTO_TEST_CASE(residual_has_the_rows_of_the_march_in_time) {
   BOOST_TEST(worst <= 1e-9);
   BOOST_TEST(worst_Q <= 1e-12);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 #include "reynolds/flow_balance.hpp"
 #include "unit/reynolds/fields.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_reynolds_content)
+
 using namespace ehl;
 using namespace ehl::tests;
 using reynolds::Wedge;
@@ -72,3 +74,5 @@ BOOST_AUTO_TEST_CASE(full_points_have_the_rows_of_the_other_model_and_oil_is_con
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

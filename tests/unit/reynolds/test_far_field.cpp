@@ -7,6 +7,8 @@
 #include "reynolds/far_field.hpp"
 #include "unit/reynolds/fields.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_reynolds_far_field)
+
 using namespace ehl::tests;
 using ehl::core::Grid;
 using ehl::core::QuadraticForm;
@@ -189,3 +191,5 @@ BOOST_AUTO_TEST_CASE(the_line_contact_has_its_exact_solution) {
     BOOST_TEST(far.P(far.at(1.5, 0.0), 1.0, state) == 0.0);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,8 @@
 #include "reynolds/flow_balance.hpp"
 #include "unit/reynolds/fields.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_reynolds_flow_balance)
+
 using namespace ehl::tests;
 namespace reynolds = ehl::reynolds;
 using ehl::core::Field;
@@ -87,3 +89,5 @@ BOOST_AUTO_TEST_CASE(flow_of_a_channel) {
       reynolds::flow_balance(grid, fields.state(), Wedge::upstream2, reynolds::Cavitation::nonnegative_pressure, 1.0);
   BOOST_TEST(std::abs(thinning.imbalance() + 0.01 * (2.0 + grid.hx())) < 1e-12);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,8 @@
 #include "support/mirrored.hpp"
 #include "unit/reynolds/fields.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_reynolds_mirrored)
+
 using namespace ehl::tests;
 namespace reynolds = ehl::reynolds;
 using ehl::core::Field;
@@ -81,3 +83,5 @@ BOOST_AUTO_TEST_CASE(flow_balance_of_the_half) {
         BOOST_TEST(error < 1e-12);
       }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

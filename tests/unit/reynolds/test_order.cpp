@@ -6,6 +6,8 @@
 
 #include "unit/reynolds/fields.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_reynolds_order)
+
 using namespace ehl::tests;
 namespace reynolds = ehl::reynolds;
 using ehl::core::Field;
@@ -125,3 +127,5 @@ BOOST_AUTO_TEST_CASE(first_column_has_the_first_order_wedge) {
   for (int j = 1; j < grid.ny; ++j) BOOST_TEST(one(1, j) == two(1, j));
   BOOST_TEST(one(2, 1) != two(2, 1));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -11,6 +11,8 @@
 #include "reynolds/flux.hpp"
 #include "unit/reynolds/fields.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_reynolds_residual)
+
 using namespace ehl::tests;
 namespace reynolds = ehl::reynolds;
 using ehl::core::Field;
@@ -187,3 +189,5 @@ BOOST_AUTO_TEST_CASE(what_is_not_a_number_shows_in_the_norms) {
     BOOST_TEST((norms.i == 7 && norms.j == 4), "found at " << norms.i << ", " << norms.j);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

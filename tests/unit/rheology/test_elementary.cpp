@@ -7,6 +7,8 @@
 
 #include "rheology/elementary.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_rheology_elementary)
+
 using namespace ehl::rheology;
 namespace core = ehl::core;
 
@@ -127,3 +129,5 @@ BOOST_AUTO_TEST_CASE(lanes_do_not_mix) {
     BOOST_TEST(std::isnan(y[core::lanes - 1]));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,8 @@
 
 #include "rheology/thinned_by_flow.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_rheology_flow_thinning)
+
 using namespace ehl::rheology;
 using ehl::core::broadcast;
 
@@ -110,3 +112,5 @@ BOOST_AUTO_TEST_CASE(stresses_in_any_direction) {
       if (t > 0.0) BOOST_TEST(off(found.stress, t / (exact.mean_x * alone.across)) < 1e-5);
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,8 @@
 #include "core/errors.hpp"
 #include "support/law_at.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_rheology_laws)
+
 using namespace ehl::rheology;
 
 namespace {
@@ -201,3 +203,5 @@ BOOST_AUTO_TEST_CASE(a_value_depends_neither_on_length_nor_on_position) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,8 @@
 #include "rheology/range.hpp"
 #include "support/law_at.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_rheology_liquids)
+
 using namespace ehl::rheology;
 
 namespace {
@@ -227,3 +229,5 @@ BOOST_AUTO_TEST_CASE(every_fluid_names_its_source) {
   }
   BOOST_TEST(find_fluid("water") == nullptr);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

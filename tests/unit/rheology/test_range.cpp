@@ -5,6 +5,8 @@
 
 #include "rheology/range.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_rheology_range)
+
 using namespace ehl::rheology;
 
 namespace {
@@ -84,3 +86,5 @@ BOOST_AUTO_TEST_CASE(pressures_nobody_measured_at_are_named) {
 BOOST_AUTO_TEST_CASE(laws_without_pressure_have_no_range) {
   BOOST_TEST(out_of_range(Isoviscous{}, Incompressible{}, {.P_max = 5.0, .p_h = 5e9, .eta0 = 1.0}).empty());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

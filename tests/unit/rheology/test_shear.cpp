@@ -6,6 +6,8 @@
 
 #include "rheology/shear.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_rheology_shear)
+
 using namespace ehl::rheology;
 
 namespace {
@@ -174,3 +176,5 @@ BOOST_AUTO_TEST_CASE(a_limit_cuts_on_both_sides) {
   BOOST_TEST(limited(-3.0, 2.0) == -2.0);
   BOOST_TEST(limited(1.0, 2.0) == 1.0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,6 +5,8 @@
 
 #include "rheology/pressure_coefficient.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_rheology_table)
+
 using namespace ehl::rheology;
 
 namespace {
@@ -151,3 +153,5 @@ BOOST_AUTO_TEST_CASE(a_table_gives_the_coefficient_of_its_law) {
   BOOST_TEST(std::abs(coarse.alpha_star / exact.alpha_star - 1.0) < 5e-3);
   BOOST_TEST(std::abs(fine.alpha_star / exact.alpha_star - 1.0) < 2e-4);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

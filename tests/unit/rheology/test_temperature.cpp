@@ -9,6 +9,8 @@
 #include "rheology/pressure_coefficient.hpp"
 #include "rheology/temperature.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_rheology_temperature)
+
 using namespace ehl::rheology;
 
 namespace {
@@ -157,3 +159,5 @@ BOOST_AUTO_TEST_CASE(one_z_at_every_temperature) {
   BOOST_TEST(sum / 24 < 0.07);
   BOOST_TEST(largest < 0.25);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -11,6 +11,8 @@
 #include "rheology/thermal_properties.hpp"
 #include "rheology/thermal_viscosity.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_rheology_thermal_laws)
+
 using namespace ehl::rheology;
 
 namespace {
@@ -227,3 +229,5 @@ BOOST_AUTO_TEST_CASE(solids_by_name) {
     return text.find("cheese") != std::string::npos && text.find("sapphire") != std::string::npos;
   });
 }
+
+BOOST_AUTO_TEST_SUITE_END()

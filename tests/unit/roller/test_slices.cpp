@@ -18,7 +18,7 @@ Profile flat(double length) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(slices)
+BOOST_AUTO_TEST_SUITE(test_roller_slices)
 
 // Under p = sqrt(1 - x^2) on a strip from -l/2 to l/2, H/(a^2/R) = (1/2 pi) int int p/r. For l much larger than 1 this
 // is (1/2 pi) int p 2 ln(l/|x|) dx, and by parts int sqrt(1 - x^2) ln|x| dx = -(pi/2)(ln 2 + 1/2). Here the exact

@@ -7,6 +7,8 @@
 #include "effects/starvation/formulas.hpp"
 #include "steady/passes.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_starvation_formulas)
+
 using namespace ehl;
 using std::numbers::pi;
 
@@ -68,3 +70,5 @@ BOOST_AUTO_TEST_CASE(the_layer_of_the_next_pass) {
   BOOST_TEST(std::abs(oil(level) - oil(left)) <= 1e-15);
   BOOST_TEST(std::abs((level[3] - level[1]) - 0.4 * (left[3] - left[1])) <= 1e-15);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,8 @@
 #include "steady/larger_domain.hpp"
 #include "unit/steady/made_solutions.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_steady_accuracy)
+
 using namespace ehl;
 using namespace ehl::test;
 using boost::test_tools::tolerance;
@@ -257,3 +259,5 @@ BOOST_AUTO_TEST_CASE(the_climb_that_fails_is_replaced) {
   BOOST_TEST(starts == 2);
   BOOST_TEST(solution.grid.nx == 128);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -17,6 +17,8 @@
 #include "steady/resolution.hpp"
 #include "unit/newton/newton_scene.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_steady_choices)
+
 using namespace ehl;
 using boost::test_tools::tolerance;
 
@@ -228,5 +230,7 @@ BOOST_AUTO_TEST_CASE(divergence_is_an_answer) {
   for (int i = 0; i <= 64; ++i)
     for (int j = 0; j <= 64; ++j) BOOST_REQUIRE(wild.finest().P(i, j) == start(i, j));
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

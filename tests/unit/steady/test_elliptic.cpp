@@ -15,6 +15,8 @@
 #include "steady/resolution.hpp"
 #include "steady/solve.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_steady_elliptic)
+
 using namespace ehl;
 
 namespace {
@@ -229,3 +231,5 @@ BOOST_AUTO_TEST_CASE(a_steep_edge_is_one_of_this_pressure) {
     BOOST_TEST(caution(shape, 20.1) < 1.0, "R_x/R_y " << radius_ratio);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 #include "steady/scene.hpp"
 #include "steady/solution.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_steady_error_bars)
+
 using namespace ehl;
 using namespace ehl::steady;
 using namespace ehl::judgement;
@@ -290,5 +292,7 @@ BOOST_AUTO_TEST_CASE(domain_by_the_rough_estimate) {
   BOOST_TEST(domain > 0.001);
   BOOST_TEST(domain < 0.2);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

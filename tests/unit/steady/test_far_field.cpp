@@ -10,6 +10,8 @@
 #include "steady/solve.hpp"
 #include "support/roelands_scene.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_steady_far_field)
+
 using namespace ehl;
 
 namespace {
@@ -194,3 +196,5 @@ BOOST_AUTO_TEST_CASE(newton_returns_a_state_that_closes) {
   BOOST_TEST(apart < 1e-10);
   BOOST_TEST(std::abs(load / contact::load(groups.shape) - 1.0) < 1e-10);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

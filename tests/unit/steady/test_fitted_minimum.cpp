@@ -8,6 +8,8 @@
 #include "core/norms.hpp"
 #include "judgement/fitted_minimum.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_steady_fitted_minimum)
+
 using namespace ehl;
 using namespace ehl::judgement;
 using boost::test_tools::tolerance;
@@ -141,3 +143,5 @@ BOOST_AUTO_TEST_CASE(not_followed_far) {
     BOOST_TEST(!followed(0.0, 2.55 * sign));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,8 @@
 
 #include "unit/steady/made_solutions.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_steady_free_domain)
+
 using namespace ehl;
 using namespace ehl::test;
 using boost::test_tools::tolerance;
@@ -292,3 +294,5 @@ BOOST_AUTO_TEST_CASE(the_mesh_does_not_count_as_domain) {
     BOOST_TEST(made.asked[1].grid.hx() == made.asked[0].grid.hx(), tolerance(1e-12));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

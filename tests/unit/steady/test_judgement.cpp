@@ -10,6 +10,8 @@
 #include "judgement/stopping.hpp"
 #include "steady/warnings.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_steady_judgement)
+
 using namespace ehl;
 using namespace ehl::steady;
 using namespace ehl::judgement;
@@ -183,3 +185,5 @@ BOOST_AUTO_TEST_CASE(warnings_name_what_is_wrong) {
   solution.P(8, 1) = 0.01;
   BOOST_TEST(warned("narrow"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,6 +5,8 @@
 
 #include "steady/layer_error.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_steady_layer_error)
+
 using namespace ehl;
 using steady::Pass;
 
@@ -55,3 +57,5 @@ BOOST_AUTO_TEST_CASE(not_known_where_the_coarse_mesh_does_not_follow) {
   BOOST_TEST(std::isnan(passes[2].supply_error));
   BOOST_TEST(std::isnan(steady::errors_of_supply(passes).Hc));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

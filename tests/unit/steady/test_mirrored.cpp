@@ -8,6 +8,8 @@
 #include "support/mirrored.hpp"
 #include "support/roelands_scene.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_steady_mirrored)
+
 using namespace ehl;
 
 namespace {
@@ -89,3 +91,5 @@ BOOST_AUTO_TEST_CASE(a_minimum_on_the_axis_is_fitted_through_its_images) {
   BOOST_TEST(std::abs(one.value - 1.0) < 1e-12);
   BOOST_TEST((std::abs(one.X - all.X) < 1e-14 && std::abs(one.Y - all.Y) < 1e-14));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

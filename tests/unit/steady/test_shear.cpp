@@ -11,6 +11,8 @@
 #include "support/roelands_scene.hpp"
 #include "unit/newton/newton_scene.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_steady_shear)
+
 using namespace ehl;
 using rheology::ShearThinning;
 
@@ -167,3 +169,5 @@ BOOST_AUTO_TEST_CASE(the_newtonian_limit_and_continuation) {
   // For eight times the load, p_h and a are doubled, and k changes with 1/a^2.
   BOOST_TEST(std::abs(steady::under_load(scene, 8.0 * scene.M).thinning->k / scene.thinning->k - 0.25) < 1e-14);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 #include "steady/solve.hpp"
 #include "support/roelands_scene.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_steady_surface)
+
 using namespace ehl;
 using Path = steady::ContinuationParameters::Path;
 
@@ -180,3 +182,5 @@ BOOST_AUTO_TEST_CASE(a_lighter_load_meets_the_same_surface) {
   BOOST_TEST_MESSAGE("largest difference " << worst << " m of " << 0.05 * full.h_scale);
   BOOST_TEST(worst < 1e-12 * full.h_scale);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 #include "steady/scene.hpp"
 #include "steady/solution.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_steady_unresolved)
+
 using namespace ehl;
 
 // Two levels give no error of P_max; a spike that is visible, or may be hidden, then counts as unresolved.
@@ -48,3 +50,5 @@ BOOST_AUTO_TEST_CASE(waves_that_half_the_cells_lose) {
     BOOST_TEST(bars.P_max_converging == (cells_per_wave == 32));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -15,6 +15,8 @@
 #include "support/roelands_scene.hpp"
 #include "support/text.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_steady_verification)
+
 using namespace ehl;
 using namespace ehl::steady;
 using namespace ehl::judgement;
@@ -167,3 +169,5 @@ BOOST_AUTO_TEST_CASE(a_spike_below_the_plateau_of_a_coarse_grid) {
   BOOST_TEST(P_max < 1.05);
   BOOST_TEST(!(P_max * (1.0 + solution.error_bars.P_max) < 1.273));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,8 @@
 #include "steady/scene.hpp"
 #include "steady/solution.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_steady_weighted_bars)
+
 using namespace ehl;
 using namespace ehl::steady;
 using boost::test_tools::tolerance;
@@ -93,3 +95,5 @@ BOOST_AUTO_TEST_CASE(by_weights_that_cancel) {
   const double of_node = 0.0025 / 0.2525;
   BOOST_TEST(error_bars_of(Scene{}, solution).Hm_fitted.discretization == 3.0 * (0.018 - of_node), tolerance(1e-10));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 
 #include "effects/subsurface/patch.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_patch_stress)
+
 using namespace ehl::subsurface;
 
 namespace {
@@ -209,3 +211,5 @@ BOOST_AUTO_TEST_CASE(the_equivalent_stresses) {
   BOOST_TEST(std::abs(mises(turned) - std::sqrt(19.0)) < tolerance);
   BOOST_TEST(std::abs(largest_shear(turned) - 2.5) < tolerance);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

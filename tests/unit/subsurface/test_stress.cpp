@@ -10,6 +10,8 @@
 #include "effects/subsurface/plane_sum.hpp"
 #include "effects/subsurface/stress.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_subsurface)
+
 using namespace ehl;
 using namespace ehl::subsurface;
 
@@ -298,3 +300,5 @@ BOOST_AUTO_TEST_CASE(the_largest_value_near_the_surface_is_that_of_a_node) {
   const Maximum shear = stress_below(grid, P, {}, 1).shear;
   BOOST_TEST((shear.Z < 2.0 * grid.hx() && shear.value == shear.on_node));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

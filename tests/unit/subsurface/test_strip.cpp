@@ -6,6 +6,8 @@
 #include "effects/subsurface/stress.hpp"
 #include "effects/subsurface/strip.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_strip_stress)
+
 using namespace ehl;
 using namespace ehl::subsurface;
 
@@ -119,3 +121,5 @@ BOOST_AUTO_TEST_CASE(threads_change_nothing_below_a_line) {
   BOOST_TEST(one.mises.value == three.mises.value);
   for (int i = 0; i <= grid.nx; ++i) BOOST_TEST(one.section[tau_xz](i, 5) == three.section[tau_xz](i, 5));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -11,6 +11,8 @@
 #include "support/random.hpp"
 #include "surface/feature.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_surface_feature)
+
 using namespace ehl;
 using namespace ehl::surface;
 using Shape = Feature::Shape;
@@ -209,3 +211,5 @@ BOOST_AUTO_TEST_CASE(means_over_cells) {
     BOOST_TEST(worst_dimple < 1e-4);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

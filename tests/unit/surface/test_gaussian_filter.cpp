@@ -5,6 +5,8 @@
 
 #include "surface/gaussian_filter.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_surface_gaussian_filter)
+
 using namespace ehl::surface;
 
 namespace {
@@ -66,3 +68,5 @@ BOOST_AUTO_TEST_CASE(a_constant_map_stays_at_its_edges) {
   const Heights filtered = long_waves(ones, 1.0, 2.0, 7.0);
   for (const double z : filtered.values) BOOST_TEST(std::abs(z - 1.0) < 1e-14);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,8 @@
 #include "support/random.hpp"
 #include "surface/height_map.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_surface_height_map)
+
 using namespace ehl::surface;
 
 namespace {
@@ -99,3 +101,5 @@ BOOST_AUTO_TEST_CASE(symmetry_of_a_map) {
   const auto skew = [&](int k, int l) { return bowl(k, l) + 1e-6 * l; };
   BOOST_TEST(!symmetric(HeightMap{.gap = heights_of(12, 20, skew), .dx = 0.1, .dy = 0.1}));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,8 @@
 #include "core/norms.hpp"
 #include "surface/resample.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_surface_resample)
+
 using namespace ehl;
 using namespace ehl::surface;
 
@@ -161,3 +163,5 @@ BOOST_AUTO_TEST_CASE(the_lower_half_is_that_of_the_whole) {
     for (int j = 0; j <= 16; ++j) apart = std::max(apart, std::abs(whole(i, j) - half(i, j)));
   BOOST_TEST(apart < 1e-15);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

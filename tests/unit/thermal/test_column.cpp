@@ -9,6 +9,8 @@
 #include "rheology/laws.hpp"
 #include "thermal/column.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_thermal_column)
+
 using namespace ehl::thermal;
 namespace rheology = ehl::rheology;
 using ehl::core::broadcast;
@@ -288,3 +290,5 @@ BOOST_AUTO_TEST_CASE(nodes_that_do_not_exist) {
     BOOST_TEST(std::abs(heat - 0.25) < 1e-14);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 #include "core/errors.hpp"
 #include "unit/thermal/base_case.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_thermal_film_temperature)
+
 using namespace ehl::thermal;
 using ehl::core::Field;
 using ehl::core::Grid;
@@ -298,3 +300,5 @@ BOOST_AUTO_TEST_CASE(a_limiting_stress_acts_on_the_flow) {
     BOOST_TEST(std::abs(film.tau_m()(4, 4) / std::min(law, limit) - 1) < 1e-6);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

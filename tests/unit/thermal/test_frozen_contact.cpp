@@ -5,6 +5,8 @@
 
 #include "unit/thermal/base_case.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_thermal_frozen_contact)
+
 using namespace ehl::thermal;
 using ehl::core::Field;
 using ehl::core::Grid;
@@ -105,3 +107,5 @@ BOOST_AUTO_TEST_CASE(the_whole_source_is_cooler_than_lines) {
   }
   BOOST_TEST(whole.sweeps < 15);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

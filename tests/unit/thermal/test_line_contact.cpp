@@ -9,6 +9,8 @@
 #include "thermal/source_convolution.hpp"
 #include "unit/thermal/base_case.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_thermal_line_contact)
+
 using namespace ehl::thermal;
 using ehl::core::Field;
 using ehl::core::line_grid;
@@ -167,3 +169,5 @@ BOOST_AUTO_TEST_CASE(a_surface_at_rest_is_refused) {
     BOOST_CHECK_NO_THROW(FilmTemperature{setup});
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

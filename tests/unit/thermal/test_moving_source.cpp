@@ -10,6 +10,8 @@
 #include "thermal/moving_source.hpp"
 #include "thermal/source_convolution.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_thermal_moving_source)
+
 using namespace ehl::thermal;
 using ehl::core::Field;
 using ehl::core::Grid;
@@ -205,3 +207,5 @@ BOOST_AUTO_TEST_CASE(any_number_of_threads_and_one_half) {
   BOOST_TEST(direct_gap < 1e-13);
   BOOST_TEST(half_gap < 1e-13);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 #include "support/mirrored.hpp"
 #include "transfer/transfer.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_transfer)
+
 using ehl::core::coarsened;
 using ehl::core::Field;
 using ehl::core::Grid;
@@ -258,3 +260,5 @@ BOOST_AUTO_TEST_CASE(across_alone_stations_are_kept) {
     for (int j = 1; j < grid.ny; ++j) largest = std::max(largest, std::abs(weighted(i, j)));
   BOOST_TEST(largest < 1e-13);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,8 @@
 #include "core/norms.hpp"
 #include "transient/conditions.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_transient_conditions)
+
 using namespace ehl;
 using namespace ehl::transient;
 using ehl::surface::Feature;
@@ -129,3 +131,5 @@ BOOST_AUTO_TEST_CASE(a_measured_map_is_carried_like_a_feature) {
   conditions.on_1 = map;
   BOOST_TEST(!symmetric(conditions));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

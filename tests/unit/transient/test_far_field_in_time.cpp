@@ -4,6 +4,8 @@
 
 #include "unit/transient/marching.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_transient_far_field)
+
 using namespace ehl;
 using namespace ehl::tests;
 using namespace ehl::transient;
@@ -67,3 +69,5 @@ BOOST_AUTO_TEST_CASE(half_of_the_domain_gives_the_same_film_while_the_load_rises
   BOOST_TEST(closed < 0.003);
   BOOST_TEST(zero > 0.02);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

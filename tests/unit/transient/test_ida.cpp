@@ -13,6 +13,8 @@
 
 #include "transient/ida.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_transient_ida)
+
 using namespace ehl::transient;
 using End = StepReport::End;
 
@@ -206,3 +208,5 @@ BOOST_AUTO_TEST_CASE(interpolation_within_the_last_step) {
   BOOST_CHECK_THROW(ida.interpolate(step.T + 1e-6 * step.length, y), std::logic_error);
   BOOST_CHECK_THROW(ida.interpolate(step.T - 1.1 * step.length, y), std::logic_error);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

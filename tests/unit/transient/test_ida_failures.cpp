@@ -10,6 +10,8 @@
 
 #include "transient/ida.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_transient_ida_failures)
+
 using namespace ehl::transient;
 using End = StepReport::End;
 
@@ -178,3 +180,5 @@ BOOST_AUTO_TEST_CASE(exceptions_pass_through_the_library) {
       BOOST_TEST(caught == "mine, from " + where);
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,8 @@
 #include "transient/contact_dae.hpp"
 #include "unit/transient/marching.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_transient_line)
+
 using namespace ehl;
 using namespace ehl::tests;
 using namespace ehl::transient;
@@ -159,3 +161,5 @@ BOOST_AUTO_TEST_CASE(newtons_steps_solve_an_implicit_step) {
   }
   BOOST_TEST(taken < 12, "P off by " << P_error << ", H00 by " << H00_error << " (1e-7) after 12 steps");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

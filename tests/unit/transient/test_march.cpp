@@ -7,6 +7,8 @@
 #include "core/norms.hpp"
 #include "unit/transient/marching.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_transient_march)
+
 using namespace ehl;
 using namespace ehl::tests;
 using namespace ehl::transient;
@@ -198,3 +200,5 @@ BOOST_AUTO_TEST_CASE(half_of_the_domain_is_the_whole) {
   BOOST_TEST(apart <= 1e-8);
   BOOST_TEST(fields <= 1e-8);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

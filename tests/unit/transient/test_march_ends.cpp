@@ -7,6 +7,8 @@
 #include "core/norms.hpp"
 #include "unit/transient/marching.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_transient_march_ends)
+
 using namespace ehl;
 using namespace ehl::tests;
 using namespace ehl::transient;
@@ -181,3 +183,5 @@ BOOST_AUTO_TEST_CASE(same_bits_with_one_and_two_threads) {
   BOOST_TEST(core::max_abs_difference(last[0].P, last[1].P) == 0.0);
   BOOST_TEST(core::max_abs_difference(last[0].H, last[1].H) == 0.0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

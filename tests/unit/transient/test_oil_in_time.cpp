@@ -5,6 +5,8 @@
 #include "core/norms.hpp"
 #include "unit/transient/marching.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_transient_oil)
+
 using namespace ehl;
 using namespace ehl::tests;
 using namespace ehl::transient;
@@ -127,3 +129,5 @@ BOOST_AUTO_TEST_CASE(more_than_goes_through_a_line) {
   check_oil("a line before which oil stands", all, 0.3);
   BOOST_TEST(all.rows.back().oil.in > 2.0 * all.rows.front().oil.in);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

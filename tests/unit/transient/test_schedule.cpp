@@ -9,6 +9,8 @@
 #include "support/random.hpp"
 #include "transient/schedule.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_transient_schedule)
+
 using namespace ehl::transient;
 using ehl::tests::Random;
 
@@ -222,3 +224,5 @@ BOOST_AUTO_TEST_CASE(resolving_steps) {
   BOOST_TEST(resolving_step({.wave = Schedule::Wave{0.3, 4.0, 1.0}}) == 0.2);
   BOOST_TEST(resolving_step({.points = {{0, 1}, {0.4, 2}}, .wave = Schedule::Wave{0.3, 4.0, 1.0}}) == 0.1);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
