@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
-#include <iterator>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -149,6 +148,7 @@ BOOST_AUTO_TEST_CASE(files_stay_short) {
   report(offences);
 }
 
+<<<<<<< HEAD
 // Limits the length of pages. The theory and generated tables may be longer.
 BOOST_AUTO_TEST_CASE(pages_stay_short) {
   std::vector<std::string> offences;
@@ -167,6 +167,13 @@ BOOST_AUTO_TEST_CASE(pages_stay_short) {
       if (entry.path().filename() == "README.md" && !longer) check(entry.path(), 60, 500);
     }
   report(offences);
+=======
+// The other pages are bounded by their paragraphs (wording.py).
+BOOST_AUTO_TEST_CASE(the_front_page_stays_short) {
+  const int lines = line_count(read_text(root / "README.md"));
+  BOOST_TEST_MESSAGE("README.md: " << lines << " lines");
+  BOOST_TEST((0 < lines && lines <= 150));
+>>>>>>> a5fafa4 (Pages are bounded by their paragraphs, and a script finds prose that a reader must puzzle out)
 }
 
 BOOST_AUTO_TEST_CASE(the_wings_of_the_program_point_one_way) {

@@ -127,8 +127,7 @@ BOOST_AUTO_TEST_CASE(streaks_in_a_slot) {
   BOOST_TEST_MESSAGE("temperature " << temperature << ", heat " << heat << ", speed " << speed
                                     << " off (tolerance 1e-10), heat carried " << carried
                                     << " of that of the full slot");
-  BOOST_TEST(temperature < 1e-10);
-  BOOST_TEST(heat < 1e-10);
+  BOOST_TEST(std::max(temperature, heat) < 1e-10);
   BOOST_TEST(speed < 1e-12);
   BOOST_TEST(std::abs(carried / share - 1.0) < 1e-10);
 }
@@ -198,8 +197,7 @@ BOOST_AUTO_TEST_CASE(heat_balances) {
                                << base.T0 * sum.surface_1.theta << ", " << base.T0 * sum.surface_2.theta << "; carried "
                                << sum.carried / sum.heat << " of the heat");
   BOOST_TEST(std::abs(sum.defect) < 1e-8);
-  BOOST_TEST(sum.heat > 0.0);
-  BOOST_TEST(!sum.clipped);
+  BOOST_TEST((sum.heat > 0.0 && !sum.clipped));
   // The half domain gives the same result.
   BOOST_TEST(std::abs(sum_half.friction / sum.friction - 1) < 1e-8);
   double gap = 0.0;
@@ -235,8 +233,7 @@ BOOST_AUTO_TEST_CASE(mirrored_bodies_and_threads) {
       BOOST_REQUIRE(film.M2()(i, j) == threaded.M2()(i, j));
     }
   BOOST_TEST_MESSAGE("mirrored: theta " << gap << " off (tolerance 1e-10)");
-  BOOST_TEST(gap < 1e-10);
-  BOOST_TEST(std::abs(other.balance().friction + film.balance().friction) < 1e-10);
+  BOOST_TEST(std::max(gap, std::abs(other.balance().friction + film.balance().friction)) < 1e-10);
 }
 
 BOOST_AUTO_TEST_CASE(no_heat_no_change) {
@@ -257,9 +254,8 @@ BOOST_AUTO_TEST_CASE(no_heat_no_change) {
       for (int j = 0; j <= grid.ny; ++j) {
         BOOST_REQUIRE(std::abs(film.theta(i, j, 8) - theta) < 1e-15);
         if (theta > 0.0) continue;
-        BOOST_REQUIRE(std::abs(film.I0()(i, j) - 1) < 1e-15);
+        BOOST_REQUIRE(std::max(std::abs(film.I0()(i, j) - 1), std::abs(film.C()(i, j) - 1)) < 1e-15);
         BOOST_REQUIRE(std::abs(film.M2()(i, j) - 1) < 1e-14);
-        BOOST_REQUIRE(std::abs(film.C()(i, j) - 1) < 1e-15);
       }
   }
   // A warm film has a larger mobility and a lower density.
@@ -269,8 +265,8 @@ BOOST_AUTO_TEST_CASE(no_heat_no_change) {
   film.take(c.P, c.H);
   film.sweep();
   const double light = std::exp(-6.5e-4 * 0.1 * base.T0);
-  BOOST_TEST(std::abs(film.C()(4, 12) / light - 1) < 1e-2);
-  BOOST_TEST(std::abs(film.M2()(20, 12) / film.I0()(20, 12) / light - 1) < 1e-2);
+  for (const double lighter : {film.C()(4, 12), film.M2()(20, 12) / film.I0()(20, 12)})
+    BOOST_TEST(std::abs(lighter / light - 1) < 1e-2);
 }
 
 BOOST_AUTO_TEST_CASE(a_surface_that_moves_against_the_entrainment_is_refused) {

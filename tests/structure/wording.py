@@ -1,0 +1,99 @@
+#!/usr/bin/env python3
+"""Finds prose that a reader must puzzle out, in comments, messages and pages; exit status 1 where there is any.
+
+Rules: word       a word with a private meaning; the standard term is printed beside it
+       subject    a comment that cannot be read alone, such as "Of ..." or "Likewise ..."
+       figures    a comment with three or more measured figures: they belong into tests/bench
+       paragraph  a paragraph of a page with more than 60 words
+"""
+import pathlib
+import re
+import subprocess
+import sys
+
+WORDS = {
+    r"aslant": "oblique, at an angle",
+    r"reckon\w*": "compute, count",
+    r"foretold|foretells?": "predicted, estimates",
+    r"\bastray\b": "far from the solution",
+    r"\bbrim\b": "full",
+    r"\banew\b": "again",
+    r"thereof|whereof": "of it, of which",
+    r"(?<!as )\btold\b|\btells\b": "reported, reports",
+    r"along the motion": "in the rolling direction",
+    r"\bcaution\w*|boldness|bolder|boldest": "damping, growth factor",
+    r"\bswing(s|ing)\b": "oscillates, chatters",
+    r"\bleaves? 0\.\d+|\b0\.\d+ (is|are) left|left per cycle": "convergence factor",
+    r"lead(s|ing)? inward": "extend the boundary value inward",
+    r"wants pressure": "cavitation residual",
+    r"has not seen": "not used in the fit",
+    r"what is left of the equations": "residual, truncation error",
+    r"holds the contact": "resolves the contact",
+    r"by weights": "by the adjoint solution",
+    r"\bas ever\b": "as usual",
+    r"so many times": "how many times",
+}
+WORD = re.compile("|".join(WORDS), re.I)
+SUBJECT = re.compile(r"^\s*//+\s*(Of|The same|Likewise|With it|Without it|So many|Beside it|What is left)\b")
+FIGURE = re.compile(r"(?<![\w.^])(\d+\.\d+|\d+e-\d+|\d+(\.\d+)?( %| s\b| ms\b| times\b))(?!\w)")
+FORMULA = re.compile(r"[=*^/+] ?\d|source", re.I)
+MOST_WORDS = 60
+
+
+def term_of(found):
+    return next(term for pattern, term in WORDS.items() if re.search(pattern, found, re.I))
+
+
+def comment_of(line):
+    at = re.search(r"//[/!<]*\s?(.*)$", line)
+    return at.group(1) if at and line[: at.start()].count('"') % 2 == 0 else ""
+
+
+def offences_of_line(line, code):
+    texts = [line]
+    if code:
+        strings = [] if line.startswith("#include") else re.findall(r'"((?:[^"\\]|\\.)*)"', line)
+        texts = [comment_of(line), *strings]
+    for text in texts:
+        if found := WORD.search(text):
+            yield f"word '{found.group(0)}' (the standard term: {term_of(found.group(0))})"
+    if code and SUBJECT.match(line):
+        yield "subject: the comment cannot be read alone"
+    if code and len(FIGURE.findall(comment_of(line))) >= 3 and not FORMULA.search(comment_of(line)):
+        yield "figures: three measured figures or more in a comment"
+
+
+def offences_of_page(lines):
+    start, words, fenced = 1, 0, False
+    for number, line in enumerate([*lines, ""], 1):
+        plain = line.strip()
+        fenced ^= plain.startswith("```")
+        apart = fenced or not plain or plain.startswith(("|", "#", "```")) or line.startswith("    ")
+        if apart or plain.startswith(("- ", "* ")):
+            if words > MOST_WORDS:
+                yield start, f"paragraph of {words} words, {MOST_WORDS} at most"
+            start, words = number, 0
+        if not apart:
+            words += len(plain.split())
+
+
+def main():
+    root = pathlib.Path(__file__).resolve().parents[2]
+    kinds = ("*.cpp", "*.hpp", "*.h", "*.c", "*.md", "*.py", "*.ini", "*.gp")
+    files = subprocess.run(["git", "ls-files", *kinds], cwd=root, capture_output=True, text=True).stdout.split()
+    listed = 0
+    for path in files:
+        if path == "CHANGELOG.md" or path == "tests/structure/wording.py":
+            continue
+        lines = (root / path).read_text(errors="replace").splitlines()
+        code = path.endswith((".cpp", ".hpp", ".h", ".c"))
+        found = [(n, what) for n, line in enumerate(lines, 1) for what in offences_of_line(line, code)]
+        found += offences_of_page(lines) if path.endswith(".md") else []
+        for number, what in found:
+            print(f"{path}:{number}: {what}")
+        listed += len(found)
+    print(f"{listed} places in {len(files)} files")
+    return 1 if listed or not files else 0
+
+
+sys.exit(main())
