@@ -16,7 +16,7 @@ quantities = system(sprintf("sed -n 's/^# reference error \\([A-Za-z0-9_]*\\): .
 # In older tables, a deviation from the reference was called an error.
 before = system(sprintf("grep -c '^rtol.*,deviation_' '%s'", file)) eq "0" ? "error_" : "deviation_"
 limit(name) = real(said("reference error ".name))
-told(name) = name eq "Hc" ? "H_c" : (name eq "Hm" ? "H_m" : (name eq "P_max" ? "P_{max}" : said("probe ".name[3:*])))
+label_of(name) = name eq "Hc" ? "H_c" : (name eq "Hm" ? "H_m" : (name eq "P_max" ? "P_{max}" : said("probe ".name[3:*])))
 missing = system(sprintf("awk -F, '/^#/ {next} !at {for (k = 1; k <= NF; ++k) if ($k == \"status\") at = k; next} \
 $at != \"complete\" {printf \"%%s%%s\", n++ ? \", \" : \"\", $1}' '%s'", file))
 none = system(sprintf("grep -c ',complete,' '%s'", file)) eq "0"
@@ -86,7 +86,7 @@ set bmargin at screen 0
 set tmargin at screen 0.16
 set xrange [0:1]
 set yrange [0:1]
-set for [k = 1:words(quantities)] label k told(word(quantities, k)) at 0.07 + 0.93 * (k - 1) / words(quantities), 0.85 \
+set for [k = 1:words(quantities)] label k label_of(word(quantities, k)) at 0.07 + 0.93 * (k - 1) / words(quantities), 0.85 \
     point pt shape(k) ps 1.2 lc rgb colour(k) offset 1, 0
 set label 20 "dotted: error of the reference, ".said("reference") at 0.06, 0.52 noenhanced font ",6.5"
 set label 21 "seconds: ".said("times") at 0.06, 0.24 noenhanced font ",6.5"

@@ -122,7 +122,7 @@ def main(program, folder, what="0", *rest):
         for case in cases:
             print(bars(program, folder, case, most_nodes), flush=True)
         return
-    print("R_x/R_y,M,L,angle,cells,seconds,left per cycle,cycles to 1e-8,Hc;bar [%],Hm;bar [%],p_max [GPa],explanation")
+    print("R_x/R_y,M,L,angle,cells,seconds,convergence factor,cycles to 1e-8,Hc;bar [%],Hm;bar [%],p_max [GPa],explanation")
     for ratio in [float(value) for value in rest] or RATIOS:
         for M in LOADS:
             for L in (5, 10, 15):

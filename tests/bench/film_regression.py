@@ -181,7 +181,7 @@ def targets(data):
 
 
 def cross_validated(A, target, folds=10):
-    """Deviation of every case from a fit that has not seen it."""
+    """Deviation of every case from a fit made without it."""
     fold = np.random.default_rng(1).integers(0, folds, len(target))
     left = np.empty_like(target)
     for f in range(folds):
@@ -237,7 +237,7 @@ def picture(data, left_c, left_m):
             if log:
                 at.set_xscale("log")
             at.set_xlabel(label)
-        axes[row][0].set_ylabel(f"{name}: fit that has not seen it\nless the solution [%]")
+        axes[row][0].set_ylabel(f"{name}: fit without it\nless the solution [%]")
     figure.suptitle("Deviation of the fitted film against position; colour: $R_x/R_y$")
     figure.savefig(HERE / "film_regression.png", dpi=110)
 

@@ -86,14 +86,14 @@ def main(program, folder, seed=1, number=16, kind="point"):
         bad = [cells for cells, one in of.items() if not one.get("converged")]
         if bad:
             print(f"# {k}: not solved on", *bad)
-        told = {key.strip(): value for key, _, value in (line.partition("=") for line in deck.splitlines())}
+        given = {key.strip(): value for key, _, value in (line.partition("=") for line in deck.splitlines())}
         for cells in grids if fine not in bad else ():
             for value, is_now, bar, true in with_bars(kind, of[cells], of[fine]) if cells not in bad else ():
                 error = abs(is_now / true - 1)
                 if bar is None:  # the coarser grids were not solved
                     print(f"# {k}: no bar of {value} on {cells}")
                     continue
-                conditions = f"{p_h / 1e9:.2f},{float(told['u_m']):.2f},{float(told['srr']):.3f}"
+                conditions = f"{p_h / 1e9:.2f},{float(given['u_m']):.2f},{float(given['srr']):.3f}"
                 print(f"{seed}.{k},{value},{cells},{conditions},{bar:.1e},{error:.1e},{bar / max(error, 1e-9):.1f}")
 
 

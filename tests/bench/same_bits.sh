@@ -34,7 +34,7 @@ aspect hard/mesh_aspect_M20_L10.ini
 continuation hard/load_continuation.ini
 newton venner1992_M50_L10.ini --set multigrid.polish=always --set grid.cells=128
 newton1 venner1992_M50_L10.ini --set multigrid.polish=always --set grid.cells=64 --set discretization.wedge=upstream1
-aslant elliptic/aslant_M100_L10.ini
+aslant elliptic/oblique_M100_L10.ini
 roller elliptic/crowned_roller.ini
 wide elliptic/wide_M100_L10.ini
 slender elliptic/slender_M20_L10.ini

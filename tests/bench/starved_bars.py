@@ -47,9 +47,9 @@ def supply_of(program, folder, name, share):
     flooded = solved(program, folder, name + "_flooded", "grid.cells=128")
     wanted = 1.25 * flooded["Hc"]
     for cells in (64, 128):
-        told = solved(program, folder, f"{name}_scale{cells}", f"grid.cells={cells}", f"supply.H_oil={wanted:.12g}")
-        if told.get("starvation"):
-            return share * wanted / told["starvation"]["supply_ratio"]
+        report = solved(program, folder, f"{name}_scale{cells}", f"grid.cells={cells}", f"supply.H_oil={wanted:.12g}")
+        if report.get("starvation"):
+            return share * wanted / report["starvation"]["supply_ratio"]
     return None
 
 

@@ -54,7 +54,7 @@ static void solves_a_deck(void) {
   expect(!strcmp(ehl_attribute(r, "/levels", "columns"),
                  "level nx ny Hc Hm mesh_error_Hc mesh_error_Hm Hm_fitted P_max order_Hc "
                  "residual load_error cycles work_units seconds"),
-         "a table tells the order of its columns");
+         "a table states the order of its columns");
   expect(ehl_find(r, "/summary/nothing", &film) == 0 && ehl_entry_at(r, ehl_entry_count(r), &film) == 0,
          "what is not there is not found");
   ehl_free(r);

@@ -170,7 +170,7 @@ BOOST_AUTO_TEST_CASE(rolling_friction_grows_with_the_inlet) {
   const double rolling = one.summary("mu_rolling"), outer = one.summary("mu_rolling_outer");
   const InSi twice = from("x_inlet = -12\nx_outlet = 4\ny_half = 15\n[grid]\ncells = 256\n");
   const double more = twice.summary("mu_rolling") - rolling;
-  BOOST_TEST_MESSAGE("an inlet of twice the length adds " << more << ", told " << outer << " of " << rolling);
+  BOOST_TEST_MESSAGE("an inlet of twice the length adds " << more << ", reported " << outer << " of " << rolling);
   BOOST_TEST(outer > 0.1 * rolling);
   BOOST_TEST(std::abs(more / outer - 1.0) < 0.3);
 }

@@ -202,7 +202,7 @@ BOOST_AUTO_TEST_CASE(each_law_is_solved_in_as_many_cycles_as_roelands) {
         least_factor = factor;
       }
       BOOST_TEST_MESSAGE(load << " N, " << oil.substr(0, oil.find('\n')) << ": " << cycles
-                              << " cycles on all levels, residual left per cycle " << factor << ", Hc "
+                              << " cycles on all levels, convergence factor " << factor << ", Hc "
                               << json_number(ended.out, "Hc"));
       BOOST_TEST(factor < 1.3 * least_factor);
       BOOST_TEST(cycles <= fewest + 2);

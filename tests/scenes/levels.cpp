@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(every_kind_of_deck_on_every_level) {
                         {"line/starved", "", rounding},
                         {"transient/load_step", "--set grid.cells=32 --set transient.end_time=0.5", rounding},
                         {"friction/traction_eyring", "--set grid.cells=64", rounding},
-                        {"elliptic/aslant_M100_L10", "--set grid.cells=64", rounding},
+                        {"elliptic/oblique_M100_L10", "--set grid.cells=64", rounding},
                         {"subsurface/dry_friction", "--set grid.cells=64", stopped}};
   const support::TemporaryFolder folder;
   for (std::size_t k = 0; k < levels().size(); ++k)

@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(an_accuracy_is_foretold_and_may_be_interrupted) {
     const double foretold = std::stod(told.substr(told.find(mark, told.find("accuracy  ")) + mark.size()));
     BOOST_TEST(support::ehl(folder, std::string("run --quiet --overwrite --output d.h5 ") + set).status == 0);
     const double cells = support::rows_of(support::ehl(folder, "extract d.h5 /levels/nx").out).back()[0];
-    BOOST_TEST_MESSAGE(set << ": " << foretold << " nodes foretold, " << cells << " cells taken");
+    BOOST_TEST_MESSAGE(set << ": " << foretold << " nodes predicted, " << cells << " cells taken");
     BOOST_TEST(std::abs(std::log2((foretold - 1.0) / cells)) <= 1.0, set);
   }
   const std::string line = std::string("'") + EHL_PROGRAM +

@@ -253,7 +253,7 @@ BOOST_AUTO_TEST_CASE(ellipses_far_from_round) {
   const std::string wide = "load = 255.5\nradius_x = 0.01\nradius_ratio = 0.01\n", layer = "layer_m = 3e-7\n";
   const nlohmann::json found = solved(folder, ellipse(wide, 128), layer);
   const double truth = solved(folder, ellipse(wide, 256), layer)["Hc"], Hc = found["Hc"], bar = found["error_Hc"];
-  BOOST_TEST_MESSAGE("Hc changes by " << truth / Hc - 1.0 << " to twice the cells, told " << bar);
+  BOOST_TEST_MESSAGE("Hc changes by " << truth / Hc - 1.0 << " to twice the cells, error bar " << bar);
   BOOST_TEST(std::abs(truth / Hc - 1.0) < bar);
   BOOST_TEST(bar < 0.1);
   const nlohmann::json slender =

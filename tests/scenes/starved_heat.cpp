@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(progress_never_goes_back) {
   std::vector<int> told;
   for (std::size_t at = ended.err.find(" %"); at != std::string::npos; at = ended.err.find(" %", at + 1))
     told.push_back(std::stoi(ended.err.substr(at - 3, 3)));
-  BOOST_TEST_MESSAGE("told " << told.size() << " times, the last " << (told.empty() ? 0 : told.back()) << " %");
+  BOOST_TEST_MESSAGE("reported " << told.size() << " times, the last " << (told.empty() ? 0 : told.back()) << " %");
   BOOST_TEST(told.size() >= 4);
   BOOST_TEST(std::ranges::is_sorted(told), ended.err);
 }

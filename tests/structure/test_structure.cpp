@@ -148,32 +148,11 @@ BOOST_AUTO_TEST_CASE(files_stay_short) {
   report(offences);
 }
 
-<<<<<<< HEAD
-// Limits the length of pages. The theory and generated tables may be longer.
-BOOST_AUTO_TEST_CASE(pages_stay_short) {
-  std::vector<std::string> offences;
-  const auto check = [&](const fs::path& page, int most_lines, std::ptrdiff_t most_words) {
-    const std::string text = read_text(page);
-    std::istringstream stream(text);
-    const auto words = std::distance(std::istream_iterator<std::string>(stream), {});
-    if (line_count(text) > most_lines || words > most_words)
-      offences.push_back(fs::relative(page, root).string() + ": " + std::to_string(line_count(text)) + " lines, " +
-                         std::to_string(words) + " words");
-  };
-  check(root / "README.md", 150, 2000);
-  for (const char* folder : {"modules", "inputs", "postprocess", "tests"})
-    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
-      const bool longer = entry.path() == root / "modules/README.md" || entry.path() == root / "tests/bench/README.md";
-      if (entry.path().filename() == "README.md" && !longer) check(entry.path(), 60, 500);
-    }
-  report(offences);
-=======
 // The other pages are bounded by their paragraphs (wording.py).
 BOOST_AUTO_TEST_CASE(the_front_page_stays_short) {
   const int lines = line_count(read_text(root / "README.md"));
   BOOST_TEST_MESSAGE("README.md: " << lines << " lines");
   BOOST_TEST((0 < lines && lines <= 150));
->>>>>>> a5fafa4 (Pages are bounded by their paragraphs, and a script finds prose that a reader must puzzle out)
 }
 
 BOOST_AUTO_TEST_CASE(the_wings_of_the_program_point_one_way) {

@@ -20,7 +20,7 @@ WORDS = {
     r"\banew\b": "again",
     r"thereof|whereof": "of it, of which",
     r"(?<!as )\btold\b|\btells\b": "reported, reports",
-    r"along the motion": "in the rolling direction",
+    r"long along the motion": "in the rolling direction",
     r"\bcaution\w*|boldness|bolder|boldest": "damping, growth factor",
     r"\bswing(s|ing)\b": "oscillates, chatters",
     r"\bleaves? 0\.\d+|\b0\.\d+ (is|are) left|left per cycle": "convergence factor",

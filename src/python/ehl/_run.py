@@ -97,7 +97,7 @@ def check(deck, *, threads=None, **keys):
 
 def open(path, case=None):
     """Reads a result file of `ehl run`; or, of a sweep that kept its results, the case of this number, from 0 in the
-    order of the table. One that holds no solution is read with a warning: `converged` tells. Raises FileError."""
+    order of the table. One that holds no solution is read with a warning; see `converged`. Raises FileError."""
     library, name = _library.library(), _deck.encoded(os.fsencode(path), "path")
     handle = library.ehl_open(name) if case is None else library.ehl_open_case(name, case)
     result = Result(_Handle(handle), os.fspath(path))

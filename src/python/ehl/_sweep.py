@@ -95,7 +95,7 @@ def sweep(deck, vary=None, *, cases=None, output=None, overwrite=False, keep=Fal
     keep: keeps the result of each case in one HDF5 file beside the table: ehl.open("speed.h5", case=3).
     threads: cases at a time; None: all cores. quiet=False prints each case as it ends.
 
-    `status` of a row tells whether it converged. Warns where not all did. Raises InputError, FileError."""
+    `status` of a row says whether it converged. Warns where not all did. Raises InputError, FileError."""
     if keep and output is None:
         raise ValueError("keep: say where: output=\"table.csv\"")
     with _files(deck, cases, output) as (name, table_of_cases, table):

@@ -200,7 +200,7 @@ BOOST_AUTO_TEST_CASE(truncation_times_weights_foretells_the_coarser_grid) {
       const double now = fine_values.*value;
       const double foretold = now - (injected.*value - change);
       const double changed = now - coarse_values.*value;
-      BOOST_TEST_MESSAGE(c.name << ": " << name << " changes by " << changed / now << ", foretold " << foretold / now);
+      BOOST_TEST_MESSAGE(c.name << ": " << name << " changes by " << changed / now << ", predicted " << foretold / now);
       // The prediction is of first order. The remainder is quadratic in the change of pressure, which is
       // largest at a spike near Hm.
       BOOST_TEST(std::abs(foretold - changed) <= 0.04 * std::abs(changed) + second_order * now);

@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(secants_of_pure_rolling) {
   BOOST_TEST_MESSAGE("Hc " << found.Hc << ", " << 100 * (found.Hc / found.Hc_cold - 1) << " % (-3.7 %), "
                            << found.result.passes.size() << " passes; mobility up to " << largest << "; flow at worst "
                            << worst
-                           << " u_m off that of the closed form (tolerance 0.01: rim nodes, where the pressure tells "
+                           << " u_m off that of the closed form (tolerance 0.01: rim nodes, where the pressure sets "
                               "the flow, settle last)");
   BOOST_TEST(found.result.unmet.empty());
   BOOST_TEST(largest > 1.5);

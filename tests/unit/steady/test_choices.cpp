@@ -211,7 +211,7 @@ BOOST_AUTO_TEST_CASE(too_large_weights_are_lowered) {
   fmg::Hierarchy hasty = hierarchy_with(2.0);
   fmg::start_from_state(hasty, finest, fmg::state_of(hierarchy, finest));
   const fmg::CyclesResult result = cycles_to(hasty, 1e-8, 60);
-  BOOST_TEST_MESSAGE("caution " << result.caution.all << " and " << result.caution.steep << " after " << result.cycles
+  BOOST_TEST_MESSAGE("damping " << result.caution.all << " and " << result.caution.steep << " after " << result.cycles
                                 << " cycles");
   BOOST_TEST((result.end == fmg::CyclesEnd::content));
   BOOST_TEST(result.caution.all < 1.0);
