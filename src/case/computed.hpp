@@ -63,7 +63,7 @@ struct Outcome {
 struct DerivedFields {
   core::Field rho_bar{};
   core::Field ln_eta_bar{};
-  core::Field S{};  ///< height of the surfaces at rest
+  core::Field S{};  ///< the gap that surfaces at rest add
 };
 
 /// The solution with heat, or with an oil that thins by the pressure flow, and numbers of the solution without it.

@@ -47,7 +47,7 @@ SurfaceInput surface_input(deck::Deck& deck, const Physics& physics, const core:
 /// The surfaces that are not smooth.
 std::vector<const CarriedSurface*> carried(const SurfaceInput& surfaces);
 
-/// Adds the heights of both surfaces to the gap of a steady scene; does nothing if they are smooth.
+/// Adds the gap of both reliefs, at rest, to a steady scene; does nothing if the surfaces are smooth.
 void let_stand(const SurfaceInput& surfaces, steady::Scene& scene);
 
 /// One line per surface: its relief and, for a map, its processing and its resolution on this grid.

@@ -44,8 +44,8 @@ Reference reference_of(std::span<const StudyPoint> solutions);
 bool has_film(const StudyPoint& point);
 
 /// Fills in the errors, and marks the Pareto fronts of error and seconds for Hc and Hm. A point is on the front if no
-/// other point is as accurate and cheaper, or more accurate and as cheap. An error below that of the reference counts
-/// as equal to it, so that no point wins by chance.
+/// other point is at least as accurate and cheaper, or more accurate and at most as expensive. An error below that of
+/// the reference counts as equal to it, so that no point wins by chance.
 void judge(const Reference& reference, std::vector<StudyPoint>& points);
 
 /// The cheapest point with an error of Hc (or Hm) of at most `wanted`. The errors of the same method must stay below
