@@ -23,14 +23,14 @@ std::vector<deck::Key> dimensionless_keys() {
       {.name = "kind",
        .default_text = "point",
        .words = {"point", "line", "roller"},
-       .meaning = "point: a circle or an ellipse. line: bodies that are long and straight across the motion, as gear "
-                  "teeth and cams; nothing changes along y, and all that is a force is per length. Then M = W "
-                  "(2U)^(-1/2) and W = F'/(E' R_x), with F' the load per length. roller: a piece of such a contact, "
-                  "length long, with the profile of [roller]; M and W are those of its mean load per length."},
+       .meaning = "Kind of contact. point: a circle or an ellipse. line: long bodies, straight across the motion, such "
+                  "as gear teeth and cams; nothing varies along y, and forces are per length: M = W (2U)^(-1/2) with W "
+                  "= F'/(E' R_x) and F' the load per length. roller: a line contact of the given length, with the "
+                  "profile of [roller]; M and W are those of its mean load per length."},
       {.name = "M",
        .range = {0.1, 1e5},
-       .remedy = "outside it the contact is rigid or dry for every grid",
-       .meaning = "Moes load number M = W (2U)^(-3/4). First language: M and L.",
+       .remedy = "outside this range the contact is rigid or dry on every grid",
+       .meaning = "Moes load number M = W (2U)^(-3/4). M and L are the first of three ways to give the contact.",
        .source = "Moes; Venner and ten Napel 1992 use M = 50, L = 10",
        .example = "50",
        .example_is_active = true},
@@ -41,7 +41,7 @@ std::vector<deck::Key> dimensionless_keys() {
        .example_is_active = true},
       {.name = "W",
        .range = positive,
-       .meaning = "Hamrock-Dowson load number W = F/(E' R_x^2). Second language: W, U and G.",
+       .meaning = "Hamrock-Dowson load number W = F/(E' R_x^2). W, U and G are the second way to give the contact.",
        .example = "1.9e-7"},
       {.name = "U",
        .range = positive,
@@ -54,8 +54,8 @@ std::vector<deck::Key> dimensionless_keys() {
       {.name = "a_over_R",
        .range = {0.0, 1.0, true, false},
        .remedy = "a/R = pi p_h/E'",
-       .meaning = "Hertz radius over R, which M and L leave open and shear stresses depend on. Only with M and L, and "
-                  "[shear] or [friction].",
+       .meaning = "Hertz radius over R_x, a/R. M and L leave it open, and shear stresses depend on it. Used only with "
+                  "M and L, and with [shear] or [friction].",
        .example = "0.01"},
   };
 }
@@ -66,30 +66,33 @@ std::vector<deck::Key> si_keys() {
        .unit = "N",
        .range = positive,
        .remedy = "the load presses the bodies together",
-       .meaning = "Normal load F, of a roller on all of its length. Third language: load, radius_x and the elastic "
-                  "data in SI, with [motion] and eta0.",
+       .meaning = "Normal load F; for a roller, the load on its whole length. load, radius_x and the elastic data in "
+                  "SI, with [motion] and eta0, are the third way to give the contact.",
        .example = "15"},
       {.name = "load_per_length",
        .unit = "N/m",
        .range = positive,
        .remedy = "1 N/mm is 1000 N/m",
-       .meaning = "Normal load per length of a line contact, F' = F/length, instead of load. Only with kind = line.",
+       .meaning =
+           "Normal load per length of a line contact, F' = F/length, instead of load. Used only with kind = line.",
        .example = "2e5"},
       {.name = "radius_x",
        .unit = "m",
        .range = positive,
-       .meaning = "Reduced radius along the entrainment: 1/R_x = 1/R_x1 + 1/R_x2 (ball on flat: the ball's).",
+       .meaning = "Reduced radius in the rolling direction: 1/R_x = 1/R_x1 + 1/R_x2. For a ball on a flat it is the "
+                  "radius of the ball.",
        .example = "0.0125"},
       {.name = "radius_y",
        .default_note = "radius_x (circular contact)",
        .unit = "m",
        .range = positive,
-       .meaning = "Principal reduced radius across radius_x: 1/R_y = 1/R_y1 + 1/R_y2; or radius_ratio.",
+       .meaning =
+           "Reduced radius at right angles to radius_x: 1/R_y = 1/R_y1 + 1/R_y2. radius_ratio may be given instead.",
        .example = "0.0125"},
       {.name = "E1",
        .unit = "Pa",
        .range = positive,
-       .meaning = "Young's modulus of body 1 (with nu1, E2 and nu2; or E_prime instead of the four).",
+       .meaning = "Young's modulus of body 1. Give E1, nu1, E2 and nu2 together, or E_prime instead.",
        .example = "206e9"},
       {.name = "nu1", .range = {-1.0, 0.5, true, false}, .meaning = "Poisson's ratio of body 1.", .example = "0.3"},
       {.name = "E2", .unit = "Pa", .range = positive, .meaning = "Young's modulus of body 2.", .example = "81e9"},
@@ -97,20 +100,19 @@ std::vector<deck::Key> si_keys() {
       {.name = "E_prime",
        .unit = "Pa",
        .range = positive,
-       .meaning = "Reduced modulus E' = 2/[(1 - nu1^2)/E1 + (1 - nu2^2)/E2], instead of E1, nu1, E2, nu2.",
+       .meaning = "Reduced modulus E' = 2/[(1 - nu1^2)/E1 + (1 - nu2^2)/E2], instead of E1, nu1, E2 and nu2.",
        .example = "110e9"},
       {.name = "Sq1",
        .unit = "m",
        .range = roughness,
        .remedy = "10 nm are 10e-9",
-       .meaning =
-           "Roughness of surface 1, the root mean square of its heights (Sq, or Rq of a profile): for the lambda "
-           "ratio in the report. The film is computed for smooth surfaces.",
+       .meaning = "Root mean square height of surface 1 (Sq of a map, Rq of a profile), for the lambda ratio in the "
+                  "report. The film is computed for smooth surfaces.",
        .example = "10e-9"},
       {.name = "Sq2",
        .unit = "m",
        .range = roughness,
-       .meaning = "Roughness of surface 2, likewise.",
+       .meaning = "Root mean square height of surface 2, see Sq1.",
        .example = "5e-9"},
   };
 }
@@ -120,11 +122,12 @@ std::vector<deck::Key> shape_keys() {
       {.name = "radius_ratio",
        .default_note = "1 (circular contact), or from radius_y",
        .range = {0.005, 200.0},
-       .remedy = "beyond it the contact is nearly a line",
-       .meaning = "R_x/R_y, the radius along the entrainment over the one across it: below 1 an ellipse that lies "
-                  "across it. With any language; groups, Hertz radii and scales are made with R_x.",
+       .remedy = "outside this range the contact is nearly a line contact",
+       .meaning = "R_x/R_y, the reduced radius in the rolling direction over the one across it. Below 1 the contact is "
+                  "an ellipse that is wider than long. It may be given with each of the three ways; groups, Hertz "
+                  "radii and scales are defined with R_x.",
        .source =
-           "tests/bench/wide_ellipses.csv; the formulas were made for 0.05 to 1, Nijenbanning, Venner and Moes 1994",
+           "tests/bench/wide_ellipses.csv; the film formulas hold for 0.05 to 1, Nijenbanning, Venner and Moes 1994",
        .example = "0.2"},
   };
 }
@@ -148,16 +151,16 @@ Language language_of(const deck::Part& contact) {
     if (const Names found = contact.given_of(names); !found.empty()) spoken.push_back({language, found});
   if (spoken.empty())
     contact.complain("M",
-                     "the contact is missing: give M and L, or W, U and G, or load, radius_x and E_prime (or E1, "
-                     "nu1, E2, nu2); of a line contact load_per_length",
+                     "the contact is missing: give M and L; or W, U and G; or load, radius_x and E_prime (or E1, nu1, "
+                     "E2, nu2), for a line contact load_per_length",
                      deck::Cause::missing);
   if (spoken.size() == 1) return spoken[0].language;
   // Advise to remove the one stray key, not the three complete ones.
   std::ranges::stable_sort(spoken, std::ranges::greater{}, [](const Choice& choice) { return choice.given.size(); });
   for (std::size_t k = 1; k < spoken.size(); ++k)
-    contact.refuse(spoken[k].given, "the contact is given in two languages: " + deck::joined(spoken[0].given, ", ") +
-                                        " (" + deck::value(contact.deck, "contact", spoken[0].given[0]).place +
-                                        ") already; keep one of M, L | W, U, G | load, radius_x and moduli");
+    contact.refuse(spoken[k].given, "the contact is already given by " + deck::joined(spoken[0].given, ", ") + " (" +
+                                        deck::value(contact.deck, "contact", spoken[0].given[0]).place +
+                                        "); keep one of M, L | W, U, G | load, radius_x and moduli");
   return Language::none;
 }
 
@@ -200,10 +203,9 @@ double read_radius_ratio(const deck::Part& contact, Language language) {
   const double of_radii = radius_x / contact.number("radius_y");
   const deck::Key& key = *deck::find_key(contact.deck.catalogue, "contact", "radius_ratio");
   if (!std::isnan(of_radii) && !key.range.contains(of_radii))
-    contact.complain(
-        "radius_y", fmt::format("means radius_x/radius_y = {:.4g}, which must be {}: beyond it the contact is nearly a "
-                                "line",
-                                of_radii, deck::allowed(key)));
+    contact.complain("radius_y", fmt::format("means radius_x/radius_y = {:.4g}, which must be {}: outside this range "
+                                             "the contact is nearly a line contact",
+                                             of_radii, deck::allowed(key)));
   return of_radii;
 }
 
@@ -211,12 +213,14 @@ Ellipse read_shape(const deck::Part& contact, const deck::Part& motion, Input& i
   const Language language = input.language;
   if (kind_is_refused(contact)) return {};
   const bool line = is_line(contact.deck);
-  if (!line) contact.refuse({"load_per_length"}, "is that of a line contact: give kind = line, or load [N]");
+  if (!line) contact.refuse({"load_per_length"}, "belongs to a line contact: set kind = line, or give load [N]");
   if (const std::string kind = contact.word("kind"); kind != "point") {
-    if (line) contact.refuse({"load"}, "is that of a point contact: a line contact has load_per_length [N/m]");
-    contact.refuse({"radius_y", "radius_ratio"},
-                   line ? "has no influence on a line contact, which is straight across: remove it, or kind = line"
-                        : "has no influence on a roller, whose shape across is the profile of [roller]: remove it");
+    if (line) contact.refuse({"load"}, "belongs to a point contact: give load_per_length [N/m] for a line contact");
+    contact.refuse(
+        {"radius_y", "radius_ratio"},
+        line ? "has no influence on a line contact, which is straight across the motion: remove it, or remove kind = "
+               "line"
+             : "has no influence on a roller, whose shape across the motion is the profile of [roller]: remove it");
     motion.refuse({"angle"}, "has no influence on a " + kind + " contact: remove it");
     if (line) return line_contact();
     const double length = read_length(contact, input);
@@ -259,7 +263,7 @@ Input read(deck::Deck& deck, bool slides) {
     if (input.language != Language::si)
       contact.refuse({"Sq1", "Sq2"}, "is in metres and needs a contact in SI: remove it");
     if (input.language != Language::moes || !slides)
-      contact.refuse({"a_over_R"}, "has no influence but with M and L, and [shear] or [friction]: remove it");
+      contact.refuse({"a_over_R"}, "is used only with M and L, and with [shear] or [friction]: remove it");
   }
   read_motion(motion, slides, input);
   input.shape = read_shape(contact, motion, input);

@@ -10,16 +10,17 @@ std::vector<deck::Key> motion_keys() {
   constexpr deck::Range speed{-1e6, 1e6};
   return {
       {.name = "angle",
-       .default_note = "0, along radius_x",
+       .default_note = "0: along radius_x",
        .unit = "degrees",
        .range = {-90.0, 90.0},
-       .meaning = "From the direction of radius_x to that of the entrainment, of an elliptic contact; 90: along "
-                  "radius_y. Not 0 or 90: the whole domain is computed. x stays the direction of entrainment.",
+       .meaning = "Angle from the direction of radius_x to the rolling direction, for an elliptic contact; 90: rolling "
+                  "along radius_y. For other angles than 0 and 90 the contact is oblique and the whole domain is "
+                  "computed. x is always the rolling direction.",
        .example = "45"},
       {.name = "u1",
        .unit = "m/s",
        .range = speed,
-       .meaning = "Surface speed of body 1 (u1 and u2, or u_m and srr). The oil enters at the side of negative x.",
+       .meaning = "Surface speed of body 1. Give u1 and u2, or u_m and srr. The oil enters at negative x.",
        .example = "0.09"},
       {.name = "u2", .unit = "m/s", .range = speed, .meaning = "Surface speed of body 2.", .example = "0.09"},
       {.name = "u_m",
@@ -31,8 +32,9 @@ std::vector<deck::Key> motion_keys() {
       {.name = "srr",
        .default_note = "0",
        .range = {-1e6, 1e6},
-       .meaning = "Slide-roll ratio (u1 - u2)/u_m. A steady, smooth, isothermal Newtonian film does not depend on it; "
-                  "[shear] and [friction] do, with contacts in M and L or W, U and G too.",
+       .meaning =
+           "Slide-roll ratio (u1 - u2)/u_m. The film of a steady, smooth, isothermal, Newtonian contact does not "
+           "depend on it. [shear] and [friction] use it, also when the contact is given by M and L or by W, U and G.",
        .example = "0.1"},
   };
 }
@@ -41,7 +43,7 @@ namespace {
 
 void check_motion(const deck::Part& motion, Language language, bool slides) {
   if (language != Language::si) {
-    const std::string why = "has no influence: a dimensionless contact contains the speed already; remove it";
+    const std::string why = "has no influence: a dimensionless contact already contains the speed; remove it";
     motion.refuse({"u1", "u2", "u_m"}, why);
     if (!slides) motion.refuse({"srr"}, why);
     return;
@@ -50,7 +52,7 @@ void check_motion(const deck::Part& motion, Language language, bool slides) {
     motion.refuse({"u1", "u2"}, "u_m is given as well: keep either u1 and u2, or u_m and srr");
     return;
   }
-  motion.refuse({"srr"}, "has no influence without u_m: give u_m instead of u1 and u2, or remove it");
+  motion.refuse({"srr"}, "is used only with u_m: give u_m instead of u1 and u2, or remove it");
   if (motion.given_of({"u1", "u2"}).empty()) {
     motion.complain("u_m", "is missing: give the entrainment speed, or u1 and u2");
     return;
@@ -58,8 +60,8 @@ void check_motion(const deck::Part& motion, Language language, bool slides) {
   motion.demand({"u1", "u2"}, "u1 and u2 belong together (or give u_m)");
   const double sum = motion.number("u1") + motion.number("u2");
   if (!(sum > 0.0) && !std::isnan(sum))
-    motion.complain("u2",
-                    "u1 + u2 = " + deck::shortest(sum) + " m/s: it must be > 0, for the oil enters at negative x");
+    motion.complain(
+        "u2", "u1 + u2 = " + deck::shortest(sum) + " m/s: the sum must be > 0, because the oil enters at negative x");
 }
 
 }  // namespace

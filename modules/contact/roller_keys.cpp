@@ -11,18 +11,18 @@ std::vector<deck::Key> length_keys() {
   const deck::Condition roller{.name = "kind", .words = {"roller"}};
   const deck::Key length{.name = "length",
                          .range = {4.0, 2000.0},
-                         .remedy = "a shorter one is no roller",
+                         .remedy = "a shorter body is not a roller",
                          .meaning =
-                             "Length of a roller in half widths a of the line contact with its mean load per "
-                             "length. Only with M and L, or W, U and G.",
+                             "Length of the roller in half widths a of the line contact with its mean load per length. "
+                             "Used only with M and L, or with W, U and G.",
                          .needs = roller,
                          .example = "40"};
   return {length,
           {.name = "length_m",
            .unit = "m",
            .range = {0.0, std::numeric_limits<double>::infinity(), true, true},
-           .remedy = "8 mm are 0.008",
-           .meaning = "Length of a roller, all of it that its track may touch. Only with a contact in SI.",
+           .remedy = "in metres: 8 mm are 0.008",
+           .meaning = "Length of the roller: its total length available for contact. Used only with a contact in SI.",
            .needs = roller,
            .example = "0.008"}};
 }
@@ -31,7 +31,7 @@ double read_length(const deck::Part& contact, Input& input) {
   const bool si = input.language == Language::si;
   const std::string name = si ? "length_m" : "length";
   contact.refuse({si ? "length" : "length_m"},
-                 "is for a contact " + std::string(si ? "without units: give length_m" : "in SI: give length"));
+                 "belongs to a contact " + std::string(si ? "without units: give length_m" : "in SI: give length"));
   contact.demand({name}, "a roller has a length");
   if (!si || !contact.deck.errors.empty()) return contact.number(name);
   input.bodies.load /= contact.number(name);

@@ -12,59 +12,62 @@ std::vector<deck::Key> keys() {
   return deck::in_section(
       "multigrid",
       {{.name = "cycle",
-        .default_note = "F to the level of the discretization error (V of a line, W of stretched cells), W towards a "
-                        "tolerance",
+        .default_note =
+            "F if the discretization error decides (V for a line contact), W with a tolerance or on stretched cells",
         .words = {"V", "W", "F"},
-        .meaning = "Shape of the coarse grid correction cycle.",
+        .meaning = "Shape of the multigrid cycle.",
         .source = "Venner and ten Napel 1992: W at high loads"},
        {.name = "pre",
         .type = Type::integer,
-        .default_note =
-            "2; 3 of contacts long along the motion; 3 or 4 of heavy lines whose viscosity rises steeply at the edge",
+        .default_note = "2; 3 for contacts elongated in the rolling direction; 3 or 4 for heavily loaded line contacts "
+                        "whose viscosity rises steeply at the edge",
         .range = {0, 20},
-        .meaning = "Relaxations before the coarse grid correction, nu_1.",
+        .meaning = "Number of relaxations before the coarse grid correction, nu_1.",
         .source = "Venner and ten Napel 1992"},
        {.name = "post",
         .type = Type::integer,
-        .default_note = "0 to the level of the discretization error (1 of stretched cells), 1 towards a tolerance; 2 "
-                        "or 4 of those with steep viscosity",
+        .default_note = "0 if the discretization error decides, 1 with a tolerance or on stretched cells; 2 or 4 where "
+                        "the viscosity rises steeply",
         .range = {0, 20},
-        .meaning = "Relaxations after the coarse grid correction, nu_2; 0 becomes 1 where the residual asks for it.",
+        .meaning = "Number of relaxations after the coarse grid correction, nu_2. A value of 0 becomes 1 if the "
+                   "residual does not fall.",
         .source = "Venner and ten Napel 1992"},
        {.name = "cycles",
         .type = Type::integer,
         .default_text = std::to_string(defaults.cycles),
         .range = {1, 200},
-        .meaning = "Cycles on every level of the full multigrid on its way up, at least; the checks ask for more "
-                   "where the level needs them."},
+        .meaning = "Smallest number of cycles on every level of full multigrid. The convergence checks add cycles "
+                   "where a level needs them."},
        {.name = "extra_cycles",
         .type = Type::integer,
         .default_text = std::to_string(defaults.extra_cycles),
         .range = {0, 200},
-        .meaning = "Cycles beyond `cycles` on a level below the finest at most, where the checks ask for more; with "
-                   "[supply] four times as many, and on the first level too."},
+        .meaning = "Largest number of cycles in addition to `cycles` on a level below the finest, if the convergence "
+                   "checks ask for them. [supply] allows four times as many, on the first level too."},
        {.name = "tolerance",
-        .default_note = "none: until the cycles no longer change Hc and Hm by a tenth of the discretization error",
+        .default_note =
+            "none: the cycles end when they change Hc and Hm by less than a tenth of the discretization error",
         .range = {1e-14, 0.1},
-        .meaning = "Relative residual of the Reynolds equation to reach on the finest grid (root mean square, over "
-                   "that of the wedge term).",
+        .meaning = "Relative residual of the Reynolds equation to reach on the finest grid: its root mean square over "
+                   "that of the wedge term.",
         .example = "1e-6"},
        {.name = "max_cycles",
         .type = Type::integer,
         .default_text = std::to_string(defaults.max_cycles),
         .range = {1, 10000},
-        .meaning = "Cycles on the finest grid at most, where the checks or the tolerance ask for more than `cycles`."},
+        .meaning = "Largest number of cycles on the finest grid, if the convergence checks or the tolerance ask for "
+                   "more than `cycles`."},
        {.name = "line_solver",
         .default_text = "elimination",
         .words = {"elimination", "decimation"},
-        .meaning = "What solves the line systems of the relaxation: elimination of the band, or the paper's decimation "
-                   "(odd-even reduction). The same solution; the default is the faster.",
-        .source = "measured: modules/line_solvers/README.md"},
+        .meaning = "Solver of the line systems of the relaxation. elimination: Gaussian elimination of the band, the "
+                   "faster one. decimation: odd-even reduction, as in the paper. Both give the same solution.",
+        .source = "modules/line_solvers/README.md"},
        {.name = "kernel_terms",
         .type = Type::integer,
         .default_text = std::to_string(2 * defaults.relaxation.reach + 1),
         .range = {3, 2 * line_solvers::max_reach + 1},
-        .meaning = "Terms of the elastic influence along a line that its system keeps: 3, 5 or 7.",
+        .meaning = "Number of terms of the elastic influence along a line that the line system keeps: 3, 5 or 7.",
         .source = "Venner and ten Napel 1992: three are enough"}});
 }
 

@@ -21,29 +21,30 @@ std::vector<deck::Key> geometry_keys() {
   return {{.name = "diameter",
            .unit = "m",
            .range = positive,
-           .meaning = "Diameter D of ball or roller.",
+           .meaning = "Diameter D of the ball or roller.",
            .example = "9.525e-3"},
           {.name = "pitch_diameter",
            .unit = "m",
            .range = positive,
-           .meaning = "Diameter d_m of the circle of their centres; half the sum of bore and outside diameter, nearly.",
+           .meaning = "Pitch diameter d_m: the diameter of the circle through the centres of the balls or rollers, "
+                      "nearly the mean of bore and outside diameter.",
            .example = "46e-3"},
           {.name = "race",
            .default_text = "inner",
            .words = {"inner", "outer"},
-           .meaning = "The race whose contact is computed."},
+           .meaning = "Race whose contact is computed."},
           {.name = "conformity",
            .default_text = "0.52",
            .range = {0.5, 1.0, true, false},
-           .remedy = "the groove is wider than the ball: 0.515 to 0.53 mostly",
-           .meaning = "Groove conformity f, the groove's radius over the diameter of the ball.",
-           .source = "ISO 281: 0.52 at most for the ratings of ball bearings",
+           .remedy = "the groove is wider than the ball: usually 0.515 to 0.53",
+           .meaning = "Groove conformity f: radius of the groove over the diameter of the ball.",
+           .source = "ISO 281: at most 0.52 for the ratings of ball bearings",
            .needs = ball},
           {.name = "contact_angle",
            .default_text = "0",
            .unit = "degrees",
            .range = {0.0, 90.0, false, true},
-           .meaning = "Contact angle alpha between the load on the ball and the radial plane, at both races.",
+           .meaning = "Contact angle alpha between the load on the ball and the radial plane, equal at both races.",
            .needs = ball},
           {.name = "length",
            .unit = "m",
@@ -59,13 +60,14 @@ std::vector<deck::Key> load_keys() {
       {.name = "load",
        .unit = "N",
        .range = positive,
-       .meaning = "Load Q on the ball or roller; or radial_load.",
+       .meaning = "Load Q on the ball or roller, instead of radial_load.",
        .example = "500"},
       {.name = "radial_load",
        .unit = "N",
        .range = positive,
-       .meaning = "Radial load F_r on the bearing. Its elements carry it in static equilibrium, with rigid rings and "
-                  "no clearance: Q grows with the power 3/2 of the deflection of balls, 10/9 of rollers.",
+       .meaning = "Radial load F_r on the bearing, instead of load. The loads Q of the balls or rollers follow from "
+                  "static equilibrium with rigid rings and no clearance; Q grows with the power 3/2 of the deflection "
+                  "for balls and 10/9 for rollers.",
        .source = "Stribeck 1901; Palmgren 1959",
        .example = "1000"},
       {.name = "elements",
@@ -78,7 +80,8 @@ std::vector<deck::Key> load_keys() {
        .default_text = "0",
        .unit = "degrees",
        .range = {-180.0, 180.0},
-       .meaning = "Where the ball or roller stands, from the direction of the radial load: 0 carries most.",
+       .meaning =
+           "Angle between the ball or roller and the direction of the radial load. At 0 it carries the largest load.",
        .needs = radial}};
 }
 
@@ -87,9 +90,12 @@ std::vector<deck::Key> speed_keys() {
     return deck::Key{.name = name, .unit = "1/min", .range = rpm, .meaning = meaning, .example = example};
   };
   return {
-      key("rpm_inner", "Speed of the inner ring. One ring alone: the other stands still; or two of the three.", "3000"),
-      key("rpm_outer", "Speed of the outer ring, positive in the same sense of rotation.", "0"),
-      key("rpm_cage", "Speed of the cage, which follows from both rings.", "1200")};
+      key("rpm_inner",
+          "Speed of the inner ring. If one ring speed is given, the other ring stands still; otherwise give two of "
+          "rpm_inner, rpm_outer and rpm_cage.",
+          "3000"),
+      key("rpm_outer", "Speed of the outer ring, positive in the same sense of rotation as the inner ring.", "0"),
+      key("rpm_cage", "Speed of the cage. It follows from the speeds of both rings, or replaces one of them.", "1200")};
 }
 
 Turning read_turning(const deck::Part& bearing) {
@@ -97,10 +103,11 @@ Turning read_turning(const deck::Part& bearing) {
   if (given.empty()) bearing.complain("rpm_inner", "is missing: give the speed of a ring");
   if (given.size() == 3) bearing.complain("rpm_cage", "follows from rpm_inner and rpm_outer: keep two of the three");
   if (given == std::vector<std::string>{"rpm_cage"})
-    bearing.complain("rpm_cage",
-                     "leaves open which ring turns: give rpm_inner or rpm_outer as well, 0 where it stands");
-  if (given == std::vector<std::string>{"rpm_inner"}) bearing.follow("rpm_outer", 0.0, "it stands still");
-  if (given == std::vector<std::string>{"rpm_outer"}) bearing.follow("rpm_inner", 0.0, "it stands still");
+    bearing.complain(
+        "rpm_cage",
+        "does not determine which ring turns: give rpm_inner or rpm_outer as well, 0 for a ring that stands");
+  if (given == std::vector<std::string>{"rpm_inner"}) bearing.follow("rpm_outer", 0.0, "the ring stands still");
+  if (given == std::vector<std::string>{"rpm_outer"}) bearing.follow("rpm_inner", 0.0, "the ring stands still");
   return {bearing.number("rpm_inner"), bearing.number("rpm_outer"), bearing.number("rpm_cage")};
 }
 
@@ -109,9 +116,10 @@ void check_load(const deck::Part& bearing, bool ball) {
   if (load && radial) bearing.complain("radial_load", "load is given as well: keep one of them");
   if (!load && !radial) bearing.complain("load", "is missing: give it, or radial_load and elements");
   if (!radial) return;
-  bearing.demand({"elements"}, "how many balls or rollers carry the radial load");
+  bearing.demand({"elements"}, "the number of balls or rollers that carry the radial load");
   if (ball && bearing.number("contact_angle") > 0.0)  // a roller has no contact angle, which is reported elsewhere
-    bearing.complain("radial_load", "with a contact angle there is an axial load too: give load, that on the ball");
+    bearing.complain("radial_load",
+                     "implies an axial load if there is a contact angle: give load, that on the ball, instead");
 }
 
 void check_space(const deck::Part& bearing, const Bearing& given) {
@@ -120,8 +128,10 @@ void check_space(const deck::Part& bearing, const Bearing& given) {
   if (!(given.diameter < given.pitch_diameter))
     bearing.complain("diameter", "leaves no room for a race within the circle of diameter pitch_diameter");
   else if (elements > 1 && given.diameter > given.pitch_diameter * std::sin(core::pi / elements))
-    bearing.complain("elements", fmt::format("so many of diameter {:g} m do not fit on a circle of {:g} m",
-                                             given.diameter, given.pitch_diameter));
+    bearing.complain(
+        "elements",
+        fmt::format("this number of elements of diameter {:g} m does not fit on a circle of diameter {:g} m",
+                    given.diameter, given.pitch_diameter));
 }
 
 // True if both rings turn at the same speed, up to rounding, because one speed may have been computed from the cage's.
@@ -165,11 +175,11 @@ double add_load(const deck::Part& bearing, bool ball, std::vector<Number>& numbe
   const std::vector<double> loads = element_loads(radial);
   numbers.push_back({"loaded_elements",
                      static_cast<double>(std::ranges::count_if(loads, [](double Q) { return Q > 0.0; })), "-",
-                     "those that the ring approaches"});
+                     "number of balls or rollers that the ring approaches"});
   numbers.push_back({"load_factor", loads.front() * radial.elements / radial.load, "-",
                      std::string("Z Q/F_r by sum Q_j cos(psi_j) = F_r, sum Q_j sin(psi_j) = 0, Q_j = K delta_j^") +
                          (ball ? "(3/2)" : "(10/9)") + ", no clearance (Stribeck)"});
-  if (!(loads.front() > 0.0)) bearing.complain("azimuth", "there the ball or roller carries no load");
+  if (!(loads.front() > 0.0)) bearing.complain("azimuth", "at this angle the ball or roller carries no load");
   return loads.front();
 }
 
@@ -185,8 +195,8 @@ std::vector<Number> read_bearing(const deck::Part& bearing, bool ball) {
   const Bearing given{bearing.number("diameter"), bearing.number("pitch_diameter"),
                       ball ? bearing.number("contact_angle") : 0.0, bearing.choice("race", {Race::inner, Race::outer})};
   const Turning told = read_turning(bearing);
-  bearing.demand({"diameter", "pitch_diameter"}, "the contact follows from it");
-  if (!ball) bearing.demand({"length"}, "that of the roller, on which its load is spread");
+  bearing.demand({"diameter", "pitch_diameter"}, "the contact is computed from it");
+  if (!ball) bearing.demand({"length"}, "the length of the roller that carries its load");
   check_load(bearing, ball);
   if (bearing.deck.errors.empty()) check_space(bearing, given);
   if (!bearing.deck.errors.empty()) return {};
@@ -195,7 +205,7 @@ std::vector<Number> read_bearing(const deck::Part& bearing, bool ball) {
   add_shape(bearing, given, ball, numbers);
   const Turning turning = complete(told, gamma(given));
   add_speeds(given, turning, numbers);
-  if (turn_alike(turning)) bearing.complain("rpm_inner", "and rpm_outer are the same: nothing rolls");
+  if (turn_alike(turning)) bearing.complain("rpm_inner", "and rpm_outer are equal: nothing rolls");
   const double load = add_load(bearing, ball, numbers);
   numbers.push_back({"load", load, "N", bearing.given("load") ? "as given" : "load_factor F_r/Z"});
   if (!ball) numbers.push_back({"load_per_length", load / bearing.number("length"), "N/m", "load/length"});

@@ -8,18 +8,17 @@ std::vector<deck::Key> keys() {
       {{.name = "wedge",
         .default_text = "upstream3",
         .words = {"upstream1", "upstream2", "upstream3", "upstream3_inlet"},
-        .meaning =
-            "The discrete wedge term d(rho H)/dX: first order as in the paper; second order, ten times closer on "
-            "the same grid; third order where the pressure couples the nodes (epsilon/h^2 above 1) and second "
-            "elsewhere, five to twenty times closer again with its face; or third order upstream of X = 0 alone.",
+        .meaning = "Discretization of the wedge term d(rho H)/dX. upstream1: first order, as in the paper. upstream2: "
+                   "second order. upstream3: third order where the pressure couples the nodes (epsilon/h^2 above 1), "
+                   "second order elsewhere. upstream3_inlet: third order upstream of X = 0, second order downstream.",
         .source = "Venner and ten Napel 1992, eq. (4), use upstream1"},
        {.name = "face",
-        .default_note = "logmean_bounded with the third-order wedges, mean with the others",
+        .default_note = "logmean_bounded with the third-order wedge terms, mean with the others",
         .words = {"mean", "logmean", "logmean_bounded"},
-        .meaning =
-            "epsilon half-way between two nodes: the mean of the two; or rho H^3/eta of its own, with H from four "
-            "nodes and the logarithmic mean of 1/eta, several times closer in the rim of the inlet; or that with at "
-            "least 0.4 of the mean of 1/eta, with which steep pressures behind a spike converge faster.",
+        .meaning = "Value of epsilon half-way between two nodes. mean: mean of the two nodes. logmean: rho H^3/eta of "
+                   "the half point, with H from four nodes and the logarithmic mean of 1/eta; more accurate at the "
+                   "edge of the contact in the inlet. logmean_bounded: as logmean, but at least 0.4 of the mean of "
+                   "1/eta; it converges faster at steep pressures behind a spike.",
         .source = "Venner and ten Napel 1992, below eq. (4), use mean"}});
 }
 
@@ -31,7 +30,7 @@ Wedge read(deck::Deck& deck) {
 Face read_face(deck::Deck& deck) {
   const deck::Part part{deck, "discretization"};
   part.follow("face", std::string(third_order(read(deck)) ? "logmean_bounded" : "mean"),
-              "measures best with the wedge");
+              "the most accurate with this wedge term");
   return part.choice("face", {Face::mean, Face::logmean, Face::logmean_bounded});
 }
 

@@ -30,8 +30,8 @@ double viscosity_at(const deck::Part& lubricant, double T, AmbientOil& ambient) 
 void check_oil_temperature(const deck::Part& lubricant, const std::string& name) {
   const double T = lubricant.number(name);
   if (T < coldest_oil || T > hottest_oil)
-    lubricant.complain(name, fmt::format("must be from {:g} to {:g} C: kv40 and kv100 tell no more of an oil. Is it in "
-                                         "kelvin or in degrees Fahrenheit?",
+    lubricant.complain(name, fmt::format("must be from {:g} to {:g} C, the range in which kv40 and kv100 describe an "
+                                         "oil. Is it in kelvin or in degrees Fahrenheit?",
                                          coldest_oil, hottest_oil));
 }
 
@@ -40,7 +40,7 @@ std::string why_no_alpha_star(const deck::Part& lubricant, const Oil& oil) {
   if (lubricant.given("alpha")) return "alpha is given as well: keep one of them";
   if (oil.viscosity != "barus" && oil.viscosity != "roelands")
     return "has no influence with viscosity = " + oil.viscosity +
-           (oil.viscosity == "isoviscous" ? ": remove it" : ": the law brings its own alpha*; remove it");
+           (oil.viscosity == "isoviscous" ? ": remove it" : ": the law has its own alpha*; remove it");
   return {};
 }
 
@@ -49,9 +49,11 @@ void set_roelands(const deck::Part& lubricant, double alpha_star, double eta_alp
   const deck::Key& key = *deck::find_key(lubricant.deck.catalogue, "lubricant", "z");
   const double z = roelands_z_of(alpha_star, oil.p0, eta_alpha);
   if (std::isnan(z)) {
-    lubricant.complain("alpha_star", fmt::format("with eta0 = {:.4g} Pa s no z gives it that is {}: check alpha_star "
-                                                 "[1/Pa] and the viscosity",
-                                                 eta_alpha, deck::allowed(key)));
+    lubricant.complain(
+        "alpha_star",
+        fmt::format(
+            "with eta0 = {:.4g} Pa s no z that is {} gives this value: check alpha_star [1/Pa] and the viscosity",
+            eta_alpha, deck::allowed(key)));
     return;
   }
   settle(lubricant, "z", deck::shortest(z), "from alpha_star and the viscosity");
@@ -68,36 +70,34 @@ void set_roelands(const deck::Part& lubricant, double alpha_star, double eta_alp
 std::vector<deck::Key> data_sheet_keys() {
   return {
       {.name = "temperature",
-       .default_note = "40 for a fluid by name that has viscosities at 40 and 100 C",
+       .default_note = "40 for an oil by name whose viscosities at 40 and 100 C are known",
        .unit = "C",
        .range = {-273.15, 1000.0, true, false},
-       .meaning =
-           "Temperature of oil and bodies. Required with kv40 and kv100, with K00 and beta_K, and by viscosity = "
-           "yasutomi, above its glass transition Tg0. All other constants hold at the temperature of the contact "
-           "already.",
+       .meaning = "Temperature of oil and bodies. It is required with kv40 and kv100, with K00 and beta_K, and with "
+                  "viscosity = yasutomi, where it must lie above the glass transition Tg0. All other constants are "
+                  "values at the temperature of the contact.",
        .example = "40"},
       {.name = "kv40",
        .unit = "mm^2/s",
        .range = {least_kinematic_viscosity, 1e5},
-       .remedy = "as data sheets give it, in mm^2/s = cSt",
-       .meaning =
-           "Kinematic viscosity at 40 C, with kv100, density15 and temperature instead of eta0: viscosity at the "
-           "temperature by ASTM D341 (Walther).",
+       .remedy = "in mm^2/s = cSt, as in data sheets",
+       .meaning = "Kinematic viscosity at 40 C. kv40, kv100, density15 and temperature replace eta0: the viscosity at "
+                  "the temperature follows from ASTM D341 (Walther).",
        .source = "ASTM D341",
        .example = "68"},
       {.name = "kv100",
        .unit = "mm^2/s",
        .range = {least_kinematic_viscosity, 1e5},
-       .remedy = "as data sheets give it, in mm^2/s = cSt",
-       .meaning = "Kinematic viscosity at 100 C, below kv40.",
+       .remedy = "in mm^2/s = cSt, as in data sheets",
+       .meaning = "Kinematic viscosity at 100 C. It must be below kv40.",
        .source = "ASTM D341",
        .example = "8.5"},
       {.name = "density15",
        .unit = "kg/m^3",
        .range = {500.0, 3000.0},
        .remedy = "oils have 800 to 1000 kg/m^3",
-       .meaning = "Density at 15 C; at the temperature with the expansion of lubricating oils, 0.6278/density15 per "
-                  "kelvin.",
+       .meaning = "Density at 15 C. The density at the temperature follows with the thermal expansion of lubricating "
+                  "oils, 0.6278/density15 per kelvin.",
        .source = "ASTM D1250, table 54D",
        .example = "880"},
       {.name = "alpha_star",
@@ -105,16 +105,16 @@ std::vector<deck::Key> data_sheet_keys() {
        .range = {1e-12, 1e-6},
        .remedy = "mineral oils have 1e-8 to 3e-8",
        .meaning =
-           "Pressure coefficient instead of alpha, for barus and roelands: 1/alpha* = int eta0/eta dp. Roelands' "
-           "z (without eta0: the slope) is found so that the law has it; groups and formulas take it as alpha. "
-           "alpha is the law's slope at ambient pressure, 5 to 25 % more.",
+           "Pressure coefficient alpha*, defined by 1/alpha* = int eta0/eta dp, instead of alpha, for viscosity = "
+           "barus and roelands. Roelands' z (without eta0: the slope) is chosen so that alpha* is met. Groups and film "
+           "formulas use alpha* as alpha. alpha is the slope of the law at ambient pressure, 5 to 25 % larger.",
        .source = "Blok 1963; Bair, Liu and Wang 2006",
        .example = "18e-9"},
       {.name = "alpha_temperature",
        .default_note = "temperature",
        .unit = "C",
        .range = {-273.15, 1000.0, true, false},
-       .meaning = "Temperature at which the oil has alpha_star, with kv40 and kv100 and viscosity = roelands: z is the "
+       .meaning = "Temperature at which the oil has alpha_star, with kv40, kv100 and viscosity = roelands. z is the "
                   "same at every temperature.",
        .source = "Roelands 1966",
        .example = "40"},
@@ -126,13 +126,13 @@ std::optional<AmbientOil> read_ambient(const deck::Part& lubricant) {
   const bool brings_eta0 = viscosity == "yasutomi" || viscosity == "table";
   if (brings_eta0)
     lubricant.refuse(of_data_sheet,
-                     "has no influence with viscosity = " + viscosity + ", which brings its own: remove it");
+                     "has no influence with viscosity = " + viscosity + ", which has its own constants: remove it");
   bool any = false;
   for (const std::string& name : of_data_sheet) any = any || (has(lubricant, name) && !brings_eta0);
   if (!any && !lubricant.given("fluid") && viscosity != "yasutomi" && lubricant.given_of({"K00", "beta_K"}).empty())
     lubricant.refuse({"temperature"},
-                     "has no influence: the constants hold at the temperature of the contact already; "
-                     "remove it, or give kv40, kv100 and density15 instead of eta0, K00 and beta_K instead of K0");
+                     "has no influence: the constants are values at the temperature of the contact. Remove it, or give "
+                     "kv40, kv100 and density15 instead of eta0, or K00 and beta_K instead of K0");
   if (!any) return std::nullopt;
   demand(lubricant, {"kv40", "kv100", "density15", "temperature"}, "an oil by its viscosities at two temperatures");
   if (lubricant.number("kv40") <= lubricant.number("kv100"))
@@ -148,14 +148,13 @@ std::optional<AmbientOil> read_ambient(const deck::Part& lubricant) {
 void read_alpha_star(const deck::Part& lubricant, Oil& oil) {
   const Names both{"alpha_star", "alpha_temperature"};
   if (!has(lubricant, "alpha_star")) {
-    lubricant.refuse({"alpha_temperature"}, "has no influence without alpha_star: remove it");
+    lubricant.refuse({"alpha_temperature"}, "is used only with alpha_star: remove it");
     return;
   }
   if (const std::string why = why_no_alpha_star(lubricant, oil); !why.empty()) lubricant.refuse(both, why);
   const bool roelands = oil.viscosity == "roelands";
   if (!oil.ambient || !roelands)
-    lubricant.refuse({"alpha_temperature"},
-                     "has no influence but with kv40, kv100 and viscosity = roelands: remove it");
+    lubricant.refuse({"alpha_temperature"}, "is used only with kv40, kv100 and viscosity = roelands: remove it");
   else if (!has(lubricant, "alpha_temperature"))
     lubricant.choose("alpha_temperature", oil.ambient->T, "the temperature of the contact");
   check_oil_temperature(lubricant, "alpha_temperature");
@@ -164,7 +163,7 @@ void read_alpha_star(const deck::Part& lubricant, Oil& oil) {
   oil.alpha = alpha_star;
   if (!roelands) return;
   if (std::isnan(oil.eta0)) {
-    lubricant.fill("z", usual_z, "a mineral oil; eta0 would tell it");
+    lubricant.fill("z", usual_z, "typical of mineral oils; with eta0 it would be computed");
     oil.z = lubricant.number("z");
     oil.roelands_alpha = roelands_alpha_of(alpha_star, oil.p0, oil.z);
     return;

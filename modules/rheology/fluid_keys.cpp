@@ -23,7 +23,7 @@ void check_temperature(const deck::Part& lubricant, const Fluid& fluid) {
   else if (lubricant.given("temperature") &&
            lubricant.number("temperature") != deck::read_number(std::string(only)).value)
     lubricant.complain("temperature", "fluid = " + name + " is known at " +
-                                          (only.empty() ? "one temperature" : std::string(only) + " C") +
+                                          (only.empty() ? "is known at" : std::string(only) + " one temperature") +
                                           " only: remove it, or give an oil by kv40, kv100, density15 and alpha_star");
 }
 
@@ -31,11 +31,11 @@ void check_temperature(const deck::Part& lubricant, const Fluid& fluid) {
 
 deck::Key fluid_key() {
   deck::Key key{.name = "fluid",
-                .default_note = "none: the keys of [lubricant] say what the oil is",
+                .default_note = "none: the oil is given by the keys of [lubricant]",
                 .meaning =
-                    "An oil by name: laws of viscosity and density with their constants, at `temperature` where it "
-                    "has viscosities at two (40 C if none is given). A key that it sets may be repeated with the same "
-                    "value; another value, or a constant of another law, is refused."};
+                    "Oil by name: laws of viscosity and density with their constants. If its viscosities at two "
+                    "temperatures are known, `temperature` applies (default 40 C). A key that the oil sets may be "
+                    "repeated with the same value; another value, or a constant of another law, is an error."};
   for (const Fluid& fluid : fluids) {
     key.words.emplace_back(fluid.name);
     if (fluid.source.empty()) continue;
@@ -103,8 +103,8 @@ void choose_fluid(const deck::Part& lubricant) {
   if (lubricant.word("viscosity") == "roelands") set.emplace_back("z");
   for (const deck::Key& key : lubricant.deck.catalogue.keys)
     if (key.section == lubricant.section && key.name != "fluid" && std::ranges::find(set, key.name) == set.end())
-      lubricant.refuse({key.name}, "has no influence: " + why + " brings its laws and constants (" +
-                                       deck::joined(set, ", ") + "); remove it, or give the oil without fluid");
+      lubricant.refuse({key.name}, "has no influence: " + why + " sets its laws and constants (" +
+                                       deck::joined(set, ", ") + "); remove it, or give the oil by its constants");
 }
 
 }  // namespace ehl::rheology

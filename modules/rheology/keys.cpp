@@ -12,33 +12,34 @@ std::vector<deck::Key> law_keys() {
       {.name = "viscosity",
        .default_text = "roelands",
        .words = {"isoviscous", "barus", "roelands", "doolittle", "yasutomi", "table"},
-       .meaning = "Viscosity law eta/eta0: 1; exp(alpha p); exp{(alpha p0/z)[(1 + p/p0)^z - 1]}; exp{B R0 [1/(v - "
-                  "R0) - 1/(1 - R0)]} with Tait's volume v; 10^{-C1 x/(C2 + x)} eta_g/eta0 with x = (T - Tg) F; or a "
-                  "table.",
+       .meaning = "Viscosity law eta/eta0. isoviscous: 1. barus: exp(alpha p). roelands: exp{(alpha p0/z)[(1 + p/p0)^z "
+                  "- 1]}. doolittle: exp{B R0 [1/(v - R0) - 1/(1 - R0)]} with Tait's volume v. yasutomi: 10^{-C1 x/(C2 "
+                  "+ x)} eta_g/eta0 with x = (T - Tg) F. table: from a file.",
        .source = "Roelands 1966, as in Venner and ten Napel 1992; Doolittle 1951; Yasutomi, Bair and Winer 1984, "
                  "Bair et al. 2013"},
       {.name = "eta0",
        .unit = "Pa s",
        .range = {0.0, 1e6, true, false},
-       .meaning = "Viscosity at ambient pressure; required with loads and speeds in SI and by doolittle. "
-                  "yasutomi, table and kv40 with kv100 bring their own.",
+       .meaning = "Viscosity at ambient pressure. Required for a contact in SI and with viscosity = doolittle. It "
+                  "follows from yasutomi, from table, and from kv40 and kv100.",
        .example = "0.25"},
       {.name = "alpha",
        .unit = "1/Pa",
        .range = {1e-12, 1e-6},
        .remedy = "mineral oils have 1e-8 to 3e-8",
-       .meaning = "Pressure coefficient of the viscosity, Roelands' slope at ambient pressure; or alpha_star. "
-                  "Required for roelands, and for barus in SI; in "
-                  "dimensionless cases it gives the Hertz pressure p_h = alpha_bar/alpha. doolittle, yasutomi and "
-                  "table bring their own, alpha* = 1/int eta0/eta dp.",
+       .meaning =
+           "Pressure coefficient of the viscosity: the slope of ln eta at ambient pressure; or give alpha_star. "
+           "Required for roelands, and for barus in SI. In a dimensionless contact it determines the Hertz pressure, "
+           "p_h = alpha_bar/alpha. doolittle, yasutomi and table have their own alpha*, 1/alpha* = int eta0/eta dp.",
        .source = "1.7e-8: Venner and ten Napel 1992",
        .example = "1.7e-8",
        .example_is_active = true},
       {.name = "z",
-       .default_note = "alpha p0/(ln eta0 + 9.67) when eta0 is given, else 0.68; with alpha_star what gives it",
+       .default_note =
+           "alpha p0/(ln eta0 + 9.67) if eta0 is given, else 0.68; with alpha_star: chosen so that alpha* is met",
        .range = {0.05, 1.5},
        .remedy = "mineral oils have 0.5 to 0.7",
-       .meaning = "Roelands' exponent.",
+       .meaning = "Exponent z of Roelands' law.",
        .source = "Roelands 1966: alpha p0/z = ln eta0 + 9.67",
        .needs = {.name = "viscosity", .words = {"roelands"}},
        .example = "0.6"},
@@ -46,14 +47,15 @@ std::vector<deck::Key> law_keys() {
        .default_text = "1.96e8",
        .unit = "Pa",
        .range = {1e6, 1e10},
-       .meaning = "Roelands' reference pressure.",
+       .meaning = "Reference pressure p0 of Roelands' law.",
        .source = "Roelands 1966",
        .needs = {.name = "viscosity", .words = {"roelands"}}},
       {.name = "density",
        .default_text = "dowson-higginson",
        .words = {"incompressible", "dowson-higginson", "tait", "murnaghan", "table"},
-       .meaning = "Density law rho/rho0: 1; (5.9e8 + 1.34 p)/(5.9e8 + p), p in Pa; 1/v, v = 1 - ln[1 + (1 + K0') "
-                  "p/K0]/(1 + K0'); (1 + K0' p/K0)^(1/K0'); or a table.",
+       .meaning =
+           "Density law rho/rho0. incompressible: 1. dowson-higginson: (5.9e8 + 1.34 p)/(5.9e8 + p), p in Pa. tait: "
+           "1/v, v = 1 - ln[1 + (1 + K0') p/K0]/(1 + K0'). murnaghan: (1 + K0' p/K0)^(1/K0'). table: from a file.",
        .source = "Dowson and Higginson 1966; Tait, Murnaghan 1944"},
   };
 }
@@ -62,21 +64,21 @@ std::vector<deck::Key> law_keys() {
 double read_z(const deck::Part& lubricant, const Oil& oil) {
   if (lubricant.given("z")) return lubricant.number("z");
   if (std::isnan(oil.eta0)) {
-    lubricant.choose("z", usual_z, "a mineral oil; eta0 would tell it");
+    lubricant.choose("z", usual_z, "typical of mineral oils; with eta0 it would be computed");
     return usual_z;
   }
   // alpha p0/z = ln eta0 + 9.67 (Roelands): the lines of all oils meet at one point of the (p, ln eta) plane.
   const double z = oil.alpha * oil.p0 / roelands_log_ratio(oil.eta0);
   const deck::Key& key = *deck::find_key(lubricant.deck.catalogue, "lubricant", "z");
   if (!key.range.contains(z))
-    lubricant.complain("eta0",
-                       fmt::format("with alpha and p0 it means z = alpha p0/(ln eta0 + 9.67) = {:.4g}, which "
-                                   "must be {}: {}check eta0 [Pa s] and alpha [1/Pa]",
-                                   z, deck::allowed(key),
-                                   z < key.range.lower ? "the viscosity of this liquid, as that of water, rises "
-                                                         "too little for Roelands' law: viscosity = barus, "
-                                                         "without z, or "
-                                                       : "give z, or "));
+    lubricant.complain(
+        "eta0",
+        fmt::format("with alpha and p0 it means z = alpha p0/(ln eta0 + 9.67) = {:.4g}, which "
+                    "must be {}: {}check eta0 [Pa s] and alpha [1/Pa]",
+                    z, deck::allowed(key),
+                    z < key.range.lower ? "the viscosity of this liquid rises too little with pressure for Roelands' "
+                                          "law, as that of water does: set viscosity = barus without z, or "
+                                        : "give z, or "));
   lubricant.follow("z", z, "from eta0");
   return z;
 }

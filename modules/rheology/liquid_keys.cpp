@@ -29,7 +29,7 @@ const Names yasutomi{"temperature", "Tg0", "A1", "A2", "b1", "b2", "C1", "C2", "
 void read_bulk_modulus(const deck::Part& lubricant) {
   const double K00 = lubricant.number("K00"), beta_K = lubricant.number("beta_K");
   if (lubricant.given_of(bulk_modulus_of_T).empty()) return;
-  demand(lubricant, {"K00", "beta_K", "temperature"}, "a bulk modulus at a temperature");
+  demand(lubricant, {"K00", "beta_K", "temperature"}, "the bulk modulus at a temperature");
   if (!lubricant.deck.errors.empty()) return;
   const double T = lubricant.number("temperature") + zero_celsius;
   settle_at_temperature(lubricant, "K0", K00 * std::exp(-beta_K * T), "K00 and beta_K");
@@ -51,7 +51,7 @@ void check_constants(const deck::Part& lubricant, const std::string& viscosity, 
   const double Tg0 = lubricant.number("Tg0");
   if (viscosity == "yasutomi" && lubricant.number("temperature") <= Tg0)
     lubricant.complain("temperature", "must be above the glass transition at ambient pressure, Tg0 = " +
-                                          deck::shortest(Tg0) + " C: below it the oil is no liquid");
+                                          deck::shortest(Tg0) + " C: below it the oil is not a liquid");
 }
 
 void add_table(const deck::Part& lubricant, bool viscosity, bool density, Liquid& liquid) {
@@ -87,36 +87,43 @@ std::vector<Key> liquid_keys() {
   const deck::Range positive{0.0, 1e12, true, false};
   return deck::together(
       {{constant("K0", "Pa", {1e7, 1e12},
-                 "Bulk modulus at ambient pressure, at the temperature of the contact. Required by density = tait and "
-                 "murnaghan and by viscosity = doolittle.",
+                 "Bulk modulus at ambient pressure and at the temperature of the contact. Required for density = tait "
+                 "and murnaghan and for viscosity = doolittle.",
                  "1.192e9"),
         constant("K00", "Pa", {1e8, 1e14},
-                 "With beta_K and temperature instead of K0: K0 = K00 exp(-beta_K T), T in kelvin.", "8.658e9"),
-        constant("beta_K", "1/K", {1e-5, 0.1}, "How the bulk modulus falls with temperature. Required with K00.",
-                 "6.332e-3"),
-        constant("K0_prime", "", {1.0, 50.0}, "Its derivative with pressure. Required with K0.", "11.74")},
+                 "Factor of the bulk modulus against temperature: K0 = K00 exp(-beta_K T), T in kelvin. K00, beta_K "
+                 "and temperature replace K0.",
+                 "8.658e9"),
+        constant("beta_K", "1/K", {1e-5, 0.1},
+                 "Decay of the bulk modulus with temperature, see K00. Required with K00.", "6.332e-3"),
+        constant("K0_prime", "", {1.0, 50.0},
+                 "Derivative K0' of the bulk modulus with respect to pressure. Required with K0.", "11.74")},
        deck::only_with(
            {.name = "viscosity", .words = {"doolittle"}},
-           {constant("doolittle_B", "", {0.0, 1e3, true, false}, "Doolittle's factor.", "4.71"),
+           {constant("doolittle_B", "", {0.0, 1e3, true, false}, "Doolittle's factor B.", "4.71"),
             constant("doolittle_R0", "", {0.0, 1.0, true, true},
-                     "Occupied volume over the volume at ambient pressure, at the temperature of the contact.",
+                     "Occupied volume R0 over the volume at ambient pressure, at the temperature of the contact.",
                      "0.6568")}),
        deck::only_with(
            {.name = "viscosity", .words = {"yasutomi"}},
-           {constant("Tg0", "C", {-273.15, 1000.0, true, false}, "Glass transition at ambient pressure.", "-83.2"),
-            constant("A1", "K", positive, "Tg = Tg0 + A1 ln(1 + A2 p).", "188.95"),
-            constant("A2", "1/Pa", {0.0, 1e-6, true, false}, "Tg = Tg0 + A1 ln(1 + A2 p).", "0.719e-9"),
-            constant("b1", "1/Pa", {0.0, 1e-6}, "F = (1 + b1 p)^b2.", "8.2e-9"),
-            constant("b2", "", {-10.0, 0.0}, "F = (1 + b1 p)^b2.", "-0.53"),
-            constant("C1", "", {0.0, 100.0, true, false}, "First constant of Williams, Landel and Ferry.", "16.09"),
-            constant("C2", "K", {0.0, 1e3, true, false}, "Second constant of Williams, Landel and Ferry.", "17.38"),
+           {constant("Tg0", "C", {-273.15, 1000.0, true, false},
+                     "Glass transition temperature at ambient pressure, Tg = Tg0 + A1 ln(1 + A2 p).", "-83.2"),
+            constant("A1", "K", positive, "Constant of the glass transition, Tg = Tg0 + A1 ln(1 + A2 p).", "188.95"),
+            constant("A2", "1/Pa", {0.0, 1e-6, true, false},
+                     "Constant of the glass transition, Tg = Tg0 + A1 ln(1 + A2 p).", "0.719e-9"),
+            constant("b1", "1/Pa", {0.0, 1e-6}, "Constant of F = (1 + b1 p)^b2.", "8.2e-9"),
+            constant("b2", "", {-10.0, 0.0}, "Constant of F = (1 + b1 p)^b2.", "-0.53"),
+            constant("C1", "", {0.0, 100.0, true, false},
+                     "First constant of the equation of Williams, Landel and Ferry.", "16.09"),
+            constant("C2", "K", {0.0, 1e3, true, false},
+                     "Second constant of the equation of Williams, Landel and Ferry.", "17.38"),
             constant("eta_g", "Pa s", {1e3, 1e15}, "Viscosity at the glass transition.", "1e12")}),
        {{.name = "table",
          .type = Type::text,
-         .meaning = "A CSV file with columns p [Pa], rising from 0, eta [Pa s], rho [kg/m^3], or in the order and "
-                    "units of its heading, as p [MPa], eta [mPa s]; for viscosity = table, "
-                    "density = table or both. At least 4 rows, eta and rho > 0 and rising, up to more than p_h. Beside "
-                    "the deck, or where the program runs.",
+         .meaning = "CSV file with the columns p [Pa], rising from 0, eta [Pa s] and rho [kg/m^3]; a heading may give "
+                    "another order and other units, such as p [MPa], eta [mPa s]. For viscosity = table, density = "
+                    "table, or both. It needs at least 4 rows with eta and rho > 0 and rising, up to more than p_h. "
+                    "The file is searched beside the deck and in the working folder.",
          .example = "oil.csv",
          .names_file = true}}});
 }
@@ -141,13 +148,13 @@ Liquid read_liquid(const deck::Part& lubricant) {
   if (viscosity == "yasutomi") {
     const YasutomiConstants constants = read_yasutomi(lubricant);
     liquid.viscosity = make_yasutomi(constants, pascal);
-    settle(lubricant, "eta0", deck::shortest(yasutomi_eta0(constants)), "the law at ambient pressure");
+    settle(lubricant, "eta0", deck::shortest(yasutomi_eta0(constants)), "value of the law at ambient pressure");
   }
   if (viscosity == "table" || density == "table")
     add_table(lubricant, viscosity == "table", density == "table", liquid);
   if (liquid.viscosity && lubricant.deck.errors.empty())
     settle(lubricant, "alpha", deck::shortest(pressure_coefficients(*liquid.viscosity).alpha_star),
-           "alpha* of the law, 1/int eta0/eta dp");
+           "alpha* of the law, 1/alpha* = int eta0/eta dp");
   return liquid;
 }
 

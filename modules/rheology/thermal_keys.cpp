@@ -36,8 +36,8 @@ Houpert through_second(const deck::Part& thermal, double T0, double eta0, double
   const double share = 1.0 + std::log(eta / eta0) / A;
   if (!((T - T0) * (eta - eta0) < 0.0))
     thermal.complain("eta_second",
-                     "must be below the viscosity at T_oil where T_second is above it, and above where "
-                     "it is below: an oil thins when it warms");
+                     "must be below the viscosity at T_oil if T_second is above T_oil, and above it if T_second is "
+                     "below: an oil thins when it warms");
   else if (!(share > 0.0))
     thermal.complain("eta_second", "is too far from the viscosity at T_oil for Roelands' law: check both [Pa s]");
   return {-std::log(share) / std::log((T - pole) / (T0 - pole)), A};
@@ -54,20 +54,20 @@ std::optional<AmbientViscosity> ambient_of(const deck::Part& thermal, bool roela
     for (const std::string& name : *names)
       if (thermal.given(name)) given.push_back(name);
   if (has(lubricant, "kv40")) {
-    thermal.refuse(given, "kv40 and kv100 tell the viscosity at every temperature already: remove it");
+    thermal.refuse(given, "has no influence: kv40 and kv100 give the viscosity at every temperature: remove it");
     return DataSheet{make_walther(lubricant.number("kv40"), lubricant.number("kv100")), lubricant.number("density15")};
   }
   if (given.empty()) {
     thermal.complain("beta",
-                     "is missing: the viscosity must fall with temperature: give beta, or T_second and "
-                     "eta_second, or vogel_B and vogel_C, or an oil by kv40 and kv100");
+                     "is missing: the viscosity must fall with temperature. Give beta, or T_second and eta_second, or "
+                     "vogel_B and vogel_C, or an oil by kv40 and kv100");
     return std::nullopt;
   }
   const Names& used = thermal.given("beta") ? by_slope : thermal.given_of(by_second).empty() ? by_vogel : by_second;
   for (const std::string& name : given)
     if (std::ranges::find(used, name) == used.end())
       thermal.complain(name,
-                       "is one way too many to say how the viscosity falls: keep beta, or T_second with "
+                       "is a second way to give the viscosity against temperature: keep beta, or T_second with "
                        "eta_second, or vogel_B with vogel_C");
   demand(thermal, used, "the viscosity against temperature");
   if (!thermal.deck.errors.empty()) return std::nullopt;
@@ -79,7 +79,7 @@ std::optional<AmbientViscosity> ambient_of(const deck::Part& thermal, bool roela
   const double C = vogel[1] + zero_celsius;
   constexpr double least_distance = 5.0;  // [K]: closer to C the viscosity diverges
   if (!(T0 - C >= least_distance))
-    thermal.complain("vogel_C", "must be at least 5 C below T_oil: there Vogel's viscosity has no end");
+    thermal.complain("vogel_C", "must be at least 5 C below T_oil: at vogel_C Vogel's viscosity is infinite");
   return Vogel{vogel[0], C};
 }
 
@@ -88,8 +88,8 @@ void read_viscosity(const deck::Part& thermal, WarmOil& oil) {
   const std::string law = lubricant.word("viscosity");
   if (law == "isoviscous" || law == "table") {
     lubricant.complain("viscosity", law +
-                                        " has no temperature in it, and heat acts through a viscosity that falls when "
-                                        "the oil warms: choose another law, or remove [thermal]");
+                                        " does not depend on temperature, but [thermal] needs a viscosity that falls "
+                                        "when the oil warms: choose another law, or remove [thermal]");
     return;
   }
   const bool simple = law == "barus" || law == "roelands";
@@ -104,7 +104,7 @@ void read_viscosity(const deck::Part& thermal, WarmOil& oil) {
   }
   const bool known = has(lubricant, "beta_K");
   if (known) settle(thermal, "modulus_decay", lubricant.word("beta_K"), "[lubricant] beta_K");
-  demand(thermal, of_volume, "viscosity = doolittle in a warm film");
+  demand(thermal, of_volume, "viscosity = doolittle with [thermal]");
   oil.constants.volume = {thermal.number("volume_expansion"), thermal.number("modulus_decay")};
   oil.constants.occupied_expansion = thermal.number("occupied_expansion");
 }
@@ -115,22 +115,25 @@ deck::Key number_key(const char* name, const char* unit, deck::Range range, cons
 
 std::vector<deck::Key> viscosity_keys() {
   return {
-      number_key(
-          "beta", "1/K", {1e-4, 0.3},
-          "-d ln(eta)/dT at ambient pressure and T_oil, for barus (exponential) and roelands (S0 of Roelands and "
-          "Houpert). Or T_second and eta_second, or vogel_B and vogel_C; an oil by kv40 and kv100, doolittle and "
-          "yasutomi bring their own.",
-          "0.04"),
-      number_key("T_second", "C", {coldest_oil, hottest_oil}, "Another temperature than T_oil, with eta_second.",
-                 "100"),
+      number_key("beta", "1/K", {1e-4, 0.3},
+                 "Temperature coefficient -d ln(eta)/dT at ambient pressure and T_oil, for barus (exponential) and "
+                 "roelands (S0 of Roelands and Houpert). T_second and eta_second, or vogel_B and vogel_C, may be given "
+                 "instead. kv40 with kv100, doolittle and yasutomi have their own.",
+                 "0.04"),
+      number_key("T_second", "C", {coldest_oil, hottest_oil},
+                 "Second temperature, other than T_oil, at which the viscosity is eta_second.", "100"),
       number_key("eta_second", "Pa s", {0.0, 1e6, true, false}, "Viscosity at ambient pressure and T_second.", "0.007"),
-      number_key("vogel_B", "K", {1.0, 1e4}, "eta = A exp[B/(T - C)].", "900"),
-      number_key("vogel_C", "C", {-273.15, -40.0}, "The same C, in degrees Celsius: Vogel's pole.", "-110"),
+      number_key("vogel_B", "K", {1.0, 1e4}, "Constant B of Vogel's law eta = A exp[B/(T - C)].", "900"),
+      number_key("vogel_C", "C", {-273.15, -40.0},
+                 "Constant C of Vogel's law, at which the viscosity is infinite, in degrees Celsius.", "-110"),
       number_key("volume_expansion", "1/K", {1e-5, 1e-2},
-                 "Of viscosity = doolittle: V0 grows by this share per kelvin.", "8.4e-4"),
+                 "For viscosity = doolittle: relative growth of the volume V0 per kelvin.", "8.4e-4"),
       number_key("modulus_decay", "1/K", {1e-5, 0.1},
-                 "Likewise: K0 falls as exp(-this T); [lubricant] beta_K where that is given.", "6.332e-3"),
-      number_key("occupied_expansion", "1/K", {-1e-2, 1e-2}, "Likewise: R0 grows by this share per kelvin.", "-7.3e-4"),
+                 "For viscosity = doolittle: decay of the bulk modulus, K0 proportional to exp(-modulus_decay T). It "
+                 "equals [lubricant] beta_K if that is given.",
+                 "6.332e-3"),
+      number_key("occupied_expansion", "1/K", {-1e-2, 1e-2},
+                 "For viscosity = doolittle: relative growth of the occupied volume R0 per kelvin.", "-7.3e-4"),
   };
 }
 
@@ -141,33 +144,33 @@ std::vector<deck::Key> property_keys() {
        .unit = "W/(m K)",
        .range = {0.01, 10.0},
        .remedy = "oils have 0.11 to 0.17 W/(m K)",
-       .meaning = "Conductivity of the oil at ambient pressure.",
+       .meaning = "Thermal conductivity of the oil at ambient pressure.",
        .source = "paraffinic mineral oil: Larsson and Andersson 2000, 0.137"},
       {.name = "c",
        .default_text = "2000",
        .unit = "J/(kg K)",
        .range = {200.0, 1e4},
        .remedy = "oils have 1700 to 2400 J/(kg K)",
-       .meaning = "Heat capacity of the oil at ambient pressure.",
+       .meaning = "Specific heat capacity of the oil at ambient pressure.",
        .source = "the same oil: rho c = 1.71e6 J/(m^3 K)"},
       {.name = "rho",
-       .default_note = "from density15 where that is given, else 870",
+       .default_note = "from density15 if that is given, else 870",
        .unit = "kg/m^3",
        .range = {500.0, 3000.0},
        .remedy = "oils have 800 to 1000 kg/m^3",
-       .meaning = "Density of the oil at ambient pressure and T_oil: for what it carries of heat.",
+       .meaning = "Density of the oil at ambient pressure and T_oil, for the heat that it carries.",
        .example = "870"},
       {.name = "properties",
        .default_text = "larsson-andersson",
        .words = {"larsson-andersson", "constant"},
-       .meaning = "k and rho c in the contact: growing with pressure as those of a mineral oil, k 2.1 and rho c 1.3 "
-                  "times as large at 1 GPa; or the same everywhere.",
+       .meaning = "How k and rho c depend on pressure. larsson-andersson: they grow as those of a mineral oil, at 1 "
+                  "GPa to 2.1 times k and 1.3 times rho c. constant: they do not.",
        .source = "Larsson and Andersson, Proc. IMechE J 214, 2000"},
       {.name = "expansion",
        .default_text = "6.5e-4",
        .unit = "1/K",
        .range = {0.0, 5e-3},
-       .meaning = "Thermal expansion of the oil, -d ln(rho)/dT.",
+       .meaning = "Thermal expansion coefficient of the oil, -d ln(rho)/dT.",
        .source = "mineral oils, 6.3e-4 to 7.5e-4: ASTM D1250"},
   };
 }
@@ -175,14 +178,14 @@ std::vector<deck::Key> property_keys() {
 }  // namespace
 
 std::vector<deck::Key> warm_oil_keys() {
-  const std::vector<deck::Key> first{
-      {.name = "T_oil",
-       .default_note = "[lubricant] temperature, where that is given",
-       .unit = "C",
-       .range = {coldest_oil, hottest_oil},
-       .remedy = "is it in kelvin or in degrees Fahrenheit?",
-       .meaning = "Temperature of the oil that enters the contact; eta0, alpha and the other constants hold there.",
-       .example = "40"}};
+  const std::vector<deck::Key> first{{.name = "T_oil",
+                                      .default_note = "[lubricant] temperature, if that is given",
+                                      .unit = "C",
+                                      .range = {coldest_oil, hottest_oil},
+                                      .remedy = "is it in kelvin or in degrees Fahrenheit?",
+                                      .meaning = "Temperature of the oil that enters the contact. eta0, alpha and the "
+                                                 "other constants of the oil are values at this temperature.",
+                                      .example = "40"}};
   return deck::in_section("thermal", deck::together({first, viscosity_keys(), property_keys()}));
 }
 
@@ -192,11 +195,11 @@ WarmOil read_warm_oil(deck::Deck& deck) {
   if (has(lubricant, "temperature"))
     settle(thermal, "T_oil", deck::shortest(lubricant.number("temperature")), "[lubricant] temperature");
   else
-    demand(thermal, {"T_oil"}, "a contact with heat");
+    demand(thermal, {"T_oil"}, "[thermal]");
   oil.constants.T0 = thermal.number("T_oil") + zero_celsius;
   if (has(lubricant, "density15"))
     thermal.fill("rho", oil_density(lubricant.number("density15"), thermal.number("T_oil")), "density15 at T_oil");
-  thermal.fill("rho", usual_density, "a mineral oil");
+  thermal.fill("rho", usual_density, "typical of mineral oils");
   read_viscosity(thermal, oil);
   oil.k = thermal.number("k");
   oil.c = thermal.number("c");

@@ -13,70 +13,78 @@
 namespace ehl::steady {
 
 std::vector<deck::Key> grid_keys() {
-  const std::string remedy = "the domain must contain the contact, if a circle one of radius 1";
+  const std::string remedy = "the domain must contain the contact; a circular contact has radius 1";
   return deck::together(
       {deck::in_section(
            "domain",
            {{.name = "x_inlet",
-             .default_note = "so far upstream that the film loses less than about 0.6 %",
+             .default_note = "chosen so that the end of the domain changes the film by less than about 0.6 %, with "
+                             "far_field = closed far less",
              .range = {-1000.0, 0.0, false, true},
              .remedy = remedy,
-             .meaning = "Inlet boundary in Hertz radii, beyond the contact. Light loads need a longer inlet.",
+             .meaning = "Position of the inlet boundary in Hertz radii. It must lie outside the contact. Light loads "
+                        "need a longer inlet.",
              .example = "-4.5"},
             {.name = "x_outlet",
-             .default_note = "1.5, or 3 for light loads",
+             .default_note = "1.5 half lengths of the contact; 3 or more for light loads",
              .range = {0.0, 1000.0, true, false},
              .remedy = remedy,
-             .meaning = "Outlet boundary in Hertz radii, beyond the contact.",
+             .meaning = "Position of the outlet boundary in Hertz radii. It must lie outside the contact.",
              .source = "Venner and ten Napel 1992: -4.5 to 1.5",
              .example = "1.5"},
             {.name = "y_half",
-             .default_note = "half the length of the domain, or a quarter more",
+             .default_note = "circle: half the length of the domain, or 1.25 times that with far_field = closed; "
+                             "ellipse: to where the gap is as wide as at the inlet; roller: half of its length",
              .range = {0.0, 1e6, true, false},
              .remedy = remedy,
-             .meaning = "Half width of the domain in Hertz radii, beyond the contact.",
+             .meaning = "Half width of the domain in Hertz radii. The sides must lie outside the contact.",
              .source = "Venner and ten Napel 1992: -3 to 3",
              .example = "3"},
             {.name = "far_field",
              .default_text = "closed",
              .words = {"closed", "zero"},
-             .meaning = "Pressure on the boundary of the domain and load outside of it: those of nearly rigid bodies "
-                        "in closed form, or none, as in the paper. A load that jumps in time, or changes by more than "
-                        "twice its size in a/u_m, needs zero, and gets it where the deck leaves this open, as an "
-                        "ellipse by half of its load and a body that moves do.",
+             .meaning = "Pressure on the boundary of the domain, and load outside of it. closed: those of nearly rigid "
+                        "bodies, in closed form. zero: none, as in the paper. A load that jumps in time, or changes by "
+                        "more than twice its size within a/u_m, requires zero; so do rollers, line contacts in time, "
+                        "and a conserved oil content ([supply]). If the key is left out, zero is taken there, for "
+                        "[body], and for an ellipse whose load changes by more than half of its size within a/u_m.",
              .source = "modules/reynolds/README.md"}}),
        deck::in_section(
            "grid",
            {{.name = "cells",
              .type = deck::Type::integer,
-             .default_note = "256, 512 or 1024, the first that resolves the film",
+             .default_note =
+                 "the first of 256, 512 and 1024 that resolves the film; line contacts and ellipses may get more",
              .range = {16, 1048576},
-             .remedy = "cells along x of the finest grid, e.g. 256",
-             .meaning = "Cells of the finest grid along x, the coarsest grid's times a power of two; along y they "
-                        "follow from the domain, as nearly square as possible. Where the contact is seven times as "
-                        "wide as long they are twice as wide, where six times as long as wide 4 or 8 times as long.",
+             .remedy = "the number of cells along x of the finest grid, e.g. 256",
+             .meaning =
+                 "Number of cells along x of the finest grid: that of the coarsest grid times a power of two. The "
+                 "number along y follows from the domain so that the cells are nearly square. If the contact is more "
+                 "than 7 times as wide (y) as long (x), the cells are twice as wide as long; if it is at least 6 times "
+                 "as long as wide and not oblique, they are 4, 8 or 16 times as long as wide.",
              .example = "256"},
             {.name = "coarsest",
              .type = deck::Type::integer,
              .default_note = "chosen for the case",
              .range = {4, 4096},
-             .meaning = "Cells of the coarsest grid along x.",
+             .meaning = "Number of cells along x of the coarsest grid.",
              .example = "32"},
             {.name = "errors",
              .default_text = "adjoint",
              .words = {"adjoint", "levels"},
-             .meaning = "How the errors of Hc and Hm are estimated. adjoint: by what is left of the equations of a "
-                        "coarser grid, times the weights of Hc and Hm for it (upstream3). levels: from the sequence "
-                        "of grids, as of a line contact always; there adjoint makes but the maps of [output] fields.",
+             .meaning = "How the discretization errors of Hc and Hm are estimated. adjoint: truncation error of a "
+                        "coarser grid, weighted by the adjoint solutions of Hc and Hm; only with wedge = upstream3 and "
+                        "without [supply]. levels: from the results of the sequence of grids. Line contacts always use "
+                        "levels; for them, adjoint adds only the maps error_Hc and error_Hm of [output] fields.",
              .source = "modules/adjoint/README.md"},
             {.name = "accuracy",
              .default_note = "none: the grid is given or chosen",
              .range = {1e-6, 0.5},
              .remedy = "a relative error, e.g. 0.01",
-             .meaning = "Relative error of Hc and Hm to reach, instead of cells: the run refines the grid, up to "
-                        "8192 cells and half of the memory that is free, and extends the domain where x_inlet and "
-                        "y_half are left open, until the "
-                        "estimated error is below it. A domain that is given is kept and its error told, not counted.",
+             .meaning = "Relative error of Hc and Hm to reach, instead of cells. The run refines the grid until the "
+                        "estimated error is below this value, up to 8192 cells and half of the free memory. With "
+                        "far_field = zero it also extends the domain, unless x_inlet or y_half is given; the error of "
+                        "a given domain is reported, but not counted.",
              .source = "modules/steady/README.md",
              .example = "0.01"}})});
 }
@@ -105,20 +113,20 @@ void choose_domain(const deck::Part& domain, double accuracy, const contact::Gro
     far_field = std::fmin(error_of_closed_domain, share_of_accuracy * accuracy);
   const bool roller = contact::roller(groups.shape);
   if (contact::line(groups.shape))
-    domain.refuse({"y_half"}, roller ? "is half of the roller's length, where the gap ends: remove it"
+    domain.refuse({"y_half"}, roller ? "follows from the length of the roller, where the gap ends: remove it"
                                      : "has no influence on a line contact, which has no sides: remove it");
   domain.fill("x_outlet", wider * chosen_outlet(groups.M, groups.L, groups.shape, far_field),
-              "behind the cavitation boundary");
+              "downstream of the cavitation boundary");
   const double x_outlet = domain.number("x_outlet");
   domain.fill("x_inlet", wider * chosen_inlet(groups.M, groups.L, x_outlet / wider, groups.shape, far_field),
-              far_field ? "closed far field: halved, it moves the film by less than 0.2 %"
-                        : "cuts off less than about 1 % of the film where 200 radii are enough for that");
+              far_field ? "far_field = closed: a domain of half this length would change the film by less than 0.2 %"
+                        : "the inlet boundary changes the film by less than about 1 %, or lies 200 radii upstream");
   if (roller) domain.follow("y_half", groups.shape.kappa, "the ends of the roller");
   if (contact::line(groups.shape)) return;
   domain.fill("y_half", chosen_half_width(domain.number("x_inlet"), x_outlet, groups.shape, far_field.has_value()),
-              !contact::circular(groups.shape) ? "as wide a gap at the sides as along x"
-              : far_field                      ? "a quarter wider than long"
-                                               : "as wide as long");
+              !contact::circular(groups.shape) ? "the gap at the sides is as wide as at the inlet"
+              : far_field                      ? "1.25 times half the length of the domain"
+                                               : "half the length of the domain");
 }
 
 // Least number of cells along x for an oblique ellipse: as many along its shorter axis in both directions as resolve
@@ -153,7 +161,7 @@ void choose_cells(const deck::Part& grid, const deck::Part& domain, const contac
   }
   const int cells =
       resolving_cells(stretch * resolving_step(groups.M, groups.L, wedge, groups.shape), length, fewest, most);
-  grid.choose("cells", cells, cells < most ? "resolves the film" : "the most that is chosen unasked");
+  grid.choose("cells", cells, cells < most ? "resolves the film" : "the largest number that is chosen automatically");
 }
 
 // How often the cells can be halved; -1 if that does not end at a coarse enough grid.
@@ -180,8 +188,8 @@ AccuracyTarget read_accuracy(deck::Deck& deck) {
   if (!grid.given("accuracy")) return target;
   if (grid.given("cells"))
     grid.complain("accuracy",
-                  "and cells are both given: keep one of them; accuracy finds the cells itself, and "
-                  "--unset grid.cells takes them out of the deck");
+                  "and cells are both given: keep one of them. accuracy chooses the cells itself; --unset grid.cells "
+                  "removes them from the deck");
   // The part of the domain that the deck leaves open may grow.
   const deck::Part domain{deck, "domain"};
   target.domain_is_free = domain.given_of({"x_inlet", "y_half"}).empty() && !closed(domain);
@@ -249,18 +257,17 @@ GridInput read_grid(deck::Deck& deck, std::optional<double> size, double aspect,
   if (line)
     grid.ny = core::line_grid(cells, grid.X_a, grid.X_b).ny;
   else if (ny > 1 << 21)
-    domain.complain("y_half", "means " + deck::shortest(ny) + " cells along y: take a narrower domain");
+    domain.complain("y_half", "means " + deck::shortest(ny) + " cells along y: use a narrower domain");
   else
     grid.ny = static_cast<int>(ny);
   const double coarsest_step = 0.5 * size.value_or(1.0);
   if (grid.hx() > coarsest_step) {
     const double fewest = (grid.X_b - grid.X_a) / coarsest_step;
     const double below = good_cells(fewest, coarsest);
-    part.complain("cells",
-                  fmt::format("too coarse for {:.4g} <= x <= {:.4g}: a cell is {:.3g} Hertz radii wide and must "
-                              "be at most {:g}: take e.g. {} cells, or a shorter domain",
-                              grid.X_a, grid.X_b, grid.hx(), coarsest_step,
-                              deck::shortest(below < fewest ? 2.0 * below : below)));
+    part.complain("cells", fmt::format("too coarse for {:.4g} <= x <= {:.4g}: a cell is {:.3g} Hertz radii wide, and "
+                                       "the limit is {:g}; use e.g. {} cells, or a shorter domain",
+                                       grid.X_a, grid.X_b, grid.hx(), coarsest_step,
+                                       deck::shortest(below < fewest ? 2.0 * below : below)));
   }
   return input;
 }
@@ -275,8 +282,8 @@ bool read_far_field(deck::Deck& deck, const contact::Ellipse& shape, double stee
   if (steep && domain.given("far_field") && closed(domain))
     domain.complain(
         "far_field",
-        fmt::format("the load of [transient] {}, and this far field follows no more than {:g} times the "
-                    "contact's load within a/u_m: take zero",
+        fmt::format("the load of [transient] {}, and far_field = closed allows at most {:g} times the contact's load "
+                    "within a/u_m: set zero",
                     std::isinf(steepest_load) ? "jumps" : fmt::format("changes by {:.3g}", steepest_load), too_steep));
   // The load outside the domain lags behind a moving body. [bench: far_field_of_moving_bodies]
   if (unsure || body_moves)

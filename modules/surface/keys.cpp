@@ -15,28 +15,28 @@ constexpr deck::Range positive{0.0, infinity, true, true};
 const deck::Condition by_formula{.name = "shape", .words = {"dimple", "bump", "ridge", "groove", "waviness", "cavity"}};
 
 Key shape_key() {
-  return {.name = "shape",
-          .words = {"dimple", "bump", "ridge", "groove", "waviness", "cavity", "map"},
-          .meaning =
-              "What this surface carries, S being what the gap gains, r and d the distances from its middle "
-              "and its line: dimple height exp(-(r/width)^2), bump the same upwards, groove and ridge "
-              "likewise with d, waviness height cos(2 pi d/width), in time behind its front at x, cavity "
-              "height cos(pi r/(2.4 width)) exp(-2 (r/(1.2 width))^2); map: measured heights from a file. In "
-              "time it moves with its surface; in a steady contact it must be on a surface that stands still, "
-              "in a dry one all do.",
-          .source = "cavity: Mourier et al. 2006",
-          .example = "dimple"};
+  return {
+      .name = "shape",
+      .words = {"dimple", "bump", "ridge", "groove", "waviness", "cavity", "map"},
+      .meaning =
+          "Shape of this surface. S is what it adds to the gap, r the distance from its centre, d that from its line. "
+          "dimple: S = height exp(-(r/width)^2). bump: the same, upwards. groove and ridge: as dimple and bump, with d "
+          "instead of r. waviness: S = height cos(2 pi d/width), in time only behind its front at x. cavity: S = "
+          "height cos(pi r/(2.4 width)) exp(-2 (r/(1.2 width))^2). map: measured heights from a file. In time the "
+          "shape moves with its surface. In a steady contact its surface must stand still; in a dry contact all do.",
+      .source = "cavity: Mourier et al. 2006",
+      .example = "dimple"};
 }
 
 std::vector<Key> size_keys() {
   const Key height{.name = "height",
                    .range = positive,
-                   .meaning = "Height (or depth, or amplitude) in units of a^2/R, as H.",
+                   .meaning = "Height, depth or amplitude, in units of a^2/R like H.",
                    .needs = by_formula,
                    .example = "0.02"};
   const Key width{.name = "width",
                   .range = positive,
-                  .meaning = "Width, or wavelength, in Hertz radii a.",
+                  .meaning = "Width or wavelength, in Hertz radii a.",
                   .needs = by_formula,
                   .example = "0.25"};
   return {
@@ -47,21 +47,20 @@ std::vector<Key> size_keys() {
       {.name = "angle",
        .default_text = "0",
        .range = {-90.0, 90.0},
-       .meaning = "Degrees between the line of a ridge, groove or wave and the y axis: 0 transverse, 90 longitudinal.",
+       .meaning = "Angle between the line of a ridge, groove or wave and the y axis, in degrees. 0: transverse. 90: "
+                  "longitudinal.",
        .needs = {.name = "shape", .words = {"ridge", "groove", "waviness"}}},
       {.name = "x",
-       .default_note = "in time before the inlet, by three widths, by one wave, by half of a map; steady 0",
+       .default_note = "steady: 0; in time upstream of the inlet, by three widths, one wave or half of a map",
        .range = {-1e3, 1e3},
-       .meaning = "Where its middle (of waves: a crest of the gap, in time the first) is at time 0, in Hertz radii.",
+       .meaning = "Position x of the centre at time 0, in Hertz radii. For a waviness: of a crest of the gap, in time "
+                  "of the first one.",
        .example = "-3"},
-      {.name = "y",
-       .default_text = "0",
-       .range = {-1e3, 1e3},
-       .meaning = "Where its middle is across the entrainment."},
+      {.name = "y", .default_text = "0", .range = {-1e3, 1e3}, .meaning = "Position y of the centre, in Hertz radii."},
       {.name = "at_rest",
        .words = {"yes"},
-       .meaning = "Says of a steady contact given by M and L, or W, U and G, that it is this surface that stands "
-                  "still and the other one that moves. A contact in SI says it with u1 = 0 or u2 = 0.",
+       .meaning = "States that this surface stands still and the other one moves, in a steady contact given by M and L "
+                  "or by W, U and G. In a contact in SI, set u1 = 0 or u2 = 0 instead.",
        .example = "yes"},
   };
 }
@@ -70,40 +69,39 @@ std::vector<Key> map_keys() {
   const Key unit{.name = "unit",
                  .range = positive,
                  .meaning =
-                     "Height of the number 1 in the file, in units of a^2/R, as H; unit_m = 1e-9 where the file is in "
-                     "nanometres. May be left out where the file states its unit.",
+                     "Height that the number 1 in the file stands for, in units of a^2/R like H. With unit_m: 1e-9 for "
+                     "a file in nanometres. Not needed if the file states its unit.",
                  .example = "0.01"};
-  const Key dx{.name = "dx",
-               .range = positive,
-               .meaning =
-                   "Distance between two points of a line of the file, in Hertz radii. May be left out where "
-                   "the file states it.",
-               .example = "0.02"};
+  const Key dx{
+      .name = "dx",
+      .range = positive,
+      .meaning = "Distance between two points of a line of the file, in Hertz radii. Not needed if the file states it.",
+      .example = "0.02"};
   const Key dy{.name = "dy",
-               .default_note = "that of the file, or of dx",
+               .default_note = "that of the file, else dx",
                .range = positive,
                .meaning = "Distance between two lines of the file, in Hertz radii.",
                .example = "0.02"};
   const Key longest_wave{.name = "longest_wave",
                          .range = positive,
                          .meaning =
-                             "Cut-off wavelength, in Hertz radii, of a Gaussian filter that takes longer waves "
-                             "away. A wave of this length keeps half of its height. Without it all long waves "
-                             "stay.",
+                             "Cut-off wavelength in Hertz radii of a Gaussian filter that removes longer waves. A wave "
+                             "of this length keeps half of its height. Without this key no long waves are removed.",
                          .source = "ISO 16610-61",
                          .example = "8"};
-  const Key shortest_wave{
-      .name = "shortest_wave",
-      .range = positive,
-      .meaning = "The same for shorter waves, which it takes away; without it all short waves stay.",
-      .source = "ISO 16610-61",
-      .example = "0.2"};
+  const Key shortest_wave{.name = "shortest_wave",
+                          .range = positive,
+                          .meaning =
+                              "Cut-off wavelength in Hertz radii of a Gaussian filter that removes shorter waves. "
+                              "Without this key no short waves are removed.",
+                          .source = "ISO 16610-61",
+                          .example = "0.2"};
   return {
       {.name = "levelling",
        .default_text = "plane",
        .words = {"plane", "mean"},
-       .meaning = "What is taken away of a map first: the plane of least squares, with the tilt under the instrument; "
-                  "or its mean alone."},
+       .meaning = "What is subtracted from a map first. plane: the plane of least squares, which contains the tilt in "
+                  "the instrument. mean: the mean height alone."},
       longest_wave,
       in_SI(longest_wave, "_m", "m", "8e-4"),
       shortest_wave,
@@ -111,17 +109,20 @@ std::vector<Key> map_keys() {
       {.name = "file",
        .type = Type::text,
        .meaning =
-           "The measured heights, counted from the body outwards. Text (.csv, .txt, .dat, .asc, .xyz, .sdf): lines "
-           "along x, the first at the smallest y, numbers between semicolons, tabs, commas or blanks, with decimal "
-           "points or commas; or x, y, z in every line, the points of a regular grid in any order; or Gwyddion's "
-           "text, ESRI's ASCII grid, SDF of ISO 25178-71 in ASCII. A first line of words is a heading, # begins a "
-           "comment. Or a .h5 with a dataset in rows of constant y. At least 8 by 8 points; up to a fifth of them may "
-           "be missing (an empty cell, NaN, BAD, ***) and is filled from its neighbours. It is looked for where the "
-           "program runs, then beside the deck. It is levelled; onto the mesh it comes as means over the cells.",
+           "File with the measured heights, positive out of the body, searched in the working folder, then beside the "
+           "deck. Text (.csv, .txt, .dat, .asc, .xyz, .sdf): lines along x, the first at the smallest y, numbers "
+           "separated by semicolons, tabs, commas or blanks, with decimal points or commas; or x, y, z in every line, "
+           "the points of a regular grid in any order; or Gwyddion's text, ESRI's ASCII grid, SDF of ISO 25178-71 in "
+           "ASCII. A first line of words is a heading, # begins a comment. HDF5 (.h5): a dataset with rows of constant "
+           "y. At least 8 by 8 points. Up to a fifth of them may be missing (an empty cell, NaN, BAD, ***); they are "
+           "filled from their neighbours. The map is levelled, and averaged over the cells of the mesh.",
        .source = "modules/surface/README.md",
        .example = "heights.csv",
        .names_file = true},
-      {.name = "dataset", .type = Type::text, .default_text = "height", .meaning = "The dataset of a .h5."},
+      {.name = "dataset",
+       .type = Type::text,
+       .default_text = "height",
+       .meaning = "Name of the dataset in a .h5 file."},
       unit,
       in_SI(unit, "_m", "m", "1e-9"),
       dx,
@@ -131,8 +132,8 @@ std::vector<Key> map_keys() {
       {.name = "taper",
        .default_text = "0.1",
        .range = {0.0, 0.5},
-       .meaning = "Share of the map's length along which its heights come down to zero at each of its edges, by a "
-                  "cosine; 0: they end as they are, in a step."},
+       .meaning = "Share of the map's length over which the heights fall to zero at each edge, by a cosine. 0: the map "
+                  "ends in a step."},
   };
 }
 
@@ -167,7 +168,7 @@ MapInput read_map(const deck::Part& surface, const Units& units) {
   map.shortest_wave = wave("shortest_wave");
   map.plane = surface.word("levelling") != "mean";
   map.file = surface.word("file");
-  if (map.file.empty()) surface.complain("file", "is missing: the measured heights, a text file or a .h5");
+  if (map.file.empty()) surface.complain("file", "is missing: give the measured heights, a text file or a .h5");
   map.dataset = surface.word("dataset");
   map.taper = surface.number("taper");
   return map;

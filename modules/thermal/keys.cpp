@@ -12,7 +12,8 @@ using deck::Key;
 std::vector<Key> body_keys(const std::string& number) {
   Key solid{.name = "solid" + number,
             .default_note = "none: k" + number + ", c" + number + ", rho" + number,
-            .meaning = "Material of body " + number + ", for its heat alone; elastic data stand in [contact].",
+            .meaning = "Material of body " + number +
+                       ", for its thermal constants only; the elastic constants are in [contact].",
             .example = "steel"};
   for (const rheology::Solid& one : rheology::solids) {
     solid.words.emplace_back(one.name);
@@ -31,7 +32,7 @@ std::vector<Key> body_keys(const std::string& number) {
            .unit = "W/(m K)",
            .range = {0.05, 3000.0},
            .remedy = "bearing steel has 46 W/(m K), glass 1.1",
-           .meaning = "Conductivity of body " + number + ", instead of solid" + number + ".",
+           .meaning = "Thermal conductivity of body " + number + ", instead of solid" + number + ".",
            .example = "46"},
           {.name = "c" + number,
            .unit = "J/(kg K)",
@@ -62,7 +63,7 @@ BodyInput read_body(const deck::Part& thermal, const std::string& number) {
       thermal.demand(names, "k, c and rho of a body belong together");
     return body;
   }
-  thermal.refuse(names, solid + " is given as well: keep one of both");
+  thermal.refuse(names, solid + " is given as well: keep one of them");
   if (const rheology::Solid* material = rheology::find_solid(thermal.word(solid)))
     body = {body.T, material->k, material->c, material->rho};
   return body;
@@ -78,27 +79,28 @@ std::vector<Key> keys() {
        .type = deck::Type::integer,
        .default_text = "17",
        .range = {5, most_nodes},
-       .meaning = "Nodes across the film, odd.",
-       .source = "1e-4 up to a Nahme number of 1000: modules/thermal/README.md"},
-      {.name = "convection", .default_text = "on", .words = on_off, .meaning = "The oil carries heat."},
+       .meaning = "Number of nodes across the film; it must be odd.",
+       .source = "modules/thermal/README.md"},
+      {.name = "convection",
+       .default_text = "on",
+       .words = on_off,
+       .meaning = "Whether the oil carries heat along with its flow."},
       {.name = "compression",
        .default_text = "on",
        .words = on_off,
-       .meaning = "Compression heats the oil, and expansion cools it."},
+       .meaning = "Whether compression heats the oil and expansion cools it."},
       {.name = "solids",
        .default_text = "full",
        .words = {"full", "lines"},
-       .meaning =
-           "Bodies as half spaces that move, at any speed; or by Carslaw and Jaeger's lines for fast ones, which "
-           "are up to 10 % hotter.",
+       .meaning = "Model of the bodies. full: moving half-spaces, for any speed. lines: the one-dimensional model of "
+                  "Carslaw and Jaeger for fast bodies; the temperature rise is up to 10 % higher.",
        .source = "Carslaw and Jaeger 1959"},
       {.name = "fields",
        .type = deck::Type::words,
        .default_text = "T_mid, T_max, T1, T2",
        .words = {"T_mid", "T_max", "T1", "T2", "section"},
-       .meaning =
-           "Temperatures above T_oil to keep: of the middle of the film, its hottest layer, surface 1 and 2; and "
-           "the section along x at y = 0 of T(x, z) and u(x, z)."}};
+       .meaning = "Temperatures above T_oil to store. T_mid: in the middle of the film. T_max: largest value across "
+                  "the film. T1, T2: on surface 1 and 2. section: T(x, z) and u(x, z) in the plane y = 0."}};
   return deck::in_section("thermal", deck::together({of_1, of_2, rest}));
 }
 

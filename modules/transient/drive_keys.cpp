@@ -25,25 +25,26 @@ std::vector<Key> drive_keys() {
   const char* const of_motion = "constant: from [motion], else 1";
   return {
       key("load", "constant",
-          "Load over that of [contact], at times: 'time:value ...', linear between them; the same time twice "
-          "is a jump. Or a file .csv with the columns t and load, where the program runs or beside the deck; a heading "
-          "may name the unit of t.",
+          "Load over that of [contact] against time: 'time:value ...', linear between the times; a time given twice is "
+          "a jump. Or the name of a .csv file with the columns t and load, in the working folder or beside the deck; "
+          "its heading may name the unit of t.",
           "1:1 1.1:1.3"),
       key("load_wave", "none",
-          "'amplitude period [start]': multiplies the load by 1 + amplitude sin(2 pi (t - start)/period).", "0.3 2"),
+          "Oscillating load, 'amplitude period [start]': multiplies the load by 1 + amplitude sin(2 pi (t - "
+          "start)/period).",
+          "0.3 2"),
       key("u1", of_motion,
-          "Speed of surface 1 over the entrainment speed u_m of [motion] (of M, L where there is none), "
-          "written like load. The film is carried by (u1 + u2)/2, which must not be negative.",
+          "Speed of surface 1 over the entrainment speed u_m of [motion] (of M and L without [motion]), written like "
+          "load. The film moves with (u1 + u2)/2, which must not be negative.",
           "1:1 2:0 3:0 4:1"),
-      key("u1_wave", "none", "Like load_wave, of u1.", "0.5 4"),
-      key("u2", of_motion, "Speed of surface 2, like u1.", "1:1 2:0 3:0 4:1"),
-      key("u2_wave", "none", "Like load_wave, of u2.", "0.5 4"),
+      key("u1_wave", "none", "Oscillation of u1, written like load_wave.", "0.5 4"),
+      key("u2", of_motion, "Speed of surface 2, written like u1.", "1:1 2:0 3:0 4:1"),
+      key("u2_wave", "none", "Oscillation of u2, written like load_wave.", "0.5 4"),
       key("supply", "constant",
-          "What the surfaces bring, over what [supply] says, written like load; 1 at time 0. Layers of each surface "
-          "come "
-          "with its own speed; a flow is a thicker layer where the motion is slower.",
+          "Supplied oil over that of [supply] against time, written like load; it must be 1 at time 0. A layer on a "
+          "surface arrives with the speed of that surface; a given flow is a thicker layer when the motion is slower.",
           "1:1 2:0.3"),
-      key("supply_wave", "none", "Like load_wave, of the supply.", "0.3 2")};
+      key("supply_wave", "none", "Oscillation of supply, written like load_wave.", "0.3 2")};
 }
 
 std::vector<Key> body_keys() {
@@ -54,16 +55,15 @@ std::vector<Key> body_keys() {
     return {.name = name, .default_note = note, .range = range, .meaning = meaning, .example = example};
   };
   const Key mass =
-      key("mass", "none: the load is imposed", positive,
-          "Mass of the body that moves, in F R/u_m^2: with it H00 follows mass H00'' + damping H00' = load "
-          "that the film carries - load that acts, both over that of [contact], and the load that acts may "
-          "be zero.",
+      key("mass", "none: the load is prescribed", positive,
+          "Mass of the moving body, in F R/u_m^2. H00 then follows mass H00'' + damping H00' = load that the film "
+          "carries - load that acts, both over the load of [contact]. The load that acts may be zero.",
           "2");
-  const Key damping = key("damping", "0", {0.0, infinity}, "Damping of the body, in F R/(a u_m).", "0.1");
-  const Key gap = key("gap", "none: starts from the steady film", positive,
-                      "H00 at time 0, in a^2/R: the bodies start apart, without pressure.", "2");
-  const Key velocity =
-      key("velocity", "0", {-infinity, infinity}, "H00' at time 0, in a u_m/R; negative: the bodies approach.", "-1");
+  const Key damping = key("damping", "0", {0.0, infinity}, "Damping of the moving body, in F R/(a u_m).", "0.1");
+  const Key gap = key("gap", "none: the run starts from the steady film", positive,
+                      "H00 at time 0, in a^2/R: the bodies start separated, without pressure.", "2");
+  const Key velocity = key("velocity", "0", {-infinity, infinity},
+                           "H00' at time 0, in a u_m/R. A negative value means that the bodies approach.", "-1");
   return {mass, in_SI(mass, "_kg", "kg", "0.1"), damping,  in_SI(damping, "_Nspm", "N s/m", "100"),
           gap,  in_SI(gap, "_m", "m", "1e-6"),   velocity, in_SI(velocity, "_mps", "m/s", "-0.1")};
 }
@@ -84,9 +84,9 @@ bool all_finite(const std::vector<double>& numbers) {
 std::vector<Schedule::Point> points_of_file(const deck::Part& part, const std::string& key) {
   const std::string path = deck::found_beside(part.deck, part.section, key);
   const std::string time_unit = part.word("time_unit") == "seconds" ? "s" : "a/u_m";
-  const char* whole = key == "load"     ? "over that of [contact]"
-                      : key == "supply" ? "over what [supply] says"
-                                        : "over the entrainment speed of [motion]";
+  const char* whole = key == "load"     ? "relative to that of [contact]"
+                      : key == "supply" ? "relative to that of [supply]"
+                                        : "relative to the entrainment speed of [motion]";
   const deck::ReadColumns read =
       deck::read_columns(path, {{{"t", "time", "T"}, time_unit}, {{key, "value", "factor"}, "-", true, whole}},
                          " ([transient] " + key + ")");
@@ -106,7 +106,7 @@ std::vector<Schedule::Point> points_of_words(const deck::Part& part, const std::
     const double T = deck::read_number(word.substr(0, colon)).value;
     const double value = colon < word.size() ? deck::read_number(word.substr(colon + 1)).value : Scales::unset;
     if (!std::isfinite(T + value)) {
-      part.complain(key, "'" + word + "' is not time:value, as in 1:1 1.1:1.3");
+      part.complain(key, "'" + word + "' is not of the form time:value, as in 1:1 1.1:1.3");
       return {};
     }
     points.push_back({T, value});
@@ -122,10 +122,11 @@ Schedule schedule_of(const deck::Part& part, const std::string& key, double unit
   if (!text.empty())
     schedule.points = text.ends_with(".csv") ? points_of_file(part, key) : points_of_words(part, key, text);
   for (std::size_t k = 0; k < schedule.points.size(); ++k) {
-    if (schedule.points[k].T < 0.0) part.complain(key, "a time is negative");
-    if (k > 0 && schedule.points[k].T < schedule.points[k - 1].T) part.complain(key, "the times must not fall");
+    if (schedule.points[k].T < 0.0) part.complain(key, "contains a negative time: times must be >= 0");
+    if (k > 0 && schedule.points[k].T < schedule.points[k - 1].T)
+      part.complain(key, "contains times that fall: they must rise, or be equal for a jump");
     if (k > 1 && schedule.points[k].T == schedule.points[k - 2].T)
-      part.complain(key, "the same time stands three times: a jump needs two");
+      part.complain(key, "contains the same time three times: a jump has two values");
   }
   for (Schedule::Point& point : schedule.points) point.T /= unit;
   const std::string wave_key = key + "_wave";
@@ -155,10 +156,10 @@ void check_drive(const deck::Part& part, const Conditions& conditions, double en
   if (body && least(conditions.load, end) < 0.0)
     part.complain(part.given("load_wave") ? "load_wave" : "load", "the load must not be negative");
   if (body && !body->gap && !(value(conditions.load, 0.0) > 0.0))
-    part.complain("load", "must be positive at time 0, from whose steady film the body starts; or give a gap");
+    part.complain("load", "must be positive at time 0, because the body starts from the steady film; or give a gap");
   if (!body && !(least(conditions.load, end) > 0.0))
     part.complain(part.given("load_wave") ? "load_wave" : "load",
-                  "the load must stay positive until the end: the bodies would part");
+                  "the load must stay positive until the end: otherwise the bodies would separate; [body] allows that");
   constexpr int samples = 4000;  // times between the stops, for the wave; a shorter dip is not seen
   std::vector<double> times = stops_of(conditions, end);
   for (int k = 0; k <= samples; ++k) times.push_back(end * k / samples);
@@ -166,16 +167,16 @@ void check_drive(const deck::Part& part, const Conditions& conditions, double en
   for (const double T : times)
     if (drive_at(conditions, T).speed < 0.0) {
       part.complain(key, "(u1 + u2)/2 turns negative at " + deck::shortest(T) +
-                             " a/u_m: the oil would enter at the other side, which this version does not solve");
+                             " a/u_m: the oil would then enter at the other side, which is not available");
       return;
     }
   if (value(conditions.supply.factor, 0.0) != 1.0)
-    part.complain("supply", "must be 1 at time 0: [supply] says what is brought then");
+    part.complain("supply", "must be 1 at time 0, because [supply] gives the oil at that time");
   if (least(conditions.supply.factor, end) < 0.0)
-    part.complain(part.given("supply_wave") ? "supply_wave" : "supply", "what [supply] brings must not be negative");
+    part.complain(part.given("supply_wave") ? "supply_wave" : "supply", "the supplied oil must not be negative");
   const bool from_steady = !body || !body->gap;
   if (from_steady && drive_at(conditions, 0.0).speed <= 0.0)
-    part.complain(key, "(u1 + u2)/2 must be positive at time 0: there is no steady film to start from");
+    part.complain(key, "(u1 + u2)/2 must be positive at time 0: otherwise there is no steady film to start from");
 }
 
 std::optional<Body> read_body(deck::Deck& deck, const Scales& scales) {

@@ -21,44 +21,43 @@ std::vector<Key> time_keys() {
       {.name = "end_time",
        .range = positive,
        .remedy = "the time at which the run ends",
-       .meaning = "How long, from the steady state at time 0, in the unit that time_unit says. Without it the contact "
-                  "is steady.",
+       .meaning = "Time at which the run ends, in units of time_unit. The run starts from the steady solution at time "
+                  "0. Without this key the contact is steady.",
        .example = "5"},
       {.name = "time_unit",
        .default_text = "contact",
        .words = {"contact", "seconds"},
-       .meaning = "Unit of all times of this section: contact is a/u_m, in which the oil crosses half of the contact; "
-                  "seconds need a contact in SI."},
+       .meaning = "Unit of all times of this section. contact: a/u_m, the time in which the oil crosses half of the "
+                  "contact. seconds: needs a contact in SI."},
       {.name = "cavitation",
-       .default_note = "content with a [supply], else pressure",
+       .default_note = "content with [supply], else pressure",
        .words = {"pressure", "content"},
-       .meaning =
-           "Behind the contact, and wherever P = 0: pressure, the gap is taken to be full; content, the oil there "
-           "is an unknown that moves with the surfaces, and mass is conserved. A full inlet has no other film "
-           "while it is steady; a load that rises fast presses on what is there.",
+       .meaning = "Model of the region with P = 0. pressure: the gap is taken as full of oil. content: the oil content "
+                  "of the gap is an unknown that moves with the surfaces, and mass is conserved. A steady contact with "
+                  "a flooded inlet has the same film with both; they differ when a rapidly rising load pressurizes the "
+                  "cavitated region.",
        .source = "modules/transient/README.md"},
       {.name = "rtol",
        .default_text = "1e-4",
        .range = {1e-7, 1e-1},
-       .meaning = "Relative tolerance of the time integration's error test for pressure and film.",
+       .meaning = "Relative tolerance of pressure and film in the error test of the time integration.",
        .source = "modules/transient/README.md"},
       {.name = "max_step",
-       .default_note = "from what varies: a quarter of a feature's width at its speed, a quarter of a ramp (of one "
-                       "shorter than 0.04 a/u_m only within it), a twentieth "
-                       "of a period",
+       .default_note = "follows from what varies: a quarter of the time in which a feature passes, a quarter of a ramp "
+                       "(one shorter than 0.04 a/u_m counts only while it lasts), a twentieth of a period",
        .range = positive,
-       .meaning = "Longest step of time.",
+       .meaning = "Largest time step.",
        .example = "0.05"},
       {.name = "max_steps",
        .type = Type::integer,
        .default_text = "100000",
        .range = {1, 100000000},
-       .meaning = "Steps after which the run ends as failed."},
+       .meaning = "Largest number of time steps. A run that needs more fails."},
       {.name = "output_interval",
-       .default_note = "none: the fields of the first and the last time",
+       .default_note = "none: the fields of the first and the last time only",
        .range = positive,
-       .remedy = "a longer time between two fields keeps fewer of them",
-       .meaning = "Time between two fields of P and H in the result. The numbers of every step are always kept.",
+       .remedy = "a longer interval keeps fewer fields",
+       .meaning = "Time between two stored fields of P and H. The values of every step are always stored.",
        .example = "0.1"},
   };
 }
@@ -68,32 +67,31 @@ std::vector<Key> stop_keys() {
       {.name = "stop_film",
        .default_note = "none",
        .range = positive,
-       .meaning = "End where the smallest film falls to this, H = hR/a^2.",
+       .meaning = "The run ends when the minimum film falls to this value, H = hR/a^2.",
        .example = "0.02"},
       {.name = "stop_steady",
        .default_note = "none",
        .range = {1e-12, 0.1},
-       .meaning = "End where Hc, Hm and P_max have changed by less than this, relative, for a time of a/u_m.",
+       .meaning = "The run ends when Hc, Hm and P_max have changed by less than this relative value during a/u_m.",
        .example = "1e-6"},
   };
 }
 
 std::vector<Key> output_keys() {
-  return {
-      {.name = "checkpoint",
-       .default_note = "60 in a run in time",
-       .unit = "s",
-       .range = positive,
-       .meaning = "Time by the clock between the moments at which a run in time writes its result so far, from "
-                  "which `ehl resume` goes on.",
-       .example = "60"},
-      {.name = "probe",
-       .type = Type::text,
-       .default_note = "none",
-       .meaning = "Points 'X Y, X Y, ...' in Hertz radii at which a run in time keeps P and H at every step, as the "
-                  "columns P_1, H_1, P_2, ... of /transient: of a node where there is one, else by bicubic "
-                  "interpolation, P no less than 0.",
-       .example = "0 0, 0.7 0.2"}};
+  return {{.name = "checkpoint",
+           .default_note = "60 for a run in time",
+           .unit = "s",
+           .range = positive,
+           .meaning = "Wall-clock time between two checkpoints of a run in time. `ehl resume` continues from the last "
+                      "checkpoint in the result file.",
+           .example = "60"},
+          {.name = "probe",
+           .type = Type::text,
+           .default_note = "none",
+           .meaning = "Points 'X Y, X Y, ...' in Hertz radii at which a run in time stores P and H at every step, as "
+                      "the columns P_1, H_1, P_2, ... of /transient. The value is that of the node at the point, else "
+                      "bicubic interpolation with P >= 0.",
+           .example = "0 0, 0.7 0.2"}};
 }
 
 std::vector<Place> read_probes(const deck::Part& output, const core::Grid& grid) {
@@ -105,15 +103,15 @@ std::vector<Place> read_probes(const deck::Part& output, const core::Grid& grid)
                                           : Place{Scales::unset, Scales::unset};
     if (std::isnan(place.X + place.Y)) {
       output.complain("probe",
-                      deck::quoted(deck::trimmed(part)) + " is no point: write X Y, X Y, ... as in 0 0, 0.7 0.2");
+                      deck::quoted(deck::trimmed(part)) + " is not a point: write X Y, X Y, ... as in 0 0, 0.7 0.2");
       return {};
     }
     if (grid.line && place.Y != 0.0)
-      output.complain(
-          "probe", fmt::format("({:g}, {:g}) is beside the one line of a line contact: write Y = 0", place.X, place.Y));
+      output.complain("probe", fmt::format("({:g}, {:g}) does not lie on the line Y = 0 of a line contact: set Y = 0",
+                                           place.X, place.Y));
     const bool inside = place.X >= grid.X_a && place.X <= grid.X_b && place.Y >= grid.Y_a && place.Y <= grid.Y_b;
     if (grid.ny > 0 && !inside)
-      output.complain("probe", fmt::format("({:g}, {:g}) is outside of the domain, {:g} <= X <= {:g} and |Y| <= {:g}",
+      output.complain("probe", fmt::format("({:g}, {:g}) lies outside the domain, {:g} <= X <= {:g} and |Y| <= {:g}",
                                            place.X, place.Y, grid.X_a, grid.X_b, grid.Y_b));
     places.push_back(place);
   }
@@ -125,10 +123,9 @@ void check_steps(const deck::Part& transient, const MarchParameters& march, doub
   const double longest = std::isnan(march.longest_step) ? otherwise : march.longest_step;
   const double steps = std::ceil(march.end / longest);
   if (!transient.given_of({"max_steps", "stop_film", "stop_steady"}).empty() || !(steps > march.most_steps)) return;
-  transient.complain("end_time",
-                     fmt::format("takes at least {:.3g} steps of at most {:.3g} a/u_m, and max_steps is {}: "
-                                 "a shorter time, or more steps",
-                                 steps, longest, march.most_steps));
+  transient.complain("end_time", fmt::format("takes at least {:.3g} steps of at most {:.3g} a/u_m, but max_steps is "
+                                             "{}: use a shorter time, or raise max_steps",
+                                             steps, longest, march.most_steps));
 }
 
 double unit_of_time(const deck::Part& transient, const Scales& scales) {
@@ -159,7 +156,7 @@ Input read(deck::Deck& deck, const Scales& scales, const Conditions& carried, co
   Input input{.conditions = carried, .second = 1.0 / scales.time};
   const bool seconds = transient.word("time_unit") == "seconds";
   if (seconds && std::isnan(scales.time))
-    transient.complain("time_unit", "seconds need a contact and a motion in SI: use contact");
+    transient.complain("time_unit", "seconds need a contact and a motion in SI: set time_unit = contact");
   input.in_seconds = seconds;
   const double unit = unit_of_time(transient, scales);
   const auto time = [&](const char* key) { return transient.number(key) / unit; };

@@ -55,14 +55,13 @@ void refuse_film(deck::Deck& deck) {
       const bool radii = key.name.starts_with("radius") || key.name == "kind";
       const bool scales = key.section == "contact" && !key.name.starts_with("Sq");
       complain(deck, key.section, key.name,
-               radii ? "a dry contact is circular in this version: remove it"
+               radii ? "has no influence: a dry contact is always circular; remove it"
                : key.name == "load_per_length"
-                   ? "is the load of a line contact, and a dry contact is circular in this version: give load [N], "
-                     "radius_x and the elastic data in SI, or nothing (units of Hertz)"
-               : scales
-                   ? "contains a lubricant, and [case] kind = dry: give load, radius_x and the elastic data in SI, "
-                     "or nothing (units of Hertz)"
-                   : "has no influence with [case] kind = dry: remove it");
+                   ? "belongs to a line contact, and a dry contact is always circular: give load [N], radius_x and the "
+                     "elastic data in SI, or nothing (units of Hertz)"
+               : scales ? "contains a lubricant, but [case] kind = dry: give load, radius_x and the elastic data in "
+                          "SI, or nothing (units of Hertz)"
+                        : "has no influence with [case] kind = dry: remove it");
     } else {
       deck.values[k] = {.origin = deck::Origin::absent, .number = std::numeric_limits<double>::quiet_NaN()};
     }
@@ -77,7 +76,7 @@ void choose_domain(deck::Deck& deck) {
   if (given(deck, "grid", "cells")) return;
   int cells = std::max(1, deck::integer(deck, "grid", "coarsest", chosen_cells));
   while (cells < chosen_cells) cells *= 2;
-  deck::choose(deck, "grid", "cells", cells, "Hertz' pressure to about 1e-5 at the centre");
+  deck::choose(deck, "grid", "cells", cells, "resolves the Hertz pressure at the centre to about 1e-5");
 }
 
 }  // namespace

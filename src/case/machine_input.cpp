@@ -23,7 +23,7 @@ void refuse_contact(deck::Deck& deck, const machines::Contact& machine) {
     if (deck.values[k].origin != deck::Origin::given) continue;
     complain(
         deck, key.section, key.name,
-        "[case] kind = " + deck::word(deck, "case", "kind") + " settles it by [" + machine.section + "]: remove it");
+        "[case] kind = " + deck::word(deck, "case", "kind") + " computes it from [" + machine.section + "]: remove it");
     deck.values[k] = {};
   }
 }
@@ -40,7 +40,7 @@ std::optional<machines::Contact> machine_input(deck::Deck& deck) {
   const bool with_ends = !ball && deck::given(deck, "roller", "profile");
   if (ball) {
     compute(deck, "motion", "angle", 0.0, section, "the ball rolls along radius_x");
-    compute(deck, "contact", "kind", "point", section, "a ball and its groove");
+    compute(deck, "contact", "kind", "point", section, "a ball in its groove");
   } else if (with_ends) {
     compute(deck, "contact", "kind", "roller", section, "[roller] gives it a profile");
     const std::string length = kind == machines::gear_mesh ? "face_width" : "length";

@@ -20,9 +20,9 @@ constexpr double least_p_h = 1e3, most_p_h = 1e12;
 // in: key: the key that the error is reported at.
 void check_pressure(const deck::Part& contact, const char* key, double p_h) {
   if (!(p_h >= least_p_h && p_h <= most_p_h))
-    contact.complain(key, fmt::format("with the other numbers it means a Hertz pressure of {:.3g} Pa: check the units "
-                                      "of all of them",
-                                      p_h));
+    contact.complain(
+        key, fmt::format("gives, with the other values, a Hertz pressure of {:.3g} Pa: check the units of all of them",
+                         p_h));
 }
 
 // The key that gives the load.
@@ -41,19 +41,19 @@ void check_size(const deck::Part& contact, const Physics& physics) {
   const double a_over_R = physics.a_over_R * std::max(1.0, shape.kappa * shape.radius_ratio);  // b relative to R_y
   if (!(a_over_R > largest_a_over_R)) return;
   if (physics.language == Language::si && physics.si->contact.E_prime >= least_modulus) {
-    contact.complain(load_key(contact, physics.language),
-                     fmt::format("with the other numbers it means a Hertz radius of {:.3g} times the radius of the "
-                                 "body, and above a third the theory ends: the load is too large, or the moduli or "
-                                 "radii have the wrong unit (Pa, m)",
-                                 a_over_R));
+    contact.complain(
+        load_key(contact, physics.language),
+        fmt::format("gives, with the other values, a Hertz radius of {:.3g} times the radius of the body, and Hertz "
+                    "theory holds up to a third: the load is too large, or moduli or radii have the wrong unit (Pa, m)",
+                    a_over_R));
     return;
   }
   const char* key = physics.language == Language::moes             ? "a_over_R"
                     : physics.language == Language::hamrock_dowson ? "W"
                     : contact.given("E_prime")                     ? "E_prime"
                                                                    : "E1";
-  contact.complain(key, fmt::format("with the other numbers it means a Hertz radius of {:.3g} times the radius of the "
-                                    "body, and above a third the theory ends: moduli are in Pa, check the units",
+  contact.complain(key, fmt::format("gives, with the other values, a Hertz radius of {:.3g} times the radius of the "
+                                    "body, and Hertz theory holds up to a third: moduli are in Pa, check the units",
                                     a_over_R));
 }
 
@@ -75,14 +75,13 @@ void check_lubricant(deck::Deck& deck, const contact::Input& contact, const rheo
       complain(deck, "contact", group, "has no influence with viscosity = isoviscous: set " + group + " = 0");
     if (!si && compressible)
       lubricant.complain("density", oil.density +
-                                        " needs the Hertz pressure, which a dimensionless isoviscous case "
-                                        "does not contain: set density = incompressible, or give the "
-                                        "contact in SI");
+                                        " needs the Hertz pressure, which a dimensionless isoviscous contact does not "
+                                        "have: set density = incompressible, or give the contact in SI");
     return;
   }
   if (!oil.brings_alpha && (si || oil.viscosity == "roelands" || compressible))
-    lubricant.demand({"alpha"}, si ? "[1/Pa], the pressure coefficient of the viscosity, or alpha_star"
-                                   : "[1/Pa]: " + oil.viscosity + " with density = " + oil.density +
+    lubricant.demand({"alpha"}, si ? "give the pressure coefficient of the viscosity [1/Pa], or alpha_star"
+                                   : "give it in 1/Pa, because " + oil.viscosity + " with density = " + oil.density +
                                          " needs the Hertz pressure, p_h = alpha_bar/alpha");
 }
 
@@ -90,8 +89,8 @@ void check_lubricant(deck::Deck& deck, const contact::Input& contact, const rheo
 void check_reach(deck::Deck& deck, const rheology::Oil& oil, double p_h) {
   if (p_h > oil.liquid.table_end)
     complain(deck, "lubricant", "table",
-             fmt::format("ends at {:.4g} Pa, below the Hertz pressure of this contact, {:.4g} Pa: a table must cover "
-                         "the pressures",
+             fmt::format("ends at {:.4g} Pa, below the Hertz pressure of this contact, {:.4g} Pa: extend the table to "
+                         "higher pressures",
                          oil.liquid.table_end, p_h));
 }
 
@@ -129,9 +128,9 @@ void check_derived(const deck::Part& contact, const Physics& physics) {
     if (key.range.contains(value)) continue;
     const bool rigid = std::string(name) == "M" && value < key.range.lower;
     const std::string what = fmt::format(
-        "with the other numbers it means {} = {:.4g}, which must be {}: {}", name, value, deck::allowed(key),
-        rigid ? "the load is so light that the bodies stay rigid, and their film follows in closed form (of a line "
-                "H = 2.45/M in Moes' units, Martin); if that is not so, check the units of all of them"
+        "gives, with the other values, {} = {:.4g}, which must be {}: {}", name, value, deck::allowed(key),
+        rigid ? "the load is so light that the bodies stay rigid, and their film is known in closed form (for a line "
+                "contact H = 2.45/M in Moes' units, Martin). Otherwise check the units of all values"
               : "check the units of all of them");
     if (std::string(name) == "M")
       contact.complain(load_key(contact, physics.language), what);

@@ -11,15 +11,16 @@ namespace ehl::program {
 void settle_roller(deck::Deck& deck) {
   const deck::Part contact{deck, "contact"}, domain{deck, "domain"}, path{deck, "continuation"};
   if (!deck::given(deck, "roller", "profile"))
-    contact.complain("kind",
-                     "needs a profile in [roller]: straight with rounded ends, crowned, logarithmic or a table");
+    contact.complain(
+        "kind",
+        "needs a profile in [roller]: set [roller] profile = straight (rounded ends), crowned, logarithmic or table");
   if (domain.given("far_field") && domain.word("far_field") == "closed")
-    domain.complain("far_field", "closed is that of a contact without ends: zero, or remove it");
+    domain.complain("far_field", "closed holds for a contact without ends: set zero, or remove it");
   domain.follow("far_field", std::string("zero"), "the roller ends at the sides of the domain");
   if (path.given("path") && path.word("path") == "load")
-    path.complain("path",
-                  "load is not available for rollers, whose length in half widths changes with the load: off, "
-                  "or remove it");
+    path.complain(
+        "path",
+        "load is not available for rollers, whose length in half widths changes with the load: set off, or remove it");
   path.follow("path", std::string("off"), "the length in half widths changes with the load");
 }
 

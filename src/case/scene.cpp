@@ -43,8 +43,8 @@ void check_coarsenings(deck::Deck& deck, const steady::Scene& scene) {
   const int most = mlmi::most_coarsenings(scene.grid);
   if (scene.deformation.coarsenings > most)
     complain(deck, "deformation", "coarsenings",
-             fmt::format("must be <= {} on a grid of {} x {} cells: every direction that is coarsened keeps 8 cells",
-                         most, scene.grid.nx, scene.grid.ny));
+             fmt::format("must be <= {} on a grid of {} x {} cells: every coarsened direction must keep 8 cells", most,
+                         scene.grid.nx, scene.grid.ny));
 }
 
 // Refuses sections that are not available for line contacts or rollers.
@@ -52,7 +52,8 @@ void refuse_sections(deck::Deck& deck, std::initializer_list<const char*> sectio
   for (const char* section : sections)
     for (const deck::Key& key : deck.catalogue.keys)
       if (key.section == section && given(deck, key.section, key.name)) {
-        complain(deck, key.section, key.name, which + " do not carry this yet: remove the section, or the kind");
+        complain(deck, key.section, key.name,
+                 "is not available for " + which + ": remove the section, or change [contact] kind");
         break;
       }
 }
@@ -60,7 +61,7 @@ void refuse_sections(deck::Deck& deck, std::initializer_list<const char*> sectio
 void refuse_beyond_roller(deck::Deck& deck) {
   refuse_sections(deck, {"transient", "body", "supply", "thermal"}, "rollers");
   if (deck::word(deck, "shear", "flow") == "on")
-    complain(deck, "shear", "flow", "rollers do not carry this yet: set it off, or remove the kind");
+    complain(deck, "shear", "flow", "is not available for rollers: set flow = off, or change [contact] kind");
 }
 
 void refuse_beyond_line(deck::Deck& deck) {
@@ -69,11 +70,11 @@ void refuse_beyond_line(deck::Deck& deck) {
     const deck::Part surface{deck, section};
     const std::string shape = surface.word("shape");
     if (surface.given("shape") && shape != "ridge" && shape != "groove" && shape != "waviness")
-      surface.complain("shape", "changes along y, and a line contact has none: ridge, groove or waviness");
+      surface.complain("shape", "varies along y, and a line contact does not: use ridge, groove or waviness");
     if (surface.given("angle") && surface.number("angle") != 0.0)
-      surface.complain("angle", "must be 0 in a line contact, where nothing changes along y");
+      surface.complain("angle", "must be 0 for a line contact, where nothing varies along y");
     if (surface.given("y") && surface.number("y") != 0.0)
-      surface.complain("y", "must be 0 in a line contact, where nothing changes along y");
+      surface.complain("y", "must be 0 for a line contact, where nothing varies along y");
   }
 }
 
@@ -82,8 +83,8 @@ void settle_line_in_time(deck::Deck& deck) {
   if (!deck::called_for(deck, "transient")) return;
   const deck::Part domain{deck, "domain"};
   if (domain.given("far_field") && domain.word("far_field") == "closed")
-    domain.complain("far_field", "closed is that of a steady line contact: in time zero, or remove it");
-  domain.follow("far_field", std::string("zero"), "a line contact in time");
+    domain.complain("far_field", "closed holds for a steady line contact: set zero for one in time, or remove it");
+  domain.follow("far_field", std::string("zero"), "line contact in time");
 }
 
 // Reads the names of the case and of its result, and the fields to keep. in: path of the deck.
@@ -102,14 +103,15 @@ void read_errors(Case& input, bool steady) {
   scene.error_maps =
       std::ranges::any_of(input.fields, [](const std::string& one) { return one.starts_with("error_"); });
   if (scene.grid.line && !scene.error_maps)
-    deck::Part{input.deck, "grid"}.follow("errors", std::string("levels"), "a line contact");
+    deck::Part{input.deck, "grid"}.follow("errors", std::string("levels"), "line contact");
   scene.adjoint_errors = steady::read_adjoint_errors(input.deck);
   if (scene.error_maps && deck::called_for(input.deck, "supply"))
-    deck::Part{input.deck, "output"}.complain("fields",
-                                              "error_Hc and error_Hm are of flooded contacts: without [supply]");
-  else if (scene.error_maps && !(steady && scene.adjoint_errors && reynolds::third_order(scene.wedge)))
     deck::Part{input.deck, "output"}.complain(
-        "fields", "error_Hc and error_Hm are of steady contacts with wedge = upstream3 and [grid] errors = adjoint");
+        "fields", "error_Hc and error_Hm are available for flooded contacts only: remove them, or [supply]");
+  else if (scene.error_maps && !(steady && scene.adjoint_errors && reynolds::third_order(scene.wedge)))
+    deck::Part{input.deck, "output"}.complain("fields",
+                                              "error_Hc and error_Hm are available for steady contacts with wedge = "
+                                              "upstream3 and [grid] errors = adjoint only");
 }
 
 }  // namespace
@@ -118,33 +120,36 @@ std::vector<deck::Key> case_keys() {
   using deck::Type;
   return deck::together(
       {deck::in_section(
-           "case", {{.name = "title",
-                     .type = Type::text,
-                     .default_text = "untitled",
-                     .meaning = "Title of the case, on the report and the pictures.",
-                     .example = "Venner and ten Napel 1992, M = 50, L = 10",
-                     .example_is_active = true},
-                    {.name = "kind",
-                     .default_text = "lubricated",
-                     .words = {"lubricated", "dry", machines::ball_race, machines::roller_race, machines::gear_mesh},
-                     .meaning = "ball_race, roller_race, gear_mesh: radii, speeds and load of [contact] and "
-                                "[motion] follow from [bearing] or [gear]; E' and the oil are given as ever. dry: "
-                                "the bodies touch without lubricant, Hertz' contact with whatever the surfaces "
-                                "carry. Then [contact] has load, radius_x and the elastic data, or nothing (in "
-                                "units of Hertz), and no key is allowed that speaks of a film."}}),
-       deck::in_section("output",
-                        {{.name = "file",
-                          .type = Type::text,
-                          .default_note = "name of the deck with .h5",
-                          .meaning = "The result file (HDF5); --output overrides it.",
-                          .example = "contact.h5"},
-                         {.name = "fields",
-                          .type = Type::words,
-                          .default_text = "P, H",
-                          .words = {"P", "H", "rho_bar", "ln_eta_bar", "error_Hc", "error_Hm"},
-                          .meaning = "The fields to keep: pressure, film, density, logarithm of the viscosity; where "
-                                     "the mesh's errors of Hc and Hm are made, with [grid] errors = adjoint and "
-                                     "upstream3."}})});
+           "case",
+           {{.name = "title",
+             .type = Type::text,
+             .default_text = "untitled",
+             .meaning = "Title of the case, printed on reports and pictures.",
+             .example = "Venner and ten Napel 1992, M = 50, L = 10",
+             .example_is_active = true},
+            {.name = "kind",
+             .default_text = "lubricated",
+             .words = {"lubricated", "dry", machines::ball_race, machines::roller_race, machines::gear_mesh},
+             .meaning =
+                 "Kind of case. lubricated: a lubricated contact. dry: elastic bodies in contact without lubricant, "
+                 "smooth (Hertz) or with the shapes of [surface1] and [surface2]; [contact] then has load, radius_x "
+                 "and the elastic data, or nothing (units of Hertz), and keys of a film are errors. ball_race, "
+                 "roller_race: radii, speeds and load of [contact] and [motion] follow from [bearing]. gear_mesh: they "
+                 "follow from [gear]. In these three, E' and the oil are given as usual."}}),
+       deck::in_section(
+           "output",
+           {{.name = "file",
+             .type = Type::text,
+             .default_note = "name of the deck with the ending .h5",
+             .meaning = "Name of the result file (HDF5). --output has precedence.",
+             .example = "contact.h5"},
+            {.name = "fields",
+             .type = Type::words,
+             .default_text = "P, H",
+             .words = {"P", "H", "rho_bar", "ln_eta_bar", "error_Hc", "error_Hm"},
+             .meaning = "Fields to store. P: pressure. H: film thickness. rho_bar: density. ln_eta_bar: logarithm of "
+                        "the viscosity. error_Hc, error_Hm: maps of the contributions to the discretization errors of "
+                        "Hc and Hm, with [grid] errors = adjoint and wedge = upstream3."}})});
 }
 
 Case read_case(const std::string& path, const std::vector<std::string>& overrides, int threads) {
@@ -155,8 +160,7 @@ Case read_lubricated_case(const std::string& path, const std::vector<std::string
                           const std::string& command) {
   Case result = read_case(path, overrides, threads);
   if (result.dry)
-    throw core::InputError(path + ": [case] kind = dry: `ehl " + command +
-                           "` compares films, and this contact has none");
+    throw core::InputError(path + ": [case] kind = dry: `ehl " + command + "` needs a lubricated contact");
   return result;
 }
 

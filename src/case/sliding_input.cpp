@@ -17,11 +17,11 @@ using deck::given;
 // Refuses the section for cases in which it is not available. Returns false if the deck has any errors.
 bool possible(deck::Deck& deck, const Physics& physics, const char* section, const char* key) {
   if (given(deck, "transient", "end_time"))
-    complain(deck, section, key, "is for steady contacts: remove it, or [transient]");
+    complain(deck, section, key, "is available for steady contacts only: remove it, or remove [transient]");
   const bool said = std::string(section) == "friction" && given(deck, "shear", "law");
   if (physics.language == Language::moes && !given(deck, "contact", "a_over_R") && !said)
     complain(deck, "contact", "a_over_R",
-             std::string("is missing: M and L leave it open, and [") + section + "] " + key +
+             std::string("is missing: M and L do not determine it, and [") + section + "] " + key +
                  " needs it; or give the contact in SI");
   return deck.errors.empty();
 }
@@ -33,11 +33,11 @@ double without_rounding(double srr) { return std::abs(srr) < 1e-12 ? 0.0 : srr; 
 void check_passes(deck::Deck& deck, const Physics& physics) {
   const deck::Part shear{deck, "shear"};
   if (given(deck, "grid", "accuracy"))
-    shear.complain("flow", "with [grid] accuracy is not available in this version: give [grid] cells");
+    shear.complain("flow", "is not available together with [grid] accuracy: give [grid] cells");
   if (deck::word(deck, "multigrid", "polish") == "always")
-    shear.complain("flow", "with [multigrid] polish = always is not available in this version: set polish = rescue");
+    shear.complain("flow", "is not available together with [multigrid] polish = always: set polish = rescue");
   if (std::abs(physics.srr) > 2.0)
-    shear.complain("flow", "needs both surfaces to move with the entrainment or to stand, from srr = -2 to 2");
+    shear.complain("flow", "needs two surfaces of which none moves against the rolling direction: -2 <= srr <= 2");
 }
 
 // Reads the position of the meniscus, for the cases that allow one.
@@ -49,20 +49,20 @@ void set_meniscus(deck::Deck& deck, const Physics& physics, const steady::Scene&
   const double distance = friction.number_in("meniscus", a);
   if (given.empty()) {
     if (std::isfinite(parameters.meniscus))
-      friction.follow("meniscus", parameters.meniscus, "the radius of the bodies along the entrainment");
+      friction.follow("meniscus", parameters.meniscus, "the radius of the bodies in the rolling direction");
     return;
   }
   if (scene.supply)
-    friction.complain(given[0], "does not belong to a starved contact, whose meniscus is computed: remove it");
+    friction.complain(given[0], "is not available for a starved contact, whose meniscus is computed: remove it");
   else if (!oil_outside(scene) && distance > -scene.grid.X_a)
     friction.complain(given[0],
-                      fmt::format("lies outside of the domain, which ends at {:g} Hertz radii: without a closed far "
-                                  "field nothing is known there. {}",
+                      fmt::format("lies outside the domain, which ends at {:g} Hertz radii; the gap there is known "
+                                  "only with far_field = closed. {}",
                                   scene.grid.X_a,
-                                  contact::roller(scene.shape) ? "Give [domain] x_inlet farther out"
-                                                               : "Leave [domain] far_field closed"));
+                                  contact::roller(scene.shape) ? "Move [domain] x_inlet further out"
+                                                               : "Set [domain] far_field = closed, or leave it out"));
   else if (!(distance > 1.0))
-    friction.complain(given[0], "must lie beyond the contact, more than a Hertz radius from its middle");
+    friction.complain(given[0], "must be larger than 1: the meniscus lies outside the contact");
   parameters.meniscus = distance;
 }
 
@@ -92,10 +92,9 @@ std::optional<ShearInput> shear_input(deck::Deck& deck, const Physics& physics) 
   if (!given(deck, "shear", "law") || !possible(deck, physics, "shear", "law")) return std::nullopt;
   const rheology::Shear shear = rheology::read_shear(deck);
   if (deck.errors.empty() && !(physics.p_h > 0.0))
-    complain(
-        deck, "shear", "law",
-        "needs the Hertz pressure [Pa], which this contact does not contain: give it in SI, or [lubricant] alpha with "
-        "a piezoviscous law");
+    complain(deck, "shear", "law",
+             "needs the Hertz pressure [Pa], which this contact does not have: give it in SI, or give [lubricant] "
+             "alpha with a piezoviscous law");
   if (shear.flow) check_passes(deck, physics);
   if (!deck.errors.empty()) return std::nullopt;
   ShearInput input{.sliding = {shear.law, std::abs(stress_of_sliding(physics)) * physics.p_h / shear.stress}};

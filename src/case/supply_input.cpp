@@ -46,17 +46,17 @@ std::string read_profile(const std::string& path, const starvation::Scales& scal
   for (const deck::ColumnRow& row : std::get<deck::ColumnTable>(read).rows) {
     const std::vector<double>& value = row.values;
     if (value[1] < 0.0) return fmt::format("{}: h = {:g} must be >= 0", row.place, value[1]);
-    if (!profile.Y.empty() && value[0] / unit_Y <= profile.Y.back()) return row.place + ": y must grow from row to row";
+    if (!profile.Y.empty() && value[0] / unit_Y <= profile.Y.back()) return row.place + ": y must rise from row to row";
     profile.Y.push_back(value[0] / unit_Y);
     profile.H.push_back(value[1] / unit_H);
   }
-  if (profile.Y.size() < 2) return path + ": at least two rows are wanted";
-  if (std::ranges::max(profile.H) <= 0.0) return path + ": no oil anywhere: one h at least must be > 0";
+  if (profile.Y.size() < 2) return path + ": a table needs at least two rows";
+  if (std::ranges::max(profile.H) <= 0.0) return path + ": there is no oil: at least one h must be > 0";
   const double slip = rounding * (grid.Y_b - grid.Y_a);
   if (profile.Y.front() > grid.Y_a + slip || profile.Y.back() < grid.Y_b - slip)
     return fmt::format(
-        "{}: from y = {:.4g} to {:.4g} a, narrower than the domain, {:.4g} to {:.4g} a: give more of "
-        "the track, or a smaller y_half",
+        "{}: y goes from {:.4g} to {:.4g} a, which is narrower than the domain, {:.4g} to {:.4g} a: give more of the "
+        "track, or a smaller y_half",
         path, profile.Y.front(), profile.Y.back(), grid.Y_a, grid.Y_b);
   return {};
 }
@@ -82,39 +82,42 @@ void settle_boundary_of_supply(deck::Deck& deck) {
   const deck::Part transient{deck, "transient"};
   if (deck::called_for(deck, "transient"))
     transient.follow("cavitation", std::string(starvation::called_for(deck) ? "content" : "pressure"),
-                     starvation::called_for(deck) ? "oil is missing" : "the inlet is full");
+                     starvation::called_for(deck) ? "the inlet is starved" : "the inlet is flooded");
   if (starvation::called_for(deck))
-    deck::Part{deck, "grid"}.follow("errors", std::string("levels"), "errors by weights are of full inlets");
+    deck::Part{deck, "grid"}.follow("errors", std::string("levels"), "adjoint error estimates need a flooded inlet");
   const bool content = transient.word("cavitation") == "content";
   if (!starvation::called_for(deck) && !content) return;
   const deck::Part domain{deck, "domain"};
   if (domain.given("far_field") && domain.word("far_field") == "closed")
-    domain.complain("far_field",
-                    "closed is the pressure around a flooded contact; where oil is missing there is none: zero, or "
-                    "remove it");
-  domain.follow("far_field", std::string("zero"), "where oil is missing there is no pressure");
+    domain.complain(
+        "far_field",
+        "closed is the pressure around a flooded contact, and there is none without oil: set zero, or remove it");
+  domain.follow("far_field", std::string("zero"), "there is no pressure without oil");
 }
 
 void supply_input(Case& input) {
   deck::Deck& deck = input.deck;
   if (!starvation::called_for(deck)) {
     const deck::Part transient{deck, "transient"};
-    transient.refuse({"supply", "supply_wave"}, "varies a [supply], and there is none");
+    transient.refuse({"supply", "supply_wave"},
+                     "varies the oil of [supply], and [supply] is missing: give it, or remove this key");
     return;
   }
   const deck::Part supply{deck, "supply"};
   const std::string first = supply.given_of(starvation::ways())[0];
-  if (input.dry) return supply.complain(first, "on a dry contact: remove [supply], or [case] kind = dry");
+  if (input.dry)
+    return supply.complain(first, "is not available for a dry contact: remove [supply], or [case] kind = dry");
   if (input.transient && supply.integer("passes", 1) > 1)
-    return supply.complain("passes", "are of steady contacts: remove it, or [transient] end_time");
+    return supply.complain("passes",
+                           "is available for steady contacts only: remove it, or remove [transient] end_time");
   if (deck::word(deck, "transient", "cavitation") == "pressure")
-    return supply.complain(first, "needs cavitation = content in [transient]: behind a meniscus the gap is not full");
+    return supply.complain(first, "needs [transient] cavitation = content: the gap behind a meniscus is not full");
   if (std::isfinite(input.scene.accuracy.error))
-    return supply.complain(first, "with [grid] accuracy is not available in this version: give [grid] cells");
+    return supply.complain(first, "is not available together with [grid] accuracy: give [grid] cells");
   if (input.flow_thinning)
-    return supply.complain(first, "with [shear] flow = on is not available in this version: remove one of them");
+    return supply.complain(first, "is not available together with [shear] flow = on: remove one of them");
   if (deck::given(deck, "grid", "errors") && deck::word(deck, "grid", "errors") == "adjoint")
-    deck::complain(deck, "grid", "errors", "adjoint is not available with [supply] in this version: levels");
+    deck::complain(deck, "grid", "errors", "adjoint is not available with [supply]: set levels");
   const starvation::Scales scales = scales_of(input);
   const starvation::Input given = starvation::read(deck, scales);
   if (!deck.errors.empty()) return;

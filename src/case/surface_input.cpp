@@ -34,7 +34,7 @@ constexpr double no_influence = 1e-9;
 double place_of(const deck::Part& surface, double X, const core::Grid& grid, double before, bool timed) {
   if (!std::isnan(X) || !std::isfinite(before)) return X;
   const double chosen = timed ? grid.X_a - before : 0.0;
-  surface.fill("x", chosen, timed ? "before the inlet" : "in the middle");
+  surface.fill("x", chosen, timed ? "upstream of the inlet" : "in the middle of the contact");
   return chosen;
 }
 
@@ -45,10 +45,11 @@ CarriedSurface feature_of(const deck::Part& part, const surface::Input& input, c
   feature.X = place_of(part, input.X, grid, widths * feature.width, timed);
   feature.Y = input.Y;
   if (grid.ny > 0 && feature.width < 4.0 * grid.hx())
-    part.complain(part.given("width") ? "width" : "width_m",
-                  fmt::format("is {:.4g} Hertz radii, fewer than four cells of {:.4g}: the mesh does not see it; use "
-                              "more cells",
-                              feature.width, grid.hx()));
+    part.complain(
+        part.given("width") ? "width" : "width_m",
+        fmt::format(
+            "is {:.4g} Hertz radii, less than four cells of {:.4g}: the grid does not resolve it; use more cells",
+            feature.width, grid.hx()));
   return {part.section, input.shape, feature, std::nullopt};
 }
 
@@ -62,18 +63,19 @@ void check_meant(const deck::Part& part, const surface::HeightMap& map, const co
   };
   if (grid.ny > 0 && (x < fewest_cells * grid.hx() || y < fewest_cells * grid.hy()))
     complain("dx", "_m",
-             fmt::format("makes the map {:.3g} x {:.3g} Hertz radii, less than 8 cells of {:.3g} x {:.3g}", x, y,
+             fmt::format("gives a map of {:.3g} x {:.3g} Hertz radii, less than 8 cells of {:.3g} x {:.3g}", x, y,
                          grid.hx(), grid.hy()));
   if (x > most_domains * X || y > most_domains * Y)
-    complain("dx", "_m",
-             fmt::format("makes the map {:.3g} x {:.3g} Hertz radii, more than 100 times the domain of "
-                         "{:.3g} x {:.3g}",
-                         x, y, X, Y));
+    complain(
+        "dx", "_m",
+        fmt::format("gives a map of {:.3g} x {:.3g} Hertz radii, more than 100 times the domain of {:.3g} x {:.3g}", x,
+                    y, X, Y));
   if (rms > most_films * expected)
-    complain("unit", "_m",
-             fmt::format("makes the heights Sq = {:.3g} a^2/R, more than 100 times the film that is "
-                         "expected of smooth surfaces, {:.3g}",
-                         rms, expected));
+    complain(
+        "unit", "_m",
+        fmt::format(
+            "gives heights of Sq = {:.3g} a^2/R, more than 100 times the film predicted for smooth surfaces, {:.3g}",
+            rms, expected));
 }
 
 /// Relative difference between file and deck that counts as equal.
@@ -87,7 +89,7 @@ double settled(const deck::Part& part, const std::string& name, double given, do
   if (!part.given_of({name, name + "_m"}).empty()) {
     if (std::isfinite(stated) && std::isfinite(plain) && std::abs(given * plain / stated - 1.0) > same)
       part.complain(key,
-                    fmt::format("is {:.6g} m, and the file states {:.6g} m: remove the key, or correct one of them",
+                    fmt::format("is {:.6g} m, but the file states {:.6g} m: remove the key, or correct one of them",
                                 given * plain, stated));
     return given;
   }
@@ -95,7 +97,7 @@ double settled(const deck::Part& part, const std::string& name, double given, do
     part.complain(name, "is missing, and the file does not state it: give it, or " + name + "_m for a contact in SI");
   else if (std::isnan(plain))
     part.complain(name,
-                  fmt::format("is missing: the file states {:.6g} m, and the contact is not given in SI", stated));
+                  fmt::format("is missing: the file states {:.6g} m, but the contact is not given in SI", stated));
   return stated / plain;
 }
 
@@ -108,12 +110,12 @@ void settle_lengths(const deck::Part& part, const MapInFile& file, const surface
   input.dy = known ? settled(part, "dy", input.dy, file.dy_m, units.a.in_SI) : input.dx;
   if (input.longest_wave > 0.0 && input.longest_wave <= input.shortest_wave)
     part.complain(part.given("longest_wave") ? "longest_wave" : "longest_wave_m",
-                  "must be longer than shortest_wave: else no wave is left");
+                  "must be longer than shortest_wave: otherwise no wave is left");
   const double reach = std::min(input.dx, input.dy);
   if (input.shortest_wave > 0.0 && input.shortest_wave < reach)
     part.complain(
         part.given("shortest_wave") ? "shortest_wave" : "shortest_wave_m",
-        fmt::format("has no influence: it is {:.4g} Hertz radii, less than the distance of the points, {:.4g}",
+        fmt::format("has no influence: it is {:.4g} Hertz radii, less than the distance between the points, {:.4g}",
                     input.shortest_wave, reach));
 }
 
@@ -136,7 +138,8 @@ std::optional<CarriedSurface> map_of(const deck::Part& part, surface::Input& inp
                                      double expected, const surface::Units& units) {
   if (input.map->file.empty()) return std::nullopt;
   if (const std::string key = "Sq" + part.section.substr(7); given(part.deck, "contact", key))
-    deck::complain(part.deck, "contact", key, "the map of " + part.section + " has a roughness of its own: remove it");
+    deck::complain(part.deck, "contact", key,
+                   "the map of " + part.section + " contains the roughness of this surface: remove this key");
   ReadHeights read = read_heights(deck::found_beside(part.deck, part.section, "file"), input.map->dataset,
                                   input.map->dx * units.a.in_SI);
   if (const auto* wrong = std::get_if<std::string>(&read)) part.complain("file", *wrong);
@@ -150,7 +153,7 @@ std::optional<CarriedSurface> map_of(const deck::Part& part, surface::Input& inp
   condition(*input.map, map.gap, record);
   const double left = surface::rms(map.gap);
   if (!(left > no_heights * std::abs(before))) {
-    part.complain("file", record.file + ": its heights lie in a plane: without it nothing is left");
+    part.complain("file", record.file + ": the map is flat: no heights are left after levelling");
     return std::nullopt;
   }
   for (double& z : map.gap.values) z *= -input.map->unit;
@@ -168,21 +171,24 @@ std::optional<CarriedSurface> map_of(const deck::Part& part, surface::Input& inp
 void check_at_rest(const deck::Part& part, const Physics& physics, bool timed) {
   const bool said = part.given("at_rest");
   if (timed) {
-    if (said) part.complain("at_rest", "is for steady contacts: in time [transient] u1 and u2 say how it moves");
+    if (said)
+      part.complain(
+          "at_rest",
+          "is available for steady contacts only: in time, u1 and u2 of [transient] give the motion of the surface");
   } else if (physics.language == contact::Language::si) {
-    if (said) part.complain("at_rest", "has no influence: [motion] says which surface stands; remove it");
+    if (said) part.complain("at_rest", "has no influence: [motion] states which surface stands still; remove it");
     if (!physics.si) return;  // the error was reported already
     const double u = part.section == "surface1" ? physics.si->u1 : physics.si->u2;
     if (std::abs(u) > no_speed * physics.si->contact.u_s)
-      part.complain("shape", "is on a surface that moves with " + deck::shortest(u) +
-                                 " m/s, and the film is not steady: give [transient] end_time, or let this surface "
-                                 "stand (u" +
-                                 part.section.back() + " = 0 in [motion])");
+      part.complain(
+          "shape",
+          "is on a surface that moves with " + deck::shortest(u) +
+              " m/s, so the film is not steady: give [transient] end_time, or let this surface stand still (u" +
+              part.section.back() + " = 0 in [motion])");
   } else if (!said) {
     part.complain(
         "shape",
-        "moves through the contact and needs [transient] end_time, unless this surface stands still: then say "
-        "at_rest = yes");
+        "moves through the contact and needs [transient] end_time; if this surface stands still, set at_rest = yes");
   }
 }
 
@@ -194,8 +200,8 @@ void check_influence(const deck::Part& part, const surface::Relief& relief, cons
   const double height = map ? surface::rms(map->gap) : std::get<Feature>(relief).height;
   if (core::max_abs(S) > no_influence * height) return;
   const auto [X, Y] = std::visit([](const auto& one) { return std::pair(one.X, one.Y); }, relief);
-  part.complain("shape", "has no influence: where it stands, at (" + deck::shortest(X) + ", " + deck::shortest(Y) +
-                             ") a, nothing of it lies in the domain");
+  part.complain("shape", "has no influence: centred at (" + deck::shortest(X) + ", " + deck::shortest(Y) +
+                             ") a, it does not reach into the domain");
 }
 
 std::optional<CarriedSurface> carried_by(const deck::Part& part, const Physics& physics, const core::Grid& grid,
@@ -226,7 +232,7 @@ SurfaceInput surface_input(deck::Deck& deck, const Physics& physics, const core:
   SurfaceInput surfaces{carried_by({deck, "surface1"}, physics, grid, motion),
                         carried_by({deck, "surface2"}, physics, grid, motion)};
   if (given(deck, "surface1", "at_rest") && given(deck, "surface2", "at_rest"))
-    deck::complain(deck, "surface2", "at_rest", "of both surfaces: nothing would carry the oil into the contact");
+    deck::complain(deck, "surface2", "at_rest", "cannot hold for both surfaces: no oil would enter the contact");
   return surfaces;
 }
 

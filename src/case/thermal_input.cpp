@@ -23,30 +23,27 @@ void check_possible(deck::Deck& deck, const Physics& physics, const steady::Scen
                        : given(deck, "thermal", "solid1") ? "solid1"
                                                           : "solid2";
   if (given(deck, "transient", "end_time"))
-    complain(deck, "thermal", caller, "is for steady contacts: remove it, or [transient]");
+    complain(deck, "thermal", caller, "is available for steady contacts only: remove it, or remove [transient]");
   if (physics.language != Language::si)
     complain(deck, "thermal", caller,
              "needs speeds, load, radius and viscosity in SI: give load, radius_x and the elastic data, u_m and srr, "
              "eta0 and alpha");
   if (deck::word(deck, "multigrid", "polish") == "always")
     complain(deck, "multigrid", "polish",
-             "always is for isothermal contacts: film and temperature follow each other in "
-             "passes of cycles; set polish = rescue");
+             "always is available for isothermal contacts only, because film and temperature are solved by a "
+             "fixed-point iteration: set polish = rescue");
   if (std::abs(physics.srr) > 2.0)
-    complain(
-        deck, "motion", given(deck, "motion", "u_m") ? "srr" : "u2",
-        "one surface moves against the entrainment: [thermal] needs both to move with it or to stand, from srr = -2 "
-        "to 2");
+    complain(deck, "motion", given(deck, "motion", "u_m") ? "srr" : "u2",
+             "one surface moves against the rolling direction: [thermal] needs -2 <= srr <= 2");
   if (scene.grid.line && std::abs(physics.srr) == 2.0) {
     const bool by_srr = given(deck, "motion", "srr");
-    complain(
-        deck, "motion",
-        by_srr              ? "srr"
-        : physics.srr > 0.0 ? "u2"
-                            : "u1",
-        fmt::format("surface {} stands still: in a line contact, which has no end, its temperature rises for ever; "
-                    "[thermal] needs both surfaces to move there, {}",
-                    physics.srr > 0.0 ? 2 : 1, by_srr ? "-2 < srr < 2" : "u1 and u2 > 0"));
+    complain(deck, "motion",
+             by_srr              ? "srr"
+             : physics.srr > 0.0 ? "u2"
+                                 : "u1",
+             fmt::format("surface {} stands still, and in a line contact, which has no sides, its temperature would "
+                         "rise without end: [thermal] needs both surfaces to move there, {}",
+                         physics.srr > 0.0 ? 2 : 1, by_srr ? "-2 < srr < 2" : "u1 and u2 > 0"));
   }
 }
 

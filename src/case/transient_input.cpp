@@ -30,7 +30,7 @@ std::optional<transient::Input> transient_input(deck::Deck& deck, const Physics&
                                                 const core::Grid& grid) {
   if (!deck::called_for(deck, "transient")) return std::nullopt;
   if (deck::given(deck, "grid", "accuracy"))
-    deck::complain(deck, "grid", "accuracy", "is for steady contacts: give cells for a transient one");
+    deck::complain(deck, "grid", "accuracy", "is available for steady contacts only: give cells for a contact in time");
   transient::Conditions carried;
   if (surfaces.on_1) carried.on_1 = surfaces.on_1->relief;
   if (surfaces.on_2) carried.on_2 = surfaces.on_2->relief;

@@ -10,36 +10,38 @@ std::vector<deck::Key> keys() {
       "friction",
       {{.name = "cavitated",
         .words = {"none", "striated", "full"},
-        .meaning = "Computes the friction; and what the cavitated region adds to it: nothing; streamers that carry "
-                   "what left the pressurised film, the rest of the width being gas; or a film that fills the whole "
-                   "gap.",
+        .meaning = "Computes the friction, and states what the cavitated region adds to it. none: nothing. striated: "
+                   "oil streamers that carry the oil which left the pressurized film; the rest of the width is gas. "
+                   "full: an oil film that fills the whole gap.",
         .source = "modules/effects/friction/README.md",
         .example = "striated"},
        {.name = "limit",
         .range = {0.0, 10.0, true, false},
         .remedy = "lubricants have 0.03 to 0.12",
-        .meaning = "Lambda: the shear stress of sliding stays below the limiting stress Lambda p. Without it there "
-                   "is no limit. It acts on the friction, not on the film.",
+        .meaning = "Limiting shear stress over pressure, Lambda: the shear stress of sliding stays below Lambda p. "
+                   "Without this key there is no limit. The limit changes the friction, not the film.",
         .example = "0.08"},
        {.name = "meniscus",
-        .default_note = "the radius of the bodies along the entrainment; of lines none, the oil goes on for ever",
+        .default_note =
+            "the radius of the bodies in the rolling direction; none for a line contact: the oil reaches to infinity",
         .range = {1.0, 1e6, true, false},
-        .remedy = "a distance in Hertz radii, beyond the contact",
-        .meaning = "Distance of the inlet meniscus from the middle of the contact in Hertz radii: oil fills the gap as "
-                   "far as the undeformed gap is no wider than there. Friction is counted up to it, outside of the "
-                   "domain too; round a point it grows with the logarithm of this distance. The pressure is that of a "
-                   "flooded contact all the same.",
+        .remedy = "a distance in Hertz radii, outside the contact",
+        .meaning = "Distance of the inlet meniscus from the centre of the contact, in Hertz radii. Oil fills the gap "
+                   "to where the undeformed gap is as wide as at this distance. Friction is counted up to it, also "
+                   "outside the domain; for a point contact it grows with the logarithm of the distance. The pressure "
+                   "is still that of a flooded contact.",
         .source = "modules/effects/friction/README.md",
         .example = "10"},
        {.name = "meniscus_m",
         .unit = "m",
         .range = {0.0, std::numeric_limits<double>::infinity(), true, true},
-        .meaning = "The same distance, for a contact in SI.",
+        .meaning = "Distance of the inlet meniscus from the centre of the contact, for a contact in SI.",
         .example = "2e-3"},
        {.name = "fields",
         .type = deck::Type::words,
         .words = {"tau1", "tau2"},
-        .meaning = "Shear stresses to keep as fields: what the film does to surface 1 and to surface 2 along +x.",
+        .meaning = "Shear stresses stored as fields: tau1, from the film on surface 1, and tau2, on surface 2, "
+                   "positive along +x.",
         .example = "tau1, tau2"}});
 }
 

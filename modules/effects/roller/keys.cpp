@@ -31,61 +31,62 @@ std::vector<Key> shape_keys() {
   const Key end_radius{.name = "end_radius",
                        .range = positive,
                        .meaning =
-                           "Radius of these ends over R_x: they fall as the square of the distance over twice "
-                           "the radius, from where the straight part ends. Not smaller than they are long.",
+                           "Radius of the rounded ends over R_x. An end falls by the square of the distance from the "
+                           "straight part, over twice this radius. The radius must not be smaller than end_length.",
                        .needs = of("straight"),
                        .example = "5"};
-  const Key crown_radius{.name = "crown_radius",
-                         .range = positive,
-                         .meaning = "Radius of a crowned roller along its axis, over R_x; half of its length at least.",
-                         .needs = of("crowned"),
-                         .example = "2000"};
+  const Key crown_radius{
+      .name = "crown_radius",
+      .range = positive,
+      .meaning =
+          "Radius of a crowned roller along its axis, over R_x. It must be at least half of the roller's length.",
+      .needs = of("crowned"),
+      .example = "2000"};
   const Key design_load{.name = "design_load",
-                        .default_note = "the load",
+                        .default_note = "the load of the contact",
                         .range = {0.0, 10.0, true, false},
-                        .remedy = "a profile for ten times the load is no longer one of this contact",
-                        .meaning = "The load that a logarithmic profile was made for, over the load of the contact.",
+                        .remedy = "a profile for more than ten times the load does not belong to this contact",
+                        .meaning = "Load for which a logarithmic profile is designed, over the load of the contact.",
                         .source = "Lundberg 1939; Johns and Gohar 1981",
                         .needs = of("logarithmic"),
                         .example = "1.5"};
   const Key shortest_wave{.name = "shortest_wave",
                           .range = positive,
                           .meaning =
-                              "Cut-off wavelength of a traced profile, in half widths a: a Gaussian filter takes "
-                              "shorter waves away. A wave of this length keeps half of its height; the form stays, "
-                              "to its ends. Without it the trace stays as it is.",
+                              "Cut-off wavelength of a measured profile, in half widths a. A Gaussian filter removes "
+                              "shorter waves; a wave of this length keeps half of its height. The form is kept up to "
+                              "the ends. Without this key the profile is not filtered.",
                           .source = "ISO 16610-31, second order, not robust",
                           .needs = of("table"),
                           .example = "4"};
   Key design_load_N = in_SI(design_load, "_N", "N", "3000");
   design_load_N.range = positive;
-  return {
-      end_length,
-      in_SI(end_length, "_m", "m", "0.0005"),
-      end_radius,
-      in_SI(end_radius, "_m", "m", "0.05"),
-      crown_radius,
-      in_SI(crown_radius, "_m", "m", "10"),
-      design_load,
-      design_load_N,
-      shortest_wave,
-      in_SI(shortest_wave, "_m", "m", "2.5e-4"),
-      {.name = "levelling",
-       .default_text = "none",
-       .words = {"none", "line"},
-       .meaning = "What is taken away of a traced profile before it is used: none; line: the straight line of least "
-                  "squares, the tilt with which the roller lay below the stylus.",
-       .needs = of("table")},
-      {.name = "file",
-       .type = deck::Type::text,
-       .meaning =
-           "The profile as a table, y and how far the surface lies below the middle's there, in m; of a "
-           "contact without units in a and a^2/R. A heading, y [mm] and drop [um], may name other units. At least four "
-           "rows, y growing, from the middle or from "
-           "one end to an end, not beyond ten times that; smooth between them. A table from the middle is mirrored.",
-       .needs = of("table"),
-       .example = "profile.csv",
-       .names_file = true}};
+  return {end_length,
+          in_SI(end_length, "_m", "m", "0.0005"),
+          end_radius,
+          in_SI(end_radius, "_m", "m", "0.05"),
+          crown_radius,
+          in_SI(crown_radius, "_m", "m", "10"),
+          design_load,
+          design_load_N,
+          shortest_wave,
+          in_SI(shortest_wave, "_m", "m", "2.5e-4"),
+          {.name = "levelling",
+           .default_text = "none",
+           .words = {"none", "line"},
+           .meaning = "What is subtracted from a measured profile. none: nothing. line: the straight line of least "
+                      "squares, which is the tilt of the roller in the instrument.",
+           .needs = of("table")},
+          {.name = "file",
+           .type = deck::Type::text,
+           .meaning = "Profile as a table with the columns y and drop, the distance by which the surface lies below "
+                      "the middle of the roller, in m; in a and a^2/R for a contact without units. A heading may name "
+                      "other units, y [mm] and drop [um]. It needs at least four rows with rising y, from end to end "
+                      "or from the middle to one end (then mirrored), and must not reach beyond ten times half of the "
+                      "length. Values between the rows are interpolated smoothly.",
+           .needs = of("table"),
+           .example = "profile.csv",
+           .names_file = true}};
 }
 
 // Reads the table. returns what is wrong with the file; empty if nothing is.
@@ -98,25 +99,24 @@ std::string read_table(const std::string& path, const Scales& scales, Profile& p
   if (const auto* wrong = std::get_if<std::string>(&read)) return *wrong;
   for (const deck::ColumnRow& row : std::get<deck::ColumnTable>(read).rows) {
     const std::vector<double>& value = row.values;
-    if (!Y.empty() && value[0] / unit_Y <= Y.back()) return row.place + ": y must grow from row to row";
+    if (!Y.empty() && value[0] / unit_Y <= Y.back()) return row.place + ": y must rise from row to row";
     Y.push_back(value[0] / unit_Y);
     H.push_back(value[1] / unit_H);
   }
-  if (Y.size() < 4) return path + ": at least four rows are wanted";
+  if (Y.size() < 4) return path + ": a table needs at least four rows";
   const double half = 0.5 * profile.length;
   constexpr double rounding = 1e-9, most_halves = 10.0;
   if (std::max(-Y.front(), Y.back()) > most_halves * half)
     return fmt::format(
-        "{}: from y = {:.4g} to {:.4g}, more than ten times half of the roller, {:.4g}: y and the drop are "
+        "{}: y goes from {:.4g} to {:.4g}, more than ten times half of the roller's length, {:.4g}; y and drop must be "
         "in {}",
         path, Y.front() * unit_Y, Y.back() * unit_Y, half * unit_Y, scales.in_SI ? "metres" : "half widths and a^2/R");
   const char* unit = scales.in_SI ? "m" : "half widths";
   const bool mirrored = std::abs(Y.front()) <= rounding * half;
   if (Y.back() < half * (1.0 - rounding) || (!mirrored && Y.front() > -half * (1.0 - rounding)))
     return fmt::format(
-        "{}: from y = {:.7g} to {:.7g} {}, and the roller reaches from {:.7g} to {:.7g}, {:.2g} {} further: give all "
-        "of "
-        "it, or one half from y = 0 on",
+        "{}: y goes from {:.7g} to {:.7g} {}, but the roller reaches from {:.7g} to {:.7g}, {:.2g} {} further: give "
+        "its whole length, or one half from y = 0 on",
         path, Y.front() * unit_Y, Y.back() * unit_Y, unit, -half * unit_Y, half * unit_Y,
         std::max(half - Y.back(), mirrored ? 0.0 : Y.front() + half) * unit_Y, unit);
   condition(Y, H, mirrored, profile);
@@ -148,28 +148,30 @@ void read_straight(const deck::Part& part, const Scales& scales, Profile& profil
 }  // namespace
 
 std::vector<Key> keys() {
-  const Key tilt{.name = "tilt",
-                 .default_text = "0",
-                 .range = {-100.0, 100.0},
-                 .meaning =
-                     "Misalignment: what the gap gains along y, dH/dY, a/R of an angle. The side y > 0 stands "
-                     "further off. A tenth of the roller must bear the load, cut into slices.",
-                 .needs = {.name = "profile"},
-                 .example = "0.01"};
+  const Key tilt{
+      .name = "tilt",
+      .default_text = "0",
+      .range = {-100.0, 100.0},
+      .meaning =
+          "Misalignment of the roller, as the slope dH/dY of the gap; the unit is a/R of an angle. The gap opens "
+          "towards y > 0. At least a tenth of the roller's length must carry load, estimated by a slice model.",
+      .needs = {.name = "profile"},
+      .example = "0.01"};
   return deck::in_section(
       "roller",
-      deck::together({{{.name = "profile",
-                        .words = {"straight", "crowned", "logarithmic", "table"},
-                        .meaning = "The shape of the roller along its axis, beside a straight one. straight: with "
-                                   "rounded ends, end_length and end_radius. crowned: a circle of crown_radius. "
-                                   "logarithmic: by which the dry pressure does not rise at the ends under the "
-                                   "design load. table: from a file. The gap ends with the roller; the bodies "
-                                   "deform as half-spaces, which at a sharp end they are not. Only with [contact] "
-                                   "kind = roller or [case] kind = roller_race, gear_mesh (a tooth's face width).",
-                        .source = "modules/effects/roller/README.md",
-                        .example = "logarithmic"}},
-                      shape_keys(),
-                      {tilt, in_SI(tilt, "_mrad", "mrad", "0.5")}}));
+      deck::together(
+          {{{.name = "profile",
+             .words = {"straight", "crowned", "logarithmic", "table"},
+             .meaning =
+                 "Profile of the roller along its axis. straight: with rounded ends, by end_length and end_radius. "
+                 "crowned: a circular arc of crown_radius. logarithmic: the profile that gives a uniform dry pressure "
+                 "at the design load. table: from a file. The gap ends at the ends of the roller; the bodies deform as "
+                 "half-spaces, which is not accurate at a sharp end. Used only with [contact] kind = roller, or with "
+                 "[case] kind = roller_race or gear_mesh (the face width of a tooth).",
+             .source = "modules/effects/roller/README.md",
+             .example = "logarithmic"}},
+           shape_keys(),
+           {tilt, in_SI(tilt, "_mrad", "mrad", "0.5")}}));
 }
 
 Profile read(deck::Deck& deck, const Scales& scales) {
@@ -196,7 +198,7 @@ Profile read(deck::Deck& deck, const Scales& scales) {
   if (const double wave = part.number_in("shortest_wave", {"_m", scales.a, scales.in_SI}); !std::isnan(wave))
     profile.trace.shortest_wave = wave;
   if (!part.given("file"))
-    part.complain("file", "is missing: the table of y and drop");
+    part.complain("file", "is missing: give the table of y and drop");
   else if (const std::string wrong = read_table(deck::found_beside(deck, "roller", "file"), scales, profile);
            !wrong.empty())
     part.complain("file", wrong);

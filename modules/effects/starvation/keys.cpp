@@ -14,89 +14,86 @@ constexpr double most_passes = 10000.0;
 
 std::vector<deck::Key> keys() {
   return deck::in_section(
-      "supply",
-      {{.name = "H_oil",
-        .range = {0.0, none, true, true},
-        .remedy = "without oil there is no film: [case] kind = dry",
-        .meaning = "What both surfaces bring of oil, in units of H: R (u1 h1 + u2 h2)/(u_m a^2). The flooded film and "
-                   "more: hardly starved; a tenth of it: the layer goes through as it is.",
-        .source = "modules/effects/starvation/README.md",
-        .example = "0.2"},
-       {.name = "layer_m",
-        .unit = "m",
-        .range = {0.0, none, true, true},
-        .remedy = "without oil there is no film: [case] kind = dry",
-        .meaning = "Layer of oil on both surfaces together, for a contact in SI.",
-        .example = "200e-9"},
-       {.name = "layer1_m",
-        .unit = "m",
-        .range = {0.0, none, false, true},
-        .meaning = "Layer on surface 1 alone, brought with its own speed u1 (layer1_m and layer2_m, or layer_m).",
-        .example = "100e-9"},
-       {.name = "layer2_m",
-        .unit = "m",
-        .range = {0.0, none, false, true},
-        .meaning = "Layer on surface 2.",
-        .example = "100e-9"},
-       {.name = "flow_m3_per_s",
-        .unit = "m^3/s",
-        .range = {0.0, none, true, true},
-        .remedy = "without oil there is no film: [case] kind = dry",
-        .meaning = "Oil that is brought to the inlet, spread evenly over the width of the domain.",
-        .example = "1e-10"},
-       {.name = "flow_m2_per_s",
-        .unit = "m^2/s",
-        .range = {0.0, none, true, true},
-        .remedy = "without oil there is no film: [case] kind = dry",
-        .meaning = "Oil that is brought to the inlet of a line contact, per length along y.",
-        .example = "1e-7"},
-       {.name = "profile",
-        .type = deck::Type::text,
-        .meaning = "Layer across the track: a CSV with columns y and h, of both surfaces together, in metres or the "
-                   "units of its "
-                   "heading, y [mm] and h [nm]; of a contact in M and L in units of X and H. It covers the width of "
-                   "the domain.",
-        .example = "track.csv",
-        .names_file = true},
-       {.name = "passes",
-        .type = deck::Type::integer,
-        .default_text = "1",
-        .range = {1.0, most_passes},
-        .meaning =
-            "Contacts one after another on the same track: what leaves one is brought to the next. The result is "
-            "the last of them, with a table of all.",
-        .source = "modules/effects/starvation/README.md",
-        .example = "20"},
-       {.name = "returning",
-        .default_text = "both",
-        .words = {"both", "surface1", "surface2"},
-        .meaning =
-            "The surfaces that bring to the next pass what they carried away from the last. The other one brings "
-            "its first layer every time.",
-        .needs = {.name = "passes"},
-        .example = "surface1"},
-       {.name = "split",
-        .default_note = "equal layers on both surfaces: u1/(u1 + u2)",
-        .range = {0.0, 1.0},
-        .meaning = "Share of the oil that leaves the contact on surface 1.",
-        .needs = {.name = "returning", .words = {"surface1", "surface2"}},
-        .example = "0.5"},
-       {.name = "pass_time",
-        .unit = "s",
-        .range = {0.0, none, true, true},
-        .meaning = "From one pass to the next, for the levelling and for films against time.",
-        .needs = {.name = "passes"},
-        .example = "0.05"},
-       {.name = "reflow_time",
-        .default_note = "no oil flows back",
-        .unit = "s",
-        .range = {0.0, none, true, true},
-        .meaning =
-            "In which the differences of the layer across the track level out to 1/e, towards their mean over the "
-            "width of the domain. Surface tension is far too slow for that in bearings.",
-        .source = "modules/effects/starvation/README.md",
-        .needs = {.name = "pass_time"},
-        .example = "10"}});
+      "supply", {{.name = "H_oil",
+                  .range = {0.0, none, true, true},
+                  .remedy = "without oil there is no film: use [case] kind = dry",
+                  .meaning = "Oil that both surfaces bring to the contact, in units of H: R (u1 h1 + u2 h2)/(u_m a^2). "
+                             "At and above the central film of the flooded contact it is nearly flooded; at a tenth of "
+                             "that film it is fully starved, and the layer passes through the contact.",
+                  .source = "modules/effects/starvation/README.md",
+                  .example = "0.2"},
+                 {.name = "layer_m",
+                  .unit = "m",
+                  .range = {0.0, none, true, true},
+                  .remedy = "without oil there is no film: use [case] kind = dry",
+                  .meaning = "Thickness of the oil layer on both surfaces together, for a contact in SI.",
+                  .example = "200e-9"},
+                 {.name = "layer1_m",
+                  .unit = "m",
+                  .range = {0.0, none, false, true},
+                  .meaning = "Thickness of the oil layer on surface 1 alone, which arrives with the speed u1. Give "
+                             "layer1_m and layer2_m, or layer_m.",
+                  .example = "100e-9"},
+                 {.name = "layer2_m",
+                  .unit = "m",
+                  .range = {0.0, none, false, true},
+                  .meaning = "Thickness of the oil layer on surface 2 alone, see layer1_m.",
+                  .example = "100e-9"},
+                 {.name = "flow_m3_per_s",
+                  .unit = "m^3/s",
+                  .range = {0.0, none, true, true},
+                  .remedy = "without oil there is no film: use [case] kind = dry",
+                  .meaning = "Oil flow to the inlet, spread evenly over the width of the domain.",
+                  .example = "1e-10"},
+                 {.name = "flow_m2_per_s",
+                  .unit = "m^2/s",
+                  .range = {0.0, none, true, true},
+                  .remedy = "without oil there is no film: use [case] kind = dry",
+                  .meaning = "Oil flow to the inlet of a line contact, per length along y.",
+                  .example = "1e-7"},
+                 {.name = "profile",
+                  .type = deck::Type::text,
+                  .meaning = "Oil layer across the track, as a CSV file with the columns y and h (both surfaces "
+                             "together), in metres or in the units of its heading, y [mm] and h [nm]; in units of X "
+                             "and H for a contact in M and L. It must cover the width of the domain.",
+                  .example = "track.csv",
+                  .names_file = true},
+                 {.name = "passes",
+                  .type = deck::Type::integer,
+                  .default_text = "1",
+                  .range = {1.0, most_passes},
+                  .meaning = "Number of successive contacts on the same track: what leaves one contact is supplied to "
+                             "the next. The result is that of the last one, with a table of all.",
+                  .source = "modules/effects/starvation/README.md",
+                  .example = "20"},
+                 {.name = "returning",
+                  .default_text = "both",
+                  .words = {"both", "surface1", "surface2"},
+                  .meaning = "Surfaces that carry the oil of one pass to the next. The other surface brings its "
+                             "initial layer every time.",
+                  .needs = {.name = "passes"},
+                  .example = "surface1"},
+                 {.name = "split",
+                  .default_note = "u1/(u1 + u2): equal layers on both surfaces",
+                  .range = {0.0, 1.0},
+                  .meaning = "Share of the oil leaving the contact that stays on surface 1.",
+                  .needs = {.name = "returning", .words = {"surface1", "surface2"}},
+                  .example = "0.5"},
+                 {.name = "pass_time",
+                  .unit = "s",
+                  .range = {0.0, none, true, true},
+                  .meaning = "Time from one pass to the next, used for the reflow and for the film against time.",
+                  .needs = {.name = "passes"},
+                  .example = "0.05"},
+                 {.name = "reflow_time",
+                  .default_note = "none: no oil flows back",
+                  .unit = "s",
+                  .range = {0.0, none, true, true},
+                  .meaning = "Time in which differences of the layer across the track decay to 1/e, towards the mean "
+                             "over the width of the domain. Surface tension is far too slow for that in bearings.",
+                  .source = "modules/effects/starvation/README.md",
+                  .needs = {.name = "pass_time"},
+                  .example = "10"}});
 }
 
 const std::vector<std::string>& ways() {
@@ -116,18 +113,20 @@ Input read(deck::Deck& deck, const Scales& scales) {
   std::vector<std::string> ways = supply.given_of({"H_oil", "layer_m", "flow_m3_per_s", "flow_m2_per_s", "profile"});
   if (two) ways.push_back(supply.given("layer1_m") ? "layer1_m" : "layer2_m");
   for (std::size_t k = 1; k < ways.size(); ++k)
-    supply.complain(ways[k], "the supply is given as " + ways[0] + " already: keep one of them");
-  if (two) supply.demand({"layer1_m", "layer2_m"}, "layer1_m and layer2_m belong together: 0 where there is none");
+    supply.complain(ways[k], "the supply is already given by " + ways[0] + " : keep one of them");
+  if (two)
+    supply.demand({"layer1_m", "layer2_m"}, "layer1_m and layer2_m belong together: set 0 for a surface without oil");
   if (!scales.in_SI)
     supply.refuse({"layer_m", "layer1_m", "layer2_m", "flow_m3_per_s", "flow_m2_per_s"},
-                  "is in SI and the contact is not: give H_oil, in units of H");
+                  "is in SI, but the contact is not: give H_oil, in units of H");
   if (scales.line) {
-    supply.refuse({"flow_m3_per_s"}, "has no width to be spread over on a line contact: give flow_m2_per_s");
-    supply.refuse({"profile"}, "changes along y, and a line contact has none: give one layer");
+    supply.refuse({"flow_m3_per_s"}, "has no influence on a line contact, which has no width: give flow_m2_per_s");
+    supply.refuse({"profile"}, "varies along y, and a line contact does not: give one layer");
     if (supply.integer("passes", 1) > 1)
-      supply.complain("passes", "are all the same on a line contact, where no oil flows aside: remove it");
+      supply.complain(
+          "passes", "has no influence on a line contact: no oil flows sideways, so all passes are the same; remove it");
   } else if (scales.point) {
-    supply.refuse({"flow_m2_per_s"}, "is of line contacts: give flow_m3_per_s");
+    supply.refuse({"flow_m2_per_s"}, "belongs to a line contact: give flow_m3_per_s");
   }
   input.H_oil = supply.number("H_oil");
   const double u_m = 0.5 * (scales.u1 + scales.u2);
@@ -149,7 +148,7 @@ Input read(deck::Deck& deck, const Scales& scales) {
   if (two) {
     input.H_oil = (scales.u1 * layer1 + scales.u2 * layer2) / u_m / scales.height;
     if (input.H_oil <= 0.0)
-      supply.complain("layer1_m", "and layer2_m bring no oil at these speeds: u1 h1 + u2 h2 must be > 0");
+      supply.complain("layer1_m", "and layer2_m supply no oil at these speeds: u1 h1 + u2 h2 must be > 0");
     input.layer1 = layer1 / scales.height / input.H_oil;
     input.layer2 = layer2 / scales.height / input.H_oil;
   }
