@@ -12,15 +12,16 @@ Effect body_effect() {
           .meaning = "A body with mass that moves under the load and the film: impact, rebound, vibration.",
           .stage = Stage::unknowns,
           .sections = {{.name = "body",
-                        .meaning = "The body's equation of motion in place of an imposed load. Only with [transient].",
+                        .meaning =
+                            "Equation of motion of a body, instead of a prescribed load. Used only with [transient].",
                         .called_by = {"mass", "mass_kg"}}},
           .on = [](const Case& input) { return input.transient && input.transient->conditions.body; },
           .what =
               [](const Case& input) {
                 const transient::Body& body = *input.transient->conditions.body;
-                const std::string start = body.gap ? fmt::format("apart by {:.4g}", *body.gap) : "upon the steady film";
+                const std::string start = body.gap ? fmt::format("a gap of {:.4g}", *body.gap) : "the steady film";
                 return fmt::format(
-                    "mass {:.4g}, damping {:.4g}, from {} with velocity {:.4g}; {:.4g} vibrations per a/u_m upon "
+                    "mass {:.4g}, damping {:.4g}, starts from {} with velocity {:.4g}; {:.4g} vibrations per a/u_m on "
                     "the dry contact",
                     body.mass, body.damping, start, body.velocity,
                     transient::natural_frequency(body) / (2.0 * std::numbers::pi));

@@ -8,7 +8,8 @@ namespace ehl::program {
 Effect elliptic_effect() {
   return {.name = "elliptic",
           .meaning =
-              "Bodies whose radii along x and y differ, and the direction of entrainment between them; long ones too.",
+              "Contacts that are not circular: different radii along x and y, rolling at an angle to them, and line "
+              "contacts.",
           .name_here =
               [](const Case& input) { return std::string(contact::line(input.scene.shape) ? "line" : "elliptic"); },
           .stage = Stage::coefficients,
@@ -18,14 +19,14 @@ Effect elliptic_effect() {
           .what =
               [](const Case& input) {
                 const contact::Ellipse& shape = input.scene.shape;
-                if (contact::line(shape)) return std::string("R_y without end, nothing changes along y");
-                return fmt::format("R_x/R_y = {:.4g}, b/a = {:.4g}, entrained at {:.4g} degrees to R_x",
+                if (contact::line(shape)) return std::string("R_y infinite, nothing varies along y");
+                return fmt::format("R_x/R_y = {:.4g}, b/a = {:.4g}, rolling at {:.4g} degrees to R_x",
                                    shape.radius_ratio, shape.kappa, shape.angle);
               },
           .asymmetry =
               [](const Case& input) {
                 const bool aslant = contact::gap(input.scene.shape).aslant();
-                return aslant ? fmt::format("entrained at {:.4g} degrees", input.scene.shape.angle) : std::string();
+                return aslant ? fmt::format("rolling at {:.4g} degrees", input.scene.shape.angle) : std::string();
               },
           .example = {"contact.radius_ratio=0.5"}};
 }

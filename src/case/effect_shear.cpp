@@ -80,7 +80,7 @@ Needs expense(const Case& input) {
 
 Effect shear_effect() {
   return {.name = "shear",
-          .meaning = "Oil that thins where sliding shears it: in the film, and in the friction.",
+          .meaning = "Shear-thinning of the oil by sliding, in the film and in the friction.",
           .stage = Stage::coefficients,
           .without = "Newtonian",
           .sections = {{.name = "shear", .called_by = {"law"}}},

@@ -52,9 +52,9 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
 
 Effect starvation_effect() {
   return {.name = "starvation",
-          .meaning = "Oil that is missing at the inlet: what the surfaces bring, and a cavitation that conserves mass.",
+          .meaning = "Starved lubrication: the surfaces bring a limited amount of oil, and cavitation conserves mass.",
           .stage = Stage::unknowns,
-          .without = "fully flooded",
+          .without = "without: fully flooded",
           .sections = {{.name = "supply", .called_by = starvation::ways()}},
           .keys = starvation::keys,
           .read = supply_input,

@@ -149,7 +149,7 @@ void add_content(const Case&, const Computed& computed, results::Content& conten
 
 Effect subsurface_effect() {
   return {.name = "subsurface",
-          .meaning = "The stresses below the contact, from the steady pressure.",
+          .meaning = "Stresses in the body below the contact, from the steady pressure.",
           .sections = {{.name = "subsurface", .called_by = {"depth"}}},
           .costly = {"subsurface", "planes"},
           .keys = subsurface::keys,

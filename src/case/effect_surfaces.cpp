@@ -97,14 +97,14 @@ nlohmann::ordered_json json(const Case& input, const Computed&) {
 Effect surfaces_effect() {
   return {
       .name = "surfaces",
-      .meaning = "What a surface carries: through the contact in time, or, in a steady contact, at rest in it.",
+      .meaning = "Shapes on a surface that move through the contact in time, or stand still in a steady contact.",
       .stage = Stage::coefficients,
       .without = "smooth",
-      .sections = {{.name = "surface1",
-                    .meaning = "What surface 1 carries: through the contact in time, or, in a steady contact, at rest "
-                               "in it.",
-                    .called_by = {"shape"}},
-                   {.name = "surface2", .meaning = "What surface 2 carries, likewise.", .called_by = {"shape"}}},
+      .sections =
+          {{.name = "surface1",
+            .meaning = "Shape on surface 1. It moves through the contact in time, or stands still in a steady contact.",
+            .called_by = {"shape"}},
+           {.name = "surface2", .meaning = "Shape on surface 2, as for [surface1].", .called_by = {"shape"}}},
       .keys = surface::keys,
       .on = [](const Case& input) { return !carried(input.surfaces).empty(); },
       .what = what,

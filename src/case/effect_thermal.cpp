@@ -98,7 +98,7 @@ Json json(const Case& input, const Computed& computed) {
 
 Effect thermal_effect() {
   return {.name = "thermal",
-          .meaning = "Heat in the film and in the bodies, and what it does to the film.",
+          .meaning = "Heat in the film and in the bodies, and its effect on the film.",
           .stage = Stage::coefficients,
           .without = "isothermal",
           .sections = {{.name = "thermal", .called_by = {"T_oil", "solid1", "solid2"}}},

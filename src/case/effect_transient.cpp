@@ -74,7 +74,7 @@ void compute(const Case& input, RunSettings& settings, Computed& computed) {
 
 Effect transient_effect() {
   return {.name = "transient",
-          .meaning = "What happens in time, from the steady contact at time 0.",
+          .meaning = "Time-dependent contact, from the steady solution at time 0.",
           .stage = Stage::unknowns,
           .without = "steady",
           .sections = {{.name = "transient", .called_by = {"end_time"}}},

@@ -52,7 +52,7 @@ void check_operands(const Command& command, const std::vector<std::string>& give
     refuse(said + command.operands + " is missing. Usage: " + usage(command));
   const bool more = !wanted.empty() && wanted.back().ends_with("...");
   if (given.size() > wanted.size() && !more)
-    refuse(said + "'" + given[wanted.size()] + "' is one too many. Usage: " + usage(command));
+    refuse(said + "'" + given[wanted.size()] + "' is one argument too many. Usage: " + usage(command));
 }
 
 // The name of an option without dashes and value, for both forms in which the library returns

@@ -19,95 +19,101 @@
 namespace ehl::program {
 namespace {
 
-const Option set{"set", "section.key=value", "overrides or adds a key of the deck", true};
-const Option unset{"unset", "section.key", "takes a key out of the deck, as if it were not there", true};
-const Option threads{"threads", "N", "number of threads (default: the cores this process may use)"};
-const Option profile{"profile", "", "adds where the time went, part by part"};
-const Option as_json{"json", "", "one JSON object on stdout and nothing else"};
-const Option quiet{"quiet", "", "no progress"};
+const Option set{"set", "section.key=value", "replaces or adds a key of the deck", true};
+const Option unset{"unset", "section.key", "removes a key from the deck", true};
+const Option threads{"threads", "N", "number of threads (default: the cores available to this process)"};
+const Option profile{"profile", "", "adds the time that each part of the solution took"};
+const Option as_json{"json", "", "writes one JSON object to stdout and nothing else"};
+const Option quiet{"quiet", "", "shows no progress"};
 
-const Command run_command{"run",
-                          "DECK",
-                          "solves a case: table and summary on stdout, progress on stderr, result in an HDF5 file",
-                          {set,
-                           unset,
-                           {"output", "FILE.h5", "result file (default: [output] file, else the name of the deck)"},
-                           {"overwrite", "", "replace an existing result file"},
-                           threads,
-                           profile,
-                           as_json,
-                           quiet},
-                          run};
+const Command run_command{
+    "run",
+    "DECK",
+    "solves a case. Writes tables and a summary to stdout, progress to stderr, and the result to an HDF5 file",
+    {set,
+     unset,
+     {"output", "FILE.h5", "result file (default: [output] file, else the name of the deck)"},
+     {"overwrite", "", "replaces an existing result file"},
+     threads,
+     profile,
+     as_json,
+     quiet},
+    run};
 
 const Command sweep_command{
     "sweep",
     "DECK|TABLE...",
-    "solves many cases of one deck, several at a time: one row per case in a CSV table. The same command again goes on "
-    "where it was stopped, and with more values beyond",
+    "solves many cases of one deck, several at a time, and writes one row per case to a CSV table. The same command "
+    "continues a sweep that was stopped, and extends it if there are more values",
     {{"vary", "section.key=LIST",
-      "a key and its values: 2,5,10 or a:b:n or a:b:n:log or words; several --vary make all combinations, the first "
-      "varies slowest; keys that change together: a,b=1:2,3:4",
+      "varies a key over a list: 2,5,10 or a:b:n or a:b:n:log or words. Several --vary give all combinations; the "
+      "first varies slowest. Keys varied together: a,b=1:2,3:4",
       true},
      {"cases", "FILE.csv",
-      "the cases of a table: a line of keys, section.key between commas, a line of values for each"},
+      "takes the cases from a table: one line of keys, section.key separated by commas, then one line of values for "
+      "each case"},
      {"shard", "i/N",
-      "the part i of N alone, of nearly the same seconds, into NAME.iofN.csv (default: of a job of a Slurm array its "
-      "own)"},
-     {"merge", "", "makes one table, --output, of the tables of shards"},
+      "solves only part i of N parts of nearly equal run time, into NAME.iofN.csv (default: in a Slurm job array, the "
+      "part of the job)"},
+     {"merge", "", "joins the tables of shards into one table, --output"},
      {"keep", "",
-      "keeps the result of each case, fields and all, in one HDF5 file beside the table, /cases/K: `ehl extract --case "
-      "K`"},
-     {"timing", "", "adds the columns seconds and peak_memory, which are others each time"},
+      "stores the result of each case with its fields in one HDF5 file next to the table, as /cases/K: `ehl extract "
+      "--case K`"},
+     {"timing", "", "adds the columns seconds and peak_memory, which differ from run to run"},
      set,
      unset,
-     {"output", "FILE.csv", "the table (default: name of the deck with _sweep.csv)"},
-     {"overwrite", "", "begin the table anew"},
-     {"threads", "N", "cases at a time, one thread each (default: the cores this process may use)"},
+     {"output", "FILE.csv", "table to write (default: name of the deck with _sweep.csv)"},
+     {"overwrite", "", "starts the table again from the first case"},
+     {"threads", "N",
+      "number of cases solved at a time, with one thread each (default: the cores available to this process)"},
      quiet},
     sweep};
 
 const Command study_command{
     "study",
     "DECK",
-    "what accuracy costs in time: the same case over levels, wedge schemes, film evaluators and cycles; error against "
-    "seconds and work, as a table and a CSV file that `ehl plot` draws. A deck with [transient]: over the tolerance of "
-    "the time integration, error over the run against seconds and steps",
+    "measures what accuracy costs in time: solves the same case with several grids, wedge schemes, film evaluators and "
+    "cycles, and writes error against seconds and work to a table and a CSV file for `ehl plot`. For a deck with "
+    "[transient]: with several tolerances of the time integration, error over the run against seconds and steps",
     {{"levels", "a:b",
-      "cells of the coarsest and of the finest grid, b = a times a power of two (default: from 64 up to the deck's)"},
-     {"wedges", "LIST", "of upstream1,upstream2,upstream3, the last with face logmean_bounded (default: all)"},
-     {"evaluators", "LIST", "of mlmi4,mlmi6,mlmi8,fft,direct (default: all; direct up to 20000 nodes)"},
+      "cells of the coarsest and of the finest grid, b = a times a power of two (default: from 64 up to those of the "
+      "deck)"},
+     {"wedges", "LIST",
+      "subset of upstream1,upstream2,upstream3; upstream3 is used with face = logmean_bounded (default: all)"},
+     {"evaluators", "LIST", "subset of mlmi4,mlmi6,mlmi8,fft,direct (default: all; direct up to 20000 nodes)"},
      {"cycles", "LIST",
-      "cycles per level, e.g. 1V,2W, or run: as `ehl run` does (default: 1V,2V,1W,2W,run; with heat run)"},
+      "cycles per level, e.g. 1V,2W, or run: those of `ehl run` (default: 1V,2V,1W,2W,run; with heat: run)"},
      {"reference", "N",
-      "cells of the grid that the reference is extrapolated from, with those below it (default: twice the finest)"},
+      "cells of the finest grid for the reference solution, which is extrapolated from it and the coarser grids "
+      "(default: twice the finest)"},
      {"rtol", "LIST",
-      "of a deck with [transient] and instead of all the above: the tolerances (default: 1e-2,1e-3,1e-4,1e-5,1e-6)"},
+      "tolerances for a deck with [transient], instead of all options above (default: 1e-2,1e-3,1e-4,1e-5,1e-6)"},
      set,
      unset,
-     {"output", "FILE.csv", "the table (default: name of the deck with _study.csv)"},
-     {"overwrite", "", "replace an existing table"},
-     {"repeat", "N", "solve everything N times and take the least time (default 3)"},
+     {"output", "FILE.csv", "table to write (default: name of the deck with _study.csv)"},
+     {"overwrite", "", "replaces an existing table"},
+     {"repeat", "N", "solves every case N times and reports the shortest time (default 3)"},
      {"threads", "N", "number of threads of each solution (default 1)"},
-     {"jobs", "N", "solutions at a time (default 1); with more the times are marked as shared"},
+     {"jobs", "N", "number of solutions at a time (default 1); if more, the times are marked as shared"},
      quiet},
     study};
 
 const Command fit_command{
     "fit",
     "DECK",
-    "constants of an oil from a measured traction curve: the deck's friction at the measured slide-roll ratios, by "
-    "least "
-    "squares, with the standard errors of the constants",
+    "fits constants of an oil to a measured traction curve: computes the deck's friction at the measured slide-roll "
+    "ratios, and gives the least-squares constants with their standard errors",
     {{"measured", "FILE.csv",
-      "a table with the columns srr, mu and, where it is known, sigma, the standard error of mu; a heading may name "
-      "their units, SRR [%]"},
+      "table with the columns srr, mu and, if known, sigma, the standard error of mu; a heading may give units, SRR "
+      "[%]"},
      {"free", "section.key",
-      "a constant to be found, e.g. shear.tau_0, shear.G, shear.n, friction.limit; the deck has its start; three at "
-      "most",
+      "constant to fit, e.g. shear.tau_0, shear.G, shear.n, friction.limit. The deck gives the starting value; at most "
+      "three constants",
       true},
      set,
      unset,
-     {"threads", "N", "cases at a time, one thread each (default: the cores this process may use)"},
+     {"threads", "N",
+      "number of cases solved at a time, with one thread each (default: the cores available to this process)"},
      quiet},
     fit};
 
@@ -115,35 +121,41 @@ const Command extract_command{
     "extract",
     "FILE.h5 DATASET",
     "prints a dataset of a result as columns: P, H, levels, history, summary, scales, deck, or a path in the file",
-    {{"case", "K", "of a sweep with --keep: the case, from 0 in the order of the table"},
-     {"along", "x|y", "only the section of a field along this axis"},
-     {"at", "y=0|x=0", "where the section lies: the nearest grid line is taken (default 0)"},
-     {"step", "K|last", "number K, from 0, of fields at several times or depths; without it a section of all"},
-     {"sample", "N", "a field or a section between its nodes: N points along x (a section: along it), cubic"},
-     {"window", "x0:x1[,y0:y1]", "the part of the domain that --sample takes (a section: one range)"},
-     {"si", "", "of a deck in SI: places in um, films in nm, pressures in GPa, times in ms, --at likewise"},
-     {"matrix", "", "a field as a matrix with its axes, for gnuplot's `matrix nonuniform`"}},
+    {{"case", "K", "case of a sweep with --keep, counted from 0 in the order of the table"},
+     {"along", "x|y", "prints only the section of a field along this axis"},
+     {"at", "y=0|x=0", "position of the section; the nearest grid line is used (default 0)"},
+     {"step", "K|last",
+      "number of the field, counted from 0, if there are several times or depths; without it the section of all"},
+     {"sample", "N",
+      "interpolates a field or a section between its nodes (cubic) at N points along x, or along the section"},
+     {"window", "x0:x1[,y0:y1]", "part of the domain for --sample; one range for a section"},
+     {"si", "",
+      "uses SI units, for a deck in SI: positions (--at too) in um, films in nm, pressures in GPa, times in ms"},
+     {"matrix", "", "prints a field as a matrix with its axes, for gnuplot's `matrix nonuniform`"}},
     extract};
 
 const Command plot_command{
     "plot",
     "FILE.h5|FILE.csv",
-    "draws the figures of postprocess/ from a result or the table of a sweep or a study, beside it",
-    {{"figure", "NAME", "only this figure; they are listed below (default: all that fit and are not on demand)", true},
-     {"x", "KEY", "of a sweep: the column along x (default: the swept key with most values)"},
-     {"y", "QUANTITY", "of a sweep: a column against it, with error bars and formulas (default: the films)", true},
-     {"by", "KEY", "of a sweep: one curve for each value of this column (default: the other swept keys)", true},
-     {"axes", "log|linear", "of a sweep's curves (default: log where the values span a factor of 4)"},
-     {"measured", "FILE.csv", "of a traction curve: measured points over it, as `ehl fit` reads them"},
-     {"time", "T", "of a run in time the field nearest to T, in the unit of the deck's times (default: the last one)"},
-     {"format", "png|svg|pdf", "format of the pictures (default: png, or what --output says)"},
+    "draws the figures of postprocess/ from a result, or from the table of a sweep or a study, and writes them next to "
+    "that file",
+    {{"figure", "NAME",
+      "draws only this figure; the figures are listed below (default: all that fit and are not on demand)", true},
+     {"x", "KEY", "sweep: column on the x axis (default: the swept key with most values)"},
+     {"y", "QUANTITY", "sweep: column on the y axis, with error bars and formulas (default: the films)", true},
+     {"by", "KEY", "sweep: one curve for each value of this column (default: the other swept keys)", true},
+     {"axes", "log|linear", "sweep: scale of the axes (default: log if the values span a factor of 4)"},
+     {"measured", "FILE.csv", "traction curve: overlays measured points, in the format of `ehl fit`"},
+     {"time", "T",
+      "run in time: draws the field nearest to time T, in the unit of the deck's times (default: the last one)"},
+     {"format", "png|svg|pdf", "format of the pictures (default: png, or the ending of --output)"},
      {"width", "W",
-      "85mm, 1200px, or a column of a journal (Elsevier's): single (90 mm), onehalf (140 mm), double (190 mm); letters "
-      "have 8 pt. Default: the figure's own, single mostly; png has 300 dots per inch"},
-     {"title", "TEXT", "words above the figure, none where empty (default: the title of the deck)"},
+      "width of the picture: 85mm, 1200px, or a journal column (Elsevier's): single (90 mm), onehalf (140 mm), double "
+      "(190 mm). Letters have 8 pt; png has 300 dots per inch (default: that of the figure, usually single)"},
+     {"title", "TEXT", "title above the figure; an empty text gives none (default: the title of the deck)"},
      {"output", "NAME",
-      "the picture, fig3.pdf; of several figures what their names begin with, fig3_centre_lines.pdf; a folder, figs/, "
-      "takes names of our own (default: FILE_FIGURE.png beside the file)"}},
+      "picture to write, fig3.pdf. With several figures: beginning of their names, fig3_centre_lines.pdf. With a "
+      "folder, figs/: the pictures get their default names (default: FILE_FIGURE.png next to the file)"}},
     plot};
 
 }  // namespace
@@ -153,12 +165,12 @@ const std::vector<Command>& commands() {
       run_command,
       {"check",
        "DECK",
-       "validates a deck and prints everything that follows from it; solves nothing",
+       "validates a deck and prints everything that follows from it, without solving",
        {set, unset, threads},
        check},
       {"resume",
        "FILE.h5",
-       "goes on with a run in time from the checkpoint in its result file, and completes that file",
+       "continues a run in time from the checkpoint in its result file, and completes that file",
        {threads, profile, as_json, quiet},
        resume},
       sweep_command,
@@ -168,19 +180,23 @@ const std::vector<Command>& commands() {
       plot_command,
       {"report",
        "FILE.h5|TABLE.csv...",
-       "one HTML page of results and tables of sweeps and studies: figures, numbers with error bars, warnings, deck, "
-       "provenance. It needs no network; several files are compared",
-       {{"output", "FILE.html", "the page (default: FILE_report.html beside the first file)"},
+       "writes one HTML page of results and of tables of sweeps and studies: figures, numbers with error bars, "
+       "warnings, deck, provenance. The page needs no network; several files are compared",
+       {{"output", "FILE.html", "page to write (default: FILE_report.html next to the first file)"},
         {"title", "TEXT", "heading of the page (default: the title of the deck)"},
-        {"overwrite", "", "replace an existing page"}},
+        {"overwrite", "", "replaces an existing page"}},
        report},
       {"keys",
        "[SECTION[.KEY]]",
-       "lists the keys of the deck: default, unit, range, meaning, source",
-       {{"deck", "", "a complete commented deck instead"}},
+       "lists the keys of the deck with default, unit, range, meaning and source",
+       {{"deck", "", "writes a complete commented deck instead"}},
        keys},
-      {"help", "[COMMAND]", "what the commands do, or one of them and its options", {}, help},
-      {"version", "", "version, commit, compiler, and what the numerics in use were compiled for", {}, version}};
+      {"help", "[COMMAND]", "explains the commands, or one command with its options", {}, help},
+      {"version",
+       "",
+       "prints version, commit, compiler, and the processor that the numerics in use were compiled for",
+       {},
+       version}};
   return all;
 }
 
@@ -208,7 +224,7 @@ int requested_threads(const Arguments& arguments) { return whole_number(argument
 std::string table_name(const Arguments& arguments) {
   const std::string stem = std::filesystem::path(arguments.operands[0]).stem();
   const std::string path = arguments.value("output", stem + "_" + arguments.command + ".csv");
-  if (!path.ends_with(".csv")) refuse("--output " + path + ": the table's name ends with .csv");
+  if (!path.ends_with(".csv")) refuse("--output " + path + ": the name of the table must end with .csv");
   return path;
 }
 
