@@ -71,7 +71,8 @@ void read(Case& input) {
   deck::Deck& deck = input.deck;
   if (!deck::given(deck, "subsurface", "depth")) return;
   if (deck::given(deck, "transient", "end_time"))
-    deck::complain(deck, "subsurface", "depth", "is for steady contacts: remove it, or [transient]");
+    deck::complain(deck, "subsurface", "depth",
+                   "is available for steady contacts only: remove it, or remove [transient]");
   input.subsurface =
       subsurface::read(deck, deck::number(deck, "contact", "nu1"), deck::given(deck, "friction", "cavitated"));
 }

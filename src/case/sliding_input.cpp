@@ -62,7 +62,7 @@ void set_meniscus(deck::Deck& deck, const Physics& physics, const steady::Scene&
                                   contact::roller(scene.shape) ? "Move [domain] x_inlet further out"
                                                                : "Set [domain] far_field = closed, or leave it out"));
   else if (!(distance > 1.0))
-    friction.complain(given[0], "must be larger than 1: the meniscus lies outside the contact");
+    friction.complain(given[0], "must lie outside the contact, more than a Hertz radius from its centre");
   parameters.meniscus = distance;
 }
 

@@ -114,9 +114,9 @@ BOOST_AUTO_TEST_CASE(keys_of_the_meniscus) {
   };
   refused("--set friction.meniscus=20 --set friction.meniscus_m=0.01", "are both given");
   refused("--set friction.meniscus=20 --set supply.H_oil=0.2 --set grid.cells=1024", "meniscus is computed");
-  refused("--set friction.meniscus=20 --set domain.far_field=zero --set domain.x_inlet=-4.5", "outside of the domain");
+  refused("--set friction.meniscus=20 --set domain.far_field=zero --set domain.x_inlet=-4.5", "outside the domain");
   refused("--set friction.meniscus=0.5", "[friction] meniscus = 0.5");
-  refused("--set friction.meniscus_m=1e-6", "must lie beyond the contact");
+  refused("--set friction.meniscus_m=1e-6", "must lie outside the contact");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

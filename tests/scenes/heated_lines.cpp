@@ -260,12 +260,12 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_is_refused) {
       {"surface 1 stands", moving("u_m = 10\nsrr = -2\n"), {"srr", "surface 1 stands still"}},
       {"u2 = 0", moving("u1 = 10\nu2 = 0\n"), {"u2", "stands still", "u1 and u2 > 0"}},
       {"u1 = 0", moving("u1 = 0\nu2 = 10\n"), {"u1", "stands still"}},
-      {"in time", teeth + "[transient]\nend_time = 1\n", {"T_oil", "is for steady contacts"}},
+      {"in time", teeth + "[transient]\nend_time = 1\n", {"T_oil", "steady contacts only"}},
       {"no speeds", "[contact]\nkind = line\nM = 50\nL = 10\n[lubricant]\nalpha = 2e-8\n" + heat, {"T_oil", "in SI"}},
       {"roller",
        "[contact]\nkind = roller\nload = 1000\nlength_m = 0.01\nradius_x = 0.010\nE_prime = 226.4e9\n" + motion + oil +
            heat,
-       {"rollers do not carry this yet"}},
+       {"not available for rollers"}},
   });
 }
 

@@ -60,7 +60,8 @@ BOOST_AUTO_TEST_CASE(a_slip_beside_a_data_sheet) {
 BOOST_AUTO_TEST_CASE(advice_that_helps) {
   // Water: its viscosity rises too little with pressure for Roelands' law.
   const std::string water = "--set lubricant.eta0=1e-3 --set lubricant.alpha=6e-10";
-  check({good, water, "as that of water, rises too little for Roelands' law: viscosity = barus"});
+  check(
+      {good, water, "rises too little with pressure for Roelands' law, as that of water does: set viscosity = barus"});
   const support::TemporaryFolder folder;
   folder.write("d.ini", good);
   BOOST_TEST(support::ehl(folder, "check d.ini --set lubricant.viscosity=barus " + water).status == 0);

@@ -189,7 +189,7 @@ BOOST_AUTO_TEST_CASE(slips) {
         {"d.ini:13", "it means eta0 = inf Pa s"}},
        {"in m^2/s", ball + "kv40 = 68e-6\n", {"d.ini:10", "mm^2/s"}},
        {"in g/cm^3", ball + "density15 = 0.88\n", {"d.ini:10", "kg/m^3"}},
-       {"a data sheet of yasutomi", sheet + "viscosity = yasutomi\n", {"d.ini:10", "brings its own"}},
+       {"a data sheet of yasutomi", sheet + "viscosity = yasutomi\n", {"d.ini:10", "has its own constants"}},
        {"both alphas", ball + "eta0 = 0.1\nalpha = 1e-8\nalpha_star = 1e-8\n", {"d.ini:12", "keep one"}},
        {"alpha* of isoviscous oil",
         ball + "viscosity = isoviscous\neta0 = 0.1\nalpha_star = 1e-8\n",
@@ -197,15 +197,15 @@ BOOST_AUTO_TEST_CASE(slips) {
        {"alpha* of a law that has one",
         ball + "viscosity = doolittle\neta0 = 0.1\ndoolittle_B = 4\ndoolittle_R0 = 0.6\nK0 = 1e9\nK0_prime = 11\n"
                "alpha_star = 1e-8\n",
-        {"d.ini:16", "brings its own alpha*"}},
+        {"d.ini:16", "has its own alpha*"}},
        {"another z", ball + "eta0 = 0.1\nalpha_star = 1.5e-8\nz = 0.6\n", {"d.ini:12", "z = 0.6", "from alpha_star"}},
-       {"no z gives it", ball + "eta0 = 0.1\nalpha_star = 1e-7\n", {"d.ini:11", "no z gives it"}},
+       {"no z gives it", ball + "eta0 = 0.1\nalpha_star = 1e-7\n", {"d.ini:11", "no z"}},
        {"alpha_temperature alone",
         sheet + "temperature = 40\nalpha = 1e-8\nalpha_temperature = 40\n",
-        {"d.ini:15", "without alpha_star"}},
+        {"d.ini:15", "only with alpha_star"}},
        {"alpha_temperature without a data sheet",
         ball + "eta0 = 0.1\nalpha_star = 1e-8\nalpha_temperature = 40\n",
-        {"d.ini:12", "no influence but with kv40"}}});
+        {"d.ini:12", "used only with kv40"}}});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

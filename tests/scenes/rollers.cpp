@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(bad_input) {
       {"too short", numbers + "length = 3\n" + oil + profile, {"d.ini:5", "length = 3", ">= 4"}},
       {"length in mm", roller + bodies + "length_m = 8\n" + rest + profile, {"d.ini:6", "half widths", "<= 2000"}},
       {"length of a point", "[contact]\nM = 20\nL = 5\nlength = 40\n" + oil, {"d.ini:4", "length", "kind = roller"}},
-      {"load per length", roller + "load_per_length = 1e5\n" + bodies + rest + profile, {"give kind = line"}},
+      {"load per length", roller + "load_per_length = 1e5\n" + bodies + rest + profile, {"set kind = line"}},
       {"radius_y", roller + bodies + "radius_y = 1\nlength_m = 0.008\n" + rest + profile, {"d.ini:6", "[roller]"}},
       {"no profile", whole, {"d.ini:2", "kind = roller", "needs a profile"}},
       {"profile of a line",
@@ -82,9 +82,9 @@ BOOST_AUTO_TEST_CASE(bad_input) {
       {"closed far field", whole + profile + "[domain]\nfar_field = closed\n", {"far_field = closed", "without ends"}},
       {"y_half", whole + profile + "[domain]\ny_half = 30\n", {"y_half = 30", "half of the roller's length"}},
       {"load path", whole + profile + "[continuation]\npath = load\n", {"path = load", "not available for rollers"}},
-      {"in time", whole + profile + "[transient]\nend_time = 1\n", {"end_time", "rollers do not carry this"}},
-      {"supply", whole + profile + "[supply]\nH_oil = 0.1\n", {"H_oil", "rollers do not carry this"}},
-      {"dry", "[case]\nkind = dry\n" + roller, {"[contact] kind", "dry contact is circular"}},
+      {"in time", whole + profile + "[transient]\nend_time = 1\n", {"end_time", "not available for rollers"}},
+      {"supply", whole + profile + "[supply]\nH_oil = 0.1\n", {"H_oil", "not available for rollers"}},
+      {"dry", "[case]\nkind = dry\n" + roller, {"[contact] kind", "a dry contact is always circular"}},
   });
 }
 
@@ -186,13 +186,13 @@ BOOST_AUTO_TEST_CASE(a_table_is_the_profile_that_it_lists) {
     BOOST_TEST(check.status == 2);
     BOOST_TEST(contains(check.err, what), check.err);
   };
-  refused("0,0\n1,0\n2,0.1\n7,0.3\n", "give all of it, or one half from y = 0 on");
-  refused("-4,0\n0,0\n2,0.1\n9,0.3\n", "give all of it");
+  refused("0,0\n1,0\n2,0.1\n7,0.3\n", "give its whole length, or one half from y = 0 on");
+  refused("-4,0\n0,0\n2,0.1\n9,0.3\n", "give its whole length");
   refused("0,0\n4,0.1\n9,0.3\n", "at least four rows");
-  refused("0,0\n4,0.1\n3,0.2\n9,0.3\n", "wrong.csv:3: y must grow");
+  refused("0,0\n4,0.1\n3,0.2\n9,0.3\n", "wrong.csv:3: y must rise");
   refused("0,0\n4,a\n6,0.2\n9,0.3\n", "drop = 'a' is no number");
   refused("0,0\n1,0.1\n60,0.2\n81,0.3\n",
-          "from y = 0 to 81, more than ten times half of the roller, 8: y and the drop");
+          "y goes from 0 to 81, more than ten times half of the roller's length, 8; y and drop");
   refused("0,0\n1,2e6\n2,5e6\n9,1e9\n", "slices");
   refused("0,0,1\n4,0,1\n6,0.2,1\n9,0.3,1\n", "3 columns");
 }
@@ -237,8 +237,8 @@ BOOST_AUTO_TEST_CASE(a_table_in_millimetres) {
                "[contact]\nkind = roller\nload = 2000\nlength_m = 12e-3\nradius_x = 4e-3\nE_prime = 226e9\n[motion]\n"
                "u_m = 3\n[lubricant]\neta0 = 0.02\nalpha = 16e-9\n[roller]\nprofile = table\nfile = mm.csv\n");
   for (const auto& [rows, what] :
-       {std::pair{"0,0\n1,0\n2,1e-6\n6,4e-6\n", "from y = 0 to 6, more than ten times half"},
-        {"0,0\n1e-3,0\n2e-3,1e-6\n5e-3,4e-6\n", "to 0.005 m, and the roller reaches from -0.006"},
+       {std::pair{"0,0\n1,0\n2,1e-6\n6,4e-6\n", "y goes from 0 to 6, more than ten times half"},
+        {"0,0\n1e-3,0\n2e-3,1e-6\n5e-3,4e-6\n", "to 0.005 m, but the roller reaches from -0.006"},
         {"0,0\n1e-3,0\n2e-3,1e-3\n6e-3,4\n", "an end lies 1000 R_x"},
         {"0,0\n1e-3,0.5e-3\n2e-3,2e-3\n6e-3,3.9e-3\n", "cut into slices"}}) {
     folder.write("mm.csv", rows);

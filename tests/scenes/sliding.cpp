@@ -145,7 +145,7 @@ BOOST_AUTO_TEST_CASE(what_is_refused) {
            {"si.ini --set friction.limit=0", "[friction] limit = 0: must be"},
            {"si.ini --set friction.limit=-0.1", "lubricants have"},
            {"plain.ini --set friction.limit=0.1", "has no influence without cavitated"},
-           {"si.ini --set transient.end_time=1", "is for steady contacts"},
+           {"si.ini --set transient.end_time=1", "steady contacts only"},
            {"dry.ini", "[friction] cavitated = striated: has no influence with [case] kind = dry"},
            {"moes.ini --set motion.u1=1", "[motion] u1 = 1: has no influence"},
            {"plain.ini --set contact.a_over_R=0.01", "a_over_R = 0.01: has no influence"},

@@ -96,15 +96,15 @@ BOOST_AUTO_TEST_CASE(in_time) {
 BOOST_AUTO_TEST_CASE(what_a_line_does_not_have) {
   const TemporaryFolder folder;
   refused(folder, "[supply]\nflow_m3_per_s = 1e-9\n", "flow_m2_per_s");
-  refused(folder, "[supply]\nprofile = track.csv\n", "a line contact has none");
-  refused(folder, "[supply]\nlayer_m = 1e-7\npasses = 3\n", "no oil flows aside");
+  refused(folder, "[supply]\nprofile = track.csv\n", "a line contact does not");
+  refused(folder, "[supply]\nlayer_m = 1e-7\npasses = 3\n", "no oil flows sideways");
   refused(folder, "[supply]\nflow_m2_per_s = 0\n", "must be a number > 0");
   refused(folder, "[supply]\nlayer_m = -1e-7\n", "must be a number > 0");
   refused(folder, "[supply]\nlayer_m = 1e-7\nflow_m2_per_s = 1e-6\n", "keep one of them");
   folder.write("point.ini", "[contact]\nM = 20\nL = 10\n[lubricant]\nalpha = 2.2e-8\n[supply]\nflow_m2_per_s = 1e-6\n");
   const Ended point = ehl(folder, "check point.ini");
   BOOST_TEST(point.status == 2);
-  BOOST_TEST(point.says({"flow_m2_per_s", "of line contacts"}), point.err);
+  BOOST_TEST(point.says({"flow_m2_per_s", "a line contact"}), point.err);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -78,12 +78,14 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
       {"said twice", steel(standing) + "[surface2]\nat_rest = yes\n" + dimple, {"at_rest", "no influence"}},
       {"at rest in time",
        at_rest + dimple + "[transient]\nend_time = 1\n",
-       {"[surface2] at_rest", "is for steady contacts"}},
+       {"[surface2] at_rest", "steady contacts only"}},
       {"both at rest",
        at_rest + dimple + "[surface1]\nat_rest = yes\n" + dimple,
-       {"[surface2] at_rest", "nothing would carry the oil"}},
+       {"[surface2] at_rest", "no oil would enter"}},
       {"elsewhere", at_rest + dimple + "x = 40\n", {"no influence", "(40, 0) a"}},
-      {"too small to see", at_rest + "shape = ridge\nheight = 0.1\nwidth = 0.1\n", {"width = 0.1", "does not see it"}},
+      {"too small to see",
+       at_rest + "shape = ridge\nheight = 0.1\nwidth = 0.1\n",
+       {"width = 0.1", "does not resolve it"}},
       {"one surface too few", contact + "[surface]\nshape = dimple\n", {"[surface]", "[surface1] or [surface2]"}},
       {"a height of a map", steel(standing) + map + "height_m = 1e-7\n", {"height_m", "no influence"}},
       {"a file of a dimple", at_rest + dimple + "file = m.csv\n", {"file = m.csv", "no influence"}},
@@ -124,7 +126,7 @@ BOOST_AUTO_TEST_CASE(a_map_that_is_none_is_refused) {
   for (int l = 0; l < 12; ++l)
     for (int k = 0; k < 12; ++k) plane << 3 * k - 2 * l << (k < 11 ? " " : "\n");
   folder.write("m.csv", plane.str());
-  BOOST_TEST(support::ehl(folder, "check d.ini").says({"m.csv", "in a plane"}));
+  BOOST_TEST(support::ehl(folder, "check d.ini").says({"m.csv", "is flat"}));
   write_hdf5(folder / "m.h5", 30, 20, INFINITY);
   const support::Ended hole = support::ehl(folder, "check d.ini --set surface2.file=m.h5");
   BOOST_TEST(hole.status == 2);

@@ -172,14 +172,18 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_is_refused) {
   const std::string warm = "T_oil = 40\nbeta = 0.042\n";
   const auto thermal = [&](const std::string& keys) { return contact + motion + oil + method + "[thermal]\n" + keys; };
   support::check_refused({
-      {"in time", with("[transient]\nend_time = 1\n"), {"T_oil", "is for steady contacts"}},
+      {"in time", with("[transient]\nend_time = 1\n"), {"T_oil", "steady contacts only"}},
       {"polish", with("[multigrid]\npolish = always\n"), {"polish"}},
       {"dry", "[case]\nkind = dry\n" + contact + "[thermal]\nT_oil = 40\n", {"T_oil", "kind = dry"}},
       {"no speeds", "[contact]\nM = 50\nL = 10\n[lubricant]\nalpha = 2e-8\n" + heat, {"T_oil", "in SI"}},
-      {"against the entrainment", contact + "[motion]\nu_m = 2\nsrr = 3\n" + oil + method + heat, {"srr", "stand"}},
-      {"isoviscous", of_oil("eta0 = 0.04\nviscosity = isoviscous\n", warm + bodies), {"viscosity", "no temperature"}},
+      {"against the entrainment",
+       contact + "[motion]\nu_m = 2\nsrr = 3\n" + oil + method + heat,
+       {"srr", "moves against"}},
+      {"isoviscous",
+       of_oil("eta0 = 0.04\nviscosity = isoviscous\n", warm + bodies),
+       {"viscosity", "does not depend on temperature"}},
       {"no slope", thermal("T_oil = 40\n" + bodies), {"beta", "T_second and eta_second", "vogel_B"}},
-      {"two ways", thermal(warm + "vogel_B = 900\nvogel_C = -100\n" + bodies), {"vogel_B", "one way too many"}},
+      {"two ways", thermal(warm + "vogel_B = 900\nvogel_C = -100\n" + bodies), {"vogel_B", "second way"}},
       {"half a way", thermal("T_oil = 40\nT_second = 100\n" + bodies), {"eta_second", "is missing"}},
       {"thickens", thermal("T_oil = 40\nT_second = 100\neta_second = 0.1\n" + bodies), {"eta_second", "thins when"}},
       {"Vogel's pole", thermal("T_oil = -39\nvogel_B = 900\nvogel_C = -42\n" + bodies), {"vogel_C", "5 C below"}},

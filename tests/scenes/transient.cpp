@@ -41,14 +41,14 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
        {"height_m", "not given in SI"}},
       {"too small to see",
        timed + "[surface1]\nshape = dimple\nheight = 0.1\nwidth = 0.1\n",
-       {"width = 0.1", "does not see it"}},
+       {"width = 0.1", "does not resolve it"}},
       {"an unknown shape", timed + "[surface2]\nshape = dimpel\n", {"shape = dimpel", "dimple"}},
       {"an angle of a round thing",
        timed + "[surface1]\nshape = bump\nheight = 0.1\nwidth = 1\nangle = 3\n",
        {"angle = 3", "no influence"}},
       {"seconds without SI", timed + "time_unit = seconds\n", {"time_unit = seconds", "SI"}},
       {"no points", timed + "load = half\n", {"load = half", "time:value"}},
-      {"back in time", timed + "load = 1:1 0.5:2\n", {"load = 1:1 0.5:2", "must not fall"}},
+      {"back in time", timed + "load = 1:1 0.5:2\n", {"load = 1:1 0.5:2", "times that fall"}},
       {"thrice", timed + "load = 0.5:1 0.5:2 0.5:3\n", {"three times"}},
       {"before time", timed + "load = -1:1 0.5:2\n", {"negative"}},
       {"lifted", timed + "load = 0.1:1 0.5:-1\n", {"load", "must stay positive"}},
@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
       {"half a wave", timed + "load_wave = 0.2\n", {"load_wave = 0.2", "amplitude period"}},
       {"no period", timed + "load_wave = 0.2 0\n", {"load_wave", "period must be positive"}},
       {"backwards", timed + "u1 = 0.2:1 0.5:-2\n", {"u1", "turns negative"}},
-      {"half a probe", timed + "[output]\nprobe = 0 0, 0.7\n", {"probe = 0 0, 0.7", "'0.7' is no point"}},
+      {"half a probe", timed + "[output]\nprobe = 0 0, 0.7\n", {"probe = 0 0, 0.7", "'0.7' is not a point"}},
       {"words for a probe", timed + "[output]\nprobe = centre\n", {"probe = centre", "X Y, X Y"}},
       {"a probe outside", timed + "[output]\nprobe = 0 0, 1.6 0\n", {"(1.6, 0) is outside", "-4.5 <= X <= 1.5"}},
       {"a probe aside", timed + "[output]\nprobe = 0 -3.1\n", {"(0, -3.1) is outside", "|Y| <= 3"}},
@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
   const std::string jump = timed + "load = 0.5:1 0.5:1.1\n[grid]\ncells = 64\n";
   support::check_refused(folder, {"a far field that cannot follow a jump",
                                   contact + jump + "[domain]\nfar_field = closed\n",
-                                  {"far_field = closed", "jumps", "take zero"}});
+                                  {"far_field = closed", "jumps", "set zero"}});
   folder.write("d.ini", contact + jump);
   BOOST_TEST(contains(support::ehl(folder, "check d.ini").out, "[-4.5, 1.5] x [-3, 3]"));  // for far_field = zero
   folder.write("d.ini", contact + grid + timed + "load = none.csv\n");
