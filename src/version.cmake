@@ -1,6 +1,6 @@
 # Writes version.cpp at every build, so that a result always names its commit. The file changes
 # only if its text changes.
-#   cmake -DSOURCE=<source folder> -DNUMBER=<version> -DOUTPUT=<file> -P version.cmake
+#   cmake -DSOURCE=<source folder> -DNUMBER=<version> -DCOMPILER=<name and version> -DOUTPUT=<file> -P version.cmake
 find_package(Git QUIET)
 set(commit "unknown")
 set(dirty "false")
@@ -20,7 +20,7 @@ set(text "#include \"base/version.hpp\"
 
 namespace ehl::program {
 
-Version version() { return {\"${NUMBER}\", \"${commit}\", ${dirty}, \"g++ \" __VERSION__}; }
+Version version() { return {\"${NUMBER}\", \"${commit}\", ${dirty}, \"${COMPILER}\"}; }
 
 }  // namespace ehl::program
 ")

@@ -51,7 +51,7 @@ inline double min(double a, double b) { return a < b ? a : b; }
 inline double abs(double a) { return __builtin_fabs(a); }
 inline bool all(bool mask) { return mask; }
 
-/// rule(0), rule(1), ..: the source element of each lane, for __builtin_shuffle.
+/// rule(0), rule(1), ..: a number for each lane.
 template <class Rule>
 inline LaneMask lanes_by(Rule rule) {
   return [rule]<std::size_t... lane>(std::index_sequence<lane...>) {
@@ -60,27 +60,37 @@ inline LaneMask lanes_by(Rule rule) {
   (std::make_index_sequence<lanes>{});
 }
 
+/// Elements of a and b in a new order. in: rule, a lambda without captures; lane k gets element rule(k) of the 2 x
+/// lanes elements of a followed by those of b.
+template <class Rule>
+inline Lanes shuffled(Lanes a, Lanes b, Rule) {
+  return [ a, b ]<std::size_t... lane>(std::index_sequence<lane...>) {
+    return __builtin_shufflevector(a, b, Rule{}(static_cast<int>(lane))...);
+  }
+  (std::make_index_sequence<lanes>{});
+}
+
 /// Every second of 2 x lanes elements, beginning with the first or with the second: the lines of the two colours.
 inline Lanes evens(Lanes low, Lanes high) {
-  return __builtin_shuffle(low, high, lanes_by([](int k) { return 2 * k; }));
+  return shuffled(low, high, [](int k) { return 2 * k; });
 }
 inline Lanes odds(Lanes low, Lanes high) {
-  return __builtin_shuffle(low, high, lanes_by([](int k) { return 2 * k + 1; }));
+  return shuffled(low, high, [](int k) { return 2 * k + 1; });
 }
 /// Inverse of evens() and odds(): the first and the second half of a0 b0 a1 b1 ..
 inline Lanes interleaved_low(Lanes a, Lanes b) {
-  return __builtin_shuffle(a, b, lanes_by([](int k) { return k / 2 + k % 2 * lanes; }));
+  return shuffled(a, b, [](int k) { return k / 2 + k % 2 * lanes; });
 }
 inline Lanes interleaved_high(Lanes a, Lanes b) {
-  return __builtin_shuffle(a, b, lanes_by([](int k) { return lanes / 2 + k / 2 + k % 2 * lanes; }));
+  return shuffled(a, b, [](int k) { return lanes / 2 + k / 2 + k % 2 * lanes; });
 }
 /// before[0], v[0], v[1], ..: all lanes shifted by one.
 inline Lanes moved_up(Lanes before, Lanes v) {
-  return __builtin_shuffle(before, v, lanes_by([](int k) { return k == 0 ? 0 : lanes + k - 1; }));
+  return shuffled(before, v, [](int k) { return k == 0 ? 0 : lanes + k - 1; });
 }
 /// v[1], v[0], v[3], v[2], ..
 inline Lanes swapped_pairs(Lanes v) {
-  return __builtin_shuffle(v, lanes_by([](int k) { return k ^ 1; }));
+  return shuffled(v, v, [](int k) { return k ^ 1; });
 }
 
 }  // namespace ehl::core

@@ -35,7 +35,7 @@ void Acceleration::remember(const Hierarchy& hierarchy, std::size_t l) {
   if (kept_.size() < most)
     kept_.emplace_back();
   else
-    std::ranges::rotate(kept_, kept_.begin() + 1);
+    std::rotate(kept_.begin(), kept_.begin() + 1, kept_.end());
   Kept& last = kept_.back();
   last.state = state_of(hierarchy, l);
   write_asked(hierarchy, hierarchy.levels[l], last.asked);

@@ -11,10 +11,8 @@ inline void transpose_blocks(core::Lanes (&rows)[core::lanes]) {
   for (int k = 0; k < lanes; ++k) {
     if ((k & width) != 0) continue;
     const Lanes upper = rows[k], lower = rows[k + width];
-    rows[k] =
-        __builtin_shuffle(upper, lower, core::lanes_by([](int m) { return (m & width) == 0 ? m : lanes + m - width; }));
-    rows[k + width] =
-        __builtin_shuffle(upper, lower, core::lanes_by([](int m) { return (m & width) == 0 ? m + width : lanes + m; }));
+    rows[k] = core::shuffled(upper, lower, [](int m) { return (m & width) == 0 ? m : lanes + m - width; });
+    rows[k + width] = core::shuffled(upper, lower, [](int m) { return (m & width) == 0 ? m + width : lanes + m; });
   }
 }
 

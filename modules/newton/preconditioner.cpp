@@ -187,7 +187,7 @@ void Preconditioner::Implementation::assemble(Vector& column_of_H00) {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(6 * order.size());
   for (std::size_t row = 0; row < order.size(); ++row) {
-    const auto [i, j] = order[row];
+    const int i = order[row].first, j = order[row].second;
     const double s = equations.scale(equations.index(i, j));
     const reynolds::Face face = equations.face();
     const ContentRows* content = equations.content_rows();

@@ -47,7 +47,7 @@ class March {
     const Number half = none + 0.5;
     const Number lead = second_order_ ? (smooth1_ ? half : none) : none;
     first_ = first_row_ ? lead : none;
-    theta_ = {full1_ & smooth2_ ? theta.west : none, smooth1_ ? theta.east : none};
+    theta_ = {(full1_ & smooth2_) ? theta.west : none, smooth1_ ? theta.east : none};
     flux_ += first_ * (full - Q_);
     behind_ = full + lead * (full - Q_);
     if (third_order_) behind_ += third_order_part(theta_.east, Q_, full, east);
@@ -84,7 +84,7 @@ class March {
   /// Goes on to the next point. in: true where P = 0; r of residual(); true where the flux downstream of the next point
   /// is of first order although this one is full.
   void go_on(Number full, Mask without_pressure, Number r, Mask first_order = Mask{}) {
-    const Number lost = without_pressure & (r > 0.0) ? r / of_content() : Number{};
+    const Number lost = (without_pressure & (r > 0.0)) ? r / of_content() : Number{};
     pass(full - lost, lost, first_order);
   }
   /// Goes on to the next point with a given content. out: r with this content.

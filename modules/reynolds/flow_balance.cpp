@@ -15,7 +15,7 @@ constexpr double rounding = 1e-9;
 class Fluxes {
  public:
   Fluxes(const core::Patch& grid, const Fields& state, const Transport& transport)
-      : grid_(grid), state_(state), transport_(transport), hx_(grid.hx()), hy_(grid.hy()) {}
+      : state_(state), transport_(transport), hx_(grid.hx()), hy_(grid.hy()) {}
 
   /// Along X through the face between i and i+1.
   double along_x(int i, int j) const {
@@ -43,7 +43,6 @@ class Fluxes {
     return Q;
   }
 
-  const core::Patch& grid_;
   const Fields& state_;
   const Transport& transport_;
   double hx_, hy_;
@@ -68,10 +67,9 @@ Range range(double from, double step, int cells, double reach) {
 }
 
 bool any_dry(Cavitation cavitation, const double* west, const double* P, const double* east, Range y) {
-  bool any = false;
   for (int j = y.first; j <= y.last; ++j)
-    any |= dry(cavitation, west[j]) | dry(cavitation, P[j]) | dry(cavitation, east[j]);
-  return any;
+    if (dry(cavitation, west[j]) || dry(cavitation, P[j]) || dry(cavitation, east[j])) return true;
+  return false;
 }
 
 }  // namespace

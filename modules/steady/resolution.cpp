@@ -65,8 +65,8 @@ double expected_least_film(double M, double L, const contact::Ellipse& shape) {
   const double piezoviscous = std::pow(film.elastic_piezoviscous, 8.0);
   const double at_50 = 0.6 + 0.3 * isoviscous / (isoviscous + piezoviscous);
   // Most of the lubricant escapes beside a slender contact.
-  const double slender = std::pow(std::max(1.0, along.radius_ratio), -0.6);
-  const double share = std::min(0.9, slender * at_50 * std::pow(circular_load(M, L, shape) / 50.0, -0.2));
+  const double side_flow = std::pow(std::max(1.0, along.radius_ratio), -0.6);
+  const double share = std::min(0.9, side_flow * at_50 * std::pow(circular_load(M, L, shape) / 50.0, -0.2));
   return expected_central_film(M, L, shape) * share;
 }
 

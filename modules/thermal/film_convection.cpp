@@ -15,7 +15,7 @@ constexpr double falls_upstream_as = 2.0;
 
 // v[1], v[2], .., after[0].
 Lanes moved_down(Lanes v, Lanes after) {
-  return __builtin_shuffle(v, after, core::lanes_by([](int k) { return k + 1; }));
+  return core::shuffled(v, after, [](int k) { return k + 1; });
 }
 
 Lanes positive(Lanes a) { return core::max(a, Lanes{}); }
