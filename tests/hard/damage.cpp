@@ -189,4 +189,47 @@ void damage_text(std::string& text, Random& random, std::vector<std::string>& do
   }
 }
 
+void damage_cells(std::string& text, Random& random, std::vector<std::string>& done) {
+  const std::string ends = ",; \t\n";
+  for (int cells = random.chance(0.7) ? 1 : whole(random, 2, 4); cells > 0; --cells) {
+    const std::size_t within = text.find_first_not_of(ends, place(random, text.size()));
+    if (within == std::string::npos) continue;
+    const std::size_t begin = text.find_last_of(ends, within) + 1;  // npos + 1 = 0: the first cell
+    const std::size_t end = std::min(text.find_first_of(ends, begin), text.size());
+    const std::string value = random.chance(0.3)   ? pick(random, impossible_values())
+                              : random.chance(0.3) ? extreme_value(random)
+                                                   : written(random, random.between(0.0, 3.0));
+    done.push_back("cell " + text.substr(begin, end - begin) + " -> " + value);
+    text.replace(begin, end - begin, value);
+  }
+  if (done.empty()) done.emplace_back("nothing");
+}
+
+void damage_bytes(std::string& bytes, Random& random, std::vector<std::string>& done) {
+  constexpr std::size_t head = 4096;
+  const std::size_t at = place(random, random.chance(0.5) ? std::min(bytes.size(), head) : bytes.size());
+  const std::size_t size =
+      std::min<std::size_t>(static_cast<std::size_t>(log_between(random, 1.0, 1e3)), bytes.size() - at);
+  const std::string where = " of byte " + std::to_string(at);
+  switch (whole(random, 0, 3)) {
+    case 0:
+      bytes.resize(at);
+      done.push_back("cut off" + where);
+      break;
+    case 1:
+      bytes.erase(at, size);
+      done.push_back(std::to_string(size) + " bytes lost" + where);
+      break;
+    case 2:
+      bytes.replace(at, size, size, '\0');
+      done.push_back(std::to_string(size) + " bytes zero" + where);
+      break;
+    default:
+      for (int k = whole(random, 1, 20); k > 0; --k)
+        bytes[place(random, random.chance(0.5) ? std::min(bytes.size(), head) : bytes.size())] = any_byte(random);
+      done.push_back("bytes changed");
+      break;
+  }
+}
+
 }  // namespace hard

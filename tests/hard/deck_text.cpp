@@ -1,5 +1,7 @@
-// Writes a deck as text with a random layout, and reads the list of keys that the program prints.
+// Writes a deck and its numbers as text with a random layout, and reads the list of keys that the program prints.
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <sstream>
 
 #include "hard/random_deck.hpp"
@@ -19,6 +21,21 @@ void swap_all(std::string& text, const std::string& from, const std::string& to)
 }
 
 }  // namespace
+
+int whole(Random& random, int low, int high) {
+  return std::min(high, low + static_cast<int>(random.between(0.0, 1.0 + high - low)));
+}
+
+double log_between(Random& random, double low, double high) {
+  return std::exp(random.between(std::log(low), std::log(high)));
+}
+
+std::string written(Random& random, double value) {
+  char buffer[40];
+  const int digits = random.chance(0.7) ? whole(random, 4, 6) : whole(random, 7, 9);
+  std::snprintf(buffer, sizeof buffer, random.chance(0.8) ? "%.*g" : "%.*e", digits, value);
+  return buffer;
+}
 
 std::vector<KnownKey> read_known_keys(const std::string& listing) {
   std::vector<KnownKey> keys;

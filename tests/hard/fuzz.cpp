@@ -2,7 +2,7 @@
 // failed. It must never crash, hang or leak, and never report a wrong number as converged.
 //
 //   test_fuzz -- [--cases N] [--seed S] [--jobs J] [--limit SECONDS] [--supplies SHARE] [--heat SHARE]
-//                [--lines SHARE] [--program PATH] [--verbose]
+//                [--lines SHARE] [--inputs SHARE] [--program PATH] [--verbose]
 //
 // Case k has the seed S + k; `--seed S+k --cases 1 --verbose` repeats one case and prints its deck.
 #include <atomic>
@@ -53,6 +53,8 @@ Options read_options() {
       options.shares.heat = std::stod(words[++k]);
     else if (is("--lines"))
       options.shares.lines = std::stod(words[++k]);
+    else if (is("--inputs"))
+      options.shares.inputs = std::stod(words[++k]);
     else if (is("--program"))
       options.program = words[++k];
     else

@@ -223,21 +223,6 @@ void add_path(Entries& entries, Random& random, bool& ordinary) {
 
 }  // namespace
 
-int whole(Random& random, int low, int high) {
-  return std::min(high, low + static_cast<int>(random.between(0.0, 1.0 + high - low)));
-}
-
-double log_between(Random& random, double low, double high) {
-  return std::exp(random.between(std::log(low), std::log(high)));
-}
-
-std::string written(Random& random, double value) {
-  char buffer[40];
-  const int digits = random.chance(0.7) ? whole(random, 4, 6) : whole(random, 7, 9);
-  std::snprintf(buffer, sizeof buffer, random.chance(0.8) ? "%.*g" : "%.*e", digits, value);
-  return buffer;
-}
-
 std::vector<Entry> random_case(Random& random, bool& ordinary) {
   const double kind = random.between(0.0, 1.0);
   const bool in_time = kind < 0.25;
@@ -280,6 +265,7 @@ RandomDeck random_deck(std::uint64_t seed, const std::vector<KnownKey>& keys, co
   vary_supply(entries, Random(seed * 0x9E3779B97F4A7C15ULL + 7), shares.supplies, deck.ordinary);
   add_heat(entries, Random(seed * 0x9E3779B97F4A7C15ULL + 9), shares.heat, deck.ordinary);
   make_line(entries, Random(seed * 0x9E3779B97F4A7C15ULL + 11), shares.lines, deck.ordinary);
+  take_input(entries, deck.files, Random(seed * 0x9E3779B97F4A7C15ULL + 13), shares.inputs, deck.ordinary);
   const bool damaged = random.chance(share_of_damaged);
   if (damaged && random.chance(0.6)) damage_entries(entries, keys, random, deck.damage);
   if (random.chance(0.2)) {

@@ -36,6 +36,7 @@ struct Shares {
   double supplies = 0.25;  ///< share with a [supply]
   double heat = 0.15;      ///< share that become a typical contact with heat
   double lines = 0.1;      ///< share that become line contacts
+  double inputs = 0.15;    ///< share that are a deck of inputs/ with other numbers
 };
 
 struct RandomDeck {
@@ -79,6 +80,10 @@ void vary_supply(std::vector<Entry>& entries, Random random, double share, bool&
 /// has its own random numbers.
 void add_heat(std::vector<Entry>& entries, Random random, double share, bool& ordinary);
 
+/// Replaces a share of decks by one of inputs/ with other numbers and a small mesh, and by the files that it names. It
+/// has its own random numbers.
+void take_input(std::vector<Entry>& entries, std::vector<File>& files, Random random, double share, bool& ordinary);
+
 /// Adds stresses below the contact, with few planes to save time.
 void add_subsurface(std::vector<Entry>& entries, Random& random);
 
@@ -98,6 +103,12 @@ void damage_entries(std::vector<Entry>& entries, const std::vector<KnownKey>& ke
 
 /// Accidents of a file: characters and lines lost, doubled or swapped; binary noise, very long lines, other encodings.
 void damage_text(std::string& text, Random& random, std::vector<std::string>& done);
+
+/// Replaces cells of a table by impossible, extreme or other values.
+void damage_cells(std::string& text, Random& random, std::vector<std::string>& done);
+
+/// Truncates a binary file, loses, clears or changes some of its bytes; half of the damage is in its first 4096 bytes.
+void damage_bytes(std::string& bytes, Random& random, std::vector<std::string>& done);
 
 /// A random whole number from low to high, both included.
 int whole(Random& random, int low, int high);
