@@ -1,5 +1,6 @@
 /* The C interface from C, as a program of a user would call it. */
 #include <math.h>
+#include <pthread.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -125,6 +126,56 @@ static void a_line_has_one_row(void) {
   ehl_free(r);
 }
 
+/* A case that one of several threads solves, saves and opens again. */
+struct Work {
+  const char* name;
+  const char* set[6];
+  size_t count;
+  double Hc;     /* of the result */
+  double opened; /* of its file */
+  int status;
+};
+
+static void* work(void* context) {
+  struct Work* own = context;
+  char file[64];
+  snprintf(file, sizeof file, "c_library_%s.h5", own->name);
+  ehl_result* r = ehl_run(circle, own->name, own->set, own->count, 2, NULL, NULL);
+  own->status = ehl_status(r);
+  own->Hc = number(r, "/summary/Hc");
+  if (ehl_save(r, file, 1) != EHL_SOLVED) own->status = EHL_FILE_TROUBLE;
+  ehl_free(r);
+  r = ehl_open(file);
+  own->opened = number(r, "/summary/Hc");
+  ehl_free(r);
+  return NULL;
+}
+
+static void four_threads_call_at_a_time(void) {
+  const struct Work cases[4] = {
+      {.name = "circle", .set = {"contact.M=30"}, .count = 1},
+      {.name = "line", .set = {"contact.kind=line", "contact.M=10", "grid.cells=256"}, .count = 3},
+      {.name = "starved", .set = {"supply.H_oil=0.3", "grid.cells=32", "domain.x_inlet=-3"}, .count = 3},
+      {.name = "in_time",
+       .set = {"transient.end_time=0.05", "transient.load=0:1 0.05:1.1", "grid.cells=32", "domain.x_inlet=-3"},
+       .count = 4}};
+  struct Work alone[4], together[4];
+  pthread_t threads[4];
+  for (int k = 0; k < 4; ++k) {
+    alone[k] = together[k] = cases[k];
+    work(&alone[k]);
+  }
+  for (int k = 0; k < 4; ++k)
+    if (pthread_create(&threads[k], NULL, work, &together[k]) != 0) expect(0, "a thread begins");
+  for (int k = 0; k < 4; ++k) pthread_join(threads[k], NULL);
+  for (int k = 0; k < 4; ++k) {
+    printf("%s: Hc %.17g alone, %.17g beside three others\n", cases[k].name, alone[k].Hc, together[k].Hc);
+    expect(alone[k].status == EHL_SOLVED && together[k].status == EHL_SOLVED, "solved and written");
+    expect(alone[k].Hc == together[k].Hc && together[k].opened == together[k].Hc,
+           "with the same bits, in its file too");
+  }
+}
+
 int main(void) {
   expect(ehl_api_version() == EHL_API_VERSION && strstr(ehl_version(), "ehl ") != NULL, "versions");
   expect(strstr(ehl_keys(), "\"section\":\"contact\"") != NULL, "keys");
@@ -133,6 +184,7 @@ int main(void) {
   stops_when_asked();
   saves_and_opens();
   a_line_has_one_row();
+  four_threads_call_at_a_time();
   ehl_result* r = ehl_check(circle, "circle", NULL, 0, 1);
   expect(ehl_status(r) == EHL_SOLVED && number(r, "/scales/M") == 20.0 && ehl_report(r)[0] != '\0', "a check");
   ehl_free(r);
