@@ -263,7 +263,8 @@ Input read(deck::Deck& deck, bool slides) {
     if (input.language != Language::si)
       contact.refuse({"Sq1", "Sq2"}, "is in metres and needs a contact in SI: remove it");
     if (input.language != Language::moes || !slides)
-      contact.refuse({"a_over_R"}, "is used only with M and L, and with [shear] or [friction]: remove it");
+      contact.refuse({"a_over_R"},
+                     "has no influence: it is used only with M and L, and with [shear] or [friction]; remove it");
   }
   read_motion(motion, slides, input);
   input.shape = read_shape(contact, motion, input);

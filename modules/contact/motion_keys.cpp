@@ -52,7 +52,7 @@ void check_motion(const deck::Part& motion, Language language, bool slides) {
     motion.refuse({"u1", "u2"}, "u_m is given as well: keep either u1 and u2, or u_m and srr");
     return;
   }
-  motion.refuse({"srr"}, "is used only with u_m: give u_m instead of u1 and u2, or remove it");
+  motion.refuse({"srr"}, "has no influence: it is used only with u_m; give u_m instead of u1 and u2, or remove it");
   if (motion.given_of({"u1", "u2"}).empty()) {
     motion.complain("u_m", "is missing: give the entrainment speed, or u1 and u2");
     return;

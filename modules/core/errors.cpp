@@ -13,7 +13,7 @@ std::string joined(const std::vector<std::string>& messages) {
 InputError::InputError(std::vector<std::string> messages)
     : std::runtime_error(joined(messages)), messages_(std::move(messages)) {
   if (messages_.empty())
-    messages_.emplace_back("the input is wrong, and the program did not say what: please report this");
+    messages_.emplace_back("the input is wrong, but the program gave no reason: please report this");
 }
 
 }  // namespace ehl::core

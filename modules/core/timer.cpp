@@ -12,7 +12,7 @@ const char* name(Part part) {
     case Part::coarsest: return "coarsest grid";
     case Part::heat: return "temperature";
     case Part::checks: return "checks";
-    case Part::errors: return "errors by weights";
+    case Part::errors: return "adjoint error estimate";
     case Part::setup: return "set-up";
     case Part::count: break;
   }

@@ -97,7 +97,7 @@ double number_in(Deck& deck, const std::string& section, const std::string& name
   if (plain && SI)
     complain(deck, section, name, "and " + in_SI + " are both given: keep one of them");
   else if (SI && !unit.known)
-    complain(deck, section, in_SI, "is in SI and the contact is not given in SI: use " + name);
+    complain(deck, section, in_SI, "is in SI, but the contact is not given in SI: use " + name);
   if (plain || !SI) return number;
   // Otherwise the effective deck would show the default next to the number given instead.
   if (value(deck, section, name).origin == Origin::by_default) {

@@ -28,7 +28,8 @@ std::string read_line(const std::string& line, const std::string& place, std::st
     const std::string name = trimmed(line.substr(1, end - 1));
     if (end + 1 == line.size() && name.empty()) return "a section heading without a name";
     section = name;  // also for a broken heading, so that the keys below it are not reported
-    if (end + 1 != line.size()) return quoted(line) + " is no heading: write [" + quotable(name) + "] alone on a line";
+    if (end + 1 != line.size())
+      return quoted(line) + " is not a heading: write [" + quotable(name) + "] alone on a line";
     document.headings.push_back({section, place});
     return {};
   }
@@ -48,7 +49,7 @@ std::string read_line(const std::string& line, const std::string& place, std::st
 
 std::string load_text(const std::string& path) {
   if (has_control_character(path))
-    throw core::InputError(quoted(path) + ": a deck's name must not hold control characters: rename it");
+    throw core::InputError(quoted(path) + ": the name of a deck must not contain control characters: rename it");
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (status.type() == std::filesystem::file_type::not_found)
@@ -56,7 +57,7 @@ std::string load_text(const std::string& path) {
   if (status.type() == std::filesystem::file_type::directory)
     throw core::InputError(path + ": this is a directory: give the path of a deck file inside it");
   if (status.type() == std::filesystem::file_type::fifo || status.type() == std::filesystem::file_type::socket)
-    throw core::InputError(path + ": this is a pipe, and a deck may be read more than once: give the path of a file");
+    throw core::InputError(path + ": this is a pipe, but a deck may be read more than once: give the path of a file");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) throw core::InputError(path + ": cannot be read: " + std::strerror(errno));
@@ -66,8 +67,8 @@ std::string load_text(const std::string& path) {
     text.append(piece, static_cast<std::size_t>(file.gcount()));
   }
   if (file.bad()) throw core::InputError(path + ": cannot be read: " + std::strerror(errno));
-  if (text.size() > largest_deck) throw core::InputError(path + ": larger than a megabyte: this is no deck");
-  if (text.find('\0') != std::string::npos) throw core::InputError(path + ": not a text file: this is no deck");
+  if (text.size() > largest_deck) throw core::InputError(path + ": larger than a megabyte: this is not a deck");
+  if (text.find('\0') != std::string::npos) throw core::InputError(path + ": not a text file: this is not a deck");
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
   if (std::all_of(text.begin(), text.end(), [](unsigned char c) { return c <= ' '; }))
     throw core::InputError(path + ": the deck is empty (`ehl keys --deck` writes a complete one)");
@@ -110,7 +111,7 @@ Assignment parse_override(const std::string& text) {
     throw core::InputError("command line: --set " + quotable(text) +
                            ": write section.key=value, e.g. --set grid.cells=512");
   if (has_control_character(text))
-    throw core::InputError("command line: --set " + quotable(text) + ": must not hold control characters");
+    throw core::InputError("command line: --set " + quotable(text) + ": must not contain control characters");
   return {trimmed(text.substr(0, dot)), trimmed(text.substr(dot + 1, equals - dot - 1)),
           trimmed(text.substr(equals + 1)), on_command_line};
 }

@@ -46,7 +46,7 @@ std::string found_beside(const Deck& deck, const std::string& section, const std
   }
   const std::string place = value(deck, section, key).place;
   std::string message = place.empty() ? deck.name : place;
-  message += ": [" + section + "] " + key + " = " + file + ": there is no such file where the program runs";
+  message += ": [" + section + "] " + key + " = " + file + ": there is no such file in the working folder";
   for (const std::string& folder : deck.folders) message += ", nor in " + folder;
   throw core::FileError(message);
 }
@@ -74,7 +74,7 @@ void check_readable(const std::string& path, std::uintmax_t largest, const std::
   const files::file_status status = files::status(path, error);
   if (!files::exists(status)) fail(error ? error.message() : std::strerror(ENOENT));
   if (files::is_directory(status)) fail("this is a directory");
-  if (!files::is_regular_file(status)) fail("this is no regular file");
+  if (!files::is_regular_file(status)) fail("this is not a regular file");
   if (files::file_size(path, error) > largest && !error)
     fail(fmt::format("it is larger than {:.0f} MB", static_cast<double>(largest) * 1e-6));
 }

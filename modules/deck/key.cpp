@@ -43,9 +43,9 @@ std::vector<Key> together(std::initializer_list<std::vector<Key>> lists) {
 }
 
 Key in_SI(Key plain, const std::string& suffix, const std::string& unit, const std::string& example) {
+  plain.meaning = "Value of " + plain.name + " in " + unit + ", for a contact in SI.";
   plain.name += suffix;
   plain.unit = unit;
-  plain.meaning = "The same in " + unit + ", for a contact in SI.";
   plain.default_text.clear();
   plain.example = example;
   return plain;

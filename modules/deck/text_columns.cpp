@@ -64,8 +64,8 @@ Place place_of(const std::string& cell, const std::string& unit_below, const std
     }
   }
   if (place.column == absent) {
-    place.wrong =
-        fmt::format("the column {} is none of {}: name the columns so, or remove it", quoted(cell), allowed(wanted));
+    place.wrong = fmt::format("the column {} is none of {}: rename it to one of these, or remove it", quoted(cell),
+                              allowed(wanted));
     return place;
   }
   if (read.unit.empty()) read.unit = heading_cell("x " + unit_below).unit;
@@ -88,7 +88,7 @@ std::string by_heading(const Row& heading, const Row& units, const std::vector<C
   }
   for (std::size_t k = 0; k < wanted.size(); ++k)
     if (wanted[k].required && !named[k])
-      return fmt::format("{}: the column {} is missing: wanted are {}", heading.place, quoted(wanted[k].names[0]),
+      return fmt::format("{}: the column {} is missing; the columns are {}", heading.place, quoted(wanted[k].names[0]),
                          allowed(wanted));
   return "";
 }
@@ -102,7 +102,7 @@ std::string by_position(const TextTable& table, const std::vector<Column>& wante
   }
   const Row& first = table.rows.front();
   if (first.cells.size() < least || first.cells.size() > most)
-    return fmt::format("{}: {} columns, and without a heading they must be {}", first.place, first.cells.size(),
+    return fmt::format("{}: {} columns; without a heading they must be {}", first.place, first.cells.size(),
                        allowed(wanted));
   for (std::size_t k = 0; k < first.cells.size(); ++k) places.push_back({.column = k});
   return "";
@@ -119,7 +119,7 @@ std::string read_row(const Row& row, const std::vector<Place>& places, const std
     if (row.cells[k].empty()) return fmt::format("{}: {} is missing", row.place, name);
     const ReadNumber read = read_number(row.cells[k]);
     if (read.status != ReadNumber::Status::number)
-      return fmt::format("{}: {} = {} is no number", row.place, name, quoted(row.cells[k]));
+      return fmt::format("{}: {} = {} is not a number", row.place, name, quoted(row.cells[k]));
     out.values[places[k].column] = places[k].conversion.factor * read.value + places[k].conversion.offset;
   }
   return "";
@@ -160,7 +160,7 @@ Conversion conversion(const std::string& from, const std::string& to) {
 
 ReadColumns read_columns(const std::string& path, const std::vector<Column>& wanted, const std::string& note) {
   const TextTable table = read_text_table(path, largest_table, note);
-  if (table.rows.empty()) return path + ": there is no row in it: wanted are " + allowed(wanted);
+  if (table.rows.empty()) return path + ": the table has no row; the columns are " + allowed(wanted);
   std::vector<Place> places;
   std::string wrong;
   if (!table.heading.cells.empty()) {

@@ -119,7 +119,7 @@ void read_decimal_commas(TextTable& table) {
       if (to_points(cell)) comma = row.place;
     }
   if (!comma.empty() && !point.empty())
-    throw core::FileError(comma + ": a decimal comma, and " + point +
+    throw core::FileError(comma + ": a decimal comma, but " + point +
                           " has a decimal point: write all numbers of a file alike");
 }
 
@@ -138,7 +138,7 @@ void drop_trailing(TextTable& table) {
 TextTable read_text_table(const std::string& path, std::uintmax_t largest, const std::string& note) {
   const std::string content = content_of(path, largest, note);
   if (content.find('\0') != std::string::npos)
-    throw core::FileError(path + ": holds a NUL character, so that it is not a text file in UTF-8" + note);
+    throw core::FileError(path + ": contains a NUL character, so it is not a text file in UTF-8" + note);
   std::vector<Line> lines = lines_of(content);
   const char separator = separator_of(lines);
   TextTable table;

@@ -121,7 +121,7 @@ Value untouched(const Key& key) {
 // Assigns all values to their keys.
 void take(Deck& deck, const std::vector<Assignment>& assignments) {
   Kind unknown{deck, Cause::by_itself, "unknown keys"}, twice{deck, Cause::between, "keys given twice"};
-  Kind not_there{deck, Cause::between, "keys to take out that are not there"};
+  Kind not_there{deck, Cause::between, "keys removed that the deck does not give"};
   for (const Assignment& given : assignments) {
     const Key* key = find_key(deck.catalogue, given.section, given.name);
     if (key == nullptr) {
@@ -135,7 +135,8 @@ void take(Deck& deck, const std::vector<Assignment>& assignments) {
     }
     Value& value = deck.values[static_cast<std::size_t>(key - deck.catalogue.keys.data())];
     if (given.removes) {
-      if (value.origin != Origin::given) not_there.add([&] { return said(given) + "the deck does not give this key"; });
+      if (value.origin != Origin::given)
+        not_there.add([&] { return said(given) + "cannot be removed: the deck does not give this key"; });
       value = untouched(*key);
       continue;
     }
@@ -159,11 +160,11 @@ std::string complaint_about_number(const Key& key, const Value& value, double& n
   switch (read.status) {
     case ReadNumber::Status::number: break;
     case ReadNumber::Status::not_finite: return "not a finite number: " + must;
-    case ReadNumber::Status::out_of_reach: return "beyond the range of floating-point numbers: " + must;
+    case ReadNumber::Status::out_of_reach: return "outside the range of floating-point numbers: " + must;
     case ReadNumber::Status::trailing_text:
       if (read.trailing[0] == ',') return "write a decimal point, not a comma: " + must;
       return "write the number alone, without " + quoted(read.trailing) + ": " + unit + ". It " + must;
-    case ReadNumber::Status::not_a_number: return "this is no number: " + must;
+    case ReadNumber::Status::not_a_number: return "this is not a number: " + must;
   }
   if (key.type == Type::integer && (read.value != std::floor(read.value) || std::abs(read.value) > 2e9)) return must;
   if (!key.range.contains(read.value)) return must + (key.remedy.empty() ? "" : ": " + key.remedy);

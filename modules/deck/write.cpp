@@ -71,8 +71,7 @@ bool active_in_example(const Catalogue& catalogue, const Key& key) {
 // Description of a section, and for an effect what enables it.
 std::string about(const Section& section) {
   if (section.effect.empty()) return section.meaning;
-  return section.meaning + " Effect " + section.effect + ": on with " + joined(section.called_by, " or ") +
-         "; absent, it costs nothing.";
+  return section.meaning + " Effect " + section.effect + ": enabled by " + joined(section.called_by, " or ") + ".";
 }
 
 std::string example_of(const Key& key) { return key.example.empty() ? key.default_text : key.example; }
@@ -107,8 +106,8 @@ std::string list_keys(const Catalogue& catalogue, const std::string& selection) 
 
 std::string commented_deck(const Catalogue& catalogue) {
   std::string text =
-      "# A complete deck: every key with its meaning. Lines that begin with '# ' before a key are alternatives,\n"
-      "# or values that are chosen for the case when the line stays commented out. `ehl keys` tells more.\n";
+      "# A complete deck: every key with its meaning. Lines that begin with '# ' before a key are alternatives,\n# or "
+      "values that are chosen for the case if the line stays commented out. `ehl keys` explains more.\n";
   for (const Section& section : catalogue.sections) {
     std::string lines;
     bool any_active = false;

@@ -51,11 +51,11 @@ void check(const Problem& problem, Solution& solution) {
   const GridRow& last = solution.rows.back();
   if (!(last.error <= problem.parameters.tolerance))
     solution.failed_check = fmt::format(
-        "dry contact: after {} iterations on {} x {} cells the gap is wrong by {:.1e} a^2/R, more than the tolerance "
-        "{:.1e}: allow more iterations",
+        "dry contact: after {} iterations on {} x {} cells the gap error is {:.1e} a^2/R, above the tolerance {:.1e}: "
+        "allow more iterations",
         last.iterations, last.nx, last.ny, last.error, problem.parameters.tolerance);
   else if (touches_edge(solution.P))
-    solution.failed_check = "dry contact: the contact reaches the edge of the domain: take a larger domain";
+    solution.failed_check = "dry contact: the contact reaches the edge of the domain: use a larger domain";
   solution.converged = solution.failed_check.empty();
 }
 
@@ -95,7 +95,7 @@ Solution solve(const Problem& problem, const Observer& observe) {
       if (observe && !observe({grid.domain, static_cast<int>(k), count, iteration.error()})) throw core::Interrupted();
     }
     if (!std::isfinite(iteration.error()))
-      throw core::SolverError("dry contact: a number is not finite on " + std::to_string(grid.nx) + " x " +
+      throw core::SolverError("dry contact: a value is not finite on " + std::to_string(grid.nx) + " x " +
                               std::to_string(grid.domain.ny) + " cells, iteration " + std::to_string(count));
     P = iteration.P();
     H = iteration.H();

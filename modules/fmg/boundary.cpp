@@ -110,8 +110,7 @@ double renew_load_outside(Hierarchy& hierarchy, Level& level) {
   const double outside = beyond + grid.hx() * grid.hy() * sum;
   if (!std::isfinite(outside))
     throw core::SolverError(
-        "on the boundary of the domain the film is too thin for the closed far field: a larger "
-        "domain is needed");
+        "on the boundary of the domain the film is too thin for the closed far field: use a larger domain");
   hierarchy.outside_line = {};
   if (hierarchy.far_motion.slope > 0.0) {
     constexpr double faster = 1e-4;

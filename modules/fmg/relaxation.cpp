@@ -52,8 +52,8 @@ void apply_changes(Level& level, int colour, int batch, reynolds::Cavitation cav
 std::string describe(const line_solvers::SmallPivot& small, int line, const core::Patch& grid) {
   char text[160];
   std::snprintf(text, sizeof text,
-                "line relaxation on %d x %d cells: pivot %.3g at point i = %d of line j = %d is nothing beside its row "
-                "(the state has diverged)",
+                "line relaxation on %d x %d cells: pivot %.3g at point i = %d of line j = %d is negligible compared "
+                "with its row (the state has diverged)",
                 grid.nx, grid.domain.ny, small.pivot, small.point, line);
   return text;
 }

@@ -45,38 +45,37 @@ std::string impossible(const Measures& now) {
   if (!std::isfinite(now.Hm + now.least_P)) return "the cycles diverged: the film or the pressure is not finite";
   // Hc may be an interpolated value.
   if (const double least = std::min(now.Hm, now.Hc); !(least > 0.0))
-    return "the film is negative at its thinnest, H = " + text(least) +
+    return "the minimum of the film is negative, H = " + text(least) +
            ": the mesh is too coarse for this contact; use more cells";
-  if (!(now.least_P >= 0.0)) return "the pressure is negative at its lowest, P = " + text(now.least_P);
+  if (!(now.least_P >= 0.0)) return "the minimum of the pressure is negative, P = " + text(now.least_P);
   return {};
 }
 
 std::string unmet_residual(const Measures& now, double residual, double load_error) {
   if (!(now.residual <= residual))
     return "relative residual " + text(now.residual) + " is above " + text(residual) +
-           "; more max_cycles or a finer grid may help";
+           "; raise max_cycles or use a finer grid";
   if (!(now.load_error <= load_error))
-    return "load error " + text(now.load_error) + " is above " + text(load_error) + "; more max_cycles may help";
+    return "load error " + text(now.load_error) + " is above " + text(load_error) + "; raise max_cycles";
   return {};
 }
 
 std::string unmet_balance(const Measures& now, double error_Hc) {
   if (!(now.dry_violation <= largest_dry_violation))
-    return "a cavitated node wants pressure: its residual is " + text(now.dry_violation) +
-           " of the wedge term, above " + text(largest_dry_violation) + "; more max_cycles may help";
+    return "complementarity is violated: a cavitated node has the residual " + text(now.dry_violation) +
+           " of the wedge term, above " + text(largest_dry_violation) + "; raise max_cycles";
   const double licence = std::isfinite(error_Hc) ? std::min(error_Hc, largest_licence) : largest_licence;
   const double allowed = std::max(flow_share * licence, least_flow_licence);
   if (!(std::abs(now.flow_imbalance) <= allowed))
-    return "mass is not conserved around the contact: " + text(now.flow_imbalance) +
-           " of the flow through it appears or is lost, allowed is " + text(allowed) +
-           "; more max_cycles or a finer grid may help";
+    return "mass is not conserved around the contact: the imbalance is " + text(now.flow_imbalance) +
+           " of the flow through it, above " + text(allowed) + "; raise max_cycles or use a finer grid";
   return {};
 }
 
 std::string unmet_share(const char* name, double left, double discretization_error) {
   if (left <= std::max(algebraic_share * std::min(discretization_error, largest_licence), rounding)) return {};
   return std::string(name) + " still has an algebraic error of about " + text(left) +
-         ", too much beside its discretization error " + text(discretization_error) + "; more max_cycles may help";
+         ", too large compared with its discretization error " + text(discretization_error) + "; raise max_cycles";
 }
 
 bool settled(int cycle, const Measures& before, const Measures& now) {
@@ -103,8 +102,8 @@ std::string unmet_film(const LastCycle& cycle) {
 
 std::string unmet_oil(const Measures& now) {
   if (std::abs(now.oil_imbalance) <= largest_oil_imbalance) return {};
-  return "oil is not conserved: " + text(now.oil_imbalance) + " of what comes in appears or is lost, allowed is " +
-         text(largest_oil_imbalance) + "; more max_cycles or a finer grid may help";
+  return "oil is not conserved: the imbalance is " + text(now.oil_imbalance) + " of the inflow, above " +
+         text(largest_oil_imbalance) + "; raise max_cycles or use a finer grid";
 }
 
 std::string unmet_check(const LastCycle& cycle, double tolerance) {
@@ -125,8 +124,7 @@ Verdict judged(const StoppingCriterion& criterion, int cycle, const LastCycle& l
   if (criterion.aim != Aim::solution && now.residual > criterion.of_start && !no_solution(now))
     return {unmet_residual(now, criterion.of_start, std::numeric_limits<double>::infinity())};
   if (criterion.aim == Aim::first_start && settled(cycle, last.before, now)) return {};
-  if (std::isnan(criterion.tolerance) && cycle < criterion.planned)
-    return {"cycles that were planned are still to come"};
+  if (std::isnan(criterion.tolerance) && cycle < criterion.planned) return {"the planned cycles are not finished"};
   const bool only_a_start = criterion.aim != Aim::solution && std::isfinite(last.error_Hc);
   return {only_a_start ? unmet_film(last) : unmet_check(last, criterion.tolerance), no_solution(now)};
 }

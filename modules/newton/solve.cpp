@@ -164,7 +164,7 @@ class NewtonIteration {
 
   Result fail(const std::string& reason) {
     const State state = back_to_best();
-    result_.reason = fmt::format("Newton's method: {}; relative residual {:.2g}, load error {:.2g} (asked {:.2g})",
+    result_.reason = fmt::format("Newton's method: {}; relative residual {:.2g}, load error {:.2g} (required {:.2g})",
                                  reason, state.residual, state.load_error, parameters_.tolerance);
     return std::move(result_);
   }
@@ -194,7 +194,8 @@ double longest_shift(double Hc) { return 0.1 + 0.3 * std::abs(Hc); }
 Result solve(fmg::Hierarchy& hierarchy, std::size_t l, const Parameters& parameters, const Progress& progress) {
   const fmg::Problem& problem = hierarchy.problem;
   if (!problem.load || !reynolds::ruptures(problem.cavitation) || problem.film.given_epsilon)
-    throw core::InputError("Newton's method needs the whole problem: a load to carry, cavitation, epsilon of the film");
+    throw core::InputError(
+        "Newton's method needs the complete problem: a load to carry, cavitation, epsilon of the film");
   return NewtonIteration(hierarchy, l, parameters).run(progress);
 }
 

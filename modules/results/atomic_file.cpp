@@ -81,7 +81,7 @@ std::string followed(const std::string& path) {
 void refuse_what_is_no_file(const std::string& path, const files::file_status& status) {
   if (files::is_directory(status)) throw core::FileError(path + ": cannot be written: this is a directory");
   if (files::exists(status) && !files::is_regular_file(status))
-    throw core::FileError(path + ": cannot be written: this is no regular file");
+    throw core::FileError(path + ": cannot be written: this is not a regular file");
 }
 
 /// A file under a temporary name; it is removed unless it is renamed to the final name.
@@ -151,7 +151,7 @@ void check_writable(const std::string& path, bool overwrite, std::size_t bytes) 
   const files::file_status status = files::symlink_status(target, error);
   refuse_what_is_no_file(path, status);
   if (files::exists(status) && !overwrite)
-    throw core::FileError(path + ": exists already: give --overwrite or another --output");
+    throw core::FileError(path + ": already exists: give --overwrite or another --output");
   const std::string folder = folder_of(target);
   if (!files::is_directory(folder, error))
     throw core::FileError(path + ": cannot be written: there is no folder " + folder);
@@ -164,7 +164,7 @@ void check_writable(const std::string& path, bool overwrite, std::size_t bytes) 
   constexpr double mega = 1e6;
   if (room < static_cast<double>(bytes))
     throw core::FileError(path + ": cannot be written: the result needs " +
-                          std::to_string(static_cast<double>(bytes) / mega) + " MB and the disk has room for " +
+                          std::to_string(static_cast<double>(bytes) / mega) + " MB, but the disk has room for " +
                           std::to_string(room / mega) + " MB");
 }
 

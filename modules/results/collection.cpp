@@ -18,7 +18,7 @@ namespace {
 Handle opened(const std::string& path) {
   Handle file = open_hdf5(path);
   if (text_attribute(file, "/", "format") != collection_format)
-    throw core::FileError(path + ": this is an HDF5 file, but not the kept results of a sweep");
+    throw core::FileError(path + ": this is an HDF5 file, but not the stored results of a sweep");
   return file;
 }
 
@@ -38,8 +38,7 @@ void fill(const std::string& name, const std::string& cannot, const std::vector<
   const Handle file = checked(H5Fcreate(name.c_str(), H5F_ACC_EXCL, root, access), H5Fclose, cannot);
   add_text_attribute(file, "format", collection_format, cannot);
   const Handle cases = checked(H5Gcreate2(file, "/cases", H5P_DEFAULT, plain, H5P_DEFAULT), H5Gclose, cannot);
-  add_text_attribute(cases, "meaning", "the cases of a sweep, by number, each as a result file has it from its root",
-                     cannot);
+  add_text_attribute(cases, "meaning", "the cases of a sweep, by number, each in the layout of a result file", cannot);
   for (const Member& one : list) {
     const Source from = source(one);
     const Handle origin = from.image.empty() ? opened(from.path) : opened(from.image, cannot);
@@ -73,7 +72,7 @@ std::vector<Member> members(const std::string& path) {
   std::vector<Member> list;
   for (const std::string& name : names) {
     if (name.empty() || name.size() > 9 || name.find_first_not_of("0123456789") != std::string::npos)
-      throw core::FileError(path + ": the file is damaged: /cases/" + name + " is no case");
+      throw core::FileError(path + ": the file is damaged: /cases/" + name + " is not a case");
     list.push_back({std::stoul(name), text_attribute(file, "/cases/" + name, "case")});
   }
   std::ranges::sort(list, {}, &Member::number);

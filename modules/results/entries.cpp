@@ -65,8 +65,8 @@ std::vector<double> stations(const core::Grid& nodes) {
 void grid(List& list, const std::string& of, const core::Grid& nodes) {
   std::vector<double> y;
   for (int j = 0; j < nodes.nodes_y(); ++j) y.push_back(nodes.Y(j));
-  axis(list, of + "/x", stations(nodes), "X of the nodes, along the entrainment");
-  axis(list, of + "/y", y, "Y of the nodes, across the entrainment");
+  axis(list, of + "/x", stations(nodes), "X of the nodes, in the rolling direction");
+  axis(list, of + "/y", y, "Y of the nodes, across the rolling direction");
 }
 
 std::vector<std::size_t> dims_of(const core::Field& field) {
@@ -133,7 +133,7 @@ void volume(List& list, const Volume& of) {
 
 void effects(List& list, const std::vector<EffectRow>& rows) {
   if (rows.empty()) return;
-  list.group("/effects", "what the deck called for beyond the basic model, and the time that each took");
+  list.group("/effects", "effects that the deck enabled, and the time that each took");
   for (const EffectRow& row : rows)
     list.add({.path = "/effects/" + row.name, .kind = Entry::Kind::numbers, .values = {row.seconds}},
              {{"unit", "s"}, {"meaning", row.what}, {"why", row.why}});
@@ -161,7 +161,7 @@ std::vector<double> row_by_row(const core::Field& from) {
 std::vector<Entry> entries(const Content& content) {
   List list;
   list.add({.path = "/"}, {{"format", result_format}, {"title", content.title}});
-  list.text("/deck", content.deck, "the deck as it was understood: read again, it gives this case");
+  list.text("/deck", content.deck, "the deck as it was understood; read again, it gives this case");
   list.group("/provenance");
   quantities(list, "/provenance", content.provenance);
   list.group("/scales");

@@ -65,22 +65,22 @@ std::string foreign_to(FileKind kind, const std::string& path) {
   if (!files::is_regular_file(path, error) || files::file_size(path, error) == 0) return {};
   const auto unless = [](bool good, const char* why) { return good ? std::string() : std::string(why); };
   switch (kind) {
-    case FileKind::result: return unless(format_of(path) == result_format, "is no result of ehl");
+    case FileKind::result: return unless(format_of(path) == result_format, "is not a result of ehl");
     case FileKind::kept_results:
-      return unless(format_of(path) == collection_format, "is not the kept results of a sweep");
+      return unless(format_of(path) == collection_format, "does not contain the stored results of a sweep");
     default: break;
   }
   const std::string text = beginning_of(path);
   switch (kind) {
     case FileKind::journal:  // after a kill it may be shorter than its mark
       return unless(std::string_view(journal_mark).starts_with(text.substr(0, sizeof journal_mark - 1)),
-                    "is no journal of kept results");
-    case FileKind::xdmf: return unless(text.find("<Xdmf") != std::string::npos, "is no XDMF file");
+                    "is not a journal of stored results");
+    case FileKind::xdmf: return unless(text.find("<Xdmf") != std::string::npos, "is not an XDMF file");
     case FileKind::table:
       return unless(text.starts_with("# ehl sweep") || text.starts_with("# ehl study"),
-                    "is no table of `ehl sweep` or `ehl study`");
-    case FileKind::page: return unless(is_page(path, text), "is no page of `ehl report`");
-    default: return unless(is_picture(text), "is no picture");
+                    "is not a table of `ehl sweep` or `ehl study`");
+    case FileKind::page: return unless(is_page(path, text), "is not a page of `ehl report`");
+    default: return unless(is_picture(text), "is not a picture");
   }
 }
 
@@ -98,8 +98,8 @@ void check_files(const std::vector<std::string>& inputs, const std::vector<Outpu
   }
   for (const Output& output : outputs) {
     if (const std::string why = foreign_to(output.kind, output.path); !why.empty())
-      throw core::FileError(output.path + ": exists already and " + why +
-                            ": it is never overwritten: move it away, or give another --output");
+      throw core::FileError(output.path + ": already exists and " + why +
+                            ", so it is not overwritten: move it away, or give another --output");
     check_writable(output.path, output.overwrite, output.bytes);
   }
 }

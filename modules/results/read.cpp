@@ -16,14 +16,14 @@ Handle open_hdf5(const std::string& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) throw core::FileError(path + ": cannot be read: this is a directory");
   if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
-    throw core::FileError(path + ": cannot be read: this is no regular file");
+    throw core::FileError(path + ": cannot be read: this is not a regular file");
   errno = 0;
   if (!std::ifstream(path)) throw core::FileError(path + ": cannot be read: " + std::strerror(errno));
   const QuietErrors quiet;
   // A foreign file must not make the program read other files, so external links are disabled. From the second call on
   // the link class is unknown, and the call does nothing.
   H5Lunregister(H5L_TYPE_EXTERNAL);
-  if (H5Fis_hdf5(path.c_str()) == 0) throw core::FileError(path + ": cannot be read: this is no HDF5 file");
+  if (H5Fis_hdf5(path.c_str()) == 0) throw core::FileError(path + ": cannot be read: this is not an HDF5 file");
   return checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path + ": cannot be read");
 }
 
@@ -53,8 +53,7 @@ Dataset open_dataset(hid_t file, const std::string& name, const std::string& can
   std::vector<hsize_t> dims(static_cast<std::size_t>(rank));
   if (rank > 0) H5Sget_simple_extent_dims(space, dims.data(), nullptr);
   const Handle layout = checked(H5Dget_create_plist(set), H5Pclose, cannot);
-  if (lies_elsewhere(layout))
-    throw core::FileError(cannot + ": its numbers lie in other files, and these are not read");
+  if (lies_elsewhere(layout)) throw core::FileError(cannot + ": its numbers are in other files, which are not read");
   return {std::move(set), std::move(space), std::move(type), std::move(dims)};
 }
 
@@ -93,11 +92,11 @@ ResultFile::ResultFile(const std::string& path, std::optional<std::size_t> numbe
   const QuietErrors quiet;
   const bool collection = text_attribute(implementation_->file, "/", "format") == collection_format;
   if (collection && !number)
-    throw core::FileError(path + ": holds the results of a sweep: say which case (--case K, cases from 0)");
-  if (!collection && number) throw core::FileError(path + ": is no file of a sweep with --keep: it has no cases");
+    throw core::FileError(path + ": contains the results of a sweep: choose a case (--case K, cases from 0)");
+  if (!collection && number) throw core::FileError(path + ": is not a file of a sweep with --keep: it has no cases");
   if (number && kind("/") != Kind::group) throw core::FileError(path + ": has no case " + std::to_string(*number));
   if (attribute("/", "format") != result_format)
-    throw core::FileError(path + ": this is an HDF5 file, but no result of ehl");
+    throw core::FileError(path + ": this is an HDF5 file, but not a result of ehl");
 }
 
 ResultFile::~ResultFile() = default;
@@ -163,13 +162,13 @@ Array ResultFile::numbers(const std::string& name) const {
   const std::string cannot = implementation_->cannot(name);
   const auto [set, space, type, dims] = open_dataset(implementation_->file, implementation_->full(name), cannot);
   const H5T_class_t kind = H5Tget_class(type);
-  if (kind != H5T_FLOAT && kind != H5T_INTEGER) throw core::FileError(cannot + ": it holds no numbers");
+  if (kind != H5T_FLOAT && kind != H5T_INTEGER) throw core::FileError(cannot + ": it contains no numbers");
   if (dims.size() > 2) throw core::FileError(cannot + ": it has " + std::to_string(dims.size()) + " dimensions");
   const hssize_t points = H5Sget_simple_extent_npoints(space);
   // A damaged header can state more numbers than the file has, so no memory is reserved before this check.
   const hsize_t stored = bytes_behind(implementation_->file, set, cannot);
   if (points < 0 || (points > 0 && stored / H5Tget_size(type) < static_cast<hsize_t>(points)))
-    throw core::FileError(cannot + ": the file is damaged: it holds fewer numbers than it says");
+    throw core::FileError(cannot + ": the file is damaged: it contains fewer numbers than it states");
   Array array;
   array.dims.assign(dims.begin(), dims.end());
   array.values.resize(static_cast<std::size_t>(points));
@@ -207,7 +206,7 @@ Array ResultFile::frame(const std::string& name, std::size_t k) const {
     return !axis.empty() && dims(axis) == std::vector<std::size_t>{length};
   };
   if (!fits(y, lengths[1]) || !fits(x, lengths[2]))
-    throw core::FileError(cannot + ": the file is damaged: it does not fit its grid");
+    throw core::FileError(cannot + ": the file is damaged: the size does not match its grid");
   array.values.resize(lengths[1] * lengths[2]);
   const hsize_t start[] = {k, 0, 0};
   const hsize_t piece[] = {1, lengths[1], lengths[2]};
@@ -224,7 +223,7 @@ std::string ResultFile::text(const std::string& name) const {
   const std::string cannot = implementation_->cannot(name);
   const Dataset opened = open_dataset(implementation_->file, implementation_->full(name), cannot);
   if (H5Tget_class(opened.type) != H5T_STRING || H5Sget_simple_extent_npoints(opened.space) != 1)
-    throw core::FileError(cannot + ": it is no text");
+    throw core::FileError(cannot + ": it is not text");
   return read_text(opened.type,
                    [&](void* to) { return H5Dread(opened.set, opened.type, H5S_ALL, H5S_ALL, H5P_DEFAULT, to); });
 }

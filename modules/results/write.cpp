@@ -147,7 +147,7 @@ void everything(const Writer& writer, const Content& content) {
   }
   const std::string& of = content.frames.group;
   if (of.empty()) return;
-  group(writer, {.path = plane_group(of), .attributes = {{"meaning", "the fields in time, each by itself"}}});
+  group(writer, {.path = plane_group(of), .attributes = {{"meaning", "the fields in time, one by one"}}});
   for (const Entry& entry : all)
     if (entry.dims.size() == 3 && entry.path.starts_with(of + "/"))
       planes(writer, of, entry.path.substr(of.size() + 1), entry);

@@ -77,7 +77,7 @@ std::vector<double> solved_with_rupture(const Angular& equation, std::vector<boo
     }
     if (!changed) return f;
   }
-  throw core::SolverError("the far field of this gap: the directions in which it is ruptured do not settle");
+  throw core::SolverError("the far field of this gap: the directions of rupture do not converge");
 }
 
 /// Points and weights of Gauss' rule on (0, 1).

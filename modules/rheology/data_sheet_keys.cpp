@@ -148,13 +148,14 @@ std::optional<AmbientOil> read_ambient(const deck::Part& lubricant) {
 void read_alpha_star(const deck::Part& lubricant, Oil& oil) {
   const Names both{"alpha_star", "alpha_temperature"};
   if (!has(lubricant, "alpha_star")) {
-    lubricant.refuse({"alpha_temperature"}, "is used only with alpha_star: remove it");
+    lubricant.refuse({"alpha_temperature"}, "has no influence: it is used only with alpha_star; remove it");
     return;
   }
   if (const std::string why = why_no_alpha_star(lubricant, oil); !why.empty()) lubricant.refuse(both, why);
   const bool roelands = oil.viscosity == "roelands";
   if (!oil.ambient || !roelands)
-    lubricant.refuse({"alpha_temperature"}, "is used only with kv40, kv100 and viscosity = roelands: remove it");
+    lubricant.refuse({"alpha_temperature"},
+                     "has no influence: it is used only with kv40, kv100 and viscosity = roelands; remove it");
   else if (!has(lubricant, "alpha_temperature"))
     lubricant.choose("alpha_temperature", oil.ambient->T, "the temperature of the contact");
   check_oil_temperature(lubricant, "alpha_temperature");

@@ -109,7 +109,7 @@ double roelands_z(double alpha, double p0, double eta0) {
   const double log_ratio = roelands_log_ratio(eta0);
   if (!(log_ratio > 0.0)) {
     throw core::InputError("lubricant.eta0 = " + std::to_string(eta0) +
-                           " Pa s: Roelands' law needs more than 6.3e-5 Pa s, or z given");
+                           " Pa s: Roelands' law needs more than 6.3e-5 Pa s, or a given z");
   }
   return alpha * p0 / log_ratio;
 }

@@ -54,7 +54,7 @@ std::optional<AmbientViscosity> ambient_of(const deck::Part& thermal, bool roela
     for (const std::string& name : *names)
       if (thermal.given(name)) given.push_back(name);
   if (has(lubricant, "kv40")) {
-    thermal.refuse(given, "has no influence: kv40 and kv100 give the viscosity at every temperature: remove it");
+    thermal.refuse(given, "must not be given: kv40 and kv100 give the viscosity at every temperature; remove it");
     return DataSheet{make_walther(lubricant.number("kv40"), lubricant.number("kv100")), lubricant.number("density15")};
   }
   if (given.empty()) {

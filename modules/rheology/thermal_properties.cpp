@@ -74,7 +74,7 @@ ThermalDensity make_thermal_density(const DensityLaw& law, double T0,
   const bool liquid = std::holds_alternative<Tait>(law) || std::holds_alternative<Murnaghan>(law);
   if (std::holds_alternative<EquationOfState>(expansion) && !liquid)
     throw core::InputError(
-        "density: a_V and beta_K belong to density = tait or murnaghan; others take a coefficient of "
+        "density: a_V and beta_K belong to density = tait or murnaghan; the other laws need a coefficient of thermal "
         "expansion");
   return {T0, law, expansion};
 }

@@ -157,8 +157,9 @@ Change change(const YasutomiOfT& law, Lanes P, Lanes log_eta, Lanes theta) {
 }
 const AmbientViscosity& ambient_of(const char* law, const TemperatureConstants& constants) {
   if (!constants.ambient)
-    refuse(law,
-           "the viscosity at ambient pressure against temperature: beta, two kinematic viscosities, or Vogel's B, C");
+    refuse(
+        law,
+        "the viscosity against temperature at ambient pressure: beta, two kinematic viscosities, or Vogel's B and C");
   return *constants.ambient;
 }
 
@@ -175,7 +176,7 @@ ThermalViscosity make_thermal_viscosity(const ViscosityLaw& law, const Temperatu
     return DoolittleOfT{T0, *doolittle, *constants.volume, constants.occupied_expansion};
   }
   if (std::holds_alternative<Isoviscous>(law)) refuse("isoviscous", "a viscosity that falls with temperature");
-  refuse("table", "a viscosity that falls with temperature, and a table against pressure has none");
+  refuse("table", "a viscosity that falls with temperature; a table against pressure has none");
 }
 
 ThermalViscosity rescaled(const ThermalViscosity& law, double factor) {

@@ -164,14 +164,14 @@ double foretold_cells(const Scene& scene, const Solution& solution, double allow
 // The limit that a grid exceeds; empty if none.
 std::string forbidden(const Scene& scene, const core::Grid& grid) {
   if (grid.nx > scene.accuracy.most_cells)
-    return "the level limit of " + std::to_string(scene.accuracy.most_cells) + " cells";
+    return "the largest allowed grid, " + std::to_string(scene.accuracy.most_cells) + " cells";
   const AccuracyTarget& target = scene.accuracy;
   const double nodes = static_cast<double>(grid.nodes_x()) * grid.nodes_y();
   if (nodes <= target.most_nodes) return {};
   const std::string cells = "the memory for " + std::to_string(grid.nx) + " cells";
   if (std::isnan(target.bytes_per_node)) return cells;
   return cells + " (about " + gigabytes(nodes * target.bytes_per_node) + "; this run may take " +
-         gigabytes(target.most_nodes * target.bytes_per_node) + " of what is free)";
+         gigabytes(target.most_nodes * target.bytes_per_node) + " of the free memory)";
 }
 
 // The grid on a domain that leaves enough of the target for the mesh; else the grid of the scene and the limit that was
@@ -268,7 +268,7 @@ Solution solve_to_accuracy(const Scene& asked, const SolveOnGrid& solve_on_grid,
   solution.accuracy = {target, mesh_met && stopped.empty(), by_extrapolation, stopped, interrupted};
   if (solution.converged && !solution.accuracy.met) {
     solution.converged = false;
-    solution.failed_check = "the accuracy " + percent(target) + " was not reached, it was stopped by " + stopped +
+    solution.failed_check = "the accuracy " + percent(target) + " was not reached because of " + stopped +
                             "; estimated error of Hc " + percent(solution.error_bars.Hc.total()) + ", of Hm " +
                             percent(solution.error_bars.Hm.total()) + " on " + std::to_string(solution.grid.nx) +
                             " cells, and of the domain " + percent(solution.error_bars.domain);

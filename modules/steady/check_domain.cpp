@@ -12,8 +12,8 @@ void check_domain(deck::Deck& deck, const Scene& scene) {
   const double error = rough_domain_error(scene);
   if (scene.far_field && error > 1.0) {
     domain.complain(domain.given("x_inlet") ? "x_inlet" : "y_half",
-                    fmt::format("so near the far field in closed form means nothing: its pressure there would move "
-                                "the film by about {:.0f} %. Leave the domain open, or take far_field = zero",
+                    fmt::format("the closed far field does not hold so close to the contact: its pressure there would "
+                                "change the film by about {:.0f} %. Leave the domain open, or set far_field = zero",
                                 100.0 * error));
     return;
   }
@@ -21,8 +21,8 @@ void check_domain(deck::Deck& deck, const Scene& scene) {
   if (error > too_much)
     domain.complain(
         "x_inlet",
-        fmt::format("is open, and the longest that is chosen, {:.4g}, cuts off about {:.0f} % of the film: "
-                    "so light a load is carried far from the contact. Give x_inlet, as far as the oil reaches",
+        fmt::format("is left open, but the longest inlet that is chosen, {:.4g}, cuts off about {:.0f} % of the film, "
+                    "because a light load is carried far from the contact. Give x_inlet, as far as the oil reaches",
                     scene.grid.X_a, 100.0 * error));
 }
 

@@ -165,7 +165,7 @@ Solved follow_load(const Scene& scene, const Start& start, const ProgressCallbac
     } else {
       stride *= 0.5;
       if (stride < std::log(shortest_step))
-        throw core::SolverError("load continuation: no step leads on from " + name_of_load(scene, last.ln_M));
+        throw core::SolverError("load continuation: no step converges from " + name_of_load(scene, last.ln_M));
     }
   }
   return last;

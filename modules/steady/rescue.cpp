@@ -167,7 +167,7 @@ Solution climb_by_newton(const Scene& scene, const Start& start, const ProgressC
     else if (run.hierarchy.levels[l].grid.nx <= finest_from_hertz)
       fmg::start_from_hertz(run.hierarchy, l, first_H00(scene), 0);
     else
-      throw core::SolverError("Newton's method solved no grid coarse enough to begin on" +
+      throw core::SolverError("the Newton fallback solved no grid that is coarse enough to start from" +
                               (last_reason.empty() ? "" : "; " + last_reason));
     const bool last_level = l == run.finest();
     run.record.levels.emplace_back();

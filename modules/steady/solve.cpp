@@ -61,7 +61,7 @@ class Search {
   Solution result() {
     if (!best_)
       throw core::SolverError(
-          last_error_ + "; no other way led to a state that could be shown: another domain or number of cells may");
+          last_error_ + "; no other strategy gave a state that can be shown: try another domain or number of cells");
     best_->method = attempts_[shown_].method;
     best_->attempts = std::move(attempts_);
     return std::move(*best_);

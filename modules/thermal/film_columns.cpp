@@ -95,8 +95,7 @@ FilmColumns::FilmColumns(const Setup& setup)
       workers_(static_cast<std::size_t>(setup.threads)),
       change_(static_cast<std::size_t>(batches_)) {
   if (!(u_1_ >= 0.0 && u_2_ >= 0.0 && setup.body_1.Pe >= 0.0 && setup.body_2.Pe >= 0.0))
-    throw core::InputError(
-        "thermal: both surfaces must move along the entrainment or stand still, -2 <= srr <= 2: one moves against it");
+    throw core::InputError("thermal: one surface moves against the rolling direction: -2 <= srr <= 2 is required");
   if (warms_for_ever(setup, setup.body_1) || warms_for_ever(setup, setup.body_2))
     throw core::InputError("thermal: in a line contact a surface that stands still has no steady temperature");
   const core::Patch& patch = setup_.patch;

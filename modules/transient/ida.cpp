@@ -92,9 +92,9 @@ void keep_message(int, const char*, const char*, char* text, void* data) { calls
 
 std::string in_words(int flag, const std::string& message) {
   switch (flag) {
-    case IDA_ERR_FAIL: return "the error test failed with the shortest step that is allowed";
-    case IDA_CONV_FAIL: return "the cycles did not converge with the shortest step that is allowed";
-    case IDA_TOO_MUCH_ACC: return "the tolerance is too tight for the arithmetic";
+    case IDA_ERR_FAIL: return "the error test failed with the shortest allowed step";
+    case IDA_CONV_FAIL: return "the cycles did not converge with the shortest allowed step";
+    case IDA_TOO_MUCH_ACC: return "the tolerance is too small for floating-point numbers";
     default: return message.empty() ? "IDA returns " + std::to_string(flag) : message;
   }
 }
@@ -176,7 +176,7 @@ void Ida::restart(double T, std::span<const double> y, std::span<const double> y
   std::ranges::copy(y, values(own.y).begin());
   std::ranges::copy(yp, values(own.yp).begin());
   own.calls.last_T = T;
-  if (IDAReInit(own.memory, T, own.y, own.yp) != IDA_SUCCESS) throw core::SolverError("IDA cannot start again");
+  if (IDAReInit(own.memory, T, own.y, own.yp) != IDA_SUCCESS) throw core::SolverError("IDA cannot be restarted");
   IDASetInitStep(own.memory, first_step);
   own.rejected = own.not_solved = 0;  // IDA counts from zero again
 }

@@ -118,7 +118,7 @@ class March {
       if (!on) return stopped(MarchEnd::interrupted);
       if (step.end == StepReport::End::at_event) return stopped(MarchEnd::film);
       if (at_rest_) return stopped(MarchEnd::steady);
-      if (!(step.T > before)) return fail("the step does not move the time");
+      if (!(step.T > before)) return fail("the time step is too small to change the time");
     }
     return true;
   }
@@ -162,7 +162,7 @@ class March {
       const Drive next = drive(step.T);
       if (conditions_.body) before.load = next.load;  // the inertia of the body takes the jump of the load
       const bool solved = k > 0 ? solve_euler_step(dae_, next, step) : solve_step_across(dae_, before, next, step);
-      if (!solved) return fail("the cycles did not converge in the short steps behind a jump or a start");
+      if (!solved) return fail("the cycles did not converge in the short steps after a jump or a start");
       const auto interpolate = [&](double at) {
         const double ahead = (step.T - at) / step.length;
         for (std::size_t n = 0; n < step.y.size(); ++n) between_[n] = step.y[n] - ahead * (step.y[n] - step.old[n]);
@@ -290,7 +290,7 @@ MarchReport march(const steady::Scene& scene, const steady::Solution& start, con
   prepare(hierarchy);
   March under_way(hierarchy, conditions, parameters, observer, of_unit, own.deformation.line_unit);
   if (from && (from->y.size() != under_way.size() || from->yp.size() != under_way.size()))
-    throw core::FileError("the checkpoint is of another grid than the deck's");
+    throw core::FileError("the checkpoint belongs to another grid than that of the deck");
   MarchReport report = under_way.run(from);
   report.times = hierarchy.times;
   report.seconds = core::now() - began;

@@ -62,9 +62,10 @@ std::string way_to_rest(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive&
   if (!std::isfinite(residual + Hm)) return "its film or its pressure is not finite";
   if (!(residual < hopeless_residual)) return fmt::format("its relative residual is {:.1e}", residual);
   const double error = dae.load_balance().error;
-  if (!(error < hopeless_load_error)) return fmt::format("what it carries is off its load by {:.3g} of it", error);
+  if (!(error < hopeless_load_error))
+    return fmt::format("the load that it carries is wrong by {:.3g} of the prescribed load", error);
   if (Hm > 0.0) return "";
-  return fmt::format("its film is negative at its thinnest, H = {:.3g}: the mesh is too coarse for it", Hm);
+  return fmt::format("the minimum of its film is negative, H = {:.3g}: the mesh is too coarse; use more cells", Hm);
 }
 
 }  // namespace
@@ -81,7 +82,7 @@ void settle(fmg::Hierarchy& hierarchy, ContactDae& dae, const Drive& start) {
     reason = way_to_rest(hierarchy, dae, start);
   }
   if (!reason.empty())
-    throw core::SolverError("the steady state at the start of the transient was not found: " + reason);
+    throw core::SolverError("the steady solution at the start of the run in time was not found: " + reason);
   dae.balance_load();
 }
 

@@ -55,7 +55,7 @@ void refuse_film(deck::Deck& deck) {
       const bool radii = key.name.starts_with("radius") || key.name == "kind";
       const bool scales = key.section == "contact" && !key.name.starts_with("Sq");
       complain(deck, key.section, key.name,
-               radii ? "has no influence: a dry contact is always circular; remove it"
+               radii ? "must be left out: a dry contact is always circular"
                : key.name == "load_per_length"
                    ? "belongs to a line contact, and a dry contact is always circular: give load [N], radius_x and the "
                      "elastic data in SI, or nothing (units of Hertz)"

@@ -103,7 +103,7 @@ double height_of(const std::string& cell, const Writing& writing, std::string& w
     wrong = deck::quoted(cell) +
             (read.status == ReadNumber::Status::not_finite || read.status == ReadNumber::Status::out_of_reach
                  ? " is no finite number"
-                 : " is no number");
+                 : " is not a number");
   return read.value;
 }
 

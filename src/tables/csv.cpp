@@ -37,7 +37,7 @@ Value csv_value(const std::string& cell, const Value& like) {
   if (std::holds_alternative<double>(like) && (known || cell == "NaN")) return known ? read.value : std::nan("");
   if (std::holds_alternative<int>(like) && known) return static_cast<int>(read.value);
   if (std::holds_alternative<bool>(like) && (cell == "0" || cell == "1")) return cell == "1";
-  throw core::FileError("this is no number: '" + cell.substr(0, 40) + "'");
+  throw core::FileError("this is not a number: '" + cell.substr(0, 40) + "'");
 }
 
 std::string csv_names(const std::vector<results::Quantity>& row) {

@@ -29,7 +29,7 @@ std::vector<std::string> values_of_range(const std::string& text, const std::str
   const auto number = [&](const std::string& part) {
     const deck::ReadNumber read = deck::read_number(part);
     refuse_if(read.status != deck::ReadNumber::Status::number,
-              "'" + part + "' is no number: a range is a:b:n or a:b:n:log");
+              "'" + part + "' is not a number: a range is a:b:n or a:b:n:log");
     return read.value;
   };
   const double a = number(parts[0]), b = number(parts[1]), n = number(parts[2]);

@@ -165,7 +165,7 @@ class Judge {
     expect(!ran.err.empty(), "refused: a message");
     expect(!check_took_it, "refused: check says the same: " + ran.err);
     // The far field may be inapplicable although the domain is no shorter than the contact.
-    const bool too_near = ran.err.find("closed form means nothing") != std::string::npos;
+    const bool too_near = ran.err.find("closed far field does not hold") != std::string::npos;
     expect(!verdict_.deck.ordinary || too_near, "an ordinary deck is taken: " + ran.err);
     constexpr std::size_t longest_line = 1000;
     std::istringstream lines(ran.err);

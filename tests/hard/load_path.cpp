@@ -237,7 +237,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_shown_is_an_error) {
   scene.polish = steady::Polish::off;
   BOOST_CHECK_EXCEPTION(steady::solve(scene), core::SolverError, [](const core::SolverError& error) {
     BOOST_TEST_MESSAGE("  without: " << error.what());
-    return std::string(error.what()).find("no other way led to a state") != std::string::npos;
+    return std::string(error.what()).find("no other strategy gave a state") != std::string::npos;
   });
 }
 

@@ -290,7 +290,7 @@ def test_a_sweep_that_keeps_its_results(tmp_path):
     for k, M in enumerate((10, 20)):
         kept, alone = ehl.open(tmp_path / "t.h5", case=k), ehl.run(CIRCLE, contact={"M": M}, threads=1)
         assert kept.M == M and np.array_equal(kept.H, alone.H) and kept.Hc == alone.Hc == pytest.approx(table["Hc"][k])
-    with pytest.raises(ehl.FileError, match="which case"):
+    with pytest.raises(ehl.FileError, match="choose a case"):
         ehl.open(tmp_path / "t.h5")
     with pytest.raises(ehl.FileError, match="no case 2"):
         ehl.open(tmp_path / "t.h5", case=2)

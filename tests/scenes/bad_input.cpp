@@ -24,7 +24,7 @@ BOOST_AUTO_TEST_CASE(names_and_values) {
       {"nan", "[contact]\nM = nan\nL = 10\n" + oil, {"d.ini:2", "[contact] M = nan", "not a finite number"}},
       {"inf", steel + "[domain]\nx_outlet = inf\n", {"d.ini:11", "x_outlet = inf", "not a finite number"}},
       {"negative load", "[contact]\nload = -15\n", {"d.ini:2", "[contact] load = -15", "> 0 N"}},
-      {"text for a number", "[contact]\nM = fifty\nL = 10\n" + oil, {"d.ini:2", "M = fifty", "no number"}},
+      {"text for a number", "[contact]\nM = fifty\nL = 10\n" + oil, {"d.ini:2", "M = fifty", "not a number"}},
       {"unit suffix", "[contact]\nload = 15 N\n", {"d.ini:2", "the number alone", "unit is N"}},
       {"missing value", "[contact]\nM =\nL = 10\n" + oil, {"d.ini:2", "[contact] M", "value is missing"}},
       {"unknown law",
@@ -168,7 +168,7 @@ BOOST_AUTO_TEST_CASE(grids_and_domains) {
        "[contact]\nM = 0.5\nL = 0\nradius_ratio = 0.4\n[lubricant]\nviscosity = isoviscous\ndensity = "
        "incompressible\n[domain]\nx_inlet = -12\n"
        "x_outlet = 8\ny_half = 10\n[grid]\ncells = 128\n",
-       {"d.ini:9", "x_inlet = -12", "closed form means nothing", "far_field = zero"}},
+       {"d.ini:9", "x_inlet = -12", "closed far field does not hold", "far_field = zero"}},
       {"odd order", good + "[deformation]\norder = 5\n", {"d.ini:8", "order = 5", "4, 6 or 8"}},
       {"coarsenings",
        good + "[grid]\ncells = 64\n[deformation]\ncoarsenings = 7\n",

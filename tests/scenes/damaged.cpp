@@ -169,7 +169,7 @@ BOOST_AUTO_TEST_CASE(checkpoints_are_looked_at) {
   refused("its deck is of no run in time");
   reset();
   replace(file, "/grid/x", 3.0);
-  refused("does not fit its grid");
+  refused("does not match its grid");
   reset();
   folder.write("swing.csv", "0, 1\n2, 1.3\n4, 1\n");
   refused("swing.csv: has changed since the run began");

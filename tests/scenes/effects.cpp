@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(the_summary_shares_out_the_time) {
 BOOST_AUTO_TEST_CASE(keys_name_the_sections_of_effects) {
   const Scene scene;
   const std::string keys = scene.ehl("keys").out;
-  for (const char* part : {"Effect transient: on with end_time", "Effect surfaces: on with shape"})
+  for (const char* part : {"Effect transient: enabled by end_time", "Effect surfaces: enabled by shape"})
     BOOST_TEST(contains(keys, part), part);
   BOOST_TEST(!contains(scene.ehl("keys grid").out, "Effect"));
 }

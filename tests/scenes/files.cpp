@@ -27,7 +27,7 @@ struct Scene {
 };
 
 const std::string read_by = "is read by this run";
-const std::string foreign = "never overwritten";
+const std::string foreign = "not overwritten";
 
 }  // namespace
 
@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(a_merge_keeps_its_parts_and_other_results) {
   BOOST_REQUIRE(scene.ehl("run d.ini --quiet --output w.h5").status == 0);
   scene.keeps("w.h5", merge + "w.csv --overwrite", foreign);
   BOOST_TEST(scene.ehl(merge + "t.csv").status == 0);
-  scene.keeps("t.h5", "sweep --merge t.1of2.csv t.2of2.csv --output t.csv", "exists already");
+  scene.keeps("t.h5", "sweep --merge t.1of2.csv t.2of2.csv --output t.csv", "already exists");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

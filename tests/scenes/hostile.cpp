@@ -133,9 +133,9 @@ BOOST_AUTO_TEST_CASE(pipes_and_broken_files_are_refused) {
     BOOST_TEST(ended.says({part}), ended.err);
   };
   refused("check pipe.ini", 2, "this is a pipe");
-  refused("check t.ini", 4, "no regular file");
-  refused("extract pipe.h5 P", 4, "no regular file");
-  refused("plot pipe.csv", 4, "no regular file");
+  refused("check t.ini", 4, "not a regular file");
+  refused("extract pipe.h5 P", 4, "not a regular file");
+  refused("plot pipe.csv", 4, "not a regular file");
   // A file that can be opened but not read must not count as an empty table.
   scene.shell("rm pipe.csv && ln -s /proc/self/mem pipe.csv");
   refused("check t.ini", 4, "cannot be read to its end");

@@ -33,7 +33,7 @@ BOOST_AUTO_TEST_CASE(an_accuracy_stops_before_the_memory_ends) {
       folder, std::string("ulimit -v 400000; '") + EHL_PROGRAM + "' run d.ini --threads 1 --quiet --output r.h5");
   BOOST_TEST_MESSAGE(ended.err);
   BOOST_TEST(ended.status == 3, ended.err);
-  BOOST_TEST(ended.says({"it was stopped by the memory for ", " cells (about ", " GB; this run may take "}), ended.err);
+  BOOST_TEST(ended.says({"because of the memory for ", " cells (about ", " GB; this run may take "}), ended.err);
   BOOST_TEST(in_summary(folder, "r.h5", "converged") == "0");
   BOOST_TEST(contains(in_summary(folder, "r.h5", "failed_check"), "the memory for"));
   // The film of the finest possible grid is in the file.

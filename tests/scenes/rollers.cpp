@@ -69,9 +69,9 @@ BOOST_AUTO_TEST_CASE(bad_input) {
       // Half of 8 mm is one R_x: a circle of smaller radius does not reach the ends.
       {"crown in micrometres",
        si + crown + "crown_radius_m = 1e-9\n",
-       {"d.ini:14", "2.5e-07 R_x", "length 1:", "metres"}},
+       {"d.ini:14", "2.5e-07 R_x", "length is 1:", "metres"}},
       {"small crown", si + crown + "crown_radius = 0.99\n", {"crown_radius = 0.99", "does not reach the ends"}},
-      {"ball", whole + crown + "crown_radius = 1e-3\n", {"crown_radius = 1e-3", "slices", "kind = point"}},
+      {"ball", whole + crown + "crown_radius = 1e-3\n", {"crown_radius = 1e-3", "slice model", "kind = point"}},
       {"round ball", whole + short_domain + crown + "crown_radius = 2\n", {"crown_radius = 2", "the mean", "x_outlet"}},
       {"corner", si + straight + "end_length_m = 1e-3\nend_radius_m = 0.9e-3\n", {"d.ini:15", "0.225", "0.25 long"}},
       {"edge", whole + straight + "end_length = 2\nend_radius = 1e-4\n", {"end_radius = 1e-4", "8 cells", "an edge"}},
@@ -190,10 +190,10 @@ BOOST_AUTO_TEST_CASE(a_table_is_the_profile_that_it_lists) {
   refused("-4,0\n0,0\n2,0.1\n9,0.3\n", "give its whole length");
   refused("0,0\n4,0.1\n9,0.3\n", "at least four rows");
   refused("0,0\n4,0.1\n3,0.2\n9,0.3\n", "wrong.csv:3: y must rise");
-  refused("0,0\n4,a\n6,0.2\n9,0.3\n", "drop = 'a' is no number");
+  refused("0,0\n4,a\n6,0.2\n9,0.3\n", "drop = 'a' is not a number");
   refused("0,0\n1,0.1\n60,0.2\n81,0.3\n",
           "y goes from 0 to 81, more than ten times half of the roller's length, 8; y and drop");
-  refused("0,0\n1,2e6\n2,5e6\n9,1e9\n", "slices");
+  refused("0,0\n1,2e6\n2,5e6\n9,1e9\n", "slice model");
   refused("0,0,1\n4,0,1\n6,0.2,1\n9,0.3,1\n", "3 columns");
 }
 
@@ -240,7 +240,7 @@ BOOST_AUTO_TEST_CASE(a_table_in_millimetres) {
        {std::pair{"0,0\n1,0\n2,1e-6\n6,4e-6\n", "y goes from 0 to 6, more than ten times half"},
         {"0,0\n1e-3,0\n2e-3,1e-6\n5e-3,4e-6\n", "to 0.005 m, but the roller reaches from -0.006"},
         {"0,0\n1e-3,0\n2e-3,1e-3\n6e-3,4\n", "an end lies 1000 R_x"},
-        {"0,0\n1e-3,0.5e-3\n2e-3,2e-3\n6e-3,3.9e-3\n", "cut into slices"}}) {
+        {"0,0\n1e-3,0.5e-3\n2e-3,2e-3\n6e-3,3.9e-3\n", "by a slice model"}}) {
     folder.write("mm.csv", rows);
     const Ended check = ehl(folder, "check case.ini");
     BOOST_TEST(check.status == 2, rows);

@@ -104,13 +104,13 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
 
 BOOST_AUTO_TEST_CASE(a_map_that_is_none_is_refused) {
   const support::Slip maps[] = {
-      {"no number", csv(30, 20, 4, "x", 7), {"m.csv:5", "height number 8", "no number"}},
+      {"no number", csv(30, 20, 4, "x", 7), {"m.csv:5", "height number 8", "not a number"}},
       {"infinite", csv(30, 20, 4, "inf", 7), {"m.csv:5", "height number 8", "no finite number"}},
       {"a short line", csv(30, 20, 6, "1,2,3"), {"m.csv:7", "3 heights", "30"}},
       {"a blank line", csv(30, 20, 6, ""), {"m.csv:7", "a gap"}},
       {"too few lines", csv(30, 7), {"m.csv", "30 x 7", "8 x 8"}},
       {"too short", csv(5, 20), {"m.csv", "5 x 20"}},
-      {"two headings", "x, y\nz, h\n" + csv(30, 20), {"m.csv:2", "no number"}},
+      {"two headings", "x, y\nz, h\n" + csv(30, 20), {"m.csv:2", "not a number"}},
       {"nothing at all", "", {"0 x 0"}},
   };
   const support::TemporaryFolder folder;

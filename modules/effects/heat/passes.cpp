@@ -105,13 +105,14 @@ Pass pass_of(const Measures& measures, const thermal::Balance& balance, const Tr
 std::string unmet_of(const Pass& pass, const thermal::Balance& balance, const LastCycle& last,
                      const Parameters& parameters) {
   if (pass.undone)
-    return "the film does not bear its temperature: no cycle leads on with it; use more cells, or less sliding";
-  if (balance.clipped) return "the temperature stands at its bounds";
+    return "the film cannot be solved at its temperature: no cycle converges from this iteration on; use more cells, "
+           "or less sliding";
+  if (balance.clipped) return "the temperature has reached its bounds";
   if (pass.change > 1.0)
-    return fmt::format("film, friction or temperature still change by {:.1f} times what is allowed in a pass",
+    return fmt::format("film, friction or temperature still change by {:.1f} times the tolerance of one iteration",
                        pass.change);
   if (!(std::abs(balance.defect) <= parameters.defect))
-    return fmt::format("heat made and heat led away differ by {:.1e} (limit {:.1e})", balance.defect,
+    return fmt::format("the heat generated and the heat conducted away differ by {:.1e} (limit {:.1e})", balance.defect,
                        parameters.defect);
   return judgement::unmet_check(last, parameters.tolerance);
 }

@@ -219,8 +219,8 @@ void judge_below_spike(const steady::ErrorBars& bars, Solution& result) {
 
 void complete(const steady::Scene& scene, const steady::Solution& isothermal, bool film_is_cold, double warm_inlet,
               steady::Solution& film) {
-  film.method =
-      isothermal.method + (film_is_cold ? ", then passes with the flow's thinning" : ", then passes with heat");
+  film.method = isothermal.method + (film_is_cold ? ", then a fixed-point iteration with thinning by the flow"
+                                                  : ", then a fixed-point iteration with heat");
   film.attempts = isothermal.attempts;
   film.continuation = isothermal.continuation;
   film.domain_error_Hc = isothermal.domain_error_Hc;
@@ -238,10 +238,10 @@ Solution solve(const steady::Scene& scene, const thermal::Setup& setup, const st
   Ladder ladder = found_by_some_cycle(scene, setup, isothermal, progress);
   fmg::Record& record = ladder.run.record;
   record.converged = ladder.last.unmet.empty();
-  record.failed_check = record.converged
-                            ? ""
-                            : fmg::name_of_level(ladder.run.hierarchy, ladder.run.finest()) +
-                                  (setup.cold() ? ", with the flow's thinning: " : ", with heat: ") + ladder.last.unmet;
+  record.failed_check = record.converged ? ""
+                                         : fmg::name_of_level(ladder.run.hierarchy, ladder.run.finest()) +
+                                               (setup.cold() ? ", with thinning by the flow: " : ", with heat: ") +
+                                               ladder.last.unmet;
   record.end = record.converged ? fmg::CyclesEnd::content : fmg::CyclesEnd::limit;
   const fmg::Level& level = ladder.run.hierarchy.finest();
   Solution result = report(*ladder.film, level.grid, level.P, level.H, setup, ladder.last.balance, ladder.rows);

@@ -38,17 +38,16 @@ std::string profile_key(const deck::Part& roller, const Profile& profile) {
 // Compares numbers in the same unit; a/R converts the lengths. If a/R is NaN, nothing is reported.
 void check_circles(const deck::Part& roller, const Scales& scales, const Profile& profile) {
   const double half = 0.5 * profile.length * scales.a_over_R, end = profile.end_length * scales.a_over_R;
-  const char* units = "radii are over R_x, or with _m in metres";
+  const char* units = "radii are relative to R_x, or in metres with _m";
   if (profile.shape == Shape::crowned && profile.crown_radius < half)
     roller.complain(profile_key(roller, profile),
-                    fmt::format("is {:.4g} R_x, and half of the roller's length {:.4g}: so small a circle does not "
-                                "reach the ends; {}",
+                    fmt::format("is {:.4g} R_x, and half of the roller's length is {:.4g}: a circle of this radius "
+                                "does not reach the ends; {}",
                                 profile.crown_radius, half, units));
   if (profile.shape == Shape::straight && profile.end_radius < end)
     roller.complain(
         profile_key(roller, profile),
-        fmt::format("is {:.4g} R_x, and the ends are {:.4g} long: so small a circle does not reach the end; "
-                    "{}",
+        fmt::format("is {:.4g} R_x, and the ends are {:.4g} long: a circle of this radius does not reach the end; {}",
                     profile.end_radius, end, units));
 }
 
@@ -57,8 +56,8 @@ void check_drop(const deck::Part& roller, const Scales& scales, const Profile& p
   const double most = std::max(std::abs(drop(profile, half)), std::abs(drop(profile, -half)));
   if (const double over_R = most * scales.a_over_R * scales.a_over_R; over_R > 1.0)
     roller.complain(profile_key(roller, profile),
-                    fmt::format("an end lies {:.4g} R_x from the level of the middle, and a body of that radius has no "
-                                "more than 1 to lose: check the units, {}",
+                    fmt::format("an end lies {:.4g} R_x from the level of the middle, and a body of "
+                                "that radius can lose at most 1: check the units, {}",
                                 over_R, scales.in_SI ? "metres" : "a and a^2/R"));
 }
 
@@ -80,10 +79,10 @@ void check_length_that_bears(const deck::Part& roller, const Profile& profile) {
   if (bears_enough(found)) return;
   const bool tilt = tilt_is_at_fault(profile, bears_enough);
   roller.complain(key_at_fault(roller, profile, tilt),
-                  fmt::format("cut into slices {:.3g} of the roller's {:.4g} half widths bear the load, and a "
-                              "roller bears along a tenth of its length at least: {}",
+                  fmt::format("by a slice model {:.3g} of the roller's {:.4g} half widths carry load, and at least a "
+                              "tenth of the length must: {}",
                               found.length, profile.length,
-                              tilt ? "less tilt, or a crown that bears it"
+                              tilt ? "use less tilt, or a crown that carries it"
                                    : "check the units, or give [contact] kind = point and radius_y"));
 }
 
@@ -95,10 +94,10 @@ void check_width(const deck::Part& roller, const core::Grid& grid, const Profile
   const bool tilt = tilt_is_at_fault(profile, fits);
   roller.complain(
       key_at_fault(roller, profile, tilt),
-      fmt::format("cut into slices one carries {:.3g} times the mean load per length and is about {:.3g} half "
-                  "widths wide to either side, beyond the domain's {:.3g}: move [domain] x_inlet and x_outlet, "
-                  "or take {}",
-                  found.heaviest, found.widest, reach, tilt ? "less tilt" : "a profile that spreads the load"));
+      fmt::format(
+          "by a slice model one slice carries {:.3g} times the mean load per length and is about {:.3g} half widths "
+          "wide to either side, beyond the domain's {:.3g}: move [domain] x_inlet and x_outlet, or use {}",
+          found.heaviest, found.widest, reach, tilt ? "less tilt" : "a profile that spreads the load"));
 }
 
 // Where the rounded end has fallen by the approach of the bodies, the contact ends.
@@ -108,10 +107,10 @@ void check_ends(const deck::Part& roller, const core::Grid& grid, const Profile&
   if (fall < profile.end_length && fall < fewest_cells * grid.hy())
     roller.complain(
         profile_key(roller, profile),
-        fmt::format("lets the ends fall out of the contact within {:.3g} half widths, fewer than {:g} cells "
-                    "of {:.3g}: an edge, which the mesh does not see and half-spaces do not have; take a "
-                    "larger radius, or more cells",
-                    fall, fewest_cells, grid.hy()));
+        fmt::format(
+            "makes the ends leave the contact within {:.3g} half widths, fewer than {:g} cells of {:.3g}: such an edge "
+            "is not resolved by the grid, and half-spaces have no edges; use a larger radius, or more cells",
+            fall, fewest_cells, grid.hy()));
 }
 
 }  // namespace

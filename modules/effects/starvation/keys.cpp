@@ -120,11 +120,11 @@ Input read(deck::Deck& deck, const Scales& scales) {
     supply.refuse({"layer_m", "layer1_m", "layer2_m", "flow_m3_per_s", "flow_m2_per_s"},
                   "is in SI, but the contact is not: give H_oil, in units of H");
   if (scales.line) {
-    supply.refuse({"flow_m3_per_s"}, "has no influence on a line contact, which has no width: give flow_m2_per_s");
+    supply.refuse({"flow_m3_per_s"}, "is not for a line contact, which has no width: give flow_m2_per_s");
     supply.refuse({"profile"}, "varies along y, and a line contact does not: give one layer");
     if (supply.integer("passes", 1) > 1)
-      supply.complain(
-          "passes", "has no influence on a line contact: no oil flows sideways, so all passes are the same; remove it");
+      supply.complain("passes",
+                      "is not for a line contact: no oil flows sideways, so all passes are the same; remove it");
   } else if (scales.point) {
     supply.refuse({"flow_m2_per_s"}, "belongs to a line contact: give flow_m3_per_s");
   }

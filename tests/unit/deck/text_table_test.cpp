@@ -84,11 +84,11 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_read_is_refused_once_with_its_place) {
   BOOST_TEST(contains(folder.wrong("p;eta\n0;1,5\n1e8;2.5\n"), "decimal comma"));
   BOOST_TEST(contains(folder.wrong("p,eta\n0,1\n1e8\n"), "t.csv:3: 1 columns instead of 2"));
   BOOST_TEST(contains(folder.wrong("p,eta\n0,\n1e8,2\n"), "t.csv:2: eta is missing"));
-  BOOST_TEST(contains(folder.wrong("p,eta\n0,x1\n"), "eta = 'x1' is no number"));
-  BOOST_TEST(contains(folder.wrong("p;eta\n0;1.234,5\n"), "is no number"));
+  BOOST_TEST(contains(folder.wrong("p,eta\n0,x1\n"), "eta = 'x1' is not a number"));
+  BOOST_TEST(contains(folder.wrong("p;eta\n0;1.234,5\n"), "is not a number"));
   BOOST_TEST(contains(folder.wrong(std::string("p,eta\n0,\0001\n", 10)), "NUL"));
-  BOOST_TEST(contains(folder.wrong(""), "there is no row"));
-  BOOST_TEST(contains(folder.wrong("p,eta\n"), "there is no row"));
+  BOOST_TEST(contains(folder.wrong(""), "the table has no row"));
+  BOOST_TEST(contains(folder.wrong("p,eta\n"), "the table has no row"));
 }
 
 BOOST_AUTO_TEST_CASE(units) {

@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(the_list_of_keys) {
   for (const deck::Key& key : small::catalogue().keys) BOOST_TEST(contains(all, "  " + key.name), key.name);
   const std::string one = deck::list_keys(small::catalogue(), "mesh.cells");
   BOOST_TEST(contains(one, "cells"));
-  BOOST_TEST(contains(all, "[wind]  The wind. Effect weather: on with speed or gust; absent, it costs nothing."));
+  BOOST_TEST(contains(all, "[wind]  The wind. Effect weather: enabled by speed or gust."));
   BOOST_TEST(contains(all, "Drag in the wind. (only with [wind] speed)"));
   BOOST_TEST(contains(one, "default: 64"));
   BOOST_TEST(!contains(one, "length"));

@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(outputs_refused_before_the_work) {
   BOOST_TEST(reason(folder / "new.h5") == "(none)");
   BOOST_TEST(contains(reason(folder.path(), true), "directory"));
   BOOST_TEST(contains(reason(folder / "none/f.h5"), "no folder"));
-  BOOST_TEST(contains(reason("/dev/null", true), "no regular file"));
+  BOOST_TEST(contains(reason("/dev/null", true), "not a regular file"));
   BOOST_TEST(contains(reason("/proc/f.h5"), "cannot be written"));
   BOOST_TEST(contains(reason(folder / "new.h5", false, std::size_t{1} << 60), "the disk has room"));
   BOOST_TEST(contains(reason(""), "empty"));
@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(no_input_and_no_foreign_file_is_replaced) {
                         {FileKind::kept_results, ""}};
   for (const Kind& one : kinds) {
     const std::string path = folder.write("f", "precious, 1\n");
-    BOOST_TEST(contains(reason({}, {{path, one.kind, true}}), "never overwritten"), one.own);
+    BOOST_TEST(contains(reason({}, {{path, one.kind, true}}), "not overwritten"), one.own);
     BOOST_TEST(folder.read("f") == "precious, 1\n");
     folder.write("f", one.own);
     BOOST_TEST(reason({}, {{path, one.kind, true}}) == "(none)", one.own);
@@ -121,7 +121,7 @@ BOOST_AUTO_TEST_CASE(a_link_stays_and_its_file_is_replaced) {
   write(folder / "open", "made", false);
   BOOST_TEST(folder.read("new") == "made");
   std::filesystem::create_symlink("/dev/null", folder / "device");
-  BOOST_TEST(contains(refusal<core::FileError>([&] { write(folder / "device", "x", true); }), "no regular file"));
+  BOOST_TEST(contains(refusal<core::FileError>([&] { write(folder / "device", "x", true); }), "not a regular file"));
   std::filesystem::create_symlink("circle", folder / "circle");
   BOOST_TEST(contains(refusal<core::FileError>([&] { write(folder / "circle", "x", true); }), "symbolic links"));
 }

@@ -69,9 +69,9 @@ BOOST_AUTO_TEST_CASE(stopped_by_the_level_limit) {
   const Solution solution = run(scene_for(0.04 * first_error), made);
   BOOST_TEST(!solution.converged);
   BOOST_TEST(!solution.accuracy.met);
-  BOOST_TEST(solution.accuracy.stopped_by == "the level limit of 256 cells");
+  BOOST_TEST(solution.accuracy.stopped_by == "the largest allowed grid, 256 cells");
   BOOST_TEST_MESSAGE(solution.failed_check);
-  BOOST_TEST(says(solution, "the accuracy 0.044 % was not reached, it was stopped by the level limit of 256 cells"));
+  BOOST_TEST(says(solution, "the accuracy 0.044 % was not reached because of the largest allowed grid, 256 cells"));
   BOOST_TEST(says(solution, "of Hc 0.034 %, of Hm 0.069 % on 256 cells"));
   // If the predicted level exceeds the limit, the levels are solved one after another.
   BOOST_TEST(cells(made) == (std::vector<int>{64, 128, 256}), boost::test_tools::per_element());

@@ -253,7 +253,7 @@ BOOST_AUTO_TEST_CASE(what_stops_the_domain_stops_the_run) {
   fine.inlet = -0.1 * 216.0;
   Scene scene = free_scene(0.01);
   scene.accuracy.most_cells = 256;
-  BOOST_TEST(stopped(scene, fine) == "the level limit of 256 cells");
+  BOOST_TEST(stopped(scene, fine) == "the largest allowed grid, 256 cells");
   Made memory;
   memory.mesh = 0.01;
   memory.inlet = -0.1 * 216.0;

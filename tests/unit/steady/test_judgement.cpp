@@ -100,8 +100,8 @@ BOOST_AUTO_TEST_CASE(each_check_can_fail) {
   fails([](LastCycle& c) { c.before.Hm = 0.15; }, unknown, "Hm");
   fails([](LastCycle& c) { c.after.least_P = -1e-9; }, unknown, "pressure is negative");
   fails([](LastCycle& c) { c.after.least_P = -1e-9; }, 1e-3, "pressure is negative");
-  fails([](LastCycle& c) { c.after.dry_violation = 0.021; }, unknown, "wants pressure");
-  fails([](LastCycle& c) { c.after.dry_violation = unknown; }, 1e-3, "wants pressure");
+  fails([](LastCycle& c) { c.after.dry_violation = 0.021; }, unknown, "complementarity");
+  fails([](LastCycle& c) { c.after.dry_violation = unknown; }, 1e-3, "complementarity");
   // The limit is a quarter of the discretization error of Hc, 0.02; a quarter of 0.05 if that error is larger or
   // unknown; but at least 1e-4.
   fails([](LastCycle& c) { c.after.flow_imbalance = -0.0051; }, unknown, "mass");
