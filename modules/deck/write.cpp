@@ -106,8 +106,8 @@ std::string list_keys(const Catalogue& catalogue, const std::string& selection) 
 
 std::string commented_deck(const Catalogue& catalogue) {
   std::string text =
-      "# A complete deck: every key with its meaning. Lines that begin with '# ' before a key are alternatives,\n# or "
-      "values that are chosen for the case if the line stays commented out. `ehl keys` explains more.\n";
+      "# A complete deck: every key with its meaning. Lines that begin with '# ' before a key are alternatives,\n"
+      "# or values that are chosen for the case if the line stays commented out. `ehl keys` explains more.\n";
   for (const Section& section : catalogue.sections) {
     std::string lines;
     bool any_active = false;

@@ -48,7 +48,7 @@ ehl_result* filled(Fill fill) noexcept {
   } catch (const std::exception& error) {
     failed(internal_failure, error.what());
   } catch (...) {
-    failed(internal_failure, "an exception that is none of the standard library");
+    failed(internal_failure, "an exception outside the standard library");
   }
   return result;
 }
@@ -61,7 +61,7 @@ const HeldResult& held_of(const ehl_result* result) {
 
 // errors: core::InputError if the caller passed NULL for a text that is needed.
 const char* demanded(const char* text, const char* name) {
-  if (text == nullptr) throw ehl::core::InputError(std::string(name) + " is NULL: a text is needed");
+  if (text == nullptr) throw ehl::core::InputError(std::string(name) + " is NULL: a text is required");
   return text;
 }
 
@@ -73,7 +73,7 @@ struct DeckSource {
   int threads;
 
   Case read() const {
-    if (text == nullptr) demanded(name, "the deck's text and its name: both");
+    if (text == nullptr) demanded(name, "text and name of the deck are both required");
     if (overrides == nullptr && count > 0) throw ehl::core::InputError("overrides is NULL and count is not 0");
     std::vector<std::string> list;
     for (std::size_t k = 0; k < count; ++k)
@@ -192,7 +192,7 @@ const char* ehl_attribute(const ehl_result* result, const char* path, const char
 int ehl_save(ehl_result* result, const char* path, int overwrite) try {
   if (result == nullptr) return EHL_INTERNAL_FAILURE;
   if (path == nullptr) {
-    result->held.messages.emplace_back("path is NULL: a text is needed");
+    result->held.messages.emplace_back("path is NULL: a text is required");
     return EHL_WRONG_INPUT;
   }
   return save(result->held, path, overwrite != 0);

@@ -168,15 +168,14 @@ void open_into(HeldResult& result, const std::string& path, std::optional<std::s
     const HeldEntry* in_time = found(result, "/summary/transient_completed");
     const HeldEntry* why = found(result, "/summary/failed_check");
     if (converged == nullptr || converged->values == nullptr)
-      throw core::FileError(path + ": the file is damaged: it does not say whether it converged");
+      throw core::FileError(path + ": the file is damaged: it does not state whether it converged");
     if (*converged->values != 1.0) {
       result.status = not_converged;
-      result.messages.push_back("not converged: " + (why ? why->entry.text : std::string("for a reason unknown")));
+      result.messages.push_back("not converged: " + (why ? why->entry.text : std::string("the reason is unknown")));
     } else if (in_time != nullptr && in_time->values != nullptr && *in_time->values != 1.0) {
       result.status = not_converged;
       const HeldEntry* ended = found(result, "/summary/transient_ended");
-      result.messages.push_back("the run in time did not come to its end" +
-                                (ended ? ": " + ended->entry.text : std::string()));
+      result.messages.push_back("the run in time is not complete" + (ended ? ": " + ended->entry.text : std::string()));
     }
   });
 }

@@ -23,7 +23,7 @@ Failure current_failure() try { throw; } catch (const core::InputError& error) {
 } catch (const std::ios_base::failure& error) {
   return {file_trouble, {std::string("a file could not be read or written: ") + error.what()}};
 } catch (const std::bad_alloc&) {
-  return {internal_failure, {"out of memory: take fewer cells (`ehl check` estimates the need)"}};
+  return {internal_failure, {"out of memory: use fewer cells (`ehl check` estimates the need)"}};
 } catch (const std::exception& error) {
   return {internal_failure, {std::string("internal failure: ") + error.what()}};
 }

@@ -18,24 +18,24 @@ namespace {
 deck::Catalogue collected() {
   deck::Catalogue all;
   all.sections = {
-      {"case", "What this case is called, and of what kind it is."},
-      {"bearing", "A ball or a roller on its race. Only with [case] kind = ball_race or roller_race."},
-      {"gear", "Two spur gears. Only with [case] kind = gear_mesh."},
+      {"case", "Title and kind of the case."},
+      {"bearing", "A ball or a roller on its race. Used only with [case] kind = ball_race or roller_race."},
+      {"gear", "Two spur gears. Used only with [case] kind = gear_mesh."},
       {"contact",
-       "The contact, in ONE of three languages: M and L (Moes); W, U and G (Hamrock and Dowson); or SI: load, "
+       "The contact, given in one of three ways: M and L (Moes); W, U and G (Hamrock and Dowson); or SI: load, "
        "radius_x and the elastic data."},
       {"motion",
-       "The speeds of the surfaces: u1 and u2, or u_m and srr. With a contact in M and L or W, U and G srr alone, and "
-       "only with [shear] or [friction]. And the angle of an ellipse."},
-      {"lubricant", "The oil."},
-      {"domain", "The computed rectangle, in radii of the Hertz contact."},
-      {"grid", "The finest and the coarsest grid."},
-      {"discretization", "How derivatives become differences."},
-      {"deformation", "How the elastic deformation is evaluated."},
-      {"multigrid", "How the full multigrid works; the defaults need no tuning."},
-      {"continuation", "How a high load is reached from lower ones, where that is needed."},
-      {"dry", "How a contact without lubricant is solved. Only with [case] kind = dry."},
-      {"output", "What is kept."},
+       "Speeds of the surfaces: u1 and u2, or u_m and srr. For a contact in M and L or in W, U and G only srr is "
+       "given, and only with [shear] or [friction]. Also the rolling direction of an ellipse."},
+      {"lubricant", "The lubricant: viscosity and density against pressure."},
+      {"domain", "Domain of the computation: a rectangle, in Hertz radii."},
+      {"grid", "Finest and coarsest grid, and the required accuracy."},
+      {"discretization", "Discretization of the Reynolds equation."},
+      {"deformation", "Evaluation of the elastic deformation."},
+      {"multigrid", "Parameters of the full multigrid solution. The defaults need no tuning."},
+      {"continuation", "Load continuation: a high load is reached from lower ones if needed."},
+      {"dry", "Solution of a contact without lubricant. Used only with [case] kind = dry."},
+      {"output", "The result file and what it contains."},
   };
   all.keys = deck::together({case_keys(), steady::grid_keys(), steady::path_keys(), contact::keys(), rheology::keys(),
                              reynolds::keys(), mlmi::keys(), fmg::keys(), dry::keys(), machines::keys()});

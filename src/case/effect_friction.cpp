@@ -42,7 +42,7 @@ Needs expense(const Case& input) {
 // The region in which friction is computed.
 std::string reach_of(const Case& input) {
   const double meniscus = input.friction->meniscus;
-  if (std::isinf(meniscus)) return "as far as the gap goes";
+  if (std::isinf(meniscus)) return "to infinity";
   const std::optional<SiScales> si = si_scales(input.physics);
   return fmt::format("with the meniscus at {:.4g} a", -meniscus) +
          (si ? fmt::format(" ({:.4g} mm)", -1e3 * meniscus * si->a) : "");
@@ -62,12 +62,12 @@ std::string summary(const Case& input, const Computed& computed) {
       "             on surface 1 {:.5g}, on surface 2 {:.5g} of the load along +x; cavitated region {:.2g}\n", f.on_1,
       f.on_2, f.cavitated);
   if (f.counts_outside)
-    text += fmt::format("             of these {:.3g} and {:.3g} from outside of the domain, {}\n", f.beyond,
+    text += fmt::format("             of which {:.3g} and {:.3g} from outside the domain, {}\n", f.beyond,
                         f.rolling_beyond, reach_of(input));
   if (f.outer != 0.0)
     text += fmt::format(
-        "             {:.3g} of the rolling from the outer half of the inlet; one of twice the length adds about as "
-        "much\n",
+        "             {:.3g} of the rolling friction is from the outer half of the inlet; an inlet of twice the length "
+        "adds about as much\n",
         f.outer);
   if (std::isfinite(f.side))
     text += fmt::format("             side force {:.3g} of the load along +y, on each surface{}\n", f.side,
@@ -101,8 +101,8 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
     content.fields.push_back({"tau2", "p_h", "shear stress of the film on surface 2 along +x", &f.tau2});
   for (results::Quantity& one : friction_quantities(f)) content.summary.push_back(std::move(one));
   content.summary.push_back({"slide_roll_ratio", input.physics.srr, "-", "(u1 - u2)/u_m"});
-  content.summary.push_back({"friction", what(input), "", "what it holds for"});
-  content.summary.push_back({"friction_warnings", deck::joined(friction::warnings(f), "\n"), "", "one a line"});
+  content.summary.push_back({"friction", what(input), "", "model of the friction"});
+  content.summary.push_back({"friction_warnings", deck::joined(friction::warnings(f), "\n"), "", "one per line"});
 }
 
 // The mass flow rho_bar H at the pressure maximum, where the flow by the pressure gradient is zero.
@@ -131,25 +131,26 @@ reynolds::FarState state_upstream(const reynolds::FarField& field, const steady:
 
 std::vector<results::Quantity> friction_quantities(const friction::Friction& f) {
   std::vector<results::Quantity> list{
-      {"mu", f.sliding, "-", "sliding friction over the load, positive where surface 1 is the faster one"},
+      {"mu", f.sliding, "-", "sliding friction over the load, positive if surface 1 is the faster one"},
       {"mu_rolling", f.rolling, "-", "rolling friction over the load, the same on both surfaces"},
       {"mu_1", f.on_1, "-", "force of the film on surface 1 along +x over the load"},
       {"mu_2", f.on_2, "-", "force of the film on surface 2 along +x over the load"},
       {"mu_cavitated", f.cavitated, "-", "part of mu from the cavitated region"},
-      {"largest_shear_stress", f.largest_stress, "p_h", "of sliding, in the pressurised film", "largest_stress"},
-      {"limited_share", f.limited_share, "-", "share of the load where the limiting stress acts"}};
-  if (f.counts_outside) list.push_back({"mu_beyond", f.beyond, "-", "part of mu from outside of the domain"});
+      {"largest_shear_stress", f.largest_stress, "p_h", "largest shear stress of sliding, in the pressurized film",
+       "largest_stress"},
+      {"limited_share", f.limited_share, "-", "share of the load on which the limiting stress acts"}};
+  if (f.counts_outside) list.push_back({"mu_beyond", f.beyond, "-", "part of mu from outside the domain"});
   if (f.counts_outside)
     list.push_back({f.line ? "mu_upstream" : "mu_rolling_beyond", f.rolling_beyond, "-",
                     f.line ? "part of mu_rolling from upstream of the domain"
                            : "part of mu_rolling from outside of the domain, up to the meniscus"});
   if (std::isfinite(f.parameters.meniscus))
     list.push_back(
-        {"meniscus", f.parameters.meniscus, "a", "distance of the inlet meniscus, up to which friction is counted"});
+        {"meniscus", f.parameters.meniscus, "a", "distance of the inlet meniscus up to which friction is counted"});
   if (f.outer != 0.0)
     list.push_back({"mu_rolling_outer", f.outer, "-",
                     "part of mu_rolling from the outer half of the inlet; a domain of twice the length adds about as "
-                    "much, as long as oil fills it"});
+                    "much if it is full of oil"});
   if (std::isfinite(f.side))
     list.push_back({"mu_side", f.side, "-", "force of the film on each surface along +y over the load"});
   return list;

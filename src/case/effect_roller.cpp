@@ -29,9 +29,9 @@ std::string trace_text(const Case& input) {
   const auto height = [&](double H) {
     return input.physics.si ? length(H * input.physics.si->hertz.h_scale) : fmt::format("{:.4g} a^2/R", H);
   };
-  std::string text = ", Rq " + height(trace.rough) + " without its form";
+  std::string text = ", Rq " + height(trace.rough) + " without the form";
   if (trace.shortest_wave > 0.0)
-    text += fmt::format(" ({} before waves below {:.4g} half widths were taken away)", height(trace.rough_before),
+    text += fmt::format(" ({} before waves below {:.4g} half widths were removed)", height(trace.rough_before),
                         trace.shortest_wave);
   if (trace.level) text += fmt::format(", levelled by dH/dY = {:.4g}", trace.slope);
   return text;
@@ -46,8 +46,8 @@ std::string what(const Case& input) {
 }
 
 std::string asymmetry(const Case& input) {
-  if (input.roller->tilt != 0.0) return "it is tilted";
-  return roller::symmetric(*input.roller) ? "" : "the table of its profile";
+  if (input.roller->tilt != 0.0) return "the roller is tilted";
+  return roller::symmetric(*input.roller) ? "" : "the profile table is not symmetric";
 }
 
 // The cost of the grid of half as many cells; that of the dry contact is small.
@@ -65,7 +65,7 @@ std::optional<steady::Solution> on_coarser_grid(steady::Scene scene, bool traced
   if (traced) scene.one_start_only = "an error bar is worth one start";
   try {
     steady::Solution solution = steady::solve(scene, [&](const steady::Progress& now) {
-      return settings.progress.show(now.fraction, "the roller on half as many cells");
+      return settings.progress.show(now.fraction, "roller on half as many cells");
     });
     return solution.converged ? std::optional(std::move(solution)) : std::nullopt;
   } catch (const core::SolverError&) {
@@ -148,11 +148,11 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
     content.summary.push_back(std::move(one));
   }
   content.summary.push_back(
-      {"roller_warnings", deck::joined(roller_warnings(*computed.roller), "\n"), "", "one a line"});
+      {"roller_warnings", deck::joined(roller_warnings(*computed.roller), "\n"), "", "one per line"});
   content.tables.push_back(
-      table_of("roller", "along the roller, with oil", slice_columns(), computed.roller->found.slices));
+      table_of("roller", "values along the roller, with oil", slice_columns(), computed.roller->found.slices));
   content.tables.push_back(
-      table_of("roller_dry", "along the roller, without oil", slice_columns(), computed.roller->dry.slices));
+      table_of("roller_dry", "values along the roller, without oil", slice_columns(), computed.roller->dry.slices));
 }
 
 }  // namespace

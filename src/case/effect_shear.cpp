@@ -24,25 +24,27 @@ std::string what(const Case& input) {
   const double stress = deck::number(input.deck, "shear", eyring ? "tau_0" : "G");
   return (eyring ? "Eyring, tau_0 = " : "Carreau, G = ") + pressure(stress) +
          (eyring ? "" : fmt::format(", n = {:.4g}", std::get<rheology::Carreau>(input.scene.thinning->law).n)) +
-         fmt::format(", slide-roll ratio {:.4g}: eta rate is {:.3g} of that stress at ambient pressure where H = 1",
-                     input.physics.srr, input.scene.thinning->k) +
-         (input.flow_thinning ? "; the pressure's own flow thins too" : "");
+         fmt::format(
+             ", slide-roll ratio {:.4g}; at H = 1 and ambient pressure the Newtonian shear stress is {:.3g} times this "
+             "stress",
+             input.physics.srr, input.scene.thinning->k) +
+         (input.flow_thinning ? "; the flow driven by the pressure gradient thins too" : "");
 }
 
 std::string idle(const Case& input) {
   // A traction curve may contain the point srr = 0.
   const bool one_of_a_curve = input.friction || input.heat || input.flow_thinning;
   if (input.scene.thinning->k == 0.0 && !one_of_a_curve)
-    return "the surfaces do not slide (srr = 0), and the laws thin an oil that sliding shears: remove [shear], or give "
-           "[motion] srr, or u1 and u2 that differ, or flow = on";
+    return "the surfaces do not slide (srr = 0), and the oil thins by sliding: remove [shear], or give [motion] srr, "
+           "or different u1 and u2, or flow = on";
   const auto* carreau = std::get_if<rheology::Carreau>(&input.scene.thinning->law);
   return carreau && carreau->n == 1.0 ? "n = 1 is a Newtonian oil" : "";
 }
 
 std::vector<results::Quantity> quantities(const HeatResult& flow) {
   return {{"Hc_without", flow.Hc_isothermal, "a^2/R", "film at (0,0), thinned by the sliding alone"},
-          {"Hm_without", flow.Hm_isothermal, "a^2/R", "smallest film, likewise"},
-          {"mu_without", flow.mu_isothermal, "-", "sliding friction over the load, likewise"},
+          {"Hm_without", flow.Hm_isothermal, "a^2/R", "smallest film, thinned by the sliding alone"},
+          {"mu_without", flow.mu_isothermal, "-", "sliding friction over the load, thinned by the sliding alone"},
           {"mu", flow.mu, "-", "sliding friction over the load", "", "error_mu"},
           {"error_mu", flow.found.error_mu, "-", "estimated relative discretization error of mu"}};
 }
@@ -51,9 +53,10 @@ std::string summary(const Case& input, const Computed& computed) {
   if (!computed.flow) return "";
   const HeatResult& flow = *computed.flow;
   const heat::Row& row = flow.found.rows.back();
-  return fmt::format("shear        thinned by the pressure's flow too: Hc {:+.2g} %, Hm {:+.2g} % in {} passes{}\n",
-                     100.0 * (row.Hc / flow.Hc_isothermal - 1.0), 100.0 * (row.Hm / flow.Hm_isothermal - 1.0),
-                     row.passes, computed.solution.converged ? "" : "  (NOT CONVERGED)") +
+  return fmt::format(
+             "shear        with thinning by the pressure gradient: Hc {:+.2g} %, Hm {:+.2g} % in {} iterations{}\n",
+             100.0 * (row.Hc / flow.Hc_isothermal - 1.0), 100.0 * (row.Hm / flow.Hm_isothermal - 1.0), row.passes,
+             computed.solution.converged ? "" : "  (NOT CONVERGED)") +
          (input.friction ? "" : warning_lines(flow.friction_warnings));
 }
 

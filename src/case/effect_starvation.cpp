@@ -40,11 +40,12 @@ nlohmann::ordered_json json(const Case& input, const Computed& computed) {
 
 void add_content(const Case& input, const Computed& computed, results::Content& content) {
   const steady::Solution& solution = computed.solution;
-  content.fields.push_back({"theta", "-", "content: share of the gap that the oil fills, Q/(rho H)", &solution.theta});
+  content.fields.push_back(
+      {"theta", "-", "oil content: share of the gap that the oil fills, Q/(rho H)", &solution.theta});
   for (results::Quantity& one : starvation_quantities(input, solution)) content.summary.push_back(std::move(one));
   if (solution.passes.empty()) return;
   content.tables.push_back(
-      table_of("passes", "contacts one after another on the track", pass_columns(input, solution), solution.passes));
+      table_of("passes", "successive contacts on the track", pass_columns(input, solution), solution.passes));
   content.tables.push_back(table_of_tracks(solution));
 }
 
@@ -63,7 +64,7 @@ Effect starvation_effect() {
           .expense = expense,
           .asymmetry = [](const Case& input) -> std::string {
             const bool profile = given(input.deck, "supply", "profile");
-            return profile && !input.scene.use_symmetry ? "the profile of the supply" : "";
+            return profile && !input.scene.use_symmetry ? "the profile of the supply is not symmetric" : "";
           },
           .summary = starvation_summary,
           .json = json,

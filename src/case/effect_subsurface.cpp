@@ -52,11 +52,11 @@ std::vector<results::Quantity> quantities(const StressField& field) {
   std::vector<results::Quantity> list;
   const auto add_maximum = [&](const std::string& name, const Maximum& maximum) {
     const std::string file = "largest_" + name;
-    list.push_back(
-        {file, maximum.value, "p_h", "largest value, by parabolas between nodes and planes", name + "/value"});
-    list.push_back({file + "_x", maximum.X, "a", "where it is", name + "/X"});
-    list.push_back({file + "_y", maximum.Y, "a", "where it is", name + "/Y"});
-    list.push_back({file + "_z", maximum.Z, "a", "where it is: depth", name + "/Z"});
+    list.push_back({file, maximum.value, "p_h", "largest value, interpolated by parabolas between nodes and planes",
+                    name + "/value"});
+    list.push_back({file + "_x", maximum.X, "a", "its position", name + "/X"});
+    list.push_back({file + "_y", maximum.Y, "a", "its position", name + "/Y"});
+    list.push_back({file + "_z", maximum.Z, "a", "its position: depth", name + "/Z"});
     list.push_back({"", maximum.on_node, "p_h", "largest value of all nodes", name + "/on_node"});
   };
   add_maximum("sigma_mises", field.mises);

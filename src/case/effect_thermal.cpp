@@ -69,7 +69,7 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
     const char* meaning;
     const core::Field* field;
   } all[] = {{"T_mid", "middle of the film", &fields.mid},
-             {"T_max", "hottest layer of the film", &fields.largest},
+             {"T_max", "largest temperature across the film", &fields.largest},
              {"T1", "surface 1", &fields.surface_1},
              {"T2", "surface 2", &fields.surface_2}};
   for (const auto& one : all)
@@ -79,9 +79,9 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
     if (one.name != "mu" || !input.friction) content.summary.push_back(std::move(one));  // or [friction] adds mu
   if (kept(input, "section")) add_section(input, fields, content.section);
   content.summary.push_back(
-      {"thermal_warnings", deck::joined(thermal_warnings(input, *computed.heat), "\n"), "", "one a line"});
-  content.tables.push_back(table_of("thermal_levels", "the contact with heat, grid by grid",
-                                    thermal_columns(*input.heat), computed.heat->found.rows));
+      {"thermal_warnings", deck::joined(thermal_warnings(input, *computed.heat), "\n"), "", "one per line"});
+  content.tables.push_back(table_of("thermal_levels", "solutions with heat, grid by grid", thermal_columns(*input.heat),
+                                    computed.heat->found.rows));
 }
 
 Json json(const Case& input, const Computed& computed) {

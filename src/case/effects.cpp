@@ -50,12 +50,12 @@ const char* where(Stage stage) {
 
 // Which part of the domain is computed; if it is the whole domain, the reason.
 std::string symmetry(const Case& input) {
-  if (input.scene.grid.line) return "of a line contact, one line is computed";
+  if (input.scene.grid.line) return "line contact: one line is computed";
   const std::vector<std::string> reasons = asymmetries(input);
   if (!reasons.empty()) return "none in Y, the whole domain is computed: " + deck::joined(reasons, "; ");
-  return steady::on_one_half(input.scene) ? "in Y: one half of the domain is computed"
-                                          : "in Y, but half of the coarsest grid would be too small: the whole domain "
-                                            "is computed";
+  return steady::on_one_half(input.scene)
+             ? "in Y: one half of the domain is computed"
+             : "in Y, but half of the coarsest grid would be too small: the whole domain is computed";
 }
 
 std::string assignment(const Case& input, const KeyName& key, bool with_place) {
@@ -130,13 +130,13 @@ std::string effect_lines(const Case& input) {
   std::string text;
   for (const Effect& effect : on) {
     text += (text.empty() ? "effects      " : "             ") + effect.name + ": " + effect.what(input) + "\n";
-    text += "               called for by " + deck::joined(called_by(input, effect, true), ", ") + "\n";
+    text += "               enabled by " + deck::joined(called_by(input, effect, true), ", ") + "\n";
     text += std::string("               acts ") + where(effect.stage) + ", costs " +
-            (effect.expense ? cost(effect.expense(input)) : "nothing that would show") + "\n";
+            (effect.expense ? cost(effect.expense(input)) : "no noticeable time") + "\n";
   }
   if (input.dry) return text;
-  text += on.empty() ? "effects      none beyond the basic model: " + model + "\n"
-                     : "             beside that the basic model: " + model + "\n";
+  text +=
+      on.empty() ? "effects      none; model: " + model + "\n" : "             model apart from these: " + model + "\n";
   return text + "symmetry     " + symmetry(input) + "\n";
 }
 

@@ -102,7 +102,7 @@ double height_of(const std::string& cell, const Writing& writing, std::string& w
   if (read.status != ReadNumber::Status::number)
     wrong = deck::quoted(cell) +
             (read.status == ReadNumber::Status::not_finite || read.status == ReadNumber::Status::out_of_reach
-                 ? " is no finite number"
+                 ? " is not a finite number"
                  : " is not a number");
   return read.value;
 }

@@ -37,7 +37,7 @@ ReadHeights read_hdf5(const std::string& path, const std::string& dataset) {
   const std::string where = path + ": " + dataset + ": ";
   for (std::size_t n = 0; n < array.values.size(); ++n)
     if (std::isinf(array.values[n]))
-      return fmt::format("{}row {}, column {} is no finite number; a missing point is NaN", where,
+      return fmt::format("{}row {}, column {} is not a finite number; a missing point is NaN", where,
                          n / array.dims[1] + 1, n % array.dims[1] + 1);
   MapInFile map{.heights = {static_cast<int>(array.dims[1]), static_cast<int>(array.dims[0]), std::move(array.values)}};
   if (const std::string few = too_few_points(map.heights.nx, map.heights.ny); !few.empty()) return where + few;

@@ -97,7 +97,7 @@ ReadHeights read_list(const std::vector<TextLine>& lines, const std::vector<std:
     const auto l = static_cast<int>(std::lround((y[n] - across.first) / across.spacing));
     const std::size_t at =
         static_cast<std::size_t>(l) * static_cast<std::size_t>(along.points) + static_cast<std::size_t>(k);
-    if (taken[at]) return fmt::format("{}:{}: this point stands there twice", name, lines[n].number);
+    if (taken[at]) return fmt::format("{}:{}: this point occurs twice", name, lines[n].number);
     taken[at] = true;
     map.heights.values[at] = z[n];
   }
@@ -108,8 +108,8 @@ ReadHeights read_list(const std::vector<TextLine>& lines, const std::vector<std:
   map.unit_m = stated_unit(heading, 'z');
   if (std::isnan(unit) && !std::isnan(dx_m))
     return fmt::format(
-        "{}: its points are {:.6g} apart along x, in no unit of m, mm, um or nm the {:.6g} m that the deck "
-        "gives as the distance of its points",
+        "{}: its points are {:.6g} apart along x, which in none of the units m, mm, um and nm is the distance {:.6g} m "
+        "of the deck",
         name, along.spacing, dx_m);
   return map;
 }

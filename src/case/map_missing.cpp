@@ -70,7 +70,7 @@ std::string fill_missing(MapInFile& map) {
   if (holes.empty()) return {};
   const double share = static_cast<double>(holes.size()) / static_cast<double>(z.values.size());
   if (share > most_missing)
-    return fmt::format("{} of {} points are missing, {:.0f} %, and at most {:.0f} % are filled", holes.size(),
+    return fmt::format("{} of {} points are missing, {:.0f} %; at most {:.0f} % can be filled", holes.size(),
                        z.values.size(), 100.0 * share, 100.0 * most_missing);
   begin_from_edges(z, holes);
   double change = INFINITY;

@@ -68,14 +68,15 @@ void read_heading(const std::vector<std::string>& heading, MapInFile& map) {
 
 ReadHeights read_rows(const MapText& text, const std::string& name) {
   const Writing writing = writing_of(text.lines);
-  if (text.blank > 0) return fmt::format("{}:{}: a line without heights between others: a gap", name, text.blank);
+  if (text.blank > 0)
+    return fmt::format("{}:{}: a line without heights between others: the map has a gap", name, text.blank);
   MapInFile map;
   surface::Heights& heights = map.heights;
   for (const TextLine& line : text.lines) {
     const std::string where = fmt::format("{}:{}: ", name, line.number);
     const std::vector<std::string> cells = cells_of(line.text, writing);
     if (heights.ny > 0 && static_cast<int>(cells.size()) != heights.nx)
-      return fmt::format("{}{} heights in this line and {} in those before", where, cells.size(), heights.nx);
+      return fmt::format("{}{} heights in this line, but {} in those before", where, cells.size(), heights.nx);
     for (std::size_t k = 0; k < cells.size(); ++k) {
       std::string wrong;
       heights.values.push_back(height_of(cells[k], writing, wrong));
@@ -102,7 +103,7 @@ std::string read_cells(const std::vector<TextLine>& lines, const std::string& na
       if (!wrong.empty()) return fmt::format("{}:{}: {}", name, line.number, wrong);
     }
   if (values.size() == wanted) return {};
-  return fmt::format("{}: {} heights, and its heading states {}", name, values.size(), wanted);
+  return fmt::format("{}: {} heights, but its heading states {}", name, values.size(), wanted);
 }
 
 struct Entries {
@@ -178,7 +179,7 @@ ReadHeights read_map_text(const std::string& text, const std::string& name, doub
   if (text.starts_with("bISO-1.0") || text.starts_with("bBCR-1.0"))
     return name + ": is a binary file of ISO 25178-71: save it as its ASCII form with Gwyddion";
   if (text.find('\0') != std::string::npos)
-    return name + ": is no text: open it with Gwyddion and save it as ASCII data matrix (.txt)";
+    return name + ": is not a text file: open it with Gwyddion and save it as ASCII data matrix (.txt)";
   if (entry_of(text.substr(0, text.find_first_of("\r\n")), true).first == "ncols")
     return read_esri(lines_of(text), name, dx_m);
   const MapText parts = divided(text);

@@ -136,13 +136,13 @@ void check_memory(Case& input) {
     const deck::Key* record = deck::find_key(deck.catalogue, key.section, key.name);
     complain(deck, key.section, key.name,
              "needs about " + deck::shortest(std::round(more / giga)) + " GB of memory for the effect " + effect.name +
-                 ", and " + has + (record->remedy.empty() ? "" : ": " + record->remedy));
+                 ", but " + has + (record->remedy.empty() ? "" : ": " + record->remedy));
     return;
   }
   const double ratio = std::sqrt(needed / available);
   const double fitting = std::exp2(std::floor(std::log2(input.scene.grid.nx / ratio)));
   complain(deck, "grid", "cells",
-           "needs about " + deck::shortest(std::round(needed / giga)) + " GB of memory and " + has + ": take at most " +
+           "needs about " + deck::shortest(std::round(needed / giga)) + " GB of memory, but " + has + ": use at most " +
                deck::shortest(fitting));
 }
 

@@ -27,15 +27,15 @@ std::vector<Column<StepRow>> step_columns(const RowKind& kind, const std::vector
   std::vector<Column<StepRow>> columns{{"time", "a/u_m", "time reached", &StepRow::T},
                                        {"Hc", "a^2/R", "film at (0,0)", &StepRow::Hc},
                                        {"Hm", "a^2/R", "smallest film of all nodes", &StepRow::Hm},
-                                       {"Hm_x", "a", "where it is", &StepRow::Hm_X},
-                                       {"Hm_y", "a", "where it is", &StepRow::Hm_Y},
+                                       {"Hm_x", "a", "its position", &StepRow::Hm_X},
+                                       {"Hm_y", "a", "its position", &StepRow::Hm_Y},
                                        {"P_max", "p_h", "highest pressure of all nodes", &StepRow::P_max},
                                        {"H00", "a^2/R", "mutual approach", &StepRow::H00},
-                                       {"load", "-", "wanted, over that of the contact", &StepRow::load},
+                                       {"load", "-", "prescribed load over that of the contact", &StepRow::load},
                                        {"speed", "-", "entrainment speed (u1 + u2)/2 over u_m", &StepRow::speed},
                                        {"load_error", "-", "relative error of the load", &StepRow::load_error}};
   if (kind.body) {
-    columns.push_back({"velocity", "a u_m/R", "of the body", &StepRow::velocity});
+    columns.push_back({"velocity", "a u_m/R", "velocity of the body", &StepRow::velocity});
     columns.push_back({"carried", "-", "load that the film carries, over that of the contact", &StepRow::carried});
   }
   if (kind.oil) {
@@ -46,16 +46,16 @@ std::vector<Column<StepRow>> step_columns(const RowKind& kind, const std::vector
     columns.push_back({"oil_in", flow, "oil through the inlet boundary", of_oil(&transient::OilInTime::in)});
     columns.push_back({"oil_out", flow, "oil through the outlet boundary", of_oil(&transient::OilInTime::out)});
     columns.push_back({"oil_aside", flow, "oil through the sides of the domain", of_oil(&transient::OilInTime::aside)});
-    columns.push_back({"oil_from_nowhere", "-", "in the step, over what the inlet brings in the steady film in a/u_m",
+    columns.push_back({"oil_from_nowhere", "-",
+                       "oil mass error of the step over the inflow of the steady film in a/u_m",
                        of_oil(&transient::OilInTime::from_nowhere)});
-    columns.push_back({"oil_lost", "-", "since the start, over what the inlet brings then in a/u_m",
+    columns.push_back({"oil_lost", "-", "oil mass error since the start over the inflow of the steady film in a/u_m",
                        of_oil(&transient::OilInTime::lost)});
   }
   columns.push_back({"step", "a/u_m", "length of the step; 0 for the start", &StepRow::length});
-  columns.push_back({"order", "-", "of the time integration", &StepRow::order});
-  columns.push_back({"cycles", "-", "of all attempts at the step", &StepRow::cycles});
-  if (kind.newton)
-    columns.push_back({"newton_steps", "-", "of Newton's method, in all attempts", &StepRow::newton_steps});
+  columns.push_back({"order", "-", "order of the time integration", &StepRow::order});
+  columns.push_back({"cycles", "-", "cycles of all attempts at the step", &StepRow::cycles});
+  if (kind.newton) columns.push_back({"newton_steps", "-", "Newton steps of all attempts", &StepRow::newton_steps});
   columns.push_back({"rejected", "-", "attempts that failed the error test", &StepRow::rejected});
   columns.push_back({"not_solved", "-", "attempts that were not solved", &StepRow::not_solved});
   for (std::size_t k = 0; k < probes.size(); ++k) {
@@ -90,14 +90,14 @@ std::string why_no_checkpoint(const results::ResultFile& file) {
   const std::string ended = "/summary/transient_ended";  // files of earlier versions lack it
   const bool told = file.kind(ended) == results::ResultFile::Kind::text;
   return file.numbers("/transient/time").values.size() > 1
-             ? why + "nobody stopped its run, it ended where it could not go on" +
+             ? why + "its run was not interrupted but ended because it could not continue" +
                    (told ? ": " + file.text(ended) : std::string()) + "; change its deck and run it again"
-             : why + "its run was stopped before the first step; run its deck again";
+             : why + "its run was interrupted before the first step; run its deck again";
 }
 
 int whole(const std::string& path, const std::string& name, double value) {
   if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max())
-    damaged(path, name + " holds " + deck::shortest(value) + ", which is no count");
+    damaged(path, name + " holds " + deck::shortest(value) + ", which is not a valid number of items");
   return static_cast<int>(value);
 }
 
@@ -126,15 +126,15 @@ results::Loose loose_of(const transient::Checkpoint& checkpoint) {
     return results::Column{name, "-", meaning, false, values};
   };
   return {"/checkpoint",
-          "where `ehl resume` goes on",
+          "state from which `ehl resume` continues",
           {{"time", checkpoint.T, "a/u_m", "time reached"},
            {"step", checkpoint.step, "a/u_m", "length of the last step"},
-           {"frames", checkpoint.frames, "-", "fields kept so far"},
+           {"frames", checkpoint.frames, "-", "fields stored so far"},
            {"jumps", checkpoint.restarts, "-", "jumps of load or speed so far"},
            {"weight", checkpoint.weight, "-", "factor on the under-relaxation weights of the cycles"}},
           {array("y",
-                 "P and the oil's content on the grid that is computed on, H00, the velocity of a body that moves, and "
-                 "the oil by what has flowed in and out where mass is conserved",
+                 "unknowns: P and the oil content on the computed grid, H00, the velocity of a moving body, and the "
+                 "oil balance of inflow and outflow where mass is conserved",
                  checkpoint.y),
            array("yp", "their derivatives in time", checkpoint.yp)}};
 }
@@ -143,7 +143,7 @@ results::Loose loose_of(const transient::Checkpoint& checkpoint) {
 
 void add_transient(const Case& input, const TransientResult& result, results::Content& content) {
   const transient::Input& march = *input.transient;
-  content.tables.push_back(table_of("transient", "every accepted step of time; ended " + how_it_ended(result.report),
+  content.tables.push_back(table_of("transient", "every accepted time step; ended " + how_it_ended(result.report),
                                     step_columns({.body = march.conditions.body.has_value(),
                                                   .oil = march.conditions.conserves_mass,
                                                   .line = input.scene.grid.line,
@@ -164,9 +164,10 @@ void add_transient(const Case& input, const TransientResult& result, results::Co
   if (kept("P")) series("P", "p_h", "pressure p/p_h", &transient::Frame::P);
   if (kept("H")) series("H", "a^2/R", "film thickness h R/a^2", &transient::Frame::H);
   if (march.conditions.conserves_mass)
-    series("theta", "-", "content: share of the gap that the oil fills, Q/(rho H)", &transient::Frame::theta);
-  content.summary.push_back({"transient_completed", completed(result), "-", "1: to its end, 0: not"});
-  content.summary.push_back({"transient_ended", how_it_ended(result.report), "", "where, or why before its end"});
+    series("theta", "-", "oil content: share of the gap that the oil fills, Q/(rho H)", &transient::Frame::theta);
+  content.summary.push_back(
+      {"transient_completed", completed(result), "-", "1: the run in time is complete, 0: it is not"});
+  content.summary.push_back({"transient_ended", how_it_ended(result.report), "", "how the run in time ended"});
   if (result.checkpoint) content.checkpoint = loose_of(*result.checkpoint);
 }
 
@@ -195,7 +196,7 @@ TransientResult read_transient(const results::ResultFile& file) {
     if (file.kind(path) != Kind::numbers) return core::Field();
     const results::Array array = file.frame(path, k);
     if (std::ranges::any_of(array.values, [](double value) { return !(std::abs(value) <= largest_credible); }))
-      damaged(file.path(), path + " holds what is no field");
+      damaged(file.path(), path + " contains something else than a field");
     // The file holds one line of a line contact (results/one_line.hpp); the solver uses three equal lines.
     const std::size_t lines = array.dims[0];
     core::Grid grid{.nx = static_cast<int>(array.dims[1]) - 1, .ny = lines == 1 ? 2 : static_cast<int>(lines) - 1};
@@ -217,19 +218,20 @@ void check_fits(const TransientResult& before, const Case& input, const std::str
   const auto rise = [](const auto& list, auto time) {
     return std::ranges::adjacent_find(list, std::ranges::greater_equal(), time) == list.end();
   };
-  if (!rise(before.rows, &StepRow::T) || !rise(before.frames, &transient::Frame::T)) damaged(path, "its times fall");
+  if (!rise(before.rows, &StepRow::T) || !rise(before.frames, &transient::Frame::T))
+    damaged(path, "its times are not rising");
   const double end = before.rows.back().T;
   if (before.rows.front().T != 0.0 || checkpoint.T != end || end > input.transient->parameters.end ||
       !(checkpoint.step > 0.0) || !(checkpoint.weight > 0.0 && checkpoint.weight <= 1.0) ||
       (!before.frames.empty() && before.frames.back().T > end))
     damaged(path, "the times of its checkpoint, rows, fields and deck do not agree");
   if (static_cast<std::size_t>(checkpoint.frames) != before.frames.size() || checkpoint.restarts < 0)
-    damaged(path, "it has not as many fields as its checkpoint says");
+    damaged(path, "the number of fields does not match its checkpoint");
   for (const transient::Frame& frame : before.frames)
     for (const core::Field* field : {&frame.P, &frame.H, &frame.theta})
       if (field->nodes_x() > 0 &&
           (field->nodes_x() != input.scene.grid.nodes_x() || field->nodes_y() != input.scene.grid.nodes_y()))
-        damaged(path, "its fields are of another grid than its deck's");
+        damaged(path, "its fields belong to another grid than that of its deck");
 }
 
 }  // namespace ehl::program

@@ -96,8 +96,8 @@ std::string range_lines(const Case& input, const std::vector<StepRow>& rows) {
 std::string oil_line(const TransientResult& result, bool line) {
   const transient::OilInTime &first = result.rows.front().oil, &last = result.rows.back().oil;
   return fmt::format(
-      "  oil        {:.5f} to {:.5f} rho0 {}/R between the bodies; at the end in {:.5f}, out {:.5f}, aside {:.2g} per "
-      "a/u_m; from nowhere {:.1e} of what first flows in in a/u_m in the worst step, {:.1e} since the start\n",
+      "  oil        {:.5f} to {:.5f} rho0 {}/R between the bodies; at the end in {:.5f}, out {:.5f}, through the sides "
+      "{:.2g} per a/u_m; mass error {:.1e} of the first inflow in a/u_m in the worst step, {:.1e} since the start\n",
       first.stored, last.stored, line ? "a^3" : "a^4", last.in, last.out, last.aside, result.report.worst_oil_error,
       last.lost);
 }
@@ -116,8 +116,8 @@ std::string time_text(const Case& input, double T) {
 std::string how_it_ended(const transient::MarchReport& report) {
   switch (report.end) {
     case MarchEnd::end_time: return "at the end time";
-    case MarchEnd::film: return "where the film fell to stop_film";
-    case MarchEnd::steady: return "steady to stop_steady";
+    case MarchEnd::film: return "because the film fell to stop_film";
+    case MarchEnd::steady: return "because it was steady to stop_steady";
     case MarchEnd::interrupted: return "interrupted";
     case MarchEnd::failed: return "FAILED: " + report.reason;
   }
@@ -176,15 +176,14 @@ std::string transient_summary(const Case& input, const TransientResult& result) 
   const std::string newton =
       report.newton_steps > 0 ? fmt::format(", {} steps of Newton's method", report.newton_steps) : "";
   text += fmt::format(
-      "  steps      {}, {:.2f} cycles each{}; {} of {} attempts rejected for their error, {} not solved; {} jumps; "
-      "longest "
-      "allowed {:.3g}\n",
+      "  steps      {}, {:.2f} cycles each{}; {} of {} attempts rejected by the error test, {} not solved; {} jumps; "
+      "longest allowed {:.3g}\n",
       report.steps, static_cast<double>(report.cycles) / std::max(1, report.steps), newton, report.rejected, attempts,
       report.not_solved, report.restarts, report.longest_step);
   if (input.transient->conditions.conserves_mass) text += oil_line(result, input.scene.grid.line);
-  text += fmt::format("  load       worst error {:.1e}\n  time       {:.3f} s, {:.2f} ms per step; {} fields kept\n",
-                      report.worst_load_error, report.seconds, 1e3 * report.seconds / std::max(1, report.steps),
-                      result.frames.size());
+  text += fmt::format(
+      "  load       largest error {:.1e}\n  time       {:.3f} s, {:.2f} ms per step; {} fields stored\n",
+      report.worst_load_error, report.seconds, 1e3 * report.seconds / std::max(1, report.steps), result.frames.size());
   return text;
 }
 

@@ -6,42 +6,39 @@ namespace ehl::program {
 
 std::vector<deck::Unavailable> unavailable() {
   const std::string mixed =
-      "asperity contact (mixed lubrication) is not in this version: Sq1 and Sq2 in [contact] give the lambda ratio, "
-      "and [surface1] or [surface2] a wave, a dent or a measured map that the oil film separates";
+      "asperity contact (mixed lubrication) is not available: Sq1 and Sq2 of [contact] give the lambda ratio, and "
+      "[surface1] or [surface2] a wave, a dent or a measured map that the oil film separates";
   const std::string roughness =
-      "there is no such section: the height of a roughness is Sq1 and Sq2 in [contact], its shape is in [surface1] or "
-      "[surface2]";
+      "there is no such section: the roughness heights are Sq1 and Sq2 of [contact], and the shape of a roughness is "
+      "given in [surface1] or [surface2]";
   const std::string coating =
-      "coatings are not in this version: one that is much thinner than the contact is wide leaves film and pressure as "
-      "they are, so give E and nu of the body below it";
+      "coatings are not available: one that is much thinner than the contact is wide does not change film and "
+      "pressure, so give E and nu of the body below it";
   const std::string grease =
-      "greases are not in this version: give the base oil in [lubricant], and [supply] where the inlet lacks oil";
+      "greases are not available: give the base oil in [lubricant], and [supply] if the inlet lacks oil";
   const std::string wear =
-      "wear is not computed: [friction] gives the friction, and [subsurface] the stresses from which a wear or fatigue "
-      "calculation begins";
+      "wear is not computed: [friction] gives the friction, and [subsurface] the stresses for a wear or fatigue "
+      "calculation";
   const std::string plastic =
-      "the bodies are elastic in this version, and the report warns of steel beyond its yield: give a dent that is "
-      "there "
-      "as a measured map in [surface1] or [surface2]";
+      "plastic deformation is not available, and the report warns if steel would yield: give an existing dent as a "
+      "measured map in [surface1] or [surface2]";
   const std::string spur =
-      "gear_mesh is for spur gears: give the contact of other gears by [contact] kind = line with radius_x, "
+      "gear_mesh holds for spur gears: give the contact of other gears by [contact] kind = line with radius_x, "
       "load_per_length and the moduli, and [motion] u1, u2, or the equivalent spur gear of the normal section";
   const std::string radial =
-      "only radial loads are in this version: for an axial one give load on the ball, F_a/(elements "
-      "sin(contact_angle))";
-  const std::string spin = "spin is not in this version: [motion] has the speeds u1 and u2 along x and the angle";
+      "only radial loads are available: for an axial load F_a give load on the ball, F_a/(elements sin(contact_angle))";
+  const std::string spin = "spin is not available: [motion] has the speeds u1 and u2 along x and the angle";
   const std::string clearance =
-      "the load distribution is that of a bearing without clearance or preload in this version: give load on the ball "
-      "or roller instead of radial_load";
+      "the load distribution holds for a bearing without clearance or preload: give load on the ball or roller instead "
+      "of radial_load";
   const std::string p_h =
-      "the Hertz pressure is a result: give the load, of a circular contact 2 pi^3 R^2 p_h^3/(3 E'^2), and "
-      "load_per_length "
-      "of a line 2 pi R p_h^2/E', with 2/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2";
-  const std::string Ra = "give Sq1 and Sq2; of a Gaussian roughness Sq = 1.25 Ra";
+      "the Hertz pressure is a result: give the load, for a circular contact 2 pi^3 R^2 p_h^3/(3 E'^2), or "
+      "load_per_length of a line contact, 2 pi R p_h^2/E', with 2/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2";
+  const std::string Ra = "is not used: give Sq1 and Sq2; for a Gaussian roughness Sq = 1.25 Ra";
   const std::string shear_law =
-      "this law of thinning is not in this version: [shear] law = eyring or carreau, and [friction] limit for a stress "
-      "that the oil does not exceed";
-  return {{"surface", "", "there are two: write [surface1] or [surface2]"},
+      "this law of shear-thinning is not available: use [shear] law = eyring or carreau, and [friction] limit for a "
+      "stress that the oil does not exceed";
+  return {{"surface", "", "is not a section: write [surface1] or [surface2]"},
           {"mixed", "", mixed},
           {"asperities", "", mixed},
           {"roughness", "", roughness},

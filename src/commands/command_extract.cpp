@@ -95,7 +95,7 @@ std::size_t chosen_step(const Arguments& arguments, std::size_t count) {
 std::string sections_in_time(const ResultSource& source, const std::string& name, const Arguments& arguments,
                              std::size_t count) {
   if (!arguments.has("along") && !arguments.has("at"))
-    refuse(name + " holds " + std::to_string(count) + " fields: choose one with --step 0 to " +
+    refuse(name + " contains " + std::to_string(count) + " fields: choose one with --step 0 to " +
            std::to_string(count - 1) + ", or a section of all with --along x");
   const std::string layer = source.file.axis(name, "time").empty() ? "z" : "time";
   const results::Array times = source.numbers(source.file.axis(name, layer));
@@ -185,11 +185,11 @@ int extract(const Arguments& arguments) {
   const bool is_field = in_time || dims.size() == 2;
   for (const char* option : {"along", "at", "matrix", "sample", "window"})
     if (arguments.has(option) && !is_field)
-      refuse(std::string("--") + option + " applies to fields, and " + name + " is none");
+      refuse(std::string("--") + option + " applies to fields, and " + name + " is not a field");
   if (arguments.has("matrix") && (arguments.has("along") || arguments.has("at")))
     refuse("either --matrix or --along and --at");
   if (arguments.has("step") && !in_time)
-    refuse("--step applies to fields of several times or depths, and " + name + " is none");
+    refuse("--step applies to fields of several times or depths, and " + name + " is not a field");
   if (in_time && !arguments.has("step")) {
     print(sections_in_time(source, name, arguments, dims[0]));
   } else if (is_field) {

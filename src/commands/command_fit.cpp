@@ -118,12 +118,12 @@ Task task_of(const Arguments& arguments) {
   }
   if (task.free.size() > most_free) refuse(fmt::format("--free: {} keys at most", most_free));
   if (task.points.size() <= task.free.size())
-    refuse(fmt::format("--measured: {} points do not tell {} constants and how certain they are", task.points.size(),
-                       task.free.size()));
+    refuse(fmt::format("--measured: {} points are too few for {} constants and their standard errors",
+                       task.points.size(), task.free.size()));
   task.header.files = files_of_cases(deck, task.header.set, {});
   task.header.kind = kind_of_sweep(deck, overrides_of(task, {}, task.points.back().srr));
   if (!task.header.kind.friction && !task.header.kind.thermal)
-    refuse(deck + ": neither [friction] nor [thermal] asks for a friction to be fitted");
+    refuse(deck + ": the deck computes no friction to fit: add [friction] or [thermal]");
   return task;
 }
 
@@ -135,7 +135,7 @@ std::vector<double> start_of(const Task& task) {
     const std::size_t dot = key.find('.');
     const std::string section = key.substr(0, dot), name = dot == std::string::npos ? "" : key.substr(dot + 1);
     if (!deck::given(deck, section.c_str(), name.c_str()) || !(deck::number(deck, section.c_str(), name.c_str()) > 0.0))
-      refuse("--free " + key + ": the deck must give this key a positive number to begin with");
+      refuse("--free " + key + ": the deck must give this key a positive starting value");
     start.push_back(deck::number(deck, section.c_str(), name.c_str()));
   }
   return start;
@@ -148,8 +148,8 @@ std::string report(const Task& task, const Fit& fit) {
     text += fmt::format("{:>10.5g} {:>10.5g} {:>10.5g} {:>10.5f}\n", point.srr, point.mu, fit.model[i],
                         fit.model[i] - point.mu);
   }
-  text += fmt::format("deviation    {:.2g} in the mean (root of the mean square) of {} points, {} rounds\n",
-                      fit.deviation, task.points.size(), fit.rounds);
+  text += fmt::format("deviation    {:.2g} root mean square over {} points, {} rounds\n", fit.deviation,
+                      task.points.size(), fit.rounds);
   for (std::size_t a = 0; a < task.free.size(); ++a)
     text += fmt::format("{:<12} = {:.5g} +- {} (one standard error)\n", task.free[a], fit.parameters[a],
                         percent(fit.errors[a]));
@@ -157,7 +157,7 @@ std::string report(const Task& task, const Fit& fit) {
     for (std::size_t b = 0; b < a; ++b)
       text += fmt::format("correlation  {:.3f} between {} and {}\n", fit.correlation[a][b], task.free[b], task.free[a]);
   if (!fit.settled)
-    text += "warning: the fit has not settled: its last steps still lowered the deviation, or none did\n";
+    text += "warning: the fit has not converged: its last steps still lowered the deviation, or none did\n";
   return text;
 }
 

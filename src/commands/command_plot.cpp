@@ -38,7 +38,7 @@ bool counts_in_seconds(const std::string& deck) { return deck.find("\ntime_unit 
 // The frame that --time asks for, else the last one: its number, and its time in words.
 std::vector<Setting> chosen_frame(const results::ResultFile& result, const Arguments& arguments) {
   const bool in_time = result.kind("/transient/frames/time") == results::ResultFile::Kind::numbers;
-  if (!in_time && arguments.has("time")) refuse("--time: " + result.path() + " holds no run in time");
+  if (!in_time && arguments.has("time")) refuse("--time: " + result.path() + " does not contain a run in time");
   if (!in_time) return {};
   const std::vector<double> times = result.numbers("/transient/frames/time").values;
   if (times.empty()) throw core::FileError(result.path() + ": the file is damaged: no field in time");
@@ -153,9 +153,9 @@ std::string gnuplot_text(const std::vector<Setting>& settings) {
 std::vector<std::string> wanted_figures(const Arguments& arguments, bool is_sweep) {
   std::vector<std::string> names = arguments.values("figure");
   if (!names_axes(arguments)) return names;
-  if (!is_sweep) refuse("--x, --y and --by take the table of a sweep");
+  if (!is_sweep) refuse("--x, --y and --by need the table of a sweep");
   if (names.empty()) names = {"curves"};
-  if (names != std::vector<std::string>{"curves"}) refuse("--x, --y and --by go with --figure curves");
+  if (names != std::vector<std::string>{"curves"}) refuse("--x, --y and --by need --figure curves");
   return names;
 }
 
@@ -166,11 +166,11 @@ int plot(const Arguments& arguments) {
   const FigureSource source = path.ends_with(".csv") ? table_source(path, arguments) : result_source(path, arguments);
   const std::vector<Figure> chosen =
       selected_figures(figures_in(folder_of_scripts()), wanted_figures(arguments, source.table != nullptr), source);
-  if (chosen.empty() && source.table == nullptr) refuse(path + ": no figure draws what it holds");
+  if (chosen.empty() && source.table == nullptr) refuse(path + ": no figure can draw its content");
   if (chosen.empty())
     refuse(path +
-           ": no figure draws such a table by itself, no key has three numbers or more; --x KEY draws curves over "
-           "a key with fewer (`ehl help plot` lists the figures)");
+           ": no figure draws this table automatically, because no key has three values or more; --x KEY draws curves "
+           "over a key with fewer (`ehl help plot` lists the figures)");
   const Pictures pictures = pictures_of(arguments, chosen);
   std::vector<std::string> inputs{path};
   if (arguments.has("measured")) inputs.push_back(arguments.value("measured", ""));

@@ -25,7 +25,7 @@ std::string page_name(const Arguments& arguments) {
   std::filesystem::path beside = arguments.operands[0];
   beside.replace_extension();
   const std::string path = arguments.value("output", beside.string() + "_report.html");
-  if (!path.ends_with(".html")) refuse("--output " + path + ": the page's name ends with .html");
+  if (!path.ends_with(".html")) refuse("--output " + path + ": the name of the page must end with .html");
   return path;
 }
 

@@ -68,13 +68,13 @@ int solve_and_write(const Arguments& arguments, const Case& input, const Destina
   } catch (const core::SolverError& error) {
     // A run in time has already saved more than this, and a file that was to be continued must not be changed.
     if (to.is_completed || saved)
-      return fail_without_solution(arguments, input, error.what(), to.path + " holds the run so far");
+      return fail_without_solution(arguments, input, error.what(), to.path + " contains the run so far");
     const results::Content content = content_without_solution(input, computed, error.what());
     write(content);
     return fail_without_solution(
         arguments, input, error.what(),
-        to.path + (content.fields.empty() ? " holds the deck and this reason, and no film: there is none"
-                                          : " holds the film as far as it was found, marked"));
+        to.path + (content.fields.empty() ? " contains the deck and this reason, but no film"
+                                          : " contains the last film, marked as not converged"));
   }
   // The file is written before the report is printed: standard output may be full or closed.
   write(whole_content(input, computed));
@@ -112,7 +112,7 @@ int resume(const Arguments& arguments) {
     understood.folders.push_back(file.text("/provenance/deck_folder"));
   understood.folders.push_back(std::filesystem::absolute(path).parent_path().string());
   const Case input = case_of(std::move(understood), path, requested_threads(arguments));
-  if (!input.transient) throw core::FileError(path + ": the file is damaged: its deck is of no run in time");
+  if (!input.transient) throw core::FileError(path + ": the file is damaged: its deck is not that of a run in time");
   check_fits(before, input, path);
   check_same_files(file, input);
   // The result is both read and written: it is continued in place.

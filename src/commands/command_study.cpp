@@ -54,8 +54,9 @@ std::string cycles_of(const Arguments& arguments, const Case& input) {
   const bool passes = input.heat || input.flow_thinning;
   const std::string cycles = arguments.value("cycles", passes ? "run" : "1V,2V,1W,2W,run");
   if (passes && cycles != "run")
-    throw core::InputError("command line: --cycles " + cycles +
-                           ": a contact with heat, or with [shear] flow = on, is solved in passes: run");
+    throw core::InputError(
+        "command line: --cycles " + cycles +
+        ": a contact with heat, or with [shear] flow = on, is solved by a fixed-point iteration: use run");
   return cycles;
 }
 
@@ -83,8 +84,7 @@ std::vector<int> reference_grids(const Arguments& arguments, const Grids& grids,
     while (grown < cells) grown *= 2;
     if (grown != cells)
       throw core::InputError("command line: --reference " + std::to_string(cells) + ": must be the " +
-                             std::to_string(finest) +
-                             " cells of the finest grid studied, or that times a power of two");
+                             std::to_string(finest) + " cells of the finest grid studied, times 1 or a power of two");
     grids.on(cells);
   } else if (4.0 * grids.nodes(finest) <= most_nodes_of_reference && grids.legal(2 * finest)) {
     cells = 2 * finest;
@@ -126,7 +126,7 @@ Reference find_reference(const Grids& grids, const std::vector<int>& cells, bool
 
 std::vector<StudyPoint> measured(const Grids& grids, const std::vector<StudyCase>& ways, const StudyHeader& header,
                                  bool quiet) {
-  if (!quiet) std::fprintf(stderr, "ehl: %zu ways, %d times each\n", ways.size(), header.repeats);
+  if (!quiet) std::fprintf(stderr, "ehl: %zu variants, %d times each\n", ways.size(), header.repeats);
   const std::vector<StudyPoint> all =
       measured_once(repeated(ways, header.repeats), header.jobs, quiet, [&](int cells) { return grids.on(cells); });
   std::vector<StudyPoint> points(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(ways.size()));
@@ -165,13 +165,12 @@ int study(const Arguments& arguments) {
                            input.files};
   if (input.transient) return study_in_time(arguments, header, path, input);
   if (arguments.has("rtol"))
-    throw core::InputError("command line: --rtol is for runs in time, and the deck has no [transient] end_time");
+    throw core::InputError("command line: --rtol is for runs in time, but the deck has no [transient] end_time");
   const StudyPlan plan = plan_of(arguments, grids, input);
   for (const int cells : plan.cells) grids.on(cells);  // finds errors of the deck before the computation begins
   const std::vector<StudyCase> ways = cases_of(plan, [&](int cells) { return grids.nodes(cells); });
   if (ways.empty())
-    throw core::InputError(
-        "command line: --evaluators direct: no level is small enough: it is tried up to 20000 nodes");
+    throw core::InputError("command line: --evaluators direct: no grid is small enough, the limit is 20000 nodes");
   const std::vector<int> finest = reference_grids(arguments, grids, plan.cells.back());
   results::check_files(header.inputs(), {{path, results::FileKind::table, arguments.has("overwrite")}});
 

@@ -127,7 +127,7 @@ int merge(const Arguments& arguments) {
   print(fmt::format("cases        {}: {} converged, {} missing\ntable        {}\n{}", merged.cases, merged.converged,
                     merged.missing.size(), path, kept.empty() ? "" : "results      " + kept + "\n"));
   if (!merged.missing.empty())
-    std::fprintf(stderr, "ehl: %zu cases have no row yet, the first is case %zu: the sweep on %s goes on with them\n",
+    std::fprintf(stderr, "ehl: %zu cases have no row yet, the first is case %zu: the sweep on %s continues with them\n",
                  merged.missing.size(), merged.missing[0], path.c_str());
   return merged.converged == merged.cases ? solved : not_converged;
 }
@@ -136,7 +136,8 @@ int merge(const Arguments& arguments) {
 
 int sweep(const Arguments& arguments) {
   if (arguments.has("merge")) return merge(arguments);
-  if (arguments.operands.size() > 1) refuse("'" + arguments.operands[1] + "' is one too many: a sweep has one deck");
+  if (arguments.operands.size() > 1)
+    refuse("'" + arguments.operands[1] + "' is one argument too many: a sweep has one deck");
   const std::string& deck = arguments.operands[0];
   if (!arguments.has("vary") && !arguments.has("cases"))
     throw core::InputError(
@@ -207,7 +208,7 @@ int sweep(const Arguments& arguments) {
   const bool finished = run_in_children(missing, at_once, calls);
   progress.clear();
   if (!finished) {
-    std::fprintf(stderr, "ehl: interrupted: %zu of %zu cases are in %s; the same command goes on with them\n",
+    std::fprintf(stderr, "ehl: interrupted: %zu of %zu cases are in %s; the same command continues the sweep\n",
                  cases - table.missing().size(), cases, path.c_str());
     return interrupted;
   }
@@ -222,7 +223,7 @@ int sweep(const Arguments& arguments) {
   // The refused case is chosen by number and not by time of completion, so that the message is reproducible.
   const auto refused = std::ranges::find_if(own, [&](std::size_t index) { return table.has_status(index, "refused"); });
   if (refused != own.end())
-    std::fprintf(stderr, "ehl: refused, the first one: %s: %s\n", name_of(*refused).c_str(),
+    std::fprintf(stderr, "ehl: first refused case: %s: %s\n", name_of(*refused).c_str(),
                  table.cell(*refused, "reason").c_str());
   if (table.count("refused") == cases) return wrong_input;
   return table.count("converged") == cases ? solved : not_converged;

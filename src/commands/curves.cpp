@@ -20,7 +20,7 @@ void check_column(const SweepData& table, const std::string& option, const std::
   if (!table.has(column))
     refuse(said + ": the table has no such column" + suggestion(column, table.columns) + " It has " +
            deck::joined(table.columns, ", "));
-  if (numbers && !table.is_numeric(column)) refuse(said + ": this column has words, and an axis takes numbers");
+  if (numbers && !table.is_numeric(column)) refuse(said + ": this column contains words, and an axis needs numbers");
 }
 
 CurvesWanted defaults(const SweepData& table, std::string x) {
@@ -75,7 +75,7 @@ bool makes_curves(const SweepData& table) {
 
 CurvesWanted chosen_curves(const SweepData& table, const Arguments& arguments) {
   const std::string x = arguments.value("x", longest_key(table));
-  if (x.empty()) refuse(table.path + ": no swept key has three numbers: choose the axes with --x and --y");
+  if (x.empty()) refuse(table.path + ": no swept key has three values: choose the axes with --x and --y");
   check_column(table, "x", x, true);
   CurvesWanted wanted = defaults(table, x);
   wanted.axes = arguments.value("axes", "");
@@ -87,7 +87,7 @@ CurvesWanted chosen_curves(const SweepData& table, const Arguments& arguments) {
   for (const std::string& by : wanted.by) check_column(table, "by", by, false);
   const std::size_t curves = curves_by(table, wanted.by).size();
   if (curves * wanted.y.size() > most_curves * (wanted.y.size() > 1 ? 2 : 1))
-    refuse(fmt::format("{}: {} curves are more than a picture holds ({}): vary fewer values, or choose them with --by",
+    refuse(fmt::format("{}: {} curves, but a picture can show {}: vary fewer values, or choose the curves with --by",
                        table.path, curves, most_curves));
   return wanted;
 }
@@ -120,7 +120,7 @@ Curves curves_of(const SweepData& table, const CurvesWanted& wanted) {
                           ? one_roughness(table)
                           : 0.0);
   if (made.data.find_first_of("0123456789") == std::string::npos)
-    refuse(table.path + ": no case of it has a converged solution: there is nothing to draw");
+    refuse(table.path + ": no case has a converged solution: there is nothing to draw");
   const auto lost = std::ranges::count_if(table.rows, [&](const auto& row) {
     return row[static_cast<std::size_t>(std::ranges::find(table.columns, "status") - table.columns.begin())] !=
            "converged";

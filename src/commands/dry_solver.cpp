@@ -42,8 +42,8 @@ void solve(const Case& input, Progress& progress, Computed& computed) {
   dry::Solution& solution = computed.dry.emplace();
   solution = dry::solve(problem, [&](const dry::Progress& now) {
     return progress.show(fraction(now, problem.parameters.tolerance),
-                         fmt::format("{} x {}  iteration {}  gap wrong by {:.1e}", now.grid.nodes_x(),
-                                     now.grid.nodes_y(), now.iteration, now.error));
+                         fmt::format("{} x {}  iteration {}  gap error {:.1e}", now.grid.nodes_x(), now.grid.nodes_y(),
+                                     now.iteration, now.error));
   });
   const core::Location highest = core::maximum(solution.P);
   Outcome& outcome = computed.outcome;
@@ -96,7 +96,7 @@ std::string summary(const Case& input, const Computed& computed) {
                                  fmt::format("{:.5f} a^2/R (smooth: 1){}\n", -solution.H00, mark));
   text += "area         " +
           both(si ? fmt::format("{:.5g} um^2", 1e12 * si->a * si->a * last.area) : "",
-               fmt::format("{:.5f} a^2, {:.4f} of Hertz' circle{}\n", last.area, last.area / core::pi, mark));
+               fmt::format("{:.5f} a^2, {:.4f} of the Hertz circle{}\n", last.area, last.area / core::pi, mark));
   if (contact) text += contact_lines(*contact);
   text += fmt::format("load         error {:.1e}; gap in contact and overlap outside at most {:.1e} a^2/R\n",
                       solution.load_error, last.error);
@@ -112,11 +112,11 @@ std::vector<results::Quantity> quantities(const Computed& computed) {
   return {{"converged", solution.converged, "-", "1: all checks passed, 0: not"},
           {"failed_check", solution.failed_check, "", "empty when converged"},
           {"P_max", P_max.value, "p_h", "highest pressure of all nodes"},
-          {"P_max_x", P_max.X, "a", "where it is", "P_max_X"},
-          {"P_max_y", P_max.Y, "a", "where it is", "P_max_Y"},
+          {"P_max_x", P_max.X, "a", "its position", "P_max_X"},
+          {"P_max_y", P_max.Y, "a", "its position", "P_max_Y"},
           {"H00", solution.H00, "a^2/R", "minus the mutual approach"},
           {"area", solution.rows.back().area, "a^2", "area of the nodes in contact"},
-          {"gap_error", solution.rows.back().error, "a^2/R", "largest gap in the contact, overlap outside"},
+          {"gap_error", solution.rows.back().error, "a^2/R", "largest gap in the contact or overlap outside"},
           {"load_error", solution.load_error, "-", "relative error of the load"},
           {"seconds", solution.seconds, "s", "time of the solution"},
           {"deformation", solution.deformation, "", "how the elastic deformation was evaluated", results::not_in_json}};
@@ -129,8 +129,8 @@ std::vector<Column<dry::GridRow>> grid_columns() {
           {"P_max", "p_h", "highest pressure of all nodes", &Row::P_max},
           {"H00", "a^2/R", "minus the mutual approach", &Row::H00},
           {"area", "a^2", "area of the nodes in contact", &Row::area},
-          {"gap_error", "a^2/R", "largest gap in the contact, largest overlap outside", &Row::error},
-          {"iterations", "-", "conjugate gradients", &Row::iterations},
+          {"gap_error", "a^2/R", "largest gap in the contact or overlap outside", &Row::error},
+          {"iterations", "-", "number of conjugate gradient iterations", &Row::iterations},
           {"seconds", "s", "time on the grid", &Row::seconds}};
 }
 
@@ -168,7 +168,7 @@ results::Content content(const Case& input, const Computed& computed) {
   content.fields = {{"P", "p_h", "pressure p/p_h", &solution.P}, {"gap", "a^2/R", "gap h R/a^2", &solution.H}};
   if (input.scene.surface)
     content.fields.push_back(
-        {"S", "a^2/R", "what the surfaces add to the gap, as means over cells", &computed.derived.S});
+        {"S", "a^2/R", "height that the surfaces add to the gap, averaged over cells", &computed.derived.S});
   content.tables = {table_of("grids", "the grids, coarse to fine", grid_columns(), solution.rows)};
   return content;
 }

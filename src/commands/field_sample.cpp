@@ -52,11 +52,11 @@ Section wanted_section(const FieldOnGrid& field, const Arguments& arguments) {
 
 FieldOnGrid sampled(const FieldOnGrid& field, const Arguments& arguments) {
   if (!arguments.has("sample")) {
-    if (arguments.has("window")) refuse("--window goes with --sample N, the number of points in it");
+    if (arguments.has("window")) refuse("--window needs --sample N, the number of points in it");
     return field;
   }
   const int points = whole_number(arguments, "sample", 2, most_points);
-  if (points < 2) refuse("--sample 1: at least 2 points");
+  if (points < 2) refuse("--sample 1: must be at least 2");
   const auto count = static_cast<std::size_t>(points);
   const std::string window = arguments.value("window", "");
   const std::string said = "--window " + window;

@@ -37,7 +37,7 @@ Figure named(const std::vector<Figure>& all, const std::string& name, const Figu
   }
   if (kind_of(*found) != source.kind) refuse(said + " draws " + told(kind_of(*found)));
   for (const std::string& need : found->needs)
-    if (!source.has(need)) refuse(said + ": this file has no " + need + ", which it draws");
+    if (!source.has(need)) refuse(said + ": this file has no " + need + ", which it needs");
   return *found;
 }
 
@@ -100,7 +100,7 @@ std::string list_of_figures(const std::vector<Figure>& all) {
       if (kind_of(figure) != kind) continue;
       std::vector<std::string> words(figure.needs);
       std::erase(words, kind);
-      std::ranges::replace(words, std::string(curves_need), std::string("a swept key of three numbers or more"));
+      std::ranges::replace(words, std::string(curves_need), std::string("a swept key of three values or more"));
       const std::string needs = deck::joined(words, ", ");
       text += "  " + figure.name +
               (figure.movie       ? " (GIF, on demand)"

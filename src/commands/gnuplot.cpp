@@ -61,12 +61,12 @@ std::string PlainNames::of(const std::string& path, const std::string& link) {
     if (error || name.find('\'') != std::string::npos) name = "/tmp";
     name += "/ehl_plot_XXXXXX";
     if (::mkdtemp(name.data()) == nullptr)
-      throw core::FileError(name + ": no folder for links can be made: " + std::strerror(errno));
+      throw core::FileError(name + ": a folder for links cannot be made: " + std::strerror(errno));
     folder_ = name;
   }
   const std::string plain = folder_ + "/" + link;
   files::create_symlink(files::absolute(path), plain, error);
-  if (error) throw core::FileError(plain + ": no link can be made: " + error.message());
+  if (error) throw core::FileError(plain + ": a link cannot be made: " + error.message());
   return plain;
 }
 

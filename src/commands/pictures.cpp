@@ -25,14 +25,14 @@ std::string chosen_format(const Arguments& arguments, const std::vector<Figure>&
   const bool known = format == "png" || format == "svg" || format == "pdf";
   if (arguments.has("format") && movie)
     refuse("--format " + format + ": " + std::ranges::find_if(figures, &Figure::movie)->name +
-           " is an animated GIF: leave --format out");
+           " is an animated GIF: leave out --format");
   if (!known && !arguments.has("format"))
-    refuse("--output " + arguments.value("output", "") + ": the name of a picture ends with .png, .svg or .pdf");
+    refuse("--output " + arguments.value("output", "") + ": the name of a picture must end with .png, .svg or .pdf");
   if (!known) refuse("--format " + format + ": must be png, svg or pdf");
   const std::string wanted = movie && figures.size() == 1 ? "gif" : format;
   if (!ending.empty() && ending != wanted)
-    refuse("--output " + arguments.value("output", "") + ": the picture is a " + wanted + ", and its name ends with ." +
-           wanted);
+    refuse("--output " + arguments.value("output", "") + ": the picture is a " + wanted +
+           ", and its name must end with ." + wanted);
   return format;
 }
 
@@ -52,8 +52,8 @@ std::vector<Setting> size_settings(const Arguments& arguments, const std::string
   if (read.value < least || read.value > most)
     refuse("--width " + width + ": must be from " + deck::shortest(least) + " to " + deck::shortest(most) +
            (in_mm ? " mm" : " px"));
-  if (!in_mm && format == "pdf") refuse("--width " + width + ": a PDF has no pixels: give mm");
-  if (in_mm && movie) refuse("--width " + width + ": a movie is measured in pixels: give px");
+  if (!in_mm && format == "pdf") refuse("--width " + width + ": a PDF has no pixels: give the width in mm");
+  if (in_mm && movie) refuse("--width " + width + ": the width of a movie is in pixels: give px");
   return {{in_mm ? "mm" : "pixels", deck::shortest(read.value), false}};
 }
 

@@ -61,10 +61,10 @@ std::string printed(const Case& input, const Computed& computed, bool profile) {
 
 std::string unfit_as_result(const std::string& path) {
   if (results::xdmf_name(path) == path)
-    return "the result cannot be named " + path + ": .xmf is its companion, use .h5";
+    return "the result cannot be named " + path + ": .xmf is the ending of its companion file; use .h5";
   if (!deck::is_utf8(path) || deck::has_control_character(path))
     return "the result cannot be named " + deck::quoted(path) +
-           ": XDMF, which names it, takes UTF-8 without control characters";
+           ": XDMF, which contains the name, needs UTF-8 without control characters";
   return {};
 }
 
@@ -91,7 +91,7 @@ Ending ending_of(const Computed& computed, const std::string& to_go_on) {
   if (!in_time->checkpoint)
     message += ", before the first step";
   else if (!to_go_on.empty())
-    message += "; go on with `" + to_go_on + "`";
+    message += "; continue with `" + to_go_on + "`";
   return {interrupted, message};
 }
 

@@ -61,7 +61,7 @@ TimeReference find_reference(Case input, double rtol, double longest_step, bool 
   input.transient->parameters.most_steps = most_steps;  // the limit of the deck is meant for its own tolerance
   const TimeWay way{tighter * rtol, shorter * longest_step};
   const TimeWay coarser{coarser_rtol * way.rtol, coarser_step * way.longest_step};
-  if (!quiet) std::fprintf(stderr, "ehl: the reference, and the run that tells how well it is known\n");
+  if (!quiet) std::fprintf(stderr, "ehl: the reference, and the run that estimates its error\n");
   std::vector<TimeStudyPoint> runs = run_ways(input, {coarser, way}, true, 1, quiet);
   for (const TimeStudyPoint& run : runs)
     if (!is_complete(run)) throw core::SolverError("the reference, " + name_of_way(run.way) + ": " + run.reason);
@@ -91,7 +91,7 @@ int study_in_time(const Arguments& arguments, const StudyHeader& header, const s
   for (const char* option : {"levels", "wedges", "evaluators", "cycles", "reference"})
     if (arguments.has(option))
       throw core::InputError(std::string("command line: --") + option +
-                             " is for steady decks; in this one there is [transient] end_time: --rtol");
+                             " is for steady decks, but this one has [transient] end_time: use --rtol");
   const std::vector<double> rtols = tolerances(arguments);
   const bool quiet = arguments.has("quiet");
   results::check_files(header.inputs(), {{path, results::FileKind::table, arguments.has("overwrite")}});

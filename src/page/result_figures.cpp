@@ -147,7 +147,7 @@ std::string stress_section(const ResultView& view) {
 std::string temperature_lines(const ResultView& view) {
   if (!view.has("/fields/T_max")) return "";
   const CentreLine line = centre_line(view);
-  const std::vector<std::pair<const char*, const char*>> names{{"/fields/T_max", "hottest layer of the film"},
+  const std::vector<std::pair<const char*, const char*>> names{{"/fields/T_max", "largest temperature across the film"},
                                                                {"/fields/T_mid", "middle of the film"},
                                                                {"/fields/T1", "surface 1"},
                                                                {"/fields/T2", "surface 2"}};
@@ -184,8 +184,8 @@ std::string roller_figures(const ResultView& view) {
   if (!view.has("/roller/y")) return "";
   const results::Array y = view.source.numbers("/roller/y");
   std::string text;
-  for (const auto& [name, words] : {std::pair("P_max", view.pressure_words() + ", highest"),
-                                    std::pair("H_min", view.film_words() + ", smallest")}) {
+  for (const auto& [name, words] :
+       {std::pair("P_max", view.pressure_words() + ", maximum"), std::pair("H_min", view.film_words() + ", minimum")}) {
     const std::vector<double> values = view.source.numbers(std::string("/roller/") + name).values;
     // Where the pressure is zero, next to the ends, no film is drawn.
     std::vector<double> loaded;
@@ -216,8 +216,8 @@ std::string figures_of(const ResultView& view) {
   if (!maps) return text;
   for (const auto& [name, words, colours, caption] :
        {std::tuple("/fields/T_mid", "T - T_{oil}", Colours::temperature, "Temperature rise in the middle of the film."),
-        std::tuple("/fields/theta", "content θ", Colours::film, "Share of the gap that oil fills."),
-        std::tuple("/fields/S", "surface", Colours::film, "What the surfaces at rest add to the gap.")})
+        std::tuple("/fields/theta", "content θ", Colours::film, "Share of the gap that the oil fills."),
+        std::tuple("/fields/S", "surface", Colours::film, "Height that the surfaces at rest add to the gap.")})
     if (view.has(name)) text += own_map(view, name, words, colours, caption);
   return text;
 }

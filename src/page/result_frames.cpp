@@ -111,7 +111,7 @@ void add_history(const ResultView& view, const Frames& frames, Strip& strip) {
       for (const double time : frames.times) strip.data["now"].push_back(std::round(10.0 * drawing.at_x(time)) / 10.0);
   };
   add({{"Hc", "central film h_c"}, {"Hm", "smallest film h_m"}}, view.film_words(), "Films, step by step.");
-  add({{"P_max", "highest pressure"}}, view.pressure_words(), "Highest pressure, step by step.");
+  add({{"P_max", "largest pressure"}}, view.pressure_words(), "Largest pressure, step by step.");
   const std::vector<double> load = view.source.numbers("/transient/load").values;
   const std::vector<double> speed = view.source.numbers("/transient/speed").values;
   const auto changes = [](const std::vector<double>& v) {
@@ -119,7 +119,7 @@ void add_history(const ResultView& view, const Frames& frames, Strip& strip) {
   };
   if (changes(load) || changes(speed))
     add({{"load", "load over that of the contact"}, {"speed", "entrainment speed over u_m"}}, "ratio",
-        "What drives the contact.");
+        "Load and speed against time.");
 }
 
 }  // namespace

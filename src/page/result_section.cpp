@@ -32,7 +32,7 @@ std::vector<std::string> compared_cells(const ResultView& view) {
           best ? compared_film(view, "/summary/Hm_best", "/summary/error_Hm_best")
                : compared_film(view, "/summary/Hm", "/summary/error_Hm"),
           grows && view.converged ? digits(view.value("/summary/P_max"), std::nan("")) + " " +
-                                        with_indices(unit_words(view.number("/summary/P_max").unit)) + " of this mesh"
+                                        with_indices(unit_words(view.number("/summary/P_max").unit)) + " on this mesh"
                                   : compared_film(view, "/summary/P_max", "/summary/error_P_max"),
           std::isfinite(mu.values[0])
               ? view.converged ? with_bar(mu.values[0], view.value("/summary/error_mu"), "-") : not_converged_cell("")

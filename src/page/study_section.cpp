@@ -61,7 +61,7 @@ std::string order_words(const SweepData& table, std::size_t coarse, std::size_t 
 std::string convergence_table(const SweepData& table, const std::vector<std::string>& by, const std::string& along) {
   const bool si = table.has("h_c_nm");
   const std::string c = si ? "h_c_nm" : "Hc", m = si ? "h_m_nm" : "Hm";
-  HtmlTable made{"Against the reference: errors, and the orders at which they fall from row to row",
+  HtmlTable made{"Errors against the reference, and the observed order from row to row",
                  {"way", "cells", "status", si ? "h<sub>c</sub> [nm]" : "Hc", "error", "order",
                   si ? "h<sub>m</sub> [nm]" : "Hm", "error", "order", "work units", "seconds"},
                  {},
@@ -88,8 +88,8 @@ std::string convergence_table(const SweepData& table, const std::vector<std::str
                            digits(table.number(row, "work_units"), NAN), digits(table.number(row, "seconds"), NAN)});
     }
   return made.text() +
-         "<p class=\"small\">&lt;: below the reference's own error. *: what the cycles of this way leave, not "
-         "converged. –: no order can be told.</p>\n";
+         "<p class=\"small\">&lt;: below the error of the reference. *: not converged after these cycles. –: the order "
+         "is not known.</p>\n";
 }
 
 // Errors of a film against seconds or cells, one curve per method.

@@ -22,7 +22,7 @@ std::string origin_of(const SweepData& table) {
 std::string comments_of(const SweepData& table) {
   std::string lines;
   for (const std::string& line : table.comments) lines += escaped(line) + "\n";
-  return folded("What the lines above the table say", "<pre>" + lines + "</pre>\n");
+  return folded("Remarks above the table", "<pre>" + lines + "</pre>\n");
 }
 
 }  // namespace ehl::program

@@ -72,12 +72,12 @@ std::string group_lines(const Physics& physics) {
   const contact::Groups& g = physics.groups;
   std::string text = fmt::format("Moes         M = {:.6g}, L = {:.6g}\n", g.M, g.L);
   if (contact::roller(g.shape))
-    text += fmt::format("roller       {:.6g} a long, a the half width of the line contact with its mean load\n",
+    text += fmt::format("roller       {:.6g} a long, with a the half width of the line contact under its mean load\n",
                         g.shape.length);
   else if (contact::line(g.shape))
-    text += "line         R_y without end; a is the half width\n";
+    text += "line         R_y infinite; a is the half width\n";
   else if (!contact::circular(g.shape))
-    text += fmt::format("ellipse      R_x/R_y = {:.6g}, kappa = b/a = {:.6g}, entrainment at {:g} degrees to R_x\n",
+    text += fmt::format("ellipse      R_x/R_y = {:.6g}, kappa = b/a = {:.6g}, rolling at {:g} degrees to R_x\n",
                         g.shape.radius_ratio, g.shape.kappa, g.shape.angle);
   if (std::isfinite(g.U)) text += fmt::format("Hamrock-D.   W = {:.6g}, U = {:.6g}, G = {:.6g}\n", g.W, g.U, g.G);
   text += fmt::format("Venner       lambda = {:.6g}, alpha_bar = {:.6g}\n", g.lambda, g.alpha_bar);

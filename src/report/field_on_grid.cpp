@@ -47,7 +47,7 @@ FieldOnGrid read_field(const ResultSource& source, const std::string& name, std:
                    source.numbers(source.file.axis(name, "x")), source.numbers(source.file.axis(name, rows)), rows};
   if (read.field.dims.size() != 2 || read.field.dims[0] != read.y.values.size() ||
       read.field.dims[1] != read.x.values.size() || read.field.values.empty())
-    throw core::FileError(source.file.path() + ": the file is damaged: " + name + " does not fit its grid");
+    throw core::FileError(source.file.path() + ": the file is damaged: " + name + " does not match its grid");
   return read;
 }
 

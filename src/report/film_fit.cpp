@@ -57,8 +57,8 @@ std::string fitted_film_line(const Physics& physics) {
   const bool isoviscous = L_star == 0.0;
   const contact::MapScatter off = isoviscous ? contact::scatter_of_film_map() : contact::scatter_of_other_oils();
   return fmt::format(
-      "  the fit, with alpha*, is off by {:.1f} % in h_c and {:.1f} % in h_m (rms; {:.0f} and {:.0f} % at "
-      "most) of solutions{} that it was not made with\n",
+      "  the error of the fit, with alpha*, is {:.1f} % in h_c and {:.1f} % in h_m (root mean square; at most {:.0f} "
+      "and {:.0f} %) for solutions{} not used in the fit\n",
       100.0 * off.rms_central, 100.0 * off.rms_minimum, std::ceil(100.0 * off.largest_central),
       std::ceil(100.0 * off.largest_minimum), isoviscous ? "" : " with oils");
 }

@@ -62,11 +62,10 @@ std::string film_lines(const Case& input, const Computed& computed) {
   text += fmt::format(", at ({:.3f}, {:.3f}) a{}\n", at.X, at.Y, mark);
   if ((solution.levels.size() > 2 || bars.relief_unresolved > 0.0) && !bars.P_max_converging)
     text += bars.relief_unresolved > 0.0 ? "             the mesh does not resolve the rough surfaces, and the "
-                                           "pressure of their asperities grows on "
-                                           "finer ones\n"
+                                           "pressure of their asperities rises on finer meshes\n"
             : bars.spike_unseen
-                ? "             a spike that this mesh does not show may be higher\n"
-                : "             it still grows from grid to grid as at a spike, and belongs to this mesh\n";
+                ? "             a spike that this mesh does not resolve may be higher\n"
+                : "             it still rises from grid to grid, as at a spike: the value depends on the mesh\n";
   return text;
 }
 
@@ -92,14 +91,14 @@ std::string error_lines(const Case& input, const steady::Solution& solution) {
                         solution.converged ? "" : "  (NOT CONVERGED)");
   }
   if (std::isfinite(bars.Hc.discretization))
-    text += fmt::format("errors       Hc: mesh {}, cycles {}; Hm: mesh {}, cycles {}; domain about {} beside them\n",
+    text += fmt::format("errors       Hc: mesh {}, cycles {}; Hm: mesh {}, cycles {}; not included: domain about {}\n",
                         percent(bars.Hc.discretization), percent(bars.Hc.algebraic), percent(bars.Hm.discretization),
                         percent(bars.Hm.algebraic), percent(bars.domain));
   const steady::AccuracyReport& accuracy = solution.accuracy;
   if (std::isfinite(accuracy.asked))
-    text += fmt::format("accuracy     {:.4g} % asked for Hc and Hm: ", 100.0 * accuracy.asked) +
-            (!accuracy.met               ? "not reached, stopped by " + accuracy.stopped_by
-             : accuracy.by_extrapolation ? "reached by extrapolated or fitted values, not by those of the nodes"
+    text += fmt::format("accuracy     {:.4g} % required for Hc and Hm: ", 100.0 * accuracy.asked) +
+            (!accuracy.met               ? "not reached because of " + accuracy.stopped_by
+             : accuracy.by_extrapolation ? "reached by the extrapolated or fitted values, not by the nodal ones"
                                          : "reached") +
             "\n";
   return text;
@@ -114,7 +113,7 @@ std::string verified_lines(const Case& input, const steady::Verification& checke
          : fmt::format("({:.3f}, {:.3f}) a", checked.largest_residual_X, checked.largest_residual_Y);
   return fmt::format(
       "verified     residual {}, largest {} at {}; load error {}; mass flow error {}\n"
-      "             least P {}, dry node that wants pressure {}; left to the cycles Hc {}, Hm {}\n",
+      "             least P {}, complementarity error {}; algebraic error Hc {}, Hm {}\n",
       number(checked.residual), number(checked.largest_residual), where, number(checked.load_error),
       number(std::abs(checked.flow_imbalance)), known("{:.1g}", checked.least_P), number(checked.dry_violation),
       number(checked.algebraic_error_Hc), number(checked.algebraic_error_Hm));

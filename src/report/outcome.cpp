@@ -126,9 +126,10 @@ std::vector<Formula> film_formulas(const Physics& physics) {
 std::string formulas_left_out(const contact::Groups& groups) {
   if (contact::along_smaller_radius(groups.shape)) return {};
   const std::string fitted =
-      "Nijenbanning, Venner, Moes and Hamrock, Dowson are left out: fitted for entrainment along the smaller radius";
+      "Nijenbanning, Venner, Moes and Hamrock, Dowson are omitted: they were fitted for rolling along the smaller "
+      "radius";
   if (contact::near_chittenden(groups.shape)) return fitted;
-  return fitted + "; Chittenden et al.: up to half of the film away from our own solutions";
+  return fitted + "; Chittenden et al. differ from our solutions by up to half of the film";
 }
 
 Outcome outcome_of(const Case& input, const steady::Solution& solution) {

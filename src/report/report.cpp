@@ -68,8 +68,7 @@ namespace {
 // The strategy that led to the solution, and the strategies that failed before it.
 std::string path(const steady::Solution& solution) {
   std::string text = "path         " + solution.method;
-  if (std::isfinite(solution.cycle_factor))
-    text += fmt::format("; residual left per cycle {:.2f}", solution.cycle_factor);
+  if (std::isfinite(solution.cycle_factor)) text += fmt::format("; convergence factor {:.2f}", solution.cycle_factor);
   if (!solution.newton.empty())
     text += fmt::format("; {} Newton steps to {:.0e}", solution.newton.size(), solution.newton.back().residual);
   text += "\n";
@@ -94,7 +93,7 @@ std::string summary(const Case& input, const Computed& computed) {
             "; the films here are those of its steady start\n";
   if (input.transient && input.transient->conditions.body && input.transient->conditions.body->gap)
     text +=
-        "reference    the bodies start apart: this is the steady contact under the load of [contact], which gives the "
+        "reference    the bodies start separated; this is the steady contact under the load of [contact]: it gives the "
         "scales and does not exist at time 0\n";
   text += film_lines(input, computed) + error_lines(input, solution);
   if (input.machine) text += machine_lines(*input.machine);

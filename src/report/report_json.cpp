@@ -18,7 +18,8 @@ std::vector<Column<Formula>> formula_columns(const Case& input, const Outcome& o
   const std::optional<SiScales> si = si_scales(input.physics);
   if (!si) return columns;
   const auto add_film = [&](const std::string& name, double Formula::*film, double computed) {
-    columns.push_back({"h" + name + "_m", "m", "the same", [=](const Formula& f) { return si->h * f.*film; }});
+    columns.push_back(
+        {"h" + name + "_m", "m", "the same value in metres", [=](const Formula& f) { return si->h * f.*film; }});
     columns.push_back({"deviation_h" + name, "-", "", [=](const Formula& f) { return deviation(f.*film, computed); }});
   };
   add_film("c", &Formula::Hc, outcome.Hc);
@@ -28,15 +29,15 @@ std::vector<Column<Formula>> formula_columns(const Case& input, const Outcome& o
 
 std::vector<Column<steady::Attempt>> attempt_columns() {
   using Row = steady::Attempt;
-  return {{"method", "", "the way that was tried", &Row::method},
-          {"reason", "", "why it did not lead to a solution", &Row::reason},
+  return {{"method", "", "strategy", &Row::method},
+          {"reason", "", "why it found no solution", &Row::reason},
           {"seconds", "s", "time of the attempt", &Row::seconds}};
 }
 
 std::vector<Column<newton::Step>> newton_columns() {
   using Row = newton::Step;
   return {{"residual", "-", "relative residual after the step", &Row::residual},
-          {"linear_iterations", "-", "of the linear solver", &Row::linear_iterations}};
+          {"linear_iterations", "-", "iterations of the linear solver", &Row::linear_iterations}};
 }
 
 Json parts_of(const steady::ErrorBar& bar) {

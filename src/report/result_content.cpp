@@ -22,7 +22,7 @@ bool wanted(const Case& input, const std::string& field) {
 // this deck reproduces the solution.
 deck::Deck with_grid_of(const steady::Solution& solution, deck::Deck deck) {
   if (std::isnan(solution.accuracy.asked)) return deck;
-  const std::string why = "found for the accuracy";
+  const std::string why = "chosen for the accuracy";
   deck::Part{deck, "grid"}.follow("cells", solution.grid.nx, why);
   const deck::Part domain{deck, "domain"};
   domain.follow("x_inlet", solution.grid.X_a, why);
@@ -38,10 +38,13 @@ void add_resolution(const Case& input, const core::Grid& grid, std::vector<Quant
     if (!map) continue;
     const surface::Resolution left = surface::resolution(*map, grid);
     list.push_back({one->section + "_missing_points", static_cast<double>(one->map->filled), "-",
-                    "of the map, filled from their neighbours"});
-    list.push_back({one->section + "_variance_lost", left.variance_lost, "-", "share of the map's variance"});
-    list.push_back({one->section + "_shortest_wave_x", left.shortest_wave_X, "a", "that the mesh holds along x"});
-    list.push_back({one->section + "_shortest_wave_y", left.shortest_wave_Y, "a", "that the mesh holds along y"});
+                    "points of the map that were filled from their neighbours"});
+    list.push_back({one->section + "_variance_lost", left.variance_lost, "-",
+                    "share of the variance of the map that the mesh does not resolve"});
+    list.push_back(
+        {one->section + "_shortest_wave_x", left.shortest_wave_X, "a", "shortest wave that the mesh resolves along x"});
+    list.push_back(
+        {one->section + "_shortest_wave_y", left.shortest_wave_Y, "a", "shortest wave that the mesh resolves along y"});
   }
 }
 
@@ -55,15 +58,16 @@ std::vector<Quantity> provenance(const Case& input) {
       {"program", "ehl", "", "program that wrote the file"},
       {"version", built.number, "", "its version"},
       {"commit", built.commit, "", "commit of its source"},
-      {"dirty", built.dirty ? "true" : "false", "", "whether the source had changes that no commit holds"},
+      {"dirty", built.dirty ? "true" : "false", "", "whether the source had changes that are in no commit"},
       {"compiler", built.compiler, "", ""},
       {"host_cpu", processor(), "", "processor of the machine"},
-      {"cpu_level", core::processor_level(), "", "what the numerics in use were compiled for"},
+      {"cpu_level", core::processor_level(), "", "processor level for which the numerics in use were compiled"},
       {"threads", std::to_string(input.scene.threads), "", "threads used"},
-      {"deck_folder", folder, "", "where the deck lay, and files that it names are looked for"},
+      {"deck_folder", folder, "", "folder of the deck, in which the files that it names are searched"},
       {"date", utc_date(), "", "UTC date of the run"}};
   if (!files.empty())
-    list.push_back({"files", deck::joined(files, "\n"), "", "that the deck names: name, size and hash, one a line"});
+    list.push_back(
+        {"files", deck::joined(files, "\n"), "", "files that the deck names: name, size and hash, one per line"});
   return list;
 }
 
@@ -77,9 +81,10 @@ results::Content content_of(const Case& input, const Computed& computed, std::ve
   content.provenance = provenance(input);
   content.grid = solution.grid;
   content.summary = std::move(numbers);
-  content.summary.push_back({"warnings", deck::joined(computed.outcome.warnings, "\n"), "", "one a line"});
+  content.summary.push_back({"warnings", deck::joined(computed.outcome.warnings, "\n"), "", "one per line"});
   for (const std::string& line : surface_lines(input.surfaces, input.physics, solution.grid))
-    content.summary.push_back({line.substr(0, line.find(':')), line.substr(line.find(':') + 2), "", "what it carries"});
+    content.summary.push_back(
+        {line.substr(0, line.find(':')), line.substr(line.find(':') + 2), "", "shape on this surface"});
   add_resolution(input, solution.grid, content.summary);
   return content;
 }
@@ -120,7 +125,7 @@ results::Content result_content(const Case& input, const Computed& computed) {
                                                 {"rho_bar", "rho0", "density rho/rho0", &derived.rho_bar},
                                                 {"ln_eta_bar", "-", "ln(eta/eta0)", &derived.ln_eta_bar}};
   if (const auto& errors = solution.adjoint; errors && errors->map_Hc.nodes_x() > 0) {
-    const char* meaning = "where the mesh's relative error of it is made, per area";
+    const char* meaning = "contribution per area to its relative discretization error";
     if (wanted(input, "error_Hc")) content.fields.push_back({"error_Hc", "1/a^2", meaning, &errors->map_Hc});
     if (wanted(input, "error_Hm")) content.fields.push_back({"error_Hm", "1/a^2", meaning, &errors->map_Hm});
   }
@@ -128,10 +133,10 @@ results::Content result_content(const Case& input, const Computed& computed) {
     if (wanted(input, field.name)) content.fields.push_back(field);
   if (input.scene.surface)
     content.fields.push_back(
-        {"S", "a^2/R", "what the surfaces at rest add to the gap, as means over cells", &derived.S});
-  content.tables = {table_of("levels", "the full multigrid, level by level: what accuracy cost in time",
-                             level_columns(), solution.levels),
-                    table_of("history", "every cycle on every level", cycle_columns(), solution.history)};
+        {"S", "a^2/R", "height that the surfaces at rest add to the gap, averaged over cells", &derived.S});
+  content.tables = {
+      table_of("levels", "full multigrid, level by level: accuracy against time", level_columns(), solution.levels),
+      table_of("history", "every cycle on every level", cycle_columns(), solution.history)};
   if (!solution.continuation.empty())
     content.tables.push_back(table_of("continuation", "load continuation: every load that was solved for",
                                       continuation_columns(), solution.continuation));

@@ -58,7 +58,7 @@ std::optional<Roughness> roughness_of(const Case& input, const std::vector<Formu
 std::string roughness_line(const Case& input, const std::optional<Roughness>& roughness) {
   if (!roughness) return {};
   const std::string text = "roughness    Sq = " + height(input, roughness->Sq) + " of both surfaces together";
-  if (std::isnan(roughness->Hm)) return text + "; no formula tells the smallest film of smooth surfaces\n";
+  if (std::isnan(roughness->Hm)) return text + "; no formula gives the smallest film of smooth surfaces\n";
   return text + fmt::format("; lambda ratio {:.3g}: {} over it\n", roughness->lambda_ratio(), film(input, *roughness));
 }
 

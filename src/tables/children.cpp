@@ -101,7 +101,8 @@ class Children {
 
 Child start(std::size_t task, const ChildrenCalls& calls) {
   const int text = ::memfd_create("case", MFD_CLOEXEC);
-  if (text < 0) throw core::FileError(std::string("no file for the text of a case: ") + std::strerror(errno));
+  if (text < 0)
+    throw core::FileError(std::string("the file for the output of a case cannot be created: ") + std::strerror(errno));
   std::fflush(nullptr);
   auto board = std::make_shared<Board>();
   const pid_t parent = ::getpid();
@@ -112,7 +113,7 @@ Child start(std::size_t task, const ChildrenCalls& calls) {
             core::now(), std::move(board), static_cast<int>(::syscall(SYS_pidfd_open, process, 0))};
   const int error = errno;
   ::close(text);
-  throw core::FileError(std::string("no process for a case: ") + std::strerror(error));
+  throw core::FileError(std::string("the process for a case cannot be started: ") + std::strerror(error));
 }
 
 std::string text_in(int file) {
@@ -131,9 +132,9 @@ ChildEnd end_of(const Child& child, int status) {
     end.text.pop_back();
   } else if (end.status > 128) {
     end.reason = std::string("the process of the case was ended by a signal: ") + ::strsignal(end.status - 128);
-    if (end.status == 128 + SIGKILL) end.reason += " (by somebody, or because memory ran out)";
+    if (end.status == 128 + SIGKILL) end.reason += " (by a user, or because memory ran out)";
   } else {
-    end.reason = end.text.empty() ? "the process of the case ended without a word" : end.text;
+    end.reason = end.text.empty() ? "the process of the case ended without a message" : end.text;
   }
   return end;
 }

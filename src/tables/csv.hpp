@@ -41,7 +41,7 @@ Row csv_read(const std::vector<Column<Row>>& columns, const std::string& line) t
     if (columns[k].set) columns[k].set(row, csv_value(k < cells.size() ? cells[k] : "", columns[k].get(row)));
   return row;
 } catch (const core::FileError& error) {
-  throw core::FileError("this line is no row of a study: " + line.substr(0, 120) + ": " + error.what());
+  throw core::FileError("this line is not a row of a study: " + line.substr(0, 120) + ": " + error.what());
 }
 
 /// A whole table: comments, the units and the names of the columns, the rows.

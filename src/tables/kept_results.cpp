@@ -149,7 +149,7 @@ std::string merge_kept(const std::vector<std::string>& tables, const std::string
   for (const std::string& table : tables) {
     const std::string path = name_of_kept(table);
     if (std::filesystem::exists(path + ".part"))
-      throw core::FileError(path + ".part: its shard has not ended: go on with it before its results are merged");
+      throw core::FileError(path + ".part: its shard has not ended: complete it before its results are merged");
     const bool kept = std::filesystem::exists(path);
     (kept ? with : without) = path;
     for (const results::Member& one : results::members(path)) {
@@ -158,7 +158,7 @@ std::string merge_kept(const std::vector<std::string>& tables, const std::string
     }
   }
   if (with.empty()) return {};
-  if (!without.empty()) throw core::FileError(without + ": is missing, and " + with + " is there: merge both or none");
+  if (!without.empty()) throw core::FileError(without + ": is missing, but " + with + " is there: merge both or none");
   std::ranges::sort(list, {}, &results::Member::number);
   const std::string path = name_of_kept(whole);
   results::write_collection(path, list, [&](const results::Member& one) {

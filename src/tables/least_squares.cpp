@@ -72,7 +72,8 @@ Normal normal_of(const std::vector<Measurement>& measured, const std::vector<Vec
     }
   for (std::size_t a = 0; a < n; ++a)
     if (!(normal.products[a][a] > 0.0) || !std::isfinite(normal.products[a][a]))
-      throw core::SolverError("the model does not depend on a free parameter there: fix it, or begin elsewhere");
+      throw core::SolverError(
+          "the model does not depend on a free parameter at this point: fix the parameter, or start elsewhere");
   return normal;
 }
 
@@ -133,7 +134,8 @@ Fit least_squares(const Model& model, const std::vector<Measurement>& measured, 
       take_errors(measured, normal, sum, fit);
       damping /= damping_factor;
     } else if (fit.model.empty()) {
-      throw core::SolverError("the model has no value at the start: some cases did not converge there");
+      throw core::SolverError(
+          "the model has no value at the start, because some cases did not converge: start elsewhere");
     } else {
       damping *= damping_factor;
     }

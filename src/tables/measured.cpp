@@ -16,7 +16,7 @@ void check(const deck::ColumnRow& row, std::size_t k, double least, double most,
   if (row.values[k] < least || row.values[k] > most)
     throw core::FileError(fmt::format("{}: {:g}: {} must be a number from {:g} to {:g}{}", row.place, row.values[k],
                                       what, least, most,
-                                      k == 0 ? "; where it is in per cent, name it 'SRR [%]' in the heading" : ""));
+                                      k == 0 ? "; for values in per cent, use the heading 'SRR [%]'" : ""));
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ Shard parse_shard(const std::string& text) {
   const int index = whole_number_in(text.substr(0, slash));
   const int count = slash == std::string::npos ? none : whole_number_in(text.substr(slash + 1));
   if (index < 1 || index > count)
-    throw core::InputError("command line: --shard " + text + ": write i/N, the part i of N, from 1/N to N/N");
+    throw core::InputError("command line: --shard " + text + ": write i/N, part i of N, from 1/N to N/N");
   return {index, count};
 }
 
@@ -49,10 +49,10 @@ std::optional<Shard> shard_of_array() {
   const int steps = std::max(1, number(step, 1));
   const Shard shard{(number(id, 0) - number(first, 0)) / steps + 1, number(count, 1)};
   if (shard.index >= 1 && shard.index <= shard.count) return shard;
-  throw core::InputError(fmt::format(
-      "SLURM_ARRAY_TASK_ID = {} of SLURM_ARRAY_TASK_COUNT = {}: no part of a sweep; give --shard i/N, or an --array "
-      "without gaps",
-      id, count));
+  throw core::InputError(
+      fmt::format("SLURM_ARRAY_TASK_ID = {} of SLURM_ARRAY_TASK_COUNT = {} does not give a part of the sweep: give "
+                  "--shard i/N, or an --array without gaps",
+                  id, count));
 }
 
 std::string name_of_shard(const std::string& path, const Shard& shard) {

@@ -51,7 +51,7 @@ std::string front_lines(const std::vector<StudyPoint>& points, const Reference& 
   std::vector<StudyPoint> front;
   std::ranges::copy_if(points, std::back_inserter(front), on_front);
   std::ranges::sort(front, {}, &StudyPoint::seconds);
-  std::string text = "\nPareto front of " + name + ": nothing cheaper is as accurate\n" + columns_of_points(si);
+  std::string text = "\nPareto front of " + name + ": no cheaper variant is as accurate\n" + columns_of_points(si);
   for (const StudyPoint& point : front) text += point_line(point, reference, si);
   return text;
 }
@@ -114,7 +114,7 @@ std::string film_by_level(const std::vector<StudyPoint>& points) {
   const StudyCase way{0, "", one_of(distinct(points, &StudyCase::evaluator), "mlmi8"),
                       one_of(distinct(points, &StudyCase::cycles), "2W")};
   std::string text = "\nTable 1: the film by level, " + way.evaluator + ", " + way.cycles +
-                     " (* not converged: what these cycles leave)\n      nodes";
+                     " (* not converged after these cycles)\n      nodes";
   for (const std::string& wedge : distinct(points, &StudyCase::wedge))
     text += fmt::format("  {:>12}  {:>12}", "Hm " + wedge, "Hc " + wedge);
   return text + "\n" + by_level(points, way, &StudyCase::wedge, film_cells);
@@ -133,20 +133,24 @@ std::string seconds_by_level(const std::vector<StudyPoint>& points) {
 
 std::string reference_lines(const Reference& reference) {
   return fmt::format(
-      "# reference cells: {}\n# reference Hc: {}\n# reference Hm: {}\n# reference error Hc: {}\n"
+      "# reference cells: {}\n"
+      "# reference Hc: {}\n"
+      "# reference Hm: {}\n"
+      "# reference error Hc: {}\n"
       "# reference error Hm: {}\n",
       cells_of(reference), csv_cell(reference.Hc.value), csv_cell(reference.Hm.value), csv_cell(reference.Hc.error),
       csv_cell(reference.Hm.error));
 }
 
 constexpr char how_to_read[] =
-    "# reference: extrapolated from second-order solutions with FFT and a residual of 1e-10; its error relative\n"
-    "# cycles: 2W are two W(2,1) cycles on every level (the first grid has its own); run: what ehl run does\n"
-    "# status: converged, stopped (after the cycles of its way, not converged), not-converged, failed (the program); "
-    "deviations of what did not converge are those of what was left\n"
-    "# work_units: whole solution, in evaluations of the finest grid; H = h R/a^2; deviations and estimates relative\n"
-    "# deviation: from the reference; estimate: of the discretization, by the run itself; at_reference: the error is "
-    "below the reference's own; front: nothing cheaper [s] is as accurate\n";
+    "# reference: extrapolated from second-order solutions with FFT and a residual of 1e-10; its error is relative\n"
+    "# cycles: 2W are two W(2,1) cycles on every level (the first grid has its own); run: as ehl run\n"
+    "# status: converged, stopped (not converged after its cycles), not-converged, failed (the program); without "
+    "convergence the deviations are those of the last film\n"
+    "# work_units: whole solution, in evaluations of the finest grid; H = h R/a^2; deviations and estimates are "
+    "relative\n"
+    "# deviation: from the reference; estimate: discretization error as estimated by the run; at_reference: the "
+    "deviation is below the error of the reference; front: no cheaper variant [s] is as accurate\n";
 
 }  // namespace
 
@@ -181,7 +185,7 @@ std::string study_report(const StudyHeader& header, const Reference& reference, 
                       reference.residual);
   text += "times        " + times_of(header) + "\n\n" + columns_of_points(header.si);
   for (const StudyPoint& point : points) text += point_line(point, reference, header.si);
-  text += "(< below the reference's own error; stopped: after the cycles of its way, not converged)\n";
+  text += "(< below the error of the reference; stopped: not converged after its cycles)\n";
   text += front_lines(points, reference, &StudyPoint::front_Hc, "Hc", header.si);
   text += front_lines(points, reference, &StudyPoint::front_Hm, "Hm", header.si);
   return text + accuracy_lines(points) + film_by_level(points) + seconds_by_level(points);

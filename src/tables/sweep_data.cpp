@@ -69,7 +69,7 @@ SweepData read_table(const std::string& path, const std::string& mark) {
   std::ifstream file = deck::opened(path, largest);
   std::string line;
   if (!std::getline(file, line) || !line.starts_with(any_version(mark)))
-    throw core::FileError(path + ": this is no table of `ehl sweep` or `ehl study`");
+    throw core::FileError(path + ": this is not a table of `ehl sweep` or `ehl study`");
   const bool older = !line.starts_with(mark);
   SweepData data{.path = path};
   const std::string units = "# units: ";
@@ -109,7 +109,7 @@ std::string mark_of(const std::string& path) {
   if (!std::getline(file, first)) throw core::FileError(path + ": cannot be read, or is empty");
   for (const char* mark : {sweep_mark, study_mark, time_study_mark})
     if (first.starts_with(any_version(mark))) return mark;
-  throw core::FileError(path + ": this is no table of `ehl sweep` or `ehl study`");
+  throw core::FileError(path + ": this is not a table of `ehl sweep` or `ehl study`");
 }
 
 }  // namespace ehl::program

@@ -33,7 +33,7 @@ Part read_part(const std::string& path) {
   Part part;
   std::string line;
   if (!std::getline(lines, line) || line != sweep_mark)
-    throw core::FileError(path + ": this is no table of `ehl sweep` of this version");
+    throw core::FileError(path + ": this is not a table of `ehl sweep` of this version");
   while (std::getline(lines, line)) {
     if (line.starts_with(program_mark)) {
       part.programs.push_back(line);
@@ -48,7 +48,7 @@ Part read_part(const std::string& path) {
     }
   }
   if (part.shard.empty())
-    throw core::FileError(path + ": is no part of a sweep: only what --shard writes can be merged");
+    throw core::FileError(path + ": is not part of a sweep: only tables of --shard can be merged");
   return part;
 }
 
@@ -61,7 +61,7 @@ std::size_t whole_number(const std::string& text, const std::string& said) {
 
 void check_same(const std::string& path, const Part& part, const std::string& first_path, const Part& first) {
   const auto differ = [&](const std::string& own, const std::string& other) {
-    throw core::FileError(fmt::format("{}: is of another sweep than {}: '{}', not '{}'", path, first_path,
+    throw core::FileError(fmt::format("{}: belongs to another sweep than {}: '{}', not '{}'", path, first_path,
                                       own.substr(0, 160), other.substr(0, 160)));
   };
   for (std::size_t k = 0; k < std::max(part.head.size(), first.head.size()); ++k) {
@@ -92,7 +92,7 @@ MergedSweep merged_sweep(const std::vector<std::string>& paths) {
       // The last row of a case counts: a case that failed is computed again.
       const auto [found, is_new] = rows.try_emplace(number, line.substr(comma + 1), path);
       if (!is_new && found->second.second != path)
-        throw core::FileError(fmt::format("{}: case {} is in {} too", path, number, found->second.second));
+        throw core::FileError(fmt::format("{}: case {} is also in {}", path, number, found->second.second));
       found->second.first = line.substr(comma + 1);
     }
   }

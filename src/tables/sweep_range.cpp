@@ -51,7 +51,7 @@ void check_values(const Variation& variation, const deck::Catalogue& catalogue, 
       for (const std::string& complaint : complaints({section, name, values[k], place}, catalogue))
         errors.push_back(complaint);
       if (values[k].find_first_of("\"#") != std::string::npos)
-        errors.push_back(said + values[k] + ": a value of a sweep may hold neither \" nor #");
+        errors.push_back(said + values[k] + ": a value of a sweep must contain neither \" nor #");
     }
     if (!seen.insert(values).second) errors.push_back(said + deck::joined(values, ":") + " is given twice");
   }
@@ -66,10 +66,9 @@ Variation::Key key_of(const std::string& text, const deck::Assignment& given, co
     throw core::InputError(said + "write section.key=LIST, e.g. contact.M=20,50 or contact.M=2:2000:4:log");
   Variation::Key key{deck::trimmed(text.substr(0, point)), deck::trimmed(text.substr(point + 1))};
   if (key.section == "output")
-    throw core::InputError(said + "a sweep writes one table and no results: leave [output] alone");
+    throw core::InputError(said + "a sweep writes one table and no result files: remove [output]");
   if (key.section == "transient")
-    throw core::InputError(said +
-                           "a sweep solves the steady contact and makes no run in time: leave [transient] alone");
+    throw core::InputError(said + "a sweep solves steady contacts only: remove [transient]");
   if (deck::find_key(catalogue, key.section, key.name) == nullptr)
     throw core::InputError(complaints({key.section, key.name, given.value, given.place}, catalogue));
   return key;
@@ -112,7 +111,7 @@ void refuse_too_many(const std::vector<std::string>& texts, const deck::Catalogu
     factors += fmt::format("{}{:.10g}", factors.empty() ? "" : " x ", count);
   }
   if (cases > most_cases_of_sweep)
-    throw core::InputError(fmt::format("command line: --vary makes {}{:.10g} cases: a sweep has at most {}",
+    throw core::InputError(fmt::format("command line: --vary gives {}{:.10g} cases: a sweep has at most {}",
                                        texts.size() > 1 ? factors + " = " : std::string(), cases,
                                        static_cast<std::size_t>(most_cases_of_sweep)));
 }
@@ -184,7 +183,8 @@ Variation read_cases(const std::string& path, const deck::Catalogue& catalogue) 
   const deck::TextTable table = deck::read_text_table(path, largest);
   if (table.heading.cells.empty() || table.rows.empty())
     throw core::InputError(
-        path + ": has no cases: a line of keys, section.key between commas, and a line of values for each case");
+        path +
+        ": has no cases: write one line of keys, section.key separated by commas, and one line of values per case");
   Variation variation;
   const std::vector<deck::Conversion> conversions = read_heading(table, catalogue, variation);
   for (const deck::Row& row : table.rows) {
@@ -216,7 +216,7 @@ std::vector<Variation> parse_variations(const std::vector<std::string>& texts, c
     for (const Variation::Key& one : variation.keys) {
       const std::string key = name_of(one);
       if (!keys.insert(key).second) errors.push_back("command line: " + key + " is varied twice");
-      if (fixed.contains(key)) errors.push_back("command line: " + key + " is both varied and set: remove one");
+      if (fixed.contains(key)) errors.push_back("command line: " + key + " is both varied and set: remove one of them");
     }
     count *= static_cast<double>(variation.values.size());
     variations.push_back(variation);

@@ -61,22 +61,24 @@ std::string whole_header(const SweepHeader& header, const std::vector<std::strin
   text += "# deck: " + header.deck + "\n" + deck::joined(identity(header), "\n") + "\n";
   if (const std::vector<std::string> cases = cases_of(header); !cases.empty()) text += deck::joined(cases, "\n") + "\n";
   text +=
-      "# status: converged, not-converged (then the films, P_max and errors are NaN), refused (wrong deck for this "
-      "case), "
+      "# status: converged, not-converged (films, P_max and errors are NaN), refused (error in the deck of this case), "
       "failed (the program)\n"
       "# H = h R/a^2, P = p/p_h, errors and residual relative\n"
       "# nx, ny: cells; cycles, work_units, cycle_factor: on the finest grid; exit_status: of `ehl run`; path: the "
-      "method as a code\n# " +
+      "method as a code\n"
+      "# " +
       meaning_of_warnings() + "\n";
   for (const std::string& line : left_out(header.kind)) text += "# " + line + "\n";
   if (header.kind.timing) text += "# seconds: the whole case, one thread\n";
   if (header.kind.si) {
-    text += "# h_c_error, h_m_error: error bars, mesh and cycles; deviation: formula over the film computed less 1; ";
+    text +=
+        "# h_c_error, h_m_error: error bars, mesh and cycles; deviation: film formula over the computed film, minus "
+        "1; ";
     text += header.kind.bodies == Bodies::line ? "moes: Moes 1992; dh: Dowson, Higginson 1968, Toyoda 1979\n"
                                                : "nvm: Nijenbanning, Venner, Moes 1994; hd: Hamrock, Dowson 1977\n";
     if (header.kind.bodies == Bodies::elliptic) text += "# chittenden: Chittenden et al. 1985\n";
     if (header.kind.rough)
-      text += "# lambda_ratio: smallest film of smooth surfaces over Sq, the roughness of both together\n";
+      text += "# lambda_ratio: smallest film of smooth surfaces over Sq, the combined roughness of both\n";
   }
   if (header.kind.friction)
     text +=
@@ -85,7 +87,7 @@ std::string whole_header(const SweepHeader& header, const std::vector<std::strin
   return text + csv_units(sweep_row(header.kind)) + "\n" + names_of_columns(header) + "\n";
 }
 
-const std::string remedy = ": give --overwrite to begin anew, or another --output";
+const std::string remedy = ": give --overwrite to start again, or another --output";
 
 // Shortens the list of cases for a message; it may be very long.
 std::string shortened(const std::string& text) {
@@ -165,8 +167,8 @@ void SweepTable::read(const std::string& content) {
   std::string line;
   std::getline(lines, line);
   if (line != sweep_mark)
-    throw core::FileError(path_ + ": exists already and is no table of a sweep of this version ('" + shortened(line) +
-                          "')" + remedy);
+    throw core::FileError(path_ + ": already exists and is not a table of a sweep of this version ('" +
+                          shortened(line) + "')" + remedy);
   while (std::getline(lines, line)) {
     if (line.starts_with(program_mark)) programs_.push_back(line.substr(std::strlen(program_mark)));
     for (const std::string mark : {"# deck text: ", "# file: ", "# set: "})
@@ -186,7 +188,7 @@ void SweepTable::read(const std::string& content) {
       throw core::FileError(path_ + ": has other columns than this version writes" + remedy);
     }
   }
-  if (!has_columns) throw core::FileError(path_ + ": exists already and is only the head of a table" + remedy);
+  if (!has_columns) throw core::FileError(path_ + ": already exists and is only the head of a table" + remedy);
   const bool new_program = std::ranges::find(programs_, header_.program) == programs_.end();
   if (new_program) programs_.push_back(header_.program);
   if (found_cases != cases_of(header_)) {
@@ -197,8 +199,8 @@ void SweepTable::read(const std::string& content) {
     return;
   }
   if (lost_)
-    throw core::FileError(path_ + ": this line is no row of the sweep: " + *lost_ +
-                          ": remove it, give --overwrite to begin anew, or another --output");
+    throw core::FileError(path_ + ": this line is not a row of the sweep: " + *lost_ +
+                          ": remove it, give --overwrite to start again, or another --output");
   // Removes an incomplete last line, which a killed sweep may leave.
   if (::ftruncate(descriptor_, static_cast<off_t>(content.rfind('\n') + 1)) != 0)
     throw core::FileError(path_ + ": cannot be written: " + std::strerror(errno));
@@ -210,7 +212,7 @@ void SweepTable::check_same(const std::vector<std::string>& found, const std::ve
     const std::string here = k < found.size() ? shortened(found[k].substr(2)) : "nothing";
     const std::string asked = k < own.size() ? shortened(own[k].substr(2)) : "nothing";
     if (k >= found.size() || k >= own.size() || found[k] != own[k])
-      throw core::FileError(path_ + ": is the table of another sweep (it has '" + here + "', this one '" + asked +
+      throw core::FileError(path_ + ": belongs to another sweep (it has '" + here + "', this sweep has '" + asked +
                             "')" + remedy);
   }
 }
@@ -235,7 +237,7 @@ void SweepTable::write(const std::string& text) const {
   // One call per row: other readers then see only whole rows, and a full disk shows as a short count.
   const ssize_t written = ::write(descriptor_, text.data(), text.size());
   if (written == static_cast<ssize_t>(text.size())) return;
-  throw core::FileError(path_ + ": cannot be written: " + (written < 0 ? std::strerror(errno) : "no room is left"));
+  throw core::FileError(path_ + ": cannot be written: " + (written < 0 ? std::strerror(errno) : "the disk is full"));
 }
 
 std::string SweepTable::start_of_row(std::size_t index) const {

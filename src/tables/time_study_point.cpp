@@ -65,26 +65,26 @@ std::vector<Column<TimeStudyPoint>> time_study_columns(const std::vector<std::st
   using Point = TimeStudyPoint;
   std::vector<Column<Point>> list{
       {"rtol", "-", "tolerance of the time integration", part(&Point::way, &TimeWay::rtol)},
-      {"longest_step", "a/u_m", "that is allowed", part(&Point::way, &TimeWay::longest_step)},
+      {"longest_step", "a/u_m", "longest allowed step", part(&Point::way, &TimeWay::longest_step)},
       {"time", "a/u_m", "reached", &Point::T},
-      {"steps", "-", "of time", &Point::steps},
-      {"cycles", "-", "of all steps", &Point::cycles},
+      {"steps", "-", "number of time steps", &Point::steps},
+      {"cycles", "-", "cycles of all steps", &Point::cycles},
       {"cycles_per_step", "-", "mean", cycles_per_step},
       {"rejected", "-", "attempts that failed the error test", &Point::rejected},
       {"not_solved", "-", "attempts that the cycles did not solve", &Point::not_solved},
-      {"jumps", "-", "of load or speed", &Point::jumps},
-      {"seconds", "s", "of the run in time; the least of the repetitions", &Point::seconds},
-      {"seconds_most", "s", "the most of them", &Point::seconds_most},
-      {"peak_memory", "bytes", "of the process", &Point::peak_memory},
-      {"status", "", "how it ended", &Point::status}};
+      {"jumps", "-", "jumps of load or speed", &Point::jumps},
+      {"seconds", "s", "time of the run in time; the shortest of the repetitions", &Point::seconds},
+      {"seconds_most", "s", "longest time of the repetitions", &Point::seconds_most},
+      {"peak_memory", "bytes", "peak memory of the process", &Point::peak_memory},
+      {"status", "", "how the run ended", &Point::status}};
   if (si) {
     const double ms = si_unit("a/u_m", *si).factor;
-    list.insert(list.begin() + 1, {{"longest_step_ms", "ms", "that is allowed",
+    list.insert(list.begin() + 1, {{"longest_step_ms", "ms", "longest allowed step",
                                     [ms](const Point& point) { return ms * point.way.longest_step; }},
                                    {"time_ms", "ms", "reached", [ms](const Point& point) { return ms * point.T; }}});
   }
   for (std::size_t k = 0; k < quantities.size(); ++k)
-    list.push_back({"deviation_" + quantities[k], "-", "from the reference, largest over the run",
+    list.push_back({"deviation_" + quantities[k], "-", "relative deviation from the reference, largest over the run",
                     [k](const Point& point) { return k < point.errors.size() ? point.errors[k] : Point::unknown; }});
   list.push_back({"reason", "", "why it is not complete", &Point::reason});
   return list;

@@ -109,7 +109,7 @@ std::string time_study_report(const StudyHeader& header, const TimeReference& re
             ", relative to the largest there\n";
   text += "times        " + times_text(header) + "\n\n" + columns_of_tolerances(reference.probes.size());
   for (const TimeStudyPoint& point : points) text += point_line(point, reference);
-  return text + "(< below the reference's own error)\n";
+  return text + "(< below the error of the reference)\n";
 }
 
 }  // namespace ehl::program

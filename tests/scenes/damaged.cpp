@@ -163,10 +163,10 @@ BOOST_AUTO_TEST_CASE(checkpoints_are_looked_at) {
   }
   reset();
   set(file, "/transient/time", 2, 0.0);
-  refused("its times fall");
+  refused("its times are not rising");
   reset();
   replace_text(file, "/deck", small);
-  refused("its deck is of no run in time");
+  refused("its deck is not that of a run in time");
   reset();
   replace(file, "/grid/x", 3.0);
   refused("does not match its grid");

@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(a_fit_finds_the_stress_that_made_the_curve) {
 
   for (const auto& [name, text, words] :
        {std::tuple{"per_cent", "5,0.03\n20,0.04\n", std::vector<std::string>{"per_cent.csv:1", "SRR [%]"}},
-        {"one", "0.1,0.03\n", std::vector<std::string>{"1 points do not tell 1 constants"}},
+        {"one", "0.1,0.03\n", std::vector<std::string>{"1 points are too few for 1 constants"}},
         {"odd", "0.1,0.03\n0.2,0.03,0.001\n", std::vector<std::string>{"odd.csv:2", "3 columns instead of 2"}}}) {
     scene.folder.write(std::string(name) + ".csv", text);
     const support::Ended refused =
@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(a_fit_finds_the_stress_that_made_the_curve) {
     BOOST_TEST(refused.status != 0);
     BOOST_TEST(refused.says(words), refused.err);
   }
-  BOOST_TEST(scene.ehl("fit d.ini --measured measured.csv --free shear.G --quiet").says({"shear.G", "begin with"}));
+  BOOST_TEST(scene.ehl("fit d.ini --measured measured.csv --free shear.G --quiet").says({"shear.G", "starting value"}));
 }
 
 BOOST_AUTO_TEST_CASE(pictures_of_heat) {

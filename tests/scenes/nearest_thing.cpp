@@ -31,15 +31,15 @@ void check(const Mistake& mistake) {
 
 BOOST_AUTO_TEST_CASE(names_that_are_not_there) {
   for (const Mistake& mistake : {
-           Mistake{good + "[mixed]\nh_b = 1\n", "", "asperity contact (mixed lubrication) is not in this version"},
-           Mistake{good + "[coating]\nE = 1\n", "", "coatings are not in this version"},
+           Mistake{good + "[mixed]\nh_b = 1\n", "", "asperity contact (mixed lubrication) is not available"},
+           Mistake{good + "[coating]\nE = 1\n", "", "coatings are not available"},
            Mistake{good + "[wear]\nk = 1\n", "", "wear is not computed"},
            Mistake{good + "[grease]\nk = 1\n", "", "give the base oil in [lubricant]"},
            Mistake{good, "--set contact.p_h=1e9", "2 pi^3 R^2 p_h^3/(3 E'^2)"},
            Mistake{good, "--set lubricant.fluid=grease", "give the base oil"},
            Mistake{good, "--set lubricant.viscosity=herschel-bulkley", "[shear] law = eyring or carreau"},
-           Mistake{good, "--set case.kind=bevel", "gear_mesh is for spur gears"},
-           Mistake{good, "--set gear.helix_angle=10", "gear_mesh is for spur gears"},
+           Mistake{good, "--set case.kind=bevel", "gear_mesh holds for spur gears"},
+           Mistake{good, "--set gear.helix_angle=10", "gear_mesh holds for spur gears"},
            Mistake{good, "--set bearing.axial_load=500", "F_a/(elements sin(contact_angle))"},
            Mistake{good, "--set motion.u1=0 --set motion.u2=0 --unset motion.u_m", "u1 + u2 = 0 m/s"},
            Mistake{good, "--unset contact.foo", "--unset contact.foo: unknown key"},

@@ -244,8 +244,8 @@ BOOST_AUTO_TEST_CASE(pictures_have_the_size_and_the_name_asked_for) {
                {"--figure film_contours --output a.eps", ".png, .svg or .pdf"},
                {"--figure film_contours --output none/", "there is no folder none"},
                {"--figure film_contours --output none/a.png", "there is no folder none"},
-               {"--figure film_contours --output a.pdf --format png", "ends with .png"},
-               {"--time 0", "no run in time"},
+               {"--figure film_contours --output a.pdf --format png", "must end with .png"},
+               {"--time 0", "does not contain a run in time"},
                {"--x motion.u_m", "the table of a sweep"}};
   for (const auto& line : lines) {
     const support::Ended ended = scene.ehl(std::string("plot s.h5 ") + line.arguments);

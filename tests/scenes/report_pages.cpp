@@ -169,11 +169,11 @@ BOOST_AUTO_TEST_CASE(wrong_files_are_refused_and_leave_nothing) {
                {"foreign.h5", 4, "foreign.h5"},
                {"s.ini", 4, "s.ini"},
                {"none.csv", 4, "none.csv"},
-               {"foreign.csv", 4, "this is no table of `ehl sweep` or `ehl study`"},
+               {"foreign.csv", 4, "this is not a table of `ehl sweep` or `ehl study`"},
                {"empty.csv", 4, "empty"},
                {"cut.csv", 4, "damaged"},
                {"s.h5 none.h5", 4, "none.h5"},
-               {"s.h5 --output page.pdf", 2, "ends with .html"},
+               {"s.h5 --output page.pdf", 2, "must end with .html"},
                {"s.h5 --output none/page.html", 4, "none"},
                {"", 2, "FILE.h5|TABLE.csv"}};
   for (const auto& line : lines) {

@@ -149,7 +149,7 @@ BOOST_AUTO_TEST_CASE(stopped_before_the_first_step) {
   const std::string lighter = " --set grid.cells=256 --set 'transient.load=0:0.1 1:0.1 2:0.2'";
   const support::Ended ended = stopped_where(folder, "run d.ini --quiet" + lighter, before_the_first_step);
   BOOST_TEST_REQUIRE(ended.says({"before the first step"}), ended.err);
-  BOOST_TEST(support::ehl(folder, "resume d.h5").says({"stopped before the first step", "run its deck again"}));
+  BOOST_TEST(support::ehl(folder, "resume d.h5").says({"interrupted before the first step", "run its deck again"}));
 }
 
 // The load is in a file next to the deck; both are in a folder other than the working directory and the result.

@@ -201,7 +201,7 @@ BOOST_AUTO_TEST_CASE(wrong_command_lines) {
            {"--wedges upstream4", "'upstream4' must be upstream1, upstream2 or upstream3"},
            {"--evaluators mlmi5", "'mlmi5' must be mlmi4, mlmi6"},
            {"--evaluators fft,fft", "fft is given twice"},
-           {"--evaluators direct --levels 256:256", "no level is small enough"},
+           {"--evaluators direct --levels 256:256", "no grid is small enough"},
            {"--cycles 2X", "'2X' must be"},
            {"--reference 200", "--reference 200"},
            {"--reference 128", "finest grid"},

@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
 BOOST_AUTO_TEST_CASE(a_map_that_is_none_is_refused) {
   const support::Slip maps[] = {
       {"no number", csv(30, 20, 4, "x", 7), {"m.csv:5", "height number 8", "not a number"}},
-      {"infinite", csv(30, 20, 4, "inf", 7), {"m.csv:5", "height number 8", "no finite number"}},
+      {"infinite", csv(30, 20, 4, "inf", 7), {"m.csv:5", "height number 8", "not a finite number"}},
       {"a short line", csv(30, 20, 6, "1,2,3"), {"m.csv:7", "3 heights", "30"}},
       {"a blank line", csv(30, 20, 6, ""), {"m.csv:7", "a gap"}},
       {"too few lines", csv(30, 7), {"m.csv", "30 x 7", "8 x 8"}},
@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(a_map_that_is_none_is_refused) {
   write_hdf5(folder / "m.h5", 30, 20, INFINITY);
   const support::Ended hole = support::ehl(folder, "check d.ini --set surface2.file=m.h5");
   BOOST_TEST(hole.status == 2);
-  BOOST_TEST(hole.says({"m.h5: height: row 4, column 5", "no finite number"}), hole.err);
+  BOOST_TEST(hole.says({"m.h5: height: row 4, column 5", "not a finite number"}), hole.err);
   for (const char* file : {"none.csv", "none.h5", "d.ini.h5"})
     BOOST_TEST(support::ehl(folder, std::string("check d.ini --set surface2.file=") + file).status == 4);
   BOOST_TEST(support::ehl(folder, "check d.ini --set surface2.file=m.h5 --set surface2.dataset=depth").status == 4);

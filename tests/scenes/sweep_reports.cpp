@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(the_first_refused_is_the_first_by_number) {
       "sweep d.ini --vary surface1.file=large.csv,small.csv --set surface1.shape=map --set surface1.unit=0.01 --set "
       "surface1.dx=0.02 --threads 2 --quiet");
   BOOST_TEST(ended.status == 2);
-  BOOST_TEST(contains(ended.err, "refused, the first one: surface1.file=large.csv: "), ended.err);
+  BOOST_TEST(contains(ended.err, "first refused case: surface1.file=large.csv: "), ended.err);
 }
 
 // The cases are counted before a list of them is made.

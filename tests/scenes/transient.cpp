@@ -59,8 +59,8 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
       {"backwards", timed + "u1 = 0.2:1 0.5:-2\n", {"u1", "turns negative"}},
       {"half a probe", timed + "[output]\nprobe = 0 0, 0.7\n", {"probe = 0 0, 0.7", "'0.7' is not a point"}},
       {"words for a probe", timed + "[output]\nprobe = centre\n", {"probe = centre", "X Y, X Y"}},
-      {"a probe outside", timed + "[output]\nprobe = 0 0, 1.6 0\n", {"(1.6, 0) is outside", "-4.5 <= X <= 1.5"}},
-      {"a probe aside", timed + "[output]\nprobe = 0 -3.1\n", {"(0, -3.1) is outside", "|Y| <= 3"}},
+      {"a probe outside", timed + "[output]\nprobe = 0 0, 1.6 0\n", {"(1.6, 0) lies outside", "-4.5 <= X <= 1.5"}},
+      {"a probe aside", timed + "[output]\nprobe = 0 -3.1\n", {"(0, -3.1) lies outside", "|Y| <= 3"}},
       {"a steady probe", "[output]\nprobe = 0 0\n", {"probe = 0 0", "end_time"}},
       {"from rest", timed + "u1 = 0:0 1:1\nu2 = 0:0 1:1\n", {"u1", "positive at time 0"}},
   };
@@ -183,7 +183,7 @@ BOOST_AUTO_TEST_CASE(too_few_steps) {
   BOOST_TEST(rows_of(support::ehl(folder, "extract d.h5 /transient").out).size() == 8u);
   BOOST_TEST(contains(support::ehl(folder, "extract d.h5 transient_ended").out, "FAILED: more than 7 steps"));
   BOOST_TEST(contains(support::ehl(folder, "extract d.h5 converged").out, "\n0\n"));
-  BOOST_TEST(support::ehl(folder, "resume d.h5").says({"could not go on", "more than 7 steps"}));
+  BOOST_TEST(support::ehl(folder, "resume d.h5").says({"could not continue", "more than 7 steps"}));
   BOOST_TEST(support::ehl(folder, "report d.h5 --output page.html").status == 0);
   const std::string page = folder.read("page.html");
   BOOST_TEST(contains(page, "<b>Not complete.</b> The run in time failed: more than 7 steps."));

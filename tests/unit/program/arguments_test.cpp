@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(more_slips) {
   BOOST_TEST(contains(refusal({"run", "d", "-sett=x"}), "did you mean --set?"));
   BOOST_TEST(contains(refusal({"run", "d", "--quiet=3"}), "--quiet takes no value"));
   BOOST_TEST(contains(refusal({"run", "d", "--output="}), "--output: the value is missing: FILE.h5"));
-  BOOST_TEST(contains(refusal({"run", "--json", "d", "e"}), "'e' is one too many"));
+  BOOST_TEST(contains(refusal({"run", "--json", "d", "e"}), "'e' is one argument too many"));
   for (const char* odd : {"-=x", "--=x", "---", "-=", "--="}) BOOST_TEST(refusal({"run", "d", odd}) != "(none)", odd);
 }
 

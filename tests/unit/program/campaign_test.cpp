@@ -213,9 +213,9 @@ BOOST_AUTO_TEST_CASE(shards_become_one_table) {
     const std::string said = refusal([&] { program::merged_sweep(tables); });
     BOOST_TEST(contains(said, part), said);
   };
-  refused({paths[0], folder / "one.csv"}, "is no part of a sweep");
+  refused({paths[0], folder / "one.csv"}, "is not part of a sweep");
   folder.write("again.csv", folder.read("t.1of2.csv"));
-  refused({paths[0], folder / "again.csv"}, "case 4 is in");
+  refused({paths[0], folder / "again.csv"}, "case 4 is also in");
   folder.write("other.csv", std::string(folder.read("t.2of2.csv"))
                                 .replace(0, 0, "")
                                 .insert(folder.read("t.2of2.csv").find("# vary"), "# set: grid.cells=64\n"));

@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(wrong_axes_are_refused) {
     return support::refusal<core::InputError>([&] { program::chosen_curves(data, plotted(words)); });
   };
   BOOST_TEST(contains(refused({"--y", "h_c_n"}), "did you mean h_c_nm?"));
-  BOOST_TEST(contains(refused({"--x", "status"}), "an axis takes numbers"));
+  BOOST_TEST(contains(refused({"--x", "status"}), "an axis needs numbers"));
   BOOST_TEST(contains(refused({"--by", "load"}), "no such column"));
   BOOST_TEST(contains(refused({"--axes", "square"}), "log or linear"));
   std::string many = table;
@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(wrong_axes_are_refused) {
   BOOST_TEST(contains(support::refusal<core::InputError>([&] {
                         program::chosen_curves(read(many), plotted({"--x", "motion.u_m"}));
                       }),
-                      "22 curves are more than a picture holds"));
+                      "22 curves, but a picture can show"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -91,8 +91,8 @@ BOOST_AUTO_TEST_CASE(wrong_lists) {
            {"contact.M=5,5", {"5 is given twice"}},
            {"discretization.wedge=upstrem1", {"upstrem1", "did you mean upstream1?", "upstream1, upstream2"}},
            {"case.title=a#b", {"neither"}},
-           {"output.file=a,b", {"leave [output] alone"}},
-           {"transient.end_time=1,2", {"no run in time", "leave [transient] alone"}},
+           {"output.file=a,b", {"remove [output]"}},
+           {"transient.end_time=1,2", {"steady contacts only", "remove [transient]"}},
        }) {
     const std::string said = refusal([&] { values(slip.text); });
     for (const std::string& part : slip.parts) BOOST_TEST(contains(said, part), slip.text << " says\n" << said);
@@ -218,11 +218,11 @@ BOOST_AUTO_TEST_CASE(a_table_is_continued_or_refused) {
   with_set.set = {"grid.cells=64"};
   refused(with_set, "this one 'set: grid.cells=64'");
   folder.write("t.csv", sorted + "6,1," + row("converged") + "\n");
-  refused(header_of(vary), "no row of the sweep: 6,1");
+  refused(header_of(vary), "not a row of the sweep: 6,1");
   folder.write("t.csv", sorted + "5,2,converged,0\n");
-  refused(header_of(vary), "no row of the sweep: 5,2");
+  refused(header_of(vary), "not a row of the sweep: 5,2");
   folder.write("t.csv", "x,y\n1,2\n");
-  refused(header_of(vary), "no table of a sweep");
+  refused(header_of(vary), "not a table of a sweep");
   program::SweepTable(path, header_of(vary), first(6), true);
   BOOST_TEST(folder.read("t.csv") == program::header_text(header_of(vary)));
 }
