@@ -79,7 +79,7 @@ constexpr double largest_credible = 1e20;
 std::vector<double> credible(const results::ResultFile& file, const std::string& name) {
   const std::vector<double> values = file.numbers(name).values;
   for (const double value : values)
-    if (!(std::abs(value) <= largest_credible)) damaged(file.path(), name + " holds " + deck::shortest(value));
+    if (!(std::abs(value) <= largest_credible)) damaged(file.path(), name + " contains " + deck::shortest(value));
   return values;
 }
 
@@ -97,7 +97,7 @@ std::string why_no_checkpoint(const results::ResultFile& file) {
 
 int whole(const std::string& path, const std::string& name, double value) {
   if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max())
-    damaged(path, name + " holds " + deck::shortest(value) + ", which is not a valid number of items");
+    damaged(path, name + " contains " + deck::shortest(value) + ", which is not a valid number of items");
   return static_cast<int>(value);
 }
 

@@ -92,7 +92,8 @@ void check_same_files(const results::ResultFile& file, const Case& input) {
   const std::string before = "\n" + file.text("/provenance/files") + "\n";
   for (const deck::NamedFile& one : input.files)
     if (before.find("\n" + deck::told(one) + "\n") == std::string::npos)
-      throw core::FileError(one.path + ": has changed since the run began: " + file.path() + " cannot go on with it");
+      throw core::FileError(one.path + ": has changed since the run began: " + file.path() +
+                            " cannot be continued with it");
 }
 
 }  // namespace

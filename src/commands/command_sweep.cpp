@@ -111,7 +111,7 @@ void check_files(const Arguments& arguments, const SweepHeader& header, const st
 
 int merge(const Arguments& arguments) {
   for (const char* option : {"vary", "cases", "shard", "set", "unset", "timing", "keep"})
-    if (arguments.has(option)) refuse(std::string("--merge takes tables alone: --") + option + " is in them");
+    if (arguments.has(option)) refuse(std::string("--merge takes only tables: --") + option + " is stored in them");
   if (!arguments.has("output")) refuse("--merge needs --output FILE.csv");
   const std::string path = table_name(arguments);
   const bool overwrite = arguments.has("overwrite");

@@ -210,7 +210,7 @@ BOOST_AUTO_TEST_CASE(wrong_command_lines) {
            {"sweep d.ini --vary contact.M=2 --shard 3/2", "--shard 3/2"},
            {"sweep d.ini --cases d.ini", "d.ini:1: [contact]"},
            {"sweep --merge d.ini", "needs --output"},
-           {"sweep --merge d.ini --vary contact.M=2 --output t.csv", "--vary is in them"},
+           {"sweep --merge d.ini --vary contact.M=2 --output t.csv", "--vary is stored in them"},
        }) {
     const support::Ended ended = scene.ehl(line.arguments);
     BOOST_TEST(ended.status == 2, line.arguments << " ends with " << ended.status);
