@@ -20,17 +20,18 @@ std::vector<deck::Key> keys() {
        {.name = "pre",
         .type = Type::integer,
         .default_note = "2; 3 for contacts elongated in the rolling direction; 3 or 4 for heavily loaded line contacts "
-                        "whose viscosity rises steeply at the edge",
+                        "whose viscosity rises steeply at the edge of the contact",
         .range = {0, 20},
         .meaning = "Number of relaxations before the coarse grid correction, nu_1.",
         .source = "Venner and ten Napel 1992"},
        {.name = "post",
         .type = Type::integer,
-        .default_note = "0 if the discretization error decides, 1 with a tolerance or on stretched cells; 2 or 4 where "
-                        "the viscosity rises steeply",
+        .default_note = "0 if the discretization error decides; 1 with a tolerance, on stretched cells, or where the "
+                        "viscosity rises steeply at the edge of the contact; with such viscosity 2 for elongated "
+                        "contacts and 2 or 4 for line contacts",
         .range = {0, 20},
         .meaning = "Number of relaxations after the coarse grid correction, nu_2. A value of 0 becomes 1 if the "
-                   "residual does not fall.",
+                   "residual falls too slowly.",
         .source = "Venner and ten Napel 1992"},
        {.name = "cycles",
         .type = Type::integer,

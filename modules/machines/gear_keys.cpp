@@ -137,9 +137,8 @@ std::vector<Number> path_numbers(const PathOfContact& path) {
       {"base_radius1", path.base_radius1, "m", "m z1 cos(alpha)/2"},
       {"base_radius2", path.base_radius2, "m", "m z2 cos(alpha)/2"},
       {"tip_alteration", path.tip_alteration, "-",
-       "k = centre_distance/m - (z1 + z2)/2 - (x1 + x2): the clearance of the tips stays"},
-      {"tip_radius1", path.tip_radius1, "m",
        "k = centre_distance/m - (z1 + z2)/2 - (x1 + x2): the tip clearance stays the same"},
+      {"tip_radius1", path.tip_radius1, "m", "m (z1/2 + addendum + x1 + k)"},
       {"tip_radius2", path.tip_radius2, "m", "m (z2/2 + addendum + x2 + k)"},
       {"tip_thickness1", path.tip_thickness1, "m",
        "2 tip_radius1 [(pi/2 + 2 x1 tan(alpha))/z1 + inv(alpha) - inv(alpha_a1)], cos(alpha_a1) = "
@@ -153,7 +152,7 @@ std::vector<Number> path_numbers(const PathOfContact& path) {
       {"position_alone_from", alone ? position(path.B) : core::unknown, "-",
        alone ? "one pair carries the whole load from s_end - base_pitch on" : "nowhere: two pairs touch everywhere"},
       {"position_alone_to", alone ? position(path.D) : core::unknown, "-",
-       alone ? "one pair carries the whole load up to s_begin + base_pitch" : "likewise"},
+       alone ? "one pair carries the whole load up to s_begin + base_pitch" : "nowhere: two pairs touch everywhere"},
       {"position_pitch_point", position(path.C), "-", "s = base_radius1 tan(alpha_w)"}};
 }
 
@@ -168,8 +167,8 @@ std::vector<Number> mesh_numbers(const deck::Part& gear, const Gears& gears, con
   const Sharing sharing = gear.choice("sharing", {Sharing::none, Sharing::linear});
   const double of_pair = share(path, s, sharing);
   return {{"rho1", mesh.rho1, "m", "radius of curvature of tooth 1, s_begin + position (s_end - s_begin)"},
-          {"rho2", mesh.rho2, "m", "of tooth 2, length_T1T2 - rho1"},
-          {"radius_x", mesh.R, "m", "radius of curvature of tooth 2, length_T1T2 - rho1"},
+          {"rho2", mesh.rho2, "m", "radius of curvature of tooth 2, length_T1T2 - rho1"},
+          {"radius_x", mesh.R, "m", "rho1 rho2/(rho1 + rho2)"},
           {"u1", mesh.u1, "m/s", "rho1 pi rpm1/30"},
           {"u2", mesh.u2, "m/s", "rho2 (z1/z2) pi rpm1/30"},
           {"sliding_speed", mesh.u1 - mesh.u2, "m/s", "u1 - u2, zero at the pitch point"},

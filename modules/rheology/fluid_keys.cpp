@@ -23,7 +23,7 @@ void check_temperature(const deck::Part& lubricant, const Fluid& fluid) {
   else if (lubricant.given("temperature") &&
            lubricant.number("temperature") != deck::read_number(std::string(only)).value)
     lubricant.complain("temperature", "fluid = " + name + " is known at " +
-                                          (only.empty() ? "is known at" : std::string(only) + " one temperature") +
+                                          (only.empty() ? "one temperature" : std::string(only) + " C") +
                                           " only: remove it, or give an oil by kv40, kv100, density15 and alpha_star");
 }
 

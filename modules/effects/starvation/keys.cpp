@@ -113,7 +113,7 @@ Input read(deck::Deck& deck, const Scales& scales) {
   std::vector<std::string> ways = supply.given_of({"H_oil", "layer_m", "flow_m3_per_s", "flow_m2_per_s", "profile"});
   if (two) ways.push_back(supply.given("layer1_m") ? "layer1_m" : "layer2_m");
   for (std::size_t k = 1; k < ways.size(); ++k)
-    supply.complain(ways[k], "the supply is already given by " + ways[0] + " : keep one of them");
+    supply.complain(ways[k], "the supply is already given by " + ways[0] + ": keep one of them");
   if (two)
     supply.demand({"layer1_m", "layer2_m"}, "layer1_m and layer2_m belong together: set 0 for a surface without oil");
   if (!scales.in_SI)
