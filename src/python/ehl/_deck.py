@@ -28,7 +28,7 @@ def _one_line(where, value):
 
 
 def overrides(keys):
-    """contact={"M": 20} or **{"contact.M": 20} as the program's --set; None takes a key out."""
+    """contact={"M": 20} or **{"contact.M": 20} as the program's --set; None removes a key."""
     flat = []
     for name, value in keys.items():
         if isinstance(value, dict):

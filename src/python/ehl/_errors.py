@@ -21,7 +21,7 @@ class InputError(EhlError, ValueError):
 
 
 class NotConverged(EhlError, RuntimeError):
-    """The case has no solution that can be trusted; `result` has what there is."""
+    """The case has no solution that can be trusted; `result` contains what was computed."""
 
 
 class FileError(EhlError, OSError):
@@ -32,7 +32,7 @@ class FileError(EhlError, OSError):
 
 
 class Interrupted(EhlError, RuntimeError):
-    """The progress function asked to stop; `result` has what there is."""
+    """The progress function asked to stop; `result` contains what was computed."""
 
 
 class InternalError(EhlError, RuntimeError):

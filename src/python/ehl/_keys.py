@@ -19,7 +19,7 @@ class Key:
     default_note: str  #: how a value is found where there is no fixed default
     allowed: str
     words: tuple
-    needs: str  #: "[section] key = words" that it only acts beside; empty: none
+    needs: str  #: "[section] key = words" without which it has no influence; empty: none
     meaning: str
     source: str
     example: str

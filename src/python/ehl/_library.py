@@ -41,7 +41,7 @@ def _candidates(names):
 
 
 def find_file(name, variable):
-    """A file of ehl: what the environment variable names, or the nearest one beside this package."""
+    """A file of ehl: what the environment variable names, or the nearest one next to this package."""
     given = os.environ.get(variable)
     if given:
         if not pathlib.Path(given).is_file():

@@ -197,7 +197,7 @@ class Result:
         return pandas.DataFrame({column: self[f"/{name}/{column}"] for column in order.decode().split()})
 
     def save(self, path, overwrite=False):
-        """Writes the result file (HDF5) and the XDMF beside it, as `ehl run` does; for a result of run()."""
+        """Writes the result file (HDF5) and the XDMF file next to it, as `ehl run` does; for a result of run()."""
         library, pointer = self._handle.library, self._handle.pointer
         before = len(self.messages)
         status = library.ehl_save(pointer, _deck.encoded(os.fsencode(path), "path"), bool(overwrite))

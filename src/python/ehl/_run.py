@@ -67,12 +67,12 @@ def run(deck, *, threads=None, progress=None, **keys):
     """Solves a case; the stubs of this module tell all sections and keys.
 
     deck: the path of a deck, its text, or a dict {"contact": {"M": 20, "L": 10}}.
-    keys: what is set beside it, contact={"M": 50} or **{"contact.M": 50}; None takes a key out.
+    keys: changes to the deck, contact={"M": 50} or **{"contact.M": 50}; None removes a key.
     threads: number of threads; None: all cores that the process may use. The numbers do not depend on it.
     progress: called with the share of the work that is done and a text, several times a second; False stops the run.
 
     The interpreter is free for other threads meanwhile. Raises InputError with every error of the deck, NotConverged
-    (its `result` has what there is), FileError, Interrupted, KeyboardInterrupt. Warns with EhlWarning."""
+    (its `result` contains what was computed), FileError, Interrupted, KeyboardInterrupt. Warns with EhlWarning."""
     listener = _Listener(progress)
     callback = _library.Progress(listener)
     library = _library.library()

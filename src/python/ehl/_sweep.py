@@ -52,7 +52,7 @@ def _files(deck, cases, output):
 
 def _messages(stderr):
     lines = [line.removeprefix("ehl: ") for line in stderr.splitlines() if line]
-    return lines or ["the sweep ended without a word"]
+    return lines or ["the sweep ended without a message"]
 
 
 def _finished(command, quiet):
@@ -88,11 +88,11 @@ def sweep(deck, vary=None, *, cases=None, output=None, overwrite=False, keep=Fal
     """Solves many cases of one deck, several at a time, and gives a pandas DataFrame, a row for each.
 
     deck, keys: as run() takes them.
-    vary: {"contact.M": [20, 50, 100], "contact.L": "0:25:6"}: all combinations; keys that change together:
+    vary: {"contact.M": [20, 50, 100], "contact.L": "0:25:6"}: all combinations; keys varied together:
           {("contact.M", "contact.L"): [(20, 5), (50, 10)]}.
     cases: or a DataFrame (or a CSV file) with a column for each key, "contact.M", and a row for each case.
-    output: the table as a CSV file, which the same call goes on with where it was stopped; None: it is not kept.
-    keep: keeps the result of each case in one HDF5 file beside the table: ehl.open("speed.h5", case=3).
+    output: the table as a CSV file, which the same call continues where it was stopped; None: it is not stored.
+    keep: stores the result of each case in one HDF5 file next to the table: ehl.open("speed.h5", case=3).
     threads: cases at a time; None: all cores. quiet=False prints each case as it ends.
 
     `status` of a row says whether it converged. Warns where not all did. Raises InputError, FileError."""
