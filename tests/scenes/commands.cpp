@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(an_existing_result_is_kept) {
   const std::string precious = scene.folder.read("d.h5");
   const support::Ended ended = scene.ehl("run d.ini");
   BOOST_TEST(ended.status == 4);
-  BOOST_TEST(ended.says({"d.h5: exists already", "--overwrite"}), ended.err);
+  BOOST_TEST(ended.says({"d.h5: already exists", "--overwrite"}), ended.err);
   BOOST_TEST((scene.folder.read("d.h5") == precious));
   BOOST_TEST(!contains(ended.err, "cycle"));  // refused before the computation
 }

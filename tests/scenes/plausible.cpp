@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(an_accuracy_is_foretold_and_may_be_interrupted) {
                            "while ! grep -q '1025 x' said; do sleep 0.05; done; kill -INT $p; wait $p";
   const support::Ended ended = support::shell(folder, line);
   BOOST_TEST(ended.status == 130, folder.read("said"));
-  BOOST_TEST(contains(folder.read("said"), "stopped by an interruption"), folder.read("said"));
+  BOOST_TEST(contains(folder.read("said"), "because of an interruption"), folder.read("said"));
   BOOST_TEST(contains(ended.out, "NOT CONVERGED"));
   BOOST_TEST(contains(support::ehl(folder, "extract d.h5 converged").out, "\n0\n"));
 }

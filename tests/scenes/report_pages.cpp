@@ -185,7 +185,7 @@ BOOST_AUTO_TEST_CASE(wrong_files_are_refused_and_leave_nothing) {
   BOOST_TEST(scene.ehl("report s.h5").out == "s_report.html\n");
   const support::Ended again = scene.ehl("report s.h5");
   BOOST_TEST(again.status == 4);
-  BOOST_TEST(again.says({"s_report.html: exists already", "--overwrite"}), again.err);
+  BOOST_TEST(again.says({"s_report.html: already exists", "--overwrite"}), again.err);
   BOOST_TEST(scene.ehl("report s.h5 --overwrite").status == 0);
 }
 
