@@ -48,16 +48,17 @@ std::string found_beside(const Deck& deck, const std::string& section, const std
   std::string message = place.empty() ? deck.name : place;
   message += ": [" + section + "] " + key + " = " + file + ": there is no such file in the working folder";
   for (const std::string& folder : deck.folders) message += ", nor in " + folder;
+  const Key& record = *find_key(deck.catalogue, section, key);
+  if (record.names == Names::file_or_list) message += "; a list is written as in " + record.example;
   throw core::FileError(message);
 }
 
 std::vector<NamedFile> named_files(const Deck& deck) {
   std::vector<NamedFile> found;
   for (const Key& key : deck.catalogue.keys) {
-    if (!key.names_file || !given(deck, key.section, key.name)) continue;
+    if (!given(deck, key.section, key.name)) continue;
     const std::string name = word(deck, key.section, key.name);
-    if (name.ends_with(".csv") || name.ends_with(".h5") || name.ends_with(".hdf5"))
-      found.push_back(read(name, found_beside(deck, key.section, key.name)));
+    if (names_file(key, name)) found.push_back(read(name, found_beside(deck, key.section, key.name)));
   }
   return found;
 }
@@ -108,23 +109,6 @@ std::string content_of(const std::string& path, std::uintmax_t largest, const st
   }
   check_read(file, path);
   return content;
-}
-
-std::vector<std::string> cells_of(const std::string& line) {
-  const char separator = line.find(';') != std::string::npos ? ';' : line.find(',') != std::string::npos ? ',' : ' ';
-  if (separator == ' ') return split_words(line);
-  std::vector<std::string> cells;
-  std::size_t begin = 0;
-  for (std::size_t end = 0; end != std::string::npos; begin = end + 1) {
-    end = line.find(separator, begin);
-    cells.push_back(trimmed(line.substr(begin, end == std::string::npos ? end : end - begin)));
-  }
-  return cells;
-}
-
-bool is_heading(const std::vector<std::string>& cells) {
-  return std::ranges::all_of(
-      cells, [](const std::string& cell) { return read_number(cell).status == ReadNumber::Status::not_a_number; });
 }
 
 }  // namespace ehl::deck

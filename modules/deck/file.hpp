@@ -41,13 +41,6 @@ std::string content_of(const std::string& path, std::uintmax_t largest, const st
 /// To be called after the last line. errors: core::FileError if the file could not be read to its end.
 void check_read(const std::ifstream& file, const std::string& path);
 
-/// Cells of a line: between semicolons if it has any, else between commas; empty cells count. Without both, between
-/// blanks. With semicolons a comma is part of a cell, so "0,5" is not a number.
-std::vector<std::string> cells_of(const std::string& line);
-
-/// True if no cell is a number or begins with one: as a first line it is a heading.
-bool is_heading(const std::vector<std::string>& cells);
-
 /// A row of a table in a text file.
 struct Row {
   std::string place{};  ///< "oil.csv:12"

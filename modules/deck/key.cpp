@@ -51,6 +51,12 @@ Key in_SI(Key plain, const std::string& suffix, const std::string& unit, const s
   return plain;
 }
 
+bool names_file(const Key& key, const std::string& value) {
+  if (key.names != Names::file_or_list) return key.names == Names::file;
+  const std::string first = value.substr(0, value.find_first_of(": \t"));
+  return read_number(first).status != ReadNumber::Status::number;
+}
+
 const Key* find_key(const Catalogue& catalogue, const std::string& section, const std::string& name) {
   for (const Key& key : catalogue.keys)
     if (key.section == section && key.name == name) return &key;

@@ -9,6 +9,10 @@ namespace ehl::deck {
 
 enum class Type { number, integer, word, words, text };
 
+/// What the value of a key names: nothing; a file, whatever its ending; or a file unless the value is a list, "1:1
+/// 2:0".
+enum class Names { nothing, file, file_or_list };
+
 /// The allowed range of a number or integer; open ends exclude the bound itself.
 struct Range {
   double lower = -std::numeric_limits<double>::infinity();
@@ -44,7 +48,7 @@ struct Key {
   std::string source{};  ///< source of the default or of the meaning
   Condition needs{};
   std::string example{};           ///< value in the generated deck if there is no default
-  bool names_file = false;         ///< a value with the ending of a table or HDF5 file names such a file
+  Names names = Names::nothing;    ///< whether the value is the name of a file that the case reads
   bool example_is_active = false;  ///< the generated deck uses the example instead of commenting it out
 };
 
@@ -82,6 +86,10 @@ std::vector<Key> together(std::initializer_list<std::vector<Key>> lists);
 
 /// Key for the same quantity in SI, "<name><suffix>"; a deck gives one of both (deck::number_in()).
 Key in_SI(Key plain, const std::string& suffix, const std::string& unit, const std::string& example);
+
+/// True if this value of the key is the name of a file. A value of Names::file_or_list is a list if its first word, up
+/// to a colon, is a number.
+bool names_file(const Key& key, const std::string& value);
 
 /// The record of a key, or nullptr.
 const Key* find_key(const Catalogue& catalogue, const std::string& section, const std::string& name);

@@ -125,7 +125,7 @@ std::vector<Key> liquid_keys() {
                     "table, or both. It needs at least 4 rows with eta and rho > 0 and rising, up to more than p_h. "
                     "The file is searched beside the deck and in the working folder.",
          .example = "oil.csv",
-         .names_file = true}}});
+         .names = deck::Names::file}}});
 }
 
 Liquid read_liquid(const deck::Part& lubricant) {

@@ -20,13 +20,13 @@ std::vector<Key> drive_keys() {
             .default_note = note,
             .meaning = meaning,
             .example = example,
-            .names_file = true};
+            .names = deck::Names::file_or_list};
   };
   const char* const of_motion = "constant: from [motion], else 1";
   return {
       key("load", "constant",
           "Load over that of [contact] against time: 'time:value ...', linear between the times; a time given twice is "
-          "a jump. Or the name of a .csv file with the columns t and load, in the working folder or beside the deck; "
+          "a jump. Or the name of a text file with the columns t and load, in the working folder or beside the deck; "
           "its heading may name the unit of t.",
           "1:1 1.1:1.3"),
       key("load_wave", "none",
@@ -120,7 +120,9 @@ Schedule schedule_of(const deck::Part& part, const std::string& key, double unit
   if (otherwise != 1.0) schedule.points = {{0.0, otherwise}};
   const std::string text = part.word(key);
   if (!text.empty())
-    schedule.points = text.ends_with(".csv") ? points_of_file(part, key) : points_of_words(part, key, text);
+    schedule.points = deck::names_file(*deck::find_key(part.deck.catalogue, part.section, key), text)
+                          ? points_of_file(part, key)
+                          : points_of_words(part, key, text);
   for (std::size_t k = 0; k < schedule.points.size(); ++k) {
     if (schedule.points[k].T < 0.0) part.complain(key, "contains a negative time: times must be >= 0");
     if (k > 0 && schedule.points[k].T < schedule.points[k - 1].T)

@@ -84,6 +84,8 @@ std::string whole_header(const SweepHeader& header, const std::vector<std::strin
     text +=
         "# mu: sliding friction over the load, mu_rolling: rolling friction over it; mu_1, mu_2: forces of the film on "
         "surfaces 1 and 2 along +x over it\n";
+  if (header.kind.thermal)
+    text += "# T_film_max, T_film_mean, T1_max, T2_max: of the film and of surfaces 1 and 2, rises above T_oil\n";
   return text + csv_units(sweep_row(header.kind)) + "\n" + names_of_columns(header) + "\n";
 }
 
@@ -109,7 +111,7 @@ std::vector<deck::NamedFile> files_of_cases(const std::string& path, const std::
   for (const Variation& varied : variations)
     for (std::size_t k = 0; k < varied.keys.size(); ++k) {
       const Variation::Key& key = varied.keys[k];
-      if (!deck::find_key(catalogue(), key.section, key.name)->names_file) continue;
+      if (deck::find_key(catalogue(), key.section, key.name)->names == deck::Names::nothing) continue;
       std::set<std::string> names;
       for (const std::vector<std::string>& values : varied.values) names.insert(values[k]);
       for (const std::string& name : names) add({name_of(key) + "=" + name});

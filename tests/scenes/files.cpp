@@ -71,6 +71,32 @@ BOOST_AUTO_TEST_CASE(results_and_pages_keep_what_is_none) {
   scene.keeps("p.html", "report r.h5 --overwrite --output p.html", foreign);
 }
 
+// The key says that its value is a file, whatever the ending: a result records it, and a sweep notices another one.
+BOOST_AUTO_TEST_CASE(every_file_that_a_deck_names_is_known) {
+  const Scene scene;
+  std::string heights;
+  for (int row = 0; row < 8; ++row) heights += "0 1 0 2 0 1 0 " + std::to_string(row) + "\n";
+  const std::string map = small + "[surface1]\nshape = map\nat_rest = yes\nunit = 1e-4\ndx = 0.5\nfile = ";
+  const std::string timed = small + "[transient]\nend_time = 0.1\nrtol = 1e-1\noutput_interval = 0.1\nload = ";
+  struct Named {
+    std::string file, content, deck;
+  };
+  const Named all[] = {{"m.txt", heights, map}, {"m.asc", heights, map}, {"w.schedule", "0 1\n0.1 1.01\n", timed}};
+  for (const Named& one : all) {
+    scene.folder.write(one.file, one.content);
+    scene.folder.write("n.ini", one.deck + one.file + "\n");
+    BOOST_TEST(scene.ehl("run n.ini --quiet --overwrite").status == 0, one.file);
+    const std::string recorded = scene.ehl("extract n.h5 files").out;
+    BOOST_TEST(support::contains(recorded, one.file + ": " + std::to_string(one.content.size()) + " bytes"), recorded);
+    const std::string sweep = "sweep n.ini --vary contact.L=5,6 --quiet --output " + one.file + ".csv";
+    BOOST_TEST(scene.ehl(sweep).status == 0, one.file);
+    scene.folder.write(one.file, "# again\n" + one.content);
+    const support::Ended changed = scene.ehl(sweep);
+    BOOST_TEST(changed.status == 4, one.file << " changed, and the sweep ends with " << changed.status);
+    BOOST_TEST(changed.says({"is the table of another sweep", one.file}), changed.err);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(pictures_keep_what_is_none) {
   const Scene scene;
   BOOST_REQUIRE(scene.ehl("run d.ini --quiet --output r.h5").status == 0);

@@ -86,7 +86,7 @@ std::vector<Key> shape_keys() {
                       "length. Values between the rows are interpolated smoothly.",
            .needs = of("table"),
            .example = "profile.csv",
-           .names_file = true}};
+           .names = deck::Names::file}};
 }
 
 // Reads the table. returns what is wrong with the file; empty if nothing is.

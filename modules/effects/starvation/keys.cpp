@@ -57,7 +57,7 @@ std::vector<deck::Key> keys() {
                              "together), in metres or in the units of its heading, y [mm] and h [nm]; in units of X "
                              "and H for a contact in M and L. It must cover the width of the domain.",
                   .example = "track.csv",
-                  .names_file = true},
+                  .names = deck::Names::file},
                  {.name = "passes",
                   .type = deck::Type::integer,
                   .default_text = "1",
