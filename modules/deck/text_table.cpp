@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 #include "core/errors.hpp"
+#include "deck/commas.hpp"
 #include "deck/text.hpp"
 
 namespace ehl::deck {
@@ -101,26 +103,30 @@ bool is_heading_row(const std::vector<std::string>& cells) {
          std::ranges::any_of(cells, [](const std::string& cell) { return !cell.empty(); });
 }
 
-// Replaces a decimal comma by a point. returns true if the cell had one.
-bool to_points(std::string& cell) {
-  if (std::ranges::count(cell, ',') != 1 || cell.find('.') != std::string::npos) return false;
-  std::string pointed = cell;
-  std::ranges::replace(pointed, ',', '.');
-  if (!is_number(pointed)) return false;
-  cell = pointed;
-  return true;
-}
-
+// Replaces decimal commas by points. errors: numbers that are not written alike, or that have two meanings.
 void read_decimal_commas(TextTable& table) {
-  std::string comma, point;
-  for (Row& row : table.rows)
-    for (std::string& cell : row.cells) {
-      if (cell.find('.') != std::string::npos && is_number(cell)) point = row.place;
-      if (to_points(cell)) comma = row.place;
+  std::string decimal, point;
+  std::pair<std::string, std::string> thousands, either;  // place and cell
+  for (const Row& row : table.rows)
+    for (const std::string& cell : row.cells) {
+      const Commas commas = commas_of(cell);
+      if (commas == Commas::none && cell.find('.') != std::string::npos && is_number(cell)) point = row.place;
+      if (commas == Commas::decimal) decimal = row.place;
+      if (commas == Commas::thousands && thousands.first.empty()) thousands = {row.place, cell};
+      if (commas == Commas::either && either.first.empty()) either = {row.place, cell};
     }
-  if (!comma.empty() && !point.empty())
+  if (!thousands.first.empty())
+    throw core::FileError(thousands.first + ": " + deck::quoted(thousands.second) +
+                          ": write numbers without separators of thousands");
+  if (const std::string& comma = decimal.empty() ? either.first : decimal; !comma.empty() && !point.empty())
     throw core::FileError(comma + ": a decimal comma, but " + point +
                           " has a decimal point: write all numbers of a file alike");
+  if (decimal.empty() && !either.first.empty())
+    throw core::FileError(either.first + ": " + two_meanings(either.second));
+  for (Row& row : table.rows)
+    for (std::string& cell : row.cells)
+      if (const Commas commas = commas_of(cell); commas == Commas::decimal || commas == Commas::either)
+        std::ranges::replace(cell, ',', '.');
 }
 
 // Drops the empty last cell of each row after a trailing separator.

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <limits>
 
+#include "deck/commas.hpp"
 #include "deck/text.hpp"
 
 namespace ehl::program {
@@ -105,6 +106,19 @@ double height_of(const std::string& cell, const Writing& writing, std::string& w
                  ? " is not a finite number"
                  : " is not a number");
   return read.value;
+}
+
+std::string undecided_commas(const std::vector<TextLine>& lines, const Writing& writing, const std::string& name) {
+  if (!writing.decimal_comma) return {};
+  std::string undecided;
+  for (const TextLine& line : lines)
+    for (const std::string& cell : cells_of(line.text, writing)) {
+      const deck::Commas commas = deck::commas_of(cell);
+      if (commas == deck::Commas::decimal) return {};
+      if (commas == deck::Commas::either && undecided.empty())
+        undecided = name + ":" + std::to_string(line.number) + ": " + deck::two_meanings(cell);
+    }
+  return undecided;
 }
 
 bool is_numbers(const std::string& line) {

@@ -6,6 +6,9 @@
 
 namespace ehl::program {
 
+/// Most heights of a map, as of one in HDF5.
+inline constexpr std::size_t most_heights = 100'000'000;
+
 /// A line of the file that is not a comment.
 struct TextLine {
   int number = 0;  ///< line number, from 1
@@ -33,6 +36,10 @@ std::vector<std::string> cells_of(const std::string& line, const Writing& writin
 /// The number in a cell; NaN if the cell is empty or has a word for a missing point (BAD, NaN, ***). out: wrong:
 /// the cell, if it is neither.
 double height_of(const std::string& cell, const Writing& writing, std::string& wrong);
+
+/// What is wrong if every comma of the file may be a decimal comma or a separator of thousands, "1,234"; else empty.
+/// in: the name of the file for the message.
+std::string undecided_commas(const std::vector<TextLine>& lines, const Writing& writing, const std::string& name);
 
 /// True if every cell is a number or marks a missing point.
 bool is_numbers(const std::string& line);

@@ -6,9 +6,9 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <iterator>
 #include <vector>
 
+#include "case/map_sur.hpp"
 #include "case/map_text.hpp"
 #include "deck/file.hpp"
 #include "deck/text.hpp"
@@ -20,11 +20,8 @@ namespace {
 constexpr int fewest_points = 8;
 constexpr std::uintmax_t largest_map = 4'000'000'000;  // bytes
 
-ReadHeights read_text(const std::string& path, double dx_m) {
-  std::ifstream file = deck::opened(path, largest_map);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  deck::check_read(file, path);
-  ReadHeights read = read_map_text(text, path, dx_m);
+// in: what a reader found in the file. out: the same with its missing points filled.
+ReadHeights filled(ReadHeights read, const std::string& path) {
   auto* map = std::get_if<MapInFile>(&read);
   if (map == nullptr) return read;
   if (const std::string few = too_few_points(map->heights.nx, map->heights.ny); !few.empty()) return path + ": " + few;
@@ -58,11 +55,13 @@ ReadHeights read_heights(const std::string& path, const std::string& dataset, do
   const auto is = [&](std::initializer_list<const char*> some) {
     return std::ranges::any_of(some, [&](const char* one) { return extension == one; });
   };
-  if (is({".csv", ".txt", ".dat", ".asc", ".xyz", ".sdf"})) return read_text(path, dx_m);
+  if (is({".csv", ".txt", ".dat", ".asc", ".xyz", ".sdf"}))
+    return filled(read_map_text(deck::content_of(path, largest_map), path, dx_m), path);
+  if (is({".sur"})) return filled(read_map_sur(deck::content_of(path, largest_map), path), path);
   if (is({".h5", ".hdf5"})) return read_hdf5(path, dataset);
-  const std::string allowed = "must be a text file (.csv, .txt, .dat, .asc, .xyz, .sdf) or a .h5";
-  if (is({".sur", ".x3p", ".al3d", ".opd",  ".plux", ".plu", ".vk4", ".vk6",  ".mnt", ".gwy",
-          ".spm", ".ibw", ".nms",  ".opdx", ".asd",  ".top", ".zmg", ".wyko", ".tif", ".tiff"}))
+  const std::string allowed = "must be a text file (.csv, .txt, .dat, .asc, .xyz, .sdf), a .sur or a .h5";
+  if (is({".x3p", ".al3d", ".opd", ".plux", ".plu", ".vk4", ".vk6", ".mnt", ".gwy", ".spm", ".ibw", ".nms", ".opdx",
+          ".asd", ".top", ".zmg", ".wyko", ".tif", ".tiff"}))
     return allowed + ", and " + extension + " is a binary format of an instrument: open it with Gwyddion and save it " +
            "as ASCII data matrix (.txt, with the heading) or as XYZ data";
   return allowed;

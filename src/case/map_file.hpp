@@ -20,8 +20,9 @@ struct MapInFile {
 /// The heights, or an error message: "map.csv:12: ...", "map.h5: height: row 3, ...".
 using ReadHeights = std::variant<MapInFile, std::string>;
 
-/// in: path of a text file (.csv, .txt, .dat, .asc, .xyz, .sdf) or of an HDF5 file (.h5); dataset in the latter;
-/// distance between points that the deck gives [m], NaN: none. errors: core::FileError if the file cannot be read.
+/// in: path of a text file (.csv, .txt, .dat, .asc, .xyz, .sdf), of a .sur or of an HDF5 file (.h5); dataset in the
+/// latter; distance between points that the deck gives [m], NaN: none. errors: core::FileError if the file cannot be
+/// read.
 ReadHeights read_heights(const std::string& path, const std::string& dataset, double dx_m);
 
 /// "30 x 7 points are too few: at least 8 x 8"; empty if there are enough.

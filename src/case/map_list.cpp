@@ -71,6 +71,7 @@ bool is_list(const std::vector<TextLine>& lines) {
 ReadHeights read_list(const std::vector<TextLine>& lines, const std::vector<std::string>& heading,
                       const std::string& name, double dx_m) {
   const Writing writing = writing_of(lines);
+  if (std::string wrong = undecided_commas(lines, writing, name); !wrong.empty()) return wrong;
   std::vector<double> x, y, z;
   for (const TextLine& line : lines) {
     const std::vector<std::string> cells = cells_of(line.text, writing);

@@ -13,8 +13,6 @@
 namespace ehl::program {
 namespace {
 
-constexpr std::size_t most_heights = 100'000'000;  // the same limit as for a map in HDF5
-
 // The heading of a file and the lines after it.
 struct MapText {
   std::vector<std::string> heading{};  ///< including comments, without their #
@@ -68,6 +66,7 @@ void read_heading(const std::vector<std::string>& heading, MapInFile& map) {
 
 ReadHeights read_rows(const MapText& text, const std::string& name) {
   const Writing writing = writing_of(text.lines);
+  if (std::string wrong = undecided_commas(text.lines, writing, name); !wrong.empty()) return wrong;
   if (text.blank > 0)
     return fmt::format("{}:{}: a line without heights between others: the map has a gap", name, text.blank);
   MapInFile map;
@@ -96,6 +95,7 @@ ReadHeights read_rows(const MapText& text, const std::string& name) {
 std::string read_cells(const std::vector<TextLine>& lines, const std::string& name, std::size_t wanted,
                        std::vector<double>& values) {
   const Writing writing = writing_of(lines);
+  if (std::string wrong = undecided_commas(lines, writing, name); !wrong.empty()) return wrong;
   for (const TextLine& line : lines)
     for (const std::string& cell : cells_of(line.text, writing)) {
       std::string wrong;

@@ -11,8 +11,8 @@
 namespace ehl::program {
 namespace {
 
-/// Largest relative difference of the densities at the Hertz pressure for which the accuracy of the fit is
-/// claimed. The oils of tests/reference/film_map_oils.csv stay below it. [bench: other_density]
+/// Largest relative difference of the densities at the Hertz pressure for which the accuracy of the fit is claimed.
+/// Most contacts of tests/reference/film_map_oils.csv stay below it. [bench: other_density]
 constexpr double other_density = 0.05;
 
 double density_at(const rheology::DensityLaw& law, double P) {

@@ -3,9 +3,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <string_view>
 
 #include "core/errors.hpp"
 #include "deck/text_table.hpp"
+#include "deck/units.hpp"
 
 namespace ehl::program {
 namespace {
@@ -16,7 +18,21 @@ void check(const deck::ColumnRow& row, std::size_t k, double least, double most,
   if (row.values[k] < least || row.values[k] > most)
     throw core::FileError(fmt::format("{}: {:g}: {} must be a number from {:g} to {:g}{}", row.place, row.values[k],
                                       what, least, most,
-                                      k == 0 ? "; for values in per cent, use the heading 'SRR [%]'" : ""));
+                                      k == 0   ? "; for values in per cent, use the heading 'SRR [%]'"
+                                      : k == 1 ? "; where it is in per cent, name it 'mu [%]' in the heading"
+                                               : ""));
+}
+
+// True if the table holds films: a column with a unit of length, or with a name of the film.
+bool holds_films(const std::string& path) {
+  constexpr std::uintmax_t largest = 100'000'000;  // bytes
+  const deck::TextTable table = deck::read_text_table(path, largest);
+  return std::ranges::any_of(table.heading.cells, [](const std::string& text) {
+    const deck::HeadingCell cell = deck::heading_cell(text);
+    const deck::Unit* unit = deck::find_unit(cell.unit);
+    return (unit != nullptr && std::string_view(unit->si) == "m") || cell.name == "h" || cell.name == "h_c" ||
+           cell.name == "h_m" || cell.name == "film";
+  });
 }
 
 }  // namespace
@@ -26,7 +42,14 @@ std::vector<MeasuredPoint> read_measured(const std::string& path) {
       path, {{{"srr", "slide-roll ratio", "slide to roll ratio", "slide roll ratio"}, "-"},
              {{"mu", "friction coefficient", "traction coefficient", "cof", "friction", "traction"}, "-"},
              {{"sigma", "standard error", "standard deviation", "error", "sd"}, "-", false}});
-  if (const auto* wrong = std::get_if<std::string>(&read)) throw core::FileError(*wrong);
+  if (const auto* wrong = std::get_if<std::string>(&read))
+    throw core::FileError(
+        !holds_films(path)
+            ? *wrong
+            : path +
+                  ": holds films, and measured friction is wanted here: columns srr and mu. Films over speed are "
+                  "compared by a sweep over both, e.g. `ehl sweep DECK --vary lubricant.alpha=14e-9:26e-9:4 --vary "
+                  "motion.u_m=0.02:1:8:log`, whose column h_c is to be set against them");
   const auto& table = std::get<deck::ColumnTable>(read);
   std::vector<MeasuredPoint> points;
   for (const deck::ColumnRow& row : table.rows) {

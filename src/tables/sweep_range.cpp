@@ -153,6 +153,15 @@ std::string in_unit_of_key(const std::string& cell, const deck::Conversion& conv
   return fmt::format("{:.15g}", conversion.factor * read.value + conversion.offset);
 }
 
+// What is wrong with a heading that is no key.
+std::string no_key(const std::string& name, const deck::Catalogue& catalogue) {
+  std::vector<std::string> names;
+  for (const deck::Key& key : catalogue.keys) names.push_back(key.section + "." + key.name);
+  const std::string near = deck::nearest("." + name, names);
+  return "a column is named by its key, section.key" +
+         (near.empty() ? ", as contact.M" : ": did you mean " + near + "?");
+}
+
 // The keys in a heading, and the conversion of the values below them.
 std::vector<deck::Conversion> read_heading(const deck::TextTable& table, const deck::Catalogue& catalogue,
                                            Variation& variation) {
@@ -162,12 +171,15 @@ std::vector<deck::Conversion> read_heading(const deck::TextTable& table, const d
       deck::HeadingCell cell = deck::heading_cell(table.heading.cells[k]);
       if (cell.name.empty()) cell = {table.heading.cells[k], ""};
       const std::string said = table.heading.place + ": " + cell.name + ": ";
+      if (cell.name.find('.') == std::string::npos) throw core::InputError(said + no_key(cell.name, catalogue));
       const Variation::Key key = key_of(cell.name, {"", "", "...", table.heading.place}, said, catalogue);
       const deck::Key& record = *deck::find_key(catalogue, key.section, key.name);
       const std::string below = k < table.units.cells.size() ? table.units.cells[k] : "";
       const std::string unit = cell.unit.empty() ? deck::heading_cell("x " + below).unit : cell.unit;
       conversions.push_back(deck::conversion(unit, record.unit.empty() ? "-" : record.unit));
       if (!conversions.back().wrong.empty()) throw core::InputError(said + conversions.back().wrong);
+      const auto same = [&](const Variation::Key& one) { return name_of(one) == name_of(key); };
+      if (std::ranges::any_of(variation.keys, same)) throw core::InputError(said + "stands twice in the heading");
       variation.keys.push_back(key);
     } catch (const core::InputError& error) {
       errors.insert(errors.end(), error.messages().begin(), error.messages().end());

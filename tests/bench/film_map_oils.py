@@ -19,7 +19,7 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 TABLE = HERE.parent / "reference" / "film_map_oils.csv"
 PER_OIL = 8
-COLUMNS = ["oil", "load", "radius_x", "radius_y", "E_prime", "u_m", "M", "radius_ratio", "L_star", "Hc", "error_Hc", "Hm", "error_Hm"]
+COLUMNS = ["oil", "keys", "load", "radius_x", "radius_y", "E_prime", "u_m", "M", "radius_ratio", "L_star", "Hc", "error_Hc", "Hm", "error_Hm"]
 YASUTOMI = "viscosity=yasutomi temperature=60 Tg0=-83.2 A1=188.95 A2=0.719e-9 b1=8.2e-9 b2=-0.53 C1=16.09 C2=17.38 eta_g=1e12"
 OILS = {
     "mineral-vg32 at 40 C": "fluid=mineral-vg32 temperature=40",
@@ -75,7 +75,7 @@ def main(ehl):
                 print("left out:", oil, contact, "error bars above one per cent", flush=True)
                 continue
             L_star = of["L"] * of["alpha_star"] * of["p_h_Pa"] / of["alpha_bar"]
-            rows.append([oil, *(f"{one:g}" for one in contact), *(f"{one:.9g}" for one in (
+            rows.append([oil, keys, *(f"{one:g}" for one in contact), *(f"{one:.9g}" for one in (
                 of["M"], contact[1] / contact[2], L_star, of["Hc_best"], of["error_Hc_best"], of["Hm_best"], of["error_Hm_best"]))])
             print(oil, len(rows), flush=True)
     with open(TABLE, "w", encoding="utf-8", newline="") as file:

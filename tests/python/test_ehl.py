@@ -16,6 +16,7 @@ import time
 
 import ehl
 import numpy as np
+import pandas
 import pytest
 
 PROGRAM = os.environ["EHL_PROGRAM"]
@@ -283,6 +284,19 @@ def test_a_sweep_is_a_table(tmp_path):
     assert ehl.read_table(tmp_path / "t.csv").equals(more)
     with pytest.raises(ehl.InputError, match="unknown key"):
         ehl.sweep(CIRCLE, {"contact.N": [1, 2]})
+
+
+@pytest.mark.parametrize("heading, words", [
+    (["contact.N", "contact.L"], "cases.csv:1: .*unknown key"),
+    (["Contact.M", "contact.L"], "cases.csv:1: .*did you mean \\[?contact"),
+    (["M", "contact.L"], "cases.csv:1: M: a column is named by its key, section.key"),
+    (["contact.L", "contact.L"], "cases.csv:1: contact.L: stands twice"),
+    (["contact.M [kN]", "contact.L"], "the unit 'kN' must be"),
+    ([0, 1], "has no cases"),
+])
+def test_a_bad_heading_of_cases_is_an_error(heading, words):
+    with pytest.raises(ehl.InputError, match=words):
+        ehl.sweep(CIRCLE, cases=pandas.DataFrame([[10, 2], [20, 5]], columns=heading))
 
 
 def test_a_sweep_that_keeps_its_results(tmp_path):

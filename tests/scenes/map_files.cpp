@@ -1,6 +1,8 @@
 // Measured maps in the formats of instruments and spreadsheets: every format describes the same surface.
+#include <bit>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <numbers>
 #include <sstream>
@@ -62,6 +64,33 @@ struct Form {
   const char* slopes = "slopes 0.3 and -0.7 per point";
 };
 
+// A file of Digital Surf's format, built from the fields that its documentation names: 16 bits in steps of 2 nm / 1000,
+// or 32 bits in steps of 2 nm / 1e6. A comment and a private zone stand between header and heights.
+std::string sur(int bits, bool missing = false, const std::string& signature = "DIGITAL SURF") {
+  std::string file(512, '\0');
+  const auto put = [&](std::size_t at, std::uint32_t value, std::size_t count) {
+    for (std::size_t k = 0; k < count; ++k) file[at + k] = static_cast<char>(value >> (8 * k) & 0xFF);
+  };
+  const auto real = [&](std::size_t at, float value) { put(at, std::bit_cast<std::uint32_t>(value), 4); };
+  const auto word = [&](std::size_t at, const std::string& text) { file.replace(at, text.size(), text); };
+  const double step = bits == 16 ? 2e-3 : 2e-6;  // nm
+  const auto least = static_cast<std::int32_t>(std::lround(-60.0 / step));
+  word(0, signature), word(20, "a map"), word(180, "mm"), word(196, "\xC2\xB5m"), word(212, "nm");
+  put(14, 1, 2), put(16, 1, 2), put(18, 2, 2), put(86, missing ? 1 : 0, 2);
+  put(98, static_cast<std::uint32_t>(bits), 2), put(100, static_cast<std::uint32_t>(least), 4);
+  put(108, n, 4), put(112, n, 4), put(116, n * n, 4);
+  real(120, 2e-3F), real(124, 2.0F), real(128, static_cast<float>(step));
+  put(334, 7, 2), put(336, 5, 2);
+  file += "commentzone.";
+  for (int l = 0; l < n; ++l)
+    for (int k = 0; k < n; ++k) {
+      const bool none = missing && l == 3 && k >= 5 && k < 13;
+      const std::int32_t z = none ? least - 2 : static_cast<std::int32_t>(std::lround(height(k, l) / step));
+      for (int byte = 0; byte < bits / 8; ++byte) file += static_cast<char>(z >> (8 * byte) & 0xFF);
+    }
+  return file;
+}
+
 std::string with_missing(std::string text, const std::string& word) {
   // The heights of points 5 to 12 in the third row.
   std::size_t at = 0;
@@ -104,6 +133,8 @@ BOOST_AUTO_TEST_CASE(every_form_is_the_same_surface) {
       {"Gwyddion", "m.txt", gwyddion + rows("\t", "\n"), ""},
       {"Gwyddion and the same keys", "m.txt", gwyddion + rows("\t", "\n"), keys},
       {"SDF", "m.sdf", sdf + rows(" ", "\n") + "*\n", ""},
+      {"Digital Surf, 16 bits", "m.sur", sur(16), ""},
+      {"Digital Surf, 32 bits, and the same keys", "m.SUR", sur(32), keys},
       {"ESRI, rows from the top", "m.asc", esri + rows(" ", "\n", 1.0, true), "unit_m = 1e-9\n"},
       {"ESRI in um", "m.asc", "ncols 32\nnrows 32\ncellsize 2\n" + rows(" ", "\n", 1.0, true), keys},
   };
@@ -130,6 +161,13 @@ BOOST_AUTO_TEST_CASE(missing_points_are_filled_counted_and_told) {
     BOOST_TEST(support::contains(ended.out, "8 missing points filled"), word << ":\n" << ended.out);
     BOOST_TEST(support::contains(ended.out, "Sq 28."), word << ":\n" << ended.out);
   }
+  for (const int bits : {16, 32}) {
+    folder.write("m.sur", sur(bits, true));
+    const support::Ended ended = support::ehl(folder, "check d.ini --set surface2.file=m.sur");
+    BOOST_TEST(ended.status == 0, bits << ": " << ended.err);
+    BOOST_TEST(support::contains(ended.out, "8 missing points filled"), bits << ":\n" << ended.out);
+    BOOST_TEST(support::contains(ended.out, "Sq 28."), bits << ":\n" << ended.out);
+  }
   const support::Ended ran = support::ehl(folder, "run d.ini --quiet --json --set grid.cells=128");
   BOOST_TEST(ran.status == 0, ran.err);
   BOOST_TEST(support::contains(ran.out, "\"missing_points\":8"), ran.out);
@@ -151,7 +189,13 @@ BOOST_AUTO_TEST_CASE(what_contradicts_itself_is_refused) {
       {"another spacing", "file = m.txt\ndx_m = 3e-6\n", {"dx_m", "3e-06 m", "the file states 2e-06 m"}},
       {"a list of other points", "file = l.xyz\nunit_m = 1e-9\ndx_m = 3e-6\n", {"l.xyz", "2 apart", "3e-06 m"}},
       {"no unit anywhere", "file = m.csv\ndx_m = 2e-6\n", {"unit", "the file does not state it"}},
-      {"an instrument's own", "file = m.sur\n" + keys, {".sur", "Gwyddion"}},
+      {"an instrument's own", "file = m.opd\n" + keys, {".opd", "Gwyddion"}},
+      {"half of a header", "file = half.sur\n" + keys, {"half.sur", "header of 512 bytes"}},
+      {"compressed", "file = zip.sur\n" + keys, {"zip.sur", "is compressed", "Gwyddion"}},
+      {"cut off", "file = cut.sur\n" + keys, {"cut.sur", "has 2571 bytes, and its header states 2572"}},
+      {"not a length", "file = volt.sur\n" + keys, {"volt.sur", "the unit 'V'", "no length"}},
+      {"another unit than the header's", "file = m.sur\nunit_m = 1e-6\n", {"unit_m", "the file states 1e-09 m"}},
+      {"commas of two meanings", "file = either.txt\n" + keys, {"either.txt:1", "may be 1.234 or 1234"}},
       {"a zipped one", "file = m.x3p\n" + keys, {".x3p", "Gwyddion"}},
       {"filters in the wrong order",
        "file = m.csv\n" + keys + "longest_wave_m = 1e-5\nshortest_wave_m = 2e-5\n",
@@ -164,8 +208,16 @@ BOOST_AUTO_TEST_CASE(what_contradicts_itself_is_refused) {
   folder.write("m.txt", heading + rows(" ", "\n"));
   folder.write("m.csv", rows(",", "\n"));
   folder.write("l.xyz", list(" ", 1e-6, 1e-9));
-  folder.write("m.sur", "DIGITAL SURF");
+  folder.write("m.sur", sur(16));
+  folder.write("m.opd", "x");
+  folder.write("half.sur", sur(16).substr(0, 300));
+  folder.write("cut.sur", sur(16).substr(0, sur(16).size() - 1));
+  folder.write("zip.sur", sur(16, false, "DSCOMPRESSED"));
+  folder.write("volt.sur", sur(16).replace(212, 2, std::string("V\0", 2)));
   folder.write("m.x3p", "PK");
+  std::string either;
+  for (int row = 0; row < 8; ++row) either += "1,234;2,345;3,456;4,567;5,678;6,789;7,891;8,912\n";
+  folder.write("either.txt", either);
   for (const support::Slip& slip : slips) support::check_refused(folder, {slip.name, deck + slip.deck, slip.parts});
 }
 

@@ -86,9 +86,25 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_read_is_refused_once_with_its_place) {
   BOOST_TEST(contains(folder.wrong("p,eta\n0,\n1e8,2\n"), "t.csv:2: eta is missing"));
   BOOST_TEST(contains(folder.wrong("p,eta\n0,x1\n"), "eta = 'x1' is not a number"));
   BOOST_TEST(contains(folder.wrong("p;eta\n0;1.234,5\n"), "is not a number"));
+  BOOST_TEST(contains(folder.wrong("p;eta\n0;1,234\n"),
+                      "t.csv:2: '1,234' may be 1.234 or 1234, and no other number of the file decides it"));
+  BOOST_TEST(contains(folder.wrong("p;eta\n0;1,234\n1e8;2.5\n"), "decimal comma"));
+  BOOST_TEST(contains(folder.wrong("p;eta\n0;1,234\n1e8;1,234,567\n"), "t.csv:3: '1,234,567': write numbers without"));
+  BOOST_TEST(contains(folder.wrong("p;eta\n0;1,234.5\n"), "t.csv:2: '1,234.5': write numbers without"));
   BOOST_TEST(contains(folder.wrong(std::string("p,eta\n0,\0001\n", 10)), "NUL"));
   BOOST_TEST(contains(folder.wrong(""), "the table has no row"));
   BOOST_TEST(contains(folder.wrong("p,eta\n"), "the table has no row"));
+}
+
+// The other numbers of the file tell that its comma is a decimal one.
+BOOST_AUTO_TEST_CASE(a_comma_before_three_digits_is_decided_by_the_rest) {
+  const Folder folder;
+  for (const char* other : {"0,5", "12,50", "1234,567", "1,5e3", "0,123", "-0,25"}) {
+    const deck::ReadColumns read = folder.read(std::string("p;eta\n0;1,234\n1e8;") + other + "\n");
+    const auto* table = std::get_if<deck::ColumnTable>(&read);
+    BOOST_TEST_REQUIRE(table != nullptr, other);
+    BOOST_TEST(table->rows[0].values[1] == 1.234, other);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(units) {

@@ -135,6 +135,9 @@ BOOST_AUTO_TEST_CASE(keys_change_together) {
   BOOST_TEST(contains(refused("Contact.M,contact.L"), "did you mean contact?"));
   BOOST_TEST(contains(refused("contact.M,contact.L [m]"), "contact.L: the unit 'm' must be one of -, 1, %"));
   BOOST_TEST(contains(said("contact.M,contact.LL\n5,1\n"), "did you mean L?"));
+  BOOST_TEST(contains(refused("contact.L,contact.L"), "w.csv:1: contact.L: stands twice in the heading"));
+  BOOST_TEST(
+      contains(refused("load,contact.L"), "w.csv:1: load: a column is named by its key, section.key: did you mean"));
   BOOST_TEST(contains(said("contact.M,contact.L\n5,1\n5\n"), "w.csv:3: 1 values for 2 columns"));
   BOOST_TEST(contains(said("contact.M,contact.L\n5,-1\n"), "L = -1"));
   BOOST_TEST(contains(said("contact.M,contact.L\n5,1\n5,1\n"), "5:1 is given twice"));
