@@ -114,7 +114,11 @@ void compute(const Case& input, RunSettings& settings, Computed& computed) {
   steady::Scene scene = input.scene;  // with the grid that was found for the accuracy
   scene.grid = computed.solution.grid;
   scene.accuracy = {};
-  result.dry = dry_distribution(scene, computed.solution.converged);
+  // A contact that touches is given up: its dry contact would take as long as the film.
+  if (!computed.solution.converged && !scene.one_start_only.empty())
+    result.dry.middle.P_max = result.dry.lower.P = result.dry.upper.P = core::unknown;
+  else
+    result.dry = dry_distribution(scene, computed.solution.converged);
   // Without a solution of the contact, a coarser grid has nothing to compare with.
   std::optional<steady::Solution> coarser;
   result.solved = computed.solution.converged;
@@ -137,7 +141,7 @@ Json json(const Case& input, const Computed& computed) {
   Json report;
   add(roller_quantities(input, *computed.roller), report);
   add_in_SI(roller_quantities(input, *computed.roller), si_scales(input.physics), report);
-  report["warnings"] = roller_warnings(*computed.roller);
+  add_warnings(roller_warnings(*computed.roller), report);
   report["seconds"] = computed.roller->seconds;
   return report;
 }
@@ -148,7 +152,7 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
     content.summary.push_back(std::move(one));
   }
   content.summary.push_back(
-      {"roller_warnings", deck::joined(roller_warnings(*computed.roller), "\n"), "", "one per line"});
+      {"roller_warnings", deck::joined(told(roller_warnings(*computed.roller)), "\n"), "", "one per line"});
   content.tables.push_back(
       table_of("roller", "values along the roller, with oil", slice_columns(), computed.roller->found.slices));
   content.tables.push_back(

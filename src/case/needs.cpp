@@ -1,9 +1,12 @@
 #include "case/needs.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "base/machine.hpp"
 #include "case/effects.hpp"
+#include "case/touching.hpp"
 #include "deck/text.hpp"
 #include "steady/accuracy.hpp"
 #include "steady/climb.hpp"
@@ -144,6 +147,19 @@ void check_memory(Case& input) {
   complain(deck, "grid", "cells",
            "needs about " + deck::shortest(std::round(needed / giga)) + " GB of memory, but " + has + ": use at most " +
                deck::shortest(fitting));
+}
+
+std::string what_needs_leave_out(const Case& input) {
+  if (input.dry || input.transient) return {};
+  const double Sq = measured_roughness(input);
+  if (!(Sq > 0.0)) return {};
+  const double lambda = smallest_smooth_film(input.physics.groups) / Sq;
+  constexpr double smooth_enough = 10.0;  // lambda ratio of surfaces that take no longer than smooth ones
+  if (lambda > smooth_enough) return {};
+  const std::string smooth =
+      ", as if the surfaces were smooth" + (std::isnan(lambda) ? "" : fmt::format(" (lambda ratio {:.2g})", lambda));
+  return smooth + (input.scene.one_start_only.empty() ? ": rough ones take longer, by a factor that is not estimated"
+                                                      : ": the surfaces touch, and the run gives up after one start");
 }
 
 }  // namespace ehl::program

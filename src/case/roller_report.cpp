@@ -110,23 +110,25 @@ std::vector<results::Quantity> roller_quantities(const Case& input, const Roller
   return list;
 }
 
-std::vector<std::string> edge_warnings(const Distribution& found) {
+core::Warnings edge_warnings(const Distribution& found) {
   constexpr double bears = 0.1;  // share of the pressure in the middle
   const double at_ends = found.P_at_ends / found.middle.P_max;
   if (!(at_ends > bears)) return {};
   return {
-      fmt::format("the contact reaches the ends of the roller, where the pressure is {:.0f} % of the "
-                  "middle's: the edges cut, and bodies that end there are no half-spaces; let the "
-                  "profile fall further (a logarithmic one with [roller] design_load above 1)",
-                  100.0 * at_ends)};
+      {"roller-edge", fmt::format("the contact reaches the ends of the roller, where the pressure is {:.0f} % of the "
+                                  "middle's: the edges cut, and bodies that end there are no half-spaces; let the "
+                                  "profile fall further (a logarithmic one with [roller] design_load above 1)",
+                                  100.0 * at_ends)}};
 }
 
-std::vector<std::string> roller_warnings(const RollerResult& result) {
-  std::vector<std::string> warnings = edge_warnings(result.found);
+core::Warnings roller_warnings(const RollerResult& result) {
+  core::Warnings warnings = edge_warnings(result.found);
   if (!result.coarser)
-    warnings.emplace_back(
-        result.solved ? "half as many cells gave no solution: what happens at the ends has no error bar"
-                      : "the contact was not solved: half as many cells are not tried, and the ends have no error bar");
+    warnings.push_back(
+        {"roller-no-bar",
+         result.solved
+             ? "half as many cells gave no solution: what happens at the ends has no error bar"
+             : "the contact was not solved: half as many cells are not tried, and the ends have no error bar"});
   return warnings;
 }
 
@@ -137,11 +139,11 @@ std::string roller_summary(const Case& input, const Computed& computed) {
   const End& end = harder(found);
   const Bars bars = bars_of(result);
   const char* mark = computed.solution.converged ? "" : "  (NOT CONVERGED)";
-  std::string text = fmt::format("roller       middle: p = {}{}, dry {:.4f}; load per length {:.4f} of the mean{}\n",
+  std::string text = fmt::format("roller       middle: p = {}{}, dry {}; load per length {:.4f} of the mean{}\n",
                                  pressure_text(found.middle.P_max, physics), with_bar(bars.P_middle),
-                                 result.dry.middle.P_max, found.middle.load, mark);
-  text += fmt::format("             ends: p = {}{} at y = {}, dry {:.4f}; film {}{}\n", pressure_text(end.P, physics),
-                      with_bar(bars.P_end), place_text(end.P_Y, physics), harder(result.dry).P,
+                                 known("{:.4f}", result.dry.middle.P_max), found.middle.load, mark);
+  text += fmt::format("             ends: p = {}{} at y = {}, dry {}; film {}{}\n", pressure_text(end.P, physics),
+                      with_bar(bars.P_end), place_text(end.P_Y, physics), known("{:.4f}", harder(result.dry).P),
                       film_text(least_at_ends(found), physics), with_bar(bars.H_end));
   if (!result.pressures_settle)
     text +=

@@ -30,8 +30,8 @@ namespace {
 using deck::complain;
 using deck::given;
 
-/// Limit of cycles on a large finest grid if the surfaces touch.
-constexpr int most_cycles_where_they_touch = 12;
+/// Limit of cycles on a large finest grid if the surfaces touch. [bench: most_cycles_where_they_touch]
+constexpr int most_cycles_where_they_touch = 6;
 
 // The unit of a load for a contact in SI.
 deck::PlainUnit newton_of(const Physics& physics) {

@@ -55,9 +55,14 @@ BOOST_AUTO_TEST_CASE(check_tells_the_roughness_beside_the_film) {
     BOOST_TEST(std::abs(told / Rq - 1.0) < 0.05);
     BOOST_TEST(support::contains(ended.out, "warning: lambda ratio") == (lambda < 3.0), ended.out);
     BOOST_TEST(support::contains(ended.out, "they touch") == (lambda < 1.0), ended.out);
+    const std::string needs = ended.out.substr(ended.out.find("\nneeds "));
+    BOOST_TEST(support::contains(needs, "as if the surfaces were smooth (lambda ratio "), needs);
+    BOOST_TEST(support::contains(needs, "gives up after one start") == (lambda < 1.0), needs);
   }
   folder.write("p.csv", trace(0.0));
-  BOOST_TEST(!support::contains(support::ehl(folder, "check d.ini").out, "warning: lambda ratio"));
+  const std::string smooth = support::ehl(folder, "check d.ini").out;
+  BOOST_TEST(!support::contains(smooth, "warning: lambda ratio"));
+  BOOST_TEST(!support::contains(smooth, "as if the surfaces were smooth"), smooth);
 }
 
 BOOST_AUTO_TEST_CASE(surfaces_that_touch_are_given_up_after_one_start) {
@@ -68,6 +73,7 @@ BOOST_AUTO_TEST_CASE(surfaces_that_touch_are_given_up_after_one_start) {
   BOOST_TEST(ended.status == 3, ended.out + ended.err);
   BOOST_TEST(ended.says({"the surfaces touch", "lambda ratio", "not simulated", "[roller] shortest_wave"}), ended.err);
   BOOST_TEST(count(ended.out, "tried before") == 1, ended.out);
+  BOOST_TEST(support::contains(ended.out, ", dry -; "), ended.out);  // no dry contact is solved beside it
   BOOST_TEST(support::contains(support::ehl(folder, "extract d.h5 /summary").out, "surfaces touch"));
   // With the filter the surfaces are separated.
   const support::Ended smooth = support::ehl(folder, "run d.ini --quiet --output s.h5 --set roller.shortest_wave=3");
