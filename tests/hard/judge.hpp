@@ -58,6 +58,13 @@ std::vector<std::string> faults_of_rows(const std::string& columns, double steps
 /// The number in a text; NaN if there is none.
 double number(const std::string& text);
 
+/// The line of a text in which nan or inf stands as a word; empty if there is none. NaN is what a table writes for an
+/// unknown number.
+std::string no_number_in(const std::string& text);
+
+/// The markup of a page without its embedded pictures, whose letters mean nothing.
+std::string without_pictures(std::string markup);
+
 /// The value of a member as JSON, a text without its quotes; empty if there is none. in: its path, "friction/mu".
 std::string json_member(const std::string& json, const std::string& path);
 
