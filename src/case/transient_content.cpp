@@ -165,6 +165,12 @@ void add_transient(const Case& input, const TransientResult& result, results::Co
   if (kept("H")) series("H", "a^2/R", "film thickness h R/a^2", &transient::Frame::H);
   if (march.conditions.conserves_mass)
     series("theta", "-", "oil content: share of the gap that the oil fills, Q/(rho H)", &transient::Frame::theta);
+  // Up to here the summary is that of the steady start; "converged" in a file means the whole run in time.
+  if (const std::string why = why_incomplete(result); !why.empty())
+    for (results::Quantity& one : content.summary) {
+      if (one.name == "converged") one.value = false;
+      if (one.name == "failed_check") one.value = why;
+    }
   content.summary.push_back(
       {"transient_completed", completed(result), "-", "1: the run in time is complete, 0: it is not"});
   content.summary.push_back({"transient_ended", how_it_ended(result.report), "", "how the run in time ended"});

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "core/constants.hpp"
+
 namespace ehl::program {
 
 namespace {
@@ -37,10 +39,33 @@ std::optional<transient::Input> transient_input(deck::Deck& deck, const Physics&
   return transient::read(deck, scales_of(physics), carried, grid);
 }
 
+namespace {
+
+const transient::Schedule& speed_of(const CarriedSurface& surface, const transient::Input& input) {
+  return surface.section == "surface1" ? input.conditions.u1 : input.conditions.u2;
+}
+
+}  // namespace
+
 Way way_of(const CarriedSurface& surface, const transient::Input& input) {
   const double X = std::visit([](const auto& relief) { return relief.X; }, surface.relief);
-  const transient::Schedule& speed = surface.section == "surface1" ? input.conditions.u1 : input.conditions.u2;
-  return {X, X + transient::integral(speed, input.parameters.end)};
+  return {X, X + transient::integral(speed_of(surface, input), input.parameters.end)};
+}
+
+double time_to_move(const CarriedSurface& surface, const transient::Input& input, double distance) {
+  const transient::Schedule& speed = speed_of(surface, input);
+  constexpr int most_doublings = 30, halvings = 60;
+  double before = 0.0, after = input.parameters.end;
+  for (int n = 0; transient::integral(speed, after) < distance; ++n) {
+    if (n == most_doublings) return core::unknown;
+    before = after;
+    after *= 2.0;
+  }
+  for (int n = 0; n < halvings; ++n) {
+    const double middle = 0.5 * (before + after);
+    (transient::integral(speed, middle) < distance ? before : after) = middle;
+  }
+  return after;
 }
 
 std::string name_of_probe(const char* quantity, const transient::Place& place) {

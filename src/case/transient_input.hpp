@@ -26,6 +26,10 @@ struct Way {
 /// The path of a surface during a run in time.
 Way way_of(const CarriedSurface& surface, const transient::Input& input);
 
+/// Time in a/u_m at which a surface has moved by a distance in a, past the end of the run too, where its speed stays
+/// the last one. in: distance > 0. out: NaN if it never moves so far.
+double time_to_move(const CarriedSurface& surface, const transient::Input& input, double distance);
+
 /// The name of a probe, "P at (0.7, 0.2)".
 std::string name_of_probe(const char* quantity, const transient::Place& place);
 

@@ -81,7 +81,7 @@ results::Content content_of(const Case& input, const Computed& computed, std::ve
   content.provenance = provenance(input);
   content.grid = solution.grid;
   content.summary = std::move(numbers);
-  content.summary.push_back({"warnings", deck::joined(computed.outcome.warnings, "\n"), "", "one per line"});
+  content.summary.push_back({"warnings", deck::joined(told(computed.outcome.warnings), "\n"), "", "one per line"});
   for (const std::string& line : surface_lines(input.surfaces, input.physics, solution.grid))
     content.summary.push_back(
         {line.substr(0, line.find(':')), line.substr(line.find(':') + 2), "", "shape on this surface"});
@@ -110,12 +110,6 @@ results::Content result_content(const Case& input, const Computed& computed) {
   const steady::Solution& solution = computed.solution;
   const DerivedFields& derived = computed.derived;
   std::vector<Quantity> list = film_quantities(input, solution, computed.outcome);
-  // The quantities belong to the steady start, but "converged" in the file means the whole run in time.
-  if (const std::string why = why_incomplete(computed.in_time); !why.empty())
-    for (Quantity& one : list) {
-      if (one.name == "converged") one.value = false;
-      if (one.name == "failed_check") one.value = why;
-    }
   for (Quantity& one : verification_quantities(solution.verification, input.scene.shape))
     list.push_back(std::move(one));
   results::Content content = content_of(input, computed, std::move(list));

@@ -132,10 +132,13 @@ BOOST_AUTO_TEST_CASE(killed_at_any_moment_leaves_a_file_that_goes_on) {
     const support::Ended read = support::ehl(folder, "extract d.h5 /checkpoint/y");
     BOOST_TEST(read.status == 0, "kill " << kills << ": " << read.err);
     BOOST_TEST(rows_of(read.out).size() == 2u * 65u * 33u + 1u);
+    BOOST_TEST(rows_of(support::ehl(folder, "extract d.h5 /summary/converged").out).at(0).at(0) == 0.0, kills);
+    BOOST_TEST(support::contains(support::ehl(folder, "extract d.h5 failed_check").out, "interrupted at time"), kills);
   }
   BOOST_TEST_MESSAGE(found << " of " << kills << " kills left a file");
   BOOST_TEST(found >= 10);
   BOOST_TEST(support::ehl(folder, "resume d.h5 --quiet").status == 0);
+  BOOST_TEST(rows_of(support::ehl(folder, "extract d.h5 /summary/converged").out).at(0).at(0) == 1.0);
   // A complete run has no checkpoint.
   BOOST_TEST(support::ehl(folder, "resume d.h5").says({"no checkpoint", "complete"}));
 }

@@ -47,7 +47,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
        timed + "[surface1]\nshape = bump\nheight = 0.1\nwidth = 1\nangle = 3\n",
        {"angle = 3", "no influence"}},
       {"seconds without SI", timed + "time_unit = seconds\n", {"time_unit = seconds", "SI"}},
-      {"no points", timed + "load = half\n", {"load = half", "time:value"}},
+      {"no points", timed + "load = 1:half\n", {"load = 1:half", "time:value"}},
       {"back in time", timed + "load = 1:1 0.5:2\n", {"load = 1:1 0.5:2", "times that fall"}},
       {"thrice", timed + "load = 0.5:1 0.5:2 0.5:3\n", {"three times"}},
       {"before time", timed + "load = -1:1 0.5:2\n", {"negative"}},
@@ -67,6 +67,11 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
   const support::TemporaryFolder folder;
   for (const support::Slip& slip : slips)
     support::check_refused(folder, {slip.name, contact + grid + slip.deck, slip.parts});
+  // What is no list is the name of a file.
+  folder.write("d.ini", contact + grid + timed + "load = half\n");
+  const support::Ended no_file = support::ehl(folder, "check d.ini");
+  BOOST_TEST(no_file.status == 4, no_file.err);
+  BOOST_TEST(no_file.says({"load = half: there is no such file", "a list is written as in 1:1 1.1:1.3"}), no_file.err);
   const std::string jump = timed + "load = 0.5:1 0.5:1.1\n[grid]\ncells = 64\n";
   support::check_refused(folder, {"a far field that cannot follow a jump",
                                   contact + jump + "[domain]\nfar_field = closed\n",
@@ -121,10 +126,18 @@ BOOST_AUTO_TEST_CASE(a_feature_that_comes_late_or_is_coarse_is_told) {
   folder.write("d.ini", contact + grid + lines);
   const support::Ended late = support::ehl(folder, "run d.ini --quiet");
   BOOST_TEST_REQUIRE(late.status == 0, late.err);
-  BOOST_TEST(contains(late.out, "warning: dimple on surface1 does not come to the contact: its middle is at x = -6 a"));
-  BOOST_TEST(contains(late.out, "at x = -5.7 a at the end"));
+  BOOST_TEST(contains(late.out, "warning: dimple on surface1 does not reach the contact: its middle is at x = -6 a"));
+  // The speed is 1, and the front half a radius ahead: 4.5 a/u_m to the edge of the contact.
+  BOOST_TEST(contains(late.out, "at x = -5.7 a at the end, 0.3 a/u_m; it would at time 4.5 a/u_m"), late.out);
+  const support::Ended checked = support::ehl(folder, "check d.ini");
+  BOOST_TEST(contains(checked.out, "it would at time 4.5 a/u_m"), checked.out);
+  const support::Ended stands = support::ehl(folder, "check d.ini --set transient.u1=0:1 --set transient.u2=0:1");
+  BOOST_TEST(contains(stands.out, "it would at time 4.5 a/u_m"), stands.out);
+  const support::Ended never =
+      support::ehl(folder, "check d.ini --set 'transient.u1=0:1 0.1:0' --set 'transient.u2=0:1'");
+  BOOST_TEST(contains(never.out, "does not move towards it"), never.out);
   const support::Ended there = support::ehl(folder, "run d.ini --quiet --overwrite --set surface1.x=-1.7");
-  BOOST_TEST(!contains(there.out, "does not come"));
+  BOOST_TEST(!contains(there.out, "does not reach"));
   BOOST_TEST(contains(there.out, "warning: dimple on surface1 has 5.3 cells for its width where 8 are wanted"));
   const support::Ended fine =
       support::ehl(folder, "run d.ini --quiet --overwrite --set surface1.x=-1.7 --set surface1.width=0.8");

@@ -1,0 +1,69 @@
+#include "report/moving_surfaces.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/si_units.hpp"
+#include "contact/ellipse.hpp"
+
+namespace ehl::program {
+namespace {
+
+// "0.5 a/u_m", "0.1345 ms": a time as the deck gives its own.
+std::string in_unit_of_deck(const Case& input, double T) {
+  const std::optional<SiScales> si = si_scales(input.physics);
+  if (!si || !input.transient->in_seconds) return fmt::format("{:.4g} a/u_m", T);
+  return fmt::format("{:.4g} ms", 1e3 * si->time * T);
+}
+
+// Warns of a feature or a map whose front is still upstream of the contact when the run in time ends.
+void warn_of_late(const Case& input, const CarriedSurface& one, core::Warnings& warnings) {
+  const auto* feature = std::get_if<surface::Feature>(&one.relief);
+  if (feature && feature->angle != 0.0) return;  // an oblique feature reaches the contact at some Y
+  const double inlet = -contact::extent(input.scene.shape).X;
+  const double ahead = feature ? feature->width : 0.5 * std::get<surface::HeightMap>(one.relief).length_x();
+  const Way way = way_of(one, *input.transient);
+  if (std::max(way.from, way.to) + ahead >= inlet) return;
+  const double arrival = time_to_move(one, *input.transient, inlet - ahead - way.from);
+  const std::string remedy = std::isnan(arrival)
+                                 ? "it does not move towards it: choose x closer to the contact, or another speed"
+                                 : "it would at time " + in_unit_of_deck(input, arrival) +
+                                       ": give a longer end_time, or x closer to the contact";
+  warnings.push_back({"late-feature",
+                      fmt::format("{} on {} does not reach the contact: its middle is at x = {:.4g} a at time 0 and at "
+                                  "x = {:.4g} a at the end, {}; {}",
+                                  one.shape, one.section, way.from, way.to,
+                                  in_unit_of_deck(input, input.transient->parameters.end), remedy)});
+}
+
+// Warns of a moving feature on a mesh that is too coarse for it.
+void warn_of_coarse(const Case& input, const CarriedSurface& one, core::Warnings& warnings) {
+  const auto* feature = std::get_if<surface::Feature>(&one.relief);
+  if (!feature) return;
+  const core::Grid& grid = input.scene.grid;
+  const bool waves = feature->shape == surface::Feature::Shape::waviness;
+  const double wanted = waves ? 30.0 : 8.0;
+  const double cells = feature->width / (grid.line ? grid.hx() : std::max(grid.hx(), grid.hy()));
+  if (cells >= wanted) return;
+  warnings.push_back(
+      {"coarse-feature", fmt::format("{} on {} has {:.2g} cells for its {} where {:g} are wanted of what moves: its "
+                                     "amplitude in the film and its pressure belong to this mesh; use at least {:.0f} "
+                                     "cells",
+                                     one.shape, one.section, cells, waves ? "wavelength" : "width", wanted,
+                                     std::ceil(grid.nx * wanted / cells))});
+}
+
+}  // namespace
+
+core::Warnings moving_surface_warnings(const Case& input) {
+  core::Warnings warnings;
+  if (!input.transient) return warnings;
+  for (const CarriedSurface* one : carried(input.surfaces)) warn_of_late(input, *one, warnings);
+  for (const CarriedSurface* one : carried(input.surfaces)) warn_of_coarse(input, *one, warnings);
+  return warnings;
+}
+
+}  // namespace ehl::program
