@@ -9,7 +9,7 @@ std::string gigapascals(double p) { return fmt::format("{:.3g} GPa", 1e-9 * p); 
 
 }  // namespace
 
-std::optional<std::string> beyond_yield(double p_h) {
+std::optional<core::Warning> beyond_yield(double p_h) {
   constexpr double yields = first_yield * bearing_steel_yield;
   if (!(p_h > yields)) return std::nullopt;
   const std::string first = fmt::format(
@@ -19,9 +19,12 @@ std::optional<std::string> beyond_yield(double p_h) {
       fmt::format("ISO 76 permits balls {}, which leaves a permanent dent of 1e-4 of their diameter",
                   gigapascals(iso76_ball_pressure));
   if (p_h > iso76_ball_pressure)
-    return fmt::format("p_h = {} is beyond steel: {}; {}: these elastic numbers belong to no real contact of steel",
-                       gigapascals(p_h), iso, first);
-  return fmt::format("p_h = {} is beyond the yield of steel: {}; {}", gigapascals(p_h), first, iso);
+    return core::Warning{"yield",
+                         fmt::format("p_h = {} is beyond steel: {}; {}: these elastic numbers belong to no real "
+                                     "contact of steel",
+                                     gigapascals(p_h), iso, first)};
+  return core::Warning{"yield",
+                       fmt::format("p_h = {} is beyond the yield of steel: {}; {}", gigapascals(p_h), first, iso)};
 }
 
 }  // namespace ehl::contact

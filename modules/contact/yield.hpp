@@ -1,7 +1,8 @@
 #pragma once
 // Limits of elastic contact: yield.
 #include <optional>
-#include <string>
+
+#include "core/warning.hpp"
 
 namespace ehl::contact {
 
@@ -18,6 +19,6 @@ inline constexpr double iso76_ball_pressure = 4.2e9;
 /// A warning if hardened bearing steel yields under p_h [Pa] or is loaded above ISO 76; nullopt below, and if p_h is
 /// NaN.
 /// limits: softer materials yield earlier and are not considered.
-std::optional<std::string> beyond_yield(double p_h);
+std::optional<core::Warning> beyond_yield(double p_h);
 
 }  // namespace ehl::contact

@@ -22,9 +22,9 @@ std::string state_of_oil(const Loading& loading, double log_eta, double alpha_ba
                      alpha_bar * loading.P_max);
 }
 
-void judge(Isoviscous, const Loading&, std::vector<std::string>&) {}
+void judge(Isoviscous, const Loading&, core::Warnings&) {}
 
-void judge(const Barus& law, const Loading& loading, std::vector<std::string>& found) {
+void judge(const Barus& law, const Loading& loading, core::Warnings& found) {
   const double log_eta = law.alpha_bar * loading.P_max;
   const double p_max = loading.P_max * loading.p_h;
   const bool known = std::isfinite(p_max);
@@ -33,12 +33,13 @@ void judge(const Barus& law, const Loading& loading, std::vector<std::string>& f
                                   : fmt::format("up to ln(eta/eta0) of about {:.2g}, {} for a mineral oil,",
                                                 barus_log_viscosity, gigapascals(barus_pressure));
   found.push_back(
-      fmt::format("Barus' viscosity beyond its range: {}; it follows measured viscosities {} and is far too viscous "
-                  "above; viscosity = roelands is closer",
-                  state_of_oil(loading, log_eta, law.alpha_bar), range));
+      {"viscosity-range",
+       fmt::format("Barus' viscosity beyond its range: {}; it follows measured viscosities {} and is far too viscous "
+                   "above; viscosity = roelands is closer",
+                   state_of_oil(loading, log_eta, law.alpha_bar), range)});
 }
 
-void judge(const Roelands& law, const Loading& loading, std::vector<std::string>& found) {
+void judge(const Roelands& law, const Loading& loading, core::Warnings& found) {
   const double log_eta = log_viscosity_at(law, loading.P_max);
   const double p_max = loading.P_max * loading.p_h;
   const double alpha_bar = law.alpha_p0_over_z * law.z * law.p_h_over_p0;
@@ -48,76 +49,82 @@ void judge(const Roelands& law, const Loading& loading, std::vector<std::string>
   const std::string oil = known ? fmt::format("eta0 = {:.3g}", loading.eta0) : "an eta0 of 0.1";
   if (log_eta > glass)
     found.push_back(
-        fmt::format("Roelands' viscosity beyond its range: {}; with {} Pa s the oil is a glass ({:.0e} Pa s) above "
-                    "{:.3g} and shears as a solid: the film, made in the inlet, suffers little, friction cannot be had "
-                    "from it",
-                    state, oil, glass_viscosity, glass));
+        {"viscosity-range",
+         fmt::format(
+             "Roelands' viscosity beyond its range: {}; with {} Pa s the oil is a glass ({:.0e} Pa s) above "
+             "{:.3g} and shears as a solid: the film, made in the inlet, suffers little, friction cannot be had "
+             "from it",
+             state, oil, glass_viscosity, glass)});
   else if (p_max > roelands_pressure)
-    found.push_back(fmt::format(
-        "Roelands' viscosity extrapolated: {}; viscosities were measured up to about 1 GPa, and {} is twice "
-        "that",
-        state, gigapascals(roelands_pressure)));
+    found.push_back(
+        {"viscosity-range",
+         fmt::format(
+             "Roelands' viscosity extrapolated: {}; viscosities were measured up to about 1 GPa, and {} is twice "
+             "that",
+             state, gigapascals(roelands_pressure))});
 }
 
 // Warns of a law that is continued along its tangent beyond the glass transition.
-void judge_glass(const char* law, double P_glass, double log_eta, const Loading& loading,
-                 std::vector<std::string>& found) {
+void judge_glass(const char* law, double P_glass, double log_eta, const Loading& loading, core::Warnings& found) {
   if (!(loading.P_max > P_glass)) return;
   found.push_back(
-      fmt::format("{} viscosity beyond its range: {} ln(eta/eta0) = {:.3g}; the oil is a glass above {}, where the law "
-                  "is continued along its tangent: the film, made in the inlet, suffers little, friction cannot be had "
-                  "from it",
-                  law, state_of_pressure(loading), log_eta, gigapascals(P_glass * loading.p_h)));
+      {"viscosity-range",
+       fmt::format(
+           "{} viscosity beyond its range: {} ln(eta/eta0) = {:.3g}; the oil is a glass above {}, where the law "
+           "is continued along its tangent: the film, made in the inlet, suffers little, friction cannot be had "
+           "from it",
+           law, state_of_pressure(loading), log_eta, gigapascals(P_glass * loading.p_h))});
 }
 
-void judge(const Doolittle& law, const Loading& loading, std::vector<std::string>& found) {
+void judge(const Doolittle& law, const Loading& loading, core::Warnings& found) {
   judge_glass("Doolittle's", law.u_glass / law.p_h_over_K0, log_viscosity_at(law, loading.P_max), loading, found);
 }
 
-void judge(const Yasutomi& law, const Loading& loading, std::vector<std::string>& found) {
+void judge(const Yasutomi& law, const Loading& loading, core::Warnings& found) {
   judge_glass("Yasutomi's", law.p_glass / law.p_h, log_viscosity_at(law, loading.P_max), loading, found);
 }
 
-void judge_table(const char* what, const Curve& curve, double p_h, const Loading& loading,
-                 std::vector<std::string>& found) {
+void judge_table(const char* what, const Curve& curve, double p_h, const Loading& loading, core::Warnings& found) {
   const double p_max = p_h * loading.P_max;
   if (!(p_max > curve.x.back())) return;
   found.push_back(
-      fmt::format("the table of the {} was left: p_max = {}, and it ends at {}; above it goes on along its last slope",
-                  what, gigapascals(p_max), gigapascals(curve.x.back())));
+      {"table-range",
+       fmt::format("the table of the {} was left: p_max = {}, and it ends at {}; above it goes on along its last slope",
+                   what, gigapascals(p_max), gigapascals(curve.x.back()))});
 }
 
-void judge(const TabulatedViscosity& law, const Loading& loading, std::vector<std::string>& found) {
+void judge(const TabulatedViscosity& law, const Loading& loading, core::Warnings& found) {
   judge_table("viscosity", *law.curve, law.p_h, loading, found);
 }
 
-void judge(const TabulatedDensity& law, const Loading& loading, std::vector<std::string>& found) {
+void judge(const TabulatedDensity& law, const Loading& loading, core::Warnings& found) {
   judge_table("density", *law.curve, law.p_h, loading, found);
 }
 
 // Equations of state of liquids hold far beyond contact pressures.
-void judge(const Tait&, const Loading&, std::vector<std::string>&) {}
-void judge(const Murnaghan&, const Loading&, std::vector<std::string>&) {}
+void judge(const Tait&, const Loading&, core::Warnings&) {}
+void judge(const Murnaghan&, const Loading&, core::Warnings&) {}
 
-void judge(Incompressible, const Loading&, std::vector<std::string>&) {}
+void judge(Incompressible, const Loading&, core::Warnings&) {}
 
-void judge(const DowsonHigginson& law, const Loading& loading, std::vector<std::string>& found) {
+void judge(const DowsonHigginson& law, const Loading& loading, core::Warnings& found) {
   const double p_max = law.p_h_over_B * dowson_higginson_B * loading.P_max;
   if (!(p_max > dowson_higginson_pressure)) return;
   std::array<double, 1> rho_bar{};
   density(law, std::array{loading.P_max}, rho_bar);
   found.push_back(
-      fmt::format("Dowson and Higginson's density extrapolated: at p_max = {} rho/rho0 = {:.3g}, and never above 1.34; "
-                  "it was fitted up to 0.4 GPa, and above {} a typical oil is at least 5 % denser, and the film there "
-                  "thinner by as much",
-                  gigapascals(p_max), rho_bar[0], gigapascals(dowson_higginson_pressure)));
+      {"density-range",
+       fmt::format(
+           "Dowson and Higginson's density extrapolated: at p_max = {} rho/rho0 = {:.3g}, and never above 1.34; "
+           "it was fitted up to 0.4 GPa, and above {} a typical oil is at least 5 % denser, and the film there "
+           "thinner by as much",
+           gigapascals(p_max), rho_bar[0], gigapascals(dowson_higginson_pressure))});
 }
 
 }  // namespace
 
-std::vector<std::string> out_of_range(const ViscosityLaw& viscosity, const DensityLaw& density,
-                                      const Loading& loading) {
-  std::vector<std::string> found;
+core::Warnings out_of_range(const ViscosityLaw& viscosity, const DensityLaw& density, const Loading& loading) {
+  core::Warnings found;
   std::visit([&](const auto& law) { judge(law, loading, found); }, viscosity);
   std::visit([&](const auto& law) { judge(law, loading, found); }, density);
   return found;

@@ -1,9 +1,8 @@
 #pragma once
 // Pressure ranges of the viscosity and density laws.
 #include <limits>
-#include <string>
-#include <vector>
 
+#include "core/warning.hpp"
 #include "rheology/laws.hpp"
 
 namespace ehl::rheology {
@@ -39,6 +38,6 @@ inline constexpr double dowson_higginson_pressure = 2e9;
 ///   Tables: p_max above the last pressure.
 ///   Dowson and Higginson: p_max above dowson_higginson_pressure.
 /// limits: isoviscous, incompressible, Tait and Murnaghan have no pressure range.
-std::vector<std::string> out_of_range(const ViscosityLaw& viscosity, const DensityLaw& density, const Loading& loading);
+core::Warnings out_of_range(const ViscosityLaw& viscosity, const DensityLaw& density, const Loading& loading);
 
 }  // namespace ehl::rheology

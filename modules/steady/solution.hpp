@@ -9,6 +9,7 @@
 #include "core/field.hpp"
 #include "core/grid.hpp"
 #include "core/timer.hpp"
+#include "core/warning.hpp"
 #include "fmg/record.hpp"
 #include "judgement/verification.hpp"
 #include "newton/solve.hpp"
@@ -69,7 +70,7 @@ struct Solution {
   std::vector<CycleRow> history;
   core::PartTimes times;
   std::string deformation;  ///< the method that evaluated the film, for the report
-  std::vector<std::string> warnings;
+  core::Warnings warnings;
   double seconds = 0.0;
   CyclesEnd end = CyclesEnd::content;  ///< on the finest grid
   std::string method;                  ///< the strategy that led to this result

@@ -1,8 +1,8 @@
 #pragma once
 // Warnings about a solution that the checks accept.
 #include <string>
-#include <vector>
 
+#include "core/warning.hpp"
 #include "steady/scene.hpp"
 #include "steady/solution.hpp"
 
@@ -26,6 +26,6 @@ std::string advice_for_cutting_ends(const Scene& scene, const Solution& solution
 /// suffice; no estimate from a single level; a film that is negative between the nodes), an inlet starved by the
 /// domain, an outlet boundary inside the pressure region, pressure at the sides. in: a solution of the scene whose
 /// levels, P and grid are complete.
-std::vector<std::string> warnings_of(const Scene& scene, const Solution& solution);
+core::Warnings warnings_of(const Scene& scene, const Solution& solution);
 
 }  // namespace ehl::steady

@@ -136,7 +136,7 @@ void run_into(HeldResult& result, const std::function<Case()>& read, Progress::L
     result.content = whole_content(input, result.computed);
     result.report = printed(input, result.computed, false);
     result.json = solver_of(input).json(input, result.computed);
-    result.warnings = result.computed.outcome.warnings;
+    result.warnings = told(result.computed.outcome.warnings);
     const Ending ending = ending_of(result.computed, "");
     result.status = ending.status;
     if (!ending.message.empty()) result.messages.push_back(ending.message);

@@ -27,6 +27,15 @@ void add_in_SI(const std::vector<results::Quantity>& quantities, const std::opti
       object[Json::json_pointer(path_of(one) + unit->second.first)] = results::number(one.value) * unit->second.second;
 }
 
+void add_warnings(const core::Warnings& warnings, Json& object) {
+  for (const char* list : {"warnings", "warning_names"})
+    if (!object.contains(list)) object[list] = Json::array();
+  for (const core::Warning& warning : warnings) {
+    object["warnings"].push_back(told(warning));
+    object["warning_names"].push_back(warning.name);
+  }
+}
+
 std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 }  // namespace ehl::program

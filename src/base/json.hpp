@@ -5,6 +5,7 @@
 
 #include "base/column.hpp"
 #include "base/si_units.hpp"
+#include "core/warning.hpp"
 
 namespace ehl::program {
 
@@ -32,6 +33,9 @@ void add(const std::vector<results::Quantity>& quantities, Json& object);
 /// Adds the quantities in SI, "P_max_Pa" in addition to "P_max", if their unit has a scale; adds nothing without
 /// scales.
 void add_in_SI(const std::vector<results::Quantity>& quantities, const std::optional<SiScales>& scales, Json& object);
+
+/// Appends the warnings to the lists `warnings`, "text [name]", and `warning_names` of the object.
+void add_warnings(const core::Warnings& warnings, Json& object);
 
 /// The JSON on one line; bytes that are not UTF-8 become U+FFFD.
 std::string line_of(const Json& json);

@@ -45,9 +45,9 @@ std::string percent(double fraction) {
 
 std::string threads_text(int threads) { return fmt::format("{} thread{}", threads, threads == 1 ? "" : "s"); }
 
-std::string warning_lines(const std::vector<std::string>& warnings) {
+std::string warning_lines(const core::Warnings& warnings) {
   std::string text;
-  for (const std::string& warning : warnings) text += "warning: " + warning + "\n";
+  for (const core::Warning& warning : warnings) text += "warning: " + told(warning) + "\n";
   return text;
 }
 

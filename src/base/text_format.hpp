@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "core/warning.hpp"
+
 namespace ehl::program {
 
 /// The number in the format given, such as "{:.4g}"; "-" if it is not known.
@@ -23,7 +25,7 @@ std::string percent(double fraction);
 
 /// "1 thread", "4 threads".
 std::string threads_text(int threads);
-/// One line "warning: ..." for each warning.
-std::string warning_lines(const std::vector<std::string>& warnings);
+/// One line "warning: text [name]" for each warning.
+std::string warning_lines(const core::Warnings& warnings);
 
 }  // namespace ehl::program

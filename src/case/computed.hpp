@@ -6,6 +6,7 @@
 
 #include "case/transient_run.hpp"
 #include "core/constants.hpp"
+#include "core/warning.hpp"
 #include "dry/solve.hpp"
 #include "effects/friction/friction.hpp"
 #include "effects/heat/solve.hpp"
@@ -56,7 +57,7 @@ struct Outcome {
   std::vector<Formula> formulas{};
   std::optional<Roughness> roughness{};  ///< nothing: the roughness is neither stated nor measured
   std::string regime{};
-  std::vector<std::string> warnings{};
+  core::Warnings warnings{};
 };
 
 /// Fields that are computed from the solution only for the result file.
@@ -72,7 +73,7 @@ struct HeatResult {
   double mu = 0.0;         ///< sliding friction divided by the load
   double mu_isothermal = 0.0;
   bool unlikely = false, unlikely_isothermal = false;  ///< stress too high for an oil (friction::unlikely)
-  std::vector<std::string> friction_warnings{};        ///< warnings about mu
+  core::Warnings friction_warnings{};                  ///< warnings about mu
   double Hc_isothermal = 0.0, Hm_isothermal = 0.0;
 };
 

@@ -88,7 +88,7 @@ Json json(const Case& input, const Computed& computed) {
   Json report;
   add(friction_quantities(f), report);
   add_in_SI(friction_quantities(f), si_scales(input.physics), report);
-  report["warnings"] = friction::warnings(f);
+  add_warnings(friction::warnings(f), report);
   report["seconds"] = f.seconds;
   return report;
 }
@@ -102,7 +102,7 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
   for (results::Quantity& one : friction_quantities(f)) content.summary.push_back(std::move(one));
   content.summary.push_back({"slide_roll_ratio", input.physics.srr, "-", "(u1 - u2)/u_m"});
   content.summary.push_back({"friction", what(input), "", "model of the friction"});
-  content.summary.push_back({"friction_warnings", deck::joined(friction::warnings(f), "\n"), "", "one per line"});
+  content.summary.push_back({"friction_warnings", deck::joined(told(friction::warnings(f)), "\n"), "", "one per line"});
 }
 
 // The mass flow rho_bar H at the pressure maximum, where the flow by the pressure gradient is zero.

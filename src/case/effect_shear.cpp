@@ -64,7 +64,7 @@ Json json(const Case& input, const Computed& computed) {
   if (!computed.flow) return nullptr;
   Json report;
   add(quantities(*computed.flow), report);
-  if (!input.friction) report["warnings"] = computed.flow->friction_warnings;
+  if (!input.friction) add_warnings(computed.flow->friction_warnings, report);
   report["seconds"] = computed.flow->found.seconds;
   return report;
 }

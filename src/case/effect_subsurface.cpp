@@ -120,7 +120,7 @@ Json json(const Case& input, const Computed& computed) {
   report["planes"] = field.depths.size();
   report["nx"] = field.grid.nx;
   report["ny"] = field.grid.ny;
-  report["warnings"] = field.warnings;
+  add_warnings(field.warnings, report);
   return report;
 }
 
@@ -129,7 +129,7 @@ void add_content(const Case&, const Computed& computed, results::Content& conten
   results::Volume& volume = content.volume;
   volume.group = "/subsurface";
   volume.meaning = "stresses below the contact, the body at z >= 0; tension positive";
-  volume.warnings = deck::joined(field.warnings, "\n");
+  volume.warnings = deck::joined(told(field.warnings), "\n");
   volume.grid = field.grid;
   volume.depths = field.depths;
   for (const subsurface::Volume& kept : field.kept) {

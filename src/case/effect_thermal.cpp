@@ -79,7 +79,7 @@ void add_content(const Case& input, const Computed& computed, results::Content& 
     if (one.name != "mu" || !input.friction) content.summary.push_back(std::move(one));  // or [friction] adds mu
   if (kept(input, "section")) add_section(input, fields, content.section);
   content.summary.push_back(
-      {"thermal_warnings", deck::joined(thermal_warnings(input, *computed.heat), "\n"), "", "one per line"});
+      {"thermal_warnings", deck::joined(told(thermal_warnings(input, *computed.heat)), "\n"), "", "one per line"});
   content.tables.push_back(table_of("thermal_levels", "solutions with heat, grid by grid", thermal_columns(*input.heat),
                                     computed.heat->found.rows));
 }
@@ -89,7 +89,7 @@ Json json(const Case& input, const Computed& computed) {
   Json report;
   add(thermal_quantities(input, *computed.heat), report);
   report["levels"] = rows_json(thermal_columns(*input.heat), computed.heat->found.rows);
-  report["warnings"] = thermal_warnings(input, *computed.heat);
+  add_warnings(thermal_warnings(input, *computed.heat), report);
   report["seconds"] = computed.heat->found.seconds;
   return report;
 }

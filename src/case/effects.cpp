@@ -162,8 +162,9 @@ void add_effects(const Case& input, const Computed& computed, Json& report) {
     rows.push_back({{"name", row.name}, {"seconds", row.seconds}, {"what", row.what}, {"why", row.why}});
   for (const Effect& effect : effects_of(input))
     if (Json own = effect.json ? effect.json(input, computed) : Json(); !own.is_null()) {
-      if (own.contains("warnings"))
-        for (const Json& warning : own["warnings"]) report["warnings"].push_back(warning);
+      for (const char* list : {"warnings", "warning_names"})
+        if (own.contains(list))
+          for (const Json& one : own[list]) report[list].push_back(one);
       report[effect.name] = std::move(own);
     }
 }

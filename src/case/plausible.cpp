@@ -19,42 +19,48 @@ constexpr double thickest_film = 10e-6;    // m
 
 }  // namespace
 
-std::vector<std::string> hardly_meant(const Case& input) {
-  std::vector<std::string> warnings;
+core::Warnings hardly_meant(const Case& input) {
+  core::Warnings warnings;
   const Physics& physics = input.physics;
   if (std::abs(physics.srr) > surface_at_rest)
-    warnings.push_back(fmt::format("srr = {:.4g} is beyond +-2: surface {} moves backwards, against the entrainment",
-                                   physics.srr, physics.srr > 0.0 ? 2 : 1));
+    warnings.push_back(
+        {"backwards", fmt::format("srr = {:.4g} is beyond +-2: surface {} moves backwards, against the entrainment",
+                                  physics.srr, physics.srr > 0.0 ? 2 : 1)});
   if (const double at_ends = input.roller ? roller::bearing(*input.roller).at_ends : 0.0; at_ends > edge_that_cuts)
     warnings.push_back(
-        fmt::format("cut into slices the ends of the roller bear {:.2g} of the mean load per length: edges that cut, "
-                    "which few meshes solve; let the profile fall further there",
-                    at_ends));
+        {"roller-edge",
+         fmt::format("cut into slices the ends of the roller bear {:.2g} of the mean load per length: edges that cut, "
+                     "which few meshes solve; let the profile fall further there",
+                     at_ends)});
   if (!physics.si) return warnings;
   const double eta0 = physics.si->contact.eta0;
   if (eta0 > thickest_oil)
     warnings.push_back(
-        fmt::format("eta0 = {:.4g} Pa s is above {:g} Pa s, thicker than an oil: is it in mPa s?", eta0, thickest_oil));
+        {"thick-oil", fmt::format("eta0 = {:.4g} Pa s is above {:g} Pa s, thicker than an oil: is it in mPa s?", eta0,
+                                  thickest_oil)});
   for (const double u : {physics.si->u1, physics.si->u2})
     if (std::abs(u) > fastest_surface) {
       const std::string slip = input.machine
                                    ? "are the lengths and speeds of [" + input.machine->section + "] in its units?"
                                    : "is it in mm/s?";
-      warnings.push_back(fmt::format("a surface moves with {:.4g} m/s, above {:g} m/s: {}", u, fastest_surface, slip));
+      warnings.push_back(
+          {"fast", fmt::format("a surface moves with {:.4g} m/s, above {:g} m/s: {}", u, fastest_surface, slip)});
       break;
     }
   return warnings;
 }
 
-std::vector<std::string> hardly_a_film(double h_c, double h_m) {
+core::Warnings hardly_a_film(double h_c, double h_m) {
   const double least = std::fmin(h_c, h_m);  // the smaller of the known values
   // Without a film, the report says elsewhere that the mesh does not resolve it.
   if (least <= 0.0) return {};
   if (least < thinnest_film)
-    return {"the film is " + length(least) +
-            " at its thinnest, thinner than a molecule of oil: mixed lubrication is likely, which is not solved"};
+    return {{"thin-film",
+             "the film is " + length(least) +
+                 " at its thinnest, thinner than a molecule of oil: mixed lubrication is likely, which is not solved"}};
   if (h_c > thickest_film)
-    return {"the film is " + length(h_c) + " at the centre, above 10 um: check the units of speed and viscosity"};
+    return {{"thick-film",
+             "the film is " + length(h_c) + " at the centre, above 10 um: check the units of speed and viscosity"}};
   return {};
 }
 

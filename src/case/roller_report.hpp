@@ -6,6 +6,7 @@
 #include "base/column.hpp"
 #include "case/computed.hpp"
 #include "case/scene.hpp"
+#include "core/warning.hpp"
 
 namespace ehl::program {
 
@@ -14,9 +15,9 @@ std::vector<results::Quantity> roller_quantities(const Case& input, const Roller
 std::vector<Column<roller::Slice>> slice_columns();
 /// Warnings about loaded ends, where the assumption of half-spaces fails. In a sweep, which computes no coarser grid,
 /// these are the only warnings about a roller.
-std::vector<std::string> edge_warnings(const roller::Distribution& found);
+core::Warnings edge_warnings(const roller::Distribution& found);
 /// All warnings about a roller, and its part of the summary.
-std::vector<std::string> roller_warnings(const RollerResult& result);
+core::Warnings roller_warnings(const RollerResult& result);
 std::string roller_summary(const Case& input, const Computed& computed);
 
 }  // namespace ehl::program

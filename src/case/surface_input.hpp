@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "case/physical_input.hpp"
+#include "core/warning.hpp"
 #include "deck/deck.hpp"
 #include "steady/scene.hpp"
 #include "surface/relief.hpp"
@@ -57,6 +58,6 @@ std::vector<std::string> surface_lines(const SurfaceInput& surfaces, const Physi
 std::string surface_report(const SurfaceInput& surfaces, const Physics& physics, const core::Grid& grid);
 
 /// Warnings about maps of which the grid resolves too little.
-std::vector<std::string> surface_warnings(const SurfaceInput& surfaces, const core::Grid& grid);
+core::Warnings surface_warnings(const SurfaceInput& surfaces, const core::Grid& grid);
 
 }  // namespace ehl::program

@@ -80,15 +80,16 @@ std::string surface_report(const SurfaceInput& surfaces, const Physics& physics,
   return text;
 }
 
-std::vector<std::string> surface_warnings(const SurfaceInput& surfaces, const core::Grid& grid) {
-  std::vector<std::string> warnings;
+core::Warnings surface_warnings(const SurfaceInput& surfaces, const core::Grid& grid) {
+  core::Warnings warnings;
   for (const CarriedSurface* one : carried(surfaces)) {
     const auto* map = std::get_if<surface::HeightMap>(&one->relief);
     if (!map) continue;
     const surface::Resolution left = surface::resolution(*map, grid);
     if (left.variance_lost > worth_a_word)
-      warnings.push_back("the mesh loses " + percent(left.variance_lost) + " of the variance of the map on " +
-                         one->section + ": its waves are shorter than the mesh can hold; use more cells");
+      warnings.push_back({"map-lost", "the mesh loses " + percent(left.variance_lost) +
+                                          " of the variance of the map on " + one->section +
+                                          ": its waves are shorter than the mesh can hold; use more cells"});
   }
   return warnings;
 }

@@ -99,34 +99,39 @@ std::vector<Column<heat::Row>> thermal_columns(const HeatInput& input) {
           {"seconds", "s", "time on the grid", &Row::seconds}};
 }
 
-std::vector<std::string> thermal_warnings(const Case& input, const HeatResult& heat) {
+core::Warnings thermal_warnings(const Case& input, const HeatResult& heat) {
   const HeatInput& in = *input.heat;
   const heat::Solution& found = heat.found;
-  std::vector<std::string> list;
+  core::Warnings list;
   if (!input.friction) list = heat.friction_warnings;  // [friction], if present, prints these warnings
   if (heat.unlikely_isothermal)
     list.push_back(
-        fmt::format("thermal: mu_isothermal = {:.4g} belongs to shear stresses that no lubricant carries: it says "
-                    "nothing of friction without heat; {}",
-                    heat.mu_isothermal,
-                    input.scene.thinning ? "check the shear law, or give [friction] limit"
-                                         : "give [shear] law, or [friction] limit"));
+        {"isothermal-friction",
+         fmt::format("thermal: mu_isothermal = {:.4g} belongs to shear stresses that no lubricant carries: it says "
+                     "nothing of friction without heat; {}",
+                     heat.mu_isothermal,
+                     input.scene.thinning ? "check the shear law, or give [friction] limit"
+                                          : "give [shear] law, or [friction] limit")});
   const double hottest = in.T0 * (1.0 + found.in_film.theta) - rheology::zero_celsius;
   if (hottest > rheology::hottest_oil)
     list.push_back(
-        fmt::format("thermal: the film reaches {:.0f} C, and laws of viscosity were made for oils up to {:.0f} "
-                    "C: beyond it oil evaporates and cracks",
-                    hottest, rheology::hottest_oil));
+        {"hot-film",
+         fmt::format("thermal: the film reaches {:.0f} C, and laws of viscosity were made for oils up to {:.0f} "
+                     "C: beyond it oil evaporates and cracks",
+                     hottest, rheology::hottest_oil)});
   if (found.spike_unresolved)
-    list.push_back(fmt::format(
-        "thermal: the mesh of {} cells does not resolve the pressure spike, under which the film is hotter on "
-        "finer meshes: T_film_max has no error bar; use more cells",
-        found.rows.back().nx));
+    list.push_back(
+        {"spike",
+         fmt::format(
+             "thermal: the mesh of {} cells does not resolve the pressure spike, under which the film is hotter on "
+             "finer meshes: T_film_max has no error bar; use more cells",
+             found.rows.back().nx)});
   if (found.nahme > most_per_interval * in.setup.intervals)
     list.push_back(
-        fmt::format("thermal: beta tau_m du h/k reaches {:.0f}, which {} nodes across the film do not resolve "
-                    "to 1e-3: give more [thermal] nodes",
-                    found.nahme, in.setup.intervals + 1));
+        {"thermal-nodes",
+         fmt::format("thermal: beta tau_m du h/k reaches {:.0f}, which {} nodes across the film do not resolve "
+                     "to 1e-3: give more [thermal] nodes",
+                     found.nahme, in.setup.intervals + 1)});
   const struct {
     const char* name;
     const thermal::Body& body;
@@ -134,14 +139,15 @@ std::vector<std::string> thermal_warnings(const Case& input, const HeatResult& h
   for (const auto& [name, body] : bodies)
     if (body.Pe == 0.0)
       list.push_back(
-          fmt::format("thermal: surface {} stands still: the temperature is that after a long time, of a body "
-                      "as large as a half space",
-                      name));
+          {"at-rest",
+           fmt::format("thermal: surface {} stands still: the temperature is that after a long time, of a body "
+                       "as large as a half space",
+                       name)});
     else if (in.setup.lines && body.Pe < (input.scene.grid.line ? low_peclet_of_line : low_peclet))
-      list.push_back(
-          fmt::format("thermal: surface {} is slow, u a over the diffusivity = {:.2g}: lines overstate its "
-                      "temperature by more than a tenth; give [thermal] solids = full",
-                      name, body.Pe));
+      list.push_back({"slow-surface",
+                      fmt::format("thermal: surface {} is slow, u a over the diffusivity = {:.2g}: lines overstate its "
+                                  "temperature by more than a tenth; give [thermal] solids = full",
+                                  name, body.Pe)});
   return list;
 }
 
@@ -159,7 +165,7 @@ std::string thermal_summary(const Case& input, const Computed& computed) {
                   heat.unlikely ? no_oil : "", heat.mu_isothermal, heat.unlikely_isothermal ? no_oil : "", mark);
   text += "             above T_oil: " + hottest_text(input, "film", found.in_film) +
           fmt::format(", mean {:.2f} K, inlet {:.2f} K{}\n", in.T0 * found.mean, in.T0 * found.inlet, mark);
-  text += "             " + hottest_text(input, "surface 1", found.on_1) + "; " +
+  text += "             above T_oil: " + hottest_text(input, "surface 1", found.on_1) + "; " +
           hottest_text(input, "surface 2", found.on_2) + mark + "\n";
   text += fmt::format(
       "             heat {0:.4g} {5} made, {1:.4g} {5} into body 1, {2:.4g} {5} into body 2, {3:.3g} {5} with the oil; "

@@ -6,6 +6,7 @@
 #include "base/column.hpp"
 #include "case/computed.hpp"
 #include "case/scene.hpp"
+#include "core/warning.hpp"
 
 namespace ehl::program {
 
@@ -17,7 +18,7 @@ std::vector<results::Quantity> thermal_quantities(const Case& input, const HeatR
 std::vector<Column<heat::Row>> thermal_columns(const HeatInput& input);
 /// Warnings: temperatures outside the range of the laws, too few nodes across the film, surfaces at
 /// rest, low Peclet numbers.
-std::vector<std::string> thermal_warnings(const Case& input, const HeatResult& heat);
+core::Warnings thermal_warnings(const Case& input, const HeatResult& heat);
 /// The printed part of the summary.
 std::string thermal_summary(const Case& input, const Computed& computed);
 

@@ -48,8 +48,9 @@ void solve(const Case& input, Progress& progress, Computed& computed) {
   const core::Location highest = core::maximum(solution.P);
   Outcome& outcome = computed.outcome;
   outcome.P_max = {highest.value, solution.grid.X(highest.i), solution.grid.Y(highest.j)};
-  if (std::optional<std::string> beyond = contact::beyond_yield(input.physics.p_h)) outcome.warnings.push_back(*beyond);
-  for (std::string& warning : surface_warnings(input.surfaces, input.scene.grid))
+  if (std::optional<core::Warning> beyond = contact::beyond_yield(input.physics.p_h))
+    outcome.warnings.push_back(*beyond);
+  for (core::Warning& warning : surface_warnings(input.surfaces, input.scene.grid))
     outcome.warnings.push_back(std::move(warning));
   computed.solution.grid = solution.grid;
   computed.solution.P = solution.P;
@@ -150,7 +151,7 @@ std::string json(const Case& input, const Computed& computed) {
   report["cpu_level"] = core::processor_level();
   report["peak_memory_bytes"] = peak_memory();
   report["grids"] = rows_json(grid_columns(), computed.dry->rows);
-  report["warnings"] = computed.outcome.warnings;
+  add_warnings(computed.outcome.warnings, report);
   add_effects(input, computed, report);
   return line_of(report);
 }

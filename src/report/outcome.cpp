@@ -13,6 +13,7 @@
 #include "core/constants.hpp"
 #include "core/norms.hpp"
 #include "report/film_fit.hpp"
+#include "report/moving_surfaces.hpp"
 #include "report/roughness.hpp"
 #include "rheology/range.hpp"
 
@@ -26,59 +27,20 @@ Place place(const core::Grid& grid, const core::Location& location) {
 }
 
 // The warnings of the solution, and those that need the scales of the physical contact.
-std::vector<std::string> warnings_of(const Physics& physics, const steady::Solution& solution, double P_max) {
-  std::vector<std::string> warnings = solution.warnings;
+core::Warnings warnings_of(const Physics& physics, const steady::Solution& solution, double P_max) {
+  core::Warnings warnings = solution.warnings;
   const double eta0 = physics.si ? physics.si->contact.eta0 : unknown;
-  for (std::string& warning :
+  for (core::Warning& warning :
        rheology::out_of_range(physics.viscosity, physics.density, {.P_max = P_max, .p_h = physics.p_h, .eta0 = eta0}))
     warnings.push_back(std::move(warning));
   if (physics.groups.L == 0.0 && !std::holds_alternative<rheology::Isoviscous>(physics.viscosity))
     warnings.push_back(
-        "L = 0 is the limit in which no pressure arises that would change the lubricant: solved as isoviscous and "
-        "incompressible");
-  if (std::optional<std::string> warning = contact::beyond_yield(physics.p_h)) warnings.push_back(*warning);
+        {"no-load",
+         "L = 0 is the limit in which no pressure arises that would change the lubricant: solved as isoviscous and "
+         "incompressible"});
+  if (std::optional<core::Warning> warning = contact::beyond_yield(physics.p_h)) warnings.push_back(*warning);
   return warnings;
 }
-
-// Warns of surface features that have not reached the contact when the run in time ends.
-void warn_of_late(const Case& input, std::vector<std::string>& warnings) {
-  if (!input.transient) return;
-  const double inlet = -contact::extent(input.scene.shape).X;
-  for (const CarriedSurface* one : carried(input.surfaces)) {
-    const auto* feature = std::get_if<surface::Feature>(&one->relief);
-    if (feature && feature->angle != 0.0) continue;  // an oblique feature reaches the contact at some Y
-    const double ahead = feature ? feature->width : 0.5 * std::get<surface::HeightMap>(one->relief).length_x();
-    const Way way = way_of(*one, *input.transient);
-    if (std::max(way.from, way.to) + ahead >= inlet) continue;
-    warnings.push_back(
-        fmt::format("{} on {} does not come to the contact: its middle is at x = {:.4g} a at time 0 and at "
-                    "x = {:.4g} a at the end; a longer end_time, or x closer to the contact",
-                    one->shape, one->section, way.from, way.to));
-  }
-}
-
-// Warns of moving features on a mesh that is too coarse for them (modules/transient/README.md).
-void warn_of_coarse(const Case& input, std::vector<std::string>& warnings) {
-  if (!input.transient) return;
-  const core::Grid& grid = input.scene.grid;
-  for (const CarriedSurface* one : carried(input.surfaces)) {
-    const auto* feature = std::get_if<surface::Feature>(&one->relief);
-    if (!feature) continue;
-    const bool waves = feature->shape == surface::Feature::Shape::waviness;
-    const double wanted = waves ? 30.0 : 8.0;
-    const double cells = feature->width / (grid.line ? grid.hx() : std::max(grid.hx(), grid.hy()));
-    if (cells < wanted)
-      warnings.push_back(
-          fmt::format("{} on {} has {:.2g} cells for its {} where {:g} are wanted of what moves: its amplitude in "
-                      "the film and its pressure belong to this mesh; use at least {:.0f} cells",
-                      one->shape, one->section, cells, waves ? "wavelength" : "width", wanted,
-                      std::ceil(grid.nx * wanted / cells)));
-  }
-}
-
-}  // namespace
-
-namespace {
 
 std::vector<Formula> published_formulas(const contact::Groups& groups) {
   const contact::Ellipse& shape = groups.shape;
@@ -146,14 +108,13 @@ Outcome outcome_of(const Case& input, const steady::Solution& solution) {
   outcome.formulas = film_formulas(input.physics);
   outcome.regime = contact::regime_text(groups.M, groups.L, groups.shape);
   outcome.warnings = warnings_of(input.physics, solution, outcome.P_max.value);
-  for (std::string& warning : surface_warnings(input.surfaces, solution.grid)) outcome.warnings.push_back(warning);
+  for (core::Warning& warning : surface_warnings(input.surfaces, solution.grid)) outcome.warnings.push_back(warning);
   outcome.roughness = roughness_of(input, outcome.formulas, outcome.Hm.value);
-  if (std::optional<std::string> warning = roughness_warning(input, outcome.roughness))
+  if (std::optional<core::Warning> warning = roughness_warning(input, outcome.roughness))
     outcome.warnings.push_back(*warning);
-  for (std::string& warning : hardly_meant(input)) outcome.warnings.push_back(std::move(warning));
-  for (std::string& warning : hardly_a_film(outcome.hc, outcome.hm)) outcome.warnings.push_back(std::move(warning));
-  warn_of_late(input, outcome.warnings);
-  warn_of_coarse(input, outcome.warnings);
+  for (core::Warning& warning : hardly_meant(input)) outcome.warnings.push_back(std::move(warning));
+  for (core::Warning& warning : hardly_a_film(outcome.hc, outcome.hm)) outcome.warnings.push_back(std::move(warning));
+  for (core::Warning& warning : moving_surface_warnings(input)) outcome.warnings.push_back(std::move(warning));
   return outcome;
 }
 

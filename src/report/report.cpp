@@ -14,6 +14,7 @@
 #include "core/constants.hpp"
 #include "report/contact_lines.hpp"
 #include "report/film_lines.hpp"
+#include "report/moving_surfaces.hpp"
 #include "report/roughness.hpp"
 
 namespace ehl::program {
@@ -139,16 +140,17 @@ std::string derived(const Case& input) {
   if (const core::Grid grid = foretold_grid(scene); !std::isnan(scene.accuracy.error))
     text += fmt::format("accuracy     {:g}: about {} nodes on [{:.4g}, {:.4g}] x [{:.4g}, {:.4g}]\n",
                         scene.accuracy.error, nodes(grid.nx, grid.ny), grid.X_a, grid.X_b, grid.Y_a, grid.Y_b);
-  std::vector<std::string> warnings = hardly_meant(input);
+  core::Warnings warnings = hardly_meant(input);
   if (physics.si && !formulas.empty())
-    for (std::string& warning :
+    for (core::Warning& warning :
          hardly_a_film(formulas[0].Hc * physics.si->hertz.h_scale, formulas[0].Hm * physics.si->hertz.h_scale))
       warnings.push_back(std::move(warning));
-  if (std::optional<std::string> warning = roughness_warning(input, roughness)) warnings.push_back(*warning);
+  if (std::optional<core::Warning> warning = roughness_warning(input, roughness)) warnings.push_back(*warning);
+  for (core::Warning& warning : moving_surface_warnings(input)) warnings.push_back(std::move(warning));
   const Needs needs = expected_needs(input);
   return text + warning_lines(warnings) +
-         fmt::format("needs        about {} and {} with {}\n", memory(needs.bytes), about_seconds(needs.seconds),
-                     threads_text(scene.threads));
+         fmt::format("needs        about {} and {} with {}{}\n", memory(needs.bytes), about_seconds(needs.seconds),
+                     threads_text(scene.threads), what_needs_leave_out(input));
 }
 
 }  // namespace ehl::program

@@ -92,7 +92,7 @@ std::string json_report(const Case& input, const Computed& computed) {
   report["newton"] = rows_json(newton_columns(), solution.newton);
   report["parts"] = parts_json(solution.times);
   report["formulas"] = rows_json(formula_columns(input, outcome), outcome.formulas);
-  report["warnings"] = outcome.warnings;
+  add_warnings(outcome.warnings, report);
   add_effects(input, computed, report);
   return line_of(report);
 }
@@ -106,7 +106,8 @@ std::string json_failure(const Case& input, const std::string& reason) {
                   {"M", input.physics.groups.M},
                   {"L", input.physics.groups.L},
                   {"levels", Json::array()},
-                  {"warnings", Json::array()}});
+                  {"warnings", Json::array()},
+                  {"warning_names", Json::array()}});
 }
 
 }  // namespace ehl::program

@@ -62,14 +62,16 @@ std::string roughness_line(const Case& input, const std::optional<Roughness>& ro
   return text + fmt::format("; lambda ratio {:.3g}: {} over it\n", roughness->lambda_ratio(), film(input, *roughness));
 }
 
-std::optional<std::string> roughness_warning(const Case& input, const std::optional<Roughness>& roughness) {
+std::optional<core::Warning> roughness_warning(const Case& input, const std::optional<Roughness>& roughness) {
   if (!roughness || !(roughness->lambda_ratio() < full_film)) return std::nullopt;
   const bool touch = roughness->lambda_ratio() < touching_film;
-  return fmt::format(
-      "lambda ratio {:.2g} is below {:g}: {} does not keep surfaces of roughness Sq = {} apart; {}",
-      roughness->lambda_ratio(), touch ? touching_film : full_film, film(input, *roughness),
-      height(input, roughness->Sq),
-      touch ? "they touch, and contact between asperities is not simulated" : "mixed lubrication is likely");
+  return core::Warning{
+      "lambda",
+      fmt::format(
+          "lambda ratio {:.2g} is below {:g}: {} does not keep surfaces of roughness Sq = {} apart; {}",
+          roughness->lambda_ratio(), touch ? touching_film : full_film, film(input, *roughness),
+          height(input, roughness->Sq),
+          touch ? "they touch, and contact between asperities is not simulated" : "mixed lubrication is likely")};
 }
 
 }  // namespace ehl::program

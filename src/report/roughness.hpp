@@ -6,6 +6,7 @@
 
 #include "case/computed.hpp"
 #include "case/scene.hpp"
+#include "core/warning.hpp"
 
 namespace ehl::program {
 
@@ -20,6 +21,6 @@ std::optional<Roughness> roughness_of(const Case& input, const std::vector<Formu
 std::string roughness_line(const Case& input, const std::optional<Roughness>& roughness);
 
 /// The warning if the lambda ratio is below 3.
-std::optional<std::string> roughness_warning(const Case& input, const std::optional<Roughness>& roughness);
+std::optional<core::Warning> roughness_warning(const Case& input, const std::optional<Roughness>& roughness);
 
 }  // namespace ehl::program

@@ -183,10 +183,8 @@ SweepRow row_of_solution(const Case& input, const FilmSolution& found, SweepRow 
   take(film_quantities(input, solution, outcome), row);
   in_row(row, "path") = path_code(solution);
   in_row(row, "attempts") = static_cast<int>(solution.attempts.size());
-  std::vector<std::string> warnings = outcome.warnings;
-  const auto warn = [&](const std::vector<std::string>& more) {
-    warnings.insert(warnings.end(), more.begin(), more.end());
-  };
+  core::Warnings warnings = outcome.warnings;
+  const auto warn = [&](const core::Warnings& more) { warnings.insert(warnings.end(), more.begin(), more.end()); };
   if (solution.converged && finite) {
     in_row(row, "status") = "converged";
     take_film(input, solution, outcome, row);

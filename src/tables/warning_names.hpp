@@ -1,14 +1,14 @@
 #pragma once
 // The names of warnings in a table.
 #include <string>
-#include <vector>
+
+#include "core/warning.hpp"
 
 namespace ehl::program {
 
-/// The names of warnings, separated by blanks, each once, in the order of the sentences: "mesh domain"; "none" if there
-/// is no warning; "other" for a warning without a name. A name identifies the subject of a warning and never changes,
-/// whereas the sentence may. in: the sentences.
-std::string names_of_warnings(const std::vector<std::string>& sentences);
+/// The names of warnings, separated by blanks, each once, in the order of the warnings: "mesh domain"; "none" if there
+/// is no warning.
+std::string names_of_warnings(const core::Warnings& warnings);
 
 /// The name of the warning about an estimated error of 100 % or more: the case converged, but
 /// its numbers are not usable.

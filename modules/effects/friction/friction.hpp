@@ -15,6 +15,7 @@
 #include "core/field.hpp"
 #include "core/grid.hpp"
 #include "core/quadratic_form.hpp"
+#include "core/warning.hpp"
 #include "rheology/laws.hpp"
 #include "rheology/shear.hpp"
 
@@ -101,6 +102,6 @@ Friction friction_of(const Film& film, const Parameters& parameters);
 /// True if the stress exceeds what lubricants can carry, on a significant part of the load.
 bool unlikely(const Friction& friction);
 /// Warnings in words: a Newtonian oil with stresses that no lubricant can carry.
-std::vector<std::string> warnings(const Friction& friction);
+core::Warnings warnings(const Friction& friction);
 
 }  // namespace ehl::friction

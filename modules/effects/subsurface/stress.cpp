@@ -136,11 +136,13 @@ void warn(StressField& field) {
   for (const auto& [quantity, maximum] : {std::pair{sigma_mises, field.mises}, {tau_max, field.shear}}) {
     const std::string largest = std::string("subsurface: the largest ") + name(quantity);
     if (maximum.Z == depth)
-      field.warnings.push_back(largest + " lies on the lowest plane: take a larger [subsurface] depth");
+      field.warnings.push_back(
+          {"stress-depth", largest + " lies on the lowest plane: take a larger [subsurface] depth"});
     else if (maximum.Z < shallow(field.grid))
-      field.warnings.push_back(largest +
-                               " lies within two cells of the surface and may belong to the mesh of the pressure: "
-                               "compare with more cells");
+      field.warnings.push_back(
+          {"stress-at-surface", largest +
+                                    " lies within two cells of the surface and may belong to the mesh of the pressure: "
+                                    "compare with more cells"});
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/field.hpp"
 #include "core/grid.hpp"
+#include "core/warning.hpp"
 #include "effects/subsurface/patch.hpp"
 
 namespace ehl::subsurface {
@@ -53,7 +54,7 @@ struct StressField {
   double section_Y = 0.0;            ///< Y of the section: 0 or the nearest line
   std::vector<core::Field> section;  ///< every quantity over x (first index) and depth (second)
   Maximum mises, shear;
-  std::vector<std::string> warnings;
+  core::Warnings warnings;
   double seconds = 0.0;
 };
 

@@ -13,7 +13,7 @@ BOOST_AUTO_TEST_CASE(steel_is_named_beyond_its_yield_and_not_before) {
   for (const double p_h : {0.4e9, 2.0e9, 3.19e9, std::numeric_limits<double>::quiet_NaN()})
     BOOST_TEST(!beyond_yield(p_h).has_value(), p_h);
   const auto says = [](double p_h, const char* part) {
-    const std::string text = beyond_yield(p_h).value_or("nothing");
+    const std::string text = beyond_yield(p_h).value_or(ehl::core::Warning{"", "nothing"}).text;
     BOOST_TEST_MESSAGE(text);
     return text.find(part) != std::string::npos;
   };

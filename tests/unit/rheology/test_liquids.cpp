@@ -212,8 +212,8 @@ BOOST_AUTO_TEST_CASE(what_leaves_its_range_is_named) {
     BOOST_TEST(out_of_range(law, Incompressible{}, low).empty());
     const auto found = out_of_range(law, make_tait(1.2e9, 11.0, p_h), high);
     BOOST_REQUIRE(found.size() == 1);
-    BOOST_TEST_MESSAGE(found[0]);
-    BOOST_TEST(found[0].find("3 GPa") != std::string::npos);
+    BOOST_TEST_MESSAGE(found[0].text);
+    BOOST_TEST(found[0].text.find("3 GPa") != std::string::npos);
   }
 }
 

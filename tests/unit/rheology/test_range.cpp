@@ -14,7 +14,7 @@ namespace {
 constexpr double alpha = 2.2e-8;
 
 std::vector<std::string> found(const ViscosityLaw& law, const Loading& loading) {
-  std::vector<std::string> texts = out_of_range(law, Incompressible{}, loading);
+  const std::vector<std::string> texts = told(out_of_range(law, Incompressible{}, loading));
   for (const std::string& text : texts) BOOST_TEST_MESSAGE(text);
   return texts;
 }

@@ -152,8 +152,8 @@ BOOST_AUTO_TEST_CASE(warnings_name_what_is_wrong) {
   const Scene scene;
   BOOST_TEST(warnings_of(scene, solution).empty());
   const auto warned = [&](const char* word) {
-    const std::vector<std::string> warnings = warnings_of(scene, solution);
-    return warnings.size() == 1 && warnings[0].find(word) != std::string::npos;
+    const core::Warnings warnings = warnings_of(scene, solution);
+    return warnings.size() == 1 && warnings[0].text.find(word) != std::string::npos;
   };
   solution.error_bars.Hm.discretization = 0.3;
   BOOST_TEST(warned("not resolved"));
@@ -162,7 +162,7 @@ BOOST_AUTO_TEST_CASE(warnings_name_what_is_wrong) {
   BOOST_TEST(warned("192 would bring"));
   Scene first_order;
   first_order.wedge = reynolds::Wedge::upstream1;
-  BOOST_TEST(warnings_of(first_order, solution)[0].find("384 would bring") != std::string::npos);
+  BOOST_TEST(warnings_of(first_order, solution)[0].text.find("384 would bring") != std::string::npos);
   BOOST_TEST(cells_that_resolve(256, 0.0999, reynolds::Wedge::upstream2) == 256);
   BOOST_TEST(cells_that_resolve(256, 0.41, reynolds::Wedge::upstream2) == 1024);
   BOOST_TEST(cells_that_resolve(256, 180.0, reynolds::Wedge::upstream2) == 1024);
