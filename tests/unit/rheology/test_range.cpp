@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(pressures_nobody_measured_at_are_named) {
   BOOST_TEST(one_says(beyond, "alpha_bar P = 44.2"));
 
   const auto density = [&](double P_max) {
-    return out_of_range(Isoviscous{}, make_dowson_higginson(p_h), {.P_max = P_max, .p_h = p_h});
+    return told(out_of_range(Isoviscous{}, make_dowson_higginson(p_h), {.P_max = P_max, .p_h = p_h}));
   };
   BOOST_TEST(density(1.99).empty());
   BOOST_TEST(one_says(density(2.01), "rho/rho0 = 1.26"));
