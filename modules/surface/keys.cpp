@@ -113,8 +113,8 @@ std::vector<Key> map_keys() {
            "deck. Text (.csv, .txt, .dat, .asc, .xyz, .sdf): lines along x, the first at the smallest y, numbers "
            "separated by semicolons, tabs, commas or blanks, with decimal points or commas; or x, y, z in every line, "
            "the points of a regular grid in any order; or Gwyddion's text, ESRI's ASCII grid, SDF of ISO 25178-71 in "
-           "ASCII. A first line of words is a heading, # begins a comment. HDF5 (.sur of Digital Surf, or a .h5): a "
-           "dataset with rows of constant "
+           "ASCII. A first line of words is a heading, # begins a comment. A .sur of Digital "
+           "Surf. HDF5 (.h5): a dataset with rows of constant "
            "y. At least 8 by 8 points. Up to a fifth of them may be missing (an empty cell, NaN, BAD, ***); they are "
            "filled from their neighbours. The map is levelled, and averaged over the cells of the mesh.",
        .source = "modules/surface/README.md",
