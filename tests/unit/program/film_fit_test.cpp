@@ -60,7 +60,7 @@ const std::string ball =
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(film_fit)
+BOOST_AUTO_TEST_SUITE(test_program_film_fit)
 
 // The numbers of the line are those of all solved contacts, each from the deck that a user would write.
 BOOST_AUTO_TEST_CASE(the_accuracy_in_the_report_is_that_of_oils_by_name) {

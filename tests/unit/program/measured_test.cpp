@@ -26,7 +26,7 @@ bool says(const std::string& text, const std::string& part) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(measured)
+BOOST_AUTO_TEST_SUITE(test_program_measured)
 
 // Every text holds the same ratios and the same friction.
 BOOST_AUTO_TEST_CASE(per_cent_and_ratios_are_the_same_curve) {
