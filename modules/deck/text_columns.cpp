@@ -70,7 +70,11 @@ Place place_of(const std::string& cell, const std::string& unit_below, const std
   }
   if (read.unit.empty()) read.unit = heading_cell("x " + unit_below).unit;
   place.conversion = conversion(read.unit, wanted[place.column].unit);
-  if (!place.conversion.wrong.empty()) place.wrong = "the column " + quoted(cell) + ": " + place.conversion.wrong;
+  if (!place.conversion.wrong.empty()) {
+    const std::string& meaning = wanted[place.column].meaning;
+    place.wrong =
+        "the column " + quoted(cell) + ": " + place.conversion.wrong + (meaning.empty() ? "" : ", " + meaning);
+  }
   return place;
 }
 

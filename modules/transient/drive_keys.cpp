@@ -84,12 +84,13 @@ bool all_finite(const std::vector<double>& numbers) {
 std::vector<Schedule::Point> points_of_file(const deck::Part& part, const std::string& key) {
   const std::string path = deck::found_beside(part.deck, part.section, key);
   const std::string time_unit = part.word("time_unit") == "seconds" ? "s" : "a/u_m";
+  const char* unit_of_time = time_unit == "s" ? "" : "or in seconds with time_unit = seconds";
   const char* whole = key == "load"     ? "relative to that of [contact]"
                       : key == "supply" ? "relative to that of [supply]"
                                         : "relative to the entrainment speed of [motion]";
-  const deck::ReadColumns read =
-      deck::read_columns(path, {{{"t", "time", "T"}, time_unit}, {{key, "value", "factor"}, "-", true, whole}},
-                         " ([transient] " + key + ")");
+  const deck::ReadColumns read = deck::read_columns(
+      path, {{{"t", "time", "T"}, time_unit, true, unit_of_time}, {{key, "value", "factor"}, "-", true, whole}},
+      " ([transient] " + key + ")");
   std::vector<Schedule::Point> points;
   if (const auto* wrong = std::get_if<std::string>(&read))
     part.complain(key, *wrong);

@@ -67,6 +67,11 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
   const support::TemporaryFolder folder;
   for (const support::Slip& slip : slips)
     support::check_refused(folder, {slip.name, contact + grid + slip.deck, slip.parts});
+  for (const auto& [table, words] : {std::pair{"t [s],load\n0,1\n", "or in seconds with time_unit = seconds"},
+                                     {"t,load [N]\n0,1\n", "over that of [contact]"}}) {
+    folder.write("units.csv", table);
+    support::check_refused(folder, {table, contact + grid + timed + "load = units.csv\n", {"units.csv:1", words}});
+  }
   // What is no list is the name of a file.
   folder.write("d.ini", contact + grid + timed + "load = half\n");
   const support::Ended no_file = support::ehl(folder, "check d.ini");
